@@ -1,0 +1,1 @@
+"""What must vanish: residuals, no iteration."""

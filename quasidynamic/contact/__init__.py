@@ -1,0 +1,1 @@
+"""One touching pair in its own frame: numbers in, numbers out."""

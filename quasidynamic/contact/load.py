@@ -1,0 +1,95 @@
+"""Load of a roller slice from its approach."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.parts.material import Material
+
+EXPONENT = 10 / 9  # of both laws, load ~ approach^(10/9)
+GAP_ROUNDING = 1e-9  # [m] width over which contact begins smoothly; bias below 0.02 N
+
+
+@dataclass(frozen=True)
+class LoadLaw:
+    """q = coefficient * approach^(10/9), load per length [N/m] from the approach at one raceway [m]."""
+
+    coefficient: float
+
+    def __call__(self, approach: NDArray) -> tuple[NDArray, NDArray]:
+        """Load per length [N/m] and its derivative [N/m2]; both tend smoothly to zero in a gap."""
+        closed, slope = smooth_positive(approach)
+        power = closed ** (EXPONENT - 1)
+        return self.coefficient * power * closed, self.coefficient * EXPONENT * power * slope
+
+    def approach(self, line_load: NDArray) -> NDArray:
+        """Approach [m] that carries a load per length [N/m]: the inverse, contact assumed closed."""
+        return (line_load / self.coefficient) ** (1 / EXPONENT)
+
+
+def smooth_positive(gap: NDArray) -> tuple[NDArray, NDArray]:
+    """Positive part rounded over `GAP_ROUNDING`, and its derivative, without cancellation."""
+    root = np.hypot(gap, GAP_ROUNDING)
+    # For a gap, (gap + root) loses all digits: use the conjugate form there.
+    distance = root + np.abs(gap)
+    positive = np.where(gap >= 0, distance / 2, GAP_ROUNDING**2 / (2 * distance))
+    return positive, positive / root
+
+
+def palmgren(roller: Material, raceway: Material, length: float) -> LoadLaw:
+    r"""Palmgren's line contact, one raceway.
+
+    .. math:: \delta = 3.81\, B^{0.9} Q^{0.9} / l^{0.8}, \quad
+              B = (1-\nu_1^2)/(\pi E_1) + (1-\nu_2^2)/(\pi E_2)
+
+    Parameters
+    ----------
+    roller, raceway : Material
+        the touching pair
+    length : float
+        l, effective length [m]
+
+    Returns
+    -------
+    LoadLaw
+        with Q spread evenly over l
+
+    Source
+    ------
+    Palmgren, Ball and Roller Bearing Engineering (1959); Mao, Wang and Zhang (2016), Eq. (1).
+
+    Valid
+    -----
+    Rollers about as long as thick on solid rings; an empirical law.
+    """
+    pair = (roller.plane_compliance + raceway.plane_compliance) / np.pi
+    return LoadLaw((length**0.8 / 3.81) ** EXPONENT / pair / length)
+
+
+def iso16281(length: float) -> LoadLaw:
+    r"""Line contact of steel as the reference life standard takes it.
+
+    .. math:: Q = 35948\, l^{8/9} \delta^{10/9} \quad \text{(N, mm, both raceways together)}
+
+    Parameters
+    ----------
+    length : float
+        l, effective length [m]
+
+    Returns
+    -------
+    LoadLaw
+        for one raceway: half of the approach belongs to it
+
+    Source
+    ------
+    ISO/TS 16281 (2008), cylindrical rollers.
+
+    Valid
+    -----
+    Steel on steel.
+    """
+    millimetre = 1e-3
+    whole = 35948 * (length / millimetre) ** (8 / 9) * (2 / millimetre) ** EXPONENT
+    return LoadLaw(whole / length)

@@ -1,0 +1,19 @@
+"""What can go wrong in the bearing model."""
+
+
+class ImpossiblePart(ValueError):
+    """A part that cannot exist, such as a roller of negative length."""
+
+
+class OutOfRange(ValueError):
+    """A value outside the range in which a formula or a table holds."""
+
+
+class NotSolved(RuntimeError):
+    """No equilibrium was reached; the message says how far the residual came."""
+
+
+def require_positive(name: str, value: float) -> None:
+    """Raise `ImpossiblePart` unless the value is a finite number above zero."""
+    if not 0.0 < value < float("inf"):
+        raise ImpossiblePart(f"{name} = {value!r} must be a finite number above zero")

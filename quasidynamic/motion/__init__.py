@@ -1,0 +1,1 @@
+"""Who turns how fast: no forces."""

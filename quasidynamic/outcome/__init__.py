@@ -1,0 +1,1 @@
+"""What a solved state means."""

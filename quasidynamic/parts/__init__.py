@@ -1,0 +1,1 @@
+"""What the bearing is made of: frozen data in SI units."""

@@ -1,0 +1,60 @@
+"""A cylindrical roller bearing put together."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.errors import ImpossiblePart, require_positive
+from quasidynamic.parts.cage import Cage
+from quasidynamic.parts.material import Material
+from quasidynamic.parts.roller import Roller
+
+
+@dataclass(frozen=True, kw_only=True)
+class CylindricalRollerBearing:
+    """Rollers between two raceways, kept apart by a cage."""
+
+    rollers: int
+    outer_raceway_diameter: float  # [m]
+    clearance: float  # [m] operating, diametral; negative is a preload
+    roller: Roller
+    cage: Cage
+    inner_ring: Material
+    outer_ring: Material
+    contact_law: Literal["palmgren", "iso16281"] = "palmgren"
+    first_roller_azimuth: float = 0.0  # [rad] from the load line
+
+    def __post_init__(self):
+        require_positive("bearing.outer_raceway_diameter", self.outer_raceway_diameter)
+        if self.rollers < 3:
+            raise ImpossiblePart(f"bearing.rollers = {self.rollers}: a ring needs at least 3")
+        if self.rollers * self.roller.diameter >= np.pi * self.pitch_diameter:
+            raise ImpossiblePart(f"{self.rollers} rollers do not fit on the pitch circle")
+
+    @property
+    def pitch_diameter(self) -> float:
+        """Of the roller centres, rollers lying on the outer raceway [m]."""
+        return self.outer_raceway_diameter - self.roller.diameter
+
+    @property
+    def diameter_ratio(self) -> float:
+        """Roller over pitch diameter, gamma [-]."""
+        return self.roller.diameter / self.pitch_diameter
+
+    @property
+    def inner_radius(self) -> float:
+        """Inner raceway radius of the kinematics, without the clearance [m]."""
+        return (self.pitch_diameter - self.roller.diameter) / 2
+
+    @property
+    def outer_radius(self) -> float:
+        """Outer raceway radius [m]."""
+        return self.outer_raceway_diameter / 2
+
+    @cached_property
+    def azimuths(self) -> NDArray:
+        """Roller azimuths from the load line (Z) [rad]."""
+        return self.first_roller_azimuth + 2 * np.pi * np.arange(self.rollers) / self.rollers

@@ -1,0 +1,27 @@
+"""What is asked of the bearing."""
+
+from dataclasses import dataclass
+
+from quasidynamic.errors import ImpossiblePart
+
+
+@dataclass(frozen=True, kw_only=True)
+class Operation:
+    """Load and speed. The load points along z, where the azimuth is zero."""
+
+    radial_load: float  # [N] on the inner ring along +z
+    inner_speed: float  # [rad/s]
+    outer_speed: float = 0.0  # [rad/s]
+    moment: float = 0.0  # [N m] on the inner ring, tilts it in the plane of the load
+    free_tilt: bool = False  # whether the inner ring may tilt against the outer one
+
+    def __post_init__(self):
+        if self.inner_speed == self.outer_speed:
+            raise ImpossiblePart(f"both rings turn at {self.inner_speed} rad/s: nothing rolls")
+        if self.moment and not self.free_tilt:
+            raise ImpossiblePart(f"moment = {self.moment} N m acts on a ring that may not tilt")
+
+    @property
+    def direction(self) -> float:
+        """Sense in which the rollers spin: +1 when the inner ring turns ahead of the outer one."""
+        return 1.0 if self.inner_speed > self.outer_speed else -1.0
