@@ -6,15 +6,19 @@ from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import lu_factor, lu_solve
 
 from quasidynamic.balance.bearing import CAGE, BearingBalance, Evaluation, Y, Z
+from quasidynamic.start import settled
 
 Status = Literal["", "converged", "iteration limit", "not finite", "stalled"]
 
-TOLERANCE = 1e-11  # of the reference force
+TOLERANCE = 1e-10  # of the reference force, or of the largest roller load if that is larger
+ROUNDING = 1e-8  # residual from where rounding decides whether a step looks smaller
 NEWTON_LIMIT = 60  # steps
 SHORTEST_STEP = 2.0**-12
+
+SEARCH_LIMIT = 40  # steps
+SMALL_CHANGE = 3.0  # scaled displacement: 3 micrometres
 
 PSEUDO_LIMIT = 600  # steps
 PSEUDO_ENOUGH = 1e-6  # residual from which Newton's method takes over again
@@ -40,8 +44,20 @@ class Step:
 
 
 def solve(balance: BearingBalance, unknowns: NDArray, film: NDArray) -> Iterator[Step]:
-    """Yield iterates: Newton's method; if it fails, pseudo-time from the start, then Newton again."""
+    """Yield iterates: Newton's method; if it fails, pseudo-time from the start, then Newton again.
+
+    Raceways that yield come first to touch the rollers that carry load, see `contact_search`.
+    """
     step = None
+    if balance.yields:
+        for step in contact_search(balance, unknowns, film):
+            yield step
+        if step is None or step.status:
+            return
+        for last in newton(balance, step.unknowns, step.film):
+            if last.number:
+                yield replace(last, number=step.number + last.number)
+        return
     for step in newton(balance, unknowns, film):
         if step.status in ("", "converged"):
             yield step
@@ -58,11 +74,34 @@ def solve(balance: BearingBalance, unknowns: NDArray, film: NDArray) -> Iterator
             yield replace(last, number=taken + last.number + 1)
 
 
+def contact_search(balance: BearingBalance, unknowns: NDArray, film: NDArray) -> Iterator[Step]:
+    """Yield undamped Newton steps, rollers settled after each, until displacements hardly change.
+
+    Which rollers touch is decided here. The load law is nearly linear, so a full step solves the
+    problem of the rollers that touched before it, however far it overshoots; a damped one crawls.
+    """
+    current = balance.evaluate(unknowns, film)
+    yield Step(0, unknowns, film, current, "")
+    for number in range(1, SEARCH_LIMIT + 1):
+        change = _direction(current.jacobian, current.residual)
+        unknowns = unknowns + change
+        found = np.abs(change[balance.displacements]).max() < SMALL_CHANGE
+        if not found:
+            unknowns = settled(balance, unknowns, film)
+        film = balance.film(balance.residual(unknowns, film)[1])
+        current = balance.evaluate(unknowns, film)
+        status = "" if np.isfinite(_size(current)) else "not finite"
+        yield Step(number, unknowns, film, current, status)
+        if status or found:
+            return
+
+
 def newton(balance: BearingBalance, unknowns: NDArray, film: NDArray) -> Iterator[Step]:
     """Yield Newton iterates until the residual is below `TOLERANCE`, or the solve has ended.
 
-    The film lags by one step, so the last steps converge linearly, by a factor below 1e-3 each.
-    The step is halved until the residual falls; a step too short to help ends as `stalled`.
+    The film is held during a step and renewed after it, so the last steps converge linearly, by a
+    factor of about 1e-3 each. The step is halved until the residual falls; a step too short to help
+    ends as `stalled`.
     """
     current, damping = balance.evaluate(unknowns, film), 1.0
     for number in range(NEWTON_LIMIT + 1):
@@ -70,16 +109,9 @@ def newton(balance: BearingBalance, unknowns: NDArray, film: NDArray) -> Iterato
         yield Step(number, unknowns, film, current, status)
         if status:
             return
-        film = balance.film(current.rollers)
-        trial = unknowns + _direction(current.jacobian, current.residual)
-        evaluation = balance.evaluate(trial, film)
-        if _size(evaluation) < _size(current):
-            damping = 1.0
-        else:
-            # Judge descent at one and the same film: the lagged one moves the residual by itself.
-            current = balance.evaluate(unknowns, film)
-            damping, trial, evaluation = _shortened(balance, unknowns, current, film)
-        unknowns, current = trial, evaluation
+        damping, unknowns, rollers = _shortened(balance, unknowns, current, film)
+        film = balance.film(rollers)
+        current = balance.evaluate(unknowns, film)
 
 
 def pseudo_time(balance: BearingBalance, unknowns: NDArray, film: NDArray) -> Iterator[Step]:
@@ -120,7 +152,11 @@ def _inertia(balance: BearingBalance) -> NDArray:
 
 
 def _direction(jacobian: NDArray, residual: NDArray) -> NDArray:
-    return -lu_solve(lu_factor(jacobian, check_finite=False), residual, check_finite=False)
+    """Newton step; not a number where there is none, which ends the solve as `not finite`."""
+    try:
+        return -np.linalg.solve(jacobian, residual)
+    except np.linalg.LinAlgError:
+        return np.full(len(residual), np.nan)
 
 
 def _size(evaluation: Evaluation) -> float:
@@ -132,18 +168,19 @@ def _shortened(balance: BearingBalance, unknowns: NDArray, current: Evaluation, 
     direction, damping = _direction(current.jacobian, current.residual), 1.0
     while damping > SHORTEST_STEP:
         trial = unknowns + damping * direction
-        evaluation = balance.evaluate(trial, film)
-        if _size(evaluation) <= (1 - 1e-4 * damping) * _size(current):
-            return damping, trial, evaluation
+        residual, rollers = balance.residual(trial, film)
+        size = np.linalg.norm(residual)
+        if size <= max((1 - 1e-4 * damping) * _size(current), ROUNDING * current.loading):
+            return damping, trial, rollers
         damping /= 2
-    return 0.0, unknowns, current
+    return 0.0, unknowns, current.rollers
 
 
 def _judge(evaluation: Evaluation, number: int, damping: float) -> Status:
     size = np.abs(evaluation.residual).max()
     if not np.isfinite(size):
         return "not finite"
-    if size <= TOLERANCE and number:
+    if size <= TOLERANCE * evaluation.loading and number:
         return "converged"
     if damping == 0.0:
         return "stalled"

@@ -11,6 +11,7 @@ from quasidynamic.contact.load import EXPONENT
 from quasidynamic.errors import NotSolved
 
 FIRST_SLIP = 1e-3  # of the cage: friction must have a sign to begin with
+SETTLING_STEPS = 6  # Newton on a nearly linear law inside a bracket
 DRY_FILM = 1e-7  # [m] before any film is known
 
 
@@ -40,16 +41,37 @@ def static_start(balance: BearingBalance) -> tuple[NDArray, NDArray]:
         return (np.maximum(shift * cos - bearing.clearance / 2, 0.0) / softness) ** EXPONENT
 
     shift = _ring_shift(lambda z: float(loads(z) @ cos), operation.radial_load)
-    centrifugal = bearing.roller.mass * bearing.pitch_diameter / 2 * balance.cage_speed**2
-    outer = (loads(shift) + centrifugal) / bearing.roller.length
     unknowns = np.zeros(balance.size)
     unknowns[Z] = shift
     unknowns[CAGE] = balance.cage_speed * (1 - FIRST_SLIP)
-    unknowns[balance.roller_unknown(0)] = laws[1].approach(outer)
     unknowns[balance.roller_unknown(2)] = balance.roller_speed
-    scaled = unknowns / balance.unknown_scale
     dry = np.full((2, bearing.rollers), DRY_FILM)
+    scaled = settled(balance, unknowns / balance.unknown_scale, dry)
     return scaled, balance.film(balance.evaluate(scaled, dry).rollers)
+
+
+def settled(balance: BearingBalance, unknowns: NDArray, film: NDArray) -> NDArray:
+    """Unknowns with every roller at rest between its raceways, untilted and without friction.
+
+    A step that linearises contact may throw a roller off its outer raceway, from where the load law
+    has no slope to bring it back; this puts it on again.
+    """
+    bearing, m = balance.roller.bearing, balance.roller.shapes
+    inputs = balance.inputs(unknowns, film)
+    room = inputs[:, 0] + inputs[:, m]  # both approaches together, wherever the roller is
+    inner, outer = balance.roller.inner.law, balance.roller.outer.law
+    cage_speed = inputs[0, -1]
+    centrifugal = bearing.roller.mass * bearing.pitch_diameter / 2 * cage_speed**2 / bearing.roller.length
+    lowest = outer.approach(np.array(centrifugal))
+    approach = np.maximum(room / 2, lowest)
+    for _ in range(SETTLING_STEPS):
+        (load_i, slope_i), (load_o, slope_o) = inner(room - approach), outer(approach)
+        approach = approach - (load_o - load_i - centrifugal) / (slope_o + slope_i)
+        approach = np.clip(approach, lowest, np.maximum(room, lowest))
+    moved = unknowns.copy()
+    place = balance.roller_unknown(0)
+    moved[place] = approach / balance.unknown_scale[place]
+    return moved
 
 
 def _ring_shift(load_at: Callable[[float], float], load: float) -> float:

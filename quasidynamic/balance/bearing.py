@@ -23,6 +23,7 @@ class Evaluation(NamedTuple):
     residual: NDArray  # (N) scaled: unbalanced force over reference force
     jacobian: NDArray  # (N, N) of the scaled residual by the scaled unknowns
     rollers: RollerState
+    loading: float  # largest roller load over the reference force, at least 1: rounding grows with it
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -51,6 +52,17 @@ class BearingBalance:
         """Number of unknowns."""
         yielding = sum(matrix is not None for matrix in self.compliance)
         return BORDER + 3 * self.rollers + yielding * self.rollers * self.roller.shapes
+
+    @property
+    def yields(self) -> bool:
+        """Whether a raceway yields together with the bearing."""
+        return any(matrix is not None for matrix in self.compliance)
+
+    @cached_property
+    def displacements(self) -> NDArray:
+        """Places of the unknowns that are displacements of rings, rollers and raceways [m]."""
+        rollers = np.arange(self.roller_unknown(0).start, self.roller_unknown(1).stop)
+        return np.concatenate([[Y, Z], rollers, np.arange(BORDER + 3 * self.rollers, self.size)])
 
     def roller_unknown(self, which: int) -> slice:
         """Place of the rollers' approach (0), tilt approach (1) or spin (2) among the unknowns."""
@@ -109,7 +121,7 @@ class BearingBalance:
         scale[CAGE] = FRICTION * force * bearing.pitch_diameter / 2
         scale[self.roller_unknown(1)] = force * bearing.roller.length / 2
         scale[self.roller_unknown(2)] = FRICTION * force * bearing.roller.diameter / 2
-        scale[BORDER + 3 * self.rollers :] = 1e-4  # [m] a large deviation of a thin ring
+        scale[self._deviations] = 1e-4  # [m] a large deviation of a thin ring
         return scale
 
     # -- linear maps between unknowns and rollers ----------------------------------------------
@@ -195,47 +207,75 @@ class BearingBalance:
             values[:, m + 2 : 2 * m] -= outer[:, 2:]
         return values
 
-    def evaluate(self, scaled: NDArray, film: NDArray) -> Evaluation:
-        """Residual and Jacobian at scaled unknowns (N), with lagged films (2, Z) [m]."""
+    def residual(self, scaled: NDArray, film: NDArray) -> tuple[NDArray, RollerState]:
+        """Scaled residual (N) alone, and what happens at the rollers; see `evaluate`."""
         outputs = self.roller.respond(self.inputs(scaled, film), film)
-        residual = self.scatter @ outputs.value.ravel()
+        return self._residual(scaled, outputs.value) / self.residual_scale, outputs.state
+
+    def evaluate(self, scaled: NDArray, film: NDArray) -> Evaluation:
+        """Residual and Jacobian at scaled unknowns (N), with films (2, Z) [m] that are held."""
+        outputs = self.roller.respond(self.inputs(scaled, film), film)
         blocks = outputs.gradient @ self.gather.reshape(self.rollers, -1, self.size)
         jacobian = self.scatter @ blocks.reshape(-1, self.size)
-        self._add_ring_and_cage(scaled * self.unknown_scale, residual, jacobian)
-        self._add_spin_inertia(scaled * self.unknown_scale, residual, jacobian)
+        self._add_linear_terms(jacobian)
+        self._add_spin_inertia(scaled * self.unknown_scale, jacobian)
         return Evaluation(
-            residual / self.residual_scale,
+            self._residual(scaled, outputs.value) / self.residual_scale,
             jacobian * self.unknown_scale / self.residual_scale[:, None],
             outputs.state,
+            max(1.0, float(outputs.state.outer.force[:, 0].max()) / self.reference_force),
         )
 
-    def _add_ring_and_cage(self, x: NDArray, residual: NDArray, jacobian: NDArray) -> None:
-        operation = self.roller.operation
+    def _residual(self, scaled: NDArray, outputs: NDArray) -> NDArray:
+        """Residual in newtons, newton metres and metres: outputs, applied load, land, yielding."""
+        x, operation = scaled * self.unknown_scale, self.roller.operation
+        residual = self.scatter @ outputs.ravel()
         residual[Z] += operation.radial_load
-        residual[TILT_Z] += operation.moment
-        if not operation.free_tilt:
-            for row in (TILT_Z, TILT_Y):
-                scale = self.residual_scale[row] / self.unknown_scale[row]
-                residual[row], jacobian[row, row] = scale * x[row], scale
+        if operation.free_tilt:
+            residual[TILT_Z] += operation.moment
+        else:
+            residual[self._tilts] = self._tilt_stiffness * x[self._tilts]
         drag, ring = self._land
         residual[CAGE] += drag * (ring - x[CAGE])
-        jacobian[CAGE, CAGE] -= drag
-        deviations = slice(BORDER + 3 * self.rollers, self.size)
-        residual[deviations] += x[deviations]
-        jacobian[deviations, deviations] += np.eye(self.size - deviations.start)
+        residual[self._deviations] += x[self._deviations]
+        if self.spin_inertia:
+            rows, before, factor = self._spin_chain(x)
+            residual[rows] -= factor * abs(x[CAGE]) * (x[rows] - x[before])
+        return residual
 
-    def _add_spin_inertia(self, x: NDArray, residual: NDArray, jacobian: NDArray) -> None:
-        """-J omega_c dw/dphi, differenced towards the roller ahead of which this one comes."""
+    def _add_linear_terms(self, jacobian: NDArray) -> None:
+        if not self.roller.operation.free_tilt:
+            jacobian[self._tilts, self._tilts] = self._tilt_stiffness
+        jacobian[CAGE, CAGE] -= self._land[0]
+        deviations = np.arange(self.size)[self._deviations]
+        jacobian[deviations, deviations] += 1.0
+
+    def _add_spin_inertia(self, x: NDArray, jacobian: NDArray) -> None:
         if not self.spin_inertia:
             return
-        rows = np.arange(self.rollers) + self.roller_unknown(2).start
-        before = np.roll(rows, 1 if x[CAGE] >= 0 else -1)
-        factor = self.roller.bearing.roller.inertia * self.rollers / (2 * np.pi)
-        change = x[rows] - x[before]
-        residual[rows] -= factor * abs(x[CAGE]) * change
+        rows, before, factor = self._spin_chain(x)
         jacobian[rows, rows] -= factor * abs(x[CAGE])
         jacobian[rows, before] += factor * abs(x[CAGE])
-        jacobian[rows, CAGE] -= factor * np.sign(x[CAGE]) * change
+        jacobian[rows, CAGE] -= factor * np.sign(x[CAGE]) * (x[rows] - x[before])
+
+    def _spin_chain(self, x: NDArray) -> tuple[NDArray, NDArray, float]:
+        """J omega_c dw/dphi, differenced upwind: places of each spin, of the one before it, J/dphi."""
+        rows = np.arange(self.rollers) + self.roller_unknown(2).start
+        before = np.roll(rows, 1 if x[CAGE] >= 0 else -1)
+        return rows, before, self.roller.bearing.roller.inertia * self.rollers / (2 * np.pi)
+
+    @property
+    def _deviations(self) -> slice:
+        return slice(BORDER + 3 * self.rollers, self.size)
+
+    @property
+    def _tilts(self) -> list[int]:
+        return [TILT_Z, TILT_Y]
+
+    @property
+    def _tilt_stiffness(self) -> float:
+        """Any stiffness holds a tilt at zero; this one has the size of the other rows [N m]."""
+        return float(self.residual_scale[TILT_Z] / self.unknown_scale[TILT_Z])
 
     def film(self, state: RollerState) -> NDArray:
         """Films (2, Z) [m] that belong to a state's loads and speeds."""

@@ -1,0 +1,59 @@
+"""What the coupling asks of its partners: plain arrays, inner raceway first, outer second."""
+
+from collections.abc import Iterator
+from typing import Protocol, TypeVar
+
+from numpy.typing import NDArray
+
+Compliance = tuple[NDArray | None, NDArray | None]
+
+
+class PartnerFailed(RuntimeError):
+    """A partner could not answer; the message is its own."""
+
+
+class State(Protocol):
+    """A state of the bearing."""
+
+    @property
+    def forces(self) -> NDArray:
+        """Generalised roller forces (2, Z, M) on the raceways [N]; [..., 0] is the load."""
+        ...
+
+    @property
+    def residual(self) -> float:
+        """Largest unbalanced force over the load [-]."""
+        ...
+
+    @property
+    def status(self) -> str:
+        """Empty while iterating, "converged", or the word for another end."""
+        ...
+
+
+S = TypeVar("S", bound=State)
+
+
+class Bearing(Protocol[S]):
+    """Answers with loads to a given raceway shape, or iterates together with a yielding one."""
+
+    def solve(self, start: S | None = None, deviation: NDArray | None = None) -> S:
+        """Equilibrium between raceways of a given shape (2, Z, M) [m]; raises `PartnerFailed`."""
+        ...
+
+    def iterate(self, compliance: Compliance, start: S | None = None) -> Iterator[S]:
+        """Newton iterates between raceways that yield by (Z, M, Z, M) [m/N]."""
+        ...
+
+
+class Structure(Protocol):
+    """Answers with raceway deviations to roller loads."""
+
+    @property
+    def compliance(self) -> Compliance:
+        """Outward deviation per outward force (Z, M, Z, M) [m/N]; None where a raceway is rigid."""
+        ...
+
+    def deviation(self, forces: NDArray) -> NDArray:
+        """Outward raceway deviations (2, Z, M) [m] under roller forces (2, Z, M) [N]."""
+        ...

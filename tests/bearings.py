@@ -1,0 +1,71 @@
+"""Bearings that several tests use, built without case files."""
+
+from math import pi
+
+from quasidynamic import (
+    Cage,
+    CylindricalRollerBearing,
+    Material,
+    Operation,
+    Roller,
+    RollerBearing,
+    Straight,
+    oil_at,
+)
+
+RPM = 2 * pi / 60
+
+CAGE = {
+    "guidance": "outer",
+    "pocket_friction": 0.05,
+    "thickness": 2.5e-3,
+    "mass": 0.025,
+    "land_diameter": 74.6e-3,
+    "land_width": 3e-3,
+    "land_clearance": 0.4e-3,
+}
+
+
+def paper_bearing(**changes) -> RollerBearing:
+    """The bearing of Mao, Wang and Zhang (2016); what the paper leaves out is chosen here."""
+    value = {
+        "rollers": 30,
+        "clearance": 75.5e-6,
+        "load": 19621.1,
+        "speed": 38000 * RPM,
+        "outer_speed": 0.0,
+        "moment": 0.0,
+        "azimuth": 0.0,
+        "profile": Straight(),
+        "contact_law": "palmgren",
+        "oil_fraction": 0.16,
+        "cage": {},
+        **changes,
+    }
+    ring = Material(youngs_modulus=203e9, poisson_ratio=0.28, density=7850)
+    roller = Roller(
+        diameter=5e-3,
+        length=5e-3,
+        material=Material(youngs_modulus=209e9, poisson_ratio=0.3, density=7860),
+        profile=value.pop("profile"),
+    )
+    bearing = CylindricalRollerBearing(
+        rollers=value.pop("rollers"),
+        outer_raceway_diameter=75e-3,
+        clearance=value.pop("clearance"),
+        roller=roller,
+        cage=Cage(**{**CAGE, **value.pop("cage")}),
+        inner_ring=ring,
+        outer_ring=ring,
+        contact_law=value.pop("contact_law"),
+        first_roller_azimuth=value.pop("azimuth"),
+    )
+    operation = Operation(
+        radial_load=value.pop("load"),
+        inner_speed=value.pop("speed"),
+        outer_speed=value.pop("outer_speed"),
+        free_tilt=value.pop("free_tilt", value["moment"] != 0),
+        moment=value.pop("moment"),
+    )
+    oil = value.pop("oil", None) or oil_at("MIL-PRF-23699", 493.15)
+    return RollerBearing(bearing=bearing, operation=operation, oil=oil, **value)

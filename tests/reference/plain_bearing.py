@@ -1,0 +1,110 @@
+"""The whole cylindrical roller bearing on one page: slow loops, every equation as printed.
+
+Written independently of the package; SI units. `unbalanced(...)` returns what must vanish at
+equilibrium. Azimuth from the load line z towards y, index i inner and o outer raceway.
+"""
+
+from math import asinh, cos, exp, log, log10, pi, sin, sqrt
+
+PAPER = {
+    "Z": 30, "D": 5e-3, "l": 5e-3, "outer_race": 75e-3, "clearance": 75.5e-6, "slices": 20,
+    "E_roller": 209e9, "nu_roller": 0.3, "density": 7860.0, "E_ring": 203e9, "nu_ring": 0.28,
+    "load": 19621.1, "inner_speed": 38000 * 2 * pi / 60, "mu_pocket": 0.05, "t_cage": 2.5e-3,
+    "land": (37.3e-3, 3e-3, 0.2e-3), "oil_fraction": 0.16, "traction": "4109",
+}  # fmt: skip
+
+DRAG = [(0.1, 60), (1, 10), (10, 3), (100, 1.8), (1e3, 1.0), (1e4, 1.2), (1e5, 1.2), (2e5, 1.2),
+        (3e5, 0.9), (4e5, 0.65), (5e5, 0.3), (1e6, 0.3)]  # fmt: skip
+
+
+def mu_4109(p, oil, Q, u, U, R, E):
+    load = sqrt(Q**2 + 1.0)
+    P, Ub, Th = load / (E * R**2), oil["eta"] * U / (E * R), oil["k"] * oil["T"] / (oil["eta"] * U**2)
+    A = -6.96e2 * P**-0.163 * Ub**0.577 * Th**0.308
+    B = 5.19e6 * P**-0.373 * Ub**1.000 * Th**0.687
+    C = 6.826e5 * P**-0.170 * Ub**0.578 * Th**0.373
+    S = abs(u) / U
+    return ((A + B * S) * exp(-C * S) - A) * (1 if u > 0 else -1)
+
+
+def mu_eyring(p, oil, Q, u, h, R, E):
+    load = sqrt((Q / p["l"]) ** 2 + (1.0 / p["l"]) ** 2)
+    b = sqrt(8 * load * R / (pi * E))
+    pressure = load / (2 * b)
+    L = log(oil["eta"]) + 9.67
+    eta = oil["eta"] * exp(L * ((1 + pressure / 1.962e8) ** (oil["alpha"] * 1.962e8 / L) - 1))
+    tau_E = 2 * 0.05 / oil["alpha"]
+    tau = min(tau_E * asinh(eta * abs(u) / (tau_E * h)), 0.05 * pressure)
+    return tau / pressure * (1 if u > 0 else -1)
+
+
+def film(p, oil, Q, u, U, R, E):
+    q = sqrt(Q**2 + 30.0**2) / p["l"]
+    h = 2.65 * oil["alpha"] ** 0.54 * (oil["eta"] * U) ** 0.7 * R**0.43 / (q**0.13 * E**0.03)
+    L = oil["eta"] * oil["beta"] * U**2 / oil["k"]
+    return h / (1 + 0.1 * (1 + 14.8 * (abs(u) / U) ** 0.83) * L**0.64)
+
+
+def rolling_shear(p, oil, Q, U, R, E):
+    U2 = 2 * oil["eta"] * U / (E * R)
+    M = Q / (p["l"] * E * R) / sqrt(U2)
+    root = M / sqrt(M + 1e-3)
+    return p["l"] * E * R * U2**0.75 / 0.985 * 1.4 * root / (1 + (1.4 / 1.45 * root) ** 10) ** 0.1
+
+
+def drag(p, oil, V):
+    Re = oil["rho"] * p["D"] * abs(V) / oil["eta"]
+    for (a, ca), (b, cb) in zip(DRAG, DRAG[1:], strict=False):
+        if a <= Re <= b:
+            Cd = ca + (cb - ca) * log10(Re / a) / log10(b / a)
+    rho = p["oil_fraction"] * oil["rho"] + (1 - p["oil_fraction"]) * 1.2
+    return 0.5 * rho * Cd * V * abs(V) * p["l"] * (p["D"] - p["t_cage"])
+
+
+def raceway(p, oil, approach, tilt, u, U, h, R, E):
+    """Load, moment, traction and inlet shear of one roller on one raceway, slice by slice."""
+    B = (1 - p["nu_roller"] ** 2) / (pi * p["E_roller"]) + (1 - p["nu_ring"] ** 2) / (pi * p["E_ring"])
+    n, l = p["slices"], p["l"]
+    Q = M = T = 0.0
+    for k in range(n):
+        x = (k + 0.5) * l / n - l / 2
+        d = approach + tilt * x
+        closed = (d + sqrt(d**2 + 1e-18)) / 2 if d > 0 else 1e-18 / (2 * (sqrt(d**2 + 1e-18) - d))
+        q = (closed * l**0.8 / 3.81) ** (1 / 0.9) / B / l
+        mu = mu_4109(p, oil, q * l, u, U, R, E) if p["traction"] == "4109" else mu_eyring(p, oil, q * l, u, h, R, E)
+        Q, M, T = Q + q * l / n, M + q * x * l / n, T + mu * q * l / n
+    return Q, M, T, rolling_shear(p, oil, Q, U, R, E)
+
+
+def unbalanced(p, oil, y, z, omega_c, e, tilt, spin, films):
+    """Residuals: ring (N), cage (N m), and per roller radial (N), tilt (N m), spin (N m)."""
+    Z, D, dm = p["Z"], p["D"], p["outer_race"] - p["D"]
+    g, r_m, r_w = D / dm, dm / 2, D / 2
+    r_i, r_o = r_m - r_w, r_m + r_w
+    mass = p["density"] * pi / 4 * D**2 * p["l"]
+    E = 2 / ((1 - p["nu_roller"] ** 2) / p["E_roller"] + (1 - p["nu_ring"] ** 2) / p["E_ring"])
+    R_i, R_o = r_w * r_i / (r_i + r_w), r_w * r_o / (r_o - r_w)
+    ring_y, ring_z, cage, rollers, new_films = 0.0, p["load"], 0.0, [], []
+    for j in range(Z):
+        phi = 2 * pi * j / Z
+        u_i, u_o = (p["inner_speed"] - omega_c) * r_i - spin[j] * r_w, spin[j] * r_w - omega_c * r_o
+        U_i = ((p["inner_speed"] - omega_c) * r_i + spin[j] * r_w) / 2
+        U_o = (spin[j] * r_w + omega_c * r_o) / 2
+        h_i, h_o = films[0][j], films[1][j]
+        approach_i = z * cos(phi) + y * sin(phi) - p["clearance"] / 2 - e[j] + h_i + h_o
+        Q_i, M_i, T_i, F_i = raceway(p, oil, approach_i, -tilt[j], u_i, U_i, h_i, R_i, E)
+        Q_o, M_o, T_o, F_o = raceway(p, oil, e[j], tilt[j], u_o, U_o, h_o, R_o, E)
+        F_g = drag(p, oil, omega_c * r_m)
+        F_c = -(T_i + T_o + (1 - 2 * g) * F_i - (1 + 2 * g) * F_o - F_g)
+        friction = p["mu_pocket"] * (sqrt(F_c**2 + 0.25) - 0.5)
+        radial = Q_i - Q_o + mass * r_m * omega_c**2 + p["mu_pocket"] * F_c
+        inertia = mass * D**2 / 8 * omega_c * (spin[j] - spin[j - 1]) / (2 * pi / Z)
+        rollers.append((radial, M_o - M_i, r_w * (T_i - T_o - F_i - F_o - friction) - inertia))
+        tangential = T_i + F_i * (1 - 2 * g)
+        ring_y -= Q_i * sin(phi) + tangential * cos(phi)
+        ring_z -= Q_i * cos(phi) - tangential * sin(phi)
+        cage -= F_c * r_m + friction * D / 2
+        new_films.append((film(p, oil, Q_i, u_i, U_i, R_i, E), film(p, oil, Q_o, u_o, U_o, R_o, E)))
+    R_l, width, c = p["land"]
+    cage -= 2 * pi * oil["eta"] * R_l**3 * width / c * omega_c
+    return (ring_y, ring_z), cage, rollers, new_films
