@@ -8,7 +8,7 @@ from quasidynamic.parts.lubricant import Lubricant
 from quasidynamic.parts.material import Material
 from quasidynamic.parts.oils import oil_at
 from quasidynamic.parts.operation import Operation
-from quasidynamic.parts.roller import Crowned, Logarithmic, Roller, Straight
+from quasidynamic.parts.roller import Crowned, Logarithmic, Profile, Roller, Straight
 
 __all__ = [
     "Cage",
@@ -22,6 +22,7 @@ __all__ = [
     "NotSolved",
     "Operation",
     "OutOfRange",
+    "Profile",
     "Roller",
     "RollerBearing",
     "Straight",

@@ -79,9 +79,7 @@ def relaxed(
         forces = forces + relaxation * change
 
 
-def newton(
-    bearing: Bearing[S], structure: Structure, start: S, ending: Ending
-) -> Iterator[Iteration[S]]:
+def newton(bearing: Bearing[S], structure: Structure, start: S, ending: Ending) -> Iterator[Iteration[S]]:
     """Solve bearing and condensed structure as one system.
 
     Parameters

@@ -123,7 +123,7 @@ def test_slow_bearing_is_a_static_one():
 
 
 def test_both_rings_turning_together_leave_the_loads_of_their_difference_at_rest():
-    """Seen from the cage only the difference of the ring speeds matters, but for centrifugal force and drag."""
+    """Seen from the cage only the speed difference matters, but for centrifugal force and drag."""
     still = paper_bearing(speed=100 * RPM, oil_fraction=0.0).solve()
     turning = paper_bearing(speed=150 * RPM, outer_speed=50 * RPM, oil_fraction=0.0).solve()
     assert turning.forces[0, :, 0] == approx(still.forces[0, :, 0], abs=0.05)

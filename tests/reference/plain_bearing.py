@@ -4,6 +4,7 @@ Written independently of the package; SI units. `unbalanced(...)` returns what m
 equilibrium. Azimuth from the load line z towards y, index i inner and o outer raceway.
 """
 
+from itertools import pairwise
 from math import asinh, cos, exp, log, log10, pi, sin, sqrt
 
 PAPER = {
@@ -54,7 +55,7 @@ def rolling_shear(p, oil, Q, U, R, E):
 
 def drag(p, oil, V):
     Re = oil["rho"] * p["D"] * abs(V) / oil["eta"]
-    for (a, ca), (b, cb) in zip(DRAG, DRAG[1:], strict=False):
+    for (a, ca), (b, cb) in pairwise(DRAG):
         if a <= Re <= b:
             Cd = ca + (cb - ca) * log10(Re / a) / log10(b / a)
     rho = p["oil_fraction"] * oil["rho"] + (1 - p["oil_fraction"]) * 1.2
@@ -64,15 +65,19 @@ def drag(p, oil, V):
 def raceway(p, oil, approach, tilt, u, U, h, R, E):
     """Load, moment, traction and inlet shear of one roller on one raceway, slice by slice."""
     B = (1 - p["nu_roller"] ** 2) / (pi * p["E_roller"]) + (1 - p["nu_ring"] ** 2) / (pi * p["E_ring"])
-    n, l = p["slices"], p["l"]
+    n, length = p["slices"], p["l"]
     Q = M = T = 0.0
     for k in range(n):
-        x = (k + 0.5) * l / n - l / 2
+        x = (k + 0.5) * length / n - length / 2
         d = approach + tilt * x
         closed = (d + sqrt(d**2 + 1e-18)) / 2 if d > 0 else 1e-18 / (2 * (sqrt(d**2 + 1e-18) - d))
-        q = (closed * l**0.8 / 3.81) ** (1 / 0.9) / B / l
-        mu = mu_4109(p, oil, q * l, u, U, R, E) if p["traction"] == "4109" else mu_eyring(p, oil, q * l, u, h, R, E)
-        Q, M, T = Q + q * l / n, M + q * x * l / n, T + mu * q * l / n
+        q = (closed * length**0.8 / 3.81) ** (1 / 0.9) / B / length
+        mu = (
+            mu_4109(p, oil, q * length, u, U, R, E)
+            if p["traction"] == "4109"
+            else mu_eyring(p, oil, q * length, u, h, R, E)
+        )
+        Q, M, T = Q + q * length / n, M + q * x * length / n, T + mu * q * length / n
     return Q, M, T, rolling_shear(p, oil, Q, U, R, E)
 
 

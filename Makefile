@@ -1,0 +1,51 @@
+# With Python 3.11 and make alone: `make run` computes the main case, `make test` runs the tests.
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+READY := $(VENV)/.installed
+
+export OMP_NUM_THREADS ?= 2
+export OPENBLAS_NUM_THREADS ?= 2
+
+.PHONY: run test test-all lint benchmark docs lock clean
+
+run: $(READY)
+	$(BIN)/flexbearing run configs/mao2016.toml -o results/mao2016.h5
+	$(BIN)/flexbearing plot results/mao2016.h5 -o results
+
+test: $(READY)
+	$(BIN)/python -m pytest
+
+test-all: $(READY)
+	$(BIN)/python -m pytest -m ""
+
+lint: $(READY)
+	$(BIN)/ruff format --check .
+	$(BIN)/ruff check .
+	$(BIN)/lint-imports
+	$(BIN)/pyright
+
+benchmark: $(READY)
+	$(BIN)/python -m benchmarks.main_job
+
+docs: $(READY)
+	$(BIN)/python -m flexbearing.case.explain > docs/reference/case.md
+	$(BIN)/python -m flexbearing.results.reference > docs/reference/results.md
+
+$(READY): pyproject.toml requirements.lock
+	$(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet --upgrade pip
+	$(BIN)/python -m pip install --quiet --requirement requirements.lock
+	$(BIN)/python -m pip install --quiet --no-deps --editable .
+	touch $(READY)
+
+# Versions that were tested together; renewed on purpose only.
+lock:
+	$(PYTHON) -m venv $(VENV)-lock
+	$(VENV)-lock/bin/python -m pip install --quiet --upgrade pip
+	$(VENV)-lock/bin/python -m pip install --quiet --group dev .
+	$(VENV)-lock/bin/python -m pip freeze --exclude flexbearing > requirements.lock
+	rm -rf $(VENV)-lock
+
+clean:
+	rm -rf $(VENV) build *.egg-info .pytest_cache .ruff_cache .import_linter_cache

@@ -1,0 +1,21 @@
+"""Rolling bearings with thin, flexible rings: quasi-dynamics coupled with finite elements."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from flexbearing.results import Result
+
+__all__ = ["run"]
+
+
+def run(case: str | Path, output: str | Path | None = None, overrides: Sequence[str] = ()) -> "Result":
+    """Compute a case file and return its result; see `flexbearing.compute.one.run`.
+
+    >>> result = run("case.toml")                                    # doctest: +SKIP
+    >>> result.flexible["inner_load"].max()                          # doctest: +SKIP
+    """
+    from flexbearing.compute.one import run as compute  # loads what computing needs, when it is needed
+
+    return compute(case, output, overrides)

@@ -1,0 +1,83 @@
+"""The sections [bearing], [bearing.roller] and [bearing.cage]."""
+
+from math import pi
+from typing import Literal, Self
+
+from pydantic import model_validator
+
+from flexbearing.case.quantity import Angle, Length, Mass, Section, impossible, key, require
+
+
+class Roller(Section):
+    """One roller."""
+
+    diameter: Length = key("diameter of the rollers", gt=0)
+    length: Length = key("effective length, without end chamfers", gt=0)
+    profile: Literal["straight", "crowned", "logarithmic"] = key("shape of the generatrix", "straight")
+    straight_length: Length | None = key("length of the straight middle of a crowned roller", None, ge=0)
+    crown_radius: Length | None = key("radius of the ends' generatrix of a crowned roller", None, gt=0)
+    drop: Length | None = key(
+        "amplitude A of the logarithmic profile A ln 1/(1 - (2x/l)^2); ISO/TS 16281 takes 0.00035 D",
+        None,
+        gt=0,
+    )
+
+    @model_validator(mode="after")
+    def _profile(self) -> Self:
+        if self.profile == "crowned":
+            straight, radius = require(self, ("straight_length", "crown_radius"), 'profile = "crowned"')
+            if straight > self.length:
+                raise impossible("straight_length", "at most bearing.roller.length")
+            if radius <= self.length / 2:
+                raise impossible("crown_radius", "more than half of bearing.roller.length")
+        if self.profile == "logarithmic":
+            require(self, ("drop",), 'profile = "logarithmic"')
+        return self
+
+
+class Cage(Section):
+    """The cage."""
+
+    guidance: Literal["outer", "inner", "rollers"] = key(
+        "what the cage runs on: a ring's land or the rollers"
+    )
+    pocket_friction: float = key("Coulomb friction between roller and pocket", ge=0, le=1)
+    thickness: Length = key(
+        "radial thickness; that part of each roller is hidden from the oil-air mixture", ge=0
+    )
+    mass: Mass = key("mass, used when a start from rest is followed in time", gt=0)
+    land_diameter: Length | None = key("diameter of the guiding land", None, gt=0)
+    land_width: Length | None = key("width of the guiding land, both sides together", None, gt=0)
+    land_clearance: Length | None = key("diametral clearance at the guiding land", None, gt=0)
+
+    @model_validator(mode="after")
+    def _land(self) -> Self:
+        if self.guidance != "rollers":
+            names = ("land_diameter", "land_width", "land_clearance")
+            require(self, names, f'guidance = "{self.guidance}"')
+        return self
+
+
+class Bearing(Section):
+    """The bearing."""
+
+    kind: Literal["cylindrical_roller"] = key("family of the bearing")
+    rollers: int = key("number of rollers", ge=3, le=1000)
+    outer_raceway_diameter: Length = key("diameter of the outer raceway", gt=0)
+    clearance: Length = key("operating diametral clearance, warm and running; negative is a preload")
+    contact_law: Literal["palmgren", "iso16281"] = key("load law of a roller on a raceway", "palmgren")
+    first_roller_azimuth: Angle = key("azimuth of a roller from the load line", "0 deg")
+    roller: Roller = key("the rollers")
+    cage: Cage = key("the cage")
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        pitch = self.outer_raceway_diameter - self.roller.diameter
+        if pitch <= self.roller.diameter:
+            raise impossible("outer_raceway_diameter", "more than twice bearing.roller.diameter")
+        if self.rollers * self.roller.diameter >= pi * pitch:
+            most = int(pi * pitch / self.roller.diameter)
+            raise impossible("rollers", f"at most {most}, or they touch on the pitch circle")
+        if abs(self.clearance) > self.roller.diameter / 2:
+            raise impossible("clearance", "below half a roller diameter; is the unit right?")
+        return self

@@ -1,0 +1,136 @@
+"""What the schema says of a key: the one declaration behind messages, `explain` and the reference page."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from types import NoneType, UnionType
+from typing import Annotated, Any, Literal, get_args, get_origin
+
+from pydantic.fields import FieldInfo
+from pydantic_core import PydanticUndefined
+
+from flexbearing.case.quantity import Kind, Section
+from flexbearing.case.schema import Case
+
+_LIMITS = {"gt": "above", "ge": "at least", "lt": "below", "le": "at most"}
+_PLAIN = {int: "a whole number", float: "a number", bool: "true or false", str: "text"}
+
+
+@dataclass(frozen=True)
+class Declaration:
+    """A key of the case file."""
+
+    path: str  # dotted
+    field: FieldInfo
+
+    @property
+    def meaning(self) -> str:
+        """What the key says."""
+        return self.field.description or ""
+
+    @property
+    def section(self) -> type[Section] | None:
+        """The model of a table; None for a value."""
+        for part in _parts(self.field.annotation):
+            if isinstance(part, type) and issubclass(part, Section):
+                return part
+        return None
+
+    @property
+    def kind(self) -> Kind | None:
+        """The physical quantity; None for a plain value."""
+        candidates = [*self.field.metadata, *_parts(self.field.annotation)]
+        return next((item for item in candidates if isinstance(item, Kind)), None)
+
+    @property
+    def required(self) -> bool:
+        """Whether every case must give it."""
+        return self.field.is_required()
+
+    @property
+    def default(self) -> str:
+        """Default in the words of a case file; empty when there is none."""
+        value = self.field.default
+        if value is PydanticUndefined or value is None or self.section:
+            return ""
+        return toml(value)
+
+    @property
+    def allowed(self) -> str:
+        """What may stand there."""
+        choices = [choice for part in _parts(self.field.annotation) for choice in _choices(part)]
+        if choices:
+            return " or ".join(toml(choice) for choice in choices)
+        if self.section:
+            return "a table"
+        return f"{self._what}{self._range}"
+
+    @property
+    def example(self) -> str:
+        """A value as it would be written."""
+        if self.kind:
+            return toml(self.kind.example)
+        choices = [choice for part in _parts(self.field.annotation) for choice in _choices(part)]
+        return toml(choices[0]) if choices else self.default
+
+    @property
+    def _what(self) -> str:
+        if self.kind:
+            return f"{self.kind.name} as text with its unit, such as {toml(self.kind.example)}"
+        plain = next((_PLAIN[part] for part in _parts(self.field.annotation) if part in _PLAIN), None)
+        return plain or ("a list of keys" if self.path == "assumed" else "a table of texts")
+
+    @property
+    def _range(self) -> str:
+        unit = f" {self.kind.unit}" if self.kind else ""
+        found = [
+            f"{word} {getattr(limit, name):g}{unit}"
+            for limit in [*self.field.metadata, *_parts(self.field.annotation)]
+            for name, word in _LIMITS.items()
+            if getattr(limit, name, None) is not None
+        ]
+        return ", " + " and ".join(found) if found else ""
+
+
+def toml(value: Any) -> str:
+    """Write a value as a case file would."""
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, str):
+        return f'"{value}"'
+    if isinstance(value, list | tuple):
+        return "[" + ", ".join(toml(item) for item in value) + "]"
+    if isinstance(value, dict):
+        return "{...}" if value else "{}"
+    return f"{value:g}" if isinstance(value, float) else str(value)
+
+
+def declarations(model: type[Section] = Case, prefix: str = "") -> Iterator[Declaration]:
+    """Every key and table, in the order of the schema."""
+    for name, field in model.model_fields.items():
+        found = Declaration(f"{prefix}{name}", field)
+        yield found
+        if found.section:
+            yield from declarations(found.section, f"{found.path}.")
+
+
+def find(path: str) -> Declaration | None:
+    """Declaration of a dotted key; None when there is no such key."""
+    return next((item for item in declarations() if item.path == path), None)
+
+
+def _parts(annotation: Any) -> Iterator[Any]:
+    """Members of a union and metadata of annotated types, NoneType left out."""
+    if get_origin(annotation) is Annotated:
+        base, *metadata = get_args(annotation)
+        yield from _parts(base)
+        yield from metadata
+    elif isinstance(annotation, UnionType) or str(get_origin(annotation)).endswith("Union"):
+        for member in get_args(annotation):
+            if member is not NoneType:
+                yield from _parts(member)
+    else:
+        yield annotation
+
+
+def _choices(part: Any) -> tuple[Any, ...]:
+    return get_args(part) if get_origin(part) is Literal else ()

@@ -1,0 +1,83 @@
+"""What is wrong with a case file, said so that it can be put right."""
+
+from collections.abc import Mapping
+from difflib import get_close_matches
+from typing import Any
+
+from pydantic import ValidationError
+
+from flexbearing.case.declarations import Declaration, declarations, find, toml
+from flexbearing.case.quantity import Section
+from flexbearing.case.schema import Case
+
+
+class BadCase(ValueError):
+    """A case that cannot be computed; one line for each problem."""
+
+
+def messages(error: ValidationError, raw: Mapping[str, Any], file: str) -> list[str]:
+    """One line per problem: file, key, value found, what is allowed, nearest valid name."""
+    return [f"{file}: {_message(detail, raw)}" for detail in error.errors(include_url=False)]
+
+
+def _message(detail: Any, raw: Mapping[str, Any]) -> str:
+    context = detail.get("ctx", {})
+    path = ".".join([*(str(part) for part in detail["loc"]), *_named(context)])
+    kind = detail["type"]
+    if kind == "extra_forbidden":
+        return f"{shown(path)}{_found(raw, path)} is not a key here.{nearest(path)}"
+    if kind == "missing":
+        return f"{shown(path)} is missing; it is {_allowed(path)}."
+    if kind == "needed":
+        return f"{shown(path)} is missing: {context['choice']} needs it; it is {_allowed(path)}."
+    if kind == "impossible":
+        return f"{shown(path)}{_found(raw, path)} cannot be; it must be {context['allowed']}."
+    reason = f" {context['why']}" if kind == "quantity" else " is not allowed"
+    return f"{shown(path)}{_found(raw, path)}{reason}; it must be {_allowed(path)}."
+
+
+def _named(context: Mapping[str, Any]) -> list[str]:
+    return str(context["name"]).split(".") if "name" in context else []
+
+
+def shown(path: str) -> str:
+    """Write a dotted key as its place in the file, `[bearing.roller] diameter`."""
+    section, _, name = path.rpartition(".")
+    return f"[{section}] {name}" if section else name
+
+
+def _found(raw: Mapping[str, Any], path: str) -> str:
+    value: Any = raw
+    for part in path.split("."):
+        if not isinstance(value, Mapping) or part not in value:
+            return ""
+        value = value[part]
+    return "" if isinstance(value, Mapping) else f" = {toml(value)}"
+
+
+def _allowed(path: str) -> str:
+    declaration = find(path)
+    return declaration.allowed if declaration else "something else"
+
+
+def nearest(path: str) -> str:
+    """Suggest the key that was probably meant, else list the keys of that table."""
+    section, _, name = path.rpartition(".")
+    siblings = [item.path.rpartition(".")[2] for item in _children(section)]
+    if close := get_close_matches(name, siblings, n=1):
+        return f" Did you mean {close[0]}?"
+    elsewhere = {item.path.rpartition(".")[2]: item.path for item in declarations()}
+    if close := get_close_matches(name, elsewhere, n=1, cutoff=0.8):
+        return f" Did you mean {shown(elsewhere[close[0]])}?"
+    return f" Keys here: {', '.join(siblings)}."
+
+
+def _children(section: str) -> list[Declaration]:
+    if not section:
+        return list(_direct(Case, ""))
+    parent = find(section)
+    return list(_direct(parent.section, f"{section}.")) if parent and parent.section else []
+
+
+def _direct(model: type[Section], prefix: str) -> list[Declaration]:
+    return [Declaration(f"{prefix}{name}", field) for name, field in model.model_fields.items()]

@@ -1,0 +1,103 @@
+"""Quantities with units: text in the case file, a float in SI inside."""
+
+import re
+from dataclasses import dataclass
+from functools import cache
+from typing import Annotated, Any
+
+from pydantic import BaseModel, ConfigDict, Field, GetCoreSchemaHandler
+from pydantic_core import CoreSchema, PydanticCustomError, core_schema
+
+_NUMBER_UNIT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(\S.*?)?\s*")
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A physical quantity."""
+
+    name: str  # with its article, "a length"
+    unit: str  # SI, as pint writes it
+    example: str
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        """Let pydantic convert before it checks the limits of a key."""
+        return core_schema.no_info_before_validator_function(self.to_si, handler(source))
+
+    def to_si(self, value: object) -> float:
+        """Convert "5 mm" to 0.005; a value that is not such a text is refused with a reason."""
+        if isinstance(value, bool) or not isinstance(value, int | float | str):
+            raise self._refused("is not text with a unit")
+        if not isinstance(value, str):
+            raise self._refused("has no unit")
+        parts = _NUMBER_UNIT.fullmatch(value)
+        if parts is None:
+            raise self._refused("does not begin with a number")
+        number, unit = parts.groups()
+        if unit is None:
+            raise self._refused("has no unit")
+        return self._converted(float(number), f"1 {unit}" if unit.startswith("/") else unit)
+
+    def _converted(self, number: float, unit: str) -> float:
+        import pint  # a tenth of a second that only case reading pays
+
+        registry = _registry()
+        try:
+            return float(registry.Quantity(number, registry.parse_units(unit)).to(self.unit).magnitude)
+        except pint.DimensionalityError:
+            raise self._refused(f"is not {self.name}") from None
+        except pint.UndefinedUnitError as problem:
+            raise self._refused(f"has an unknown unit, {problem.unit_names[0]}") from None
+        except Exception as problem:  # pint's parser lets many kinds of errors through
+            raise self._refused(f"has a unit that cannot be read ({problem})") from None
+
+    def _refused(self, why: str) -> PydanticCustomError:
+        return PydanticCustomError("quantity", "{why}", {"why": why})
+
+
+@cache
+def _registry():
+    import pint
+
+    return pint.UnitRegistry()
+
+
+Length = Annotated[float, Kind("a length", "m", "5 mm")]
+Angle = Annotated[float, Kind("an angle", "rad", "12 deg")]
+Mass = Annotated[float, Kind("a mass", "kg", "25 g")]
+Force = Annotated[float, Kind("a force", "N", "20 kN")]
+Moment = Annotated[float, Kind("a moment", "N m", "20 N m")]
+Speed = Annotated[float, Kind("a rotational speed", "rad/s", "38000 rpm")]
+Temperature = Annotated[float, Kind("a temperature", "K", "220 degC")]
+Pressure = Annotated[float, Kind("a pressure", "Pa", "203 GPa")]
+PerPressure = Annotated[float, Kind("an inverse pressure", "1/Pa", "11 1/GPa")]
+PerTemperature = Annotated[float, Kind("an inverse temperature difference", "1/K", "11.2e-6 1/K")]
+Density = Annotated[float, Kind("a density", "kg/m^3", "7850 kg/m^3")]
+Viscosity = Annotated[float, Kind("a dynamic viscosity", "Pa s", "1.2 mPa s")]
+Conductivity = Annotated[float, Kind("a thermal conductivity", "W/(m K)", "0.12 W/(m K)")]
+
+
+class Section(BaseModel):
+    """A table of the case file: frozen, with no key that is not declared."""
+
+    model_config = ConfigDict(
+        frozen=True, extra="forbid", strict=True, allow_inf_nan=False, validate_default=True
+    )
+
+
+def key(meaning: str, default: Any = ..., **limits: Any) -> Any:
+    """Declare a key: its meaning, its default (in the words of a case file) and its limits in SI."""
+    return Field(default, description=meaning, **limits)
+
+
+def impossible(name: str, allowed: str) -> PydanticCustomError:
+    """Return the error for a key whose value contradicts another one of the same table."""
+    return PydanticCustomError("impossible", "{allowed}", {"name": name, "allowed": allowed})
+
+
+def require(section: Section, names: tuple[str, ...], choice: str) -> list[Any]:
+    """Return the values of keys that a choice asks for; raises when one is not given."""
+    values = [getattr(section, name) for name in names]
+    for name, value in zip(names, values, strict=True):
+        if value is None:
+            raise PydanticCustomError("needed", "{choice}", {"name": name, "choice": choice})
+    return values

@@ -1,0 +1,112 @@
+"""From a TOML file and settings to a case in SI units."""
+
+import tomllib
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+
+from flexbearing.case.declarations import find
+from flexbearing.case.problems import BadCase, messages, nearest, shown
+from flexbearing.case.schema import Case, Source
+
+
+def read(path: str | Path, overrides: Sequence[str] = ()) -> Case:
+    """Read a case file.
+
+    Parameters
+    ----------
+    path : path
+        TOML file
+    overrides : sequence of str
+        "key=value" settings that replace or add keys, such as "bearing.clearance=50 um"
+
+    Returns
+    -------
+    Case
+        in SI units
+
+    Raises
+    ------
+    BadCase
+        one line for each problem: file, key, value found, what is allowed, nearest valid name
+    """
+    file = Path(path)
+    text = _text(file)
+    raw = _parsed(file, text)
+    for setting in overrides:
+        _override(raw, setting)
+    try:
+        case = Case.model_validate(raw)
+    except ValidationError as error:
+        raise BadCase("\n".join(messages(error, raw, file.name))) from None
+    _require_given(case, raw, file.name)
+    case._source = Source(str(file), text, tuple(overrides))
+    return case
+
+
+def _text(file: Path) -> str:
+    try:
+        return file.read_text(encoding="utf-8")
+    except FileNotFoundError:
+        raise BadCase(f"{file}: there is no such file") from None
+    except (OSError, UnicodeDecodeError) as problem:
+        raise BadCase(f"{file}: cannot be read as text ({problem})") from None
+
+
+def _parsed(file: Path, text: str) -> dict[str, Any]:
+    try:
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError as problem:
+        raise BadCase(f"{file.name}: is not valid TOML: {problem}") from None
+
+
+def _override(raw: dict[str, Any], setting: str) -> None:
+    """Put a "key=value" setting into the raw case; what a user sets is no longer assumed."""
+    key, separator, value = setting.partition("=")
+    key = key.strip()
+    if not separator or not key:
+        raise BadCase(f"--set {setting}: a setting is KEY=VALUE, such as bearing.clearance=50 um")
+    if find(key) is None and not key.startswith("calibrated."):
+        raise BadCase(f"--set {setting}: {shown(key)} is not a key of a case file.{nearest(key)}")
+    table = raw
+    *sections, name = key.split(".")
+    for section in sections:
+        table = table.setdefault(section, {})
+        if not isinstance(table, dict):
+            raise BadCase(f"--set {setting}: {section} is not a table in this case")
+    table[name] = _value(value.strip())
+    if isinstance(raw.get("assumed"), list):
+        raw["assumed"] = [item for item in raw["assumed"] if item != key]
+    if isinstance(raw.get("calibrated"), dict):
+        raw["calibrated"].pop(key, None)
+
+
+def _value(text: str) -> Any:
+    """Read a TOML value where it is one (20, true, "5 mm"), else take the text itself."""
+    try:
+        return tomllib.loads(f"value = {text}")["value"]
+    except tomllib.TOMLDecodeError:
+        return text
+
+
+def _require_given(case: Case, raw: Mapping[str, Any], file: str) -> None:
+    """Raise when `assumed` or `calibrated` names a key that the file does not give."""
+    problems = []
+    for table, keys in (("assumed", case.assumed), ("calibrated", case.calibrated)):
+        for key in keys:
+            if find(key) is None:
+                problems.append(f'{file}: {table} names "{key}", which is not a key.{nearest(key)}')
+            elif not _given(raw, key):
+                problems.append(f'{file}: {table} names "{key}", which this case does not give.')
+    if problems:
+        raise BadCase("\n".join(problems))
+
+
+def _given(raw: Any, key: str) -> bool:
+    for part in key.split("."):
+        if not isinstance(raw, Mapping) or part not in raw:
+            return False
+        raw = raw[part]
+    return True

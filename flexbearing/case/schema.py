@@ -1,0 +1,77 @@
+"""The case as frozen data in SI units."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any, Self
+
+from pydantic import PrivateAttr, model_validator
+from pydantic_core import PydanticCustomError
+
+from flexbearing.case.bearing import Bearing
+from flexbearing.case.numerics import Accuracy, Coupling
+from flexbearing.case.quantity import Section, key
+from flexbearing.case.rings import Inner, Outer
+from flexbearing.case.surroundings import Lubricant, Materials, Operation
+
+
+@dataclass(frozen=True)
+class Source:
+    """Where a case came from."""
+
+    path: str
+    text: str  # of the file, letter by letter
+    overrides: tuple[str, ...]  # "key=value" settings on top of it
+
+
+class Case(Section):
+    """A complete case."""
+
+    title: str = key("what the case is, for people")
+    assumed: tuple[str, ...] = key("keys whose values the source of the case does not give", (), strict=False)
+    calibrated: Mapping[str, str] = key("keys whose values were fitted, each with what to", {})
+    bearing: Bearing = key("the bearing")
+    materials: Materials = key("the materials")
+    lubricant: Lubricant = key("the oil")
+    operation: Operation = key("load and speed")
+    outer: Outer = key("what carries the outer raceway")
+    inner: Inner = key("what carries the inner raceway")
+    coupling: Coupling = key("how bearing and rings come to agree", {})
+    accuracy: Accuracy = key("how finely everything is resolved", {})
+
+    _source: Source = PrivateAttr(default=Source("", "", ()))
+
+    @property
+    def source(self) -> Source:
+        """File and settings that the case was read from."""
+        return self._source
+
+    def to_json(self) -> dict[str, Any]:
+        """Values in SI units, as JSON can hold them."""
+        return self.model_dump(mode="json")
+
+    @model_validator(mode="after")
+    def _parts_fit(self) -> Self:
+        raceway, roller = self.bearing.outer_raceway_diameter, self.bearing.roller
+        _at("outer", lambda: self.outer.require_room(raceway, roller.length))
+        inner_raceway = raceway - 2 * roller.diameter - self.bearing.clearance
+        _at("inner", lambda: self.inner.require_room(inner_raceway, roller.length))
+        if self.bearing.cage.thickness >= roller.diameter:
+            raise _located(("bearing", "cage", "thickness"), "below bearing.roller.diameter")
+        if self.inner.kind == "ring_on_shaft" and self.materials.shaft is None:
+            raise _located(("materials", "shaft"), 'needed for inner.kind = "ring_on_shaft"')
+        if self.accuracy.axial_shapes > self.accuracy.slices:
+            raise _located(("accuracy", "axial_shapes"), "at most accuracy.slices")
+        return self
+
+
+def _at(section: str, check: Callable[[], None]) -> None:
+    """Run a check of one section that needs numbers of another; a problem is located in the section."""
+    try:
+        check()
+    except PydanticCustomError as problem:
+        context = problem.context or {}
+        raise _located((section, context["name"]), context["allowed"]) from None
+
+
+def _located(place: tuple[str, ...], allowed: str) -> PydanticCustomError:
+    return PydanticCustomError("impossible", "{allowed}", {"name": ".".join(place), "allowed": allowed})

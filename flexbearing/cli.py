@@ -1,0 +1,145 @@
+"""The command line: check, run, summary, plot, explain."""
+
+import json
+import logging
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+
+from flexbearing.case import BadCase, explain, read
+
+CONVERGED, NOT_CONVERGED, BAD_INPUT, INTERNAL = range(4)
+
+app = typer.Typer(
+    help="Rolling bearings with thin, flexible rings.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+)
+
+CaseFile = Annotated[Path, typer.Argument(help="case file (TOML)", metavar="CASE")]
+ResultPath = Annotated[Path, typer.Argument(help="result file (HDF5)", metavar="OUT.h5")]
+Settings = Annotated[
+    list[str] | None,
+    typer.Option("--set", metavar="KEY=VALUE", help='replace a key of the case, "bearing.clearance=50 um"'),
+]
+
+
+@app.command()
+def check(case: CaseFile, settings: Settings = None) -> None:
+    """Say whether a case can be computed, without computing it."""
+    found = read(case, settings or [])
+    _model(found)
+    sys.stdout.write(f"{case}: {found.title}: nothing wrong with it\n")
+
+
+@app.command()
+def run(
+    case: CaseFile,
+    output: Annotated[Path | None, typer.Option("-o", "--output", metavar="OUT.h5")] = None,
+    settings: Settings = None,
+    quiet: Annotated[bool, typer.Option("--quiet", help="only what went wrong")] = False,
+) -> None:
+    """Compute a case and store every iteration; prints a summary."""
+    from flexbearing.compute import run as compute
+    from flexbearing.compute.progress import Logged, OnTerminal
+    from flexbearing.report import text
+
+    console = Console()
+    if quiet:
+        report = Logged()
+    elif console.is_terminal:
+        report = OnTerminal(console)
+    else:
+        logging.basicConfig(level=logging.INFO, stream=sys.stdout, format="%(message)s")
+        report = Logged()
+    result = compute(case, output, settings or [], report)
+    if not quiet:
+        sys.stdout.write(text(result, console if console.is_terminal else None))
+        sys.stdout.write(f"\nresults: {result.path}\n")
+    elif result.attributes["status"] != "converged":
+        sys.stderr.write(f"{case}: not converged: {result.attributes['message']}\n")
+    raise typer.Exit(CONVERGED if result.attributes["status"] == "converged" else NOT_CONVERGED)
+
+
+@app.command()
+def summary(
+    result: ResultPath,
+    as_json: Annotated[bool, typer.Option("--json", help="one JSON object instead of text")] = False,
+) -> None:
+    """Print the numbers of a result."""
+    from flexbearing.report import summary as table
+    from flexbearing.report import text
+    from flexbearing.results import read as read_result
+
+    found = read_result(result)
+    console = Console()
+    if as_json:
+        sys.stdout.write(json.dumps(table(found), indent=2, allow_nan=False) + "\n")
+    else:
+        sys.stdout.write(text(found, console if console.is_terminal else None))
+
+
+@app.command()
+def plot(
+    result: ResultPath,
+    output: Annotated[Path | None, typer.Option("-o", "--output", metavar="DIR")] = None,
+) -> None:
+    """Draw roller loads, convergence and raceway deviations as PNG files."""
+    from flexbearing.report import write_figures
+    from flexbearing.results import read as read_result
+
+    for picture in write_figures(read_result(result), output or result.parent):
+        sys.stdout.write(f"picture: {picture}\n")
+
+
+@app.command(name="explain")
+def explain_key(key: Annotated[str | None, typer.Argument(metavar="[KEY]")] = None) -> None:
+    """Explain a key of the case file: unit, default, allowed values, meaning."""
+    sys.stdout.write(explain(key).rstrip() + "\n")
+
+
+def _model(case) -> None:
+    """Build what can be built without meshing: physical impossibilities show here."""
+    from flexbearing.compute import assemble
+
+    assemble.bearing(case)
+    assemble.outer_part(case)
+    assemble.inner_part(case)
+
+
+def main() -> None:
+    """Run the command line; no traceback ever reaches a user."""
+    try:
+        app()
+    except BadCase as problem:
+        _fail(problem, BAD_INPUT)
+    except Exception as problem:
+        if _is_input(problem):
+            _fail(problem, BAD_INPUT)
+        logging.getLogger(__name__).debug("internal error", exc_info=True)
+        _fail(f"internal error: {type(problem).__name__}: {problem}", INTERNAL)
+
+
+def _is_input(problem: Exception) -> bool:
+    """Whether an exception blames what the user gave."""
+    import fem
+    import quasidynamic
+    from flexbearing.results import BadResult, NotInLayout
+
+    blames_input = (
+        BadResult,
+        NotInLayout,
+        quasidynamic.ImpossiblePart,
+        quasidynamic.OutOfRange,
+        fem.ImpossiblePart,
+    )
+    return isinstance(problem, blames_input)
+
+
+def _fail(problem: object, code: int) -> None:
+    sys.stderr.write(f"{problem}\n")
+    sys.exit(code)

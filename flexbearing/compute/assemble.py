@@ -1,0 +1,170 @@
+"""From a case to bearing and rings: the only place that knows them all."""
+
+from typing import Any
+
+import fem
+import quasidynamic as qd
+from flexbearing.case import Case
+
+Part = fem.SquirrelCage | fem.ClampedRing | fem.RingOnShaft
+
+
+def growth(case: Case, part: str) -> float:
+    """Hot over reference dimension of a part, 1 + alpha (T - T0)."""
+    temperatures = case.operation.temperatures
+    if temperatures is None:
+        return 1.0
+    rise = getattr(temperatures, part) - temperatures.reference
+    return 1.0 + getattr(case.materials, part).expansion * rise
+
+
+def bearing(case: Case) -> qd.RollerBearing:
+    """Bearing of a case, parts grown to their temperatures; the operating clearance stays as given."""
+    lubrication = case.lubricant
+    given: dict[str, Any] = {
+        name: value
+        for name in ("limiting_ratio", "eyring_stress")
+        if (value := getattr(lubrication, name)) is not None
+    }
+    return qd.RollerBearing(
+        bearing=qd.CylindricalRollerBearing(
+            rollers=case.bearing.rollers,
+            outer_raceway_diameter=outer_raceway_diameter(case),
+            clearance=case.bearing.clearance,
+            roller=_roller(case),
+            cage=_cage(case),
+            inner_ring=_material(case, "inner_ring"),
+            outer_ring=_material(case, "outer_ring"),
+            contact_law=case.bearing.contact_law,
+            first_roller_azimuth=case.bearing.first_roller_azimuth,
+        ),
+        operation=qd.Operation(
+            radial_load=case.operation.radial_load,
+            inner_speed=case.operation.inner_speed,
+            outer_speed=case.operation.outer_speed,
+            moment=case.operation.moment,
+            free_tilt=case.operation.free_tilt,
+        ),
+        oil=_oil(case),
+        oil_fraction=lubrication.oil_fraction,
+        traction=lubrication.traction,
+        inlet_heating=lubrication.inlet_heating,
+        slices=case.accuracy.slices,
+        shapes=case.accuracy.axial_shapes,
+        **given,
+    )
+
+
+def outer_raceway_diameter(case: Case) -> float:
+    """Hot outer raceway diameter [m]."""
+    return case.bearing.outer_raceway_diameter * growth(case, "outer_ring")
+
+
+def roller_length(case: Case) -> float:
+    """Hot roller length [m]."""
+    return case.bearing.roller.length * growth(case, "roller")
+
+
+def outer_part(case: Case) -> fem.SquirrelCage | fem.ClampedRing | None:
+    """What carries the outer raceway, at its temperature; None when it is rigid."""
+    outer: Any = case.outer  # which values are there depends on the kind, checked on reading
+    hot = growth(case, "outer_ring")
+    ring: dict[str, Any] = {
+        "raceway_diameter": outer_raceway_diameter(case),
+        "elastic": _elastic(case, "outer_ring"),
+    }
+    if outer.kind == "rigid":
+        return None
+    if outer.kind == "ring":
+        return fem.ClampedRing(**ring, thickness=outer.thickness * hot, width=outer.width * hot)
+    lengths = ("thickness", "width", "bar_width", "bar_thickness", "bar_length", "flange_length")
+    return fem.SquirrelCage(**ring, bars=outer.bars, **{name: getattr(outer, name) * hot for name in lengths})
+
+
+def inner_part(case: Case) -> fem.RingOnShaft | None:
+    """Inner ring on its hollow shaft, at the ring's temperature; None when it is rigid."""
+    inner: Any = case.inner
+    if inner.kind == "rigid":
+        return None
+    # The two parts are bonded: one growth for both keeps their common surface common.
+    hot = growth(case, "inner_ring")
+    return fem.RingOnShaft(
+        raceway_diameter=outer_raceway_diameter(case)
+        - 2 * case.bearing.roller.diameter * growth(case, "roller")
+        - case.bearing.clearance,
+        track_width=max(inner.track_width * hot, roller_length(case)),
+        rib_diameter=(inner.bore + 2 * inner.thickness) * hot,
+        bore=inner.bore * hot,
+        width=inner.width * hot,
+        shaft_bore=(inner.bore - 2 * inner.shaft_thickness) * hot,
+        shaft_length=inner.shaft_length * hot,
+        ring=_elastic(case, "inner_ring"),
+        shaft=_elastic(case, "shaft"),
+    )
+
+
+def notes(case: Case) -> tuple[str, ...]:
+    """What left its range of validity, for the reader of the results."""
+    found = _oil(case).notes
+    if case.lubricant.traction == "4109":
+        found += (
+            "traction: the 4109 regression was measured on point contacts; line contacts are outside it",
+            f"traction: the 4109 regression is used with {case.lubricant.oil or 'the given oil'}",
+        )
+    return found
+
+
+def _material(case: Case, name: str) -> qd.Material:
+    part = getattr(case.materials, name)
+    return qd.Material(
+        youngs_modulus=part.youngs_modulus, poisson_ratio=part.poisson_ratio, density=part.density
+    )
+
+
+def _elastic(case: Case, name: str) -> fem.Elastic:
+    part = getattr(case.materials, name)
+    return fem.Elastic(youngs_modulus=part.youngs_modulus, poisson_ratio=part.poisson_ratio)
+
+
+def _roller(case: Case) -> qd.Roller:
+    return qd.Roller(
+        diameter=case.bearing.roller.diameter * growth(case, "roller"),
+        length=roller_length(case),
+        material=_material(case, "roller"),
+        profile=_profile(case),
+    )
+
+
+def _profile(case: Case) -> qd.Profile:
+    roller: Any = case.bearing.roller  # which values are there depends on the profile, checked on reading
+    if roller.profile == "crowned":
+        return qd.Crowned(straight_length=roller.straight_length, crown_radius=roller.crown_radius)
+    if roller.profile == "logarithmic":
+        return qd.Logarithmic(amplitude=roller.drop)
+    return qd.Straight()
+
+
+def _cage(case: Case) -> qd.Cage:
+    cage = case.bearing.cage
+    land = ("land_diameter", "land_width", "land_clearance")
+    return qd.Cage(
+        guidance=cage.guidance,
+        pocket_friction=cage.pocket_friction,
+        thickness=cage.thickness,
+        mass=cage.mass,
+        **{name: getattr(cage, name) for name in land if getattr(cage, name) is not None},
+    )
+
+
+def _oil(case: Case) -> qd.Lubricant:
+    oil: Any = case.lubricant
+    if oil.oil is not None:
+        return qd.oil_at(oil.oil, oil.inlet_temperature)
+    return qd.Lubricant(
+        temperature=oil.inlet_temperature,
+        viscosity=oil.viscosity,
+        pressure_viscosity=oil.pressure_viscosity,
+        temperature_viscosity=oil.temperature_viscosity,
+        conductivity=oil.conductivity,
+        density=oil.density,
+    )

@@ -1,0 +1,81 @@
+"""States of the bearing as the arrays of a result file."""
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from flexbearing.compute.structure import CondensedRings
+from flexbearing.coupling import Iteration
+from quasidynamic import Equilibrium
+
+MREV = 1e6  # revolutions
+UNLOADED = 1e-3  # [N] below it no film is reported
+
+
+def state(found: Equilibrium) -> dict[str, ArrayLike]:
+    """Datasets of any state."""
+    inner, outer = found.forces[..., 0]
+    films = np.where(found.forces[..., 0] > UNLOADED, found.rollers.film, 0.0)
+    shape = found.balance.roller.inner.slices.shape
+    deviation = found.deviation @ shape.T
+    slip = found.rollers.sliding
+    return {
+        "inner_load": inner,
+        "outer_load": outer,
+        "inner_slice_load": found.slice_loads[0],
+        "outer_slice_load": found.slice_loads[1],
+        "inner_deviation": deviation[0],
+        "outer_deviation": deviation[1],
+        "roller_tilt": found.roller_tilt,
+        "roller_speed": found.roller_speed,
+        "inner_film": films[0],
+        "outer_film": films[1],
+        "inner_sliding": slip[0],
+        "outer_sliding": slip[1],
+        "inner_traction": found.rollers.inner.traction,
+        "outer_traction": found.rollers.outer.traction,
+        "cage_force": found.rollers.cage_force,
+        "cage_speed": found.cage_speed,
+        "cage_slip": found.cage_slip,
+        "ring_displacement": found.ring_displacement,
+        "ring_tilt": found.ring_tilt,
+    }
+
+
+def iteration(step: Iteration[Equilibrium], seconds: float) -> dict[str, ArrayLike]:
+    """Datasets of an iteration of the coupling."""
+    return state(step.state) | {
+        "load_change": step.load_change,
+        "residual": step.state.residual,
+        "seconds": seconds,
+    }
+
+
+def block(found: Equilibrium, rings: CondensedRings) -> dict[str, ArrayLike]:
+    """Datasets of an end state."""
+    bearing = found.balance.roller.bearing
+    return state(found) | {
+        "roller_azimuth": bearing.azimuths,
+        "slice_position": found.balance.roller.inner.slices.centres,
+        "life_L10": found.life * MREV,
+        "stiffness": found.stiffness,
+        "total_stiffness": total_stiffness(found, rings),
+        "support_translation": rings.translation(found.forces),
+        "driving_torque": found.driving_torque,
+        "ring_moment": found.ring_moment,
+        "peak_pressure": found.peak_pressure,
+        "minimum_film": _smallest(found.rollers.film, found.forces[..., 0]),
+    }
+
+
+def total_stiffness(found: Equilibrium, rings: CondensedRings) -> float:
+    """Radial tangent stiffness from the clamped base to the clamped shaft ends [N/m]."""
+    inner, outer = rings.translation(found.change_of_forces())[:, 1]
+    # The outer raceway gives way along the load, the inner one against it.
+    return float(1.0 / (1.0 / found.stiffness + outer - inner))
+
+
+def _smallest(film: NDArray, load: NDArray) -> NDArray:
+    """Smallest film of the loaded contacts of each raceway; 0 where none is loaded."""
+    loaded = load > UNLOADED
+    smallest = np.where(loaded, film, np.inf).min(axis=1)
+    return np.where(np.isfinite(smallest), smallest, 0.0)

@@ -1,0 +1,131 @@
+"""The summary of a run as text, for a terminal or a log file."""
+
+from collections.abc import Iterator
+from io import StringIO
+from typing import Any
+
+from rich import box
+from rich.console import Console, Group, RenderableType
+from rich.padding import Padding
+from rich.table import Table
+from rich.text import Text
+
+from flexbearing.report.tables import summary
+from flexbearing.results import Result
+
+# label, key in the block, place in a pair or object, format; SI units that no one reads are scaled
+_ROWS: tuple[tuple[str, str, int | str | None, float, str], ...] = (
+    ("largest inner load [N]", "max_roller_load_N", None, 1, ",.1f"),
+    ("largest outer load [N]", "max_outer_load_N", None, 1, ",.1f"),
+    ("loaded rollers", "loaded_rollers", None, 1, "d"),
+    ("loaded arc [deg]", "loaded_arc_deg", None, 1, ".0f"),
+    ("life L10 [Mrev]", "life_L10_Mrev", None, 1, ",.2f"),
+    ("stiffness of the bearing [kN/mm]", "stiffness_N_per_m", None, 1e-6, ",.1f"),
+    ("stiffness with supports [kN/mm]", "total_stiffness_N_per_m", None, 1e-6, ",.1f"),
+    ("ring displacement along load [um]", "ring_displacement_um", 1, 1, ".2f"),
+    ("ring displacement across load [um]", "ring_displacement_um", 0, 1, ".2f"),
+    ("largest raceway deviation [um]", "max_raceway_deviation_um", None, 1, ".2f"),
+    ("cage slip [%]", "cage_slip_percent", None, 1, ".2f"),
+    ("cage speed [rpm]", "cage_speed_rpm", None, 1, ",.0f"),
+    ("driving torque [N m]", "driving_torque_Nm", None, 1, ".4f"),
+    ("peak pressure, inner [MPa]", "peak_pressure_MPa", "inner", 1, ",.0f"),
+    ("peak pressure, outer [MPa]", "peak_pressure_MPa", "outer", 1, ",.0f"),
+    ("smallest film, inner [um]", "minimum_film_um", "inner", 1, ".3f"),
+    ("smallest film, outer [um]", "minimum_film_um", "outer", 1, ".3f"),
+)
+
+
+def text(result: Result, console: Console | None = None) -> str:
+    """Lay the summary out as text.
+
+    Parameters
+    ----------
+    result : Result
+        what the run left behind
+    console : rich.console.Console, optional
+        the terminal it is meant for, with its width and colours; without one, 80 plain columns
+
+    Returns
+    -------
+    str
+        a table, the assumed and calibrated keys, the notes, and how the run ended; nothing is printed
+    """
+    console = console or Console(width=80, file=StringIO(), force_terminal=False, color_system=None)
+    numbers = summary(result)
+    with console.capture() as capture:
+        console.print(Group(*_page(numbers)))
+    return "\n".join(line.rstrip() for line in capture.get().splitlines()) + "\n"
+
+
+def ending(numbers: dict[str, Any]) -> str:
+    """Say in a line how a run ended.
+
+    Parameters
+    ----------
+    numbers : dict
+        the summary
+
+    Returns
+    -------
+    str
+        such as ``converged in 5 iterations, 12.3 s``
+    """
+    count, seconds = numbers["iterations"], f"{numbers['wall_time_s']:.1f} s"
+    iterations = "1 iteration" if count == 1 else f"{count} iterations"
+    if numbers["status"] != "converged":
+        message = f": {numbers['message']}" if numbers["message"] else ""
+        return f"NOT CONVERGED: {numbers['status']} after {iterations}, {seconds}{message}"
+    if count == 0:
+        return f"converged; no part is flexible, so nothing was iterated, {seconds}"
+    return f"converged in {iterations}, {seconds}"
+
+
+def _page(numbers: dict[str, Any]) -> Iterator[RenderableType]:
+    yield Text(numbers["title"], style="bold")
+    if numbers["rigid"] or numbers["flexible"]:
+        yield _table(numbers["rigid"], numbers["flexible"])
+    yield from _list("assumed (not known, chosen)", numbers["assumed"])
+    fitted = [f"{key}: {to}" for key, to in numbers["calibrated"].items()]
+    yield from _list("calibrated (fitted, so no validation)", fitted)
+    yield from _list("notes", numbers["notes"])
+    converged = numbers["status"] == "converged"
+    yield Text(ending(numbers), style="bold green" if converged else "bold red")
+
+
+def _table(rigid: dict[str, Any] | None, flexible: dict[str, Any] | None) -> Table:
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
+    table.add_column("")
+    for name in ("rigid", "flexible", "change [%]"):
+        table.add_column(name, justify="right")
+    for label, key, part, scale, form in _ROWS:
+        before, after = (_number(block, key, part) for block in (rigid, flexible))
+        # as Text: rich would take the unit in brackets for a markup tag
+        table.add_row(
+            Text(label), _shown(before, scale, form), _shown(after, scale, form), _change(before, after)
+        )
+    return table
+
+
+def _number(block: dict[str, Any] | None, key: str, part: int | str | None) -> float | None:
+    if block is None:
+        return None
+    return block[key] if part is None else block[key][part]
+
+
+def _shown(value: float | None, scale: float, form: str) -> str:
+    return "-" if value is None else format(value * scale, form)
+
+
+def _change(before: float | None, after: float | None) -> str:
+    if before is None or after is None or before == 0:
+        return "-"
+    return f"{100 * (after - before) / abs(before):+.1f}"
+
+
+def _list(title: str, lines: list[str]) -> Iterator[RenderableType]:
+    if not lines:
+        return
+    yield Text(title, style="bold")
+    for line in lines:
+        yield Padding(Text(line), (0, 0, 0, 2), expand=False)
+    yield Text("")

@@ -1,0 +1,126 @@
+"""The numbers of a result in the units people use."""
+
+from typing import Any
+
+import numpy as np
+
+from flexbearing.results import Result
+
+LOADED = 1.0  # [N] a roller carries load above this
+
+_RPM = 30.0 / np.pi  # rad/s to rpm
+_HEAD = (
+    "status",
+    "iterations",
+    "wall_time_s",
+    "title",
+    "method",
+    "message",
+    "assumed",
+    "calibrated",
+    "notes",
+)
+
+
+def summary(result: Result) -> dict[str, Any]:
+    """Numbers of a run as one object that JSON can hold.
+
+    Parameters
+    ----------
+    result : Result
+        what the run left behind
+
+    Returns
+    -------
+    dict
+        status, iterations, texts, and the blocks ``rigid`` and ``flexible``; a name carries its
+        unit. None stands for a number that is not finite and for a block that was never solved.
+    """
+    head = {name: _plain(result.attributes[name]) for name in _HEAD}
+    blocks = {"rigid": result.rigid, "flexible": result.flexible}
+    return {**head, **{name: _plain(_block(values)) if values else None for name, values in blocks.items()}}
+
+
+def loaded_rollers(load: np.ndarray) -> float:
+    """Count the rollers that carry load.
+
+    Parameters
+    ----------
+    load : array (Z)
+        load of the inner contacts [N], >= 0
+
+    Returns
+    -------
+    int
+        rollers above 1 N; NaN when a load is not finite
+    """
+    return int(np.count_nonzero(load > LOADED)) if np.isfinite(load).all() else np.nan
+
+
+def loaded_arc(azimuth: np.ndarray, load: np.ndarray) -> float:
+    """Span the smallest arc that holds every loaded roller, from the first to the last.
+
+    Parameters
+    ----------
+    azimuth : array (Z)
+        places of the rollers [rad], in any order and on any branch
+    load : array (Z)
+        load of the inner contacts [N], >= 0
+
+    Returns
+    -------
+    float
+        arc [rad]; 2 pi when every roller is loaded, 0 for fewer than two; NaN when a load is not finite
+    """
+    if not np.isfinite(load).all():
+        return np.nan
+    loaded = np.sort(azimuth[load > LOADED] % (2 * np.pi))
+    if loaded.size == load.size:
+        return 2 * np.pi
+    if loaded.size < 2:
+        return 0.0
+    # the arc is what the widest gap between neighbours leaves of the circle
+    gaps = np.diff(loaded, append=loaded[0] + 2 * np.pi)
+    return 2 * np.pi - float(gaps.max())
+
+
+def _block(values: Any) -> dict[str, Any]:
+    load, azimuth = values["inner_load"], values["roller_azimuth"]
+    deviation = np.array([values["inner_deviation"], values["outer_deviation"]])
+    return {
+        "max_roller_load_N": load.max(),
+        "max_outer_load_N": values["outer_load"].max(),
+        "loaded_rollers": loaded_rollers(load),
+        "loaded_arc_deg": np.degrees(loaded_arc(azimuth, load)).round(9),
+        "roller_azimuths_deg": np.degrees(azimuth),
+        "roller_loads_N": load,
+        "outer_loads_N": values["outer_load"],
+        "cage_slip_percent": 100 * values["cage_slip"],
+        "cage_speed_rpm": _RPM * values["cage_speed"],
+        "ring_displacement_um": 1e6 * values["ring_displacement"],
+        "max_raceway_deviation_um": 1e6 * np.abs(deviation).max(),
+        "life_L10_Mrev": 1e-6 * values["life_L10"],
+        "stiffness_N_per_m": values["stiffness"],
+        "total_stiffness_N_per_m": values["total_stiffness"],
+        "driving_torque_Nm": values["driving_torque"],
+        "peak_pressure_MPa": _both_races(1e-6 * values["peak_pressure"]),
+        "minimum_film_um": _both_races(1e6 * values["minimum_film"]),
+    }
+
+
+def _both_races(pair: np.ndarray) -> dict[str, float]:
+    inner, outer = pair
+    return {"inner": inner, "outer": outer}
+
+
+def _plain(value: Any) -> Any:
+    """Python's own lists and numbers, None for what JSON cannot hold."""
+    if isinstance(value, np.ndarray | np.generic):
+        value = value.tolist()
+    if isinstance(value, dict) or hasattr(value, "items"):
+        return {str(key): _plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(item) for item in value]
+    if isinstance(value, float) and not np.isfinite(value):
+        return None
+    return value

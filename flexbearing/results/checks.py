@@ -1,0 +1,105 @@
+"""What must hold of names and numbers before they are part of a result file."""
+
+from collections.abc import Iterator, Mapping
+from difflib import get_close_matches
+
+import numpy as np
+
+from flexbearing.results.layout import Dataset
+
+Sizes = Mapping[str, int]  # symbol of an axis to its size
+
+
+class NotInLayout(ValueError):
+    """Something was to be written, or asked for, that the layout does not know."""
+
+
+def require_same_names(found: Mapping[str, object], known: Mapping[str, object], where: str) -> None:
+    """Raise unless `found` holds exactly the names of the layout.
+
+    Parameters
+    ----------
+    found : mapping
+        what is to be written, or was read
+    known : mapping
+        what the layout asks for
+    where : str
+        named in the message, such as ``block rigid``
+
+    Raises
+    ------
+    NotInLayout
+        naming what is unknown, with the nearest known name, or what is missing
+    """
+    for name in found:
+        if name not in known:
+            near = get_close_matches(name, known, n=1)
+            hint = f" Did you mean {near[0]!r}?" if near else ""
+            raise NotInLayout(f"{where}: {name!r} is not in the layout of a result file.{hint}")
+    if missing := [name for name in known if name not in found]:
+        raise NotInLayout(f"{where}: {', '.join(missing)} missing; the layout asks for every name.")
+
+
+def fitted(entry: Dataset, array: np.ndarray, sizes: Sizes, where: str) -> Sizes:
+    """Sizes of the axes after `array` took its place; the first array of a file decides.
+
+    Parameters
+    ----------
+    entry : Dataset
+        what the layout asks for
+    array : array
+        what is to be written, or was read
+    sizes : mapping
+        symbol of an axis to its size, as far as known
+    where : str
+        named in the message
+
+    Returns
+    -------
+    mapping
+        the sizes, with those that `array` settled
+
+    Raises
+    ------
+    NotInLayout
+        for a shape that does not fit
+    """
+    known = {**dict(_numbers(entry)), **sizes}
+    new = dict(zip(entry.shape, array.shape, strict=False))
+    wanted = tuple(known.get(axis, new.get(axis)) for axis in entry.shape)
+    if array.shape != wanted:
+        settled = ", ".join(f"{axis} = {size}" for axis, size in sizes.items())
+        raise NotInLayout(
+            f"{where}: {entry.name} has shape {array.shape}; "
+            f"the layout asks for ({', '.join(entry.shape)}){' with ' + settled if settled else ''}."
+        )
+    return {**sizes, **{axis: size for axis, size in new.items() if not axis.isdigit()}}
+
+
+def _numbers(entry: Dataset) -> Iterator[tuple[str, int]]:
+    return ((axis, int(axis)) for axis in entry.shape if axis.isdigit())
+
+
+def require_finite(entry: Dataset, array: np.ndarray, where: str) -> None:
+    """Raise when an array that claims to be a solution holds infinities or NaN.
+
+    Parameters
+    ----------
+    entry : Dataset
+        what the array is
+    array : array
+        its numbers
+    where : str
+        named in the message
+
+    Raises
+    ------
+    NotInLayout
+        naming the dataset and how many of its numbers are not finite
+    """
+    bad = int(np.count_nonzero(~np.isfinite(array)))
+    if bad:
+        raise NotInLayout(
+            f"{where}: {entry.name} holds {bad} of {array.size} numbers that are not finite; "
+            "a converged block holds only finite ones. Store it with converged=False."
+        )

@@ -1,0 +1,96 @@
+"""The one table of what stands in a result file."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+FORMAT = 1
+
+Place = Literal["state", "iteration", "block"]
+
+
+@dataclass(frozen=True)
+class Dataset:
+    """One dataset of the file."""
+
+    name: str
+    axes: str  # Z rollers, K slices, or a number, separated by a space; empty for a scalar
+    unit: str  # SI
+    place: Place  # "state": in iterations and blocks; else only there
+    meaning: str  # with its sign
+
+    @property
+    def shape(self) -> tuple[str, ...]:
+        """Axes one by one, ``("Z", "K")``."""
+        return tuple(self.axes.split())
+
+
+_BENDING = "positive outward, without local indentation and rigid translation"
+
+# a table reads best as a table:
+# fmt: off
+TABLE = (
+    Dataset("inner_load", "Z", "N", "state", "load of the inner contact, >= 0"),
+    Dataset("outer_load", "Z", "N", "state", "load of the outer contact, >= 0"),
+    Dataset("inner_slice_load", "Z K", "N/m", "state", "load per length of the inner contact, >= 0"),
+    Dataset("outer_slice_load", "Z K", "N/m", "state", "load per length of the outer contact, >= 0"),
+    Dataset("inner_deviation", "Z K", "m", "state",
+            f"radial displacement of the inner raceway at the roller, {_BENDING}"),
+    Dataset("outer_deviation", "Z K", "m", "state",
+            f"radial displacement of the outer raceway at the roller, {_BENDING}"),
+    Dataset("roller_tilt", "Z", "rad", "state", "slope of the roller axis, positive: +x end further out"),
+    Dataset("roller_speed", "Z", "rad/s", "state",
+            "spin relative to the cage frame, positive when it rolls forwards on the inner ring"),
+    Dataset("inner_film", "Z", "m", "state", "film thickness of the inner contact, 0 without load"),
+    Dataset("outer_film", "Z", "m", "state", "film thickness of the outer contact, 0 without load"),
+    Dataset("inner_sliding", "Z", "m/s", "state",
+            "speed of the inner raceway over the roller surface, positive to +azimuth"),
+    Dataset("outer_sliding", "Z", "m/s", "state",
+            "speed of the outer raceway over the roller surface, positive to +azimuth"),
+    Dataset("inner_traction", "Z", "N", "state",
+            "traction of the inner raceway on the roller, positive to +azimuth"),
+    Dataset("outer_traction", "Z", "N", "state",
+            "traction of the outer raceway on the roller, positive to +azimuth"),
+    Dataset("cage_force", "Z", "N", "state", "force of the cage on the roller, positive to +azimuth"),
+    Dataset("cage_speed", "", "rad/s", "state", "speed of the cage, positive to +azimuth"),
+    Dataset("cage_slip", "", "1", "state",
+            "1 - cage speed / cage speed in pure rolling, positive: the cage lags behind"),
+    Dataset("ring_displacement", "2", "m", "state", "displacement of the inner ring (y, z)"),
+    Dataset("ring_tilt", "2", "rad", "state", "slopes of the inner ring axis (dz/dx, dy/dx)"),
+
+    Dataset("load_change", "", "1", "iteration", "largest change of a roller load / largest load"),
+    Dataset("residual", "", "1", "iteration", "largest unbalanced force / applied load"),
+    Dataset("seconds", "", "s", "iteration", "time that the iteration took"),
+
+    Dataset("roller_azimuth", "Z", "rad", "block",
+            "place of the roller, 0 on the load line (z), positive towards y"),
+    Dataset("slice_position", "K", "m", "block", "axial place of the slice's middle, 0 at mid-roller"),
+    Dataset("life_L10", "", "rev", "block", "rating life of both raceways together, 90 % survival"),
+    Dataset("stiffness", "", "N/m", "block", "radial tangent stiffness between the rings"),
+    Dataset("total_stiffness", "", "N/m", "block",
+            "radial tangent stiffness with the rigid translation of the raceways on their supports"),
+    Dataset("support_translation", "2 2", "m", "block",
+            "rigid translation of the raceway on its support, (inner, outer) by (y, z)"),
+    Dataset("driving_torque", "", "N m", "block",
+            "torque that keeps the inner ring turning, positive to +azimuth"),
+    Dataset("ring_moment", "2", "N m", "block",
+            "moment on the inner ring, one for each slope of ring_tilt: applied (free) or reaction (held)"),
+    Dataset("peak_pressure", "2", "Pa", "block", "largest contact pressure (inner, outer)"),
+    Dataset("minimum_film", "2", "m", "block", "smallest film of a loaded contact (inner, outer)"),
+)
+# fmt: on
+
+
+def datasets(place: Literal["iteration", "block"]) -> dict[str, Dataset]:
+    """Datasets of an iteration or of a block, by name.
+
+    Parameters
+    ----------
+    place : "iteration" or "block"
+        the group that is asked for
+
+    Returns
+    -------
+    dict
+        name to :class:`Dataset`, in the order of the table
+    """
+    return {entry.name: entry for entry in TABLE if entry.place in ("state", place)}

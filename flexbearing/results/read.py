@@ -1,0 +1,152 @@
+"""A result file as arrays that cannot change."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any, Literal
+
+import h5py
+import numpy as np
+
+from flexbearing.results.attributes import BY_NAME, decoded
+from flexbearing.results.checks import Sizes, fitted, require_same_names
+from flexbearing.results.layout import FORMAT, datasets
+from flexbearing.results.write import BLOCKS, UNFINISHED
+
+Arrays = Mapping[str, np.ndarray]
+
+
+class BadResult(ValueError):
+    """A file that is no complete result file of this format."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Result:
+    """What one run left behind, in SI units; names as in the layout."""
+
+    path: Path
+    attributes: Mapping[str, Any]  # JSON attributes are mappings again, lists are tuples
+    rigid: Arrays  # empty when the run ended before it was solved
+    flexible: Arrays  # likewise
+    iterations: tuple[Arrays, ...]  # from the first to the last
+
+    def history(self, name: str) -> np.ndarray:
+        """Stack a dataset over the iterations.
+
+        Parameters
+        ----------
+        name : str
+            a dataset of the iterations, such as ``load_change``
+
+        Returns
+        -------
+        array (iterations, ...)
+            stacked; without iterations, an array of length 0
+
+        Raises
+        ------
+        NotInLayout
+            for a name that iterations do not have
+        """
+        known = datasets("iteration")
+        if name not in known:
+            require_same_names({**dict.fromkeys(known), name: None}, known, "history")
+        if not self.iterations:
+            return np.empty(0)
+        return np.stack([state[name] for state in self.iterations])
+
+
+def read(path: str | Path) -> Result:
+    """Read a complete result file.
+
+    Parameters
+    ----------
+    path : path
+        a file written by :class:`ResultFile`
+
+    Returns
+    -------
+    Result
+
+    Raises
+    ------
+    BadResult
+        naming the file and what to do, when it is missing, unfinished, damaged or of another format
+    """
+    path = Path(path)
+    _require_finished(path)
+    try:
+        with h5py.File(path, "r") as file:
+            _require_format(file, path)
+            return _result(file, path)
+    except OSError as reason:
+        raise BadResult(f"{path}: not an HDF5 file, or damaged ({reason}). Run the case again.") from reason
+    except BadResult:
+        raise
+    except ValueError as reason:
+        raise BadResult(
+            f"{path}: {reason} The file was changed after it was written; run the case again."
+        ) from reason
+
+
+def _require_finished(path: Path) -> None:
+    part = path.with_name(path.name + UNFINISHED)
+    if path.suffix == UNFINISHED:
+        raise BadResult(
+            f"{path}: the run has not finished: it is still at work, or was interrupted. "
+            "Wait or run the case again; the iterations so far can be read with h5py."
+        )
+    if not path.exists() and part.exists():
+        raise BadResult(f"{path}: not there yet, only {part.name}. Wait for the run, or run the case again.")
+    if not path.is_file():
+        raise BadResult(f"{path}: no such file. `flexbearing run CASE -o {path.name}` would write it.")
+
+
+def _require_format(file: h5py.File, path: Path) -> None:
+    found = file.attrs.get("format")
+    if found is None:
+        raise BadResult(f"{path}: an HDF5 file, but not a result of flexbearing: it has no format number.")
+    if not np.array_equal(found, FORMAT):
+        raise BadResult(
+            f"{path}: format {found}, this version reads format {FORMAT}. "
+            "Run the case again, or read the file with the version that wrote it."
+        )
+
+
+def _result(file: h5py.File, path: Path) -> Result:
+    sizes: Sizes = {}
+    blocks: dict[str, Arrays] = {}
+    for name in BLOCKS:
+        blocks[name], sizes = _arrays(file.get(name), "block", sizes, name)
+    states = []
+    for number, group in _numbered(file):
+        state, sizes = _arrays(group, "iteration", sizes, f"iteration {number}")
+        states.append(state)
+    return Result(path=path, attributes=_attributes(file), iterations=tuple(states), **blocks)
+
+
+def _numbered(file: h5py.File) -> list[tuple[int, Any]]:
+    # by number: as text, iteration 10000 would come before 9999
+    names = list(file.require_group("iterations")) if "iterations" in file else []
+    return [(int(name), file[f"iterations/{name}"]) for name in sorted(names, key=int)]
+
+
+def _attributes(file: h5py.File) -> Mapping[str, Any]:
+    require_same_names(dict(file.attrs), BY_NAME, "root attributes")
+    return MappingProxyType({name: decoded(name, stored) for name, stored in file.attrs.items()})
+
+
+def _arrays(
+    group: Any, place: Literal["iteration", "block"], sizes: Sizes, where: str
+) -> tuple[Arrays, Sizes]:
+    if group is None:
+        return MappingProxyType({}), sizes
+    known, arrays = datasets(place), {}
+    require_same_names(group, known, where)
+    for name, entry in known.items():
+        array = np.asarray(group[name][()])
+        array.flags.writeable = False
+        sizes = fitted(entry, array, sizes, where)
+        arrays[name] = array
+    return MappingProxyType(arrays), sizes

@@ -1,0 +1,117 @@
+"""Every broken case gets a message that names file, key, value found and what is allowed."""
+
+from pathlib import Path
+
+import pytest
+
+from flexbearing.case import BadCase, read
+
+GOOD = (Path(__file__).parents[2] / "configs" / "mao2016.toml").read_text()
+
+# What is replaced in the good case, by what, and what the message must hold.
+BROKEN = {
+    "unknown key": (
+        'clearance = "75.5 um"', 'clearence = "75.5 um"',
+        ["broken.toml", "[bearing] clearence", '"75.5 um"', "not a key", "Did you mean clearance?"],
+    ),
+    "unknown section": (
+        "[coupling]", "[cuopling]",
+        ["broken.toml", "cuopling", "not a key", "Did you mean coupling?"],
+    ),
+    "missing key": (
+        "rollers = 30 ", "# ",
+        ["broken.toml", "[bearing] rollers is missing", "a whole number, at least 3 and at most 1000"],
+    ),
+    "missing key that a choice needs": (
+        "bars = 24", "",
+        ["broken.toml", "[outer] bars is missing", "squirrel_cage", "a whole number"],
+    ),
+    "no unit": (
+        'diameter = "5 mm" ', "diameter = 5 ",
+        ["broken.toml", "[bearing.roller] diameter = 5 has no unit", '"5 mm"'],
+    ),
+    "unit of another quantity": (
+        'radial_load = "19621.1 N"', 'radial_load = "19621.1 kg"',
+        ["broken.toml", "[operation] radial_load", '"19621.1 kg" is not a force', '"20 kN"'],
+    ),
+    "unknown unit": (
+        'inner_speed = "38000 rpm"', 'inner_speed = "38000 upm"',
+        ["broken.toml", "[operation] inner_speed", "unknown unit, upm", '"38000 rpm"'],
+    ),
+    "out of range": (
+        "poisson_ratio = 0.3\n", "poisson_ratio = 0.6\n",
+        ["broken.toml", "[materials.roller] poisson_ratio = 0.6", "below 0.5"],
+    ),
+    "not a choice": (
+        'contact_law = "palmgren"', 'contact_law = "hertz"',
+        ["broken.toml", "[bearing] contact_law", '"hertz"', '"palmgren" or "iso16281"'],
+    ),
+    "text for a number": (
+        "rollers = 30 ", 'rollers = "thirty" ',
+        ["broken.toml", "[bearing] rollers", '"thirty"', "a whole number"],
+    ),
+    "too many rollers": (
+        "rollers = 30 ", "rollers = 50 ",
+        ["broken.toml", "[bearing] rollers = 50", "at most 43"],
+    ),
+    "bars that touch": (
+        'bar_width = "4 mm"', 'bar_width = "9.8 mm"',
+        ["broken.toml", "[outer] bar_width", '"9.8 mm"', "at most", "touch"],
+    ),
+    "bars thicker than the ring": (
+        'bar_thickness = "2.6 mm"', 'bar_thickness = "3.6 mm"',
+        ["broken.toml", "[outer] bar_thickness", "below outer.thickness"],
+    ),
+    "bore outside the raceway": (
+        'bore = "59.6 mm"', 'bore = "66 mm"',
+        ["broken.toml", "[inner] bore", '"66 mm"', "64.92 mm"],
+    ),
+    "nothing rolls": (
+        'outer_speed = "0 rpm"', 'outer_speed = "38000 rpm"',
+        ["broken.toml", "[operation] inner_speed", "nothing rolls"],
+    ),
+    "moment on a ring that may not tilt": (
+        'moment = "0 N m"', 'moment = "20 N m"\ntilt = "fixed"',
+        ["broken.toml", "[operation] moment", '"20 N m"', "fixed"],
+    ),
+    "assumed key that is none": (
+        '"lubricant.oil", ', '"lubricant.oyl", ',
+        ["broken.toml", "assumed", "lubricant.oyl", "Did you mean oil?"],
+    ),
+    "oil by name and by data": (
+        "oil_fraction = 0.34", 'oil_fraction = 0.34\ndensity = "900 kg/m^3"',
+        ["broken.toml", "[lubricant] density", "not both"],
+    ),
+    "not TOML": ("[bearing]", "[bearing", ["broken.toml", "not valid TOML", "line"]),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("old", "new", "expected"), BROKEN.values(), ids=BROKEN.keys())
+def test_message_of_a_broken_case(old, new, expected, tmp_path):
+    assert old in GOOD
+    file = tmp_path / "broken.toml"
+    file.write_text(GOOD.replace(old, new, 1))
+    with pytest.raises(BadCase) as problem:
+        read(file)
+    for part in expected:
+        assert part in str(problem.value)
+
+
+def test_every_problem_has_a_line_of_its_own(tmp_path):
+    file = tmp_path / "broken.toml"
+    file.write_text(GOOD.replace("rollers = 30 ", "rollers = 1 ").replace("slices = 20", "slices = 0"))
+    with pytest.raises(BadCase) as problem:
+        read(file)
+    assert len(str(problem.value).splitlines()) == 2
+
+
+def test_file_that_is_not_there():
+    with pytest.raises(BadCase, match=r"nowhere\.toml: there is no such file"):
+        read("nowhere.toml")
+
+
+def test_good_case_is_good(tmp_path):
+    """Or the tests above would pass for another reason."""
+    file = tmp_path / "good.toml"
+    file.write_text(GOOD)
+    assert read(file).bearing.rollers == 30

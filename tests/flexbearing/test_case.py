@@ -1,0 +1,111 @@
+"""Case files mean what they say."""
+
+import subprocess
+import sys
+from math import pi
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from pydantic import TypeAdapter
+from pytest import approx
+
+from flexbearing.case import BadCase, explain, read
+from flexbearing.case.declarations import declarations
+from flexbearing.case.explain import reference_page
+from flexbearing.case.quantity import Length, Speed, Temperature
+
+ROOT = Path(__file__).parents[2]
+PAPER = ROOT / "configs" / "mao2016.toml"
+CASES = sorted((ROOT / "configs").glob("*.toml"))
+
+
+@pytest.mark.parametrize("file", CASES, ids=lambda file: file.stem)
+def test_every_case_that_comes_along_can_be_read(file):
+    assert read(file).title
+
+
+def test_paper_case_in_si():
+    case = read(PAPER)
+    assert case.bearing.outer_raceway_diameter == approx(75e-3, rel=1e-12)
+    assert case.operation.inner_speed == approx(38000 * 2 * pi / 60, rel=1e-12)
+    assert case.operation.temperatures.shaft == approx(503.15, rel=1e-12)
+    assert case.materials.roller.expansion == approx(11.9e-6, rel=1e-12)
+    assert case.bearing.first_roller_azimuth == 0.0
+
+
+METRES = {"m": 1.0, "mm": 1e-3, "um": 1e-6, "µm": 1e-6, "inch": 0.0254, "nm": 1e-9}
+
+
+@given(st.floats(-1e6, 1e6, allow_subnormal=False), st.sampled_from(sorted(METRES)))
+def test_any_unit_of_length_gives_the_same_length(value, unit):
+    assert TypeAdapter(Length).validate_python(f"{value!r} {unit}") == approx(value * METRES[unit], rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("kind", "text", "si"),
+    [
+        (Temperature, "0 degC", 273.15),
+        (Temperature, "300 K", 300.0),
+        (Temperature, "212 degF", 373.15),
+        (Speed, "60 rpm", 2 * pi),
+        (Speed, "2 rad/s", 2.0),
+    ],
+    ids=lambda value: str(value) if isinstance(value, str) else "",
+)
+def test_temperatures_and_speeds(kind, text, si):
+    assert TypeAdapter(kind).validate_python(text) == approx(si, rel=1e-12)
+
+
+def test_settings_replace_keys_and_are_no_longer_assumed():
+    case = read(PAPER, ["bearing.clearance=50 um", "outer.bars = 18", 'lubricant.oil="MIL-L-7808"'])
+    assert case.bearing.clearance == approx(50e-6)
+    assert case.outer.bars == 18
+    assert "outer.bars" not in case.assumed
+    assert "bearing.clearance" not in case.calibrated
+    assert "lubricant.oil_fraction" in case.calibrated
+    assert case.source.overrides == (
+        "bearing.clearance=50 um",
+        "outer.bars = 18",
+        'lubricant.oil="MIL-L-7808"',
+    )
+
+
+@pytest.mark.parametrize("setting", ["bearing.clearance", "=5 um", "bearing.clearence=5 um", "nothing=1"])
+def test_bad_setting(setting):
+    with pytest.raises(BadCase):
+        read(PAPER, [setting])
+
+
+def test_rigid_parts_ignore_what_belongs_to_flexible_ones():
+    case = read(PAPER, ["outer.kind=rigid", "inner.kind=rigid"])
+    assert case.outer.bars == 24  # kept, so that the case can be made flexible again
+
+
+def test_every_key_is_explained():
+    for item in declarations():
+        assert item.meaning, item.path
+        assert item.path in explain(item.path)
+        if not item.section:
+            assert item.allowed, item.path
+            assert item.path in explain()
+
+
+def test_explain_names_the_nearest_key():
+    with pytest.raises(BadCase, match=r"Did you mean bearing\.clearance"):
+        explain("bearing.clearence")
+
+
+def test_reference_page_is_what_explain_says():
+    assert (ROOT / "docs" / "reference" / "case.md").read_text() == reference_page()
+
+
+def test_checking_a_case_loads_nothing_heavy():
+    code = (
+        "import sys; from flexbearing.case import read; "
+        f"read({str(PAPER)!r}); "
+        "print([m for m in ('ngsolve', 'netgen', 'h5py', 'matplotlib') if m in sys.modules])"
+    )
+    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=ROOT)
+    assert found.stdout.strip() == "[]"

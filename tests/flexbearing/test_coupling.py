@@ -1,0 +1,100 @@
+"""The coupling loop on toy partners with a known answer."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+from pytest import approx
+
+from flexbearing.coupling import Ending, PartnerFailed, newton, relaxed
+
+
+@dataclass(frozen=True)
+class ToyState:
+    forces: np.ndarray
+    residual: float = 0.0
+    status: str = ""
+
+
+@dataclass(frozen=True)
+class Springs:
+    """Every roller is a spring: force = 100 - stiffness times outer deviation; fails beyond a limit."""
+
+    stiffness: float
+    limit: float = np.inf
+
+    def solve(self, start=None, deviation=None):
+        if np.abs(deviation).max() > self.limit:
+            raise PartnerFailed("too much")
+        return ToyState(np.full((2, 3, 1), 100.0) - self.stiffness * deviation)
+
+    def iterate(self, compliance, start=None):
+        yield start
+        softness = compliance[1][0, 0, 0, 0]
+        force = np.full((2, 3, 1), 100.0)
+        force[1] = 100.0 / (1 + self.stiffness * softness)
+        yield ToyState(force, 1e-12)
+        yield ToyState(force, 1e-15, "converged")
+
+
+@dataclass(frozen=True)
+class Plate:
+    """Each roller bends its own place of the outer raceway."""
+
+    softness: float
+
+    @property
+    def compliance(self):
+        return None, self.softness * np.eye(3)[:, None, :, None]
+
+    def deviation(self, forces):
+        return np.array([np.zeros((3, 1)), self.softness * forces[1]])
+
+
+START = ToyState(np.full((2, 3, 1), 100.0))
+ENDING = Ending(tolerance=1e-8, limit=200)
+
+
+@pytest.mark.parametrize(("product", "relaxation"), [(0.5, 1.0), (0.5, 0.3), (9.0, 0.1)])
+def test_relaxation_ends_at_the_known_loads(product, relaxation):
+    *_, last = relaxed(Springs(1e6), Plate(product * 1e-6), START, ENDING, relaxation)
+    assert last.status == "converged"
+    assert last.state.forces[1] == approx(100 / (1 + product), rel=1e-7)
+
+
+def test_relaxation_takes_the_steps_that_theory_says():
+    """The change shrinks by 1 - relaxation (1 + product) each time: here by a half."""
+    steps = list(relaxed(Springs(1e6), Plate(4e-6), START, ENDING, 0.1))
+    changes = np.array([step.load_change for step in steps])
+    assert changes[11:] / changes[10:-1] == approx(0.5, rel=1e-3)
+
+
+def test_alternation_that_diverges_never_calls_itself_converged():
+    *_, last = relaxed(Springs(1e6), Plate(3e-6), START, ENDING, 1.0)
+    assert last.status in ("iteration limit", "not finite")
+
+
+def test_the_limit_is_not_convergence():
+    *_, last = relaxed(Springs(1e6), Plate(0.5e-6), START, Ending(tolerance=1e-8, limit=5), 0.3)
+    assert last.status == "iteration limit"
+    assert last.number == 5
+
+
+def test_small_steps_are_not_taken_for_small_residuals():
+    """A tiny relaxation hardly moves the loads, while the answer is still wrong by half."""
+    *_, last = relaxed(Springs(1e6), Plate(1e-6), START, Ending(tolerance=1e-3, limit=5), 1e-4)
+    assert last.status == "iteration limit"
+    assert last.load_change > 0.5
+
+
+def test_failure_of_a_partner_ends_the_loop_with_its_message():
+    *_, last = relaxed(Springs(1e6, limit=1e-6), Plate(1e-6), START, ENDING, 0.5)
+    assert last.status == "not solved"
+    assert last.message == "too much"
+
+
+def test_newton_counts_steps_not_the_start():
+    steps = list(newton(Springs(1e6), Plate(3e-6), START, ENDING))
+    assert [step.number for step in steps] == [1, 2]
+    assert steps[-1].status == "converged"
+    assert steps[-1].state.forces[1] == approx(25.0)

@@ -1,0 +1,318 @@
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from flexbearing.report import convergence, deviations, polar_loads, summary, text, write_figures
+from flexbearing.report.tables import loaded_arc, loaded_rollers
+from flexbearing.results import Result
+
+ROLLERS, SLICES = 30, 4
+PITCH = 2 * np.pi / ROLLERS
+AZIMUTH = PITCH * np.arange(ROLLERS)
+SLICE_POSITION = np.array([-1.5e-3, -0.5e-3, 0.5e-3, 1.5e-3])
+
+
+def loads(largest, spread):
+    """Static load distribution, with its loaded zone set by the spread."""
+    return largest * np.clip(1 - (1 - np.cos(AZIMUTH)) / (2 * spread), 0, None) ** (10 / 9)
+
+
+def deviation(size, tilt=0.0):
+    """Ovalised raceway, tilted along the roller."""
+    return size * np.cos(2 * AZIMUTH)[:, None] * (1 + tilt * SLICE_POSITION / 1e-3)
+
+
+def block(largest=3537.0, spread=0.19, bending=0.0):
+    return {
+        "inner_load": loads(largest, spread),
+        "outer_load": loads(largest, spread) + 92.0,
+        "inner_deviation": deviation(-0.2 * bending),
+        "outer_deviation": deviation(bending, tilt=0.2),
+        "roller_azimuth": AZIMUTH,
+        "slice_position": SLICE_POSITION,
+        "cage_speed": np.array(1700.0),
+        "cage_slip": np.array(0.0628),
+        "ring_displacement": np.array([1e-6, 60e-6]),
+        "life_L10": np.array(2.5e9),
+        "stiffness": np.array(7.7e8),
+        "total_stiffness": np.array(1.2e8),
+        "driving_torque": np.array(0.21),
+        "peak_pressure": np.array([1.9e9, 1.7e9]),
+        "minimum_film": np.array([0.31e-6, 0.36e-6]),
+    }
+
+
+def history(count):
+    sizes = 10.0 ** -np.arange(1, count + 1)
+    return tuple({"load_change": np.array(size), "residual": np.array(size / 30)} for size in sizes)
+
+
+def result(**changes):
+    attributes = {
+        "title": "squirrel cage of an aircraft engine",
+        "status": "converged",
+        "message": "load change below 1e-8",
+        "method": "newton",
+        "iterations": 5,
+        "wall_time_s": 12.34,
+        "assumed": ("bearing.cage.mass", "lubricant.name"),
+        "calibrated": {"lubricant.oil_fraction": "cage slip of 6.28 % in the publication"},
+        "notes": ("4109 regression used outside its calibration",),
+    }
+    attributes.update(changes.pop("attributes", {}))
+    return Result(
+        **{
+            "path": Path("case.h5"),
+            "attributes": attributes,
+            "rigid": block(),
+            "flexible": block(3035.0, 0.27, bending=14e-6),
+            "iterations": history(5),
+            **changes,
+        }
+    )
+
+
+def rigid_only():
+    return result(attributes={"iterations": 0}, flexible=block(), iterations=())
+
+
+def unsolved():
+    ending = {"status": "not solved", "message": "no equilibrium below 5 N", "iterations": 0}
+    return result(attributes=ending, rigid={}, flexible={}, iterations=())
+
+
+def diverged():
+    lost = block() | {"inner_load": np.full(ROLLERS, np.nan), "life_L10": np.array(np.inf)}
+    steps = (*history(2), {"load_change": np.array(np.nan), "residual": np.array(np.inf)})
+    return result(attributes={"status": "not finite", "iterations": 3}, flexible=lost, iterations=steps)
+
+
+EVERY_ENDING = pytest.mark.parametrize(
+    "run", [result, rigid_only, unsolved, diverged], ids=lambda run: run.__name__
+)
+
+
+# -- the loaded zone -----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("loaded", "degrees"),
+    [
+        (range(-4, 5), 96.0),
+        (range(6, 15), 96.0),
+        (range(-2, 10), 132.0),
+        (range(-14, 15), 336.0),
+        (range(30), 360.0),
+        ([3], 0.0),
+        ([], 0.0),
+        ([-5, -4, 4, 5], 120.0),
+    ],
+    ids=["around 0", "off the load line", "across 0", "all but one", "all", "one", "none", "two lobes"],
+)
+@pytest.mark.parametrize("branch", [0.0, -np.pi, 0.3], ids=["0..360", "-180..180", "turned"])
+def test_loaded_arc_runs_from_the_first_to_the_last_loaded_roller(loaded, degrees, branch):
+    load = np.zeros(ROLLERS)
+    load[[index % ROLLERS for index in loaded]] = 100.0
+    azimuth = (AZIMUTH + branch) % (2 * np.pi) + branch
+    assert np.degrees(loaded_arc(azimuth, load)) == pytest.approx(degrees, rel=1e-12, abs=1e-9)
+
+
+def test_loaded_arc_does_not_depend_on_the_order_of_the_rollers_or_on_whole_turns():
+    turns = 2 * np.pi * (np.arange(ROLLERS) % 3 - 1)
+    order = np.random.default_rng(7).permutation(ROLLERS)
+    load = loads(3537.0, 0.19)
+    assert loaded_arc((AZIMUTH + turns)[order], load[order]) == pytest.approx(
+        loaded_arc(AZIMUTH, load), rel=1e-12
+    )
+
+
+def test_a_roller_is_loaded_above_one_newton():
+    assert loaded_rollers(np.array([0.0, 1.0, 1.001, 50.0])) == 2
+
+
+# -- the JSON object -----------------------------------------------------------------------------
+
+
+def test_summary_states_the_numbers_in_the_units_of_their_names():
+    numbers = summary(result())
+    flexible = numbers["flexible"]
+    assert numbers["status"] == "converged"
+    assert numbers["iterations"] == 5
+    assert numbers["calibrated"] == {"lubricant.oil_fraction": "cage slip of 6.28 % in the publication"}
+    assert flexible["max_roller_load_N"] == pytest.approx(3035.0, rel=1e-12)
+    assert flexible["max_outer_load_N"] == pytest.approx(3127.0, rel=1e-12)
+    assert (numbers["rigid"]["loaded_rollers"], flexible["loaded_rollers"]) == (9, 11)
+    assert (numbers["rigid"]["loaded_arc_deg"], flexible["loaded_arc_deg"]) == (96.0, 120.0)
+    assert flexible["roller_azimuths_deg"] == pytest.approx(list(range(0, 360, 12)), rel=1e-12)
+    assert flexible["roller_loads_N"] == pytest.approx(loads(3035.0, 0.27), rel=1e-12)
+    assert flexible["cage_slip_percent"] == pytest.approx(6.28, rel=1e-12)
+    assert flexible["cage_speed_rpm"] == pytest.approx(1700 * 60 / (2 * np.pi), rel=1e-12)
+    assert flexible["ring_displacement_um"] == pytest.approx([1.0, 60.0], rel=1e-12)
+    assert flexible["life_L10_Mrev"] == pytest.approx(2500.0, rel=1e-12)
+    assert flexible["stiffness_N_per_m"] == pytest.approx(7.7e8, rel=1e-12)
+    assert flexible["peak_pressure_MPa"] == pytest.approx({"inner": 1900.0, "outer": 1700.0}, rel=1e-12)
+    assert flexible["minimum_film_um"] == pytest.approx({"inner": 0.31, "outer": 0.36}, rel=1e-12)
+
+
+def test_largest_deviation_is_taken_over_both_raceways_and_all_slices():
+    ends = 14.0 * 1.3  # the tilted raceway at the outermost slice
+    assert summary(result())["flexible"]["max_raceway_deviation_um"] == pytest.approx(ends, rel=1e-12)
+    inward = block() | {"inner_deviation": np.full((ROLLERS, SLICES), -20e-6)}
+    assert summary(result(flexible=inward))["flexible"]["max_raceway_deviation_um"] == pytest.approx(
+        20.0, rel=1e-12
+    )
+
+
+@EVERY_ENDING
+def test_summary_is_strict_json(run):
+    numbers = summary(run())
+    assert json.loads(json.dumps(numbers, allow_nan=False)) == numbers
+
+
+def test_numbers_that_are_not_finite_are_missing_instead_of_wrong():
+    flexible = summary(diverged())["flexible"]
+    for name in ("max_roller_load_N", "loaded_rollers", "loaded_arc_deg", "life_L10_Mrev"):
+        assert flexible[name] is None
+    assert flexible["roller_loads_N"] == [None] * ROLLERS
+
+
+def test_blocks_that_were_never_solved_are_none():
+    numbers = summary(unsolved())
+    assert numbers["rigid"] is None
+    assert numbers["flexible"] is None
+
+
+# -- the text ------------------------------------------------------------------------------------
+
+
+def row(page, label):
+    (line,) = [line for line in page.splitlines() if line.strip().startswith(label)]
+    return line.strip().removeprefix(label).split()
+
+
+def test_text_sets_rigid_beside_flexible_with_the_change():
+    page = text(result())
+    assert row(page, "largest inner load [N]") == ["3,537.0", "3,035.0", "-14.2"]
+    assert row(page, "loaded rollers") == ["9", "11", "+22.2"]
+    assert row(page, "largest raceway deviation [um]") == ["0.00", "18.20", "-"]
+    assert row(page, "stiffness of the bearing [kN/mm]") == ["770.0", "770.0", "+0.0"]
+
+
+@EVERY_ENDING
+def test_text_fits_a_log_file(run):
+    page = text(run())
+    assert "\x1b" not in page
+    assert max(map(len, page.splitlines())) <= 80
+
+
+def test_text_names_what_was_assumed_fitted_and_left_its_range():
+    page = text(result())
+    for words in (
+        "bearing.cage.mass",
+        "lubricant.name",
+        "lubricant.oil_fraction: cage slip of 6.28 %",
+        "4109 regression used outside its calibration",
+    ):
+        assert words in page
+
+
+@pytest.mark.parametrize(
+    ("run", "words"),
+    [
+        (result, "converged in 5 iterations, 12.3 s"),
+        (rigid_only, "converged; no part is flexible, so nothing was iterated, 12.3 s"),
+        (unsolved, "NOT CONVERGED: not solved after 0 iterations, 12.3 s: no equilibrium below 5 N"),
+        (diverged, "NOT CONVERGED: not finite after 3 iterations, 12.3 s: load change below 1e-8"),
+    ],
+    ids=lambda value: getattr(value, "__name__", ""),
+)
+def test_last_line_says_how_the_run_ended(run, words):
+    assert text(run()).splitlines()[-1] == words
+
+
+def test_iteration_limit_never_reads_as_converged():
+    page = text(result(attributes={"status": "iteration limit", "iterations": 1, "message": ""}))
+    assert page.splitlines()[-1] == "NOT CONVERGED: iteration limit after 1 iteration, 12.3 s"
+
+
+# -- the pictures --------------------------------------------------------------------------------
+
+
+def line(axes, beginning):
+    (found,) = [each for each in axes.get_lines() if str(each.get_label()).startswith(beginning)]
+    return found
+
+
+def words(figure):
+    figure.draw_without_rendering()
+    return " ".join(each.get_text() for each in figure.findobj(lambda artist: hasattr(artist, "get_text")))
+
+
+def test_polar_plot_shows_both_load_distributions_with_the_load_line_down():
+    (axes,) = polar_loads(result()).axes
+    assert axes.get_theta_offset() == pytest.approx(-np.pi / 2 % (2 * np.pi), rel=1e-12)
+    for name, largest, spread in (("rigid", 3537.0, 0.19), ("flexible", 3035.0, 0.27)):
+        azimuth, load = line(axes, name).get_data()
+        assert azimuth == pytest.approx([*AZIMUTH, 0.0], rel=1e-12)  # closed
+        assert load == pytest.approx([*loads(largest, spread), largest], rel=1e-12)
+        assert f"{largest:.0f} N" in line(axes, name).get_label()
+
+
+def test_convergence_plot_shows_both_histories():
+    (axes,) = convergence(result()).axes
+    assert axes.get_yscale() == "log"
+    number, change = line(axes, "largest change").get_data()
+    assert list(number) == [1, 2, 3, 4, 5]
+    assert change == pytest.approx([1e-1, 1e-2, 1e-3, 1e-4, 1e-5], rel=1e-12)
+    assert line(axes, "largest unbalanced").get_ydata() == pytest.approx(change / 30, rel=1e-12)
+
+
+def test_zeros_on_the_logarithmic_axis_stand_below_everything_else():
+    steps = (*history(3), {"load_change": np.array(0.0), "residual": np.array(2e-9)})
+    (axes,) = convergence(result(iterations=steps)).axes
+    number, height = line(axes, "exactly zero").get_data()
+    assert list(number) == [4]
+    assert height == pytest.approx([2e-10], rel=1e-12)
+    assert np.isnan(line(axes, "largest change").get_ydata()[3])
+
+
+def test_a_run_of_zeros_only_can_be_drawn():
+    steps = ({"load_change": np.array(0.0), "residual": np.array(0.0)},)
+    convergence(result(iterations=steps)).draw_without_rendering()
+
+
+def test_convergence_plot_marks_the_iteration_that_was_lost():
+    (axes,) = convergence(diverged()).axes
+    assert list(line(axes, "not finite").get_xdata()) == [3, 3]
+
+
+def test_deviation_plot_shows_mid_roller_around_the_ring():
+    (axes,) = deviations(result()).axes
+    degrees, outer = line(axes, "outer").get_data()
+    assert np.all(np.diff(degrees) > 0)
+    assert (degrees[0], degrees[-1]) == pytest.approx((-192.0, 180.0), rel=1e-9)  # no gap at the edges
+    assert outer == pytest.approx(14.0 * np.cos(2 * np.radians(degrees)), rel=1e-9, abs=1e-9)
+    assert line(axes, "inner").get_ydata() == pytest.approx(-0.2 * outer, rel=1e-9, abs=1e-9)
+
+
+@pytest.mark.parametrize("draw", [polar_loads, convergence, deviations], ids=lambda draw: draw.__name__)
+def test_pictures_say_when_no_part_is_flexible(draw):
+    assert "no part is flexible" in words(draw(rigid_only()))
+    assert "no part is flexible" not in words(draw(result()))
+
+
+@EVERY_ENDING
+def test_every_ending_can_be_drawn(run, tmp_path):
+    paths = write_figures(run(), tmp_path / "new" / "figures")
+    assert [path.name for path in paths] == ["roller_loads.png", "convergence.png", "raceway_deviation.png"]
+    for path in paths:
+        assert path.read_bytes().startswith(b"\x89PNG")
+
+
+def test_importing_the_report_does_not_load_matplotlib():
+    code = "import sys, flexbearing.report; sys.exit('matplotlib' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0

@@ -1,0 +1,377 @@
+import json
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+
+from flexbearing.results import BadResult, NotInLayout, ResultFile, read, reference_page
+from flexbearing.results.attributes import ATTRIBUTES
+from flexbearing.results.layout import FORMAT, TABLE, datasets
+
+SIZE = {"Z": 5, "K": 3, "2": 2}
+PAGE = Path(__file__).parents[2] / "docs" / "reference" / "results.md"
+BEGINNING = {
+    "title": "Rollenlager, Außenring weich",
+    "method": "newton",
+    "case_text": 'title = "weich"\n' * 10_000,  # larger than an HDF5 attribute may be inside its header
+    "case_overrides": ["bearing.clearance=50 um"],
+    "case_si": {"bearing": {"clearance": 5e-5, "rollers": np.int64(5)}},
+    "assumed": [],
+    "calibrated": {"lubricant.oil_fraction": "cage slip of 6.28 %"},
+}
+ENDING = {
+    "status": "converged",
+    "message": "loads settled",
+    "iterations": 2,
+    "wall_time_s": 1.5,
+    "notes": ["film outside its range", "second"],
+    "structure": {"unknowns": 12_000, "seconds": {"mesh": 0.5}},
+}
+
+
+def values(place, seed=1):
+    draw = np.random.default_rng(seed).random
+    return {name: draw([SIZE[axis] for axis in entry.shape]) for name, entry in datasets(place).items()}
+
+
+def written(path, ending=ENDING, **blocks):
+    with ResultFile(path, BEGINNING) as file:
+        for number in range(1, ending["iterations"] + 1):
+            file.iteration(number, values("iteration", seed=number))
+        for name in ("rigid", "flexible"):
+            file.block(name, blocks.get(name, values("block", seed=len(name))))
+        file.finish(**ending)
+    return path
+
+
+@pytest.fixture
+def path(tmp_path):
+    return tmp_path / "case.h5"
+
+
+# -- what is written comes back ------------------------------------------------------------------
+
+
+def test_every_dataset_comes_back_as_it_was_written(path):
+    result = read(written(path))
+    for block, seed in ((result.rigid, 5), (result.flexible, 8)):
+        expected = values("block", seed)
+        assert block.keys() == expected.keys()
+        for name, array in expected.items():
+            np.testing.assert_array_equal(block[name], array, err_msg=name)
+
+
+def test_history_stacks_a_dataset_over_the_iterations(path):
+    result = read(written(path))
+    for name in datasets("iteration"):
+        stacked = np.stack([values("iteration", seed)[name] for seed in (1, 2)])
+        np.testing.assert_array_equal(result.history(name), stacked, err_msg=name)
+
+
+def test_attributes_come_back_as_the_program_uses_them(path):
+    attributes = read(written(path)).attributes
+    assert attributes.keys() == {entry.name for entry in ATTRIBUTES}
+    assert attributes["title"] == "Rollenlager, Außenring weich"
+    assert attributes["case_text"] == BEGINNING["case_text"]
+    assert attributes["assumed"] == ()
+    assert attributes["notes"] == ("film outside its range", "second")
+    assert attributes["case_si"] == {"bearing": {"clearance": 5e-5, "rollers": 5}}
+    assert attributes["structure"] == ENDING["structure"]
+    assert (attributes["iterations"], attributes["wall_time_s"]) == (2, 1.5)
+    assert attributes["versions"]["numpy"] == np.__version__
+    assert attributes["versions"]["h5py"] == h5py.__version__
+
+
+def test_what_was_read_cannot_be_changed(path):
+    result = read(written(path))
+    with pytest.raises(ValueError, match="read-only"):
+        result.rigid["inner_load"][0] = 0.0
+    with pytest.raises(TypeError):
+        result.attributes["status"] = "converged"
+
+
+def test_a_run_without_flexible_parts_has_no_history(path):
+    result = read(written(path, ENDING | {"iterations": 0}))
+    assert result.iterations == ()
+    assert result.history("load_change").size == 0
+
+
+def test_a_misspelt_history_names_the_nearest_dataset(path):
+    with pytest.raises(NotInLayout, match="Did you mean 'load_change'"):
+        read(written(path)).history("load_chagne")
+
+
+def test_ten_thousandth_iteration_comes_after_the_one_before(path):
+    written(path)
+    with h5py.File(path, "a") as file:
+        file.move("iterations/0001", "iterations/10000")
+        file.move("iterations/0002", "iterations/9999")
+    order = [values("iteration", seed)["seconds"] for seed in (2, 1)]
+    np.testing.assert_array_equal(read(path).history("seconds"), order)
+
+
+# -- readable without the project ----------------------------------------------------------------
+
+
+def test_plain_h5py_finds_unit_axes_and_meaning_on_every_dataset(path):
+    table = {entry.name: entry for entry in TABLE}
+    found = []
+
+    def look(place, item):
+        if isinstance(item, h5py.Dataset):
+            name = place.rpartition("/")[2]
+            found.append(name)
+            assert item.attrs["unit"] == table[name].unit
+            assert item.attrs["meaning"] == table[name].meaning
+            assert len(item.attrs["axes"].split()) == item.ndim
+            assert item.dtype == np.float64
+
+    with h5py.File(written(path), "r") as file:
+        file.visititems(look)
+        assert list(file["iterations"]) == ["0001", "0002"]
+        assert file["flexible/inner_slice_load"].shape == (5, 3)
+    assert set(found) == table.keys()
+
+
+def test_plain_h5py_reads_the_root_attributes_as_texts_and_numbers(path):
+    with h5py.File(written(path), "r") as file:
+        assert file.attrs["format"] == FORMAT
+        assert file.attrs["status"] == "converged"
+        assert list(file.attrs["case_overrides"]) == ["bearing.clearance=50 um"]
+        assert list(file.attrs["assumed"]) == []
+        assert json.loads(file.attrs["calibrated"]) == {"lubricant.oil_fraction": "cage slip of 6.28 %"}
+
+
+# -- a name without .part is a promise -----------------------------------------------------------
+
+
+def test_interrupted_run_leaves_what_it_reached_in_the_part_file(path):
+    file = ResultFile(path, BEGINNING)
+
+    def interrupted():
+        with file:
+            file.iteration(1, values("iteration"))
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        interrupted()
+    with pytest.raises(NotInLayout, match="not open"):
+        file.iteration(2, values("iteration"))
+    assert not path.exists()
+    with h5py.File(file.part, "r") as part:
+        assert list(part["iterations"]) == ["0001"]
+        assert "status" not in part.attrs
+
+
+def test_forgotten_finish_leaves_the_part_file(path):
+    with ResultFile(path, BEGINNING):
+        pass
+    assert [file.name for file in path.parent.iterdir()] == ["case.h5.part"]
+
+
+def test_finished_run_leaves_only_the_final_file(path):
+    written(path)
+    assert [file.name for file in path.parent.iterdir()] == ["case.h5"]
+
+
+def test_earlier_result_stays_until_the_new_one_is_complete(path):
+    path.write_text("earlier")
+    with ResultFile(path, BEGINNING) as file:
+        file.iteration(1, values("iteration"))
+        file.block("rigid", values("block"))
+        assert path.read_text() == "earlier"
+        file.finish(**ENDING | {"iterations": 1, "status": "not solved"})
+    assert read(path).attributes["status"] == "not solved"
+
+
+def test_each_iteration_reaches_the_disk_at_once(path):
+    with ResultFile(path, BEGINNING) as file:
+        file.iteration(1, values("iteration"))
+        copy = path.with_name("copy.h5")  # what a power failure would leave
+        copy.write_bytes(file.part.read_bytes())
+        with h5py.File(copy, "r") as part:
+            np.testing.assert_array_equal(
+                part["iterations/0001/inner_load"], values("iteration")["inner_load"]
+            )
+
+
+def test_directory_of_the_result_is_made(path):
+    deep = path.parent / "a" / "b" / "case.h5"
+    assert written(deep).is_file()
+
+
+@pytest.mark.parametrize("name", ["case.h5.part", ""], ids=["part", "directory"])
+def test_impossible_names_are_refused_before_the_run(tmp_path, name):
+    with pytest.raises(NotInLayout, match=r"unfinished runs|is a directory"):
+        ResultFile(tmp_path / name, BEGINNING)
+
+
+# -- only what stands in the table ---------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"inner_laod": np.zeros(5)}, "'inner_laod' is not in the layout.*Did you mean 'inner_load'"),
+        ({"load_change": 0.1}, "'load_change' is not in the layout"),
+        ({"outer_load": np.zeros(4)}, r"outer_load has shape \(4,\).*\(Z\) with Z = 5"),
+        ({"outer_slice_load": np.zeros((3, 5))}, r"outer_slice_load has shape \(3, 5\).*\(Z, K\)"),
+        ({"ring_tilt": np.zeros(3)}, r"ring_tilt has shape \(3,\).*\(2\)"),
+        ({"life_L10": np.zeros(1)}, r"life_L10 has shape \(1,\).*\(\)"),
+        ({"inner_load": 1.0}, r"inner_load has shape \(\).*\(Z\)"),
+        ({"outer_film": np.full(5, np.nan)}, "outer_film holds 5 of 5 numbers that are not finite"),
+        ({"stiffness": np.inf}, "stiffness holds 1 of 1 numbers"),
+    ],
+    ids=["misspelt", "of iterations", "rollers", "transposed", "pair", "scalar", "lost axis", "nan", "inf"],
+)
+def test_block_refuses_what_the_table_does_not_hold(path, change, words):
+    with ResultFile(path, BEGINNING) as file:
+        with pytest.raises(NotInLayout, match=words):
+            file.block("rigid", values("block") | change)
+        file.block("rigid", values("block"))  # nothing was written by halves
+
+
+def test_missing_datasets_are_named(path):
+    incomplete = values("block")
+    del incomplete["roller_tilt"], incomplete["life_L10"]
+    with (
+        ResultFile(path, BEGINNING) as file,
+        pytest.raises(NotInLayout, match="roller_tilt, life_L10 missing"),
+    ):
+        file.block("flexible", incomplete)
+
+
+def test_sizes_hold_for_the_whole_file(path):
+    one_more = {
+        name: np.zeros([SIZE[axis] + (axis == "K") for axis in entry.shape])
+        for name, entry in datasets("block").items()
+    }
+    with ResultFile(path, BEGINNING) as file:
+        file.iteration(1, values("iteration"))
+        with pytest.raises(NotInLayout, match="with Z = 5, K = 3"):
+            file.block("rigid", one_more)
+
+
+def test_iterations_come_without_gaps(path):
+    with (
+        ResultFile(path, BEGINNING) as file,
+        pytest.raises(NotInLayout, match="iteration 2 after iteration 0"),
+    ):
+        file.iteration(2, values("iteration"))
+
+
+def test_a_block_is_written_once(path):
+    with ResultFile(path, BEGINNING) as file:
+        file.block("rigid", values("block"))
+        with pytest.raises(NotInLayout, match="rigid was written before"):
+            file.block("rigid", values("block"))
+
+
+def test_diverged_iterations_and_blocks_are_kept_as_they_are(path):
+    lost = values("block") | {"inner_load": np.full(5, np.nan)}
+    with ResultFile(path, BEGINNING) as file:
+        file.iteration(1, values("iteration") | {"residual": np.inf})
+        file.block("rigid", values("block"))
+        file.block("flexible", lost, converged=False)
+        with pytest.raises(NotInLayout, match="no converged block flexible"):
+            file.finish(**ENDING | {"iterations": 1})
+        file.finish(**ENDING | {"iterations": 1, "status": "not finite"})
+    assert np.isnan(read(path).flexible["inner_load"]).all()
+
+
+def test_a_run_that_never_solved_has_empty_blocks(path):
+    with ResultFile(path, BEGINNING) as file:
+        file.finish(**ENDING | {"iterations": 0, "status": "not solved"})
+    assert dict(read(path).rigid) == dict(read(path).flexible) == {}
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"staus": "converged"}, "Did you mean 'status'"),
+        ({"status": "Converged"}, "'Converged' does not exist; it is one of: converged"),
+        ({"iterations": 3}, "iterations = 3, but 0 were written"),
+        ({"iterations": 0, "notes": "one text"}, "a list of texts is wanted"),
+        ({"iterations": 0, "wall_time_s": np.nan}, "a finite number is wanted"),
+        ({"iterations": 0, "structure": "{}"}, "a mapping is wanted"),
+        ({"iterations": 0, "structure": {"mesh": np.nan}}, "structure"),
+    ],
+    ids=["misspelt", "status", "count", "list", "nan", "json text", "nan in json"],
+)
+def test_ending_refuses_untrue_and_unknown_attributes(path, change, words):
+    with ResultFile(path, BEGINNING) as file, pytest.raises(NotInLayout, match=words):
+        file.finish(**ENDING | {"status": "not solved", "iterations": 0} | change)
+    assert not path.exists()
+
+
+def test_missing_attributes_are_named(path):
+    with ResultFile(path, {"title": "x"}) as file, pytest.raises(NotInLayout, match=r"case_text.*missing"):
+        file.finish(**ENDING)
+
+
+def test_a_finished_file_takes_nothing_more(path):
+    with ResultFile(path, BEGINNING) as file:
+        file.finish(**ENDING | {"iterations": 0, "status": "not solved"})
+        with pytest.raises(NotInLayout, match="not open"):
+            file.block("rigid", values("block"))
+
+
+# -- files that are no results -------------------------------------------------------------------
+
+
+def test_part_file_is_not_a_result(path):
+    with ResultFile(path, BEGINNING) as file:
+        file.iteration(1, values("iteration"))
+    with pytest.raises(BadResult, match=r"case\.h5\.part: the run has not finished"):
+        read(f"{path}.part")
+    with pytest.raises(BadResult, match=r"only case\.h5\.part"):
+        read(path)
+
+
+def test_missing_file_names_the_command_that_writes_it(path):
+    with pytest.raises(BadResult, match=r"case\.h5: no such file. `flexbearing run"):
+        read(path)
+
+
+def test_other_files_are_refused(path):
+    path.write_text("not HDF5")
+    with pytest.raises(BadResult, match=r"case\.h5: not an HDF5 file"):
+        read(path)
+
+
+def test_truncated_result_is_refused(path):
+    complete = written(path).read_bytes()
+    path.write_bytes(complete[: len(complete) // 2])
+    with pytest.raises(BadResult, match="damaged"):
+        read(path)
+
+
+def test_hdf5_of_another_program_is_refused(path):
+    with h5py.File(path, "w") as file:
+        file["x"] = 1.0
+    with pytest.raises(BadResult, match="not a result of flexbearing"):
+        read(path)
+
+
+def test_other_format_names_both_numbers(path):
+    with h5py.File(written(path), "a") as file:
+        file.attrs["format"] = 2
+    with pytest.raises(BadResult, match="format 2, this version reads format 1"):
+        read(path)
+
+
+@pytest.mark.parametrize("lost", ["rigid/inner_load", "iterations/0002/seconds"], ids=["block", "iteration"])
+def test_result_with_a_lost_dataset_is_refused(path, lost):
+    with h5py.File(written(path), "a") as file:
+        del file[lost]
+    with pytest.raises(BadResult, match=f"{lost.rpartition('/')[2]} missing"):
+        read(path)
+
+
+# -- the reference page --------------------------------------------------------------------------
+
+
+def test_reference_page_is_the_table():
+    how = "from flexbearing.results import reference_page; reference_page() is the text of this page"
+    assert PAGE.read_text(encoding="utf-8") == reference_page(), how
