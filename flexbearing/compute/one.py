@@ -5,6 +5,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from time import perf_counter
 
+from threadpoolctl import threadpool_limits
+
 from flexbearing.case import Case, read
 from flexbearing.compute import assemble, datasets
 from flexbearing.compute.progress import Logged, Report
@@ -66,7 +68,8 @@ def run(
     report = report or Logged()
     wanted = read(case, overrides)
     path = Path(output) if output else Path("results") / f"{Path(case).stem}.h5"
-    with ResultFile(path, _opening(wanted)) as file:
+    # The bearing's matrices are small: threads of the linear algebra would only wait for each other.
+    with threadpool_limits(limits=1, user_api="blas"), ResultFile(path, _opening(wanted)) as file:
         ending = _solve(wanted, file, report)
         file.finish(**ending, wall_time_s=perf_counter() - began)
     return read_result(path)

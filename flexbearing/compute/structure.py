@@ -93,7 +93,7 @@ def _condensed(name: str, part: assemble.Part | None, case: Case, azimuths: NDAr
             size=case.accuracy.mesh_size,
             raceway_size=case.accuracy.raceway_mesh_size,
         ),
-        threads=case.accuracy.threads,
+        thread_number=case.accuracy.threads,
         report=lambda stage, fraction=None: report.stage(f"{name}: {stage}", fraction),
     )
     report.stage(f"{name}: {raceway.unknowns} unknowns, {perf_counter() - began:.1f} s", None)

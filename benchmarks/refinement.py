@@ -1,0 +1,44 @@
+"""Largest flexible load under refinement of mesh and order: `python -m benchmarks.refinement`."""
+
+import tempfile
+from pathlib import Path
+
+import flexbearing
+from benchmarks.machine import describe
+
+CASE = "configs/mao2016.toml"
+LEVELS = {
+    "as given": [],
+    "order + 1": ["accuracy.element_order=4"],
+    "mesh / 1.5": ["accuracy.mesh_size=1.33 mm", "accuracy.raceway_mesh_size=1 mm"],
+    "order + 1, mesh / 1.5": [
+        "accuracy.element_order=4",
+        "accuracy.mesh_size=1.33 mm",
+        "accuracy.raceway_mesh_size=1 mm",
+    ],
+    "patch width / 2": ["accuracy.patch_width=0.25 mm"],
+    "patch width x 2": ["accuracy.patch_width=1 mm"],
+    "5 axial shapes": ["accuracy.axial_shapes=5"],
+    "40 slices": ["accuracy.slices=40"],
+}
+
+
+def main() -> None:
+    print(describe())
+    given = None
+    with tempfile.TemporaryDirectory() as folder:
+        for name, settings in LEVELS.items():
+            result = flexbearing.run(CASE, Path(folder) / "out.h5", settings)
+            load, life = result.flexible["inner_load"].max(), float(result.flexible["life_L10"]) / 1e6
+            given = given or load
+            figures = result.attributes["structure"]
+            print(
+                f"{name:22s} largest load {load:8.2f} N ({100 * (load / given - 1):+.3f} %), "
+                f"life {life:.4f} Mrev, unknowns outer {figures['outer']['unknowns']}, "
+                f"inner {figures['inner']['unknowns']}, {result.attributes['wall_time_s']:.1f} s",
+                flush=True,
+            )
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,157 @@
+"""The stiffness of a ring condensed to what rollers feel on its raceway."""
+
+import logging
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+
+import ngsolve as ngs
+import numpy as np
+from numpy.typing import NDArray
+
+from fem import forms, load, symmetry
+from fem.indentation import half_space
+from fem.mesh import MILLIMETRES, meshed
+from fem.parts import Elastic, Mesh, Part, Patches
+from fem.solve import Factor, factor, threads
+
+Report = Callable[[str, float | None], None]
+
+_log = logging.getLogger(__name__)
+
+
+@dataclass(frozen=True, kw_only=True)
+class RacewayCompliance:
+    """How a raceway yields to Z rollers with M generalised forces each; symbols as in `fem.load`."""
+
+    azimuths: NDArray  # (Z,) [rad]
+    full: NDArray  # (Z, M, Z, M) [m/N] outward displacement per outward force, symmetric, half-space removed
+    translation: NDArray  # (2, Z, M) [m/N] mean rigid translation (y, z) of the band per generalised force
+    support_stiffness: float  # [N/m] resultant over mean translation under a load like cos(phi)
+    unknowns: int
+    elements: int
+    seconds: dict[str, float] = field(compare=False)  # by stage: mesh, factor, condense
+
+    @property
+    def matrix(self) -> NDArray:
+        r"""Outward deviation from the translated raceway per outward force.
+
+        .. math:: \bar C_{jm,j'm'} = C_{jm,j'm'} - \delta_{m0}\,(t_y \sin\varphi_j + t_z \cos\varphi_j)_{j'm'}
+
+        Returns
+        -------
+        array (Z, M, Z, M)
+            [m/N]; not symmetric, because a translation was taken from the answers only. The mean tilt
+            of the raceway is still in it.
+        """
+        direction = np.stack([np.sin(self.azimuths), np.cos(self.azimuths)], axis=1)
+        reduced = self.full.copy()
+        reduced[:, 0] -= np.tensordot(direction, self.translation, 1)
+        return reduced
+
+
+def condense(
+    part: Part, patches: Patches, mesh: Mesh, report: Report | None = None, thread_number: int = 2
+) -> RacewayCompliance:
+    """Compliance of a raceway to its rollers, by as few solves as symmetry leaves.
+
+    Parameters
+    ----------
+    part : Part
+        ring with its seat
+    patches : Patches
+        rollers, and how finely their forces are resolved
+    mesh : Mesh
+        wishes for the finite elements
+    report : callable (stage, fraction)
+        told "mesh", "factor" and "condense" with the finished fraction of the stage, None if unknown
+    thread_number : int
+        threads of NGSolve
+
+    Returns
+    -------
+    RacewayCompliance
+
+    Raises
+    ------
+    ImpossiblePart
+        if the loaded band is longer than the track
+    NotSolved
+        if a residual is too large, or the mesh too coarse for the patches
+
+    Valid
+    -----
+    Small displacement, perfect bonds, clamps that do not yield; no load outside the band.
+    """
+    stage, seconds = _stages(report or (lambda name, fraction: None))
+    with threads(thread_number):
+        with stage("mesh"):
+            solid = meshed(part, patches.length, mesh)
+        with stage("factor"):
+            space = ngs.VectorH1(solid, order=mesh.order, dirichlet="clamped")
+            stiffness = factor(space, elastic_energy(solid, part.materials))
+        with stage("condense") as progress:
+            band = load.band(space, "raceway", load.quadrature_order(patches, mesh))
+            full, translation, support = _answers(stiffness, band, part.bars, patches, progress)
+    own = np.arange(len(patches.azimuths))
+    full[own, :, own] -= half_space(patches, part.materials["ring"])
+    _log.info("%s: %d unknowns, %.1f s", type(part).__name__, stiffness.unknowns, sum(seconds.values()))
+    return RacewayCompliance(
+        azimuths=np.array(patches.azimuths), full=full, translation=translation,
+        support_stiffness=2 / np.trace(support), unknowns=stiffness.unknowns, elements=solid.ne, seconds=seconds,
+    )  # fmt: skip
+
+
+def elastic_energy(mesh, materials: dict[str, Elastic]):
+    """Weak form of a body of several materials on a mesh in millimetres.
+
+    Parameters
+    ----------
+    mesh : ngsolve.Mesh
+        in millimetres, with named bodies
+    materials : dict
+        `Elastic` of every body by its name
+
+    Returns
+    -------
+    callable (u, v)
+        the form whose matrix is in N/m: a modulus in Pa integrated over millimetres is one in mN/m
+    """
+    constants = {name: forms.lame_constants(m.youngs_modulus, m.poisson_ratio) for name, m in materials.items()}
+    lame, shear = (
+        mesh.MaterialCF({name: values[k] / MILLIMETRES for name, values in constants.items()}) for k in (0, 1)
+    )
+    return lambda u, v: forms.elasticity(u, v, lame, shear)
+
+
+def _answers(stiffness: Factor, band: load.Band, bars: int | None, patches: Patches, progress):
+    """Full compliance (Z, M, Z, M), translations (2, Z, M) and support compliance (2, 2) [m/N]."""
+    Z, M = len(patches.azimuths), patches.shapes
+    rollers, translations = load.roller_forces(band, patches), load.translation_forces(band)
+    renumbered = symmetry.permutations(patches.azimuths, bars)
+    solved = symmetry.representatives(renumbered)
+    needed = (solved[:, None] * M + np.arange(M)).ravel()
+    sides = np.hstack([translations, rollers[:, needed].toarray()])
+    shifts = np.empty_like(sides)
+    for k, side in enumerate(sides.T):
+        shifts[:, k] = stiffness.solve(side)
+        progress((k + 1) / sides.shape[1])
+    read = rollers.T @ shifts
+    full = symmetry.completed(read[:, 2:].reshape(Z, M, solved.size, M), solved, renumbered)
+    return full, read[:, :2].T.reshape(2, Z, M), translations.T @ shifts[:, :2]
+
+
+def _stages(report: Report):
+    """A context per stage, which reports and keeps time; and the times."""
+    seconds: dict[str, float] = {}
+
+    @contextmanager
+    def stage(name: str) -> Iterator[Callable[[float], None]]:
+        report(name, None)
+        start = time.perf_counter()
+        yield lambda fraction: report(name, fraction)
+        seconds[name] = time.perf_counter() - start
+        report(name, 1.0)
+
+    return stage, seconds

@@ -1,0 +1,148 @@
+"""From a part to a curved mesh with named bodies and boundaries.
+
+Bodies are "ring" and, where the part has them, "bars", "flange" and "shaft"; boundaries are
+"raceway", exactly the loaded band, and "clamped". Everything here is in millimetres, the length for
+which the tolerances of the geometry kernel are made; `MILLIMETRES` is the one conversion.
+"""
+
+import logging
+from functools import singledispatch
+
+import ngsolve as ngs
+from netgen import occ
+
+from fem.parts import ClampedRing, ImpossiblePart, Mesh, Part, RingOnShaft, SquirrelCage
+
+MILLIMETRES = 1e3  # per metre
+
+_log = logging.getLogger(__name__)
+_AXIS = occ.Axis(occ.Pnt(0, 0, 0), occ.X)
+
+
+def meshed(part: Part, length: float, wishes: Mesh) -> ngs.Mesh:
+    """Curved tetrahedra that fill a part, with the loaded band as faces of their own.
+
+    Parameters
+    ----------
+    part : Part
+        the ring with its seat
+    length : float
+        axial length of the loaded band, centred on x = 0 [m], at most the track of the part
+    wishes : Mesh
+        order of the geometry and element sizes
+
+    Returns
+    -------
+    ngsolve.Mesh
+        in millimetres, x along the axis
+
+    Raises
+    ------
+    ImpossiblePart
+        if the band is longer than the track
+    """
+    if length > part.track * (1 + 1e-9):
+        raise ImpossiblePart(f"length = {length!r} m of the loaded band; allowed is the track, {part.track!r} m")
+    body = occ.Glue(solids(part, length))
+    for face in body.faces:
+        if face.name == "raceway":
+            face.maxh = wishes.raceway_size * MILLIMETRES
+    mesh = ngs.Mesh(occ.OCCGeometry(body).GenerateMesh(maxh=wishes.size * MILLIMETRES))
+    mesh.Curve(wishes.order)
+    _log.debug("%s: %d elements of order %d", type(part).__name__, mesh.ne, wishes.order)
+    return mesh
+
+
+@singledispatch
+def solids(part, length: float) -> list:
+    """Bodies of a part that touch, their materials and outer faces named [mm].
+
+    Parameters
+    ----------
+    part : Part
+        the ring with its seat
+    length : float
+        axial length of the loaded band [m]
+
+    Returns
+    -------
+    list of netgen.occ.Solid
+        to be glued, so that the faces between them stay (a fuse would merge the band away)
+    """
+    raise TypeError(f"no geometry is known for {type(part).__name__}")
+
+
+@solids.register
+def _(part: ClampedRing, length):
+    return [_outer_ring(part, length, end="clamped")]
+
+
+@solids.register
+def _(part: SquirrelCage, length):
+    inner, outer, start = _section(part)
+    middle, half, width = (inner + outer) / 2, part.bar_thickness / 2 * MILLIMETRES, part.bar_width * MILLIMETRES
+    stop, end = start + part.bar_length * MILLIMETRES, start + (part.bar_length + part.flange_length) * MILLIMETRES
+    ring = _outer_ring(part, length, end=None)
+    tube = _tube(start, stop, middle - half, middle + half)
+    bar = tube * occ.Box(occ.Pnt(start, -width / 2, 0), occ.Pnt(stop, width / 2, 2 * outer))
+    bar.mat("bars")
+    flange = _tube(stop, end, inner, outer, end="clamped")
+    flange.mat("flange")
+    return [ring, *(bar.Rotate(_AXIS, 360 * k / part.bars) for k in range(part.bars)), flange]
+
+
+@solids.register
+def _(part: RingOnShaft, length):
+    raceway, rib, bore, hollow = (
+        d * MILLIMETRES / 2 for d in (part.raceway_diameter, part.rib_diameter, part.bore, part.shaft_bore)
+    )
+    track, side, end = (w * MILLIMETRES / 2 for w in (part.track_width, part.width, part.shaft_length))
+    right, left = ((-x, *rest) for x, *rest in _band(raceway, length))  # met from the right
+    ring = _revolved([
+        (-side, bore, None), (side, bore, None), (side, rib, None), (track, rib, None), (track, raceway, None),
+        right, left, (-track, raceway, None), (-track, rib, None), (-side, rib, None),
+    ])  # fmt: skip
+    ring.mat("ring")
+    shaft = _tube(-end, end, hollow, bore, start="clamped", end="clamped")
+    shaft.mat("shaft")
+    return [ring, shaft]
+
+
+def _section(part):
+    """Inner radius, outer radius and half width of an outer ring [mm]."""
+    inner = part.raceway_diameter / 2
+    return inner * MILLIMETRES, (inner + part.thickness) * MILLIMETRES, part.width / 2 * MILLIMETRES
+
+
+def _outer_ring(part, length, end):
+    inner, outer, side = _section(part)
+    ring = _revolved([
+        (-side, inner, None), *_band(inner, length), (side, inner, None), (side, outer, end), (-side, outer, None)
+    ])  # fmt: skip
+    ring.mat("ring")
+    return ring
+
+
+def _band(radius, length):
+    """Ends of the loaded band on a profile [mm]; the edge between them becomes the raceway."""
+    half = length / 2 * MILLIMETRES
+    return [(-half, radius, None), (half, radius, "raceway")]
+
+
+def _tube(left, right, inner, outer, start=None, end=None):
+    return _revolved([(left, inner, start), (right, inner, None), (right, outer, end), (left, outer, None)])
+
+
+def _revolved(profile):
+    """Solid from a closed profile of (x, radius, name of the edge that ends here).
+
+    The profile runs counter-clockwise: the other way the solid is inside out and cannot be meshed.
+    """
+    pen = occ.WorkPlane(occ.Axes(occ.Pnt(0, 0, 0), n=occ.Z, h=occ.X))
+    pen.MoveTo(*profile[0][:2])
+    at = profile[0][:2]
+    for x, radius, name in [*profile[1:], profile[0]]:
+        if max(abs(x - at[0]), abs(radius - at[1])) > 1e-9:  # a band as long as its track has no shoulders
+            pen.LineTo(x, radius, name=name)
+        at = (x, radius)
+    return pen.Face().Revolve(_AXIS, 360)

@@ -1,0 +1,199 @@
+"""Rings, their seats and the wishes for a computation, as frozen data.
+
+Everything is in SI units. The axial coordinate x starts in the middle of the raceway, the azimuth
+phi turns from z towards y, so that the outward normal of a raceway is (0, sin phi, cos phi).
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import asin, isfinite, pi
+
+SLENDEREST_SLOT = 0.3e-3  # [m] the mesher may abort on narrower gaps and thinner walls
+
+
+class ImpossiblePart(ValueError):
+    """A part or a wish that cannot exist; the message says what, found and allowed."""
+
+
+def _require(holds: bool, name: str, value: object, allowed: str) -> None:
+    if not holds:
+        raise ImpossiblePart(f"{name} = {value!r} is impossible; allowed is {allowed}")
+
+
+def _require_positive(part: object, *names: str) -> None:
+    for name in names:
+        value = getattr(part, name)
+        _require(value > 0 and isfinite(value), name, value, "a finite number above zero")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Elastic:
+    """An isotropic elastic material."""
+
+    youngs_modulus: float  # [Pa]
+    poisson_ratio: float  # [-] below one half: incompressible elements would lock
+
+    def __post_init__(self):
+        _require_positive(self, "youngs_modulus")
+        _require(-1 < self.poisson_ratio < 0.49, "poisson_ratio", self.poisson_ratio, "-1 to 0.49")
+
+
+@dataclass(frozen=True, kw_only=True)
+class ClampedRing:
+    """A plain outer ring whose end face at x = +width/2 is clamped."""
+
+    raceway_diameter: float  # [m] inner surface
+    thickness: float  # [m] radial
+    width: float  # [m] axial
+    elastic: Elastic
+
+    def __post_init__(self):
+        _require_positive(self, "raceway_diameter", "thickness", "width")
+        _require(self.thickness > SLENDEREST_SLOT, "thickness", self.thickness, f"> {SLENDEREST_SLOT} m")
+
+    @property
+    def track(self) -> float:
+        """Axial length on which rollers can run [m]."""
+        return self.width
+
+    @property
+    def bars(self) -> None:
+        """No bars: a body of revolution."""
+
+    @property
+    def materials(self) -> dict[str, Elastic]:
+        """Material of every named body; "ring" carries the raceway."""
+        return {"ring": self.elastic}
+
+
+@dataclass(frozen=True, kw_only=True)
+class SquirrelCage:
+    """An outer ring on axial bars, the bars on a flange whose far end face is clamped.
+
+    The bars lie between two radii and have parallel sides, as slots milled from a tube leave them.
+    The flange has the section of the ring radially. The first bar is centred at azimuth 0.
+    """
+
+    raceway_diameter: float  # [m] inner surface of the ring
+    thickness: float  # [m] radial, of ring and flange
+    width: float  # [m] axial, of the ring
+    bars: int  # number of bars, equally spaced
+    bar_width: float  # [m] tangential
+    bar_thickness: float  # [m] radial, centred on the mean radius of the ring
+    bar_length: float  # [m] axial, between ring and flange
+    flange_length: float  # [m] axial
+    elastic: Elastic
+
+    def __post_init__(self):
+        _require_positive(
+            self, "raceway_diameter", "thickness", "width", "bar_width", "bar_thickness", "bar_length",
+            "flange_length",
+        )  # fmt: skip
+        _require(self.bars >= 3, "bars", self.bars, "3 or more")
+        most = self.thickness - 2 * SLENDEREST_SLOT / 3
+        _require(
+            self.bar_thickness <= most, "bar_thickness", self.bar_thickness,
+            f"at most {most:.3g} m: less than the thickness of the ring, so that the raceway stays whole",
+        )  # fmt: skip
+        _require(
+            self.slot >= SLENDEREST_SLOT, "bar_width", self.bar_width,
+            f"{self.bars} bars with slots of {SLENDEREST_SLOT:.1g} m or more between them, "
+            f"these leave {self.slot:.3g} m",
+        )  # fmt: skip
+
+    @property
+    def slot(self) -> float:
+        """Narrowest gap between two bars, at their inner radius [m]; negative if they overlap."""
+        inner = (self.raceway_diameter + self.thickness - self.bar_thickness) / 2
+        half = asin(min(1.0, self.bar_width / 2 / inner))
+        return 2 * inner * (pi / self.bars - half)
+
+    @property
+    def track(self) -> float:
+        """Axial length on which rollers can run [m]."""
+        return self.width
+
+    @property
+    def materials(self) -> dict[str, Elastic]:
+        """Material of every named body; "ring" carries the raceway."""
+        return {"ring": self.elastic, "bars": self.elastic, "flange": self.elastic}
+
+
+@dataclass(frozen=True, kw_only=True)
+class RingOnShaft:
+    """An inner ring with two ribs, bonded on a hollow shaft that is clamped at both ends."""
+
+    raceway_diameter: float  # [m] outer surface between the ribs
+    track_width: float  # [m] axial, between the ribs
+    rib_diameter: float  # [m] outside of the ribs
+    bore: float  # [m] of the ring, also the outside of the shaft
+    width: float  # [m] axial, of the ring with its ribs
+    shaft_bore: float  # [m]
+    shaft_length: float  # [m] axial, centred on the ring
+    ring: Elastic
+    shaft: Elastic
+
+    def __post_init__(self):
+        _require_positive(self, "raceway_diameter", "track_width", "shaft_bore", "shaft_length")
+        wall = 2 * SLENDEREST_SLOT
+        for inside, outside in (
+            ("shaft_bore", "bore"),
+            ("bore", "raceway_diameter"),
+            ("raceway_diameter", "rib_diameter"),
+            ("track_width", "width"),
+            ("width", "shaft_length"),
+        ):
+            most = getattr(self, outside) - wall
+            value = getattr(self, inside)
+            _require(value <= most, inside, value, f"at most {most:.6g} m, inside {outside}")
+
+    @property
+    def track(self) -> float:
+        """Axial length on which rollers can run [m]."""
+        return self.track_width
+
+    @property
+    def bars(self) -> None:
+        """No bars: a body of revolution."""
+
+    @property
+    def materials(self) -> dict[str, Elastic]:
+        """Material of every named body; "ring" carries the raceway."""
+        return {"ring": self.ring, "shaft": self.shaft}
+
+
+Part = SquirrelCage | ClampedRing | RingOnShaft
+
+
+@dataclass(frozen=True, kw_only=True)
+class Mesh:
+    """Wishes for the finite elements; geometry wins where a feature is finer than the size."""
+
+    order: int  # polynomial order of displacement and of curved geometry
+    size: float  # [m] largest element edge
+    raceway_size: float  # [m] largest element edge on the loaded band
+
+    def __post_init__(self):
+        _require_positive(self, "size", "raceway_size")
+        _require(self.order in range(1, 9), "order", self.order, "1 to 8")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Patches:
+    """Where and how rollers load a raceway, and in which shapes their forces are resolved.
+
+    Every roller presses on |x| <= length/2 with a Gaussian along the arc; along its length the
+    pressure is a sum of Legendre polynomials L_m(2 x / length), m = 0 .. shapes - 1.
+    """
+
+    azimuths: Sequence[float]  # (Z,) [rad] of the rollers
+    length: float  # [m] of the loaded band
+    shapes: int  # M, number of axial shapes; 2 are load and moment
+    width: float  # [m] standard deviation of the Gaussian along the arc
+
+    def __post_init__(self):
+        object.__setattr__(self, "azimuths", tuple(float(phi) for phi in self.azimuths))
+        _require_positive(self, "length", "width")
+        _require(all(map(isfinite, self.azimuths)) and len(self.azimuths) > 0,
+                 "azimuths", self.azimuths, "one or more finite angles")  # fmt: skip
+        _require(2 <= self.shapes <= 8, "shapes", self.shapes, "2 to 8")

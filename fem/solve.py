@@ -1,0 +1,114 @@
+"""Factor once, solve many: the only place that calls solvers of NGSolve.
+
+A direct solver hands back numbers also for a body that floats, so the true residual of every solve
+is measured, on the full system and not on the condensed one.
+"""
+
+import logging
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import Any
+
+import ngsolve as ngs
+import numpy as np
+from numpy.typing import NDArray
+
+RESIDUAL = 1e-8  # allowed |f - K u| / |f|; a healthy direct solve stays below 1e-11
+
+_log = logging.getLogger(__name__)
+
+
+class NotSolved(RuntimeError):
+    """The system has no trustworthy solution; the message says how large the residual is."""
+
+
+@contextmanager
+def threads(number: int) -> Iterator[None]:
+    """Run NGSolve on a stated number of threads; do not start processes inside."""
+    ngs.SetNumThreads(number)
+    with ngs.TaskManager():
+        yield
+
+
+@dataclass(frozen=True)
+class Factor:
+    """A factored stiffness K, ready to answer load vectors."""
+
+    form: Any  # ngsolve.BilinearForm, symmetric, interior unknowns condensed
+    inverse: Any  # of the condensed stiffness
+    free: NDArray  # (unknowns,) bool, False where clamped
+
+    @property
+    def unknowns(self) -> int:
+        """Number of equations, clamped and interior ones included."""
+        return self.free.size
+
+    def solve(self, load: NDArray) -> NDArray:
+        """Displacement under a load vector.
+
+        Parameters
+        ----------
+        load : array (unknowns,)
+            f [N], work-conjugate to the unknowns; entries on clamped unknowns have no effect
+
+        Returns
+        -------
+        array (unknowns,)
+            u [m] for a stiffness in N/m, zero where clamped
+
+        Raises
+        ------
+        NotSolved
+            if the residual of K u = f exceeds `RESIDUAL`
+        """
+        K, f = self.form, self.form.mat.CreateColVector()
+        f.FV().NumPy()[:] = np.where(self.free, load, 0.0)
+        u = (self.inverse @ (ngs.IdentityMatrix(f.size) + K.harmonic_extension_trans) * f).Evaluate()
+        u.data += K.inner_solve * f
+        u.data += K.harmonic_extension * u
+        self._check(u, f)
+        return u.FV().NumPy().copy()
+
+    def _check(self, u, f) -> None:
+        """Raise unless f - (I - H^T) (S + K_ii) (I - H) u is small on the free unknowns."""
+        K = self.form
+        w = (u - K.harmonic_extension * u).Evaluate()
+        r = (K.mat * w + K.inner_matrix * w).Evaluate()
+        r.data -= K.harmonic_extension_trans * r
+        residual = np.linalg.norm((f.FV().NumPy() - r.FV().NumPy())[self.free])
+        size = residual / (np.linalg.norm(f.FV().NumPy()) or 1.0)
+        _log.debug("relative residual %.1e", size)
+        if not size <= RESIDUAL:
+            raise NotSolved(f"relative residual {size:.2g}, allowed {RESIDUAL:g}; is the body held everywhere?")
+
+
+def factor(space, energy) -> Factor:
+    """Assemble and factor a symmetric, positive definite form.
+
+    Parameters
+    ----------
+    space : ngsolve.FESpace
+        with its clamped boundaries
+    energy : callable (u, v) -> ngsolve.SumOfIntegrals
+        the weak form
+
+    Returns
+    -------
+    Factor
+
+    Raises
+    ------
+    NotSolved
+        if the solver refuses the matrix
+    """
+    u, v = space.TnT()
+    form = ngs.BilinearForm(space, symmetric=True, condense=True, store_inner=True)
+    form += energy(u, v)
+    form.Assemble()
+    free = np.array(list(space.FreeDofs()))
+    try:
+        inverse = form.mat.Inverse(space.FreeDofs(coupling=True), inverse="sparsecholesky")
+    except ngs.ngstd.Exception as refusal:
+        raise NotSolved(f"the stiffness could not be factored: {refusal}") from refusal
+    return Factor(form=form, inverse=inverse, free=free)

@@ -1,0 +1,94 @@
+"""Which rollers need a solve, and how the others follow from them.
+
+A rotation or a mirror image that maps bars on bars and rollers on rollers leaves the compliance as
+it is, with the rollers renumbered. Axial shapes and radial directions are not changed by either.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+TOLERANCE = 1e-9  # [rad]
+
+
+def permutations(azimuths, bars: int | None) -> NDArray:
+    """Renumberings of the rollers by the symmetries they share with the part.
+
+    Parameters
+    ----------
+    azimuths : array (Z,)
+        of the rollers [rad]
+    bars : int or None
+        number of equal bars with one at azimuth 0; None for a body of revolution
+
+    Returns
+    -------
+    array (G, Z) of int
+        row g says where each roller goes; the first row changes nothing
+    """
+    phi = np.asarray(azimuths, dtype=float)
+    turned = [phi + angle for angle in phi - phi[0] if _fits(angle, bars)]
+    mirrored = [angle - phi for angle in phi + phi[0] if _fits(angle, bars)]
+    found = [_matched(image, phi) for image in turned + mirrored]
+    unique = {tuple(row): None for row in found if row is not None}
+    return np.array(list(unique), dtype=int)
+
+
+def _fits(angle: float, bars: int | None) -> bool:
+    """Whether a rotation by an angle, or a mirror image of azimuth 0 at it, maps bars on bars."""
+    return bars is None or bool(np.abs(_wrapped(angle * bars)) < TOLERANCE * bars)
+
+
+def _matched(image: NDArray, azimuths: NDArray) -> NDArray | None:
+    """Roller at which each image arrives, or None if one arrives between rollers."""
+    distance = np.abs(_wrapped(image[:, None] - azimuths))
+    row = distance.argmin(axis=1)
+    return row if distance.min(axis=1).max() < TOLERANCE and len(set(row)) == row.size else None
+
+
+def _wrapped(angle):
+    return np.angle(np.exp(1j * angle))
+
+
+def representatives(renumbered: NDArray) -> NDArray:
+    """The rollers that need a solve, the lowest number of each class.
+
+    Parameters
+    ----------
+    renumbered : array (G, Z) of int
+        from `permutations`
+
+    Returns
+    -------
+    array (R,) of int
+        ascending
+    """
+    return np.unique(renumbered.min(axis=0))
+
+
+def completed(columns: NDArray, solved: NDArray, renumbered: NDArray) -> NDArray:
+    """The whole matrix from the columns of the solved rollers.
+
+    Parameters
+    ----------
+    columns : array (Z, M, R, M)
+        answers of all rollers to unit forces on the solved ones
+    solved : array (R,) of int
+        from `representatives`
+    renumbered : array (G, Z) of int
+        from `permutations`
+
+    Returns
+    -------
+    array (Z, M, Z, M)
+        each column is the mean of all its images, which also evens out what the mesh breaks;
+        then the mean with the transpose, by Betti's theorem
+    """
+    Z, M = columns.shape[:2]
+    total, count = np.zeros((Z, M, Z, M)), np.zeros(Z)
+    for row in renumbered:
+        for number, roller in enumerate(solved):
+            # row maps j on row[j]: C[row[i], row[j]] = C[i, j]
+            total[row, :, row[roller]] += columns[:, :, number]
+            count[row[roller]] += 1
+    full = total / count[:, None]
+    return (full + full.transpose(2, 3, 0, 1)) / 2
