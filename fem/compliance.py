@@ -98,9 +98,14 @@ def condense(
     full[own, :, own] -= half_space(patches, part.materials["ring"])
     _log.info("%s: %d unknowns, %.1f s", type(part).__name__, stiffness.unknowns, sum(seconds.values()))
     return RacewayCompliance(
-        azimuths=np.array(patches.azimuths), full=full, translation=translation,
-        support_stiffness=2 / np.trace(support), unknowns=stiffness.unknowns, elements=solid.ne, seconds=seconds,
-    )  # fmt: skip
+        azimuths=np.array(patches.azimuths),
+        full=full,
+        translation=translation,
+        support_stiffness=2 / np.trace(support),
+        unknowns=stiffness.unknowns,
+        elements=solid.ne,
+        seconds=seconds,
+    )
 
 
 def elastic_energy(mesh, materials: dict[str, Elastic]):
@@ -118,7 +123,9 @@ def elastic_energy(mesh, materials: dict[str, Elastic]):
     callable (u, v)
         the form whose matrix is in N/m: a modulus in Pa integrated over millimetres is one in mN/m
     """
-    constants = {name: forms.lame_constants(m.youngs_modulus, m.poisson_ratio) for name, m in materials.items()}
+    constants = {
+        name: forms.lame_constants(m.youngs_modulus, m.poisson_ratio) for name, m in materials.items()
+    }
     lame, shear = (
         mesh.MaterialCF({name: values[k] / MILLIMETRES for name, values in constants.items()}) for k in (0, 1)
     )

@@ -1,3 +1,5 @@
+# The geometry kernel fills its module at run time, where the type checker cannot look.
+# pyright: reportAttributeAccessIssue=false
 """From a part to a curved mesh with named bodies and boundaries.
 
 Bodies are "ring" and, where the part has them, "bars", "flange" and "shaft"; boundaries are
@@ -42,7 +44,9 @@ def meshed(part: Part, length: float, wishes: Mesh) -> ngs.Mesh:
         if the band is longer than the track
     """
     if length > part.track * (1 + 1e-9):
-        raise ImpossiblePart(f"length = {length!r} m of the loaded band; allowed is the track, {part.track!r} m")
+        raise ImpossiblePart(
+            f"length = {length!r} m of the loaded band; allowed is the track, {part.track!r} m"
+        )
     body = occ.Glue(solids(part, length))
     for face in body.faces:
         if face.name == "raceway":
@@ -80,8 +84,15 @@ def _(part: ClampedRing, length):
 @solids.register
 def _(part: SquirrelCage, length):
     inner, outer, start = _section(part)
-    middle, half, width = (inner + outer) / 2, part.bar_thickness / 2 * MILLIMETRES, part.bar_width * MILLIMETRES
-    stop, end = start + part.bar_length * MILLIMETRES, start + (part.bar_length + part.flange_length) * MILLIMETRES
+    middle, half, width = (
+        (inner + outer) / 2,
+        part.bar_thickness / 2 * MILLIMETRES,
+        part.bar_width * MILLIMETRES,
+    )
+    stop, end = (
+        start + part.bar_length * MILLIMETRES,
+        start + (part.bar_length + part.flange_length) * MILLIMETRES,
+    )
     ring = _outer_ring(part, length, end=None)
     tube = _tube(start, stop, middle - half, middle + half)
     bar = tube * occ.Box(occ.Pnt(start, -width / 2, 0), occ.Pnt(stop, width / 2, 2 * outer))
@@ -99,8 +110,9 @@ def _(part: RingOnShaft, length):
     track, side, end = (w * MILLIMETRES / 2 for w in (part.track_width, part.width, part.shaft_length))
     right, left = ((-x, *rest) for x, *rest in _band(raceway, length))  # met from the right
     ring = _revolved([
-        (-side, bore, None), (side, bore, None), (side, rib, None), (track, rib, None), (track, raceway, None),
-        right, left, (-track, raceway, None), (-track, rib, None), (-side, rib, None),
+        (-side, bore, None), (side, bore, None), (side, rib, None), (track, rib, None),
+        (track, raceway, None), right, left, (-track, raceway, None),
+        (-track, rib, None), (-side, rib, None),
     ])  # fmt: skip
     ring.mat("ring")
     shaft = _tube(-end, end, hollow, bore, start="clamped", end="clamped")
@@ -117,7 +129,8 @@ def _section(part):
 def _outer_ring(part, length, end):
     inner, outer, side = _section(part)
     ring = _revolved([
-        (-side, inner, None), *_band(inner, length), (side, inner, None), (side, outer, end), (-side, outer, None)
+        (-side, inner, None), *_band(inner, length), (side, inner, None),
+        (side, outer, end), (-side, outer, None),
     ])  # fmt: skip
     ring.mat("ring")
     return ring

@@ -89,7 +89,7 @@ class SquirrelCage:
             self, "raceway_diameter", "thickness", "width", "bar_width", "bar_thickness", "bar_length",
             "flange_length",
         )  # fmt: skip
-        _require(self.bars >= 3, "bars", self.bars, "3 or more")
+        _require(self.bars >= 1, "bars", self.bars, "1 or more")
         most = self.thickness - 2 * SLENDEREST_SLOT / 3
         _require(
             self.bar_thickness <= most, "bar_thickness", self.bar_thickness,

@@ -48,30 +48,30 @@ def solve(balance: BearingBalance, unknowns: NDArray, film: NDArray) -> Iterator
 
     Raceways that yield come first to touch the rollers that carry load, see `contact_search`.
     """
-    step = None
     if balance.yields:
-        for step in contact_search(balance, unknowns, film):
-            yield step
-        if step is None or step.status:
-            return
-        for last in newton(balance, step.unknowns, step.film):
-            if last.number:
-                yield replace(last, number=step.number + last.number)
+        yield from _after(contact_search(balance, unknowns, film), balance)
         return
+    failed = 0
     for step in newton(balance, unknowns, film):
         if step.status in ("", "converged"):
             yield step
         if step.status == "converged":
             return
-    taken = step.number if step else 0
-    for step in pseudo_time(balance, unknowns, film):
-        taken += 1
-        yield replace(step, number=taken)
-        if step.status:
-            return
-    if step:
-        for last in newton(balance, step.unknowns, step.film):
-            yield replace(last, number=taken + last.number + 1)
+        failed = step.number
+    for step in _after(pseudo_time(balance, unknowns, film), balance):
+        yield replace(step, number=failed + 1 + step.number)
+
+
+def _after(first: Iterator[Step], balance: BearingBalance) -> Iterator[Step]:
+    """Go through the first iterates, then on with Newton's method unless they came to an end."""
+    step = None
+    for step in first:
+        yield step
+    if step is None or step.status:
+        return
+    for last in newton(balance, step.unknowns, step.film):
+        if last.number:
+            yield replace(last, number=step.number + last.number)
 
 
 def contact_search(balance: BearingBalance, unknowns: NDArray, film: NDArray) -> Iterator[Step]:

@@ -1,0 +1,53 @@
+"""Impossible parts cannot exist; the message names the parameter."""
+
+from dataclasses import replace
+
+import pytest
+
+from fem import ClampedRing, Elastic, ImpossiblePart, Mesh, Patches, RingOnShaft, SquirrelCage
+from fem.mesh import meshed
+
+STEEL = Elastic(youngs_modulus=203e9, poisson_ratio=0.28)
+CAGE = SquirrelCage(
+    raceway_diameter=75e-3, thickness=3.6e-3, width=10e-3, bars=24, bar_width=4e-3, bar_thickness=2.6e-3,
+    bar_length=10.25e-3, flange_length=5e-3, elastic=STEEL,
+)  # fmt: skip
+SHAFT = RingOnShaft(
+    raceway_diameter=65e-3, track_width=6e-3, rib_diameter=69.6e-3, bore=59.6e-3, width=12e-3,
+    shaft_bore=51.6e-3, shaft_length=40e-3, ring=STEEL, shaft=STEEL,
+)  # fmt: skip
+
+BAD = [
+    (CAGE, "thickness", -1e-3),
+    (CAGE, "bars", 0),
+    (CAGE, "bars", 100),
+    (CAGE, "bar_width", 9.9e-3),
+    (CAGE, "bar_thickness", 3.6e-3),
+    (CAGE, "flange_length", float("nan")),
+    (SHAFT, "bore", 66e-3),
+    (SHAFT, "raceway_diameter", 70e-3),
+    (SHAFT, "track_width", 13e-3),
+    (SHAFT, "shaft_bore", 60e-3),
+    (SHAFT, "width", 50e-3),
+    (STEEL, "poisson_ratio", 0.5),
+    (Mesh(order=3, size=1e-3, raceway_size=1e-3), "order", 0),
+]
+
+
+@pytest.mark.parametrize(("part", "name", "value"), BAD, ids=lambda value: str(value)[:24])
+def test_impossible_value_is_named(part, name, value):
+    # Too many bars are reported as bars that are too wide: either would help.
+    expected = "bar_width" if (name, value) == ("bars", 100) else name
+    with pytest.raises(ImpossiblePart, match=expected):
+        replace(part, **{name: value})
+
+
+def test_band_longer_than_the_track():
+    ring = ClampedRing(raceway_diameter=75e-3, thickness=3.6e-3, width=10e-3, elastic=STEEL)
+    with pytest.raises(ImpossiblePart, match="track"):
+        meshed(ring, 11e-3, Mesh(order=1, size=5e-3, raceway_size=5e-3))
+
+
+def test_patches_need_load_and_moment():
+    with pytest.raises(ImpossiblePart, match="shapes"):
+        Patches(azimuths=(0.0,), length=5e-3, shapes=1, width=1e-3)
