@@ -93,9 +93,9 @@ class Factor:
         w = (u - K.harmonic_extension * u).Evaluate()
         r = (K.mat * w + K.inner_matrix * w).Evaluate()
         r.data -= K.harmonic_extension_trans * r
-        r.data = f - r
-        r.FV().NumPy()[~self.free] = 0.0
-        return r, np.linalg.norm(r.FV().NumPy()) / (np.linalg.norm(f.FV().NumPy()) or 1.0)
+        left = (f - r).Evaluate()  # a vector of its own: r.data = f - r would overwrite r first
+        left.FV().NumPy()[~self.free] = 0.0
+        return left, left.Norm() / (f.Norm() or 1.0)
 
 
 def factor(space, energy) -> Factor:
