@@ -129,7 +129,10 @@ def _iterate(case, partner, rings, rigid, file, report) -> Iteration[Equilibrium
 
 def _sentence(last: Iteration, case: Case) -> str:
     if last.status == "converged":
-        return f"loads changed by {last.load_change:.1e} of the largest in the last iteration"
+        return (
+            f"loads changed by {last.load_change:.1e} of the largest in the last iteration, "
+            f"unbalanced force {last.state.residual:.1e} of the load"
+        )
     return (
         f"{case.coupling.method} stopped after {last.number} iterations with load changes of "
         f"{last.load_change:.1e} (converged is below {case.coupling.tolerance:.0e})"

@@ -33,7 +33,7 @@ def band():
     with threads(2):
         mesh = meshed(CAGE, 5e-3, Mesh(order=3, size=4e-3, raceway_size=2e-3))
         space = ngs.VectorH1(mesh, order=3, dirichlet="clamped")
-        yield space, load.band(space, "raceway", load.HIGHEST_ORDER)
+        return space, load.band(space, "raceway", load.HIGHEST_ORDER)
 
 
 def rigid(space, *field):

@@ -1,0 +1,196 @@
+"""From a case file to a result file, and the promises of the command line."""
+
+import json
+import logging
+import subprocess
+import sys
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+from pytest import approx
+
+import flexbearing
+from flexbearing.report import summary
+
+ROOT = Path(__file__).parents[2]
+PAPER = ROOT / "configs" / "mao2016.toml"
+RIGID = ["outer.kind=rigid", "inner.kind=rigid"]
+CAGE_ONLY = "inner.kind=rigid"
+COARSE = ["accuracy.element_order=2", "accuracy.mesh_size=5 mm", "accuracy.raceway_mesh_size=3 mm",
+          "accuracy.patch_width=1 mm"]  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def rigid(tmp_path_factory):
+    return flexbearing.run(PAPER, tmp_path_factory.mktemp("run") / "rigid.h5", RIGID)
+
+
+@pytest.fixture(scope="module")
+def flexible(tmp_path_factory):
+    return flexbearing.run(PAPER, tmp_path_factory.mktemp("run") / "flexible.h5", COARSE)
+
+
+def command(*words):
+    program = [sys.executable, "-c", "from flexbearing.cli import main; main()"]
+    return subprocess.run([*program, *map(str, words)], capture_output=True, text=True, cwd=ROOT, check=False)
+
+
+def test_rigid_parts_are_not_computed(rigid):
+    assert rigid.attributes["status"] == "converged"
+    assert rigid.attributes["iterations"] == 0
+    assert rigid.attributes["structure"] == {}
+    assert rigid.flexible["inner_load"] == approx(rigid.rigid["inner_load"], rel=0, abs=0)
+
+
+def test_rigid_run_never_loads_the_finite_elements():
+    code = (
+        "import sys, flexbearing, tempfile; "
+        f"flexbearing.run({str(PAPER)!r}, tempfile.mkdtemp() + '/out.h5', {RIGID!r}); "
+        "print('ngsolve' in sys.modules)"
+    )
+    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=ROOT)
+    assert found.stdout.strip() == "False"
+
+
+@pytest.mark.parametrize(("part", "other"), [("outer", "inner"), ("inner", "outer")])
+def test_only_the_part_that_is_flexible_is_meshed(part, other, tmp_path):
+    result = flexbearing.run(PAPER, tmp_path / "out.h5", [f"{other}.kind=rigid", *COARSE])
+    assert set(result.attributes["structure"]) == {part}
+    assert np.abs(result.flexible[f"{other}_deviation"]).max() == 0.0
+    assert np.abs(result.flexible[f"{part}_deviation"]).max() > 1e-6
+
+
+def test_flexible_rings_spread_the_load(flexible):
+    numbers = summary(flexible)
+    rigid, flex = numbers["rigid"], numbers["flexible"]
+    assert numbers["status"] == "converged"
+    assert numbers["iterations"] <= 12
+    assert flex["loaded_rollers"] > rigid["loaded_rollers"]
+    assert flex["max_roller_load_N"] < rigid["max_roller_load_N"]
+    assert flex["life_L10_Mrev"] > rigid["life_L10_Mrev"]
+    assert flex["total_stiffness_N_per_m"] < flex["stiffness_N_per_m"] < rigid["stiffness_N_per_m"]
+
+
+def test_alternation_and_newton_end_at_the_same_loads(flexible, tmp_path):
+    settings = [*COARSE, "coupling.method=relaxed"]
+    relaxed = flexbearing.run(PAPER, tmp_path / "relaxed.h5", settings)
+    assert relaxed.attributes["status"] == "converged"
+    largest = flexible.flexible["inner_load"].max()
+    assert relaxed.flexible["inner_load"] == approx(flexible.flexible["inner_load"], abs=1e-6 * largest)
+
+
+@pytest.mark.slow
+def test_rings_as_stiff_as_rock_are_rigid_ones(rigid, tmp_path):
+    """Loads tend to the rigid ones as 1/E, linearly: ten times stiffer, ten times closer."""
+    gaps = []
+    for modulus in ("203e6 GPa", "2030e6 GPa"):
+        settings = [
+            f"materials.{part}.youngs_modulus={modulus}" for part in ("outer_ring", "inner_ring", "shaft")
+        ]
+        stiff_rigid_contact = flexbearing.run(PAPER, tmp_path / "rigid.h5", [*RIGID, *settings])
+        stiff = flexbearing.run(PAPER, tmp_path / "stiff.h5", [*COARSE, *settings])
+        gaps.append(np.abs(stiff.flexible["inner_load"] - stiff_rigid_contact.rigid["inner_load"]).max())
+    assert gaps[0] < 1.0  # [N]
+    assert gaps[1] == approx(gaps[0] / 10, rel=0.02)
+
+
+def test_every_iteration_is_in_the_file(flexible):
+    with h5py.File(flexible.path) as file:
+        assert len(file["iterations"]) == file.attrs["iterations"]
+        first = file["iterations/0001"]
+        assert first["inner_load"].shape == (30,)
+        assert first["inner_slice_load"].shape == (30, 20)
+        assert first["inner_load"].attrs["unit"] == "N"
+        assert "title" in file.attrs["case_text"]
+    assert flexible.history("load_change")[-1] < 1e-8
+
+
+def test_slices_add_up_to_the_roller_loads(flexible):
+    width = np.diff(flexible.flexible["slice_position"])[0]
+    assert flexible.flexible["inner_slice_load"].sum(1) * width == approx(flexible.flexible["inner_load"])
+
+
+def test_limit_of_iterations_is_not_convergence(tmp_path):
+    result = flexbearing.run(PAPER, tmp_path / "out.h5", [*COARSE, CAGE_ONLY, "coupling.max_iterations=2"])
+    assert result.attributes["status"] == "iteration limit"
+    assert "2 iterations" in result.attributes["message"]
+
+
+def test_progress_is_logged_with_units(tmp_path, caplog):
+    with caplog.at_level(logging.INFO, logger="flexbearing"):
+        flexbearing.run(PAPER, tmp_path / "out.h5", [*COARSE, CAGE_ONLY])
+    lines = [record.getMessage() for record in caplog.records]
+    assert any("outer ring: mesh" in line for line in lines)
+    assert any("iteration   1: largest load change" in line and " N" in line for line in lines)
+
+
+def test_summary_as_json_holds_the_contract(rigid):
+    found = command("summary", rigid.path, "--json")
+    assert found.returncode == 0
+    numbers = json.loads(found.stdout)
+    assert {"status", "iterations", "wall_time_s", "rigid", "flexible"} <= set(numbers)
+    for block in ("rigid", "flexible"):
+        assert {
+            "max_roller_load_N", "max_outer_load_N", "loaded_rollers", "loaded_arc_deg",
+            "roller_azimuths_deg", "roller_loads_N", "outer_loads_N", "cage_slip_percent", "cage_speed_rpm",
+            "ring_displacement_um", "max_raceway_deviation_um", "life_L10_Mrev", "stiffness_N_per_m",
+        } <= set(numbers[block])  # fmt: skip
+
+
+def test_run_prints_and_ends_with_zero(tmp_path):
+    settings = [word for setting in RIGID for word in ("--set", setting)]
+    found = command("run", PAPER, "-o", tmp_path / "out.h5", *settings)
+    assert found.returncode == 0, found.stderr
+    assert "largest inner load [N]" in found.stdout
+    assert str(tmp_path / "out.h5") in found.stdout
+    pictures = command("plot", tmp_path / "out.h5", "-o", tmp_path)
+    assert pictures.returncode == 0
+    assert len(list(tmp_path.glob("*.png"))) == 3
+
+
+def test_quiet_run_says_nothing(tmp_path):
+    settings = [word for setting in RIGID for word in ("--set", setting)]
+    found = command("run", PAPER, "-o", tmp_path / "out.h5", "--quiet", *settings)
+    assert (found.returncode, found.stdout, found.stderr) == (0, "", "")
+
+
+BAD_CALLS = {
+    "unknown key": (["check", PAPER, "--set", "bearing.clearence=1 um"], "Did you mean clearance?"),
+    "no such case": (["run", "nowhere.toml"], "no such file"),
+    "no such result": (["summary", "nowhere.h5"], "no such file"),
+    "explain what is none": (["explain", "bearing.clearence"], "Did you mean bearing.clearance?"),
+    "no such option": (["run", PAPER, "--fast"], "--fast"),
+}
+
+
+@pytest.mark.parametrize(("words", "message"), BAD_CALLS.values(), ids=BAD_CALLS.keys())
+def test_bad_input_ends_with_two_and_a_message(words, message):
+    found = command(*words)
+    assert found.returncode == 2
+    assert message in found.stderr
+    assert "Traceback" not in found.stderr
+
+
+def test_run_that_does_not_converge_ends_with_one_and_a_complete_file(tmp_path):
+    words = [
+        word for setting in [*COARSE, CAGE_ONLY, "coupling.max_iterations=1"] for word in ("--set", setting)
+    ]
+    found = command("run", PAPER, "-o", tmp_path / "out.h5", "--quiet", *words)
+    assert found.returncode == 1
+    assert "not converged" in found.stderr
+    assert (tmp_path / "out.h5").exists()
+
+
+def test_unloaded_bearing_with_clearance_is_reported_not_solved(tmp_path):
+    result = flexbearing.run(PAPER, tmp_path / "out.h5", [*RIGID, "operation.radial_load=0 N"])
+    assert result.attributes["status"] == "not solved"
+    assert "undetermined" in result.attributes["message"]
+
+
+@pytest.mark.parametrize("words", [["explain"], ["explain", "bearing.clearance"], ["explain", "outer"]])
+def test_explain(words):
+    found = command(*words)
+    assert found.returncode == 0
+    assert "clearance" in found.stdout or "outer" in found.stdout
