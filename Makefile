@@ -1,4 +1,5 @@
-# With Python 3.11 and make alone: `make run` computes the main case, `make test` runs the tests.
+# With Python 3.11 and make alone: `make run` computes the main case, `make test` runs the fast tests,
+# `make test-slow` the others.
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
@@ -7,7 +8,7 @@ READY := $(VENV)/.installed
 export OMP_NUM_THREADS ?= 2
 export OPENBLAS_NUM_THREADS ?= 2
 
-.PHONY: run test test-all lint benchmark docs lock clean
+.PHONY: run test test-slow lint benchmark docs lock clean
 
 run: $(READY)
 	$(BIN)/flexbearing run configs/mao2016.toml -o results/mao2016.h5
@@ -16,8 +17,8 @@ run: $(READY)
 test: $(READY)
 	$(BIN)/python -m pytest
 
-test-all: $(READY)
-	$(BIN)/python -m pytest -m ""
+test-slow: $(READY)
+	$(BIN)/python -m pytest -m slow
 
 lint: $(READY)
 	$(BIN)/ruff format --check .

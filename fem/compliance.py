@@ -85,9 +85,9 @@ def condense(
     Small displacement, perfect bonds, clamps that do not yield; no load outside the band.
     """
     stage, seconds = _stages(report or (lambda name, fraction: None))
+    with stage("mesh"):
+        solid = meshed(part, patches.length, mesh)
     with threads(thread_number):
-        with stage("mesh"):
-            solid = meshed(part, patches.length, mesh)
         with stage("factor"):
             space = ngs.VectorH1(solid, order=mesh.order, dirichlet="clamped")
             stiffness = factor(space, elastic_energy(solid, part.materials))

@@ -51,7 +51,9 @@ def meshed(part: Part, length: float, wishes: Mesh) -> ngs.Mesh:
     for face in body.faces:
         if face.name == "raceway":
             face.maxh = wishes.raceway_size * MILLIMETRES
-    mesh = ngs.Mesh(occ.OCCGeometry(body).GenerateMesh(maxh=wishes.size * MILLIMETRES))
+    # bodies meshed in parallel were seen to crash, at random, on a busy machine; and to take longer
+    tetrahedra = occ.OCCGeometry(body).GenerateMesh(maxh=wishes.size * MILLIMETRES, parallel_meshing=False)
+    mesh = ngs.Mesh(tetrahedra)
     mesh.Curve(wishes.order)
     _log.debug("%s: %d elements of order %d", type(part).__name__, mesh.ne, wishes.order)
     return mesh

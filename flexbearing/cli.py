@@ -31,8 +31,10 @@ Settings = Annotated[
 @app.command()
 def check(case: CaseFile, settings: Settings = None) -> None:
     """Say whether a case can be computed, without computing it."""
+    from flexbearing.compute import assemble
+
     found = read(case, settings or [])
-    _model(found)
+    assemble.require_possible(found)
     sys.stdout.write(f"{case}: {found.title}: nothing wrong with it\n")
 
 
@@ -49,14 +51,10 @@ def run(
     from flexbearing.report import text
 
     console = Console()
-    if quiet:
-        report = Logged()
-    elif console.is_terminal:
-        report = OnTerminal(console)
-    else:
+    if not quiet and not console.is_terminal:
         logging.basicConfig(level=logging.INFO, stream=sys.stdout, format="%(message)s")
-        report = Logged()
-    result = compute(case, output, settings or [], report)
+    with OnTerminal(console) if console.is_terminal and not quiet else Logged() as report:
+        result = compute(case, output, settings or [], report)
     if not quiet:
         sys.stdout.write(text(result, console if console.is_terminal else None))
         sys.stdout.write(f"\nresults: {result.path}\n")
@@ -102,42 +100,17 @@ def explain_key(key: Annotated[str | None, typer.Argument(metavar="[KEY]")] = No
     sys.stdout.write(explain(key).rstrip() + "\n")
 
 
-def _model(case) -> None:
-    """Build what can be built without meshing: physical impossibilities show here."""
-    from flexbearing.compute import assemble
-
-    assemble.bearing(case)
-    assemble.outer_part(case)
-    assemble.inner_part(case)
-
-
 def main() -> None:
     """Run the command line; no traceback ever reaches a user."""
-    try:
-        app()
-    except BadCase as problem:
-        _fail(problem, BAD_INPUT)
-    except Exception as problem:
-        if _is_input(problem):
-            _fail(problem, BAD_INPUT)
-        logging.getLogger(__name__).debug("internal error", exc_info=True)
-        _fail(f"internal error: {type(problem).__name__}: {problem}", INTERNAL)
-
-
-def _is_input(problem: Exception) -> bool:
-    """Whether an exception blames what the user gave."""
-    import fem
-    import quasidynamic
     from flexbearing.results import BadResult, NotInLayout
 
-    blames_input = (
-        BadResult,
-        NotInLayout,
-        quasidynamic.ImpossiblePart,
-        quasidynamic.OutOfRange,
-        fem.ImpossiblePart,
-    )
-    return isinstance(problem, blames_input)
+    try:
+        app()
+    except (BadCase, BadResult, NotInLayout) as problem:
+        _fail(problem, BAD_INPUT)
+    except Exception as problem:
+        logging.getLogger(__name__).debug("internal error", exc_info=True)
+        _fail(f"internal error: {type(problem).__name__}: {problem}", INTERNAL)
 
 
 def _fail(problem: object, code: int) -> None:

@@ -15,10 +15,13 @@ class Roller(Section):
     length: Length = key("effective length, without end chamfers", gt=0)
     profile: Literal["straight", "crowned", "logarithmic"] = key("shape of the generatrix", "straight")
     straight_length: Length | None = key("length of the straight middle of a crowned roller", None, ge=0)
-    crown_radius: Length | None = key("radius of the ends' generatrix of a crowned roller", None, gt=0)
+    crown_radius: Length | None = key(
+        "radius of the ends' generatrix of a crowned roller", None, example="600 mm", gt=0
+    )
     drop: Length | None = key(
         "amplitude A of the logarithmic profile A ln 1/(1 - (2x/l)^2); ISO/TS 16281 takes 0.00035 D",
         None,
+        example="1.75 um",
         gt=0,
     )
 
@@ -41,14 +44,16 @@ class Cage(Section):
     guidance: Literal["outer", "inner", "rollers"] = key(
         "what the cage runs on: a ring's land or the rollers"
     )
-    pocket_friction: float = key("Coulomb friction between roller and pocket", ge=0, le=1)
+    pocket_friction: float = key("Coulomb friction between roller and pocket", example=0.05, ge=0, le=1)
     thickness: Length = key(
         "radial thickness; that part of each roller is hidden from the oil-air mixture", ge=0
     )
     mass: Mass = key("mass, used when a start from rest is followed in time", gt=0)
-    land_diameter: Length | None = key("diameter of the guiding land", None, gt=0)
+    land_diameter: Length | None = key("diameter of the guiding land", None, example="74.6 mm", gt=0)
     land_width: Length | None = key("width of the guiding land, both sides together", None, gt=0)
-    land_clearance: Length | None = key("diametral clearance at the guiding land", None, gt=0)
+    land_clearance: Length | None = key(
+        "diametral clearance at the guiding land", None, example="0.4 mm", gt=0
+    )
 
     @model_validator(mode="after")
     def _land(self) -> Self:
@@ -62,9 +67,11 @@ class Bearing(Section):
     """The bearing."""
 
     kind: Literal["cylindrical_roller"] = key("family of the bearing")
-    rollers: int = key("number of rollers", ge=3, le=1000)
-    outer_raceway_diameter: Length = key("diameter of the outer raceway", gt=0)
-    clearance: Length = key("operating diametral clearance, warm and running; negative is a preload")
+    rollers: int = key("number of rollers", example=30, ge=3, le=1000)
+    outer_raceway_diameter: Length = key("diameter of the outer raceway", example="75 mm", gt=0)
+    clearance: Length = key(
+        "operating diametral clearance, warm and running; negative is a preload", example="50 um"
+    )
     contact_law: Literal["palmgren", "iso16281"] = key("load law of a roller on a raceway", "palmgren")
     first_roller_azimuth: Angle = key("azimuth of a roller from the load line", "0 deg")
     roller: Roller = key("the rollers")

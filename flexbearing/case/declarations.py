@@ -1,5 +1,6 @@
 """What the schema says of a key: the one declaration behind messages, `explain` and the reference page."""
 
+import json
 from collections.abc import Iterator
 from dataclasses import dataclass
 from types import NoneType, UnionType
@@ -67,6 +68,8 @@ class Declaration:
     @property
     def example(self) -> str:
         """A value as it would be written."""
+        if self.field.examples:
+            return toml(self.field.examples[0])
         if self.kind:
             return toml(self.kind.example)
         choices = [choice for part in _parts(self.field.annotation) for choice in _choices(part)]
@@ -75,7 +78,7 @@ class Declaration:
     @property
     def _what(self) -> str:
         if self.kind:
-            return f"{self.kind.name} as text with its unit, such as {toml(self.kind.example)}"
+            return f"{self.kind.name} as text with its unit, such as {self.example}"
         plain = next((_PLAIN[part] for part in _parts(self.field.annotation) if part in _PLAIN), None)
         return plain or ("a list of keys" if self.path == "assumed" else "a table of texts")
 
@@ -96,12 +99,12 @@ def toml(value: Any) -> str:
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, str):
-        return f'"{value}"'
+        return json.dumps(value, ensure_ascii=False)
     if isinstance(value, list | tuple):
         return "[" + ", ".join(toml(item) for item in value) + "]"
     if isinstance(value, dict):
-        return "{...}" if value else "{}"
-    return f"{value:g}" if isinstance(value, float) else str(value)
+        return "{" + ", ".join(f"{toml(name)} = {toml(item)}" for name, item in value.items()) + "}"
+    return str(value)
 
 
 def declarations(model: type[Section] = Case, prefix: str = "") -> Iterator[Declaration]:

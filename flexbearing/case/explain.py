@@ -65,8 +65,8 @@ def _entries(item: Declaration) -> list[tuple[str, str]]:
 def _near(path: str) -> str:
     known = [item.path for item in declarations()]
     ends = {name.rpartition(".")[2]: name for name in known}
-    close = get_close_matches(path, known, n=1) or [
-        ends[name] for name in get_close_matches(path.rpartition(".")[2], ends, n=1)
+    close = get_close_matches(path, known, n=1, cutoff=0.7) or [
+        ends[name] for name in get_close_matches(path.rpartition(".")[2], ends, n=1, cutoff=0.7)
     ]
     return f" Did you mean {close[0]}?" if close else " `flexbearing explain` lists them all."
 

@@ -24,11 +24,12 @@ class Accuracy(Section):
         "Legendre shapes along a roller that carry loads to the rings and deviations back", 3, ge=2, le=6
     )
     element_order: int = key("polynomial order of the finite elements", 3, ge=1, le=6)
-    mesh_size: Length = key("largest size of the elements", "3 mm", gt=0)
-    raceway_mesh_size: Length = key("largest size of the elements on a raceway", "2 mm", gt=0)
+    mesh_size: Length = key("largest size of the elements", "3 mm", example="3 mm", gt=0)
+    raceway_mesh_size: Length = key("largest size of the elements on a raceway", "2 mm", example="2 mm", gt=0)
     patch_width: Length = key(
         "standard deviation of the load patch along the arc; its own half-space indentation is taken out",
         "0.5 mm",
+        example="0.5 mm",
         gt=0,
     )
     threads: int = key("threads of the finite element part", 2, ge=1, le=64)

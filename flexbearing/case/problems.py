@@ -17,13 +17,13 @@ class BadCase(ValueError):
 
 def messages(error: ValidationError, raw: Mapping[str, Any], file: str) -> list[str]:
     """One line per problem: file, key, value found, what is allowed, nearest valid name."""
-    return [f"{file}: {_message(detail, raw)}" for detail in error.errors(include_url=False)]
+    details = error.errors(include_url=False)
+    lines = [f"{file}: {_message(detail, path, raw)}" for detail in details for path in _paths(detail)]
+    return list(dict.fromkeys(lines))
 
 
-def _message(detail: Any, raw: Mapping[str, Any]) -> str:
-    context = detail.get("ctx", {})
-    path = ".".join([*(str(part) for part in detail["loc"]), *_named(context)])
-    kind = detail["type"]
+def _message(detail: Any, path: str, raw: Mapping[str, Any]) -> str:
+    context, kind = detail.get("ctx", {}), detail["type"]
     if kind == "extra_forbidden":
         return f"{shown(path)}{_found(raw, path)} is not a key here.{nearest(path)}"
     if kind == "missing":
@@ -36,8 +36,13 @@ def _message(detail: Any, raw: Mapping[str, Any]) -> str:
     return f"{shown(path)}{_found(raw, path)}{reason}; it must be {_allowed(path)}."
 
 
-def _named(context: Mapping[str, Any]) -> list[str]:
-    return str(context["name"]).split(".") if "name" in context else []
+def _paths(detail: Any) -> list[str]:
+    """Dotted keys that a problem is about; an entry of a list or a table of texts has none of its own."""
+    place = [str(part) for part in detail["loc"]]
+    if place and place[0] in ("assumed", "calibrated"):
+        return place[:1]
+    names = detail.get("ctx", {}).get("names", [])
+    return [".".join([*place, name]) for name in names] or [".".join(place)]
 
 
 def shown(path: str) -> str:
@@ -69,6 +74,10 @@ def nearest(path: str) -> str:
     elsewhere = {item.path.rpartition(".")[2]: item.path for item in declarations()}
     if close := get_close_matches(name, elsewhere, n=1, cutoff=0.8):
         return f" Did you mean {shown(elsewhere[close[0]])}?"
+    if section and find(section) is None:
+        return nearest(section)
+    if not siblings:
+        return f" {section} has no keys beneath it."
     return f" Keys here: {', '.join(siblings)}."
 
 

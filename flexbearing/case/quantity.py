@@ -42,13 +42,20 @@ class Kind:
 
         registry = _registry()
         try:
-            return float(registry.Quantity(number, registry.parse_units(unit)).to(self.unit).magnitude)
-        except pint.DimensionalityError:
-            raise self._refused(f"is not {self.name}") from None
+            found = registry.parse_units(unit)
         except pint.UndefinedUnitError as problem:
             raise self._refused(f"has an unknown unit, {problem.unit_names[0]}") from None
-        except Exception as problem:  # pint's parser lets many kinds of errors through
-            raise self._refused(f"has a unit that cannot be read ({problem})") from None
+        except Exception:  # pint's parser lets many kinds of errors through
+            raise self._refused(f"has a unit that cannot be read, {unit}") from None
+        if not self._measured_in(found):
+            raise self._refused(f"is not {self.name}")
+        return float(registry.Quantity(number, found).to(self.unit).magnitude)
+
+    def _measured_in(self, unit: Any) -> bool:
+        """Compare roots, as dimensions would let Hz pass for rad/s; a difference is no temperature."""
+        roots = _registry().get_root_units
+        difference = self.unit == "K" and "delta_" in str(unit)
+        return roots(unit)[1] == roots(self.unit)[1] and not difference
 
     def _refused(self, why: str) -> PydanticCustomError:
         return PydanticCustomError("quantity", "{why}", {"why": why})
@@ -84,20 +91,23 @@ class Section(BaseModel):
     )
 
 
-def key(meaning: str, default: Any = ..., **limits: Any) -> Any:
-    """Declare a key: its meaning, its default (in the words of a case file) and its limits in SI."""
-    return Field(default, description=meaning, **limits)
+def key(meaning: str, default: Any = ..., *, example: Any = None, **limits: Any) -> Any:
+    """Declare a key: its meaning, default and example (in the words of a case file), its limits in SI."""
+    return Field(default, description=meaning, examples=None if example is None else [example], **limits)
 
 
 def impossible(name: str, allowed: str) -> PydanticCustomError:
     """Return the error for a key whose value contradicts another one of the same table."""
-    return PydanticCustomError("impossible", "{allowed}", {"name": name, "allowed": allowed})
+    return PydanticCustomError("impossible", "{allowed}", {"names": [name], "allowed": allowed})
+
+
+def needed(names: list[str], choice: str) -> PydanticCustomError:
+    """Return the error for keys that a choice asks for and that are not given."""
+    return PydanticCustomError("needed", "{choice}", {"names": names, "choice": choice})
 
 
 def require(section: Section, names: tuple[str, ...], choice: str) -> list[Any]:
-    """Return the values of keys that a choice asks for; raises when one is not given."""
-    values = [getattr(section, name) for name in names]
-    for name, value in zip(names, values, strict=True):
-        if value is None:
-            raise PydanticCustomError("needed", "{choice}", {"name": name, "choice": choice})
-    return values
+    """Return the values of keys that a choice asks for; raises when some are not given."""
+    if missing := [name for name in names if getattr(section, name) is None]:
+        raise needed(missing, choice)
+    return [getattr(section, name) for name in names]

@@ -7,20 +7,20 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from flexbearing.case.declarations import find
+from flexbearing.case.declarations import find, toml
 from flexbearing.case.problems import BadCase, messages, nearest, shown
 from flexbearing.case.schema import Case, Source
 
 
-def read(path: str | Path, overrides: Sequence[str] = ()) -> Case:
+def read(path: str | Path, overrides: Sequence[str] | Mapping[str, object] = ()) -> Case:
     """Read a case file.
 
     Parameters
     ----------
     path : path
         TOML file
-    overrides : sequence of str
-        "key=value" settings that replace or add keys, such as "bearing.clearance=50 um"
+    overrides : sequence of str or mapping
+        settings that replace or add keys: "bearing.clearance=50 um", or {"bearing.clearance": "50 um"}
 
     Returns
     -------
@@ -35,14 +35,15 @@ def read(path: str | Path, overrides: Sequence[str] = ()) -> Case:
     file = Path(path)
     text = _text(file)
     raw = _parsed(file, text)
-    for setting in overrides:
+    settings = _settings(overrides)
+    for setting in settings:
         _override(raw, setting)
     try:
         case = Case.model_validate(raw)
     except ValidationError as error:
         raise BadCase("\n".join(messages(error, raw, file.name))) from None
     _require_given(case, raw, file.name)
-    case._source = Source(str(file), text, tuple(overrides))
+    case._source = Source(str(file), text, settings)
     return case
 
 
@@ -62,6 +63,12 @@ def _parsed(file: Path, text: str) -> dict[str, Any]:
         raise BadCase(f"{file.name}: is not valid TOML: {problem}") from None
 
 
+def _settings(overrides: Sequence[str] | Mapping[str, object]) -> tuple[str, ...]:
+    if isinstance(overrides, Mapping):
+        return tuple(f"{key}={toml(value)}" for key, value in overrides.items())
+    return tuple(overrides)
+
+
 def _override(raw: dict[str, Any], setting: str) -> None:
     """Put a "key=value" setting into the raw case; what a user sets is no longer assumed."""
     key, separator, value = setting.partition("=")
@@ -71,7 +78,7 @@ def _override(raw: dict[str, Any], setting: str) -> None:
     if find(key) is None and not key.startswith("calibrated."):
         raise BadCase(f"--set {setting}: {shown(key)} is not a key of a case file.{nearest(key)}")
     table = raw
-    *sections, name = key.split(".")
+    *sections, name = _place(key)
     for section in sections:
         table = table.setdefault(section, {})
         if not isinstance(table, dict):
@@ -81,6 +88,13 @@ def _override(raw: dict[str, Any], setting: str) -> None:
         raw["assumed"] = [item for item in raw["assumed"] if item != key]
     if isinstance(raw.get("calibrated"), dict):
         raw["calibrated"].pop(key, None)
+
+
+def _place(key: str) -> list[str]:
+    """Tables down to a key; what [calibrated] holds are dotted keys themselves."""
+    if key.startswith("calibrated."):
+        return ["calibrated", key.removeprefix("calibrated.").strip('"')]
+    return key.split(".")
 
 
 def _value(text: str) -> Any:

@@ -18,7 +18,7 @@ class Outer(Section):
     )
     thickness: Length | None = key("radial thickness of the ring", None, gt=0)
     width: Length | None = key("axial width of the ring", None, gt=0)
-    bars: int | None = key("number of bars", None, ge=1, le=200)
+    bars: int | None = key("number of bars", None, example=24, ge=1, le=200)
     bar_width: Length | None = key("tangential width of a bar", None, gt=0)
     bar_thickness: Length | None = key("radial thickness of a bar", None, gt=0)
     bar_length: Length | None = key("axial length of the bars", None, gt=0)
@@ -56,12 +56,14 @@ class Inner(Section):
     kind: Literal["rigid", "ring_on_shaft"] = key(
         "rigid; or a ring bonded on a hollow shaft with both ends clamped"
     )
-    bore: Length | None = key("bore of the ring, outside of the shaft", None, gt=0)
+    bore: Length | None = key("bore of the ring, outside of the shaft", None, example="60 mm", gt=0)
     thickness: Length | None = key("radial thickness of the ring over its ribs", None, gt=0)
     width: Length | None = key("axial width of the ring", None, gt=0)
     track_width: Length | None = key("axial width of the raceway between the ribs", None, gt=0)
     shaft_thickness: Length | None = key("radial thickness of the hollow shaft", None, gt=0)
-    shaft_length: Length | None = key("length of the shaft between its clamped ends", None, gt=0)
+    shaft_length: Length | None = key(
+        "length of the shaft between its clamped ends", None, example="40 mm", gt=0
+    )
 
     _dimensions: ClassVar = ("bore", "thickness", "width", "track_width", "shaft_thickness", "shaft_length")
 

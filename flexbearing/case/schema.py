@@ -9,7 +9,7 @@ from pydantic_core import PydanticCustomError
 
 from flexbearing.case.bearing import Bearing
 from flexbearing.case.numerics import Accuracy, Coupling
-from flexbearing.case.quantity import Section, key
+from flexbearing.case.quantity import Section, impossible, key, needed
 from flexbearing.case.rings import Inner, Outer
 from flexbearing.case.surroundings import Lubricant, Materials, Operation
 
@@ -26,9 +26,15 @@ class Source:
 class Case(Section):
     """A complete case."""
 
-    title: str = key("what the case is, for people")
-    assumed: tuple[str, ...] = key("keys whose values the source of the case does not give", (), strict=False)
-    calibrated: Mapping[str, str] = key("keys whose values were fitted, each with what to", {})
+    title: str = key("what the case is, for people", example="A bearing between two rings")
+    assumed: tuple[str, ...] = key(
+        "keys whose values the source of the case does not give", (), example=["outer.bars"], strict=False
+    )
+    calibrated: Mapping[str, str] = key(
+        "keys whose values were fitted, each with what to",
+        {},
+        example={"bearing.clearance": "measured deflection"},
+    )
     bearing: Bearing = key("the bearing")
     materials: Materials = key("the materials")
     lubricant: Lubricant = key("the oil")
@@ -56,11 +62,11 @@ class Case(Section):
         inner_raceway = raceway - 2 * roller.diameter - self.bearing.clearance
         _at("inner", lambda: self.inner.require_room(inner_raceway, roller.length))
         if self.bearing.cage.thickness >= roller.diameter:
-            raise _located(("bearing", "cage", "thickness"), "below bearing.roller.diameter")
+            raise impossible("bearing.cage.thickness", "below bearing.roller.diameter")
         if self.inner.kind == "ring_on_shaft" and self.materials.shaft is None:
-            raise _located(("materials", "shaft"), 'needed for inner.kind = "ring_on_shaft"')
+            raise needed(["materials.shaft"], 'inner.kind = "ring_on_shaft"')
         if self.accuracy.axial_shapes > self.accuracy.slices:
-            raise _located(("accuracy", "axial_shapes"), "at most accuracy.slices")
+            raise impossible("accuracy.axial_shapes", "at most accuracy.slices")
         return self
 
 
@@ -70,8 +76,4 @@ def _at(section: str, check: Callable[[], None]) -> None:
         check()
     except PydanticCustomError as problem:
         context = problem.context or {}
-        raise _located((section, context["name"]), context["allowed"]) from None
-
-
-def _located(place: tuple[str, ...], allowed: str) -> PydanticCustomError:
-    return PydanticCustomError("impossible", "{allowed}", {"name": ".".join(place), "allowed": allowed})
+        raise impossible(f"{section}.{context['names'][0]}", context["allowed"]) from None

@@ -26,7 +26,7 @@ class Material(Section):
     """A material."""
 
     youngs_modulus: Pressure = key("Young's modulus", gt=0)
-    poisson_ratio: float = key("Poisson's ratio", ge=0, lt=0.5)
+    poisson_ratio: float = key("Poisson's ratio", example=0.3, ge=0, lt=0.5)
     density: Density = key("density", gt=0)
     expansion: PerTemperature = key("coefficient of linear thermal expansion")
 
@@ -50,17 +50,23 @@ class Lubricant(Section):
     inlet_temperature: Temperature = key("temperature of the oil at the contact inlets", gt=0)
     viscosity: Viscosity | None = key("dynamic viscosity at the inlet temperature", None, gt=0)
     pressure_viscosity: PerPressure | None = key("pressure-viscosity coefficient alpha", None, gt=0)
-    temperature_viscosity: PerTemperature | None = key("beta = -d ln(viscosity)/dT", None, ge=0)
+    temperature_viscosity: PerTemperature | None = key(
+        "beta = -d ln(viscosity)/dT", None, example="0.035 1/K", ge=0
+    )
     conductivity: Conductivity | None = key("thermal conductivity", None, gt=0)
-    density: Density | None = key("density", None, gt=0)
+    density: Density | None = key("density", None, example="900 kg/m^3", gt=0)
     traction: Literal["4109", "eyring"] = key(
         'traction law: regression of the oil 4109, or "eyring" with a limiting shear stress', "4109"
     )
-    limiting_ratio: float | None = key("limiting shear stress over pressure, Eyring law", None, gt=0, le=1)
-    eyring_stress: Pressure | None = key(
-        "Eyring stress; without it 2 limiting_ratio / pressure_viscosity", None, gt=0
+    limiting_ratio: float | None = key(
+        "limiting shear stress over pressure, Eyring law", None, example=0.05, gt=0, le=1
     )
-    oil_fraction: float = key("volume share of oil in the mixture around the rollers", ge=0, le=1)
+    eyring_stress: Pressure | None = key(
+        "Eyring stress; without it 2 limiting_ratio / pressure_viscosity", None, example="9 MPa", gt=0
+    )
+    oil_fraction: float = key(
+        "volume share of oil in the mixture around the rollers", example=0.02, ge=0, le=1
+    )
     inlet_heating: bool = key("whether shear heating of the inlet thins the film", True)
 
     @model_validator(mode="after")

@@ -4,9 +4,19 @@ from typing import Any
 
 import fem
 import quasidynamic as qd
-from flexbearing.case import Case
+from flexbearing.case import BadCase, Case
 
 Part = fem.SquirrelCage | fem.ClampedRing | fem.RingOnShaft
+
+
+def require_possible(case: Case) -> None:
+    """Build everything that needs no mesh; raises `BadCase` where physics or geometry forbid it."""
+    try:
+        bearing(case)
+        outer_part(case)
+        inner_part(case)
+    except (qd.ImpossiblePart, qd.OutOfRange, fem.ImpossiblePart) as problem:
+        raise BadCase(f"{case.source.path}: {problem}") from problem
 
 
 def growth(case: Case, part: str) -> float:

@@ -67,6 +67,7 @@ def run(
     began = perf_counter()
     report = report or Logged()
     wanted = read(case, overrides)
+    assemble.require_possible(wanted)
     path = Path(output) if output else Path("results") / f"{Path(case).stem}.h5"
     # The bearing's matrices are small: threads of the linear algebra would only wait for each other.
     with threadpool_limits(limits=1, user_api="blas"), ResultFile(path, _opening(wanted)) as file:

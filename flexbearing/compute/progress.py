@@ -1,9 +1,10 @@
 """What a person sees while a case runs: stages, iterations, the end."""
 
 import logging
-from typing import Protocol
+from typing import Protocol, Self
 
 from rich.console import Console
+from rich.progress import BarColumn, Progress, TaskID, TextColumn, TimeElapsedColumn
 
 from flexbearing.coupling import Iteration
 
@@ -28,6 +29,12 @@ class Logged:
     def __init__(self):
         self._last = ""
 
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Nothing to tidy up."""
+
     def stage(self, text: str, fraction: float | None) -> None:
         """Log a stage when it begins."""
         if text != self._last:
@@ -49,24 +56,35 @@ def line(iteration: Iteration) -> str:
 
 
 class OnTerminal:
-    """Shows stages with a bar and iterations as lines, on a terminal."""
+    """Shows stages as bars and iterations as lines, on a terminal; a context manager."""
 
     def __init__(self, console: Console):
-        self._console = console
-        self._last = ""
+        columns = (TextColumn("{task.description}"), BarColumn(bar_width=20), TimeElapsedColumn())
+        self._bars = Progress(*columns, console=console)
+        self._task: TaskID | None = None
+        self._text = ""
+
+    def __enter__(self) -> Self:
+        self._bars.start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._finish()
+        self._bars.stop()
 
     def stage(self, text: str, fraction: float | None) -> None:
-        """Print a stage when it begins; rewrite its line while it goes on."""
-        share = "" if fraction is None else f" {100 * fraction:3.0f} %"
-        new = text != self._last
-        if new and self._last:
-            self._console.print()
-        self._console.print(f"\r[bold]{text}[/bold]{share}", end="", highlight=False)
-        self._last = text
+        """Begin a bar for a new stage, or fill the one at work."""
+        if text != self._text or self._task is None:
+            self._finish()
+            self._task, self._text = self._bars.add_task(text, total=None), text
+        if fraction is not None:
+            self._bars.update(self._task, total=1.0, completed=fraction)
 
     def iteration(self, iteration: Iteration) -> None:
-        """Print one line."""
-        if self._last:
-            self._console.print()
-        self._last = ""
-        self._console.print(line(iteration), highlight=False)
+        """Print one line above the bars."""
+        self._bars.console.print(line(iteration), highlight=False)
+
+    def _finish(self) -> None:
+        if self._task is not None:
+            self._bars.update(self._task, total=1.0, completed=1.0)
+            self._bars.stop_task(self._task)

@@ -96,6 +96,18 @@ def test_rings_as_stiff_as_rock_are_rigid_ones(rigid, tmp_path):
     assert gaps[1] == approx(gaps[0] / 10, rel=0.02)
 
 
+@pytest.mark.slow
+def test_largest_load_hardly_changes_with_the_mesh(tmp_path):
+    """One level of refinement moves the flexible maximum of the paper's bearing by less than 1 %."""
+    finer = ["accuracy.mesh_size=2 mm", "accuracy.raceway_mesh_size=1.5 mm"]
+    loads = [
+        flexbearing.run(PAPER, tmp_path / "out.h5", settings).flexible["inner_load"].max()
+        for settings in ([], finer, ["accuracy.element_order=2"])
+    ]
+    assert loads[1] == approx(loads[0], rel=0.01)
+    assert loads[2] == approx(loads[0], rel=0.03)  # and a lower order is already close
+
+
 def test_every_iteration_is_in_the_file(flexible):
     with h5py.File(flexible.path) as file:
         assert len(file["iterations"]) == file.attrs["iterations"]
@@ -161,6 +173,14 @@ BAD_CALLS = {
     "no such case": (["run", "nowhere.toml"], "no such file"),
     "no such result": (["summary", "nowhere.h5"], "no such file"),
     "explain what is none": (["explain", "bearing.clearence"], "Did you mean bearing.clearance?"),
+    "oil too hot": (
+        ["check", PAPER, "--set", "lubricant.inlet_temperature=400 degC"],
+        "outside 233 to 523 K",
+    ),
+    "bars nearly as thick as the ring": (
+        ["run", PAPER, "--set", "outer.bar_thickness=3.5 mm"],
+        "mao2016.toml: bar_thickness",
+    ),
     "no such option": (["run", PAPER, "--fast"], "--fast"),
 }
 

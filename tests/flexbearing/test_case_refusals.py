@@ -1,0 +1,176 @@
+"""What a case file may not say silently, and how it is told."""
+
+import tomllib
+from pathlib import Path
+
+import pytest
+from pydantic import BaseModel, TypeAdapter, ValidationError, create_model
+from pytest import approx
+
+from flexbearing.case import BadCase, explain, read
+from flexbearing.case.declarations import declarations
+from flexbearing.case.quantity import Angle, Moment, PerTemperature, Speed, Temperature
+
+PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
+
+
+def refusal(*settings):
+    with pytest.raises(BadCase) as problem:
+        read(PAPER, settings)
+    return str(problem.value)
+
+
+@pytest.mark.parametrize(
+    ("kind", "text", "why"),
+    [
+        (Speed, "600 Hz", "is not a rotational speed"),  # turns or radians a second? 2 pi between them
+        (Speed, "600 1/s", "is not a rotational speed"),
+        (Angle, "50 percent", "is not an angle"),
+        (Moment, "3 N m/rad", "is not a moment"),  # a stiffness
+        (Temperature, "220 delta_degC", "is not a temperature"),  # a difference
+        (Temperature, "75,5 degC", "a unit that cannot be read, ,5 degC"),
+        (Temperature, "75.5 )(", "a unit that cannot be read, )("),
+    ],
+    ids=lambda value: value if isinstance(value, str) else "",
+)
+def test_unit_of_something_else_is_refused(kind, text, why):
+    with pytest.raises(ValidationError, match="quantity") as problem:
+        TypeAdapter(kind).validate_python(text)
+    assert why in str(problem.value)
+
+
+@pytest.mark.parametrize(
+    "text", ["11.2e-6 1/K", "11.2e-6 / K", "11.2e-6 1/degC", "11.2 ppm/K", "11.2 um/m/K"]
+)
+def test_every_way_to_write_an_expansion_is_the_same(text):
+    assert TypeAdapter(PerTemperature).validate_python(text) == approx(11.2e-6, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    "setting",
+    [
+        "operation.moment=1e999 N m",  # no limits of its own that would catch it
+        "operation.moment=inf N m",
+        "operation.moment=nan N m",
+        "lubricant.oil_fraction=inf",
+        "lubricant.oil_fraction=nan",
+    ],
+)
+def test_nothing_infinite_or_undefined_is_a_value(setting):
+    assert "it must be" in (message := refusal(setting))
+    assert "cannot be" not in message
+
+
+# A setting of the paper's case, and what its refusal says.
+IMPOSSIBLE = {
+    "outer ring narrower than a roller": ("outer.width=4 mm", "[outer] width", "at least bearing.roller.length"),
+    "track narrower than a roller": (
+        "inner.track_width=4 mm", "[inner] track_width", "at least bearing.roller.length",
+    ),
+    "no ribs": ("inner.thickness=2 mm", "[inner] thickness", "more than 2.662 mm"),
+    "track as wide as the ring": ("inner.track_width=12 mm", "[inner] track_width", "below inner.width"),
+    "shaft shorter than the ring": ("inner.shaft_length=11 mm", "[inner] shaft_length", "at least inner.width"),
+    "solid shaft": ("inner.shaft_thickness=29.8 mm", "[inner] shaft_thickness", "the shaft is hollow"),
+    "clearance in the wrong unit": ("bearing.clearance=50 mm", "[bearing] clearance", "is the unit right?"),
+    "rollers larger than the raceway": (
+        "bearing.roller.diameter=40 mm", "[bearing] outer_raceway_diameter", "more than twice",
+    ),
+    "cage thicker than a roller": (
+        "bearing.cage.thickness=5 mm", "[bearing.cage] thickness", "below bearing.roller.diameter",
+    ),
+    "more shapes than slices": ("accuracy.slices=2", "[accuracy] axial_shapes", "at most accuracy.slices"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("setting", "place", "allowed"), IMPOSSIBLE.values(), ids=IMPOSSIBLE.keys())
+def test_impossible_geometry_is_refused(setting, place, allowed):
+    message = refusal(setting)
+    assert place in message
+    assert "cannot be; it must be" in message
+    assert allowed in message
+
+
+@pytest.mark.parametrize(
+    ("straight", "radius", "place"),
+    [("6 mm", "600 mm", "straight_length"), ("4 mm", "2.5 mm", "crown_radius")],
+    ids=["straight part longer than the roller", "crown sharper than a ball"],
+)
+def test_impossible_crown_is_refused(straight, radius, place):
+    roller = {"profile": "crowned", "straight_length": straight, "crown_radius": radius}
+    with pytest.raises(BadCase, match=rf"\[bearing.roller\] {place} = .* cannot be"):
+        read(PAPER, {f"bearing.roller.{name}": value for name, value in roller.items()})
+
+
+def test_eyring_needs_its_limiting_ratio():
+    assert '[lubricant] limiting_ratio is missing: traction = "eyring" needs it' in refusal(
+        "lubricant.traction=eyring"
+    )
+
+
+@pytest.mark.parametrize(
+    ("moment", "tilt", "free"),
+    [("0 N m", "auto", False), ("5 N m", "auto", True), ("0 N m", "free", True), ("0 N m", "fixed", False)],
+)
+def test_ring_tilts_when_asked_to_or_under_a_moment(moment, tilt, free):
+    case = read(PAPER, {"operation.moment": moment, "operation.tilt": tilt})
+    assert case.operation.free_tilt is free
+
+
+def test_number_found_is_shown_as_it_stands():
+    assert "[bearing] rollers = 30.0 is not allowed; it must be a whole number" in refusal(
+        "bearing.rollers=30.0"
+    )
+
+
+def test_every_missing_key_of_a_choice_is_named():
+    lines = refusal("bearing.roller.profile=crowned").splitlines()
+    assert len(lines) == 2
+    assert "[bearing.roller] straight_length is missing" in lines[0]
+    assert "[bearing.roller] crown_radius is missing" in lines[1]
+
+
+def test_shaft_material_is_needed_for_a_shaft(tmp_path):
+    text = PAPER.read_text()
+    begin, end = text.index("[materials.shaft]"), text.index("[lubricant]")
+    file = tmp_path / "broken.toml"
+    file.write_text(text[:begin] + text[end:])
+    with pytest.raises(BadCase) as problem:
+        read(file)
+    assert '[materials] shaft is missing: inner.kind = "ring_on_shaft" needs it' in str(problem.value)
+    assert read(file, ["inner.kind=rigid"]).materials.shaft is None
+
+
+def test_entries_of_lists_and_tables_are_text():
+    assert "assumed = [3] is not allowed; it must be a list of keys" in refusal("assumed=[3]")
+    assert "calibrated" in (message := refusal("calibrated.lubricant.oil=3"))
+    assert "a table of texts" in message
+
+
+def test_value_has_no_keys_beneath_it():
+    assert "title has no keys beneath it" in refusal("title.x=5")
+
+
+def test_settings_may_be_a_mapping_of_values():
+    case = read(PAPER, {"bearing.clearance": "50 um", "outer.bars": 18, "lubricant.inlet_heating": False})
+    assert case.bearing.clearance == approx(50e-6, rel=1e-12)
+    assert case.outer.bars == 18
+    assert case.lubricant.inlet_heating is False
+    again = read(PAPER, case.source.overrides)
+    assert again.to_json() == case.to_json()
+
+
+def test_what_was_fitted_can_be_set():
+    case = read(PAPER, ["calibrated.outer.bars=stiffness of a test", "outer.bars=18"])
+    assert "outer.bars" not in case.calibrated
+    case = read(PAPER, ["outer.bars=18", "calibrated.outer.bars=stiffness of a test"])
+    assert case.calibrated["outer.bars"] == "stiffness of a test"
+
+
+@pytest.mark.parametrize(
+    "item", [item for item in declarations() if not item.section], ids=lambda item: item.path
+)
+def test_example_of_every_key_is_a_value_it_takes(item):
+    name = item.path.rpartition(".")[2]
+    model: type[BaseModel] = create_model("Model", **{name: (item.field.annotation, item.field)})
+    assert f"{name} = {item.example}" in explain(item.path)
+    model.model_validate(tomllib.loads(f"{name} = {item.example}"))
