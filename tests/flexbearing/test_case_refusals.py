@@ -63,13 +63,17 @@ def test_nothing_infinite_or_undefined_is_a_value(setting):
 
 # A setting of the paper's case, and what its refusal says.
 IMPOSSIBLE = {
-    "outer ring narrower than a roller": ("outer.width=4 mm", "[outer] width", "at least bearing.roller.length"),
+    "outer ring narrower than a roller": (
+        "outer.width=4 mm", "[outer] width", "at least bearing.roller.length",
+    ),
     "track narrower than a roller": (
         "inner.track_width=4 mm", "[inner] track_width", "at least bearing.roller.length",
     ),
     "no ribs": ("inner.thickness=2 mm", "[inner] thickness", "more than 2.662 mm"),
     "track as wide as the ring": ("inner.track_width=12 mm", "[inner] track_width", "below inner.width"),
-    "shaft shorter than the ring": ("inner.shaft_length=11 mm", "[inner] shaft_length", "at least inner.width"),
+    "shaft shorter than the ring": (
+        "inner.shaft_length=11 mm", "[inner] shaft_length", "at least inner.width",
+    ),
     "solid shaft": ("inner.shaft_thickness=29.8 mm", "[inner] shaft_thickness", "the shaft is hollow"),
     "clearance in the wrong unit": ("bearing.clearance=50 mm", "[bearing] clearance", "is the unit right?"),
     "rollers larger than the raceway": (
