@@ -115,7 +115,7 @@ def test_symmetry_changes_nothing_but_the_noise_of_the_mesh(cage):
 
 
 def test_own_term_does_not_depend_on_the_width_of_the_patch():
-    """The half-space takes the indentation out again, whatever patch made it: 0.5 % for a factor of two."""
+    """The half-space takes the indentation out again, whatever patch made it: 1 % for a factor of two."""
     mesh = Mesh(order=3, size=4e-3, raceway_size=2e-3)
     wide, narrow = (condense(CAGE, replace(ROLLERS, width=w), mesh).full[0, 0, 0, 0] for w in (1e-3, 0.5e-3))
     assert wide == approx(narrow, rel=0.01)
