@@ -11,7 +11,13 @@ class Coupling(Section):
     method: Literal["newton", "relaxed"] = key(
         "newton: both in one system; relaxed: one after the other with a fraction of the change", "newton"
     )
-    tolerance: float = key("largest load change over the largest load at convergence", 1e-8, gt=0, lt=1)
+    tolerance: float = key(
+        "largest load change over the largest load at convergence; newton also ends when the "
+        "unbalanced force is below 1e-10 of the load",
+        1e-8,
+        gt=0,
+        lt=1,
+    )
     max_iterations: int = key("limit of the iterations", 200, ge=1)
     relaxation: float = key('fraction of the change taken over, method = "relaxed"', 0.1, gt=0, le=1)
 

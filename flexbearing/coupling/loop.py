@@ -18,7 +18,6 @@ class Iteration(Generic[S]):
 
     number: int
     state: S
-    deviation: NDArray  # (2, Z, M) [m] that the structure answers with to the loads of this state
     load_change: float  # largest change of a roller load over the largest load [-]
     status: Status
     message: str = ""
@@ -68,12 +67,12 @@ def relaxed(
         try:
             state = bearing.solve(start=state, deviation=structure.deviation(forces))
         except PartnerFailed as failure:
-            yield Iteration(number, state, structure.deviation(forces), np.inf, "not solved", str(failure))
+            yield Iteration(number, state, np.inf, "not solved", str(failure))
             return
         change = state.forces - forces
         size = load_change(change, state.forces)
         status = ending.judge(number, size)
-        yield Iteration(number, state, structure.deviation(state.forces), size, status)
+        yield Iteration(number, state, size, status)
         if status:
             return
         forces = forces + relaxation * change
@@ -106,7 +105,7 @@ def newton(bearing: Bearing[S], structure: Structure, start: S, ending: Ending) 
             # The bearing's own tolerance is the tighter one: its last step may still move the loads.
             status = "converged" if state.status == "converged" else "not solved"
             message = "" if status == "converged" else f"Newton's method ended: {state.status}"
-        yield Iteration(number, state, structure.deviation(state.forces), size, status, message)
+        yield Iteration(number, state, size, status, message)
         if status:
             return
         forces = state.forces
