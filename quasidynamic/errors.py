@@ -10,7 +10,11 @@ class OutOfRange(ValueError):
 
 
 class NotSolved(RuntimeError):
-    """No equilibrium was reached; the message says how far the residual came."""
+    """No equilibrium was reached; the message says how far the residual came, `ending` how it ended."""
+
+    def __init__(self, message: str, ending: str = ""):
+        super().__init__(message)
+        self.ending = ending
 
 
 def require_positive(name: str, value: float) -> None:

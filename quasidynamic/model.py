@@ -1,32 +1,34 @@
 """The bearing as one callable: raceway shape or compliance in, equilibrium out."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.bearing import BearingBalance
+from quasidynamic.balance.points import OperatingPoints
 from quasidynamic.balance.roller import RollerBalance
+from quasidynamic.contact.film import FilmLaw
 from quasidynamic.contact.hertz import reduced_radius
 from quasidynamic.contact.load import LoadLaw, iso16281, palmgren
-from quasidynamic.contact.raceway import RacewayContact
+from quasidynamic.contact.lubrication import Lubrication
+from quasidynamic.contact.raceways import Raceways
 from quasidynamic.contact.slices import Slices
-from quasidynamic.contact.traction import EyringLimited, Regression4109, TractionLaw
-from quasidynamic.equilibrium import Equilibrium
+from quasidynamic.equilibrium import Equilibria, Equilibrium
 from quasidynamic.errors import NotSolved
 from quasidynamic.parts.bearing import CylindricalRollerBearing
-from quasidynamic.parts.lubricant import Lubricant
-from quasidynamic.parts.material import Material, contact_modulus
+from quasidynamic.parts.material import contact_modulus
 from quasidynamic.parts.operation import Operation
-from quasidynamic.solve import Step, solve
-from quasidynamic.start import static_start
+from quasidynamic.solve.chain import iterate, solve
+from quasidynamic.solve.endings import Ending
+from quasidynamic.start import slipping_start, static_start
 
-__all__ = ["Equilibrium", "RollerBearing"]
+__all__ = ["Equilibria", "Equilibrium", "RollerBearing"]
 
 Compliance = tuple[NDArray | None, NDArray | None]
+CASES_AT_ONCE = 32  # their slices fit into the processor's cache
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -38,29 +40,10 @@ class RollerBearing:
 
     bearing: CylindricalRollerBearing
     operation: Operation
-    oil: Lubricant
-    oil_fraction: float  # [-] volume share of oil in the mixture around the rollers
-    traction: Literal["4109", "eyring"] = "4109"
-    limiting_ratio: float = 0.05  # [-] Eyring law: limiting shear stress over pressure
-    eyring_stress: float | None = None  # [Pa] Eyring law; None: 2 limiting_ratio / alpha
-    inlet_heating: bool = True
+    lubrication: Lubrication
     slices: int = 20
-    shapes: int = 2
+    shapes: int = 2  # axial shapes that raceways of any shape exchange with the rollers
     spin_inertia: bool = True
-
-    @cached_property
-    def balance(self) -> BearingBalance:
-        """Equations of the bearing between rigid, round raceways."""
-        return BearingBalance(
-            roller=RollerBalance(
-                bearing=self.bearing,
-                operation=self.operation,
-                inner=self._contact(self.bearing.inner_ring, self.bearing.inner_radius),
-                outer=self._contact(self.bearing.outer_ring, -self.bearing.outer_radius),
-                oil_fraction=self.oil_fraction,
-            ),
-            spin_inertia=self.spin_inertia,
-        )
 
     def solve(self, start: Equilibrium | None = None, deviation: NDArray | None = None) -> Equilibrium:
         """Equilibrium between raceways of a given shape.
@@ -75,75 +58,121 @@ class RollerBearing:
         Raises
         ------
         NotSolved
-            when Newton's method ends without equilibrium
+            when no equilibrium was reached; its `ending` says how it ended
         """
-        balance = replace(self.balance, deviation=deviation)
-        *_, last = self._steps(balance, start)
-        if last.status != "converged":
-            raise NotSolved(
-                f"the bearing found no equilibrium: {last.status} after {last.number} steps, "
-                f"largest unbalanced force {last.residual:.1e} of the reference force "
-                f"{balance.reference_force:.4g} N"
-            )
-        return Equilibrium(balance, last)
+        balance = self._balance([self.operation], deviation)
+        begin = None if start is None else balance.pack(start.unknowns)
+        found = self._solved(balance, begin)[0]
+        if found.status is not Ending.CONVERGED:
+            raise NotSolved(found.failure(), found.status)
+        return found
 
-    def iterate(self, compliance: Compliance, start: Equilibrium | None = None) -> Iterator[Equilibrium]:
+    def solve_many(self, operations: Sequence[Operation]) -> "Equilibria":
+        """Equilibria of many operating points between rigid, round raceways.
+
+        All of them are solved side by side; the answers are those of one solve after the other.
+
+        Returns
+        -------
+        Equilibria
+            one for each operation, also where none was reached: its `status` says so
+        """
+        found: list[Equilibrium] = []
+        for first in range(0, len(operations), CASES_AT_ONCE):
+            found.extend(self._solved(self._balance(operations[first : first + CASES_AT_ONCE])))
+        return Equilibria(tuple(found))
+
+    def iterate(self, compliance: Compliance, start: Equilibrium) -> Iterator[Equilibrium]:
         """Newton iterates of the bearing between raceways that yield (inner, outer; None is rigid).
 
         Parameters
         ----------
         compliance : pair of arrays (Z, M, Z, M) or None
             outward deviation of a raceway per outward force [m/N]
-        start : Equilibrium, optional
+        start : Equilibrium
             where to begin, such as the rigid equilibrium
         """
-        flat = tuple(
-            None if matrix is None else matrix.reshape(2 * [self.bearing.rollers * self.shapes])
-            for matrix in compliance
+        size = self.bearing.rollers * self.shapes
+        inner, outer = (None if matrix is None else matrix.reshape(size, size) for matrix in compliance)
+        balance = replace(self._balance([self.operation], aligned=False), compliance=(inner, outer))
+        for sweep in iterate(balance, balance.pack(start.unknowns)):
+            yield Equilibrium(balance, sweep.unknowns[0], sweep.endings[0], sweep.number, self.shapes)
+
+    def _solved(self, balance: BearingBalance, begin: NDArray | None = None) -> list[Equilibrium]:
+        solved = solve(balance, static_start(balance) if begin is None else begin, slipping_start)
+        return [
+            Equilibrium(
+                balance.take(np.array([case])) if len(solved.endings) > 1 else balance,
+                solved.unknowns[case],
+                solved.endings[case],
+                int(solved.evaluations[case]),
+                self.shapes,
+            )
+            for case in range(len(solved.endings))
+        ]
+
+    # -- equations -----------------------------------------------------------------------------
+
+    def _balance(
+        self, operations: Sequence[Operation], deviation: NDArray | None = None, aligned: bool = True
+    ) -> BearingBalance:
+        """Equations, with rollers that can tilt only where something may tilt them."""
+        aligned = aligned and deviation is None and not any(operation.tilts for operation in operations)
+        return BearingBalance(
+            roller=self._aligned_rollers if aligned else self._tilting_rollers,
+            points=OperatingPoints.of(operations),
+            clearance=self.bearing.clearance,
+            deviation=deviation,
+            spin_inertia=self.spin_inertia,
         )
-        balance = replace(self.balance, compliance=flat)
-        for step in self._steps(balance, start):
-            yield Equilibrium(balance, step)
 
-    def _steps(self, balance: BearingBalance, start: Equilibrium | None) -> Iterator[Step]:
-        if start is None:
-            return solve(balance, *static_start(balance))
-        unknowns = np.zeros(balance.size)
-        common = min(balance.size, start.balance.size)
-        unknowns[:common] = start.step.unknowns[:common]
-        return solve(balance, unknowns, start.balance.film(start.step.evaluation.rollers))
+    @cached_property
+    def _aligned_rollers(self) -> RollerBalance:
+        return self._rollers(1)
 
-    def _contact(self, raceway: Material, raceway_radius: float) -> RacewayContact:
-        roller = self.bearing.roller
-        slices = Slices(self.slices, roller.length, self.shapes)
-        radius = reduced_radius(roller.diameter / 2, raceway_radius)
-        modulus = contact_modulus(roller.material, raceway)
-        return RacewayContact(
-            law=self._load_law(raceway),
-            traction=self._traction(radius, modulus),
+    @cached_property
+    def _tilting_rollers(self) -> RollerBalance:
+        return self._rollers(self.shapes)
+
+    def _rollers(self, shapes: int) -> RollerBalance:
+        return RollerBalance(
+            bearing=self.bearing, lubrication=self.lubrication, raceways=self._raceways(shapes)
+        )
+
+    def _raceways(self, shapes: int) -> Raceways:
+        bearing, roller, lubrication = self.bearing, self.bearing.roller, self.lubrication
+        slices = Slices(self.slices, roller.length, shapes)
+        radii = [
+            reduced_radius(roller.diameter / 2, r) for r in (bearing.inner_radius, -bearing.outer_radius)
+        ]
+        moduli = [contact_modulus(roller.material, ring) for ring in (bearing.inner_ring, bearing.outer_ring)]
+        radius, modulus = (np.array(values)[:, None, None] for values in (radii, moduli))
+        return Raceways(
+            law=self._load_law(),
+            traction=lubrication.traction(
+                radius=radius[..., None],
+                modulus=modulus[..., None],
+                length=roller.length,
+                oil=lubrication.oil,
+            ),
+            film_law=FilmLaw(
+                formula=lubrication.film,
+                radius=radius,
+                modulus=modulus,
+                oil=lubrication.oil,
+                inlet_heating=lubrication.inlet_heating,
+            ),
+            lubrication=lubrication,
             slices=slices,
             drop=roller.profile.drop(slices.centres, roller.length),
             radius=radius,
             modulus=modulus,
-            oil=self.oil,
-            inlet_heating=self.inlet_heating,
         )
 
-    def _load_law(self, raceway: Material) -> LoadLaw:
-        roller = self.bearing.roller
+    def _load_law(self) -> LoadLaw:
+        roller, rings = self.bearing.roller, (self.bearing.inner_ring, self.bearing.outer_ring)
         if self.bearing.contact_law == "iso16281":
-            return iso16281(roller.length)
-        return palmgren(roller.material, raceway, roller.length)
-
-    def _traction(self, radius: float, modulus: float) -> TractionLaw:
-        length = self.bearing.roller.length
-        if self.traction == "4109":
-            return Regression4109(radius=radius, modulus=modulus, length=length, oil=self.oil)
-        return EyringLimited(
-            radius=radius,
-            modulus=modulus,
-            length=length,
-            oil=self.oil,
-            limiting_ratio=self.limiting_ratio,
-            eyring_stress=self.eyring_stress or 2 * self.limiting_ratio / self.oil.pressure_viscosity,
-        )
+            laws = [iso16281(roller.length)] * 2
+        else:
+            laws = [palmgren(roller.material, ring, roller.length) for ring in rings]
+        return LoadLaw(np.array([law.coefficient for law in laws])[:, None, None, None])

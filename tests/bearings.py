@@ -1,12 +1,16 @@
 """Bearings that several tests use, built without case files."""
 
+from functools import partial
 from math import pi
 
 from quasidynamic import (
     Cage,
     CylindricalRollerBearing,
+    Eyring,
+    Lubrication,
     Material,
     Operation,
+    Regression4109,
     Roller,
     RollerBearing,
     Straight,
@@ -40,6 +44,9 @@ def paper_bearing(**changes) -> RollerBearing:
         "contact_law": "palmgren",
         "oil_fraction": 0.16,
         "cage": {},
+        "load_direction": 0.0,
+        "misalignment": 0.0,
+        "traction": "4109",
         **changes,
     }
     ring = Material(youngs_modulus=203e9, poisson_ratio=0.28, density=7850)
@@ -62,10 +69,26 @@ def paper_bearing(**changes) -> RollerBearing:
     )
     operation = Operation(
         radial_load=value.pop("load"),
+        load_direction=value.pop("load_direction"),
         inner_speed=value.pop("speed"),
         outer_speed=value.pop("outer_speed"),
         free_tilt=value.pop("free_tilt", value["moment"] != 0),
         moment=value.pop("moment"),
+        misalignment=value.pop("misalignment"),
     )
     oil = value.pop("oil", None) or oil_at("MIL-PRF-23699", 493.15)
-    return RollerBearing(bearing=bearing, operation=operation, oil=oil, **value)
+    numerics = {name: value.pop(name) for name in ("slices", "shapes", "spin_inertia") if name in value}
+    traction = value.pop("traction")
+    if isinstance(traction, str):
+        traction = TRACTION[traction](oil)
+    lubrication = Lubrication(oil=oil, traction=traction, **value)
+    return RollerBearing(bearing=bearing, operation=operation, lubrication=lubrication, **numerics)
+
+
+def eyring(oil, limiting_ratio=0.05, **changes):
+    """Eyring law with the Eyring stress that belongs to its limiting stress."""
+    stress = {"eyring_stress": 2 * limiting_ratio / oil.pressure_viscosity, **changes}
+    return partial(Eyring, limiting_ratio=limiting_ratio, **stress)
+
+
+TRACTION = {"4109": lambda oil: Regression4109, "eyring": eyring}

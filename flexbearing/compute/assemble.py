@@ -1,5 +1,6 @@
 """From a case to bearing and rings: the only place that knows them all."""
 
+from functools import partial
 from typing import Any
 
 import fem
@@ -30,12 +31,6 @@ def growth(case: Case, part: str) -> float:
 
 def bearing(case: Case) -> qd.RollerBearing:
     """Bearing of a case, parts grown to their temperatures; the operating clearance stays as given."""
-    lubrication = case.lubricant
-    given: dict[str, Any] = {
-        name: value
-        for name in ("limiting_ratio", "eyring_stress")
-        if (value := getattr(lubrication, name)) is not None
-    }
     return qd.RollerBearing(
         bearing=qd.CylindricalRollerBearing(
             rollers=case.bearing.rollers,
@@ -55,14 +50,29 @@ def bearing(case: Case) -> qd.RollerBearing:
             moment=case.operation.moment,
             free_tilt=case.operation.free_tilt,
         ),
-        oil=_oil(case),
-        oil_fraction=lubrication.oil_fraction,
-        traction=lubrication.traction,
-        inlet_heating=lubrication.inlet_heating,
+        lubrication=lubrication(case),
         slices=case.accuracy.slices,
         shapes=case.accuracy.axial_shapes,
-        **given,
     )
+
+
+def lubrication(case: Case) -> qd.Lubrication:
+    """Oil of a case and the laws it follows."""
+    given = case.lubricant
+    return qd.Lubrication(
+        oil=_oil(case),
+        oil_fraction=given.oil_fraction,
+        traction=_traction(case),
+        inlet_heating=given.inlet_heating,
+    )
+
+
+def _traction(case: Case):
+    given: Any = case.lubricant  # which values are there depends on the law, checked on reading
+    if given.traction == "4109":
+        return qd.Regression4109
+    stress = given.eyring_stress or 2 * given.limiting_ratio / _oil(case).pressure_viscosity
+    return partial(qd.Eyring, limiting_ratio=given.limiting_ratio, eyring_stress=stress)
 
 
 def outer_raceway_diameter(case: Case) -> float:

@@ -14,10 +14,8 @@ UNLOADED = 1e-3  # [N] below it no film is reported
 def state(found: Equilibrium) -> dict[str, ArrayLike]:
     """Datasets of any state."""
     inner, outer = found.forces[..., 0]
-    films = np.where(found.forces[..., 0] > UNLOADED, found.rollers.film, 0.0)
-    shape = found.balance.roller.inner.slices.shape
-    deviation = found.deviation @ shape.T
-    slip = found.rollers.sliding
+    films = np.where(found.forces[..., 0] > UNLOADED, found.film, 0.0)
+    deviation = found.deviation_along_rollers
     return {
         "inner_load": inner,
         "outer_load": outer,
@@ -29,11 +27,11 @@ def state(found: Equilibrium) -> dict[str, ArrayLike]:
         "roller_speed": found.roller_speed,
         "inner_film": films[0],
         "outer_film": films[1],
-        "inner_sliding": slip[0],
-        "outer_sliding": slip[1],
-        "inner_traction": found.rollers.inner.traction,
-        "outer_traction": found.rollers.outer.traction,
-        "cage_force": found.rollers.cage_force,
+        "inner_sliding": found.sliding[0],
+        "outer_sliding": found.sliding[1],
+        "inner_traction": found.traction[0],
+        "outer_traction": found.traction[1],
+        "cage_force": found.cage_force,
         "cage_speed": found.cage_speed,
         "cage_slip": found.cage_slip,
         "ring_displacement": found.ring_displacement,
@@ -55,15 +53,15 @@ def block(found: Equilibrium, rings: CondensedRings) -> dict[str, ArrayLike]:
     bearing = found.balance.roller.bearing
     return state(found) | {
         "roller_azimuth": bearing.azimuths,
-        "slice_position": found.balance.roller.inner.slices.centres,
+        "slice_position": found.slice_positions,
         "life_L10": found.life * MREV,
-        "stiffness": found.stiffness,
+        "stiffness": found.tangent.radial_stiffness,
         "total_stiffness": total_stiffness(found, rings),
         "support_translation": rings.translation(found.forces),
         "driving_torque": found.driving_torque,
         "ring_moment": found.ring_moment,
         "peak_pressure": found.peak_pressure,
-        "minimum_film": _smallest(found.rollers.film, found.forces[..., 0]),
+        "minimum_film": _smallest(found.film, found.forces[..., 0]),
     }
 
 
@@ -71,7 +69,7 @@ def total_stiffness(found: Equilibrium, rings: CondensedRings) -> float:
     """Radial tangent stiffness from the clamped base to the clamped shaft ends [N/m]."""
     inner, outer = rings.translation(found.change_of_forces())[:, 1]
     # The outer raceway gives way along the load, the inner one against it.
-    return float(1.0 / (1.0 / found.stiffness + outer - inner))
+    return float(1.0 / (1.0 / found.tangent.radial_stiffness + outer - inner))
 
 
 def _smallest(film: NDArray, load: NDArray) -> NDArray:

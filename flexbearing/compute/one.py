@@ -30,7 +30,7 @@ class BearingPartner:
         except NotSolved as failure:
             raise PartnerFailed(str(failure)) from failure
 
-    def iterate(self, compliance, start=None) -> Iterator[Equilibrium]:
+    def iterate(self, compliance, start) -> Iterator[Equilibrium]:
         """Newton iterates between raceways that yield."""
         return self.model.iterate(compliance, start)
 

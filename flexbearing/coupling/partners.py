@@ -41,7 +41,7 @@ class Bearing(Protocol[S]):
         """Equilibrium between raceways of a given shape (2, Z, M) [m]; raises `PartnerFailed`."""
         ...
 
-    def iterate(self, compliance: Compliance, start: S | None = None) -> Iterator[S]:
+    def iterate(self, compliance: Compliance, start: S) -> Iterator[S]:
         """Newton iterates between raceways that yield by (Z, M, Z, M) [m/N]."""
         ...
 

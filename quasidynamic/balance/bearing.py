@@ -1,44 +1,75 @@
 """Balance of the whole bearing: rollers, ring, cage, and raceways that yield."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.roller import RollerBalance, RollerState
-from quasidynamic.contact.drag import land_drag
+from quasidynamic.balance.points import OperatingPoints
+from quasidynamic.balance.roller import RollerBalance, RollerInputs, RollerState
+from quasidynamic.contact.land import land_torque
 from quasidynamic.motion.speeds import rolling_cage_speed, rolling_roller_speed
 
 INNER, OUTER = 0, 1
 Y, Z, TILT_Z, TILT_Y, CAGE = range(5)
-FRICTION = 1e-2  # usual size of friction over load
 BORDER = 5  # unknowns of ring and cage, before those of the rollers
+FRICTION = 1e-2  # usual size of friction over load
+LENGTH = 1e-6  # [m] size of approaches and displacements
+ANGLE = 1e-3  # [rad]
+LARGE_DEVIATION = 1e-4  # [m] of a thin ring
 
 
-class Evaluation(NamedTuple):
-    """Residual and Jacobian of a state, and what happens at its rollers."""
+class Unknowns(NamedTuple):
+    """Unknowns of C cases in SI units."""
 
-    residual: NDArray  # (N) scaled: unbalanced force over reference force
-    jacobian: NDArray  # (N, N) of the scaled residual by the scaled unknowns
-    rollers: RollerState
-    loading: float  # largest roller load over the reference force, at least 1: rounding grows with it
+    ring: NDArray  # (4, C, 1) displacement y, z [m], slopes dz/dx, dy/dx [rad]
+    cage_speed: NDArray  # (C, 1) [rad/s]
+    approach: NDArray  # (C, Z) at the outer raceway [m]
+    tilt: NDArray  # (C, Z) tilt approach at the outer raceway [m], zero when rollers are aligned
+    film: NDArray  # (2, C, Z) [m]
+    spin: NDArray  # (C, Z) [rad/s]
+    deviation: NDArray  # (2, M, C, Z) outward, of raceways that yield [m]
+
+
+class Linearisation(NamedTuple):
+    """Scaled residual of C cases and its derivatives, sorted by who feels whom.
+
+    `table[row, column]` (.., C, Z) holds what a roller's unknowns, and then the unknowns of the
+    border and the deviations at this roller, do to its own balances, the last of them its spin;
+    then its part in the balances of the border (five rows) and in the forces on yielding raceways.
+    """
+
+    residual: NDArray  # (C, N)
+    table: NDArray  # (rows, columns, C, Z)
+    border: NDArray  # (C, 5, 5) what border unknowns do to border balances without any roller
+    before: NDArray  # (C, Z) what the spin of the roller before does to the balance of spin
+    after: NDArray  # (C, Z) the same for the roller after
+    loading: NDArray  # (C) largest roller load over the reference force, at least 1
+    state: RollerState
 
 
 @dataclass(frozen=True, kw_only=True)
 class BearingBalance:
-    """Residuals that vanish at equilibrium, as a function of scaled unknowns.
+    """Residuals that vanish at equilibrium, as a function of scaled unknowns (C, N).
 
-    Unknowns: ring displacement y, z [m]; ring tilts dz/dx, dy/dx [rad]; cage speed [rad/s]; then
-    per roller the approach and the tilt approach at the outer raceway [m] and the spin [rad/s];
-    then the shape coefficients [m] of every yielding raceway's deviation.
+    Unknowns of a case: ring displacement y, z [m]; ring slopes dz/dx, dy/dx [rad]; cage speed
+    [rad/s]; then field by field over the rollers the approach at the outer raceway, the tilt
+    approach there unless rollers are aligned, inner and outer film [m] and the spin [rad/s]; then
+    the shape coefficients [m] of every yielding raceway's deviation, roller by roller.
     """
 
     roller: RollerBalance
+    points: OperatingPoints
+    clearance: float  # [m] operating, diametral
     compliance: tuple[NDArray | None, NDArray | None] = (None, None)  # inner, outer (Z M, Z M) [m/N]
     deviation: NDArray | None = None  # (2, Z, M) given shape of the raceways, outward [m]
     spin_inertia: bool = True
+
+    def take(self, cases: NDArray) -> "BearingBalance":
+        """Balance of some of the cases."""
+        return replace(self, points=self.points.take(cases))
 
     # -- sizes ---------------------------------------------------------------------------------
 
@@ -48,246 +79,298 @@ class BearingBalance:
         return self.roller.bearing.rollers
 
     @property
-    def size(self) -> int:
-        """Number of unknowns."""
-        yielding = sum(matrix is not None for matrix in self.compliance)
-        return BORDER + 3 * self.rollers + yielding * self.rollers * self.roller.shapes
+    def own(self) -> int:
+        """Number of unknowns of each roller."""
+        return 4 + (self.roller.shapes > 1)
 
     @property
-    def yields(self) -> bool:
-        """Whether a raceway yields together with the bearing."""
-        return any(matrix is not None for matrix in self.compliance)
+    def yielding(self) -> list[int]:
+        """Raceways that yield, by index."""
+        return [race for race, matrix in enumerate(self.compliance) if matrix is not None]
+
+    @property
+    def size(self) -> int:
+        """Number N of unknowns of a case."""
+        return BORDER + self.rollers * (self.own + len(self.yielding) * self.roller.shapes)
+
+    # -- unknowns ------------------------------------------------------------------------------
+
+    def unpack(self, scaled: NDArray) -> Unknowns:
+        """Unknowns in SI units from scaled ones (C, N)."""
+        x = scaled * self.unknown_scale
+        cases, m = len(x), self.roller.shapes
+        split = BORDER + self.rollers * self.own
+        fields = np.moveaxis(x[:, BORDER:split].reshape(cases, self.own, self.rollers), 1, 0)
+        deviation = np.zeros((2, m, cases, self.rollers))
+        given = x[:, split:].reshape(cases, len(self.yielding), self.rollers, m)
+        deviation[self.yielding] = given.transpose(1, 3, 0, 2)
+        return Unknowns(
+            ring=x[:, :CAGE].T[..., None],
+            cage_speed=x[:, CAGE:BORDER],
+            approach=fields[0],
+            tilt=fields[1] if m > 1 else np.zeros_like(fields[0]),
+            film=fields[-3:-1],
+            spin=fields[-1],
+            deviation=deviation,
+        )
+
+    def pack(self, unknowns: Unknowns) -> NDArray:
+        """Scaled unknowns (C, N), the inverse of `unpack`; what this balance does not know is left out."""
+        m, cases = self.roller.shapes, len(unknowns.cage_speed)
+        tilt = [unknowns.tilt] if m > 1 else []
+        fields = np.array([unknowns.approach, *tilt, *unknowns.film, unknowns.spin])
+        shapes = np.zeros((2, m, cases, self.rollers))
+        common = min(m, unknowns.deviation.shape[1])
+        shapes[:, :common] = unknowns.deviation[:, :common]
+        yielding = shapes[self.yielding].transpose(2, 0, 3, 1)
+        x = [unknowns.ring[..., 0].T, unknowns.cage_speed, fields.transpose(1, 0, 2).reshape(cases, -1)]
+        return np.concatenate([*x, yielding.reshape(cases, -1)], axis=1) / self.unknown_scale
+
+    def field(self, which: int) -> slice:
+        """Place of a roller's unknown (0 approach, ..., -1 spin) among the unknowns of a case."""
+        start = BORDER + which % self.own * self.rollers
+        return slice(start, start + self.rollers)
 
     @cached_property
     def displacements(self) -> NDArray:
-        """Places of the unknowns that are displacements of rings, rollers and raceways [m]."""
-        rollers = np.arange(self.roller_unknown(0).start, self.roller_unknown(1).stop)
-        return np.concatenate([[Y, Z], rollers, np.arange(BORDER + 3 * self.rollers, self.size)])
-
-    def roller_unknown(self, which: int) -> slice:
-        """Place of the rollers' approach (0), tilt approach (1) or spin (2) among the unknowns."""
-        start = BORDER + which * self.rollers
-        return slice(start, start + self.rollers)
-
-    def deviation_unknown(self, race: int) -> slice | None:
-        """Place of a raceway's deviation among the unknowns; None when it is rigid."""
-        if self.compliance[race] is None:
-            return None
-        before = race == OUTER and self.compliance[INNER] is not None
-        width = self.rollers * self.roller.shapes
-        start = BORDER + 3 * self.rollers + before * width
-        return slice(start, start + width)
+        """Places of the unknowns that are displacements of rings, rollers and raceways."""
+        rollers = np.arange(BORDER, BORDER + self.rollers * (self.own - 3))
+        return np.concatenate([[Y, Z], rollers, np.arange(BORDER + self.rollers * self.own, self.size)])
 
     # -- scales --------------------------------------------------------------------------------
 
     @cached_property
-    def cage_speed(self) -> float:
-        """Cage speed in pure rolling [rad/s]."""
-        operation, bearing = self.roller.operation, self.roller.bearing
-        return rolling_cage_speed(operation.inner_speed, operation.outer_speed, bearing.diameter_ratio)
+    def cage_speed(self) -> NDArray:
+        """Cage speed in pure rolling (C, 1) [rad/s]."""
+        points, ratio = self.points, self.roller.bearing.diameter_ratio
+        return rolling_cage_speed(points.inner_speed, points.outer_speed, ratio)
 
     @cached_property
-    def roller_speed(self) -> float:
-        """Roller spin in pure rolling [rad/s]."""
-        operation, bearing = self.roller.operation, self.roller.bearing
-        return rolling_roller_speed(operation.inner_speed, operation.outer_speed, bearing.diameter_ratio)
+    def roller_speed(self) -> NDArray:
+        """Roller spin in pure rolling (C, 1) [rad/s]."""
+        points, ratio = self.points, self.roller.bearing.diameter_ratio
+        return rolling_roller_speed(points.inner_speed, points.outer_speed, ratio)
 
     @cached_property
-    def reference_force(self) -> float:
-        """Force that residuals are measured against [N]: the largest that acts from outside."""
-        bearing, operation = self.roller.bearing, self.roller.operation
+    def reference_force(self) -> NDArray:
+        """Force that residuals are measured against (C, 1) [N]: the largest that acts from outside."""
+        bearing, points = self.roller.bearing, self.points
         centrifugal = bearing.roller.mass * bearing.pitch_diameter / 2 * self.cage_speed**2
-        tilting = abs(operation.moment) / bearing.roller.length
-        return max(abs(operation.radial_load), centrifugal, tilting)
+        tilting = points.moment / bearing.roller.length
+        return np.maximum(np.maximum(points.load, centrifugal), np.maximum(tilting, SMALLEST_FORCE))
+
+    @cached_property
+    def undetermined(self) -> NDArray:
+        """Whether nothing holds the ring (C): neither load nor moment, and every roller with its gap."""
+        points = self.points
+        reach = np.hypot(points.slope_y, points.slope_z) * self.roller.bearing.roller.length / 2
+        idle = (points.load == 0) & (points.moment == 0) & (2 * reach <= self.clearance)
+        return idle[:, 0] & (self.deviation is None) & (not self.yielding)
 
     @cached_property
     def unknown_scale(self) -> NDArray:
-        """Size of each unknown (N): micrometres, milliradians, nominal speeds."""
-        scale = np.full(self.size, 1e-6)
-        scale[[TILT_Z, TILT_Y]] = 1e-3
-        scale[CAGE] = max(abs(self.cage_speed), 1e-3 * abs(self.roller_speed))
-        scale[self.roller_unknown(2)] = abs(self.roller_speed)
+        """Size of each unknown (C, N): micrometres, milliradians, nominal speeds."""
+        scale = np.full((len(self.points), self.size), LENGTH)
+        scale[:, [TILT_Z, TILT_Y]] = ANGLE
+        scale[:, [CAGE]] = np.maximum(np.abs(self.cage_speed), 1e-3 * np.abs(self.roller_speed))
+        scale[:, self.field(-1)] = np.abs(self.roller_speed)
         return scale
 
     @cached_property
-    def residual_scale(self) -> NDArray:
-        """Size of each residual (N): the reference force, with the lever where it is a moment.
+    def _row_scale(self) -> NDArray:
+        """Size of each kind of balance (rows, C): of a roller's own, of the border's, of deviations.
 
         Friction is about a hundredth of the load that causes it, and so is the size of its balances.
         """
-        bearing, force = self.roller.bearing, self.reference_force
-        scale = np.full(self.size, float(force))
-        scale[[TILT_Z, TILT_Y]] = force * bearing.roller.length / 2
-        scale[CAGE] = FRICTION * force * bearing.pitch_diameter / 2
-        scale[self.roller_unknown(1)] = force * bearing.roller.length / 2
-        scale[self.roller_unknown(2)] = FRICTION * force * bearing.roller.diameter / 2
-        scale[self._deviations] = 1e-4  # [m] a large deviation of a thin ring
-        return scale
-
-    # -- linear maps between unknowns and rollers ----------------------------------------------
+        bearing, force = self.roller.bearing, self.reference_force[:, 0]
+        half = bearing.roller.length / 2
+        film = np.full_like(force, LENGTH)
+        tilt = [force * half] if self.roller.shapes > 1 else []
+        friction = FRICTION * force
+        border = [force, force, force * half, force * half, friction * bearing.pitch_diameter / 2]
+        yields = [np.full_like(force, LARGE_DEVIATION)] * self.roller.shapes * len(self.yielding)
+        return np.array([force, *tilt, film, film, friction * bearing.roller.diameter / 2, *border, *yields])
 
     @cached_property
-    def gather(self) -> NDArray:
-        """Inputs of every roller from the unknowns (Z (2 M + 2), N)."""
-        m, count = self.roller.shapes, self.rollers
-        each = np.arange(count)
-        cos, sin = np.cos(self.roller.bearing.azimuths), np.sin(self.roller.bearing.azimuths)
-        half = self.roller.inner.slices.length / 2
-        maps = np.zeros((count, 2 * m + 2, self.size))
-        approach, tilt, spin = (each + self.roller_unknown(k).start for k in range(3))
-        maps[:, 0, Y], maps[:, 0, Z] = sin, cos
-        maps[:, 1, TILT_Z], maps[:, 1, TILT_Y] = half * cos, half * sin
-        maps[each, 0, approach] = -1.0
-        maps[each, 1, tilt] = -1.0
-        maps[each, m, approach] = 1.0
-        maps[each, m + 1, tilt] = 1.0
-        maps[each, 2 * m, spin] = 1.0
-        maps[:, 2 * m + 1, CAGE] = 1.0
-        self._gather_deviations(maps)
-        return maps.reshape(-1, self.size)
+    def residual_scale(self) -> NDArray:
+        """Size of each residual (C, N)."""
+        own, border = self._row_scale[: self.own], self._row_scale[self.own : self.own + BORDER]
+        rollers = np.repeat(own.T, self.rollers, axis=1)
+        yields = self.rollers * self.roller.shapes * len(self.yielding)
+        return np.concatenate(
+            [border.T, rollers, np.full((len(self.points), yields), LARGE_DEVIATION)], axis=1
+        )
 
-    def _gather_deviations(self, maps: NDArray) -> None:
-        """Let outward deviations move the raceways away from (outer) or towards (inner) the roller."""
-        m, each = self.roller.shapes, np.arange(self.rollers)
-        for race, sign in ((INNER, 1.0), (OUTER, -1.0)):
-            place = self.deviation_unknown(race)
-            if place is None:
-                continue
-            for shape in range(m):
-                # The roller follows the outer raceway's height and tilt, but not its waviness:
-                # those two change the inner approach, the rest the outer one.
-                row = shape if race == INNER or shape < 2 else m + shape
-                maps[each, row, place.start + each * m + shape] = sign
+    # -- geometry ------------------------------------------------------------------------------
 
     @cached_property
-    def scatter(self) -> NDArray:
-        """Residuals from the outputs of every roller (N, Z (2 M + 5))."""
-        m, count = self.roller.shapes, self.rollers
-        each = np.arange(count)
-        cos, sin = np.cos(self.roller.bearing.azimuths), np.sin(self.roller.bearing.azimuths)
-        half = self.roller.inner.slices.length / 2
-        radial, tilt, spin, cage, tangential = range(2 * m, 2 * m + 5)
-        maps = np.zeros((self.size, count, 2 * m + 5))
-        maps[Y, :, 0], maps[Y, :, tangential] = -sin, -cos
-        maps[Z, :, 0], maps[Z, :, tangential] = -cos, sin
-        if self.roller.operation.free_tilt:
-            maps[TILT_Z, :, 1], maps[TILT_Y, :, 1] = -half * cos, -half * sin
-        maps[CAGE, :, cage] = 1.0
-        for which, row in enumerate((radial, tilt, spin)):
-            maps[self.roller_unknown(which).start + each, each, row] = 1.0
-        self._scatter_compliance(maps)
-        return maps.reshape(self.size, -1)
+    def _radial(self) -> tuple[NDArray, NDArray]:
+        """Sine and cosine of the roller azimuths (Z)."""
+        azimuth = self.roller.bearing.azimuths
+        return np.sin(azimuth), np.cos(azimuth)
 
-    def _scatter_compliance(self, maps: NDArray) -> None:
-        """Deviation minus compliance times load; rollers push the inner raceway inwards."""
-        m = self.roller.shapes
-        for race, sign in ((INNER, 1.0), (OUTER, -1.0)):
-            place, matrix = self.deviation_unknown(race), self.compliance[race]
-            if place is not None and matrix is not None:
-                maps[place, :, race * m : (race + 1) * m] = sign * matrix.reshape(-1, self.rollers, m)
+    def inputs(self, x: Unknowns) -> RollerInputs:
+        """What the rollers are given; outward deviations move the raceways towards (inner) or away."""
+        sin, cos = self._radial
+        m, half = self.roller.shapes, self.roller.raceways.slices.length / 2
+        y, z, slope_z, slope_y = x.ring
+        inner, outer = x.deviation if self.deviation is None else x.deviation + self._given
+        approach = np.zeros((2, m, *x.spin.shape))
+        approach[INNER] = inner
+        # The roller follows the outer raceway's height and tilt but not its waviness: those two
+        # change the inner approach, the rest the outer one.
+        approach[INNER, :2] -= outer[:2]
+        approach[OUTER, 2:] = -outer[2:]
+        approach[INNER, 0] += y * sin + z * cos - x.approach + x.film[0] + x.film[1] - self.clearance / 2
+        approach[OUTER, 0] = x.approach
+        if m > 1:
+            approach[INNER, 1] += half * (slope_z * cos + slope_y * sin) - x.tilt
+            approach[OUTER, 1] = x.tilt
+        return RollerInputs(approach, x.film, x.spin, x.cage_speed)
 
     @cached_property
-    def _land(self) -> tuple[float, float]:
-        """Drag of the cage land per speed difference [N m s], and the speed of its ring [rad/s]."""
-        operation, cage = self.roller.operation, self.roller.bearing.cage
-        ring = operation.outer_speed if cage.guidance == "outer" else operation.inner_speed
-        return land_drag(cage, self.roller.inner.oil), ring
+    def _given(self) -> NDArray:
+        """Given deviation as (2, M, 1, Z) [m]."""
+        assert self.deviation is not None
+        return np.moveaxis(self.deviation, -1, 1)[:, :, None]
 
     # -- evaluation ----------------------------------------------------------------------------
 
-    def inputs(self, scaled: NDArray, film: NDArray) -> NDArray:
-        """Inputs of every roller (Z, 2 M + 2), see `RollerBalance`."""
-        values = (self.gather @ (scaled * self.unknown_scale)).reshape(self.rollers, -1)
-        values[:, 0] += film.sum(0) - self.roller.bearing.clearance / 2
-        if self.deviation is not None:
-            inner, outer = self.deviation
-            m = self.roller.shapes
-            values[:, :m] += inner
-            values[:, :2] -= outer[:, :2]
-            values[:, m + 2 : 2 * m] -= outer[:, 2:]
-        return values
-
-    def residual(self, scaled: NDArray, film: NDArray) -> tuple[NDArray, RollerState]:
-        """Scaled residual (N) alone, and what happens at the rollers; see `evaluate`."""
-        outputs = self.roller.respond(self.inputs(scaled, film), film)
-        return self._residual(scaled, outputs.value) / self.residual_scale, outputs.state
-
-    def evaluate(self, scaled: NDArray, film: NDArray) -> Evaluation:
-        """Residual and Jacobian at scaled unknowns (N), with films (2, Z) [m] that are held."""
-        outputs = self.roller.respond(self.inputs(scaled, film), film)
-        blocks = outputs.gradient @ self.gather.reshape(self.rollers, -1, self.size)
-        jacobian = self.scatter @ blocks.reshape(-1, self.size)
-        self._add_linear_terms(jacobian)
-        self._add_spin_inertia(scaled * self.unknown_scale, jacobian)
-        return Evaluation(
-            self._residual(scaled, outputs.value) / self.residual_scale,
-            jacobian * self.unknown_scale / self.residual_scale[:, None],
-            outputs.state,
-            max(1.0, float(outputs.state.outer.force[:, 0].max()) / self.reference_force),
-        )
-
-    def _residual(self, scaled: NDArray, outputs: NDArray) -> NDArray:
-        """Residual in newtons, newton metres and metres: outputs, applied load, land, yielding."""
-        x, operation = scaled * self.unknown_scale, self.roller.operation
-        residual = self.scatter @ outputs.ravel()
-        residual[Z] += operation.radial_load
-        if operation.free_tilt:
-            residual[TILT_Z] += operation.moment
-        else:
-            residual[self._tilts] = self._tilt_stiffness * x[self._tilts]
-        drag, ring = self._land
-        residual[CAGE] += drag * (ring - x[CAGE])
-        residual[self._deviations] += x[self._deviations]
-        if self.spin_inertia:
-            rows, before, factor = self._spin_chain(x)
-            residual[rows] -= factor * abs(x[CAGE]) * (x[rows] - x[before])
-        return residual
-
-    def _add_linear_terms(self, jacobian: NDArray) -> None:
-        if not self.roller.operation.free_tilt:
-            jacobian[self._tilts, self._tilts] = self._tilt_stiffness
-        jacobian[CAGE, CAGE] -= self._land[0]
-        deviations = np.arange(self.size)[self._deviations]
-        jacobian[deviations, deviations] += 1.0
-
-    def _add_spin_inertia(self, x: NDArray, jacobian: NDArray) -> None:
-        if not self.spin_inertia:
-            return
-        rows, before, factor = self._spin_chain(x)
-        jacobian[rows, rows] -= factor * abs(x[CAGE])
-        jacobian[rows, before] += factor * abs(x[CAGE])
-        jacobian[rows, CAGE] -= factor * np.sign(x[CAGE]) * (x[rows] - x[before])
-
-    def _spin_chain(self, x: NDArray) -> tuple[NDArray, NDArray, float]:
-        """J omega_c dw/dphi, differenced upwind: places of each spin, of the one before it, J/dphi."""
-        rows = np.arange(self.rollers) + self.roller_unknown(2).start
-        before = np.roll(rows, 1 if x[CAGE] >= 0 else -1)
-        return rows, before, self.roller.bearing.roller.inertia * self.rollers / (2 * np.pi)
-
-    @property
-    def _deviations(self) -> slice:
-        return slice(BORDER + 3 * self.rollers, self.size)
-
-    @property
-    def _tilts(self) -> list[int]:
-        return [TILT_Z, TILT_Y]
-
-    @property
-    def _tilt_stiffness(self) -> float:
-        """Any stiffness holds a tilt at zero; this one has the size of the other rows [N m]."""
-        return float(self.residual_scale[TILT_Z] / self.unknown_scale[TILT_Z])
-
-    def film(self, state: RollerState) -> NDArray:
-        """Films (2, Z) [m] that belong to a state's loads and speeds."""
-        return np.array(
+    def evaluate(self, scaled: NDArray) -> Linearisation:
+        """Residual and derivatives at scaled unknowns (C, N)."""
+        x = self.unpack(scaled)
+        response = self.roller.respond(self.inputs(x), self.points)
+        rows, gradient = self._rows(response.value), self._rows(response.gradient)
+        table = self._columns(gradient)
+        before, after = self._spin_chain(x, rows, table)
+        border, border_by = self._border(x)
+        border += rows[self.own : self.own + BORDER].sum(-1)
+        residual = np.concatenate(
             [
-                contact.film(forces.force[:, 0], sliding, entrainment)
-                for contact, forces, sliding, entrainment in zip(
-                    (self.roller.inner, self.roller.outer),
-                    (state.inner, state.outer),
-                    state.sliding,
-                    state.entrainment,
-                    strict=True,
-                )
-            ]
+                border.T,
+                np.moveaxis(rows[: self.own], 1, 0).reshape(len(scaled), -1),
+                self._yield(x, rows[self.own + BORDER :]),
+            ],
+            axis=1,
         )
+        columns = self._column_scale
+        table *= columns[None] / self._row_scale[:, None, :, None]
+        border_scale = self._row_scale[self.own : self.own + BORDER].T
+        chain = self._row_scale[self.own - 1][:, None] / columns[self.own - 1]
+        return Linearisation(
+            residual=residual / self.residual_scale,
+            table=table,
+            border=border_by * self.unknown_scale[:, None, :BORDER] / border_scale[..., None],
+            before=before / chain,
+            after=after / chain,
+            loading=np.maximum(
+                1.0, response.state.contact.force[OUTER, 0].max(-1) / self.reference_force[:, 0]
+            ),
+            state=response.state,
+        )
+
+    @cached_property
+    def _column_scale(self) -> NDArray:
+        """Size of the unknowns in the columns of the table (columns, C, 1)."""
+        own = self.unknown_scale[:, BORDER : BORDER + self.own * self.rollers : self.rollers].T
+        yields = np.full((len(self.yielding) * self.roller.shapes, len(self.points)), LENGTH)
+        return np.concatenate([own, self.unknown_scale[:, :BORDER].T, yields])[..., None]
+
+    def _rows(self, response: NDArray) -> NDArray:
+        """Rows of the table from those of a roller's response (rows, ..., C, Z)."""
+        sin, cos = self._radial
+        m, own = self.roller.shapes, self.own
+        cage, tangential = response[own], response[own + 1]
+        inner = response[own + 2 : own + 2 + m]
+        rows = np.zeros((own + BORDER + m * len(self.yielding), *response.shape[1:]))
+        rows[:own] = response[:own]
+        rows[own + Y] = -sin * inner[0] - cos * tangential
+        rows[own + Z] = -cos * inner[0] + sin * tangential
+        if m > 1:
+            moment = -self.roller.raceways.slices.length / 2 * inner[1]
+            free = self.points.free_tilt
+            rows[own + TILT_Z], rows[own + TILT_Y] = free * (moment * cos), free * (moment * sin)
+        rows[own + CAGE] = cage
+        for place, race in enumerate(self.yielding):
+            start = own + 2 + race * m
+            rows[own + BORDER + place * m : own + BORDER + (place + 1) * m] = response[start : start + m]
+        return rows
+
+    def _columns(self, gradient: NDArray) -> NDArray:
+        """Derivatives by the unknowns (rows, columns, C, Z) from those by a roller's inputs."""
+        sin, cos = self._radial
+        m, own = self.roller.shapes, self.own
+        table = np.zeros((len(gradient), own + BORDER + m * len(self.yielding), *gradient.shape[2:]))
+        inner, outer = gradient[:, :m], gradient[:, m : 2 * m]
+        spin, cage, film = gradient[:, 2 * m], gradient[:, 2 * m + 1], gradient[:, 2 * m + 2 :]
+        table[:, 0] = outer[:, 0] - inner[:, 0]
+        table[:, own - 3 : own - 1] = film + inner[:, :1]
+        table[:, own - 1] = spin
+        table[:, own + Y], table[:, own + Z] = sin * inner[:, 0], cos * inner[:, 0]
+        table[:, own + CAGE] = cage
+        if m > 1:
+            half = self.roller.raceways.slices.length / 2
+            table[:, 1] = outer[:, 1] - inner[:, 1]
+            table[:, own + TILT_Z] = half * cos * inner[:, 1]
+            table[:, own + TILT_Y] = half * sin * inner[:, 1]
+        for place, race in enumerate(self.yielding):
+            here = table[:, own + BORDER + place * m : own + BORDER + (place + 1) * m]
+            here[:] = inner if race == INNER else -np.concatenate([inner[:, :2], outer[:, 2:]], axis=1)
+        return table
+
+    def spin_transport(self, x: Unknowns) -> NDArray:
+        """Torque J omega_c dw/dphi (C, Z) [N m] that the change of spin around the bearing takes."""
+        if not self.spin_inertia:
+            return np.zeros_like(x.spin)
+        factor = self.roller.bearing.roller.inertia * self.rollers / (2 * np.pi)
+        return factor * np.abs(x.cage_speed) * (x.spin - self._upwind(x))
+
+    def _upwind(self, x: Unknowns) -> NDArray:
+        """Spin (C, Z) of the roller that was here before."""
+        return np.where(x.cage_speed >= 0, np.roll(x.spin, 1, axis=-1), np.roll(x.spin, -1, axis=-1))
+
+    def _spin_chain(self, x: Unknowns, rows: NDArray, table: NDArray) -> tuple[NDArray, NDArray]:
+        """Add J omega_c dw/dphi, differenced upwind, to the balance of spin; returns what neighbours do."""
+        zero = np.zeros_like(x.spin)
+        if not self.spin_inertia:
+            return zero, zero
+        factor = self.roller.bearing.roller.inertia * self.rollers / (2 * np.pi)
+        row, pace, forwards = self.own - 1, factor * np.abs(x.cage_speed), x.cage_speed >= 0
+        change = x.spin - self._upwind(x)
+        rows[row] -= pace * change
+        table[row, row] -= pace
+        table[row, self.own + CAGE] -= factor * np.sign(x.cage_speed) * change
+        return np.where(forwards, pace, zero), np.where(forwards, zero, pace)
+
+    def _border(self, x: Unknowns) -> tuple[NDArray, NDArray]:
+        """Loads from outside on ring and cage (5, C), their derivatives by the border (C, 5, 5)."""
+        points, cage = self.points, self.roller.bearing.cage
+        value, by = np.zeros((BORDER, len(points))), np.zeros((len(points), BORDER, BORDER))
+        value[Y], value[Z] = points.load_y[:, 0], points.load_z[:, 0]
+        free = points.free_tilt[:, 0]
+        # Any stiffness holds a tilt where it shall be; this one has the size of the other rows.
+        hold = np.where(free, 0.0, self._row_scale[self.own + TILT_Z] / ANGLE)
+        for tilt, moment, slope in (
+            (TILT_Z, points.moment_z, points.slope_z),
+            (TILT_Y, points.moment_y, points.slope_y),
+        ):
+            value[tilt] = np.where(free, moment[:, 0], hold * (x.ring[tilt] - slope)[:, 0])
+            by[:, tilt, tilt] = hold
+        ring = points.outer_speed if cage.guidance == "outer" else points.inner_speed
+        land = land_torque(ring - x.cage_speed, cage, self.roller.lubrication.oil)
+        value[CAGE], by[:, CAGE, CAGE] = land.torque[:, 0], -land.by_speed[:, 0]
+        return value, by
+
+    def _yield(self, x: Unknowns, forces: NDArray) -> NDArray:
+        """Deviation minus compliance times load (C, unknowns) [m]; rollers push the inner one inwards."""
+        m, residuals = self.roller.shapes, []
+        for place, race in enumerate(self.yielding):
+            matrix = self.compliance[race]
+            assert matrix is not None  # or it would not yield
+            load = np.moveaxis(forces[place * m : (place + 1) * m], 0, -1).reshape(len(self.points), -1)
+            deviation = np.moveaxis(x.deviation[race], 0, -1).reshape(load.shape)
+            residuals.append(deviation - (-1.0 if race == INNER else 1.0) * load @ matrix.T)
+        return np.concatenate([np.zeros((len(self.points), 0)), *residuals], axis=1)
+
+
+SMALLEST_FORCE = 1e-3  # [N] of a bearing without load that hardly turns

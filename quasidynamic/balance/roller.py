@@ -1,38 +1,55 @@
-"""Balance of one roller between its raceways and in its pocket, for all rollers at once."""
+"""Balance of one roller between its raceways and in its pocket, for all rollers of all cases at once."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.gradient import Graded
+from quasidynamic.balance.points import OperatingPoints
+from quasidynamic.contact.churning import churning
 from quasidynamic.contact.drag import orbit_drag
-from quasidynamic.contact.raceway import ContactState, RacewayContact
+from quasidynamic.contact.lubrication import Lubrication
+from quasidynamic.contact.raceways import ContactState, Raceways
 from quasidynamic.parts.bearing import CylindricalRollerBearing
-from quasidynamic.parts.operation import Operation
 
 CAGE_FORCE_ROUNDING = 0.5  # [N] width over which the pocket force changes side
 STILL = 1e-6  # of the nominal surface speed: keeps powers of the entrainment speed finite
 
 
+class RollerInputs(NamedTuple):
+    """What the rollers of C cases are given; M axial shapes."""
+
+    approach: NDArray  # (2, M, C, Z) shape coefficients at inner and outer raceway [m]
+    film: NDArray  # (2, C, Z) [m]
+    spin: NDArray  # (C, Z) relative to the cage [rad/s]
+    cage_speed: NDArray  # (C, 1) [rad/s]
+
+
 class RollerState(NamedTuple):
-    """Everything that happens at the rollers (Z each) in one state."""
+    """Everything that happens at the rollers in one state; inner raceway first."""
 
-    inner: ContactState
-    outer: ContactState
-    sliding: NDArray  # (2, Z) raceway over roller surface, inner, outer [m/s]
-    entrainment: NDArray  # (2, Z) [m/s] >= 0
-    film: NDArray  # (2, Z) [m] used in this state
-    cage_force: NDArray  # (Z) on the roller along +t [N]
-    drag: float  # oil-air mixture on one roller, against +t [N]
+    contact: ContactState
+    sliding: NDArray  # (2, C, Z) raceway over roller surface [m/s]
+    entrainment: NDArray  # (2, C, Z) [m/s] >= 0
+    film: NDArray  # (2, C, Z) [m]
+    cage_force: NDArray  # (C, Z) on the roller along +t [N]
+    drag: NDArray  # (C, 1) oil-air mixture on one roller, against +t [N]
+    churning: NDArray  # (C, Z) torque of the mixture against the spin [N m]
 
 
-class Outputs(NamedTuple):
-    """What a roller hands to the balance of the whole bearing: columns (Z, outputs)."""
+class Response(NamedTuple):
+    """Rows of the roller's table, with derivatives by its 2 M + 4 inputs.
 
-    value: NDArray
-    gradient: NDArray  # (Z, outputs, inputs)
+    Rows: radial force [N], tilt moment [N m] (with two shapes or more), film at the inner and the
+    outer raceway [m], spin [N m]: these must vanish. Then what the rest of the bearing feels:
+    torque on the cage [N m], tangential force of the inner ring [N], the M forces conjugate to the
+    shapes at the inner and at the outer raceway [N].
+    """
+
+    value: NDArray  # (rows, C, Z)
+    gradient: NDArray  # (rows, inputs, C, Z)
     state: RollerState
 
 
@@ -40,137 +57,172 @@ class Outputs(NamedTuple):
 class RollerBalance:
     """Equations of one roller.
 
-    Inputs of roller j: M shape coefficients of the approach at the inner and M at the outer
-    raceway [m], spin relative to the cage [rad/s], cage speed [rad/s].
-
-    Outputs: M conjugate forces at the inner and M at the outer raceway [N]; residuals of the
-    radial force [N], tilt moment [N m] and spin [N m]; the roller's torque on the cage [N m]; the
-    tangential force that the inner ring exerts, rolling pressure included [N].
+    Every row but those of the film is a sum of forces with constant levers: `levers` is the page of
+    equations, `_forces` fills in the forces and their derivatives.
     """
 
     bearing: CylindricalRollerBearing
-    operation: Operation
-    inner: RacewayContact
-    outer: RacewayContact
-    oil_fraction: float
+    raceways: Raceways
+    lubrication: Lubrication
 
     @property
     def shapes(self) -> int:
-        """Number M of axial shapes."""
-        return self.inner.slices.shapes
+        """Number M of axial shapes; with one the roller has no tilt."""
+        return self.raceways.slices.shapes
 
-    def respond(self, inputs: NDArray, film: NDArray) -> Outputs:
-        """Evaluate the equations of all rollers.
+    @cached_property
+    def forces(self) -> list[str]:
+        """Names of the forces, in the order of the columns of `levers`."""
+        shapes = range(self.shapes)
+        return (
+            [f"inner {m}" for m in shapes]
+            + [f"outer {m}" for m in shapes]
+            + ["T_i", "T_o", "R_i", "R_o", "centrifugal", "drag", "churning", "pocket up", "pocket brake"]
+        )
 
-        Parameters
-        ----------
-        inputs : array (Z, 2 M + 2)
-            see the class
-        film : array (2, Z)
-            inner and outer film [m], lagged: no derivative is taken
-        """
-        sliding, speed, entrainment, speed_by = self._surface_speeds(inputs)
-        m = self.shapes
-        states = (
-            self.inner.state(inputs[:, :m], sliding[0].value, entrainment[0], film[0]),
-            self.outer.state(inputs[:, m : 2 * m], sliding[1].value, entrainment[1], film[1]),
-        )
-        (q_i, m_i, t_i, r_i), (q_o, m_o, t_o, r_o) = (
-            self._forces(state, race, sliding[race], speed[race], speed_by[race])
-            for race, state in enumerate(states)
-        )
-        s, g = self.operation.direction, self.bearing.diameter_ratio
-        r_i, r_o = s * r_i, s * r_o
-        drag, drag_by_cage = orbit_drag(inputs[0, -1], self.bearing, self.inner.oil, self.oil_fraction)
-        cage_force = self._cage_only(inputs, drag, drag_by_cage) - (
-            t_i + t_o + (1 - 2 * g) * r_i - (1 + 2 * g) * r_o
-        )
-        pocket = self.bearing.cage.pocket_friction * cage_force.rounded_abs(CAGE_FORCE_ROUNDING)
+    @cached_property
+    def cage_force(self) -> NDArray:
+        """Force of the pocket on the roller (forces) from the tangential balance, weights [-]."""
+        g = self.bearing.diameter_ratio
+        return self._row(drag=1, T_i=-1, T_o=-1, R_i=-(1 - 2 * g), R_o=1 + 2 * g)
+
+    @cached_property
+    def levers(self) -> NDArray:
+        """Equations (rows, forces): radial, tilt, spin, cage torque, tangential [-] or [m]."""
         r_w, r_m = self.bearing.roller.diameter / 2, self.bearing.pitch_diameter / 2
-        radial = q_i - q_o + self._centrifugal(inputs) + (s * self.bearing.cage.pocket_friction) * cage_force
-        spin = r_w * (t_i - t_o - r_i - r_o - s * pocket)
-        cage_torque = (-r_m) * cage_force - (s * r_w) * pocket
-        rows = (radial, m_o - m_i, spin, cage_torque, t_i + (1 - 2 * g) * r_i)
-        return Outputs(
-            *self._stacked(states, rows),
+        half, g = self.raceways.slices.length / 2, self.bearing.diameter_ratio
+        radial = self._row(**{"inner 0": 1, "outer 0": -1, "centrifugal": 1, "pocket up": 1})
+        tilt = [self._row(**{"outer 1": half, "inner 1": -half})] if self.shapes > 1 else []
+        spin = r_w * self._row(**{"T_i": 1, "T_o": -1, "R_i": -1, "R_o": -1, "pocket brake": -1})
+        spin += self._row(churning=-1)
+        cage = -r_m * self.cage_force + self._row(**{"pocket brake": -r_w})
+        tangential = self._row(T_i=1, R_i=1 - 2 * g)
+        return np.array([radial, *tilt, spin, cage, tangential])
+
+    def _row(self, **weights: float) -> NDArray:
+        return np.array([float(weights.get(name, 0.0)) for name in self.forces])
+
+    def respond(self, inputs: RollerInputs, points: OperatingPoints) -> Response:
+        """Evaluate the equations of all rollers."""
+        sliding, rolling = self._surface_speeds(inputs, points)
+        nominal = np.abs(points.inner_speed - points.outer_speed) * self.bearing.inner_radius
+        entrainment = np.sqrt(rolling**2 + (STILL * nominal) ** 2)
+        contact = self.raceways.state(inputs.approach, sliding, entrainment, inputs.film)
+        slopes = self._contact_slopes(contact, rolling / entrainment)
+        value, gradient = self._forces(contact, slopes, points, inputs)
+        cage_force = self._add_pocket(value, gradient, points.direction)
+        rows = np.tensordot(self.levers, value, 1)
+        row_gradients = np.tensordot(self.levers, gradient, 1)
+        film_gradient = slopes[2]
+        film_gradient[[0, 1], [-2, -1]] -= 1.0
+        m, own = self.shapes, len(self.levers) - 3  # rows before spin
+        return Response(
+            np.concatenate([rows[:own], contact.film.thickness - inputs.film, rows[own:], value[: 2 * m]]),
+            np.concatenate([row_gradients[:own], film_gradient, row_gradients[own:], gradient[: 2 * m]]),
             RollerState(
-                *states,
-                sliding=np.array([u.value for u in sliding]),
-                entrainment=np.array(entrainment),
-                film=film,
-                cage_force=cage_force.value,
-                drag=drag,
+                contact,
+                sliding,
+                entrainment,
+                inputs.film,
+                cage_force,
+                drag=value[-4, :, :1],
+                churning=value[-3],
             ),
         )
 
-    def _surface_speeds(self, inputs: NDArray):
-        """Sliding of raceway over roller, rolling speed, its magnitude and slope at each raceway."""
+    # -- surfaces ------------------------------------------------------------------------------
+
+    def _surface_speeds(self, inputs: RollerInputs, points: OperatingPoints) -> tuple[NDArray, NDArray]:
+        """Sliding of raceway over roller and mean surface speed (2, C, Z) [m/s], both signed."""
         r_w, r_i, r_o = self.bearing.roller.diameter / 2, self.bearing.inner_radius, self.bearing.outer_radius
-        spin, cage = self._input(inputs, -2), self._input(inputs, -1)
-        inner = self._constant(inputs, self.operation.inner_speed * r_i) - r_i * cage
-        outer = self._constant(inputs, self.operation.outer_speed * r_o) - r_o * cage
-        sliding = (inner - r_w * spin, outer + r_w * spin)
-        rolling = (0.5 * (inner + r_w * spin), 0.5 * (r_w * spin - outer))
-        nominal = abs(self.operation.inner_speed - self.operation.outer_speed) * r_i
-        magnitude = tuple(np.hypot(v.value, STILL * nominal) for v in rolling)
-        slope = tuple(v.value / size for v, size in zip(rolling, magnitude, strict=True))
-        return sliding, rolling, magnitude, slope
-
-    def _forces(self, state: ContactState, race: int, sliding: Graded, speed: Graded, speed_by: NDArray):
-        """Load, tilt moment, traction and rolling shear of one raceway as graded quantities."""
-        m = self.shapes
-        here = slice(race * m, (race + 1) * m)
-
-        def by_approach(derivative: NDArray) -> NDArray:
-            gradient = np.zeros_like(sliding.gradient)
-            gradient[:, here] = derivative
-            return gradient
-
-        entrained = speed_by[:, None] * speed.gradient
-        lever = self.inner.slices.length / 2
-        load = Graded(state.force[:, 0], by_approach(state.force_by_approach[:, 0]))
-        moment = lever * Graded(state.force[:, 1], by_approach(state.force_by_approach[:, 1]))
-        traction = Graded(
-            state.traction,
-            by_approach(state.traction_by_approach)
-            + state.traction_by_sliding[:, None] * sliding.gradient
-            + state.traction_by_entrainment[:, None] * entrained,
+        inner = (points.inner_speed - inputs.cage_speed) * r_i
+        outer = (points.outer_speed - inputs.cage_speed) * r_o
+        roller = r_w * inputs.spin
+        return (
+            np.array([inner - roller, outer + roller]),
+            0.5 * np.array([inner + roller, roller - outer]),
         )
-        rolling = Graded(
-            state.rolling.force,
-            state.rolling.by_load[:, None] * load.gradient
-            + state.rolling.by_entrainment[:, None] * entrained,
-        )
-        return load, moment, traction, rolling
 
-    def _centrifugal(self, inputs: NDArray) -> Graded:
-        """Centrifugal force of a roller, m r_m omega_c^2 [N]."""
-        cage = self._input(inputs, -1)
-        factor = self.bearing.roller.mass * self.bearing.pitch_diameter / 2
-        return Graded(factor * cage.value**2, 2 * factor * cage.value[:, None] * cage.gradient)
+    @cached_property
+    def _speed_slopes(self) -> tuple[NDArray, NDArray]:
+        """Sliding and mean surface speed by spin and by cage speed, (2 raceways, 2, 1, 1) [m]."""
+        r_w, r_i, r_o = self.bearing.roller.diameter / 2, self.bearing.inner_radius, self.bearing.outer_radius
+        sliding = np.array([[-r_w, -r_i], [r_w, -r_o]])
+        rolling = 0.5 * np.array([[r_w, -r_i], [r_w, r_o]])
+        return sliding[..., None, None], rolling[..., None, None]
 
-    def _cage_only(self, inputs: NDArray, value: float, slope: float) -> Graded:
-        """A quantity that depends on the cage speed alone."""
-        cage = self._input(inputs, -1)
-        return Graded(np.full(len(inputs), value), slope * cage.gradient)
-
-    @staticmethod
-    def _input(inputs: NDArray, column: int) -> Graded:
-        gradient = np.zeros_like(inputs)
-        gradient[:, column] = 1.0
-        return Graded(inputs[:, column], gradient)
-
-    @staticmethod
-    def _constant(inputs: NDArray, value: float) -> Graded:
-        return Graded(np.full(len(inputs), value), np.zeros_like(inputs))
-
-    def _stacked(self, states, rows) -> tuple[NDArray, NDArray]:
+    def _contact_slopes(self, contact: ContactState, sense: NDArray) -> NDArray:
+        """Traction, rolling shear and film of both raceways by the inputs (3, 2, inputs, C, Z)."""
         m = self.shapes
-        rollers, width = rows[0].gradient.shape
-        gradient = np.zeros((rollers, 2 * m + len(rows), width))
-        for race, state in enumerate(states):
-            here = slice(race * m, (race + 1) * m)
-            gradient[:, here, here] = state.force_by_approach
-        gradient[:, 2 * m :] = np.stack([row.gradient for row in rows], axis=1)
-        value = np.column_stack([states[0].force, states[1].force, *(row.value for row in rows)])
+        slopes = np.zeros((3, 2, 2 * m + 4, *sense.shape[1:]))
+        by_load = contact.force_by_approach[:, 0]
+        by_approach = (
+            contact.traction_by_approach,
+            contact.rolling.by_load[:, None] * by_load,
+            contact.film.by_line_load[:, None] * by_load,
+        )
+        for slope, by in zip(slopes, by_approach, strict=True):
+            slope[0, :m], slope[1, m : 2 * m] = by
+        sliding, rolling = self._speed_slopes
+        entrained = rolling * sense[:, None]
+        speeds = slice(2 * m, 2 * m + 2)
+        slopes[0, :, speeds] = (
+            contact.traction_by_sliding[:, None] * sliding
+            + contact.traction_by_entrainment[:, None] * entrained
+        )
+        slopes[1, :, speeds] = contact.rolling.by_entrainment[:, None] * entrained
+        slopes[2, :, speeds] = (
+            contact.film.by_sliding[:, None] * sliding + contact.film.by_entrainment[:, None] * entrained
+        )
+        slopes[0, [0, 1], [-2, -1]] = contact.traction_by_film
+        return slopes
+
+    # -- forces --------------------------------------------------------------------------------
+
+    def _forces(
+        self, contact: ContactState, slopes: NDArray, points: OperatingPoints, inputs: RollerInputs
+    ) -> tuple[NDArray, NDArray]:
+        """Values and derivatives of `forces`, those of the pocket still empty."""
+        m, s, count = self.shapes, points.direction, len(self.forces)
+        cases, rollers = inputs.spin.shape
+        value = np.zeros((count, cases, rollers))
+        gradient = np.zeros((count, 2 * m + 4, cases, rollers))
+        traction, rolling, rest = 2 * m, 2 * m + 2, 2 * m + 4
+        spin, cage = 2 * m, 2 * m + 1  # among the inputs
+        value[:traction] = contact.force.reshape(2 * m, cases, rollers)
+        gradient[:m, :m], gradient[m : 2 * m, m : 2 * m] = contact.force_by_approach
+        value[traction:rolling], gradient[traction:rolling] = contact.traction, slopes[0]
+        value[rolling:rest], gradient[rolling:rest] = s * contact.rolling.force, s * slopes[1]
+        mass_radius = self.bearing.roller.mass * self.bearing.pitch_diameter / 2
+        value[rest] = mass_radius * inputs.cage_speed**2
+        gradient[rest, cage] = 2 * mass_radius * inputs.cage_speed
+        value[rest + 1], gradient[rest + 1, cage] = self.drag(inputs.cage_speed)
+        if self.lubrication.churning_gap is not None:
+            value[rest + 2], gradient[rest + 2, spin] = churning(
+                inputs.spin,
+                self.bearing.roller,
+                self.lubrication.oil,
+                oil_fraction=self.lubrication.oil_fraction,
+                gap=self.lubrication.churning_gap,
+            )
         return value, gradient
+
+    def drag(self, cage_speed: NDArray) -> tuple[NDArray, NDArray]:
+        """Force of the mixture on an orbiting roller [N], its derivative by the cage speed [N s]."""
+        choice = self.lubrication
+        return orbit_drag(cage_speed, self.bearing, choice.oil, choice.oil_fraction, choice.drag_coefficient)
+
+    def _add_pocket(self, value: NDArray, gradient: NDArray, direction: NDArray) -> NDArray:
+        """Fill in the pocket's friction: lifts or presses the roller, brakes its spin; returns F_c (C, Z)."""
+        friction = direction * self.bearing.cage.pocket_friction
+        force = np.tensordot(self.cage_force, value, 1)
+        by = np.tensordot(self.cage_force, gradient, 1)
+        slope = force / np.sqrt(force**2 + CAGE_FORCE_ROUNDING**2)
+        value[-2], gradient[-2] = friction * force, friction * by
+        value[-1], gradient[-1] = friction * rounded_size(force), friction * slope * by
+        return force
+
+
+def rounded_size(force: NDArray) -> NDArray:
+    """Size of a pocket force [N], smooth through zero."""
+    return np.sqrt(force**2 + CAGE_FORCE_ROUNDING**2) - CAGE_FORCE_ROUNDING

@@ -31,7 +31,7 @@ def reduced_radius(roller_radius: float, raceway_radius: float) -> float:
     return 1.0 / (1.0 / roller_radius + 1.0 / raceway_radius)
 
 
-def peak_pressure(line_load: ArrayLike, radius: float, modulus: float) -> NDArray:
+def peak_pressure(line_load: ArrayLike, radius: ArrayLike, modulus: ArrayLike) -> NDArray:
     r"""Peak pressure under a long roller.
 
     .. math:: p_0 = \sqrt{q E' / (2 \pi R)}
@@ -61,10 +61,10 @@ def peak_pressure(line_load: ArrayLike, radius: float, modulus: float) -> NDArra
     >>> round(float(peak_pressure(4800 / 16e-3, 6.4e-3, 228.0e9)) / 1e9, 2)
     1.3
     """
-    return np.sqrt(np.asarray(line_load) * modulus / (2 * np.pi * radius))
+    return np.sqrt(np.asarray(line_load) * np.asarray(modulus) / (2 * np.pi * np.asarray(radius)))
 
 
-def half_width(line_load: ArrayLike, radius: float, modulus: float) -> NDArray:
+def half_width(line_load: ArrayLike, radius: ArrayLike, modulus: ArrayLike) -> NDArray:
     r"""Half of the width of the contact strip.
 
     .. math:: b = \sqrt{8 q R / (\pi E')}
@@ -87,4 +87,4 @@ def half_width(line_load: ArrayLike, radius: float, modulus: float) -> NDArray:
     ------
     Johnson, Contact Mechanics (1985), sec. 4.2.
     """
-    return np.sqrt(8 * np.asarray(line_load) * radius / (np.pi * modulus))
+    return np.sqrt(8 * np.asarray(line_load) * np.asarray(radius) / (np.pi * np.asarray(modulus)))

@@ -15,13 +15,13 @@ GAP_ROUNDING = 1e-9  # [m] width over which contact begins smoothly; bias below 
 class LoadLaw:
     """q = coefficient * approach^(10/9), load per length [N/m] from the approach at one raceway [m]."""
 
-    coefficient: float
+    coefficient: NDArray | float  # broadcasts against the approaches
 
     def __call__(self, approach: NDArray) -> tuple[NDArray, NDArray]:
         """Load per length [N/m] and its derivative [N/m2]; both tend smoothly to zero in a gap."""
         closed, slope = smooth_positive(approach)
-        power = closed ** (EXPONENT - 1)
-        return self.coefficient * power * closed, self.coefficient * EXPONENT * power * slope
+        power = self.coefficient * np.exp((EXPONENT - 1) * np.log(closed))
+        return power * closed, EXPONENT * power * slope
 
     def approach(self, line_load: NDArray) -> NDArray:
         """Approach [m] that carries a load per length [N/m]: the inverse, contact assumed closed."""
@@ -29,11 +29,13 @@ class LoadLaw:
 
 
 def smooth_positive(gap: NDArray) -> tuple[NDArray, NDArray]:
-    """Positive part rounded over `GAP_ROUNDING`, and its derivative, without cancellation."""
-    root = np.hypot(gap, GAP_ROUNDING)
-    # For a gap, (gap + root) loses all digits: use the conjugate form there.
-    distance = root + np.abs(gap)
-    positive = np.where(gap >= 0, distance / 2, GAP_ROUNDING**2 / (2 * distance))
+    r"""Positive part rounded over `GAP_ROUNDING`, and its derivative, without cancellation.
+
+    .. math:: (g + \sqrt{g^2 + \varepsilon^2})/2
+              = \max(g, 0) + \tfrac12 \varepsilon^2/(|g| + \sqrt{g^2 + \varepsilon^2})
+    """
+    root = np.sqrt(gap * gap + GAP_ROUNDING**2)
+    positive = np.maximum(gap, 0.0) + GAP_ROUNDING**2 / 2 / (root + np.abs(gap))
     return positive, positive / root
 
 

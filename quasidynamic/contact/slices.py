@@ -16,22 +16,43 @@ class Slices:
 
     A displacement along the roller is sum_m a_m L_m(2x/l); the force conjugate to a_m is
     F_m = sum_k q_k L_m(2 x_k/l) l/K. F_0 is the load, F_1 l/2 the moment about mid-roller.
+
+    With one shape a roller can neither tilt nor meet a raceway that does: its two halves do the
+    same, and only one of them is computed.
     """
 
     count: int
     length: float  # [m]
-    shapes: int = 2  # how many Legendre shapes, at least load and tilt
+    shapes: int = 2  # how many Legendre shapes; 1 is an aligned roller, 2 has a tilt
 
     def __post_init__(self):
-        if self.count < 2 or self.shapes < 2:
-            raise ImpossiblePart("a roller needs at least 2 slices and 2 axial shapes")
+        if self.count < 2 or self.shapes < 1:
+            raise ImpossiblePart("a roller needs at least 2 slices and 1 axial shape")
         if self.shapes > self.count:
             raise ImpossiblePart(f"{self.shapes} axial shapes need as many slices, found {self.count}")
 
+    @property
+    def halved(self) -> bool:
+        """Whether one half stands for both."""
+        return self.shapes == 1
+
+    @cached_property
+    def all_centres(self) -> NDArray:
+        """Centres of all slices (count) from mid-roller [m]."""
+        return (np.arange(self.count) + 0.5) * self.length / self.count - self.length / 2
+
     @cached_property
     def centres(self) -> NDArray:
-        """Slice centres x (K) from mid-roller [m]."""
-        return (np.arange(self.count) + 0.5) * self.length / self.count - self.length / 2
+        """Centres x (K) of the slices that are computed, from mid-roller [m]."""
+        return self.all_centres[self.count // 2 :] if self.halved else self.all_centres
+
+    @cached_property
+    def widths(self) -> NDArray:
+        """Length of roller (K) that each computed slice stands for [m]."""
+        widths = np.full(len(self.centres), (1 + self.halved) * self.width)
+        if self.halved and self.count % 2:
+            widths[0] = self.width  # the middle slice has no twin
+        return widths
 
     @property
     def width(self) -> float:
@@ -40,10 +61,22 @@ class Slices:
 
     @cached_property
     def shape(self) -> NDArray:
-        """Legendre polynomials at the slice centres (K, M) [-]."""
+        """Legendre polynomials at the computed slices (K, M) [-]."""
         return legendre.legvander(2 * self.centres / self.length, self.shapes - 1)
 
     @cached_property
+    def weights(self) -> NDArray:
+        """Forces from loads per length: shape times width (K, M) [m]."""
+        return self.shape * self.widths[:, None]
+
+    @cached_property
     def products(self) -> NDArray:
-        """Products of two shapes at the slice centres (K, M M), for stiffness sums."""
-        return (self.shape[:, :, None] * self.shape[:, None, :]).reshape(self.count, -1)
+        """Products of two shapes times width (K, M M), for stiffness sums [m]."""
+        return (self.shape[:, :, None] * self.weights[:, None, :]).reshape(len(self.centres), -1)
+
+    def unfolded(self, values: NDArray) -> NDArray:
+        """Values (..., count) at all slices from those (..., K) at the computed ones."""
+        if not self.halved:
+            return values
+        twins = values[..., self.count % 2 :]
+        return np.concatenate([twins[..., ::-1], values], axis=-1)

@@ -6,7 +6,6 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.contact.hertz import half_width
 from quasidynamic.parts.lubricant import Lubricant
 
 
@@ -17,6 +16,7 @@ class Traction(NamedTuple):
     by_load: NDArray  # d/dq [-]
     by_sliding: NDArray  # [N s/m2]
     by_entrainment: NDArray  # [N s/m2]
+    by_film: NDArray  # [N/m2]
 
 
 class TractionLaw(Protocol):
@@ -45,8 +45,8 @@ class Regression4109:
     Calibrated on point contacts; for a line contact Q = q l is outside the calibration.
     """
 
-    radius: float  # [m] R
-    modulus: float  # [Pa] E'
+    radius: NDArray | float  # [m] R
+    modulus: NDArray | float  # [Pa] E'
     length: float  # [m] l, turns a load per length into Q
     oil: Lubricant
     load_floor: float = 1.0  # [N] below it the coefficients keep their value: P^-0.37 would diverge
@@ -59,116 +59,41 @@ class Regression4109:
             [6.826e5, -0.170, 0.578, 0.373],  # C
         ]
     )
+    _SPEED_POWERS = _FORMULA[:, 2] - 2 * _FORMULA[:, 3]  # of the entrainment speed, in U and Theta
 
     def __call__(self, line_load: NDArray, sliding: NDArray, entrainment: NDArray, film: NDArray) -> Traction:
         """Traction; the film does not enter this law."""
-        load = np.hypot(line_load * self.length, self.load_floor)
-        d, b, c = self._coefficients(load, entrainment)
+        share = line_load * (self.length / self.load_floor)
+        squared = share * share
+        log_load = 0.5 * np.log1p(squared)  # of the load over its floor, rounded
         slip = np.abs(sliding) / entrainment
+        (d, b, c), powers = self._at_floor(entrainment), self._FORMULA[:, 1]
+        d, b, c = (factor * np.exp(p * log_load) for factor, p in zip((d, b, c), powers, strict=True))
         decay = np.exp(-c * slip)
-        curve = d * (1 - decay) + b * slip * decay
-        by_slip = decay * (d * c + b * (1 - c * slip))
-        # d mu/d ln X for X = D, B, C
-        shares = (d * (1 - decay), b * slip * decay, c * slip * decay * (d - b * slip))
-        by_log_load = sum(row[1] * share for row, share in zip(self._FORMULA, shares, strict=True))
-        by_log_speed = sum(
-            (row[2] - 2 * row[3]) * share for row, share in zip(self._FORMULA, shares, strict=True)
-        )
+        rise = b * slip
+        plateau = d * (1 - decay)
+        climb = rise * decay
+        curve = plateau + climb
+        steepening = decay * (d - rise) * c  # part of the slope that comes from the exponential
+        by_slip = steepening + b * decay
+        # d mu / d ln D = plateau, d mu / d ln B = climb, d mu / d ln C = steepening * slip
+        shares = plateau, climb, steepening * slip
+        by_log_load = sum(p * share for p, share in zip(powers, shares, strict=True))
+        by_log_speed = sum(p * share for p, share in zip(self._SPEED_POWERS, shares, strict=True))
         sign = np.sign(sliding)
+        pull = sign * line_load
         return Traction(
-            force=sign * line_load * curve,
-            by_load=sign * (curve + by_log_load * (line_load * self.length / load) ** 2),
+            force=pull * curve,
+            by_load=sign * (curve + by_log_load * (squared / (1 + squared))),
             by_sliding=line_load * by_slip / entrainment,
-            by_entrainment=sign * line_load * (by_log_speed - by_slip * slip) / entrainment,
+            by_entrainment=pull * (by_log_speed - by_slip * slip) / entrainment,
+            by_film=np.zeros_like(curve),
         )
 
-    def _coefficients(self, load: NDArray, entrainment: NDArray) -> tuple[NDArray, NDArray, NDArray]:
+    def _at_floor(self, entrainment: NDArray) -> list[NDArray]:
+        """D, B, C at the load floor."""
         oil = self.oil
-        pressure = load / (self.modulus * self.radius**2)
+        pressure = self.load_floor / (self.modulus * self.radius**2)
         speed = oil.viscosity * entrainment / (self.modulus * self.radius)
         heat = oil.conductivity * oil.temperature / (oil.viscosity * entrainment**2)
-        d, b, c = (x0 * pressure**p * speed**u * heat**t for x0, p, u, t in self._FORMULA)
-        return d, b, c
-
-
-@dataclass(frozen=True, kw_only=True)
-class EyringLimited:
-    r"""Eyring film with a limiting shear stress, isothermal.
-
-    .. math:: \tau = \min[\tau_E \sinh^{-1}(\eta u_s/(\tau_E h)),\; \Lambda \bar p],\quad
-              \bar p = \tfrac{\pi}{4} p_0
-
-    acting on the strip of width 2b; Roelands viscosity at the mean pressure. The cap is a kink.
-
-    Source
-    ------
-    Evans and Johnson (1986); Arana, Larranaga and Ulacia (2019), Eqs (7) and (13).
-
-    Valid
-    -----
-    Small film heating (slide-to-roll ratio below about 1 %); above, it overestimates.
-    """
-
-    radius: float  # [m] R
-    modulus: float  # [Pa] E'
-    length: float  # [m] l
-    oil: Lubricant
-    limiting_ratio: float  # [-] Lambda
-    eyring_stress: float  # [Pa] tau_E
-    load_floor: float = 1.0  # [N] below it strip width over load keeps its value
-
-    def __call__(self, line_load: NDArray, sliding: NDArray, entrainment: NDArray, film: NDArray) -> Traction:
-        """Traction; the entrainment speed enters through the film alone."""
-        load = np.hypot(line_load, self.load_floor / self.length)
-        strip = 2 * half_width(load, self.radius, self.modulus)
-        mean_pressure = load / strip
-        viscosity, by_pressure = roelands(mean_pressure, self.oil)
-        rate = viscosity * np.abs(sliding) / (self.eyring_stress * film)
-        stress = self.eyring_stress * np.arcsinh(rate)
-        steepness = 1 / np.hypot(1.0, rate)  # d asinh
-        capped = stress > self.limiting_ratio * mean_pressure
-        stress = np.where(capped, self.limiting_ratio * mean_pressure, stress)
-        by_sliding = np.where(capped, 0.0, viscosity / film * steepness)
-        by_pressure = np.where(
-            capped, self.limiting_ratio, self.eyring_stress * steepness * rate * by_pressure / viscosity
-        )
-        # force = q (strip/load) stress; strip/load = 1/p_mean, and p_mean ~ load^(1/2)
-        log_load = (line_load / load) ** 2  # d ln load / d ln q
-        coefficient = stress / mean_pressure
-        sign = np.sign(sliding)
-        return Traction(
-            force=sign * line_load * coefficient,
-            by_load=sign * (coefficient + 0.5 * log_load * (by_pressure - coefficient)),
-            by_sliding=line_load * by_sliding / mean_pressure,
-            by_entrainment=np.zeros_like(line_load * sliding),
-        )
-
-
-def roelands(pressure: NDArray, oil: Lubricant) -> tuple[NDArray, NDArray]:
-    r"""Viscosity under pressure, and its derivative.
-
-    .. math:: \eta = \eta_0 \exp\{(\ln\eta_0 + 9.67)[(1 + p/p_r)^Z - 1]\},\quad
-              Z = \alpha p_r/(\ln\eta_0 + 9.67),\; p_r = 1.962\cdot 10^8\,\mathrm{Pa}
-
-    Parameters
-    ----------
-    pressure : array (...)
-        p [Pa]
-    oil : Lubricant
-        eta0 and alpha at the inlet
-
-    Returns
-    -------
-    tuple of array (...)
-        viscosity [Pa s], its derivative by pressure [s]
-
-    Source
-    ------
-    Roelands (1966).
-    """
-    reference = 1.962e8
-    span = np.log(oil.viscosity) + 9.67
-    exponent = oil.pressure_viscosity * reference / span
-    ratio = 1 + pressure / reference
-    viscosity = oil.viscosity * np.exp(span * (ratio**exponent - 1))
-    return viscosity, viscosity * span * exponent * ratio ** (exponent - 1) / reference
+        return [x0 * pressure**p * speed**u * heat**t for x0, p, u, t in self._FORMULA]

@@ -17,6 +17,7 @@ class Cage:
     land_diameter: float = 0.0  # [m] unused when the rollers guide
     land_width: float = 0.0  # [m] total over both lands
     land_clearance: float = 0.0  # [m] diametral
+    land_flow: Literal["laminar", "vortices"] = "laminar"  # of the oil that fills the land
 
     def __post_init__(self):
         require_positive("cage.mass", self.mass)

@@ -1,18 +1,95 @@
-"""Lundberg-Palmgren life of the paper's bearing, re-solved independently with b_m = 1.1."""
+"""Ratings and lives of the paper's bearing, re-solved independently, and printed tables of the standards."""
+
+from dataclasses import replace
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from pytest import approx
+from scipy.optimize import brentq
 
-from quasidynamic.outcome.life import basic_life, raceway_capacity
+from quasidynamic import Logarithmic, OutOfRange
+from quasidynamic.contact.hertz import peak_pressure
+from quasidynamic.outcome.capacity import (
+    dynamic_rating,
+    fatigue_load_limit,
+    geometry_factor,
+    raceway_capacity,
+    reference_raceway_capacity,
+    roller_capacity,
+    static_rating,
+)
+from quasidynamic.outcome.life import (
+    RollerBody,
+    basic_life,
+    edge_stress_factor,
+    reference_life,
+    reference_load,
+    slice_life,
+)
 from tests.bearings import paper_bearing
+
+BEARING = paper_bearing().bearing
+TURNING = (True, False)
+ROLLERS = RollerBody(capacity=roller_capacity(BEARING), speed_ratio=6.96)
+RNG = np.random.default_rng(4)
+LOADS = RNG.uniform(100, 3000, (2, 30, 1))  # [N]
+
+
+def rigid_loads(clearance, load=19621.1, stiffness=158.5e3, centrifugal=92.2):
+    """Static loads between rigid rings (mm, N); the outer raceway carries the centrifugal force too."""
+    azimuth = 2 * np.pi * np.arange(30) / 30
+
+    def inner(shift):
+        return stiffness * np.maximum(shift * np.cos(azimuth) - clearance / 2, 0) ** (10 / 9)
+
+    loads = inner(brentq(lambda shift: inner(shift) @ np.cos(azimuth) - load, 0, 1))
+    return loads[:, None], loads[:, None] + centrifugal
 
 
 def test_capacities():
     """552-form with gamma 0.07145, Z 30, D = l = 5 mm: 2580.5 and 3119.1 N."""
-    inner, outer = raceway_capacity(paper_bearing().bearing)
-    assert inner == approx(2580.5, rel=1e-3)
-    assert outer == approx(3119.1, rel=1e-3)
+    inner, outer = raceway_capacity(BEARING)
+    assert inner == approx(2580.5, rel=2e-4)
+    assert outer == approx(3119.1, rel=2e-4)
+
+
+@pytest.mark.parametrize(
+    ("ratio", "factor"),
+    [(0.01, 52.1), (0.05, 74.1), (0.10, 84.2), (0.16, 88.5), (0.18, 88.8), (0.20, 88.7), (0.30, 83.8)],
+    ids=str,
+)
+def test_geometry_factor_is_the_table_of_iso281(ratio, factor):
+    assert geometry_factor(ratio) == approx(factor, abs=0.11)
+
+
+def test_iso_ratings_of_the_paper_bearing():
+    """An independent ISO 281 and ISO/TS 16281 programme; gamma 0.07145 there, 0.07143 here."""
+    assert geometry_factor(0.07145) == approx(79.48, rel=1e-4)
+    assert dynamic_rating(BEARING, material_factor=1.0) == approx(20068, rel=2e-4)
+    assert dynamic_rating(BEARING) == approx(22075, rel=2e-4)
+    assert reference_raceway_capacity(BEARING) == approx((2568.0, 3105.3), rel=2e-4)
+    assert roller_capacity(BEARING) == approx((8285, 10014), rel=2e-4)
+
+
+def test_rating_outside_the_table_is_refused():
+    for ratio in (0.009, 0.31, float("nan")):
+        with pytest.raises(OutOfRange, match="table 7"):
+            geometry_factor(ratio)
+
+
+def test_static_rating_is_4000_megapascal_under_the_most_loaded_roller():
+    """Hertz on a roller that carries 5/Z of the load; E = 206 GPa, nu = 0.3."""
+    radius = 2.5e-3 * (1 - BEARING.diameter_ratio)
+    line_load = 5 / 30 * static_rating(BEARING) / 5e-3
+    assert peak_pressure(line_load, radius, 206e9 / (1 - 0.3**2)) == approx(4e9, rel=0.01)
+
+
+def test_fatigue_limit_is_an_eighth_of_the_static_rating_and_less_of_a_large_bearing():
+    assert static_rating(BEARING) / fatigue_load_limit(BEARING) == approx(8.2, rel=1e-12)
+    large = replace(BEARING, outer_raceway_diameter=205e-3)
+    assert static_rating(large) / fatigue_load_limit(large) == approx(8.2 * 2**0.3, rel=1e-12)
 
 
 @pytest.mark.parametrize(
@@ -23,26 +100,109 @@ def test_life_of_the_rigid_bearing(clearance, life):
     assert paper_bearing(clearance=clearance).solve().life == approx(life, rel=0.04)
 
 
+@pytest.mark.parametrize(
+    ("clearance", "loaded", "largest", "life"),
+    [(0.050, 11, 3305, 1.831), (0.070, 9, None, 1.5624), (0.075, 9, 3538, 1.517)],
+    ids=["11 loaded", "whole roller", "9 loaded"],
+)
+def test_reference_life_of_rigid_rings(clearance, loaded, largest, life):
+    """Loads from a model of three lines; its stiffness meets both printed loads within 0.2 %."""
+    inner, outer = rigid_loads(clearance)
+    assert np.count_nonzero(inner) == loaded
+    assert largest is None or inner.max() == approx(largest, rel=2e-3)
+    assert reference_life(inner, outer, BEARING, TURNING) == approx(life, rel=5e-3)
+    sliced = [np.repeat(side / 30, 30, axis=1) for side in (inner, outer)]
+    assert reference_life(*sliced, BEARING, TURNING) == approx(
+        reference_life(inner, outer, BEARING, TURNING), rel=1e-12
+    )
+
+
+@pytest.mark.parametrize(("clearance", "life"), [(0.050, 0.528), (0.075, 0.438)], ids=["11", "9"])
+def test_edge_stress_shortens_the_life_as_printed(clearance, life):
+    sliced = [np.repeat(side / 30, 30, axis=1) for side in rigid_loads(clearance)]
+    profiled = paper_bearing(profile=Logarithmic(amplitude=0.00035 * 5e-3)).bearing
+    assert reference_life(*sliced, profiled, TURNING, edge_stress=True) == approx(life, rel=5e-3)
+
+
+def test_edge_stress_factors():
+    """n_s = 30: 2.328 at the end, 1.127 beside it, 1.003 in the middle; symmetric."""
+    factor = edge_stress_factor(30)
+    assert factor[[0, 1, 14]] == approx([2.328, 1.127, 1.003], abs=5e-4)
+    assert factor == approx(factor[::-1], rel=1e-12)
+    assert edge_stress_factor(31)[15] == 1.0
+
+
+def test_edge_stress_is_refused_where_it_does_not_hold():
+    profiled = paper_bearing(profile=Logarithmic(amplitude=1.75e-6)).bearing
+    few, enough = np.ones((30, 29)), np.ones((30, 30))
+    with pytest.raises(OutOfRange, match="straight"):
+        reference_life(enough, enough, BEARING, TURNING, edge_stress=True)
+    with pytest.raises(OutOfRange, match="29 slices"):
+        reference_life(few, few, profiled, TURNING, edge_stress=True)
+
+
 def test_uniform_slices_give_the_life_of_the_whole_roller():
-    rng = np.random.default_rng(4)
-    whole = np.array([rng.uniform(100, 3000, 30), rng.uniform(100, 3000, 30)])
-    bearing = paper_bearing().bearing
     for count in (1, 20, 60):
-        sliced = np.repeat(whole[:, :, None] / count, count, axis=2)
-        assert basic_life(*sliced, bearing, (True, False)) == approx(
-            basic_life(*whole[:, :, None], bearing, (True, False)), rel=1e-12
+        sliced = np.repeat(LOADS / count, count, axis=2)
+        assert basic_life(*sliced, BEARING, TURNING) == approx(
+            basic_life(*LOADS, BEARING, TURNING), rel=1e-12
+        )
+        assert slice_life(*sliced, (2e3, 3e3), TURNING, rollers=ROLLERS) == approx(
+            slice_life(*LOADS, (2e3, 3e3), TURNING, rollers=ROLLERS), rel=1e-12
         )
 
 
-def test_life_falls_with_the_power_of_ten_thirds_nearly():
-    """Exponents 4 and 4.5 on slices, 9/8 Weibull: doubling all loads costs 2^4."""
-    loads = np.full((30, 20), 50.0)
-    bearing = paper_bearing().bearing
-    assert basic_life(loads, loads, bearing, (True, False)) / basic_life(
-        2 * loads, 2 * loads, bearing, (True, False)
-    ) == approx(2.0**4, rel=1e-12)
+@given(st.floats(0.01, 100.0), st.booleans(), st.booleans(), st.sampled_from([None, ROLLERS]))
+def test_life_falls_with_the_fourth_power_of_all_loads(factor, inner, outer, rollers):
+    """Slices to the 4.5, Weibull 9/8: x times all loads costs x^4, whichever ring turns."""
+    one, other = (slice_life(*(x * LOADS), (2e3, 3e3), (inner, outer), rollers=rollers) for x in (1, factor))
+    assert one / other == approx(factor**4, rel=1e-9)
+
+
+def test_standing_ring_suffers_more_from_the_same_unequal_loads():
+    """A point of it always meets the largest load: the mean of power 4.5 instead of 4."""
+    turns, stands = (slice_life(*LOADS, (2e3, 2e3), (turn, turn)) for turn in (True, False))
+    equal = np.full((2, 30, 1), 1e3)
+    assert stands < turns
+    assert slice_life(*equal, (2e3, 2e3), (True, True)) == approx(2.0**4 * 2 ** (-8 / 9), rel=1e-12)
+    assert slice_life(*equal, (2e3, 2e3), (False, False)) == approx(2.0**4 * 2 ** (-8 / 9), rel=1e-12)
+
+
+def test_rollers_fail_in_the_same_weibull_sum():
+    """Every one of Z rollers lives (Q_c/Q)^4 of its own turns, six of them per turn of the ring."""
+    loads = np.full((2, 30, 1), 1e3)
+    body = RollerBody(capacity=(8e3, 10e3), speed_ratio=6.0)
+    weakest = np.array([2e3, 3e3, *30 * [8e3], *30 * [10e3]])
+    lives = (weakest / 1e3) ** 4 / np.array([1, 1, *60 * [6.0]])
+    assert slice_life(*loads, (2e3, 3e3), TURNING, rollers=body) == approx(
+        np.sum(lives ** (-9 / 8)) ** (-8 / 9), rel=1e-12
+    )
+
+
+def test_stacked_load_cases_are_the_single_ones():
+    cases = RNG.uniform(0, 500, (2, 3, 4, 30, 8))
+    cases[:, 1, 2] = 0.0
+    profiled = paper_bearing(profile=Logarithmic(amplitude=1.75e-6)).bearing
+    many = np.repeat(cases, 5, axis=-1)
+    for life, loads in (
+        (lambda i, o: basic_life(i, o, BEARING, TURNING), cases),
+        (lambda i, o: reference_life(i, o, profiled, TURNING, edge_stress=True), many),
+        (lambda i, o: slice_life(i, o, (2e3, 3e3), TURNING, rollers=ROLLERS), cases),
+    ):
+        stacked = life(*loads)
+        assert stacked.shape == (3, 4)
+        assert stacked[2, 1] == approx(life(*loads[:, 2, 1]), rel=1e-12)
+        assert stacked[1, 2] == float("inf")
+
+
+def test_reference_load_gives_the_life_back():
+    """L = (C_r/P)^(10/3)."""
+    life = reference_life(*LOADS, BEARING, TURNING)
+    load = reference_load(life, dynamic_rating(BEARING))
+    assert (dynamic_rating(BEARING) / load) ** (10 / 3) == approx(life, rel=1e-12)
+    assert reference_load(float("inf"), 2e4) == 0.0
 
 
 def test_unloaded_bearing_lives_for_ever():
     none = np.zeros((30, 20))
-    assert basic_life(none, none, paper_bearing().bearing, (True, False)) == float("inf")
+    assert basic_life(none, none, BEARING, TURNING) == float("inf")

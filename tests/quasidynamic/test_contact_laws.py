@@ -7,17 +7,18 @@ from hypothesis import strategies as st
 from pytest import approx
 
 from quasidynamic import Crowned, Logarithmic, Material, OutOfRange, Straight, oil_at
-from quasidynamic.contact.film import dowson_minimum_film, inlet_heating_factor
+from quasidynamic.contact.film import FORMULAS, FilmLaw, inlet_heating_factor
 from quasidynamic.contact.hertz import half_width, peak_pressure, reduced_radius
 from quasidynamic.contact.load import iso16281, palmgren, smooth_positive
+from quasidynamic.contact.rheology import Eyring
 from quasidynamic.contact.rolling import biboulet_houpert
-from quasidynamic.contact.traction import EyringLimited, Regression4109
+from quasidynamic.contact.traction import Regression4109
 from quasidynamic.parts.lubricant import Lubricant
 
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7850)
 OIL = oil_at("MIL-PRF-23699", 493.15)
 PAIR = {"radius": 2.32e-3, "modulus": 2.2487e11, "length": 5e-3, "oil": OIL}
-LAWS = [Regression4109(**PAIR), EyringLimited(**PAIR, limiting_ratio=0.05, eyring_stress=11.4e6)]
+LAWS = [Regression4109(**PAIR), Eyring(**PAIR, limiting_ratio=0.05, eyring_stress=11.4e6)]
 
 loads = st.floats(1.0, 2e6)  # [N/m]
 slides = st.floats(-30.0, 30.0).filter(lambda u: abs(u) > 1e-6)  # [m/s]
@@ -98,7 +99,8 @@ def test_film_of_a_textbook_contact():
         conductivity=0.14, density=870,
     )  # fmt: skip
     modulus = 207.5e9 / (1 - 0.3**2)
-    film = dowson_minimum_film(np.array(4800 / 16e-3), np.array(10.0608), 6.4e-3, modulus, oil)
+    law = FilmLaw(formula=FORMULAS["dowson"], radius=6.4e-3, modulus=modulus, oil=oil, inlet_heating=False)
+    film = law(np.array(4800 / 16e-3), np.array(0.0), np.array(10.0608)).thickness
     assert film == approx(0.39254e-6, rel=1e-4)
     assert peak_pressure(4800 / 16e-3, 6.4e-3, modulus) == approx(1.3043e9, rel=1e-4)
     assert half_width(4800 / 16e-3, 6.4e-3, modulus) == approx(146.43e-6, rel=1e-4)
@@ -106,7 +108,41 @@ def test_film_of_a_textbook_contact():
 
 @given(speed=speeds, slide=slides)
 def test_inlet_heating_only_thins_the_film(speed, slide):
-    assert 0.0 < inlet_heating_factor(np.array(speed), np.array(slide), OIL) <= 1.0
+    factor, *_ = inlet_heating_factor(np.array(speed), np.array(slide), OIL)
+    assert 0.0 < factor <= 1.0
+
+
+@pytest.mark.parametrize("formula", FORMULAS.values(), ids=FORMULAS.keys())
+@given(load=loads, slide=slides, speed=speeds)
+def test_film_derivatives_against_differences(formula, load, slide, speed):
+    law = FilmLaw(formula=formula, radius=2.32e-3, modulus=2.2487e11, oil=OIL)
+    here = law(np.array(load), np.array(slide), np.array(speed))
+    point = np.array([load, slide, speed])
+    for which, slope in enumerate(here[1:]):
+        step = np.zeros(3)
+        step[which] = 1e-5 * point[which]
+        ahead, behind = (law(*(point + s * step)).thickness for s in (1, -1))
+        assert slope * step[which] == approx((ahead - behind) / 2, rel=1e-5, abs=1e-9 * here.thickness * 1e-5)
+
+
+def test_regression_derivatives_against_differences():
+    law, film = LAWS[0], np.array(1e-7)
+    rng = np.random.default_rng(4109)
+    for _ in range(200):
+        point = np.array(
+            [
+                10 ** rng.uniform(0, 6),
+                rng.choice([-1, 1]) * 10 ** rng.uniform(-4, 1.5),
+                10 ** rng.uniform(-1, 2),
+            ]
+        )
+        here = law(*point, film)
+        for which, slope in enumerate((here.by_load, here.by_sliding, here.by_entrainment)):
+            step = np.zeros(3)
+            step[which] = 1e-5 * abs(point[which])
+            ahead, behind = (law(*(point + s * step), film).force for s in (1, -1))
+            scale = np.abs(here.force) * 1e-5
+            assert slope * step[which] == approx((ahead - behind) / 2, rel=1e-4, abs=1e-4 * scale)
 
 
 def test_reduced_radius_of_convex_and_concave_raceways():

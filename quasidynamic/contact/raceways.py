@@ -1,0 +1,107 @@
+"""Sliced rollers on both raceways: load, traction, rolling shear, film."""
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.contact.film import Film, FilmLaw
+from quasidynamic.contact.load import LoadLaw
+from quasidynamic.contact.lubrication import Lubrication
+from quasidynamic.contact.rolling import RollingShear
+from quasidynamic.contact.slices import Slices
+from quasidynamic.contact.starvation import starved_film
+from quasidynamic.contact.traction import TractionLaw
+from quasidynamic.parts.lubricant import Lubricant
+
+FILM_LOAD_FLOOR = 30.0  # [N] keeps the film of a grazing roller from depending on its own load
+
+
+class ContactState(NamedTuple):
+    """Forces of the raceways on the rollers, with derivatives.
+
+    Shapes: 2 raceways (inner, outer), C cases, Z rollers, M axial shapes, K slices.
+    """
+
+    slice_load: NDArray  # (2, C, Z, K) [N/m]
+    force: NDArray  # (2, M, C, Z) [N] conjugate to the shape coefficients; [:, 0] is the load
+    force_by_approach: NDArray  # (2, M, M, C, Z) [N/m]
+    traction: NDArray  # (2, C, Z) [N] signed like the sliding
+    traction_by_approach: NDArray  # (2, M, C, Z) [N/m]
+    traction_by_sliding: NDArray  # (2, C, Z) [N s/m]
+    traction_by_entrainment: NDArray  # (2, C, Z) [N s/m]
+    traction_by_film: NDArray  # (2, C, Z) [N/m]
+    rolling: RollingShear  # (2, C, Z) each
+    film: Film  # (2, C, Z) each; derivatives by load [m/N] instead of line load
+
+
+@dataclass(frozen=True, kw_only=True)
+class Raceways:
+    """Both raceways with their rollers: laws and constants of the pairs, inner first."""
+
+    law: LoadLaw
+    traction: TractionLaw
+    film_law: FilmLaw
+    lubrication: Lubrication
+    slices: Slices
+    drop: NDArray  # (K) profile drop [m]
+    radius: NDArray  # (2, 1, 1) [m] reduced
+    modulus: NDArray  # (2, 1, 1) [Pa] E'
+
+    @property
+    def oil(self) -> Lubricant:
+        """The oil at the inlets."""
+        return self.lubrication.oil
+
+    def state(self, approach: NDArray, sliding: NDArray, entrainment: NDArray, film: NDArray) -> ContactState:
+        """Evaluate the contacts.
+
+        Parameters
+        ----------
+        approach : array (2, M, C, Z)
+            coefficients of the axial shapes [m], film included, profile drop not
+        sliding : array (2, C, Z)
+            raceway over roller surface [m/s]
+        entrainment : array (2, C, Z)
+            mean surface speed [m/s], > 0
+        film : array (2, C, Z)
+            thickness [m] used by the traction law
+
+        Returns
+        -------
+        ContactState
+        """
+        slices = self.slices
+        q, stiffness = self.law(np.moveaxis(approach, 1, -1) @ slices.shape.T - self.drop)
+        pull = self.traction(q, sliding[..., None], entrainment[..., None], film[..., None])
+        force = np.moveaxis(q @ slices.weights, -1, 1)
+        m = slices.shapes
+        by_approach = np.moveaxis(stiffness @ slices.products, -1, 1)
+        load = force[:, 0]
+        return ContactState(
+            slice_load=q,
+            force=force,
+            force_by_approach=by_approach.reshape(2, m, m, *load.shape[1:]),
+            traction=pull.force @ slices.widths,
+            traction_by_approach=np.moveaxis((pull.by_load * stiffness) @ slices.weights, -1, 1),
+            traction_by_sliding=pull.by_sliding @ slices.widths,
+            traction_by_entrainment=pull.by_entrainment @ slices.widths,
+            traction_by_film=pull.by_film @ slices.widths,
+            rolling=self.rolling(load, entrainment),
+            film=self.film(load, sliding, entrainment),
+        )
+
+    def rolling(self, load: NDArray, entrainment: NDArray) -> RollingShear:
+        """Inlet shear at roller loads (2, C, Z) [N] and mean surface speeds [m/s]."""
+        geometry = (self.radius, self.modulus, self.slices.length)
+        return self.lubrication.rolling(load, entrainment, geometry, self.oil)
+
+    def film(self, load: NDArray, sliding: NDArray, entrainment: NDArray) -> Film:
+        """Film of roller loads (2, C, Z) [N], at the mean load per length; derivatives by load [m/N]."""
+        floored = np.sqrt(load * load + FILM_LOAD_FLOOR**2)
+        line_load = floored / self.slices.length
+        film = self.film_law(line_load, sliding, entrainment)
+        if self.lubrication.inlet_length is not None:
+            film = starved_film(film, line_load, self.radius, self.modulus, self.lubrication.inlet_length)
+        return film._replace(by_line_load=film.by_line_load / self.slices.length * load / floored)

@@ -1,0 +1,373 @@
+"""Factors between the basic life and the life under real lubrication, steel and reliability."""
+
+from dataclasses import dataclass
+from difflib import get_close_matches
+from math import prod
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from quasidynamic.errors import OutOfRange
+from quasidynamic.outcome.capacity import MATERIAL_FACTOR, MILLIMETRE
+
+RPM = 2 * np.pi / 60  # [rad/s]
+LEAST_VISCOSITY_RATIO, FULL_VISCOSITY_RATIO = 0.1, 4.0  # kappa of ISO 281
+LARGEST_MODIFICATION = 50.0  # a_ISO
+LEAST_RELIABILITY, LARGEST_RELIABILITY = 0.90, 0.9995  # of the a_1 table of ISO 281
+RELIABILITY_OFFSET = 0.05  # c, the part of the life without failures
+
+FILM_RATIOS = (0.6, 0.8, 1.0, 1.1, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 10.0)  # [-] STLE
+FILM_FACTORS = (0.19, 0.28, 0.47, 1.00, 1.75, 2.13, 2.46, 2.62, 2.83, 2.88, 3.03)  # [-] STLE
+CHEMISTRY = {"52100": 3.0, "M50": 2.0, "M50NiL": 4.0}  # [-] STLE
+MELTING = {"air": 1.0, "CVD": 1.5, "VAR": 3.0, "VAR-VAR": 4.5, "VIM-VAR": 6.0}  # [-] STLE
+
+
+@dataclass(frozen=True)
+class Cleanliness:
+    """How clean a lubricant is kept: the two constants of e_C."""
+
+    rise: float  # [-] c1, for D_pw in mm
+    loss: float  # [-] c2, for D_pw in mm
+
+
+# ISO 281 (2007), annex A.4 to A.6; oils by their code of ISO 4406
+CLEANLINESS = {
+    "oil, in-line filter, -/13/10": Cleanliness(0.0864, 0.5663),
+    "oil, in-line filter, -/15/12": Cleanliness(0.0432, 0.9987),
+    "oil, in-line filter, -/17/14": Cleanliness(0.0288, 1.6329),
+    "oil, in-line filter, -/19/16": Cleanliness(0.0216, 2.3362),
+    "oil, no or off-line filter, -/13/10": Cleanliness(0.0864, 0.6796),
+    "oil, no or off-line filter, -/15/12": Cleanliness(0.0288, 1.141),
+    "oil, no or off-line filter, -/17/14": Cleanliness(0.0133, 1.67),
+    "oil, no or off-line filter, -/19/16": Cleanliness(0.00864, 2.5164),
+    "oil, no or off-line filter, -/21/18": Cleanliness(0.00411, 3.8974),
+    "grease, high cleanliness": Cleanliness(0.0864, 0.6796),
+    "grease, normal cleanliness": Cleanliness(0.0432, 1.141),
+    # 1.677 as found; the standard may hold it for D_pw >= 500 mm and 1.887 below
+    "grease, slight to typical contamination": Cleanliness(0.0177, 1.677),
+    "grease, severe contamination": Cleanliness(0.0115, 2.662),
+    "grease, very severe contamination": Cleanliness(0.00617, 4.06),
+}
+
+
+@dataclass(frozen=True)
+class Factor:
+    """A number the basic life is multiplied by, with what must be said about it."""
+
+    name: str
+    value: Any  # [-] float or array (...), > 0
+    effect: Literal["lubrication", "material", "reliability"]  # what it accounts for
+    note: str = ""  # where a limit was met, or what went in
+
+    def __post_init__(self):
+        if not np.all(np.isfinite(self.value) & (np.asarray(self.value) > 0)):
+            raise OutOfRange(f"life factor {self.name} = {self.value} must be a finite number above zero")
+
+
+@dataclass(frozen=True)
+class ModifiedLife:
+    """The basic life with every factor that was applied to it."""
+
+    basic: Any  # [10^6 revolutions] float or array (...)
+    factors: tuple[Factor, ...] = ()
+
+    def __post_init__(self):
+        effects = [factor.effect for factor in self.factors]
+        for effect in set(effects):
+            if effects.count(effect) > 1:
+                names = ", ".join(factor.name for factor in self.factors if factor.effect == effect)
+                raise OutOfRange(f"{names} account for the same {effect}; choose one of them")
+
+    @property
+    def factor(self) -> Any:
+        """Product of all factors [-]."""
+        return prod((factor.value for factor in self.factors), start=1.0)
+
+    @property
+    def life(self) -> Any:
+        """Modified life [10^6 revolutions]."""
+        return self.basic * self.factor
+
+
+def reference_viscosity(speed: ArrayLike, pitch_diameter: float) -> Any:
+    r"""Kinematic viscosity that just separates the surfaces of an ordinary bearing.
+
+    .. math:: \nu_1 = 45000\, n^{-0.83} D_{pw}^{-0.5} \;(n < 1000),\quad
+              \nu_1 = 4500\, n^{-0.5} D_{pw}^{-0.5} \;(n \ge 1000) \quad \text{(mm2/s, 1/min, mm)}
+
+    Parameters
+    ----------
+    speed : float or array (...)
+        n, of one ring against the other [rad/s], either sign, not zero
+    pitch_diameter : float
+        D_pw [m], > 0
+
+    Returns
+    -------
+    float or array (...)
+        nu_1 [m2/s]
+
+    Source
+    ------
+    ISO 281 (2007), section 9.3.3.
+
+    Valid
+    -----
+    Ordinary surface finish, mineral oil. Falls by 2.3 % where the branches meet at 1000 1/min.
+    A ring at rest has no reference viscosity and raises `OutOfRange`.
+    """
+    n = np.abs(speed) / RPM
+    if not np.all(n > 0):
+        raise OutOfRange("a bearing at rest has no reference viscosity; speed must not be zero")
+    numerator = np.where(n < 1000, 45000 * n**-0.83, 4500 * n**-0.5)
+    return (numerator * (pitch_diameter / MILLIMETRE) ** -0.5 * MILLIMETRE**2)[()]
+
+
+def viscosity_ratio(viscosity: ArrayLike, speed: ArrayLike, pitch_diameter: float) -> Any:
+    r"""Viscosity at work over the one that is needed.
+
+    .. math:: \kappa = \nu / \nu_1
+
+    Parameters
+    ----------
+    viscosity : float or array (...)
+        nu, kinematic, at the temperature of the contact inlet [m2/s], > 0
+    speed : float or array (...)
+        of one ring against the other [rad/s], either sign, not zero
+    pitch_diameter : float
+        D_pw [m], > 0
+
+    Returns
+    -------
+    float or array (...)
+        kappa [-]
+
+    Source
+    ------
+    ISO 281 (2007), section 9.3.3.
+
+    Valid
+    -----
+    As `reference_viscosity`; the factors that use it hold from 0.1 on.
+    """
+    return np.asarray(viscosity)[()] / reference_viscosity(speed, pitch_diameter)
+
+
+def contamination_factor(kappa: ArrayLike, pitch_diameter: float, cleanliness: Cleanliness) -> Any:
+    r"""Share of the fatigue limit that hard particles leave.
+
+    .. math:: e_C = \min(c_1 \kappa^{0.68} D_{pw}^{0.55}, 1)\, (1 - c_2 D_{pw}^{-1/3}) \quad \text{(mm)}
+
+    Not a factor of the life itself: it enters `modification_factor`.
+
+    Parameters
+    ----------
+    kappa : float or array (...)
+        viscosity ratio [-], >= 0.1; above 4 as 4
+    pitch_diameter : float
+        D_pw [m], > 0
+    cleanliness : Cleanliness
+        c1, c2, such as `CLEANLINESS["oil, in-line filter, -/15/12"]`
+
+    Returns
+    -------
+    float or array (...)
+        e_C [-], 0 to 1
+
+    Source
+    ------
+    ISO 281 (2007), annex A.
+
+    Valid
+    -----
+    kappa below 0.1, and a pitch circle so small that e_C would be negative, raise `OutOfRange`.
+    Kinks where the minimum is reached and at kappa = 4.
+    """
+    size = pitch_diameter / MILLIMETRE
+    left = 1 - cleanliness.loss * size ** (-1 / 3)
+    if not left > 0:
+        least = cleanliness.loss**3
+        raise OutOfRange(f"pitch diameter {size:.4g} mm: this cleanliness needs more than {least:.3g} mm")
+    return np.minimum(cleanliness.rise * _rated(kappa) ** 0.68 * size**0.55, 1.0) * left
+
+
+def modification_factor(kappa: ArrayLike, load_ratio: ArrayLike) -> Factor:
+    r"""Life modification factor a_ISO of radial roller bearings.
+
+    .. math:: a_{ISO} = 0.1 \big[1 - (1.5859 - c/\kappa^p) (e_C C_u / P)^{0.4}\big]^{-9.185} \le 50
+
+    ==========  ======  ========
+    kappa       c       p
+    ==========  ======  ========
+    0.1 to 0.4  1.3993  0.054381
+    0.4 to 1    1.2348  0.19087
+    1 to 4      1.2348  0.071739
+    ==========  ======  ========
+
+    Parameters
+    ----------
+    kappa : float or array (...)
+        viscosity ratio [-], >= 0.1; above 4 as 4, with a note
+    load_ratio : float or array (...)
+        e_C C_u/P, fatigue limit left by the particles over the equivalent load [-], >= 0
+
+    Returns
+    -------
+    Factor
+        a_ISO [-], 0.1 to 50; a note tells where a limit was met
+
+    Source
+    ------
+    ISO 281 (2007), Eqs. 34-36.
+
+    Valid
+    -----
+    kappa below 0.1 raises `OutOfRange`: the standard stops there. Kinks at kappa = 0.4, 1 and 4, and
+    at the limit of 50, which also stands for loads below the fatigue limit.
+    """
+    kappa, load_ratio = np.asarray(kappa), np.asarray(load_ratio)
+    if not np.all(load_ratio >= 0):
+        raise OutOfRange(f"e_C C_u/P = {load_ratio} must not be negative")
+    k = _rated(kappa)
+    c = np.where(k < 0.4, 1.3993, 1.2348)
+    p = np.where(k < 0.4, 0.054381, np.where(k < 1.0, 0.19087, 0.071739))
+    left = 1 - (1.5859 - c / k**p) * load_ratio**0.4
+    least = (LARGEST_MODIFICATION / 0.1) ** (-1 / 9.185)  # below it the factor has reached 50
+    notes = [
+        "viscosity ratio above 4, rated as 4" * bool(np.any(kappa > FULL_VISCOSITY_RATIO)),
+        "held at its limit of 50" * bool(np.any(left <= least)),
+    ]
+    value = 0.1 * np.maximum(left, least) ** -9.185
+    return Factor("a_ISO", value[()], "lubrication", "; ".join(filter(None, notes)))
+
+
+def film_factor(film_ratio: ArrayLike) -> Factor:
+    r"""Life factor of the film thickness over the roughness.
+
+    Linear between the points of a table:
+
+    ======  ====  ====  ====  ====  ====  ====  ====  ====  ====  ====  ====
+    Lambda  0.6   0.8   1.0   1.1   1.5   2     3     4     6     8     10
+    factor  0.19  0.28  0.47  1.00  1.75  2.13  2.46  2.62  2.83  2.88  3.03
+    ======  ====  ====  ====  ====  ====  ====  ====  ====  ====  ====  ====
+
+    Parameters
+    ----------
+    film_ratio : float or array (...)
+        Lambda, least film over the root-mean-square roughness of both surfaces together [-], >= 0
+
+    Returns
+    -------
+    Factor
+        factor [-], 0.19 to 3.03; a note tells where an end of the table was held
+
+    Source
+    ------
+    STLE Life Factors for Rolling Bearings (Zaretsky, 1992) and Harris; the table as in a published program.
+
+    Valid
+    -----
+    Lambda 0.6 to 10; outside, the end value is held and the note says so: below 0.6 the true life is
+    shorter. Kinks at the points of the table.
+    """
+    ratio = np.asarray(film_ratio)
+    if not np.all(ratio >= 0):
+        raise OutOfRange(f"film ratio = {film_ratio} must not be negative")
+    low, high = FILM_RATIOS[0], FILM_RATIOS[-1]
+    notes = [
+        f"film ratio below {low}, held at its factor; the life is shorter" * bool(np.any(ratio < low)),
+        f"film ratio above {high}, held at its factor" * bool(np.any(ratio > high)),
+    ]
+    value = np.interp(ratio, FILM_RATIOS, FILM_FACTORS)
+    return Factor("film", value, "lubrication", "; ".join(filter(None, notes)))
+
+
+def material_factor(
+    steel: str, melting: str, *, process: float = 1.0, rating_factor: float = MATERIAL_FACTOR
+) -> Factor:
+    r"""Life factor of the steel, its melting and its working.
+
+    .. math:: a = a_{chemistry}\, a_{melting}\, a_{process} / b_m^4
+
+    The capacities hold b_m for a modern steel already; the life goes with their fourth power.
+
+    Parameters
+    ----------
+    steel : str
+        one of `CHEMISTRY`
+    melting : str
+        one of `MELTING`
+    process : float
+        working of the metal [-], 1 for cylindrical rollers
+    rating_factor : float
+        b_m in the capacities that gave the basic life [-]
+
+    Returns
+    -------
+    Factor
+        a [-], with a note of its parts
+
+    Source
+    ------
+    STLE Life Factors for Rolling Bearings (Zaretsky, 1992); division by b_m^4 as in a published program.
+
+    Valid
+    -----
+    For Lundberg-Palmgren capacities; ISO 281 has no such factor besides a_ISO.
+    """
+    chemistry, melt = _chosen("steel", steel, CHEMISTRY), _chosen("melting", melting, MELTING)
+    parts = f"{steel} {chemistry:g}, {melting} {melt:g}, process {process:g}, b_m {rating_factor:g}"
+    return Factor("material", chemistry * melt * process / rating_factor**4, "material", parts)
+
+
+def reliability_factor(reliability: ArrayLike) -> Factor:
+    r"""Life factor of a reliability above 90 %.
+
+    .. math:: a_1 = (1 - c) \Big[\frac{\ln (1/S)}{\ln (1/0.9)}\Big]^{2/3} + c,\quad c = 0.05
+
+    Parameters
+    ----------
+    reliability : float or array (...)
+        S, probability of survival [-], 0.90 to 0.9995
+
+    Returns
+    -------
+    Factor
+        a_1 [-], 1 at 90 %
+
+    Source
+    ------
+    ISO 281 (2007), table 12, as its Weibull curve of three parameters.
+
+    Valid
+    -----
+    S from 0.90 to 0.9995, the table's range; outside `OutOfRange`.
+    """
+    s = np.asarray(reliability)
+    if not np.all((s >= LEAST_RELIABILITY) & (s <= LARGEST_RELIABILITY)):
+        raise OutOfRange(
+            f"reliability = {reliability} is outside {LEAST_RELIABILITY} to {LARGEST_RELIABILITY}; "
+            "give a probability, such as 0.99"
+        )
+    share = (np.log(s) / np.log(LEAST_RELIABILITY)) ** (2 / 3)
+    return Factor("a_1", ((1 - RELIABILITY_OFFSET) * share + RELIABILITY_OFFSET)[()], "reliability")
+
+
+def _rated(kappa: ArrayLike) -> Any:
+    """The viscosity ratio that ISO 281 uses: not below 0.1, above 4 as 4."""
+    if not np.all(np.asarray(kappa) >= LEAST_VISCOSITY_RATIO):
+        raise OutOfRange(
+            f"viscosity ratio = {kappa} is below {LEAST_VISCOSITY_RATIO}, where ISO 281 stops; "
+            "take a thicker oil, or the film factor"
+        )
+    return np.minimum(kappa, FULL_VISCOSITY_RATIO)
+
+
+def _chosen(what: str, name: str, table: dict[str, float]) -> float:
+    """Entry of a table, or an error that names the nearest."""
+    if name not in table:
+        near = get_close_matches(name, table, n=1, cutoff=0.4)
+        hint = f" Did you mean {near[0]}?" if near else ""
+        raise OutOfRange(f"{what} = {name!r} has no life factor; known: {', '.join(table)}.{hint}")
+    return table[name]

@@ -1,0 +1,192 @@
+"""Linear solve that knows who feels whom: each roller by itself, a ring of spins, a border."""
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg.lapack import dgtsv  # pyright: ignore[reportAttributeAccessIssue]  # made at import
+
+from quasidynamic.balance.bearing import (
+    BORDER,
+    CAGE,
+    INNER,
+    LARGE_DEVIATION,
+    LENGTH,
+    BearingBalance,
+    Linearisation,
+)
+
+Shift = tuple[NDArray, NDArray]  # (C) subtracted from the diagonal at each spin, and at the cage speed
+
+
+def solve(
+    balance: BearingBalance, system: Linearisation, right: NDArray, shift: Shift | None = None
+) -> NDArray:
+    """Solve the linearised balance for several right-hand sides.
+
+    Every roller is eliminated on its own, then the ring of spins, then the border: the cost grows
+    linearly with the number of rollers. Deviations of yielding raceways are solved densely.
+
+    Parameters
+    ----------
+    balance : BearingBalance
+        tells sizes and compliances
+    system : Linearisation
+        matrix of C cases
+    right : array (C, N, R)
+        right-hand sides, scaled
+    shift : pair of arrays (C), optional
+        inertia over time step for spins and cage
+
+    Returns
+    -------
+    array (C, N, R)
+        not a number for cases whose matrix is singular
+    """
+    own, (cases, _, count) = balance.own, right.shape
+    split = BORDER + balance.rollers * own
+    table = np.zeros((system.table.shape[0], system.table.shape[1] + count, cases, balance.rollers))
+    table[:, :-count] = system.table
+    table[:own, -count:] = (
+        right[:, BORDER:split].reshape(cases, own, balance.rollers, count).transpose(1, 3, 0, 2)
+    )
+    border = system.border.copy()
+    if shift is not None:
+        table[own - 1, own - 1] -= shift[0][:, None]
+        border[:, CAGE, CAGE] -= shift[1]
+    with np.errstate(all="ignore"):
+        eliminate(table, own - 1)
+        rest = _dense if balance.yielding else _chained
+        edge, spin, shared = rest(balance, system, table[own - 1 :, own - 1 :], border, right)
+        shared = np.concatenate([spin[None], np.repeat(edge[..., None], balance.rollers, -1), shared])
+        fields = _substituted(table, shared, own - 1)
+    found = [edge.transpose(2, 0, 1), fields.transpose(2, 0, 3, 1).reshape(cases, -1, count)]
+    return np.concatenate([*found, _deviations(balance, shared[1 + BORDER :])], axis=1)
+
+
+def eliminate(table: NDArray, pivots: int) -> None:
+    """Gauss: subtract the first rows from all below, in place, until their columns are empty there."""
+    for i in range(pivots):
+        factor = table[i + 1 :, i] / table[i, i]
+        table[i + 1 :, i + 1 :] -= factor[:, None] * table[i, i + 1 :]
+
+
+def _substituted(table: NDArray, later: NDArray, pivots: int) -> NDArray:
+    """Unknowns (own, R, C, Z) of the rollers from those that come later in the table, spin first."""
+    found = later
+    count = found.shape[1]
+    for i in reversed(range(pivots)):
+        known = (table[i, i + 1 : -count, None] * found).sum(0)
+        found = np.concatenate([((table[i, -count:] - known) / table[i, i])[None], found])
+    return found[: pivots + 1]
+
+
+def _chained(balance, system, table, border, right) -> tuple[NDArray, NDArray, NDArray]:
+    """Border (5, R, C), spins (R, C, Z) and no deviations, with the spins as a cyclic tridiagonal ring."""
+    # Whatever the spins answer is linear in the right-hand sides and in the border unknowns.
+    spin = _around(table[0, 0], system.before, system.after, table[0, 1:])
+    by_border, by_side = spin[:BORDER], spin[BORDER:]
+    felt = table[1:, :1] * np.concatenate([by_border, by_side])
+    reduced = (table[1:, 1:] - felt).sum(-1)
+    matrix = border + reduced[:, :BORDER].transpose(2, 0, 1)
+    side = right[:, :BORDER] + reduced[:, BORDER:].transpose(2, 0, 1)
+    edge = _solved(matrix, side).transpose(1, 2, 0)
+    return edge, by_side - np.einsum("brc,bcz->rcz", edge, by_border), np.zeros((0, *by_side.shape))
+
+
+def _around(middle: NDArray, before: NDArray, after: NDArray, sides: NDArray) -> NDArray:
+    """Solve the ring middle s_j + before s_(j-1) + after s_(j+1) = sides (R, C, Z), for all cases at once."""
+    count, cases, rollers = sides.shape
+    corners = np.zeros((2, cases, rollers))  # what the last spin does to the first one, and the reverse
+    corners[0, :, 0], corners[1, :, -1] = before[:, 0], after[:, -1]
+    lower, upper = before.copy(), after.copy()
+    lower[:, 0] = upper[:, -1] = 0.0
+    columns = np.concatenate([sides, corners]).reshape(count + 2, -1).T
+    *_, solved, fault = dgtsv(lower.ravel()[1:], middle.ravel(), upper.ravel()[:-1], columns)
+    if fault:
+        return np.full(sides.shape, np.nan)
+    solved = solved.T.reshape(count + 2, cases, rollers)
+    open_ring, corner = solved[:count], solved[count:]
+    ends = np.eye(2) + corner[:, :, [-1, 0]].transpose(1, 2, 0)
+    closing = _solved(ends, open_ring[:, :, [-1, 0]].transpose(1, 2, 0))
+    return open_ring - np.einsum("ecz,cer->rcz", corner, closing)
+
+
+def _solved(matrix: NDArray, side: NDArray) -> NDArray:
+    """Solve small dense systems (C, n, n); not a number where one is singular."""
+    try:
+        return np.linalg.solve(matrix, side)
+    except np.linalg.LinAlgError:
+        if len(matrix) == 1:
+            return np.full(side.shape, np.nan)
+        return np.concatenate([_solved(m[None], s[None]) for m, s in zip(matrix, side, strict=True)])
+
+
+def _dense(balance, system, table, border, right) -> tuple[NDArray, NDArray, NDArray]:
+    """Border (5, R, C), spins (R, C, Z), deviations (races M, R, C, Z), one dense system for each case."""
+    rollers, yields = balance.rollers, len(balance.yielding) * balance.roller.shapes
+    count = right.shape[2]
+    found = []
+    for case in range(len(right)):
+        here = table[:, :, case]
+        matrix = _assembled(balance, system, here[:, : 1 + BORDER + yields], border[case], case)
+        side = np.zeros((len(matrix), count))
+        columns = here[:, 1 + BORDER + yields :]
+        side[:BORDER] = right[case, :BORDER] + columns[1 : 1 + BORDER].sum(-1)
+        side[BORDER : BORDER + rollers] = columns[0].T
+        forces = columns[1 + BORDER :]
+        side[BORDER + rollers :] = right[case, BORDER + rollers * balance.own :] - _pressed(balance, forces)
+        found.append(_solved(matrix[None], side[None])[0])
+    solved = np.array(found)
+    edge, spin = solved[:, :BORDER], solved[:, BORDER : BORDER + rollers]
+    shapes = solved[:, BORDER + rollers :].reshape(
+        len(right), len(balance.yielding), rollers, balance.roller.shapes, count
+    )
+    return (
+        edge.transpose(1, 2, 0),
+        spin.transpose(2, 0, 1),
+        shapes.transpose(1, 3, 4, 0, 2).reshape(yields, count, len(right), rollers),
+    )
+
+
+def _assembled(balance, system, table: NDArray, border: NDArray, case: int) -> NDArray:
+    """Matrix of border, spins and deviations from the reduced table (rows, columns, Z) of a case."""
+    z, m, races = balance.rollers, balance.roller.shapes, len(balance.yielding)
+    each = np.arange(z)
+    size = BORDER + z + races * z * m
+    matrix, spins = np.zeros((size, size)), BORDER + each
+    places = [BORDER + z + place * z * m + each * m + k for place in range(races) for k in range(m)]
+    matrix[:BORDER, :BORDER] = border + table[1 : 1 + BORDER, 1 : 1 + BORDER].sum(-1)
+    matrix[:BORDER, BORDER : BORDER + z] = table[1 : 1 + BORDER, 0]
+    matrix[BORDER : BORDER + z, :BORDER] = table[0, 1 : 1 + BORDER].T
+    matrix[spins, spins] = table[0, 0]
+    matrix[spins, np.roll(spins, 1)] += system.before[case]
+    matrix[spins, np.roll(spins, -1)] += system.after[case]
+    for column, place in enumerate(places, start=1 + BORDER):
+        matrix[:BORDER, place] = table[1 : 1 + BORDER, column]
+        matrix[spins, place] = table[0, column]
+    felt = np.zeros((races * m, z, size))  # what the forces on yielding raceways feel
+    forces = table[1 + BORDER :]
+    felt[:, :, :BORDER] = forces[:, 1 : 1 + BORDER].transpose(0, 2, 1)
+    felt[:, each, spins] = forces[:, 0]
+    for column, place in enumerate(places, start=1 + BORDER):
+        felt[:, each, place] = forces[:, column]
+    matrix[BORDER + z :] = -_pressed(balance, felt.transpose(0, 2, 1))
+    rows = np.arange(BORDER + z, size)
+    matrix[rows, rows] += LENGTH / LARGE_DEVIATION
+    return matrix
+
+
+def _pressed(balance, forces: NDArray) -> NDArray:
+    """Deviations (races Z M, R) under forces (races M, R, Z), scaled alike."""
+    m, answers = balance.roller.shapes, []
+    for place, race in enumerate(balance.yielding):
+        here = forces[place * m : (place + 1) * m].transpose(2, 0, 1).reshape(balance.rollers * m, -1)
+        answers.append((-1.0 if race == INNER else 1.0) * balance.compliance[race] @ here)
+    return np.concatenate(answers)
+
+
+def _deviations(balance, shapes: NDArray) -> NDArray:
+    """Deviation unknowns (C, races Z M, R) from shapes (races M, R, C, Z)."""
+    m, races = balance.roller.shapes, len(balance.yielding)
+    _, count, cases, rollers = shapes.shape
+    split = shapes.reshape(races, m, count, cases, rollers)
+    return split.transpose(3, 0, 4, 1, 2).reshape(cases, -1, count)

@@ -1,0 +1,35 @@
+"""Undamped Newton steps that find out which rollers touch raceways that yield."""
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.bearing import BearingBalance
+from quasidynamic.balance.settling import filmed, settled
+from quasidynamic.solve.endings import Ending
+from quasidynamic.solve.newton import Sweep, norm, step
+
+LIMIT = 40  # steps
+SMALL_CHANGE = 3.0  # scaled displacement: 3 micrometres
+
+
+def contact_search(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep]:
+    """Yield undamped steps of one case, rollers settled after each, until displacements hardly change.
+
+    The load law is nearly linear, so a full step solves the problem of the rollers that touched
+    before it, however far it overshoots; a damped one crawls.
+    """
+    system, one = balance.evaluate(unknowns), np.array([True])
+    yield Sweep(0, np.array([0]), unknowns, system, [Ending.NONE], one)
+    for number in range(1, LIMIT + 1):
+        change = step(balance, system)
+        unknowns = unknowns + change
+        found = bool(np.abs(change[0, balance.displacements]).max() < SMALL_CHANGE)
+        if not found:
+            unknowns = balance.pack(filmed(balance, settled(balance, balance.unpack(unknowns))))
+        system = balance.evaluate(unknowns)
+        ending = Ending.NONE if np.isfinite(norm(system)[0]) else Ending.NOT_FINITE
+        yield Sweep(number, np.array([0]), unknowns, system, [ending], one)
+        if found or ending is not Ending.NONE:
+            return

@@ -1,0 +1,14 @@
+"""How the solve of a case can end."""
+
+from enum import StrEnum
+
+
+class Ending(StrEnum):
+    """How the solve of a case ended."""
+
+    NONE = ""  # it still runs
+    CONVERGED = "converged"
+    UNDETERMINED = "undetermined"  # nothing holds the ring: neither load nor contact
+    STALLED = "stalled"  # no step lowers the residual
+    LIMIT = "iteration limit"
+    NOT_FINITE = "not finite"

@@ -1,0 +1,96 @@
+"""Damped Newton iterations of many cases side by side."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.bearing import BearingBalance, Linearisation
+from quasidynamic.solve import bordered
+from quasidynamic.solve.endings import Ending
+
+TOLERANCE = 1e-12  # of the reference force, or of the largest roller load if that is larger
+ENOUGH = 1e-10  # the same, where rounding keeps a step from lowering the residual any more
+ROUNDING = 1e-8  # residual from where rounding decides whether a step looks smaller
+LIMIT = 60  # evaluations
+SHORTEST = 2.0**-10  # part of a Newton step
+
+
+@dataclass(frozen=True)
+class Sweep:
+    """One evaluation of the cases that were still running."""
+
+    number: int
+    cases: NDArray  # which cases these are
+    unknowns: NDArray  # (cases, N) scaled
+    system: Linearisation
+    endings: list[Ending]
+    accepted: NDArray  # (cases) whether the step lowered the residual
+
+    def numbered(self, number: int) -> "Sweep":
+        """Return the same sweep under another number."""
+        return replace(self, number=number)
+
+    @property
+    def residual(self) -> NDArray:
+        """Largest unbalanced force over the reference force (cases) [-]."""
+        return np.abs(self.system.residual).max(axis=1)
+
+
+def newton(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep]:
+    """Yield Newton iterates of all cases; a case leaves when its residual is below `TOLERANCE`.
+
+    A step is halved until the residual falls; one too short to help ends as `STALLED`. Every
+    sweep evaluates each running case once, whether it tries a full step or a shorter one. `unknowns`
+    of a sweep are the best so far, `system` belongs to what was tried.
+    """
+    cases, here = np.arange(len(unknowns)), balance
+    system, accepted = here.evaluate(unknowns), np.ones(len(unknowns), bool)
+    yield Sweep(0, cases, unknowns, system, [Ending.NONE] * len(cases), accepted)
+    size, worst, damping = norm(system), _worst(system), np.ones(len(cases))
+    direction = step(here, system)
+    for number in range(1, LIMIT + 1):
+        trial = unknowns + damping[:, None] * direction
+        system = here.evaluate(trial)
+        new = norm(system)
+        better = new <= np.maximum((1 - 1e-4 * damping) * size, ROUNDING * system.loading)
+        better &= (new < size) | (worst > ENOUGH)
+        unknowns = np.where(better[:, None], trial, unknowns)
+        size, worst = np.where(better, new, size), np.where(better, _worst(system), worst)
+        damping = np.where(better, 1.0, damping / 2)
+        endings = [_ending(*case, last=number == LIMIT) for case in zip(better, worst, damping, strict=True)]
+        yield Sweep(number, cases, unknowns, system, endings, better)
+        running = np.array([ending is Ending.NONE for ending in endings])
+        if not running.any():
+            return
+        if better.any():
+            direction = np.where(better[:, None], step(here, system), direction)
+        if not running.all():
+            cases, here = cases[running], here.take(running)
+            unknowns, direction, damping, size, worst = (
+                array[running] for array in (unknowns, direction, damping, size, worst)
+            )
+
+
+def _ending(better: bool, worst: float, damping: float, last: bool) -> Ending:
+    if worst <= TOLERANCE or (worst <= ENOUGH and (last or not better)):
+        return Ending.CONVERGED
+    if damping < SHORTEST:
+        return Ending.STALLED
+    return Ending.LIMIT if last else Ending.NONE
+
+
+def _worst(system: Linearisation) -> NDArray:
+    """Largest unbalanced force over reference or roller load (C) [-]."""
+    return np.abs(system.residual).max(axis=1) / system.loading
+
+
+def step(balance: BearingBalance, system: Linearisation) -> NDArray:
+    """Newton step (C, N)."""
+    return -bordered.solve(balance, system, system.residual[..., None])[..., 0]
+
+
+def norm(system: Linearisation) -> NDArray:
+    """Length of the residual (C); not a number when a part of it is not."""
+    return np.sqrt(np.einsum("ci,ci->c", system.residual, system.residual))

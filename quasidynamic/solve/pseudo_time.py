@@ -1,0 +1,98 @@
+"""Implicit Euler steps of cage and spins with their inertias, where Newton's method finds no way down."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.bearing import CAGE, BearingBalance, Y, Z
+from quasidynamic.solve import bordered
+from quasidynamic.solve.endings import Ending
+from quasidynamic.solve.newton import Sweep, norm
+
+LIMIT = 40  # evaluations before Newton's method is tried again
+ENOUGH = 1e-4  # residual from which it is tried at once
+FIRST_STEP = 1e-4  # [s]
+SHORTEST_STEP = 1e-9  # [s]
+LONGEST_SHIFT = 5.0  # scaled ring displacement in a step: 5 micrometres
+LARGEST_SPEED_CHANGE = 0.1  # of the cage speed in a step
+WORSE = 3.0  # growth of the residual that is still taken
+
+
+@dataclass(frozen=True)
+class Pace:
+    """How far the next step of each case may go."""
+
+    time: NDArray  # (C) [s]
+    shift: NDArray  # (C) scaled ring displacement
+
+    @classmethod
+    def first(cls, cases: int) -> "Pace":
+        """Pace to begin with."""
+        return cls(np.full(cases, FIRST_STEP), np.full(cases, LONGEST_SHIFT))
+
+    def after(self, refused: NDArray, growth: NDArray) -> "Pace":
+        """Slower where a step was refused, otherwise faster, the more so the more the residual fell."""
+        return Pace(
+            np.where(refused, self.time / 4, self.time * growth),
+            np.where(refused, self.shift / 4, np.minimum(2 * self.shift, LONGEST_SHIFT)),
+        )
+
+    def take(self, cases: NDArray) -> "Pace":
+        """Pace of some cases."""
+        return Pace(self.time[cases], self.shift[cases])
+
+
+def pseudo_time(balance: BearingBalance, unknowns: NDArray, pace: Pace) -> Iterator[tuple[Sweep, Pace]]:
+    """Yield each sweep over the running cases, with their pace.
+
+    Ring and rollers follow at once. The time step grows as the residual falls (switched evolution
+    relaxation), and a ring that wants to run far, such as one balanced on a single roller, is led
+    in short steps. `CONVERGED` means near enough for Newton's method, `LIMIT` that it may be tried.
+    """
+    cases, here = np.arange(len(unknowns)), balance
+    before, size = unknowns, np.full(len(unknowns), np.inf)
+    for number in range(LIMIT + 1):
+        system = here.evaluate(unknowns)
+        new = norm(system)
+        refused = ~(new < WORSE * size) & (pace.time > SHORTEST_STEP)
+        with np.errstate(invalid="ignore"):
+            pace = pace.after(refused, np.clip(np.where(np.isfinite(size), size / new, 1.0), 1.0, 3.0) * 1.3)
+        # A refused state is left for the one before it; the next sweep starts there with a shorter step.
+        here_now = np.where(refused[:, None], before, unknowns)
+        endings = [_ending(value, number, bad) for value, bad in zip(new, refused, strict=True)]
+        left = np.array([ending is Ending.NONE for ending in endings])
+        yield Sweep(number, cases, here_now, system, endings, ~refused), pace
+        if not left.any():
+            return
+        change = _step(here, system, pace.time)
+        hurry = np.maximum(
+            np.abs(change[:, [Y, Z]]).max(1) / pace.shift, np.abs(change[:, CAGE]) / LARGEST_SPEED_CHANGE
+        )
+        following = np.where(refused[:, None], before, unknowns + change / np.maximum(hurry, 1.0)[:, None])
+        size = np.where(refused, np.inf, new)
+        before, unknowns = here_now, following
+        if not left.all():
+            cases, here, pace = cases[left], here.take(left), pace.take(left)
+            before, unknowns, size = before[left], unknowns[left], size[left]
+
+
+def _ending(size: float, number: int, refused: bool) -> Ending:
+    if size <= ENOUGH:
+        return Ending.CONVERGED
+    if not np.isfinite(size) and not refused:
+        return Ending.NOT_FINITE
+    return Ending.LIMIT if number == LIMIT else Ending.NONE
+
+
+def _step(balance: BearingBalance, system, pace: NDArray) -> NDArray:
+    bearing = balance.roller.bearing
+    orbiting = bearing.cage.mass + bearing.rollers * bearing.roller.mass
+    columns, rows = balance.unknown_scale, balance.residual_scale
+    spin, cage = balance.field(-1).start, CAGE
+    shift = (
+        bearing.roller.inertia * columns[:, spin] / rows[:, spin] / pace,
+        orbiting * (bearing.pitch_diameter / 2) ** 2 * columns[:, cage] / rows[:, cage] / pace,
+    )
+    return -bordered.solve(balance, system, system.residual[..., None], shift)[..., 0]

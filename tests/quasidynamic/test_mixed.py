@@ -1,0 +1,102 @@
+"""Mixed lubrication: limits of thick and thin films, bounds, slopes."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+from pytest import approx
+
+from quasidynamic.contact.mixed import FILM_SHARE_1_8, ZHOU_HOEPRICH, ErrorFunctionShare, Mixed
+from quasidynamic.contact.rheology import BairWiner
+from quasidynamic.errors import ImpossiblePart
+from quasidynamic.parts.lubricant import Lubricant
+
+OIL = Lubricant(
+    temperature=493.15, viscosity=1.137e-3, pressure_viscosity=8.751e-9, temperature_viscosity=0.00726,
+    conductivity=0.1205, density=835,
+)  # fmt: skip
+FLUID = BairWiner(
+    radius=2.32e-3, modulus=2.2487e11, length=5e-3, oil=OIL, limiting_ratio=0.05, film_heating=True
+)
+ROUGH: dict[str, Any] = {"fluid": FLUID, "roughness": 0.1e-6, "boundary_friction": 0.1, "sign_speed": 1e-3}
+SHARES = {"stretched": ZHOU_HOEPRICH, "film share": FILM_SHARE_1_8, "error function": ErrorFunctionShare()}
+every_share = pytest.mark.parametrize("share", SHARES.values(), ids=list(SHARES))
+
+loads = st.floats(0.0, 2e6)
+slides = st.tuples(st.sampled_from([-1.0, 1.0]), st.floats(-7, np.log10(60))).map(lambda v: v[0] * 10 ** v[1])
+speeds = st.floats(-4, np.log10(200)).map(lambda n: 10.0**n)
+films = st.floats(np.log10(5e-9), np.log10(2e-6)).map(lambda n: 10.0**n)
+
+
+@every_share
+def test_asperities_carry_all_without_film_and_nothing_with_much(share):
+    ratio = np.geomspace(1e-9, 20.0, 200)
+    part, slope = share(ratio)
+    assert part[0] == approx(1.0, abs=1e-7)
+    assert part[-1] == approx(0.0, abs=1e-12)
+    assert np.all(np.diff(part) <= 0)
+    assert np.all(slope <= 0)
+
+
+@pytest.mark.parametrize(
+    ("share", "at_one"),
+    [(ZHOU_HOEPRICH, 0.0982736), (FILM_SHARE_1_8, 0.1652989), (ErrorFunctionShare(), 0.1572992)],
+    ids=list(SHARES),
+)
+def test_share_at_a_film_of_one_roughness(share, at_one):
+    """exp(-2.32), exp(-1.8) and 1 - erf(1) of the tables."""
+    assert share(np.array(1.0))[0] == approx(at_one, rel=1e-6)
+
+
+def test_thick_film_is_the_fluid_and_no_film_is_boundary_friction():
+    law = Mixed(**ROUGH, share=ZHOU_HOEPRICH)
+    point = np.array(1e5), np.array(2.0), np.array(60.0)
+    thick, thin = np.array(5e-6), np.array(1e-14)
+    for mixed, fluid in zip(law(*point, thick), FLUID(*point, thick), strict=True):
+        assert mixed == approx(fluid, rel=1e-12)
+    assert law(*point, thin).force == approx(0.1 * 1e5, rel=1e-6)
+
+
+@every_share
+@given(load=loads, slide=slides, speed=speeds, film=films)
+def test_mixed_traction_is_odd_between_its_parts(share, load, slide, speed, film):
+    law = Mixed(**ROUGH, share=share)
+    forward, backward = (law(*map(np.array, (load, u, speed, film))).force for u in (slide, -slide))
+    assert forward == approx(-backward, rel=1e-12, abs=0)
+    fluid = abs(FLUID(*map(np.array, (load, slide, speed, film))).force)
+    boundary = 0.1 * load * abs(slide) / np.hypot(slide, 1e-3)
+    assert min(fluid, boundary) * (1 - 1e-12) <= abs(forward) <= max(fluid, boundary) * (1 + 1e-12)
+
+
+@every_share
+@given(load=loads, slide=slides, speed=speeds, film=films)
+def test_every_derivative_is_the_slope_of_the_force(share, load, slide, speed, film):
+    law = Mixed(**ROUGH, share=share)
+    point = np.array([load, slide, speed, film])
+    assume(load == 0.0 or load > 1e-3)
+    sizes = point + np.array([200.0, 0.0, 0.0, 0.0])
+    here = law(*map(np.array, point))
+    for index, size in enumerate(sizes):
+        step = 1e-4 * size
+        f = [law(*map(np.array, point + n * step * np.eye(4)[index])).force for n in (-2, -1, 1, 2)]
+        slope = (f[0] - 8 * f[1] + 8 * f[2] - f[3]) / (12 * step)
+        floor = 1e-8 * max(0.1 * load, 1e-6) / abs(size)
+        assert here[1 + index] == approx(slope, rel=1e-6, abs=floor)
+
+
+@every_share
+def test_everything_stays_finite_at_the_corners(share):
+    corners = np.meshgrid([0.0, 1e-3, 8e6], [-60.0, 0.0, 60.0], [1e-6, 200.0], [5e-9, 2e-6])
+    for value in Mixed(**ROUGH, share=share)(*corners):
+        assert value.shape == corners[0].shape
+        assert np.all(np.isfinite(value))
+
+
+@pytest.mark.parametrize(
+    ("name", "value"), [("roughness", 0.0), ("sign_speed", -1.0), ("boundary_friction", -0.1)]
+)
+def test_impossible_surfaces_are_refused(name, value):
+    with pytest.raises(ImpossiblePart, match=name):
+        Mixed(**{**ROUGH, name: value}, share=ZHOU_HOEPRICH)

@@ -1,0 +1,144 @@
+"""Starved contacts: printed numbers, limits, derivatives."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from pytest import approx
+
+from quasidynamic.contact.film import Film
+from quasidynamic.contact.starvation import (
+    ANGULAR_CONTACT,
+    CYLINDRICAL_ROLLER,
+    DEEP_GROOVE,
+    FLOODED_FROM,
+    GREASE_OR_OIL_AIR,
+    meniscus_factor,
+    replenishment_factor,
+    starved_film,
+)
+
+RADIUS, MODULUS = 2.32e-3, 2.2487e11  # [m], [Pa]
+
+widths = st.floats(1e-5, 3e-4)  # [m]
+films = st.floats(2e-8, 3e-6)  # [m]
+lengths = st.floats(1e-3, 0.3)  # [-]
+
+
+def group(width, film):
+    return (width**2 / (2 * film * RADIUS)) ** (2 / 3)
+
+
+def factor_at(xi):
+    """b^2/(2 h R) = 1, so that xi is the inlet length."""
+    return meniscus_factor(np.array(1e-4), np.array(1e-6), 5e-3, xi)
+
+
+def test_printed_numbers_of_the_meniscus_formula():
+    """xi = 0.1, 0.5, 1, 2, 4, to the four digits printed."""
+    found = [float(factor_at(xi).factor) for xi in (0.1, 0.5, 1.0, 2.0, 4.0)]
+    assert found == approx([0.2138, 0.5764, 0.7621, 0.9000, 0.9684], abs=6e-5)
+
+
+def test_meniscus_group_has_the_power_two_thirds():
+    """b^2/(2 h R) = 8 makes xi = 4 c_s."""
+    found = meniscus_factor(np.array(8**0.5 * 1e-4), np.array(1e-6), 5e-3, 0.5)
+    assert found.factor == approx(0.9000, abs=6e-5)
+
+
+def test_starvation_grows_from_a_dry_to_a_flooded_inlet():
+    factors = np.array([float(factor_at(xi).factor) for xi in np.geomspace(1e-6, 7.999, 200)])
+    assert np.all(np.diff(factors) > 0)
+    assert factors[0] < 1e-4
+    assert factors[-1] < 1.0
+
+
+def test_step_to_the_flooded_film_is_small_and_flat():
+    below, above = factor_at(FLOODED_FROM * (1 - 1e-9)), factor_at(FLOODED_FROM)
+    assert 1.0 - below.factor == approx(8.745e-3, rel=1e-3)
+    assert above.factor == 1.0
+    assert above.by_film == 0.0
+    assert above.by_half_width == 0.0
+    assert below.by_half_width > 0.0
+
+
+def test_very_wet_inlet_stays_flooded():
+    assert factor_at(1e200).factor == 1.0
+
+
+@given(width=widths, film=films, length=lengths)
+def test_meniscus_derivatives_against_differences(width, film, length):
+    xi = length * group(width, film)
+    if abs(xi - FLOODED_FROM) < 0.01:
+        return  # the step itself has no slope
+
+    def factor(b, h):
+        return float(meniscus_factor(np.array(b), np.array(h), RADIUS, length).factor)
+
+    _, by_film, by_width = meniscus_factor(np.array(width), np.array(film), RADIUS, length)
+    step = 1e-5
+    film_slope = (factor(width, film * (1 + step)) - factor(width, film * (1 - step))) / (2 * step)
+    width_slope = (factor(width * (1 + step), film) - factor(width * (1 - step), film)) / (2 * step)
+    assert by_film * film == approx(film_slope, rel=1e-6, abs=1e-9)
+    assert by_width * width == approx(width_slope, rel=1e-6, abs=1e-9)
+
+
+def power_law_film(q, slide, u):
+    """A film that falls with load and sliding and rises with entrainment, with its derivatives."""
+    h = 1e-7 * (q / 1e5) ** -0.13 * (u / 50) ** 0.7 * np.exp(-0.02 * slide)
+    return Film(h, -0.13 * h / q, -0.02 * h, 0.7 * h / u)
+
+
+@pytest.mark.parametrize("length", [0.02, 0.1, 0.2])
+def test_starved_film_is_differentiated_by_load_sliding_and_entrainment(length):
+    point = [np.array([2e4, 1e5, 3e5]), np.array([1.0, 5.0, 20.0]), np.array([20.0, 60.0, 100.0])]
+
+    def starved(q, slide, u):
+        return starved_film(power_law_film(q, slide, u), q, RADIUS, MODULUS, length)
+
+    exact = starved(*point)
+    for axis, slope in enumerate(exact[1:]):
+        step = 1e-5 * point[axis]
+        up, down = (
+            starved(*[v + s * step if k == axis else v for k, v in enumerate(point)]) for s in (1, -1)
+        )
+        assert slope == approx((up.thickness - down.thickness) / (2 * step), rel=1e-6, abs=0)
+
+
+def test_flooded_film_passes_through_unchanged():
+    q, slide, u = np.array([1e5]), np.array([1.0]), np.array([50.0])
+    flooded = power_law_film(q, slide, u)
+    for starved, full in zip(starved_film(flooded, q, RADIUS, MODULUS, 1e3), flooded, strict=True):
+        assert starved == approx(full, rel=1e-15, abs=0)
+
+
+def test_arrays_broadcast():
+    found = meniscus_factor(np.full((3, 4), 1e-4), np.full((3, 4), 1e-6), np.full((3, 1), 5e-3), 1.0)
+    assert all(part.shape == (3, 4) for part in found)
+
+
+def test_replenishment_of_a_bearing_worked_by_hand():
+    """32 mm2/s, 3000 rpm, 50 and 90 mm: exp(-3e-8 * 32 * 3000 * 140 * sqrt(5.1/80))."""
+    speed = 3000 * np.pi / 30
+    exponent = 3e-8 * 32 * 3000 * 140 * np.sqrt(5.1 / 80)
+    assert exponent == approx(0.10180, rel=1e-4)
+    assert replenishment_factor(32e-6, speed, (0.05, 0.09)) == approx(np.exp(-exponent), rel=1e-12)
+    assert replenishment_factor(32e-6, -speed, (0.05, 0.09)) == approx(np.exp(-exponent), rel=1e-12)
+
+
+def test_replenishment_worsens_with_speed_and_scarce_oil():
+    speed = np.array([0.0, 10.0, 100.0, 1000.0])
+    bath = replenishment_factor(32e-6, speed, (0.05, 0.09))
+    grease = replenishment_factor(32e-6, speed, (0.05, 0.09), GREASE_OR_OIL_AIR)
+    assert bath[0] == 1.0
+    assert np.all(np.diff(bath) < 0)
+    assert grease == approx(bath**2, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("geometry", "constant"), [(DEEP_GROOVE, 3.1), (ANGULAR_CONTACT, 4.4), (CYLINDRICAL_ROLLER, 5.1)]
+)
+def test_replenishment_has_the_published_geometry_constants(geometry, constant):
+    base = np.log(replenishment_factor(32e-6, 300.0, (0.05, 0.09), geometry=1.0))
+    found = np.log(replenishment_factor(32e-6, 300.0, (0.05, 0.09), geometry=geometry))
+    assert found == approx(base * constant**0.5, rel=1e-12)
