@@ -133,18 +133,18 @@ class Equilibrium:
     @property
     def cage_speed(self) -> float:
         """Cage speed [rad/s]."""
-        return float(self.unknowns.cage_speed[0, 0])
+        return float(self.balance.speeds(self.unknowns)[1][0, 0])
 
     @property
     def cage_slip(self) -> float:
         """Lag of the cage behind pure rolling, as a fraction [-]; not a number when that stands still."""
-        rolling = float(self.balance.cage_speed[0, 0])
-        return 1.0 - self.cage_speed / rolling if rolling else float("nan")
+        rolling = float(self.balance.rolling_cage[0, 0])
+        return -float(self.unknowns.cage_drift[0, 0]) / rolling if rolling else float("nan")
 
     @property
     def roller_speed(self) -> NDArray:
         """Spin (Z) relative to the cage [rad/s]."""
-        return self.unknowns.spin[0]
+        return self.balance.speeds(self.unknowns)[0][0]
 
     @property
     def roller_tilt(self) -> NDArray:
@@ -226,6 +226,11 @@ class Equilibrium:
         return float(torque) + (self.land_torque if bearing.cage.guidance == "outer" else 0.0)
 
     @property
+    def transport(self) -> NDArray:
+        """Torque (Z) that the change of spin around the bearing takes from each roller [N m]."""
+        return self.balance.spin_transport(self.unknowns)[0]
+
+    @property
     def losses(self) -> Losses:
         """Power loss by cause [W]."""
         bearing, rollers = self.balance.roller.bearing, self.rollers
@@ -238,7 +243,7 @@ class Equilibrium:
             pocket=float((brake * bearing.roller.diameter / 2 * np.abs(self.roller_speed)).sum()),
             land=self.land_torque * difference,
             churning=float(rollers.churning[0] @ (self.roller_speed - self.cage_speed)),
-            transport=float(self.balance.spin_transport(self.unknowns)[0] @ self.roller_speed),
+            transport=float(self.transport @ self.roller_speed),
         )
 
     @property

@@ -6,51 +6,64 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.bearing import BearingBalance, Unknowns
-from quasidynamic.balance.roller import STILL
-from quasidynamic.balance.settling import filmed, series_softness, settled
+from quasidynamic.balance.roller import RollerInputs
+from quasidynamic.balance.settling import (
+    centrifugal_force,
+    film_at,
+    lumped_loads,
+    outer_approach,
+    series_softness,
+    series_stiffness,
+    settled,
+)
 from quasidynamic.contact.land import land_torque
-from quasidynamic.contact.load import EXPONENT, smooth_positive
+from quasidynamic.contact.load import EXPONENT
 
 FIRST_SLIP = 1e-3  # of the cage: friction must have a sign to begin with
 SHIFT_STEPS = 40  # Newton on a convex law from above: never more than about ten
-DRY_FILM = 1e-7  # [m] before any film is known
+SHIFT_DIGITS = 1e-10  # [m]
 
 
 def static_start(balance: BearingBalance) -> NDArray:
     """Scaled unknowns (C, N) near equilibrium: both raceways of a roller in series, no tilt.
 
-    The ring displacement along the load is one scalar root; the centrifugal force is added at the
-    outer contact.
+    The ring displacement along the load is one scalar root; films are those of pure rolling.
     """
-    points, bearing = balance.points, balance.roller.bearing
-    direction = np.arctan2(points.load_y, points.load_z)
-    shift = ring_shift(balance, direction)
-    cases, rollers, m = len(points), bearing.rollers, balance.roller.shapes
-    spread = np.ones((cases, rollers))
-    cage_speed = balance.cage_speed * (1 - FIRST_SLIP)
-    ring = np.array([shift * np.sin(direction), shift * np.cos(direction), points.slope_z, points.slope_y])
+    return balance.pack(static_unknowns(balance))
+
+
+def static_unknowns(balance: BearingBalance) -> Unknowns:
+    """Unknowns of `static_start`."""
+    points, m = balance.points, balance.roller.shapes
+    shape = (len(points), balance.rollers)
+    nothing = np.zeros(shape)
     unknowns = Unknowns(
-        ring=ring,
-        cage_speed=cage_speed,
-        approach=0.0 * spread,
-        tilt=0.0 * spread,
-        film=np.full((2, cases, rollers), DRY_FILM),
-        spin=balance.roller_speed * spread,
-        deviation=np.zeros((2, m, cases, rollers)),
+        ring=np.array([nothing[:, :1], nothing[:, :1], points.slope_z, points.slope_y]),
+        cage_drift=-FIRST_SLIP * balance.rolling_cage,
+        approach=nothing,
+        tilt=nothing,
+        film=np.zeros((2, *shape)),
+        spin_drift=nothing,
+        deviation=np.zeros((2, m, *shape)),
     )
-    return balance.pack(filmed(balance, settled(balance, unknowns)))
+    usual = 4 * points.load / balance.rollers + centrifugal_force(balance, balance.rolling_cage)
+    unknowns = unknowns._replace(film=film_at(balance, unknowns, np.broadcast_to(usual, (2, *shape))))
+    direction = np.arctan2(points.load_y, points.load_z)
+    shift = ring_shift(balance, direction, unknowns.film.sum(0).mean(-1, keepdims=True))
+    unknowns.ring[:2] = shift * np.sin(direction), shift * np.cos(direction)
+    return settled(balance, unknowns)
 
 
-def ring_shift(balance: BearingBalance, direction: NDArray) -> NDArray:
+def ring_shift(balance: BearingBalance, direction: NDArray, film: NDArray) -> NDArray:
     """Displacement of the ring (C, 1) [m] along the load at which the rollers carry it, without friction.
 
     Newton's method from a displacement that is too large: the load grows convexly with it.
     """
     bearing, load = balance.roller.bearing, balance.points.load
-    softness = series_softness(balance)
+    softness, pressed = series_softness(balance), outer_approach(balance, balance.rolling_cage)
     cos = np.cos(bearing.azimuths - direction)
     nearest = cos.max(axis=-1, keepdims=True)
-    gap = balance.clearance / 2
+    gap = balance.clearance / 2 - film + pressed
     shift = (np.maximum(gap, 0.0) + softness * (load / nearest) ** (1 / EXPONENT)) / nearest
     for _ in range(SHIFT_STEPS):
         closed = np.maximum(shift * cos - gap, 0.0) / softness
@@ -59,14 +72,16 @@ def ring_shift(balance: BearingBalance, direction: NDArray) -> NDArray:
         slope = EXPONENT / softness * (power * cos * cos).sum(-1, keepdims=True)
         change = np.where(slope > 0, excess / np.where(slope > 0, slope, 1.0), 0.0)
         shift = shift - change
-        if np.abs(change).max() < 1e-12:
+        if np.abs(change).max() < SHIFT_DIGITS:
             break
     return np.where(load > 0, shift, 0.0)
 
 
 SLIPS = np.array([0.003, 0.01, 0.03, 0.08, 0.2, 0.35, 0.5, 0.65, 0.8, 0.9, 0.96, 0.99])
-SPIN_HALVINGS = 20  # of the interval between rolling on either raceway
-SLIP_HALVINGS = 6  # of the interval between two of `SLIPS`
+SMALLEST_SLIP = 1e-10
+NEAREST = np.log(1e-13)  # to rolling on one raceway, over the distance to rolling on the other
+SPIN_HALVINGS = 20  # of the logarithm of that distance
+SLIP_HALVINGS = 12  # of the logarithm between two of `SLIPS`
 RING_STEPS = 60
 LONGEST_RING_STEP = 2e-5  # [m]
 RING_FLOOR = 1e-4  # of the stiffness, where no roller resists a direction
@@ -80,33 +95,33 @@ def slipping_start(balance: BearingBalance) -> NDArray:
     the torque on the cage, the place of the ring from the loads with their friction.
     """
     cases, points = len(balance.points), balance.points
-    static = balance.unpack(static_start(balance))
+    static = static_unknowns(balance)
     every = np.tile(np.arange(cases), len(SLIPS))
     many, slips = LumpedRollers(balance.take(every), _taken(static, every)), np.repeat(SLIPS, cases)
     drives = (many.at(slips)[2] > 0).reshape(len(SLIPS), cases)
     # The least slip at which the rollers drive the cage, and the one before it, where it lags.
     first = np.where(drives.any(0), drives.argmax(0), len(SLIPS) - 1)
-    low, high = SLIPS[np.maximum(first - 1, 0)] * (first > 0), SLIPS[first]
+    low, high = np.where(first > 0, SLIPS[first - 1], SMALLEST_SLIP), SLIPS[first]
     lumped = LumpedRollers(balance, static)
     for _ in range(SLIP_HALVINGS):
-        middle = (low + high) / 2
+        middle = np.sqrt(low * high)
         drives = lumped.at(middle)[2] > 0
         low, high = np.where(drives, low, middle), np.where(drives, middle, high)
-    spin, friction, _ = lumped.at((low + high) / 2)
+    drift, friction, _ = lumped.at(np.sqrt(low * high))
     turned = np.arctan2(points.load_y, points.load_z) - friction[:, None]
-    position = resting_ring(balance, points.load * np.sin(turned), points.load * np.cos(turned), static.ring)
-    cage_speed = balance.cage_speed * (1 - (low + high)[:, None] / 2)
-    ring = np.concatenate([position, static.ring[2:]])
-    unknowns = settled(balance, static._replace(ring=ring, cage_speed=cage_speed, spin=spin))
-    return balance.pack(filmed(balance, unknowns))
+    cage_drift = -balance.rolling_cage * np.sqrt(low * high)[:, None]
+    unknowns = static._replace(cage_drift=cage_drift, spin_drift=drift)
+    unknowns = unknowns._replace(film=film_at(balance, unknowns, lumped_loads(balance, unknowns)))
+    load = points.load * np.sin(turned), points.load * np.cos(turned)
+    return balance.pack(settled(balance, resting_ring(balance, unknowns, np.array(load)[..., 0])))
 
 
 def _taken(unknowns: Unknowns, cases: NDArray) -> Unknowns:
     """Unknowns of some cases."""
-    rows = (unknowns.cage_speed, unknowns.approach, unknowns.tilt, unknowns.spin)
-    cage_speed, approach, tilt, spin = (row[cases] for row in rows)
+    rows = (unknowns.cage_drift, unknowns.approach, unknowns.tilt, unknowns.spin_drift)
+    cage_drift, approach, tilt, spin_drift = (row[cases] for row in rows)
     ring, film, deviation = unknowns.ring[:, cases], unknowns.film[:, cases], unknowns.deviation[:, :, cases]
-    return Unknowns(ring, cage_speed, approach, tilt, film, spin, deviation)
+    return Unknowns(ring, cage_drift, approach, tilt, film, spin_drift, deviation)
 
 
 @dataclass(frozen=True)
@@ -117,51 +132,76 @@ class LumpedRollers:
     static: Unknowns
 
     def at(self, slip: NDArray) -> tuple[NDArray, NDArray, NDArray]:
-        """Spins (C, Z), friction over load at the inner ring (C) and torque on the cage (C), forwards > 0."""
+        """Drifts of the spins (C, Z), friction over load at the inner ring (C), torque on the cage (C).
+
+        The torque [N m] is positive when it drives the cage the way it turns.
+        """
         balance = self.balance
-        cage_speed = balance.cage_speed * (1 - slip[:, None])
-        state = settled(balance, self.static._replace(cage_speed=cage_speed))
-        raceways = balance.roller.raceways
-        line_load, _ = raceways.law(balance.inputs(state).approach[:, 0][..., None])
-        spin, (t_i, t_o, r_i, r_o) = self._spins(line_load, cage_speed)
+        cage_drift = -slip[:, None] * balance.rolling_cage
+        state = settled(balance, self.static._replace(cage_drift=cage_drift))
+        line_load = lumped_loads(balance, state)[..., None] / balance.roller.raceways.slices.length
+        drift, (t_i, t_o, r_i, r_o) = self._drifts(line_load, cage_drift)
         g = balance.roller.bearing.diameter_ratio
         tangential = (t_i + (1 - 2 * g) * r_i).sum(-1)
         driving = tangential + (t_o - (1 + 2 * g) * r_o).sum(-1)
-        torque = driving * balance.roller.bearing.pitch_diameter / 2 + self._resistance(cage_speed)
-        load = line_load[0, ..., 0].sum(-1) * raceways.slices.length
-        return spin, tangential / load, torque * np.sign(balance.cage_speed[:, 0])
+        torque = driving * balance.roller.bearing.pitch_diameter / 2
+        torque = torque + self._resistance(balance.rolling_cage + cage_drift)
+        load = line_load[0, ..., 0].sum(-1) * balance.roller.raceways.slices.length
+        return (
+            drift,
+            tangential / np.maximum(load, SMALLEST_LOAD),
+            torque * np.sign(balance.rolling_cage[:, 0]),
+        )
 
-    def _spins(self, line_load: NDArray, cage_speed: NDArray) -> tuple[NDArray, NDArray]:
-        """Spins at which the tractions balance, between rolling on the inner and on the outer raceway."""
-        bearing, points = self.balance.roller.bearing, self.balance.points
+    def _drifts(self, line_load: NDArray, cage_drift: NDArray) -> tuple[NDArray, NDArray]:
+        """Drifts at which the tractions balance, and the forces there.
+
+        They lie between rolling on the inner and on the outer raceway, mostly so close to one of them
+        that the logarithm of the distance has to be halved.
+        """
+        bearing = self.balance.roller.bearing
         r_w = bearing.roller.diameter / 2
-        rolling = np.array(
+        inner = -cage_drift * bearing.inner_radius / r_w + np.zeros(line_load.shape[1:3])
+        outer = cage_drift * bearing.outer_radius / r_w + np.zeros(line_load.shape[1:3])
+        # Rolling on the inner raceway is the faster spin when the cage lags behind forwards.
+        up = np.sign(inner - outer)
+
+        def speeds_up(drift: NDArray) -> NDArray:
+            t_i, t_o, r_i, r_o = self._forces(line_load, cage_drift, drift)
+            return (t_i - t_o - r_i - r_o) * up > 0
+
+        nearer_inner = speeds_up((inner + outer) / 2)
+        end, way = np.where(nearer_inner, inner, outer), np.where(nearer_inner, outer - inner, inner - outer)
+        low, high = np.full(end.shape, NEAREST), np.full(end.shape, np.log(0.5))
+        for _ in range(SPIN_HALVINGS):
+            middle = (low + high) / 2
+            further = speeds_up(end + way * np.exp(middle)) != nearer_inner
+            low, high = np.where(further, middle, low), np.where(further, high, middle)
+        drift = end + way * np.exp((low + high) / 2)
+        return drift, self._balanced(*self._forces(line_load, cage_drift, drift))
+
+    @staticmethod
+    def _balanced(t_i: NDArray, t_o: NDArray, r_i: NDArray, r_o: NDArray) -> NDArray:
+        """Let the larger traction follow from the smaller one: halving does not find it on a steep slope."""
+        inner_is_small = np.abs(t_i) < np.abs(t_o)
+        return np.array(
             [
-                (points.inner_speed - cage_speed) * bearing.inner_radius / r_w,
-                (cage_speed - points.outer_speed) * bearing.outer_radius / r_w,
+                np.where(inner_is_small, t_i, t_o + r_i + r_o),
+                np.where(inner_is_small, t_i - r_i - r_o, t_o),
+                r_i,
+                r_o,
             ]
         )
-        shape = line_load.shape[1:3]
-        low, high = (np.broadcast_to(ends, shape) for ends in (rolling.min(0), rolling.max(0)))
-        for _ in range(SPIN_HALVINGS):
-            spin = (low + high) / 2
-            t_i, t_o, r_i, r_o = self._forces(line_load, rolling, spin)
-            faster = t_i - t_o - r_i - r_o > 0
-            low, high = np.where(faster, spin, low), np.where(faster, high, spin)
-        spin = (low + high) / 2
-        return spin, self._forces(line_load, rolling, spin)
 
-    def _forces(self, line_load: NDArray, rolling: NDArray, spin: NDArray) -> NDArray:
+    def _forces(self, line_load: NDArray, cage_drift: NDArray, drift: NDArray) -> NDArray:
         """Traction at both raceways and rolling shear at both (4, C, Z) [N]."""
-        raceways, points, bearing = (
-            self.balance.roller.raceways,
-            self.balance.points,
-            self.balance.roller.bearing,
+        roller, points, raceways = self.balance.roller, self.balance.points, self.balance.roller.raceways
+        speeds = self.balance.rolling_spin + drift, self.balance.rolling_cage + cage_drift
+        nothing = np.zeros((2, *drift.shape))
+        sliding, entrainment = roller.surfaces(
+            RollerInputs(nothing, nothing, drift, cage_drift, *speeds), points
         )
-        length, r_w = raceways.slices.length, bearing.roller.diameter / 2
-        nominal = np.abs(points.inner_speed - points.outer_speed) * bearing.inner_radius
-        sliding = r_w * np.array([rolling[0] - spin, spin - rolling[1]])
-        entrainment = np.hypot(r_w / 2 * (rolling + spin), STILL * nominal)
+        length = raceways.slices.length
         load = line_load[..., 0] * length
         film = raceways.film(load, sliding, entrainment).thickness
         pull = raceways.traction(line_load, sliding[..., None], entrainment[..., None], film[..., None])
@@ -177,32 +217,28 @@ class LumpedRollers:
         return (land - drag * bearing.pitch_diameter / 2 * bearing.rollers)[:, 0]
 
 
-def resting_ring(balance: BearingBalance, load_y: NDArray, load_z: NDArray, ring: NDArray) -> NDArray:
-    """Position (2, C, 1) [m] at which frictionless rollers hold a load in any direction.
+def resting_ring(balance: BearingBalance, unknowns: Unknowns, load: NDArray) -> Unknowns:
+    """Put the ring where frictionless rollers hold a load (2, C) [N] in any direction.
 
     Newton's method on a convex energy, in limited steps; a direction in which nothing resists, such
     as sideways on a single roller, is given a small stiffness so that the ring moves until something does.
     """
-    bearing = balance.roller.bearing
-    softness = series_softness(balance)
-    normal = np.array([np.sin(bearing.azimuths), np.cos(bearing.azimuths)])
-    load = np.array([load_y, load_z])
-    position = ring[:2]
+    azimuth = balance.roller.bearing.azimuths
+    normal = np.array([np.sin(azimuth), np.cos(azimuth)])
+    position = unknowns.ring[:2]
     for _ in range(RING_STEPS):
-        closed, slope = smooth_positive((position * normal[:, None]).sum(0) - balance.clearance / 2)
-        power = (closed / softness) ** (EXPONENT - 1)
-        force, stiffness = power * closed / softness, EXPONENT * power / softness * slope
-        excess = load[..., 0] - (normal[:, None] * force).sum(-1)
-        matrix = np.einsum("icz,kcz->cik", normal[:, None] * stiffness, normal[:, None] * np.ones_like(force))
+        unknowns = settled(balance, unknowns._replace(ring=np.concatenate([position, unknowns.ring[2:]])))
+        force, stiffness = lumped_loads(balance, unknowns)[0], series_stiffness(balance, unknowns)
+        excess = load - np.einsum("iz,cz->ic", normal, force)
+        matrix = np.einsum("iz,cz,kz->cik", normal, stiffness, normal)
         floor = RING_FLOOR * np.trace(matrix, axis1=1, axis2=2) + SMALLEST_STIFFNESS
         change = np.linalg.solve(matrix + floor[:, None, None] * np.eye(2), excess.T[..., None])[..., 0].T
         length = np.hypot(*change)
-        position = (
-            position + (change * np.minimum(1.0, LONGEST_RING_STEP / np.maximum(length, 1e-30)))[..., None]
-        )
-        if length.max() < 1e-9:
+        position = position + (change * np.minimum(1.0, LONGEST_RING_STEP / (length + 1e-30)))[..., None]
+        if length.max() < SHIFT_DIGITS:
             break
-    return position
+    return unknowns._replace(ring=np.concatenate([position, unknowns.ring[2:]]))
 
 
+SMALLEST_LOAD = 1e-9  # [N]
 SMALLEST_STIFFNESS = 1.0  # [N/m] where no roller touches at all

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from quasidynamic.balance.points import OperatingPoints
 from quasidynamic.balance.roller import RollerBalance, RollerInputs, RollerState
 from quasidynamic.contact.land import land_torque
+from quasidynamic.contact.load import GAP_ROUNDING
 from quasidynamic.motion.speeds import rolling_cage_speed, rolling_roller_speed
 
 INNER, OUTER = 0, 1
@@ -18,6 +19,9 @@ BORDER = 5  # unknowns of ring and cage, before those of the rollers
 FRICTION = 1e-2  # usual size of friction over load
 LENGTH = 1e-6  # [m] size of approaches and displacements
 ANGLE = 1e-3  # [rad]
+IDLE = 1e-3  # share of the centrifugal force that stands for a load
+CREEP = 1e-4  # of the spin in pure rolling: cage speed below which it hardly moves
+FILM = 1e-4  # [m] far above any film: a step is judged by its forces, not by how far films lag behind
 LARGE_DEVIATION = 1e-4  # [m] of a thin ring
 
 
@@ -25,11 +29,11 @@ class Unknowns(NamedTuple):
     """Unknowns of C cases in SI units."""
 
     ring: NDArray  # (4, C, 1) displacement y, z [m], slopes dz/dx, dy/dx [rad]
-    cage_speed: NDArray  # (C, 1) [rad/s]
+    cage_drift: NDArray  # (C, 1) cage speed less that of pure rolling [rad/s]
     approach: NDArray  # (C, Z) at the outer raceway [m]
     tilt: NDArray  # (C, Z) tilt approach at the outer raceway [m], zero when rollers are aligned
     film: NDArray  # (2, C, Z) [m]
-    spin: NDArray  # (C, Z) [rad/s]
+    spin_drift: NDArray  # (C, Z) spin less that of pure rolling [rad/s]
     deviation: NDArray  # (2, M, C, Z) outward, of raceways that yield [m]
 
 
@@ -55,9 +59,10 @@ class BearingBalance:
     """Residuals that vanish at equilibrium, as a function of scaled unknowns (C, N).
 
     Unknowns of a case: ring displacement y, z [m]; ring slopes dz/dx, dy/dx [rad]; cage speed
-    [rad/s]; then field by field over the rollers the approach at the outer raceway, the tilt
-    approach there unless rollers are aligned, inner and outer film [m] and the spin [rad/s]; then
-    the shape coefficients [m] of every yielding raceway's deviation, roller by roller.
+    less that of pure rolling [rad/s]; then field by field over the rollers the approach at the outer
+    raceway, the tilt approach there unless rollers are aligned, inner and outer film [m] and the
+    spin less that of pure rolling [rad/s], so that small slips keep their digits; then the
+    shape coefficients [m] of every yielding raceway's deviation, roller by roller.
     """
 
     roller: RollerBalance
@@ -106,30 +111,50 @@ class BearingBalance:
         deviation[self.yielding] = given.transpose(1, 3, 0, 2)
         return Unknowns(
             ring=x[:, :CAGE].T[..., None],
-            cage_speed=x[:, CAGE:BORDER],
+            cage_drift=x[:, CAGE:BORDER],
             approach=fields[0],
             tilt=fields[1] if m > 1 else np.zeros_like(fields[0]),
             film=fields[-3:-1],
-            spin=fields[-1],
+            spin_drift=fields[-1],
             deviation=deviation,
         )
 
     def pack(self, unknowns: Unknowns) -> NDArray:
         """Scaled unknowns (C, N), the inverse of `unpack`; what this balance does not know is left out."""
-        m, cases = self.roller.shapes, len(unknowns.cage_speed)
+        m, cases = self.roller.shapes, len(unknowns.cage_drift)
         tilt = [unknowns.tilt] if m > 1 else []
-        fields = np.array([unknowns.approach, *tilt, *unknowns.film, unknowns.spin])
+        fields = np.array([unknowns.approach, *tilt, *unknowns.film, unknowns.spin_drift])
         shapes = np.zeros((2, m, cases, self.rollers))
         common = min(m, unknowns.deviation.shape[1])
         shapes[:, :common] = unknowns.deviation[:, :common]
         yielding = shapes[self.yielding].transpose(2, 0, 3, 1)
-        x = [unknowns.ring[..., 0].T, unknowns.cage_speed, fields.transpose(1, 0, 2).reshape(cases, -1)]
+        x = [unknowns.ring[..., 0].T, unknowns.cage_drift, fields.transpose(1, 0, 2).reshape(cases, -1)]
         return np.concatenate([*x, yielding.reshape(cases, -1)], axis=1) / self.unknown_scale
 
     def field(self, which: int) -> slice:
         """Place of a roller's unknown (0 approach, ..., -1 spin) among the unknowns of a case."""
         start = BORDER + which % self.own * self.rollers
         return slice(start, start + self.rollers)
+
+    def bounded(self, before: NDArray, after: NDArray) -> NDArray:
+        """Keep approaches at the outer raceway and films positive: at most nine tenths go in a step.
+
+        A roller thrown off the outer raceway, or a film below zero, has no slope that leads back.
+        """
+        held = after.copy()
+        for film in (-2, -3):
+            place = self.field(film)
+            held[:, place] = np.maximum(after[:, place], 0.1 * before[:, place])
+        approach = self.field(0)
+        old, new = self._end_approach(before), self._end_approach(after)
+        lowest = np.minimum(old, 0.1 * old) - 3 * GAP_ROUNDING / LENGTH
+        held[:, approach] += np.maximum(lowest - new, 0.0)
+        return held
+
+    def _end_approach(self, scaled: NDArray) -> NDArray:
+        """Approach (C, Z) of that end of each roller which is nearer to the outer raceway, scaled."""
+        centre = scaled[:, self.field(0)]
+        return centre + np.abs(scaled[:, self.field(1)]) if self.roller.shapes > 1 else centre
 
     @cached_property
     def displacements(self) -> NDArray:
@@ -140,24 +165,27 @@ class BearingBalance:
     # -- scales --------------------------------------------------------------------------------
 
     @cached_property
-    def cage_speed(self) -> NDArray:
+    def rolling_cage(self) -> NDArray:
         """Cage speed in pure rolling (C, 1) [rad/s]."""
         points, ratio = self.points, self.roller.bearing.diameter_ratio
         return rolling_cage_speed(points.inner_speed, points.outer_speed, ratio)
 
     @cached_property
-    def roller_speed(self) -> NDArray:
+    def rolling_spin(self) -> NDArray:
         """Roller spin in pure rolling (C, 1) [rad/s]."""
         points, ratio = self.points, self.roller.bearing.diameter_ratio
         return rolling_roller_speed(points.inner_speed, points.outer_speed, ratio)
 
     @cached_property
     def reference_force(self) -> NDArray:
-        """Force that residuals are measured against (C, 1) [N]: the largest that acts from outside."""
+        """Force that residuals are measured against (C, 1) [N]: the applied one.
+
+        A small share of the centrifugal force of the rollers takes its place where that is larger.
+        """
         bearing, points = self.roller.bearing, self.points
-        centrifugal = bearing.roller.mass * bearing.pitch_diameter / 2 * self.cage_speed**2
+        centrifugal, _ = self.roller.centrifugal(self.rolling_cage)
         tilting = points.moment / bearing.roller.length
-        return np.maximum(np.maximum(points.load, centrifugal), np.maximum(tilting, SMALLEST_FORCE))
+        return np.maximum(np.maximum(points.load, tilting), IDLE * centrifugal)
 
     @cached_property
     def undetermined(self) -> NDArray:
@@ -172,8 +200,8 @@ class BearingBalance:
         """Size of each unknown (C, N): micrometres, milliradians, nominal speeds."""
         scale = np.full((len(self.points), self.size), LENGTH)
         scale[:, [TILT_Z, TILT_Y]] = ANGLE
-        scale[:, [CAGE]] = np.maximum(np.abs(self.cage_speed), 1e-3 * np.abs(self.roller_speed))
-        scale[:, self.field(-1)] = np.abs(self.roller_speed)
+        scale[:, [CAGE]] = np.maximum(np.abs(self.rolling_cage), 1e-3 * np.abs(self.rolling_spin))
+        scale[:, self.field(-1)] = np.abs(self.rolling_spin)
         return scale
 
     @cached_property
@@ -184,7 +212,7 @@ class BearingBalance:
         """
         bearing, force = self.roller.bearing, self.reference_force[:, 0]
         half = bearing.roller.length / 2
-        film = np.full_like(force, LENGTH)
+        film = np.full_like(force, FILM)
         tilt = [force * half] if self.roller.shapes > 1 else []
         friction = FRICTION * force
         border = [force, force, force * half, force * half, friction * bearing.pitch_diameter / 2]
@@ -215,7 +243,7 @@ class BearingBalance:
         m, half = self.roller.shapes, self.roller.raceways.slices.length / 2
         y, z, slope_z, slope_y = x.ring
         inner, outer = x.deviation if self.deviation is None else x.deviation + self._given
-        approach = np.zeros((2, m, *x.spin.shape))
+        approach = np.zeros((2, m, *x.spin_drift.shape))
         approach[INNER] = inner
         # The roller follows the outer raceway's height and tilt but not its waviness: those two
         # change the inner approach, the rest the outer one.
@@ -226,7 +254,11 @@ class BearingBalance:
         if m > 1:
             approach[INNER, 1] += half * (slope_z * cos + slope_y * sin) - x.tilt
             approach[OUTER, 1] = x.tilt
-        return RollerInputs(approach, x.film, x.spin, x.cage_speed)
+        return RollerInputs(approach, x.film, x.spin_drift, x.cage_drift, *self.speeds(x))
+
+    def speeds(self, x: Unknowns) -> tuple[NDArray, NDArray]:
+        """Spins (C, Z) and cage speed (C, 1) [rad/s]."""
+        return self.rolling_spin + x.spin_drift, self.rolling_cage + x.cage_drift
 
     @cached_property
     def _given(self) -> NDArray:
@@ -238,11 +270,16 @@ class BearingBalance:
 
     def evaluate(self, scaled: NDArray) -> Linearisation:
         """Residual and derivatives at scaled unknowns (C, N)."""
+        # A trial step may be absurd: what overflows shows in its residual.
+        with np.errstate(all="ignore"):
+            return self._evaluated(scaled)
+
+    def _evaluated(self, scaled: NDArray) -> Linearisation:
         x = self.unpack(scaled)
         response = self.roller.respond(self.inputs(x), self.points)
         rows, gradient = self._rows(response.value), self._rows(response.gradient)
         table = self._columns(gradient)
-        before, after = self._spin_chain(x, rows, table)
+        before, after = self._add_spin_transport(x, rows, table)
         border, border_by = self._border(x)
         border += rows[self.own : self.own + BORDER].sum(-1)
         residual = np.concatenate(
@@ -319,28 +356,35 @@ class BearingBalance:
         return table
 
     def spin_transport(self, x: Unknowns) -> NDArray:
-        """Torque J omega_c dw/dphi (C, Z) [N m] that the change of spin around the bearing takes."""
-        if not self.spin_inertia:
-            return np.zeros_like(x.spin)
-        factor = self.roller.bearing.roller.inertia * self.rollers / (2 * np.pi)
-        return factor * np.abs(x.cage_speed) * (x.spin - self._upwind(x))
+        """Torque J omega_c dw/dphi (C, Z) [N m] that the change of spin around the bearing takes.
 
-    def _upwind(self, x: Unknowns) -> NDArray:
-        """Spin (C, Z) of the roller that was here before."""
-        return np.where(x.cage_speed >= 0, np.roll(x.spin, 1, axis=-1), np.roll(x.spin, -1, axis=-1))
+        Differenced upwind, from the roller that was here before; where the cage hardly moves, both
+        neighbours count, so that nothing jumps when it turns back.
+        """
+        before, after, _, _ = self._spin_chain(x)
+        spin = x.spin_drift
+        return before * (spin - np.roll(spin, 1, axis=-1)) + after * (spin - np.roll(spin, -1, axis=-1))
 
-    def _spin_chain(self, x: Unknowns, rows: NDArray, table: NDArray) -> tuple[NDArray, NDArray]:
-        """Add J omega_c dw/dphi, differenced upwind, to the balance of spin; returns what neighbours do."""
-        zero = np.zeros_like(x.spin)
-        if not self.spin_inertia:
-            return zero, zero
-        factor = self.roller.bearing.roller.inertia * self.rollers / (2 * np.pi)
-        row, pace, forwards = self.own - 1, factor * np.abs(x.cage_speed), x.cage_speed >= 0
-        change = x.spin - self._upwind(x)
-        rows[row] -= pace * change
-        table[row, row] -= pace
-        table[row, self.own + CAGE] -= factor * np.sign(x.cage_speed) * change
-        return np.where(forwards, pace, zero), np.where(forwards, zero, pace)
+    def _spin_chain(self, x: Unknowns) -> tuple[NDArray, NDArray, NDArray, NDArray]:
+        """Torque per change of spin (C, 1) [N m s] from the roller before, from that after, and their slopes."""
+        inertia = self.roller.bearing.roller.inertia if self.spin_inertia else 0.0
+        factor = inertia * self.rollers / (2 * np.pi)
+        _, cage_speed = self.speeds(x)
+        slow = CREEP * np.abs(self.rolling_spin)
+        size = np.sqrt(cage_speed**2 + slow**2)
+        sense = cage_speed / size
+        half = factor / 2
+        return half * (size + cage_speed), half * (size - cage_speed), half * (sense + 1), half * (sense - 1)
+
+    def _add_spin_transport(self, x: Unknowns, rows: NDArray, table: NDArray) -> tuple[NDArray, NDArray]:
+        """Add the transport of spin to its balance; returns what the neighbours' spins do there (C, Z)."""
+        before, after, before_by_cage, after_by_cage = self._spin_chain(x)
+        spin, row = x.spin_drift, self.own - 1
+        from_before, from_after = spin - np.roll(spin, 1, axis=-1), spin - np.roll(spin, -1, axis=-1)
+        rows[row] -= before * from_before + after * from_after
+        table[row, row] -= before + after
+        table[row, self.own + CAGE] -= before_by_cage * from_before + after_by_cage * from_after
+        return before + np.zeros_like(spin), after + np.zeros_like(spin)
 
     def _border(self, x: Unknowns) -> tuple[NDArray, NDArray]:
         """Loads from outside on ring and cage (5, C), their derivatives by the border (C, 5, 5)."""
@@ -357,7 +401,7 @@ class BearingBalance:
             value[tilt] = np.where(free, moment[:, 0], hold * (x.ring[tilt] - slope)[:, 0])
             by[:, tilt, tilt] = hold
         ring = points.outer_speed if cage.guidance == "outer" else points.inner_speed
-        land = land_torque(ring - x.cage_speed, cage, self.roller.lubrication.oil)
+        land = land_torque(ring - self.speeds(x)[1], cage, self.roller.lubrication.oil)
         value[CAGE], by[:, CAGE, CAGE] = land.torque[:, 0], -land.by_speed[:, 0]
         return value, by
 
@@ -371,6 +415,3 @@ class BearingBalance:
             deviation = np.moveaxis(x.deviation[race], 0, -1).reshape(load.shape)
             residuals.append(deviation - (-1.0 if race == INNER else 1.0) * load @ matrix.T)
         return np.concatenate([np.zeros((len(self.points), 0)), *residuals], axis=1)
-
-
-SMALLEST_FORCE = 1e-3  # [N] of a bearing without load that hardly turns

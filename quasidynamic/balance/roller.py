@@ -15,6 +15,7 @@ from quasidynamic.contact.raceways import ContactState, Raceways
 from quasidynamic.parts.bearing import CylindricalRollerBearing
 
 CAGE_FORCE_ROUNDING = 0.5  # [N] width over which the pocket force changes side
+GRAVITY = 9.81  # [m/s2]
 STILL = 1e-6  # of the nominal surface speed: keeps powers of the entrainment speed finite
 
 
@@ -23,6 +24,8 @@ class RollerInputs(NamedTuple):
 
     approach: NDArray  # (2, M, C, Z) shape coefficients at inner and outer raceway [m]
     film: NDArray  # (2, C, Z) [m]
+    spin_drift: NDArray  # (C, Z) spin less that of pure rolling [rad/s]
+    cage_drift: NDArray  # (C, 1) cage speed less that of pure rolling [rad/s]
     spin: NDArray  # (C, Z) relative to the cage [rad/s]
     cage_speed: NDArray  # (C, 1) [rad/s]
 
@@ -105,8 +108,7 @@ class RollerBalance:
     def respond(self, inputs: RollerInputs, points: OperatingPoints) -> Response:
         """Evaluate the equations of all rollers."""
         sliding, rolling = self._surface_speeds(inputs, points)
-        nominal = np.abs(points.inner_speed - points.outer_speed) * self.bearing.inner_radius
-        entrainment = np.sqrt(rolling**2 + (STILL * nominal) ** 2)
+        entrainment = self._entrainment(rolling, points)
         contact = self.raceways.state(inputs.approach, sliding, entrainment, inputs.film)
         slopes = self._contact_slopes(contact, rolling / entrainment)
         value, gradient = self._forces(contact, slopes, points, inputs)
@@ -132,14 +134,28 @@ class RollerBalance:
 
     # -- surfaces ------------------------------------------------------------------------------
 
+    def surfaces(self, inputs: RollerInputs, points: OperatingPoints) -> tuple[NDArray, NDArray]:
+        """Sliding and entrainment speed (2, C, Z) [m/s]; neither approach nor film is looked at."""
+        sliding, rolling = self._surface_speeds(inputs, points)
+        return sliding, self._entrainment(rolling, points)
+
+    def _entrainment(self, rolling: NDArray, points: OperatingPoints) -> NDArray:
+        """Size of the mean surface speed, kept above zero [m/s]."""
+        nominal = np.abs(points.inner_speed - points.outer_speed) * self.bearing.inner_radius
+        return np.sqrt(rolling**2 + (STILL * nominal) ** 2)
+
     def _surface_speeds(self, inputs: RollerInputs, points: OperatingPoints) -> tuple[NDArray, NDArray]:
-        """Sliding of raceway over roller and mean surface speed (2, C, Z) [m/s], both signed."""
+        """Sliding of raceway over roller and mean surface speed (2, C, Z) [m/s], both signed.
+
+        The sliding is that of the drifts from pure rolling: nothing large cancels.
+        """
         r_w, r_i, r_o = self.bearing.roller.diameter / 2, self.bearing.inner_radius, self.bearing.outer_radius
+        drift = r_w * inputs.spin_drift
         inner = (points.inner_speed - inputs.cage_speed) * r_i
         outer = (points.outer_speed - inputs.cage_speed) * r_o
         roller = r_w * inputs.spin
         return (
-            np.array([inner - roller, outer + roller]),
+            np.array([-r_i * inputs.cage_drift - drift, drift - r_o * inputs.cage_drift]),
             0.5 * np.array([inner + roller, roller - outer]),
         )
 
@@ -193,9 +209,7 @@ class RollerBalance:
         gradient[:m, :m], gradient[m : 2 * m, m : 2 * m] = contact.force_by_approach
         value[traction:rolling], gradient[traction:rolling] = contact.traction, slopes[0]
         value[rolling:rest], gradient[rolling:rest] = s * contact.rolling.force, s * slopes[1]
-        mass_radius = self.bearing.roller.mass * self.bearing.pitch_diameter / 2
-        value[rest] = mass_radius * inputs.cage_speed**2
-        gradient[rest, cage] = 2 * mass_radius * inputs.cage_speed
+        value[rest], gradient[rest, cage] = self.centrifugal(inputs.cage_speed)
         value[rest + 1], gradient[rest + 1, cage] = self.drag(inputs.cage_speed)
         if self.lubrication.churning_gap is not None:
             value[rest + 2], gradient[rest + 2, spin] = churning(
@@ -206,6 +220,15 @@ class RollerBalance:
                 gap=self.lubrication.churning_gap,
             )
         return value, gradient
+
+    def centrifugal(self, cage_speed: NDArray) -> tuple[NDArray, NDArray]:
+        """Centrifugal force of a roller [N], its derivative by the cage speed [N s].
+
+        The weight of the roller is added: without it an unloaded roller of a slow bearing would not
+        touch anything, and its place and spin would be undetermined.
+        """
+        roller, radius = self.bearing.roller, self.bearing.pitch_diameter / 2
+        return roller.mass * (radius * cage_speed**2 + GRAVITY), 2 * roller.mass * radius * cage_speed
 
     def drag(self, cage_speed: NDArray) -> tuple[NDArray, NDArray]:
         """Force of the mixture on an orbiting roller [N], its derivative by the cage speed [N s]."""

@@ -8,6 +8,8 @@ from numpy.typing import NDArray
 
 from quasidynamic.parts.lubricant import Lubricant
 
+SLIP_ROUNDING = 1e-3  # of the slide-to-roll ratio in the heating of the inlet
+
 
 class Film(NamedTuple):
     """Film thickness [m] with its derivatives."""
@@ -113,7 +115,8 @@ def inlet_heating_factor(
 
     Valid
     -----
-    S below about 1; beyond it the trend only. S is rounded over 1e-6, where S^0.83 is infinitely steep.
+    S below about 1; beyond it the trend only. S^0.83 is infinitely steep at zero: S is rounded over
+    `SLIP_ROUNDING`, which thins the film of pure rolling by less than 0.5 %.
     """
     loading = oil.viscosity * oil.temperature_viscosity * entrainment**2 / oil.conductivity
     slip = np.hypot(sliding / entrainment, SLIP_ROUNDING)
@@ -126,6 +129,3 @@ def inlet_heating_factor(
         -(factor**2) * thermal * 1.28 * (1.0 + sheared) - by_slip * sliding / entrainment
     ) / entrainment
     return factor, by_sliding, by_entrainment
-
-
-SLIP_ROUNDING = 1e-6

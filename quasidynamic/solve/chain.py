@@ -1,4 +1,4 @@
-"""From start to end: Newton's method, a better start, pseudo-time, and an ending for every case."""
+"""From start to end: Newton's method, a better start, pseudo-time, a heavier load."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -8,11 +8,12 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.bearing import BearingBalance
 from quasidynamic.solve.contact_search import contact_search
+from quasidynamic.solve.continuation import from_heavier_load
 from quasidynamic.solve.endings import Ending
 from quasidynamic.solve.newton import Sweep, newton
 from quasidynamic.solve.pseudo_time import Pace, pseudo_time
 
-ROUNDS = 12  # of pseudo-time, each followed by Newton's method
+ROUNDS = (3, 9)  # of pseudo-time, each followed by Newton's method; before and after a heavier load is tried
 
 Start = Callable[[BearingBalance], NDArray]
 
@@ -41,7 +42,7 @@ class Solved:
 
 
 def solve(balance: BearingBalance, start: NDArray, better: Start) -> Solved:
-    """Solve all cases: Newton's method from the start; those left, from a better start and in pseudo-time.
+    """Solve all cases, those that one method leaves over by the next one.
 
     Parameters
     ----------
@@ -59,28 +60,37 @@ def solve(balance: BearingBalance, start: NDArray, better: Start) -> Solved:
         solved.follow(newton(_some(balance, left), start[left]), left)
     left = solved.left()
     if len(left):
-        unknowns = better(_some(balance, left))
-        solved.follow(newton(_some(balance, left), unknowns), left)
-        _lead(balance, solved, left, unknowns)
+        led = start.copy()
+        led[left] = better(_some(balance, left))
+        solved.follow(newton(_some(balance, left), led[left]), left)
+        _lead(balance, solved, led, ROUNDS[0])
+        _unload(balance, solved, better)
+        _lead(balance, solved, led, ROUNDS[1])
     return solved
 
 
-def _lead(balance: BearingBalance, solved: Solved, cases: NDArray, unknowns: NDArray) -> None:
-    """Go through pseudo-time, trying Newton's method after every round."""
-    left = solved.left()
-    unknowns, pace = unknowns[np.isin(cases, left)], Pace.first(len(left))
-    for _ in range(ROUNDS):
+def _lead(balance: BearingBalance, solved: Solved, led: NDArray, rounds: int) -> None:
+    """Move `led` (C, N) through pseudo-time, trying Newton's method after every round."""
+    pace = Pace.first(len(led))
+    for _ in range(rounds):
+        left = solved.left()
         if not len(left):
             return
-        here, led = _some(balance, left), unknowns.copy()
-        time, shift = pace.time.copy(), pace.shift.copy()
-        for sweep, pace_now in pseudo_time(here, unknowns, pace):
-            solved.evaluations[left[sweep.cases]] += 1
-            led[sweep.cases] = sweep.unknowns
-            time[sweep.cases], shift[sweep.cases] = pace_now.time, pace_now.shift
-        solved.follow(newton(here, led), left)
-        still = np.isin(left, solved.left())
-        left, unknowns, pace = left[still], led[still], Pace(time[still], shift[still])
+        here = _some(balance, left)
+        for sweep, now in pseudo_time(here, led[left], pace.take(left)):
+            cases = left[sweep.cases]
+            solved.evaluations[cases] += 1
+            led[cases], pace.time[cases], pace.shift[cases] = sweep.unknowns, now.time, now.shift
+        solved.follow(newton(here, led[left]), left)
+
+
+def _unload(balance: BearingBalance, solved: Solved, better: Start) -> None:
+    """Come down from a heavier load, one case after the other."""
+    for case in solved.left():
+        walk = from_heavier_load(balance.take(np.array([case])), better)
+        solved.evaluations[case] += walk.evaluations
+        if walk.unknowns is not None:
+            solved.unknowns[case], solved.endings[case] = walk.unknowns[0], Ending.CONVERGED
 
 
 def _some(balance: BearingBalance, cases: NDArray) -> BearingBalance:

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.bearing import BearingBalance
-from quasidynamic.balance.settling import filmed, settled
+from quasidynamic.balance.settling import film_at, lumped_loads, settled
 from quasidynamic.solve.endings import Ending
 from quasidynamic.solve.newton import Sweep, norm, step
 
@@ -27,7 +27,9 @@ def contact_search(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep
         unknowns = unknowns + change
         found = bool(np.abs(change[0, balance.displacements]).max() < SMALL_CHANGE)
         if not found:
-            unknowns = balance.pack(filmed(balance, settled(balance, balance.unpack(unknowns))))
+            moved = settled(balance, balance.unpack(unknowns))
+            film = film_at(balance, moved, lumped_loads(balance, moved))
+            unknowns = balance.pack(moved._replace(film=film))
         system = balance.evaluate(unknowns)
         ending = Ending.NONE if np.isfinite(norm(system)[0]) else Ending.NOT_FINITE
         yield Sweep(number, np.array([0]), unknowns, system, [ending], one)

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.bearing import BearingBalance, Linearisation
+from quasidynamic.balance.bearing import CAGE, BearingBalance, Linearisation, Y, Z
 from quasidynamic.solve import bordered
 from quasidynamic.solve.endings import Ending
 
@@ -14,6 +14,8 @@ TOLERANCE = 1e-12  # of the reference force, or of the largest roller load if th
 ENOUGH = 1e-10  # the same, where rounding keeps a step from lowering the residual any more
 ROUNDING = 1e-8  # residual from where rounding decides whether a step looks smaller
 LIMIT = 60  # evaluations
+LONGEST_SHIFT = 100.0  # scaled ring displacement in a step: 100 micrometres
+LARGEST_SPEED_CHANGE = 0.7  # of the nominal speeds in a step
 SHORTEST = 2.0**-10  # part of a Newton step
 
 
@@ -49,9 +51,9 @@ def newton(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep]:
     system, accepted = here.evaluate(unknowns), np.ones(len(unknowns), bool)
     yield Sweep(0, cases, unknowns, system, [Ending.NONE] * len(cases), accepted)
     size, worst, damping = norm(system), _worst(system), np.ones(len(cases))
-    direction = step(here, system)
+    direction = _shortened(here, step(here, system))
     for number in range(1, LIMIT + 1):
-        trial = unknowns + damping[:, None] * direction
+        trial = here.bounded(unknowns, unknowns + damping[:, None] * direction)
         system = here.evaluate(trial)
         new = norm(system)
         better = new <= np.maximum((1 - 1e-4 * damping) * size, ROUNDING * system.loading)
@@ -65,12 +67,24 @@ def newton(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep]:
         if not running.any():
             return
         if better.any():
-            direction = np.where(better[:, None], step(here, system), direction)
+            direction = np.where(better[:, None], _shortened(here, step(here, system)), direction)
         if not running.all():
             cases, here = cases[running], here.take(running)
             unknowns, direction, damping, size, worst = (
                 array[running] for array in (unknowns, direction, damping, size, worst)
             )
+
+
+def _shortened(balance: BearingBalance, direction: NDArray) -> NDArray:
+    """Steps (C, N) no longer than makes sense for ring, cage and spins."""
+    long = np.maximum.reduce(
+        [
+            np.abs(direction[:, [Y, Z]]).max(axis=1) / LONGEST_SHIFT,
+            np.abs(direction[:, CAGE]) / LARGEST_SPEED_CHANGE,
+            np.abs(direction[:, balance.field(-1)]).max(axis=1) / LARGEST_SPEED_CHANGE,
+        ]
+    )
+    return direction / np.maximum(long, 1.0)[:, None]
 
 
 def _ending(better: bool, worst: float, damping: float, last: bool) -> Ending:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.bearing import CAGE, BearingBalance, Y, Z
+from quasidynamic.balance.bearing import CAGE, BearingBalance
 from quasidynamic.solve import bordered
 from quasidynamic.solve.endings import Ending
 from quasidynamic.solve.newton import Sweep, norm
@@ -16,6 +16,7 @@ ENOUGH = 1e-4  # residual from which it is tried at once
 FIRST_STEP = 1e-4  # [s]
 SHORTEST_STEP = 1e-9  # [s]
 LONGEST_SHIFT = 5.0  # scaled ring displacement in a step: 5 micrometres
+TILT_SHARE = 0.2  # scaled tilt of a ring that moves roller ends about as far as a scaled displacement
 LARGEST_SPEED_CHANGE = 0.1  # of the cage speed in a step
 WORSE = 3.0  # growth of the residual that is still taken
 
@@ -53,12 +54,12 @@ def pseudo_time(balance: BearingBalance, unknowns: NDArray, pace: Pace) -> Itera
     """
     cases, here = np.arange(len(unknowns)), balance
     before, size = unknowns, np.full(len(unknowns), np.inf)
+    pull, turned = np.zeros(len(unknowns)), np.zeros(len(unknowns), bool)
     for number in range(LIMIT + 1):
         system = here.evaluate(unknowns)
         new = norm(system)
         refused = ~(new < WORSE * size) & (pace.time > SHORTEST_STEP)
-        with np.errstate(invalid="ignore"):
-            pace = pace.after(refused, np.clip(np.where(np.isfinite(size), size / new, 1.0), 1.0, 3.0) * 1.3)
+        pace = pace.after(refused, _growth(size, new, turned))
         # A refused state is left for the one before it; the next sweep starts there with a shorter step.
         here_now = np.where(refused[:, None], before, unknowns)
         endings = [_ending(value, number, bad) for value, bad in zip(new, refused, strict=True)]
@@ -67,15 +68,27 @@ def pseudo_time(balance: BearingBalance, unknowns: NDArray, pace: Pace) -> Itera
         if not left.any():
             return
         change = _step(here, system, pace.time)
-        hurry = np.maximum(
-            np.abs(change[:, [Y, Z]]).max(1) / pace.shift, np.abs(change[:, CAGE]) / LARGEST_SPEED_CHANGE
+        moved = np.abs(change[:, : CAGE + 1]) / [1.0, 1.0, TILT_SHARE, TILT_SHARE, 1.0]
+        hurry = np.maximum(moved[:, :CAGE].max(1) / pace.shift, moved[:, CAGE] / LARGEST_SPEED_CHANGE)
+        turned, pull = change[:, CAGE] * pull < 0, np.where(refused, pull, change[:, CAGE])
+        following = np.where(
+            refused[:, None],
+            before,
+            here.bounded(unknowns, unknowns + change / np.maximum(hurry, 1.0)[:, None]),
         )
-        following = np.where(refused[:, None], before, unknowns + change / np.maximum(hurry, 1.0)[:, None])
         size = np.where(refused, np.inf, new)
         before, unknowns = here_now, following
         if not left.all():
             cases, here, pace = cases[left], here.take(left), pace.take(left)
             before, unknowns, size = before[left], unknowns[left], size[left]
+            pull, turned = pull[left], turned[left]
+
+
+def _growth(before: NDArray, now: NDArray, turned: NDArray) -> NDArray:
+    """Factor of the next time step: a quarter where the cage turned back, else the more the residual fell."""
+    with np.errstate(invalid="ignore"):
+        fall = np.where(np.isfinite(before), before / now, 1.0)
+    return np.where(turned, 0.25, np.clip(1.3 * fall, 1.3, 4.0))
 
 
 def _ending(size: float, number: int, refused: bool) -> Ending:

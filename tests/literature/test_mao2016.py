@@ -35,5 +35,5 @@ def test_tangent_stiffness():
 def test_centrifugal_force_of_a_roller():
     """92 N at 38 000 rpm without slip."""
     state = paper_bearing().solve()
-    roller, rolling = state.balance.roller.bearing.roller, state.balance.cage_speed[0, 0]
+    roller, rolling = state.balance.roller.bearing.roller, state.balance.rolling_cage[0, 0]
     assert roller.mass * 35e-3 * rolling**2 == approx(92.0, abs=0.3)

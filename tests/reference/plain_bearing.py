@@ -43,7 +43,7 @@ def film(p, oil, Q, u, U, R, E):
     q = sqrt(Q**2 + 30.0**2) / p["l"]
     h = 2.65 * oil["alpha"] ** 0.54 * (oil["eta"] * U) ** 0.7 * R**0.43 / (q**0.13 * E**0.03)
     L = oil["eta"] * oil["beta"] * U**2 / oil["k"]
-    return h / (1 + 0.1 * (1 + 14.8 * (abs(u) / U) ** 0.83) * L**0.64)
+    return h / (1 + 0.1 * (1 + 14.8 * sqrt((u / U) ** 2 + 1e-6) ** 0.83) * L**0.64)
 
 
 def rolling_shear(p, oil, Q, U, R, E):
@@ -102,7 +102,7 @@ def unbalanced(p, oil, y, z, omega_c, e, tilt, spin, films):
         F_g = drag(p, oil, omega_c * r_m)
         F_c = -(T_i + T_o + (1 - 2 * g) * F_i - (1 + 2 * g) * F_o - F_g)
         friction = p["mu_pocket"] * (sqrt(F_c**2 + 0.25) - 0.5)
-        radial = Q_i - Q_o + mass * r_m * omega_c**2 + p["mu_pocket"] * F_c
+        radial = Q_i - Q_o + mass * (r_m * omega_c**2 + 9.81) + p["mu_pocket"] * F_c
         inertia = mass * D**2 / 8 * omega_c * (spin[j] - spin[j - 1]) / (2 * pi / Z)
         rollers.append((radial, M_o - M_i, r_w * (T_i - T_o - F_i - F_o - friction) - inertia))
         tangential = T_i + F_i * (1 - 2 * g)

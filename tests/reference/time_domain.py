@@ -35,7 +35,7 @@ def film(p, oil, Q, u, U, R, E):
     q = np.sqrt(Q**2 + 30.0**2) / p["l"]
     h = 2.65 * oil["alpha"] ** 0.54 * (oil["eta"] * U) ** 0.7 * R**0.43 / (q**0.13 * E**0.03)
     L = oil["eta"] * oil["beta"] * U**2 / oil["k"]
-    return h / (1 + 0.1 * (1 + 14.8 * (np.abs(u) / U) ** 0.83) * L**0.64)
+    return h / (1 + 0.1 * (1 + 14.8 * np.hypot(u / U, 1e-3) ** 0.83) * L**0.64)
 
 
 def rolling_shear(p, oil, Q, U, R, E):
