@@ -1,11 +1,12 @@
-"""The sections [bearing], [bearing.roller] and [bearing.cage]."""
+"""The section [bearing] with its rollers, cage and surfaces."""
 
 from math import pi
 from typing import Literal, Self
 
 from pydantic import model_validator
 
-from flexbearing.case.quantity import Angle, Length, Mass, Section, impossible, key, require
+from flexbearing.case.fits import Fits
+from flexbearing.case.quantity import Angle, Length, Mass, Section, impossible, key, needed, require
 
 
 class Roller(Section):
@@ -54,6 +55,9 @@ class Cage(Section):
     land_clearance: Length | None = key(
         "diametral clearance at the guiding land", None, example="0.4 mm", gt=0
     )
+    land_flow: Literal["laminar", "vortices"] = key(
+        "flow of the oil in the land: laminar, or with Taylor vortices and turbulence", "laminar"
+    )
 
     @model_validator(mode="after")
     def _land(self) -> Self:
@@ -63,19 +67,46 @@ class Cage(Section):
         return self
 
 
+class Roughness(Section):
+    """Root-mean-square roughness of the surfaces, about 1.25 Ra."""
+
+    roller: Length = key("Rq of the rollers", example="0.05 um", gt=0)
+    inner_raceway: Length = key("Rq of the inner raceway", example="0.1 um", gt=0)
+    outer_raceway: Length = key("Rq of the outer raceway", example="0.1 um", gt=0)
+
+
 class Bearing(Section):
     """The bearing."""
 
     kind: Literal["cylindrical_roller"] = key("family of the bearing")
     rollers: int = key("number of rollers", example=30, ge=3, le=1000)
     outer_raceway_diameter: Length = key("diameter of the outer raceway", example="75 mm", gt=0)
-    clearance: Length = key(
-        "operating diametral clearance, warm and running; negative is a preload", example="50 um"
+    clearance: Length | None = key(
+        "operating diametral clearance, warm and running; negative is a preload; instead of bearing.fits",
+        None,
+        example="50 um",
     )
+    fits: Fits | None = key("cold clearance and fits, from which the operating clearance follows", None)
     contact_law: Literal["palmgren", "iso16281"] = key("load law of a roller on a raceway", "palmgren")
-    first_roller_azimuth: Angle = key("azimuth of a roller from the load line", "0 deg")
+    first_roller_azimuth: Angle = key("azimuth of a roller, from z towards y", "0 deg")
     roller: Roller = key("the rollers")
     cage: Cage = key("the cage")
+    roughness: Roughness | None = key("roughness of rollers and raceways, for film ratios", None)
+
+    @property
+    def stated_clearance(self) -> float:
+        """The clearance that the case gives, operating or cold [m]."""
+        given = self.fits.cold_clearance if self.fits else self.clearance
+        assert given is not None  # checked on reading
+        return given
+
+    @model_validator(mode="after")
+    def _one_clearance(self) -> Self:
+        if self.clearance is None and self.fits is None:
+            raise needed(["clearance"], "a bearing without [bearing.fits]")
+        if self.clearance is not None and self.fits is not None:
+            raise impossible("clearance", "left out where [bearing.fits] computes it; give one of the two")
+        return self
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
@@ -85,6 +116,7 @@ class Bearing(Section):
         if self.rollers * self.roller.diameter >= pi * pitch:
             most = int(pi * pitch / self.roller.diameter)
             raise impossible("rollers", f"at most {most}, or they touch on the pitch circle")
-        if abs(self.clearance) > self.roller.diameter / 2:
-            raise impossible("clearance", "below half a roller diameter; is the unit right?")
+        if abs(self.stated_clearance) > self.roller.diameter / 2:
+            name = "fits.cold_clearance" if self.fits else "clearance"
+            raise impossible(name, "below half a roller diameter; is the unit right?")
         return self

@@ -8,10 +8,13 @@ from pydantic import PrivateAttr, model_validator
 from pydantic_core import PydanticCustomError
 
 from flexbearing.case.bearing import Bearing
+from flexbearing.case.life import FEWEST_SLICES, Life
+from flexbearing.case.lubricant import Lubricant
 from flexbearing.case.numerics import Accuracy, Coupling
+from flexbearing.case.mounting import require_mounting
 from flexbearing.case.quantity import Section, impossible, key, needed
 from flexbearing.case.rings import Inner, Outer
-from flexbearing.case.surroundings import Lubricant, Materials, Operation
+from flexbearing.case.surroundings import Materials, Operation
 
 
 @dataclass(frozen=True)
@@ -41,6 +44,7 @@ class Case(Section):
     operation: Operation = key("load and speed")
     outer: Outer = key("what carries the outer raceway")
     inner: Inner = key("what carries the inner raceway")
+    life: Life = key("what modifies the basic life", {})
     coupling: Coupling = key("how bearing and rings come to agree", {})
     accuracy: Accuracy = key("how finely everything is resolved", {})
 
@@ -59,7 +63,7 @@ class Case(Section):
     def _parts_fit(self) -> Self:
         raceway, roller = self.bearing.outer_raceway_diameter, self.bearing.roller
         _at("outer", lambda: self.outer.require_room(raceway, roller.length))
-        inner_raceway = raceway - 2 * roller.diameter - self.bearing.clearance
+        inner_raceway = raceway - 2 * roller.diameter - self.bearing.stated_clearance
         _at("inner", lambda: self.inner.require_room(inner_raceway, roller.length))
         if self.bearing.cage.thickness >= roller.diameter:
             raise impossible("bearing.cage.thickness", "below bearing.roller.diameter")
@@ -67,6 +71,28 @@ class Case(Section):
             raise needed(["materials.shaft"], 'inner.kind = "ring_on_shaft"')
         if self.accuracy.axial_shapes > self.accuracy.slices:
             raise impossible("accuracy.axial_shapes", "at most accuracy.slices")
+        return self
+
+    @model_validator(mode="after")
+    def _surfaces_are_known(self) -> Self:
+        rough = self.bearing.roughness is not None
+        self.lubricant.require_rough_surfaces(rough)
+        if self.life.lubrication == "film" and not rough:
+            raise needed(["bearing.roughness"], 'life.lubrication = "film"')
+        return self
+
+    @model_validator(mode="after")
+    def _edge_stress_is_known(self) -> Self:
+        if self.life.edge_stress and self.bearing.roller.profile == "straight":
+            allowed = '"crowned" or "logarithmic" for life.edge_stress: a straight roller has no known edge'
+            raise impossible("bearing.roller.profile", allowed)
+        if self.life.edge_stress and self.accuracy.slices < FEWEST_SLICES:
+            raise impossible("accuracy.slices", f"at least {FEWEST_SLICES} for life.edge_stress")
+        return self
+
+    @model_validator(mode="after")
+    def _mounting_is_complete(self) -> Self:
+        require_mounting(self)
         return self
 
 

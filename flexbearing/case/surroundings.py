@@ -1,24 +1,21 @@
-"""The sections [materials], [lubricant] and [operation]."""
+"""The sections [materials] and [operation]."""
 
 from typing import Literal, Self
 
 from pydantic import model_validator
 
 from flexbearing.case.quantity import (
-    Conductivity,
+    Angle,
     Density,
     Force,
     Moment,
-    PerPressure,
     PerTemperature,
     Pressure,
     Section,
     Speed,
     Temperature,
-    Viscosity,
     impossible,
     key,
-    require,
 )
 
 
@@ -37,47 +34,10 @@ class Materials(Section):
     roller: Material = key("of the rollers")
     inner_ring: Material = key("of the inner ring")
     outer_ring: Material = key("of the outer ring, and of the squirrel cage that is one piece with it")
-    shaft: Material | None = key('of the shaft; needed for inner.kind = "ring_on_shaft"', None)
-
-
-DATA = ("viscosity", "pressure_viscosity", "temperature_viscosity", "conductivity", "density")
-
-
-class Lubricant(Section):
-    """The oil: by name, or by its data at the inlet temperature."""
-
-    oil: Literal["MIL-PRF-23699", "MIL-L-7808"] | None = key("oil by name, instead of its data", None)
-    inlet_temperature: Temperature = key("temperature of the oil at the contact inlets", gt=0)
-    viscosity: Viscosity | None = key("dynamic viscosity at the inlet temperature", None, gt=0)
-    pressure_viscosity: PerPressure | None = key("pressure-viscosity coefficient alpha", None, gt=0)
-    temperature_viscosity: PerTemperature | None = key(
-        "beta = -d ln(viscosity)/dT", None, example="0.035 1/K", ge=0
+    shaft: Material | None = key(
+        'of the shaft; needed for inner.kind = "ring_on_shaft" and for [bearing.fits]', None
     )
-    conductivity: Conductivity | None = key("thermal conductivity", None, gt=0)
-    density: Density | None = key("density", None, example="900 kg/m^3", gt=0)
-    traction: Literal["4109", "eyring"] = key(
-        'traction law: regression of the oil 4109, or "eyring" with a limiting shear stress', "4109"
-    )
-    limiting_ratio: float | None = key(
-        "limiting shear stress over pressure, Eyring law", None, example=0.05, gt=0, le=1
-    )
-    eyring_stress: Pressure | None = key(
-        "Eyring stress; without it 2 limiting_ratio / pressure_viscosity", None, example="9 MPa", gt=0
-    )
-    oil_fraction: float = key(
-        "volume share of oil in the mixture around the rollers", example=0.02, ge=0, le=1
-    )
-    inlet_heating: bool = key("whether shear heating of the inlet thins the film", True)
-
-    @model_validator(mode="after")
-    def _complete(self) -> Self:
-        if self.oil is None:
-            require(self, DATA, "an oil without a name")
-        elif given := [name for name in DATA if getattr(self, name) is not None]:
-            raise impossible(given[0], "either lubricant.oil or its data, not both")
-        if self.traction == "eyring":
-            require(self, ("limiting_ratio",), 'traction = "eyring"')
-        return self
+    housing: Material | None = key("of the housing; needed for [bearing.fits.housing]", None)
 
 
 class Temperatures(Section):
@@ -87,16 +47,21 @@ class Temperatures(Section):
     inner_ring: Temperature = key("of the inner ring", gt=0)
     roller: Temperature = key("of the rollers", gt=0)
     outer_ring: Temperature = key("of the outer ring and its support", gt=0)
+    housing: Temperature | None = key("of the housing; needed for [bearing.fits.housing]", None, gt=0)
     reference: Temperature = key("at which the dimensions are given", gt=0)
 
 
 class Operation(Section):
     """Load and speed."""
 
-    radial_load: Force = key("radial load on the inner ring; its direction is azimuth zero", ge=0)
+    radial_load: Force = key("radial load on the inner ring", ge=0)
+    load_direction: Angle = key("azimuth that the radial load points to, from z towards y", "0 deg")
     inner_speed: Speed = key("speed of the inner ring")
     outer_speed: Speed = key("speed of the outer ring", "0 rpm")
     moment: Moment = key("tilting moment on the inner ring about the axis across the load", "0 N m")
+    misalignment: Angle = key(
+        "slope of an inner ring that may not tilt freely, in the plane of the load", "0 deg", example="2 arcmin"
+    )
     tilt: Literal["auto", "fixed", "free"] = key(
         "whether the inner ring may tilt: free, fixed, or free only under a moment (auto)", "auto"
     )
@@ -115,4 +80,8 @@ class Operation(Section):
             raise impossible("inner_speed", "other than operation.outer_speed, or nothing rolls")
         if self.tilt == "fixed" and self.moment != 0.0:
             raise impossible("moment", '"0 N m" for operation.tilt = "fixed"')
+        if self.misalignment != 0.0 and self.free_tilt:
+            raise impossible(
+                "misalignment", '"0 deg" for a ring that tilts freely, by operation.tilt or under a moment'
+            )
         return self

@@ -8,7 +8,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.points import OperatingPoints
-from quasidynamic.balance.roller import RollerBalance, RollerInputs, RollerState
+from quasidynamic.balance.roller import (
+    CAGE_SPEED,
+    FILM_I,
+    SPIN,
+    VALUE,
+    RollerBalance,
+    RollerInputs,
+    RollerState,
+)
 from quasidynamic.contact.land import land_torque
 from quasidynamic.contact.load import GAP_ROUNDING
 from quasidynamic.motion.speeds import rolling_cage_speed, rolling_roller_speed
@@ -105,7 +113,7 @@ class BearingBalance:
         x = scaled * self.unknown_scale
         cases, m = len(x), self.roller.shapes
         split = BORDER + self.rollers * self.own
-        fields = np.moveaxis(x[:, BORDER:split].reshape(cases, self.own, self.rollers), 1, 0)
+        fields = x[:, BORDER:split].reshape(cases, self.own, self.rollers).transpose(1, 0, 2)
         deviation = np.zeros((2, m, cases, self.rollers))
         given = x[:, split:].reshape(cases, len(self.yielding), self.rollers, m)
         deviation[self.yielding] = given.transpose(1, 3, 0, 2)
@@ -277,29 +285,21 @@ class BearingBalance:
     def _evaluated(self, scaled: NDArray) -> Linearisation:
         x = self.unpack(scaled)
         response = self.roller.respond(self.inputs(x), self.points)
-        rows, gradient = self._rows(response.value), self._rows(response.gradient)
-        table = self._columns(gradient)
+        graded = self._rows(response.table)
+        rows, table = graded[:, VALUE], self._columns(graded)
         before, after = self._add_spin_transport(x, rows, table)
         border, border_by = self._border(x)
         border += rows[self.own : self.own + BORDER].sum(-1)
-        residual = np.concatenate(
-            [
-                border.T,
-                np.moveaxis(rows[: self.own], 1, 0).reshape(len(scaled), -1),
-                self._yield(x, rows[self.own + BORDER :]),
-            ],
-            axis=1,
-        )
-        columns = self._column_scale
-        table *= columns[None] / self._row_scale[:, None, :, None]
-        border_scale = self._row_scale[self.own : self.own + BORDER].T
-        chain = self._row_scale[self.own - 1][:, None] / columns[self.own - 1]
+        residual = [border.T, rows[: self.own].transpose(1, 0, 2).reshape(len(scaled), -1)]
+        residual += self._yield(x, rows[self.own + BORDER :])
+        table *= self._table_scale
+        chain, border_scale = self._chain_scale
         return Linearisation(
-            residual=residual / self.residual_scale,
+            residual=np.concatenate(residual, axis=1) / self.residual_scale,
             table=table,
-            border=border_by * self.unknown_scale[:, None, :BORDER] / border_scale[..., None],
-            before=before / chain,
-            after=after / chain,
+            border=border_by * border_scale,
+            before=before * chain,
+            after=after * chain,
             loading=np.maximum(
                 1.0, response.state.contact.force[OUTER, 0].max(-1) / self.reference_force[:, 0]
             ),
@@ -313,8 +313,20 @@ class BearingBalance:
         yields = np.full((len(self.yielding) * self.roller.shapes, len(self.points)), LENGTH)
         return np.concatenate([own, self.unknown_scale[:, :BORDER].T, yields])[..., None]
 
+    @cached_property
+    def _chain_scale(self) -> tuple[NDArray, NDArray]:
+        """Size of spins over that of their balances (C, 1), and the same for the border (C, 5, 5)."""
+        own, row = self.own, self._row_scale
+        border = self.unknown_scale[:, None, :BORDER] / row[own : own + BORDER].T[..., None]
+        return self._column_scale[own - 1] / row[own - 1][:, None], border
+
+    @cached_property
+    def _table_scale(self) -> NDArray:
+        """Size of the unknowns over that of the residuals (rows, columns, C, 1)."""
+        return self._column_scale[None] / self._row_scale[:, None, :, None]
+
     def _rows(self, response: NDArray) -> NDArray:
-        """Rows of the table from those of a roller's response (rows, ..., C, Z)."""
+        """Rows of the table from those of a roller's response (rows, inputs + 1, C, Z)."""
         sin, cos = self._radial
         m, own = self.roller.shapes, self.own
         cage, tangential = response[own], response[own + 1]
@@ -339,7 +351,7 @@ class BearingBalance:
         m, own = self.roller.shapes, self.own
         table = np.zeros((len(gradient), own + BORDER + m * len(self.yielding), *gradient.shape[2:]))
         inner, outer = gradient[:, :m], gradient[:, m : 2 * m]
-        spin, cage, film = gradient[:, 2 * m], gradient[:, 2 * m + 1], gradient[:, 2 * m + 2 :]
+        spin, cage, film = gradient[:, SPIN], gradient[:, CAGE_SPEED], gradient[:, FILM_I:VALUE]
         table[:, 0] = outer[:, 0] - inner[:, 0]
         table[:, own - 3 : own - 1] = film + inner[:, :1]
         table[:, own - 1] = spin
@@ -363,10 +375,20 @@ class BearingBalance:
         """
         before, after, _, _ = self._spin_chain(x)
         spin = x.spin_drift
-        return before * (spin - np.roll(spin, 1, axis=-1)) + after * (spin - np.roll(spin, -1, axis=-1))
+        return before * (spin - self._previous(spin)) + after * (spin - self._next(spin))
+
+    @staticmethod
+    def _previous(spin: NDArray) -> NDArray:
+        """Values (C, Z) of the roller before."""
+        return np.concatenate([spin[:, -1:], spin[:, :-1]], axis=1)
+
+    @staticmethod
+    def _next(spin: NDArray) -> NDArray:
+        """Values (C, Z) of the roller after."""
+        return np.concatenate([spin[:, 1:], spin[:, :1]], axis=1)
 
     def _spin_chain(self, x: Unknowns) -> tuple[NDArray, NDArray, NDArray, NDArray]:
-        """Torque per change of spin (C, 1) [N m s] from the roller before, from that after, and their slopes."""
+        """Torque per change of spin (C, 1) [N m s], from the roller before and after, and their slopes."""
         inertia = self.roller.bearing.roller.inertia if self.spin_inertia else 0.0
         factor = inertia * self.rollers / (2 * np.pi)
         _, cage_speed = self.speeds(x)
@@ -380,7 +402,7 @@ class BearingBalance:
         """Add the transport of spin to its balance; returns what the neighbours' spins do there (C, Z)."""
         before, after, before_by_cage, after_by_cage = self._spin_chain(x)
         spin, row = x.spin_drift, self.own - 1
-        from_before, from_after = spin - np.roll(spin, 1, axis=-1), spin - np.roll(spin, -1, axis=-1)
+        from_before, from_after = spin - self._previous(spin), spin - self._next(spin)
         rows[row] -= before * from_before + after * from_after
         table[row, row] -= before + after
         table[row, self.own + CAGE] -= before_by_cage * from_before + after_by_cage * from_after
@@ -389,24 +411,34 @@ class BearingBalance:
     def _border(self, x: Unknowns) -> tuple[NDArray, NDArray]:
         """Loads from outside on ring and cage (5, C), their derivatives by the border (C, 5, 5)."""
         points, cage = self.points, self.roller.bearing.cage
-        value, by = np.zeros((BORDER, len(points))), np.zeros((len(points), BORDER, BORDER))
-        value[Y], value[Z] = points.load_y[:, 0], points.load_z[:, 0]
-        free = points.free_tilt[:, 0]
-        # Any stiffness holds a tilt where it shall be; this one has the size of the other rows.
-        hold = np.where(free, 0.0, self._row_scale[self.own + TILT_Z] / ANGLE)
-        for tilt, moment, slope in (
-            (TILT_Z, points.moment_z, points.slope_z),
-            (TILT_Y, points.moment_y, points.slope_y),
-        ):
-            value[tilt] = np.where(free, moment[:, 0], hold * (x.ring[tilt] - slope)[:, 0])
-            by[:, tilt, tilt] = hold
+        hold, push = self._outside
+        value, by = push.copy(), hold.copy()
+        tilts = [TILT_Z, TILT_Y]
+        value[tilts] += hold[:, tilts, tilts].T * x.ring[tilts, :, 0]
         ring = points.outer_speed if cage.guidance == "outer" else points.inner_speed
         land = land_torque(ring - self.speeds(x)[1], cage, self.roller.lubrication.oil)
         value[CAGE], by[:, CAGE, CAGE] = land.torque[:, 0], -land.by_speed[:, 0]
         return value, by
 
-    def _yield(self, x: Unknowns, forces: NDArray) -> NDArray:
-        """Deviation minus compliance times load (C, unknowns) [m]; rollers push the inner one inwards."""
+    @cached_property
+    def _outside(self) -> tuple[NDArray, NDArray]:
+        """Stiffness that holds the tilts (C, 5, 5), and the loads on the ring (5, C)."""
+        points = self.points
+        push, hold = np.zeros((BORDER, len(points))), np.zeros((len(points), BORDER, BORDER))
+        push[Y], push[Z] = points.load_y[:, 0], points.load_z[:, 0]
+        free = points.free_tilt[:, 0]
+        # Any stiffness holds a tilt where it shall be; this one has the size of the other rows.
+        stiffness = np.where(free, 0.0, self._row_scale[self.own + TILT_Z] / ANGLE)
+        for tilt, moment, slope in (
+            (TILT_Z, points.moment_z, points.slope_z),
+            (TILT_Y, points.moment_y, points.slope_y),
+        ):
+            push[tilt] = np.where(free, moment[:, 0], -stiffness * slope[:, 0])
+            hold[:, tilt, tilt] = stiffness
+        return hold, push
+
+    def _yield(self, x: Unknowns, forces: NDArray) -> list[NDArray]:
+        """Deviation minus compliance times load (C, Z M) [m]; rollers push the inner raceway inwards."""
         m, residuals = self.roller.shapes, []
         for place, race in enumerate(self.yielding):
             matrix = self.compliance[race]
@@ -414,4 +446,4 @@ class BearingBalance:
             load = np.moveaxis(forces[place * m : (place + 1) * m], 0, -1).reshape(len(self.points), -1)
             deviation = np.moveaxis(x.deviation[race], 0, -1).reshape(load.shape)
             residuals.append(deviation - (-1.0 if race == INNER else 1.0) * load @ matrix.T)
-        return np.concatenate([np.zeros((len(self.points), 0)), *residuals], axis=1)
+        return residuals

@@ -18,6 +18,10 @@ CAGE_FORCE_ROUNDING = 0.5  # [N] width over which the pocket force changes side
 GRAVITY = 9.81  # [m/s2]
 STILL = 1e-6  # of the nominal surface speed: keeps powers of the entrainment speed finite
 
+# Places among a roller's inputs and its value, and among its forces, counted from the end.
+SPIN, CAGE_SPEED, FILM_I, FILM_O, VALUE = range(-5, 0)
+CENTRIFUGAL, DRAG, CHURNING, POCKET_UP, POCKET_BRAKE = range(-5, 0)
+
 
 class RollerInputs(NamedTuple):
     """What the rollers of C cases are given; M axial shapes."""
@@ -43,7 +47,11 @@ class RollerState(NamedTuple):
 
 
 class Response(NamedTuple):
-    """Rows of the roller's table, with derivatives by its 2 M + 4 inputs.
+    """Rows of the roller's table: derivatives by its 2 M + 4 inputs, then the value itself.
+
+    The inputs are the M shape coefficients at the inner and at the outer raceway, spin, cage speed,
+    inner and outer film. Keeping value and derivatives side by side lets every equation be written
+    once: what is a sum of forces is also the sum of their derivatives.
 
     Rows: radial force [N], tilt moment [N m] (with two shapes or more), film at the inner and the
     outer raceway [m], spin [N m]: these must vanish. Then what the rest of the bearing feels:
@@ -51,8 +59,7 @@ class Response(NamedTuple):
     shapes at the inner and at the outer raceway [N].
     """
 
-    value: NDArray  # (rows, C, Z)
-    gradient: NDArray  # (rows, inputs, C, Z)
+    table: NDArray  # (rows, inputs + 1, C, Z)
     state: RollerState
 
 
@@ -110,25 +117,23 @@ class RollerBalance:
         sliding, rolling = self._surface_speeds(inputs, points)
         entrainment = self._entrainment(rolling, points)
         contact = self.raceways.state(inputs.approach, sliding, entrainment, inputs.film)
-        slopes = self._contact_slopes(contact, rolling / entrainment)
-        value, gradient = self._forces(contact, slopes, points, inputs)
-        cage_force = self._add_pocket(value, gradient, points.direction)
-        rows = np.tensordot(self.levers, value, 1)
-        row_gradients = np.tensordot(self.levers, gradient, 1)
-        film_gradient = slopes[2]
-        film_gradient[[0, 1], [-2, -1]] -= 1.0
+        friction = self._friction(contact, rolling / entrainment)
+        forces = self._forces(contact, friction, points, inputs)
+        cage_force = self._add_pocket(forces, points.direction)
+        rows, film = _combined(self.levers, forces), friction[2]
+        film[[0, 1], [FILM_I, FILM_O]] -= 1.0
+        film[:, VALUE] -= inputs.film
         m, own = self.shapes, len(self.levers) - 3  # rows before spin
         return Response(
-            np.concatenate([rows[:own], contact.film.thickness - inputs.film, rows[own:], value[: 2 * m]]),
-            np.concatenate([row_gradients[:own], film_gradient, row_gradients[own:], gradient[: 2 * m]]),
+            np.concatenate([rows[:own], film, rows[own:], forces[: 2 * m]]),
             RollerState(
                 contact,
                 sliding,
                 entrainment,
                 inputs.film,
                 cage_force,
-                drag=value[-4, :, :1],
-                churning=value[-3],
+                drag=forces[DRAG, VALUE, :, :1],
+                churning=forces[CHURNING, VALUE],
             ),
         )
 
@@ -167,59 +172,58 @@ class RollerBalance:
         rolling = 0.5 * np.array([[r_w, -r_i], [r_w, r_o]])
         return sliding[..., None, None], rolling[..., None, None]
 
-    def _contact_slopes(self, contact: ContactState, sense: NDArray) -> NDArray:
-        """Traction, rolling shear and film of both raceways by the inputs (3, 2, inputs, C, Z)."""
+    def _friction(self, contact: ContactState, sense: NDArray) -> NDArray:
+        """Traction, rolling shear and film of both raceways (3, 2, inputs + 1, C, Z), value last."""
         m = self.shapes
-        slopes = np.zeros((3, 2, 2 * m + 4, *sense.shape[1:]))
+        found = np.zeros((3, 2, 2 * m + 5, *sense.shape[1:]))
         by_load = contact.force_by_approach[:, 0]
         by_approach = (
             contact.traction_by_approach,
             contact.rolling.by_load[:, None] * by_load,
             contact.film.by_line_load[:, None] * by_load,
         )
-        for slope, by in zip(slopes, by_approach, strict=True):
-            slope[0, :m], slope[1, m : 2 * m] = by
+        for quantity, by in zip(found, by_approach, strict=True):
+            quantity[0, :m], quantity[1, m : 2 * m] = by
+        traction, shear, film = found
         sliding, rolling = self._speed_slopes
         entrained = rolling * sense[:, None]
         speeds = slice(2 * m, 2 * m + 2)
-        slopes[0, :, speeds] = (
+        traction[:, speeds] = (
             contact.traction_by_sliding[:, None] * sliding
             + contact.traction_by_entrainment[:, None] * entrained
         )
-        slopes[1, :, speeds] = contact.rolling.by_entrainment[:, None] * entrained
-        slopes[2, :, speeds] = (
+        shear[:, speeds] = contact.rolling.by_entrainment[:, None] * entrained
+        film[:, speeds] = (
             contact.film.by_sliding[:, None] * sliding + contact.film.by_entrainment[:, None] * entrained
         )
-        slopes[0, [0, 1], [-2, -1]] = contact.traction_by_film
-        return slopes
+        traction[[0, 1], [FILM_I, FILM_O]] = contact.traction_by_film
+        traction[:, VALUE], shear[:, VALUE] = contact.traction, contact.rolling.force
+        film[:, VALUE] = contact.film.thickness
+        return found
 
     # -- forces --------------------------------------------------------------------------------
 
     def _forces(
-        self, contact: ContactState, slopes: NDArray, points: OperatingPoints, inputs: RollerInputs
-    ) -> tuple[NDArray, NDArray]:
-        """Values and derivatives of `forces`, those of the pocket still empty."""
-        m, s, count = self.shapes, points.direction, len(self.forces)
-        cases, rollers = inputs.spin.shape
-        value = np.zeros((count, cases, rollers))
-        gradient = np.zeros((count, 2 * m + 4, cases, rollers))
-        traction, rolling, rest = 2 * m, 2 * m + 2, 2 * m + 4
-        spin, cage = 2 * m, 2 * m + 1  # among the inputs
-        value[:traction] = contact.force.reshape(2 * m, cases, rollers)
-        gradient[:m, :m], gradient[m : 2 * m, m : 2 * m] = contact.force_by_approach
-        value[traction:rolling], gradient[traction:rolling] = contact.traction, slopes[0]
-        value[rolling:rest], gradient[rolling:rest] = s * contact.rolling.force, s * slopes[1]
-        value[rest], gradient[rest, cage] = self.centrifugal(inputs.cage_speed)
-        value[rest + 1], gradient[rest + 1, cage] = self.drag(inputs.cage_speed)
+        self, contact: ContactState, friction: NDArray, points: OperatingPoints, inputs: RollerInputs
+    ) -> NDArray:
+        """Fill in `forces` (forces, inputs + 1, C, Z), but for those of the pocket."""
+        m, shape = self.shapes, inputs.spin.shape
+        found = np.zeros((len(self.forces), 2 * m + 5, *shape))
+        found[: 2 * m, VALUE] = contact.force.reshape(2 * m, *shape)
+        found[:m, :m], found[m : 2 * m, m : 2 * m] = contact.force_by_approach
+        found[2 * m : 2 * m + 2] = friction[0]
+        found[2 * m + 2 : 2 * m + 4] = points.direction * friction[1]
+        found[CENTRIFUGAL, VALUE], found[CENTRIFUGAL, CAGE_SPEED] = self.centrifugal(inputs.cage_speed)
+        found[DRAG, VALUE], found[DRAG, CAGE_SPEED] = self.drag(inputs.cage_speed)
         if self.lubrication.churning_gap is not None:
-            value[rest + 2], gradient[rest + 2, spin] = churning(
+            found[CHURNING, VALUE], found[CHURNING, SPIN] = churning(
                 inputs.spin,
                 self.bearing.roller,
                 self.lubrication.oil,
                 oil_fraction=self.lubrication.oil_fraction,
                 gap=self.lubrication.churning_gap,
             )
-        return value, gradient
+        return found
 
     def centrifugal(self, cage_speed: NDArray) -> tuple[NDArray, NDArray]:
         """Centrifugal force of a roller [N], its derivative by the cage speed [N s].
@@ -235,15 +239,21 @@ class RollerBalance:
         choice = self.lubrication
         return orbit_drag(cage_speed, self.bearing, choice.oil, choice.oil_fraction, choice.drag_coefficient)
 
-    def _add_pocket(self, value: NDArray, gradient: NDArray, direction: NDArray) -> NDArray:
+    def _add_pocket(self, forces: NDArray, direction: NDArray) -> NDArray:
         """Fill in the pocket's friction: lifts or presses the roller, brakes its spin; returns F_c (C, Z)."""
         friction = direction * self.bearing.cage.pocket_friction
-        force = np.tensordot(self.cage_force, value, 1)
-        by = np.tensordot(self.cage_force, gradient, 1)
-        slope = force / np.sqrt(force**2 + CAGE_FORCE_ROUNDING**2)
-        value[-2], gradient[-2] = friction * force, friction * by
-        value[-1], gradient[-1] = friction * rounded_size(force), friction * slope * by
+        graded = _combined(self.cage_force, forces)
+        force = graded[VALUE]
+        forces[POCKET_UP] = friction * graded
+        forces[POCKET_BRAKE] = friction * (force / np.sqrt(force**2 + CAGE_FORCE_ROUNDING**2)) * graded
+        forces[POCKET_BRAKE, VALUE] = friction * rounded_size(force)
         return force
+
+
+def _combined(weights: NDArray, forces: NDArray) -> NDArray:
+    """Weighted sums (rows, ...) of forces (forces, ...) as one matrix product."""
+    summed = weights @ forces.reshape(len(forces), -1)
+    return summed.reshape(*weights.shape[:-1], *forces.shape[1:])
 
 
 def rounded_size(force: NDArray) -> NDArray:

@@ -7,6 +7,7 @@ from quasidynamic.balance.bearing import BearingBalance, Unknowns
 from quasidynamic.contact.load import EXPONENT
 
 SETTLING_STEPS = 6  # Newton on a nearly linear law inside a bracket
+NEAR_ENOUGH = 1e-9  # [m]
 
 
 def centrifugal_force(balance: BearingBalance, cage_speed: NDArray) -> NDArray:
@@ -54,11 +55,13 @@ def settled(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
     room = balance.inputs(unknowns).approach[:, 0].sum(0)  # both approaches, wherever the roller is
     _, cage_speed = balance.speeds(unknowns)
     centrifugal, lowest = centrifugal_force(balance, cage_speed), outer_approach(balance, cage_speed)
-    outer = np.maximum(room / 2, lowest)
+    outer, highest = np.maximum(room / 2, lowest), np.maximum(room, lowest)
     for _ in range(SETTLING_STEPS):
         (load_i, load_o), (slope_i, slope_o) = _lumped(balance, np.array([room - outer, outer]))
-        outer = outer - (load_o - load_i - centrifugal) / (slope_o + slope_i)
-        outer = np.clip(outer, lowest, np.maximum(room, lowest))
+        change = (load_o - load_i - centrifugal) / (slope_o + slope_i)
+        outer = np.clip(outer - change, lowest, highest)
+        if np.abs(change).max() < NEAR_ENOUGH:
+            break
     return unknowns._replace(approach=outer)
 
 

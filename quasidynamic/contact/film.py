@@ -1,6 +1,7 @@
 """Thickness of the lubricant film in a line contact."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -70,13 +71,18 @@ class FilmLaw:
     oil: Lubricant
     inlet_heating: bool = True
 
+    @cached_property
+    def _scale(self) -> NDArray | float:
+        """Film at unit speed and load per length [SI]."""
+        f, oil = self.formula, self.oil
+        elastic = self.modulus * self.radius
+        material = (oil.pressure_viscosity * self.modulus) ** f.material
+        return f.factor * self.radius * material * (oil.viscosity / elastic) ** f.speed * elastic**f.load
+
     def __call__(self, line_load: NDArray, sliding: NDArray, entrainment: NDArray) -> Film:
         """Film of loads per length q > 0 [N/m], sliding [m/s] of any sign, entrainment u > 0 [m/s]."""
         f, oil = self.formula, self.oil
-        speed = oil.viscosity / (self.modulus * self.radius)
-        material = oil.pressure_viscosity * self.modulus
-        scale = f.factor * self.radius * material**f.material * speed**f.speed
-        thickness = scale * entrainment**f.speed * (line_load / (self.modulus * self.radius)) ** -f.load
+        thickness = self._scale * np.exp(f.speed * np.log(entrainment) - f.load * np.log(line_load))
         by_load = -f.load * thickness / line_load
         by_entrainment = f.speed * thickness / entrainment
         if not self.inlet_heating:

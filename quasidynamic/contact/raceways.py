@@ -73,18 +73,18 @@ class Raceways:
         ContactState
         """
         slices = self.slices
-        q, stiffness = self.law(np.moveaxis(approach, 1, -1) @ slices.shape.T - self.drop)
+        q, stiffness = self.law(approach.transpose(0, 2, 3, 1) @ slices.shape.T - self.drop)
         pull = self.traction(q, sliding[..., None], entrainment[..., None], film[..., None])
-        force = np.moveaxis(q @ slices.weights, -1, 1)
+        force = (q @ slices.weights).transpose(0, 3, 1, 2)
         m = slices.shapes
-        by_approach = np.moveaxis(stiffness @ slices.products, -1, 1)
+        by_approach = (stiffness @ slices.products).transpose(0, 3, 1, 2)
         load = force[:, 0]
         return ContactState(
             slice_load=q,
             force=force,
             force_by_approach=by_approach.reshape(2, m, m, *load.shape[1:]),
             traction=pull.force @ slices.widths,
-            traction_by_approach=np.moveaxis((pull.by_load * stiffness) @ slices.weights, -1, 1),
+            traction_by_approach=((pull.by_load * stiffness) @ slices.weights).transpose(0, 3, 1, 2),
             traction_by_sliding=pull.by_sliding @ slices.widths,
             traction_by_entrainment=pull.by_entrainment @ slices.widths,
             traction_by_film=pull.by_film @ slices.widths,

@@ -1,6 +1,7 @@
 """Traction of a slice from its slip, load and film."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple, Protocol
 
 import numpy as np
@@ -59,6 +60,7 @@ class Regression4109:
             [6.826e5, -0.170, 0.578, 0.373],  # C
         ]
     )
+    _LOAD_POWERS = _FORMULA[:, 1]
     _SPEED_POWERS = _FORMULA[:, 2] - 2 * _FORMULA[:, 3]  # of the entrainment speed, in U and Theta
 
     def __call__(self, line_load: NDArray, sliding: NDArray, entrainment: NDArray, film: NDArray) -> Traction:
@@ -67,8 +69,9 @@ class Regression4109:
         squared = share * share
         log_load = 0.5 * np.log1p(squared)  # of the load over its floor, rounded
         slip = np.abs(sliding) / entrainment
-        (d, b, c), powers = self._at_floor(entrainment), self._FORMULA[:, 1]
-        d, b, c = (factor * np.exp(p * log_load) for factor, p in zip((d, b, c), powers, strict=True))
+        by_load = np.exp(np.multiply.outer(self._LOAD_POWERS, log_load))
+        by_speed = np.exp(np.multiply.outer(self._SPEED_POWERS, np.log(entrainment)))
+        d, b, c = (x * y * z for x, y, z in zip(self._at_floor, by_speed, by_load, strict=True))
         decay = np.exp(-c * slip)
         rise = b * slip
         plateau = d * (1 - decay)
@@ -78,8 +81,8 @@ class Regression4109:
         by_slip = steepening + b * decay
         # d mu / d ln D = plateau, d mu / d ln B = climb, d mu / d ln C = steepening * slip
         shares = plateau, climb, steepening * slip
-        by_log_load = sum(p * share for p, share in zip(powers, shares, strict=True))
-        by_log_speed = sum(p * share for p, share in zip(self._SPEED_POWERS, shares, strict=True))
+        by_log_load = _weighted(self._LOAD_POWERS, shares)
+        by_log_speed = _weighted(self._SPEED_POWERS, shares)
         sign = np.sign(sliding)
         pull = sign * line_load
         return Traction(
@@ -90,10 +93,15 @@ class Regression4109:
             by_film=np.zeros_like(curve),
         )
 
-    def _at_floor(self, entrainment: NDArray) -> list[NDArray]:
-        """D, B, C at the load floor."""
-        oil = self.oil
-        pressure = self.load_floor / (self.modulus * self.radius**2)
-        speed = oil.viscosity * entrainment / (self.modulus * self.radius)
-        heat = oil.conductivity * oil.temperature / (oil.viscosity * entrainment**2)
+    @cached_property
+    def _at_floor(self) -> list[NDArray]:
+        """D, B, C at the load floor and unit speed."""
+        oil, elastic = self.oil, self.modulus * self.radius
+        pressure, speed = self.load_floor / (elastic * self.radius), oil.viscosity / elastic
+        heat = oil.conductivity * oil.temperature / oil.viscosity
         return [x0 * pressure**p * speed**u * heat**t for x0, p, u, t in self._FORMULA]
+
+
+def _weighted(weights: NDArray, shares: tuple[NDArray, NDArray, NDArray]) -> NDArray:
+    (p, q, r), (a, b, c) = weights, shares
+    return p * a + q * b + r * c

@@ -56,7 +56,8 @@ def solve(
         eliminate(table, own - 1)
         rest = _dense if balance.yielding else _chained
         edge, spin, shared = rest(balance, system, table[own - 1 :, own - 1 :], border, right)
-        shared = np.concatenate([spin[None], np.repeat(edge[..., None], balance.rollers, -1), shared])
+        edges = np.broadcast_to(edge[..., None], (*edge.shape, balance.rollers))
+        shared = np.concatenate([spin[None], edges, shared])
         fields = _substituted(table, shared, own - 1)
     found = [edge.transpose(2, 0, 1), fields.transpose(2, 0, 3, 1).reshape(cases, -1, count)]
     return np.concatenate([*found, _deviations(balance, shared[1 + BORDER :])], axis=1)
@@ -104,10 +105,13 @@ def _around(middle: NDArray, before: NDArray, after: NDArray, sides: NDArray) ->
     if fault:
         return np.full(sides.shape, np.nan)
     solved = solved.T.reshape(count + 2, cases, rollers)
-    open_ring, corner = solved[:count], solved[count:]
-    ends = np.eye(2) + corner[:, :, [-1, 0]].transpose(1, 2, 0)
-    closing = _solved(ends, open_ring[:, :, [-1, 0]].transpose(1, 2, 0))
-    return open_ring - np.einsum("ecz,cer->rcz", corner, closing)
+    open_ring, (first, last) = solved[:count], solved[count:]
+    # The two ends of the ring from each other: s_last = open_last - first s_last - last s_first, ...
+    a, b, c, d = 1 + first[:, -1], last[:, -1], first[:, 0], 1 + last[:, 0]
+    end, begin = open_ring[:, :, -1], open_ring[:, :, 0]
+    determinant = a * d - b * c
+    end, begin = (d * end - b * begin) / determinant, (a * begin - c * end) / determinant
+    return open_ring - first * end[..., None] - last * begin[..., None]
 
 
 def _solved(matrix: NDArray, side: NDArray) -> NDArray:

@@ -58,9 +58,12 @@ def newton(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep]:
         new = norm(system)
         better = new <= np.maximum((1 - 1e-4 * damping) * size, ROUNDING * system.loading)
         better &= (new < size) | (worst > ENOUGH)
-        unknowns = np.where(better[:, None], trial, unknowns)
-        size, worst = np.where(better, new, size), np.where(better, _worst(system), worst)
-        damping = np.where(better, 1.0, damping / 2)
+        if better.all():  # as nearly always: nothing to choose
+            unknowns, size, worst, damping = trial, new, _worst(system), np.ones(len(cases))
+        else:
+            unknowns = np.where(better[:, None], trial, unknowns)
+            size, worst = np.where(better, new, size), np.where(better, _worst(system), worst)
+            damping = np.where(better, 1.0, damping / 2)
         endings = [_ending(*case, last=number == LIMIT) for case in zip(better, worst, damping, strict=True)]
         yield Sweep(number, cases, unknowns, system, endings, better)
         running = np.array([ending is Ending.NONE for ending in endings])
@@ -77,14 +80,10 @@ def newton(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep]:
 
 def _shortened(balance: BearingBalance, direction: NDArray) -> NDArray:
     """Steps (C, N) no longer than makes sense for ring, cage and spins."""
-    long = np.maximum.reduce(
-        [
-            np.abs(direction[:, [Y, Z]]).max(axis=1) / LONGEST_SHIFT,
-            np.abs(direction[:, CAGE]) / LARGEST_SPEED_CHANGE,
-            np.abs(direction[:, balance.field(-1)]).max(axis=1) / LARGEST_SPEED_CHANGE,
-        ]
-    )
-    return direction / np.maximum(long, 1.0)[:, None]
+    size = np.abs(direction)
+    speed = np.maximum(size[:, CAGE], size[:, balance.field(-1)].max(axis=1)) / LARGEST_SPEED_CHANGE
+    long = np.maximum(size[:, Y : Z + 1].max(axis=1) / LONGEST_SHIFT, speed)
+    return direction if (long <= 1.0).all() else direction / np.maximum(long, 1.0)[:, None]
 
 
 def _ending(better: bool, worst: float, damping: float, last: bool) -> Ending:

@@ -1,0 +1,54 @@
+"""The section [life]: what modifies the basic life."""
+
+from typing import Literal, Self
+
+from pydantic import model_validator
+
+from flexbearing.case.quantity import Section, impossible, key, require
+
+CleanlinessName = Literal[
+    "oil, in-line filter, -/13/10",
+    "oil, in-line filter, -/15/12",
+    "oil, in-line filter, -/17/14",
+    "oil, in-line filter, -/19/16",
+    "oil, no or off-line filter, -/13/10",
+    "oil, no or off-line filter, -/15/12",
+    "oil, no or off-line filter, -/17/14",
+    "oil, no or off-line filter, -/19/16",
+    "oil, no or off-line filter, -/21/18",
+    "grease, high cleanliness",
+    "grease, normal cleanliness",
+    "grease, slight to typical contamination",
+    "grease, severe contamination",
+    "grease, very severe contamination",
+]
+FEWEST_SLICES = 30  # of ISO/TS 16281, for the edge stress
+
+
+class Life(Section):
+    """What modifies the basic life; nothing does unless it is given."""
+
+    edge_stress: bool = key("whether the ends of profiled rollers carry the edge stress of ISO/TS 16281", False)
+    roller_body: bool = key("whether rollers fail as well as raceways", False)
+    steel: Literal["52100", "M50", "M50NiL"] | None = key("steel of the bearing, with life.melting", None)
+    melting: Literal["air", "CVD", "VAR", "VAR-VAR", "VIM-VAR"] | None = key(
+        "how the steel was molten, with life.steel", None
+    )
+    reliability: float | None = key("probability of survival", None, example=0.99, ge=0.9, le=0.9995)
+    lubrication: Literal["film", "a_ISO"] | None = key(
+        "film: factor of the film over the roughness; a_ISO: factor of ISO 281 by viscosity and cleanliness",
+        None,
+    )
+    cleanliness: CleanlinessName | None = key('cleanliness by ISO 281, lubrication = "a_ISO"', None)
+
+    @model_validator(mode="after")
+    def _complete(self) -> Self:
+        if self.steel:
+            require(self, ("melting",), "life.steel")
+        if self.melting:
+            require(self, ("steel",), "life.melting")
+        if self.lubrication == "a_ISO":
+            require(self, ("cleanliness",), 'lubrication = "a_ISO"')
+        elif self.cleanliness:
+            raise impossible("cleanliness", 'left out without life.lubrication = "a_ISO"')
+        return self

@@ -1,0 +1,176 @@
+"""The section [lubricant]: an oil and the laws it follows."""
+
+from typing import Literal, Self
+
+from pydantic import model_validator
+
+from flexbearing.case.quantity import (
+    Conductivity,
+    Density,
+    KinematicViscosity,
+    Length,
+    PerPressure,
+    PerTemperature,
+    Pressure,
+    Section,
+    Temperature,
+    Velocity,
+    Viscosity,
+    impossible,
+    key,
+    needed,
+    require,
+)
+
+OilName = Literal["MIL-PRF-23699", "MIL-L-7808", "4 cSt aviation", "ISO VG 32", "ISO VG 68", "ISO VG 100"]
+AdoreOilName = Literal[
+    "MIL-L-7808", "MIL-L-23699", "MIL-L-27502", "Santotrac 30", "Santotrac 50", "Mobil DTE SAE 30"
+]
+FilmName = Literal["dowson_higginson", "dowson", "dowson_toyoda", "pan_hamrock", "pan_hamrock_central"]
+RollingName = Literal["biboulet-houpert", "dowson-higginson", "zhou-hoeprich", "goksem-hargreaves"]
+TractionName = Literal["4109", "eyring", "bair-winer", "adore", "four-point"]
+ShareName = Literal["zhou-hoeprich", "film-1.8", "error-function"]
+
+DATA = ("viscosity", "pressure_viscosity", "temperature_viscosity", "conductivity", "density")
+HEATED = ("eyring", "bair-winer")  # laws whose film can warm by its own shear
+NEEDS = {  # what a traction law cannot do without
+    "4109": (),
+    "eyring": ("limiting_ratio",),
+    "bair-winer": ("limiting_ratio",),
+    "adore": ("adore_oil", "limiting_ratio"),
+    "four-point": ("traction_curve",),
+}
+
+
+class DataSheet(Section):
+    """An oil as a data sheet prints it; viscosity by ASTM D341 between and beyond the two temperatures."""
+
+    name: str = key("how notes call the oil", "oil of the data sheet", example="Turbine oil 46")
+    cold_temperature: Temperature = key("of the first viscosity", example="40 degC", gt=0)
+    cold_viscosity: KinematicViscosity = key("kinematic viscosity there", example="46 mm^2/s", gt=0)
+    hot_temperature: Temperature = key("of the second viscosity", example="100 degC", gt=0)
+    hot_viscosity: KinematicViscosity = key("kinematic viscosity there", example="6.8 mm^2/s", gt=0)
+    density: Density = key("density at 15 degC", example="870 kg/m^3", gt=0)
+    cold_pressure_viscosity: PerPressure = key(
+        "pressure-viscosity coefficient alpha at the first temperature", example="20 1/GPa", gt=0
+    )
+    hot_pressure_viscosity: PerPressure | None = key(
+        "alpha at the second temperature; without it alpha is constant", None, example="15 1/GPa", gt=0
+    )
+    conductivity: Conductivity = key("thermal conductivity", gt=0)
+
+    @model_validator(mode="after")
+    def _thins(self) -> Self:
+        if self.hot_temperature <= self.cold_temperature:
+            raise impossible("hot_temperature", "above lubricant.data_sheet.cold_temperature")
+        if self.hot_viscosity >= self.cold_viscosity:
+            raise impossible("hot_viscosity", "below lubricant.data_sheet.cold_viscosity")
+        return self
+
+
+class TractionCurve(Section):
+    """A measured traction curve by four of its points."""
+
+    at_rest: float = key("traction coefficient at zero slip; 0 for a fluid", 0.0, ge=0, le=1)
+    peak: float = key("largest traction coefficient", example=0.05, gt=0, le=1)
+    peak_slip: float = key("slide-to-roll ratio where it is reached", example=0.02, gt=0)
+    far: float = key("traction coefficient at large slip", example=0.03, ge=0, le=1)
+
+    @model_validator(mode="after")
+    def _has_a_peak(self) -> Self:
+        for name in ("at_rest", "far"):
+            if getattr(self, name) >= self.peak:
+                raise impossible(name, "below lubricant.traction_curve.peak")
+        return self
+
+
+class Mixed(Section):
+    """Rough surfaces that share the load with the film; needs [bearing.roughness]."""
+
+    boundary_friction: float = key("friction coefficient where asperities touch", example=0.1, ge=0, le=1)
+    share: ShareName = key("share of the load on asperities as a function of the film ratio", "zhou-hoeprich")
+    sign_speed: Velocity = key(
+        "sliding speed over which the boundary friction changes its sign", "1 mm/s", example="1 mm/s", gt=0
+    )
+
+
+class Lubricant(Section):
+    """The oil: by name, by its data sheet, or by its data at the inlet temperature.
+
+    Numbers of a traction law that is not chosen are ignored, so that laws can be exchanged.
+    """
+
+    oil: OilName | None = key("oil by name, instead of its data", None)
+    data_sheet: DataSheet | None = key("an oil from two viscosities, instead of its name", None)
+    inlet_temperature: Temperature = key("temperature of the oil at the contact inlets", gt=0)
+    viscosity: Viscosity | None = key("dynamic viscosity at the inlet temperature", None, gt=0)
+    pressure_viscosity: PerPressure | None = key("pressure-viscosity coefficient alpha", None, gt=0)
+    temperature_viscosity: PerTemperature | None = key(
+        "beta = -d ln(viscosity)/dT", None, example="0.035 1/K", ge=0
+    )
+    conductivity: Conductivity | None = key("thermal conductivity", None, gt=0)
+    density: Density | None = key("density", None, example="900 kg/m^3", gt=0)
+    film: FilmName = key("regression of the film thickness", "dowson")
+    inlet_heating: bool = key("whether shear heating of the inlet thins the film", True)
+    inlet_length: float | None = key(
+        "oil before the contact in half-widths, for a starved film; without it the contacts are flooded",
+        None,
+        example=1.0,
+        gt=0,
+    )
+    traction: TractionName = key(
+        "traction law: regression of the oil 4109; eyring or bair-winer film with a limiting shear stress; "
+        "adore, a film heated by its shear; four-point, a measured curve",
+        "4109",
+    )
+    limiting_ratio: float | None = key(
+        "limiting shear stress over pressure; laws eyring, bair-winer and adore",
+        None,
+        example=0.05,
+        gt=0,
+        le=1,
+    )
+    eyring_stress: Pressure | None = key(
+        "Eyring stress; without it 2 limiting_ratio / pressure_viscosity", None, example="9 MPa", gt=0
+    )
+    film_heating: bool = key("whether the film warms by its own shear; laws eyring and bair-winer", False)
+    adore_oil: AdoreOilName | None = key("oil whose traction was fitted; law adore", None)
+    traction_curve: TractionCurve | None = key("points of a measured curve; law four-point", None)
+    mixed: Mixed | None = key("boundary friction of rough surfaces around the traction law", None)
+    rolling: RollingName = key("law of the rolling shear in the inlets", "biboulet-houpert")
+    oil_fraction: float = key(
+        "volume share of oil in the mixture around the rollers", example=0.02, ge=0, le=1
+    )
+    drag_coefficient: float | None = key(
+        "drag coefficient of the rollers; without it a table over the Reynolds number",
+        None,
+        example=1.2,
+        gt=0,
+    )
+    churning_gap: Length | None = key(
+        "mean gap around the spinning rollers; without it no churning torque", None, example="1 mm", gt=0
+    )
+
+    @model_validator(mode="after")
+    def _one_oil(self) -> Self:
+        given = [name for name in DATA if getattr(self, name) is not None]
+        if self.oil and self.data_sheet:
+            raise impossible("oil", "left out where [lubricant.data_sheet] describes the oil, not both")
+        if self.oil is None and self.data_sheet is None:
+            require(self, DATA, "an oil without a name")
+        elif given:
+            other = "lubricant.oil" if self.oil else "[lubricant.data_sheet]"
+            raise impossible(given[0], f"either {other} or its data, not both")
+        return self
+
+    @model_validator(mode="after")
+    def _law_is_complete(self) -> Self:
+        require(self, NEEDS[self.traction], f'traction = "{self.traction}"')
+        if self.film_heating and self.traction not in HEATED:
+            raise impossible("film_heating", 'false for a traction law other than "eyring" or "bair-winer"')
+        return self
+
+    def require_rough_surfaces(self, given: bool) -> None:
+        """Raise where a law needs the roughness and the case does not give it."""
+        if self.mixed and not given:
+            raise needed(["bearing.roughness"], "[lubricant.mixed]")

@@ -1,0 +1,289 @@
+"""A branch of equilibria followed along its own length, around folds where the parameter turns back."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from enum import StrEnum
+from math import isfinite
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+FIRST_LENGTH = 0.02
+LONGEST = 0.15
+SHORTEST = 1e-6
+STRAIGHT = 0.9  # cosine between two tangents, below which a step is halved ...
+KINK = 1e-3  # ... unless it is this short: where a contact opens, a branch has a corner
+LIMIT = 400  # steps
+CORRECTIONS = 10  # Newton steps back to the branch
+EASY = 4  # corrections up to which the next step may be longer
+SHORTEST_PART = 0.1  # of a Newton step
+ROUNDING = 1e-9  # residual from where rounding decides whether a step looks smaller
+LOCATIONS = 30  # evaluations for a place between two steps
+SMALL_PLACE = 1e-9  # of the length between them
+
+
+class End(StrEnum):
+    """Why a branch is not followed further."""
+
+    NONE = ""  # it goes on
+    RANGE_LEFT = "range left"
+    STEP_TOO_SHORT = "step too short"
+    LIMIT = "step limit"
+
+
+@dataclass(frozen=True)
+class Local:
+    """Equations and their derivatives at a state."""
+
+    residual: NDArray  # (N)
+    by_parameter: NDArray  # (N)
+    solve: Callable[[NDArray], NDArray]  # unknowns (N, R) for right-hand sides (N, R)
+    done: bool  # whether the residual is small enough
+
+
+class Family(Protocol):
+    """Equations in N unknowns that depend on a parameter."""
+
+    @property
+    def weight(self) -> NDArray:
+        """Weight (N) of the square of each unknown in the length of a branch; the parameter has one."""
+        ...
+
+    def at(self, state: NDArray, parameter: float) -> Local:
+        """Equations at a state (N)."""
+        ...
+
+    def bounded(self, before: NDArray, after: NDArray) -> NDArray:
+        """Keep a step from one state to another inside what makes sense."""
+        ...
+
+
+@dataclass(frozen=True)
+class Direction:
+    """Tangent of a branch, of length one in the weighted norm."""
+
+    state: NDArray  # (N)
+    parameter: float
+
+    def along(self, weight: NDArray, state: NDArray, parameter: float) -> float:
+        """Length of a displacement along this direction."""
+        return float(self.state @ (weight * state)) + self.parameter * parameter
+
+
+@dataclass(frozen=True)
+class Step:
+    """A solved place on the branch."""
+
+    state: NDArray  # (N)
+    parameter: float
+    tangent: Direction
+    fold: bool = False  # whether the parameter turns back here
+    end: End = End.NONE
+
+
+@dataclass(frozen=True)
+class Corrected:
+    """Where the corrector ended."""
+
+    state: NDArray
+    parameter: float
+    local: Local
+    corrections: int
+
+
+def follow(family: Family, state: NDArray, start: float, target: float) -> Iterator[Step]:
+    r"""Yield a branch from a solution at one parameter until the parameter leaves [start, target].
+
+    Predictor along the tangent, corrector on the plane across it:
+
+    .. math:: R(x, p) = 0,\qquad \dot x \cdot W (x - x_0) + \dot p\,(p - p_0) = \Delta s
+
+    The step grows while few corrections are needed and is halved where the branch bends too much.
+    Folds, where dp/ds changes its sign, are located and yielded in between. The last step says why
+    it is the last; a branch that leaves the range ends on its bound, which may be that of the start.
+
+    Parameters
+    ----------
+    family : Family
+        equations
+    state : array (N)
+        near a solution at `start`
+    start, target : float
+        the parameter goes off in the sense from one to the other
+
+    Returns
+    -------
+    iterator of Step
+        none when there is no solution near the start
+
+    Source
+    ------
+    Keller (1977), pseudo-arclength continuation; Allgower and Georg, Introduction to Numerical
+    Continuation Methods (2003), ch. 6.
+    """
+    begin = solved_at(family, state, start)
+    if begin is None:
+        return
+    here = begin if (target - start) * begin.tangent.parameter > 0 else _turned(begin)
+    yield here
+    low, high = sorted((start, target))
+    length = FIRST_LENGTH
+    for number in range(1, LIMIT + 1):
+        ahead, length = _ahead(family, here, length)
+        if ahead is None:
+            yield replace(here, end=End.STEP_TOO_SHORT)
+            return
+        inside = here
+        for place in filter(None, (_fold(family, here, ahead), ahead)):
+            if not low <= place.parameter <= high:
+                yield _at_bound(family, inside, place, low if place.parameter < low else high)
+                return
+            inside = place
+            if place.fold:
+                yield place
+        yield replace(ahead, end=End.LIMIT if number == LIMIT else End.NONE)
+        here = ahead
+
+
+def _turned(step: Step) -> Step:
+    """The same place, looking back."""
+    return replace(step, tangent=Direction(-step.tangent.state, -step.tangent.parameter))
+
+
+def _ahead(family: Family, here: Step, length: float) -> tuple[Step | None, float]:
+    """Next step and the length to try after it; none when it became too short."""
+    while length >= SHORTEST:
+        ahead, corrections = advanced(family, here, length)
+        if ahead is not None:
+            bend = here.tangent.along(family.weight, ahead.tangent.state, ahead.tangent.parameter)
+            if bend > STRAIGHT or length < KINK:
+                growth = 1.7 if corrections <= EASY else 0.8
+                return ahead, min(growth * length, LONGEST)
+        length /= 2
+    return None, length
+
+
+def advanced(family: Family, here: Step, length: float) -> tuple[Step | None, int]:
+    """The place a length further along the tangent, and the corrections it took; none if there is none."""
+    way = here.tangent
+    guess = family.bounded(here.state, here.state + length * way.state)
+    found = corrected(family, guess, here.parameter + length * way.parameter, way, (here, length))
+    if found is None:
+        return None, CORRECTIONS
+    return Step(found.state, found.parameter, tangent(family, found.local, way)), found.corrections
+
+
+def solved_at(family: Family, state: NDArray, parameter: float) -> Step | None:
+    """The place at a given parameter, near a state; its tangent points to larger parameters."""
+    upwards = Direction(np.zeros_like(state), 1.0)
+    found = corrected(family, state, parameter, upwards, None)
+    return found and Step(found.state, parameter, tangent(family, found.local, upwards))
+
+
+def corrected(
+    family: Family, state: NDArray, parameter: float, row: Direction, plane: tuple[Step, float] | None
+) -> Corrected | None:
+    r"""Newton's method on the equations with one more row, solved by the bordering lemma.
+
+    .. math:: J u = -R,\; J v = R_p,\; \Delta p = -\frac{g + \dot x \cdot W u}{\dot p - \dot x \cdot W v},\;
+              \Delta x = u - v\,\Delta p
+
+    The row g says how far the place is beyond a `plane`, a length in front of a step; without one it
+    holds the parameter. A step is halved as long as the residual grows.
+    """
+    here, damping, step = family.at(state, parameter), 1.0, (np.zeros_like(state), 0.0)
+    before, size = (state, parameter, here), np.inf
+    for number in range(CORRECTIONS + 1):
+        new = float(np.linalg.norm(here.residual))
+        if not new < max(size, ROUNDING):  # also when it is not a number
+            if (damping := damping / 2) < SHORTEST_PART:
+                return None
+        elif here.done:
+            return Corrected(state, parameter, here, number)
+        else:
+            before, size, damping = (state, parameter, here), new, 1.0
+            step = _newton_step(family, before, row, plane)
+            if not (isfinite(step[1]) and np.isfinite(step[0]).all()):
+                return None
+        state = family.bounded(before[0], before[0] + damping * step[0])
+        parameter = before[1] + damping * step[1]
+        here = family.at(state, parameter)
+    return None
+
+
+def _newton_step(family: Family, place, row: Direction, plane) -> tuple[NDArray, float]:
+    state, parameter, local = place
+    beyond = 0.0
+    if plane is not None:
+        base, length = plane
+        moved, shifted = state - base.state, parameter - base.parameter
+        beyond = row.along(family.weight, moved, shifted) - length
+    u, v = local.solve(np.column_stack([-local.residual, local.by_parameter])).T
+    along_u, along_v = (row.along(family.weight, part, 0.0) for part in (u, v))
+    change = -(beyond + along_u) / (row.parameter - along_v)
+    return u - v * change, change
+
+
+def tangent(family: Family, local: Local, sense: Direction) -> Direction:
+    """Tangent of the branch at a solution, in the sense of another direction."""
+    change = -local.solve(local.by_parameter[:, None])[:, 0]
+    length = np.sqrt(change @ (family.weight * change) + 1.0)
+    if sense.along(family.weight, change, 1.0) < 0:
+        length = -length
+    return Direction(change / length, float(1.0 / length))
+
+
+# -- places between two steps ----------------------------------------------------------------------
+
+
+def located(family: Family, here: Step, ahead: Step, measure: Callable[[Step], float]) -> Step | None:
+    """The place between two steps where a measure changes its sign, by regula falsi (Illinois).
+
+    The places are a variable length in front of the first step, so that it works around folds too.
+    """
+    span = here.tangent.along(family.weight, ahead.state - here.state, ahead.parameter - here.parameter)
+    low, high, below, above = 0.0, span, measure(here), measure(ahead)
+    best, last = here if abs(below) < abs(above) else ahead, 0.0
+    for _ in range(LOCATIONS):
+        if abs(high - low) <= SMALL_PLACE * span or below == above or measure(best) == 0.0:
+            break
+        middle = high - above * (high - low) / (above - below)
+        found, _ = advanced(family, here, middle)
+        if found is None:
+            return None
+        value = measure(found)
+        best = found if abs(value) < abs(measure(best)) else best
+        if value * above < 0:
+            low, below = high, above
+        else:
+            below = below / 2
+        if abs(middle - last) <= SMALL_PLACE * span:
+            break
+        high, above, last = middle, value, middle
+    return best
+
+
+def _fold(family: Family, here: Step, ahead: Step) -> Step | None:
+    """The fold between two steps; none when the parameter does not turn back or the fold is not found."""
+    if here.tangent.parameter * ahead.tangent.parameter >= 0:
+        return None
+    found = located(family, here, ahead, lambda step: step.tangent.parameter)
+    return found and replace(found, fold=True)
+
+
+def at_parameter(family: Family, here: Step, ahead: Step, parameter: float) -> Step | None:
+    """The place between two steps at a given parameter; none when it is not found."""
+    found = located(family, here, ahead, lambda step: step.parameter - parameter)
+    exact = found and solved_at(family, found.state, parameter)
+    if found is None or exact is None:
+        return found
+    # `solved_at` looks upwards; the branch may come down here.
+    return exact if found.tangent.parameter > 0 else _turned(exact)
+
+
+def _at_bound(family: Family, here: Step, ahead: Step, bound: float) -> Step:
+    found = at_parameter(family, here, ahead, bound)
+    if found is None:
+        return replace(here, end=End.STEP_TOO_SHORT)
+    return replace(found, end=End.RANGE_LEFT)

@@ -1,0 +1,55 @@
+"""Whether an equilibrium keeps: growth rates of small disturbances of cage and spins."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.bearing import CAGE, BearingBalance, Linearisation
+from quasidynamic.solve import bordered
+
+
+def growth_rates(balance: BearingBalance, system: Linearisation) -> NDArray:
+    r"""Eigenvalues of cage and spins with their inertias, at an equilibrium of one case.
+
+    Ring, approaches, tilts and films follow at once, as in pseudo-time: with the inertias M of cage
+    and spins, and S what is left of the Jacobian J for them when everything else is eliminated,
+
+    .. math:: M \dot x = S x,\qquad \lambda v = M^{-1} S v
+
+    S is not formed: its inverse is the block of the inverse of J, so that the eigenvalues of
+    (J^-1)_{dd} M are 1 / lambda. The equilibrium is stable when every real part is negative; one
+    real eigenvalue passes through zero at a fold.
+
+    Parameters
+    ----------
+    balance : BearingBalance
+        of one case
+    system : Linearisation
+        at the equilibrium
+
+    Returns
+    -------
+    array (Z + 1), complex
+        growth rates [1/s], negative real parts decay; not a number where the Jacobian is singular
+
+    Valid
+    -----
+    For the state that stands still as seen from the cage: rollers pass from azimuth to azimuth, and
+    the spin at an azimuth changes. The ring has no mass here: whirling is not looked at.
+    """
+    moving = np.concatenate([[CAGE], np.arange(balance.size)[balance.field(-1)]])
+    unit = np.zeros((1, balance.size, len(moving)))
+    unit[0, moving, range(len(moving))] = 1.0
+    inverse = bordered.solve(balance, system, unit)[0, moving]
+    if not np.isfinite(inverse).all():
+        return np.full(len(moving), np.nan, complex)
+    return 1.0 / np.linalg.eigvals(inverse * _inertia(balance)[moving]).astype(complex)
+
+
+def _inertia(balance: BearingBalance) -> NDArray:
+    """Inertia (N) [s] of each scaled unknown in its scaled residual, zero but for cage and spins."""
+    bearing = balance.roller.bearing
+    orbiting = bearing.cage.mass + bearing.rollers * bearing.roller.mass
+    inertia, spins = np.zeros(balance.size), balance.field(-1)
+    inertia[spins] = bearing.roller.inertia
+    inertia[CAGE] = orbiting * (bearing.pitch_diameter / 2) ** 2
+    return inertia * balance.unknown_scale[0] / balance.residual_scale[0]
