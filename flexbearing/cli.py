@@ -1,4 +1,4 @@
-"""The command line: check, run, summary, plot, explain."""
+"""The command line: check, run, summary, plot, trace, explain."""
 
 import json
 import logging
@@ -92,6 +92,31 @@ def plot(
 
     for picture in write_figures(read_result(result), output or result.parent):
         sys.stdout.write(f"picture: {picture}\n")
+
+
+@app.command()
+def trace(
+    case: CaseFile,
+    over: Annotated[
+        str,
+        typer.Option(
+            "--over", metavar="KEY=FROM..TO", help='load or speed, "operation.radial_load=500 N..20 kN"'
+        ),
+    ],
+    output: Annotated[Path | None, typer.Option("-o", "--output", metavar="OUT.csv")] = None,
+    settings: Settings = None,
+) -> None:
+    """Follow the equilibria of a case over its load or speed, around folds; writes a table and a picture."""
+    from flexbearing.compute.trace import trace as follow
+    from quasidynamic import NotSolved
+
+    try:
+        found = follow(case, over, output, settings or [])
+    except NotSolved as problem:
+        sys.stderr.write(f"{case}: not converged: {problem}\n")
+        raise typer.Exit(NOT_CONVERGED) from problem
+    sys.stdout.write(f"{found.text()}\ntable: {found.table}\npicture: {found.picture}\n")
+    raise typer.Exit(CONVERGED if found.complete else NOT_CONVERGED)
 
 
 @app.command(name="explain")

@@ -10,18 +10,18 @@ from quasidynamic.balance.roller import RollerInputs
 from quasidynamic.balance.settling import (
     centrifugal_force,
     film_at,
-    lumped_loads,
     outer_approach,
-    series_softness,
+    resting_loads,
     series_stiffness,
     settled,
+    softness,
 )
 from quasidynamic.contact.land import land_torque
 from quasidynamic.contact.load import EXPONENT
 
-FIRST_SLIP = 1e-3  # of the cage: friction must have a sign to begin with
+GUESSES = np.geomspace(1e-5, 0.98, 9)  # slips that are looked at for a start
 SHIFT_STEPS = 40  # Newton on a convex law from above: never more than about ten
-SHIFT_DIGITS = 1e-10  # [m]
+SHIFT_DIGITS = 1e-8  # [m]
 
 
 def static_start(balance: BearingBalance) -> NDArray:
@@ -29,17 +29,19 @@ def static_start(balance: BearingBalance) -> NDArray:
 
     The ring displacement along the load is one scalar root; films are those of pure rolling.
     """
-    return balance.pack(static_unknowns(balance))
+    static = static_unknowns(balance)
+    cage_drift, spin_drift = guessed_drifts(balance, static)
+    return balance.pack(static._replace(cage_drift=cage_drift, spin_drift=spin_drift))
 
 
 def static_unknowns(balance: BearingBalance) -> Unknowns:
-    """Unknowns of `static_start`."""
+    """Unknowns of `static_start`, still in pure rolling."""
     points, m = balance.points, balance.roller.shapes
     shape = (len(points), balance.rollers)
     nothing = np.zeros(shape)
     unknowns = Unknowns(
         ring=np.array([nothing[:, :1], nothing[:, :1], points.slope_z, points.slope_y]),
-        cage_drift=-FIRST_SLIP * balance.rolling_cage,
+        cage_drift=np.zeros_like(balance.rolling_cage),
         approach=nothing,
         tilt=nothing,
         film=np.zeros((2, *shape)),
@@ -54,23 +56,60 @@ def static_unknowns(balance: BearingBalance) -> Unknowns:
     return settled(balance, unknowns)
 
 
+def guessed_drifts(balance: BearingBalance, static: Unknowns) -> tuple[NDArray, NDArray]:
+    """Drifts of cage (C, 1) and spins (C, Z) at a slip where tractions about drive the cage.
+
+    Each roller shares the sliding between its raceways as if friction grew with load and sliding;
+    between the slips that are looked at, the torque on the cage is interpolated over their logarithm.
+    """
+    cases, bearing = len(balance.points), balance.roller.bearing
+    load = resting_loads(balance, static)
+    inner_share = load[1] / load.sum(0)
+    r_i, r_o = bearing.inner_radius, bearing.outer_radius
+    spin_per_cage = (inner_share * (r_i + r_o) - r_i) / (bearing.roller.diameter / 2)
+    every = np.tile(np.arange(cases), len(GUESSES))
+    many = LumpedRollers(balance.take(every), static)
+    cage_drift = -np.repeat(GUESSES, cases)[:, None] * many.balance.rolling_cage
+    line_load = load[:, every, :, None] / bearing.roller.length
+    forces = many.forces(line_load, cage_drift, cage_drift * spin_per_cage[every])
+    torque = many.driving_torque(forces, cage_drift).reshape(len(GUESSES), cases)
+    slip = _sign_change(np.log(GUESSES), torque)
+    cage_drift = -np.exp(slip)[:, None] * balance.rolling_cage
+    return cage_drift, cage_drift * spin_per_cage
+
+
+def _sign_change(places: NDArray, values: NDArray) -> NDArray:
+    """Where values (places, C) become positive first, interpolated; an end where there is no such place."""
+    each = np.arange(values.shape[1])
+    positive = values > 0
+    last = np.where(positive.any(0), positive.argmax(0), len(places) - 1)
+    first = np.maximum(last - 1, 0)
+    before, after = values[first, each], values[last, each]
+    rise = after - before
+    weight = np.where((before < 0) & (after > 0), -before / np.where(rise > 0, rise, 1.0), 1.0)
+    return places[first] + weight * (places[last] - places[first])
+
+
 def ring_shift(balance: BearingBalance, direction: NDArray, film: NDArray) -> NDArray:
     """Displacement of the ring (C, 1) [m] along the load at which the rollers carry it, without friction.
 
     Newton's method from a displacement that is too large: the load grows convexly with it.
     """
-    bearing, load = balance.roller.bearing, balance.points.load
-    softness, pressed = series_softness(balance), outer_approach(balance, balance.rolling_cage)
-    cos = np.cos(bearing.azimuths - direction)
+    raceways, load = balance.roller.raceways, balance.points.load
+    soft = softness(balance)
+    share, coefficient = soft[0] / soft.sum(), np.ravel(raceways.law.coefficient)[0]
+    cos = np.cos(balance.roller.bearing.azimuths - direction)
     nearest = cos.max(axis=-1, keepdims=True)
-    gap = balance.clearance / 2 - film + pressed
-    shift = (np.maximum(gap, 0.0) + softness * (load / nearest) ** (1 / EXPONENT)) / nearest
+    gap = balance.clearance / 2 - film + outer_approach(balance, balance.rolling_cage)
+    room = soft.sum() * (load / nearest) ** (1 / EXPONENT) + raceways.drop.max() / share
+    shift = (np.maximum(gap, 0.0) + room) / nearest
     for _ in range(SHIFT_STEPS):
-        closed = np.maximum(shift * cos - gap, 0.0) / softness
-        power = closed ** (EXPONENT - 1)
-        excess = (power * closed * cos).sum(-1, keepdims=True) - load
-        slope = EXPONENT / softness * (power * cos * cos).sum(-1, keepdims=True)
-        change = np.where(slope > 0, excess / np.where(slope > 0, slope, 1.0), 0.0)
+        # Of the room between the raceways, the inner one takes its share and has the profile to itself.
+        closed = np.maximum(share * (shift * cos - gap)[..., None] - raceways.drop, 0.0)
+        power = coefficient * closed ** (EXPONENT - 1)
+        carried = ((power * closed) @ raceways.slices.widths * cos).sum(-1, keepdims=True)
+        slope = EXPONENT * share * (power @ raceways.slices.widths * cos * cos).sum(-1, keepdims=True)
+        change = np.where(slope > 0, (carried - load) / np.where(slope > 0, slope, 1.0), 0.0)
         shift = shift - change
         if np.abs(change).max() < SHIFT_DIGITS:
             break
@@ -111,7 +150,7 @@ def slipping_start(balance: BearingBalance) -> NDArray:
     turned = np.arctan2(points.load_y, points.load_z) - friction[:, None]
     cage_drift = -balance.rolling_cage * np.sqrt(low * high)[:, None]
     unknowns = static._replace(cage_drift=cage_drift, spin_drift=drift)
-    unknowns = unknowns._replace(film=film_at(balance, unknowns, lumped_loads(balance, unknowns)))
+    unknowns = unknowns._replace(film=film_at(balance, unknowns, resting_loads(balance, unknowns)))
     load = points.load * np.sin(turned), points.load * np.cos(turned)
     return balance.pack(settled(balance, resting_ring(balance, unknowns, np.array(load)[..., 0])))
 
@@ -139,19 +178,22 @@ class LumpedRollers:
         balance = self.balance
         cage_drift = -slip[:, None] * balance.rolling_cage
         state = settled(balance, self.static._replace(cage_drift=cage_drift))
-        line_load = lumped_loads(balance, state)[..., None] / balance.roller.raceways.slices.length
-        drift, (t_i, t_o, r_i, r_o) = self._drifts(line_load, cage_drift)
-        g = balance.roller.bearing.diameter_ratio
-        tangential = (t_i + (1 - 2 * g) * r_i).sum(-1)
-        driving = tangential + (t_o - (1 + 2 * g) * r_o).sum(-1)
+        line_load = resting_loads(balance, state)[..., None] / balance.roller.raceways.slices.length
+        drift, forces = self._drifts(line_load, cage_drift)
+        t_i, _, r_i, _ = forces
+        tangential = (t_i + (1 - 2 * balance.roller.bearing.diameter_ratio) * r_i).sum(-1)
+        load = line_load[0, ..., 0].sum(-1) * balance.roller.raceways.slices.length
+        friction = tangential / np.maximum(load, SMALLEST_LOAD)
+        return drift, friction, self.driving_torque(forces, cage_drift)
+
+    def driving_torque(self, forces: NDArray, cage_drift: NDArray) -> NDArray:
+        """Torque (C) [N m] of tractions and shears (4, C, Z), drag and land, along the way the cage turns."""
+        balance = self.balance
+        (t_i, t_o, r_i, r_o), g = forces, balance.roller.bearing.diameter_ratio
+        driving = (t_i + t_o + (1 - 2 * g) * r_i - (1 + 2 * g) * r_o).sum(-1)
         torque = driving * balance.roller.bearing.pitch_diameter / 2
         torque = torque + self._resistance(balance.rolling_cage + cage_drift)
-        load = line_load[0, ..., 0].sum(-1) * balance.roller.raceways.slices.length
-        return (
-            drift,
-            tangential / np.maximum(load, SMALLEST_LOAD),
-            torque * np.sign(balance.rolling_cage[:, 0]),
-        )
+        return torque * np.sign(balance.rolling_cage[:, 0])
 
     def _drifts(self, line_load: NDArray, cage_drift: NDArray) -> tuple[NDArray, NDArray]:
         """Drifts at which the tractions balance, and the forces there.
@@ -167,7 +209,7 @@ class LumpedRollers:
         up = np.sign(inner - outer)
 
         def speeds_up(drift: NDArray) -> NDArray:
-            t_i, t_o, r_i, r_o = self._forces(line_load, cage_drift, drift)
+            t_i, t_o, r_i, r_o = self.forces(line_load, cage_drift, drift)
             return (t_i - t_o - r_i - r_o) * up > 0
 
         nearer_inner = speeds_up((inner + outer) / 2)
@@ -178,7 +220,7 @@ class LumpedRollers:
             further = speeds_up(end + way * np.exp(middle)) != nearer_inner
             low, high = np.where(further, middle, low), np.where(further, high, middle)
         drift = end + way * np.exp((low + high) / 2)
-        return drift, self._balanced(*self._forces(line_load, cage_drift, drift))
+        return drift, self._balanced(*self.forces(line_load, cage_drift, drift))
 
     @staticmethod
     def _balanced(t_i: NDArray, t_o: NDArray, r_i: NDArray, r_o: NDArray) -> NDArray:
@@ -193,7 +235,7 @@ class LumpedRollers:
             ]
         )
 
-    def _forces(self, line_load: NDArray, cage_drift: NDArray, drift: NDArray) -> NDArray:
+    def forces(self, line_load: NDArray, cage_drift: NDArray, drift: NDArray) -> NDArray:
         """Traction at both raceways and rolling shear at both (4, C, Z) [N]."""
         roller, points, raceways = self.balance.roller, self.balance.points, self.balance.roller.raceways
         speeds = self.balance.rolling_spin + drift, self.balance.rolling_cage + cage_drift
@@ -228,7 +270,7 @@ def resting_ring(balance: BearingBalance, unknowns: Unknowns, load: NDArray) -> 
     position = unknowns.ring[:2]
     for _ in range(RING_STEPS):
         unknowns = settled(balance, unknowns._replace(ring=np.concatenate([position, unknowns.ring[2:]])))
-        force, stiffness = lumped_loads(balance, unknowns)[0], series_stiffness(balance, unknowns)
+        force, stiffness = resting_loads(balance, unknowns)[0], series_stiffness(balance, unknowns)
         excess = load - np.einsum("iz,cz->ic", normal, force)
         matrix = np.einsum("iz,cz,kz->cik", normal, stiffness, normal)
         floor = RING_FLOOR * np.trace(matrix, axis1=1, axis2=2) + SMALLEST_STIFFNESS

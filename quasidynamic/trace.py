@@ -1,29 +1,272 @@
-"""Equilibria of one bearing over its load or speed: the branch around its folds, and all at one load."""
+"""Equilibria of one bearing over its load or speed, around folds; all that are there at one load."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
-from math import exp, log
+from itertools import pairwise
+from math import copysign, exp, isfinite, log
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.bearing import BORDER, CAGE, TILT_Z, BearingBalance, Y, Z
+from quasidynamic.balance.bearing import BearingBalance, Unknowns
 from quasidynamic.balance.points import OperatingPoints
+from quasidynamic.balance.settling import film_at, lumped_loads, settled
 from quasidynamic.equilibrium import Equilibrium
 from quasidynamic.errors import NotSolved, OutOfRange
 from quasidynamic.model import RollerBearing
-from quasidynamic.parts.operation import Operation
-from quasidynamic.solve import bordered
-from quasidynamic.solve.arclength import End, Local, Step, at_parameter, follow
+from quasidynamic.solve.arclength import End, Step, at_parameter, follow, solved_at
 from quasidynamic.solve.endings import Ending
-from quasidynamic.solve.newton import newton
+from quasidynamic.solve.family import BalanceFamily
 from quasidynamic.solve.stability import growth_rates
-from quasidynamic.start import LumpedRollers, slipping_at, static_unknowns
+from quasidynamic.start import LumpedRollers, resting_ring, static_unknowns
 
-__all__ = ["Branch", "End", "Point", "equilibria_at", "trace"]
+__all__ = ["OVER", "Branch", "End", "Point", "equilibria_at", "trace"]
 
-PARAMETERS = ("radial_load", "inner_speed")
-DIFFERENCE = 1e-5  # of the logarithm of the parameter
-SMALL = 1e-11  # residual that counts as zero, of the reference force or of the largest roller load
-RING_SIZE = 10.0  # scaled ring displacement that counts like a slip of one: 10 micrometres
+OVER = ("radial_load", "inner_speed")
+SLIPS = np.concatenate([np.geomspace(1e-6, 0.03, 28), np.linspace(0.05, 0.99, 24)])
+SLIP_HALVINGS = 14
+REACH = 3.0  # loads over that asked for, and below it, between which a branch is searched
+SAME = 1e-5  # distance on the branch between two equilibria that are one
+
+
+@dataclass(frozen=True)
+class Point:
+    """An equilibrium on a branch."""
+
+    value: float  # [N] radial load or [rad/s] speed
+    equilibrium: Equilibrium
+    fold: bool  # whether load or speed turns back here
+
+    @property
+    def slip(self) -> float:
+        """Cage slip [-]."""
+        return self.equilibrium.cage_slip
+
+    @property
+    def largest_load(self) -> float:
+        """Largest roller load on the inner raceway [N]."""
+        return float(self.equilibrium.loads[0].max())
+
+    @cached_property
+    def growth(self) -> float:
+        """Growth rate [1/s] of the disturbance of cage and spins that decays least; zero at a fold."""
+        if self.fold:
+            return 0.0
+        return float(growth_rates(self.equilibrium.balance, self.equilibrium.system).real.max())
+
+    @property
+    def stable(self) -> bool:
+        """Whether small disturbances of cage and spins decay."""
+        return self.growth < 0.0
+
+
+@dataclass(frozen=True)
+class Branch:
+    """Equilibria in the order in which they follow each other."""
+
+    over: str  # key of the operation that changes
+    points: tuple[Point, ...]
+    end: End  # why it was not followed further
+
+    @property
+    def folds(self) -> tuple[Point, ...]:
+        """Where load or speed turns back."""
+        return tuple(point for point in self.points if point.fold)
+
+    @property
+    def values(self) -> NDArray:
+        """Loads [N] or speeds [rad/s] of the points."""
+        return np.array([point.value for point in self.points])
+
+    @property
+    def slip(self) -> NDArray:
+        """Cage slip of the points [-]."""
+        return np.array([point.slip for point in self.points])
+
+    @property
+    def largest_load(self) -> NDArray:
+        """Largest roller loads of the points [N]."""
+        return np.array([point.largest_load for point in self.points])
+
+    @property
+    def stable(self) -> NDArray:
+        """Which points are stable; a fold is not."""
+        return np.array([point.stable for point in self.points])
+
+
+def trace(
+    model: RollerBearing,
+    *,
+    over: str = "radial_load",
+    span: tuple[float, float],
+    start: Equilibrium | None = None,
+) -> Branch:
+    """Follow the equilibria of a bearing between rigid raceways while its load or speed changes.
+
+    Where traction falls with slip, a branch may turn back at a fold: the bearing has several
+    equilibria at one load, and jumps from one to another when the load passes a fold. Other
+    branches, not connected to this one inside the span, are not found; see `equilibria_at`.
+
+    Parameters
+    ----------
+    model : RollerBearing
+        whatever else its operation says is kept
+    over : str
+        "radial_load" or "inner_speed"
+    span : pair of floats
+        [N] or [rad/s], from the first to the second, on a logarithmic scale
+    start : Equilibrium, optional
+        near which the branch begins; without it the one that `model.solve` finds at the first value
+
+    Returns
+    -------
+    Branch
+        its `end` is "range left" when it went through; `points[-1]` is then at one end of the span,
+        which is that of the start where the branch turns back for good
+
+    Raises
+    ------
+    NotSolved
+        when there is no equilibrium to begin with
+    OutOfRange
+        when the logarithm of the span makes no sense
+    """
+    first, last = _logarithms(model, over, span)
+    begin = start or _changed(model, over, span[0]).solve()
+    family = _family(model, over, span[0], begin.balance)
+    state = family.balance_at(first).pack(begin.unknowns)[0]
+    bounds = min(first, last), max(first, last)
+    steps = list(follow(family, state, first, bounds, upwards=last > first))
+    if not steps:
+        raise NotSolved(f"no equilibrium near the start of the branch at {over} = {span[0]:.6g}")
+    values = [copysign(exp(step.parameter), span[0]) for step in steps]
+    points = [
+        Point(value, _equilibrium(family, step, model.shapes), step.fold)
+        for value, step in zip(values, steps, strict=True)
+    ]
+    return Branch(over, tuple(points), steps[-1].end)
+
+
+def equilibria_at(model: RollerBearing) -> tuple[Equilibrium, ...]:
+    """Find the equilibria of a bearing between rigid raceways at its one operating point.
+
+    Newton's method starts at every slip where the torque of lumped rollers on the cage changes its
+    sign; the branches through what is found are followed over the load, as they may come back to it.
+
+    Returns
+    -------
+    tuple of Equilibrium
+        by growing cage slip; an equilibrium that is on none of these branches and that lumped rollers
+        do not show is not found
+
+    Raises
+    ------
+    NotSolved
+        when there is none
+    OutOfRange
+        when the bearing has no load
+    """
+    load = model.operation.radial_load
+    here, _ = _logarithms(model, "radial_load", (load, load * REACH))
+    usual = model.solve_many([model.operation])[0]
+    family = _family(model, "radial_load", load, usual.balance)
+    starts = [usual.scaled] if usual.status is Ending.CONVERGED else []
+    starts += _lumped_starts(usual.balance)
+    known: list[Step] = []
+    for state in starts:
+        found = solved_at(family, state, here)
+        if found is None or not _is_new(family, found, known):
+            continue
+        for step in _through(family, found):
+            if _is_new(family, step, known):
+                known.append(step)
+    if not known:
+        raise NotSolved(usual.failure(), usual.status)
+    found = [_equilibrium(family, step, model.shapes) for step in known]
+    return tuple(sorted(found, key=lambda one: one.cage_slip))
+
+
+# -- the branch ------------------------------------------------------------------------------------
+
+
+def _logarithms(model: RollerBearing, over: str, span: tuple[float, float]) -> tuple[float, float]:
+    """Logarithms of the sizes of both ends; raises where the way between them makes no sense."""
+    if over not in OVER:
+        raise OutOfRange(f'a branch over "{over}" is not followed; it can be {" or ".join(OVER)}')
+    first, last = span
+    if not (isfinite(first) and isfinite(last) and first * last > 0) or first == last:
+        raise OutOfRange(f"{over} from {first:.6g} to {last:.6g}: both must be of one sign, and not the same")
+    if over == "radial_load" and first < 0:
+        raise OutOfRange(f"{over} from {first:.6g} to {last:.6g} N: a load is positive")
+    if over == "inner_speed" and min(span) <= model.operation.outer_speed <= max(span):
+        raise OutOfRange(
+            f"{over} from {first:.6g} to {last:.6g} rad/s goes through the outer speed: nothing rolls there"
+        )
+    return log(abs(first)), log(abs(last))
+
+
+def _changed(model: RollerBearing, over: str, value: float) -> RollerBearing:
+    return replace(model, operation=replace(model.operation, **{over: value}))
+
+
+def _family(model: RollerBearing, over: str, sign: float, balance: BearingBalance) -> BalanceFamily:
+    def points(parameter: float) -> OperatingPoints:
+        return OperatingPoints.of([_changed(model, over, copysign(exp(parameter), sign)).operation])
+
+    return BalanceFamily(balance, points)
+
+
+def _equilibrium(family: BalanceFamily, step: Step, shapes: int) -> Equilibrium:
+    balance = family.balance_at(step.parameter)
+    return Equilibrium(balance, step.state, Ending.CONVERGED, step.corrections + 1, shapes)
+
+
+# -- several at one load ---------------------------------------------------------------------------
+
+
+def _is_new(family: BalanceFamily, step: Step, known: list[Step]) -> bool:
+    apart = [step.state - other.state for other in known]
+    return all(np.sqrt(change @ (family.weight * change)) > SAME for change in apart)
+
+
+def _through(family: BalanceFamily, begin: Step) -> Iterator[Step]:
+    """Places at the parameter of a solution on the branch through it, both ways, itself included."""
+    yield begin
+    here, reach = begin.parameter, log(REACH)
+    for upwards in (True, False):
+        steps = list(follow(family, begin.state, here, (here - reach, here + reach), upwards))
+        for before, after in pairwise(steps[1:]):
+            if (before.parameter - here) * (after.parameter - here) <= 0:
+                found = at_parameter(family, before, after, here)
+                if found is not None:
+                    yield found
+
+
+def _lumped_starts(balance: BearingBalance) -> list[NDArray]:
+    """Scaled unknowns (N) at every slip where the torque of lumped rollers on the cage changes its sign."""
+    many = balance.take(np.zeros(len(SLIPS), int))
+    drives = LumpedRollers(many, static_unknowns(many)).at(SLIPS)[2] > 0
+    places = np.flatnonzero(drives[1:] != drives[:-1])
+    if not len(places):
+        return []
+    low, high, sense = SLIPS[places], SLIPS[places + 1], drives[places]
+    some = balance.take(np.zeros(len(places), int))
+    static = static_unknowns(some)
+    lumped = LumpedRollers(some, static)
+    for _ in range(SLIP_HALVINGS):
+        middle = np.sqrt(low * high)
+        before = (lumped.at(middle)[2] > 0) == sense
+        low, high = np.where(before, middle, low), np.where(before, high, middle)
+    return list(slipping(some, static, np.sqrt(low * high)))
+
+
+def slipping(balance: BearingBalance, static: Unknowns, slip: NDArray) -> NDArray:
+    """Scaled unknowns (C, N) of lumped rollers at given cage slips (C), the ring where they hold the load."""
+    points = balance.points
+    drift, friction, _ = LumpedRollers(balance, static).at(slip)
+    turned = np.arctan2(points.load_y, points.load_z) - friction[:, None]
+    unknowns = static._replace(cage_drift=-balance.rolling_cage * slip[:, None], spin_drift=drift)
+    unknowns = unknowns._replace(film=film_at(balance, unknowns, lumped_loads(balance, unknowns)))
+    load = points.load * np.sin(turned), points.load * np.cos(turned)
+    return balance.pack(settled(balance, resting_ring(balance, unknowns, np.array(load)[..., 0])))

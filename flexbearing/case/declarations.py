@@ -22,6 +22,7 @@ class Declaration:
 
     path: str  # dotted
     field: FieldInfo
+    table: str = ""  # the innermost table above it that a case may leave out
 
     @property
     def meaning(self) -> str:
@@ -44,8 +45,15 @@ class Declaration:
 
     @property
     def required(self) -> bool:
-        """Whether every case must give it."""
+        """Whether every case that has its table must give it."""
         return self.field.is_required()
+
+    @property
+    def need(self) -> str:
+        """Who must give it; empty for a key that may be left out."""
+        if not self.required:
+            return ""
+        return f"needed with [{self.table}]" if self.table else "needed"
 
     @property
     def default(self) -> str:
@@ -107,13 +115,13 @@ def toml(value: Any) -> str:
     return str(value)
 
 
-def declarations(model: type[Section] = Case, prefix: str = "") -> Iterator[Declaration]:
+def declarations(model: type[Section] = Case, prefix: str = "", table: str = "") -> Iterator[Declaration]:
     """Every key and table, in the order of the schema."""
     for name, field in model.model_fields.items():
-        found = Declaration(f"{prefix}{name}", field)
+        found = Declaration(f"{prefix}{name}", field, table)
         yield found
         if found.section:
-            yield from declarations(found.section, f"{found.path}.")
+            yield from declarations(found.section, f"{found.path}.", table if found.required else found.path)
 
 
 def find(path: str) -> Declaration | None:

@@ -38,8 +38,10 @@ def reference_page() -> str:
     lines = ["# Keys of a case file", "", "Printed by `python -m flexbearing.case.explain`.", ""]
     lines += ["| key | allowed | default | meaning |", "|---|---|---|---|"]
     for item in declarations():
+        if item.section and not item.required:
+            lines.append(f"| `[{item.path}]` | a table | left out | {_cell(item.meaning)} |")
         if not item.section:
-            default = item.default or ("needed" if item.required else "")
+            default = item.default or item.need
             lines.append(
                 f"| `{item.path}` | {_cell(item.allowed)} | {_cell(default)} | {_cell(item.meaning)} |"
             )
@@ -57,9 +59,15 @@ def _entries(item: Declaration) -> list[tuple[str, str]]:
         ("meaning", item.meaning),
         ("unit", f"{item.kind.unit} (any unit of {item.kind.name} is converted)" if item.kind else ""),
         ("allowed", item.allowed),
-        ("default", item.default or ("none: every case must give it" if item.required else "none")),
+        ("default", item.default or f"none{_need(item)}"),
         ("example", f"{item.path.rpartition('.')[2]} = {item.example}" if item.example else ""),
     ]
+
+
+def _need(item: Declaration) -> str:
+    if not item.required:
+        return ""
+    return f": {item.need}" if item.table else ": every case must give it"
 
 
 def _near(path: str) -> str:

@@ -113,7 +113,8 @@ class Lubricant(Section):
     film: FilmName = key("regression of the film thickness", "dowson")
     inlet_heating: bool = key("whether shear heating of the inlet thins the film", True)
     inlet_length: float | None = key(
-        "oil before the contact in half-widths, for a starved film; without it the contacts are flooded",
+        "inlet length c_s of a starved film, about the oil before the contact in half-widths; "
+        "without it the contacts are flooded",
         None,
         example=1.0,
         gt=0,

@@ -2,6 +2,7 @@
 
 from typing import TYPE_CHECKING
 
+from flexbearing.case.fits import Fits
 from flexbearing.case.quantity import impossible, needed
 
 if TYPE_CHECKING:
@@ -26,20 +27,39 @@ def require_mounting(case: "Case") -> None:
 
 
 def _require_dimensions(case: "Case") -> None:
+    """Each diameter comes from [bearing.fits] beside a rigid part, else from [inner] or [outer]."""
     fits, inner, outer = case.bearing.fits, case.inner, case.outer
     assert fits is not None
     if inner.kind == "rigid":
-        if fits.bore is None:
-            raise needed(["bearing.fits.bore"], 'inner.kind = "rigid" with [bearing.fits]')
+        _require_shaft(case, fits)
     else:
         for name, owner in (("bore", "inner.bore"), ("shaft_bore", "inner.shaft_thickness")):
             if getattr(fits, name) is not None:
                 raise impossible(f"bearing.fits.{name}", f"left out: {owner} gives it")
     if outer.kind == "rigid":
-        if fits.outer_diameter is None:
-            raise needed(["bearing.fits.outer_diameter"], 'outer.kind = "rigid" with [bearing.fits]')
-    else:
-        if fits.outer_diameter is not None:
-            raise impossible("bearing.fits.outer_diameter", "left out: outer.thickness gives it")
-        if fits.housing is not None:
-            raise impossible("bearing.fits.housing", f'left out: outer.kind = "{outer.kind}" sits in no housing')
+        _require_outside(case, fits)
+        return
+    if fits.outer_diameter is not None:
+        raise impossible("bearing.fits.outer_diameter", "left out: outer.thickness gives it")
+    if fits.housing is not None:
+        raise impossible("bearing.fits.housing", f'left out: outer.kind = "{outer.kind}" sits in no housing')
+
+
+def _require_shaft(case: "Case", fits: Fits) -> None:
+    if fits.bore is None:
+        raise needed(["bearing.fits.bore"], 'inner.kind = "rigid" with [bearing.fits]')
+    bearing = case.bearing
+    raceway = bearing.outer_raceway_diameter - 2 * bearing.roller.diameter - fits.cold_clearance
+    if fits.bore >= raceway:
+        raise impossible("bearing.fits.bore", f"below the inner raceway diameter {raceway * 1e3:.4g} mm")
+    if fits.shaft_bore is not None and fits.shaft_bore >= fits.bore:
+        raise impossible("bearing.fits.shaft_bore", "below bearing.fits.bore")
+
+
+def _require_outside(case: "Case", fits: Fits) -> None:
+    if fits.outer_diameter is None:
+        raise needed(["bearing.fits.outer_diameter"], 'outer.kind = "rigid" with [bearing.fits]')
+    if fits.outer_diameter <= case.bearing.outer_raceway_diameter:
+        raise impossible("bearing.fits.outer_diameter", "above bearing.outer_raceway_diameter")
+    if fits.housing and fits.housing.diameter <= fits.outer_diameter:
+        raise impossible("bearing.fits.housing.diameter", "above bearing.fits.outer_diameter")

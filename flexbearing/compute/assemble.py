@@ -1,11 +1,12 @@
-"""From a case to bearing and rings: the only place that knows them all."""
+"""From a case to bearing and rings."""
 
-from functools import partial
 from typing import Any
 
 import fem
 import quasidynamic as qd
 from flexbearing.case import BadCase, Case
+from flexbearing.compute import clearance, life
+from flexbearing.compute.lubrication import lubrication
 
 Part = fem.SquirrelCage | fem.ClampedRing | fem.RingOnShaft
 
@@ -13,7 +14,7 @@ Part = fem.SquirrelCage | fem.ClampedRing | fem.RingOnShaft
 def require_possible(case: Case) -> None:
     """Build everything that needs no mesh; raises `BadCase` where physics or geometry forbid it."""
     try:
-        bearing(case)
+        life.require_possible(case, bearing(case).bearing)
         outer_part(case)
         inner_part(case)
     except (qd.ImpossiblePart, qd.OutOfRange, fem.ImpossiblePart) as problem:
@@ -30,12 +31,12 @@ def growth(case: Case, part: str) -> float:
 
 
 def bearing(case: Case) -> qd.RollerBearing:
-    """Bearing of a case, parts grown to their temperatures; the operating clearance stays as given."""
+    """Bearing of a case, parts grown to their temperatures; the operating clearance already knows them."""
     return qd.RollerBearing(
         bearing=qd.CylindricalRollerBearing(
             rollers=case.bearing.rollers,
             outer_raceway_diameter=outer_raceway_diameter(case),
-            clearance=case.bearing.clearance,
+            clearance=clearance.operating(case),
             roller=_roller(case),
             cage=_cage(case),
             inner_ring=_material(case, "inner_ring"),
@@ -47,32 +48,15 @@ def bearing(case: Case) -> qd.RollerBearing:
             radial_load=case.operation.radial_load,
             inner_speed=case.operation.inner_speed,
             outer_speed=case.operation.outer_speed,
+            load_direction=case.operation.load_direction,
             moment=case.operation.moment,
+            misalignment=case.operation.misalignment,
             free_tilt=case.operation.free_tilt,
         ),
         lubrication=lubrication(case),
         slices=case.accuracy.slices,
         shapes=case.accuracy.axial_shapes,
     )
-
-
-def lubrication(case: Case) -> qd.Lubrication:
-    """Oil of a case and the laws it follows."""
-    given = case.lubricant
-    return qd.Lubrication(
-        oil=_oil(case),
-        oil_fraction=given.oil_fraction,
-        traction=_traction(case),
-        inlet_heating=given.inlet_heating,
-    )
-
-
-def _traction(case: Case):
-    given: Any = case.lubricant  # which values are there depends on the law, checked on reading
-    if given.traction == "4109":
-        return qd.Regression4109
-    stress = given.eyring_stress or 2 * given.limiting_ratio / _oil(case).pressure_viscosity
-    return partial(qd.Eyring, limiting_ratio=given.limiting_ratio, eyring_stress=stress)
 
 
 def outer_raceway_diameter(case: Case) -> float:
@@ -111,7 +95,7 @@ def inner_part(case: Case) -> fem.RingOnShaft | None:
     return fem.RingOnShaft(
         raceway_diameter=outer_raceway_diameter(case)
         - 2 * case.bearing.roller.diameter * growth(case, "roller")
-        - case.bearing.clearance,
+        - clearance.operating(case),
         track_width=max(inner.track_width * hot, roller_length(case)),
         rib_diameter=(inner.bore + 2 * inner.thickness) * hot,
         bore=inner.bore * hot,
@@ -121,17 +105,6 @@ def inner_part(case: Case) -> fem.RingOnShaft | None:
         ring=_elastic(case, "inner_ring"),
         shaft=_elastic(case, "shaft"),
     )
-
-
-def notes(case: Case) -> tuple[str, ...]:
-    """What left its range of validity, for the reader of the results."""
-    found = _oil(case).notes
-    if case.lubricant.traction == "4109":
-        found += (
-            "traction: the 4109 regression was measured on point contacts; line contacts are outside it",
-            f"traction: the 4109 regression is used with {case.lubricant.oil or 'the given oil'}",
-        )
-    return found
 
 
 def _material(case: Case, name: str) -> qd.Material:
@@ -172,19 +145,6 @@ def _cage(case: Case) -> qd.Cage:
         pocket_friction=cage.pocket_friction,
         thickness=cage.thickness,
         mass=cage.mass,
+        land_flow=cage.land_flow,
         **{name: getattr(cage, name) for name in land if getattr(cage, name) is not None},
-    )
-
-
-def _oil(case: Case) -> qd.Lubricant:
-    oil: Any = case.lubricant
-    if oil.oil is not None:
-        return qd.oil_at(oil.oil, oil.inlet_temperature)
-    return qd.Lubricant(
-        temperature=oil.inlet_temperature,
-        viscosity=oil.viscosity,
-        pressure_viscosity=oil.pressure_viscosity,
-        temperature_viscosity=oil.temperature_viscosity,
-        conductivity=oil.conductivity,
-        density=oil.density,
     )

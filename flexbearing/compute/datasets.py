@@ -1,5 +1,7 @@
 """States of the bearing as the arrays of a result file."""
 
+from dataclasses import asdict
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -48,32 +50,54 @@ def iteration(step: Iteration[Equilibrium], seconds: float) -> dict[str, ArrayLi
     }
 
 
-def block(found: Equilibrium, rings: CondensedRings) -> dict[str, ArrayLike]:
-    """Datasets of an end state."""
-    bearing = found.balance.roller.bearing
-    return state(found) | {
-        "roller_azimuth": bearing.azimuths,
-        "slice_position": found.slice_positions,
-        "life_L10": found.life * MREV,
-        "stiffness": found.tangent.radial_stiffness,
-        "total_stiffness": total_stiffness(found, rings),
-        "support_translation": rings.translation(found.forces),
-        "driving_torque": found.driving_torque,
-        "ring_moment": found.ring_moment,
-        "peak_pressure": found.peak_pressure,
-        "minimum_film": _smallest(found.film, found.forces[..., 0]),
-    }
+def block(found: Equilibrium, rings: CondensedRings, roughness: NDArray | None = None) -> dict[str, ArrayLike]:
+    """Datasets of an end state; film ratios where the composite roughness (2) [m] is known."""
+    bearing, tangent = found.balance.roller.bearing, found.tangent
+    return (
+        state(found)
+        | {
+            "roller_azimuth": bearing.azimuths,
+            "slice_position": found.slice_positions,
+            "life_L10": found.life * MREV,
+            "load_direction": _load_direction(found),
+            "stiffness": tangent.radial_stiffness,
+            "stiffness_matrix": tangent.stiffness,
+            "compliance_matrix": tangent.compliance,
+            "total_stiffness": total_stiffness(found, rings),
+            "support_translation": rings.translation(found.forces),
+            "driving_torque": found.driving_torque,
+            "driving_power": found.driving_power,
+            "ring_moment": found.ring_moment,
+            "peak_pressure": found.peak_pressure,
+            "minimum_film": smallest_film(found),
+        }
+        | {f"loss_{cause}": power for cause, power in asdict(found.losses).items()}
+        | ({} if roughness is None else _film_ratios(found, roughness))
+    )
 
 
 def total_stiffness(found: Equilibrium, rings: CondensedRings) -> float:
     """Radial tangent stiffness from the clamped base to the clamped shaft ends [N/m]."""
-    inner, outer = rings.translation(found.change_of_forces())[:, 1]
+    azimuth = _load_direction(found)
+    inner, outer = rings.translation(found.change_of_forces()) @ [np.sin(azimuth), np.cos(azimuth)]
     # The outer raceway gives way along the load, the inner one against it.
     return float(1.0 / (1.0 / found.tangent.radial_stiffness + outer - inner))
 
 
-def _smallest(film: NDArray, load: NDArray) -> NDArray:
-    """Smallest film of the loaded contacts of each raceway; 0 where none is loaded."""
-    loaded = load > UNLOADED
-    smallest = np.where(loaded, film, np.inf).min(axis=1)
+def smallest_film(found: Equilibrium) -> NDArray:
+    """Smallest film (2) of the loaded contacts of each raceway [m]; 0 where none is loaded."""
+    loaded = found.forces[..., 0] > UNLOADED
+    smallest = np.where(loaded, found.film, np.inf).min(axis=1)
     return np.where(np.isfinite(smallest), smallest, 0.0)
+
+
+def _film_ratios(found: Equilibrium, roughness: NDArray) -> dict[str, ArrayLike]:
+    films = np.where(found.forces[..., 0] > UNLOADED, found.film, 0.0)
+    inner, outer = films / roughness[:, None]
+    return {"inner_film_ratio": inner, "outer_film_ratio": outer}
+
+
+def _load_direction(found: Equilibrium) -> float:
+    """Azimuth of the radial load, 0 when there is none [rad]."""
+    points = found.balance.points
+    return float(np.arctan2(points.load_y[0, 0], points.load_z[0, 0]))

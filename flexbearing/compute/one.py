@@ -8,7 +8,8 @@ from time import perf_counter
 from threadpoolctl import threadpool_limits
 
 from flexbearing.case import Case, read
-from flexbearing.compute import assemble, datasets
+from flexbearing.compute import assemble, clearance, datasets, notes
+from flexbearing.compute.outcome import Outcome
 from flexbearing.compute.progress import Logged, Report
 from flexbearing.compute.structure import CondensedRings, condensed
 from flexbearing.coupling import Ending, Iteration, PartnerFailed, newton, relaxed
@@ -28,11 +29,14 @@ class BearingPartner:
         try:
             return self.model.solve(start, deviation)
         except NotSolved as failure:
-            raise PartnerFailed(str(failure)) from failure
+            raise PartnerFailed(str(failure), str(failure.ending)) from failure
 
     def iterate(self, compliance, start) -> Iterator[Equilibrium]:
         """Newton iterates between raceways that yield."""
-        return self.model.iterate(compliance, start)
+        try:
+            yield from self.model.iterate(compliance, start)
+        except NotSolved as failure:
+            raise PartnerFailed(str(failure), str(failure.ending)) from failure
 
 
 def run(
@@ -71,8 +75,9 @@ def run(
     path = Path(output) if output else Path("results") / f"{Path(case).stem}.h5"
     # The bearing's matrices are small: threads of the linear algebra would only wait for each other.
     with threadpool_limits(limits=1, user_api="blas"), ResultFile(path, _opening(wanted)) as file:
-        ending = _solve(wanted, file, report)
-        file.finish(**ending, wall_time_s=perf_counter() - began)
+        outcome = Outcome(wanted, file)
+        ending = _solve(wanted, file, outcome, report)
+        file.finish(**ending, **outcome.attributes(), wall_time_s=perf_counter() - began)
     return read_result(path)
 
 
@@ -85,11 +90,12 @@ def _opening(case: Case) -> dict[str, object]:
         "case_si": case.to_json(),
         "assumed": list(case.assumed),
         "calibrated": dict(case.calibrated),
-        "notes": list(assemble.notes(case)),
+        "notes": list(notes.of_case(case)),
+        "clearance": clearance.record(case),
     }
 
 
-def _solve(case: Case, file: ResultFile, report: Report) -> dict[str, object]:
+def _solve(case: Case, file: ResultFile, outcome: Outcome, report: Report) -> dict[str, object]:
     """Rigid equilibrium, then the rings, then both together; returns how it ended."""
     model = assemble.bearing(case)
     partner = BearingPartner(model)
@@ -98,18 +104,19 @@ def _solve(case: Case, file: ResultFile, report: Report) -> dict[str, object]:
     try:
         rigid = partner.solve()
     except PartnerFailed as failure:
-        return _ending("not solved", f"rigid raceways: {failure}", 0, rigid_rings)
-    file.block("rigid", datasets.block(rigid, rigid_rings))
+        ending = _ending("not solved", f"rigid raceways: {failure}", 0, rigid_rings)
+        return ending | {"ending": failure.ending}
+    outcome.store("rigid", rigid, rigid_rings)
     rings = condensed(case, model.bearing.azimuths, report)
     if rings.rigid:
-        file.block("flexible", datasets.block(rigid, rings))
-        return _ending("converged", "every part is rigid: nothing to iterate", 0, rings)
+        outcome.store("flexible", rigid, rings)
+        ending = _ending("converged", "every part is rigid: nothing to iterate", 0, rings)
+        return ending | {"ending": str(rigid.status)}
     report.stage("bearing and rings together", None)
     last = _iterate(case, partner, rings, rigid, file, report)
-    converged = last.status == "converged"
-    file.block("flexible", datasets.block(last.state, rings), converged=converged)
-    message = last.message or _sentence(last, case)
-    return _ending(last.status, message, last.number, rings)
+    outcome.store("flexible", last.state, rings, converged=last.status == "converged")
+    ending = _ending(last.status, last.message or _sentence(last, case), last.number, rings)
+    return ending | {"ending": str(last.ending)}
 
 
 def _iterate(case, partner, rings, rigid, file, report) -> Iteration[Equilibrium]:

@@ -21,6 +21,7 @@ class Iteration(Generic[S]):
     load_change: float  # largest change of a roller load over the largest load [-]
     status: Status
     message: str = ""
+    ending: str = ""  # of the bearing's own solve, in its words
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -67,12 +68,12 @@ def relaxed(
         try:
             state = bearing.solve(start=state, deviation=structure.deviation(forces))
         except PartnerFailed as failure:
-            yield Iteration(number, state, np.inf, "not solved", str(failure))
+            yield _failed(number, state, failure)
             return
         change = state.forces - forces
         size = load_change(change, state.forces)
         status = ending.judge(number, size)
-        yield Iteration(number, state, size, status)
+        yield Iteration(number, state, size, status, ending=state.status)
         if status:
             return
         forces = forces + relaxation * change
@@ -93,22 +94,33 @@ def newton(bearing: Bearing[S], structure: Structure, start: S, ending: Ending) 
     ------
     Iteration
     """
-    forces = start.forces
-    # The first state is the start itself, before any step.
-    states = bearing.iterate(structure.compliance, start)
-    next(states)
-    for number, state in enumerate(states, start=1):
-        size = load_change(state.forces - forces, state.forces)
-        status = ending.judge(number, size, state.residual)
-        message = ""
-        if not status and state.status:
-            # The bearing's own tolerance is the tighter one: its last step may still move the loads.
-            status = "converged" if state.status == "converged" else "not solved"
-            message = "" if status == "converged" else f"Newton's method ended: {state.status}"
-        yield Iteration(number, state, size, status, message)
-        if status:
-            return
-        forces = state.forces
+    forces, state, number = start.forces, start, 0
+    try:
+        # The first state is the start itself, before any step.
+        for number, state in enumerate(bearing.iterate(structure.compliance, start)):
+            if number == 0:
+                continue
+            step = _newton_step(number, state, load_change(state.forces - forces, state.forces), ending)
+            yield step
+            if step.status:
+                return
+            forces = state.forces
+    except PartnerFailed as failure:
+        yield _failed(number + 1, state, failure)
+
+
+def _newton_step(number: int, state: S, size: float, ending: Ending) -> Iteration[S]:
+    status, message = ending.judge(number, size, state.residual), ""
+    if not status and state.status == "converged":
+        # The bearing's own tolerance is the tighter one: its last step may still move the loads.
+        status = "converged"
+    elif not status and state.status:
+        status, message = "not solved", state.failure()
+    return Iteration(number, state, size, status, message, state.status)
+
+
+def _failed(number: int, state: S, failure: PartnerFailed) -> Iteration[S]:
+    return Iteration(number, state, np.inf, "not solved", str(failure), failure.ending)
 
 
 def load_change(change: NDArray, forces: NDArray) -> float:

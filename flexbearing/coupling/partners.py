@@ -9,7 +9,11 @@ Compliance = tuple[NDArray | None, NDArray | None]
 
 
 class PartnerFailed(RuntimeError):
-    """A partner could not answer; the message is its own."""
+    """A partner could not answer; the message is its own, `ending` says in a word how it ended."""
+
+    def __init__(self, message: str, ending: str = ""):
+        super().__init__(message)
+        self.ending = ending
 
 
 class State(Protocol):
@@ -30,6 +34,10 @@ class State(Protocol):
         """Empty while iterating, "converged", or the word for another end."""
         ...
 
+    def failure(self) -> str:
+        """Say how the solve ended and how far it came."""
+        ...
+
 
 S = TypeVar("S", bound=State)
 
@@ -42,7 +50,7 @@ class Bearing(Protocol[S]):
         ...
 
     def iterate(self, compliance: Compliance, start: S) -> Iterator[S]:
-        """Newton iterates between raceways that yield by (Z, M, Z, M) [m/N]."""
+        """Newton iterates between raceways that yield by (Z, M, Z, M) [m/N]; raises `PartnerFailed`."""
         ...
 
 

@@ -25,7 +25,7 @@ _FLEXIBLE = {"color": ORANGE, "marker": "s", "markersize": 4.5}
 
 
 def polar_loads(result: Result) -> Figure:
-    """Draw the inner roller loads around the bearing, the load line pointing down.
+    """Draw the inner roller loads around the bearing, azimuth zero (the load line, unless the load is turned) pointing down.
 
     Parameters
     ----------
@@ -43,7 +43,7 @@ def polar_loads(result: Result) -> Figure:
     for name, values in drawn.items():
         _draw_loads(axes, name, values)
     _shape_load_axes(axes, max([_largest(values["inner_load"]) for values in drawn.values()], default=0.0))
-    _title(axes, result, "Inner roller loads [N], load line pointing down")
+    _title(axes, result, "Inner roller loads [N], azimuth 0 pointing down")
     axes.set_xlabel(_caption(result), labelpad=14)
     if drawn:
         figure.legend(loc="outside lower center", ncols=2, frameon=False)
@@ -174,7 +174,7 @@ def deviations(result: Result) -> Figure:
         if result.flexible:
             _draw_deviation(axes, result.flexible, race, {"color": color, "marker": marker})
     axes.axhline(0, color="0.5", linewidth=0.8, zorder=0)
-    axes.set(xlabel="azimuth from the load line [deg]", ylabel="deviation, positive outward [µm]")
+    axes.set(xlabel="azimuth [deg]", ylabel="deviation, positive outward [µm]")
     axes.set_xlim(-180, 180)
     axes.set_xticks(range(-180, 181, 60))
     _title(axes, result, "Raceway deviation at mid-roller; band: range along the roller")
@@ -253,7 +253,7 @@ def _caption(result: Result) -> str:
         return "the flexible state was not solved"
     if not result.iterations:
         return "no part is flexible: both states are the same"
-    return "azimuth from the load line [deg]"
+    return "azimuth [deg]"
 
 
 def _title(axes: Axes, result: Result, what: str) -> None:

@@ -6,10 +6,10 @@ from typing import Any
 
 from rich import box
 from rich.console import Console, Group, RenderableType
-from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
+from flexbearing.report.sections import clearance_steps, life_factors, listed, matrices, regimes
 from flexbearing.report.tables import summary
 from flexbearing.results import Result
 
@@ -20,19 +20,34 @@ _ROWS: tuple[tuple[str, str, int | str | None, float, str], ...] = (
     ("loaded rollers", "loaded_rollers", None, 1, "d"),
     ("loaded arc [deg]", "loaded_arc_deg", None, 1, ".0f"),
     ("life L10 [Mrev]", "life_L10_Mrev", None, 1, ",.2f"),
+    ("modified life [Mrev]", "modified_life_Mrev", None, 1, ",.2f"),
     ("stiffness of the bearing [kN/mm]", "stiffness_N_per_m", None, 1e-6, ",.1f"),
     ("stiffness with supports [kN/mm]", "total_stiffness_N_per_m", None, 1e-6, ",.1f"),
-    ("ring displacement along load [um]", "ring_displacement_um", 1, 1, ".2f"),
-    ("ring displacement across load [um]", "ring_displacement_um", 0, 1, ".2f"),
+    ("ring displacement along load [um]", "displacement_along_load_um", None, 1, ".2f"),
+    ("ring displacement across load [um]", "displacement_across_load_um", None, 1, ".2f"),
     ("largest raceway deviation [um]", "max_raceway_deviation_um", None, 1, ".2f"),
     ("cage slip [%]", "cage_slip_percent", None, 1, ".2f"),
     ("cage speed [rpm]", "cage_speed_rpm", None, 1, ",.0f"),
+    ("largest pocket force [N]", "max_pocket_force_N", None, 1, ",.2f"),
     ("driving torque [N m]", "driving_torque_Nm", None, 1, ".4f"),
     ("peak pressure, inner [MPa]", "peak_pressure_MPa", "inner", 1, ",.0f"),
     ("peak pressure, outer [MPa]", "peak_pressure_MPa", "outer", 1, ",.0f"),
     ("smallest film, inner [um]", "minimum_film_um", "inner", 1, ".3f"),
     ("smallest film, outer [um]", "minimum_film_um", "outer", 1, ".3f"),
+    ("smallest film ratio, inner", "minimum_lambda", "inner", 1, ".2f"),
+    ("smallest film ratio, outer", "minimum_lambda", "outer", 1, ".2f"),
+    ("power lost by sliding [W]", "power_loss_W", "sliding", 1, ",.2f"),
+    ("  rolling shear [W]", "power_loss_W", "rolling", 1, ",.2f"),
+    ("  drag of the mixture [W]", "power_loss_W", "drag", 1, ",.2f"),
+    ("  pocket friction [W]", "power_loss_W", "pocket", 1, ",.2f"),
+    ("  cage land [W]", "power_loss_W", "land", 1, ",.2f"),
+    ("  churning [W]", "power_loss_W", "churning", 1, ",.2f"),
+    ("  discretisation, no heat [W]", "power_loss_W", "transport", 1, ",.2f"),
+    ("  together [W]", "power_loss_W", "total", 1, ",.2f"),
+    ("driving power [W]", "driving_power_W", None, 1, ",.2f"),
 )
+
+_OPTIONAL = ("modified_life_Mrev", "minimum_lambda")  # rows that only some cases have
 
 
 def text(result: Result, console: Console | None = None) -> str:
@@ -48,7 +63,8 @@ def text(result: Result, console: Console | None = None) -> str:
     Returns
     -------
     str
-        a table, the assumed and calibrated keys, the notes, and how the run ended; nothing is printed
+        a table, stiffness, clearance, life, the assumed and calibrated keys, the notes, and how the run
+        ended; nothing is printed
     """
     console = console or Console(width=80, file=StringIO(), force_terminal=False, color_system=None)
     numbers = summary(result)
@@ -84,10 +100,14 @@ def _page(numbers: dict[str, Any]) -> Iterator[RenderableType]:
     yield Text(numbers["title"], style="bold")
     if numbers["rigid"] or numbers["flexible"]:
         yield _table(numbers["rigid"], numbers["flexible"])
-    yield from _list("assumed (not known, chosen)", numbers["assumed"])
+    yield from matrices(numbers["flexible"])
+    yield from regimes(numbers["regimes"])
+    yield from clearance_steps(numbers["clearance"])
+    yield from life_factors(numbers["life"])
+    yield from listed("assumed (not known, chosen)", numbers["assumed"])
     fitted = [f"{key}: {to}" for key, to in numbers["calibrated"].items()]
-    yield from _list("calibrated (fitted, so no validation)", fitted)
-    yield from _list("notes", numbers["notes"])
+    yield from listed("calibrated (fitted, so no validation)", fitted)
+    yield from listed("notes", numbers["notes"])
     converged = numbers["status"] == "converged"
     yield Text(ending(numbers), style="bold green" if converged else "bold red")
 
@@ -99,6 +119,8 @@ def _table(rigid: dict[str, Any] | None, flexible: dict[str, Any] | None) -> Tab
         table.add_column(name, justify="right")
     for label, key, part, scale, form in _ROWS:
         before, after = (_number(block, key, part) for block in (rigid, flexible))
+        if key in _OPTIONAL and before is None and after is None:
+            continue
         # as Text: rich would take the unit in brackets for a markup tag
         table.add_row(
             Text(label), _shown(before, scale, form), _shown(after, scale, form), _change(before, after)
@@ -107,7 +129,7 @@ def _table(rigid: dict[str, Any] | None, flexible: dict[str, Any] | None) -> Tab
 
 
 def _number(block: dict[str, Any] | None, key: str, part: int | str | None) -> float | None:
-    if block is None:
+    if block is None or block[key] is None:
         return None
     return block[key] if part is None else block[key][part]
 
@@ -120,12 +142,3 @@ def _change(before: float | None, after: float | None) -> str:
     if before is None or after is None or before == 0:
         return "-"
     return f"{100 * (after - before) / abs(before):+.1f}"
-
-
-def _list(title: str, lines: list[str]) -> Iterator[RenderableType]:
-    if not lines:
-        return
-    yield Text(title, style="bold")
-    for line in lines:
-        yield Padding(Text(line), (0, 0, 0, 2), expand=False)
-    yield Text("")

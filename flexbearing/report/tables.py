@@ -15,11 +15,16 @@ _HEAD = (
     "wall_time_s",
     "title",
     "method",
+    "ending",
     "message",
     "assumed",
     "calibrated",
     "notes",
+    "clearance",
+    "life",
+    "regimes",
 )
+CAUSES = ("sliding", "rolling", "drag", "pocket", "land", "churning", "transport")  # of power loss
 
 
 def summary(result: Result) -> dict[str, Any]:
@@ -33,7 +38,7 @@ def summary(result: Result) -> dict[str, Any]:
     Returns
     -------
     dict
-        status, iterations, texts, and the blocks ``rigid`` and ``flexible``; a name carries its
+        status, iterations, texts, clearance, life factors, regimes, and the blocks ``rigid`` and ``flexible``; a name carries its
         unit. None stands for a number that is not finite and for a block that was never solved.
     """
     head = {name: _plain(result.attributes[name]) for name in _HEAD}
@@ -85,6 +90,10 @@ def loaded_arc(azimuth: np.ndarray, load: np.ndarray) -> float:
 
 
 def _block(values: Any) -> dict[str, Any]:
+    return _loads(values) | _motion(values) | _contacts(values) | _power(values) | _stiffness(values)
+
+
+def _loads(values: Any) -> dict[str, Any]:
     load, azimuth = values["inner_load"], values["roller_azimuth"]
     deviation = np.array([values["inner_deviation"], values["outer_deviation"]])
     return {
@@ -95,17 +104,61 @@ def _block(values: Any) -> dict[str, Any]:
         "roller_azimuths_deg": np.degrees(azimuth),
         "roller_loads_N": load,
         "outer_loads_N": values["outer_load"],
+        "max_pocket_force_N": np.abs(values["cage_force"]).max(),
+        "max_raceway_deviation_um": 1e6 * np.abs(deviation).max(),
+        "life_L10_Mrev": 1e-6 * values["life_L10"],
+        "modified_life_Mrev": 1e-6 * values["modified_life"] if "modified_life" in values else None,
+    }
+
+
+def _motion(values: Any) -> dict[str, Any]:
+    (y, z), azimuth = values["ring_displacement"], values["load_direction"]
+    return {
         "cage_slip_percent": 100 * values["cage_slip"],
         "cage_speed_rpm": _RPM * values["cage_speed"],
         "ring_displacement_um": 1e6 * values["ring_displacement"],
-        "max_raceway_deviation_um": 1e6 * np.abs(deviation).max(),
-        "life_L10_Mrev": 1e-6 * values["life_L10"],
-        "stiffness_N_per_m": values["stiffness"],
-        "total_stiffness_N_per_m": values["total_stiffness"],
-        "driving_torque_Nm": values["driving_torque"],
+        "displacement_along_load_um": 1e6 * (y * np.sin(azimuth) + z * np.cos(azimuth)),
+        "displacement_across_load_um": 1e6 * (y * np.cos(azimuth) - z * np.sin(azimuth)),
+    }
+
+
+def _contacts(values: Any) -> dict[str, Any]:
+    found = {
         "peak_pressure_MPa": _both_races(1e-6 * values["peak_pressure"]),
         "minimum_film_um": _both_races(1e6 * values["minimum_film"]),
+        "lambda_ratios": None,
+        "minimum_lambda": None,
     }
+    if "inner_film_ratio" in values:
+        ratios = np.array([values["inner_film_ratio"], values["outer_film_ratio"]])
+        found["lambda_ratios"] = _both_races(ratios)
+        found["minimum_lambda"] = _both_races(_smallest_above_zero(ratios))
+    return found
+
+
+def _power(values: Any) -> dict[str, Any]:
+    """Losses by cause; `transport` is what the differences between neighbouring rollers leave, no heat."""
+    losses = {cause: values[f"loss_{cause}"] for cause in CAUSES}
+    return {
+        "driving_torque_Nm": values["driving_torque"],
+        "driving_power_W": values["driving_power"],
+        "power_loss_W": {**losses, "total": np.sum(list(losses.values()))},
+    }
+
+
+def _stiffness(values: Any) -> dict[str, Any]:
+    return {
+        "stiffness_N_per_m": values["stiffness"],
+        "total_stiffness_N_per_m": values["total_stiffness"],
+        "stiffness_matrix_SI": values["stiffness_matrix"],
+        "compliance_matrix_SI": values["compliance_matrix"],
+    }
+
+
+def _smallest_above_zero(ratios: np.ndarray) -> np.ndarray:
+    """Smallest of each row without the unloaded contacts, which are zero; NaN without any other."""
+    smallest = np.where(ratios == 0.0, np.inf, ratios).min(axis=1)
+    return np.where(np.isinf(smallest), np.nan, smallest)
 
 
 def _both_races(pair: np.ndarray) -> dict[str, float]:

@@ -33,6 +33,7 @@ ATTRIBUTES = (
     Attribute("format", "integer", f"number of this layout, {FORMAT}"),
     Attribute("title", "text", "title of the case"),
     Attribute("status", "text", f"how the run ended: {', '.join(STATUSES)}"),
+    Attribute("ending", "text", "how the last solve of the bearing itself ended; empty while it still ran"),
     Attribute("message", "text", "the ending in a sentence"),
     Attribute("method", "text", "method of the coupling"),
     Attribute("iterations", "integer", "iterations of the coupling, 0 when both raceways are rigid"),
@@ -44,6 +45,9 @@ ATTRIBUTES = (
     Attribute("assumed", "texts", "keys whose values are assumed, not known"),
     Attribute("calibrated", "json", "keys whose values were fitted, each to what"),
     Attribute("notes", "texts", "warnings: what left its range of validity"),
+    Attribute("clearance", "json", "operating clearance, with the steps that led to it when it was computed"),
+    Attribute("life", "json", "factors of [life] with value and note, and the modified life; by block"),
+    Attribute("regimes", "json", "lubrication regime of inner and outer raceway; by block"),
     Attribute("structure", "json", "figures of the finite elements: unknowns, seconds per stage"),
     Attribute("created", "text", "time the run began, ISO 8601"),
 )

@@ -15,7 +15,7 @@ class NotInLayout(ValueError):
 
 
 def require_same_names(found: Mapping[str, object], known: Mapping[str, object], where: str) -> None:
-    """Raise unless `found` holds exactly the names of the layout.
+    """Raise unless `found` holds exactly the names of the layout; optional ones may be missing.
 
     Parameters
     ----------
@@ -36,8 +36,12 @@ def require_same_names(found: Mapping[str, object], known: Mapping[str, object],
             near = get_close_matches(name, known, n=1)
             hint = f" Did you mean {near[0]!r}?" if near else ""
             raise NotInLayout(f"{where}: {name!r} is not in the layout of a result file.{hint}")
-    if missing := [name for name in known if name not in found]:
+    if missing := [name for name, entry in known.items() if name not in found and _needed(entry)]:
         raise NotInLayout(f"{where}: {', '.join(missing)} missing; the layout asks for every name.")
+
+
+def _needed(entry: object) -> bool:
+    return not getattr(entry, "optional", False)
 
 
 def fitted(entry: Dataset, array: np.ndarray, sizes: Sizes, where: str) -> Sizes:
@@ -97,7 +101,7 @@ def require_finite(entry: Dataset, array: np.ndarray, where: str) -> None:
     NotInLayout
         naming the dataset and how many of its numbers are not finite
     """
-    bad = int(np.count_nonzero(~np.isfinite(array)))
+    bad = int(np.count_nonzero(np.isnan(array) if entry.infinite else ~np.isfinite(array)))
     if bad:
         raise NotInLayout(
             f"{where}: {entry.name} holds {bad} of {array.size} numbers that are not finite; "

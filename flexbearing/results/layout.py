@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import Literal
 
-FORMAT = 1
+FORMAT = 2
 
 Place = Literal["state", "iteration", "block"]
 
@@ -17,6 +17,8 @@ class Dataset:
     unit: str  # SI
     place: Place  # "state": in iterations and blocks; else only there
     meaning: str  # with its sign
+    optional: bool = False  # absent where the case does not give what it needs
+    infinite: bool = False  # may hold infinities also in a solution
 
     @property
     def shape(self) -> tuple[str, ...]:
@@ -62,7 +64,7 @@ TABLE = (
     Dataset("seconds", "", "s", "iteration", "time that the iteration took"),
 
     Dataset("roller_azimuth", "Z", "rad", "block",
-            "place of the roller, 0 on the load line (z), positive towards y"),
+            "place of the roller, 0 on the z axis, positive towards y"),
     Dataset("slice_position", "K", "m", "block", "axial place of the slice's middle, 0 at mid-roller"),
     Dataset("life_L10", "", "rev", "block", "rating life of both raceways together, 90 % survival"),
     Dataset("stiffness", "", "N/m", "block", "radial tangent stiffness between the rings"),
@@ -76,6 +78,30 @@ TABLE = (
             "moment on the inner ring, one for each slope of ring_tilt: applied (free) or reaction (held)"),
     Dataset("peak_pressure", "2", "Pa", "block", "largest contact pressure (inner, outer)"),
     Dataset("minimum_film", "2", "m", "block", "smallest film of a loaded contact (inner, outer)"),
+    Dataset("inner_film_ratio", "Z", "1", "block",
+            "film over composite roughness of the inner contact, 0 without load; absent without roughness",
+            optional=True),
+    Dataset("outer_film_ratio", "Z", "1", "block",
+            "film over composite roughness of the outer contact, 0 without load; absent without roughness",
+            optional=True),
+    Dataset("load_direction", "", "rad", "block", "azimuth that the radial load points to"),
+    Dataset("stiffness_matrix", "5 5", "N/m, N/rad, N m/m, N m/rad", "block",
+            "tangent stiffness of the inner ring against the outer one, x, y, z, dz/dx, dy/dx; zero along x"),
+    Dataset("compliance_matrix", "5 5", "m/N, m/(N m), rad/N, rad/(N m)", "block",
+            "its inverse; infinite along x, where a bearing without flanges carries nothing", infinite=True),
+    Dataset("loss_sliding", "", "W", "block", "power lost by sliding of the raceways on the rollers"),
+    Dataset("loss_rolling", "", "W", "block", "power lost by the shear of the inlets"),
+    Dataset("loss_drag", "", "W", "block", "power lost by drag of the oil-air mixture on the orbiting rollers"),
+    Dataset("loss_pocket", "", "W", "block", "power lost by friction of the rollers in the pockets"),
+    Dataset("loss_land", "", "W", "block", "power lost at the guiding land of the cage"),
+    Dataset("loss_churning", "", "W", "block", "power lost by churning around the spinning rollers"),
+    Dataset("loss_transport", "", "W", "block",
+            "no heat: what the differences of the roller spins from azimuth to azimuth leave, an error of the "
+            "discretisation; may be negative"),
+    Dataset("driving_power", "", "W", "block", "power that the rings put in, the sum of all losses"),
+    Dataset("modified_life", "", "rev", "block",
+            "life after every factor of [life], see the attribute life; absent when nothing modifies it",
+            optional=True),
 )
 # fmt: on
 

@@ -145,6 +145,8 @@ def _arrays(
     known, arrays = datasets(place), {}
     require_same_names(group, known, where)
     for name, entry in known.items():
+        if name not in group:  # it is optional
+            continue
         array = np.asarray(group[name][()])
         array.flags.writeable = False
         sizes = fitted(entry, array, sizes, where)

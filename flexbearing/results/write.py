@@ -101,7 +101,7 @@ class ResultFile:
         name : "rigid" or "flexible"
             which of the two
         values : mapping
-            every dataset of a block, by name
+            every dataset of a block that is not optional, by name
         converged : bool
             whether this is a solution; only then every number must be finite
 
@@ -160,7 +160,7 @@ class ResultFile:
         if group in file:
             raise NotInLayout(f"{group} was written before; a result file is never overwritten in part.")
         require_same_names(values, known, group)
-        arrays = {name: np.asarray(values[name], dtype=float) for name in known}
+        arrays = {name: np.asarray(values[name], dtype=float) for name in known if name in values}
         for name, array in arrays.items():
             sizes = fitted(known[name], array, sizes, group)
             if must_be_finite:

@@ -28,6 +28,7 @@ FRICTION = 1e-2  # usual size of friction over load
 LENGTH = 1e-6  # [m] size of approaches and displacements
 ANGLE = 1e-3  # [rad]
 IDLE = 1e-3  # share of the centrifugal force that stands for a load
+SPIN_CHANGE = 0.5  # of the spin in pure rolling in a step
 CREEP = 1e-4  # of the spin in pure rolling: cage speed below which it hardly moves
 FILM = 1e-4  # [m] far above any film: a step is judged by its forces, not by how far films lag behind
 LARGE_DEVIATION = 1e-4  # [m] of a thin ring
@@ -147,9 +148,11 @@ class BearingBalance:
     def bounded(self, before: NDArray, after: NDArray) -> NDArray:
         """Keep approaches at the outer raceway and films positive: at most nine tenths go in a step.
 
-        A roller thrown off the outer raceway, or a film below zero, has no slope that leads back.
+        A roller thrown off the outer raceway, or a film below zero, has no slope that leads back. The
+        spin of a roller that hardly anything drives may be sent anywhere: it moves by a share only.
         """
-        held = after.copy()
+        held, spin = after.copy(), self.field(-1)
+        held[:, spin] = np.clip(after[:, spin], before[:, spin] - SPIN_CHANGE, before[:, spin] + SPIN_CHANGE)
         for film in (-2, -3):
             place = self.field(film)
             held[:, place] = np.maximum(after[:, place], 0.1 * before[:, place])

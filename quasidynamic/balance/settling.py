@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 from quasidynamic.balance.bearing import BearingBalance, Unknowns
 from quasidynamic.contact.load import EXPONENT
 
-SETTLING_STEPS = 6  # Newton on a nearly linear law inside a bracket
+SETTLING_STEPS = 8  # Newton on a nearly linear law inside a bracket
 NEAR_ENOUGH = 1e-9  # [m]
 
 
@@ -17,33 +17,32 @@ def centrifugal_force(balance: BearingBalance, cage_speed: NDArray) -> NDArray:
 
 
 def outer_approach(balance: BearingBalance, cage_speed: NDArray) -> NDArray:
-    """Approach of an unloaded roller at the outer raceway (C, 1) [m]."""
-    line_load = centrifugal_force(balance, cage_speed) / balance.roller.bearing.roller.length
-    return balance.roller.raceways.law.approach(np.array([line_load, line_load])[..., None])[1, ..., 0]
+    """Approach of an unloaded straight roller at the outer raceway (C, 1) [m]; a crowned one goes further."""
+    return softness(balance)[1] * centrifugal_force(balance, cage_speed) ** (1 / EXPONENT)
 
 
-def series_softness(balance: BearingBalance) -> float:
-    """Approach of both raceways together per load^0.9 [m/N^0.9]."""
+def softness(balance: BearingBalance) -> NDArray:
+    """Approach of a straight roller at either raceway per load^0.9 (2) [m/N^0.9]."""
     coefficients = np.broadcast_to(balance.roller.raceways.law.coefficient, (2, 1, 1, 1)).ravel()
-    return float(np.sum((coefficients * balance.roller.bearing.roller.length) ** (-1 / EXPONENT)))
+    return (coefficients * balance.roller.bearing.roller.length) ** (-1 / EXPONENT)
 
 
-def lumped_loads(balance: BearingBalance, unknowns: Unknowns) -> NDArray:
-    """Loads (2, C, Z) [N] of rollers of one slice."""
-    return _lumped(balance, balance.inputs(unknowns).approach[:, 0])[0]
+def resting_loads(balance: BearingBalance, unknowns: Unknowns) -> NDArray:
+    """Loads (2, C, Z) [N] of untilted rollers."""
+    return _pressed(balance, balance.inputs(unknowns).approach[:, 0])[0]
 
 
 def series_stiffness(balance: BearingBalance, unknowns: Unknowns) -> NDArray:
-    """Stiffness (C, Z) [N/m] of both raceways of a roller in series, one slice."""
-    inner, outer = _lumped(balance, balance.inputs(unknowns).approach[:, 0])[1]
+    """Stiffness (C, Z) [N/m] of both raceways of an untilted roller in series."""
+    inner, outer = _pressed(balance, balance.inputs(unknowns).approach[:, 0])[1]
     return inner * outer / (inner + outer)
 
 
-def _lumped(balance: BearingBalance, approach: NDArray) -> tuple[NDArray, NDArray]:
-    """Loads [N] and stiffnesses [N/m] (2, C, Z) at approaches of rollers of one slice."""
-    line_load, slope = balance.roller.raceways.law(approach[..., None])
-    length = balance.roller.bearing.roller.length
-    return line_load[..., 0] * length, slope[..., 0] * length
+def _pressed(balance: BearingBalance, approach: NDArray) -> tuple[NDArray, NDArray]:
+    """Loads [N] and stiffnesses [N/m] (2, C, Z) of untilted rollers at their approaches (2, C, Z) [m]."""
+    raceways = balance.roller.raceways
+    line_load, slope = raceways.law(approach[..., None] - raceways.drop)
+    return line_load @ raceways.slices.widths, slope @ raceways.slices.widths
 
 
 def settled(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
@@ -54,10 +53,12 @@ def settled(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
     """
     room = balance.inputs(unknowns).approach[:, 0].sum(0)  # both approaches, wherever the roller is
     _, cage_speed = balance.speeds(unknowns)
-    centrifugal, lowest = centrifugal_force(balance, cage_speed), outer_approach(balance, cage_speed)
-    outer, highest = np.maximum(room / 2, lowest), np.maximum(room, lowest)
+    drop, pressed = balance.roller.raceways.drop, outer_approach(balance, cage_speed)
+    centrifugal, lowest = centrifugal_force(balance, cage_speed), pressed + drop.min()
+    highest = np.maximum(room, pressed + drop.max())
+    outer = np.maximum(room / 2, lowest)
     for _ in range(SETTLING_STEPS):
-        (load_i, load_o), (slope_i, slope_o) = _lumped(balance, np.array([room - outer, outer]))
+        (load_i, load_o), (slope_i, slope_o) = _pressed(balance, np.array([room - outer, outer]))
         change = (load_o - load_i - centrifugal) / (slope_o + slope_i)
         outer = np.clip(outer - change, lowest, highest)
         if np.abs(change).max() < NEAR_ENOUGH:

@@ -78,6 +78,7 @@ class Step:
     state: NDArray  # (N)
     parameter: float
     tangent: Direction
+    corrections: int  # Newton steps it took
     fold: bool = False  # whether the parameter turns back here
     end: End = End.NONE
 
@@ -91,9 +92,16 @@ class Corrected:
     local: Local
     corrections: int
 
+    def step(self, family: Family, sense: Direction) -> Step:
+        """A step of the branch, looking in the sense of a direction."""
+        way = tangent(family, self.local, sense)
+        return Step(self.state, self.parameter, way, self.corrections)
 
-def follow(family: Family, state: NDArray, start: float, target: float) -> Iterator[Step]:
-    r"""Yield a branch from a solution at one parameter until the parameter leaves [start, target].
+
+def follow(
+    family: Family, state: NDArray, start: float, bounds: tuple[float, float], upwards: bool
+) -> Iterator[Step]:
+    r"""Yield a branch from a solution at one parameter until the parameter leaves its bounds.
 
     Predictor along the tangent, corrector on the plane across it:
 
@@ -109,8 +117,12 @@ def follow(family: Family, state: NDArray, start: float, target: float) -> Itera
         equations
     state : array (N)
         near a solution at `start`
-    start, target : float
-        the parameter goes off in the sense from one to the other
+    start : float
+        the parameter there, within the bounds
+    bounds : pair of floats
+        smallest and largest parameter
+    upwards : bool
+        whether the parameter goes off to larger values
 
     Returns
     -------
@@ -125,10 +137,9 @@ def follow(family: Family, state: NDArray, start: float, target: float) -> Itera
     begin = solved_at(family, state, start)
     if begin is None:
         return
-    here = begin if (target - start) * begin.tangent.parameter > 0 else _turned(begin)
+    here = begin if upwards else _turned(begin)
     yield here
-    low, high = sorted((start, target))
-    length = FIRST_LENGTH
+    (low, high), length = bounds, FIRST_LENGTH
     for number in range(1, LIMIT + 1):
         ahead, length = _ahead(family, here, length)
         if ahead is None:
@@ -154,31 +165,29 @@ def _turned(step: Step) -> Step:
 def _ahead(family: Family, here: Step, length: float) -> tuple[Step | None, float]:
     """Next step and the length to try after it; none when it became too short."""
     while length >= SHORTEST:
-        ahead, corrections = advanced(family, here, length)
+        ahead = advanced(family, here, length)
         if ahead is not None:
             bend = here.tangent.along(family.weight, ahead.tangent.state, ahead.tangent.parameter)
             if bend > STRAIGHT or length < KINK:
-                growth = 1.7 if corrections <= EASY else 0.8
+                growth = 1.7 if ahead.corrections <= EASY else 0.8
                 return ahead, min(growth * length, LONGEST)
         length /= 2
     return None, length
 
 
-def advanced(family: Family, here: Step, length: float) -> tuple[Step | None, int]:
-    """The place a length further along the tangent, and the corrections it took; none if there is none."""
+def advanced(family: Family, here: Step, length: float) -> Step | None:
+    """The place a length further along the tangent; none when Newton's method does not reach it."""
     way = here.tangent
     guess = family.bounded(here.state, here.state + length * way.state)
     found = corrected(family, guess, here.parameter + length * way.parameter, way, (here, length))
-    if found is None:
-        return None, CORRECTIONS
-    return Step(found.state, found.parameter, tangent(family, found.local, way)), found.corrections
+    return found and found.step(family, way)
 
 
 def solved_at(family: Family, state: NDArray, parameter: float) -> Step | None:
     """The place at a given parameter, near a state; its tangent points to larger parameters."""
     upwards = Direction(np.zeros_like(state), 1.0)
     found = corrected(family, state, parameter, upwards, None)
-    return found and Step(found.state, parameter, tangent(family, found.local, upwards))
+    return found and found.step(family, upwards)
 
 
 def corrected(
@@ -237,10 +246,11 @@ def tangent(family: Family, local: Local, sense: Direction) -> Direction:
 # -- places between two steps ----------------------------------------------------------------------
 
 
-def located(family: Family, here: Step, ahead: Step, measure: Callable[[Step], float]) -> Step | None:
+def located(family: Family, here: Step, ahead: Step, measure: Callable[[Step], float]) -> Step:
     """The place between two steps where a measure changes its sign, by regula falsi (Illinois).
 
     The places are a variable length in front of the first step, so that it works around folds too.
+    Where Newton's method fails in between it is the nearest place so far.
     """
     span = here.tangent.along(family.weight, ahead.state - here.state, ahead.parameter - here.parameter)
     low, high, below, above = 0.0, span, measure(here), measure(ahead)
@@ -249,9 +259,9 @@ def located(family: Family, here: Step, ahead: Step, measure: Callable[[Step], f
         if abs(high - low) <= SMALL_PLACE * span or below == above or measure(best) == 0.0:
             break
         middle = high - above * (high - low) / (above - below)
-        found, _ = advanced(family, here, middle)
+        found = advanced(family, here, middle)
         if found is None:
-            return None
+            break
         value = measure(found)
         best = found if abs(value) < abs(measure(best)) else best
         if value * above < 0:
@@ -265,21 +275,18 @@ def located(family: Family, here: Step, ahead: Step, measure: Callable[[Step], f
 
 
 def _fold(family: Family, here: Step, ahead: Step) -> Step | None:
-    """The fold between two steps; none when the parameter does not turn back or the fold is not found."""
+    """The fold between two steps; none when the parameter does not turn back."""
     if here.tangent.parameter * ahead.tangent.parameter >= 0:
         return None
-    found = located(family, here, ahead, lambda step: step.tangent.parameter)
-    return found and replace(found, fold=True)
+    return replace(located(family, here, ahead, lambda step: step.tangent.parameter), fold=True)
 
 
 def at_parameter(family: Family, here: Step, ahead: Step, parameter: float) -> Step | None:
-    """The place between two steps at a given parameter; none when it is not found."""
+    """The place between two steps at a given parameter; none when Newton's method does not reach it."""
     found = located(family, here, ahead, lambda step: step.parameter - parameter)
-    exact = found and solved_at(family, found.state, parameter)
-    if found is None or exact is None:
-        return found
+    exact = solved_at(family, found.state, parameter)
     # `solved_at` looks upwards; the branch may come down here.
-    return exact if found.tangent.parameter > 0 else _turned(exact)
+    return _turned(exact) if exact and found.tangent.parameter < 0 else exact
 
 
 def _at_bound(family: Family, here: Step, ahead: Step, bound: float) -> Step:

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.bearing import BearingBalance
-from quasidynamic.balance.settling import film_at, lumped_loads, settled
+from quasidynamic.balance.settling import film_at, resting_loads, settled
 from quasidynamic.solve.endings import Ending
 from quasidynamic.solve.newton import Sweep, norm, step
 
@@ -28,7 +28,7 @@ def contact_search(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep
         found = bool(np.abs(change[0, balance.displacements]).max() < SMALL_CHANGE)
         if not found:
             moved = settled(balance, balance.unpack(unknowns))
-            film = film_at(balance, moved, lumped_loads(balance, moved))
+            film = film_at(balance, moved, resting_loads(balance, moved))
             unknowns = balance.pack(moved._replace(film=film))
         system = balance.evaluate(unknowns)
         ending = Ending.NONE if np.isfinite(norm(system)[0]) else Ending.NOT_FINITE

@@ -15,7 +15,7 @@ ENOUGH = 1e-10  # the same, where rounding keeps a step from lowering the residu
 ROUNDING = 1e-8  # residual from where rounding decides whether a step looks smaller
 LIMIT = 60  # evaluations
 LONGEST_SHIFT = 100.0  # scaled ring displacement in a step: 100 micrometres
-LARGEST_SPEED_CHANGE = 0.7  # of the nominal speeds in a step
+LARGEST_SPEED_CHANGE = 0.7  # of the nominal cage speed in a step
 SHORTEST = 2.0**-10  # part of a Newton step
 
 
@@ -51,7 +51,7 @@ def newton(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep]:
     system, accepted = here.evaluate(unknowns), np.ones(len(unknowns), bool)
     yield Sweep(0, cases, unknowns, system, [Ending.NONE] * len(cases), accepted)
     size, worst, damping = norm(system), _worst(system), np.ones(len(cases))
-    direction = _shortened(here, step(here, system))
+    direction = _shortened(step(here, system))
     for number in range(1, LIMIT + 1):
         trial = here.bounded(unknowns, unknowns + damping[:, None] * direction)
         system = here.evaluate(trial)
@@ -70,7 +70,7 @@ def newton(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep]:
         if not running.any():
             return
         if better.any():
-            direction = np.where(better[:, None], _shortened(here, step(here, system)), direction)
+            direction = np.where(better[:, None], _shortened(step(here, system)), direction)
         if not running.all():
             cases, here = cases[running], here.take(running)
             unknowns, direction, damping, size, worst = (
@@ -78,11 +78,10 @@ def newton(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep]:
             )
 
 
-def _shortened(balance: BearingBalance, direction: NDArray) -> NDArray:
-    """Steps (C, N) no longer than makes sense for ring, cage and spins."""
+def _shortened(direction: NDArray) -> NDArray:
+    """Steps (C, N) no longer than makes sense for ring and cage; rollers are `bounded` one by one."""
     size = np.abs(direction)
-    speed = np.maximum(size[:, CAGE], size[:, balance.field(-1)].max(axis=1)) / LARGEST_SPEED_CHANGE
-    long = np.maximum(size[:, Y : Z + 1].max(axis=1) / LONGEST_SHIFT, speed)
+    long = np.maximum(size[:, Y : Z + 1].max(axis=1) / LONGEST_SHIFT, size[:, CAGE] / LARGEST_SPEED_CHANGE)
     return direction if (long <= 1.0).all() else direction / np.maximum(long, 1.0)[:, None]
 
 

@@ -1,0 +1,55 @@
+"""What follows from the end states of a run: datasets, lives, regimes, notes."""
+
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+from flexbearing.case import Case
+from flexbearing.compute import clearance, datasets, life, notes
+from flexbearing.compute.lubrication import roughness
+from flexbearing.compute.structure import CondensedRings
+from flexbearing.results import ResultFile
+from quasidynamic import Equilibrium
+from quasidynamic.contact.roughness import regime
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """Writes end states into a result file and keeps what its root attributes will say of them."""
+
+    case: Case
+    file: ResultFile
+    lives: dict[str, Any] = field(default_factory=dict)  # by block
+    regimes: dict[str, Any] = field(default_factory=dict)  # by block
+    notes: list[str] = field(default_factory=list)
+
+    def store(
+        self,
+        name: Literal["rigid", "flexible"],
+        found: Equilibrium,
+        rings: CondensedRings,
+        *,
+        converged: bool = True,
+    ) -> None:
+        """Write a block; lives, regimes and notes are those of solutions only."""
+        sigma = roughness(self.case)
+        arrays = datasets.block(found, rings, sigma)
+        if converged:
+            smallest = datasets.smallest_film(found)
+            if lived := life.modified(self.case, found, smallest):
+                self.lives[name] = lived
+                arrays["modified_life"] = lived["modified_Mrev"] * datasets.MREV
+            if sigma is not None:
+                words = (str(word) for word in regime(smallest / sigma))
+                self.regimes[name] = dict(zip(("inner", "outer"), words, strict=True))
+            self.notes.extend(notes.of_state(self.case, found))
+        self.file.block(name, arrays, converged=converged)
+
+    def attributes(self) -> dict[str, Any]:
+        """Root attributes that the end states decide."""
+        known = [*notes.of_case(self.case), *self.notes]
+        return {
+            "clearance": clearance.record(self.case),
+            "life": self.lives,
+            "regimes": self.regimes,
+            "notes": list(dict.fromkeys(known)),
+        }

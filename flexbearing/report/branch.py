@@ -1,0 +1,71 @@
+"""Picture of the cage slip over load or speed."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from textwrap import fill
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from flexbearing.report.figures import BLUE, ORANGE
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+def draw_branch(title: str, label: str, table: dict[str, np.ndarray]) -> Figure:
+    """Draw the slip over load or speed: solid where it is stable, dashed where not, folds marked.
+
+    Parameters
+    ----------
+    title : str
+        what the case is
+    label : str
+        name and unit of the first column
+    table : dict of arrays (points)
+        columns by name, load or speed first; then among others `cage_slip` [-], `stable`, `fold`
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+    """
+    from matplotlib.figure import Figure  # a second to load: only pictures pay for it
+
+    figure = Figure(figsize=(7.0, 4.6), layout="constrained")
+    axes = figure.add_subplot()
+    along, slip, fold = next(iter(table.values())), 100 * table["cage_slip"], table["fold"].astype(bool)
+    stable = table["stable"].astype(bool)
+    # A fold belongs to the lines on both of its sides.
+    for kept, style, name in ((stable, "-", "stable"), (~stable & ~fold, "--", "unstable")):
+        joined = kept | (fold & (np.roll(kept, 1) | np.roll(kept, -1)))
+        shown = np.where(joined, slip, np.nan)
+        if kept.any():
+            color = BLUE if style == "-" else ORANGE
+            axes.plot(along, shown, style, color=color, linewidth=1.6, label=name)
+    if fold.any():
+        axes.plot(along[fold], slip[fold], "o", color="0.2", markersize=5, label="fold")
+    axes.set(xscale="log", yscale="log", xlabel=label, ylabel="cage slip [%]")
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_formatter(_plain)
+    axes.xaxis.set_minor_formatter(_plain_few)
+    axes.grid(color="0.88", linewidth=0.6, which="both")
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.set_title(f"{fill(title, 70)}\nCage slip, rigid raceways", fontsize=11, pad=12)
+    figure.legend(loc="outside lower center", ncols=3, frameon=False)
+    return figure
+
+
+def write_branch(path: str | Path, figure: Figure) -> None:
+    """Save the picture."""
+    figure.savefig(path, dpi=150)
+
+
+def _plain(value: float, _place: object) -> str:
+    return f"{value:g}"
+
+
+def _plain_few(value: float, _place: object) -> str:
+    """Label the minor lines 2 and 5 of a decade."""
+    leading = round(value / 10 ** np.floor(np.log10(value)))
+    return f"{value:g}" if leading in (2, 5) else ""

@@ -1,0 +1,105 @@
+"""Sections of the page below its table of numbers."""
+
+from collections.abc import Iterator
+from typing import Any
+
+from rich import box
+from rich.console import RenderableType
+from rich.padding import Padding
+from rich.table import Table
+from rich.text import Text
+
+AXES = ("x", "y", "z", "dz/dx", "dy/dx")
+
+
+def listed(title: str, lines: list[str]) -> Iterator[RenderableType]:
+    """A title with indented lines; nothing without lines."""
+    if not lines:
+        return
+    yield Text(title, style="bold")
+    for line in lines:
+        yield Padding(Text(line), (0, 0, 0, 2), expand=False)
+    yield Text("")
+
+
+def clearance_steps(clearance: dict[str, Any]) -> Iterator[RenderableType]:
+    """How the operating clearance came about; nothing when the case states it."""
+    if not clearance["steps"]:
+        return
+    yield Text("operating clearance, diametral, step by step", style="bold")
+    table = _table("", "change [um]", "after [um]")
+    table.add_column("")
+    table.add_row("cold", "", _micrometres(clearance["cold_m"]), "before mounting")
+    for step in clearance["steps"]:
+        table.add_row(
+            Text(step["name"]),
+            f"{step['change_m'] * 1e6:+.3f}",
+            _micrometres(step["clearance_m"]),
+            Text(step["explanation"]),
+        )
+    yield table
+    yield from listed("in operation", [clearance["verdict"], *_fits(clearance)])
+
+
+def life_factors(lives: dict[str, Any]) -> Iterator[RenderableType]:
+    """Every factor between the basic and the modified life; nothing when none was asked for."""
+    if not lives:
+        return
+    yield Text("modified life", style="bold")
+    table = _table("", *lives)
+    table.add_column("note")
+    first, *_ = lives.values()
+    table.add_row("basic life L10 [Mrev]", *(f"{life['basic_Mrev']:,.2f}" for life in lives.values()))
+    for place, factor in enumerate(first["factors"]):
+        values = [f"{life['factors'][place]['value']:.4g}" for life in lives.values()]
+        table.add_row(Text(f"x {factor['name']}"), *values, Text(_notes(lives, place)))
+    table.add_row("modified life [Mrev]", *(f"{life['modified_Mrev']:,.2f}" for life in lives.values()))
+    yield table
+
+
+def matrices(block: dict[str, Any] | None) -> Iterator[RenderableType]:
+    """Stiffness and compliance of the end state."""
+    if block is None:
+        return
+    yield from _matrix("tangent stiffness [N, m, rad]", block["stiffness_matrix_SI"])
+    yield from _matrix("tangent compliance [m, rad, N]; infinite along x", block["compliance_matrix_SI"])
+
+
+def regimes(found: dict[str, Any]) -> Iterator[RenderableType]:
+    """Lubrication regime of each raceway; nothing when the roughness is not known."""
+    lines = [
+        f"{name}: inner raceway {words['inner']}, outer raceway {words['outer']}"
+        for name, words in found.items()
+    ]
+    return listed("lubrication regime, at the smallest film ratio", lines)
+
+
+def _fits(clearance: dict[str, Any]) -> list[str]:
+    return [f"shaft: {clearance['shaft_fit']}", f"housing: {clearance['housing_fit']}"]
+
+
+def _notes(lives: dict[str, Any], place: int) -> str:
+    """What is said of a factor; once when every block says the same."""
+    notes = {name: life["factors"][place]["note"] for name, life in lives.items()}
+    if len(set(notes.values())) == 1:
+        return next(iter(notes.values()))
+    return "\n".join(f"{name}: {note}" for name, note in notes.items())
+
+
+def _matrix(title: str, rows: list[list[float | None]]) -> Iterator[RenderableType]:
+    yield Text(title, style="bold")
+    table = _table("", *AXES)
+    for axis, row in zip(AXES, rows, strict=True):
+        table.add_row(axis, *("-" if value is None else f"{value:.3e}" for value in row))
+    yield table
+
+
+def _table(*columns: str) -> Table:
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
+    for place, name in enumerate(columns):
+        table.add_column(Text(name), justify="right" if place else "left", no_wrap=bool(place))
+    return table
+
+
+def _micrometres(metres: float) -> str:
+    return f"{metres * 1e6:.3f}"

@@ -1,0 +1,63 @@
+"""The balance of one case as equations that depend on the logarithm of its load or speed."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.bearing import CAGE, TILT_Z, BearingBalance, Y, Z
+from quasidynamic.balance.points import OperatingPoints
+from quasidynamic.solve import bordered
+from quasidynamic.solve.arclength import Local
+
+DIFFERENCE = 1e-5  # of the parameter
+ENOUGH = 1e-10  # residual, of the reference force or of the largest roller load if that is larger
+RING_SIZE = 30.0  # scaled ring displacement that counts like a slip of one: 30 micrometres
+TILT_SIZE = 10.0  # the same for tilts: 10 milliradians
+
+
+@dataclass(frozen=True)
+class BalanceFamily:
+    """Balance of one case between rigid raceways; a parameter says which operating point it is."""
+
+    balance: BearingBalance
+    points: Callable[[float], OperatingPoints]  # of one case
+
+    @cached_property
+    def weight(self) -> NDArray:
+        """Weights (N): slip of the cage, mean slip of the spins, ring; approaches and films follow these."""
+        weight = np.zeros(self.balance.size)
+        weight[[Y, Z]] = RING_SIZE**-2
+        weight[TILT_Z:CAGE] = TILT_SIZE**-2
+        weight[CAGE] = 1.0
+        weight[self.balance.field(-1)] = 1.0 / self.balance.rollers
+        return weight
+
+    def balance_at(self, parameter: float) -> BearingBalance:
+        """Balance at a parameter."""
+        return replace(self.balance, points=self.points(parameter))
+
+    def at(self, state: NDArray, parameter: float) -> Local:
+        """Scaled residual and its derivatives."""
+        balance = self.balance_at(parameter)
+        system = balance.evaluate(state[None])
+        by_parameter = (
+            self._forces(state, parameter + DIFFERENCE) - self._forces(state, parameter - DIFFERENCE)
+        ) / (2 * DIFFERENCE * balance.residual_scale[0])
+        return Local(
+            residual=system.residual[0],
+            by_parameter=by_parameter,
+            solve=lambda right: bordered.solve(balance, system, right[None])[0],
+            done=bool(np.abs(system.residual).max() <= ENOUGH * system.loading[0]),
+        )
+
+    def _forces(self, state: NDArray, parameter: float) -> NDArray:
+        """Residual (N) in SI units."""
+        balance = self.balance_at(parameter)
+        return (balance.evaluate(state[None]).residual * balance.residual_scale)[0]
+
+    def bounded(self, before: NDArray, after: NDArray) -> NDArray:
+        """Keep films and approaches of a step positive."""
+        return self.balance.bounded(before[None], after[None])[0]
