@@ -1,7 +1,7 @@
-"""Static load distribution beside `fcylrolbear` of the package tribology: `python -m benchmarks.static_solve`.
+"""Static load distribution beside the package tribology: `python -m benchmarks.static_solve`.
 
-Both solve ISO/TS 16281 (DIN 26281) slices between rigid rings in the same run: the job of the other
-package's own demonstration, and a profiled bearing of 14 rollers and 30 slices. That demonstration
+Its `fcylrolbear` and ours solve ISO/TS 16281 (DIN 26281) slices between rigid rings in the same run:
+the job of the other package's own demonstration, and a profiled bearing of 14 rollers and 30 slices. That demonstration
 places 13 rollers at `linspace(0, 2 pi, 13)`, so that the one at 360 degrees stands in the one at zero;
 here the 13 rollers are spread evenly, as its text says.
 
@@ -80,9 +80,8 @@ def beside(name, part, load, slices, fcylrolbear):
     found, usual, fine = ours().loads, theirs()[0], theirs(1e-11)[0]
     print(f"{name}: {part.rollers} rollers, {slices} slices, {load:.0f} N")
     print(f"  static_loads {timing(own)}, largest load {found.max():.4f} N")
-    print(
-        f"  fcylrolbear  {timing(other)}, largest load {usual.max():.4f} N; time ratio {other[0] / own[0]:.0f}"
-    )
+    print(f"  fcylrolbear  {timing(other)}, largest load {usual.max():.4f} N")
+    print(f"  ratio of the medians {other[0] / own[0]:.1f}")
     print(
         f"  largest difference of a roller load: {np.abs(found - usual).max() / load:.1e} of the load at "
         f"its usual tolerance, {np.abs(found - fine).max() / load:.1e} at 1e-11"

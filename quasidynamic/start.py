@@ -19,6 +19,7 @@ from quasidynamic.balance.settling import (
 from quasidynamic.contact.land import land_torque
 from quasidynamic.contact.load import EXPONENT
 
+LITTLE = 0.03  # slip up to which the centrifugal force keeps its value
 GUESSES = np.geomspace(1e-5, 0.98, 9)  # slips that are looked at for a start
 SHIFT_STEPS = 40  # Newton on a convex law from above: never more than about ten
 SHIFT_DIGITS = 1e-8  # [m]
@@ -29,31 +30,35 @@ def static_start(balance: BearingBalance) -> NDArray:
 
     The ring displacement along the load is one scalar root; films are those of pure rolling.
     """
-    static = static_unknowns(balance)
+    static = static_unknowns(balance, np.zeros_like(balance.rolling_cage))
     cage_drift, spin_drift = guessed_drifts(balance, static)
+    if (np.abs(cage_drift) > LITTLE * np.abs(balance.rolling_cage)).any():
+        static = static_unknowns(balance, cage_drift)
     return balance.pack(static._replace(cage_drift=cage_drift, spin_drift=spin_drift))
 
 
-def static_unknowns(balance: BearingBalance) -> Unknowns:
-    """Unknowns of `static_start`, still in pure rolling."""
+def static_unknowns(balance: BearingBalance, cage_drift: NDArray) -> Unknowns:
+    """Unknowns of `static_start` at a cage speed, all spins still those of pure rolling."""
     points, m = balance.points, balance.roller.shapes
     shape = (len(points), balance.rollers)
     nothing = np.zeros(shape)
     unknowns = Unknowns(
         ring=np.array([nothing[:, :1], nothing[:, :1], points.slope_z, points.slope_y]),
-        cage_drift=np.zeros_like(balance.rolling_cage),
+        cage_drift=cage_drift,
         approach=nothing,
         tilt=nothing,
         film=np.zeros((2, *shape)),
         spin_drift=nothing,
         deviation=np.zeros((2, m, *shape)),
     )
-    usual = 4 * points.load / balance.rollers + centrifugal_force(balance, balance.rolling_cage)
-    unknowns = unknowns._replace(film=film_at(balance, unknowns, np.broadcast_to(usual, (2, *shape))))
+    cage_speed = balance.rolling_cage + cage_drift
+    usual = 4 * points.load / balance.rollers + centrifugal_force(balance, cage_speed)
+    film = film_at(balance, unknowns, np.broadcast_to(usual, (2, *shape)))
     direction = np.arctan2(points.load_y, points.load_z)
-    shift = ring_shift(balance, direction, unknowns.film.sum(0).mean(-1, keepdims=True))
+    gap = balance.clearance / 2 - film.sum(0).mean(-1, keepdims=True) + outer_approach(balance, cage_speed)
+    shift = ring_shift(balance, direction, gap)
     unknowns.ring[:2] = shift * np.sin(direction), shift * np.cos(direction)
-    return settled(balance, unknowns)
+    return settled(balance, unknowns._replace(film=film))
 
 
 def guessed_drifts(balance: BearingBalance, static: Unknowns) -> tuple[NDArray, NDArray]:
@@ -68,7 +73,7 @@ def guessed_drifts(balance: BearingBalance, static: Unknowns) -> tuple[NDArray, 
     r_i, r_o = bearing.inner_radius, bearing.outer_radius
     spin_per_cage = (inner_share * (r_i + r_o) - r_i) / (bearing.roller.diameter / 2)
     every = np.tile(np.arange(cases), len(GUESSES))
-    many = LumpedRollers(balance.take(every), static)
+    many = LumpedRollers(balance.take(every))
     cage_drift = -np.repeat(GUESSES, cases)[:, None] * many.balance.rolling_cage
     line_load = load[:, every, :, None] / bearing.roller.length
     forces = many.forces(line_load, cage_drift, cage_drift * spin_per_cage[every])
@@ -90,7 +95,7 @@ def _sign_change(places: NDArray, values: NDArray) -> NDArray:
     return places[first] + weight * (places[last] - places[first])
 
 
-def ring_shift(balance: BearingBalance, direction: NDArray, film: NDArray) -> NDArray:
+def ring_shift(balance: BearingBalance, direction: NDArray, gap: NDArray) -> NDArray:
     """Displacement of the ring (C, 1) [m] along the load at which the rollers carry it, without friction.
 
     Newton's method from a displacement that is too large: the load grows convexly with it.
@@ -100,7 +105,6 @@ def ring_shift(balance: BearingBalance, direction: NDArray, film: NDArray) -> ND
     share, coefficient = soft[0] / soft.sum(), np.ravel(raceways.law.coefficient)[0]
     cos = np.cos(balance.roller.bearing.azimuths - direction)
     nearest = cos.max(axis=-1, keepdims=True)
-    gap = balance.clearance / 2 - film + outer_approach(balance, balance.rolling_cage)
     room = soft.sum() * (load / nearest) ** (1 / EXPONENT) + raceways.drop.max() / share
     shift = (np.maximum(gap, 0.0) + room) / nearest
     for _ in range(SHIFT_STEPS):
@@ -134,14 +138,13 @@ def slipping_start(balance: BearingBalance) -> NDArray:
     the torque on the cage, the place of the ring from the loads with their friction.
     """
     cases, points = len(balance.points), balance.points
-    static = static_unknowns(balance)
     every = np.tile(np.arange(cases), len(SLIPS))
-    many, slips = LumpedRollers(balance.take(every), _taken(static, every)), np.repeat(SLIPS, cases)
+    many, slips = LumpedRollers(balance.take(every)), np.repeat(SLIPS, cases)
     drives = (many.at(slips)[2] > 0).reshape(len(SLIPS), cases)
     # The least slip at which the rollers drive the cage, and the one before it, where it lags.
     first = np.where(drives.any(0), drives.argmax(0), len(SLIPS) - 1)
     low, high = np.where(first > 0, SLIPS[first - 1], SMALLEST_SLIP), SLIPS[first]
-    lumped = LumpedRollers(balance, static)
+    lumped = LumpedRollers(balance)
     for _ in range(SLIP_HALVINGS):
         middle = np.sqrt(low * high)
         drives = lumped.at(middle)[2] > 0
@@ -149,18 +152,10 @@ def slipping_start(balance: BearingBalance) -> NDArray:
     drift, friction, _ = lumped.at(np.sqrt(low * high))
     turned = np.arctan2(points.load_y, points.load_z) - friction[:, None]
     cage_drift = -balance.rolling_cage * np.sqrt(low * high)[:, None]
-    unknowns = static._replace(cage_drift=cage_drift, spin_drift=drift)
+    unknowns = static_unknowns(balance, cage_drift)._replace(spin_drift=drift)
     unknowns = unknowns._replace(film=film_at(balance, unknowns, resting_loads(balance, unknowns)))
     load = points.load * np.sin(turned), points.load * np.cos(turned)
     return balance.pack(settled(balance, resting_ring(balance, unknowns, np.array(load)[..., 0])))
-
-
-def _taken(unknowns: Unknowns, cases: NDArray) -> Unknowns:
-    """Unknowns of some cases."""
-    rows = (unknowns.cage_drift, unknowns.approach, unknowns.tilt, unknowns.spin_drift)
-    cage_drift, approach, tilt, spin_drift = (row[cases] for row in rows)
-    ring, film, deviation = unknowns.ring[:, cases], unknowns.film[:, cases], unknowns.deviation[:, :, cases]
-    return Unknowns(ring, cage_drift, approach, tilt, film, spin_drift, deviation)
 
 
 @dataclass(frozen=True)
@@ -168,7 +163,6 @@ class LumpedRollers:
     """Rollers of one slice under static loads, at a given cage speed."""
 
     balance: BearingBalance
-    static: Unknowns
 
     def at(self, slip: NDArray) -> tuple[NDArray, NDArray, NDArray]:
         """Drifts of the spins (C, Z), friction over load at the inner ring (C), torque on the cage (C).
@@ -177,7 +171,7 @@ class LumpedRollers:
         """
         balance = self.balance
         cage_drift = -slip[:, None] * balance.rolling_cage
-        state = settled(balance, self.static._replace(cage_drift=cage_drift))
+        state = static_unknowns(balance, cage_drift)
         line_load = resting_loads(balance, state)[..., None] / balance.roller.raceways.slices.length
         drift, forces = self._drifts(line_load, cage_drift)
         t_i, _, r_i, _ = forces

@@ -9,9 +9,9 @@ from math import copysign, exp, isfinite, log
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.bearing import BearingBalance, Unknowns
+from quasidynamic.balance.bearing import BearingBalance
 from quasidynamic.balance.points import OperatingPoints
-from quasidynamic.balance.settling import film_at, lumped_loads, settled
+from quasidynamic.balance.settling import settled
 from quasidynamic.equilibrium import Equilibrium
 from quasidynamic.errors import NotSolved, OutOfRange
 from quasidynamic.model import RollerBearing
@@ -19,7 +19,7 @@ from quasidynamic.solve.arclength import End, Step, at_parameter, follow, solved
 from quasidynamic.solve.endings import Ending
 from quasidynamic.solve.family import BalanceFamily
 from quasidynamic.solve.stability import growth_rates
-from quasidynamic.start import LumpedRollers, resting_ring, static_unknowns
+from quasidynamic.start import LumpedRollers, static_unknowns
 
 __all__ = ["OVER", "Branch", "End", "Point", "equilibria_at", "trace"]
 
@@ -137,15 +137,16 @@ def trace(
     family = _family(model, over, span[0], begin.balance)
     state = family.balance_at(first).pack(begin.unknowns)[0]
     bounds = min(first, last), max(first, last)
-    steps = list(follow(family, state, first, bounds, upwards=last > first))
-    if not steps:
+    followed = follow(family, state, first, bounds, upwards=last > first)
+    if not followed.steps:
         raise NotSolved(f"no equilibrium near the start of the branch at {over} = {span[0]:.6g}")
-    values = [copysign(exp(step.parameter), span[0]) for step in steps]
+    exact = {first: span[0], last: span[1]}
+    values = [exact.get(step.parameter, copysign(exp(step.parameter), span[0])) for step in followed.steps]
     points = [
         Point(value, _equilibrium(family, step, model.shapes), step.fold)
-        for value, step in zip(values, steps, strict=True)
+        for value, step in zip(values, followed.steps, strict=True)
     ]
-    return Branch(over, tuple(points), steps[-1].end)
+    return Branch(over, tuple(points), followed.end)
 
 
 def equilibria_at(model: RollerBearing) -> tuple[Equilibrium, ...]:
@@ -235,8 +236,8 @@ def _through(family: BalanceFamily, begin: Step) -> Iterator[Step]:
     yield begin
     here, reach = begin.parameter, log(REACH)
     for upwards in (True, False):
-        steps = list(follow(family, begin.state, here, (here - reach, here + reach), upwards))
-        for before, after in pairwise(steps[1:]):
+        branch = follow(family, begin.state, here, (here - reach, here + reach), upwards)
+        for before, after in pairwise(branch.steps[1:]):
             if (before.parameter - here) * (after.parameter - here) <= 0:
                 found = at_parameter(family, before, after, here)
                 if found is not None:
@@ -258,15 +259,6 @@ def _lumped_starts(balance: BearingBalance) -> list[NDArray]:
         middle = np.sqrt(low * high)
         before = (lumped.at(middle)[2] > 0) == sense
         low, high = np.where(before, middle, low), np.where(before, high, middle)
-    return list(slipping(some, static, np.sqrt(low * high)))
-
-
-def slipping(balance: BearingBalance, static: Unknowns, slip: NDArray) -> NDArray:
-    """Scaled unknowns (C, N) of lumped rollers at given cage slips (C), the ring where they hold the load."""
-    points = balance.points
-    drift, friction, _ = LumpedRollers(balance, static).at(slip)
-    turned = np.arctan2(points.load_y, points.load_z) - friction[:, None]
-    unknowns = static._replace(cage_drift=-balance.rolling_cage * slip[:, None], spin_drift=drift)
-    unknowns = unknowns._replace(film=film_at(balance, unknowns, lumped_loads(balance, unknowns)))
-    load = points.load * np.sin(turned), points.load * np.cos(turned)
-    return balance.pack(settled(balance, resting_ring(balance, unknowns, np.array(load)[..., 0])))
+    slip = np.sqrt(low * high)
+    drifted = static._replace(cage_drift=-some.rolling_cage * slip[:, None], spin_drift=lumped.at(slip)[0])
+    return list(some.pack(settled(some, drifted)))

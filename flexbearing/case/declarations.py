@@ -64,11 +64,15 @@ class Declaration:
         return toml(value)
 
     @property
+    def choices(self) -> list[Any]:
+        """The values that may stand there; empty when they are not a few."""
+        return [choice for part in _parts(self.field.annotation) for choice in _choices(part)]
+
+    @property
     def allowed(self) -> str:
         """What may stand there."""
-        choices = [choice for part in _parts(self.field.annotation) for choice in _choices(part)]
-        if choices:
-            return " or ".join(toml(choice) for choice in choices)
+        if self.choices:
+            return " or ".join(toml(choice) for choice in self.choices)
         if self.section:
             return "a table"
         return f"{self._what}{self._range}"
@@ -80,8 +84,7 @@ class Declaration:
             return toml(self.field.examples[0])
         if self.kind:
             return toml(self.kind.example)
-        choices = [choice for part in _parts(self.field.annotation) for choice in _choices(part)]
-        return toml(choices[0]) if choices else self.default
+        return toml(self.choices[0]) if self.choices else self.default
 
     @property
     def _what(self) -> str:

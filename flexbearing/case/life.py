@@ -28,7 +28,9 @@ FEWEST_SLICES = 30  # of ISO/TS 16281, for the edge stress
 class Life(Section):
     """What modifies the basic life; nothing does unless it is given."""
 
-    edge_stress: bool = key("whether the ends of profiled rollers carry the edge stress of ISO/TS 16281", False)
+    edge_stress: bool = key(
+        "whether the ends of profiled rollers carry the edge stress of ISO/TS 16281", False
+    )
     roller_body: bool = key("whether rollers fail as well as raceways", False)
     steel: Literal["52100", "M50", "M50NiL"] | None = key("steel of the bearing, with life.melting", None)
     melting: Literal["air", "CVD", "VAR", "VAR-VAR", "VIM-VAR"] | None = key(

@@ -83,7 +83,7 @@ def _override(raw: dict[str, Any], setting: str) -> None:
         table = table.setdefault(section, {})
         if not isinstance(table, dict):
             raise BadCase(f"--set {setting}: {section} is not a table in this case")
-    table[name] = _value(value.strip())
+    table[name] = _value(value.strip(), key)
     if isinstance(raw.get("assumed"), list):
         raw["assumed"] = [item for item in raw["assumed"] if item != key]
     if isinstance(raw.get("calibrated"), dict):
@@ -97,8 +97,11 @@ def _place(key: str) -> list[str]:
     return key.split(".")
 
 
-def _value(text: str) -> Any:
-    """Read a TOML value where it is one (20, true, "5 mm"), else take the text itself."""
+def _value(text: str, key: str) -> Any:
+    """Read a TOML value where it is one (20, true, "5 mm"), else take the text itself, as for a choice."""
+    declaration = find(key)
+    if declaration and text in declaration.choices:
+        return text
     try:
         return tomllib.loads(f"value = {text}")["value"]
     except tomllib.TOMLDecodeError:

@@ -10,8 +10,8 @@ from pydantic_core import PydanticCustomError
 from flexbearing.case.bearing import Bearing
 from flexbearing.case.life import FEWEST_SLICES, Life
 from flexbearing.case.lubricant import Lubricant
-from flexbearing.case.numerics import Accuracy, Coupling
 from flexbearing.case.mounting import require_mounting
+from flexbearing.case.numerics import Accuracy, Coupling
 from flexbearing.case.quantity import Section, impossible, key, needed
 from flexbearing.case.rings import Inner, Outer
 from flexbearing.case.surroundings import Materials, Operation

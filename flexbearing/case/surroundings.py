@@ -60,7 +60,9 @@ class Operation(Section):
     outer_speed: Speed = key("speed of the outer ring", "0 rpm")
     moment: Moment = key("tilting moment on the inner ring about the axis across the load", "0 N m")
     misalignment: Angle = key(
-        "slope of an inner ring that may not tilt freely, in the plane of the load", "0 deg", example="2 arcmin"
+        "slope of an inner ring that may not tilt freely, in the plane of the load",
+        "0 deg",
+        example="2 arcmin",
     )
     tilt: Literal["auto", "fixed", "free"] = key(
         "whether the inner ring may tilt: free, fixed, or free only under a moment (auto)", "auto"

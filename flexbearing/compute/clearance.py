@@ -3,7 +3,14 @@
 from typing import Any
 
 from flexbearing.case import Case
-from quasidynamic.fits import Annulus, Mounting, OperatingClearance, PressFit, RunningState, operating_clearance
+from quasidynamic.fits import (
+    Annulus,
+    Mounting,
+    OperatingClearance,
+    PressFit,
+    RunningState,
+    operating_clearance,
+)
 
 ROOM = 293.15  # [K] of every part when a case gives no temperatures; only differences matter
 
@@ -49,7 +56,9 @@ def notes(case: Case) -> tuple[str, ...]:
     clearance = operating(case)
     if clearance >= 0.0:
         return ()
-    return (f"clearance: the bearing is preloaded, its rollers interfere by {-clearance * 1e6:.3f} um diametral",)
+    return (
+        f"clearance: the bearing is preloaded, its rollers interfere by {-clearance * 1e6:.3f} um diametral",
+    )
 
 
 def _mounting(case: Case) -> Mounting:

@@ -50,7 +50,9 @@ def iteration(step: Iteration[Equilibrium], seconds: float) -> dict[str, ArrayLi
     }
 
 
-def block(found: Equilibrium, rings: CondensedRings, roughness: NDArray | None = None) -> dict[str, ArrayLike]:
+def block(
+    found: Equilibrium, rings: CondensedRings, roughness: NDArray | None = None
+) -> dict[str, ArrayLike]:
     """Datasets of an end state; film ratios where the composite roughness (2) [m] is known."""
     bearing, tangent = found.balance.roller.bearing, found.tangent
     return (

@@ -15,7 +15,13 @@ from quasidynamic.outcome.capacity import (
     raceway_capacity,
     roller_capacity,
 )
-from quasidynamic.outcome.life import RollerBody, edge_stress_factor, reference_life, reference_load, slice_life
+from quasidynamic.outcome.life import (
+    RollerBody,
+    edge_stress_factor,
+    reference_life,
+    reference_load,
+    slice_life,
+)
 from quasidynamic.outcome.life_factors import (
     CLEANLINESS,
     Factor,

@@ -9,8 +9,8 @@ from pathlib import Path
 import numpy as np
 from threadpoolctl import threadpool_limits
 
-from flexbearing.case import BadCase, read
-from flexbearing.compute import assemble
+from flexbearing.case import BadCase, Case, read
+from flexbearing.compute import assemble, notes
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
 from quasidynamic.trace import Branch, End
 from quasidynamic.trace import trace as follow
@@ -71,14 +71,18 @@ class Traced:
             value = point.value / self.axis.size
             lines.append(f"fold at {value:.6g} {self.axis.unit}, cage slip {100 * point.slip:.4g} %")
         if self.branch.folds:
-            lines.append("between two folds there are several equilibria: the slip depends on what was before")
+            lines.append(
+                "between two folds there are several equilibria: the slip depends on what was before"
+            )
         lines.append(f"end: {self.branch.end} at {values[-1]:.6g} {self.axis.unit}")
         if self.complete and len(values) > 1 and abs(values[-1] / values[0] - 1) < 1e-9:  # noqa: PLR2004
             lines.append("the branch came back to where it began: a wider range shows the rest of it")
         return "\n".join([*lines, *(f"note: {note}" for note in self.notes)]) + "\n"
 
 
-def trace(case: str | Path, over: str, output: str | Path | None = None, overrides: Sequence[str] = ()) -> Traced:
+def trace(
+    case: str | Path, over: str, output: str | Path | None = None, overrides: Sequence[str] = ()
+) -> Traced:
     """Follow the equilibria of a case between rigid raceways over its load or speed.
 
     Parameters
@@ -126,8 +130,8 @@ def trace(case: str | Path, over: str, output: str | Path | None = None, overrid
     return traced
 
 
-def _notes(case) -> tuple[str, ...]:
-    found = assemble.notes(case)
+def _notes(case: Case) -> tuple[str, ...]:
+    found = notes.of_case(case)
     if case.outer.kind != "rigid" or case.inner.kind != "rigid":
         found += ("the rings of this case yield; the branch is that between rigid raceways",)
     return found

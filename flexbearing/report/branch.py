@@ -45,10 +45,14 @@ def draw_branch(title: str, label: str, table: dict[str, np.ndarray]) -> Figure:
             axes.plot(along, shown, style, color=color, linewidth=1.6, label=name)
     if fold.any():
         axes.plot(along[fold], slip[fold], "o", color="0.2", markersize=5, label="fold")
-    axes.set(xscale="log", yscale="log", xlabel=label, ylabel="cage slip [%]")
+    axes.set(xlabel=label, ylabel="cage slip [%]")
+    if (along > 0).all():
+        axes.set_xscale("log")
+        axes.xaxis.set_minor_formatter(_plain_few)
+    if (slip > 0).all():
+        axes.set_yscale("log")
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_formatter(_plain)
-    axes.xaxis.set_minor_formatter(_plain_few)
     axes.grid(color="0.88", linewidth=0.6, which="both")
     axes.spines[["top", "right"]].set_visible(False)
     axes.set_title(f"{fill(title, 70)}\nCage slip, rigid raceways", fontsize=11, pad=12)

@@ -25,7 +25,7 @@ _FLEXIBLE = {"color": ORANGE, "marker": "s", "markersize": 4.5}
 
 
 def polar_loads(result: Result) -> Figure:
-    """Draw the inner roller loads around the bearing, azimuth zero (the load line, unless the load is turned) pointing down.
+    """Draw the inner roller loads around the bearing, azimuth zero pointing down.
 
     Parameters
     ----------

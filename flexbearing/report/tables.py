@@ -38,8 +38,9 @@ def summary(result: Result) -> dict[str, Any]:
     Returns
     -------
     dict
-        status, iterations, texts, clearance, life factors, regimes, and the blocks ``rigid`` and ``flexible``; a name carries its
-        unit. None stands for a number that is not finite and for a block that was never solved.
+        status, iterations, texts, clearance, life factors, regimes, and the blocks ``rigid`` and
+        ``flexible``; a name carries its unit. None stands for a number that is not finite, for one
+        that the case does not ask for, and for a block that was never solved.
     """
     head = {name: _plain(result.attributes[name]) for name in _HEAD}
     blocks = {"rigid": result.rigid, "flexible": result.flexible}

@@ -91,13 +91,13 @@ TABLE = (
             "its inverse; infinite along x, where a bearing without flanges carries nothing", infinite=True),
     Dataset("loss_sliding", "", "W", "block", "power lost by sliding of the raceways on the rollers"),
     Dataset("loss_rolling", "", "W", "block", "power lost by the shear of the inlets"),
-    Dataset("loss_drag", "", "W", "block", "power lost by drag of the oil-air mixture on the orbiting rollers"),
+    Dataset("loss_drag", "", "W", "block", "power lost by drag of the mixture on the orbiting rollers"),
     Dataset("loss_pocket", "", "W", "block", "power lost by friction of the rollers in the pockets"),
     Dataset("loss_land", "", "W", "block", "power lost at the guiding land of the cage"),
     Dataset("loss_churning", "", "W", "block", "power lost by churning around the spinning rollers"),
     Dataset("loss_transport", "", "W", "block",
-            "no heat: what the differences of the roller spins from azimuth to azimuth leave, an error of the "
-            "discretisation; may be negative"),
+            "no heat: what the differences of the roller spins from azimuth to azimuth leave, an error of "
+            "the discretisation; may be negative"),
     Dataset("driving_power", "", "W", "block", "power that the rings put in, the sum of all losses"),
     Dataset("modified_life", "", "rev", "block",
             "life after every factor of [life], see the attribute life; absent when nothing modifies it",

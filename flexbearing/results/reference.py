@@ -26,8 +26,9 @@ with h5py.File("OUT.h5") as file:
 | `rigid` | the solution with rigid raceways |
 | `flexible` | the end state with flexible raceways; equal to `rigid` when no part is flexible |
 
-Axes: Z rollers, K slices along a roller. Directions: x axial, z along the load unless `operation.load_direction`
-turns it; azimuth from z towards y, which is the way a positive speed turns. A pair is (inner, outer) or (y, z) as stated.
+Axes: Z rollers, K slices along a roller. Directions: x axial, z along the load unless
+`operation.load_direction` turns the load; azimuth from z towards y, which is the way a positive speed turns.
+A pair is (inner, outer) or (y, z) as stated.
 Iterations of a run that ended as `not finite` may hold NaN; a block of a converged run never does. A block
 that was never solved is absent, and so is a dataset whose meaning says when.
 """

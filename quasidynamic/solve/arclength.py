@@ -1,6 +1,6 @@
 """A branch of equilibria followed along its own length, around folds where the parameter turns back."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from math import isfinite
@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 FIRST_LENGTH = 0.02
-LONGEST = 0.15
+LONGEST = 0.1
 SHORTEST = 1e-6
 STRAIGHT = 0.9  # cosine between two tangents, below which a step is halved ...
 KINK = 1e-3  # ... unless it is this short: where a contact opens, a branch has a corner
@@ -26,10 +26,10 @@ SMALL_PLACE = 1e-9  # of the length between them
 class End(StrEnum):
     """Why a branch is not followed further."""
 
-    NONE = ""  # it goes on
     RANGE_LEFT = "range left"
     STEP_TOO_SHORT = "step too short"
     LIMIT = "step limit"
+    NO_START = "no solution to begin with"
 
 
 @dataclass(frozen=True)
@@ -80,7 +80,14 @@ class Step:
     tangent: Direction
     corrections: int  # Newton steps it took
     fold: bool = False  # whether the parameter turns back here
-    end: End = End.NONE
+
+
+@dataclass(frozen=True)
+class Followed:
+    """A branch, step by step."""
+
+    steps: tuple[Step, ...]
+    end: End
 
 
 @dataclass(frozen=True)
@@ -100,16 +107,15 @@ class Corrected:
 
 def follow(
     family: Family, state: NDArray, start: float, bounds: tuple[float, float], upwards: bool
-) -> Iterator[Step]:
-    r"""Yield a branch from a solution at one parameter until the parameter leaves its bounds.
+) -> Followed:
+    r"""Follow a branch from a solution at one parameter until the parameter leaves its bounds.
 
     Predictor along the tangent, corrector on the plane across it:
 
     .. math:: R(x, p) = 0,\qquad \dot x \cdot W (x - x_0) + \dot p\,(p - p_0) = \Delta s
 
     The step grows while few corrections are needed and is halved where the branch bends too much.
-    Folds, where dp/ds changes its sign, are located and yielded in between. The last step says why
-    it is the last; a branch that leaves the range ends on its bound, which may be that of the start.
+    Folds, where dp/ds changes its sign, are located and stand between the steps.
 
     Parameters
     ----------
@@ -126,8 +132,9 @@ def follow(
 
     Returns
     -------
-    iterator of Step
-        none when there is no solution near the start
+    Followed
+        without any step when there is no solution near the start; a branch that leaves the range
+        ends exactly on its bound, which may be where it began
 
     Source
     ------
@@ -136,25 +143,22 @@ def follow(
     """
     begin = solved_at(family, state, start)
     if begin is None:
-        return
-    here = begin if upwards else _turned(begin)
-    yield here
-    (low, high), length = bounds, FIRST_LENGTH
-    for number in range(1, LIMIT + 1):
+        return Followed((), End.NO_START)
+    steps, length = [begin if upwards else _turned(begin)], FIRST_LENGTH
+    for _ in range(LIMIT):
+        here = steps[-1]
         ahead, length = _ahead(family, here, length)
         if ahead is None:
-            yield replace(here, end=End.STEP_TOO_SHORT)
-            return
-        inside = here
-        for place in filter(None, (_fold(family, here, ahead), ahead)):
-            if not low <= place.parameter <= high:
-                yield _at_bound(family, inside, place, low if place.parameter < low else high)
-                return
-            inside = place
-            if place.fold:
-                yield place
-        yield replace(ahead, end=End.LIMIT if number == LIMIT else End.NONE)
-        here = ahead
+            return Followed(tuple(steps), End.STEP_TOO_SHORT)
+        fold = _fold(family, here, ahead)
+        for place in (ahead,) if fold is None else (fold, ahead):
+            inside = min(max(place.parameter, bounds[0]), bounds[1])
+            if inside != place.parameter:
+                last = at_parameter(family, steps[-1], place, inside)
+                end = End.STEP_TOO_SHORT if last is None else End.RANGE_LEFT
+                return Followed((*steps, last) if last else tuple(steps), end)
+            steps.append(place)
+    return Followed(tuple(steps), End.LIMIT)
 
 
 def _turned(step: Step) -> Step:
@@ -287,10 +291,3 @@ def at_parameter(family: Family, here: Step, ahead: Step, parameter: float) -> S
     exact = solved_at(family, found.state, parameter)
     # `solved_at` looks upwards; the branch may come down here.
     return _turned(exact) if exact and found.tangent.parameter < 0 else exact
-
-
-def _at_bound(family: Family, here: Step, ahead: Step, bound: float) -> Step:
-    found = at_parameter(family, here, ahead, bound)
-    if found is None:
-        return replace(here, end=End.STEP_TOO_SHORT)
-    return replace(found, end=End.RANGE_LEFT)
