@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.bearing import BearingBalance
 from quasidynamic.balance.points import OperatingPoints
-from quasidynamic.balance.settling import settled
 from quasidynamic.equilibrium import Equilibrium
 from quasidynamic.errors import NotSolved, OutOfRange
 from quasidynamic.model import RollerBearing
@@ -53,7 +52,8 @@ class Point:
         """Growth rate [1/s] of the disturbance of cage and spins that decays least; zero at a fold."""
         if self.fold:
             return 0.0
-        return float(growth_rates(self.equilibrium.balance, self.equilibrium.system).real.max())
+        rates = growth_rates(self.equilibrium.balance, self.equilibrium.system)
+        return float(np.real(rates).max())
 
     @property
     def stable(self) -> bool:
@@ -246,19 +246,17 @@ def _through(family: BalanceFamily, begin: Step) -> Iterator[Step]:
 
 def _lumped_starts(balance: BearingBalance) -> list[NDArray]:
     """Scaled unknowns (N) at every slip where the torque of lumped rollers on the cage changes its sign."""
-    many = balance.take(np.zeros(len(SLIPS), int))
-    drives = LumpedRollers(many, static_unknowns(many)).at(SLIPS)[2] > 0
+    drives = LumpedRollers(balance.take(np.zeros(len(SLIPS), int))).at(SLIPS)[2] > 0
     places = np.flatnonzero(drives[1:] != drives[:-1])
     if not len(places):
         return []
     low, high, sense = SLIPS[places], SLIPS[places + 1], drives[places]
     some = balance.take(np.zeros(len(places), int))
-    static = static_unknowns(some)
-    lumped = LumpedRollers(some, static)
+    lumped = LumpedRollers(some)
     for _ in range(SLIP_HALVINGS):
         middle = np.sqrt(low * high)
         before = (lumped.at(middle)[2] > 0) == sense
         low, high = np.where(before, middle, low), np.where(before, high, middle)
     slip = np.sqrt(low * high)
-    drifted = static._replace(cage_drift=-some.rolling_cage * slip[:, None], spin_drift=lumped.at(slip)[0])
-    return list(some.pack(settled(some, drifted)))
+    static = static_unknowns(some, -some.rolling_cage * slip[:, None])
+    return list(some.pack(static._replace(spin_drift=lumped.at(slip)[0])))

@@ -5,6 +5,7 @@ from dataclasses import asdict, replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from flexbearing.case import Case
 from flexbearing.compute.lubrication import oil, roughness
@@ -43,7 +44,7 @@ def require_possible(case: Case, bearing: CylindricalRollerBearing) -> None:
     _fixed_factors(case)
 
 
-def modified(case: Case, found: Equilibrium, smallest_film: np.ndarray) -> dict[str, Any]:
+def modified(case: Case, found: Equilibrium, smallest_film: NDArray) -> dict[str, Any]:
     """Basic life, every factor and the modified life [10^6 revolutions]; empty when nothing modifies it.
 
     Parameters
@@ -68,18 +69,18 @@ def modified(case: Case, found: Equilibrium, smallest_film: np.ndarray) -> dict[
 
 def _slice_factors(case: Case, found: Equilibrium) -> Iterator[dict[str, Any]]:
     """What edge stress and rollers make of the basic life, one after the other."""
-    balance = found.balance.roller
-    bearing = balance.bearing
-    loads = found.slice_loads * balance.raceways.slices.width
+    bearing = found.balance.roller.bearing
+    inner, outer = _slice_loads(found)
     before, edge = found.life, None
 
-    def lived(**more: Any) -> float:
-        return float(slice_life(*loads, raceway_capacity(bearing), found.turning, edge=edge, **more))
+    def lived(rollers: RollerBody | None = None) -> float:
+        capacity = raceway_capacity(bearing)
+        return float(slice_life(inner, outer, capacity, found.turning, edge=edge, rollers=rollers))
 
     if case.life.edge_stress:
-        edge = edge_stress_factor(loads.shape[-1])
+        edge = edge_stress_factor(inner.shape[-1])
         after = lived()
-        note = f"ISO/TS 16281, {loads.shape[-1]} slices"
+        note = f"ISO/TS 16281, {inner.shape[-1]} slices"
         yield {"name": "edge stress", "value": after / before, "effect": "load", "note": note}
         before = after
     if case.life.roller_body:
@@ -90,14 +91,13 @@ def _slice_factors(case: Case, found: Equilibrium) -> Iterator[dict[str, Any]]:
         yield {"name": "roller body", "value": after / before, "effect": "load", "note": note}
 
 
-def _lubrication_factors(case: Case, found: Equilibrium, smallest_film: np.ndarray) -> Iterator[Factor]:
+def _lubrication_factors(case: Case, found: Equilibrium, smallest_film: NDArray) -> Iterator[Factor]:
     if case.life.lubrication == "film":
         ratio = float((smallest_film / roughness(case)).min())
         yield _explained(film_factor(ratio), f"smallest film ratio {ratio:.3g}")
     elif case.life.lubrication == "a_ISO":
-        balance = found.balance.roller
-        bearing, loads = balance.bearing, found.slice_loads * balance.raceways.slices.width
-        life = reference_life(*loads, bearing, found.turning, edge_stress=case.life.edge_stress)
+        bearing, (inner, outer) = found.balance.roller.bearing, _slice_loads(found)
+        life = reference_life(inner, outer, bearing, found.turning, edge_stress=case.life.edge_stress)
         load, kappa = float(reference_load(life, dynamic_rating(bearing))), _kappa(case, bearing)
         ratio = _fatigue_share(case, bearing) / load
         words = f"kappa {kappa:.3g}, e_C C_u/P {ratio:.3g}, equivalent load {load:.4g} N"
@@ -114,6 +114,11 @@ def _fixed_factors(case: Case) -> list[Factor]:
     if life.reliability is not None:
         found.append(_explained(reliability_factor(life.reliability), f"reliability {life.reliability:g}"))
     return found
+
+
+def _slice_loads(found: Equilibrium) -> NDArray:
+    """Load (2, Z, K) of each slice [N]."""
+    return found.slice_loads * found.balance.roller.raceways.slices.width
 
 
 def _kappa(case: Case, bearing: CylindricalRollerBearing) -> float:

@@ -106,7 +106,7 @@ def _eyring(case: Case) -> Callable[..., TractionLaw]:
 
 
 def _bair_winer(case: Case) -> Callable[..., TractionLaw]:
-    given = case.lubricant
+    given: Any = case.lubricant
     return partial(qd.BairWiner, limiting_ratio=given.limiting_ratio, film_heating=given.film_heating)
 
 

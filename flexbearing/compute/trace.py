@@ -11,7 +11,7 @@ from threadpoolctl import threadpool_limits
 
 from flexbearing.case import BadCase, Case, read
 from flexbearing.compute import assemble, notes
-from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
+from quasidynamic import ImpossiblePart, OutOfRange
 from quasidynamic.trace import Branch, End
 from quasidynamic.trace import trace as follow
 
@@ -75,7 +75,7 @@ class Traced:
                 "between two folds there are several equilibria: the slip depends on what was before"
             )
         lines.append(f"end: {self.branch.end} at {values[-1]:.6g} {self.axis.unit}")
-        if self.complete and len(values) > 1 and abs(values[-1] / values[0] - 1) < 1e-9:  # noqa: PLR2004
+        if self.complete and values[-1] == values[0]:
             lines.append("the branch came back to where it began: a wider range shows the rest of it")
         return "\n".join([*lines, *(f"note: {note}" for note in self.notes)]) + "\n"
 

@@ -1,5 +1,7 @@
 """The reference page of the result file, from the tables that write it."""
 
+import sys
+
 from flexbearing.results.attributes import ATTRIBUTES
 from flexbearing.results.layout import TABLE, Dataset, Place
 
@@ -65,3 +67,7 @@ def _row(entry: Dataset) -> str:
 def _attributes() -> str:
     rows = [f"| `{entry.name}` | {entry.kind} | {entry.meaning} |" for entry in ATTRIBUTES]
     return "\n".join(["## Root attributes\n", "| name | stored as | meaning |", "|---|---|---|", *rows, ""])
+
+
+if __name__ == "__main__":
+    sys.stdout.write(reference_page())

@@ -13,7 +13,8 @@ FIRST_LENGTH = 0.02
 LONGEST = 0.1
 SHORTEST = 1e-6
 STRAIGHT = 0.9  # cosine between two tangents, below which a step is halved ...
-KINK = 1e-3  # ... unless it is this short: where a contact opens, a branch has a corner
+CORNER = 1e-3  # ... unless it is this short: where a contact opens, a branch has a corner
+LEAPS = (1e-4, 1e-3, 1e-2)  # over such a corner
 LIMIT = 400  # steps
 CORRECTIONS = 10  # Newton steps back to the branch
 EASY = 4  # corrections up to which the next step may be longer
@@ -172,11 +173,22 @@ def _ahead(family: Family, here: Step, length: float) -> tuple[Step | None, floa
         ahead = advanced(family, here, length)
         if ahead is not None:
             bend = here.tangent.along(family.weight, ahead.tangent.state, ahead.tangent.parameter)
-            if bend > STRAIGHT or length < KINK:
+            if bend > STRAIGHT or length < CORNER:
                 growth = 1.7 if ahead.corrections <= EASY else 0.8
                 return ahead, min(growth * length, LONGEST)
         length /= 2
-    return None, length
+    return _leap(family, here)
+
+
+def _leap(family: Family, here: Step) -> tuple[Step | None, float]:
+    """A step over a corner, from so near that shorter steps end within its rounding, and its length."""
+    for length in LEAPS:
+        ahead = advanced(family, here, length)
+        if ahead is not None:
+            way = ahead.state - here.state, ahead.parameter - here.parameter
+            if ahead.tangent.along(family.weight, *way) > 0:
+                return ahead, length
+    return None, 0.0
 
 
 def advanced(family: Family, here: Step, length: float) -> Step | None:

@@ -1,5 +1,7 @@
 """Linear solve that knows who feels whom: each roller by itself, a ring of spins, a border."""
 
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg.lapack import dgtsv  # pyright: ignore[reportAttributeAccessIssue]  # made at import
@@ -12,14 +14,23 @@ from quasidynamic.balance.bearing import (
     LENGTH,
     BearingBalance,
     Linearisation,
+    Y,
+    Z,
 )
 
-Shift = tuple[NDArray, NDArray]  # (C) subtracted from the diagonal at each spin, and at the cage speed
+
+class Shift(NamedTuple):
+    """What is subtracted from the diagonal of the scaled matrix (C)."""
+
+    spin: NDArray | float = 0.0  # at each spin: inertia over time step
+    cage: NDArray | float = 0.0  # at the cage speed: the same
+    ring: NDArray | float = 0.0  # at both displacements: a stiffness that is not there
 
 
-def solve(
-    balance: BearingBalance, system: Linearisation, right: NDArray, shift: Shift | None = None
-) -> NDArray:
+NO_SHIFT = Shift()
+
+
+def solve(balance: BearingBalance, system: Linearisation, right: NDArray, shift: Shift = NO_SHIFT) -> NDArray:
     """Solve the linearised balance for several right-hand sides.
 
     Every roller is eliminated on its own, then the ring of spins, then the border: the cost grows
@@ -33,8 +44,8 @@ def solve(
         matrix of C cases
     right : array (C, N, R)
         right-hand sides, scaled
-    shift : pair of arrays (C), optional
-        inertia over time step for spins and cage
+    shift : Shift, optional
+        inertia over time step, or stiffness that holds the ring
 
     Returns
     -------
@@ -49,9 +60,10 @@ def solve(
         right[:, BORDER:split].reshape(cases, own, balance.rollers, count).transpose(1, 3, 0, 2)
     )
     border = system.border.copy()
-    if shift is not None:
-        table[own - 1, own - 1] -= shift[0][:, None]
-        border[:, CAGE, CAGE] -= shift[1]
+    table[own - 1, own - 1] -= np.reshape(shift.spin, (-1, 1))
+    border[:, CAGE, CAGE] -= shift.cage
+    border[:, Y, Y] -= shift.ring
+    border[:, Z, Z] -= shift.ring
     with np.errstate(all="ignore"):
         eliminate(table, own - 1)
         rest = _dense if balance.yielding else _chained

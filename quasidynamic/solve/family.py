@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,7 +24,7 @@ class BalanceFamily:
     balance: BearingBalance
     points: Callable[[float], OperatingPoints]  # of one case
 
-    @cached_property
+    @property
     def weight(self) -> NDArray:
         """Weights (N): slip of the cage, mean slip of the spins, ring; approaches and films follow these."""
         weight = np.zeros(self.balance.size)

@@ -51,7 +51,7 @@ def newton(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep]:
     system, accepted = here.evaluate(unknowns), np.ones(len(unknowns), bool)
     yield Sweep(0, cases, unknowns, system, [Ending.NONE] * len(cases), accepted)
     size, worst, damping = norm(system), _worst(system), np.ones(len(cases))
-    direction = _shortened(step(here, system))
+    direction = step(here, system)
     for number in range(1, LIMIT + 1):
         trial = here.bounded(unknowns, unknowns + damping[:, None] * direction)
         system = here.evaluate(trial)
@@ -70,19 +70,12 @@ def newton(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep]:
         if not running.any():
             return
         if better.any():
-            direction = np.where(better[:, None], _shortened(step(here, system)), direction)
+            direction = np.where(better[:, None], step(here, system), direction)
         if not running.all():
             cases, here = cases[running], here.take(running)
             unknowns, direction, damping, size, worst = (
                 array[running] for array in (unknowns, direction, damping, size, worst)
             )
-
-
-def _shortened(direction: NDArray) -> NDArray:
-    """Steps (C, N) no longer than makes sense for ring and cage; rollers are `bounded` one by one."""
-    size = np.abs(direction)
-    long = np.maximum(size[:, Y : Z + 1].max(axis=1) / LONGEST_SHIFT, size[:, CAGE] / LARGEST_SPEED_CHANGE)
-    return direction if (long <= 1.0).all() else direction / np.maximum(long, 1.0)[:, None]
 
 
 def _ending(better: bool, worst: float, damping: float, last: bool) -> Ending:
@@ -98,9 +91,28 @@ def _worst(system: Linearisation) -> NDArray:
     return np.abs(system.residual).max(axis=1) / system.loading
 
 
-def step(balance: BearingBalance, system: Linearisation) -> NDArray:
-    """Newton step (C, N)."""
-    return -bordered.solve(balance, system, system.residual[..., None])[..., 0]
+def step(
+    balance: BearingBalance,
+    system: Linearisation,
+    longest: NDArray | float = LONGEST_SHIFT,
+    shift: bordered.Shift = bordered.NO_SHIFT,
+) -> NDArray:
+    """Newton step (C, N), with a ring that moves no further than `longest` (scaled).
+
+    A ring that nothing holds in some direction, such as sideways on a single roller, is given a
+    stiffness there: everything else still takes its full step. The cage changes its speed by a
+    share at most, rollers are `bounded` one by one.
+    """
+    right = -system.residual[..., None]
+    found = bordered.solve(balance, system, right, shift)[..., 0]
+    far = np.abs(found[:, Y : Z + 1]).max(axis=1)
+    if (far > longest).any():
+        stiffness = np.abs(system.residual[:, Y : Z + 1]).max(axis=1) / longest
+        held = shift._replace(ring=np.where(far > longest, stiffness, 0.0))
+        found = bordered.solve(balance, system, right, held)[..., 0]
+    long = np.maximum(np.abs(found[:, Y : Z + 1]).max(axis=1) / longest, 1.0)
+    long = np.maximum(long, np.abs(found[:, CAGE]) / LARGEST_SPEED_CHANGE)
+    return found if (long <= 1.0).all() else found / long[:, None]
 
 
 def norm(system: Linearisation) -> NDArray:

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.bearing import CAGE, BearingBalance
+from quasidynamic.balance.bearing import CAGE, BearingBalance, Linearisation
 from quasidynamic.solve import bordered
 from quasidynamic.solve.endings import Ending
-from quasidynamic.solve.newton import Sweep, norm
+from quasidynamic.solve.newton import Sweep, norm, step
 
 LIMIT = 40  # evaluations before Newton's method is tried again
 ENOUGH = 1e-4  # residual from which it is tried at once
@@ -67,7 +67,7 @@ def pseudo_time(balance: BearingBalance, unknowns: NDArray, pace: Pace) -> Itera
         yield Sweep(number, cases, here_now, system, endings, ~refused), pace
         if not left.any():
             return
-        change = _step(here, system, pace.time)
+        change = _step(here, system, pace)
         moved = np.abs(change[:, : CAGE + 1]) / [1.0, 1.0, TILT_SHARE, TILT_SHARE, 1.0]
         hurry = np.maximum(moved[:, :CAGE].max(1) / pace.shift, moved[:, CAGE] / LARGEST_SPEED_CHANGE)
         turned, pull = change[:, CAGE] * pull < 0, np.where(refused, pull, change[:, CAGE])
@@ -99,13 +99,13 @@ def _ending(size: float, number: int, refused: bool) -> Ending:
     return Ending.LIMIT if number == LIMIT else Ending.NONE
 
 
-def _step(balance: BearingBalance, system, pace: NDArray) -> NDArray:
+def _step(balance: BearingBalance, system: Linearisation, pace: Pace) -> NDArray:
     bearing = balance.roller.bearing
     orbiting = bearing.cage.mass + bearing.rollers * bearing.roller.mass
     columns, rows = balance.unknown_scale, balance.residual_scale
     spin, cage = balance.field(-1).start, CAGE
-    shift = (
-        bearing.roller.inertia * columns[:, spin] / rows[:, spin] / pace,
-        orbiting * (bearing.pitch_diameter / 2) ** 2 * columns[:, cage] / rows[:, cage] / pace,
+    inertia = bordered.Shift(
+        spin=bearing.roller.inertia * columns[:, spin] / rows[:, spin] / pace.time,
+        cage=orbiting * (bearing.pitch_diameter / 2) ** 2 * columns[:, cage] / rows[:, cage] / pace.time,
     )
-    return -bordered.solve(balance, system, system.residual[..., None], shift)[..., 0]
+    return step(balance, system, pace.shift, inertia)

@@ -15,6 +15,9 @@ class ToyState:
     residual: float = 0.0
     status: str = ""
 
+    def failure(self):
+        return f"the toy {self.status}"
+
 
 @dataclass(frozen=True)
 class Springs:
@@ -25,11 +28,13 @@ class Springs:
 
     def solve(self, start=None, deviation=None):
         if np.abs(deviation).max() > self.limit:
-            raise PartnerFailed("too much")
+            raise PartnerFailed("too much", "stalled")
         return ToyState(np.full((2, 3, 1), 100.0) - self.stiffness * deviation)
 
     def iterate(self, compliance, start=None):
         yield start
+        if self.limit < 1e-9:
+            raise PartnerFailed("no film", "not finite")
         softness = compliance[1][0, 0, 0, 0]
         force = np.full((2, 3, 1), 100.0)
         force[1] = 100.0 / (1 + self.stiffness * softness)
@@ -90,7 +95,25 @@ def test_small_steps_are_not_taken_for_small_residuals():
 def test_failure_of_a_partner_ends_the_loop_with_its_message():
     *_, last = relaxed(Springs(1e6, limit=1e-6), Plate(1e-6), START, ENDING, 0.5)
     assert last.status == "not solved"
-    assert last.message == "too much"
+    assert (last.message, last.ending) == ("too much", "stalled")
+
+
+def test_failure_of_the_bearing_ends_newton_with_its_message():
+    (last,) = newton(Springs(1e6, limit=0.0), Plate(3e-6), START, ENDING)
+    assert (last.number, last.status) == (1, "not solved")
+    assert (last.message, last.ending) == ("no film", "not finite")
+
+
+def test_bearing_that_stalls_under_newton_says_how_far_it_came():
+    class Stalls(Springs):
+        def iterate(self, compliance, start=None):
+            yield start
+            yield ToyState(np.full((2, 3, 1), 90.0), 1e-3)
+            yield ToyState(np.full((2, 3, 1), 80.0), 1e-3, "stalled")
+
+    *_, last = newton(Stalls(1e6), Plate(3e-6), START, ENDING)
+    assert (last.number, last.status, last.ending) == (2, "not solved", "stalled")
+    assert last.message == "the toy stalled"
 
 
 def test_newton_counts_steps_not_the_start():

@@ -13,6 +13,7 @@ from flexbearing.results import Result
 ROLLERS, SLICES = 30, 4
 PITCH = 2 * np.pi / ROLLERS
 AZIMUTH = PITCH * np.arange(ROLLERS)
+LOSSES = {"sliding": 10, "rolling": 50, "drag": 9, "pocket": 3, "land": 2, "churning": 4, "transport": -1}
 SLICE_POSITION = np.array([-1.5e-3, -0.5e-3, 0.5e-3, 1.5e-3])
 
 
@@ -43,6 +44,12 @@ def block(largest=3537.0, spread=0.19, bending=0.0):
         "driving_torque": np.array(0.21),
         "peak_pressure": np.array([1.9e9, 1.7e9]),
         "minimum_film": np.array([0.31e-6, 0.36e-6]),
+        "cage_force": np.where(np.arange(ROLLERS) == 7, -12.5, 3.0),
+        "load_direction": np.array(0.0),
+        "stiffness_matrix": np.diag([0.0, 3e8, 7e8, 2000.0, 500.0]),
+        "compliance_matrix": np.diag([np.inf, 1 / 3e8, 1 / 7e8, 1 / 2000.0, 1 / 500.0]),
+        "driving_power": np.array(77.0),
+        **{f"loss_{cause}": np.array(float(watts)) for cause, watts in LOSSES.items()},
     }
 
 
@@ -55,7 +62,11 @@ def result(**changes):
     attributes = {
         "title": "squirrel cage of an aircraft engine",
         "status": "converged",
+        "ending": "converged",
         "message": "load change below 1e-8",
+        "clearance": {"operating_m": 75.5e-6, "steps": []},
+        "life": {},
+        "regimes": {},
         "method": "newton",
         "iterations": 5,
         "wall_time_s": 12.34,

@@ -9,7 +9,7 @@ from flexbearing.results import BadResult, NotInLayout, ResultFile, read, refere
 from flexbearing.results.attributes import ATTRIBUTES
 from flexbearing.results.layout import FORMAT, TABLE, datasets
 
-SIZE = {"Z": 5, "K": 3, "2": 2}
+SIZE = {"Z": 5, "K": 3, "2": 2, "5": 5}
 PAGE = Path(__file__).parents[2] / "docs" / "reference" / "results.md"
 BEGINNING = {
     "title": "Rollenlager, Außenring weich",
@@ -22,10 +22,14 @@ BEGINNING = {
 }
 ENDING = {
     "status": "converged",
+    "ending": "converged",
     "message": "loads settled",
     "iterations": 2,
     "wall_time_s": 1.5,
     "notes": ["film outside its range", "second"],
+    "clearance": {"operating_m": -4e-6, "steps": [{"name": "inner fit", "change_m": -5e-6}]},
+    "life": {"rigid": {"modified_Mrev": 12.0}},
+    "regimes": {"rigid": {"inner": "mixed", "outer": "full film"}},
     "structure": {"unknowns": 12_000, "seconds": {"mesh": 0.5}},
 }
 
@@ -77,7 +81,8 @@ def test_attributes_come_back_as_the_program_uses_them(path):
     assert attributes["assumed"] == ()
     assert attributes["notes"] == ("film outside its range", "second")
     assert attributes["case_si"] == {"bearing": {"clearance": 5e-5, "rollers": 5}}
-    assert attributes["structure"] == ENDING["structure"]
+    for name in ("structure", "clearance", "life", "regimes"):
+        assert attributes[name] == ENDING[name]
     assert (attributes["iterations"], attributes["wall_time_s"]) == (2, 1.5)
     assert attributes["versions"]["numpy"] == np.__version__
     assert attributes["versions"]["h5py"] == h5py.__version__
@@ -242,6 +247,29 @@ def test_missing_datasets_are_named(path):
         file.block("flexible", incomplete)
 
 
+OPTIONAL = [name for name, entry in datasets("block").items() if entry.optional]
+
+
+def test_optional_datasets_may_be_absent_and_then_are_absent_again(path):
+    assert OPTIONAL == ["inner_film_ratio", "outer_film_ratio", "modified_life"]
+    block = {name: array for name, array in values("block").items() if name not in OPTIONAL}
+    result = read(written(path, rigid=block))
+    assert not set(OPTIONAL) & result.rigid.keys()
+    assert set(OPTIONAL) <= result.flexible.keys()
+
+
+def test_only_the_compliance_may_be_infinite_in_a_solution(path):
+    compliance = values("block")["compliance_matrix"].copy()
+    compliance[0, 0] = np.inf
+    result = read(written(path, rigid=values("block") | {"compliance_matrix": compliance}))
+    assert result.rigid["compliance_matrix"][0, 0] == np.inf
+    with (
+        ResultFile(path, BEGINNING) as file,
+        pytest.raises(NotInLayout, match="compliance_matrix holds 1 of 25"),
+    ):
+        file.block("rigid", values("block") | {"compliance_matrix": np.where(compliance > 1, np.nan, 0.0)})
+
+
 def test_sizes_hold_for_the_whole_file(path):
     one_more = {
         name: np.zeros([SIZE[axis] + (axis == "K") for axis in entry.shape])
@@ -356,8 +384,8 @@ def test_hdf5_of_another_program_is_refused(path):
 
 def test_other_format_names_both_numbers(path):
     with h5py.File(written(path), "a") as file:
-        file.attrs["format"] = 2
-    with pytest.raises(BadResult, match="format 2, this version reads format 1"):
+        file.attrs["format"] = FORMAT - 1
+    with pytest.raises(BadResult, match=f"format {FORMAT - 1}, this version reads format {FORMAT}"):
         read(path)
 
 

@@ -41,7 +41,7 @@ def stiffness(rollers):
 
 
 def test_tangent_along_the_load(stiffness, rollers):
-    assert stiffness[1, 1] == approx(PRINTED[rollers][0], rel=3e-3)  # the gap costs 0.2 %
+    assert stiffness[1, 1] == approx(PRINTED[rollers][0], rel=5e-4)
     assert stiffness[1, 1] == approx(friswell(rollers), rel=0.05)
 
 

@@ -11,7 +11,7 @@ import pytest
 from pytest import approx
 
 from quasidynamic.static import static_loads
-from tests.literature.steel_bearings import PALMGREN_STEEL, STEEL, material_of, steel_bearing
+from tests.literature.steel_bearings import PALMGREN_STEEL, material_of, steel_bearing
 
 LOAD, CLEARANCE = 4450.0, 0.041e-3
 PER_CONTACT = material_of(8.05e4**-0.9)  # Q = 8.05e4 l^(8/9) delta^(10/9) (N, mm) at one raceway
@@ -53,9 +53,7 @@ def test_sjovall_integral():
     assert found.loads.max() == approx(1915, rel=0.008)
 
 
-@pytest.mark.parametrize("contact", [{"material": PER_CONTACT}, {"material": STEEL}], ids=["8.05e4", "206 GPa"])
-def test_no_clearance(contact):
-    """Loads do not depend on the factor of the law here."""
-    found = static_loads(harris(clearance=0.0, **contact), LOAD)
+def test_no_clearance():
+    found = static_loads(harris(clearance=0.0, material=PER_CONTACT), LOAD)
     assert found.ring_displacement * 1e3 == approx([0.0, 0.00798], abs=0.6e-5)
     assert found.loads[:4] == approx([1298.8, 1156.7, 768.4, 244.6], abs=0.06)

@@ -80,12 +80,12 @@ def test_solve_inverts_the_difference_jacobian(state):
 
 def test_shifted_solve_is_that_of_the_shifted_matrix(state):
     balance, unknowns = state
-    system, shift = balance.evaluate(unknowns), (np.array([3.0]), np.array([5.0]))
+    system, shift = balance.evaluate(unknowns), bordered.Shift(3.0, 5.0, 7.0)
     right = np.random.default_rng(1).normal(size=(1, balance.size, 2))
     found = bordered.solve(balance, system, right, shift)
     matrix = jacobian(balance, unknowns)
     spins = np.arange(balance.size)[balance.field(-1)]
     matrix[spins, spins] -= 3.0
-    matrix[4, 4] -= 5.0
+    matrix[[0, 1, 4], [0, 1, 4]] -= [7.0, 7.0, 5.0]
     scale = np.abs(matrix).max(axis=1)[:, None] * np.abs(found[0]).max()
     assert (matrix @ found[0] - right[0]) / scale == approx(np.zeros(right[0].shape), abs=1e-6)
