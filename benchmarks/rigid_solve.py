@@ -1,9 +1,15 @@
-"""Time of a rigid quasi-dynamic solve, cold start, warm interpreter: `python -m benchmarks.rigid_solve`."""
+"""Time of rigid quasi-dynamic solves on one core: `python -m benchmarks.rigid_solve`.
+
+A cold start in a warm interpreter (nothing of an earlier solve is used again), and a map of 1000 loads
+and speeds solved side by side, checked against a few of its points solved alone.
+"""
 
 from dataclasses import replace
 
+import numpy as np
 from threadpoolctl import threadpool_limits
 
+from benchmarks.bearings import CASE, RPM
 from benchmarks.machine import describe, median_seconds
 from flexbearing.case import read
 from flexbearing.compute import assemble
@@ -11,18 +17,40 @@ from flexbearing.compute import assemble
 
 def main() -> None:
     print(describe())
-    model = assemble.bearing(read("configs/mao2016.toml"))
-
-    def solve():
-        replace(model).solve()  # a copy: nothing that an earlier solve prepared is used again
-
+    model = assemble.bearing(read(CASE))
     with threadpool_limits(limits=1, user_api="blas"):
-        median, fastest, slowest = median_seconds(solve, 41)
-    steps = model.solve().step.number
+        alone(model)
+        side_by_side(model)
+
+
+def alone(model) -> None:
+    median, fastest, slowest = median_seconds(lambda: replace(model).solve(), 101)
     print(
-        f"rigid solve, {model.bearing.rollers} rollers, {model.slices} slices, {steps} Newton steps: "
-        f"median {median * 1e3:.1f} ms ({fastest * 1e3:.1f} to {slowest * 1e3:.1f} ms of 41 runs)"
+        f"rigid solve, {model.bearing.rollers} rollers, {model.slices} slices, "
+        f"{model.solve().number} evaluations: median {median * 1e3:.1f} ms "
+        f"({fastest * 1e3:.1f} to {slowest * 1e3:.1f} ms of 101 runs)"
     )
+
+
+def side_by_side(model) -> None:
+    points = [
+        replace(model.operation, radial_load=float(load), inner_speed=float(speed) * RPM)
+        for load in np.geomspace(100.0, 20000.0, 40)
+        for speed in np.linspace(1000.0, 38000.0, 25)
+    ]
+    median, fastest, slowest = median_seconds(lambda: replace(model).solve_many(points), 5)
+    found = model.solve_many(points)
+    evaluations = np.array([state.number for state in found])
+    print(
+        f"map of {len(points)} loads (100 N to 20 kN) and speeds (1000 to 38 000 rpm): median {median:.2f} s "
+        f"({fastest:.2f} to {slowest:.2f} s of 5 runs), {len(found.unsolved)} unsolved, "
+        f"evaluations: mean {evaluations.mean():.1f}, largest {evaluations.max()}"
+    )
+    apart = []
+    for place in range(0, len(points), 37):
+        single = replace(model, operation=points[place]).solve()
+        apart.append(np.abs(single.loads - found[place].loads).max() / single.loads.max())
+    print(f"largest difference from the same point solved alone: {max(apart):.1e} of its largest load")
 
 
 if __name__ == "__main__":

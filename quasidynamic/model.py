@@ -23,12 +23,13 @@ from quasidynamic.parts.material import contact_modulus
 from quasidynamic.parts.operation import Operation
 from quasidynamic.solve.chain import iterate, solve
 from quasidynamic.solve.endings import Ending
-from quasidynamic.start import slipping_start, static_start
+from quasidynamic.start import RESTARTS, slipping_start, static_start
 
 __all__ = ["Equilibria", "Equilibrium", "RollerBearing"]
 
 Compliance = tuple[NDArray | None, NDArray | None]
-CASES_AT_ONCE = 32  # their slices fit into the processor's cache
+STARTS = (slipping_start, *RESTARTS)
+CASES_AT_ONCE = 64  # their slices fit into the processor's cache
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -99,7 +100,7 @@ class RollerBearing:
             yield Equilibrium(balance, sweep.unknowns[0], sweep.endings[0], sweep.number, self.shapes)
 
     def _solved(self, balance: BearingBalance, begin: NDArray | None = None) -> list[Equilibrium]:
-        solved = solve(balance, static_start(balance) if begin is None else begin, slipping_start)
+        solved = solve(balance, static_start(balance) if begin is None else begin, STARTS)
         return [
             Equilibrium(
                 balance.take(np.array([case])) if len(solved.endings) > 1 else balance,

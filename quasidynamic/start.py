@@ -1,6 +1,7 @@
 """A first guess: the static load distribution of rollers between rigid rings."""
 
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -130,14 +131,25 @@ LONGEST_RING_STEP = 2e-5  # [m]
 RING_FLOOR = 1e-4  # of the stiffness, where no roller resists a direction
 
 
-def slipping_start(balance: BearingBalance) -> NDArray:
+def slipping_start(balance: BearingBalance, astray: float = 0.0) -> NDArray:
     """Scaled unknowns (C, N) with the cage slip at which lumped rollers drive the cage just enough.
 
     For light loads at high speed, where the slip is not small, and for a ring that friction pushes
     aside. Rollers have one slice; the spins follow from the tractions at each slip, the slip from
     the torque on the cage, the place of the ring from the loads with their friction.
+
+    `astray` moves the slip away from that, by so much on the scale of ln(slip / (1 - slip)).
     """
-    cases, points = len(balance.points), balance.points
+    slip = driven_slip(balance)
+    return _start_at(balance, slip / (slip + (1 - slip) * np.exp(-astray)))
+
+
+RESTARTS = tuple(partial(slipping_start, astray=astray) for astray in (1.5, -1.5, 4.0))
+
+
+def driven_slip(balance: BearingBalance) -> NDArray:
+    """Least slip (C) at which lumped rollers drive the cage against its resistance."""
+    cases = len(balance.points)
     every = np.tile(np.arange(cases), len(SLIPS))
     many, slips = LumpedRollers(balance.take(every)), np.repeat(SLIPS, cases)
     drives = (many.at(slips)[2] > 0).reshape(len(SLIPS), cases)
@@ -149,9 +161,15 @@ def slipping_start(balance: BearingBalance) -> NDArray:
         middle = np.sqrt(low * high)
         drives = lumped.at(middle)[2] > 0
         low, high = np.where(drives, low, middle), np.where(drives, middle, high)
-    drift, friction, _ = lumped.at(np.sqrt(low * high))
+    return np.sqrt(low * high)
+
+
+def _start_at(balance: BearingBalance, slip: NDArray) -> NDArray:
+    """Scaled unknowns (C, N) of lumped rollers at a slip (C), the ring where they hold the load."""
+    points = balance.points
+    drift, friction, _ = LumpedRollers(balance).at(slip)
     turned = np.arctan2(points.load_y, points.load_z) - friction[:, None]
-    cage_drift = -balance.rolling_cage * np.sqrt(low * high)[:, None]
+    cage_drift = -balance.rolling_cage * slip[:, None]
     unknowns = static_unknowns(balance, cage_drift)._replace(spin_drift=drift)
     unknowns = unknowns._replace(film=film_at(balance, unknowns, resting_loads(balance, unknowns)))
     load = points.load * np.sin(turned), points.load * np.cos(turned)

@@ -196,7 +196,9 @@ def advanced(family: Family, here: Step, length: float) -> Step | None:
     way = here.tangent
     guess = family.bounded(here.state, here.state + length * way.state)
     found = corrected(family, guess, here.parameter + length * way.parameter, way, (here, length))
-    return found and found.step(family, way)
+    ahead = found and found.step(family, way)
+    # Right on a fold the matrix may be singular.
+    return ahead if ahead and np.isfinite(ahead.tangent.state).all() else None
 
 
 def solved_at(family: Family, state: NDArray, parameter: float) -> Step | None:
@@ -256,7 +258,8 @@ def tangent(family: Family, local: Local, sense: Direction) -> Direction:
     length = np.sqrt(change @ (family.weight * change) + 1.0)
     if sense.along(family.weight, change, 1.0) < 0:
         length = -length
-    return Direction(change / length, float(1.0 / length))
+    with np.errstate(invalid="ignore"):
+        return Direction(change / length, float(1.0 / length))
 
 
 # -- places between two steps ----------------------------------------------------------------------

@@ -1,6 +1,6 @@
 """From start to end: Newton's method, a better start, pseudo-time, a heavier load."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,7 +13,8 @@ from quasidynamic.solve.endings import Ending
 from quasidynamic.solve.newton import Sweep, newton
 from quasidynamic.solve.pseudo_time import Pace, pseudo_time
 
-ROUNDS = (3, 9)  # of pseudo-time, each followed by Newton's method; before and after a heavier load is tried
+# Rounds of pseudo-time, each followed by Newton's method: before a heavier load, after it, at restarts.
+ROUNDS = (3, 9, 3)
 
 Start = Callable[[BearingBalance], NDArray]
 
@@ -41,7 +42,7 @@ class Solved:
                     self.unknowns[case], self.endings[case] = sweep.unknowns[place], ending
 
 
-def solve(balance: BearingBalance, start: NDArray, better: Start) -> Solved:
+def solve(balance: BearingBalance, start: NDArray, better: Sequence[Start]) -> Solved:
     """Solve all cases, those that one method leaves over by the next one.
 
     Parameters
@@ -50,21 +51,26 @@ def solve(balance: BearingBalance, start: NDArray, better: Start) -> Solved:
         C cases
     start : array (C, N)
         scaled unknowns to begin with
-    better : callable
-        a start that costs more, for some of the cases
+    better : sequence of callables
+        starts that cost more, tried one after the other for what is left
     """
     endings = [Ending.UNDETERMINED if free else Ending.NONE for free in balance.undetermined]
     solved = Solved(start.copy(), endings, np.zeros(len(start), int))
     left = solved.left()
     if len(left):
         solved.follow(newton(_some(balance, left), start[left]), left)
-    left = solved.left()
-    if len(left):
+    for number, restart in enumerate(better):
+        left = solved.left()
+        if not len(left):
+            break
         led = start.copy()
-        led[left] = better(_some(balance, left))
+        led[left] = restart(_some(balance, left))
         solved.follow(newton(_some(balance, left), led[left]), left)
+        if number:
+            _lead(balance, solved, led, ROUNDS[2])
+            continue
         _lead(balance, solved, led, ROUNDS[0])
-        _unload(balance, solved, better)
+        _unload(balance, solved, restart)
         _lead(balance, solved, led, ROUNDS[1])
     return solved
 
