@@ -1,9 +1,9 @@
 """Static load distribution beside the package tribology: `python -m benchmarks.static_solve`.
 
 Its `fcylrolbear` and ours solve ISO/TS 16281 (DIN 26281) slices between rigid rings in the same run:
-the job of the other package's own demonstration, and a profiled bearing of 14 rollers and 30 slices. That demonstration
-places 13 rollers at `linspace(0, 2 pi, 13)`, so that the one at 360 degrees stands in the one at zero;
-here the 13 rollers are spread evenly, as its text says.
+the job of the other package's own demonstration, and a profiled bearing of 14 rollers and 30 slices.
+That demonstration places 13 rollers at `linspace(0, 2 pi, 13)`, so that the one at 360 degrees stands in
+the one at zero and is counted twice; here the 13 rollers are spread evenly, as its text says.
 
 Its lamina law takes the displacement along the load alone, in a loop over rollers and slices; ours
 takes both radial directions, so that the load need not point at a roller or between two.

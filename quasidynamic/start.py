@@ -20,7 +20,7 @@ from quasidynamic.balance.settling import (
 from quasidynamic.contact.land import land_torque
 from quasidynamic.contact.load import EXPONENT
 
-LITTLE = 0.03  # slip up to which the centrifugal force keeps its value
+LITTLE = 0.1  # slip up to which the centrifugal force keeps its value
 GUESSES = np.geomspace(1e-5, 0.98, 9)  # slips that are looked at for a start
 SHIFT_STEPS = 40  # Newton on a convex law from above: never more than about ten
 SHIFT_DIGITS = 1e-8  # [m]

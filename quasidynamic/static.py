@@ -13,7 +13,7 @@ from quasidynamic.contact.slices import Slices
 from quasidynamic.errors import ImpossiblePart, NotSolved
 from quasidynamic.parts.bearing import CylindricalRollerBearing
 
-TOLERANCE = 1e-10  # of the largest force: unbalanced force on the ring; the last step is far below it
+TOLERANCE = 1e-11  # of the largest force: unbalanced force on the ring
 STEPS = 60  # rarely more than ten: the energy is convex
 HALVINGS = 40
 STIFFENING = 1e-2  # of the whole stiffness over the relative imbalance, where no roller resists a direction
@@ -80,7 +80,8 @@ def static_loads(
     -----
     Slow, rigid and round raceways; contact begins smoothly over `GAP_ROUNDING`. The approach of every
     slice is shared between the raceways as their load laws ask: exact for rings of one material and for
-    straight rollers; else a profiled roller would have to bend a little to follow.
+    straight rollers; else a profiled roller would have to bend a little to follow: half the modulus in one
+    ring moves loads by 1e-4 and slice loads by 4 %.
 
     >>> from quasidynamic import Cage, Material, Roller
     >>> steel = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7850)
@@ -89,7 +90,7 @@ def static_loads(
     ...     roller=Roller(diameter=10e-3, length=9.601e-3, material=steel),
     ...     cage=Cage(guidance="rollers", pocket_friction=0.0, thickness=5e-3, mass=0.1),
     ...     inner_ring=steel, outer_ring=steel, contact_law="iso16281")
-    >>> round(static_loads(bearing, 4450.0).loads.max(), 1)
+    >>> round(float(static_loads(bearing, 4450.0).loads.max()), 1)
     1958.7
     """
     _check(bearing, load, moment)

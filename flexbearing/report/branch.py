@@ -49,6 +49,7 @@ def draw_branch(title: str, label: str, table: dict[str, np.ndarray]) -> Figure:
     if (along > 0).all():
         axes.set_xscale("log")
         axes.xaxis.set_minor_formatter(_plain_few)
+        axes.tick_params(axis="x", which="minor", pad=5)  # on one line with the major ones
     if (slip > 0).all():
         axes.set_yscale("log")
     for axis in (axes.xaxis, axes.yaxis):

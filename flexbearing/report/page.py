@@ -90,7 +90,8 @@ def ending(numbers: dict[str, Any]) -> str:
     iterations = "1 iteration" if count == 1 else f"{count} iterations"
     if numbers["status"] != "converged":
         message = f": {numbers['message']}" if numbers["message"] else ""
-        return f"NOT CONVERGED: {numbers['status']} after {iterations}, {seconds}{message}"
+        how = f" ({numbers['ending']})" if numbers["status"] == "not solved" and numbers["ending"] else ""
+        return f"NOT CONVERGED: {numbers['status']}{how} after {iterations}, {seconds}{message}"
     if count == 0:
         return f"converged; no part is flexible, so nothing was iterated, {seconds}"
     return f"converged in {iterations}, {seconds}"

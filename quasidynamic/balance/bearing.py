@@ -60,6 +60,7 @@ class Linearisation(NamedTuple):
     before: NDArray  # (C, Z) what the spin of the roller before does to the balance of spin
     after: NDArray  # (C, Z) the same for the roller after
     loading: NDArray  # (C) largest roller load over the reference force, at least 1
+    cage_speed: NDArray  # (C) over its size, without sign
     state: RollerState
 
 
@@ -306,6 +307,7 @@ class BearingBalance:
             loading=np.maximum(
                 1.0, response.state.contact.force[OUTER, 0].max(-1) / self.reference_force[:, 0]
             ),
+            cage_speed=np.abs(self.speeds(x)[1] / self.unknown_scale[:, CAGE:BORDER])[:, 0],
             state=response.state,
         )
 

@@ -195,7 +195,7 @@ def advanced(family: Family, here: Step, length: float) -> Step | None:
     """The place a length further along the tangent; none when Newton's method does not reach it."""
     way = here.tangent
     guess = family.bounded(here.state, here.state + length * way.state)
-    found = corrected(family, guess, here.parameter + length * way.parameter, way, (here, length))
+    found = corrected(family, guess, here.parameter + length * way.parameter, way)
     ahead = found and found.step(family, way)
     # Right on a fold the matrix may be singular.
     return ahead if ahead and np.isfinite(ahead.tangent.state).all() else None
@@ -204,23 +204,21 @@ def advanced(family: Family, here: Step, length: float) -> Step | None:
 def solved_at(family: Family, state: NDArray, parameter: float) -> Step | None:
     """The place at a given parameter, near a state; its tangent points to larger parameters."""
     upwards = Direction(np.zeros_like(state), 1.0)
-    found = corrected(family, state, parameter, upwards, None)
+    found = corrected(family, state, parameter, upwards)
     return found and found.step(family, upwards)
 
 
-def corrected(
-    family: Family, state: NDArray, parameter: float, row: Direction, plane: tuple[Step, float] | None
-) -> Corrected | None:
+def corrected(family: Family, state: NDArray, parameter: float, across: Direction) -> Corrected | None:
     r"""Newton's method on the equations with one more row, solved by the bordering lemma.
 
-    .. math:: J u = -R,\; J v = R_p,\; \Delta p = -\frac{g + \dot x \cdot W u}{\dot p - \dot x \cdot W v},\;
-              \Delta x = u - v\,\Delta p
+    .. math:: J u = -R,\; J v = R_p,\; \Delta x = u - v\,\Delta p,\;
+              \Delta p = -\frac{\dot x \cdot W u}{\dot p - \dot x \cdot W v}
 
-    The row g says how far the place is beyond a `plane`, a length in front of a step; without one it
-    holds the parameter. A step is halved as long as the residual grows.
+    Every step is taken `across` a direction: the tangent, or that of the parameter, which then keeps
+    its value. A step is halved as long as the residual grows.
     """
     here, damping, step = family.at(state, parameter), 1.0, (np.zeros_like(state), 0.0)
-    before, size = (state, parameter, here), np.inf
+    before, size = (state, parameter), np.inf
     for number in range(CORRECTIONS + 1):
         new = float(np.linalg.norm(here.residual))
         if not new < max(size, ROUNDING):  # also when it is not a number
@@ -229,8 +227,8 @@ def corrected(
         elif here.done:
             return Corrected(state, parameter, here, number)
         else:
-            before, size, damping = (state, parameter, here), new, 1.0
-            step = _newton_step(family, before, row, plane)
+            before, size, damping = (state, parameter), new, 1.0
+            step = _newton_step(family, here, across)
             if not (isfinite(step[1]) and np.isfinite(step[0]).all()):
                 return None
         state = family.bounded(before[0], before[0] + damping * step[0])
@@ -239,16 +237,10 @@ def corrected(
     return None
 
 
-def _newton_step(family: Family, place, row: Direction, plane) -> tuple[NDArray, float]:
-    state, parameter, local = place
-    beyond = 0.0
-    if plane is not None:
-        base, length = plane
-        moved, shifted = state - base.state, parameter - base.parameter
-        beyond = row.along(family.weight, moved, shifted) - length
+def _newton_step(family: Family, local: Local, across: Direction) -> tuple[NDArray, float]:
     u, v = local.solve(np.column_stack([-local.residual, local.by_parameter])).T
-    along_u, along_v = (row.along(family.weight, part, 0.0) for part in (u, v))
-    change = -(beyond + along_u) / (row.parameter - along_v)
+    along_u, along_v = (across.along(family.weight, part, 0.0) for part in (u, v))
+    change = -along_u / (across.parameter - along_v)
     return u - v * change, change
 
 
@@ -303,6 +295,4 @@ def _fold(family: Family, here: Step, ahead: Step) -> Step | None:
 def at_parameter(family: Family, here: Step, ahead: Step, parameter: float) -> Step | None:
     """The place between two steps at a given parameter; none when Newton's method does not reach it."""
     found = located(family, here, ahead, lambda step: step.parameter - parameter)
-    exact = solved_at(family, found.state, parameter)
-    # `solved_at` looks upwards; the branch may come down here.
-    return _turned(exact) if exact and found.tangent.parameter < 0 else exact
+    return solved_at(family, found.state, parameter)

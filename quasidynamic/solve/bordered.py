@@ -20,11 +20,11 @@ from quasidynamic.balance.bearing import (
 
 
 class Shift(NamedTuple):
-    """What is subtracted from the diagonal of the scaled matrix (C)."""
+    """What is subtracted from the diagonal of the scaled matrix."""
 
-    spin: NDArray | float = 0.0  # at each spin: inertia over time step
-    cage: NDArray | float = 0.0  # at the cage speed: the same
-    ring: NDArray | float = 0.0  # at both displacements: a stiffness that is not there
+    spin: NDArray | float = 0.0  # (C, Z) at each spin: inertia over time step
+    cage: NDArray | float = 0.0  # (C) at the cage speed: the same
+    ring: NDArray | float = 0.0  # (C) at both displacements: a stiffness that is not there
 
 
 NO_SHIFT = Shift()
@@ -60,7 +60,7 @@ def solve(balance: BearingBalance, system: Linearisation, right: NDArray, shift:
         right[:, BORDER:split].reshape(cases, own, balance.rollers, count).transpose(1, 3, 0, 2)
     )
     border = system.border.copy()
-    table[own - 1, own - 1] -= np.reshape(shift.spin, (-1, 1))
+    table[own - 1, own - 1] -= shift.spin
     border[:, CAGE, CAGE] -= shift.cage
     border[:, Y, Y] -= shift.ring
     border[:, Z, Z] -= shift.ring

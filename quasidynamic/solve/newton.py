@@ -15,7 +15,8 @@ ENOUGH = 1e-10  # the same, where rounding keeps a step from lowering the residu
 ROUNDING = 1e-8  # residual from where rounding decides whether a step looks smaller
 LIMIT = 60  # evaluations
 LONGEST_SHIFT = 100.0  # scaled ring displacement in a step: 100 micrometres
-LARGEST_SPEED_CHANGE = 0.7  # of the nominal cage speed in a step
+SPEED_CHANGE = 0.7  # of the cage speed in a step
+CRAWL = 0.02  # of the cage speed in pure rolling, by which it may change at any speed
 SHORTEST = 2.0**-10  # part of a Newton step
 
 
@@ -95,13 +96,14 @@ def step(
     balance: BearingBalance,
     system: Linearisation,
     longest: NDArray | float = LONGEST_SHIFT,
+    speed_change: float = SPEED_CHANGE,
     shift: bordered.Shift = bordered.NO_SHIFT,
 ) -> NDArray:
     """Newton step (C, N), with a ring that moves no further than `longest` (scaled).
 
     A ring that nothing holds in some direction, such as sideways on a single roller, is given a
     stiffness there: everything else still takes its full step. The cage changes its speed by a
-    share at most, rollers are `bounded` one by one.
+    share `speed_change` at most, rollers are `bounded` one by one.
     """
     right = -system.residual[..., None]
     found = bordered.solve(balance, system, right, shift)[..., 0]
@@ -111,7 +113,7 @@ def step(
         held = shift._replace(ring=np.where(far > longest, stiffness, 0.0))
         found = bordered.solve(balance, system, right, held)[..., 0]
     long = np.maximum(np.abs(found[:, Y : Z + 1]).max(axis=1) / longest, 1.0)
-    long = np.maximum(long, np.abs(found[:, CAGE]) / LARGEST_SPEED_CHANGE)
+    long = np.maximum(long, np.abs(found[:, CAGE]) / (speed_change * (system.cage_speed + CRAWL)))
     return found if (long <= 1.0).all() else found / long[:, None]
 
 

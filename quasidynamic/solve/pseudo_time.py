@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.bearing import CAGE, BearingBalance, Linearisation
+from quasidynamic.balance.bearing import CAGE, TILT_Z, BearingBalance, Linearisation
 from quasidynamic.solve import bordered
 from quasidynamic.solve.endings import Ending
 from quasidynamic.solve.newton import Sweep, norm, step
@@ -17,7 +17,7 @@ FIRST_STEP = 1e-4  # [s]
 SHORTEST_STEP = 1e-9  # [s]
 LONGEST_SHIFT = 5.0  # scaled ring displacement in a step: 5 micrometres
 TILT_SHARE = 0.2  # scaled tilt of a ring that moves roller ends about as far as a scaled displacement
-LARGEST_SPEED_CHANGE = 0.1  # of the cage speed in a step
+SPEED_CHANGE = 0.15  # of the cage speed in a step
 WORSE = 3.0  # growth of the residual that is still taken
 
 
@@ -68,8 +68,8 @@ def pseudo_time(balance: BearingBalance, unknowns: NDArray, pace: Pace) -> Itera
         if not left.any():
             return
         change = _step(here, system, pace)
-        moved = np.abs(change[:, : CAGE + 1]) / [1.0, 1.0, TILT_SHARE, TILT_SHARE, 1.0]
-        hurry = np.maximum(moved[:, :CAGE].max(1) / pace.shift, moved[:, CAGE] / LARGEST_SPEED_CHANGE)
+        tilted = np.abs(change[:, TILT_Z:CAGE]).max(1) / TILT_SHARE
+        hurry = tilted / pace.shift
         turned, pull = change[:, CAGE] * pull < 0, np.where(refused, pull, change[:, CAGE])
         following = np.where(
             refused[:, None],
@@ -104,8 +104,11 @@ def _step(balance: BearingBalance, system: Linearisation, pace: Pace) -> NDArray
     orbiting = bearing.cage.mass + bearing.rollers * bearing.roller.mass
     columns, rows = balance.unknown_scale, balance.residual_scale
     spin, cage = balance.field(-1).start, CAGE
-    inertia = bordered.Shift(
-        spin=bearing.roller.inertia * columns[:, spin] / rows[:, spin] / pace.time,
+    own = system.table[balance.own - 1, balance.own - 1]
+    inertia = bearing.roller.inertia * columns[:, spin] / rows[:, spin] / pace.time
+    shift = bordered.Shift(
+        # A spin that runs away, as on a traction curve that falls, is led the way it runs.
+        spin=inertia[:, None] + np.maximum(2 * own, 0.0),
         cage=orbiting * (bearing.pitch_diameter / 2) ** 2 * columns[:, cage] / rows[:, cage] / pace.time,
     )
-    return step(balance, system, pace.shift, inertia)
+    return step(balance, system, pace.shift, SPEED_CHANGE, shift)

@@ -92,6 +92,14 @@ def test_every_key_is_explained():
             assert item.path in explain()
 
 
+def test_key_of_a_table_that_may_be_left_out_is_needed_with_it():
+    assert "none: needed with [bearing.fits]" in explain("bearing.fits.cold_clearance")
+    assert "none: every case must give it" in explain("bearing.rollers")
+    page = reference_page()
+    assert "| `[bearing.fits.housing]` | a table | left out |" in page
+    assert "| needed with [bearing.fits.housing] |" in page
+
+
 def test_explain_names_the_nearest_key():
     with pytest.raises(BadCase, match=r"Did you mean bearing\.clearance"):
         explain("bearing.clearence")

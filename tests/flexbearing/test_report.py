@@ -92,7 +92,12 @@ def rigid_only():
 
 
 def unsolved():
-    ending = {"status": "not solved", "message": "no equilibrium below 5 N", "iterations": 0}
+    ending = {
+        "status": "not solved",
+        "ending": "stalled",
+        "message": "no equilibrium",
+        "iterations": 0,
+    }
     return result(attributes=ending, rigid={}, flexible={}, iterations=())
 
 
@@ -169,6 +174,97 @@ def test_summary_states_the_numbers_in_the_units_of_their_names():
     assert flexible["minimum_film_um"] == pytest.approx({"inner": 0.31, "outer": 0.36}, rel=1e-12)
 
 
+def test_losses_are_told_by_cause_and_add_up():
+    flexible = summary(result())["flexible"]
+    assert flexible["power_loss_W"] == {**LOSSES, "total": 77.0}
+    assert flexible["driving_power_W"] == 77.0
+    page = text(result())
+    assert row(page, "power lost by sliding [W]") == ["10.00", "10.00", "+0.0"]
+    assert row(page, "discretisation, no heat [W]") == ["-1.00", "-1.00", "+0.0"]
+    assert row(page, "together [W]") == row(page, "driving power [W]") == ["77.00", "77.00", "+0.0"]
+
+
+def test_largest_pocket_force_counts_either_way():
+    assert summary(result())["flexible"]["max_pocket_force_N"] == 12.5
+    assert row(text(result()), "largest pocket force [N]") == ["12.50", "12.50", "+0.0"]
+
+
+def test_displacements_are_told_along_and_across_the_load():
+    turned = block() | {"load_direction": np.array(np.pi / 2), "ring_displacement": np.array([60e-6, 1e-6])}
+    flexible = summary(result(flexible=turned))["flexible"]
+    assert flexible["displacement_along_load_um"] == pytest.approx(60.0, rel=1e-12)
+    assert flexible["displacement_across_load_um"] == pytest.approx(-1.0, rel=1e-12)
+    assert row(text(result(flexible=turned)), "ring displacement along load [um]") == [
+        "60.00",
+        "60.00",
+        "+0.0",
+    ]
+
+
+def test_stiffness_and_compliance_are_told_and_nothing_infinite_is_a_number():
+    flexible = summary(result())["flexible"]
+    assert flexible["stiffness_matrix_SI"][2][2] == 7e8
+    assert flexible["compliance_matrix_SI"][0][0] is None
+    page = text(result())
+    rows = [line.split() for line in page.splitlines() if line.startswith(" z ")]
+    assert [words[3] for words in rows] == ["7.000e+08", "1.429e-09"]
+    assert "tangent compliance [m, rad, N]; infinite along x" in page
+
+
+def test_film_ratios_are_those_of_loaded_contacts():
+    inner, outer = np.full(ROLLERS, 1.5), np.full(ROLLERS, 3.5)
+    inner[[3, 4]] = 1.2, 0.0  # the second carries nothing
+    ratios = {"inner_film_ratio": inner, "outer_film_ratio": outer}
+    words = {"flexible": {"inner": "mixed", "outer": "full film"}}
+    run = result(flexible=block() | ratios, attributes={"regimes": words})
+    numbers = summary(run)
+    assert numbers["flexible"]["minimum_lambda"] == {"inner": 1.2, "outer": 3.5}
+    assert numbers["flexible"]["lambda_ratios"]["inner"] == list(inner)
+    assert numbers["rigid"]["minimum_lambda"] is None
+    assert row(text(run), "smallest film ratio, inner") == ["-", "1.20", "-"]
+    assert "flexible: inner raceway mixed, outer raceway full film" in text(run)
+    assert "film ratio" not in text(result())
+
+
+def test_clearance_is_told_step_by_step():
+    steps = [
+        {"name": "inner fit", "change_m": -70e-6, "clearance_m": -10e-6, "explanation": "mounted; tight"},
+    ]
+    clearance = {
+        "operating_m": -10e-6,
+        "cold_m": 60e-6,
+        "steps": steps,
+        "shaft_fit": "fit pressure 60 MPa",
+        "housing_fit": "free ring, no housing",
+        "verdict": "the bearing is preloaded: the rollers interfere by 10.000 um diametral",
+    }
+    page = text(result(attributes={"clearance": clearance}))
+    assert row(page, "cold") == ["60.000", "before", "mounting"]
+    assert row(page, "inner fit") == ["-70.000", "-10.000", "mounted;", "tight"]
+    for words in (clearance["verdict"], "shaft: fit pressure 60 MPa", "housing: free ring, no housing"):
+        assert words in page
+    assert "step by step" not in text(result())
+
+
+def test_every_life_factor_is_told_with_its_note():
+    def life(film):
+        factors = [
+            {"name": "film", "value": film, "effect": "lubrication", "note": f"smallest film ratio {film}"},
+            {"name": "a_1", "value": 0.25, "effect": "reliability", "note": "reliability 0.99"},
+        ]
+        return {"basic_Mrev": 2500.0, "factors": factors, "modified_Mrev": 2500.0 * film * 0.25}
+
+    lives = {"rigid": life(1.5), "flexible": life(2.0)}
+    modified = {"flexible": block() | {"modified_life": np.array(1.25e9)}}
+    page = text(result(**modified, attributes={"life": lives}))
+    assert row(page, "basic life L10 [Mrev]") == ["2,500.00", "2,500.00"]
+    assert row(page, "x film")[:2] == ["1.5", "2"]
+    assert row(page, "x a_1") == ["0.25", "0.25", "reliability", "0.99"]
+    assert "rigid: smallest film ratio 1.5" in page
+    assert "flexible: smallest film ratio" in page  # where its number is wrapped to
+    assert summary(result(**modified))["flexible"]["modified_life_Mrev"] == pytest.approx(1250.0, rel=1e-12)
+
+
 def test_largest_deviation_is_taken_over_both_raceways_and_all_slices():
     ends = 14.0 * 1.3  # the tilted raceway at the outermost slice
     assert summary(result())["flexible"]["max_raceway_deviation_um"] == pytest.approx(ends, rel=1e-12)
@@ -189,6 +285,11 @@ def test_numbers_that_are_not_finite_are_missing_instead_of_wrong():
     for name in ("max_roller_load_N", "loaded_rollers", "loaded_arc_deg", "life_L10_Mrev"):
         assert flexible[name] is None
     assert flexible["roller_loads_N"] == [None] * ROLLERS
+
+
+def test_numbers_that_are_nowhere_finite_keep_their_row():
+    lost = block() | {"inner_load": np.full(ROLLERS, np.nan)}
+    assert row(text(result(rigid=lost, flexible=lost)), "largest inner load [N]") == ["-", "-", "-"]
 
 
 def test_blocks_that_were_never_solved_are_none():
@@ -236,7 +337,10 @@ def test_text_names_what_was_assumed_fitted_and_left_its_range():
     [
         (result, "converged in 5 iterations, 12.3 s"),
         (rigid_only, "converged; no part is flexible, so nothing was iterated, 12.3 s"),
-        (unsolved, "NOT CONVERGED: not solved after 0 iterations, 12.3 s: no equilibrium below 5 N"),
+        (
+            unsolved,
+            "NOT CONVERGED: not solved (stalled) after 0 iterations, 12.3 s: no equilibrium",
+        ),
         (diverged, "NOT CONVERGED: not finite after 3 iterations, 12.3 s: load change below 1e-8"),
     ],
     ids=lambda value: getattr(value, "__name__", ""),

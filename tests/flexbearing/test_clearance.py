@@ -1,0 +1,245 @@
+"""The operating clearance: stated in the case, or computed from its fits."""
+
+from pathlib import Path
+
+import pytest
+from pytest import approx
+
+import flexbearing
+from flexbearing.case import BadCase, read
+from flexbearing.compute import assemble, clearance, notes
+from flexbearing.report import text
+from quasidynamic.fits import Annulus, PressFit, operating_clearance
+
+CONFIGS = Path(__file__).parents[2] / "configs"
+PLAIN, FITS, PAPER = (CONFIGS / f"{name}.toml" for name in ("nu209", "nu209_fits", "mao2016"))
+PRELOAD = {"bearing.fits.shaft_interference": "80 um"}
+
+
+def test_stated_clearance_is_the_operating_one():
+    case = read(PLAIN)
+    assert assemble.bearing(case).bearing.clearance == approx(41e-6, rel=1e-12)
+    assert clearance.record(case) == {"operating_m": approx(41e-6, rel=1e-12), "steps": []}
+
+
+def test_computed_clearance_reaches_the_model():
+    case = read(FITS)
+    chain = clearance.computed(case)
+    assert chain is not None
+    assert assemble.bearing(case).bearing.clearance == chain.clearance
+    assert chain.clearance == approx(chain.cold + sum(step.change for step in chain.steps), abs=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("setting", "step"),
+    [
+        ({"bearing.fits.shaft_interference": "20 um"}, "inner fit"),
+        ({"bearing.fits.shaft_bore": "20 mm"}, "inner fit"),
+        ({"bearing.fits.bore": "50 mm"}, "inner fit"),
+        ({"materials.shaft.youngs_modulus": "70 GPa"}, "inner fit"),
+        ({"bearing.fits.housing.interference": "20 um"}, "outer fit"),
+        ({"operation.temperatures.inner_ring": "90 degC"}, "inner heat"),
+        ({"operation.temperatures.shaft": "90 degC"}, "inner heat"),
+        ({"operation.temperatures.outer_ring": "90 degC"}, "outer heat"),
+        ({"operation.temperatures.roller": "90 degC"}, "roller heat"),
+        ({"operation.inner_speed": "20000 rpm"}, "inner rotation"),
+        ({"operation.outer_speed": "20000 rpm"}, "outer rotation"),
+    ],
+    ids=lambda value: next(iter(value)) if isinstance(value, dict) else value,
+)
+def test_every_key_of_the_mounting_changes_the_step_it_is_about(setting, step):
+    before, after = (
+        {found["name"]: found["change_m"] for found in clearance.record(read(FITS, settings))["steps"]}
+        for settings in ({}, setting)
+    )
+    assert after[step] != approx(before[step], rel=1e-6, abs=1e-12)
+    earlier = list(before)[: list(before).index(step)]
+    assert [after[name] for name in earlier] == approx([before[name] for name in earlier], rel=1e-12, abs=0.0)
+
+
+@pytest.mark.parametrize(
+    "setting",
+    [
+        {"bearing.fits.housing.diameter": "90 mm"},
+        {"materials.housing.youngs_modulus": "70 GPa"},
+        {"bearing.fits.outer_diameter": "80 mm"},
+    ],
+    ids=lambda setting: next(iter(setting)),
+)
+def test_dimensions_of_the_housing_matter_once_it_is_tight(setting):
+    tight = {"bearing.fits.housing.interference": "20 um"}
+    one, other = (clearance.operating(read(FITS, settings)) for settings in (tight, {**tight, **setting}))
+    assert abs(one - other) > 1e-8
+
+
+def test_without_temperatures_only_fits_and_speed_change_the_clearance(tmp_path):
+    whole = FITS.read_text()
+    begin, end = whole.index("[operation.temperatures]"), whole.index("[life]")
+    file = tmp_path / "cold.toml"
+    file.write_text((whole[:begin] + whole[end:]).replace('"operation.temperatures",', ""))
+    steps = {found["name"]: found["change_m"] for found in clearance.record(read(file))["steps"]}
+    assert steps["inner fit"] < -1e-6
+    assert [steps[name] for name in ("inner heat", "outer heat", "roller heat")] == [0.0, 0.0, 0.0]
+
+
+def test_flexible_parts_give_the_dimensions_of_the_fits(tmp_path):
+    """Squirrel cage and hollow shaft: [inner] and [outer] are their only source."""
+    fits = '[bearing.fits]\ncold_clearance = "100 um"\nshaft_interference = "40 um"\n\n[bearing.roller]'
+    whole = PAPER.read_text()
+    whole = whole.replace("[bearing.roller]", fits, 1).replace('clearance = "75.5 um"', "", 1)
+    file = tmp_path / "case.toml"
+    file.write_text("\n".join(line for line in whole.splitlines() if '"bearing.clearance" =' not in line))
+    case = read(file)
+    mounting = clearance._mounting(case)
+    assert isinstance(mounting.outer, Annulus)
+    assert (2 * mounting.outer.inner_radius, 2 * mounting.outer.outer_radius) == approx((75e-3, 82.2e-3))
+    shaft = mounting.shaft_fit.inside
+    assert (2 * shaft.inner_radius, 2 * shaft.outer_radius) == approx((51.6e-3, 59.6e-3))
+    chain = operating_clearance(mounting, clearance._running(case))
+    part = assemble.inner_part(case)
+    assert part is not None
+    rollers = 2 * case.bearing.roller.diameter * assemble.growth(case, "roller")
+    gap = assemble.outer_raceway_diameter(case) - rollers - part.raceway_diameter
+    assert gap == approx(chain.clearance, rel=1e-9)
+
+
+def test_housing_is_part_of_the_fit():
+    outer = clearance._mounting(read(FITS)).outer
+    assert isinstance(outer, PressFit)
+    assert 2 * outer.outside.outer_radius == approx(0.12)
+    assert outer.interference == approx(-10e-6)
+
+
+def test_preload_is_a_result_and_said_so(tmp_path):
+    case = read(FITS, PRELOAD)
+    assert clearance.operating(case) < 0.0
+    (note,) = clearance.notes(case)
+    assert "the bearing is preloaded" in note
+    assert note in notes.of_case(case)
+    result = flexbearing.run(FITS, tmp_path / "out.h5", [f"{key}={value}" for key, value in PRELOAD.items()])
+    assert result.attributes["status"] == "converged"
+    assert "preloaded" in result.attributes["clearance"]["verdict"]
+    assert "inner fit" in text(result)
+    assert result.rigid["inner_load"].min() > 0.0  # every roller is loaded
+
+
+def test_stated_preload_is_noted_as_well():
+    assert clearance.notes(read(PLAIN)) == ()
+    (note,) = clearance.notes(read(PLAIN, {"bearing.clearance": "-5 um"}))
+    assert "5.000 um" in note
+
+
+# -- refusals --------------------------------------------------------------------------------------
+
+
+def refusal(file, settings):
+    with pytest.raises(BadCase) as problem:
+        assemble.require_possible(read(file, settings))
+    return str(problem.value)
+
+
+def cut(tmp_path, *lines):
+    """The case with fits without some of its lines."""
+    text = FITS.read_text()
+    for line in lines:
+        assert line in text
+        text = text.replace(line, "")
+    file = tmp_path / "broken.toml"
+    file.write_text(text)
+    return file
+
+
+def test_two_clearances_are_one_too_many():
+    message = refusal(FITS, {"bearing.clearance": "41 um"})
+    assert '[bearing] clearance = "41 um" cannot be; it must be left out where [bearing.fits]' in message
+    assert "give one of the two" in message
+
+
+def test_no_clearance_is_one_too_few(tmp_path):
+    file = tmp_path / "broken.toml"
+    file.write_text(PLAIN.read_text().replace('clearance = "41 um"', ""))
+    message = refusal(file, {})
+    assert (
+        "[bearing] clearance is missing: a bearing without [bearing.fits] needs it; it is a length" in message
+    )
+
+
+MISSING = {
+    "bore": ('bore = "45 mm"', "[bearing.fits] bore is missing", 'inner.kind = "rigid" with [bearing.fits]'),
+    "outer diameter": (
+        'outer_diameter = "85 mm"', "[bearing.fits] outer_diameter is missing", 'outer.kind = "rigid"',
+    ),
+    "housing temperature": (
+        'housing = "60 degC"', "[operation.temperatures] housing is missing", "[bearing.fits.housing] needs",
+    ),
+    "interference": (
+        'shaft_interference = "15 um"', "[bearing.fits] shaft_interference is missing", "it is a length",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("line", "place", "why"), MISSING.values(), ids=MISSING.keys())
+def test_missing_companion_of_the_fits_is_named(line, place, why, tmp_path):
+    message = refusal(cut(tmp_path, line), {})
+    assert place in message
+    assert why in message
+
+
+@pytest.mark.parametrize("part", ["shaft", "housing"])
+def test_materials_of_shaft_and_housing_are_needed(part, tmp_path):
+    text = FITS.read_text()
+    begin = text.index(f"[materials.{part}]")
+    section = text[begin : text.index("\n[", begin) + 1]
+    message = refusal(cut(tmp_path, section, f'"materials.{part}",'), {})
+    assert f"[materials] {part} is missing: [bearing.fits" in message
+
+
+IMPOSSIBLE = {
+    "bore outside the raceway": ("bearing.fits.bore=60 mm", "[bearing.fits] bore", "54.97 mm"),
+    "shaft without wall": (
+        "bearing.fits.shaft_bore=45 mm", "[bearing.fits] shaft_bore", "below bearing.fits.bore",
+    ),
+    "outer ring without wall": (
+        "bearing.fits.outer_diameter=75 mm", "[bearing.fits] outer_diameter", "above bearing.outer_raceway",
+    ),
+    "housing without wall": (
+        "bearing.fits.housing.diameter=85 mm", "[bearing.fits.housing] diameter", "above bearing.fits.outer",
+    ),
+    "cold clearance in the wrong unit": (
+        "bearing.fits.cold_clearance=60 mm", "[bearing.fits] cold_clearance", "is the unit right?",
+    ),
+    "interference in the wrong unit": (
+        "bearing.fits.shaft_interference=15 mm", "fit.interference = 0.015 m", "below 1 % of the diameter",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("setting", "place", "allowed"), IMPOSSIBLE.values(), ids=IMPOSSIBLE.keys())
+def test_impossible_mounting_is_refused(setting, place, allowed):
+    message = refusal(FITS, [setting])
+    assert place in message
+    assert allowed in message
+
+
+RING = {"outer.kind": "ring", "outer.thickness": "5 mm", "outer.width": "20 mm"}
+
+
+def test_dimension_that_a_flexible_part_gives_is_not_given_again(tmp_path):
+    message = refusal(FITS, RING)
+    assert "[bearing.fits] outer_diameter" in message
+    assert "left out: outer.thickness gives it" in message
+    message = refusal(cut(tmp_path, 'outer_diameter = "85 mm"'), RING)
+    assert (
+        '[bearing.fits] housing cannot be; it must be left out: outer.kind = "ring" sits in no housing'
+        in message
+    )
+    shaft = {"inner.kind": "ring_on_shaft", "inner.bore": "45 mm", "inner.thickness": "6 mm"}
+    shaft |= {"inner.width": "20 mm", "inner.track_width": "11 mm", "inner.shaft_length": "60 mm"}
+    message = refusal(FITS, {**shaft, "inner.shaft_thickness": "10 mm"})
+    assert '[bearing.fits] bore = "45 mm" cannot be; it must be left out: inner.bore gives it' in message
+
+
+def test_temperature_of_a_housing_that_is_not_there_is_refused():
+    message = refusal(PAPER, {"operation.temperatures.housing": "60 degC"})
+    assert "[operation.temperatures] housing" in message
+    assert "there is no [bearing.fits.housing]" in message

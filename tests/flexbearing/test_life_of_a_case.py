@@ -1,0 +1,164 @@
+"""The section [life]: which factors it asks for, and what becomes of the basic life."""
+
+from math import prod
+from pathlib import Path
+
+import numpy as np
+import pytest
+from pytest import approx
+
+from flexbearing.case import BadCase, read
+from flexbearing.compute import assemble, datasets, life
+from quasidynamic.outcome.capacity import raceway_capacity, roller_capacity
+from quasidynamic.outcome.life import RollerBody, edge_stress_factor, slice_life
+from quasidynamic.outcome.life_factors import film_factor, material_factor, reliability_factor
+
+CONFIGS = Path(__file__).parents[2] / "configs"
+PLAIN = CONFIGS / "nu209.toml"
+ROUGH = {
+    "bearing.roughness.roller": "0.05 um",
+    "bearing.roughness.inner_raceway": "0.1 um",
+    "bearing.roughness.outer_raceway": "0.2 um",
+}
+CLEAN = {"life.lubrication": "a_ISO", "life.cleanliness": "oil, in-line filter, -/17/14"}
+
+
+@pytest.fixture(scope="module")
+def state():
+    return assemble.bearing(read(PLAIN, ["accuracy.slices=30"])).solve()
+
+
+def lived(state, settings):
+    case = read(PLAIN, {"accuracy.slices": 30, **settings})
+    return life.modified(case, state, datasets.smallest_film(state))
+
+
+def only(found):
+    (factor,) = found["factors"]
+    assert found["modified_Mrev"] == approx(found["basic_Mrev"] * factor["value"], rel=1e-12)
+    return factor
+
+
+def loads(state):
+    return state.slice_loads * state.balance.roller.raceways.slices.width
+
+
+def test_nothing_modifies_a_life_unless_it_is_asked_for(state):
+    assert lived(state, {}) == {}
+
+
+def test_edge_stress_is_that_of_the_slices(state):
+    bearing = state.balance.roller.bearing
+    factor = only(lived(state, {"life.edge_stress": True}))
+    edge = edge_stress_factor(30)
+    expected = slice_life(*loads(state), raceway_capacity(bearing), (True, False), edge=edge)
+    assert factor["name"] == "edge stress"
+    assert factor["value"] == approx(expected / state.life, rel=1e-12)
+
+
+def test_rollers_fail_as_well(state):
+    bearing = state.balance.roller.bearing
+    factor = only(lived(state, {"life.roller_body": True}))
+    ratio = bearing.diameter_ratio
+    body = RollerBody(capacity=roller_capacity(bearing), speed_ratio=(1 - ratio**2) / (2 * ratio))
+    expected = slice_life(*loads(state), raceway_capacity(bearing), (True, False), rollers=body)
+    assert factor["name"] == "roller body"
+    assert factor["value"] == approx(expected / state.life, rel=1e-12)
+
+
+def test_steel_with_its_melting(state):
+    factor = only(lived(state, {"life.steel": "M50", "life.melting": "VIM-VAR"}))
+    assert factor["value"] == approx(material_factor("M50", "VIM-VAR").value, rel=1e-12)
+    assert "VIM-VAR 6" in factor["note"]
+
+
+def test_reliability(state):
+    factor = only(lived(state, {"life.reliability": 0.95}))
+    assert factor["value"] == approx(reliability_factor(0.95).value, rel=1e-12)
+    assert "0.95" in factor["note"]
+
+
+def test_film_factor_is_that_of_the_thinnest_film_over_its_own_roughness(state):
+    factor = only(lived(state, {**ROUGH, "life.lubrication": "film"}))
+    films = np.where(state.loads > 1.0, state.film, np.inf)
+    ratio = min(films[0].min() / np.hypot(0.05e-6, 0.1e-6), films[1].min() / np.hypot(0.05e-6, 0.2e-6))
+    assert factor["value"] == approx(film_factor(ratio).value, rel=1e-12)
+    assert f"smallest film ratio {ratio:.3g}" in factor["note"]
+
+
+def test_factor_of_iso_281_by_hand(state):
+    """d_m = 65 mm, 3000 rpm: nu_1 = 4500 / sqrt(3000 65) mm2/s; C_u/P and e_C as printed in the standard."""
+    pitch = 65.032
+    factor = only(lived(state, CLEAN))
+    kappa = 18e-3 / 850 * 1e6 / (4500 / np.sqrt(3000 * pitch))
+    left = min(0.0288 * kappa**0.68 * pitch**0.55, 1.0) * (1 - 1.6329 / pitch ** (1 / 3))
+    limit = 44 * (1 - 10 / pitch) * 14 * 9.601 * 10 / 8.2
+    assert f"kappa {kappa:.3g}" in factor["note"]
+    words = dict(part.rsplit(" ", 1) for part in factor["note"].removesuffix(" N").split(", "))
+    load = float(words["equivalent load"])
+    assert load == approx(4450, rel=0.2)  # clearance spreads the load worse than the standard's bearing
+    assert float(words["e_C C_u/P"]) == approx(left * limit / load, rel=2e-3)
+    value = 0.1 * (1 - (1.5859 - 1.2348 / kappa**0.071739) * (left * limit / load) ** 0.4) ** -9.185
+    assert factor["value"] == approx(value, rel=5e-3)
+
+
+def test_all_factors_together_make_the_modified_life(state):
+    settings = {
+        "life.edge_stress": True,
+        "life.roller_body": True,
+        "life.steel": "52100",
+        "life.melting": "VAR",
+        "life.reliability": 0.99,
+        **CLEAN,
+    }
+    found = lived(state, settings)
+    names = [factor["name"] for factor in found["factors"]]
+    assert names == ["edge stress", "roller body", "a_ISO", "material", "a_1"]
+    together = prod(factor["value"] for factor in found["factors"])
+    assert found["basic_Mrev"] == state.life
+    assert found["modified_Mrev"] == approx(state.life * together, rel=1e-12)
+    assert "ISO 281 has no such factor beside a_ISO" in found["factors"][3]["note"]
+
+
+# -- refusals --------------------------------------------------------------------------------------
+
+
+REFUSED = {
+    "edge stress of a straight roller": (
+        {"life.edge_stress": True, "bearing.roller.profile": "straight", "accuracy.slices": 30},
+        ['[bearing.roller] profile = "straight" cannot be', "life.edge_stress"],
+    ),
+    "edge stress of few slices": (
+        {"life.edge_stress": True}, ["[accuracy] slices", "at least 30 for life.edge_stress"],
+    ),
+    "steel without melting": ({"life.steel": "M50"}, ["[life] melting is missing: life.steel needs it"]),
+    "melting without steel": ({"life.melting": "VAR"}, ["[life] steel is missing: life.melting needs it"]),
+    "a_ISO without cleanliness": (
+        {"life.lubrication": "a_ISO"}, ['[life] cleanliness is missing: lubrication = "a_ISO" needs it'],
+    ),
+    "cleanliness without a_ISO": (
+        {"life.cleanliness": "grease, normal cleanliness"},
+        ["[life] cleanliness", 'left out without life.lubrication = "a_ISO"'],
+    ),
+    "film without roughness": (
+        {"life.lubrication": "film"},
+        ['[bearing] roughness is missing: life.lubrication = "film" needs it; it is a table'],
+    ),
+    "reliability of a dream": ({"life.reliability": 0.99999}, ["[life] reliability", "at most 0.9995"]),
+    "steel without a factor": ({"life.steel": "M51"}, ['[life] steel = "M51"', '"M50"']),
+    "oil too thin for ISO 281": (
+        {**CLEAN, "lubricant.viscosity": "0.5 mPa s"}, ["viscosity ratio", "below 0.1, where ISO 281 stops"],
+    ),
+    "rollers too small for ISO 281": (
+        {**CLEAN, "bearing.roller.diameter": "0.5 mm", "bearing.cage.thickness": "0.2 mm"},
+        ["outside 0.01 to 0.3 of ISO 281"],
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("settings", "expected"), REFUSED.values(), ids=REFUSED.keys())
+def test_factor_that_cannot_be_is_refused_before_anything_is_solved(settings, expected):
+    with pytest.raises(BadCase) as problem:
+        assemble.require_possible(read(PLAIN, settings))
+    for part in expected:
+        assert part in str(problem.value)

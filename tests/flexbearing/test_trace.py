@@ -1,0 +1,116 @@
+"""The command `trace`: table, picture, words, and what it refuses."""
+
+import csv
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from pytest import approx
+
+from flexbearing import cli
+from flexbearing.report.branch import draw_branch
+
+ROOT = Path(__file__).parents[2]
+PAPER = ROOT / "configs" / "mao2016.toml"
+FALLING = [
+    "lubricant.traction=four-point",
+    "lubricant.traction_curve.peak=0.06",
+    "lubricant.traction_curve.peak_slip=0.01",
+    "lubricant.traction_curve.far=0.02",
+]
+LOAD = "operation.radial_load=1.5 kN..8000 N"
+
+
+@pytest.fixture
+def command(monkeypatch, capsys):
+    """The command line in this process: exit code, what it prints, what it complains about."""
+
+    def run(over, *words, settings=()):
+        sets = [word for setting in settings for word in ("--set", setting)]
+        arguments = ["trace", PAPER, "--over", over, *words, *sets]
+        monkeypatch.setattr(sys, "argv", ["flexbearing", *map(str, arguments)])
+        with pytest.raises(SystemExit) as ending:
+            cli.main()
+        return ending.value.code, *capsys.readouterr()
+
+    return run
+
+
+def rows(path):
+    with path.open(newline="", encoding="utf-8") as file:
+        return [{name: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
+
+
+def test_trace_writes_a_table_and_a_picture(command, tmp_path):
+    code, said, complained = command(LOAD, "-o", tmp_path / "there" / "s.csv", settings=FALLING)
+    assert (code, complained) == (0, "")
+    table = rows(tmp_path / "there" / "s.csv")
+    assert list(table[0]) == [
+        "radial_load_N", "cage_slip", "largest_roller_load_N", "stable", "fold", "growth_rate_1_per_s"
+    ]  # fmt: skip
+    assert (table[0]["radial_load_N"], table[-1]["radial_load_N"]) == (1500.0, 8000.0)
+    folds = [row for row in table if row["fold"]]
+    assert len(folds) == 2
+    for fold in folds:
+        assert f"fold at {fold['radial_load_N']:.6g} N, cage slip {100 * fold['cage_slip']:.4g} %" in said
+    assert "end: range left at 8000 N" in said
+    assert "between rigid raceways" in said
+    assert {row["stable"] for row in table} == {0.0, 1.0}
+    assert all((row["growth_rate_1_per_s"] < 0) == row["stable"] for row in table)
+    assert (tmp_path / "there" / "s.png").read_bytes().startswith(b"\x89PNG")
+    assert sorted(path.name for path in (tmp_path / "there").iterdir()) == ["s.csv", "s.png"]
+
+
+def test_speed_is_written_in_the_unit_people_use(command, tmp_path):
+    code, said, _ = command("operation.inner_speed = 500 rad/s .. 12000 rpm", "-o", tmp_path / "s.csv")
+    assert code == 0
+    table = rows(tmp_path / "s.csv")
+    assert table[0]["inner_speed_rpm"] == approx(500 * 30 / np.pi, rel=1e-12, abs=0)
+    assert table[-1]["inner_speed_rpm"] == approx(12000, rel=1e-12, abs=0)
+    assert "end: range left at 12000 rpm" in said
+    assert "fold" not in said
+
+
+@pytest.mark.parametrize(
+    ("over", "words"),
+    [
+        ("operation.radial_laod=1 N..2 N", "operation.radial_load"),
+        ("bearing.clearance=10 um..20 um", "operation.radial_load, operation.inner_speed"),
+        ("operation.radial_load", "KEY=FROM..TO"),
+        ("operation.radial_load=500 N", "KEY=FROM..TO"),
+        ("operation.radial_load=..500 N", "KEY=FROM..TO"),
+        ("operation.radial_load=500 mm..20 kN", "is not a force"),
+        ("operation.radial_load=500..20 kN", "has no unit"),
+        ("operation.radial_load=0 N..20 kN", "of one sign"),
+        ("operation.radial_load=20 kN..20000 N", "not the same"),
+        ("operation.inner_speed=-100 rpm..100 rpm", "of one sign"),
+    ],
+)
+def test_key_or_range_without_sense_is_refused(command, tmp_path, over, words):
+    code, said, complained = command(over, "-o", tmp_path / "s.csv")
+    assert (code, said) == (2, "")
+    assert words in complained
+    assert not list(tmp_path.iterdir())
+
+
+def test_table_of_another_kind_is_refused(command, tmp_path):
+    code, _, complained = command(LOAD, "-o", tmp_path / "s.h5")
+    assert code == 2
+    assert "s.csv" in complained
+
+
+def test_unstable_part_is_dashed_and_joined_at_the_folds():
+    table = {
+        "load": np.array([1.0, 2.0, 3.0, 2.0, 1.5, 2.0, 4.0]),
+        "cage_slip": np.array([0.5, 0.4, 0.3, 0.2, 0.1, 0.05, 0.01]),
+        "stable": np.array([1, 1, 0, 0, 0, 1, 1]),
+        "fold": np.array([0, 0, 1, 0, 1, 0, 0]),
+    }
+    (axes,) = draw_branch("a case", "load", table).axes
+    stable, unstable, folds = axes.lines
+    assert (stable.get_linestyle(), unstable.get_linestyle()) == ("-", "--")
+    assert np.isfinite(stable.get_ydata()).tolist() == [True, True, True, False, True, True, True]
+    assert np.isfinite(unstable.get_ydata()).tolist() == [False, False, True, True, True, False, False]
+    assert folds.get_ydata() == approx([30.0, 10.0], rel=1e-12, abs=0)
+    assert axes.get_yscale() == "log"

@@ -1,0 +1,190 @@
+"""Identities on bearings that nobody would design: random numbers draw geometry, oil, loads and speed.
+
+The designs are those of `benchmarks/random_designs.py`: 10 N to 100 kN, 100 to 100 000 rpm, clearance from
+-50 to 300 um, four traction laws, any direction of the load, a third of them tilted by a moment. Each
+imbalance is measured against the forces that cause it, as their rounding is all that may remain: torques
+against all roller loads times the raceway radius, powers against all roller loads times the surface speeds.
+"""
+
+from dataclasses import replace
+from functools import lru_cache
+
+import numpy as np
+from hypothesis import assume, example, given, settings
+from hypothesis import strategies as st
+from pytest import approx
+
+from benchmarks.random_designs import design, imbalance
+from quasidynamic import Ending, NotSolved
+from quasidynamic.solve import bordered
+from quasidynamic.static import static_loads
+from tests.bearings import RPM
+
+SEEDS, INERTIA = st.integers(0, 9999), st.booleans()
+FEW = settings(max_examples=20, deadline=None)
+FEWER = settings(max_examples=8, deadline=None)
+PRESSED = 300.0  # [N]
+LIGHT = {0: "10 N, slip 0.72", 4: "810 N, slip 0.32", 99: "96 N, slip 0.87"}  # most rollers spin backwards
+
+
+@lru_cache(maxsize=256)
+def ended(seed, spin_inertia=True):
+    """Model and its last state, however the solve ended."""
+    model, _ = design(np.random.default_rng(seed))
+    model = replace(model, spin_inertia=spin_inertia)
+    return model, model.solve_many([model.operation])[0]
+
+
+def solved(seed, spin_inertia=True):
+    """A design whose rollers are pressed on the inner ring: lighter ones may take seconds."""
+    model, _ = design(np.random.default_rng(seed))
+    assume(model.operation.radial_load > PRESSED or seed in LIGHT)
+    model, state = ended(seed, spin_inertia)
+    assume(state.status is Ending.CONVERGED)
+    return model, state
+
+
+def bearing_speeds(state):
+    """Surface speeds of rolling (2, Z) [m/s], signed."""
+    bearing, points = state.balance.roller.bearing, state.balance.points
+    inner = (points.inner_speed[0, 0] - state.cage_speed) * bearing.inner_radius
+    outer = (state.cage_speed - points.outer_speed[0, 0]) * bearing.outer_radius
+    return (np.array([[inner], [outer]]) + state.roller_speed * bearing.roller.diameter / 2) / 2
+
+
+@FEWER
+@given(SEEDS, INERTIA)
+def test_every_design_ends_by_name(seed, spin_inertia):
+    model, state = ended(seed, spin_inertia)
+    assert isinstance(state.status, Ending)
+    assert state.status is not Ending.NONE
+    if state.status is Ending.CONVERGED:
+        assert state.residual <= 1e-9 * max(1.0, state.loads.max() / model.operation.radial_load)
+        assert np.isfinite(state.loads).all()
+    else:
+        failure = NotSolved(state.failure(), state.status)
+        assert failure.ending == state.status
+        assert "evaluations" in str(failure)
+
+
+@FEW
+@given(SEEDS, INERTIA)
+@example(4, True)
+@example(99, False)
+def test_angular_momentum_is_kept(seed, spin_inertia):
+    """The transport of spin is handed from roller to roller: around the bearing it adds up to nothing."""
+    _, state = solved(seed, spin_inertia)
+    bearing = state.balance.roller.bearing
+    torques = [
+        bearing.inner_radius * (state.traction[0] + state.rolling_shear[0]).sum(),
+        bearing.outer_radius * (state.traction[1] - state.rolling_shear[1]).sum(),
+        -bearing.rollers * state.rollers.drag[0, 0] * bearing.pitch_diameter / 2,
+        state.rollers.churning.sum(),
+        state.land_torque,
+    ]
+    assert sum(torques) == approx(0.0, abs=1e-12 * state.loads[1].sum() * bearing.outer_radius)
+
+
+@FEW
+@given(SEEDS, INERTIA)
+@example(4, True)
+@example(99, False)
+def test_power_put_in_is_the_work_of_all_forces(seed, spin_inertia):
+    """Inlet shear and pocket friction with their signs: rollers may spin backwards."""
+    model, state = solved(seed, spin_inertia)
+    cage, r_w = model.bearing.cage, model.bearing.roller.diameter / 2
+    rolling, losses = bearing_speeds(state), state.losses
+    friction = cage.pocket_friction * (np.hypot(state.cage_force, 0.5) - 0.5)
+    work = [
+        (state.traction * state.sliding).sum(),
+        2 * (state.rolling_shear * rolling).sum(),
+        losses.drag,
+        float(friction @ state.roller_speed) * r_w,
+        losses.land,
+        losses.churning,
+        losses.transport,
+    ]
+    scale = (state.loads * np.abs(rolling)).sum()
+    assert sum(work) == approx(state.driving_power, rel=0, abs=1e-12 * scale)
+    if (state.roller_speed > 0).all() and (rolling > 0).all():
+        # A surface that hardly moves counts as creeping: see `STILL`.
+        assert losses.total == approx(state.driving_power, rel=1e-10, abs=1e-11 * scale)
+
+
+@FEW
+@given(SEEDS, INERTIA)
+@example(4, True)
+@example(99, False)
+def test_rollers_ring_and_cage_are_in_balance(seed, spin_inertia):
+    """Every balance summed again from what is reported, over the largest force."""
+    _, state = solved(seed, spin_inertia)
+    assert imbalance(state) < 1e-11
+    pitch, rolling = state.balance.roller.bearing.pitch_diameter, state.balance.rolling_cage[0, 0]
+    sliding, lag = state.sliding.sum(0), rolling - state.cage_speed
+    assert sliding == approx(np.full(sliding.shape, pitch * lag), rel=0, abs=1e-12 * pitch * rolling)
+
+
+@FEWER
+@given(SEEDS, INERTIA)
+def test_rollers_shifted_by_one_pitch_share_the_load_alike(seed, spin_inertia):
+    model, here = solved(seed, spin_inertia)
+    step = 2 * np.pi / model.bearing.rollers
+    bearing = replace(model.bearing, first_roller_azimuth=model.bearing.first_roller_azimuth + step)
+    shifted = replace(model, bearing=bearing).solve_many([model.operation])[0]
+    assume(shifted.status is Ending.CONVERGED)
+    assert shifted.loads == approx(np.roll(here.loads, -1, axis=1), rel=0, abs=1e-11 * here.loads.max())
+
+
+@FEWER
+@given(SEEDS, INERTIA)
+def test_linear_solve_inverts_the_differenced_jacobian(seed, spin_inertia):
+    """Along one random direction; what its inverse misses is put back through the differences."""
+    _, state = solved(seed, spin_inertia)
+    assume(state.cage_slip > 1e-4)  # traction is too curved for differences where it changes side
+    balance, here = state.balance, state.scaled[None]
+    steps = np.full(balance.size, 1e-9)
+    steps[balance.displacements] = 1e-6
+    steps[balance.field(-2)] = steps[balance.field(-3)] = 1e-6
+
+    def change(direction):
+        ahead, behind = (balance.evaluate(here + sign * direction).residual[0] for sign in (1, -1))
+        return (ahead - behind) / 2
+
+    direction = steps * np.random.default_rng(seed).normal(size=balance.size)
+    right = change(direction)
+    error = bordered.solve(balance, balance.evaluate(here), right[None, :, None])[0, :, 0] - direction
+    size = np.abs(error / steps).max()
+    assert size * np.abs(change(error / size)).max() < 1e-5 * np.abs(right).max()
+
+
+@FEWER
+@given(SEEDS)
+def test_stiffness_is_the_slope_of_load_over_displacement(seed):
+    model, state = solved(seed)
+    load = model.operation.radial_load
+    ahead, behind = (
+        replace(model, operation=replace(model.operation, radial_load=load * (1 + part))).solve(state)
+        for part in (1e-5, -1e-5)
+    )
+    direction = model.operation.load_direction
+    along = np.array([np.sin(direction), np.cos(direction)])
+    moved = float(along @ (ahead.ring_displacement - behind.ring_displacement))
+    assert state.tangent.radial_stiffness * moved == approx(2e-5 * load, rel=1e-5)
+
+
+@FEW
+@given(SEEDS)
+def test_slow_bearing_is_a_static_one(seed):
+    """Hardly any film or centrifugal force: the loads of `static_loads`, tilted or not.
+
+    What is left is the weight of the rollers, which the model counts at the outer raceway.
+    """
+    model, _ = design(np.random.default_rng(seed))
+    operation = replace(model.operation, inner_speed=1e-4 * RPM)
+    state = model.solve_many([operation])[0]
+    assume(state.status is Ending.CONVERGED)
+    load, moment, direction = operation.radial_load, operation.moment, operation.load_direction
+    found = static_loads(model.bearing, load, direction, moment, model.slices)
+    weight = model.bearing.roller.mass * 9.81
+    size = 20 * weight + 2e-5 * found.loads.max()
+    assert state.loads == approx(np.array([found.loads] * 2), rel=0, abs=size)
