@@ -29,7 +29,7 @@ __all__ = ["Equilibria", "Equilibrium", "RollerBearing"]
 
 Compliance = tuple[NDArray | None, NDArray | None]
 STARTS = (slipping_start, *RESTARTS)
-CASES_AT_ONCE = 64  # their slices fit into the processor's cache
+CASES_AT_ONCE = 128  # their slices fit into the processor's cache
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -22,6 +22,7 @@ from quasidynamic.contact.load import EXPONENT
 
 LITTLE = 0.1  # slip up to which the centrifugal force keeps its value
 GUESSES = np.geomspace(1e-5, 0.98, 9)  # slips that are looked at for a start
+STRIBECK = 5.0  # largest roller load times their number over the load, about
 SHIFT_STEPS = 40  # Newton on a convex law from above: never more than about ten
 SHIFT_DIGITS = 1e-8  # [m]
 
@@ -99,14 +100,16 @@ def _sign_change(places: NDArray, values: NDArray) -> NDArray:
 def ring_shift(balance: BearingBalance, direction: NDArray, gap: NDArray) -> NDArray:
     """Displacement of the ring (C, 1) [m] along the load at which the rollers carry it, without friction.
 
-    Newton's method from a displacement that is too large: the load grows convexly with it.
+    Newton's method from the usual share of the most loaded roller. The load grows convexly with the
+    displacement: after one step at most it is approached from above.
     """
     raceways, load = balance.roller.raceways, balance.points.load
     soft = softness(balance)
     share, coefficient = soft[0] / soft.sum(), np.ravel(raceways.law.coefficient)[0]
     cos = np.cos(balance.roller.bearing.azimuths - direction)
     nearest = cos.max(axis=-1, keepdims=True)
-    room = soft.sum() * (load / nearest) ** (1 / EXPONENT) + raceways.drop.max() / share
+    usual = np.minimum(1.0, STRIBECK / balance.rollers) * load / nearest
+    room = soft.sum() * usual ** (1 / EXPONENT) + raceways.drop.min() / share
     shift = (np.maximum(gap, 0.0) + room) / nearest
     for _ in range(SHIFT_STEPS):
         # Of the room between the raceways, the inner one takes its share and has the profile to itself.

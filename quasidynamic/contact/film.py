@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from quasidynamic.parts.lubricant import Lubricant
 
+TINY = 1e-300  # lets the logarithm of nothing pass
 SLIP_ROUNDING = 1e-3  # of the slide-to-roll ratio in the heating of the inlet
 
 
@@ -126,8 +127,8 @@ def inlet_heating_factor(
     """
     loading = oil.viscosity * oil.temperature_viscosity * entrainment**2 / oil.conductivity
     slip = np.hypot(sliding / entrainment, SLIP_ROUNDING)
-    thermal = 0.1 * loading**0.64
-    sheared = 14.8 * slip**0.83
+    thermal = 0.1 * np.exp(0.64 * np.log(loading + TINY))
+    sheared = 14.8 * np.exp(0.83 * np.log(slip))
     factor = 1.0 / (1.0 + thermal * (1.0 + sheared))
     by_slip = -(factor**2) * thermal * 0.83 * sheared / slip**2 * (sliding / entrainment)
     by_sliding = by_slip / entrainment
