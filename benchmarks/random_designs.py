@@ -108,7 +108,8 @@ def imbalance(state) -> float:
     """Largest imbalance over the largest force, from the reported quantities alone."""
     bearing, points = state.balance.roller.bearing, state.balance.points
     t, shear, load, force = state.traction, state.rolling_shear, state.loads, state.cage_force
-    s, g = points.direction[0, 0], bearing.diameter_ratio
+    g, nominal = bearing.diameter_ratio, points.inner_speed[0, 0] - points.outer_speed[0, 0]
+    s = state.roller_speed / np.hypot(state.roller_speed, 1e-5 * nominal * (1 - g**2) / (2 * g))
     r_w, r_m = bearing.roller.diameter / 2, bearing.pitch_diameter / 2
     friction = bearing.cage.pocket_friction * (np.hypot(force, 0.5) - 0.5)
     centrifugal = bearing.roller.mass * (r_m * state.cage_speed**2 + 9.81)
@@ -122,7 +123,7 @@ def imbalance(state) -> float:
         load[0] @ sin + tangential @ cos - points.load_y[0, 0],
         load[0] @ cos - tangential @ sin - points.load_z[0, 0],
     ]
-    cage = -force.sum() * r_m - s * friction.sum() * r_w + state.land_torque
+    cage = -force.sum() * r_m - (s * friction).sum() * r_w + state.land_torque
     moments = [0.0]
     if points.free_tilt[0, 0]:
         applied = np.array([points.moment_z[0, 0], points.moment_y[0, 0]])

@@ -19,7 +19,7 @@ from quasidynamic.balance.bearing import (
     Y,
     Z,
 )
-from quasidynamic.balance.roller import RollerState, rounded_size
+from quasidynamic.balance.roller import RollerState
 from quasidynamic.contact.hertz import peak_pressure
 from quasidynamic.contact.land import land_torque
 from quasidynamic.outcome.life import basic_life
@@ -174,7 +174,7 @@ class Equilibrium:
     @property
     def rolling_shear(self) -> NDArray:
         """Inlet shear at the raceways (2, Z) [N], signed along the rolling."""
-        return float(self.balance.points.direction[0, 0]) * self.rollers.contact.rolling.force[:, 0]
+        return (self.rollers.sense * self.rollers.contact.rolling.force)[:, 0]
 
     @property
     def sliding(self) -> NDArray:
@@ -234,13 +234,12 @@ class Equilibrium:
     def losses(self) -> Losses:
         """Power loss by cause [W]."""
         bearing, rollers = self.balance.roller.bearing, self.rollers
-        brake = bearing.cage.pocket_friction * np.abs(rounded_size(self.cage_force))
         difference, *_ = self._land
         return Losses(
             sliding=float((self.traction * self.sliding).sum()),
-            rolling=float((2 * np.abs(self.rolling_shear) * self.entrainment).sum()),
+            rolling=float((2 * self.rolling_shear * (rollers.sense * rollers.entrainment)[:, 0]).sum()),
             drag=float(rollers.drag[0, 0] * self.cage_speed * bearing.pitch_diameter / 2 * bearing.rollers),
-            pocket=float((brake * bearing.roller.diameter / 2 * np.abs(self.roller_speed)).sum()),
+            pocket=float(rollers.pocket_brake[0] @ self.roller_speed * bearing.roller.diameter / 2),
             land=self.land_torque * difference,
             churning=float(rollers.churning[0] @ (self.roller_speed - self.cage_speed)),
             transport=float(self.transport @ self.roller_speed),

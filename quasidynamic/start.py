@@ -255,7 +255,7 @@ class LumpedRollers:
         roller, points, raceways = self.balance.roller, self.balance.points, self.balance.roller.raceways
         speeds = self.balance.rolling_spin + drift, self.balance.rolling_cage + cage_drift
         nothing = np.zeros((2, *drift.shape))
-        sliding, entrainment = roller.surfaces(
+        sliding, entrainment, sense = roller.surfaces(
             RollerInputs(nothing, nothing, drift, cage_drift, *speeds), points
         )
         length = raceways.slices.length
@@ -263,7 +263,7 @@ class LumpedRollers:
         film = raceways.film(load, sliding, entrainment).thickness
         pull = raceways.traction(line_load, sliding[..., None], entrainment[..., None], film[..., None])
         shear = raceways.rolling(load, entrainment)
-        return np.concatenate([pull.force[..., 0] * length, points.direction * shear.force])
+        return np.concatenate([pull.force[..., 0] * length, sense * shear.force])
 
     def _resistance(self, cage_speed: NDArray) -> NDArray:
         """Torque (C) of oil-air mixture and land on the cage [N m]."""

@@ -12,11 +12,12 @@ from quasidynamic.contact.churning import churning
 from quasidynamic.contact.drag import orbit_drag
 from quasidynamic.contact.lubrication import Lubrication
 from quasidynamic.contact.raceways import ContactState, Raceways
+from quasidynamic.motion.speeds import rolling_roller_speed
 from quasidynamic.parts.bearing import CylindricalRollerBearing
 
 CAGE_FORCE_ROUNDING = 0.5  # [N] width over which the pocket force changes side
 GRAVITY = 9.81  # [m/s2]
-STILL = 1e-6  # of the nominal surface speed: keeps powers of the entrainment speed finite
+STILL = 1e-5  # of nominal speeds: below it surfaces stand still, and friction has no sense
 
 # Places among a roller's inputs and its value, and among its forces, counted from the end.
 SPIN, CAGE_SPEED, FILM_I, FILM_O, VALUE = range(-5, 0)
@@ -44,6 +45,8 @@ class RollerState(NamedTuple):
     cage_force: NDArray  # (C, Z) on the roller along +t [N]
     drag: NDArray  # (C, 1) oil-air mixture on one roller, against +t [N]
     churning: NDArray  # (C, Z) torque of the mixture against the spin [N m]
+    sense: NDArray  # (2, C, Z) sign of the mean surface speed, smooth through zero [-]
+    pocket_brake: NDArray  # (C, Z) friction of the pocket against the spin, signed like it [N]
 
 
 class Response(NamedTuple):
@@ -114,12 +117,11 @@ class RollerBalance:
 
     def respond(self, inputs: RollerInputs, points: OperatingPoints) -> Response:
         """Evaluate the equations of all rollers."""
-        sliding, rolling = self._surface_speeds(inputs, points)
-        entrainment = self._entrainment(rolling, points)
+        sliding, entrainment, sense = self.surfaces(inputs, points)
         contact = self.raceways.state(inputs.approach, sliding, entrainment, inputs.film)
-        friction = self._friction(contact, rolling / entrainment)
-        forces = self._forces(contact, friction, points, inputs)
-        cage_force = self._add_pocket(forces, points.direction)
+        friction = self._friction(contact, entrainment, sense)
+        forces = self._forces(contact, friction, inputs)
+        cage_force = self._add_pocket(forces, inputs.spin, points)
         rows, film = _combined(self.levers, forces), friction[2]
         film[[0, 1], [FILM_I, FILM_O]] -= 1.0
         film[:, VALUE] -= inputs.film
@@ -134,20 +136,20 @@ class RollerBalance:
                 cage_force,
                 drag=forces[DRAG, VALUE, :, :1],
                 churning=forces[CHURNING, VALUE],
+                sense=sense,
+                pocket_brake=forces[POCKET_BRAKE, VALUE],
             ),
         )
 
     # -- surfaces ------------------------------------------------------------------------------
 
-    def surfaces(self, inputs: RollerInputs, points: OperatingPoints) -> tuple[NDArray, NDArray]:
-        """Sliding and entrainment speed (2, C, Z) [m/s]; neither approach nor film is looked at."""
+    def surfaces(self, inputs: RollerInputs, points: OperatingPoints) -> tuple[NDArray, NDArray, NDArray]:
+        """Sliding and entrainment speed (2, C, Z) [m/s], sense of rolling [-]; films are not looked at."""
         sliding, rolling = self._surface_speeds(inputs, points)
-        return sliding, self._entrainment(rolling, points)
-
-    def _entrainment(self, rolling: NDArray, points: OperatingPoints) -> NDArray:
-        """Size of the mean surface speed, kept above zero [m/s]."""
         nominal = np.abs(points.inner_speed - points.outer_speed) * self.bearing.inner_radius
-        return np.sqrt(rolling**2 + (STILL * nominal) ** 2)
+        # The size of the mean surface speed, kept above zero.
+        entrainment = np.sqrt(rolling**2 + (STILL * nominal) ** 2)
+        return sliding, entrainment, rolling / entrainment
 
     def _surface_speeds(self, inputs: RollerInputs, points: OperatingPoints) -> tuple[NDArray, NDArray]:
         """Sliding of raceway over roller and mean surface speed (2, C, Z) [m/s], both signed.
@@ -172,8 +174,8 @@ class RollerBalance:
         rolling = 0.5 * np.array([[r_w, -r_i], [r_w, r_o]])
         return sliding[..., None, None], rolling[..., None, None]
 
-    def _friction(self, contact: ContactState, sense: NDArray) -> NDArray:
-        """Traction, rolling shear and film of both raceways (3, 2, inputs + 1, C, Z), value last."""
+    def _friction(self, contact: ContactState, entrainment: NDArray, sense: NDArray) -> NDArray:
+        """Traction, rolling shear along the rolling, and film of both raceways (3, 2, inputs + 1, C, Z)."""
         m = self.shapes
         found = np.zeros((3, 2, 2 * m + 5, *sense.shape[1:]))
         by_load = contact.force_by_approach[:, 0]
@@ -192,27 +194,29 @@ class RollerBalance:
             contact.traction_by_sliding[:, None] * sliding
             + contact.traction_by_entrainment[:, None] * entrained
         )
-        shear[:, speeds] = contact.rolling.by_entrainment[:, None] * entrained
+        shear *= sense[:, None]
+        turning = (1 - sense**2) / entrainment * contact.rolling.force  # the sense changes with the speed
+        shear[:, speeds] = (
+            turning[:, None] * rolling + (sense * contact.rolling.by_entrainment)[:, None] * entrained
+        )
         film[:, speeds] = (
             contact.film.by_sliding[:, None] * sliding + contact.film.by_entrainment[:, None] * entrained
         )
         traction[[0, 1], [FILM_I, FILM_O]] = contact.traction_by_film
-        traction[:, VALUE], shear[:, VALUE] = contact.traction, contact.rolling.force
+        traction[:, VALUE], shear[:, VALUE] = contact.traction, sense * contact.rolling.force
         film[:, VALUE] = contact.film.thickness
         return found
 
     # -- forces --------------------------------------------------------------------------------
 
-    def _forces(
-        self, contact: ContactState, friction: NDArray, points: OperatingPoints, inputs: RollerInputs
-    ) -> NDArray:
+    def _forces(self, contact: ContactState, friction: NDArray, inputs: RollerInputs) -> NDArray:
         """Fill in `forces` (forces, inputs + 1, C, Z), but for those of the pocket."""
         m, shape = self.shapes, inputs.spin.shape
         found = np.zeros((len(self.forces), 2 * m + 5, *shape))
         found[: 2 * m, VALUE] = contact.force.reshape(2 * m, *shape)
         found[:m, :m], found[m : 2 * m, m : 2 * m] = contact.force_by_approach
         found[2 * m : 2 * m + 2] = friction[0]
-        found[2 * m + 2 : 2 * m + 4] = points.direction * friction[1]
+        found[2 * m + 2 : 2 * m + 4] = friction[1]
         found[CENTRIFUGAL, VALUE], found[CENTRIFUGAL, CAGE_SPEED] = self.centrifugal(inputs.cage_speed)
         found[DRAG, VALUE], found[DRAG, CAGE_SPEED] = self.drag(inputs.cage_speed)
         if self.lubrication.churning_gap is not None:
@@ -239,14 +243,22 @@ class RollerBalance:
         choice = self.lubrication
         return orbit_drag(cage_speed, self.bearing, choice.oil, choice.oil_fraction, choice.drag_coefficient)
 
-    def _add_pocket(self, forces: NDArray, direction: NDArray) -> NDArray:
+    def _add_pocket(self, forces: NDArray, spin: NDArray, points: OperatingPoints) -> NDArray:
         """Fill in the pocket's friction: lifts or presses the roller, brakes its spin; returns F_c (C, Z)."""
-        friction = direction * self.bearing.cage.pocket_friction
+        ratio, coefficient = self.bearing.diameter_ratio, self.bearing.cage.pocket_friction
+        nominal = rolling_roller_speed(points.inner_speed, points.outer_speed, ratio)
+        speed = np.sqrt(spin**2 + (STILL * nominal) ** 2)
+        sense = spin / speed
+        by_spin = coefficient * (1 - sense**2) / speed
         graded = _combined(self.cage_force, forces)
         force = graded[VALUE]
-        forces[POCKET_UP] = friction * graded
-        forces[POCKET_BRAKE] = friction * (force / np.sqrt(force**2 + CAGE_FORCE_ROUNDING**2)) * graded
-        forces[POCKET_BRAKE, VALUE] = friction * rounded_size(force)
+        size = rounded_size(force)
+        slope = force / np.sqrt(force**2 + CAGE_FORCE_ROUNDING**2)
+        forces[POCKET_UP] = coefficient * sense * graded
+        forces[POCKET_BRAKE] = coefficient * (sense * slope) * graded
+        forces[POCKET_BRAKE, VALUE] = coefficient * sense * size
+        forces[POCKET_UP, SPIN] += by_spin * force
+        forces[POCKET_BRAKE, SPIN] += by_spin * size
         return force
 
 

@@ -68,5 +68,5 @@ def settled(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
 
 def film_at(balance: BearingBalance, unknowns: Unknowns, load: NDArray) -> NDArray:
     """Films (2, C, Z) [m] at roller loads (2, C, Z) [N] and the speeds of the unknowns."""
-    sliding, entrainment = balance.roller.surfaces(balance.inputs(unknowns), balance.points)
+    sliding, entrainment, _ = balance.roller.surfaces(balance.inputs(unknowns), balance.points)
     return balance.roller.raceways.film(load, sliding, entrainment).thickness
