@@ -13,6 +13,7 @@ from quasidynamic.solve.newton import Sweep, norm, step
 
 LIMIT = 40  # evaluations before Newton's method is tried again
 ENOUGH = 1e-4  # residual from which it is tried at once
+PROGRESS = 1e-2  # part of the first residual that must be reached before
 FIRST_STEP = 1e-4  # [s]
 SHORTEST_STEP = 1e-9  # [s]
 LONGEST_SHIFT = 5.0  # scaled ring displacement in a step: 5 micrometres
@@ -55,14 +56,16 @@ def pseudo_time(balance: BearingBalance, unknowns: NDArray, pace: Pace) -> Itera
     cases, here = np.arange(len(unknowns)), balance
     before, size = unknowns, np.full(len(unknowns), np.inf)
     pull, turned = np.zeros(len(unknowns)), np.zeros(len(unknowns), bool)
+    enough = None
     for number in range(LIMIT + 1):
         system = here.evaluate(unknowns)
         new = norm(system)
+        enough = np.minimum(ENOUGH, PROGRESS * new) if enough is None else enough
         refused = ~(new < WORSE * size) & (pace.time > SHORTEST_STEP)
         pace = pace.after(refused, _growth(size, new, turned))
         # A refused state is left for the one before it; the next sweep starts there with a shorter step.
         here_now = np.where(refused[:, None], before, unknowns)
-        endings = [_ending(value, number, bad) for value, bad in zip(new, refused, strict=True)]
+        endings = [_ending(*case, last=number == LIMIT) for case in zip(new, enough, refused, strict=True)]
         left = np.array([ending is Ending.NONE for ending in endings])
         yield Sweep(number, cases, here_now, system, endings, ~refused), pace
         if not left.any():
@@ -81,7 +84,7 @@ def pseudo_time(balance: BearingBalance, unknowns: NDArray, pace: Pace) -> Itera
         if not left.all():
             cases, here, pace = cases[left], here.take(left), pace.take(left)
             before, unknowns, size = before[left], unknowns[left], size[left]
-            pull, turned = pull[left], turned[left]
+            pull, turned, enough = pull[left], turned[left], enough[left]
 
 
 def _growth(before: NDArray, now: NDArray, turned: NDArray) -> NDArray:
@@ -91,12 +94,12 @@ def _growth(before: NDArray, now: NDArray, turned: NDArray) -> NDArray:
     return np.where(turned, 0.25, np.clip(1.3 * fall, 1.3, 4.0))
 
 
-def _ending(size: float, number: int, refused: bool) -> Ending:
-    if size <= ENOUGH:
+def _ending(size: float, enough: float, refused: bool, last: bool) -> Ending:
+    if size <= enough:
         return Ending.CONVERGED
     if not np.isfinite(size) and not refused:
         return Ending.NOT_FINITE
-    return Ending.LIMIT if number == LIMIT else Ending.NONE
+    return Ending.LIMIT if last else Ending.NONE
 
 
 def _step(balance: BearingBalance, system: Linearisation, pace: Pace) -> NDArray:
