@@ -16,6 +16,7 @@ from quasidynamic.parts.oils import oil_at
 from quasidynamic.parts.operation import Operation
 from quasidynamic.parts.roller import Crowned, Logarithmic, Profile, Roller, Straight
 from quasidynamic.solve.endings import Ending
+from quasidynamic.static import static_loads
 
 __all__ = [
     "FORMULAS",
@@ -44,4 +45,5 @@ __all__ = [
     "RollerBearing",
     "Straight",
     "oil_at",
+    "static_loads",
 ]
