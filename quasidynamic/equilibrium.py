@@ -228,7 +228,7 @@ class Equilibrium:
     @property
     def transport(self) -> NDArray:
         """Torque (Z) that the change of spin around the bearing takes from each roller [N m]."""
-        return self.balance.spin_transport(self.unknowns)[0]
+        return self.balance.spin_transport(self.unknowns.cage_drift, self.unknowns.spin_drift).torque[0]
 
     @property
     def losses(self) -> Losses:

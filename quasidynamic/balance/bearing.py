@@ -17,6 +17,7 @@ from quasidynamic.balance.roller import (
     RollerInputs,
     RollerState,
 )
+from quasidynamic.balance.spin_transport import SpinTransport, spin_transport
 from quasidynamic.contact.land import land_torque
 from quasidynamic.contact.load import GAP_ROUNDING
 from quasidynamic.motion.speeds import rolling_cage_speed, rolling_roller_speed
@@ -29,7 +30,6 @@ LENGTH = 1e-6  # [m] size of approaches and displacements
 ANGLE = 1e-3  # [rad]
 IDLE = 1e-3  # share of the centrifugal force that stands for a load
 SPIN_CHANGE = 0.5  # of the spin in pure rolling in a step
-CREEP = 1e-4  # of the spin in pure rolling: cage speed below which it hardly moves
 FILM = 1e-4  # [m] far above any film: a step is judged by its forces, not by how far films lag behind
 LARGE_DEVIATION = 1e-4  # [m] of a thin ring
 
@@ -57,8 +57,8 @@ class Linearisation(NamedTuple):
     residual: NDArray  # (C, N)
     table: NDArray  # (rows, columns, C, Z)
     border: NDArray  # (C, 5, 5) what border unknowns do to border balances without any roller
-    before: NDArray  # (C, Z) what the spin of the roller before does to the balance of spin
-    after: NDArray  # (C, Z) the same for the roller after
+    before: NDArray  # (C, 1) what the spin of the roller before does to the balance of spin
+    after: NDArray  # (C, 1) the same for the roller after
     loading: NDArray  # (C) largest roller load over the reference force, at least 1
     cage_speed: NDArray  # (C) over its size, without sign
     state: RollerState
@@ -291,7 +291,7 @@ class BearingBalance:
         response = self.roller.respond(self.inputs(x), self.points)
         graded = self._rows(response.table)
         rows, table = graded[:, VALUE], self._columns(graded)
-        before, after = self._add_spin_transport(x, rows, table)
+        transport = self._add_spin_transport(x, rows, table)
         border, border_by = self._border(x)
         border += rows[self.own : self.own + BORDER].sum(-1)
         residual = [border.T, rows[: self.own].transpose(1, 0, 2).reshape(len(scaled), -1)]
@@ -302,8 +302,8 @@ class BearingBalance:
             residual=np.concatenate(residual, axis=1) / self.residual_scale,
             table=table,
             border=border_by * border_scale,
-            before=before * chain,
-            after=after * chain,
+            before=transport.by_before * chain,
+            after=transport.by_after * chain,
             loading=np.maximum(
                 1.0, response.state.contact.force[OUTER, 0].max(-1) / self.reference_force[:, 0]
             ),
@@ -372,46 +372,18 @@ class BearingBalance:
             here[:] = inner if race == INNER else -np.concatenate([inner[:, :2], outer[:, 2:]], axis=1)
         return table
 
-    def spin_transport(self, x: Unknowns) -> NDArray:
-        """Torque J omega_c dw/dphi (C, Z) [N m] that the change of spin around the bearing takes.
-
-        Differenced upwind, from the roller that was here before; where the cage hardly moves, both
-        neighbours count, so that nothing jumps when it turns back.
-        """
-        before, after, _, _ = self._spin_chain(x)
-        spin = x.spin_drift
-        return before * (spin - self._previous(spin)) + after * (spin - self._next(spin))
-
-    @staticmethod
-    def _previous(spin: NDArray) -> NDArray:
-        """Values (C, Z) of the roller before."""
-        return np.concatenate([spin[:, -1:], spin[:, :-1]], axis=1)
-
-    @staticmethod
-    def _next(spin: NDArray) -> NDArray:
-        """Values (C, Z) of the roller after."""
-        return np.concatenate([spin[:, 1:], spin[:, :1]], axis=1)
-
-    def _spin_chain(self, x: Unknowns) -> tuple[NDArray, NDArray, NDArray, NDArray]:
-        """Torque per change of spin (C, 1) [N m s], from the roller before and after, and their slopes."""
+    def spin_transport(self, cage_drift: NDArray, spin_drift: NDArray) -> SpinTransport:
+        """What the change of spin around the bearing takes at these drifts (C, 1), (C, Z) [rad/s]."""
         inertia = self.roller.bearing.roller.inertia if self.spin_inertia else 0.0
-        factor = inertia * self.rollers / (2 * np.pi)
-        _, cage_speed = self.speeds(x)
-        slow = CREEP * np.abs(self.rolling_spin)
-        size = np.sqrt(cage_speed**2 + slow**2)
-        sense = cage_speed / size
-        half = factor / 2
-        return half * (size + cage_speed), half * (size - cage_speed), half * (sense + 1), half * (sense - 1)
+        return spin_transport(spin_drift, self.rolling_cage + cage_drift, self.rolling_spin, inertia)
 
-    def _add_spin_transport(self, x: Unknowns, rows: NDArray, table: NDArray) -> tuple[NDArray, NDArray]:
-        """Add the transport of spin to its balance; returns what the neighbours' spins do there (C, Z)."""
-        before, after, before_by_cage, after_by_cage = self._spin_chain(x)
-        spin, row = x.spin_drift, self.own - 1
-        from_before, from_after = spin - self._previous(spin), spin - self._next(spin)
-        rows[row] -= before * from_before + after * from_after
-        table[row, row] -= before + after
-        table[row, self.own + CAGE] -= before_by_cage * from_before + after_by_cage * from_after
-        return before + np.zeros_like(spin), after + np.zeros_like(spin)
+    def _add_spin_transport(self, x: Unknowns, rows: NDArray, table: NDArray) -> SpinTransport:
+        """Add the transport of spin to its balance, but for what the neighbours' spins do there."""
+        taken, row = self.spin_transport(x.cage_drift, x.spin_drift), self.own - 1
+        rows[row] -= taken.torque
+        table[row, row] -= taken.by_spin
+        table[row, self.own + CAGE] -= taken.by_cage
+        return taken
 
     def _border(self, x: Unknowns) -> tuple[NDArray, NDArray]:
         """Loads from outside on ring and cage (5, C), their derivatives by the border (C, 5, 5)."""

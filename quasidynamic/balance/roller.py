@@ -167,7 +167,7 @@ class RollerBalance:
         )
 
     @cached_property
-    def _speed_slopes(self) -> tuple[NDArray, NDArray]:
+    def speed_slopes(self) -> tuple[NDArray, NDArray]:
         """Sliding and mean surface speed by spin and by cage speed, (2 raceways, 2, 1, 1) [m]."""
         r_w, r_i, r_o = self.bearing.roller.diameter / 2, self.bearing.inner_radius, self.bearing.outer_radius
         sliding = np.array([[-r_w, -r_i], [r_w, -r_o]])
@@ -187,7 +187,7 @@ class RollerBalance:
         for quantity, by in zip(found, by_approach, strict=True):
             quantity[0, :m], quantity[1, m : 2 * m] = by
         traction, shear, film = found
-        sliding, rolling = self._speed_slopes
+        sliding, rolling = self.speed_slopes
         entrained = rolling * sense[:, None]
         speeds = slice(2 * m, 2 * m + 2)
         traction[:, speeds] = (

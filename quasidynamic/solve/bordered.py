@@ -95,7 +95,7 @@ def _substituted(table: NDArray, later: NDArray, pivots: int) -> NDArray:
 def _chained(balance, system, table, border, right) -> tuple[NDArray, NDArray, NDArray]:
     """Border (5, R, C), spins (R, C, Z) and no deviations, with the spins as a cyclic tridiagonal ring."""
     # Whatever the spins answer is linear in the right-hand sides and in the border unknowns.
-    spin = _around(table[0, 0], system.before, system.after, table[0, 1:])
+    spin = around(table[0, 0], system.before, system.after, table[0, 1:])
     by_border, by_side = spin[:BORDER], spin[BORDER:]
     felt = table[1:, :1] * np.concatenate([by_border, by_side])
     reduced = (table[1:, 1:] - felt).sum(-1)
@@ -105,12 +105,12 @@ def _chained(balance, system, table, border, right) -> tuple[NDArray, NDArray, N
     return edge, by_side - np.einsum("brc,bcz->rcz", edge, by_border), np.zeros((0, *by_side.shape))
 
 
-def _around(middle: NDArray, before: NDArray, after: NDArray, sides: NDArray) -> NDArray:
+def around(middle: NDArray, before: NDArray, after: NDArray, sides: NDArray) -> NDArray:
     """Solve the ring middle s_j + before s_(j-1) + after s_(j+1) = sides (R, C, Z), for all cases at once."""
     count, cases, rollers = sides.shape
     corners = np.zeros((2, cases, rollers))  # what the last spin does to the first one, and the reverse
-    corners[0, :, 0], corners[1, :, -1] = before[:, 0], after[:, -1]
-    lower, upper = before.copy(), after.copy()
+    corners[0, :, 0], corners[1, :, -1] = before[:, 0], after[:, 0]
+    lower, upper = np.repeat(before, rollers, axis=1), np.repeat(after, rollers, axis=1)
     lower[:, 0] = upper[:, -1] = 0.0
     columns = np.concatenate([sides, corners]).reshape(count + 2, -1).T
     *_, solved, fault = dgtsv(lower.ravel()[1:], middle.ravel(), upper.ravel()[:-1], columns)
