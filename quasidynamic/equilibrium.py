@@ -19,9 +19,12 @@ from quasidynamic.balance.bearing import (
     Y,
     Z,
 )
+from quasidynamic.balance.cage import FloatingCage
 from quasidynamic.balance.roller import RollerState
 from quasidynamic.contact.hertz import peak_pressure
 from quasidynamic.contact.land import land_torque
+from quasidynamic.contact.load import palmgren
+from quasidynamic.contact.pocket import displacement_in_pocket
 from quasidynamic.outcome.life import basic_life
 from quasidynamic.outcome.losses import Losses
 from quasidynamic.solve.endings import Ending
@@ -189,7 +192,7 @@ class Equilibrium:
     @property
     def cage_force(self) -> NDArray:
         """Force of the pockets on the rollers along the motion (Z) [N]."""
-        return self.rollers.cage_force[0]
+        return self.rollers.pocket[0, 0]
 
     @property
     def ring_moment(self) -> NDArray:
@@ -203,7 +206,26 @@ class Equilibrium:
     @property
     def land_torque(self) -> float:
         """Torque of the guiding land on the cage [N m]."""
+        if self.floating is not None:
+            return float(self.floating.torque[0])
         return float(land_torque(*self._land).torque)
+
+    @cached_property
+    def floating(self) -> FloatingCage | None:
+        """Where a cage with a free centre floats in its land; None for one that is held."""
+        if not self.balance.roller.bearing.cage.free:
+            return None
+        return self.balance.floating(self.unknowns, self.rollers.pocket)
+
+    @property
+    def pocket_displacement(self) -> NDArray | None:
+        """Rollers (Z) from the centre of their pockets along the motion [m], if its clearance is known."""
+        bearing = self.balance.roller.bearing
+        if bearing.cage.pocket_clearance is None:
+            return None
+        roller = bearing.roller
+        stop = palmgren(roller.material, roller.material, roller.length).coefficient * roller.length
+        return displacement_in_pocket(-self.cage_force, bearing.cage.pocket_clearance, stop)
 
     @property
     def _land(self):

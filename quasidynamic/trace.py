@@ -149,6 +149,12 @@ def trace(
     return Branch(over, tuple(points), followed.end)
 
 
+def several_likely(model: RollerBearing) -> bool:
+    """Whether lumped rollers balance the cage at several slips: then `equilibria_at` is worth its time."""
+    balance = model.solve_many([model.operation])[0].balance
+    return len(_sign_changes(balance)[0]) > 1
+
+
 def equilibria_at(model: RollerBearing) -> tuple[Equilibrium, ...]:
     """Find the equilibria of a bearing between rigid raceways at its one operating point.
 
@@ -246,8 +252,7 @@ def _through(family: BalanceFamily, begin: Step) -> Iterator[Step]:
 
 def _lumped_starts(balance: BearingBalance) -> list[NDArray]:
     """Scaled unknowns (N) at every slip where the torque of lumped rollers on the cage changes its sign."""
-    drives = LumpedRollers(balance.take(np.zeros(len(SLIPS), int))).at(SLIPS)[2] > 0
-    places = np.flatnonzero(drives[1:] != drives[:-1])
+    places, drives = _sign_changes(balance)
     if not len(places):
         return []
     low, high, sense = SLIPS[places], SLIPS[places + 1], drives[places]
@@ -260,3 +265,9 @@ def _lumped_starts(balance: BearingBalance) -> list[NDArray]:
     slip = np.sqrt(low * high)
     static = static_unknowns(some, -some.rolling_cage * slip[:, None])
     return list(some.pack(static._replace(spin_drift=lumped.at(slip)[0])))
+
+
+def _sign_changes(balance: BearingBalance) -> tuple[NDArray, NDArray]:
+    """Places among `SLIPS` after which the torque on the cage changes its sign, and where it drives."""
+    drives = LumpedRollers(balance.take(np.zeros(len(SLIPS), int))).at(SLIPS)[2] > 0
+    return np.flatnonzero(drives[1:] != drives[:-1]), drives

@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from quasidynamic.balance.cage import FloatingCage, floating_cage
 from quasidynamic.balance.points import OperatingPoints
 from quasidynamic.balance.roller import (
     CAGE_SPEED,
@@ -289,10 +290,12 @@ class BearingBalance:
     def _evaluated(self, scaled: NDArray) -> Linearisation:
         x = self.unpack(scaled)
         response = self.roller.respond(self.inputs(x), self.points)
-        graded = self._rows(response.table)
+        graded, floating = self._rows(response.table), None
+        if self.roller.bearing.cage.free:
+            floating = self._float(x, response.table, graded)
         rows, table = graded[:, VALUE], self._columns(graded)
         transport = self._add_spin_transport(x, rows, table)
-        border, border_by = self._border(x)
+        border, border_by = self._border(x, floating)
         border += rows[self.own : self.own + BORDER].sum(-1)
         residual = [border.T, rows[: self.own].transpose(1, 0, 2).reshape(len(scaled), -1)]
         residual += self._yield(x, rows[self.own + BORDER :])
@@ -335,7 +338,8 @@ class BearingBalance:
         sin, cos = self._radial
         m, own = self.roller.shapes, self.own
         cage, tangential = response[own], response[own + 1]
-        inner = response[own + 2 : own + 2 + m]
+        first = len(response) - 2 * m  # row of the forces conjugate to the shapes
+        inner = response[first : first + m]
         rows = np.zeros((own + BORDER + m * len(self.yielding), *response.shape[1:]))
         rows[:own] = response[:own]
         rows[own + Y] = -sin * inner[0] - cos * tangential
@@ -346,7 +350,7 @@ class BearingBalance:
             rows[own + TILT_Z], rows[own + TILT_Y] = free * (moment * cos), free * (moment * sin)
         rows[own + CAGE] = cage
         for place, race in enumerate(self.yielding):
-            start = own + 2 + race * m
+            start = first + race * m
             rows[own + BORDER + place * m : own + BORDER + (place + 1) * m] = response[start : start + m]
         return rows
 
@@ -385,16 +389,46 @@ class BearingBalance:
         table[row, self.own + CAGE] -= taken.by_cage
         return taken
 
-    def _border(self, x: Unknowns) -> tuple[NDArray, NDArray]:
+    def floating(self, x: Unknowns, pockets: NDArray) -> FloatingCage:
+        """Cage in its land; `pockets` (2, C, Z) [N] push rollers along the motion and outwards."""
+        push = self._pushed(*pockets).sum(-1).T
+        bearing = self.roller.bearing
+        cage_speed = self.speeds(x)[1][:, 0]
+        return floating_cage(push, cage_speed, self.points, bearing.cage, self.roller.lubrication.oil)
+
+    def _pushed(self, along: NDArray, outward: NDArray) -> NDArray:
+        """Force on the cage (2, ...), y and z [N], by each roller whose pocket pushes it like that."""
+        sin, cos = self._radial
+        return np.array([-cos * along - sin * outward, sin * along - cos * outward])
+
+    def _float(self, x: Unknowns, response: NDArray, graded: NDArray) -> FloatingCage:
+        """Let the land's torque follow from the pockets' push; a guiding inner ring bears that push."""
+        own = self.own
+        pockets = response[own + 2 : own + 4]
+        found, push = self.floating(x, pockets[:, VALUE]), self._pushed(*pockets)
+        value = graded[own + CAGE, VALUE].copy()
+        graded[own + CAGE] += np.einsum("ci,i...cz->...cz", found.by_push, push)
+        graded[own + CAGE, VALUE] = value  # the torque itself is one of the border
+        if self.roller.bearing.cage.guidance == "inner":
+            graded[[own + Y, own + Z]] += push
+        return found
+
+    def _border(self, x: Unknowns, floating: FloatingCage | None) -> tuple[NDArray, NDArray]:
         """Loads from outside on ring and cage (5, C), their derivatives by the border (C, 5, 5)."""
         points, cage = self.points, self.roller.bearing.cage
         hold, push = self._outside
         value, by = push.copy(), hold.copy()
         tilts = [TILT_Z, TILT_Y]
         value[tilts] += hold[:, tilts, tilts].T * x.ring[tilts, :, 0]
-        ring = points.outer_speed if cage.guidance == "outer" else points.inner_speed
-        land = land_torque(ring - self.speeds(x)[1], cage, self.roller.lubrication.oil)
-        value[CAGE], by[:, CAGE, CAGE] = land.torque[:, 0], -land.by_speed[:, 0]
+        if floating is None:
+            ring = points.outer_speed if cage.guidance == "outer" else points.inner_speed
+            land = land_torque(ring - self.speeds(x)[1], cage, self.roller.lubrication.oil)
+            value[CAGE], by[:, CAGE, CAGE] = land.torque[:, 0], -land.by_speed[:, 0]
+            return value, by
+        value[CAGE], by[:, CAGE, CAGE] = floating.torque, floating.by_speed
+        if cage.guidance == "inner":
+            value[[Y, Z]] += floating.thrown.T
+            by[:, [Y, Z], CAGE] += floating.thrown_by_speed
         return value, by
 
     @cached_property

@@ -42,11 +42,11 @@ class RollerState(NamedTuple):
     sliding: NDArray  # (2, C, Z) raceway over roller surface [m/s]
     entrainment: NDArray  # (2, C, Z) [m/s] >= 0
     film: NDArray  # (2, C, Z) [m]
-    cage_force: NDArray  # (C, Z) on the roller along +t [N]
     drag: NDArray  # (C, 1) oil-air mixture on one roller, against +t [N]
     churning: NDArray  # (C, Z) torque of the mixture against the spin [N m]
     sense: NDArray  # (2, C, Z) sign of the mean surface speed, smooth through zero [-]
     pocket_brake: NDArray  # (C, Z) friction of the pocket against the spin, signed like it [N]
+    pocket: NDArray  # (2, C, Z) force of the pocket on the roller along the motion and outwards [N]
 
 
 class Response(NamedTuple):
@@ -58,8 +58,9 @@ class Response(NamedTuple):
 
     Rows: radial force [N], tilt moment [N m] (with two shapes or more), film at the inner and the
     outer raceway [m], spin [N m]: these must vanish. Then what the rest of the bearing feels:
-    torque on the cage [N m], tangential force of the inner ring [N], the M forces conjugate to the
-    shapes at the inner and at the outer raceway [N].
+    torque on the cage [N m], tangential force of the inner ring [N], force of the pocket on the roller
+    along the motion and outwards [N] (with a free cage), the M forces conjugate to the shapes at the
+    inner and at the outer raceway [N].
     """
 
     table: NDArray  # (rows, inputs + 1, C, Z)
@@ -101,7 +102,7 @@ class RollerBalance:
 
     @cached_property
     def levers(self) -> NDArray:
-        """Equations (rows, forces): radial, tilt, spin, cage torque, tangential [-] or [m]."""
+        """Equations (rows, forces): radial, tilt, spin, cage torque, tangential, pocket [-] or [m]."""
         r_w, r_m = self.bearing.roller.diameter / 2, self.bearing.pitch_diameter / 2
         half, g = self.raceways.slices.length / 2, self.bearing.diameter_ratio
         radial = self._row(**{"inner 0": 1, "outer 0": -1, "centrifugal": 1, "pocket up": 1})
@@ -110,7 +111,8 @@ class RollerBalance:
         spin += self._row(churning=-1)
         cage = -r_m * self.cage_force + self._row(**{"pocket brake": -r_w})
         tangential = self._row(T_i=1, R_i=1 - 2 * g)
-        return np.array([radial, *tilt, spin, cage, tangential])
+        pocket = [self.cage_force, self._row(**{"pocket up": 1})] if self.bearing.cage.free else []
+        return np.array([radial, *tilt, spin, cage, tangential, *pocket])
 
     def _row(self, **weights: float) -> NDArray:
         return np.array([float(weights.get(name, 0.0)) for name in self.forces])
@@ -125,7 +127,7 @@ class RollerBalance:
         rows, film = _combined(self.levers, forces), friction[2]
         film[[0, 1], [FILM_I, FILM_O]] -= 1.0
         film[:, VALUE] -= inputs.film
-        m, own = self.shapes, len(self.levers) - 3  # rows before spin
+        m, own = self.shapes, 1 + (self.shapes > 1)  # rows before spin
         return Response(
             np.concatenate([rows[:own], film, rows[own:], forces[: 2 * m]]),
             RollerState(
@@ -133,11 +135,11 @@ class RollerBalance:
                 sliding,
                 entrainment,
                 inputs.film,
-                cage_force,
                 drag=forces[DRAG, VALUE, :, :1],
                 churning=forces[CHURNING, VALUE],
                 sense=sense,
                 pocket_brake=forces[POCKET_BRAKE, VALUE],
+                pocket=np.array([cage_force, forces[POCKET_UP, VALUE]]),
             ),
         )
 

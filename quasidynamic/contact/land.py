@@ -9,7 +9,10 @@ from quasidynamic.contact.couette import couette_factor
 from quasidynamic.parts.cage import Cage
 from quasidynamic.parts.lubricant import Lubricant
 
-ECCENTRICITY_LIMIT = 0.95  # beyond it the film functions go on along their tangent, see `land_notes`
+ECCENTRICITY_LIMIT = 0.995  # beyond it the film functions go on along their tangent, see `land_notes`
+OFFSET_STEPS = 60  # Newton's method on a convex function from above: a light land takes about twenty
+OFFSET_DIGITS = 1e-14  # of the clearance
+LEAST_OFFSET = 1e-9  # of the clearance: a centred cage has no direction
 
 
 class LandTorque(NamedTuple):
@@ -18,6 +21,14 @@ class LandTorque(NamedTuple):
     torque: NDArray  # [N m] signed like the speed difference
     by_speed: NDArray  # [N m s]
     by_eccentricity: NDArray  # [N m]
+
+
+class LandOffset(NamedTuple):
+    """Place of the cage in its land."""
+
+    offset: NDArray  # (..., 2) [m] components y and z
+    by_force: NDArray  # (..., 2, 2) [m/N] component of the offset, component of the force
+    by_speed: NDArray  # (..., 2) [m s]
 
 
 class LandForce(NamedTuple):
@@ -150,8 +161,7 @@ def land_force(
     shape = np.broadcast_shapes(offset.shape[:-1], speed.shape)
     if cage.guidance == "rollers":
         return LandForce(np.zeros((*shape, 2)), np.zeros((*shape, 2, 2)), np.zeros((*shape, 2)))
-    radius, clearance = cage.land_diameter / 2, cage.land_clearance / 2
-    unit = oil.viscosity * radius * lands * (cage.land_width / lands) ** 3 / clearance**2
+    clearance, unit = cage.land_clearance / 2, _force_unit(cage, oil, lands)
     ratio = offset / clearance
     size = np.sqrt((ratio**2).sum(-1))
     direction = ratio / np.maximum(size, 1e-300)[..., None]
@@ -164,6 +174,77 @@ def land_force(
     by_speed = unit * (tangential @ turned.T - sense * radial)
     by_ratio = unit * speed[..., None, None] * (turned @ tangential_by - sense[..., None] * radial_by)
     return LandForce(by_speed * speed[..., None], by_ratio / clearance, by_speed)
+
+
+def land_offset(force: NDArray, speed_sum: NDArray | float, cage: Cage, oil: Lubricant) -> LandOffset:
+    r"""Place of a cage at which its land carries a force: the inverse of `land_force`.
+
+    Parameters
+    ----------
+    force : array (..., 2)
+        of the land on the cage, components y and z [N]
+    speed_sum : array (...)
+        cage plus guiding ring [rad/s], not zero
+    cage : Cage
+        land radius R, total width, radial clearance c
+    oil : Lubricant
+        eta0
+
+    Returns
+    -------
+    LandOffset
+        offset from the centre of the guiding ring, with its derivatives by force and speed; not a number
+        for a force that is not finite
+
+    Source
+    ------
+    `land_force`; both parts of the force grow with the offset, so that its size gives it.
+
+    Valid
+    -----
+    As `land_force`. A centred cage has no direction: its offset is at least `LEAST_OFFSET` c.
+    """
+    clearance = cage.land_clearance / 2
+    unit = _force_unit(cage, oil, lands=2) * np.abs(speed_sum)
+    ratio = _eccentricity(np.hypot(force[..., 0], force[..., 1]) / unit)
+    along = np.stack([ratio * clearance, np.zeros_like(ratio)], axis=-1)
+    found = land_force(along, speed_sum, cage, oil).force
+    turn = np.arctan2(force[..., 1], force[..., 0]) - np.arctan2(found[..., 1], found[..., 0])
+    offset = along[..., :1] * np.stack([np.cos(turn), np.sin(turn)], axis=-1)
+    there = land_force(offset, speed_sum, cage, oil)
+    by_force = np.linalg.inv(there.by_offset)
+    return LandOffset(offset, by_force, -(by_force @ there.by_speed[..., None])[..., 0])
+
+
+def _force_unit(cage: Cage, oil: Lubricant, lands: int) -> float:
+    """Force of all lands per speed at the land [N s], before its dependence on the eccentricity."""
+    radius, clearance = cage.land_diameter / 2, cage.land_clearance / 2
+    return oil.viscosity * radius * lands * (cage.land_width / lands) ** 3 / clearance**2
+
+
+def _eccentricity(force: NDArray) -> NDArray:
+    """Eccentricity ratio at which the film carries a force in its own unit, by Newton from above."""
+    limit = _film_force(np.array(ECCENTRICITY_LIMIT))
+    # Beyond the limit the force grows at least along the tangent of its value there.
+    ratio = np.maximum(ECCENTRICITY_LIMIT, force / limit[0])
+    for _ in range(OFFSET_STEPS):
+        value, slope = _film_force(ratio)
+        change = (value - force) / slope
+        ratio = np.maximum(ratio - change, LEAST_OFFSET)
+        if not (np.abs(change) > OFFSET_DIGITS * ratio).any():
+            return ratio
+    return np.where(np.abs(change) > OFFSET_DIGITS * ratio, np.nan, ratio)
+
+
+def _film_force(ratio: NDArray) -> tuple[NDArray, NDArray]:
+    """Size of the film force in its unit at an eccentricity ratio > 0, with its slope."""
+    back, back_slope = _film_power(ratio, -2.0)
+    along, along_slope = _film_power(ratio, -1.5)
+    radial, tangential = ratio**2 * back, np.pi / 4 * ratio * along
+    size = np.hypot(radial, tangential)
+    radial_slope = ratio * (2 * back + ratio * back_slope)
+    tangential_slope = np.pi / 4 * (along + ratio * along_slope)
+    return size, (radial * radial_slope + tangential * tangential_slope) / size
 
 
 def land_notes(eccentricity: NDArray | float) -> tuple[str, ...]:

@@ -6,7 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.contact.load import EXPONENT
+from quasidynamic.errors import NotSolved
 
+STEPS = 60  # about ten are needed
+DIGITS = 1e-12  # of the clearance
 FILM_LOAD = 11 / 3  # [N] carried by the film when the roller has crossed the whole clearance
 
 
@@ -51,3 +54,45 @@ def roller_on_pocket_force(displacement: NDArray, clearance: float, stop: NDArra
         force=film * displacement + np.sign(displacement) * power * depth,
         by_displacement=film + EXPONENT * power,
     )
+
+
+def displacement_in_pocket(force: NDArray, clearance: float, stop: NDArray | float) -> NDArray:
+    """Place of a roller that presses its pocket with a force: the inverse of `roller_on_pocket_force`.
+
+    Parameters
+    ----------
+    force : array (...)
+        of the roller on the pocket along the motion [N]
+    clearance : float
+        C_p, distance to either wall from the centre [m], > 0
+    stop : array (...)
+        K of one wall [N/m^(10/9)], > 0
+
+    Returns
+    -------
+    array (...)
+        z [m], signed like the force; found by Newton's method on a convex law from above
+
+    Raises
+    ------
+    NotSolved
+        if a force is not finite
+
+    Source
+    ------
+    `roller_on_pocket_force`.
+
+    Valid
+    -----
+    As the law.
+    """
+    size = np.abs(force)
+    # The film alone, or the wall alone, would have to go further.
+    depth = np.minimum(size * clearance / FILM_LOAD, clearance + (size / stop) ** (1 / EXPONENT))
+    for _ in range(STEPS):
+        law = roller_on_pocket_force(depth, clearance, stop)
+        change = (law.force - size) / law.by_displacement
+        depth = depth - change
+        if (np.abs(change) <= DIGITS * clearance).all():
+            return np.sign(force) * depth
+    raise NotSolved(f"no place in the pocket for forces up to {size.max()!r} N", "not finite")

@@ -250,8 +250,8 @@ def test_rollers_that_guide_leave_the_land_alone():
 
 
 def test_a_land_that_touches_is_told():
-    assert land_notes(np.array([0.0, 0.95])) == ()
-    assert "0.97" in land_notes(np.array([0.1, 0.97]))[0]
+    assert land_notes(np.array([0.0, 0.99])) == ()
+    assert "0.997" in land_notes(np.array([0.1, 0.997]))[0]
 
 
 # ---- spinning rollers

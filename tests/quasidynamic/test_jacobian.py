@@ -20,6 +20,11 @@ CASES = {
     "yielding": ({"shapes": 3}, True),
     "no spin inertia": ({"spin_inertia": False}, False),
     "churning, vortices": ({"churning_gap": 5e-4, "cage": {"land_flow": "vortices"}}, False),
+    "floating cage": ({"cage": {"free": True, "unbalance": 5e-5}}, False),
+    "floating cage on the inner ring, tilt free": (
+        {"moment": 20.0, "cage": {"free": True, "guidance": "inner", "land_diameter": 65.4e-3}},
+        False,
+    ),
     "starved": ({"inlet_length": 0.3}, False),
     "backwards, inner guided": (
         {"speed": -2000.0, "cage": {"guidance": "inner", "land_diameter": 65.4e-3}},

@@ -1,0 +1,82 @@
+"""A cage that finds its own centre in its land."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.points import OperatingPoints
+from quasidynamic.contact.land import land_offset, land_torque
+from quasidynamic.parts.cage import Cage
+from quasidynamic.parts.lubricant import Lubricant
+
+CREEP = 1e-3  # of the speed difference of the rings: below it the land is taken to turn that fast
+
+
+class FloatingCage(NamedTuple):
+    """Where the cage floats, what its land does, with derivatives."""
+
+    offset: NDArray  # (C, 2) from the centre of the guiding ring, y and z [m]
+    torque: NDArray  # (C) of the land on the cage [N m]
+    by_push: NDArray  # (C, 2) torque by the force of the pockets [m]
+    by_speed: NDArray  # (C) torque by the cage speed, the pockets' force kept [N m s]
+    thrown: NDArray  # (C, 2) force of the unbalance [N]
+    thrown_by_speed: NDArray  # (C, 2) [N s]
+
+
+def floating_cage(
+    push: NDArray, cage_speed: NDArray, points: OperatingPoints, cage: Cage, oil: Lubricant
+) -> FloatingCage:
+    r"""Cage that its land carries against the pockets' push and its own unbalance.
+
+    .. math:: \vec F_{land}(\vec e) + \sum \vec F_{pocket} + m_c\, u\, \omega_c^2\, \vec n_u = 0
+
+    The rollers do not feel where the cage is but through the torque of its land: the offset is not an
+    unknown of the bearing, it follows from the pockets' push.
+
+    Parameters
+    ----------
+    push : array (C, 2)
+        sum of the forces of all rollers on the cage, y and z [N]
+    cage_speed : array (C)
+        omega_c [rad/s]
+    points : OperatingPoints
+        speeds of the rings
+    cage : Cage
+        land, mass m_c, unbalance u towards n_u
+    oil : Lubricant
+        oil in the land
+
+    Returns
+    -------
+    FloatingCage
+
+    Source
+    ------
+    `land_offset`, `land_torque`.
+
+    Valid
+    -----
+    One moment with the centre at rest: no squeeze of the film. Rollers run at cage speed, wherever
+    the pockets are.
+    """
+    ring = (points.outer_speed if cage.guidance == "outer" else points.inner_speed)[:, 0]
+    azimuth = cage.unbalance_azimuth
+    unit = cage.mass * cage.unbalance * np.array([np.sin(azimuth), np.cos(azimuth)])
+    thrown, thrown_by_speed = unit * cage_speed[:, None] ** 2, 2 * unit * cage_speed[:, None]
+    together, least = ring + cage_speed, CREEP * np.abs(points.inner_speed - points.outer_speed)[:, 0]
+    turning = np.abs(together) > least
+    place = land_offset(-push - thrown, np.where(turning, together, least), cage, oil)
+    clearance = cage.land_clearance / 2
+    size = np.hypot(*place.offset.T)
+    land = land_torque(ring - cage_speed, cage, oil, size / clearance)
+    by_offset = land.by_eccentricity[:, None] * place.offset / (size * clearance)[:, None]
+    by_push = -np.einsum("ci,cij->cj", by_offset, place.by_force)
+    return FloatingCage(
+        place.offset,
+        land.torque,
+        by_push,
+        -land.by_speed + turning * (by_offset * place.by_speed).sum(1) + (by_push * thrown_by_speed).sum(1),
+        thrown,
+        thrown_by_speed,
+    )
