@@ -1,10 +1,11 @@
 """The bearing: rollers, raceways, film, traction and cage, with NumPy and SciPy alone."""
 
+from quasidynamic.contact.adore import AdoreType
 from quasidynamic.contact.curve import FourPointCurve
 from quasidynamic.contact.film import FORMULAS
 from quasidynamic.contact.lubrication import Lubrication
 from quasidynamic.contact.mixed import Mixed
-from quasidynamic.contact.rheology import AdoreType, BairWiner, Eyring
+from quasidynamic.contact.rheology import BairWiner, Eyring
 from quasidynamic.contact.traction import Regression4109
 from quasidynamic.errors import ImpossiblePart, NotSolved, OutOfRange
 from quasidynamic.model import Equilibria, Equilibrium, RollerBearing

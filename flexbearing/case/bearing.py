@@ -6,6 +6,7 @@ from typing import Literal, Self
 from pydantic import model_validator
 
 from flexbearing.case.fits import Fits
+from flexbearing.case.flange import Flange
 from flexbearing.case.quantity import Angle, Length, Mass, Section, impossible, key, needed, require
 
 
@@ -59,11 +60,29 @@ class Cage(Section):
         "flow of the oil in the land: laminar, or with Taylor vortices and turbulence", "laminar"
     )
 
+    centre: Literal["held", "free"] = key(
+        "held: the cage stays concentric with its land; free: it floats where the oil film of the land "
+        "carries the push of its pockets",
+        "held",
+    )
+    unbalance: Length = key("distance of the mass centre of a free cage from its axis", "0 um", ge=0)
+    unbalance_azimuth: Angle = key("where that mass centre is, from z towards y", "0 deg")
+    pocket_clearance: Length | None = key(
+        "from a centred roller to either wall of its pocket; shows how far rollers run ahead or lag",
+        None,
+        example="0.1 mm",
+        gt=0,
+    )
+
     @model_validator(mode="after")
     def _land(self) -> Self:
         if self.guidance != "rollers":
             names = ("land_diameter", "land_width", "land_clearance")
             require(self, names, f'guidance = "{self.guidance}"')
+        elif self.centre == "free":
+            raise impossible("centre", '"held" where rollers guide the cage: only a land carries a free one')
+        if self.unbalance and self.centre == "held":
+            raise impossible("unbalance", 'zero, or centre = "free": a held cage does not feel it')
         return self
 
 
@@ -92,6 +111,7 @@ class Bearing(Section):
     roller: Roller = key("the rollers")
     cage: Cage = key("the cage")
     roughness: Roughness | None = key("roughness of rollers and raceways, for film ratios", None)
+    flange: Flange | None = key("guide flanges of one ring, for the skew of the rollers", None)
 
     @property
     def stated_clearance(self) -> float:
@@ -116,6 +136,8 @@ class Bearing(Section):
         if self.rollers * self.roller.diameter >= pi * pitch:
             most = int(pi * pitch / self.roller.diameter)
             raise impossible("rollers", f"at most {most}, or they touch on the pitch circle")
+        if self.flange and self.flange.height >= self.roller.diameter / 2:
+            raise impossible("flange.height", "below half of bearing.roller.diameter")
         if abs(self.stated_clearance) > self.roller.diameter / 2:
             name = "fits.cold_clearance" if self.fits else "clearance"
             raise impossible(name, "below half a roller diameter; is the unit right?")

@@ -4,7 +4,7 @@ from typing import Literal, Self
 
 from pydantic import model_validator
 
-from flexbearing.case.quantity import Section, impossible, key, require
+from flexbearing.case.quantity import Force, Section, impossible, key, require
 
 CleanlinessName = Literal[
     "oil, in-line filter, -/13/10",
@@ -28,6 +28,17 @@ FEWEST_SLICES = 30  # of ISO/TS 16281, for the edge stress
 class Life(Section):
     """What modifies the basic life; nothing does unless it is given."""
 
+    capacity: Literal["lundberg-palmgren", "iso281"] = key(
+        "capacity of the raceways: of Lundberg and Palmgren, or from C_r of ISO 281 as in ISO/TS 16281",
+        "lundberg-palmgren",
+    )
+    dynamic_rating: Force | None = key(
+        "basic dynamic radial load rating C_r of a catalogue, instead of the formula of ISO 281; "
+        'for capacity = "iso281" or lubrication = "a_ISO"',
+        None,
+        example="44 kN",
+        gt=0,
+    )
     edge_stress: bool = key(
         "whether the ends of profiled rollers carry the edge stress of ISO/TS 16281", False
     )
@@ -49,6 +60,9 @@ class Life(Section):
             require(self, ("melting",), "life.steel")
         if self.melting:
             require(self, ("steel",), "life.melting")
+        if self.dynamic_rating and self.capacity != "iso281" and self.lubrication != "a_ISO":
+            allowed = 'left out without life.capacity = "iso281" or life.lubrication = "a_ISO"'
+            raise impossible("dynamic_rating", allowed)
         if self.lubrication == "a_ISO":
             require(self, ("cleanliness",), 'lubrication = "a_ISO"')
         elif self.cleanliness:

@@ -7,6 +7,8 @@ import quasidynamic as qd
 from flexbearing.case import BadCase, Case
 from flexbearing.compute import clearance, life
 from flexbearing.compute.lubrication import lubrication
+from quasidynamic.contact.flange import corner
+from quasidynamic.parts.flange import Flange
 
 Part = fem.SquirrelCage | fem.ClampedRing | fem.RingOnShaft
 
@@ -14,7 +16,10 @@ Part = fem.SquirrelCage | fem.ClampedRing | fem.RingOnShaft
 def require_possible(case: Case) -> None:
     """Build everything that needs no mesh; raises `BadCase` where physics or geometry forbid it."""
     try:
-        life.require_possible(case, bearing(case).bearing)
+        whole = bearing(case).bearing
+        life.require_possible(case, whole)
+        if guide := flange(case):
+            corner(guide, whole)
         outer_part(case)
         inner_part(case)
     except (qd.ImpossiblePart, qd.OutOfRange, fem.ImpossiblePart) as problem:
@@ -67,6 +72,21 @@ def outer_raceway_diameter(case: Case) -> float:
 def roller_length(case: Case) -> float:
     """Hot roller length [m]."""
     return case.bearing.roller.length * growth(case, "roller")
+
+
+def flange(case: Case) -> Flange | None:
+    """Hot guide flanges, their clearance as given; None when the case has none."""
+    given = case.bearing.flange
+    if given is None:
+        return None
+    return Flange(
+        ring=given.ring,
+        clearance=given.clearance,
+        height=given.height * growth(case, f"{given.ring}_ring"),
+        roller_chamfer=given.roller_chamfer * growth(case, "roller"),
+        stiffness=given.stiffness,
+        friction=given.friction,
+    )
 
 
 def outer_part(case: Case) -> fem.SquirrelCage | fem.ClampedRing | None:
@@ -146,5 +166,9 @@ def _cage(case: Case) -> qd.Cage:
         thickness=cage.thickness,
         mass=cage.mass,
         land_flow=cage.land_flow,
+        free=cage.centre == "free",
+        unbalance=cage.unbalance,
+        unbalance_azimuth=cage.unbalance_azimuth,
+        pocket_clearance=cage.pocket_clearance,
         **{name: getattr(cage, name) for name in land if getattr(cage, name) is not None},
     )

@@ -73,9 +73,20 @@ def block(
             "peak_pressure": found.peak_pressure,
             "minimum_film": smallest_film(found),
         }
+        | _cage(found)
         | {f"loss_{cause}": power for cause, power in asdict(found.losses).items()}
         | ({} if roughness is None else _film_ratios(found, roughness))
     )
+
+
+def _cage(found: Equilibrium) -> dict[str, ArrayLike]:
+    """Place of a cage that floats, and of the rollers in pockets of known clearance."""
+    places: dict[str, ArrayLike] = {}
+    if found.floating is not None:
+        places["cage_offset"] = found.floating.offset[0]
+    if found.pocket_displacement is not None:
+        places["pocket_displacement"] = found.pocket_displacement
+    return places
 
 
 def total_stiffness(found: Equilibrium, rings: CondensedRings) -> float:

@@ -14,6 +14,7 @@ from quasidynamic.outcome.capacity import (
     dynamic_rating,
     fatigue_load_limit,
     raceway_capacity,
+    reference_raceway_capacity,
     roller_capacity,
 )
 from quasidynamic.outcome.life import (
@@ -38,8 +39,10 @@ from quasidynamic.outcome.life_factors import (
 
 def require_possible(case: Case, bearing: CylindricalRollerBearing) -> None:
     """Raise where a factor does not hold for this bearing, speed and oil; loads are not needed."""
+    if case.life.capacity == "iso281":
+        _rating(case, bearing)
     if case.life.lubrication == "a_ISO":
-        dynamic_rating(bearing)
+        _rating(case, bearing)
         modification_factor(_kappa(case, bearing), _fatigue_share(case, bearing))
     _fixed_factors(case)
 
@@ -68,15 +71,22 @@ def modified(case: Case, found: Equilibrium, smallest_film: NDArray) -> dict[str
 
 
 def _slice_factors(case: Case, found: Equilibrium) -> Iterator[dict[str, Any]]:
-    """What edge stress and rollers make of the basic life, one after the other."""
+    """What capacity, edge stress and rollers make of the basic life, one after the other."""
     bearing = found.balance.roller.bearing
     inner, outer = _slice_loads(found)
-    before, edge = found.life, None
+    before, edge, capacity = found.life, None, raceway_capacity(bearing)
 
     def lived(rollers: RollerBody | None = None) -> float:
-        capacity = raceway_capacity(bearing)
         return float(slice_life(inner, outer, capacity, found.turning, edge=edge, rollers=rollers))
 
+    if case.life.capacity == "iso281":
+        rating = _rating(case, bearing)
+        capacity = reference_raceway_capacity(bearing, rating)
+        after = lived()
+        origin = "formula of ISO 281" if case.life.dynamic_rating is None else "given"
+        note = f"ISO/TS 16281 by C_r = {rating:.5g} N, {origin}"
+        yield {"name": "capacity", "value": after / before, "effect": "load", "note": note}
+        before = after
     if case.life.edge_stress:
         edge = edge_stress_factor(inner.shape[-1])
         after = lived()
@@ -97,8 +107,10 @@ def _lubrication_factors(case: Case, found: Equilibrium, smallest_film: NDArray)
         yield _explained(film_factor(ratio), f"smallest film ratio {ratio:.3g}")
     elif case.life.lubrication == "a_ISO":
         bearing, (inner, outer) = found.balance.roller.bearing, _slice_loads(found)
-        life = reference_life(inner, outer, bearing, found.turning, edge_stress=case.life.edge_stress)
-        load, kappa = float(reference_load(life, dynamic_rating(bearing))), _kappa(case, bearing)
+        rating, kappa = _rating(case, bearing), _kappa(case, bearing)
+        edge = case.life.edge_stress
+        life = reference_life(inner, outer, bearing, found.turning, edge_stress=edge, rating=rating)
+        load = float(reference_load(life, rating))
         ratio = _fatigue_share(case, bearing) / load
         words = f"kappa {kappa:.3g}, e_C C_u/P {ratio:.3g}, equivalent load {load:.4g} N"
         yield _explained(modification_factor(kappa, ratio), words)
@@ -119,6 +131,12 @@ def _fixed_factors(case: Case) -> list[Factor]:
 def _slice_loads(found: Equilibrium) -> NDArray:
     """Load (2, Z, K) of each slice [N]."""
     return found.slice_loads * found.balance.roller.raceways.slices.width
+
+
+def _rating(case: Case, bearing: CylindricalRollerBearing) -> float:
+    """C_r of the case or of ISO 281 [N]."""
+    given = case.life.dynamic_rating
+    return dynamic_rating(bearing) if given is None else given
 
 
 def _kappa(case: Case, bearing: CylindricalRollerBearing) -> float:

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 import quasidynamic as qd
 from flexbearing.case import Case
+from quasidynamic.contact.adore import ADORE_OILS
 from quasidynamic.contact.mixed import FILM_SHARE_1_8, ZHOU_HOEPRICH, AsperityShare, ErrorFunctionShare
-from quasidynamic.contact.rheology import ADORE_OILS
 from quasidynamic.contact.rolling import LAWS
 from quasidynamic.contact.roughness import composite_roughness
 from quasidynamic.contact.traction import TractionLaw

@@ -107,6 +107,7 @@ def _solve(case: Case, file: ResultFile, outcome: Outcome, report: Report) -> di
         ending = _ending("not solved", f"rigid raceways: {failure}", 0, rigid_rings)
         return ending | {"ending": failure.ending}
     outcome.store("rigid", rigid, rigid_rings)
+    outcome.notes.extend(notes.of_choice(model))
     rings = condensed(case, model.bearing.azimuths, report)
     if rings.rigid:
         outcome.store("flexible", rigid, rings)

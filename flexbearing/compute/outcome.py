@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 from typing import Any, Literal
 
 from flexbearing.case import Case
-from flexbearing.compute import clearance, datasets, life, notes
+from flexbearing.compute import clearance, datasets, life, notes, skew
 from flexbearing.compute.lubrication import roughness
 from flexbearing.compute.structure import CondensedRings
 from flexbearing.results import ResultFile
@@ -42,6 +42,9 @@ class Outcome:
                 words = (str(word) for word in regime(smallest / sigma))
                 self.regimes[name] = dict(zip(("inner", "outer"), words, strict=True))
             self.notes.extend(notes.of_state(self.case, found))
+            if skewed := skew.at(self.case, found):
+                arrays.update(skew.arrays(skewed))
+                self.notes.extend(skew.notes(skewed, found, smallest))
         self.file.block(name, arrays, converged=converged)
 
     def attributes(self) -> dict[str, Any]:

@@ -9,7 +9,7 @@ from rich.console import Console, Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
-from flexbearing.report.sections import clearance_steps, life_factors, listed, matrices, regimes
+from flexbearing.report.sections import clearance_steps, life_factors, listed, matrices, regimes, skew
 from flexbearing.report.tables import summary
 from flexbearing.results import Result
 
@@ -29,6 +29,8 @@ _ROWS: tuple[tuple[str, str, int | str | None, float, str], ...] = (
     ("cage slip [%]", "cage_slip_percent", None, 1, ".2f"),
     ("cage speed [rpm]", "cage_speed_rpm", None, 1, ",.0f"),
     ("largest pocket force [N]", "max_pocket_force_N", None, 1, ",.2f"),
+    ("offset of the cage centre [um]", "cage_offset_um", None, 1, ",.1f"),
+    ("largest pocket displacement [um]", "max_pocket_displacement_um", None, 1, ",.1f"),
     ("driving torque [N m]", "driving_torque_Nm", None, 1, ".4f"),
     ("peak pressure, inner [MPa]", "peak_pressure_MPa", "inner", 1, ",.0f"),
     ("peak pressure, outer [MPa]", "peak_pressure_MPa", "outer", 1, ",.0f"),
@@ -47,7 +49,12 @@ _ROWS: tuple[tuple[str, str, int | str | None, float, str], ...] = (
     ("driving power [W]", "driving_power_W", None, 1, ",.2f"),
 )
 
-_OPTIONAL = ("modified_life_Mrev", "minimum_lambda")  # rows that only some cases have
+_OPTIONAL = (
+    "modified_life_Mrev",
+    "minimum_lambda",
+    "cage_offset_um",
+    "max_pocket_displacement_um",
+)  # rows that only some cases have
 
 
 def text(result: Result, console: Console | None = None) -> str:
@@ -103,6 +110,7 @@ def _page(numbers: dict[str, Any]) -> Iterator[RenderableType]:
         yield _table(numbers["rigid"], numbers["flexible"])
     yield from matrices(numbers["flexible"])
     yield from regimes(numbers["regimes"])
+    yield from skew({name: numbers[name] for name in ("rigid", "flexible")})
     yield from clearance_steps(numbers["clearance"])
     yield from life_factors(numbers["life"])
     yield from listed("assumed (not known, chosen)", numbers["assumed"])

@@ -9,6 +9,17 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
+_SKEW = (  # label, name, format
+    ("largest skew [mrad]", "max_skew_mrad", ".4f"),
+    ("skew that touches both flanges [mrad]", "touching_skew_mrad", ".4f"),
+    ("rollers on both flanges", "rollers_on_both_flanges", "d"),
+    ("largest flange force [N]", "max_flange_force_N", ".4g"),
+    ("friction at the flanges [W]", "flange_power_W", ".4g"),
+    ("axial sliding on the raceways [W]", "sideways_power_W", ".4g"),
+    ("left out: gap at the roller ends [um]", "end_gap_um", ".4f"),
+    ("left out: shift of the loads [mm]", "load_shift_mm", ".4f"),
+    ("left out: change of tractions [%]", "traction_change_percent", ".3g"),
+)
 AXES = ("x", "y", "z", "dz/dx", "dy/dx")
 
 
@@ -72,6 +83,18 @@ def regimes(found: dict[str, Any]) -> Iterator[RenderableType]:
         for name, words in found.items()
     ]
     return listed("lubrication regime, at the smallest film ratio", lines)
+
+
+def skew(blocks: dict[str, Any]) -> Iterator[RenderableType]:
+    """Skew of the rollers between flanges; nothing for a case without them."""
+    found = {name: block["skew"] for name, block in blocks.items() if block and block["skew"]}
+    if not found:
+        return
+    yield Text("roller skew between guide flanges; not fed back into loads and speeds", style="bold")
+    table = _table("", *found)
+    for label, name, form in _SKEW:
+        table.add_row(Text(label), *(format(values[name], form) for values in found.values()))
+    yield table
 
 
 def _fits(clearance: dict[str, Any]) -> list[str]:

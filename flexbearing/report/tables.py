@@ -91,7 +91,14 @@ def loaded_arc(azimuth: np.ndarray, load: np.ndarray) -> float:
 
 
 def _block(values: Any) -> dict[str, Any]:
-    return _loads(values) | _motion(values) | _contacts(values) | _power(values) | _stiffness(values)
+    return (
+        _loads(values)
+        | _motion(values)
+        | _contacts(values)
+        | _power(values)
+        | _stiffness(values)
+        | _skew(values)
+    )
 
 
 def _loads(values: Any) -> dict[str, Any]:
@@ -117,6 +124,10 @@ def _motion(values: Any) -> dict[str, Any]:
     return {
         "cage_slip_percent": 100 * values["cage_slip"],
         "cage_speed_rpm": _RPM * values["cage_speed"],
+        "cage_offset_um": 1e6 * np.hypot(*values["cage_offset"]) if "cage_offset" in values else None,
+        "max_pocket_displacement_um": (
+            1e6 * np.abs(values["pocket_displacement"]).max() if "pocket_displacement" in values else None
+        ),
         "ring_displacement_um": 1e6 * values["ring_displacement"],
         "displacement_along_load_um": 1e6 * (y * np.sin(azimuth) + z * np.cos(azimuth)),
         "displacement_across_load_um": 1e6 * (y * np.cos(azimuth) - z * np.sin(azimuth)),
@@ -144,6 +155,29 @@ def _power(values: Any) -> dict[str, Any]:
         "driving_torque_Nm": values["driving_torque"],
         "driving_power_W": values["driving_power"],
         "power_loss_W": {**losses, "total": np.sum(list(losses.values()))},
+    }
+
+
+def _skew(values: Any) -> dict[str, Any]:
+    """Skew of the rollers; None for a case without flanges."""
+    if "roller_skew" not in values:
+        return {"skew": None}
+    return {
+        "skew": {
+            "roller_skew_mrad": 1e3 * values["roller_skew"],
+            "max_skew_mrad": 1e3 * np.abs(values["roller_skew"]).max(),
+            "touching_skew_mrad": 1e3 * values["touching_skew"],
+            "rollers_on_both_flanges": np.count_nonzero((values["flange_force"] > 0).all(axis=0)),
+            "skew_moments_Nm": values["skew_moment"],
+            "roller_thrusts_N": values["roller_thrust"],
+            "flange_forces_N": values["flange_force"],
+            "max_flange_force_N": values["flange_force"].max(),
+            "flange_power_W": values["flange_power"],
+            "sideways_power_W": values["skew_power"],
+            "end_gap_um": 1e6 * values["skew_gap"],
+            "load_shift_mm": 1e3 * values["skew_load_shift"],
+            "traction_change_percent": 100 * values["skew_traction_change"],
+        }
     }
 
 

@@ -27,6 +27,7 @@ class Dataset:
 
 
 _BENDING = "positive outward, without local indentation and rigid translation"
+_FLANGED = "absent without [bearing.flange]"
 
 # a table reads best as a table:
 # fmt: off
@@ -84,6 +85,12 @@ TABLE = (
     Dataset("outer_film_ratio", "Z", "1", "block",
             "film over composite roughness of the outer contact, 0 without load; absent without roughness",
             optional=True),
+    Dataset("cage_offset", "2", "m", "block",
+            "centre of a free cage from that of its guiding ring (y, z); absent when it is held",
+            optional=True),
+    Dataset("pocket_displacement", "Z", "m", "block",
+            "roller from the centre of its pocket, positive to +azimuth; absent without pocket clearance",
+            optional=True),
     Dataset("load_direction", "", "rad", "block", "azimuth that the radial load points to"),
     Dataset("stiffness_matrix", "5 5", "N/m, N/rad, N m/m, N m/rad", "block",
             "tangent stiffness of the inner ring against the outer one, x, y, z, dz/dx, dy/dx; zero along x"),
@@ -102,6 +109,35 @@ TABLE = (
     Dataset("modified_life", "", "rev", "block",
             "life after every factor of [life], see the attribute life; absent when nothing modifies it",
             optional=True),
+
+    Dataset("roller_skew", "Z", "rad", "block",
+            "turn of the roller about its radial axis, positive: +x end leads towards +azimuth; "
+            f"{_FLANGED}", optional=True),
+    Dataset("skew_moment", "Z", "N m", "block",
+            f"moment of tractions and inlet shears towards positive skew; {_FLANGED}", optional=True),
+    Dataset("roller_thrust", "Z", "N", "block",
+            f"axial traction of both raceways on the skewed roller, positive to +x; {_FLANGED}",
+            optional=True),
+    Dataset("flange_force", "2 Z", "N", "block",
+            f"force of the flange at the -x and at the +x end on the roller, >= 0; {_FLANGED}",
+            optional=True),
+    Dataset("flange_power", "", "W", "block",
+            "heat of the friction at the flanges, comes on top of the driving power; "
+            f"{_FLANGED}", optional=True),
+    Dataset("skew_power", "", "W", "block",
+            "heat of the axial sliding of skewed rollers on the raceways, comes on top of the driving power; "
+            f"{_FLANGED}", optional=True),
+    Dataset("touching_skew", "", "rad", "block",
+            f"skew at which a roller meets both flanges; {_FLANGED}", optional=True),
+    Dataset("skew_gap", "", "m", "block",
+            "largest change of the gap at a roller's end by skew, which the loads do not know of; "
+            f"{_FLANGED}", optional=True),
+    Dataset("skew_load_shift", "", "m", "block",
+            "largest shift between outer and inner load of a roller that axial tractions and flange forces "
+            f"ask for, which the tilt does not know of; {_FLANGED}", optional=True),
+    Dataset("skew_traction_change", "", "1", "block",
+            "largest change of a traction by skew at the same sliding / largest traction, which the speeds "
+            f"do not know of; {_FLANGED}", optional=True),
 )
 # fmt: on
 

@@ -104,7 +104,9 @@ def dynamic_rating(bearing: CylindricalRollerBearing, material_factor: float = M
     return factor * _roller_size(bearing) * bearing.rollers ** (3 / 4)
 
 
-def reference_raceway_capacity(bearing: CylindricalRollerBearing) -> tuple[float, float]:
+def reference_raceway_capacity(
+    bearing: CylindricalRollerBearing, rating: float | None = None
+) -> tuple[float, float]:
     r"""Roller load that a raceway survives for a million revolutions, from the rating C_r.
 
     .. math:: Q_{ci} = \frac{C_r}{0.378\, \lambda\nu\, Z} \{1 + X^{9/2}\}^{2/9},\quad
@@ -115,6 +117,8 @@ def reference_raceway_capacity(bearing: CylindricalRollerBearing) -> tuple[float
     ----------
     bearing : CylindricalRollerBearing
         gamma, D, l, Z
+    rating : float, optional
+        C_r [N]; `dynamic_rating` if left out
 
     Returns
     -------
@@ -130,7 +134,7 @@ def reference_raceway_capacity(bearing: CylindricalRollerBearing) -> tuple[float
     As for C_r; lambda nu is taken out again, for the slices carry their own edge stress.
     """
     x = _inner_over_outer(1.038, bearing.diameter_ratio) ** (9 / 2)
-    share = dynamic_rating(bearing) / (STRESS_REDUCTION * bearing.rollers)
+    share = (dynamic_rating(bearing) if rating is None else rating) / (STRESS_REDUCTION * bearing.rollers)
     return share / 0.378 * (1 + x) ** (2 / 9), share / 0.364 * (1 + 1 / x) ** (2 / 9)
 
 

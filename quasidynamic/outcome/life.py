@@ -70,6 +70,7 @@ def reference_life(
     turning: tuple[bool, bool],
     *,
     edge_stress: bool = False,
+    rating: float | None = None,
 ) -> Any:
     r"""Basic reference life L10r with the capacities of ISO/TS 16281.
 
@@ -83,6 +84,8 @@ def reference_life(
         whether the inner and the outer ring turn against the load
     edge_stress : bool
         multiply the slices by `edge_stress_factor`
+    rating : float, optional
+        C_r [N]; that of ISO 281 if left out
 
     Returns
     -------
@@ -101,7 +104,7 @@ def reference_life(
     if edge_stress and isinstance(bearing.roller.profile, Straight):
         raise OutOfRange("the edge stress factor holds for profiled rollers; this roller is straight")
     edge = edge_stress_factor(np.shape(inner)[-1]) if edge_stress else None
-    return slice_life(inner, outer, reference_raceway_capacity(bearing), turning, edge=edge)
+    return slice_life(inner, outer, reference_raceway_capacity(bearing, rating), turning, edge=edge)
 
 
 def slice_life(

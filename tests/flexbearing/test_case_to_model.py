@@ -19,8 +19,8 @@ from flexbearing.case.lubricant import (
     TractionName,
 )
 from flexbearing.compute import assemble, lubrication, notes
+from quasidynamic.contact.adore import ADORE_OILS
 from quasidynamic.contact.mixed import FILM_SHARE_1_8, ZHOU_HOEPRICH
-from quasidynamic.contact.rheology import ADORE_OILS
 from quasidynamic.contact.rolling import LAWS
 from quasidynamic.outcome.life_factors import CLEANLINESS
 from quasidynamic.parts.oils import OILS

@@ -1,0 +1,54 @@
+"""A free cage, pocket clearance and several equilibria, from the case file to the summary."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from pytest import approx
+
+from flexbearing.case import BadCase, read
+from flexbearing.compute import one
+from flexbearing.report.tables import summary
+from tests.flexbearing.test_trace import FALLING
+
+PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
+RIGID = ["outer.kind=rigid", "inner.kind=rigid"]
+FREE = [
+    "bearing.cage.centre=free",
+    "bearing.cage.unbalance=20 um",
+    "bearing.cage.unbalance_azimuth=90 deg",
+    "bearing.cage.pocket_clearance=0.1 mm",
+]
+
+
+def test_free_cage_reaches_the_summary(tmp_path):
+    result = one.run(PAPER, tmp_path / "r.h5", RIGID + FREE)
+    block = summary(result)["rigid"]
+    assert block["cage_offset_um"] == approx(200, rel=0.01)  # pressed through nearly all of its clearance
+    values = result.rigid
+    assert np.hypot(*values["cage_offset"]) == approx(1e-6 * block["cage_offset_um"])
+    assert values["pocket_displacement"].shape == (30,)
+    told = " ".join(summary(result)["notes"])
+    assert "eccentricity ratio" in told
+    assert "touch the wall of their pocket" in told
+
+
+@pytest.mark.parametrize(
+    ("settings", "told"),
+    [
+        (["bearing.cage.guidance=rollers", "bearing.cage.centre=free"], "only a land carries a free one"),
+        (["bearing.cage.unbalance=20 um"], "a held cage does not feel it"),
+        (["bearing.cage.pocket_clearance=0 mm"], "pocket_clearance"),
+    ],
+)
+def test_cages_that_make_no_sense(settings, told):
+    with pytest.raises(BadCase, match=told):
+        read(PAPER, settings)
+
+
+def test_several_equilibria_are_told(tmp_path):
+    result = one.run(PAPER, tmp_path / "r.h5", [*RIGID, *FALLING, "operation.radial_load=2870 N"])
+    (note,) = [note for note in summary(result)["notes"] if "several equilibria" in note]
+    assert note.count(",") >= 3  # three slips
+    alone = one.run(PAPER, tmp_path / "s.h5", [*RIGID, *FALLING, "operation.radial_load=20 kN"])
+    assert not any("several equilibria" in note for note in summary(alone)["notes"])

@@ -1,0 +1,74 @@
+"""Life from the rating C_r: of ISO 281, or of a catalogue."""
+
+from pathlib import Path
+
+import pytest
+from pytest import approx
+
+from flexbearing.case import BadCase, read
+from flexbearing.compute import assemble, datasets, life
+from quasidynamic.outcome.capacity import dynamic_rating, raceway_capacity, reference_raceway_capacity
+from quasidynamic.outcome.life import reference_life
+
+PLAIN = Path(__file__).parents[2] / "configs" / "nu209.toml"
+ISO = {"life.capacity": "iso281"}
+CLEAN = {"life.lubrication": "a_ISO", "life.cleanliness": "oil, in-line filter, -/17/14"}
+
+
+@pytest.fixture(scope="module")
+def state():
+    return assemble.bearing(read(PLAIN)).solve()
+
+
+def lived(state, settings):
+    return life.modified(read(PLAIN, settings), state, datasets.smallest_film(state))
+
+
+def test_rating_of_iso_281_gives_the_reference_life(state):
+    found, bearing = lived(state, ISO), state.balance.roller.bearing
+    loads = state.slice_loads * state.balance.roller.raceways.slices.width
+    expected = reference_life(*loads, bearing, (True, False))
+    assert found["modified_Mrev"] == approx(expected, rel=1e-12)
+    (factor,) = found["factors"]
+    assert factor["name"] == "capacity"
+    assert f"{dynamic_rating(bearing):.5g} N, formula of ISO 281" in factor["note"]
+    # both are printed forms of one theory
+    ratios = [
+        new / old
+        for new, old in zip(reference_raceway_capacity(bearing), raceway_capacity(bearing), strict=True)
+    ]
+    assert all(0.9 < ratio < 1.1 for ratio in ratios)
+
+
+def test_rating_of_iso_281_by_hand():
+    # C_r = b_m f_c (i l cos a)^(7/9) Z^(3/4) D^(29/27); ISO 281, table 7, prints
+    # f_c = 88.5 at gamma = 0.16
+    bearing = assemble.bearing(read(PLAIN, {"bearing.outer_raceway_diameter": "72.5 mm"})).bearing
+    by_hand = 1.1 * 88.5 * 9.601 ** (7 / 9) * 14**0.75 * 10 ** (29 / 27)
+    assert dynamic_rating(bearing) == approx(by_hand, rel=1e-3)
+
+
+def test_life_goes_with_the_fourth_power_of_the_given_rating(state):
+    one, two = (lived(state, ISO | {"life.dynamic_rating": f"{c} kN"}) for c in (40, 80))
+    assert two["modified_Mrev"] == approx(2**4 * one["modified_Mrev"], rel=1e-12)
+    assert "40000 N, given" in one["factors"][0]["note"]
+
+
+def test_given_rating_reaches_a_iso(state):
+    notes = []
+    for rating in ("30 kN", "60 kN"):
+        found = lived(state, CLEAN | {"life.dynamic_rating": rating})
+        notes.append(found["factors"][0]["note"])
+    assert notes[0] != notes[1]  # P_ref = C_r / L^(3/10) with L ~ C_r^4
+
+
+def test_rating_that_nothing_uses_is_refused():
+    with pytest.raises(BadCase, match="dynamic_rating"):
+        read(PLAIN, {"life.dynamic_rating": "40 kN"})
+
+
+def test_formula_of_iso_281_stops_where_its_table_ends():
+    slim = {"bearing.outer_raceway_diameter": "31 mm", "bearing.rollers": 5, "bearing.cage.thickness": "2 mm"}
+    with pytest.raises(BadCase, match="ISO 281, table 7"):
+        assemble.require_possible(read(PLAIN, ISO | slim))
+    assemble.require_possible(read(PLAIN, ISO | slim | {"life.dynamic_rating": "20 kN"}))
