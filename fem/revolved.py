@@ -1,0 +1,93 @@
+"""A raceway on a body of revolution, condensed harmonic by harmonic on the axial section."""
+
+import logging
+import time
+from math import ceil, floor
+
+import numpy as np
+
+from fem.harmonics import FEWEST, HarmonicCompliance
+from fem.meridian import sections
+from fem.parts import ClampedRing, ImpossiblePart, Mesh, RingOnShaft
+from fem.pencil import compliances
+from fem.revolved_body import assembled, edge_shapes
+from fem.solve import NotSolved, threads
+
+FINENESS = 6.0  # highest harmonic over M R/l, unless one is asked for
+RESOLVED = 0.65  # highest harmonic over order times R/h on raceway elements of size h
+
+_log = logging.getLogger(__name__)
+
+
+def condense(
+    part: ClampedRing | RingOnShaft, length: float, shapes: int, mesh: Mesh, harmonics: int | None = None
+) -> HarmonicCompliance:
+    r"""Compliance of the raceway of a body of revolution, for rollers anywhere.
+
+    .. math:: W_n = \frac{1}{2\pi}\,G^T K(n)^{-1} G, \quad g_m = \int a_m v_r\,dx
+
+    Parameters
+    ----------
+    part : ClampedRing, RingOnShaft
+        body of revolution with its seat
+    length : float
+        l of the loaded band [m]
+    shapes : int
+        M, number of axial shapes, 1 or more
+    mesh : Mesh
+        wishes for the finite elements; order 5 or 6 pays
+    harmonics : int
+        N, the highest; by default 6 M R/l or what the mesh resolves
+
+    Returns
+    -------
+    HarmonicCompliance
+
+    Raises
+    ------
+    ImpossiblePart
+        if the band is longer than the track, or the part not a body of revolution
+    NotSolved
+        if a solve fails, or if the mesh is too coarse for the harmonics
+
+    Valid
+    -----
+    Small displacement, perfect bonds, clamps that do not yield; no load outside the band.
+    """
+    if length > part.track * (1 + 1e-9):
+        raise ImpossiblePart(
+            f"length = {length!r} m of the loaded band; allowed is the track, {part.track!r} m"
+        )
+    radius = part.raceway_diameter / 2
+    last = _highest(radius, length / shapes, mesh, harmonics)
+    start = time.perf_counter()
+    with threads(1):  # sections are small: a second thread would only wait
+        body = assembled(sections(part, length), part.materials, mesh)
+        ready = time.perf_counter()
+        W = compliances(body.stiffness, edge_shapes(body, "raceway", shapes), last) / (2 * np.pi)
+    done = time.perf_counter()
+    _log.info("%s: %d unknowns, %.1f s", type(part).__name__, body.stiffness.unknowns, done - start)
+    return HarmonicCompliance(
+        harmonics=np.arange(-last, last + 1),
+        response=np.concatenate([W[:0:-1], W]),
+        radius=radius,
+        length=length,
+        elastic=part.materials["ring"],
+        bars=None,
+        unknowns=body.stiffness.unknowns,
+        elements=body.space.mesh.ne,
+        seconds={"factor": ready - start, "condense": done - ready},
+    )
+
+
+def _highest(radius: float, detail: float, mesh: Mesh, wish: int | None) -> int:
+    """The highest harmonic, which elements of the raceway still have to resolve."""
+    limit = floor(RESOLVED * mesh.order * radius / mesh.raceway_size)
+    if wish is None:
+        return min(ceil(FINENESS * radius / detail), limit)
+    if not FEWEST <= wish <= limit:
+        raise NotSolved(
+            f"{wish} harmonics are impossible on this mesh of the raceway, allowed are {FEWEST} to {limit}: "
+            "a smaller raceway_size or a higher order resolves more"
+        )
+    return wish
