@@ -1,0 +1,223 @@
+"""The angular-contact ball bearing at speed."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.angular import AngularBalance, race_contacts
+from quasidynamic.contact.point import INNER, OUTER, PointContact
+from quasidynamic.errors import NotSolved
+from quasidynamic.motion.ball_speeds import Control, spin_to_roll
+from quasidynamic.motion.rolling_lines import (
+    ball_friction,
+    hertz_section_radius,
+    rolling_lines,
+    spin_parameter,
+)
+from quasidynamic.outcome.rolling_contact import RollingContact
+from quasidynamic.parts.angular import AngularContactBearing, RingOperation
+from quasidynamic.solve.endings import Ending
+from quasidynamic.solve.ring_on_balls import followed, solve
+
+
+@dataclass(frozen=True)
+class AngularContactState:
+    """How an angular-contact bearing carries its load; Z balls, index 0 the inner and 1 the outer race."""
+
+    bearing: AngularContactBearing
+    operation: RingOperation
+    contacts: tuple[PointContact, PointContact]
+    ring_displacement: NDArray  # (5) [m, m, m, rad, rad] of the inner ring: x, y, z, about x, about y
+    ring_load: NDArray  # (5) [N, N, N, N m, N m] that the balls take up
+    stiffness: NDArray  # (5, 5) load per displacement, balls in balance [N/m, N, N m]
+    contact_angles: NDArray  # (2, Z) [rad]
+    loads: NDArray  # (2, Z) [N] normal
+    tractions: NDArray  # (2, Z) [N] along the groove sections, holding the gyroscopic moment
+    orbital_speed: NDArray  # (Z) [rad/s]
+    ball_speed: NDArray  # (Z) [rad/s] in the orbiting frame
+    attitude: NDArray  # (Z) [rad] beta, of the spin axis to the shaft
+    centrifugal_force: NDArray  # (Z) [N]
+    gyroscopic_moment: NDArray  # (Z) [N m]
+    evaluations: int  # of all balls
+
+    @property
+    def semi_axes(self) -> tuple[NDArray, NDArray]:
+        """Semi-axes a across and b along the rolling direction (2, Z) [m]."""
+        axes = [contact.semi_axes(load) for contact, load in zip(self.contacts, self.loads, strict=True)]
+        return np.stack([a for a, _ in axes]), np.stack([b for _, b in axes])
+
+    @property
+    def peak_pressures(self) -> NDArray:
+        """p0 (2, Z) [Pa]."""
+        pairs = zip(self.contacts, self.loads, strict=True)
+        return np.stack([contact.peak_pressure(load) for contact, load in pairs])
+
+    @property
+    def needed_friction(self) -> NDArray:
+        """Traction over load that keeps a ball from turning about the rolling direction (2, Z) [-]."""
+        loaded = self.loads > 0
+        return np.where(loaded, np.abs(self.tractions) / np.where(loaded, self.loads, 1.0), 0.0)
+
+    def rolling_contact(
+        self,
+        spin: Literal["slip field", "contact angle"] = "slip field",
+        friction: Literal["none", "balanced"] = "none",
+    ) -> RollingContact:
+        """Pure rolling lines of the balls that touch both races.
+
+        Parameters
+        ----------
+        spin : {"slip field", "contact angle"}
+            S of the ball's motion, or gamma sin(alpha) alone as in Rivera, Tong and Hong (2021), Eq. (15)
+        friction : {"none", "balanced"}
+            no net friction in the rolling direction (e = 0), or as much as balances the friction moments
+            about the spin axis, see `ball_friction`
+
+        Raises
+        ------
+        OutOfRange
+            where E is negative: spin against the contact angle, as on a race next to a controlling one
+        """
+        touching, own = np.flatnonzero((self.loads > 0).all(0)), self.bearing
+        loads, angles, attitude = (
+            self.loads[:, touching],
+            self.contact_angles[:, touching],
+            self.attitude[touching],
+        )
+        side = np.array([[INNER], [OUTER]])
+        across, along = (axis[:, touching] for axis in self.semi_axes)
+        ratio = own.diameter_ratio
+        ratios = spin_to_roll(angles, angles if spin == "contact angle" else attitude, ratio, side)
+        radius = hertz_section_radius(own.ball.diameter, [[own.inner.conformity], [own.outer.conformity]])
+        parameter = spin_parameter(ratios, radius, across)
+        net = np.zeros_like(loads)
+        if friction == "balanced":
+            net = ball_friction(parameter, loads, across, angles - attitude, own.ball.diameter)
+        rings = np.array([[self.operation.inner_speed], [self.operation.outer_speed]])
+        return RollingContact(
+            balls=touching,
+            parameter=parameter,
+            net_force=net,
+            lines=rolling_lines(parameter, net),
+            semi_axes=(across, along),
+            loads=loads,
+            section_radius=radius,
+            rolling=(rings - self.orbital_speed[touching]) / ratio,
+            spin_to_roll=ratios,
+        )
+
+    @property
+    def on_inner(self) -> NDArray:
+        """Balls that the inner race touches (Z), bool."""
+        return self.loads[0] > 0
+
+
+@dataclass(frozen=True, kw_only=True)
+class AngularContactBallBearing:
+    """An angular-contact ball bearing between rigid rings.
+
+    >>> from quasidynamic.parts.ball import Ball, Groove
+    >>> from quasidynamic.parts.material import Material
+    >>> steel = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
+    >>> groove = Groove(conformity=11.63 / 22.23, material=steel)
+    >>> ball = Ball(diameter=22.23e-3, material=steel)
+    >>> bearing = AngularContactBearing(
+    ...     ball=ball, inner=groove, outer=groove, balls=16, pitch_diameter=125.26e-3,
+    ...     contact_angle=np.radians(40.0))
+    >>> state = AngularContactBallBearing(bearing=bearing).solve(
+    ...     RingOperation(load=(0.0, 0.0, 17800.0, 0.0, 0.0), inner_speed=10000 * np.pi / 30))
+    >>> [round(float(angle), 1) for angle in np.degrees(state.contact_angles[:, 0])]
+    [50.0, 31.3]
+    """
+
+    bearing: AngularContactBearing
+    control: Control = "outer"
+
+    def solve(self, operation: RingOperation) -> AngularContactState:
+        """Balance of ring and balls.
+
+        Raises
+        ------
+        NotSolved
+            with the ending: nothing holds the ring, or no balance found
+        """
+        found = self.solve_many([operation])[0]
+        if isinstance(found, NotSolved):
+            raise found
+        return found
+
+    def solve_many(self, operations: Sequence[RingOperation]) -> list[AngularContactState | NotSolved]:
+        """Balance at several operating points side by side; an error stands in its place."""
+        balance = self._balance(operations)
+        found = solve(balance)
+        grooves = balance.grooves(found.ring)
+        balls = balance.balls(grooves, found.centres)
+        ring = balance.ring(balls, followed(balls))
+        scale = self._scale
+        states: list[AngularContactState | NotSolved] = []
+        for case, operation in enumerate(operations):
+            if found.endings[case] is not Ending.CONVERGED:
+                states.append(_not_solved(operation, found.endings[case], found.imbalance[case]))
+                continue
+            states.append(
+                AngularContactState(
+                    bearing=self.bearing,
+                    operation=operation,
+                    contacts=balance.contacts,
+                    ring_displacement=found.ring[case] / scale,
+                    ring_load=ring.carried[case] * scale,
+                    stiffness=ring.stiffness[case] * np.outer(scale, scale),
+                    contact_angles=balls.angles[:, case],
+                    loads=balls.loads[:, case],
+                    tractions=balls.tractions[:, case],
+                    orbital_speed=balls.motion.orbit.value[case],
+                    ball_speed=balls.motion.spin.value[case],
+                    attitude=balls.motion.attitude.value[case],
+                    centrifugal_force=balls.centrifugal[case],
+                    gyroscopic_moment=balls.gyroscopic[case],
+                    evaluations=int(found.evaluations[case]),
+                )
+            )
+        return states
+
+    @cached_property
+    def _contacts(self) -> tuple[PointContact, PointContact]:
+        return race_contacts(self.bearing)
+
+    @property
+    def _scale(self) -> NDArray:
+        """Lever that makes rotations lengths and moments forces (5)."""
+        radius = self.bearing.inner_groove_radius
+        return np.array([1.0, 1.0, 1.0, radius, radius])
+
+    def _balance(self, operations: Sequence[RingOperation]) -> AngularBalance:
+        given = [operation.displacement for operation in operations]
+        held = np.array([[value is not None for value in values] for values in given])
+        place = np.array([[value or 0.0 for value in values] for values in given])
+        speeds = np.array([[operation.inner_speed, operation.outer_speed] for operation in operations])
+        return AngularBalance(
+            bearing=self.bearing,
+            contacts=self._contacts,
+            control=self.control,
+            load=np.array([operation.load for operation in operations]) / self._scale,
+            held=held,
+            place=place * self._scale,
+            speeds=speeds.T[..., None],
+        )
+
+
+def _not_solved(operation: RingOperation, ending: Ending, imbalance: float) -> NotSolved:
+    where = f"load {operation.load}, inner ring {operation.inner_speed:.5g} rad/s"
+    if ending is Ending.UNDETERMINED:
+        return NotSolved(
+            f"{where}: nothing holds the inner ring in some direction, its place is undetermined; "
+            "give an axial load, or a displacement in that direction",
+            ending,
+        )
+    return NotSolved(
+        f"{where}: no balance of ring and balls, {imbalance:.1e} of the largest force left", ending
+    )

@@ -1,0 +1,211 @@
+"""Slow ball bearings of two or four contact points, put together."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.ball_attitude import Attitude, attitude
+from quasidynamic.balance.four_point import BallLoads, ball_loads
+from quasidynamic.contact.ellipse_friction import Ellipse, slip_field
+from quasidynamic.contact.point import PointContact, point_contact, race_curvatures
+from quasidynamic.errors import ImpossiblePart, OutOfRange
+from quasidynamic.motion.ball_slip import SIDE, BallContacts, pressed_height, pressed_radius
+from quasidynamic.outcome.ball_torque import RaceTorques, hysteresis_torque, race_torques
+from quasidynamic.parts.ball import FourPointBearing
+from quasidynamic.parts.ball_friction import FrictionCurve
+
+STEEPEST = np.pi / 2  # [rad] a contact angle stays below
+
+
+@dataclass(frozen=True, kw_only=True)
+class RingLoad:
+    """Load on the inner ring."""
+
+    radial_x: float = 0.0  # [N]
+    radial_y: float = 0.0  # [N]
+    axial: float = 0.0  # [N] along z
+    moment_x: float = 0.0  # [N m]
+    moment_y: float = 0.0  # [N m]
+
+    def vector(self) -> NDArray:
+        """Fx, Fy, Fz [N], Mx, My [N m]."""
+        return np.array([self.radial_x, self.radial_y, self.axial, self.moment_x, self.moment_y])
+
+
+@dataclass(frozen=True)
+class SlidingBalls:
+    """Balls that slide slowly between the rings: N balls, G diagonals, inner and outer race.
+
+    Speeds are those for an inner ring that turns by one rad/s against the outer ring.
+    """
+
+    load: NDArray  # (N, G, 2) [N]
+    contacts: BallContacts
+    ellipse: Ellipse
+    peak_pressure: NDArray  # (N, G, 2) [Pa]
+    friction: NDArray  # (N, G, 2) [-] coefficient
+    attitude: Attitude
+    torques: RaceTorques
+    hysteresis: NDArray  # (N) [N m]
+    notes: tuple[str, ...]  # what a user must know
+
+    @property
+    def ball_torques(self) -> NDArray:
+        """Torque of each ball (N) [N m], the heat of its sliding and hysteresis per speed of the ring."""
+        return self.attitude.power + self.hysteresis
+
+    @property
+    def torque(self) -> float:
+        """Torque of all balls [N m]."""
+        return float(self.ball_torques.sum())
+
+    @property
+    def ball_speed(self) -> NDArray:
+        """Speed of each ball over that of the inner ring, both seen from the orbiting ball centre (N) [-]."""
+        outer, axial, radial = self.attitude.motion.T
+        return np.hypot(axial, radial) / (1.0 + outer)
+
+    @property
+    def axis_angle(self) -> NDArray:
+        """Angle of the ball speed from that of the inner ring (N) [rad], pi where the axes are parallel."""
+        _, axial, radial = self.attitude.motion.T
+        return np.mod(np.arctan2(radial, axial), 2 * np.pi)
+
+    def field(self, ball: int, diagonal: int, race: int, points: int = 41) -> dict[str, NDArray]:
+        """Places [m], slip [m/s] and shear stress on the ball [Pa] over one contact, (points, points)."""
+        one = (np.array([ball]), diagonal, race)
+        chosen = Ellipse(
+            *(getattr(self.ellipse, name)[one] for name in ("across", "along", "radius", "traction"))
+        )
+        unit = np.linspace(-1.0, 1.0, points)
+        x, y = np.meshgrid(unit * chosen.across, unit * chosen.along, indexing="ij")
+        names = ("slip_along", "slip_across", "shear_along", "shear_across")
+        found = slip_field(self.attitude.slip[one], chosen, x, y)
+        return {"x": x, "y": y} | dict(zip(names, found, strict=True))
+
+
+@dataclass(frozen=True)
+class FourPointEquilibrium:
+    """A loaded four-point bearing that turns slowly."""
+
+    distribution: BallLoads
+    balls: SlidingBalls
+
+    @property
+    def torque(self) -> float:
+        """Torque that turns the bearing [N m]."""
+        return self.balls.torque
+
+
+@dataclass(frozen=True, kw_only=True)
+class FourPointBallBearing:
+    """A four-point bearing with its friction."""
+
+    bearing: FourPointBearing
+    friction: FrictionCurve
+    hysteresis_loss: float = 0.0  # [-] part of the elastic work lost in rolling
+
+    def __post_init__(self):
+        if not 0.0 <= self.hysteresis_loss < 1.0:
+            raise ImpossiblePart(f"hysteresis_loss = {self.hysteresis_loss!r} must be in [0, 1)")
+
+    def solve(self, load: RingLoad) -> FourPointEquilibrium:
+        """Load distribution, then the motion and torque of every ball.
+
+        Raises
+        ------
+        ImpossiblePart, NotSolved, OutOfRange
+            see `ball_loads`, `attitude` and `slide`
+        """
+        found = ball_loads(self.bearing, load.vector())
+        both = (len(found.loads), 2, 2)
+        return FourPointEquilibrium(
+            found,
+            self.slide(
+                np.broadcast_to(found.angles[..., None], both), np.broadcast_to(found.loads[..., None], both)
+            ),
+        )
+
+    def slide(self, angle: NDArray, load: NDArray) -> SlidingBalls:
+        """Motion and torque of balls whose contact angles and loads are known.
+
+        Parameters
+        ----------
+        angle : array (N, G, 2)
+            contact angles at the inner and the outer race [rad], one or two diagonals
+        load : array (N, G, 2)
+            contact loads [N], >= 0
+
+        Raises
+        ------
+        ImpossiblePart
+            when an angle or a load cannot be
+        OutOfRange
+            when a contact is no longer small
+        NotSolved
+            when a ball finds no balance
+        """
+        angle, load = np.asarray(angle, dtype=float), np.asarray(load, dtype=float)
+        _check(angle, load)
+        contact = self._contact(angle)
+        across, along = contact.semi_axes(load)
+        pressure = contact.peak_pressure(load)
+        coefficient = self.friction.at(pressure)
+        radius = self.bearing.ball.diameter / 2
+        ellipse = Ellipse(across, along, self._surface(angle), coefficient * load)
+        if not np.all(across < radius):
+            raise OutOfRange(
+                f"semi-axis {across.max():.4g} m of a contact is not below the ball radius {radius:.4g} m: "
+                "the load is far too high"
+            )
+        contacts = BallContacts(
+            ball_radius=np.full(len(angle), radius),
+            pitch_radius=np.full(len(angle), self.bearing.pitch_diameter / 2),
+            angle=angle,
+            height=pressed_height(np.asarray(radius), self._surface(angle), across),
+        )
+        found = attitude(contacts, ellipse)
+        return SlidingBalls(
+            load=load,
+            contacts=contacts,
+            ellipse=ellipse,
+            peak_pressure=pressure,
+            friction=coefficient,
+            attitude=found,
+            torques=race_torques(contacts, found.slip, ellipse),
+            hysteresis=hysteresis_torque(found.slip, load, along, self.hysteresis_loss),
+            notes=self._notes(pressure, coefficient * load),
+        )
+
+    def _contact(self, angle: NDArray) -> PointContact:
+        own = self.bearing
+        curvatures = race_curvatures(own.ball.diameter, own.groove_radii, own.pitch_diameter, angle, SIDE)
+        return point_contact(curvatures, own.moduli)
+
+    def _surface(self, angle: NDArray) -> NDArray:
+        """Radii of the pressed surfaces (N, G, 2) [m]."""
+        radii = pressed_radius(np.asarray(self.bearing.ball.diameter / 2), self.bearing.groove_radii)
+        return np.broadcast_to(radii, angle.shape)
+
+    def _notes(self, pressure: NDArray, traction: NDArray) -> tuple[str, ...]:
+        outside = self.friction.outside(pressure) & (traction > 0.0)
+        if not outside.any():
+            return ()
+        low, high = self.friction.pressures[0] / 1e9, self.friction.pressures[-1] / 1e9
+        share = traction[outside].sum() / traction.sum()
+        return (
+            f"friction: {outside.sum()} contacts with {share:.0%} of the friction force have a peak pressure "
+            f"outside the {low:.3g} to {high:.3g} GPa of the friction curve: that of its end is used",
+        )
+
+
+def _check(angle: NDArray, load: NDArray) -> None:
+    if angle.shape != load.shape or angle.ndim != 3 or angle.shape[1] not in (1, 2) or angle.shape[2] != 2:
+        raise ImpossiblePart(
+            f"contact angles {angle.shape} and loads {load.shape} must both be (balls, diagonals, 2 races)"
+        )
+    if not np.all((load >= 0.0) & np.isfinite(load)):
+        raise ImpossiblePart("contact loads must be finite and >= 0")
+    if not np.all(np.abs(angle) < STEEPEST):
+        raise ImpossiblePart("contact angles must lie between -90 and 90 degrees")

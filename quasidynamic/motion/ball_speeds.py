@@ -1,0 +1,228 @@
+"""Orbit and spin of a ball that rolls on two races."""
+
+from typing import Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Control = Literal["outer", "inner", "equal"]  # race on which the ball does not spin, or as much on both
+
+
+class Rated(NamedTuple):
+    """A quantity with its derivatives by the inner and by the outer contact angle."""
+
+    value: NDArray  # (...)
+    slopes: NDArray  # (2, ...) per radian
+
+
+class BallMotion(NamedTuple):
+    """Orbit, spin and attitude of a ball."""
+
+    orbit: Rated  # [rad/s] positive like the rings
+    spin: Rated  # [rad/s] in the orbiting frame; positive where the inner ring runs ahead of the outer one
+    attitude: Rated  # [rad] of the spin axis to the shaft, positive like the contact angles
+
+
+def ball_attitude(
+    inner_angle: NDArray | float, outer_angle: NDArray | float, ratio: float, control: Control
+) -> Rated:
+    r"""Angle between spin axis and shaft under raceway control.
+
+    .. math:: \tan\beta = \frac{\sin\alpha_o}{\cos\alpha_o + \gamma}\ \text{(outer)},\quad
+              \tan\beta = \frac{\sin\alpha_i}{\cos\alpha_i - \gamma}\ \text{(inner)},\quad
+              \beta = \tfrac12 (\alpha_i + \alpha_o)\ \text{(equal)}
+
+    Parameters
+    ----------
+    inner_angle, outer_angle : array (...)
+        alpha_i, alpha_o, contact angles [rad]
+    ratio : float
+        gamma, ball over pitch diameter [-]
+    control : {"outer", "inner", "equal"}
+        race on which the ball does not spin; "equal": the axis halves the angle between the contacts
+
+    Returns
+    -------
+    Rated
+        beta [rad]
+
+    Source
+    ------
+    Jones, J. Basic Eng. 81 (1959); Harris, Rolling Bearing Analysis, 4th ed. (2001), ch. 8;
+    equal: Rivera, Tong and Hong (2021), Eq. (6).
+
+    Valid
+    -----
+    An assumption about friction, not a balance: good for loaded balls in thin films.
+    """
+    none = 0.0 * (inner_angle + outer_angle)
+    slopes = np.zeros((2, *np.shape(none)))
+    if control == "equal":
+        slopes += 0.5
+        return Rated(np.asarray(0.5 * (inner_angle + outer_angle)), slopes)
+    angle, side = (outer_angle, ratio) if control == "outer" else (inner_angle, -ratio)
+    cosine = np.cos(angle)
+    slopes[1 if control == "outer" else 0] = (1 + side * cosine) / (1 + 2 * side * cosine + ratio**2)
+    return Rated(none + np.arctan2(np.sin(angle), cosine + side), slopes)
+
+
+def ball_motion(
+    inner_angle: NDArray | float,
+    outer_angle: NDArray | float,
+    ratio: float,
+    speeds: tuple[NDArray | float, NDArray | float],
+    control: Control,
+) -> BallMotion:
+    r"""Orbital speed and spin of a ball that does not slip at the centres of its contacts.
+
+    .. math:: \omega_m - \omega_o &= \gamma\, \omega_R\, p_o,\quad
+              \omega_i - \omega_m = \gamma\, \omega_R\, p_i, \\
+              p_o &= \frac{\cos(\alpha_o - \beta)}{1 + \gamma \cos\alpha_o},\quad
+              p_i = \frac{\cos(\alpha_i - \beta)}{1 - \gamma \cos\alpha_i}
+
+    the closed form is Harris' pair of equations for omega_m and omega_R. The ball turns by
+    omega_R (-cos beta, sin beta) in the axial and the radial direction.
+
+    Parameters
+    ----------
+    inner_angle, outer_angle : array (...)
+        alpha_i, alpha_o, contact angles [rad]
+    ratio : float
+        gamma, ball over pitch diameter [-]
+    speeds : pair of arrays (...)
+        omega_i, omega_o of the inner and the outer ring [rad/s]
+    control : {"outer", "inner", "equal"}
+        what sets the attitude beta, see `ball_attitude`
+
+    Returns
+    -------
+    BallMotion
+
+    Source
+    ------
+    Harris, Rolling Bearing Analysis, 4th ed. (2001), ch. 8, with gamma on the pitch circle.
+
+    Valid
+    -----
+    No gross sliding; p_i + p_o > 0, as for contact angles less than a right angle apart.
+
+    >>> motion = ball_motion(0.7, 0.7, 0.1, (100.0, 0.0), "equal")
+    >>> round(float(motion.orbit.value), 6)  # half of 1 - gamma cos(alpha)
+    46.175789
+    """
+    inner_speed, outer_speed = speeds
+    attitude = ball_attitude(inner_angle, outer_angle, ratio, control)
+    outer, outer_slopes = _rolling_share(outer_angle, attitude, ratio, 1)
+    inner, inner_slopes = _rolling_share(inner_angle, attitude, -ratio, 0)
+    total, total_slopes = inner + outer, inner_slopes + outer_slopes
+    spin = (inner_speed - outer_speed) / (ratio * total)
+    orbit = (inner_speed * outer + outer_speed * inner) / total
+    orbit_slopes = (inner_speed * outer_slopes + outer_speed * inner_slopes - orbit * total_slopes) / total
+    return BallMotion(Rated(orbit, orbit_slopes), Rated(spin, -spin / total * total_slopes), attitude)
+
+
+def _rolling_share(angle: NDArray | float, attitude: Rated, side: float, own: int) -> tuple[NDArray, NDArray]:
+    """P = cos(alpha - beta)/(1 + side cos(alpha)), and its slopes by both angles; `own` is that of alpha."""
+    reach = 1 + side * np.cos(angle)
+    share, turn = np.cos(angle - attitude.value) / reach, np.sin(angle - attitude.value) / reach
+    slopes = turn * attitude.slopes
+    slopes[own] += side * np.sin(angle) / reach * share - turn
+    return share, slopes
+
+
+def centrifugal_force(orbit: Rated, mass: float, pitch_diameter: float) -> Rated:
+    r"""Force that a ball on its orbit exerts outwards.
+
+    .. math:: F_c = \tfrac12 m d_m \omega_m^2
+
+    Parameters
+    ----------
+    orbit : Rated
+        omega_m, orbital speed (...) [rad/s]
+    mass : float
+        m of the ball [kg]
+    pitch_diameter : float
+        d_m [m]
+
+    Returns
+    -------
+    Rated
+        F_c [N]
+
+    Source
+    ------
+    Harris, Rolling Bearing Analysis, 4th ed. (2001), ch. 5.
+
+    Valid
+    -----
+    Ball centres on the pitch circle; their displacement under load is left out.
+    """
+    inertia = mass * pitch_diameter
+    return Rated(0.5 * inertia * orbit.value**2, inertia * orbit.value * orbit.slopes)
+
+
+def gyroscopic_moment(motion: BallMotion, inertia: float) -> Rated:
+    r"""Moment that turns the spin axis of a ball once per orbit.
+
+    .. math:: M_g = J\, \omega_m\, \omega_R \sin\beta
+
+    The races must provide it by friction along the sections of the grooves.
+
+    Parameters
+    ----------
+    motion : BallMotion
+        omega_m, omega_R [rad/s], beta [rad] (...)
+    inertia : float
+        J of the ball [kg m2]
+
+    Returns
+    -------
+    Rated
+        M_g [N m], positive where the inner ring alone turns and beta is positive
+
+    Source
+    ------
+    Harris, Rolling Bearing Analysis, 4th ed. (2001), ch. 5; there omega_R is negative, hence other signs
+    in the balance of the ball.
+    """
+    (orbit, orbit_slopes), (spin, spin_slopes), (attitude, attitude_slopes) = motion
+    sine, momentum = np.sin(attitude), inertia * orbit * spin
+    slopes = inertia * sine * (orbit_slopes * spin + orbit * spin_slopes)
+    return Rated(momentum * sine, slopes + momentum * np.cos(attitude) * attitude_slopes)
+
+
+def spin_to_roll(
+    angle: NDArray | float, attitude: NDArray | float, ratio: float, side: NDArray | float
+) -> NDArray:
+    r"""Spin of a ball against a race over its rolling on it.
+
+    .. math:: S = \gamma \sin\alpha \mp (1 \pm \gamma \cos\alpha) \tan(\alpha - \beta)
+
+    with the upper signs on the outer race.
+
+    Parameters
+    ----------
+    angle : array (...)
+        alpha, contact angle on this race [rad]
+    attitude : array (...)
+        beta [rad], see `ball_attitude`
+    ratio : float
+        gamma, ball over pitch diameter [-]
+    side : float or array (...)
+        +1 on the outer, -1 on the inner race
+
+    Returns
+    -------
+    array (...)
+        S [-], positive where spin by the contact angle alone prevails; zero on a controlling race
+
+    Source
+    ------
+    Jones, J. Basic Eng. 81 (1959): relative speed about the normal over that about the groove section.
+
+    Valid
+    -----
+    No slip at the centre of the contact.
+    """
+    lever = 1 + side * ratio * np.cos(angle)
+    return ratio * np.sin(angle) - side * lever * np.tan(angle - attitude)

@@ -1,0 +1,85 @@
+"""An angular-contact ball bearing put together."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.errors import ImpossiblePart, require_positive
+from quasidynamic.parts.ball import Ball, Groove
+
+
+@dataclass(frozen=True, kw_only=True)
+class AngularContactBearing:
+    """Balls between two rings of one groove each; a deep-groove bearing is one of small contact angle."""
+
+    ball: Ball
+    inner: Groove
+    outer: Groove
+    balls: int
+    pitch_diameter: float  # [m] of the ball centres
+    contact_angle: float  # [rad] without load, from the radial plane
+    first_ball_azimuth: float = 0.0  # [rad] from the x axis towards y
+
+    def __post_init__(self):
+        require_positive("bearing.pitch_diameter", self.pitch_diameter)
+        if not 0.0 <= self.contact_angle < np.pi / 2:
+            raise ImpossiblePart(f"bearing.contact_angle = {self.contact_angle!r} rad must be in [0, pi/2)")
+        if self.balls < 3:
+            raise ImpossiblePart(f"bearing.balls = {self.balls}: a ring needs at least 3")
+        if self.ball.diameter >= self.pitch_diameter * np.sin(np.pi / self.balls):
+            raise ImpossiblePart(f"{self.balls} balls do not fit on the pitch circle")
+
+    @property
+    def diameter_ratio(self) -> float:
+        """Ball over pitch diameter, gamma' [-]."""
+        return self.ball.diameter / self.pitch_diameter
+
+    @property
+    def inner_reach(self) -> float:
+        """From the inner groove centre to a ball centre that just touches, (f_i - 1/2) D [m]."""
+        return (self.inner.conformity - 0.5) * self.ball.diameter
+
+    @property
+    def outer_reach(self) -> float:
+        """From the outer groove centre to a ball centre that just touches, (f_o - 1/2) D [m]."""
+        return (self.outer.conformity - 0.5) * self.ball.diameter
+
+    @property
+    def inner_groove_radius(self) -> float:
+        """From the shaft axis to the inner groove centre, R_i = d_m/2 + (f_i - 1/2) D cos(alpha) [m]."""
+        return self.pitch_diameter / 2 + self.inner_reach * np.cos(self.contact_angle)
+
+    @cached_property
+    def azimuths(self) -> NDArray:
+        """Ball azimuths from the x axis towards y (Z) [rad]."""
+        return self.first_ball_azimuth + 2 * np.pi * np.arange(self.balls) / self.balls
+
+
+@dataclass(frozen=True, kw_only=True)
+class RingOperation:
+    """What is asked of the inner ring: a load or a displacement in each of five directions, a speed.
+
+    Directions are x and y (radial), z (axial, pushes the balls against their shoulders), then the
+    right-handed rotations about x and y.
+    """
+
+    load: tuple[float, float, float, float, float] = (0.0, 0.0, 0.0, 0.0, 0.0)  # [N, N, N, N m, N m]
+    displacement: tuple[float | None, ...] = (None,) * 5  # [m, m, m, rad, rad] None: the ring is free
+    inner_speed: float = 0.0  # [rad/s]
+    outer_speed: float = 0.0  # [rad/s]
+
+    def __post_init__(self):
+        if len(self.load) != 5 or len(self.displacement) != 5:
+            raise ImpossiblePart("load and displacement have five entries each: x, y, z, about x, about y")
+        given = [value for value in self.displacement if value is not None]
+        if not np.all(np.isfinite([*self.load, *given, self.inner_speed, self.outer_speed])):
+            raise ImpossiblePart("loads, displacements and speeds must be finite")
+        for name, load, place in zip(
+            ["x", "y", "z", "tilt_x", "tilt_y"], self.load, self.displacement, strict=True
+        ):
+            if load and place is not None:
+                raise ImpossiblePart(
+                    f"direction {name} has both a load of {load} and a displacement of {place}"
+                )

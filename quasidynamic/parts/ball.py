@@ -1,0 +1,95 @@
+"""Balls and the grooves they run in."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.errors import ImpossiblePart, require_positive
+from quasidynamic.parts.material import Material, contact_modulus
+
+
+@dataclass(frozen=True, kw_only=True)
+class Ball:
+    """A bearing ball."""
+
+    diameter: float  # [m]
+    material: Material
+
+    def __post_init__(self):
+        require_positive("ball.diameter", self.diameter)
+
+    @property
+    def mass(self) -> float:
+        """Mass of the full ball [kg]."""
+        return self.material.density * np.pi / 6 * self.diameter**3
+
+    @property
+    def inertia(self) -> float:
+        """Moment of inertia about any diameter [kg m2]."""
+        return self.mass * self.diameter**2 / 10
+
+
+@dataclass(frozen=True, kw_only=True)
+class Groove:
+    """A raceway groove of circular section."""
+
+    conformity: float  # [-] groove radius over ball diameter, above 0.5
+    material: Material
+
+    def __post_init__(self):
+        if not 0.5 < self.conformity < float("inf"):
+            raise ImpossiblePart(
+                f"groove.conformity = {self.conformity!r} must be above 0.5: the groove radius over the ball "
+                "diameter. A figure such as 1.05 counts from the ball radius: halve it"
+            )
+
+
+@dataclass(frozen=True, kw_only=True)
+class FourPointBearing:
+    """Balls between two rings with gothic arches: every ball has two diagonals of two contacts each."""
+
+    ball: Ball
+    inner: Groove
+    outer: Groove
+    balls: int
+    pitch_diameter: float  # [m] of the ball centres
+    contact_angle: float  # [rad] of both diagonals, unloaded
+    clearance: float = 0.0  # [m] of a ball along a diagonal, both contacts together; negative: interference
+
+    def __post_init__(self):
+        require_positive("bearing.pitch_diameter", self.pitch_diameter)
+        if not 0.0 < self.contact_angle < np.pi / 2:
+            raise ImpossiblePart(f"bearing.contact_angle = {self.contact_angle!r} rad must be in (0, pi/2)")
+        if self.balls < 3:
+            raise ImpossiblePart(f"bearing.balls = {self.balls}: a ring needs at least 3")
+        if self.ball.diameter >= self.pitch_diameter * np.sin(np.pi / self.balls):
+            raise ImpossiblePart(f"{self.balls} balls do not fit on the pitch circle")
+        if not -self.centre_distance < self.clearance < self.ball.diameter:
+            raise ImpossiblePart(
+                f"bearing.clearance = {self.clearance!r} m: an interference must be below the distance of "
+                f"the groove centres, {self.centre_distance:.3g} m"
+            )
+
+    @property
+    def centre_distance(self) -> float:
+        """Distance of opposite groove centres when both touch the ball, A = r_i + r_o - D [m]."""
+        return (self.inner.conformity + self.outer.conformity - 1.0) * self.ball.diameter
+
+    @property
+    def groove_radii(self) -> NDArray:
+        """Groove radii r_i and r_o (2) [m]."""
+        return np.array([self.inner.conformity, self.outer.conformity]) * self.ball.diameter
+
+    @property
+    def moduli(self) -> NDArray:
+        """E' of the ball with the inner and with the outer ring (2) [Pa]."""
+        return np.array(
+            [contact_modulus(self.ball.material, ring.material) for ring in (self.inner, self.outer)]
+        )
+
+    @cached_property
+    def azimuths(self) -> NDArray:
+        """Ball azimuths from the x axis (Z) [rad]."""
+        return 2 * np.pi * np.arange(self.balls) / self.balls

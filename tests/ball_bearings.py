@@ -1,0 +1,44 @@
+"""Slow ball bearings that several tests use."""
+
+import numpy as np
+
+from quasidynamic.four_point import FourPointBallBearing
+from quasidynamic.parts.ball import Ball, FourPointBearing, Groove
+from quasidynamic.parts.ball_friction import constant_friction
+from quasidynamic.parts.material import Material
+
+
+def slow_bearing(
+    ball=30e-3,
+    pitch=1.0,
+    balls=60,
+    angle=45.0,
+    conformity=0.525,
+    outer_conformity=None,
+    clearance=0.0,
+    friction=0.1,
+    modulus=210e9,
+    loss=0.0,
+):
+    """Four-point bearing; angle in degrees, conformity r/D."""
+    steel = Material(youngs_modulus=modulus, poisson_ratio=0.3, density=7850)
+    return FourPointBallBearing(
+        bearing=FourPointBearing(
+            ball=Ball(diameter=ball, material=steel),
+            inner=Groove(conformity=conformity, material=steel),
+            outer=Groove(conformity=outer_conformity or conformity, material=steel),
+            balls=balls,
+            pitch_diameter=pitch,
+            contact_angle=np.radians(angle),
+            clearance=clearance,
+        ),
+        friction=constant_friction(friction) if isinstance(friction, float) else friction,
+        hysteresis_loss=loss,
+    )
+
+
+def one_ball(bearing, angles, loads):
+    """Sliding of one ball: contact angles [deg] and loads [N] of its diagonals, the same on both races."""
+    shape = (1, len(loads), 2)
+    angle, load = (np.broadcast_to(np.array(value, float)[None, :, None], shape) for value in (angles, loads))
+    return bearing.slide(np.radians(angle), load)

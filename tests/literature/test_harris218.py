@@ -1,0 +1,48 @@
+"""The 218 angular-contact bearing of Harris, Rolling Bearing Analysis, under thrust at high speed.
+
+Inputs as in the textbook: raceways 102.79 and 147.73 mm, 16 balls of 22.23 mm, groove radii 11.63 mm, 40
+degrees without load, outer-race control. Not printed: E 206 GPa, nu 0.3, 7800 kg/m3 assumed.
+Source of the outputs: an independent solution of the same equations with the signs of a positive ball speed.
+"""
+
+import numpy as np
+import pytest
+from pytest import approx
+
+from quasidynamic.angular_contact import AngularContactBallBearing
+from quasidynamic.parts.angular import AngularContactBearing, RingOperation
+from quasidynamic.parts.ball import Ball, Groove
+from quasidynamic.parts.material import Material
+
+RPM = np.pi / 30
+STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
+GROOVE = Groove(conformity=11.63 / 22.23, material=STEEL)
+HARRIS = AngularContactBearing(
+    ball=Ball(diameter=22.23e-3, material=STEEL),
+    inner=GROOVE,
+    outer=GROOVE,
+    balls=16,
+    pitch_diameter=(102.79e-3 + 147.73e-3) / 2,
+    contact_angle=np.radians(40.0),
+)
+# thrust [N], speed [rpm], contact angles [deg]
+ROWS = [
+    (17800.0, 0.0, 41.50, 41.50),
+    (17800.0, 6000.0, 44.72, 38.04),
+    (17800.0, 10000.0, 49.95, 31.33),
+    (17800.0, 15000.0, 56.78, 19.23),
+    (22250.0, 10000.0, 48.70, 33.61),
+]
+
+
+@pytest.mark.parametrize(("thrust", "speed", "inner", "outer"), ROWS)
+def test_contact_angles(thrust, speed, inner, outer):
+    operation = RingOperation(load=(0.0, 0.0, thrust, 0.0, 0.0), inner_speed=speed * RPM)
+    state = AngularContactBallBearing(bearing=HARRIS, control="outer").solve(operation)
+    assert np.degrees(state.contact_angles[0]) == approx(np.full(16, inner), abs=0.05)
+    assert np.degrees(state.contact_angles[1]) == approx(np.full(16, outer), abs=0.05)
+
+
+def test_static_deflection():
+    state = AngularContactBallBearing(bearing=HARRIS).solve(RingOperation(load=(0.0, 0.0, 17800.0, 0.0, 0.0)))
+    assert state.ring_displacement[2] == approx(36.0e-6, abs=0.1e-6)

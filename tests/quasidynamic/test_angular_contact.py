@@ -1,0 +1,209 @@
+"""Angular-contact ball bearings: balance, stiffness, symmetry, limits, refusals."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from pytest import approx
+
+from quasidynamic.angular_contact import AngularContactBallBearing
+from quasidynamic.contact.point import in_series
+from quasidynamic.errors import ImpossiblePart, NotSolved
+from quasidynamic.parts.angular import AngularContactBearing, RingOperation
+from quasidynamic.parts.ball import Ball, Groove
+from quasidynamic.parts.material import Material
+from quasidynamic.solve.endings import Ending
+
+STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
+BEARING = AngularContactBearing(
+    ball=Ball(diameter=22.23e-3, material=STEEL),
+    inner=Groove(conformity=0.5232, material=STEEL),
+    outer=Groove(conformity=0.5265, material=STEEL),
+    balls=16,
+    pitch_diameter=125.26e-3,
+    contact_angle=np.radians(40.0),
+)
+LOAD = (3000.0, 1000.0, 9000.0, 50.0, -100.0)
+FREE = (None,) * 5
+CONTROLS = pytest.mark.parametrize("control", ["outer", "inner", "equal"])
+
+
+def solved(load=LOAD, speed=1000.0, control="outer", bearing=BEARING, **changes):
+    operation = RingOperation(load=load, inner_speed=speed, **changes)
+    return AngularContactBallBearing(bearing=bearing, control=control).solve(operation)
+
+
+def ring_load(state):
+    """Load from the contact forces of the balls, by vectors in space."""
+    own, azimuth = state.bearing, state.bearing.azimuths
+    axial, radial = np.array([[0.0, 0.0, 1.0]]).T, np.array([np.cos(azimuth), np.sin(azimuth), 0 * azimuth])
+    sine, cosine = np.sin(state.contact_angles[0]), np.cos(state.contact_angles[0])
+    normal, along = sine * axial + cosine * radial, cosine * axial - sine * radial
+    force = state.loads[0] * normal + state.tractions[0] * along  # the ring on the balls
+    centre = own.inner_groove_radius * radial
+    point = -own.inner.conformity * own.ball.diameter * normal  # of the contact from the groove centre
+    moment = np.cross(centre, (force * axial) * axial, axis=0) + np.cross(
+        point, state.tractions[0] * along, axis=0
+    )
+    return np.concatenate([force.sum(1), moment.sum(1)[:2]])
+
+
+@CONTROLS
+@pytest.mark.parametrize("speed", [0.0, 1000.0, -1500.0])
+def test_balls_carry_the_load_of_the_ring(control, speed):
+    state = solved(speed=speed, control=control)
+    scale = np.array([1.0, 1.0, 1.0, 0.06, 0.06]) * state.loads.max()
+    assert ring_load(state) / scale == approx(np.array(LOAD) / scale, abs=1e-10)
+    assert state.ring_load / scale == approx(np.array(LOAD) / scale, abs=1e-10)
+
+
+@CONTROLS
+def test_every_ball_is_in_balance(control):
+    state = solved(control=control)
+    (inner, outer), load, traction = state.contact_angles, state.loads, state.tractions
+    axial = load[0] * np.sin(inner) - load[1] * np.sin(outer)
+    axial += traction[0] * np.cos(inner) - traction[1] * np.cos(outer)
+    radial = load[0] * np.cos(inner) - load[1] * np.cos(outer) + state.centrifugal_force
+    radial += traction[1] * np.sin(outer) - traction[0] * np.sin(inner)
+    moment = state.bearing.ball.diameter / 2 * traction.sum(0)
+    assert np.abs([axial, radial]).max() < 1e-10 * load.max()
+    assert moment == approx(state.gyroscopic_moment, rel=1e-12)
+    assert (state.gyroscopic_moment > 0).all()
+
+
+@CONTROLS
+def test_stiffness_is_the_derivative_of_the_load(control):
+    state = solved(control=control)
+    place, units = state.ring_displacement, np.array([1.0, 1.0, 1.0, 1 / 0.06, 1 / 0.06])
+    model = AngularContactBallBearing(bearing=BEARING, control=control)
+
+    def load_at(shift):
+        held = RingOperation(displacement=tuple(place + shift), inner_speed=1000.0)
+        return model.solve(held).ring_load
+
+    columns = []
+    for k in range(5):
+        step = 2e-8 * units * np.eye(5)[k]
+        columns.append((load_at(step) - load_at(-step)) / (2 * step[k]))
+    size = np.abs(state.stiffness).max() / np.outer(units, units)
+    assert (
+        np.abs(np.array(columns).T - state.stiffness)[np.ix_([0, 1, 2], [0, 1, 2])].max() < 1e-6 * size[0, 0]
+    )
+    assert (np.abs(np.array(columns).T - state.stiffness) < 1e-6 * np.abs(state.stiffness).max()).all()
+
+
+def test_stiffness_is_symmetric_at_rest_and_not_at_speed():
+    def skew(matrix):
+        scaled = matrix / np.outer(*[[1.0, 1.0, 1.0, 0.06, 0.06]] * 2)
+        return np.abs(scaled - scaled.T).max() / np.abs(scaled).max()
+
+    assert skew(solved(speed=0.0).stiffness) < 1e-13
+    assert skew(solved(speed=1000.0).stiffness) > 1e-5
+
+
+def test_slow_bearing_tends_to_the_static_one():
+    rest = solved(speed=0.0)
+    gaps = [
+        np.abs(solved(speed=n).ring_displacement - rest.ring_displacement).max() for n in (40.0, 20.0, 10.0)
+    ]
+    assert gaps[0] / gaps[1] == approx(4.0, rel=0.01)  # inertia grows as the square of speed
+    assert gaps[1] / gaps[2] == approx(4.0, rel=0.01)
+
+
+def test_thrust_at_rest_in_closed_form():
+    """Every ball the same, on the line of the groove centres: K (L - A)^1.5 sin(alpha) = F/Z."""
+    state = solved(load=(0.0, 0.0, 9000.0, 0.0, 0.0), speed=0.0)
+    distance = BEARING.inner_reach + BEARING.outer_reach
+    axial = distance * np.sin(BEARING.contact_angle) + state.ring_displacement[2]
+    length = np.hypot(axial, distance * np.cos(BEARING.contact_angle))
+    force = in_series(*state.contacts) * (length - distance) ** 1.5 * axial / length
+    assert 16 * force == approx(9000.0, rel=1e-10)
+
+
+@CONTROLS
+def test_mirrored_load_gives_the_mirrored_state(control):
+    state = solved(control=control)
+    mirrored = solved(load=(3000.0, -1000.0, 9000.0, -50.0, -100.0), control=control)
+    order = (-np.arange(16)) % 16
+    assert mirrored.loads == approx(state.loads[:, order], rel=1e-8)
+    assert mirrored.ring_displacement == approx(
+        state.ring_displacement * [1, -1, 1, -1, 1], rel=1e-6, abs=1e-14
+    )
+
+
+def test_load_turned_by_a_ball_pitch_turns_the_state():
+    angle = 2 * np.pi / 16
+    turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+    load = (*(turn @ LOAD[:2]), LOAD[2], *(turn @ LOAD[3:]))
+    assert solved(load=load).loads == approx(np.roll(solved().loads, 1, axis=1), rel=1e-8)
+
+
+def test_displacement_of_a_load_brings_back_the_load():
+    state = solved()
+    held = solved(load=(0.0,) * 5, displacement=tuple(state.ring_displacement))
+    assert held.ring_load == approx(LOAD, rel=1e-8, abs=1e-6)
+    mixed = solved(load=(*LOAD[:3], 0.0, 0.0), displacement=(None, None, None, *state.ring_displacement[3:]))
+    assert mixed.ring_displacement == approx(state.ring_displacement, rel=1e-7)
+    assert mixed.ring_load[3:] == approx(LOAD[3:], rel=1e-5)
+
+
+def test_operations_side_by_side_are_those_alone():
+    operations = [RingOperation(load=LOAD, inner_speed=speed) for speed in (0.0, 500.0, 1500.0)]
+    found = AngularContactBallBearing(bearing=BEARING).solve_many(operations)
+    for operation, state in zip(operations, found, strict=True):
+        alone = AngularContactBallBearing(bearing=BEARING).solve(operation)
+        assert state.loads == approx(alone.loads, rel=1e-7)
+
+
+@CONTROLS
+def test_ball_that_leaves_the_inner_race_rests_on_the_outer_one(control):
+    state = solved(
+        load=(8000.0, 0.0, 4000.0, 0.0, 0.0), displacement=(None, None, None, 0.0, 0.0), control=control
+    )
+    resting = ~state.on_inner
+    assert resting.any()
+    assert not resting.all()
+    assert state.loads[1, resting] == approx(state.centrifugal_force[resting], rel=1e-9)
+    assert np.abs(state.contact_angles[1, resting]).max() < 1e-9
+    assert np.abs(state.tractions[:, resting]).max() < 1e-9
+
+
+@pytest.mark.parametrize("outer_speed", [0.0, -400.0])
+def test_speed_enters_against_the_outer_ring(outer_speed):
+    """Turning both senses round changes nothing but the signs of the speeds."""
+    ahead, back = (solved(speed=s * 800.0, outer_speed=s * outer_speed) for s in (1, -1))
+    assert back.loads == approx(ahead.loads, rel=1e-9)
+    assert back.orbital_speed == approx(-ahead.orbital_speed, rel=1e-9)
+
+
+def test_ring_that_nothing_holds_is_refused():
+    with pytest.raises(NotSolved, match="nothing holds") as caught:
+        solved(load=(0.0,) * 5, speed=500.0)
+    assert caught.value.ending is Ending.UNDETERMINED
+
+
+def test_impossible_parts_are_refused():
+    with pytest.raises(ImpossiblePart, match="both a load"):
+        RingOperation(load=LOAD, displacement=(1e-6, None, None, None, None))
+    with pytest.raises(ImpossiblePart, match="five entries"):
+        RingOperation(load=(1.0, 2.0, 3.0))  # type: ignore
+    with pytest.raises(ImpossiblePart, match="do not fit"):
+        replace(BEARING, balls=20)
+    with pytest.raises(ImpossiblePart, match="contact_angle"):
+        replace(BEARING, contact_angle=2.0)
+    with pytest.raises(ImpossiblePart, match="finite"):
+        RingOperation(inner_speed=float("nan"))
+
+
+@settings(max_examples=15, deadline=None)
+@given(
+    st.floats(1.0, 5.0), st.floats(0.0, 1.0), st.floats(0.0, 6.3), st.floats(0.0, 1500.0), st.floats(0.2, 0.7)
+)
+def test_any_sensible_load_is_carried(decades, radial, azimuth, speed, angle):
+    bearing = replace(BEARING, contact_angle=angle)
+    thrust = max(10.0**decades, 16 * 1e-3 * speed**2)  # keeps the balls on both races
+    load = (radial * thrust * np.cos(azimuth), radial * thrust * np.sin(azimuth), thrust, 0.0, 0.0)
+    state = solved(load=load, speed=speed, bearing=bearing, displacement=(None, None, None, 0.0, 0.0))
+    assert state.ring_load[:3] == approx(np.array(load[:3]), abs=1e-9 * state.loads.max())
