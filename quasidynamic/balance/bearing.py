@@ -14,6 +14,7 @@ from quasidynamic.balance.roller import (
     FILM_I,
     SPIN,
     VALUE,
+    Motion,
     RollerBalance,
     RollerInputs,
     RollerState,
@@ -89,22 +90,22 @@ class BearingBalance:
 
     # -- sizes ---------------------------------------------------------------------------------
 
-    @property
+    @cached_property
     def rollers(self) -> int:
         """Number of rollers."""
         return self.roller.bearing.rollers
 
-    @property
+    @cached_property
     def own(self) -> int:
         """Number of unknowns of each roller."""
         return 4 + (self.roller.shapes > 1)
 
-    @property
+    @cached_property
     def yielding(self) -> list[int]:
         """Raceways that yield, by index."""
         return [race for race, matrix in enumerate(self.compliance) if matrix is not None]
 
-    @property
+    @cached_property
     def size(self) -> int:
         """Number N of unknowns of a case."""
         return BORDER + self.rollers * (self.own + len(self.yielding) * self.roller.shapes)
@@ -118,8 +119,9 @@ class BearingBalance:
         split = BORDER + self.rollers * self.own
         fields = x[:, BORDER:split].reshape(cases, self.own, self.rollers).transpose(1, 0, 2)
         deviation = np.zeros((2, m, cases, self.rollers))
-        given = x[:, split:].reshape(cases, len(self.yielding), self.rollers, m)
-        deviation[self.yielding] = given.transpose(1, 3, 0, 2)
+        if self.yielding:
+            given = x[:, split:].reshape(cases, len(self.yielding), self.rollers, m)
+            deviation[self.yielding] = given.transpose(1, 3, 0, 2)
         return Unknowns(
             ring=x[:, :CAGE].T[..., None],
             cage_drift=x[:, CAGE:BORDER],
@@ -134,13 +136,14 @@ class BearingBalance:
         """Scaled unknowns (C, N), the inverse of `unpack`; what this balance does not know is left out."""
         m, cases = self.roller.shapes, len(unknowns.cage_drift)
         tilt = [unknowns.tilt] if m > 1 else []
-        fields = np.array([unknowns.approach, *tilt, *unknowns.film, unknowns.spin_drift])
-        shapes = np.zeros((2, m, cases, self.rollers))
-        common = min(m, unknowns.deviation.shape[1])
-        shapes[:, :common] = unknowns.deviation[:, :common]
-        yielding = shapes[self.yielding].transpose(2, 0, 3, 1)
-        x = [unknowns.ring[..., 0].T, unknowns.cage_drift, fields.transpose(1, 0, 2).reshape(cases, -1)]
-        return np.concatenate([*x, yielding.reshape(cases, -1)], axis=1) / self.unknown_scale
+        fields = [unknowns.approach, *tilt, *unknowns.film, unknowns.spin_drift]
+        x = [unknowns.ring[..., 0].T, unknowns.cage_drift, *fields]
+        if self.yielding:
+            shapes = np.zeros((2, m, cases, self.rollers))
+            common = min(m, unknowns.deviation.shape[1])
+            shapes[:, :common] = unknowns.deviation[:, :common]
+            x.append(shapes[self.yielding].transpose(2, 0, 3, 1).reshape(cases, -1))
+        return np.concatenate(x, axis=1) / self.unknown_scale
 
     def field(self, which: int) -> slice:
         """Place of a roller's unknown (0 approach, ..., -1 spin) among the unknowns of a case."""
@@ -154,10 +157,10 @@ class BearingBalance:
         spin of a roller that hardly anything drives may be sent anywhere: it moves by a share only.
         """
         held, spin = after.copy(), self.field(-1)
-        held[:, spin] = np.clip(after[:, spin], before[:, spin] - SPIN_CHANGE, before[:, spin] + SPIN_CHANGE)
-        for film in (-2, -3):
-            place = self.field(film)
-            held[:, place] = np.maximum(after[:, place], 0.1 * before[:, place])
+        least, most = before[:, spin] - SPIN_CHANGE, before[:, spin] + SPIN_CHANGE
+        held[:, spin] = np.minimum(np.maximum(after[:, spin], least), most)
+        films = slice(self.field(-3).start, self.field(-2).stop)
+        held[:, films] = np.maximum(after[:, films], 0.1 * before[:, films])
         approach = self.field(0)
         old, new = self._end_approach(before), self._end_approach(after)
         lowest = np.minimum(old, 0.1 * old) - 3 * GAP_ROUNDING / LENGTH
@@ -206,15 +209,16 @@ class BearingBalance:
         points = self.points
         reach = np.hypot(points.slope_y, points.slope_z) * self.roller.bearing.roller.length / 2
         idle = (points.load == 0) & (points.moment == 0) & (2 * reach <= self.clearance)
-        return idle[:, 0] & (self.deviation is None) & (not self.yielding)
+        return idle[:, 0] & (self.deviation is None and not self.yielding)
 
     @cached_property
     def unknown_scale(self) -> NDArray:
         """Size of each unknown (C, N): micrometres, milliradians, nominal speeds."""
         scale = np.full((len(self.points), self.size), LENGTH)
-        scale[:, [TILT_Z, TILT_Y]] = ANGLE
-        scale[:, [CAGE]] = np.maximum(np.abs(self.rolling_cage), 1e-3 * np.abs(self.rolling_spin))
-        scale[:, self.field(-1)] = np.abs(self.rolling_spin)
+        spin = np.abs(self.rolling_spin)
+        scale[:, TILT_Z:CAGE] = ANGLE
+        scale[:, CAGE:BORDER] = np.maximum(np.abs(self.rolling_cage), 1e-3 * spin)
+        scale[:, self.field(-1)] = spin
         return scale
 
     @cached_property
@@ -225,53 +229,70 @@ class BearingBalance:
         """
         bearing, force = self.roller.bearing, self.reference_force[:, 0]
         half = bearing.roller.length / 2
-        film = np.full_like(force, FILM)
-        tilt = [force * half] if self.roller.shapes > 1 else []
-        friction = FRICTION * force
-        border = [force, force, force * half, force * half, friction * bearing.pitch_diameter / 2]
-        yields = [np.full_like(force, LARGE_DEVIATION)] * self.roller.shapes * len(self.yielding)
-        return np.array([force, *tilt, film, film, friction * bearing.roller.diameter / 2, *border, *yields])
+        moment, friction = force * half, FRICTION * force
+        tilt = [moment] if self.roller.shapes > 1 else []
+        own = [force, *tilt, FILM, FILM, friction * bearing.roller.diameter / 2]
+        border = [force, force, moment, moment, friction * bearing.pitch_diameter / 2]
+        sizes = [*own, *border, *[LARGE_DEVIATION] * self.roller.shapes * len(self.yielding)]
+        scale = np.empty((len(sizes), len(force)))
+        for row, size in zip(scale, sizes, strict=True):
+            row[:] = size
+        return scale
 
     @cached_property
     def residual_scale(self) -> NDArray:
         """Size of each residual (C, N)."""
         own, border = self._row_scale[: self.own], self._row_scale[self.own : self.own + BORDER]
-        rollers = np.repeat(own.T, self.rollers, axis=1)
-        yields = self.rollers * self.roller.shapes * len(self.yielding)
-        return np.concatenate(
-            [border.T, rollers, np.full((len(self.points), yields), LARGE_DEVIATION)], axis=1
-        )
+        scale = np.full((len(self.points), self.size), LARGE_DEVIATION)
+        scale[:, :BORDER] = border.T
+        scale[:, BORDER : BORDER + self.own * self.rollers] = own.T.repeat(self.rollers, axis=1)
+        return scale
 
     # -- geometry ------------------------------------------------------------------------------
 
     @cached_property
-    def _radial(self) -> tuple[NDArray, NDArray]:
-        """Sine and cosine of the roller azimuths (Z)."""
+    def _radial(self) -> NDArray:
+        """Sine and cosine of the roller azimuths (2, Z): components y and z of what points outwards."""
         azimuth = self.roller.bearing.azimuths
-        return np.sin(azimuth), np.cos(azimuth)
+        return np.array([np.sin(azimuth), np.cos(azimuth)])
 
     def inputs(self, x: Unknowns) -> RollerInputs:
         """What the rollers are given; outward deviations move the raceways towards (inner) or away."""
+        m, (y, z) = self.roller.shapes, x.ring[:TILT_Z]
         sin, cos = self._radial
-        m, half = self.roller.shapes, self.roller.raceways.slices.length / 2
-        y, z, slope_z, slope_y = x.ring
-        inner, outer = x.deviation if self.deviation is None else x.deviation + self._given
         approach = np.zeros((2, m, *x.spin_drift.shape))
-        approach[INNER] = inner
-        # The roller follows the outer raceway's height and tilt but not its waviness: those two
-        # change the inner approach, the rest the outer one.
-        approach[INNER, :2] -= outer[:2]
-        approach[OUTER, 2:] = -outer[2:]
-        approach[INNER, 0] += y * sin + z * cos - x.approach + x.film[0] + x.film[1] - self.clearance / 2
+        approach[INNER, 0] = y * sin + z * cos - x.approach + (x.film[0] + x.film[1] - self.clearance / 2)
         approach[OUTER, 0] = x.approach
         if m > 1:
-            approach[INNER, 1] += half * (slope_z * cos + slope_y * sin) - x.tilt
+            slope_z, slope_y = x.ring[TILT_Z:]
+            half = self.roller.raceways.slices.length / 2
+            approach[INNER, 1] = half * (slope_z * cos + slope_y * sin) - x.tilt
             approach[OUTER, 1] = x.tilt
-        return RollerInputs(approach, x.film, x.spin_drift, x.cage_drift, *self.speeds(x))
+        if self.yielding or self.deviation is not None:
+            self._deviate(approach, x.deviation if self.deviation is None else x.deviation + self._given)
+        return RollerInputs(approach, x.film, self.motion(x.cage_drift, x.spin_drift))
+
+    @staticmethod
+    def _deviate(approach: NDArray, deviation: NDArray) -> None:
+        """Add outward deviations of the raceways to the approaches, both (2, M, C, Z), in place.
+
+        The roller follows the outer raceway's height and tilt but not its waviness: those two
+        change the inner approach, the rest the outer one.
+        """
+        inner, outer = deviation
+        approach[INNER] += inner
+        approach[INNER, :2] -= outer[:2]
+        approach[OUTER, 2:] -= outer[2:]
 
     def speeds(self, x: Unknowns) -> tuple[NDArray, NDArray]:
         """Spins (C, Z) and cage speed (C, 1) [rad/s]."""
-        return self.rolling_spin + x.spin_drift, self.rolling_cage + x.cage_drift
+        motion = self.motion(x.cage_drift, x.spin_drift)
+        return motion.spin, motion.cage_speed
+
+    def motion(self, cage_drift: NDArray, spin_drift: NDArray) -> Motion:
+        """Motion of the rollers with these drifts (C, 1), (C, Z) [rad/s]."""
+        spin, cage = self.rolling_spin, self.rolling_cage
+        return Motion(spin_drift, cage_drift, spin + spin_drift, cage + cage_drift, rolling_spin=spin)
 
     @cached_property
     def _given(self) -> NDArray:
@@ -289,13 +310,14 @@ class BearingBalance:
 
     def _evaluated(self, scaled: NDArray) -> Linearisation:
         x = self.unpack(scaled)
-        response = self.roller.respond(self.inputs(x), self.points)
+        inputs = self.inputs(x)
+        response = self.roller.respond(inputs, self.points)
         graded, floating = self._rows(response.table), None
         if self.roller.bearing.cage.free:
             floating = self._float(x, response.table, graded)
         rows, table = graded[:, VALUE], self._columns(graded)
         transport = self._add_spin_transport(x, rows, table)
-        border, border_by = self._border(x, floating)
+        border, border_by = self._border(x.ring[TILT_Z:CAGE, :, 0], inputs.motion.cage_speed, floating)
         border += rows[self.own : self.own + BORDER].sum(-1)
         residual = [border.T, rows[: self.own].transpose(1, 0, 2).reshape(len(scaled), -1)]
         residual += self._yield(x, rows[self.own + BORDER :])
@@ -310,7 +332,7 @@ class BearingBalance:
             loading=np.maximum(
                 1.0, response.state.contact.force[OUTER, 0].max(-1) / self.reference_force[:, 0]
             ),
-            cage_speed=np.abs(self.speeds(x)[1] / self.unknown_scale[:, CAGE:BORDER])[:, 0],
+            cage_speed=np.abs(inputs.motion.cage_speed / self.unknown_scale[:, CAGE:BORDER])[:, 0],
             state=response.state,
         )
 
@@ -335,16 +357,15 @@ class BearingBalance:
 
     def _rows(self, response: NDArray) -> NDArray:
         """Rows of the table from those of a roller's response (rows, inputs + 1, C, Z)."""
-        sin, cos = self._radial
         m, own = self.roller.shapes, self.own
         cage, tangential = response[own], response[own + 1]
         first = len(response) - 2 * m  # row of the forces conjugate to the shapes
         inner = response[first : first + m]
         rows = np.zeros((own + BORDER + m * len(self.yielding), *response.shape[1:]))
         rows[:own] = response[:own]
-        rows[own + Y] = -sin * inner[0] - cos * tangential
-        rows[own + Z] = -cos * inner[0] + sin * tangential
+        rows[own + Y : own + Z + 1] = self._pushed(tangential, inner[0])
         if m > 1:
+            sin, cos = self._radial
             moment = -self.roller.raceways.slices.length / 2 * inner[1]
             free = self.points.free_tilt
             rows[own + TILT_Z], rows[own + TILT_Y] = free * (moment * cos), free * (moment * sin)
@@ -356,7 +377,6 @@ class BearingBalance:
 
     def _columns(self, gradient: NDArray) -> NDArray:
         """Derivatives by the unknowns (rows, columns, C, Z) from those by a roller's inputs."""
-        sin, cos = self._radial
         m, own = self.roller.shapes, self.own
         table = np.zeros((len(gradient), own + BORDER + m * len(self.yielding), *gradient.shape[2:]))
         inner, outer = gradient[:, :m], gradient[:, m : 2 * m]
@@ -364,10 +384,10 @@ class BearingBalance:
         table[:, 0] = outer[:, 0] - inner[:, 0]
         table[:, own - 3 : own - 1] = film + inner[:, :1]
         table[:, own - 1] = spin
-        table[:, own + Y], table[:, own + Z] = sin * inner[:, 0], cos * inner[:, 0]
+        table[:, own + Y : own + Z + 1] = self._radial[:, None] * inner[:, :1]
         table[:, own + CAGE] = cage
         if m > 1:
-            half = self.roller.raceways.slices.length / 2
+            (sin, cos), half = self._radial, self.roller.raceways.slices.length / 2
             table[:, 1] = outer[:, 1] - inner[:, 1]
             table[:, own + TILT_Z] = half * cos * inner[:, 1]
             table[:, own + TILT_Y] = half * sin * inner[:, 1]
@@ -391,15 +411,21 @@ class BearingBalance:
 
     def floating(self, x: Unknowns, pockets: NDArray) -> FloatingCage:
         """Cage in its land; `pockets` (2, C, Z) [N] push rollers along the motion and outwards."""
-        push = self._pushed(*pockets).sum(-1).T
+        push = self._pushed(*pockets[:, None])[:, 0].sum(-1).T
         bearing = self.roller.bearing
         cage_speed = self.speeds(x)[1][:, 0]
         return floating_cage(push, cage_speed, self.points, bearing.cage, self.roller.lubrication.oil)
 
     def _pushed(self, along: NDArray, outward: NDArray) -> NDArray:
-        """Force on the cage (2, ...), y and z [N], by each roller whose pocket pushes it like that."""
+        """Force (2, n, C, Z) [N], y and z, on what pushes rollers (n, C, Z) along the motion and outwards."""
+        backwards, inwards = self._reactions
+        return backwards * along + inwards * outward
+
+    @cached_property
+    def _reactions(self) -> NDArray:
+        """Directions y and z against the motion of the rollers and inwards (2, 2, 1, 1, Z)."""
         sin, cos = self._radial
-        return np.array([-cos * along - sin * outward, sin * along - cos * outward])
+        return np.array([[-cos, sin], [-sin, -cos]])[:, :, None, None]
 
     def _float(self, x: Unknowns, response: NDArray, graded: NDArray) -> FloatingCage:
         """Let the land's torque follow from the pockets' push; a guiding inner ring bears that push."""
@@ -413,16 +439,20 @@ class BearingBalance:
             graded[[own + Y, own + Z]] += push
         return found
 
-    def _border(self, x: Unknowns, floating: FloatingCage | None) -> tuple[NDArray, NDArray]:
-        """Loads from outside on ring and cage (5, C), their derivatives by the border (C, 5, 5)."""
+    def _border(
+        self, slopes: NDArray, cage_speed: NDArray, floating: FloatingCage | None
+    ) -> tuple[NDArray, NDArray]:
+        """Loads from outside on ring and cage (5, C), their derivatives by the border (C, 5, 5).
+
+        The ring has slopes (2, C), the cage its speed (C, 1).
+        """
         points, cage = self.points, self.roller.bearing.cage
         hold, push = self._outside
         value, by = push.copy(), hold.copy()
-        tilts = [TILT_Z, TILT_Y]
-        value[tilts] += hold[:, tilts, tilts].T * x.ring[tilts, :, 0]
+        value[TILT_Z:CAGE] += hold[:, TILT_Z, TILT_Z] * slopes  # both tilts are held alike
         if floating is None:
             ring = points.outer_speed if cage.guidance == "outer" else points.inner_speed
-            land = land_torque(ring - self.speeds(x)[1], cage, self.roller.lubrication.oil)
+            land = land_torque(ring - cage_speed, cage, self.roller.lubrication.oil)
             value[CAGE], by[:, CAGE, CAGE] = land.torque[:, 0], -land.by_speed[:, 0]
             return value, by
         value[CAGE], by[:, CAGE, CAGE] = floating.torque, floating.by_speed
@@ -440,12 +470,10 @@ class BearingBalance:
         free = points.free_tilt[:, 0]
         # Any stiffness holds a tilt where it shall be; this one has the size of the other rows.
         stiffness = np.where(free, 0.0, self._row_scale[self.own + TILT_Z] / ANGLE)
-        for tilt, moment, slope in (
-            (TILT_Z, points.moment_z, points.slope_z),
-            (TILT_Y, points.moment_y, points.slope_y),
-        ):
-            push[tilt] = np.where(free, moment[:, 0], -stiffness * slope[:, 0])
-            hold[:, tilt, tilt] = stiffness
+        hold[:, TILT_Z, TILT_Z] = hold[:, TILT_Y, TILT_Y] = stiffness
+        # A ring that tilts freely has no given slope, one that is held no moment.
+        push[TILT_Z] = points.moment_z[:, 0] - stiffness * points.slope_z[:, 0]
+        push[TILT_Y] = points.moment_y[:, 0] - stiffness * points.slope_y[:, 0]
         return hold, push
 
     def _yield(self, x: Unknowns, forces: NDArray) -> list[NDArray]:

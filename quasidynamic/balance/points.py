@@ -27,11 +27,10 @@ class OperatingPoints:
     @classmethod
     def of(cls, operations: Sequence[Operation]) -> "OperatingPoints":
         """Stack operations; each load, moment and misalignment is split along y and z."""
-        cos, sin = (_column(operations, lambda o, f=f: f(o.load_direction)) for f in (np.cos, np.sin))
-        load, moment, slope = (
-            _column(operations, lambda o, n=name: getattr(o, n))
-            for name in ("radial_load", "moment", "misalignment")
-        )
+        names = ("radial_load", "load_direction", "moment", "misalignment", "inner_speed", "outer_speed")
+        table = np.array([[getattr(o, name) for name in names] for o in operations], float)
+        load, direction, moment, slope, inner, outer = table.T[..., None]
+        cos, sin = np.cos(direction), np.sin(direction)
         return cls(
             load_y=load * sin,
             load_z=load * cos,
@@ -39,9 +38,9 @@ class OperatingPoints:
             moment_y=moment * sin,
             slope_z=slope * cos,
             slope_y=slope * sin,
-            free_tilt=_column(operations, lambda o: o.free_tilt).astype(bool),
-            inner_speed=_column(operations, lambda o: o.inner_speed),
-            outer_speed=_column(operations, lambda o: o.outer_speed),
+            free_tilt=np.array([[o.free_tilt] for o in operations], bool),
+            inner_speed=inner,
+            outer_speed=outer,
         )
 
     def __len__(self) -> int:
@@ -50,6 +49,16 @@ class OperatingPoints:
     def take(self, cases: NDArray) -> "OperatingPoints":
         """Some of the cases."""
         return OperatingPoints(**{field.name: getattr(self, field.name)[cases] for field in fields(self)})
+
+    @cached_property
+    def relative_speed(self) -> NDArray:
+        """Speed of the inner ring against the outer one (C, 1) [rad/s]."""
+        return self.inner_speed - self.outer_speed
+
+    @cached_property
+    def ring_speeds(self) -> NDArray:
+        """Speeds of inner and outer ring (2, C, 1) [rad/s]."""
+        return np.array([self.inner_speed, self.outer_speed])
 
     @cached_property
     def direction(self) -> NDArray:
@@ -65,7 +74,3 @@ class OperatingPoints:
     def moment(self) -> NDArray:
         """Size of the moment (C, 1) [N m]."""
         return np.hypot(self.moment_y, self.moment_z)
-
-
-def _column(operations: Sequence[Operation], value) -> NDArray:
-    return np.array([[float(value(operation))] for operation in operations])

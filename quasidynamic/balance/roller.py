@@ -12,7 +12,6 @@ from quasidynamic.contact.churning import churning
 from quasidynamic.contact.drag import orbit_drag
 from quasidynamic.contact.lubrication import Lubrication
 from quasidynamic.contact.raceways import ContactState, Raceways
-from quasidynamic.motion.speeds import rolling_roller_speed
 from quasidynamic.parts.bearing import CylindricalRollerBearing
 
 CAGE_FORCE_ROUNDING = 0.5  # [N] width over which the pocket force changes side
@@ -24,15 +23,22 @@ SPIN, CAGE_SPEED, FILM_I, FILM_O, VALUE = range(-5, 0)
 CENTRIFUGAL, DRAG, CHURNING, POCKET_UP, POCKET_BRAKE = range(-5, 0)
 
 
+class Motion(NamedTuple):
+    """How the rollers of C cases move."""
+
+    spin_drift: NDArray  # (C, Z) spin less that of pure rolling [rad/s]
+    cage_drift: NDArray  # (C, 1) cage speed less that of pure rolling [rad/s]
+    spin: NDArray  # (C, Z) relative to the cage [rad/s]
+    cage_speed: NDArray  # (C, 1) [rad/s]
+    rolling_spin: NDArray  # (C, 1) spin in pure rolling [rad/s]
+
+
 class RollerInputs(NamedTuple):
     """What the rollers of C cases are given; M axial shapes."""
 
     approach: NDArray  # (2, M, C, Z) shape coefficients at inner and outer raceway [m]
     film: NDArray  # (2, C, Z) [m]
-    spin_drift: NDArray  # (C, Z) spin less that of pure rolling [rad/s]
-    cage_drift: NDArray  # (C, 1) cage speed less that of pure rolling [rad/s]
-    spin: NDArray  # (C, Z) relative to the cage [rad/s]
-    cage_speed: NDArray  # (C, 1) [rad/s]
+    motion: Motion
 
 
 class RollerState(NamedTuple):
@@ -79,7 +85,7 @@ class RollerBalance:
     raceways: Raceways
     lubrication: Lubrication
 
-    @property
+    @cached_property
     def shapes(self) -> int:
         """Number M of axial shapes; with one the roller has no tilt."""
         return self.raceways.slices.shapes
@@ -115,17 +121,20 @@ class RollerBalance:
         return np.array([radial, *tilt, spin, cage, tangential, *pocket])
 
     def _row(self, **weights: float) -> NDArray:
-        return np.array([float(weights.get(name, 0.0)) for name in self.forces])
+        row = np.zeros(len(self.forces))
+        for name, weight in weights.items():
+            row[self.forces.index(name)] = weight
+        return row
 
     def respond(self, inputs: RollerInputs, points: OperatingPoints) -> Response:
         """Evaluate the equations of all rollers."""
-        sliding, entrainment, sense = self.surfaces(inputs, points)
+        sliding, entrainment, sense = self.surfaces(inputs.motion, points)
         contact = self.raceways.state(inputs.approach, sliding, entrainment, inputs.film)
         friction = self._friction(contact, entrainment, sense)
-        forces = self._forces(contact, friction, inputs)
-        cage_force = self._add_pocket(forces, inputs.spin, points)
+        forces = self._forces(contact, friction, inputs.motion)
+        cage_force = self._add_pocket(forces, inputs.motion)
         rows, film = _combined(self.levers, forces), friction[2]
-        film[[0, 1], [FILM_I, FILM_O]] -= 1.0
+        film[0, FILM_I] = film[1, FILM_O] = -1.0
         film[:, VALUE] -= inputs.film
         m, own = self.shapes, 1 + (self.shapes > 1)  # rows before spin
         return Response(
@@ -145,85 +154,69 @@ class RollerBalance:
 
     # -- surfaces ------------------------------------------------------------------------------
 
-    def surfaces(self, inputs: RollerInputs, points: OperatingPoints) -> tuple[NDArray, NDArray, NDArray]:
-        """Sliding and entrainment speed (2, C, Z) [m/s], sense of rolling [-]; films are not looked at."""
-        sliding, rolling = self._surface_speeds(inputs, points)
-        nominal = np.abs(points.inner_speed - points.outer_speed) * self.bearing.inner_radius
+    def surfaces(self, motion: Motion, points: OperatingPoints) -> tuple[NDArray, NDArray, NDArray]:
+        """Sliding and entrainment speed (2, C, Z) [m/s], sense of rolling [-]."""
+        sliding, rolling = self._surface_speeds(motion, points)
         # The size of the mean surface speed, kept above zero.
-        entrainment = np.sqrt(rolling**2 + (STILL * nominal) ** 2)
+        entrainment = np.sqrt(
+            rolling * rolling + (STILL * self.bearing.inner_radius * points.relative_speed) ** 2
+        )
         return sliding, entrainment, rolling / entrainment
 
-    def _surface_speeds(self, inputs: RollerInputs, points: OperatingPoints) -> tuple[NDArray, NDArray]:
+    def _surface_speeds(self, motion: Motion, points: OperatingPoints) -> tuple[NDArray, NDArray]:
         """Sliding of raceway over roller and mean surface speed (2, C, Z) [m/s], both signed.
 
         The sliding is that of the drifts from pure rolling: nothing large cancels.
         """
-        r_w, r_i, r_o = self.bearing.roller.diameter / 2, self.bearing.inner_radius, self.bearing.outer_radius
-        drift = r_w * inputs.spin_drift
-        inner = (points.inner_speed - inputs.cage_speed) * r_i
-        outer = (points.outer_speed - inputs.cage_speed) * r_o
-        roller = r_w * inputs.spin
+        (slide_by_spin, slide_by_cage), (roll_by_spin, roll_by_cage) = self.speed_slopes
         return (
-            np.array([-r_i * inputs.cage_drift - drift, drift - r_o * inputs.cage_drift]),
-            0.5 * np.array([inner + roller, roller - outer]),
+            slide_by_spin * motion.spin_drift + slide_by_cage * motion.cage_drift,
+            roll_by_spin * motion.spin + roll_by_cage * (motion.cage_speed - points.ring_speeds),
         )
 
     @cached_property
     def speed_slopes(self) -> tuple[NDArray, NDArray]:
-        """Sliding and mean surface speed by spin and by cage speed, (2 raceways, 2, 1, 1) [m]."""
+        """Sliding and mean surface speed by spin and by cage speed, (2, 2 raceways, 1, 1) [m]."""
         r_w, r_i, r_o = self.bearing.roller.diameter / 2, self.bearing.inner_radius, self.bearing.outer_radius
-        sliding = np.array([[-r_w, -r_i], [r_w, -r_o]])
-        rolling = 0.5 * np.array([[r_w, -r_i], [r_w, r_o]])
+        sliding = np.array([[-r_w, r_w], [-r_i, -r_o]])
+        rolling = 0.5 * np.array([[r_w, r_w], [-r_i, r_o]])
         return sliding[..., None, None], rolling[..., None, None]
 
     def _friction(self, contact: ContactState, entrainment: NDArray, sense: NDArray) -> NDArray:
         """Traction, rolling shear along the rolling, and film of both raceways (3, 2, inputs + 1, C, Z)."""
-        m = self.shapes
+        m, (rolling, film) = self.shapes, (contact.rolling, contact.film)
         found = np.zeros((3, 2, 2 * m + 5, *sense.shape[1:]))
-        by_load = contact.force_by_approach[:, 0]
-        by_approach = (
-            contact.traction_by_approach,
-            contact.rolling.by_load[:, None] * by_load,
-            contact.film.by_line_load[:, None] * by_load,
+        by_load = np.array([sense * rolling.by_load, film.by_line_load])
+        by_approach = by_load[:, :, None] * contact.force_by_approach[:, 0]
+        found[0, 0, :m], found[0, 1, m : 2 * m] = contact.traction_by_approach
+        found[1:, 0, :m], found[1:, 1, m : 2 * m] = by_approach[:, 0], by_approach[:, 1]
+        by_sliding, by_speed = (slopes.swapaxes(0, 1) for slopes in self.speed_slopes)
+        by_rolling = sense * np.array(
+            [contact.traction_by_entrainment, sense * rolling.by_entrainment, film.by_entrainment]
         )
-        for quantity, by in zip(found, by_approach, strict=True):
-            quantity[0, :m], quantity[1, m : 2 * m] = by
-        traction, shear, film = found
-        sliding, rolling = self.speed_slopes
-        entrained = rolling * sense[:, None]
+        by_rolling[1] += (1 - sense * sense) / entrainment * rolling.force  # the sense changes with the speed
         speeds = slice(2 * m, 2 * m + 2)
-        traction[:, speeds] = (
-            contact.traction_by_sliding[:, None] * sliding
-            + contact.traction_by_entrainment[:, None] * entrained
-        )
-        shear *= sense[:, None]
-        turning = (1 - sense**2) / entrainment * contact.rolling.force  # the sense changes with the speed
-        shear[:, speeds] = (
-            turning[:, None] * rolling + (sense * contact.rolling.by_entrainment)[:, None] * entrained
-        )
-        film[:, speeds] = (
-            contact.film.by_sliding[:, None] * sliding + contact.film.by_entrainment[:, None] * entrained
-        )
-        traction[[0, 1], [FILM_I, FILM_O]] = contact.traction_by_film
-        traction[:, VALUE], shear[:, VALUE] = contact.traction, sense * contact.rolling.force
-        film[:, VALUE] = contact.film.thickness
+        found[:, :, speeds] = by_rolling[:, :, None] * by_speed
+        found[0, :, speeds] += contact.traction_by_sliding[:, None] * by_sliding
+        found[2, :, speeds] += film.by_sliding[:, None] * by_sliding
+        found[0, 0, FILM_I], found[0, 1, FILM_O] = contact.traction_by_film
+        found[:, :, VALUE] = contact.traction, sense * rolling.force, film.thickness
         return found
 
     # -- forces --------------------------------------------------------------------------------
 
-    def _forces(self, contact: ContactState, friction: NDArray, inputs: RollerInputs) -> NDArray:
+    def _forces(self, contact: ContactState, friction: NDArray, motion: Motion) -> NDArray:
         """Fill in `forces` (forces, inputs + 1, C, Z), but for those of the pocket."""
-        m, shape = self.shapes, inputs.spin.shape
+        m, shape = self.shapes, motion.spin.shape
         found = np.zeros((len(self.forces), 2 * m + 5, *shape))
         found[: 2 * m, VALUE] = contact.force.reshape(2 * m, *shape)
         found[:m, :m], found[m : 2 * m, m : 2 * m] = contact.force_by_approach
-        found[2 * m : 2 * m + 2] = friction[0]
-        found[2 * m + 2 : 2 * m + 4] = friction[1]
-        found[CENTRIFUGAL, VALUE], found[CENTRIFUGAL, CAGE_SPEED] = self.centrifugal(inputs.cage_speed)
-        found[DRAG, VALUE], found[DRAG, CAGE_SPEED] = self.drag(inputs.cage_speed)
+        found[2 * m : 2 * m + 4] = friction[:2].reshape(4, *friction.shape[2:])
+        found[CENTRIFUGAL, VALUE], found[CENTRIFUGAL, CAGE_SPEED] = self.centrifugal(motion.cage_speed)
+        found[DRAG, VALUE], found[DRAG, CAGE_SPEED] = self.drag(motion.cage_speed)
         if self.lubrication.churning_gap is not None:
             found[CHURNING, VALUE], found[CHURNING, SPIN] = churning(
-                inputs.spin,
+                motion.spin,
                 self.bearing.roller,
                 self.lubrication.oil,
                 oil_fraction=self.lubrication.oil_fraction,
@@ -245,20 +238,20 @@ class RollerBalance:
         choice = self.lubrication
         return orbit_drag(cage_speed, self.bearing, choice.oil, choice.oil_fraction, choice.drag_coefficient)
 
-    def _add_pocket(self, forces: NDArray, spin: NDArray, points: OperatingPoints) -> NDArray:
+    def _add_pocket(self, forces: NDArray, motion: Motion) -> NDArray:
         """Fill in the pocket's friction: lifts or presses the roller, brakes its spin; returns F_c (C, Z)."""
-        ratio, coefficient = self.bearing.diameter_ratio, self.bearing.cage.pocket_friction
-        nominal = rolling_roller_speed(points.inner_speed, points.outer_speed, ratio)
-        speed = np.sqrt(spin**2 + (STILL * nominal) ** 2)
-        sense = spin / speed
+        coefficient = self.bearing.cage.pocket_friction
+        speed = np.sqrt(motion.spin**2 + (STILL * motion.rolling_spin) ** 2)
+        sense = motion.spin / speed
         by_spin = coefficient * (1 - sense**2) / speed
         graded = _combined(self.cage_force, forces)
         force = graded[VALUE]
-        size = rounded_size(force)
-        slope = force / np.sqrt(force**2 + CAGE_FORCE_ROUNDING**2)
-        forces[POCKET_UP] = coefficient * sense * graded
-        forces[POCKET_BRAKE] = coefficient * (sense * slope) * graded
-        forces[POCKET_BRAKE, VALUE] = coefficient * sense * size
+        rounded = np.sqrt(force * force + CAGE_FORCE_ROUNDING**2)
+        size = rounded - CAGE_FORCE_ROUNDING  # of the force, smooth through zero
+        friction = coefficient * sense
+        forces[POCKET_UP] = friction * graded
+        forces[POCKET_BRAKE] = (force / rounded) * forces[POCKET_UP]
+        forces[POCKET_BRAKE, VALUE] = friction * size
         forces[POCKET_UP, SPIN] += by_spin * force
         forces[POCKET_BRAKE, SPIN] += by_spin * size
         return force
@@ -268,8 +261,3 @@ def _combined(weights: NDArray, forces: NDArray) -> NDArray:
     """Weighted sums (rows, ...) of forces (forces, ...) as one matrix product."""
     summed = weights @ forces.reshape(len(forces), -1)
     return summed.reshape(*weights.shape[:-1], *forces.shape[1:])
-
-
-def rounded_size(force: NDArray) -> NDArray:
-    """Size of a pocket force [N], smooth through zero."""
-    return np.sqrt(force**2 + CAGE_FORCE_ROUNDING**2) - CAGE_FORCE_ROUNDING

@@ -60,7 +60,7 @@ def settled(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
     for _ in range(SETTLING_STEPS):
         (load_i, load_o), (slope_i, slope_o) = _pressed(balance, np.array([room - outer, outer]))
         change = (load_o - load_i - centrifugal) / (slope_o + slope_i)
-        outer = np.clip(outer - change, lowest, highest)
+        outer = np.minimum(np.maximum(outer - change, lowest), highest)
         if np.abs(change).max() < NEAR_ENOUGH:
             break
     return unknowns._replace(approach=outer)
@@ -68,5 +68,6 @@ def settled(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
 
 def film_at(balance: BearingBalance, unknowns: Unknowns, load: NDArray) -> NDArray:
     """Films (2, C, Z) [m] at roller loads (2, C, Z) [N] and the speeds of the unknowns."""
-    sliding, entrainment, _ = balance.roller.surfaces(balance.inputs(unknowns), balance.points)
+    motion = balance.motion(unknowns.cage_drift, unknowns.spin_drift)
+    sliding, entrainment, _ = balance.roller.surfaces(motion, balance.points)
     return balance.roller.raceways.film(load, sliding, entrainment).thickness

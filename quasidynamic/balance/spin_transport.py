@@ -51,14 +51,14 @@ def spin_transport(
     """
     half = inertia * spin_drift.shape[1] / (4 * np.pi)
     size = np.sqrt(cage_speed**2 + (CREEP * rolling_spin) ** 2)
-    sense = cage_speed / size
     before, after = half * (size + cage_speed), half * (size - cage_speed)
     from_before = spin_drift - np.concatenate([spin_drift[:, -1:], spin_drift[:, :-1]], axis=1)
-    from_after = spin_drift - np.concatenate([spin_drift[:, 1:], spin_drift[:, :1]], axis=1)
+    from_after = -np.concatenate([from_before[:, 1:], from_before[:, :1]], axis=1)
+    brought, taken_back = before * from_before, after * from_after
     return SpinTransport(
-        torque=before * from_before + after * from_after,
+        torque=brought + taken_back,
         by_spin=before + after,
         by_before=before,
         by_after=after,
-        by_cage=half * ((sense + 1) * from_before + (sense - 1) * from_after),
+        by_cage=(brought - taken_back) / size,
     )

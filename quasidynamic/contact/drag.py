@@ -42,7 +42,7 @@ def cylinder_drag(reynolds: NDArray | float) -> tuple[NDArray, NDArray]:
     Re from 0.1 to 1e6; one cylinder far from others and from walls.
     """
     position = np.log10(np.maximum(reynolds, 1e-300))
-    piece = np.searchsorted(_LOG_REYNOLDS, position)
+    piece = _LOG_REYNOLDS.searchsorted(position)
     return np.interp(position, _LOG_REYNOLDS, _CYLINDER_DRAG), _CYLINDER_SLOPE[piece]
 
 
@@ -131,5 +131,5 @@ def orbit_drag(
         value, slope = cylinder_drag(oil.density * roller.diameter / oil.viscosity * np.abs(speed))
     else:
         value, slope = coefficient, 0.0
-    half = 0.5 * mixture_density(oil, oil_fraction) * area * np.abs(speed)
+    half = (0.5 * mixture_density(oil, oil_fraction) * area) * np.abs(speed)
     return half * value * speed, half * (2 * value + slope) * radius

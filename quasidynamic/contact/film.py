@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 from quasidynamic.parts.lubricant import Lubricant
 
-TINY = 1e-300  # lets the logarithm of nothing pass
 SLIP_ROUNDING = 1e-3  # of the slide-to-roll ratio in the heating of the inlet
 
 
@@ -84,16 +83,17 @@ class FilmLaw:
         """Film of loads per length q > 0 [N/m], sliding [m/s] of any sign, entrainment u > 0 [m/s]."""
         f, oil = self.formula, self.oil
         thickness = self._scale * np.exp(f.speed * np.log(entrainment) - f.load * np.log(line_load))
-        by_load = -f.load * thickness / line_load
-        by_entrainment = f.speed * thickness / entrainment
         if not self.inlet_heating:
-            return Film(thickness, by_load, np.zeros_like(thickness), by_entrainment)
-        factor, by_slide, by_speed = inlet_heating_factor(entrainment, sliding, oil)
+            by_sliding, by_log_speed = np.zeros_like(thickness), f.speed
+        else:
+            factor, by_slip, by_log_speed = inlet_heating_factor(entrainment, sliding, oil)
+            thickness = factor * thickness
+            by_sliding, by_log_speed = by_slip * thickness / entrainment, f.speed + by_log_speed
         return Film(
-            factor * thickness,
-            factor * by_load,
-            by_slide * thickness,
-            factor * by_entrainment + by_speed * thickness,
+            thickness,
+            -f.load * thickness / line_load,
+            by_sliding,
+            by_log_speed * thickness / entrainment,
         )
 
 
@@ -114,7 +114,7 @@ def inlet_heating_factor(
     Returns
     -------
     tuple of array (...)
-        factor in (0, 1] [-], its derivatives by sliding and by entrainment [s/m]
+        factor in (0, 1] [-], d ln(factor) by the signed ratio (u1 - u2)/u and by ln u at constant sliding [-]
 
     Source
     ------
@@ -125,14 +125,12 @@ def inlet_heating_factor(
     S below about 1; beyond it the trend only. S^0.83 is infinitely steep at zero: S is rounded over
     `SLIP_ROUNDING`, which thins the film of pure rolling by less than 0.5 %.
     """
-    loading = oil.viscosity * oil.temperature_viscosity * entrainment**2 / oil.conductivity
-    slip = np.hypot(sliding / entrainment, SLIP_ROUNDING)
-    thermal = 0.1 * np.exp(0.64 * np.log(loading + TINY))
-    sheared = 14.8 * np.exp(0.83 * np.log(slip))
-    factor = 1.0 / (1.0 + thermal * (1.0 + sheared))
-    by_slip = -(factor**2) * thermal * 0.83 * sheared / slip**2 * (sliding / entrainment)
-    by_sliding = by_slip / entrainment
-    by_entrainment = (
-        -(factor**2) * thermal * 1.28 * (1.0 + sheared) - by_slip * sliding / entrainment
-    ) / entrainment
-    return factor, by_sliding, by_entrainment
+    unit = 0.1 * np.power(oil.viscosity * oil.temperature_viscosity / oil.conductivity, 0.64)
+    ratio = sliding / entrainment
+    squared = ratio * ratio + SLIP_ROUNDING**2
+    thermal = unit * np.exp(1.28 * np.log(entrainment))
+    sheared = thermal * 14.8 * np.exp(0.83 / 2 * np.log(squared))
+    heating = thermal + sheared
+    factor = 1.0 / (1.0 + heating)
+    by_slip = -0.83 * factor * sheared / squared * ratio
+    return factor, by_slip, -1.28 * factor * heating - by_slip * ratio

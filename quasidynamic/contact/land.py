@@ -105,17 +105,19 @@ def land_torque(
     if cage.guidance == "rollers":
         nothing = np.zeros(np.broadcast_shapes(np.shape(speed_difference), np.shape(eccentricity)))
         return LandTorque(nothing, nothing, nothing)
-    radius, clearance = cage.land_diameter / 2, cage.land_clearance / 2
-    reynolds = oil.density * radius * clearance / oil.viscosity * np.abs(speed_difference)
-    if cage.land_flow == "laminar":
-        factor, slope = np.ones_like(reynolds), np.zeros_like(reynolds)
-    else:
+    resistance, slope = land_drag(cage, oil), 0.0
+    if cage.land_flow == "vortices":
+        radius, clearance = cage.land_diameter / 2, cage.land_clearance / 2
+        reynolds = oil.density * radius * clearance / oil.viscosity * np.abs(speed_difference)
         factor, slope = couette_factor(reynolds, clearance / radius)
-    crowding, crowding_slope = _film_power(eccentricity, -0.5)
-    resistance = land_drag(cage, oil) * factor
+        resistance = resistance * factor
+    if isinstance(eccentricity, float) and eccentricity == 0.0:  # as in nearly every evaluation
+        crowding, crowding_slope = 1.0, 0.0
+    else:
+        crowding, crowding_slope = _film_power(eccentricity, -0.5)
     return LandTorque(
         torque=resistance * crowding * speed_difference,
-        by_speed=resistance * crowding * (1 + slope),
+        by_speed=resistance * crowding * (1 + slope) + np.zeros_like(speed_difference),
         by_eccentricity=resistance * crowding_slope * speed_difference,
     )
 

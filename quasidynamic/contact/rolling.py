@@ -36,6 +36,7 @@ class _Groups(NamedTuple):
 
     unit: NDArray  # l E' R [N]
     speed: NDArray  # U2 = 2 eta0 u / (E' R)
+    root_speed: NDArray  # sqrt U2
     regime: NDArray  # M = Q / (l E' R sqrt U2)
 
 
@@ -230,23 +231,22 @@ def _groups(load: NDArray, entrainment: NDArray, geometry: Geometry, oil: Lubric
     radius, modulus, length = geometry
     unit = np.multiply(length * modulus, radius)
     speed = 2 * oil.viscosity / (modulus * radius) * entrainment
-    return _Groups(unit, speed, load / (unit * np.sqrt(speed)))
+    root_speed = np.sqrt(speed)
+    return _Groups(unit, speed, root_speed, load / (unit * root_speed))
 
 
 def _below_rigid_limit(groups: _Groups, ceiling: _Ceiling, entrainment: NDArray) -> RollingShear:
     """Smooth lesser of a law and the rigid-isoviscous limit, with derivatives."""
-    unit, speed, regime = groups
+    regime, weight = groups.regime, groups.unit * groups.root_speed  # F ~ weight U2^0.25, M = Q / weight
     shifted = regime + LOAD_ROUNDING
-    root_shifted = np.sqrt(shifted)
-    rigid = RIGID * regime / root_shifted
-    rigid_by_regime = RIGID * (regime / 2 + LOAD_ROUNDING) / (shifted * root_shifted)
-    square = (rigid / ceiling.value) ** 2
+    part = regime / shifted
+    square = (RIGID / ceiling.value) ** 2 * part * regime  # of the limit over the law
     tenth = square * square * square * square * square
     crowd = 1 + tenth
-    root_speed = np.sqrt(speed)
-    scale = unit * root_speed * np.sqrt(root_speed) * crowd**-0.1
-    force = scale * rigid
     share = tenth / crowd  # of the law in the logarithmic slopes; the rest is the limit's
-    by_regime = scale * rigid_by_regime / crowd + force * share * ceiling.slope_by_regime / shifted
+    tenth_root = np.exp(0.1 * np.log(crowd))
+    per_regime = RIGID * weight * np.sqrt(groups.root_speed / shifted) / tenth_root  # F / M
+    force = per_regime * regime
+    by_regime = per_regime * ((1 - 0.5 * part) / crowd + share * ceiling.slope_by_regime * part)
     by_log_speed = force * (0.75 + share * ceiling.slope_by_speed) - 0.5 * regime * by_regime
-    return RollingShear(force, by_regime / (unit * root_speed), by_log_speed / entrainment)
+    return RollingShear(force, by_regime / weight, by_log_speed / entrainment)

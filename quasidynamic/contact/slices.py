@@ -4,8 +4,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.polynomial import legendre
 from numpy.typing import NDArray
+from scipy.special import eval_legendre
 
 from quasidynamic.errors import ImpossiblePart
 
@@ -62,7 +62,7 @@ class Slices:
     @cached_property
     def shape(self) -> NDArray:
         """Legendre polynomials at the computed slices (K, M) [-]."""
-        return legendre.legvander(2 * self.centres / self.length, self.shapes - 1)
+        return eval_legendre(np.arange(self.shapes), 2 * self.centres[:, None] / self.length)
 
     @cached_property
     def weights(self) -> NDArray:

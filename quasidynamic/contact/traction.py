@@ -62,35 +62,33 @@ class Regression4109:
     )
     _LOAD_POWERS = _FORMULA[:, 1]
     _SPEED_POWERS = _FORMULA[:, 2] - 2 * _FORMULA[:, 3]  # of the entrainment speed, in U and Theta
+    # How plateau, climb and fading below follow ln(load), and ln(speed): there S falls as the speed grows.
+    _LOG_SLOPES = np.array([_LOAD_POWERS, _SPEED_POWERS - [0, 1, 1]])
 
     def __call__(self, line_load: NDArray, sliding: NDArray, entrainment: NDArray, film: NDArray) -> Traction:
         """Traction; the film does not enter this law."""
         share = line_load * (self.length / self.load_floor)
         squared = share * share
-        log_load = 0.5 * np.log1p(squared)  # of the load over its floor, rounded
+        floored = 1 + squared  # square of the load over its floor, rounded
         slip = np.abs(sliding) / entrainment
-        by_load = np.exp(np.multiply.outer(self._LOAD_POWERS, log_load))
+        by_load = np.exp(np.multiply.outer(self._LOAD_POWERS / 2, np.log(floored)))
         by_speed = np.exp(np.multiply.outer(self._SPEED_POWERS, np.log(entrainment)))
         d, b, c = (x * y * z for x, y, z in zip(self._at_floor, by_speed, by_load, strict=True))
-        decay = np.exp(-c * slip)
-        rise = b * slip
-        plateau = d * (1 - decay)
-        climb = rise * decay
-        curve = plateau + climb
-        steepening = decay * (d - rise) * c  # part of the slope that comes from the exponential
-        by_slip = steepening + b * decay
-        # d mu / d ln D = plateau, d mu / d ln B = climb, d mu / d ln C = steepening * slip
-        shares = plateau, climb, steepening * slip
-        by_log_load = _weighted(self._LOAD_POWERS, shares)
-        by_log_speed = _weighted(self._SPEED_POWERS, shares)
-        sign = np.sign(sliding)
-        pull = sign * line_load
+        fall = c * slip
+        decay = np.exp(-fall)
+        left, climb = d * decay, b * slip * decay
+        plateau, excess = d - left, left - climb
+        curve, fading = plateau + climb, excess * fall
+        # d mu / d ln D = plateau, d mu / d ln B = climb, d mu / d ln C = fading
+        shares = np.array([plateau, climb, fading])
+        by_log_load, by_log_speed = (self._LOG_SLOPES @ shares.reshape(3, -1)).reshape(2, *curve.shape)
+        sign, load_per_speed = np.sign(sliding), line_load / entrainment
         return Traction(
-            force=pull * curve,
-            by_load=sign * (curve + by_log_load * (squared / (1 + squared))),
-            by_sliding=line_load * by_slip / entrainment,
-            by_entrainment=pull * (by_log_speed - by_slip * slip) / entrainment,
-            by_film=np.zeros_like(curve),
+            force=sign * line_load * curve,
+            by_load=sign * (curve + by_log_load * (squared / floored)),
+            by_sliding=load_per_speed * (excess * c + b * decay),
+            by_entrainment=sign * load_per_speed * by_log_speed,
+            by_film=np.zeros(curve.shape),
         )
 
     @cached_property
@@ -100,8 +98,3 @@ class Regression4109:
         pressure, speed = self.load_floor / (elastic * self.radius), oil.viscosity / elastic
         heat = oil.conductivity * oil.temperature / oil.viscosity
         return [x0 * pressure**p * speed**u * heat**t for x0, p, u, t in self._FORMULA]
-
-
-def _weighted(weights: NDArray, shares: tuple[NDArray, NDArray, NDArray]) -> NDArray:
-    (p, q, r), (a, b, c) = weights, shares
-    return p * a + q * b + r * c

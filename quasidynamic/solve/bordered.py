@@ -54,42 +54,52 @@ def solve(balance: BearingBalance, system: Linearisation, right: NDArray, shift:
     """
     own, (cases, _, count) = balance.own, right.shape
     split = BORDER + balance.rollers * own
-    table = np.zeros((system.table.shape[0], system.table.shape[1] + count, cases, balance.rollers))
+    rows, columns = system.table.shape[:2]
+    table = np.zeros((rows, columns + count, cases, balance.rollers))
     table[:, :-count] = system.table
     table[:own, -count:] = (
         right[:, BORDER:split].reshape(cases, own, balance.rollers, count).transpose(1, 3, 0, 2)
     )
-    border = system.border.copy()
-    table[own - 1, own - 1] -= shift.spin
-    border[:, CAGE, CAGE] -= shift.cage
-    border[:, Y, Y] -= shift.ring
-    border[:, Z, Z] -= shift.ring
+    border = system.border
+    if shift is not NO_SHIFT:
+        table[own - 1, own - 1] -= shift.spin
+        border = _shifted(border, shift)
     with np.errstate(all="ignore"):
         eliminate(table, own - 1)
         rest = _dense if balance.yielding else _chained
         edge, spin, shared = rest(balance, system, table[own - 1 :, own - 1 :], border, right)
-        edges = np.broadcast_to(edge[..., None], (*edge.shape, balance.rollers))
-        shared = np.concatenate([spin[None], edges, shared])
-        fields = _substituted(table, shared, own - 1)
-    found = [edge.transpose(2, 0, 1), fields.transpose(2, 0, 3, 1).reshape(cases, -1, count)]
-    return np.concatenate([*found, _deviations(balance, shared[1 + BORDER :])], axis=1)
+        found = np.empty((columns, count, cases, balance.rollers))
+        found[own - 1], found[own : own + BORDER], found[own + BORDER :] = spin, edge[..., None], shared
+        substitute(table, found, own - 1)
+    fields = found[:own].transpose(2, 0, 3, 1).reshape(cases, -1, count)
+    solved = [edge.transpose(2, 0, 1), fields]
+    if balance.yielding:
+        solved.append(_deviations(balance, shared))
+    return np.concatenate(solved, axis=1)
+
+
+def _shifted(border: NDArray, shift: Shift) -> NDArray:
+    """Border (C, 5, 5) with its part of the shift."""
+    border = border.copy()
+    border[:, CAGE, CAGE] -= shift.cage
+    border[:, Y, Y] -= shift.ring
+    border[:, Z, Z] -= shift.ring
+    return border
 
 
 def eliminate(table: NDArray, pivots: int) -> None:
     """Gauss: subtract the first rows from all below, in place, until their columns are empty there."""
     for i in range(pivots):
-        factor = table[i + 1 :, i] / table[i, i]
-        table[i + 1 :, i + 1 :] -= factor[:, None] * table[i, i + 1 :]
+        factor, below = table[i + 1 :, i] / table[i, i], table[i + 1 :, i + 1 :]
+        below -= factor[:, None] * table[i, i + 1 :]
 
 
-def _substituted(table: NDArray, later: NDArray, pivots: int) -> NDArray:
-    """Unknowns (own, R, C, Z) of the rollers from those that come later in the table, spin first."""
-    found = later
+def substitute(table: NDArray, found: NDArray, pivots: int) -> None:
+    """Fill in the first unknowns (columns, R, C, Z) from those that come later in the table."""
     count = found.shape[1]
     for i in reversed(range(pivots)):
-        known = (table[i, i + 1 : -count, None] * found).sum(0)
-        found = np.concatenate([((table[i, -count:] - known) / table[i, i])[None], found])
-    return found[: pivots + 1]
+        known = np.einsum("kcz,krcz->rcz", table[i, i + 1 : -count], found[i + 1 :])
+        found[i] = (table[i, -count:] - known) / table[i, i]
 
 
 def _chained(balance, system, table, border, right) -> tuple[NDArray, NDArray, NDArray]:
@@ -97,11 +107,10 @@ def _chained(balance, system, table, border, right) -> tuple[NDArray, NDArray, N
     # Whatever the spins answer is linear in the right-hand sides and in the border unknowns.
     spin = around(table[0, 0], system.before, system.after, table[0, 1:])
     by_border, by_side = spin[:BORDER], spin[BORDER:]
-    felt = table[1:, :1] * np.concatenate([by_border, by_side])
-    reduced = (table[1:, 1:] - felt).sum(-1)
-    matrix = border + reduced[:, :BORDER].transpose(2, 0, 1)
-    side = right[:, :BORDER] + reduced[:, BORDER:].transpose(2, 0, 1)
-    edge = _solved(matrix, side).transpose(1, 2, 0)
+    reduced = (table[1:, 1:] - table[1:, :1] * spin).sum(-1)
+    reduced = reduced.transpose(2, 0, 1)
+    edge = _solved(border + reduced[..., :BORDER], right[:, :BORDER] + reduced[..., BORDER:])
+    edge = edge.transpose(1, 2, 0)
     return edge, by_side - np.einsum("brc,bcz->rcz", edge, by_border), np.zeros((0, *by_side.shape))
 
 
@@ -110,10 +119,12 @@ def around(middle: NDArray, before: NDArray, after: NDArray, sides: NDArray) -> 
     count, cases, rollers = sides.shape
     corners = np.zeros((2, cases, rollers))  # what the last spin does to the first one, and the reverse
     corners[0, :, 0], corners[1, :, -1] = before[:, 0], after[:, 0]
-    lower, upper = np.repeat(before, rollers, axis=1), np.repeat(after, rollers, axis=1)
+    lower, upper = before.repeat(rollers, axis=1), after.repeat(rollers, axis=1)
     lower[:, 0] = upper[:, -1] = 0.0
     columns = np.concatenate([sides, corners]).reshape(count + 2, -1).T
-    *_, solved, fault = dgtsv(lower.ravel()[1:], middle.ravel(), upper.ravel()[:-1], columns)
+    *_, solved, fault = dgtsv(
+        lower.ravel()[1:], middle.ravel(), upper.ravel()[:-1], columns, overwrite_b=True
+    )
     if fault:
         return np.full(sides.shape, np.nan)
     solved = solved.T.reshape(count + 2, cases, rollers)

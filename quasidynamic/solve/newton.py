@@ -59,7 +59,8 @@ def newton(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep]:
         new = norm(system)
         better = new <= np.maximum((1 - 1e-4 * damping) * size, ROUNDING * system.loading)
         better &= (new < size) | (worst > ENOUGH)
-        if better.all():  # as nearly always: nothing to choose
+        everywhere = better.all()
+        if everywhere:  # as nearly always: nothing to choose
             unknowns, size, worst, damping = trial, new, _worst(system), np.ones(len(cases))
         else:
             unknowns = np.where(better[:, None], trial, unknowns)
@@ -67,12 +68,15 @@ def newton(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep]:
             damping = np.where(better, 1.0, damping / 2)
         endings = [_ending(*case, last=number == LIMIT) for case in zip(better, worst, damping, strict=True)]
         yield Sweep(number, cases, unknowns, system, endings, better)
-        running = np.array([ending is Ending.NONE for ending in endings])
-        if not running.any():
+        running = [ending is Ending.NONE for ending in endings]
+        if not any(running):
             return
-        if better.any():
+        if everywhere:
+            direction = step(here, system)
+        elif better.any():
             direction = np.where(better[:, None], step(here, system), direction)
-        if not running.all():
+        if not all(running):
+            running = np.array(running)
             cases, here = cases[running], here.take(running)
             unknowns, direction, damping, size, worst = (
                 array[running] for array in (unknowns, direction, damping, size, worst)

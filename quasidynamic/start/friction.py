@@ -109,5 +109,5 @@ class _Friction:
             roller.raceways.slices.length * each[..., 0]
             for each in (pull.force, pull.by_sliding, pull.by_entrainment)
         )
-        slides, rolls = (slope.swapaxes(0, 1) for slope in roller.speed_slopes)
+        slides, rolls = roller.speed_slopes
         return force, by_sliding * slides + by_entrainment * sense * rolls, sense

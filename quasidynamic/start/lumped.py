@@ -6,7 +6,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.bearing import BearingBalance
-from quasidynamic.balance.roller import RollerInputs
 from quasidynamic.balance.settling import resting_loads
 from quasidynamic.contact.land import land_torque
 from quasidynamic.start.resting import static_unknowns
@@ -102,10 +101,7 @@ class LumpedRollers:
 
     def surfaces(self, cage_drift: NDArray, drift: NDArray) -> tuple[NDArray, NDArray, NDArray]:
         """Sliding and entrainment speed (2, C, Z) [m/s], sense of rolling [-]."""
-        balance, nothing = self.balance, np.zeros((2, *drift.shape))
-        speeds = balance.rolling_spin + drift, balance.rolling_cage + cage_drift
-        inputs = RollerInputs(nothing, nothing, drift, cage_drift, *speeds)
-        return balance.roller.surfaces(inputs, balance.points)
+        return self.balance.roller.surfaces(self.balance.motion(cage_drift, drift), self.balance.points)
 
     def _resistance(self, cage_speed: NDArray) -> tuple[NDArray, NDArray]:
         """Torque (C) of oil-air mixture and land on the cage [N m], its slope by the cage speed [N m s]."""

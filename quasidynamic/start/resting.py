@@ -17,8 +17,9 @@ from quasidynamic.contact.load import EXPONENT
 
 STRIBECK = 5.0  # largest roller load times their number over the load, about
 SHIFT_STEPS = 40  # Newton on a convex law from above: never more than about ten
-SHIFT_DIGITS = 1e-8  # [m]
+SHIFT_DIGITS = 1e-7  # [m] of the last step; what is left after it is a thousandth of that
 RING_STEPS = 60
+RING_DIGITS = 1e-8  # [m]
 LONGEST_RING_STEP = 2e-5  # [m]
 RING_FLOOR = 1e-4  # of the stiffness, where no roller resists a direction
 SMALLEST_STIFFNESS = 1.0  # [N/m] where no roller touches at all
@@ -93,6 +94,6 @@ def resting_ring(balance: BearingBalance, unknowns: Unknowns, load: NDArray) -> 
         change = np.linalg.solve(matrix + floor[:, None, None] * np.eye(2), excess.T[..., None])[..., 0].T
         length = np.hypot(*change)
         position = position + (change * np.minimum(1.0, LONGEST_RING_STEP / (length + 1e-30)))[..., None]
-        if length.max() < SHIFT_DIGITS:
+        if length.max() < RING_DIGITS:
             break
     return unknowns._replace(ring=np.concatenate([position, unknowns.ring[2:]]))

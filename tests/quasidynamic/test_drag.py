@@ -11,7 +11,7 @@ from pytest import approx
 from quasidynamic.contact.churning import churning, cylinder_churning, end_face_churning
 from quasidynamic.contact.couette import couette_factor
 from quasidynamic.contact.drag import AIR_DENSITY, cylinder_drag, drag_notes, mixture_density, orbit_drag
-from quasidynamic.contact.land import land_drag, land_force, land_notes, land_torque
+from quasidynamic.contact.land import ECCENTRICITY_LIMIT, land_drag, land_force, land_notes, land_torque
 from quasidynamic.parts.bearing import CylindricalRollerBearing
 from quasidynamic.parts.cage import Cage
 from quasidynamic.parts.lubricant import Lubricant
@@ -180,7 +180,7 @@ def test_slopes_of_the_land_torque(speed, eccentricity):
     assert opposite.by_speed == land.by_speed
     faster = difference(lambda w: land_torque(w, CAGE, OIL, eccentricity).torque, speed, 1e-5 * abs(speed))
     assert land.by_speed == approx(faster, rel=1e-7)
-    if 1e-6 < abs(eccentricity - 0.95):
+    if 1e-6 < abs(eccentricity - ECCENTRICITY_LIMIT):
         wider = difference(lambda e: land_torque(speed, CAGE, OIL, e).torque, eccentricity, 1e-7)
         assert land.by_eccentricity == approx(wider, rel=1e-4, abs=1e-7 * abs(float(land.torque)))
 
