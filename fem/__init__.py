@@ -4,15 +4,23 @@ Only the parts are re-exported here: describing a ring costs nothing, NGSolve is
 modules that compute.
 """
 
-from fem.parts import ClampedRing, Elastic, ImpossiblePart, Mesh, Part, Patches, RingOnShaft, SquirrelCage
+from fem.parts import Elastic, ImpossiblePart, Mesh, OuterRing, Part, Patches, RingOnShaft, SquirrelCage
+from fem.supports import ClampedFace, Foundation, Housing, LineForce, LineSupports, PlanetGear, RigidSeat
 
 __all__ = [
-    "ClampedRing",
+    "ClampedFace",
     "Elastic",
+    "Foundation",
+    "Housing",
     "ImpossiblePart",
+    "LineForce",
+    "LineSupports",
     "Mesh",
+    "OuterRing",
     "Part",
     "Patches",
+    "PlanetGear",
+    "RigidSeat",
     "RingOnShaft",
     "SquirrelCage",
 ]

@@ -15,6 +15,7 @@ from fem.indentation import half_space
 from fem.mesh import MILLIMETRES, meshed
 from fem.parts import Elastic, Mesh, Part, Patches
 from fem.solve import Factor, factor, threads
+from fem.step import StepSolid
 
 Report = Callable[[str, float | None], None]
 
@@ -32,6 +33,11 @@ class RacewayCompliance:
     unknowns: int
     elements: int
     seconds: dict[str, float] = field(compare=False)  # by stage: mesh, factor, condense
+    deviation_without_load: NDArray = field(default_factory=lambda: np.zeros((0, 0)))  # (Z, M) [m] outward
+
+    def __post_init__(self):
+        if self.deviation_without_load.size == 0:
+            object.__setattr__(self, "deviation_without_load", np.zeros(self.full.shape[:2]))
 
     @property
     def matrix(self) -> NDArray:
@@ -52,13 +58,17 @@ class RacewayCompliance:
 
 
 def condense(
-    part: Part, patches: Patches, mesh: Mesh, report: Report | None = None, thread_number: int = 2
+    part: Part | StepSolid,
+    patches: Patches,
+    mesh: Mesh,
+    report: Report | None = None,
+    thread_number: int = 2,
 ) -> RacewayCompliance:
     """Compliance of a raceway to its rollers, by as few solves as symmetry leaves.
 
     Parameters
     ----------
-    part : Part
+    part : Part or StepSolid
         ring with its seat
     patches : Patches
         rollers, and how finely their forces are resolved
@@ -76,7 +86,7 @@ def condense(
     Raises
     ------
     ImpossiblePart
-        if the loaded band is longer than the track
+        if the loaded band is longer than the track, or a drawing does not hold such a part
     NotSolved
         if a residual is too large, or the mesh too coarse for the patches
 
@@ -93,7 +103,8 @@ def condense(
             stiffness = factor(space, elastic_energy(solid, part.materials))
         with stage("condense") as progress:
             band = load.band(space, "raceway", load.quadrature_order(patches, mesh))
-            full, translation, support = _answers(stiffness, band, part.bars, patches, progress)
+            renumbered = _renumbered(part, patches)
+            full, translation, support = _answers(stiffness, band, renumbered, patches, progress)
     own = np.arange(len(patches.azimuths))
     full[own, :, own] -= half_space(patches, part.materials["ring"])
     _log.info("%s: %d unknowns, %.1f s", type(part).__name__, stiffness.unknowns, sum(seconds.values()))
@@ -132,11 +143,17 @@ def elastic_energy(mesh, materials: dict[str, Elastic]):
     return lambda u, v: forms.elasticity(u, v, lame, shear)
 
 
-def _answers(stiffness: Factor, band: load.Band, bars: int | None, patches: Patches, progress):
+def _renumbered(part: Part | StepSolid, patches: Patches) -> NDArray:
+    """Renumberings of the rollers that change nothing; of a drawn solid no symmetry is known."""
+    if isinstance(part, StepSolid):
+        return np.arange(len(patches.azimuths))[None]
+    return symmetry.permutations(patches.azimuths, part.bars)
+
+
+def _answers(stiffness: Factor, band: load.Band, renumbered: NDArray, patches: Patches, progress):
     """Full compliance (Z, M, Z, M), translations (2, Z, M) and support compliance (2, 2) [m/N]."""
     Z, M = len(patches.azimuths), patches.shapes
     rollers, translations = load.roller_forces(band, patches), load.translation_forces(band)
-    renumbered = symmetry.permutations(patches.azimuths, bars)
     solved = symmetry.representatives(renumbered)
     needed = (solved[:, None] * M + np.arange(M)).ravel()
     sides = np.hstack([translations, rollers[:, needed].toarray()])

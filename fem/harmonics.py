@@ -9,18 +9,56 @@ a line only what differs from a half-space (`fem.line_load`) has a sum.
 
 from dataclasses import dataclass, field
 from functools import cached_property
+from math import ceil, floor
 
 import numpy as np
 from numpy.typing import NDArray
 
 from fem.compliance import RacewayCompliance
 from fem.line_load import cubic_tail, curvature_tail, indentation, indentation_harmonics
-from fem.parts import Elastic, ImpossiblePart
+from fem.parts import Elastic, ImpossiblePart, Mesh
 from fem.solve import NotSolved
 
 TRUNCATED = 0.05  # allowed part of the own terms that comes from beyond the last harmonic
 SAME = 1e-9  # half the difference of azimuths that are taken as one [rad]
 FEWEST = 8  # harmonics from which the fall of the rest can be told
+FINENESS = 6.0  # highest harmonic over M R/l, unless one is asked for
+RESOLVED = 0.6  # highest harmonic over order times R/h on raceway elements of size h: beyond, errors grow
+
+
+def highest_harmonic(radius: float, detail: float, mesh: Mesh, wish: int | None = None) -> int:
+    """Choose the last harmonic: one that the elements of the raceway still resolve.
+
+    Parameters
+    ----------
+    radius : float
+        R of the raceway [m]
+    detail : float
+        length l/M that an axial shape resolves [m]
+    mesh : Mesh
+        order and raceway size of the elements
+    wish : int, optional
+        N that is asked for
+
+    Returns
+    -------
+    int
+        N
+
+    Raises
+    ------
+    NotSolved
+        if the mesh is too coarse for what is asked for
+    """
+    limit = floor(RESOLVED * mesh.order * radius / mesh.raceway_size)
+    if wish is None:
+        return min(ceil(FINENESS * radius / detail), limit)
+    if not FEWEST <= wish <= limit:
+        raise NotSolved(
+            f"{wish} harmonics are impossible on this mesh of the raceway, allowed are {FEWEST} to {limit}: "
+            "a smaller raceway_size or a higher order resolves more"
+        )
+    return wish
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -72,16 +110,10 @@ class HarmonicCompliance:
             if the harmonics end too early for the own terms
         """
         phi = np.asarray(azimuths, dtype=float)
-        if not self.truncation <= TRUNCATED:
-            raise NotSolved(
-                f"{self.truncation:.2g} of the own compliance lies beyond harmonic {self.harmonics[-1]}, "
-                f"allowed {TRUNCATED:g}: take more harmonics"
-            )
-        full = self._series(phi) + self._beyond(phi) + self._neighbours(phi)
         translation, support = self._translation(phi)
         return RacewayCompliance(
             azimuths=phi,
-            full=(full + full.transpose(2, 3, 0, 1)) / 2,
+            full=self.full(phi),
             translation=translation,
             support_stiffness=float(2 / np.trace(support)),
             unknowns=self.unknowns,
@@ -89,11 +121,42 @@ class HarmonicCompliance:
             seconds=self.seconds,
         )
 
+    def full(self, azimuths: NDArray) -> NDArray:
+        """The matrix of `at` alone, also for a raceway without a hold of its own.
+
+        Parameters
+        ----------
+        azimuths : array (Z,)
+            all different [rad]
+
+        Returns
+        -------
+        array (Z, M, Z, M)
+            C [m/N], symmetric
+
+        Raises
+        ------
+        ImpossiblePart
+            if two rollers stand at one azimuth
+        NotSolved
+            if the harmonics end too early for the own terms
+        """
+        if not self.truncation <= TRUNCATED:
+            raise NotSolved(
+                f"{self.truncation:.2g} of the own compliance lies beyond harmonic {self.harmonics[-1]}, "
+                f"allowed {TRUNCATED:g}: take more harmonics"
+            )
+        full = self._series(azimuths) + self._beyond(azimuths) + self._neighbours(azimuths)
+        return (full + full.transpose(2, 3, 0, 1)) / 2
+
     @property
     def truncation(self) -> float:
-        """Part of the largest own compliance that is extrapolated, for patterns of equal mean square [-]."""
+        """Part of the largest own compliance that is extrapolated, for patterns of equal mean square [-].
+
+        The indentation up to the last harmonic counts as own: on a stiff seat the rest is near zero.
+        """
         beyond = self._tail(np.zeros(1))[0]
-        own = self._remainder.sum(axis=0) + beyond
+        own = np.abs(self._remainder.sum(axis=0) + beyond) + self._half_space.sum(axis=0)
         square = 2 * np.arange(own.shape[0]) + 1
         return float(
             np.max(np.abs(beyond) / np.sqrt(np.outer(square, square))) / np.max(np.diag(own) / square)

@@ -3,7 +3,8 @@
 """Bodies of revolution as named polygons on the half-plane of x (axial) next to r (radial).
 
 A body carries the name of its material. Edges are named "raceway", exactly the loaded band, "clamped"
-where the part is held, "seat" between bodies. The mesh is in millimetres, as in `fem.mesh`.
+or "foundation" where the part is held, "lines" where line loads may act, "seat" between bodies. The mesh
+is in millimetres, as in `fem.mesh`.
 """
 
 from dataclasses import dataclass
@@ -13,7 +14,8 @@ import ngsolve as ngs
 from netgen import occ
 
 from fem.mesh import MILLIMETRES
-from fem.parts import ClampedRing, ImpossiblePart, Mesh, RingOnShaft
+from fem.parts import ImpossiblePart, Mesh, OuterRing, RingOnShaft
+from fem.supports import Housing, edge_names
 
 GRADED_LAYERS = 2  # layers of ever smaller elements around each corner, where stress may be singular
 GRADED_RATIO = 0.2  # size of a layer to that of the one around it
@@ -33,7 +35,7 @@ def sections(part, length: float) -> list[Section]:
 
     Parameters
     ----------
-    part : ClampedRing, RingOnShaft
+    part : OuterRing, RingOnShaft
         a body of revolution with its seat
     length : float
         axial length of the loaded band, centred on x = 0 [m], at most the track of the part
@@ -52,15 +54,24 @@ def sections(part, length: float) -> list[Section]:
 
 
 @sections.register
-def _(part: ClampedRing, length):
+def _(part: OuterRing, length):
     inner, side, half = part.raceway_diameter / 2, part.width / 2, length / 2
     outer = inner + part.thickness
-    return [
-        Section("ring", (
-            (-side, inner, None), (-half, inner, None), (half, inner, "raceway"), (side, inner, None),
-            (side, outer, "clamped"), (-side, outer, None),
-        ))
-    ]  # fmt: skip
+    bore = (-side, inner, None), (-half, inner, None), (half, inner, "raceway"), (side, inner, None)
+    if not isinstance(part.support, Housing):
+        face, outside = edge_names(part.support)
+        return [Section("ring", (*bore, (side, outer, face), (-side, outer, outside)))]
+    face, outside = edge_names(part.support.support)
+    end, top = part.support.width / 2, outer + part.support.thickness
+    seat = min(side, end)
+    ring = Section("ring", (
+        *bore, (side, outer, None), (seat, outer, None), (-seat, outer, "seat"), (-side, outer, None)
+    ))  # fmt: skip
+    housing = Section("housing", (
+        (-end, outer, None), (-seat, outer, None), (seat, outer, "seat"), (end, outer, None),
+        (end, top, face), (-end, top, outside),
+    ))  # fmt: skip
+    return [ring, housing]
 
 
 @sections.register
@@ -98,7 +109,7 @@ def meshed(bodies: list[Section], wishes: Mesh) -> ngs.Mesh:
     plane = occ.Glue([_face(body) for body in bodies])
     plane.vertices.hpref = 1
     for edge in plane.edges:
-        if edge.name == "raceway":
+        if edge.name in ("raceway", "lines"):
             edge.maxh = wishes.raceway_size * MILLIMETRES
     mesh = ngs.Mesh(occ.OCCGeometry(plane, dim=2).GenerateMesh(maxh=wishes.size * MILLIMETRES))
     mesh.RefineHP(GRADED_LAYERS, GRADED_RATIO)

@@ -2,7 +2,7 @@
 # pyright: reportAttributeAccessIssue=false
 """From a part to a curved mesh with named bodies and boundaries.
 
-Bodies are "ring" and, where the part has them, "bars", "flange" and "shaft"; boundaries are
+Bodies are "ring" and, where the part has them, "bars", "flange", "shaft", "housing"; boundaries are
 "raceway", exactly the loaded band, and "clamped". Everything here is in millimetres, the length for
 which the tolerances of the geometry kernel are made; `MILLIMETRES` is the one conversion.
 """
@@ -13,20 +13,24 @@ from functools import singledispatch
 import ngsolve as ngs
 from netgen import occ
 
-from fem.parts import ClampedRing, ImpossiblePart, Mesh, Part, RingOnShaft, SquirrelCage
+from fem import drawn
+from fem.parts import ImpossiblePart, Mesh, OuterRing, Part, RingOnShaft, SquirrelCage
+from fem.step import StepSolid
+from fem.supports import ClampedFace, Housing, RigidSeat, edge_names
 
 MILLIMETRES = 1e3  # per metre
+FLAT = 1e-6  # [mm] below it two places are one
 
 _log = logging.getLogger(__name__)
 _AXIS = occ.Axis(occ.Pnt(0, 0, 0), occ.X)
 
 
-def meshed(part: Part, length: float, wishes: Mesh) -> ngs.Mesh:
+def meshed(part: Part | StepSolid, length: float, wishes: Mesh) -> ngs.Mesh:
     """Curved tetrahedra that fill a part, with the loaded band as faces of their own.
 
     Parameters
     ----------
-    part : Part
+    part : Part or StepSolid
         the ring with its seat
     length : float
         axial length of the loaded band, centred on x = 0 [m], at most the track of the part
@@ -41,7 +45,7 @@ def meshed(part: Part, length: float, wishes: Mesh) -> ngs.Mesh:
     Raises
     ------
     ImpossiblePart
-        if the band is longer than the track
+        if the band is longer than the track, or a drawing does not hold such a part
     """
     if length > part.track * (1 + 1e-9):
         raise ImpossiblePart(
@@ -79,8 +83,19 @@ def solids(part, length: float) -> list:
 
 
 @solids.register
-def _(part: ClampedRing, length):
-    return [_outer_ring(part, length, end="clamped")]
+def _(part: OuterRing, length):
+    tube = part.support if isinstance(part.support, Housing) else None
+    support = tube.support if tube else part.support
+    if not isinstance(support, ClampedFace | RigidSeat):
+        raise ImpossiblePart(f"a solid has no {type(support).__name__}; `fem.supported_ring` has")
+    face, outside = edge_names(support)
+    if not tube:
+        return [_outer_ring(part, length, face, outside)]
+    _, outer, _ = _section(part)
+    half, top = tube.width / 2 * MILLIMETRES, outer + tube.thickness * MILLIMETRES
+    housing = _revolved([(-half, outer, None), (half, outer, None), (half, top, face), (-half, top, outside)])
+    housing.mat("housing")
+    return [_outer_ring(part, length), housing]
 
 
 @solids.register
@@ -95,13 +110,23 @@ def _(part: SquirrelCage, length):
         start + part.bar_length * MILLIMETRES,
         start + (part.bar_length + part.flange_length) * MILLIMETRES,
     )
-    ring = _outer_ring(part, length, end=None)
+    ring = _outer_ring(part, length)
     tube = _tube(start, stop, middle - half, middle + half)
     bar = tube * occ.Box(occ.Pnt(start, -width / 2, 0), occ.Pnt(stop, width / 2, 2 * outer))
-    bar.mat("bars")
     flange = _tube(stop, end, inner, outer, end="clamped")
+    if part.fillet > 0:
+        bar = _flared(bar, ring, flange, part.fillet * MILLIMETRES)
+    bar.mat("bars")
     flange.mat("flange")
     return [ring, *(bar.Rotate(_AXIS, 360 * k / part.bars) for k in range(part.bars)), flange]
+
+
+def _flared(bar, ring, flange, radius):
+    """A bar with its fillets, which end at the faces of ring and flange."""
+    ends = [edge.center for edge in bar.edges if abs(edge.start.x - edge.end.x) < FLAT]
+    whole = ring + bar + flange
+    corners = [edge for edge in whole.edges if any((edge.center - end).Norm() < FLAT for end in ends)]
+    return whole.MakeFillet(corners, radius) - ring - flange
 
 
 @solids.register
@@ -122,17 +147,22 @@ def _(part: RingOnShaft, length):
     return [ring, shaft]
 
 
+@solids.register
+def _(part: StepSolid, length):
+    return [drawn.solid(part, length)]
+
+
 def _section(part):
     """Inner radius, outer radius and half width of an outer ring [mm]."""
     inner = part.raceway_diameter / 2
     return inner * MILLIMETRES, (inner + part.thickness) * MILLIMETRES, part.width / 2 * MILLIMETRES
 
 
-def _outer_ring(part, length, end):
+def _outer_ring(part, length, end=None, outside=None):
     inner, outer, side = _section(part)
     ring = _revolved([
         (-side, inner, None), *_band(inner, length), (side, inner, None),
-        (side, outer, end), (-side, outer, None),
+        (side, outer, end), (-side, outer, outside),
     ])  # fmt: skip
     ring.mat("ring")
     return ring

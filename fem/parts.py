@@ -8,48 +8,27 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from math import asin, isfinite, pi
 
+from fem.material import Elastic, require, require_positive
+from fem.material import ImpossiblePart as ImpossiblePart  # parts are where one expects it
+from fem.supports import Housing, Loose, Support, loose
+
 SLENDEREST_SLOT = 0.3e-3  # [m] the mesher may abort on narrower gaps and thinner walls
-
-
-class ImpossiblePart(ValueError):
-    """A part or a wish that cannot exist; the message says what, found and allowed."""
-
-
-def _require(holds: bool, name: str, value: object, allowed: str) -> None:
-    if not holds:
-        raise ImpossiblePart(f"{name} = {value!r} is impossible; allowed is {allowed}")
-
-
-def _require_positive(part: object, *names: str) -> None:
-    for name in names:
-        value = getattr(part, name)
-        _require(value > 0 and isfinite(value), name, value, "a finite number above zero")
+SMALLEST_FILLET = 0.1e-3  # [m] smaller ones need too many elements to matter
 
 
 @dataclass(frozen=True, kw_only=True)
-class Elastic:
-    """An isotropic elastic material."""
-
-    youngs_modulus: float  # [Pa]
-    poisson_ratio: float  # [-] below one half: incompressible elements would lock
-
-    def __post_init__(self):
-        _require_positive(self, "youngs_modulus")
-        _require(-1 < self.poisson_ratio < 0.49, "poisson_ratio", self.poisson_ratio, "-1 to 0.49")
-
-
-@dataclass(frozen=True, kw_only=True)
-class ClampedRing:
-    """A plain outer ring whose end face at x = +width/2 is clamped."""
+class OuterRing:
+    """A plain outer ring with what holds it."""
 
     raceway_diameter: float  # [m] inner surface
     thickness: float  # [m] radial
     width: float  # [m] axial
     elastic: Elastic
+    support: Support
 
     def __post_init__(self):
-        _require_positive(self, "raceway_diameter", "thickness", "width")
-        _require(self.thickness > SLENDEREST_SLOT, "thickness", self.thickness, f"> {SLENDEREST_SLOT} m")
+        require_positive(self, "raceway_diameter", "thickness", "width")
+        require(self.thickness > SLENDEREST_SLOT, "thickness", self.thickness, f"> {SLENDEREST_SLOT} m")
 
     @property
     def track(self) -> float:
@@ -63,7 +42,14 @@ class ClampedRing:
     @property
     def materials(self) -> dict[str, Elastic]:
         """Material of every named body; "ring" carries the raceway."""
+        if isinstance(self.support, Housing):
+            return {"ring": self.elastic, "housing": self.support.elastic}
         return {"ring": self.elastic}
+
+    @property
+    def loose(self) -> Loose:
+        """Rigid motions that nothing holds."""
+        return loose(self.support)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -83,29 +69,52 @@ class SquirrelCage:
     bar_length: float  # [m] axial, between ring and flange
     flange_length: float  # [m] axial
     elastic: Elastic
+    fillet: float = 0.0  # [m] radius where bars meet ring and flange; 0 is a sharp edge
 
     def __post_init__(self):
-        _require_positive(
+        require_positive(
             self, "raceway_diameter", "thickness", "width", "bar_width", "bar_thickness", "bar_length",
             "flange_length",
         )  # fmt: skip
-        _require(self.bars >= 1, "bars", self.bars, "1 or more")
+        require(self.bars >= 1, "bars", self.bars, "1 or more")
         most = self.thickness - 2 * SLENDEREST_SLOT / 3
-        _require(
+        require(
             self.bar_thickness <= most, "bar_thickness", self.bar_thickness,
             f"at most {most:.3g} m: less than the thickness of the ring, so that the raceway stays whole",
         )  # fmt: skip
-        _require(
+        require(
             self.slot >= SLENDEREST_SLOT, "bar_width", self.bar_width,
             f"{self.bars} bars with slots of {SLENDEREST_SLOT:.1g} m or more between them, "
             f"these leave {self.slot:.3g} m",
         )  # fmt: skip
 
+        if self.fillet != 0:
+            self._require_room_for_fillets()
+
+    def _require_room_for_fillets(self):
+        step, gap = (self.thickness - self.bar_thickness) / 2, self.bar_length / 2
+        most = min(step - SMALLEST_FILLET / 2, gap - SLENDEREST_SLOT / 2)
+        require(
+            SMALLEST_FILLET <= self.fillet <= most, "fillet", self.fillet,
+            f"zero, or {SMALLEST_FILLET:.1g} m to {most:.3g} m: inside the faces that the bars stand on, "
+            f"{step:.3g} m wide beside the bars, and short of half the bars, {gap:.3g} m",
+        )  # fmt: skip
+        left = self._gap(self.bar_width + 2 * self.fillet, self.bar_thickness + 2 * self.fillet)
+        require(
+            left >= SLENDEREST_SLOT, "fillet", self.fillet,
+            f"what leaves slots of {SLENDEREST_SLOT:.1g} m or more between the feet of {self.bars} bars, "
+            f"this leaves {left:.3g} m",
+        )  # fmt: skip
+
     @property
     def slot(self) -> float:
-        """Narrowest gap between two bars, at their inner radius [m]; negative if they overlap."""
-        inner = (self.raceway_diameter + self.thickness - self.bar_thickness) / 2
-        half = asin(min(1.0, self.bar_width / 2 / inner))
+        """Narrowest gap between two bars, at their inner radius [m]; zero or less if they touch."""
+        return self._gap(self.bar_width, self.bar_thickness)
+
+    def _gap(self, width: float, thickness: float) -> float:
+        """Gap between bars of another section, at their inner radius [m]."""
+        inner = (self.raceway_diameter + self.thickness - thickness) / 2
+        half = asin(width / 2 / inner) if width < 2 * inner else pi
         return 2 * inner * (pi / self.bars - half)
 
     @property
@@ -134,7 +143,7 @@ class RingOnShaft:
     shaft: Elastic
 
     def __post_init__(self):
-        _require_positive(self, "raceway_diameter", "track_width", "shaft_bore", "shaft_length")
+        require_positive(self, "raceway_diameter", "track_width", "shaft_bore", "shaft_length")
         wall = 2 * SLENDEREST_SLOT
         for inside, outside in (
             ("shaft_bore", "bore"),
@@ -145,7 +154,7 @@ class RingOnShaft:
         ):
             most = getattr(self, outside) - wall
             value = getattr(self, inside)
-            _require(value <= most, inside, value, f"at most {most:.6g} m, inside {outside}")
+            require(value <= most, inside, value, f"at most {most:.6g} m, inside {outside}")
 
     @property
     def track(self) -> float:
@@ -161,8 +170,13 @@ class RingOnShaft:
         """Material of every named body; "ring" carries the raceway."""
         return {"ring": self.ring, "shaft": self.shaft}
 
+    @property
+    def loose(self) -> Loose:
+        """Rigid motions that nothing holds: none."""
+        return Loose()
 
-Part = SquirrelCage | ClampedRing | RingOnShaft
+
+Part = SquirrelCage | OuterRing | RingOnShaft
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -174,8 +188,8 @@ class Mesh:
     raceway_size: float  # [m] largest element edge on the loaded band
 
     def __post_init__(self):
-        _require_positive(self, "size", "raceway_size")
-        _require(self.order in range(1, 9), "order", self.order, "1 to 8")
+        require_positive(self, "size", "raceway_size")
+        require(self.order in range(1, 9), "order", self.order, "1 to 8")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -193,7 +207,7 @@ class Patches:
 
     def __post_init__(self):
         object.__setattr__(self, "azimuths", tuple(float(phi) for phi in self.azimuths))
-        _require_positive(self, "length", "width")
-        _require(all(map(isfinite, self.azimuths)) and len(self.azimuths) > 0,
+        require_positive(self, "length", "width")
+        require(all(map(isfinite, self.azimuths)) and len(self.azimuths) > 0,
                  "azimuths", self.azimuths, "one or more finite angles")  # fmt: skip
-        _require(2 <= self.shapes <= 8, "shapes", self.shapes, "2 to 8")
+        require(2 <= self.shapes <= 8, "shapes", self.shapes, "2 to 8")

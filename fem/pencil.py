@@ -12,6 +12,7 @@ from typing import Any
 
 import ngsolve as ngs
 import numpy as np
+from netgen.meshing import NgException
 from numpy.typing import NDArray
 from scipy import sparse
 
@@ -62,7 +63,7 @@ class Pencil:
         K.AsVector().FV().NumPy()[:] = values = _at(harmonic, [part.data for part in self.parts])
         try:
             inverse = K.Inverse(self.free, inverse="sparsecholesky")
-        except ngs.ngstd.Exception as refusal:  # pyright: ignore[reportAttributeAccessIssue]
+        except NgException as refusal:
             raise NotSolved(f"harmonic {harmonic} could not be factored: {refusal}") from refusal
         pattern = self.parts[0]
         rows = sparse.csr_array((values, pattern.indices, pattern.indptr), shape=pattern.shape)

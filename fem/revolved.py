@@ -2,25 +2,20 @@
 
 import logging
 import time
-from math import ceil, floor
 
 import numpy as np
 
-from fem.harmonics import FEWEST, HarmonicCompliance
-from fem.meridian import sections
-from fem.parts import ClampedRing, ImpossiblePart, Mesh, RingOnShaft
-from fem.pencil import compliances
-from fem.revolved_body import assembled, edge_shapes
-from fem.solve import NotSolved, threads
-
-FINENESS = 6.0  # highest harmonic over M R/l, unless one is asked for
-RESOLVED = 0.65  # highest harmonic over order times R/h on raceway elements of size h
+from fem.harmonics import HarmonicCompliance, highest_harmonic
+from fem.loose_body import body_of, responses
+from fem.parts import ImpossiblePart, Mesh, OuterRing, RingOnShaft
+from fem.revolved_body import edge_shapes
+from fem.solve import threads
 
 _log = logging.getLogger(__name__)
 
 
 def condense(
-    part: ClampedRing | RingOnShaft, length: float, shapes: int, mesh: Mesh, harmonics: int | None = None
+    part: OuterRing | RingOnShaft, length: float, shapes: int, mesh: Mesh, harmonics: int | None = None
 ) -> HarmonicCompliance:
     r"""Compliance of the raceway of a body of revolution, for rollers anywhere.
 
@@ -28,7 +23,7 @@ def condense(
 
     Parameters
     ----------
-    part : ClampedRing, RingOnShaft
+    part : OuterRing, RingOnShaft
         body of revolution with its seat
     length : float
         l of the loaded band [m]
@@ -46,7 +41,7 @@ def condense(
     Raises
     ------
     ImpossiblePart
-        if the band is longer than the track, or the part not a body of revolution
+        if the band is longer than the track, or the part not a body of revolution, held as such
     NotSolved
         if a solve fails, or if the mesh is too coarse for the harmonics
 
@@ -58,13 +53,17 @@ def condense(
         raise ImpossiblePart(
             f"length = {length!r} m of the loaded band; allowed is the track, {part.track!r} m"
         )
+    if isinstance(part, OuterRing) and part.loose.across:
+        raise ImpossiblePart(
+            "a ring that nothing holds has no compliance; `fem.supported_ring` adds the lines"
+        )
     radius = part.raceway_diameter / 2
-    last = _highest(radius, length / shapes, mesh, harmonics)
+    last = highest_harmonic(radius, length / shapes, mesh, harmonics)
     start = time.perf_counter()
     with threads(1):  # sections are small: a second thread would only wait
-        body = assembled(sections(part, length), part.materials, mesh)
+        body = body_of(part, length, mesh)
         ready = time.perf_counter()
-        W = compliances(body.stiffness, edge_shapes(body, "raceway", shapes), last) / (2 * np.pi)
+        W = responses(body, part.loose, edge_shapes(body, "raceway", shapes), last) / (2 * np.pi)
     done = time.perf_counter()
     _log.info("%s: %d unknowns, %.1f s", type(part).__name__, body.stiffness.unknowns, done - start)
     return HarmonicCompliance(
@@ -78,16 +77,3 @@ def condense(
         elements=body.space.mesh.ne,
         seconds={"factor": ready - start, "condense": done - ready},
     )
-
-
-def _highest(radius: float, detail: float, mesh: Mesh, wish: int | None) -> int:
-    """The highest harmonic, which elements of the raceway still have to resolve."""
-    limit = floor(RESOLVED * mesh.order * radius / mesh.raceway_size)
-    if wish is None:
-        return min(ceil(FINENESS * radius / detail), limit)
-    if not FEWEST <= wish <= limit:
-        raise NotSolved(
-            f"{wish} harmonics are impossible on this mesh of the raceway, allowed are {FEWEST} to {limit}: "
-            "a smaller raceway_size or a higher order resolves more"
-        )
-    return wish

@@ -12,6 +12,7 @@ from typing import Any
 
 import ngsolve as ngs
 import numpy as np
+from netgen.meshing import NgException
 from numpy.typing import NDArray
 
 REFINABLE = 1e-4  # allowed change of u by a refinement: it restores digits, it does not repair
@@ -124,6 +125,6 @@ def factor(space, energy) -> Factor:
     free = np.array(list(space.FreeDofs()))
     try:
         inverse = form.mat.Inverse(space.FreeDofs(coupling=True), inverse="sparsecholesky")
-    except ngs.ngstd.Exception as refusal:  # pyright: ignore[reportAttributeAccessIssue]
+    except NgException as refusal:
         raise NotSolved(f"the stiffness could not be factored: {refusal}") from refusal
     return Factor(form=form, inverse=inverse, free=free)

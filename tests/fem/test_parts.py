@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from fem import ClampedRing, Elastic, ImpossiblePart, Mesh, Patches, RingOnShaft, SquirrelCage
+from fem import ClampedFace, Elastic, ImpossiblePart, Mesh, OuterRing, Patches, RingOnShaft, SquirrelCage
 from fem.mesh import meshed
 
 STEEL = Elastic(youngs_modulus=203e9, poisson_ratio=0.28)
@@ -43,7 +43,9 @@ def test_impossible_value_is_named(part, name, value):
 
 
 def test_band_longer_than_the_track():
-    ring = ClampedRing(raceway_diameter=75e-3, thickness=3.6e-3, width=10e-3, elastic=STEEL)
+    ring = OuterRing(
+        raceway_diameter=75e-3, thickness=3.6e-3, width=10e-3, elastic=STEEL, support=ClampedFace()
+    )
     with pytest.raises(ImpossiblePart, match="track"):
         meshed(ring, 11e-3, Mesh(order=1, size=5e-3, raceway_size=5e-3))
 

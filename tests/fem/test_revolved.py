@@ -6,7 +6,17 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from fem import ClampedRing, Elastic, ImpossiblePart, Mesh, Patches, growth, revolved, revolved_body
+from fem import (
+    ClampedFace,
+    Elastic,
+    ImpossiblePart,
+    Mesh,
+    OuterRing,
+    Patches,
+    growth,
+    revolved,
+    revolved_body,
+)
 from fem.compliance import condense
 from fem.indentation import half_space
 from fem.meridian import Section, sections
@@ -15,7 +25,7 @@ from fem.revolved_body import Springs
 from fem.solve import NotSolved
 from tests.fem.test_parts import CAGE, SHAFT, STEEL
 
-RING = ClampedRing(raceway_diameter=75e-3, thickness=3.6e-3, width=10e-3, elastic=STEEL)
+RING = OuterRing(raceway_diameter=75e-3, thickness=3.6e-3, width=10e-3, elastic=STEEL, support=ClampedFace())
 L = 5e-3
 ROLLERS = 2 * np.pi * np.arange(30) / 30
 FAIR = Mesh(order=5, size=6e-3, raceway_size=1.25e-3)

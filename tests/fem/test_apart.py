@@ -1,0 +1,110 @@
+"""What ends a process of its own does not end the program, and is told."""
+
+import contextlib
+import os
+import signal
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+from pytest import approx
+
+from fem import ClampedFace, ImpossiblePart, Mesh, OuterRing, Patches
+from fem.apart import apart, condense_apart
+from fem.solve import NotSolved
+from tests.fem.processes import Lost, aborting, answering, killed, leaving, silent, strange, wrong
+from tests.fem.test_parts import STEEL
+
+RING = OuterRing(raceway_diameter=75e-3, thickness=8e-3, width=10e-3, elastic=STEEL, support=ClampedFace())
+
+ROLLERS = Patches(azimuths=(0.0, 0.5), length=9e-3, shapes=2, width=4e-3)
+COARSE = Mesh(order=1, size=9e-3, raceway_size=7e-3)
+
+
+def test_answer_and_reports_come_from_another_process():
+    reports = []
+    found = apart(answering, np.arange(3.0), report=lambda *told: reports.append(told))
+    assert found.value == approx([0.0, 2.0, 4.0], abs=0)
+    assert found.process != os.getpid()
+    assert found.threads == "1"
+    assert reports == [("halfway", 0.5)]
+
+
+@pytest.mark.parametrize(
+    ("function", "message"),
+    [
+        (aborting, r"signal 6 \(Aborted\); its last words: double free or corruption.*Gaps and walls"),
+        (killed, r"signal 9 \(Killed\).*less memory"),
+        (leaving, "exit code 7"),
+        (strange, "KeyError: 'no such face'"),
+    ],
+)
+def test_ending_is_told(function, message):
+    with pytest.raises(NotSolved, match=message):
+        apart(function)
+
+
+def test_own_errors_stay_what_they_are():
+    with pytest.raises(ImpossiblePart, match="bar_width = 1 is impossible"):
+        apart(wrong)
+
+
+def test_a_process_that_ends_before_it_takes_its_task_is_told():
+    """More data than a pipe holds, for a function that cannot be unpacked."""
+    with pytest.raises(NotSolved, match=r"(?s)exit code 1; its last words: .*nowhere"):
+        apart(Lost(), bytes(10**6))
+
+
+def gone(process):
+    """Whether a process ends within five seconds."""
+    for _ in range(100):
+        try:
+            os.kill(process, 0)
+        except ProcessLookupError:
+            return True
+        time.sleep(0.05)
+    return False
+
+
+def test_silence_ends_the_process():
+    with pytest.raises(NotSolved, match=r"silent for 0\.3 s and was ended"):
+        apart(silent, wait=0.3)
+
+
+def test_interrupt_ends_the_process():
+    found = []
+
+    def interrupted(stage, fraction):
+        found.append(int(stage))
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        apart(silent, report=interrupted)
+    assert gone(found[0])
+
+
+def test_process_ends_with_its_parent():
+    program = (
+        f"import sys; sys.path[:] = {sys.path!r}; from tests.fem.processes import silent; "
+        "from fem.apart import apart; apart(silent, report=lambda stage, _: print(stage, flush=True))"
+    )
+    with subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, text=True) as parent:
+        assert parent.stdout is not None
+        child = int(parent.stdout.readline())
+        parent.kill()
+    ended = gone(child)
+    with contextlib.suppress(ProcessLookupError):
+        os.kill(child, signal.SIGKILL)
+    assert ended
+
+
+def test_condensing_apart_is_condensing():
+    from fem.compliance import condense
+
+    stages = []
+    found = condense_apart(RING, ROLLERS, COARSE, lambda stage, _: stages.append(stage), thread_number=1)
+    here = condense(RING, ROLLERS, COARSE, thread_number=1)
+    assert found.full == approx(here.full, rel=1e-6, abs=1e-15)
+    assert list(dict.fromkeys(stages)) == ["mesh", "factor", "condense"]

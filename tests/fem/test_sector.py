@@ -1,0 +1,286 @@
+"""A squirrel cage from half a pitch."""
+
+import subprocess
+import sys
+from dataclasses import replace
+
+import netgen.meshing as ngm
+import ngsolve as ngs
+import numpy as np
+import pytest
+from netgen import occ
+from numpy.polynomial import legendre
+from pytest import approx
+
+from fem import Elastic, ImpossiblePart, Mesh, Patches, SquirrelCage, compliance, half_pitch, load, sector
+from fem.half_sector import face, half
+from fem.mesh import MILLIMETRES, solids
+from fem.solve import NotSolved, factor, threads
+from tests.fem.test_parts import CAGE, STEEL
+
+L, M = 5e-3, 3
+COARSE = Mesh(order=2, size=4e-3, raceway_size=2.5e-3)
+USUAL = Mesh(order=3, size=3e-3, raceway_size=2e-3)
+STUMPS = SquirrelCage(
+    raceway_diameter=20e-3, thickness=3e-3, width=6e-3, bars=3, bar_width=5e-3, bar_thickness=2e-3,
+    bar_length=4e-3, flange_length=3e-3, elastic=STEEL,
+)  # fmt: skip
+ROLLERS = 2 * np.pi * np.arange(30) / 30
+
+
+@pytest.fixture(scope="module")
+def cage():
+    return sector.condense(CAGE, L, M, COARSE)
+
+
+def images(points, bars: int):
+    """All rotations of points and of their mirror images; with the side, -1 for the latter."""
+    for turn in 2 * np.pi * np.arange(bars) / bars:
+        for side in (1, -1):
+            x, y, z = points.T * np.array([[1], [side], [1]])
+            yield (
+                side,
+                np.stack([x, y * np.cos(turn) + z * np.sin(turn), z * np.cos(turn) - y * np.sin(turn)]),
+            )
+
+
+def whole(piece: ngs.Mesh, bars: int) -> ngs.Mesh:
+    """All images of a mesh of flat tetrahedra, their common points merged."""
+    mesh, numbers = ngm.Mesh(dim=3), {}
+    mesh.SetMaterial(1, "ring")
+    for k, name in enumerate(("raceway", "clamped")):
+        mesh.Add(ngm.FaceDescriptor(bc=k + 1, domin=1))
+        mesh.SetBCName(k, name)
+    faces = [piece.ngmesh.GetBCName(element.index - 1) for element in piece.ngmesh.Elements2D()]
+    for side, place in images(np.array([list(p.p) for p in piece.ngmesh.Points()]), bars):
+        keys = [tuple(p) for p in np.round(place.T, 8) + 0.0]
+        for key in set(keys) - set(numbers):
+            numbers[key] = mesh.Add(ngm.MeshPoint(ngm.Pnt(*key)))
+
+        mine = [numbers[key] for key in keys]
+        for element in piece.ngmesh.Elements3D():
+            first, second, *rest = (mine[v.nr - 1] for v in element.vertices)
+            mesh.Add(ngm.Element3D(1, [*(first, second)[::side], *rest]))
+        for element, name in zip(piece.ngmesh.Elements2D(), faces, strict=True):
+            if name in ("raceway", "clamped"):
+                corners = [mine[v.nr - 1] for v in element.vertices]
+                mesh.Add(ngm.Element2D(1 + (name == "clamped"), corners[::side]))
+    mesh.Update()
+    return ngs.Mesh(mesh)
+
+
+@pytest.mark.parametrize("bars", [1, 2, 3])
+def test_half_a_pitch_answers_like_the_whole_cage(bars, monkeypatch):
+    """The same elements all around, solved without any use of symmetry, to rounding."""
+    monkeypatch.setattr(half_pitch, "LAYERS", 0)  # layers have prisms, which are tedious to mirror
+    cage, highest, shapes = replace(STUMPS, bars=bars), 3, 2
+    with threads(1):
+        piece = half_pitch.half_pitch(cage, L, Mesh(order=1, size=5e-3, raceway_size=5e-3))
+        part = half(cage, piece, 2)
+        band = load.band(part.space, "raceway", 10)
+        faces = [face(part, band, L, shapes, highest, symmetric) for symmetric in (True, False)]
+        found = sector._response(part, faces, bars, highest)
+
+        mesh = whole(piece, bars)
+        space = ngs.VectorH1(mesh, order=2, dirichlet="clamped")
+        stiffness = factor(space, compliance.elastic_energy(mesh, {"ring": STEEL}))
+        band = load.band(space, "raceway", 10)
+        shape = legendre.legvander(2 * band.x / L, shapes - 1) * (2 * np.arange(shapes) + 1) / L
+        n = np.arange(-highest, highest + 1)
+        wave = np.exp(1j * np.outer(band.azimuth, n))
+        pressure = (wave[:, :, None] * shape[:, None]).reshape(band.x.size, -1) / (2 * np.pi * band.radius)
+        y, z = np.sin(band.azimuth)[:, None], np.cos(band.azimuth)[:, None]
+        forces = band.forces(pressure * y, pressure * z)
+        moved = np.array([stiffness.solve(f.real) + 1j * stiffness.solve(f.imag) for f in forces.T]).T
+    expected = (forces.conj().T @ moved).reshape(found.shape)
+    assert found == approx(expected, rel=0, abs=1e-8 * np.abs(expected).max())
+
+
+def test_response_is_reciprocal_and_positive(cage):
+    size = cage.harmonics.size * M
+    square = cage.response.reshape(size, size)
+    assert square == approx(square.T, rel=0, abs=1e-12 * square.max())
+    assert np.linalg.eigvalsh(square).min() > 0
+
+
+def test_harmonics_meet_only_across_the_number_of_bars(cage):
+    n = cage.harmonics
+    coupled = np.abs(cage.response).max(axis=(1, 3)) > 0
+    assert np.array_equal(coupled, (n[:, None] - n) % CAGE.bars == 0)
+    assert n[-1] > CAGE.bars / 2
+
+
+def test_cage_is_the_same_one_pitch_further(cage):
+    here, there = (cage.at(ROLLERS + turn).full for turn in (0.02, 0.02 + 2 * np.pi / CAGE.bars))
+    assert there == approx(here, rel=0, abs=1e-10 * here.max())
+    # half a pitch further a roller stands over a slot; the ring is whole there, so it is little softer
+    between = cage.at(ROLLERS + 0.02 + np.pi / CAGE.bars).full
+    assert np.abs(between - here).max() > 1e-6 * here.max()
+
+
+def test_mirror_image_of_the_rollers(cage):
+    here, there = (cage.at(side * np.array([0.1, 0.5, 2.0])).full for side in (1, -1))
+    assert there == approx(here, rel=0, abs=1e-10 * here.max())
+
+
+def test_thirty_rollers_over_twenty_four_bars(cage):
+    """Rollers that stand alike over their bars feel the same."""
+    full = cage.at(ROLLERS).full
+    assert full[0, :, 0] == approx(full[5, :, 5], rel=1e-9)
+    assert full[1, 0, 1, 0] == approx(full[4, 0, 4, 0], rel=1e-9)  # 12 and 48 degrees: mirror images
+
+
+class RigidRing(SquirrelCage):
+    """Ring and flange a thousand times stiffer than the bars."""
+
+    @property
+    def materials(self):
+        rigid = replace(self.elastic, youngs_modulus=1e3 * self.elastic.youngs_modulus)
+        return {"ring": rigid, "bars": self.elastic, "flange": rigid}
+
+
+def test_slender_bars_under_a_rigid_ring():
+    """24 bars of 4 x 3 x 40 mm on R 50 mm, E 200 GPa: 11083 N/mm in an order-4 model of the whole."""
+    slender = RigidRing(
+        raceway_diameter=96e-3, thickness=4e-3, width=6e-3, bars=24, bar_width=4e-3, bar_thickness=3e-3,
+        bar_length=40e-3, flange_length=2e-3, elastic=Elastic(youngs_modulus=200e9, poisson_ratio=0.3),
+    )  # fmt: skip
+    ring = sector.condense(slender, 6e-3, 2, Mesh(order=2, size=6e-3, raceway_size=6e-3))
+    one = np.flatnonzero(ring.harmonics == 1)[0]
+    # 1 N spread like 2 cos(phi) has F_1 = F_-1 = 1, and moves the ring by 2 w_1 cos(phi)
+    support = 1 / (2 * ring.response[one, 0, one, 0])
+    assert support / 1e3 == approx(11083, rel=0.005)
+
+
+def test_support_and_own_compliance_of_the_main_case():
+    """Order 5 with two layers, 107 000 unknowns of half a pitch: 154.00 kN/mm and 4.513e-8 m/N."""
+    ring = sector.condense(CAGE, L, M, USUAL).at(ROLLERS)
+    assert ring.support_stiffness == approx(154.00e6, rel=5e-3)
+    assert ring.full[0, 0, 0, 0] == approx(4.513e-8, rel=5e-3)
+
+
+def test_unbalanced_solution_is_noticed():
+    with threads(1):
+        part = half(STUMPS, half_pitch.half_pitch(STUMPS, L, COARSE), 2)
+        band = load.band(part.space, "raceway", 10)
+        faces = [face(part, band, L, M, 3, symmetric) for symmetric in (True, False)]
+    wrong = replace(faces[0], stiffness=faces[0].stiffness * (1 + 1e-6))
+    with pytest.raises(NotSolved, match="residual"):
+        sector._response(part, [wrong, faces[1]], STUMPS.bars, 3)
+
+
+def test_harmonic_too_short_for_the_mesh_is_refused():
+    with pytest.raises(NotSolved, match="raceway_size"):
+        sector.condense(CAGE, L, M, COARSE, harmonics=30)
+
+
+def test_band_longer_than_the_track_is_refused():
+    with pytest.raises(ImpossiblePart, match="track"):
+        sector.condense(CAGE, 11e-3, M, COARSE)
+
+
+@pytest.mark.parametrize(
+    ("change", "name"),
+    [
+        ({"fillet": -1e-4}, "fillet"),
+        ({"fillet": 1e-5}, "fillet"),
+        ({"fillet": 0.5e-3}, "fillet"),  # as wide as the step beside the bars
+        ({"fillet": float("nan")}, "fillet"),
+        ({"fillet": 0.4e-3, "bar_length": 1e-3}, "fillet"),
+        ({"fillet": 0.4e-3, "bar_width": 9e-3}, "fillet"),  # feet of two bars would meet
+        ({"bar_width": 9.8e-3}, "bar_width"),
+        ({"bar_width": 11e-3}, "bar_width"),
+        ({"bar_width": 80e-3, "bars": 1}, "bar_width"),
+    ],
+)
+def test_impossible_feet_of_bars_are_named(change, name):
+    with pytest.raises(ImpossiblePart, match=f"^{name}"):
+        replace(CAGE, **change)
+
+
+@pytest.mark.parametrize("fillet", [0.0, 0.3e-3])
+def test_half_pitches_make_the_whole_body(fillet):
+    """Exact volumes of ring, bars and flange, from the geometry kernel."""
+    part = replace(STUMPS, fillet=fillet)
+    ring, *bars, flange = (body.mass for body in solids(part, L))
+    halves = [2 * part.bars * body.mass for body in half_pitch._pieces(part, L)]
+    assert halves == approx([ring, sum(bars), flange], rel=1e-9)
+
+
+def test_fillets_fill_the_corners_of_the_bars():
+    radius = 0.3
+    round_, sharp = (
+        half_pitch._pieces(replace(STUMPS, fillet=f / MILLIMETRES), L)[1].mass for f in (radius, 0.0)
+    )
+    # (1 - pi/4) r^2 along half the outline of 5 by 2 mm at both ends; more around the edges of the bar
+    assert 2 * (round_ - sharp) == approx((1 - np.pi / 4) * radius**2 * 2 * (2 * 5 + 2 * 2), rel=0.1)
+
+
+def test_fillet_stiffens_the_support():
+    """The feet of the bars shorten them: more than the mesh changes, less than by their whole length."""
+    wishes = Mesh(order=2, size=4e-3, raceway_size=1.5e-3)
+    sharp, round_ = (
+        sector.condense(replace(STUMPS, fillet=f), L, 2, wishes).at(ROLLERS).support_stiffness
+        for f in (0.0, 0.4e-3)
+    )
+    assert 1.02 * sharp < round_ < 1.2 * sharp
+
+
+LIMITS = [
+    {"bars": 1}, {"bars": 2}, {"bars": 55}, {"bar_width": 9.6e-3}, {"bar_width": 0.4e-3},
+    {"bar_thickness": 3.4e-3}, {"bar_thickness": 0.4e-3}, {"bar_length": 0.3e-3}, {"fillet": 0.1e-3},
+    {"fillet": 0.45e-3}, {"fillet": 0.4e-3, "bar_width": 8.4e-3}, {"fillet": 0.3e-3, "bar_length": 0.9e-3},
+    {"fillet": 0.4e-3, "bars": 1}, {"fillet": 0.4e-3, "bars": 2}, {"bar_thickness": 0.4e-3, "fillet": 1.5e-3},
+]  # fmt: skip
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("change", LIMITS, ids=str)
+def test_limits_of_the_geometry_can_be_meshed(change):
+    """In a process of its own: the mesher may abort instead of raising."""
+    program = (
+        "import ngsolve as ngs\n"
+        "from dataclasses import replace\n"
+        "from fem import Mesh\n"
+        "from fem.half_pitch import half_pitch\n"
+        "from tests.fem.test_parts import CAGE\n"
+        f"mesh = half_pitch(replace(CAGE, **{change!r}), {L}, Mesh(order=2, size=3e-3, raceway_size=2e-3))\n"
+        "assert {'cut', 'middle', 'raceway', 'clamped'} <= set(mesh.GetBoundaries())\n"
+        "print(ngs.Integrate(ngs.CF(1), mesh))\n"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, done.stderr[-500:]
+    assert float(done.stdout.split()[-1]) > 0
+
+
+def refined(part, length, wishes):
+    """The whole solid, with layers of elements along the sharp edges as half a pitch has them."""
+    bodies = solids(part, length)
+    for body in bodies[1:-1]:
+        for edge in body.edges:
+            if abs(edge.start.x - edge.end.x) < 1e-6:
+                edge.hpref = 1
+    glued = occ.Glue(bodies)
+    for side in glued.faces:
+        if side.name == "raceway":
+            side.maxh = wishes.raceway_size * MILLIMETRES
+    solid = occ.OCCGeometry(glued).GenerateMesh(maxh=wishes.size * MILLIMETRES, parallel_meshing=False)
+    mesh = ngs.Mesh(solid)
+    mesh.RefineHP(half_pitch.LAYERS, half_pitch.LAYER_RATIO)
+    mesh.Curve(wishes.order)
+    return mesh
+
+
+@pytest.mark.slow
+def test_agrees_with_gaussian_patches_on_the_whole_solid(monkeypatch):
+    """The whole has coarser elements: finer ones take the support from 0.24 to 0.12 % apart."""
+    monkeypatch.setattr(compliance, "meshed", refined)
+    monkeypatch.setattr(half_pitch, "LAYERS", 2)
+    wishes = Mesh(order=3, size=3e-3, raceway_size=1.2e-3)
+    azimuths = 2 * np.pi * np.arange(10) / 10
+    patches = Patches(azimuths=tuple(azimuths), length=L, shapes=M, width=0.3e-3)
+    solid = compliance.condense(STUMPS, patches, wishes)
+    ring = sector.condense(STUMPS, L, M, wishes).at(azimuths)
+    assert ring.support_stiffness == approx(solid.support_stiffness, rel=4e-3)
+    assert ring.full == approx(solid.full, rel=0, abs=5e-3 * solid.full.max())
+    assert ring.translation == approx(solid.translation, rel=0, abs=4e-3 * np.abs(solid.translation).max())
