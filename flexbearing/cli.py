@@ -1,10 +1,10 @@
-"""The command line: check, run, summary, plot, trace, explain."""
+"""The command line: check, run, summary, plot, fields, trace, explain."""
 
 import json
 import logging
 import sys
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, NoReturn
 
 import typer
 from rich.console import Console
@@ -31,10 +31,10 @@ Settings = Annotated[
 @app.command()
 def check(case: CaseFile, settings: Settings = None) -> None:
     """Say whether a case can be computed, without computing it."""
-    from flexbearing.compute import assemble
+    from flexbearing.compute.possible import require_possible
 
     found = read(case, settings or [])
-    assemble.require_possible(found)
+    require_possible(found)
     sys.stdout.write(f"{case}: {found.title}: nothing wrong with it\n")
 
 
@@ -46,7 +46,7 @@ def run(
     quiet: Annotated[bool, typer.Option("--quiet", help="only what went wrong")] = False,
 ) -> None:
     """Compute a case and store every iteration; prints a summary."""
-    from flexbearing.compute import run as compute
+    from flexbearing.compute.one import run as compute
     from flexbearing.compute.progress import Logged, OnTerminal
     from flexbearing.report import text
 
@@ -86,12 +86,47 @@ def plot(
     result: ResultPath,
     output: Annotated[Path | None, typer.Option("-o", "--output", metavar="DIR")] = None,
 ) -> None:
-    """Draw roller loads, convergence and raceway deviations as PNG files."""
+    """Draw the pictures of a result as PNG files, with deformed rings where they are flexible."""
+    from flexbearing.compute import deformed
     from flexbearing.report import write_figures
     from flexbearing.results import read as read_result
 
-    for picture in write_figures(read_result(result), output or result.parent):
+    found, directory = read_result(result), output or result.parent
+    pictures = write_figures(found, directory)
+    for picture in pictures:
         sys.stdout.write(f"picture: {picture}\n")
+    for line in deformed.pictures(found, directory):
+        sys.stdout.write(f"{line}\n")
+    if not pictures:
+        sys.stdout.write(f"{result}: nothing was solved, so there is nothing to draw\n")
+
+
+@app.command()
+def fields(
+    result: ResultPath,
+    part: Annotated[str | None, typer.Option("--part", metavar="inner|outer", help="only this one")] = None,
+    state: Annotated[
+        str, typer.Option("--state", metavar="STATE", help='"rigid", "flexible" or "iteration N"')
+    ] = "flexible",
+    output: Annotated[Path | None, typer.Option("-o", "--output", metavar="DIR")] = None,
+) -> None:
+    """Compute displacements and stresses of the flexible rings; writes VTU files for ParaView."""
+    from rich.console import Group
+
+    from flexbearing.compute import fields as compute
+    from flexbearing.report.sections import stresses
+    from flexbearing.results import read as read_result
+
+    if part not in ("inner", "outer", None):
+        raise BadCase(f'--part {part}: it is "inner" or "outer"')
+    found = read_result(result)
+    try:
+        computed = compute.of_result(found, state, part)
+    except compute.NoFields as problem:
+        _fail(f"{result}: {problem}", NOT_CONVERGED)
+    Console().print(Group(*stresses({one.race: one.record() for one in computed})))
+    for one in computed:
+        sys.stdout.write(f"fields: {compute.write(one, result, output or result.parent)}\n")
 
 
 @app.command()
@@ -119,6 +154,34 @@ def trace(
     raise typer.Exit(CONVERGED if found.complete else NOT_CONVERGED)
 
 
+cache_app = typer.Typer(help="Condensed rings that are kept on disk.", no_args_is_help=True)
+app.add_typer(cache_app, name="cache")
+
+
+@cache_app.command("list")
+def cache_list() -> None:
+    """List what is kept, with size and last use."""
+    from flexbearing.cache import configured, listing
+
+    sys.stdout.write(listing(configured()) + "\n")
+
+
+@cache_app.command("clear")
+def cache_clear() -> None:
+    """Delete what is kept."""
+    from flexbearing.cache import configured
+
+    sys.stdout.write(f"{configured().clear()} condensed rings deleted\n")
+
+
+@cache_app.command("path")
+def cache_path() -> None:
+    """Say where it is kept; the environment variable FLEXBEARING_CACHE names another folder, or "off"."""
+    from flexbearing.cache import configured
+
+    sys.stdout.write(f"{configured().folder or 'nothing is kept'}\n")
+
+
 @app.command(name="explain")
 def explain_key(key: Annotated[str | None, typer.Argument(metavar="[KEY]")] = None) -> None:
     """Explain a key of the case file: unit, default, allowed values, meaning."""
@@ -127,17 +190,19 @@ def explain_key(key: Annotated[str | None, typer.Argument(metavar="[KEY]")] = No
 
 def main() -> None:
     """Run the command line; no traceback ever reaches a user."""
-    from flexbearing.results import BadResult, NotInLayout
-
     try:
         app()
-    except (BadCase, BadResult, NotInLayout) as problem:
+    except BadCase as problem:
         _fail(problem, BAD_INPUT)
     except Exception as problem:
+        from flexbearing.results import BadResult, NotInLayout  # checking a case does without
+
+        if isinstance(problem, BadResult | NotInLayout):
+            _fail(problem, BAD_INPUT)
         logging.getLogger(__name__).debug("internal error", exc_info=True)
         _fail(f"internal error: {type(problem).__name__}: {problem}", INTERNAL)
 
 
-def _fail(problem: object, code: int) -> None:
+def _fail(problem: object, code: int) -> NoReturn:
     sys.stderr.write(f"{problem}\n")
     sys.exit(code)

@@ -1,5 +1,6 @@
-"""The bearing: rollers, raceways, film, traction and cage, with NumPy and SciPy alone."""
+"""Bearings: rollers or balls, raceways, film, traction and cage, with NumPy and SciPy alone."""
 
+from quasidynamic.angular_contact import AngularContactBallBearing, AngularContactState
 from quasidynamic.contact.adore import AdoreType
 from quasidynamic.contact.curve import FourPointCurve
 from quasidynamic.contact.film import FORMULAS
@@ -8,7 +9,11 @@ from quasidynamic.contact.mixed import Mixed
 from quasidynamic.contact.rheology import BairWiner, Eyring
 from quasidynamic.contact.traction import Regression4109
 from quasidynamic.errors import ImpossiblePart, NotSolved, OutOfRange
+from quasidynamic.four_point import FourPointBallBearing, RingLoad, SlidingBalls
 from quasidynamic.model import Equilibria, Equilibrium, RollerBearing
+from quasidynamic.parts.angular import AngularContactBearing, RingOperation
+from quasidynamic.parts.ball import Ball, FourPointBearing, Groove
+from quasidynamic.parts.ball_friction import FrictionCurve, constant_friction
 from quasidynamic.parts.bearing import CylindricalRollerBearing
 from quasidynamic.parts.cage import Cage
 from quasidynamic.parts.lubricant import Lubricant
@@ -22,7 +27,11 @@ from quasidynamic.static import static_loads
 __all__ = [
     "FORMULAS",
     "AdoreType",
+    "AngularContactBallBearing",
+    "AngularContactBearing",
+    "AngularContactState",
     "BairWiner",
+    "Ball",
     "Cage",
     "Crowned",
     "CylindricalRollerBearing",
@@ -30,7 +39,11 @@ __all__ = [
     "Equilibria",
     "Equilibrium",
     "Eyring",
+    "FourPointBallBearing",
+    "FourPointBearing",
     "FourPointCurve",
+    "FrictionCurve",
+    "Groove",
     "ImpossiblePart",
     "Logarithmic",
     "Lubricant",
@@ -42,9 +55,13 @@ __all__ = [
     "OutOfRange",
     "Profile",
     "Regression4109",
+    "RingLoad",
+    "RingOperation",
     "Roller",
     "RollerBearing",
+    "SlidingBalls",
     "Straight",
+    "constant_friction",
     "oil_at",
     "static_loads",
 ]

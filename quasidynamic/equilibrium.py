@@ -303,11 +303,6 @@ class Equilibrium:
         """Compliance and stiffness of the ring at this state."""
         return Tangent.at(self.balance, self.unknowns)
 
-    def change_of_forces(self) -> NDArray:
-        """Change of the forces (2, Z, M) per newton of radial load [-]; the tilt is free or held as it is."""
-        change = self.tangent.change_of_forces
-        return np.concatenate([change, np.zeros((*change.shape[:2], self.shapes - change.shape[2]))], axis=-1)
-
 
 @dataclass(frozen=True)
 class Equilibria:

@@ -83,7 +83,9 @@ class RollerBearing:
             found.extend(self._solved(self._balance(operations[first : first + CASES_AT_ONCE])))
         return Equilibria(tuple(found))
 
-    def iterate(self, compliance: Compliance, start: Equilibrium) -> Iterator[Equilibrium]:
+    def iterate(
+        self, compliance: Compliance, start: Equilibrium, deviation: NDArray | None = None
+    ) -> Iterator[Equilibrium]:
         """Newton iterates of the bearing between raceways that yield (inner, outer; None is rigid).
 
         Parameters
@@ -92,10 +94,13 @@ class RollerBearing:
             outward deviation of a raceway per outward force [m/N]
         start : Equilibrium
             where to begin, such as the rigid equilibrium
+        deviation : array (2, Z, M), optional
+            outward deviations that are there without any roller load [m]
         """
         size = self.bearing.rollers * self.shapes
         inner, outer = (None if matrix is None else matrix.reshape(size, size) for matrix in compliance)
-        balance = replace(self._balance([self.operation], aligned=False), compliance=(inner, outer))
+        plain = self._balance([self.operation], deviation, aligned=False)
+        balance = replace(plain, compliance=(inner, outer))
         for sweep in iterate(balance, balance.pack(start.unknowns)):
             yield Equilibrium(balance, sweep.unknowns[0], sweep.endings[0], sweep.number, self.shapes)
 

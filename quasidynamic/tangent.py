@@ -70,16 +70,6 @@ class Tangent:
         return float(1.0 / (self._direction @ change[:2]))
 
     @property
-    def change_of_forces(self) -> NDArray:
-        """Change of the generalised roller forces (2, Z, M) per newton of radial load [-]."""
-        change = (self.answer @ self._load / self.balance.unknown_scale[0])[None]
-        moved, still = (
-            self.balance.inputs(self.balance.unpack(x)).approach for x in (change, np.zeros_like(change))
-        )
-        by_approach = self.balance.evaluate(self.scaled).state.contact.force_by_approach
-        return np.einsum("rabcz,rbcz->rza", by_approach, moved - still)
-
-    @property
     def _direction(self) -> NDArray:
         """Unit vector (y, z) of the radial load, or z when there is none."""
         points = self.balance.points

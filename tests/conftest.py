@@ -9,6 +9,14 @@ settings.load_profile("steady")
 
 
 @pytest.fixture(autouse=True, scope="session")
+def cache_of_the_session(tmp_path_factory):
+    """Rings that other tests condensed may be used again; those of earlier sessions may not."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("FLEXBEARING_CACHE", str(tmp_path_factory.mktemp("cache")))
+        yield
+
+
+@pytest.fixture(autouse=True, scope="session")
 def one_thread_for_small_matrices():
     """As a run does: threads of the linear algebra would only wait for each other."""
     with threadpool_limits(limits=1, user_api="blas"):

@@ -9,8 +9,8 @@ from typing import Annotated, Any, Literal, get_args, get_origin
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
+from flexbearing.case.kinds import KINDS
 from flexbearing.case.quantity import Kind, Section
-from flexbearing.case.schema import Case
 
 _LIMITS = {"gt": "above", "ge": "at least", "lt": "below", "le": "at most"}
 _PLAIN = {int: "a whole number", float: "a number", bool: "true or false", str: "text"}
@@ -87,11 +87,27 @@ class Declaration:
         return toml(self.choices[0]) if self.choices else self.default
 
     @property
+    def _listed(self) -> bool:
+        """Whether the key holds a list."""
+        annotation = self.field.annotation
+        members = get_args(annotation) if _is_union(annotation) else (annotation,)
+        return any(get_origin(member) is tuple for member in members)
+
+    @property
     def _what(self) -> str:
+        if self._listed:
+            return self._list
         if self.kind:
             return f"{self.kind.name} as text with its unit, such as {self.example}"
         plain = next((_PLAIN[part] for part in _parts(self.field.annotation) if part in _PLAIN), None)
-        return plain or ("a list of keys" if self.path == "assumed" else "a table of texts")
+        return plain or "a table of texts"
+
+    @property
+    def _list(self) -> str:
+        if self.path == "assumed":
+            return "a list of keys"
+        each = f"each {self.kind.name} as text with its unit" if self.kind else "of numbers"
+        return f"a list, {each}, such as {self.example}"
 
     @property
     def _range(self) -> str:
@@ -118,18 +134,29 @@ def toml(value: Any) -> str:
     return str(value)
 
 
-def declarations(model: type[Section] = Case, prefix: str = "", table: str = "") -> Iterator[Declaration]:
-    """Every key and table, in the order of the schema."""
+def declarations() -> Iterator[Declaration]:
+    """Every key and table of every kind of case; those that several kinds have come several times."""
+    for model in KINDS.values():
+        yield from declared(model)
+
+
+def declared(model: type[Section], prefix: str = "", table: str = "") -> Iterator[Declaration]:
+    """Every key and table of a schema, in its order."""
     for name, field in model.model_fields.items():
         found = Declaration(f"{prefix}{name}", field, table)
         yield found
         if found.section:
-            yield from declarations(found.section, f"{found.path}.", table if found.required else found.path)
+            yield from declared(found.section, f"{found.path}.", table if found.required else found.path)
 
 
-def find(path: str) -> Declaration | None:
-    """Declaration of a dotted key; None when there is no such key."""
-    return next((item for item in declarations() if item.path == path), None)
+def find(path: str, model: type[Section]) -> Declaration | None:
+    """Declaration of a dotted key of one kind of case; None when it has no such key."""
+    return next((item for item in declared(model) if item.path == path), None)
+
+
+def kinds_with(path: str) -> list[str]:
+    """Kinds of case that have a dotted key."""
+    return [kind for kind, model in KINDS.items() if find(path, model)]
 
 
 def _parts(annotation: Any) -> Iterator[Any]:
@@ -138,12 +165,18 @@ def _parts(annotation: Any) -> Iterator[Any]:
         base, *metadata = get_args(annotation)
         yield from _parts(base)
         yield from metadata
-    elif isinstance(annotation, UnionType) or str(get_origin(annotation)).endswith("Union"):
+    elif get_origin(annotation) is tuple:
+        yield from _parts(get_args(annotation)[0])
+    elif _is_union(annotation):
         for member in get_args(annotation):
             if member is not NoneType:
                 yield from _parts(member)
     else:
         yield annotation
+
+
+def _is_union(annotation: Any) -> bool:
+    return isinstance(annotation, UnionType) or str(get_origin(annotation)).endswith("Union")
 
 
 def _choices(part: Any) -> tuple[Any, ...]:

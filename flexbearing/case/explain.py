@@ -3,8 +3,11 @@
 import sys
 from difflib import get_close_matches
 
-from flexbearing.case.declarations import Declaration, declarations, find
+from flexbearing.case.declarations import Declaration, declarations, declared, find
+from flexbearing.case.head import Head
+from flexbearing.case.kinds import DEFAULT, KINDS
 from flexbearing.case.problems import BadCase
+from flexbearing.case.quantity import Section
 
 
 def explain(path: str | None = None) -> str:
@@ -21,31 +24,58 @@ def explain(path: str | None = None) -> str:
         for an unknown key, naming the nearest one
     """
     if path is None:
-        return "\n".join(_line(item) for item in declarations() if not item.section)
-    item = find(path)
-    if item is None:
+        return "\n\n".join(f"{title}\n{_lines(items)}" for title, items in _chapters())
+    texts: dict[str, list[str]] = {}  # explanation to the kinds that share it
+    for kind, model in KINDS.items():
+        if item := find(path, model):
+            texts.setdefault(_explained(item, model), []).append(kind)
+    if not texts:
         raise BadCase(f"{path} is not a key of a case file.{_near(path)}")
-    if item.section:
-        inside = [child for child in declarations() if child.path.startswith(f"{path}.")]
-        return f"[{path}] {item.meaning}\n\n" + "\n".join(
-            _line(child) for child in inside if not child.section
-        )
-    return "\n".join(f"{name:<9}{text}" for name, text in _entries(item) if text)
+    return "\n\n".join(_of_kinds(kinds) + text for text, kinds in texts.items())
 
 
 def reference_page() -> str:
     """Reference page of the case file, in Markdown."""
-    lines = ["# Keys of a case file", "", "Printed by `python -m flexbearing.case.explain`.", ""]
-    lines += ["| key | allowed | default | meaning |", "|---|---|---|---|"]
-    for item in declarations():
-        if item.section and not item.required:
-            lines.append(f"| `[{item.path}]` | a table | left out | {_cell(item.meaning)} |")
-        if not item.section:
-            default = item.default or item.need
-            lines.append(
-                f"| `{item.path}` | {_cell(item.allowed)} | {_cell(default)} | {_cell(item.meaning)} |"
-            )
+    lines = ["# Keys of a case file", "", "Printed by `python -m flexbearing.case.explain`."]
+    for title, items in _chapters():
+        lines += ["", f"## {title}", "", "| key | allowed | default | meaning |", "|---|---|---|---|"]
+        lines += [row for item in items for row in _rows(item)]
     return "\n".join(lines) + "\n"
+
+
+def _chapters() -> list[tuple[str, list[Declaration]]]:
+    """Keys of every case, then those of each kind."""
+    head = list(Head.model_fields)
+    chapters = [("every case", list(declared(Head)))]
+    for kind, model in KINDS.items():
+        title = f'kind = "{kind}"' + (", when kind is left out" if kind == DEFAULT else "")
+        chapters.append((title, [item for item in declared(model) if item.path not in head]))
+    return chapters
+
+
+def _rows(item: Declaration) -> list[str]:
+    if item.section and item.required:
+        return []
+    if item.section:
+        return [f"| `[{item.path}]` | a table | left out | {_cell(item.meaning)} |"]
+    default = item.default or item.need
+    return [f"| `{item.path}` | {_cell(item.allowed)} | {_cell(default)} | {_cell(item.meaning)} |"]
+
+
+def _explained(item: Declaration, model: type[Section]) -> str:
+    if item.section:
+        inside = [child for child in declared(model) if child.path.startswith(f"{item.path}.")]
+        return f"[{item.path}] {item.meaning}\n\n{_lines(inside)}"
+    return "\n".join(f"{name:<9}{text}" for name, text in _entries(item) if text)
+
+
+def _of_kinds(kinds: list[str]) -> str:
+    """Whose key it is, where not every kind has it."""
+    return "" if len(kinds) == len(KINDS) else f"kind     {', '.join(kinds)}\n"
+
+
+def _lines(items: list[Declaration]) -> str:
+    return "\n".join(_line(item) for item in items if not item.section)
 
 
 def _line(item: Declaration) -> str:

@@ -8,9 +8,12 @@ from flexbearing.case.quantity import Length, Section, key
 class Coupling(Section):
     """How bearing and rings come to agree."""
 
-    method: Literal["newton", "relaxed"] = key(
-        "newton: both in one system; relaxed: one after the other with a fraction of the change", "newton"
+    method: Literal["newton", "iqn-ils", "anderson", "aitken", "relaxed"] = key(
+        "newton: both in one system; the others alternate and take over what all differences seen so far say "
+        "(iqn-ils), the last twelve (anderson), a fraction that adapts (aitken), a constant one (relaxed)",
+        "newton",
     )
+    fallback: bool = key("whether other methods are tried when one fails", True)
     tolerance: float = key(
         "largest load change over the largest load at convergence; newton also ends when the "
         "unbalanced force is below 1e-10 of the load",
@@ -29,12 +32,42 @@ class Accuracy(Section):
     axial_shapes: int = key(
         "Legendre shapes along a roller that carry loads to the rings and deviations back", 3, ge=2, le=6
     )
-    element_order: int = key("polynomial order of the finite elements", 3, ge=1, le=6)
-    mesh_size: Length = key("largest size of the elements", "3 mm", example="3 mm", gt=0)
-    raceway_mesh_size: Length = key("largest size of the elements on a raceway", "2 mm", example="2 mm", gt=0)
-    patch_width: Length = key(
-        "standard deviation of the load patch along the arc; its own half-space indentation is taken out",
-        "0.5 mm",
+    structure: Literal["harmonics", "solid"] = key(
+        "harmonics: rings of revolution on their axial section, a squirrel cage on half a pitch; "
+        "solid: everything as a full solid",
+        "harmonics",
+    )
+    element_order: int | None = key(
+        "polynomial order of the finite elements; by default 5 on an axial section, 3 in a solid",
+        None,
+        example=3,
+        ge=1,
+        le=8,
+    )
+    mesh_size: Length | None = key(
+        "largest size of the elements; by default 1.2 roller lengths on an axial section, 0.6 in a solid",
+        None,
+        example="3 mm",
+        gt=0,
+    )
+    raceway_mesh_size: Length | None = key(
+        "largest size of the elements on a raceway; by default a quarter of the roller length on an axial "
+        "section, 0.4 in a solid",
+        None,
+        example="2 mm",
+        gt=0,
+    )
+    harmonics: int | None = key(
+        "highest azimuthal harmonic; by default what the axial shapes ask for",
+        None,
+        example=60,
+        ge=8,
+        le=1000,
+    )
+    patch_width: Length | None = key(
+        "standard deviation of the load patch along the arc of a full solid, its own half-space indentation "
+        "is taken out; by default a tenth of the roller length",
+        None,
         example="0.5 mm",
         gt=0,
     )

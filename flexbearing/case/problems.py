@@ -6,39 +6,38 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from flexbearing.case.declarations import Declaration, declarations, find, toml
+from flexbearing.case.declarations import Declaration, declared, find, kinds_with, toml
 from flexbearing.case.quantity import Section
-from flexbearing.case.schema import Case
 
 
 class BadCase(ValueError):
     """A case that cannot be computed; one line for each problem."""
 
 
-def messages(error: ValidationError, raw: Mapping[str, Any], file: str) -> list[str]:
+def messages(error: ValidationError, raw: Mapping[str, Any], file: str, model: type[Section]) -> list[str]:
     """One line per problem: file, key, value found, what is allowed, nearest valid name."""
     details = error.errors(include_url=False)
-    lines = [f"{file}: {_message(detail, path, raw)}" for detail in details for path in _paths(detail)]
+    lines = [f"{file}: {_message(detail, path, raw, model)}" for detail in details for path in _paths(detail)]
     return list(dict.fromkeys(lines))
 
 
-def _message(detail: Any, path: str, raw: Mapping[str, Any]) -> str:
+def _message(detail: Any, path: str, raw: Mapping[str, Any], model: type[Section]) -> str:
     context, kind = detail.get("ctx", {}), detail["type"]
     if kind == "extra_forbidden":
-        return f"{shown(path)}{_found(raw, path)} is not a key here.{nearest(path)}"
+        return f"{shown(path)}{_found(raw, path)} is not a key here.{nearest(path, model)}"
     if kind == "missing":
-        return f"{shown(path)} is missing; it is {_allowed(path)}."
+        return f"{shown(path)} is missing; it is {_allowed(path, model)}."
     if kind == "needed":
-        return f"{shown(path)} is missing: {context['choice']} needs it; it is {_allowed(path)}."
+        return f"{shown(path)} is missing: {context['choice']} needs it; it is {_allowed(path, model)}."
     if kind == "impossible":
         return f"{shown(path)}{_found(raw, path)} cannot be; it must be {context['allowed']}."
     reason = f" {context['why']}" if kind == "quantity" else " is not allowed"
-    return f"{shown(path)}{_found(raw, path)}{reason}; it must be {_allowed(path)}."
+    return f"{shown(path)}{_found(raw, path)}{reason}; it must be {_allowed(path, model)}."
 
 
 def _paths(detail: Any) -> list[str]:
     """Dotted keys that a problem is about; an entry of a list or a table of texts has none of its own."""
-    place = [str(part) for part in detail["loc"]]
+    place = [part for part in detail["loc"] if isinstance(part, str)]
     if place and place[0] in ("assumed", "calibrated"):
         return place[:1]
     names = detail.get("ctx", {}).get("names", [])
@@ -60,31 +59,33 @@ def _found(raw: Mapping[str, Any], path: str) -> str:
     return "" if isinstance(value, Mapping) else f" = {toml(value)}"
 
 
-def _allowed(path: str) -> str:
-    declaration = find(path)
+def _allowed(path: str, model: type[Section]) -> str:
+    declaration = find(path, model)
     return declaration.allowed if declaration else "something else"
 
 
-def nearest(path: str) -> str:
+def nearest(path: str, model: type[Section]) -> str:
     """Suggest the key that was probably meant, else list the keys of that table."""
     section, _, name = path.rpartition(".")
-    siblings = [item.path.rpartition(".")[2] for item in _children(section)]
+    if kinds := kinds_with(path):
+        return f" It belongs to kind = {' or '.join(map(toml, kinds))}, which stands first in a file."
+    siblings = [item.path.rpartition(".")[2] for item in _children(section, model)]
     if close := get_close_matches(name, siblings, n=1):
         return f" Did you mean {close[0]}?"
-    elsewhere = {item.path.rpartition(".")[2]: item.path for item in declarations()}
+    elsewhere = {item.path.rpartition(".")[2]: item.path for item in declared(model)}
     if close := get_close_matches(name, elsewhere, n=1, cutoff=0.8):
         return f" Did you mean {shown(elsewhere[close[0]])}?"
-    if section and find(section) is None:
-        return nearest(section)
+    if section and find(section, model) is None:
+        return nearest(section, model)
     if not siblings:
         return f" {section} has no keys beneath it."
     return f" Keys here: {', '.join(siblings)}."
 
 
-def _children(section: str) -> list[Declaration]:
+def _children(section: str, model: type[Section]) -> list[Declaration]:
     if not section:
-        return list(_direct(Case, ""))
-    parent = find(section)
+        return list(_direct(model, ""))
+    parent = find(section, model)
     return list(_direct(parent.section, f"{section}.")) if parent and parent.section else []
 
 

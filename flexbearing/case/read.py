@@ -7,12 +7,14 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from flexbearing.case.declarations import find, toml
+from flexbearing.case.declarations import Declaration, find, toml
+from flexbearing.case.head import Source
+from flexbearing.case.kinds import DEFAULT, KINDS, AnyCase
 from flexbearing.case.problems import BadCase, messages, nearest, shown
-from flexbearing.case.schema import Case, Source
+from flexbearing.case.quantity import Section
 
 
-def read(path: str | Path, overrides: Sequence[str] | Mapping[str, object] = ()) -> Case:
+def read(path: str | Path, overrides: Sequence[str] | Mapping[str, object] = ()) -> AnyCase:
     """Read a case file.
 
     Parameters
@@ -24,8 +26,8 @@ def read(path: str | Path, overrides: Sequence[str] | Mapping[str, object] = ())
 
     Returns
     -------
-    Case
-        in SI units
+    Case, FourPointCase or AngularCase
+        by its kind, in SI units
 
     Raises
     ------
@@ -33,15 +35,40 @@ def read(path: str | Path, overrides: Sequence[str] | Mapping[str, object] = ())
         one line for each problem: file, key, value found, what is allowed, nearest valid name
     """
     file = Path(path)
-    text = _text(file)
+    return understood(_text(file), file, overrides)
+
+
+def understood(text: str, file: Path, overrides: Sequence[str] | Mapping[str, object] = ()) -> AnyCase:
+    """Read the text of a case file, also where only that is left of it.
+
+    Parameters
+    ----------
+    text : str
+        TOML
+    file : Path
+        where it stands, for messages
+    overrides : sequence of str or mapping
+        as for `read`
+
+    Returns
+    -------
+    Case, FourPointCase or AngularCase
+        as `read`
+
+    Raises
+    ------
+    BadCase
+        as `read`
+    """
     raw = _parsed(file, text)
     settings = _settings(overrides)
+    model = _model(raw, settings, file.name)
     for setting in settings:
-        _override(raw, setting)
+        _override(raw, setting, model)
     try:
-        case = Case.model_validate(raw)
+        case = model.model_validate(raw)
     except ValidationError as error:
-        raise BadCase("\n".join(messages(error, raw, file.name))) from None
+        raise BadCase("\n".join(messages(error, raw, file.name, model))) from None
     _require_given(case, raw, file.name)
     case._source = Source(str(file), text, settings)
     return case
@@ -69,21 +96,40 @@ def _settings(overrides: Sequence[str] | Mapping[str, object]) -> tuple[str, ...
     return tuple(overrides)
 
 
-def _override(raw: dict[str, Any], setting: str) -> None:
+def _model(raw: Mapping[str, Any], settings: Sequence[str], file: str) -> type[AnyCase]:
+    """Schema of the kind that the file or a setting names."""
+    kind = raw.get("kind", DEFAULT)
+    for setting in settings:
+        key, _, value = setting.partition("=")
+        if key.strip() == "kind":
+            kind = value.strip().strip('"')
+    inside = raw.get("bearing")
+    if "kind" not in raw and isinstance(inside, Mapping) and inside.get("kind") in set(KINDS) - {kind}:
+        raise BadCase(
+            f"{file}: [bearing] kind = {toml(inside['kind'])} stands in the wrong place: write it "
+            "first in the file, above every [section]."
+        )
+    if isinstance(kind, str) and kind in KINDS:
+        return KINDS[kind]
+    allowed = find("kind", KINDS[DEFAULT])
+    raise BadCase(f"{file}: kind = {toml(kind)} is not allowed; it must be {allowed and allowed.allowed}.")
+
+
+def _override(raw: dict[str, Any], setting: str, model: type[Section]) -> None:
     """Put a "key=value" setting into the raw case; what a user sets is no longer assumed."""
     key, separator, value = setting.partition("=")
     key = key.strip()
     if not separator or not key:
         raise BadCase(f"--set {setting}: a setting is KEY=VALUE, such as bearing.clearance=50 um")
-    if find(key) is None and not key.startswith("calibrated."):
-        raise BadCase(f"--set {setting}: {shown(key)} is not a key of a case file.{nearest(key)}")
+    if find(key, model) is None and not key.startswith("calibrated."):
+        raise BadCase(f"--set {setting}: {shown(key)} is not a key of this case.{nearest(key, model)}")
     table = raw
     *sections, name = _place(key)
     for section in sections:
         table = table.setdefault(section, {})
         if not isinstance(table, dict):
             raise BadCase(f"--set {setting}: {section} is not a table in this case")
-    table[name] = _value(value.strip(), key)
+    table[name] = _value(value.strip(), find(key, model))
     if isinstance(raw.get("assumed"), list):
         raw["assumed"] = [item for item in raw["assumed"] if item != key]
     if isinstance(raw.get("calibrated"), dict):
@@ -97,9 +143,8 @@ def _place(key: str) -> list[str]:
     return key.split(".")
 
 
-def _value(text: str, key: str) -> Any:
+def _value(text: str, declaration: Declaration | None) -> Any:
     """Read a TOML value where it is one (20, true, "5 mm"), else take the text itself, as for a choice."""
-    declaration = find(key)
     if declaration and text in declaration.choices:
         return text
     try:
@@ -108,13 +153,14 @@ def _value(text: str, key: str) -> Any:
         return text
 
 
-def _require_given(case: Case, raw: Mapping[str, Any], file: str) -> None:
+def _require_given(case: AnyCase, raw: Mapping[str, Any], file: str) -> None:
     """Raise when `assumed` or `calibrated` names a key that the file does not give."""
     problems = []
     for table, keys in (("assumed", case.assumed), ("calibrated", case.calibrated)):
         for key in keys:
-            if find(key) is None:
-                problems.append(f'{file}: {table} names "{key}", which is not a key.{nearest(key)}')
+            if find(key, type(case)) is None:
+                near = nearest(key, type(case))
+                problems.append(f'{file}: {table} names "{key}", which is not a key.{near}')
             elif not _given(raw, key):
                 problems.append(f'{file}: {table} names "{key}", which this case does not give.')
     if problems:

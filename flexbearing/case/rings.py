@@ -5,30 +5,88 @@ from typing import ClassVar, Literal, Self
 
 from pydantic import model_validator
 
-from flexbearing.case.quantity import Length, Section, impossible, key, require
+from flexbearing.case.quantity import Angle, Force, Foundation, Length, Section, impossible, key, require
 
+Direction = Literal["x", "y", "z", "-x", "-y", "-z"]
 NARROWEST_SLOT = 0.3e-3  # [m] between bars: below it the mesh generator may give up
 
 
 class Outer(Section):
     """What carries the outer raceway; keys of another kind are ignored."""
 
-    kind: Literal["rigid", "ring", "squirrel_cage"] = key(
-        "rigid; a ring clamped at one side; or a ring on bars whose flange is clamped"
+    kind: Literal["rigid", "ring", "squirrel_cage", "step"] = key(
+        "rigid; a plain ring; a ring on bars whose flange is clamped; or a solid drawn in a STEP file"
     )
     thickness: Length | None = key("radial thickness of the ring", None, gt=0)
     width: Length | None = key("axial width of the ring", None, gt=0)
+    support: Literal["side", "seat", "foundation", "housing", "lines", "planet"] = key(
+        "what holds a plain ring: its side face at the end of x; a rigid seat or springs per area on its "
+        "outer surface; a housing bonded to it; frictionless lines on that surface; or nothing, as rim of "
+        "a planet gear between its tooth forces",
+        "side",
+    )
+    foundation_radial: Foundation = key("springs per area on the outer surface, radial", "0 N/mm^3", ge=0)
+    foundation_axial: Foundation = key("the same, axial", "0 N/mm^3", ge=0)
+    foundation_tangential: Foundation = key("the same, tangential", "0 N/mm^3", ge=0)
+    housing_thickness: Length | None = key("radial thickness of the housing", None, gt=0)
+    housing_width: Length | None = key("axial width of the housing", None, gt=0)
+    housing_support: Literal["seat", "side"] = key(
+        "what holds the housing: a rigid seat on its outer surface, or its side face", "seat"
+    )
+    line_azimuths: tuple[Angle, ...] = key(
+        "azimuths of supporting lines, from z towards y",
+        (),
+        example=["0 deg", "120 deg", "240 deg"],
+        strict=False,
+    )
+    tooth_azimuths: tuple[Angle, ...] = key(
+        "azimuths of the tooth forces of a planet gear", (), example=["90 deg", "270 deg"], strict=False
+    )
+    tooth_radial: tuple[Force, ...] = key(
+        "their radial parts, outward", (), example=["-2 kN", "-2 kN"], strict=False
+    )
+    tooth_tangential: tuple[Force, ...] = key(
+        "their tangential parts, towards growing azimuth", (), example=["5 kN", "-5 kN"], strict=False
+    )
     bars: int | None = key("number of bars", None, example=24, ge=1, le=200)
     bar_width: Length | None = key("tangential width of a bar", None, gt=0)
     bar_thickness: Length | None = key("radial thickness of a bar", None, gt=0)
     bar_length: Length | None = key("axial length of the bars", None, gt=0)
+    fillet: Length = key("fillet radius where bars meet ring and flange", "0 mm", ge=0)
     flange_length: Length | None = key("axial length of the flange behind the bars", None, gt=0)
+
+    file: str | None = key("STEP file, next to the case file", None, example="ring.step")
+    clamps: tuple[str, ...] = key(
+        'faces of the drawing that do not move: names, or colours such as "#e75959"',
+        (),
+        example=["foot"],
+        strict=False,
+    )
+    raceway: str | None = key(
+        "name or colour of the raceway, where two cylinders of about its diameter are drawn",
+        None,
+        example="race",
+    )
+    axis: Direction = key("direction of the bearing's axis in the drawing", "x")
+    zenith: Direction = key("direction of azimuth 0 in the drawing", "z")
+    centre_x: Length = key("middle of the rollers in the drawing, along its x", "0 mm")
+    centre_y: Length = key("the same along y", "0 mm")
+    centre_z: Length = key("the same along z", "0 mm")
 
     @model_validator(mode="after")
     def _complete(self) -> Self:
         if self.kind == "rigid":
             return self
+        if self.kind == "step":
+            require(self, ("file",), 'outer.kind = "step"')
+            if not self.clamps:
+                raise impossible("clamps", "one face or more: a drawing without any can move freely")
+            if self.axis[-1] == self.zenith[-1]:
+                raise impossible("zenith", "at right angles to outer.axis")
+            return self
         thickness, _ = require(self, ("thickness", "width"), f'outer.kind = "{self.kind}"')
+        if self.kind == "ring":
+            self._require_support()
         if self.kind == "squirrel_cage":
             names = ("bars", "bar_width", "bar_thickness", "bar_length", "flange_length")
             _, _, bar_thickness, _, _ = require(self, names, 'outer.kind = "squirrel_cage"')
@@ -36,9 +94,24 @@ class Outer(Section):
                 raise impossible("bar_thickness", "below outer.thickness: the raceway ends before the bars")
         return self
 
+    def _require_support(self) -> None:
+        """Raise unless what holds the ring is described."""
+        choice = f'outer.support = "{self.support}"'
+        if self.support == "foundation" and not (self.foundation_radial or self.foundation_tangential):
+            raise impossible("foundation_radial", "above zero, or nothing holds the ring")
+        if self.support == "housing":
+            require(self, ("housing_thickness", "housing_width"), choice)
+        if self.support == "lines" and not self.line_azimuths:
+            raise impossible("line_azimuths", "three or more azimuths, or the ring can move freely")
+        if self.support == "planet" and not self.tooth_azimuths:
+            raise impossible("tooth_azimuths", "one or more azimuths: teeth carry the load away")
+        counts = {len(self.tooth_azimuths), len(self.tooth_radial), len(self.tooth_tangential)}
+        if self.support == "planet" and len(counts) > 1:
+            raise impossible("tooth_radial", "as many numbers as tooth_azimuths and tooth_tangential")
+
     def require_room(self, raceway_diameter: float, roller_length: float) -> None:
         """Raise unless the ring is as wide as the rollers and its bars do not touch."""
-        if self.kind == "rigid":
+        if self.kind in ("rigid", "step"):
             return
         width, thickness = require(self, ("width", "thickness"), self.kind)
         if width < roller_length:
@@ -64,6 +137,21 @@ class Inner(Section):
     shaft_length: Length | None = key(
         "length of the shaft between its clamped ends", None, example="40 mm", gt=0
     )
+
+    fit: Literal["bonded", "frictionless", "friction"] = key(
+        "how ring and shaft hold each other: as one piece; by pressure alone; or by pressure and friction",
+        "bonded",
+    )
+    fit_friction: float = key('Coulomb friction in the fit, fit = "friction"', 0.1, ge=0, le=10)
+    interference: Length = key(
+        "diametral interference of the fit, cold and at rest; negative is a clearance",
+        "0 um",
+        example="10 um",
+    )
+    shoulder_diameter: Length | None = key(
+        "diameter of the shaft's shoulder beyond the ring; without it there is none", None, gt=0
+    )
+    clamping: Force = key("force with which a nut presses the ring on the shoulder", "0 N", ge=0)
 
     _dimensions: ClassVar = ("bore", "thickness", "width", "track_width", "shaft_thickness", "shaft_length")
 

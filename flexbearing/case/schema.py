@@ -1,43 +1,26 @@
-"""The case as frozen data in SI units."""
+"""A cylindrical roller bearing between its rings, as a case."""
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from typing import Any, Self
+from collections.abc import Callable
+from typing import Self
 
-from pydantic import PrivateAttr, model_validator
+from pydantic import model_validator
 from pydantic_core import PydanticCustomError
 
 from flexbearing.case.bearing import Bearing
+from flexbearing.case.head import Head
 from flexbearing.case.life import FEWEST_SLICES, Life
 from flexbearing.case.lubricant import Lubricant
 from flexbearing.case.mounting import require_mounting
 from flexbearing.case.numerics import Accuracy, Coupling
-from flexbearing.case.quantity import Section, impossible, key, needed
+from flexbearing.case.outputs import Outputs
+from flexbearing.case.quantity import impossible, key, needed
 from flexbearing.case.rings import Inner, Outer
 from flexbearing.case.surroundings import Materials, Operation
 
 
-@dataclass(frozen=True)
-class Source:
-    """Where a case came from."""
+class Case(Head):
+    """A cylindrical roller bearing."""
 
-    path: str
-    text: str  # of the file, letter by letter
-    overrides: tuple[str, ...]  # "key=value" settings on top of it
-
-
-class Case(Section):
-    """A complete case."""
-
-    title: str = key("what the case is, for people", example="A bearing between two rings")
-    assumed: tuple[str, ...] = key(
-        "keys whose values the source of the case does not give", (), example=["outer.bars"], strict=False
-    )
-    calibrated: Mapping[str, str] = key(
-        "keys whose values were fitted, each with what to",
-        {},
-        example={"bearing.clearance": "measured deflection"},
-    )
     bearing: Bearing = key("the bearing")
     materials: Materials = key("the materials")
     lubricant: Lubricant = key("the oil")
@@ -47,17 +30,7 @@ class Case(Section):
     life: Life = key("what modifies the basic life", {})
     coupling: Coupling = key("how bearing and rings come to agree", {})
     accuracy: Accuracy = key("how finely everything is resolved", {})
-
-    _source: Source = PrivateAttr(default=Source("", "", ()))
-
-    @property
-    def source(self) -> Source:
-        """File and settings that the case was read from."""
-        return self._source
-
-    def to_json(self) -> dict[str, Any]:
-        """Values in SI units, as JSON can hold them."""
-        return self.model_dump(mode="json")
+    outputs: Outputs = key("what is computed beside the solution", {})
 
     @model_validator(mode="after")
     def _parts_fit(self) -> Self:

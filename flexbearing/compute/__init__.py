@@ -1,5 +1,1 @@
-"""Making it happen: from a case to its result file."""
-
-from flexbearing.compute.one import run
-
-__all__ = ["run"]
+"""Making it happen: from a case to its result file; `flexbearing.compute.one.run` is the way in."""

@@ -1,16 +1,19 @@
 """From a case to bearing and rings."""
 
+import re
+from pathlib import Path
 from typing import Any
 
 import fem
 import quasidynamic as qd
+from fem.step import Coloured, Named, StepSolid, drawing
 from flexbearing.case import BadCase, Case
 from flexbearing.compute import clearance, life
 from flexbearing.compute.lubrication import lubrication
 from quasidynamic.contact.flange import corner
 from quasidynamic.parts.flange import Flange
 
-Part = fem.SquirrelCage | fem.ClampedRing | fem.RingOnShaft
+Part = fem.SquirrelCage | fem.OuterRing | fem.RingOnShaft | StepSolid
 
 
 def require_possible(case: Case) -> None:
@@ -89,7 +92,7 @@ def flange(case: Case) -> Flange | None:
     )
 
 
-def outer_part(case: Case) -> fem.SquirrelCage | fem.ClampedRing | None:
+def outer_part(case: Case) -> fem.SquirrelCage | fem.OuterRing | StepSolid | None:
     """What carries the outer raceway, at its temperature; None when it is rigid."""
     outer: Any = case.outer  # which values are there depends on the kind, checked on reading
     hot = growth(case, "outer_ring")
@@ -99,10 +102,72 @@ def outer_part(case: Case) -> fem.SquirrelCage | fem.ClampedRing | None:
     }
     if outer.kind == "rigid":
         return None
+    if outer.kind == "step":
+        return _drawn(case, **ring, growth=hot)
     if outer.kind == "ring":
-        return fem.ClampedRing(**ring, thickness=outer.thickness * hot, width=outer.width * hot)
-    lengths = ("thickness", "width", "bar_width", "bar_thickness", "bar_length", "flange_length")
+        lengths = {name: getattr(outer, name) * hot for name in ("thickness", "width")}
+        return fem.OuterRing(**ring, **lengths, support=_support(case))
+    lengths = ("thickness", "width", "bar_width", "bar_thickness", "bar_length", "flange_length", "fillet")
     return fem.SquirrelCage(**ring, bars=outer.bars, **{name: getattr(outer, name) * hot for name in lengths})
+
+
+def _support(case: Case) -> Any:
+    """What holds a plain outer ring."""
+    outer, hot = case.outer, growth(case, "outer_ring")
+    match outer.support:
+        case "seat":
+            return fem.RigidSeat()
+        case "foundation":
+            return fem.Foundation(
+                axial=outer.foundation_axial,
+                radial=outer.foundation_radial,
+                tangential=outer.foundation_tangential,
+            )
+        case "housing":
+            return fem.Housing(
+                thickness=outer.housing_thickness * hot,
+                width=outer.housing_width * hot,
+                elastic=_elastic(case, "outer_ring"),
+                support=fem.RigidSeat() if outer.housing_support == "seat" else fem.ClampedFace(),
+            )
+        case "lines":
+            return fem.LineSupports(azimuths=outer.line_azimuths)
+        case "planet":
+            teeth = zip(outer.tooth_azimuths, outer.tooth_radial, outer.tooth_tangential, strict=True)
+            return fem.PlanetGear(
+                forces=tuple(fem.LineForce(azimuth=a, radial=r, tangential=t) for a, r, t in teeth)
+            )
+        case _:
+            return fem.ClampedFace()
+
+
+def _drawn(case: Case, **ring: Any) -> StepSolid:
+    """Solid from the STEP file that lies next to the case."""
+    outer: Any = case.outer
+    return StepSolid(
+        drawing=drawing(Path(case.source.path).parent / outer.file),
+        clamps=tuple(_pick(face) for face in outer.clamps),
+        raceway=None if outer.raceway is None else _pick(outer.raceway),
+        centre=(outer.centre_x, outer.centre_y, outer.centre_z),
+        axis=_direction(outer.axis),
+        zenith=_direction(outer.zenith),
+        source=outer.file,
+        **ring,
+    )
+
+
+def _pick(face: str) -> Named | Coloured:
+    """Choice of faces by a colour such as #e75959, or by a name."""
+    if re.fullmatch(r"#[0-9a-fA-F]{6}", face):
+        return Coloured(*bytes.fromhex(face[1:]))
+    return Named(face)
+
+
+def _direction(name: str) -> tuple[float, float, float]:
+    """Unit vector along an axis of the drawing."""
+    vector = [0.0, 0.0, 0.0]
+    vector["xyz".index(name[-1])] = -1.0 if name.startswith("-") else 1.0
+    return vector[0], vector[1], vector[2]
 
 
 def inner_part(case: Case) -> fem.RingOnShaft | None:

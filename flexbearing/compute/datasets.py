@@ -1,6 +1,6 @@
 """States of the bearing as the arrays of a result file."""
 
-from dataclasses import asdict
+from dataclasses import asdict, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -45,6 +45,7 @@ def iteration(step: Iteration[Equilibrium], seconds: float) -> dict[str, ArrayLi
     """Datasets of an iteration of the coupling."""
     return state(step.state) | {
         "load_change": step.load_change,
+        "mismatch": step.mismatch,
         "residual": step.state.residual,
         "seconds": seconds,
     }
@@ -54,7 +55,7 @@ def block(
     found: Equilibrium, rings: CondensedRings, roughness: NDArray | None = None
 ) -> dict[str, ArrayLike]:
     """Datasets of an end state; film ratios where the composite roughness (2) [m] is known."""
-    bearing, tangent = found.balance.roller.bearing, found.tangent
+    bearing, whole = found.balance.roller.bearing, supported(found, rings).tangent
     return (
         state(found)
         | {
@@ -62,10 +63,10 @@ def block(
             "slice_position": found.slice_positions,
             "life_L10": found.life * MREV,
             "load_direction": _load_direction(found),
-            "stiffness": tangent.radial_stiffness,
-            "stiffness_matrix": tangent.stiffness,
-            "compliance_matrix": tangent.compliance,
-            "total_stiffness": total_stiffness(found, rings),
+            "stiffness": found.tangent.radial_stiffness,
+            "stiffness_matrix": whole.stiffness,
+            "compliance_matrix": whole.compliance,
+            "total_stiffness": whole.radial_stiffness,
             "support_translation": rings.translation(found.forces),
             "driving_torque": found.driving_torque,
             "driving_power": found.driving_power,
@@ -89,12 +90,25 @@ def _cage(found: Equilibrium) -> dict[str, ArrayLike]:
     return places
 
 
-def total_stiffness(found: Equilibrium, rings: CondensedRings) -> float:
-    """Radial tangent stiffness from the clamped base to the clamped shaft ends [N/m]."""
-    azimuth = _load_direction(found)
-    inner, outer = rings.translation(found.change_of_forces()) @ [np.sin(azimuth), np.cos(azimuth)]
-    # The outer raceway gives way along the load, the inner one against it.
-    return float(1.0 / (1.0 / found.tangent.radial_stiffness + outer - inner))
+def supported(found: Equilibrium, rings: CondensedRings) -> Equilibrium:
+    """The same state, its ring displacement counted from shaft ends to base: supports yield with the rest.
+
+    Between raceways freed of their translation, answers and loads are not of one kind, and the tangent
+    is not symmetric; from base to shaft ends it is.
+    """
+    if rings.rigid:
+        return found
+    balance, unknowns = found.balance, found.unknowns
+    moved = rings.translation(found.forces)  # (inner and outer raceway, y and z)
+    direction = np.array([np.sin(balance.roller.bearing.azimuths), np.cos(balance.roller.bearing.azimuths)])
+    deviation, ring = unknowns.deviation.copy(), unknowns.ring.copy()
+    deviation[:, 0, 0] += moved @ direction
+    ring[:2, 0, 0] += moved[1] - moved[0]
+    size = balance.rollers * balance.roller.shapes
+    compliance = [None if raceway is None else raceway.full.reshape(size, size) for raceway in rings.raceways]
+    whole = replace(balance, compliance=tuple(compliance))
+    scaled = whole.pack(unknowns._replace(ring=ring, deviation=deviation))
+    return replace(found, balance=whole, scaled=scaled[0])
 
 
 def smallest_film(found: Equilibrium) -> NDArray:

@@ -1,10 +1,13 @@
 """What follows from the end states of a run: datasets, lives, regimes, notes."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
+from numpy.typing import ArrayLike
+
 from flexbearing.case import Case
-from flexbearing.compute import clearance, datasets, life, notes, skew
+from flexbearing.compute import clearance, datasets, fields, life, notes, skew
 from flexbearing.compute.lubrication import roughness
 from flexbearing.compute.structure import CondensedRings
 from flexbearing.results import ResultFile
@@ -21,6 +24,7 @@ class Outcome:
     lives: dict[str, Any] = field(default_factory=dict)  # by block
     regimes: dict[str, Any] = field(default_factory=dict)  # by block
     notes: list[str] = field(default_factory=list)
+    stresses: dict[str, Any] = field(default_factory=dict)  # by part
 
     def store(
         self,
@@ -45,12 +49,25 @@ class Outcome:
             if skewed := skew.at(self.case, found):
                 arrays.update(skew.arrays(skewed))
                 self.notes.extend(skew.notes(skewed, found, smallest))
+            if name == "flexible" and self.case.outputs.stresses:
+                self._add_stresses(arrays)
         self.file.block(name, arrays, converged=converged)
+
+    def _add_stresses(self, arrays: Mapping[str, ArrayLike]) -> None:
+        """Stresses come on top of a solution: what keeps them away is a note, and the solution stays."""
+        for race in fields.parts(self.case):
+            try:
+                found = fields.fields(self.case, race, "flexible", arrays)
+            except fields.NoFields as problem:
+                self.notes.append(f"no stresses: {problem}")
+            else:
+                self.stresses[race] = found.record()
 
     def attributes(self) -> dict[str, Any]:
         """Root attributes that the end states decide."""
         known = [*notes.of_case(self.case), *self.notes]
-        return {
+        asked = {"stresses": self.stresses} if self.case.outputs.stresses else {}
+        return asked | {
             "clearance": clearance.record(self.case),
             "life": self.lives,
             "regimes": self.regimes,

@@ -1,16 +1,10 @@
 """The rings as one partner of the coupling: condensed, inner and outer side by side."""
 
 from dataclasses import dataclass
-from time import perf_counter
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
-
-import fem
-from flexbearing.case import Case
-from flexbearing.compute import assemble
-from flexbearing.compute.progress import Report
 
 if TYPE_CHECKING:
     from fem.compliance import RacewayCompliance
@@ -21,11 +15,25 @@ class CondensedRings:
     """Condensed raceways; None where a ring is rigid. Index 0 inner, 1 outer."""
 
     raceways: tuple["RacewayCompliance | None", "RacewayCompliance | None"]
+    shifts: NDArray | None = None  # (2, 2) translations along (y, z) without roller loads [m]
 
     @property
     def rigid(self) -> bool:
         """Whether nothing yields."""
         return all(raceway is None for raceway in self.raceways)
+
+    def linearised(self, forces: NDArray) -> "CondensedRings":
+        """Themselves: they are linear."""
+        return self
+
+    @property
+    def unloaded(self) -> NDArray | None:
+        """Outward deviations (2, Z, M) [m] without roller loads, such as those of tooth forces."""
+        given = [None if raceway is None else raceway.deviation_without_load for raceway in self.raceways]
+        known = [shape for shape in given if shape is not None]
+        if not any(shape.any() for shape in known):
+            return None
+        return np.array([np.zeros_like(known[0]) if shape is None else shape for shape in given])
 
     @property
     def compliance(self) -> tuple[NDArray | None, NDArray | None]:
@@ -38,15 +46,16 @@ class CondensedRings:
         shapes = np.zeros_like(forces)
         for race, (raceway, sign) in enumerate(zip(self.raceways, (-1.0, 1.0), strict=True)):
             if raceway is not None:
-                shapes[race] = sign * np.tensordot(raceway.matrix, forces[race], axes=2)
+                shapes[race] = raceway.deviation_without_load
+                shapes[race] += sign * np.tensordot(raceway.matrix, forces[race], axes=2)
         return shapes
 
     def translation(self, forces: NDArray) -> NDArray:
         """Rigid translations (2, 2) of inner and outer raceway along (y, z) [m]."""
-        moved = np.zeros((2, 2))
+        moved = np.zeros((2, 2)) if self.shifts is None else self.shifts.copy()
         for race, (raceway, sign) in enumerate(zip(self.raceways, (-1.0, 1.0), strict=True)):
             if raceway is not None:
-                moved[race] = sign * np.tensordot(raceway.translation, forces[race], axes=2)
+                moved[race] += sign * np.tensordot(raceway.translation, forces[race], axes=2)
         return moved
 
     def figures(self) -> dict[str, dict]:
@@ -55,46 +64,11 @@ class CondensedRings:
             name: {
                 "unknowns": raceway.unknowns,
                 "elements": raceway.elements,
-                "support_stiffness_N_per_m": raceway.support_stiffness,
+                "support_stiffness_N_per_m": (
+                    raceway.support_stiffness if np.isfinite(raceway.support_stiffness) else None
+                ),
                 "seconds": raceway.seconds,
             }
             for name, raceway in zip(("inner", "outer"), self.raceways, strict=True)
             if raceway is not None
         }
-
-
-def condensed(case: Case, azimuths: NDArray, report: Report) -> CondensedRings:
-    """Mesh, factor and condense the parts that are not rigid; nothing happens for those that are."""
-    return CondensedRings(
-        (
-            _condensed("inner ring and shaft", assemble.inner_part(case), case, azimuths, report),
-            _condensed("outer ring", assemble.outer_part(case), case, azimuths, report),
-        )
-    )
-
-
-def _condensed(name: str, part: assemble.Part | None, case: Case, azimuths: NDArray, report: Report):
-    if part is None:
-        return None
-    # Loads NGSolve, which takes a second: only cases with a flexible part wait for it.
-    from fem.compliance import condense
-
-    began = perf_counter()
-    raceway = condense(
-        part,
-        fem.Patches(
-            azimuths=tuple(azimuths),
-            length=assemble.roller_length(case),
-            shapes=case.accuracy.axial_shapes,
-            width=case.accuracy.patch_width,
-        ),
-        fem.Mesh(
-            order=case.accuracy.element_order,
-            size=case.accuracy.mesh_size,
-            raceway_size=case.accuracy.raceway_mesh_size,
-        ),
-        thread_number=case.accuracy.threads,
-        report=lambda stage, fraction=None: report.stage(f"{name}: {stage}", fraction),
-    )
-    report.stage(f"{name}: {raceway.unknowns} unknowns, {perf_counter() - began:.1f} s", None)
-    return raceway

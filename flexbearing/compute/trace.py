@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 from threadpoolctl import threadpool_limits
 
-from flexbearing.case import BadCase, Case, read
+from flexbearing.case import AnyCase, BadCase, Case, read
 from flexbearing.compute import assemble, notes
 from quasidynamic import ImpossiblePart, OutOfRange
 from quasidynamic.trace import Branch, End
@@ -115,7 +115,7 @@ def trace(
     if path.suffix != ".csv":
         raise BadCase(f"--output {path}: the table is written as CSV; name it {path.with_suffix('.csv')}")
     key = f"operation.{axis.name}"
-    first, last = (read(case, [*overrides, f"{key}={end}"]) for end in ends)
+    first, last = (_rollers(read(case, [*overrides, f"{key}={end}"])) for end in ends)
     assemble.require_possible(first)
     span = getattr(first.operation, axis.name), getattr(last.operation, axis.name)
     try:
@@ -128,6 +128,12 @@ def trace(
     _write(path, traced.columns())
     write_branch(traced.picture, draw_branch(first.title, axis.label, traced.columns()))
     return traced
+
+
+def _rollers(case: AnyCase) -> Case:
+    if isinstance(case, Case):
+        return case
+    raise BadCase(f"{case.source.path}: only roller bearings are traced, this is a {case.kind}")
 
 
 def _notes(case: Case) -> tuple[str, ...]:

@@ -1,6 +1,19 @@
 """Two partners that stay strangers: a bearing and the structures that carry its raceways."""
 
-from flexbearing.coupling.loop import Ending, Iteration, newton, relaxed
+from flexbearing.coupling.acceleration import RULES, Rule, relaxed
+from flexbearing.coupling.loop import Ending, Iteration, alternate, newton
 from flexbearing.coupling.partners import Bearing, PartnerFailed, State, Structure
 
-__all__ = ["Bearing", "Ending", "Iteration", "PartnerFailed", "State", "Structure", "newton", "relaxed"]
+__all__ = [
+    "RULES",
+    "Bearing",
+    "Ending",
+    "Iteration",
+    "PartnerFailed",
+    "Rule",
+    "State",
+    "Structure",
+    "alternate",
+    "newton",
+    "relaxed",
+]

@@ -49,17 +49,37 @@ class Bearing(Protocol[S]):
         """Equilibrium between raceways of a given shape (2, Z, M) [m]; raises `PartnerFailed`."""
         ...
 
-    def iterate(self, compliance: Compliance, start: S) -> Iterator[S]:
-        """Newton iterates between raceways that yield by (Z, M, Z, M) [m/N]; raises `PartnerFailed`."""
+    def iterate(self, compliance: Compliance, start: S, deviation: NDArray | None) -> Iterator[S]:
+        """Newton iterates between raceways that yield by (Z, M, Z, M) [m/N] on top of a given deviation.
+
+        Raises `PartnerFailed`.
+        """
+        ...
+
+
+class Linear(Protocol):
+    """A structure near some loads."""
+
+    @property
+    def compliance(self) -> Compliance:
+        """Outward deviation per outward force (Z, M, Z, M) [m/N]; None where a raceway is rigid."""
+        ...
+
+    @property
+    def unloaded(self) -> NDArray | None:
+        """Outward deviations (2, Z, M) [m] that are left when the compliance is taken back to no load."""
+        ...
+
+    def deviation(self, forces: NDArray) -> NDArray:
+        """Outward raceway deviations (2, Z, M) [m] under roller forces (2, Z, M) [N]."""
         ...
 
 
 class Structure(Protocol):
     """Answers with raceway deviations to roller loads."""
 
-    @property
-    def compliance(self) -> Compliance:
-        """Outward deviation per outward force (Z, M, Z, M) [m/N]; None where a raceway is rigid."""
+    def linearised(self, forces: NDArray) -> Linear:
+        """Itself near these roller forces (2, Z, M) [N]; raises `PartnerFailed`."""
         ...
 
     def deviation(self, forces: NDArray) -> NDArray:

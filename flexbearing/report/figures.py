@@ -1,9 +1,8 @@
-"""Pictures of a result."""
+"""Pictures of a roller bearing."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from pathlib import Path
 from textwrap import fill
 from typing import TYPE_CHECKING, Any
 
@@ -197,33 +196,13 @@ def _draw_deviation(axes: Axes, values: Mapping[str, np.ndarray], race: str, sty
     axes.plot(degrees, middle, markersize=4, linewidth=1.2, label=f"{race} raceway", **style)
 
 
-def write_figures(result: Result, directory: str | Path) -> list[Path]:
-    """Save every figure as PNG.
-
-    Parameters
-    ----------
-    result : Result
-        what the run left behind
-    directory : path
-        where to; made when it is not there
-
-    Returns
-    -------
-    list of Path
-        the files
-    """
-    directory = Path(directory)
-    directory.mkdir(parents=True, exist_ok=True)
-    figures = {
-        "roller_loads": polar_loads,
-        "convergence": convergence,
-        "raceway_deviation": deviations,
+def pictures(result: Result) -> dict[str, Figure]:
+    """Draw every picture of a roller bearing, by the name of its file."""
+    return {
+        "roller_loads": polar_loads(result),
+        "convergence": convergence(result),
+        "raceway_deviation": deviations(result),
     }
-    paths = []
-    for name, draw in figures.items():
-        paths.append(directory / f"{name}.png")
-        draw(result).savefig(paths[-1], dpi=150)
-    return paths
 
 
 def _figure(width: float, height: float) -> Figure:

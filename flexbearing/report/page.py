@@ -1,17 +1,22 @@
-"""The summary of a run as text, for a terminal or a log file."""
+"""The summary of a roller bearing, laid out as a page."""
 
 from collections.abc import Iterator
-from io import StringIO
 from typing import Any
 
 from rich import box
-from rich.console import Console, Group, RenderableType
+from rich.console import RenderableType
 from rich.table import Table
 from rich.text import Text
 
-from flexbearing.report.sections import clearance_steps, life_factors, listed, matrices, regimes, skew
-from flexbearing.report.tables import summary
-from flexbearing.results import Result
+from flexbearing.report.sections import (
+    clearance_steps,
+    closing,
+    life_factors,
+    matrices,
+    regimes,
+    skew,
+    stresses,
+)
 
 # label, key in the block, place in a pair or object, format; SI units that no one reads are scaled
 _ROWS: tuple[tuple[str, str, int | str | None, float, str], ...] = (
@@ -57,29 +62,6 @@ _OPTIONAL = (
 )  # rows that only some cases have
 
 
-def text(result: Result, console: Console | None = None) -> str:
-    """Lay the summary out as text.
-
-    Parameters
-    ----------
-    result : Result
-        what the run left behind
-    console : rich.console.Console, optional
-        the terminal it is meant for, with its width and colours; without one, 80 plain columns
-
-    Returns
-    -------
-    str
-        a table, stiffness, clearance, life, the assumed and calibrated keys, the notes, and how the run
-        ended; nothing is printed
-    """
-    console = console or Console(width=80, file=StringIO(), force_terminal=False, color_system=None)
-    numbers = summary(result)
-    with console.capture() as capture:
-        console.print(Group(*_page(numbers)))
-    return "\n".join(line.rstrip() for line in capture.get().splitlines()) + "\n"
-
-
 def ending(numbers: dict[str, Any]) -> str:
     """Say in a line how a run ended.
 
@@ -104,7 +86,8 @@ def ending(numbers: dict[str, Any]) -> str:
     return f"converged in {iterations}, {seconds}"
 
 
-def _page(numbers: dict[str, Any]) -> Iterator[RenderableType]:
+def page(numbers: dict[str, Any]) -> Iterator[RenderableType]:
+    """Table, stiffness, clearance, life, assumed and calibrated keys, notes, and how the run ended."""
     yield Text(numbers["title"], style="bold")
     if numbers["rigid"] or numbers["flexible"]:
         yield _table(numbers["rigid"], numbers["flexible"])
@@ -113,12 +96,8 @@ def _page(numbers: dict[str, Any]) -> Iterator[RenderableType]:
     yield from skew({name: numbers[name] for name in ("rigid", "flexible")})
     yield from clearance_steps(numbers["clearance"])
     yield from life_factors(numbers["life"])
-    yield from listed("assumed (not known, chosen)", numbers["assumed"])
-    fitted = [f"{key}: {to}" for key, to in numbers["calibrated"].items()]
-    yield from listed("calibrated (fitted, so no validation)", fitted)
-    yield from listed("notes", numbers["notes"])
-    converged = numbers["status"] == "converged"
-    yield Text(ending(numbers), style="bold green" if converged else "bold red")
+    yield from stresses(numbers["stresses"])
+    yield from closing(numbers, ending(numbers))
 
 
 def _table(rigid: dict[str, Any] | None, flexible: dict[str, Any] | None) -> Table:

@@ -20,6 +20,15 @@ _SKEW = (  # label, name, format
     ("left out: shift of the loads [mm]", "load_shift_mm", ".4f"),
     ("left out: change of tractions [%]", "traction_change_percent", ".3g"),
 )
+_STRESSES = (  # column, name, format
+    ("Mises", "von_mises_MPa", ",.0f"),
+    ("x", "x_mm", ".2f"),
+    ("r", "radius_mm", ".2f"),
+    ("azimuth", "azimuth_deg", ".1f"),
+    ("tension", "tension_MPa", ",.0f"),
+    ("pressure", "compression_MPa", ",.0f"),
+    ("moves", "displacement_um", ",.1f"),
+)
 AXES = ("x", "y", "z", "dz/dx", "dy/dx")
 
 
@@ -33,12 +42,22 @@ def listed(title: str, lines: list[str]) -> Iterator[RenderableType]:
     yield Text("")
 
 
+def closing(numbers: dict[str, Any], ending: str) -> Iterator[RenderableType]:
+    """Assumed and calibrated keys, notes, and in a line how the run ended."""
+    yield from listed("assumed (not known, chosen)", numbers["assumed"])
+    fitted = [f"{key}: {to}" for key, to in numbers["calibrated"].items()]
+    yield from listed("calibrated (fitted, so no validation)", fitted)
+    yield from listed("notes", numbers["notes"])
+    converged = numbers["status"] == "converged"
+    yield Text(ending, style="bold green" if converged else "bold red")
+
+
 def clearance_steps(clearance: dict[str, Any]) -> Iterator[RenderableType]:
     """How the operating clearance came about; nothing when the case states it."""
     if not clearance["steps"]:
         return
     yield Text("operating clearance, diametral, step by step", style="bold")
-    table = _table("", "change [um]", "after [um]")
+    table = right_aligned("", "change [um]", "after [um]")
     table.add_column("")
     table.add_row("cold", "", _micrometres(clearance["cold_m"]), "before mounting")
     for step in clearance["steps"]:
@@ -57,7 +76,7 @@ def life_factors(lives: dict[str, Any]) -> Iterator[RenderableType]:
     if not lives:
         return
     yield Text("modified life", style="bold")
-    table = _table("", *lives)
+    table = right_aligned("", *lives)
     table.add_column("note")
     first, *_ = lives.values()
     table.add_row("basic life L10 [Mrev]", *(f"{life['basic_Mrev']:,.2f}" for life in lives.values()))
@@ -72,8 +91,19 @@ def matrices(block: dict[str, Any] | None) -> Iterator[RenderableType]:
     """Stiffness and compliance of the end state."""
     if block is None:
         return
-    yield from _matrix("tangent stiffness [N, m, rad]", block["stiffness_matrix_SI"])
-    yield from _matrix("tangent compliance [m, rad, N]; infinite along x", block["compliance_matrix_SI"])
+    yield from matrix("tangent stiffness [N, m, rad]", block["stiffness_matrix_SI"])
+    yield from matrix("tangent compliance [m, rad, N]; infinite along x", block["compliance_matrix_SI"])
+
+
+def matrix(
+    title: str, rows: list[list[float | None]], axes: tuple[str, ...] = AXES
+) -> Iterator[RenderableType]:
+    """A matrix with named axes."""
+    yield Text(title, style="bold")
+    table = right_aligned("", *axes)
+    for axis, row in zip(axes, rows, strict=True):
+        table.add_row(axis, *("-" if value is None else f"{value:.3e}" for value in row))
+    yield table
 
 
 def regimes(found: dict[str, Any]) -> Iterator[RenderableType]:
@@ -91,10 +121,46 @@ def skew(blocks: dict[str, Any]) -> Iterator[RenderableType]:
     if not found:
         return
     yield Text("roller skew between guide flanges; not fed back into loads and speeds", style="bold")
-    table = _table("", *found)
+    table = right_aligned("", *found)
     for label, name, form in _SKEW:
         table.add_row(Text(label), *(format(values[name], form) for values in found.values()))
     yield table
+
+
+def stresses(parts: dict[str, Any] | None) -> Iterator[RenderableType]:
+    """Largest stresses of each body, nominal stress of bars, stiffness of supports; nothing without parts."""
+    if not parts:
+        return
+    yield Text("largest stresses [MPa] away from loaded rollers and sharp edges", style="bold")
+    yield Text("von Mises and where [mm, deg]; tension, pressure; displacement anywhere [um]")
+    table = right_aligned("", *(column for column, _, _ in _STRESSES))
+    for name, part in parts.items():
+        for body, most in part["bodies"].items():
+            table.add_row(Text(f"{name}: {body}"), *(format(most[key], form) for _, key, form in _STRESSES))
+    yield table
+    yield from listed("stiffness of the supports alone; bars", _lines(parts))
+
+
+def _lines(parts: dict[str, Any]) -> list[str]:
+    lines = []
+    for name, part in parts.items():
+        nominal, support = part["nominal_bar_stress_MPa"], part["support"]
+        lines.append(
+            f"{name}: {1e-6 * support['radial_N_per_m']:,.1f} kN/mm radial, "
+            f"{1e-3 * support['tilting_Nm_per_rad']:,.2f} N m/mrad tilting, "
+            f"{1e-6 * support['axial_N_per_m']:,.1f} kN/mm axial"
+        )
+        if nominal is not None:
+            lines.append(f"{name}: nominal stress at the ends of the bars, at most {nominal:,.0f} MPa")
+    return lines
+
+
+def right_aligned(*columns: str) -> Table:
+    """An empty table whose columns are aligned to the right, but for the first."""
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
+    for place, name in enumerate(columns):
+        table.add_column(Text(name), justify="right" if place else "left", no_wrap=bool(place))
+    return table
 
 
 def _fits(clearance: dict[str, Any]) -> list[str]:
@@ -107,21 +173,6 @@ def _notes(lives: dict[str, Any], place: int) -> str:
     if len(set(notes.values())) == 1:
         return next(iter(notes.values()))
     return "\n".join(f"{name}: {note}" for name, note in notes.items())
-
-
-def _matrix(title: str, rows: list[list[float | None]]) -> Iterator[RenderableType]:
-    yield Text(title, style="bold")
-    table = _table("", *AXES)
-    for axis, row in zip(AXES, rows, strict=True):
-        table.add_row(axis, *("-" if value is None else f"{value:.3e}" for value in row))
-    yield table
-
-
-def _table(*columns: str) -> Table:
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
-    for place, name in enumerate(columns):
-        table.add_column(Text(name), justify="right" if place else "left", no_wrap=bool(place))
-    return table
 
 
 def _micrometres(metres: float) -> str:

@@ -9,21 +9,18 @@ from flexbearing.results import Result
 LOADED = 1.0  # [N] a roller carries load above this
 
 _RPM = 30.0 / np.pi  # rad/s to rpm
-_HEAD = (
+HEAD = (  # root attributes that the summary of every kind repeats
     "status",
     "iterations",
     "wall_time_s",
     "title",
-    "method",
     "ending",
     "message",
     "assumed",
     "calibrated",
     "notes",
-    "clearance",
-    "life",
-    "regimes",
 )
+_OF_ROLLERS = ("method", "clearance", "life", "regimes")
 CAUSES = ("sliding", "rolling", "drag", "pocket", "land", "churning", "transport")  # of power loss
 
 
@@ -38,13 +35,14 @@ def summary(result: Result) -> dict[str, Any]:
     Returns
     -------
     dict
-        status, iterations, texts, clearance, life factors, regimes, and the blocks ``rigid`` and
+        status, iterations, texts, clearance, life factors, regimes, stresses, and the blocks ``rigid`` and
         ``flexible``; a name carries its unit. None stands for a number that is not finite, for one
         that the case does not ask for, and for a block that was never solved.
     """
-    head = {name: _plain(result.attributes[name]) for name in _HEAD}
+    head = {name: plain(result.attributes[name]) for name in HEAD + _OF_ROLLERS}
+    head["stresses"] = plain(result.attributes.get("stresses"))
     blocks = {"rigid": result.rigid, "flexible": result.flexible}
-    return {**head, **{name: _plain(_block(values)) if values else None for name, values in blocks.items()}}
+    return {**head, **{name: plain(_block(values)) if values else None for name, values in blocks.items()}}
 
 
 def loaded_rollers(load: np.ndarray) -> float:
@@ -136,15 +134,15 @@ def _motion(values: Any) -> dict[str, Any]:
 
 def _contacts(values: Any) -> dict[str, Any]:
     found = {
-        "peak_pressure_MPa": _both_races(1e-6 * values["peak_pressure"]),
-        "minimum_film_um": _both_races(1e6 * values["minimum_film"]),
+        "peak_pressure_MPa": both_races(1e-6 * values["peak_pressure"]),
+        "minimum_film_um": both_races(1e6 * values["minimum_film"]),
         "lambda_ratios": None,
         "minimum_lambda": None,
     }
     if "inner_film_ratio" in values:
         ratios = np.array([values["inner_film_ratio"], values["outer_film_ratio"]])
-        found["lambda_ratios"] = _both_races(ratios)
-        found["minimum_lambda"] = _both_races(_smallest_above_zero(ratios))
+        found["lambda_ratios"] = both_races(ratios)
+        found["minimum_lambda"] = both_races(_smallest_above_zero(ratios))
     return found
 
 
@@ -196,19 +194,20 @@ def _smallest_above_zero(ratios: np.ndarray) -> np.ndarray:
     return np.where(np.isinf(smallest), np.nan, smallest)
 
 
-def _both_races(pair: np.ndarray) -> dict[str, float]:
+def both_races(pair: Any) -> dict[str, Any]:
+    """Name the values of both races."""
     inner, outer = pair
     return {"inner": inner, "outer": outer}
 
 
-def _plain(value: Any) -> Any:
+def plain(value: Any) -> Any:
     """Python's own lists and numbers, None for what JSON cannot hold."""
     if isinstance(value, np.ndarray | np.generic):
         value = value.tolist()
     if isinstance(value, dict) or hasattr(value, "items"):
-        return {str(key): _plain(item) for key, item in value.items()}
+        return {str(key): plain(item) for key, item in value.items()}
     if isinstance(value, list | tuple):
-        return [_plain(item) for item in value]
+        return [plain(item) for item in value]
     if isinstance(value, float) and not np.isfinite(value):
         return None
     return value

@@ -13,9 +13,10 @@ import h5py
 import numpy as np
 
 from flexbearing.results.checks import NotInLayout
+from flexbearing.results.kinds import ROLLER
 from flexbearing.results.layout import FORMAT
 
-STATUSES = ("converged", "iteration limit", "not finite", "not solved")
+STATUSES = ("converged", "iteration limit", "diverging", "not finite", "not solved")
 
 Kind = Literal["text", "texts", "integer", "number", "json"]
 
@@ -27,16 +28,25 @@ class Attribute:
     name: str
     kind: Kind
     meaning: str
+    rollers: bool = False  # only of roller bearings
+    optional: bool = False  # absent where the case does not ask for it
 
 
 ATTRIBUTES = (
     Attribute("format", "integer", f"number of this layout, {FORMAT}"),
+    Attribute("kind", "text", "family of the bearing, as in the case"),
     Attribute("title", "text", "title of the case"),
     Attribute("status", "text", f"how the run ended: {', '.join(STATUSES)}"),
     Attribute("ending", "text", "how the last solve of the bearing itself ended; empty while it still ran"),
     Attribute("message", "text", "the ending in a sentence"),
-    Attribute("method", "text", "method of the coupling"),
-    Attribute("iterations", "integer", "iterations of the coupling, 0 when both raceways are rigid"),
+    Attribute("method", "text", "method of the coupling", rollers=True),
+    Attribute("iterations", "integer", "iterations of the coupling, 0 when no ring is flexible"),
+    Attribute(
+        "attempts",
+        "json",
+        "methods of the coupling in the order they were tried, with their ends",
+        rollers=True,
+    ),
     Attribute("wall_time_s", "number", "time from case to result [s]"),
     Attribute("case_text", "text", "the case file, letter by letter"),
     Attribute("case_overrides", "texts", "keys set on the command line, key=value"),
@@ -45,14 +55,36 @@ ATTRIBUTES = (
     Attribute("assumed", "texts", "keys whose values are assumed, not known"),
     Attribute("calibrated", "json", "keys whose values were fitted, each to what"),
     Attribute("notes", "texts", "warnings: what left its range of validity"),
-    Attribute("clearance", "json", "operating clearance, with the steps that led to it when it was computed"),
-    Attribute("life", "json", "factors of [life] with value and note, and the modified life; by block"),
-    Attribute("regimes", "json", "lubrication regime of inner and outer raceway; by block"),
-    Attribute("structure", "json", "figures of the finite elements: unknowns, seconds per stage"),
+    Attribute(
+        "clearance",
+        "json",
+        "operating clearance, with the steps that led to it when it was computed",
+        rollers=True,
+    ),
+    Attribute(
+        "life", "json", "factors of [life] with value and note, and the modified life; by block", rollers=True
+    ),
+    Attribute("regimes", "json", "lubrication regime of inner and outer raceway; by block", rollers=True),
+    Attribute(
+        "structure", "json", "figures of the finite elements: unknowns, seconds per stage", rollers=True
+    ),
+    Attribute(
+        "stresses",
+        "json",
+        "largest stresses of the flexible parts at the end state, and the stiffness of their supports; "
+        "absent without outputs.stresses",
+        rollers=True,
+        optional=True,
+    ),
     Attribute("created", "text", "time the run began, ISO 8601"),
 )
 
 BY_NAME = {entry.name: entry for entry in ATTRIBUTES}
+
+
+def attributes_of(kind: str) -> dict[str, Attribute]:
+    """Root attributes of the file of one kind of bearing, by name."""
+    return {entry.name: entry for entry in ATTRIBUTES if kind == ROLLER or not entry.rollers}
 
 
 def stamp() -> dict[str, Any]:

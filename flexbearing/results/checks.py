@@ -101,7 +101,8 @@ def require_finite(entry: Dataset, array: np.ndarray, where: str) -> None:
     NotInLayout
         naming the dataset and how many of its numbers are not finite
     """
-    bad = int(np.count_nonzero(np.isnan(array) if entry.infinite else ~np.isfinite(array)))
+    lost, endless = np.isnan(array) & (not entry.gaps), np.isinf(array) & (not entry.infinite)
+    bad = int(np.count_nonzero(lost | endless))
     if bad:
         raise NotInLayout(
             f"{where}: {entry.name} holds {bad} of {array.size} numbers that are not finite; "

@@ -1,9 +1,9 @@
-"""The one table of what stands in a result file."""
+"""The one table of what stands in the result file of a roller bearing."""
 
 from dataclasses import dataclass
 from typing import Literal
 
-FORMAT = 2
+FORMAT = 3
 
 Place = Literal["state", "iteration", "block"]
 
@@ -13,12 +13,13 @@ class Dataset:
     """One dataset of the file."""
 
     name: str
-    axes: str  # Z rollers, K slices, or a number, separated by a space; empty for a scalar
+    axes: str  # Z rollers or balls, K slices, or a number, separated by a space; empty for a scalar
     unit: str  # SI
     place: Place  # "state": in iterations and blocks; else only there
     meaning: str  # with its sign
     optional: bool = False  # absent where the case does not give what it needs
     infinite: bool = False  # may hold infinities also in a solution
+    gaps: bool = False  # may hold NaN also in a solution, where its meaning says so
 
     @property
     def shape(self) -> tuple[str, ...]:
@@ -61,6 +62,9 @@ TABLE = (
     Dataset("ring_tilt", "2", "rad", "state", "slopes of the inner ring axis (dz/dx, dy/dx)"),
 
     Dataset("load_change", "", "1", "iteration", "largest change of a roller load / largest load"),
+    Dataset("mismatch", "", "1", "iteration",
+            "what the structure answers less the deviation that the bearing was given / largest deviation; "
+            "0 where both are one system"),
     Dataset("residual", "", "1", "iteration", "largest unbalanced force / applied load"),
     Dataset("seconds", "", "s", "iteration", "time that the iteration took"),
 
@@ -68,9 +72,10 @@ TABLE = (
             "place of the roller, 0 on the z axis, positive towards y"),
     Dataset("slice_position", "K", "m", "block", "axial place of the slice's middle, 0 at mid-roller"),
     Dataset("life_L10", "", "rev", "block", "rating life of both raceways together, 90 % survival"),
-    Dataset("stiffness", "", "N/m", "block", "radial tangent stiffness between the rings"),
+    Dataset("stiffness", "", "N/m", "block",
+            "radial tangent stiffness between raceways freed of their translation"),
     Dataset("total_stiffness", "", "N/m", "block",
-            "radial tangent stiffness with the rigid translation of the raceways on their supports"),
+            "radial tangent stiffness from base to shaft ends, supports included"),
     Dataset("support_translation", "2 2", "m", "block",
             "rigid translation of the raceway on its support, (inner, outer) by (y, z)"),
     Dataset("driving_torque", "", "N m", "block",
@@ -93,7 +98,8 @@ TABLE = (
             optional=True),
     Dataset("load_direction", "", "rad", "block", "azimuth that the radial load points to"),
     Dataset("stiffness_matrix", "5 5", "N/m, N/rad, N m/m, N m/rad", "block",
-            "tangent stiffness of the inner ring against the outer one, x, y, z, dz/dx, dy/dx; zero along x"),
+            "tangent stiffness from base to shaft ends, supports included, x, y, z, dz/dx, dy/dx; "
+            "zero along x"),
     Dataset("compliance_matrix", "5 5", "m/N, m/(N m), rad/N, rad/(N m)", "block",
             "its inverse; infinite along x, where a bearing without flanges carries nothing", infinite=True),
     Dataset("loss_sliding", "", "W", "block", "power lost by sliding of the raceways on the rollers"),
@@ -142,17 +148,19 @@ TABLE = (
 # fmt: on
 
 
-def datasets(place: Literal["iteration", "block"]) -> dict[str, Dataset]:
+def datasets(place: Literal["iteration", "block"], table: tuple[Dataset, ...] = TABLE) -> dict[str, Dataset]:
     """Datasets of an iteration or of a block, by name.
 
     Parameters
     ----------
     place : "iteration" or "block"
         the group that is asked for
+    table : tuple of Dataset
+        of the kind of bearing
 
     Returns
     -------
     dict
         name to :class:`Dataset`, in the order of the table
     """
-    return {entry.name: entry for entry in TABLE if entry.place in ("state", place)}
+    return {entry.name: entry for entry in table if entry.place in ("state", place)}

@@ -4,17 +4,19 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any, Literal
+from typing import Any
 
 import h5py
 import numpy as np
 
-from flexbearing.results.attributes import BY_NAME, decoded
+from flexbearing.results.attributes import attributes_of, decoded
 from flexbearing.results.checks import Sizes, fitted, require_same_names
-from flexbearing.results.layout import FORMAT, datasets
-from flexbearing.results.write import BLOCKS, UNFINISHED
+from flexbearing.results.kinds import LAYOUTS, ROLLER
+from flexbearing.results.layout import FORMAT, Dataset
+from flexbearing.results.write import UNFINISHED
 
 Arrays = Mapping[str, np.ndarray]
+_NOTHING: Arrays = MappingProxyType({})
 
 
 class BadResult(ValueError):
@@ -28,8 +30,9 @@ class Result:
     path: Path
     attributes: Mapping[str, Any]  # JSON attributes are mappings again, lists are tuples
     rigid: Arrays  # empty when the run ended before it was solved
-    flexible: Arrays  # likewise
+    flexible: Arrays  # likewise; of ball bearings always
     iterations: tuple[Arrays, ...]  # from the first to the last
+    kind: str = ROLLER  # family of the bearing
 
     def history(self, name: str) -> np.ndarray:
         """Stack a dataset over the iterations.
@@ -49,7 +52,7 @@ class Result:
         NotInLayout
             for a name that iterations do not have
         """
-        known = datasets("iteration")
+        known = LAYOUTS[self.kind].datasets("iteration")
         if name not in known:
             require_same_names({**dict.fromkeys(known), name: None}, known, "history")
         if not self.iterations:
@@ -115,15 +118,26 @@ def _require_format(file: h5py.File, path: Path) -> None:
 
 
 def _result(file: h5py.File, path: Path) -> Result:
+    kind = _kind(file, path)
+    layout = LAYOUTS[kind]
     sizes: Sizes = {}
-    blocks: dict[str, Arrays] = {}
-    for name in BLOCKS:
-        blocks[name], sizes = _arrays(file.get(name), "block", sizes, name)
-    states = []
+    blocks: dict[str, Arrays] = {"rigid": _NOTHING, "flexible": _NOTHING}
+    for name in layout.blocks:
+        blocks[name], sizes = _arrays(file.get(name), layout.datasets("block"), sizes, name)
+    states, known = [], layout.datasets("iteration")
     for number, group in _numbered(file):
-        state, sizes = _arrays(group, "iteration", sizes, f"iteration {number}")
+        state, sizes = _arrays(group, known, sizes, f"iteration {number}")
         states.append(state)
-    return Result(path=path, attributes=_attributes(file), iterations=tuple(states), **blocks)
+    return Result(
+        path=path, attributes=_attributes(file, kind), iterations=tuple(states), kind=kind, **blocks
+    )
+
+
+def _kind(file: h5py.File, path: Path) -> str:
+    kind = str(file.attrs.get("kind"))
+    if kind not in LAYOUTS:
+        raise BadResult(f"{path}: kind {kind!r} is none of {', '.join(LAYOUTS)}. Run the case again.")
+    return kind
 
 
 def _numbered(file: h5py.File) -> list[tuple[int, Any]]:
@@ -132,17 +146,15 @@ def _numbered(file: h5py.File) -> list[tuple[int, Any]]:
     return [(int(name), file[f"iterations/{name}"]) for name in sorted(names, key=int)]
 
 
-def _attributes(file: h5py.File) -> Mapping[str, Any]:
-    require_same_names(dict(file.attrs), BY_NAME, "root attributes")
+def _attributes(file: h5py.File, kind: str) -> Mapping[str, Any]:
+    require_same_names(dict(file.attrs), attributes_of(kind), "root attributes")
     return MappingProxyType({name: decoded(name, stored) for name, stored in file.attrs.items()})
 
 
-def _arrays(
-    group: Any, place: Literal["iteration", "block"], sizes: Sizes, where: str
-) -> tuple[Arrays, Sizes]:
+def _arrays(group: Any, known: Mapping[str, Dataset], sizes: Sizes, where: str) -> tuple[Arrays, Sizes]:
     if group is None:
-        return MappingProxyType({}), sizes
-    known, arrays = datasets(place), {}
+        return _NOTHING, sizes
+    arrays = {}
     require_same_names(group, known, where)
     for name, entry in known.items():
         if name not in group:  # it is optional

@@ -2,8 +2,9 @@
 
 import sys
 
-from flexbearing.results.attributes import ATTRIBUTES
-from flexbearing.results.layout import TABLE, Dataset, Place
+from flexbearing.results.attributes import ATTRIBUTES, Attribute
+from flexbearing.results.kinds import LAYOUTS
+from flexbearing.results.layout import Dataset, Place
 
 _BEGINNING = """\
 # The result file
@@ -26,16 +27,30 @@ with h5py.File("OUT.h5") as file:
 |---|---|
 | `iterations/0001`, `iterations/0002`, ... | the iterations of the coupling; none when no part is flexible |
 | `rigid` | the solution with rigid raceways |
-| `flexible` | the end state with flexible raceways; equal to `rigid` when no part is flexible |
+| `flexible` | the end state with flexible raceways; for rollers; equal to `rigid` when no part is flexible |
 
+The root attribute `kind` says which of the tables below a file follows. Iterations of a run that ended as
+`not finite` may hold NaN; a block of a converged run never does, unless the meaning of a dataset says where.
+A block that was never solved is absent, and so is a dataset whose meaning says when.
+"""
+
+_AXES = {
+    "cylindrical_roller": """\
 Axes: Z rollers, K slices along a roller. Directions: x axial, z along the load unless
 `operation.load_direction` turns the load; azimuth from z towards y, which is the way a positive speed turns.
 A pair is (inner, outer) or (y, z) as stated.
-Iterations of a run that ended as `not finite` may hold NaN; a block of a converged run never does. A block
-that was never solved is absent, and so is a dataset whose meaning says when.
-"""
-
-_SECTIONS: dict[Place, str] = {
+""",
+    "four_point_ball": """\
+Axes: Z balls, G diagonals (one or two; the first leans outwards to positive z), 2 races (inner, outer),
+F balls and P points of the fields. Directions: z axial, azimuth from x towards y.
+Torques are what must be put in so that the inner ring runs ahead: positive there, negative at the outer ring.
+""",
+    "angular_contact_ball": """\
+Axes: 2 races (inner, outer), Z balls, P points of the slip profile. Directions: z axial, towards the side to
+which the inner ring pushes the balls; azimuth from x towards y, which is the way a positive speed turns.
+""",
+}
+_PLACES: dict[Place, str] = {
     "state": "Datasets of iterations and blocks",
     "iteration": "Datasets of iterations only",
     "block": "Datasets of blocks only",
@@ -50,14 +65,18 @@ def reference_page() -> str:
     str
         Markdown
     """
-    return "\n".join([_BEGINNING, *(_section(place) for place in _SECTIONS), _attributes()])
+    return "\n".join([_BEGINNING, *(_kind(kind) for kind in LAYOUTS), _attributes()])
 
 
-def _section(place: Place) -> str:
-    rows = [_row(entry) for entry in TABLE if entry.place == place]
-    return "\n".join(
-        [f"## {_SECTIONS[place]}\n", "| name | axes | unit | meaning |", "|---|---|---|---|", *rows, ""]
-    )
+def _kind(kind: str) -> str:
+    sections = [_section(kind, place) for place in _PLACES]
+    return "\n".join([f'## kind = "{kind}"\n', _AXES[kind], *filter(None, sections)])
+
+
+def _section(kind: str, place: Place) -> str:
+    rows = [_row(entry) for entry in LAYOUTS[kind].table if entry.place == place]
+    head = [f"### {_PLACES[place]}\n", "| name | axes | unit | meaning |", "|---|---|---|---|"]
+    return "\n".join([*head, *rows, ""]) if rows else ""
 
 
 def _row(entry: Dataset) -> str:
@@ -65,8 +84,12 @@ def _row(entry: Dataset) -> str:
 
 
 def _attributes() -> str:
-    rows = [f"| `{entry.name}` | {entry.kind} | {entry.meaning} |" for entry in ATTRIBUTES]
+    rows = [f"| `{entry.name}` | {entry.kind} | {entry.meaning}{_whose(entry)} |" for entry in ATTRIBUTES]
     return "\n".join(["## Root attributes\n", "| name | stored as | meaning |", "|---|---|---|", *rows, ""])
+
+
+def _whose(entry: Attribute) -> str:
+    return "; of rollers only" if entry.rollers else ""
 
 
 if __name__ == "__main__":

@@ -8,12 +8,11 @@ import h5py
 import numpy as np
 from numpy.typing import ArrayLike
 
-from flexbearing.results.attributes import BY_NAME, encoded, stamp
+from flexbearing.results.attributes import attributes_of, encoded, stamp
 from flexbearing.results.checks import NotInLayout, Sizes, fitted, require_finite, require_same_names
-from flexbearing.results.layout import datasets
+from flexbearing.results.kinds import LAYOUTS, ROLLER
 
 UNFINISHED = ".part"
-BLOCKS = ("rigid", "flexible")
 
 
 class ResultFile:
@@ -29,6 +28,8 @@ class ResultFile:
         the final name; a file that is already there stays until the new one is complete
     attributes : mapping
         root attributes that are known when the run begins, such as ``title`` and ``case_text``
+    kind : str
+        family of the bearing, which decides the layout
 
     Raises
     ------
@@ -47,11 +48,12 @@ class ResultFile:
             file.finish(status="converged", ...)
     """
 
-    def __init__(self, path: str | Path, attributes: Mapping[str, Any]):
+    def __init__(self, path: str | Path, attributes: Mapping[str, Any], kind: str = ROLLER):
         self.path = _final_name(Path(path))
         self.part = self.path.with_name(self.path.name + UNFINISHED)
-        self._attributes = {**stamp(), **attributes}
-        self._stored = _encoded(self._attributes)
+        self._layout, self._known = LAYOUTS[kind], attributes_of(kind)
+        self._attributes = {**stamp(), "kind": kind, **attributes}
+        self._stored = self._encoded(self._attributes)
         self._file: h5py.File | None = None
         self._sizes: Sizes = {}
         self._iterations = 0
@@ -110,8 +112,9 @@ class ResultFile:
         NotInLayout
             for an unknown or missing name, a wrong shape, or a solution that is not finite
         """
-        if name not in BLOCKS:
-            raise NotInLayout(f"block {name!r} does not exist; it is one of: {', '.join(BLOCKS)}.")
+        if name not in self._layout.blocks:
+            known = ", ".join(self._layout.blocks)
+            raise NotInLayout(f"block {name!r} does not exist; it is one of: {known}.")
         self._add(name, "block", values, must_be_finite=converged)
         self._converged[name] = converged
 
@@ -129,10 +132,10 @@ class ResultFile:
             for an unknown or missing attribute, or one that contradicts what was written
         """
         together = {**self._attributes, **attributes}
-        require_same_names(together, BY_NAME, "root attributes")
+        require_same_names(together, self._known, "root attributes")
         self._require_true_ending(together)
         file = self._open_file()
-        file.attrs.update(_encoded(attributes))
+        file.attrs.update(self._encoded(attributes))
         file.close()
         self._file = None
         self.part.replace(self.path)
@@ -142,7 +145,7 @@ class ResultFile:
             raise NotInLayout(
                 f"iterations = {attributes['iterations']}, but {self._iterations} were written."
             )
-        unsolved = [name for name in BLOCKS if not self._converged.get(name)]
+        unsolved = [name for name in self._layout.blocks if not self._converged.get(name)]
         if attributes["status"] == "converged" and unsolved:
             raise NotInLayout(
                 f"status = 'converged', but no converged block {' or '.join(unsolved)} was written."
@@ -156,7 +159,7 @@ class ResultFile:
         must_be_finite: bool,
     ) -> None:
         # everything is checked before anything is written: no group is ever half there
-        file, known, sizes = self._open_file(), datasets(place), self._sizes
+        file, known, sizes = self._open_file(), self._layout.datasets(place), self._sizes
         if group in file:
             raise NotInLayout(f"{group} was written before; a result file is never overwritten in part.")
         require_same_names(values, known, group)
@@ -172,6 +175,11 @@ class ResultFile:
         file.flush()
         self._sizes = sizes
 
+    def _encoded(self, attributes: Mapping[str, Any]) -> dict[str, Any]:
+        # only strangers matter here: what is still missing comes with finish
+        require_same_names({**dict.fromkeys(self._known), **attributes}, self._known, "root attributes")
+        return {name: encoded(name, value) for name, value in attributes.items()}
+
     def _open_file(self) -> h5py.File:
         if self._file is None:
             raise NotInLayout(f"{self.path}: the result file is not open; write inside its with-block.")
@@ -186,9 +194,3 @@ def _final_name(path: Path) -> Path:
     if path.is_dir():
         raise NotInLayout(f"{path} is a directory; a result file needs a name of its own.")
     return path
-
-
-def _encoded(attributes: Mapping[str, Any]) -> dict[str, Any]:
-    # only strangers matter here: what is still missing comes with finish
-    require_same_names({**dict.fromkeys(BY_NAME), **attributes}, BY_NAME, "root attributes")
-    return {name: encoded(name, value) for name, value in attributes.items()}

@@ -25,6 +25,7 @@ ENDING = {
     "ending": "converged",
     "message": "loads settled",
     "iterations": 2,
+    "attempts": {"newton": {"iterations": 2, "status": "converged", "message": "loads settled"}},
     "wall_time_s": 1.5,
     "notes": ["film outside its range", "second"],
     "clearance": {"operating_m": -4e-6, "steps": [{"name": "inner fit", "change_m": -5e-6}]},

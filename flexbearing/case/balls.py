@@ -1,0 +1,107 @@
+"""The parts of a ball bearing, whatever its kind."""
+
+from math import asin, pi
+from typing import Annotated, Self
+
+from pydantic import Strict, model_validator
+
+from flexbearing.case.quantity import (
+    Density,
+    Force,
+    Length,
+    Moment,
+    Pressure,
+    Section,
+    impossible,
+    key,
+    needed,
+)
+
+Number = Annotated[float, Strict()]  # of a list, which is not strict itself: TOML's lists are no tuples
+Whole = Annotated[int, Strict()]
+
+
+class Ball(Section):
+    """One ball."""
+
+    diameter: Length = key("diameter of the balls", example="30 mm", gt=0)
+
+
+class Groove(Section):
+    """A groove: its conformity or its radius."""
+
+    conformity: float | None = key(
+        "groove radius over ball diameter; half of a figure such as 1.05 that counts from the ball radius",
+        None,
+        example=0.52,
+        gt=0.5,
+    )
+    radius: Length | None = key("groove radius, instead of the conformity", None, example="15.75 mm", gt=0)
+
+    @model_validator(mode="after")
+    def _one_of_both(self) -> Self:
+        if self.conformity is None and self.radius is None:
+            raise needed(["conformity"], "a groove without radius")
+        if self.conformity is not None and self.radius is not None:
+            raise impossible("radius", "left out beside conformity; give one of the two")
+        return self
+
+    def over(self, ball_diameter: float) -> float:
+        """Groove radius over ball diameter [-]."""
+        if self.conformity is not None:
+            return self.conformity
+        assert self.radius is not None  # checked on reading
+        return self.radius / ball_diameter
+
+
+class Elastic(Section):
+    """An elastic material."""
+
+    youngs_modulus: Pressure = key("Young's modulus", gt=0)
+    poisson_ratio: float = key("Poisson's ratio", example=0.3, ge=0, lt=0.5)
+
+
+class HeavyElastic(Elastic):
+    """An elastic material whose inertia is felt."""
+
+    density: Density = key("density", gt=0)
+
+
+class RingLoad(Section):
+    """Load on the inner ring."""
+
+    radial_x: Force = key("radial force along x, where azimuths begin", "0 N")
+    radial_y: Force = key("radial force along y", "0 N")
+    axial: Force = key("axial force along z", "0 N")
+    moment_x: Moment = key("moment about x, by the right hand", "0 N m")
+    moment_y: Moment = key("moment about y, by the right hand", "0 N m")
+
+    @property
+    def values(self) -> tuple[float, float, float, float, float]:
+        """Fx, Fy, Fz [N], Mx, My [N m]."""
+        return self.radial_x, self.radial_y, self.axial, self.moment_x, self.moment_y
+
+
+class BallBearing(Section):
+    """What ball bearings of every kind have."""
+
+    pitch_diameter: Length = key("diameter of the circle of the ball centres", example="500 mm", gt=0)
+    ball: Ball = key("the balls")
+    inner: Groove = key("groove of the inner ring; of both its arches where there are two")
+    outer: Groove = key("groove of the outer ring; of both its arches where there are two")
+
+    @model_validator(mode="after")
+    def _grooves_are_wider_than_balls(self) -> Self:
+        if self.ball.diameter >= self.pitch_diameter:
+            raise impossible("ball.diameter", "below bearing.pitch_diameter")
+        for name in ("inner", "outer"):
+            if getattr(self, name).over(self.ball.diameter) <= 0.5:
+                raise impossible(f"{name}.radius", "more than half of bearing.ball.diameter")
+        return self
+
+    def require_room(self, balls: int) -> None:
+        """Raise when so many balls touch each other on the pitch circle."""
+        # a hair less, as balls that just touch do not turn
+        most = int(pi / asin(self.ball.diameter / self.pitch_diameter) * (1 - 1e-12))
+        if balls > most:
+            raise impossible("balls", f"at most {most}, or they touch on the pitch circle")

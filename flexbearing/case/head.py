@@ -1,0 +1,46 @@
+"""What every case file begins with, whatever bearing it is about."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from pydantic import PrivateAttr
+
+from flexbearing.case.quantity import Section, key
+
+Family = Literal["cylindrical_roller", "four_point_ball", "angular_contact_ball"]
+
+
+@dataclass(frozen=True)
+class Source:
+    """Where a case came from."""
+
+    path: str
+    text: str  # of the file, letter by letter
+    overrides: tuple[str, ...]  # "key=value" settings on top of it
+
+
+class Head(Section):
+    """Keys of every case."""
+
+    kind: Family = key("family of the bearing; it decides which other keys there are", "cylindrical_roller")
+    title: str = key("what the case is, for people", example="A bearing between two rings")
+    assumed: tuple[str, ...] = key(
+        "keys whose values the source of the case does not give", (), example=["outer.bars"], strict=False
+    )
+    calibrated: Mapping[str, str] = key(
+        "keys whose values were fitted, each with what to",
+        {},
+        example={"bearing.clearance": "measured deflection"},
+    )
+
+    _source: Source = PrivateAttr(default=Source("", "", ()))
+
+    @property
+    def source(self) -> Source:
+        """File and settings that the case was read from."""
+        return self._source
+
+    def to_json(self) -> dict[str, Any]:
+        """Values in SI units, as JSON can hold them."""
+        return self.model_dump(mode="json")

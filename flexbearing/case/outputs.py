@@ -1,0 +1,13 @@
+"""The section [outputs]."""
+
+from flexbearing.case.quantity import Section, key
+
+
+class Outputs(Section):
+    """What is computed beside the solution."""
+
+    stresses: bool = key(
+        "whether the largest stresses of the flexible parts at the end state, and the stiffness of their "
+        "supports, are stored: a full solid for each part costs seconds",
+        False,
+    )

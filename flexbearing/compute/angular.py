@@ -1,0 +1,130 @@
+"""From a case to a fast angular-contact bearing, and from its solution to the arrays of a result file."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+import quasidynamic as qd
+from flexbearing.case import AngularCase
+from flexbearing.compute.ball_parts import ball, groove
+from quasidynamic.outcome.rolling_contact import RollingContact
+
+
+@dataclass(frozen=True)
+class Solution:
+    """A solved case."""
+
+    state: qd.AngularContactState
+    contact: RollingContact | None  # None when the pure rolling lines do not exist
+    reason: str = ""  # why they do not
+
+
+def bearing(case: AngularCase) -> qd.AngularContactBallBearing:
+    """The bearing of a case."""
+    own, materials = case.bearing, case.materials
+    return qd.AngularContactBallBearing(
+        bearing=qd.AngularContactBearing(
+            ball=ball(own, materials.ball),
+            inner=groove(own, "inner", materials.inner_ring or materials.ball),
+            outer=groove(own, "outer", materials.outer_ring or materials.ball),
+            balls=own.balls,
+            pitch_diameter=own.pitch_diameter,
+            contact_angle=own.contact_angle,
+            first_ball_azimuth=own.first_ball_azimuth,
+        ),
+        control=case.operation.control,
+    )
+
+
+def operation(case: AngularCase) -> qd.RingOperation:
+    """Load, displacement and speeds of a case."""
+    given = case.operation
+    return qd.RingOperation(
+        load=given.load.values,
+        displacement=given.displacement.values,
+        inner_speed=given.inner_speed,
+        outer_speed=given.outer_speed,
+    )
+
+
+def solved(case: AngularCase) -> Solution:
+    """Balance and pure rolling lines; raises `NotSolved`, `OutOfRange` or `ImpossiblePart`."""
+    state = bearing(case).solve(operation(case))
+    wanted = case.rolling_lines
+    if not (state.loads > 0).all(0).any():
+        return Solution(state, None, "no ball touches both races")
+    try:
+        return Solution(state, state.rolling_contact(spin=wanted.spin, friction=wanted.net_force))
+    except (qd.OutOfRange, qd.NotSolved) as problem:
+        return Solution(state, None, str(problem))
+
+
+def arrays(case: AngularCase, solution: Solution) -> dict[str, ArrayLike]:
+    """Datasets of the solution."""
+    state = solution.state
+    across, along = state.semi_axes
+    found: dict[str, ArrayLike] = {
+        "ball_azimuth": state.bearing.azimuths,
+        "contact_load": state.loads,
+        "contact_angle": state.contact_angles,
+        "traction": state.tractions,
+        "needed_friction": state.needed_friction,
+        "peak_pressure": state.peak_pressures,
+        "semi_axis_across": across,
+        "semi_axis_along": along,
+        "orbital_speed": state.orbital_speed,
+        "ball_speed": state.ball_speed,
+        "ball_attitude": state.attitude,
+        "centrifugal_force": state.centrifugal_force,
+        "gyroscopic_moment": state.gyroscopic_moment,
+        "ring_load": state.ring_load,
+        "ring_displacement": state.ring_displacement,
+        "stiffness_matrix": state.stiffness,
+    }
+    return found if solution.contact is None else found | _lines(case, state, solution.contact)
+
+
+def _lines(case: AngularCase, state: qd.AngularContactState, contact: RollingContact) -> dict[str, ArrayLike]:
+    """Pure rolling lines; not a number for balls that do not touch both races."""
+
+    def spread(values: NDArray) -> NDArray:
+        whole = np.full((2, state.loads.shape[1], *values.shape[2:]), np.nan)
+        whole[:, contact.balls] = values
+        return whole
+
+    position = np.linspace(-1.0, 1.0, case.rolling_lines.points)
+    integral = contact.spin_torques(case.rolling_lines.coefficient)
+    by_lines = contact.spin_torques(case.rolling_lines.coefficient, "lines")
+    weight = np.sin(state.contact_angles[:, contact.balls])
+    return {
+        "line_parameter": spread(contact.parameter),
+        "net_friction": spread(contact.net_force),
+        "first_line": spread(contact.lines.first),
+        "second_line": spread(contact.lines.second),
+        "line_count": spread(contact.lines.count),
+        "spin_torque": spread(integral),
+        "spin_torque_by_lines": spread(by_lines),
+        "spin_friction": (weight * integral).sum(),
+        "spin_friction_by_lines": (weight * by_lines).sum(),
+        "slip_position": position,
+        "slip_profile": spread(contact.slip_velocity(position)),
+    }
+
+
+def notes(case: AngularCase, solution: Solution) -> tuple[str, ...]:
+    """What a user must know of the solution."""
+    state, told = solution.state, ()
+    off = int((~state.on_inner).sum())
+    if off:
+        told += (f"{off} of {len(state.on_inner)} balls do not touch the inner race",)
+    if solution.contact is None:
+        near = "; next to a controlling race the spin may be against the contact angle"
+        told += (f"no pure rolling lines: {solution.reason}{near * (case.operation.control != 'equal')}",)
+    needed, given = state.needed_friction.max(), case.rolling_lines.coefficient
+    if needed > given:
+        told += (
+            f"gyroscopic moment: held by friction with a coefficient of up to {needed:.3g}, more than "
+            f"rolling_lines.coefficient = {given:g}: in reality balls would turn about the rolling direction",
+        )
+    return told

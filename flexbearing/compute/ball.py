@@ -1,0 +1,61 @@
+"""A ball bearing between rigid rings, from case to result file."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from numpy.typing import ArrayLike
+
+from flexbearing.case import AngularCase, AnyCase, BadCase, FourPointCase
+from flexbearing.compute import angular, four_point
+from flexbearing.compute.progress import Report
+from flexbearing.results import ResultFile
+from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
+
+
+def opening(case: AnyCase) -> dict[str, object]:
+    """Root attributes that are known before anything is solved."""
+    return {"notes": []}
+
+
+def solve_four_point(case: FourPointCase, file: ResultFile, report: Report) -> dict[str, object]:
+    """Write the solution of a slow bearing; returns the root attributes that say how it ended."""
+    report.stage("slow balls between rigid rings", None)
+    try:
+        found = four_point.solved(case)
+    except NotSolved as failure:
+        return _not_solved(failure)
+    except (ImpossiblePart, OutOfRange) as problem:
+        raise BadCase(f"{case.source.path}: {problem}") from problem
+    worst = found.balls.attitude.imbalance.max()
+    message = f"friction of every ball in balance to {worst:.1e} of its power"
+    if found.distribution is not None:
+        message += f", the ring to {found.distribution.imbalance:.1e} of the largest force"
+    return _stored(file, four_point.arrays(case, found), message, four_point.notes(case, found))
+
+
+def solve_angular(case: AngularCase, file: ResultFile, report: Report) -> dict[str, object]:
+    """Write the solution of a fast bearing; returns the root attributes that say how it ended."""
+    report.stage("fast balls between rigid rings", None)
+    try:
+        found = angular.solved(case)
+    except NotSolved as failure:
+        return _not_solved(failure)
+    except (ImpossiblePart, OutOfRange) as problem:
+        raise BadCase(f"{case.source.path}: {problem}") from problem
+    message = f"ring and balls in balance after {found.state.evaluations} evaluations of all balls"
+    return _stored(file, angular.arrays(case, found), message, angular.notes(case, found))
+
+
+def _stored(
+    file: ResultFile, arrays: Mapping[str, ArrayLike], message: str, notes: tuple[str, ...]
+) -> dict[str, Any]:
+    file.block("rigid", arrays)
+    return _ending("converged", message, "converged") | {"notes": list(notes)}
+
+
+def _not_solved(failure: NotSolved) -> dict[str, Any]:
+    return _ending("not solved", str(failure), str(failure.ending))
+
+
+def _ending(status: str, message: str, ending: str) -> dict[str, Any]:
+    return {"status": status, "message": message, "ending": ending, "iterations": 0}

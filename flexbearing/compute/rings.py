@@ -1,0 +1,124 @@
+"""Rings of a case, meshed and condensed, or taken from the cache."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from time import perf_counter
+
+from numpy.typing import NDArray
+
+import fem
+from fem.step import StepSolid
+from flexbearing.cache import configured
+from flexbearing.case import BadCase, Case
+from flexbearing.compute import assemble
+from flexbearing.compute.fitted import FittedRings, fit_of
+from flexbearing.compute.progress import Report
+from flexbearing.compute.structure import CondensedRings
+from flexbearing.coupling import PartnerFailed
+
+# Order, and sizes of elements over the roller length: 0.1 % and 0.5 % of the largest compliance.
+ON_A_SECTION, IN_SPACE = (5, 1.2, 0.25), (3, 0.6, 0.4)
+PATCH = 0.1  # width of a load patch over the roller length
+
+
+def condensed(case: Case, azimuths: NDArray, report: Report) -> CondensedRings | FittedRings:
+    """Mesh, factor and condense the parts that are not rigid; nothing happens for those that are.
+
+    Raises
+    ------
+    PartnerFailed
+        when a part has no trustworthy answer
+    """
+    outer = _condensed("outer ring", assemble.outer_part(case), case, azimuths, report)
+    shaft = assemble.inner_part(case)
+    if shaft is not None and case.inner.fit != "bonded":
+        report.stage("inner ring in its fit", None)
+        with _told(case, "inner ring and shaft"):
+            mesh, length = wishes(case, ON_A_SECTION), assemble.roller_length(case)
+            return FittedRings(fit_of(case, shaft, length, mesh), azimuths, outer)
+    inner = _condensed("inner ring and shaft", shaft, case, azimuths, report)
+    return CondensedRings((inner, outer))
+
+
+def _condensed(name: str, part: assemble.Part | None, case: Case, azimuths: NDArray, report: Report):
+    if part is None:
+        return None
+    began = perf_counter()
+    report.stage(name, None)
+    with _told(case, name):
+        if case.accuracy.structure == "solid" or isinstance(part, StepSolid):
+            raceway = _solid(name, part, case, azimuths, report)
+        else:
+            raceway = _by_harmonics(name, part, case, report).at(azimuths)
+    report.stage(f"{name}: {raceway.unknowns} unknowns, {perf_counter() - began:.1f} s", None)
+    return raceway
+
+
+@contextmanager
+def _told(case: Case, name: str) -> Iterator[None]:
+    """Give failures of the finite elements the names that users and coupling know."""
+    # NGSolve takes a second to load: only cases with a flexible part wait for it.
+    from fem.solve import NotSolved
+
+    try:
+        yield
+    except fem.ImpossiblePart as problem:
+        raise BadCase(f"{case.source.path}: {name}: {problem}") from problem
+    except NotSolved as problem:
+        raise PartnerFailed(f"{name}: {problem}", "not solved") from problem
+
+
+def _by_harmonics(name: str, part: assemble.Part, case: Case, report: Report):
+    """Raceway compliance for rollers anywhere: on half a pitch of a cage, else on the axial section."""
+    from fem import apart, revolved, supported_ring
+
+    cage = isinstance(part, fem.SquirrelCage)
+    condense = apart.condense_sector_apart if cage else revolved.condense
+    if isinstance(part, fem.OuterRing):
+        condense = supported_ring.condense
+    wanted = (
+        part,
+        assemble.roller_length(case),
+        case.accuracy.axial_shapes,
+        wishes(case, IN_SPACE if cage else ON_A_SECTION),
+        case.accuracy.harmonics,
+    )
+    if case.outer.support in ("lines", "planet") and isinstance(part, fem.OuterRing):
+        return condense(*wanted)  # less than a second, and more than the cache can hold
+    return configured().cached(
+        wanted, lambda: condense(*wanted), lambda note: report.stage(f"{name}: {note}", None)
+    )
+
+
+def _solid(name: str, part: assemble.Part, case: Case, azimuths: NDArray, report: Report):
+    """Raceway compliance of the whole solid for rollers where they are."""
+    from fem.apart import condense_apart
+
+    length = assemble.roller_length(case)
+    patches = fem.Patches(
+        azimuths=tuple(azimuths),
+        length=length,
+        shapes=case.accuracy.axial_shapes,
+        width=case.accuracy.patch_width or PATCH * length,
+    )
+    wanted = part, patches, wishes(case, IN_SPACE)
+
+    def computed():
+        return condense_apart(
+            *wanted,
+            thread_number=case.accuracy.threads,
+            report=lambda stage, fraction=None: report.stage(f"{name}: {stage}", fraction),
+        )
+
+    return configured().cached(wanted, computed, lambda note: report.stage(f"{name}: {note}", None))
+
+
+def wishes(case: Case, usual: tuple[int, float, float]) -> fem.Mesh:
+    """Order and sizes of elements: those of the case, else the usual ones in roller lengths."""
+    order, size, raceway_size = usual
+    given, length = case.accuracy, assemble.roller_length(case)
+    return fem.Mesh(
+        order=given.element_order or order,
+        size=given.mesh_size or size * length,
+        raceway_size=given.raceway_mesh_size or raceway_size * length,
+    )

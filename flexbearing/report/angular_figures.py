@@ -1,0 +1,98 @@
+"""Pictures of a fast angular-contact ball bearing."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from flexbearing.report.ball_axes import STYLES, around, close_ring, stacked
+from flexbearing.results import Result
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+RACES = ("inner", "outer")
+
+
+def pictures(result: Result) -> dict[str, Figure]:
+    """Draw every picture of a fast bearing, by the name of its file.
+
+    Parameters
+    ----------
+    result : Result
+        what the run left behind
+
+    Returns
+    -------
+    dict
+        loads around the ring, and pure rolling lines where they exist; empty when nothing was solved
+    """
+    if not result.rigid:
+        return {}
+    found = {"ball_loads": ball_loads(result)}
+    if "line_count" in result.rigid:
+        found |= {"rolling_lines": rolling_lines(result), "slip_profiles": slip_profiles(result)}
+    return found
+
+
+def ball_loads(result: Result) -> Figure:
+    """Draw loads and contact angles of both races around the ring."""
+    values = result.rigid
+    figure, (upper, lower) = stacked(result, "Contact loads and angles", 2)
+    for race, name in enumerate(RACES):
+        load = values["contact_load"][race]
+        angle = np.where(load > 0, np.degrees(values["contact_angle"][race]), np.nan)
+        style = {**STYLES[race], "label": f"{name} race, largest {load.max():,.1f} N"}
+        around(upper, values["ball_azimuth"], load, style)
+        around(lower, values["ball_azimuth"], angle, STYLES[race])
+    upper.set_ylabel("contact load [N]")
+    upper.set_ylim(bottom=0)
+    lower.set_ylabel("contact angle [deg]")
+    close_ring(lower)
+    figure.legend(loc="outside lower center", ncols=2, frameon=False)
+    return figure
+
+
+def rolling_lines(result: Result) -> Figure:
+    """Draw the places of the pure rolling lines of every ball; the grey band lies outside the contact."""
+    values = result.rigid
+    figure, panels = stacked(result, "Pure rolling lines: filled c1, open c2", 2)
+    for race, (axes, name) in enumerate(zip(panels, RACES, strict=True)):
+        first, second = values["first_line"][race], values["second_line"][race]
+        around(axes, values["ball_azimuth"], second, STYLES[0])
+        around(axes, values["ball_azimuth"], first, STYLES[1])
+        lowest = min(-1.15, 1.1 * float(np.nanmin(first)))
+        axes.axhspan(lowest, -1, color="0.92", linewidth=0)
+        axes.set(ylim=(lowest, 1), ylabel=f"x/a, {name} race")
+    close_ring(panels[-1])
+    return figure
+
+
+def slip_profiles(result: Result) -> Figure:
+    """Draw the slip across the middle of the contacts of the heaviest and of the lightest ball."""
+    values = result.rigid
+    both = np.flatnonzero(np.isfinite(values["line_count"]).all(0))
+    load = values["contact_load"][0][both]
+    chosen = [int(both[load.argmax()]), int(both[load.argmin()])]
+    if np.ptp(load) <= 1e-9 * load.max():
+        chosen = chosen[:1]
+    figure, panels = stacked(result, "Slip of the ball on the race across the contact, lines marked", 2)
+    for race, (axes, name) in enumerate(zip(panels, RACES, strict=True)):
+        for ball, style in zip(chosen, STYLES, strict=False):
+            label = f"ball {ball} at {np.degrees(values['ball_azimuth'][ball]):.0f}°" if race == 0 else None
+            _draw_slip(axes, values, (race, ball), style["color"], label)
+        axes.axhline(0, color="0.4", linewidth=0.8)
+        axes.set_ylabel(f"slip, {name} race [mm/s]")
+    panels[-1].set(xlabel="x/a, positive towards the bottom of the groove", xlim=(-1, 1))
+    figure.legend(loc="outside lower center", ncols=2, frameon=False)
+    return figure
+
+
+def _draw_slip(axes: Axes, values: Any, one: tuple[int, int], color: str, label: str | None) -> None:
+    axes.plot(values["slip_position"], 1e3 * values["slip_profile"][one], color=color, label=label)
+    first, second = values["first_line"][one], values["second_line"][one]
+    axes.plot(second, 0, marker="o", markerfacecolor="white", color=color, clip_on=False)
+    if values["line_count"][one] == 2:
+        axes.plot(first, 0, marker="s", color=color, clip_on=False)

@@ -1,0 +1,183 @@
+"""Pictures of a slow ball bearing."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from flexbearing.report.ball_axes import STYLES, around, close_ring, stacked
+from flexbearing.report.tables import LOADED
+from flexbearing.results import Result
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+RACES = ("inner", "outer")
+ARROWS = (23, 7)  # at most, across and along a contact
+
+
+def pictures(result: Result) -> dict[str, Figure]:
+    """Draw every picture of a slow bearing, by the name of its file.
+
+    Parameters
+    ----------
+    result : Result
+        what the run left behind
+
+    Returns
+    -------
+    dict
+        loads and torques around the ring when the ring is loaded, and the contacts of each chosen ball;
+        empty when nothing was solved
+    """
+    if not result.rigid:
+        return {}
+    found = {}
+    if "ring_load" in result.rigid:
+        found |= {"ball_loads": ball_loads(result), "ball_torques": ball_torques(result)}
+    for place, ball in enumerate(result.rigid["field_ball"].astype(int)):
+        found[f"contacts_of_ball_{ball}"] = contact_fields(result, place)
+    return found
+
+
+def ball_loads(result: Result) -> Figure:
+    """Draw loads and contact angles of both diagonals around the ring."""
+    values = result.rigid
+    figure, (upper, lower) = stacked(result, "Contact loads and angles at the inner race", 2)
+    for diagonal in range(values["contact_load"].shape[1]):
+        load = values["contact_load"][:, diagonal, 0]
+        angle = np.where(load > LOADED, np.degrees(values["contact_angle"][:, diagonal, 0]), np.nan)
+        style = {**STYLES[diagonal], "label": f"diagonal {diagonal + 1}, largest {load.max():,.0f} N"}
+        around(upper, values["ball_azimuth"], load, style)
+        around(lower, values["ball_azimuth"], angle, STYLES[diagonal])
+    upper.set_ylabel("contact load [N]")
+    lower.set_ylabel("contact angle [deg]")
+    close_ring(lower)
+    figure.legend(loc="outside lower center", ncols=2, frameon=False)
+    return figure
+
+
+def ball_torques(result: Result) -> Figure:
+    """Draw the torque of every ball and its parts, and how the balls turn."""
+    values = result.rigid
+    total = values["torque"][0]
+    figure, (upper, middle, lower) = stacked(
+        result, f"Torque of each ball on the inner ring, together {total:.4g} N m", 3, 1.9
+    )
+    azimuth, spin, roll = values["ball_azimuth"], values["spin_torque"][:, 0], values["roll_torque"][:, 0]
+    around(upper, azimuth, values["ball_torque"][:, 0], {"color": "0.2", "marker": ".", "label": "total"})
+    around(upper, azimuth, spin, {**STYLES[0], "label": "spin"})
+    around(upper, azimuth, roll, {**STYLES[1], "label": "roll"})
+    around(middle, azimuth, values["ball_speed_ratio"], {"color": "0.2", "marker": "."})
+    around(lower, azimuth, np.degrees(values["ball_attitude"]), {"color": "0.2", "marker": "."})
+    upper.set_ylabel("torque [N m]")
+    middle.set_ylabel("ball speed / ring speed")
+    lower.set_ylabel("axis angle [deg]")
+    close_ring(lower)
+    figure.legend(loc="outside lower center", ncols=3, frameon=False)
+    return figure
+
+
+def contact_fields(result: Result, place: int = 0) -> Figure:
+    """Draw the shear stress on a ball: its size in colours, its direction in arrows.
+
+    Parameters
+    ----------
+    result : Result
+        what the run left behind
+    place : int
+        which of the chosen balls
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        one panel for each loaded contact, to scale
+    """
+    values = result.rigid
+    ball = int(values["field_ball"][place])
+    load = values["contact_load"][ball]
+    drawn = [contact for contact in np.ndindex(load.shape) if _is_stored(values, place, contact)]
+    largest = 1e-6 * max(np.abs(_shear(values, place, contact)).max() for contact in drawn) if drawn else 1.0
+    heights = [_flatness(values, ball, contact) for contact in drawn]
+    figure, panels = _panels(result, f"Shear stress on ball {ball} and its direction", heights)
+    field = None
+    for axes, contact in zip(panels, drawn, strict=False):
+        field = _draw_shear(axes, values, (place, *contact), largest)
+        diagonal, race = contact
+        axes.set_title(
+            f"diagonal {diagonal + 1}, {RACES[race]} race: {load[contact]:,.0f} N, "
+            f"{np.degrees(values['contact_angle'][ball][contact]):.2f}°, "
+            f"{1e-6 * values['peak_pressure'][ball][contact]:,.0f} MPa",
+            fontsize=9,
+        )
+        axes.set_ylabel("rolling [mm]", fontsize=8)
+    if field is None:
+        panels[0].text(0.5, 0.5, "this ball carries no load", transform=panels[0].transAxes, ha="center")
+        return figure
+    panels[-1].set_xlabel("across the groove [mm]")
+    figure.colorbar(field, ax=panels, label="shear stress [MPa]", fraction=0.03, format="%.0f")
+    return figure
+
+
+def _is_stored(values: Any, place: int, contact: tuple[int, ...]) -> bool:
+    return bool(np.ptp(values["field_across"][place][contact]) > 0)
+
+
+def _flatness(values: Any, ball: int, contact: tuple[int, ...]) -> float:
+    """Height of a contact over its width."""
+    return float(values["semi_axis_along"][ball][contact] / values["semi_axis_across"][ball][contact])
+
+
+def _shear(values: Any, place: int, contact: tuple[int, ...]) -> np.ndarray:
+    return np.hypot(values["shear_along"][place][contact], values["shear_across"][place][contact])
+
+
+def _panels(result: Result, what: str, heights: list[float]) -> tuple[Figure, list[Axes]]:
+    from matplotlib.figure import Figure
+
+    width, rows = 8.0, heights or [0.3]
+    inches = [0.8 * width * height + 0.75 for height in rows]
+    figure = Figure(figsize=(width, sum(inches) + 1.1), layout="constrained")
+    figure.suptitle(f"{result.attributes['title']}\n{what}", fontsize=11)
+    grid = figure.subplots(len(rows), 1, squeeze=False, gridspec_kw={"height_ratios": inches})
+    return figure, list(grid[:, 0])
+
+
+def _draw_shear(axes: Axes, values: Any, one: tuple[int, ...], largest: float) -> Any:
+    """Size in colours, cut at the edge of the contact, and direction in arrows."""
+    from matplotlib.patches import Ellipse
+
+    across, along = 1e3 * values["field_across"][one], 1e3 * values["field_along"][one]
+    shear = np.array([values["shear_across"][one], values["shear_along"][one]])
+    size = np.hypot(*shear)
+    levels = np.linspace(0, 1.0001 * largest, 41)
+    field = axes.contourf(across, along, 1e-6 * size, levels, cmap="YlOrRd")
+    edge = Ellipse((0, 0), np.ptp(across), np.ptp(along), fill=False, edgecolor="0.4", linewidth=0.8)
+    axes.add_patch(edge)
+    field.set_clip_path(edge)
+    kept = np.zeros(size.shape, bool)
+    kept[
+        tuple(np.ix_(*(_thinned(points, most) for points, most in zip(size.shape, ARROWS, strict=True))))
+    ] = True
+    kept &= size > 0
+    axes.quiver(
+        across[kept],
+        along[kept],
+        *(shear[:, kept] / size[kept]),
+        color="0.15",
+        pivot="mid",
+        scale=42,
+        width=0.0018,
+    )
+    axes.set_aspect("equal")
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.tick_params(labelsize=8)
+    return field
+
+
+def _thinned(points: int, most: int) -> np.ndarray:
+    """Evenly spaced places among so many points, the middle one of an odd number included."""
+    step = max(1, -(-(points - 1) // (most + 1)))
+    return np.arange((points - 1) // 2 % step, points, step)

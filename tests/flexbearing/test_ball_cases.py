@@ -1,0 +1,311 @@
+"""Ball bearings from case file to summary and pictures, beside printed numbers."""
+
+import json
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+from pytest import approx
+
+import flexbearing
+from flexbearing.case import read
+from flexbearing.report import summary, text, write_figures
+from flexbearing.report.kinds import LOOKS
+from flexbearing.results import read as read_result
+from flexbearing.results.kinds import LAYOUTS
+
+CONFIGS = Path(__file__).parents[2] / "configs"
+BALLS = sorted(file.stem for stem in ("heras", "joshi", "rivera") for file in CONFIGS.glob(f"{stem}*.toml"))
+RIVERA = "rivera2021_7008"
+EQUATION_15 = "rolling_lines.spin=contact angle"
+FEW = "fields.points=5"
+
+
+@pytest.fixture(scope="module")
+def run(tmp_path_factory):
+    """Results by case and settings, each computed once."""
+    place, known = tmp_path_factory.mktemp("balls"), {}
+
+    def computed(name, *settings):
+        if (name, settings) not in known:
+            output = place / f"{len(known)}.h5"
+            known[name, settings] = flexbearing.run(CONFIGS / f"{name}.toml", output, settings)
+        return known[name, settings]
+
+    return computed
+
+
+# -- what the papers print ------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", BALLS)
+def test_every_case_that_comes_along_is_solved(run, name):
+    result = run(name)
+    numbers = summary(result)
+    assert numbers["status"] == "converged"
+    assert result.kind == numbers["kind"] == read(CONFIGS / f"{name}.toml").kind
+    assert set(result.rigid) <= set(LAYOUTS[result.kind].datasets("block"))
+    assert json.loads(json.dumps(numbers, allow_nan=False)) == numbers
+    assert numbers["title"] in text(result)
+    assert "converged: " in text(result)
+
+
+@pytest.mark.parametrize(
+    ("name", "nominal", "loaded"),  # 1e-4 N m of one ball: total; spin, roll, total
+    [
+        ("fag", 95.0, (11.8, 67.4, 79.2)),
+        ("ed20", 72.1, (59.8, 3.7, 63.5)),
+        ("ex50", 58.9, (39.9, 13.9, 53.8)),
+    ],
+)
+def test_joshi_table_2_by_either_reading(run, name, nominal, loaded):
+    given = run(f"joshi2015_{name}").rigid
+    assert 1e4 * given["ball_torque"][:, 0] == approx(np.full(3, nominal), rel=0.005)
+    shared = run(f"joshi2015_{name}", "operation.mode=ring_load").rigid
+    found = [shared[part][0, 0] for part in ("spin_torque", "roll_torque", "ball_torque")]
+    assert 1e4 * np.array(found) == approx(loaded, rel=0.01)
+    assert "ring_load" in shared
+    assert "ring_load" not in given
+
+
+def test_joshi_four_point_bearing(run):
+    numbers = summary(run("joshi2015_fourpoint"))["rigid"]
+    assert numbers["torque_Nm"]["inner"] == approx(1080.0, rel=0.01)
+    assert numbers["torque_Nm"]["inner"] == approx(-numbers["torque_Nm"]["outer"], rel=1e-9)
+    assert numbers["torque_parts_Nm"]["total"] == approx(numbers["torque_Nm"]["inner"], rel=1e-12)
+    assert numbers["power_loss_W"] == approx(numbers["torque_Nm"]["inner"], rel=1e-7)  # at 1 rad/s
+    assert numbers["loaded_balls"] == 156
+
+
+HERAS = {  # ball speed over that of the ring, its angle [deg]
+    "nominal": (33.0, 134.9),
+    "a1": (33.3, 134.8),
+    "a2": (43.4, 180.0),
+    "a3": (33.3, 136.3),
+    "b1": (32.8, 135.0),
+    "b2": (45.5, 180.0),
+    "b3": (43.9, 176.9),
+}
+
+
+@pytest.mark.parametrize("name", HERAS)
+def test_heras_kinematics_of_table_4(run, name):
+    values, (speed, angle) = run(f"heras2017_{name}").rigid, HERAS[name]
+    assert values["ball_speed_ratio"] == approx([speed], rel=0.003)
+    assert np.degrees(values["ball_attitude"]) == approx([angle], abs=0.4)
+
+
+def test_rivera_counts_lines_by_their_equation_and_by_the_slip_field(run):
+    printed, whole = run(RIVERA, EQUATION_15).rigid, run(RIVERA).rigid
+    assert (printed["line_count"] == 2).all()
+    assert (whole["line_count"] == 1).all()
+    assert whole["line_parameter"][:, 0] == approx([1.27, 1.19], abs=0.005)
+    weight = np.sin(printed["contact_angle"])  # Eq. (24)
+    assert printed["spin_friction"] == approx((weight * printed["spin_torque"]).sum(), rel=1e-12)
+    assert printed["spin_friction_by_lines"] / printed["spin_friction"] == approx(0.97, abs=0.01)
+
+
+# -- what the datasets mean -----------------------------------------------------------------------
+
+
+def test_hysteresis_adds_to_the_torque_of_both_rings(run):
+    name, loss = "joshi2015_fag", "friction.hysteresis_loss=0.005"
+    plain, more = run(name).rigid, run(name, loss).rigid
+    added = np.array([1, -1]) * more["hysteresis_torque"][:, None]
+    assert (more["hysteresis_torque"] > 0).all()
+    assert more["ball_torque"] == approx(plain["ball_torque"] + added, rel=1e-12)
+
+
+def test_circumferential_formula_is_named_and_told_apart(run):
+    result = run("joshi2015_ed20", "friction.torque=circumferential")
+    values = result.rigid
+    assert values["ball_torque"] == approx(values["circumferential_torque"], rel=1e-12)
+    assert values["ball_torque"][0, 0] / run("joshi2015_ed20").rigid["ball_torque"][0, 0] < 0.92
+    assert any("circumferential formula" in note for note in result.attributes["notes"])
+    assert "circumferential formula" in text(result)
+
+
+def test_torque_is_proportional_to_friction_and_power_to_speed(run):
+    base = run("joshi2015_fag").rigid
+    more = run("joshi2015_fag", "friction.coefficient=0.06", "operation.speed=3 rad/s").rigid
+    assert more["torque"] == approx(base["torque"] / 2, rel=1e-9)
+    assert more["power_loss"] == approx(base["power_loss"] * 1.5, rel=1e-9)
+    assert more["slip_along"] == approx(base["slip_along"] * 3, rel=1e-6)
+    assert more["shear_along"] == approx(base["shear_along"] / 2, rel=1e-6, abs=1.0)
+
+
+def test_friction_against_pressure_is_read_from_the_case(run, tmp_path):
+    file = tmp_path / "curve.toml"
+    constant = (CONFIGS / "joshi2015_fag.toml").read_text()
+    curve = 'pressures = ["1 GPa", "2 GPa"]\ncoefficients = [0.2, 0.1]'
+    file.write_text(constant.replace("coefficient = 0.12", curve))
+    result = flexbearing.run(file, tmp_path / "curve.h5", [FEW])
+    assert (result.rigid["friction_coefficient"] == 0.1).all()  # both contacts above 2 GPa
+    assert any("outside the 1 to 2 GPa" in note for note in result.attributes["notes"])
+
+
+def test_fields_are_those_of_the_chosen_balls(run):
+    values = run("joshi2015_fourpoint", "fields.balls=[3, 60]", FEW).rigid
+    assert list(values["field_ball"]) == [3, 60]
+    assert values["shear_along"].shape == (2, 2, 2, 5, 5)
+    for place, ball in enumerate((3, 60)):
+        loaded = values["contact_load"][ball] > 0
+        assert ((np.ptp(values["field_across"][place], axis=(-1, -2)) > 0) == loaded).all()
+        middle = np.hypot(values["shear_along"], values["shear_across"])[place, :, :, 2, 2]
+        limit = values["friction_coefficient"][ball] * values["peak_pressure"][ball]
+        assert middle[loaded] == approx(limit[loaded], rel=1e-9)
+
+
+def test_most_loaded_ball_is_drawn_unless_told(run):
+    values = run("joshi2015_fourpoint").rigid
+    assert values["field_ball"] == approx([values["contact_load"].sum((1, 2)).argmax()])
+
+
+def test_balls_that_nothing_drives_are_gaps_and_make_no_torque(run):
+    result = run("joshi2015_qj309", "operation.load.axial=0 N", "operation.load.radial_x=5 kN", FEW)
+    values = result.rigid
+    idle = ~(values["contact_load"] > 0).any((1, 2))
+    assert 0 < idle.sum() < 10
+    assert np.isnan(values["ball_motion"][idle]).all()
+    assert np.isfinite(values["ball_motion"][~idle]).all()
+    assert (values["ball_torque"][idle] == 0).all()
+    assert any(f"{idle.sum()} of 10 balls" in note for note in result.attributes["notes"])
+    assert None in summary(result)["rigid"]["ball_speed_ratios"]
+
+
+def test_rings_of_another_steel_soften_the_contacts(run, tmp_path):
+    file = tmp_path / "soft.toml"
+    soft = '\n[materials.outer_ring]\nyoungs_modulus = "100 GPa"\npoisson_ratio = 0.3\n\n[friction]'
+    file.write_text((CONFIGS / "joshi2015_fag.toml").read_text().replace("\n[friction]", soft))
+    found, stiff = flexbearing.run(file, tmp_path / "soft.h5", [FEW]).rigid, run("joshi2015_fag").rigid
+    assert found["peak_pressure"][..., 0] == approx(stiff["peak_pressure"][..., 0], rel=1e-12)
+    assert (found["peak_pressure"][..., 1] < 0.9 * stiff["peak_pressure"][..., 1]).all()
+
+
+def test_groove_radius_says_the_same_as_conformity(run):
+    base = run("joshi2015_fag").rigid["torque"]
+    text = (CONFIGS / "joshi2015_fag.toml").read_text()
+    radius = 0.5225 * 4.76
+    assert "conformity = 0.5225" in text
+    changed = text.replace("conformity = 0.5225", f'radius = "{radius!r} mm"')
+    file = Path(run("joshi2015_fag").path).with_name("radius.toml")
+    file.write_text(changed)
+    assert flexbearing.run(file, file.with_suffix(".h5"), [FEW]).rigid["torque"] == approx(base, rel=1e-9)
+
+
+def test_held_ring_reports_the_load_it_takes(run):
+    loaded = run(RIVERA)
+    place = float(loaded.rigid["ring_displacement"][2])
+    held = run(RIVERA, "operation.load.axial=0 N", f"operation.displacement.axial={place!r} m").rigid
+    assert held["ring_load"][2] == approx(500.0, rel=1e-6)
+    assert summary(loaded)["rigid"]["ring_displacement_um"][2] == approx(1e6 * place, rel=1e-12)
+
+
+@pytest.mark.parametrize("control", ["outer", "inner"])
+def test_lines_that_do_not_exist_are_left_out_with_a_reason(run, control):
+    result = run(RIVERA, f"operation.control={control}", "operation.load.radial_x=300 N")
+    assert result.attributes["status"] == "converged"
+    lines = {name for name, entry in LAYOUTS[result.kind].datasets("block").items() if entry.optional}
+    told = [note for note in result.attributes["notes"] if note.startswith("no pure rolling lines: ")]
+    assert bool(told) is not bool(lines & result.rigid.keys())
+    if told:
+        assert summary(result)["rigid"]["line_counts"] is None
+        assert "pure rolling line" in text(result)
+
+
+def test_friction_too_low_for_the_gyroscopic_moment_is_told(run):
+    result = run(RIVERA, "rolling_lines.coefficient=0.01")
+    assert any("gyroscopic moment" in note for note in result.attributes["notes"])
+    assert not run(RIVERA).attributes["notes"]
+
+
+def test_balls_that_leave_the_inner_race_are_gaps(run):
+    result = run(RIVERA, EQUATION_15, "operation.load.radial_x=1000 N", "bearing.contact_angle=40 deg")
+    values = result.rigid
+    off = values["contact_load"][0] == 0
+    assert 0 < off.sum() < 18
+    for name in ("line_count", "first_line", "spin_torque", "slip_profile"):
+        assert np.isnan(values[name][:, off]).all()
+        assert np.isfinite(values[name][:, ~off]).all()
+    assert any(f"{off.sum()} of 18 balls" in note for note in result.attributes["notes"])
+
+
+def test_balanced_net_force_reaches_the_lines(run):
+    values = run(RIVERA, EQUATION_15, "rolling_lines.net_force=balanced").rigid
+    force = values["net_friction"] * values["contact_load"]
+    assert np.abs(values["net_friction"]).min() > 0
+    assert force[0] == approx(force[1], rel=1e-9)
+
+
+# -- endings --------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("name", "setting"),
+    [("joshi2015_qj309", "operation.load.axial=0 N"), (RIVERA, "operation.load.axial=0 N")],
+)
+def test_ring_that_nothing_holds_is_not_solved_and_says_so(tmp_path, name, setting):
+    result = flexbearing.run(CONFIGS / f"{name}.toml", tmp_path / "r.h5", [setting])
+    assert result.attributes["status"] == "not solved"
+    assert result.attributes["ending"] == "undetermined"
+    assert summary(result)["rigid"] is None
+    assert "NOT CONVERGED: not solved (undetermined)" in text(result)
+    assert write_figures(result, tmp_path) == []
+
+
+def test_load_beyond_small_contacts_is_bad_input(tmp_path):
+    with pytest.raises(flexbearing.case.BadCase, match=r"joshi2015_fag\.toml: .* far too high"):
+        flexbearing.run(
+            CONFIGS / "joshi2015_fag.toml", tmp_path / "r.h5", ['operation.contact_loads=["1e9 N"]']
+        )
+
+
+# -- file and pictures ----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", ["joshi2015_fourpoint", RIVERA])
+def test_file_says_what_it_holds(run, name):
+    result = run(name)
+    table = LAYOUTS[result.kind].datasets("block")
+    with h5py.File(result.path) as file:
+        assert file.attrs["kind"] == result.kind
+        assert list(file) == ["rigid"]
+        for dataset, item in file["rigid"].items():
+            assert item.attrs["unit"] == table[dataset].unit
+            assert item.attrs["meaning"] == table[dataset].meaning
+    again = read_result(result.path)
+    assert again.flexible == {}
+    assert again.iterations == ()
+
+
+PICTURES = {
+    "joshi2015_fourpoint": {"ball_loads", "ball_torques", "contacts_of_ball_138"},
+    "heras2017_a3": {"contacts_of_ball_0"},
+    RIVERA: {"ball_loads", "rolling_lines", "slip_profiles"},
+}
+
+
+@pytest.mark.parametrize("name", PICTURES)
+def test_pictures_of_a_result(run, name):
+    result = run(name)
+    drawn = LOOKS[result.kind].pictures(result)
+    assert drawn.keys() == PICTURES[name]
+    assert all(result.attributes["title"] in figure.get_suptitle() for figure in drawn.values())
+
+
+def test_one_panel_for_each_loaded_contact(run):
+    (figure,) = LOOKS["four_point_ball"].pictures(run("heras2017_a3")).values()
+    titles = [axes.get_title() for axes in figure.axes if axes.get_title()]
+    assert [title.split(":")[0] for title in titles] == [
+        "diagonal 1, inner race", "diagonal 1, outer race",
+        "diagonal 2, inner race", "diagonal 2, outer race",
+    ]  # fmt: skip
+    (figure,) = LOOKS["four_point_ball"].pictures(run("heras2017_a1")).values()
+    assert sum("race" in axes.get_title() for axes in figure.axes) == 2
+
+
+def test_pictures_become_files(run, tmp_path):
+    (file,) = write_figures(run("heras2017_a1"), tmp_path)
+    assert file.name == "contacts_of_ball_0.png"
+    assert file.read_bytes()[:4] == b"\x89PNG"

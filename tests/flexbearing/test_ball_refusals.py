@@ -1,0 +1,161 @@
+"""What a ball bearing's case file may not say, and how it is told."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from flexbearing.case import AngularCase, BadCase, Case, FourPointCase, explain, read
+from flexbearing.case.head import Head
+from flexbearing.case.kinds import KINDS
+from flexbearing.compute.trace import trace
+from flexbearing.results.kinds import LAYOUTS
+
+CONFIGS = Path(__file__).parents[2] / "configs"
+FOUR_POINT, ONE_BALL, ANGULAR = (
+    CONFIGS / f"{name}.toml" for name in ("joshi2015_fourpoint", "heras2017_a3", "rivera2021_7008")
+)
+
+
+def refusal(file, *settings):
+    with pytest.raises(BadCase) as problem:
+        read(file, settings)
+    return str(problem.value)
+
+
+def test_kind_decides_what_a_case_is():
+    assert type(read(CONFIGS / "mao2016.toml")) is Case
+    assert type(read(FOUR_POINT)) is FourPointCase
+    assert type(read(ANGULAR)) is AngularCase
+    assert set(KINDS) == set(LAYOUTS) == set(Head.model_fields["kind"].annotation.__args__)
+
+
+IMPOSSIBLE = {
+    "too many balls": (FOUR_POINT, ["bearing.balls=200"], "[bearing] balls = 200", "at most 170"),
+    "clearance in the wrong unit": (
+        FOUR_POINT, ["bearing.clearance=18 mm"], "[bearing] clearance", "is the unit right?",
+    ),
+    "interference deeper than the grooves": (
+        FOUR_POINT, ["bearing.clearance=-2 mm"], "[bearing] clearance", "above -1750 um",
+    ),
+    "conformity from the ball radius": (
+        FOUR_POINT, ["bearing.inner.conformity=0.5"], "[bearing.inner] conformity = 0.5", "above 0.5",
+    ),
+    "groove twice": (
+        FOUR_POINT, ["bearing.inner.radius=20 mm"], "[bearing.inner] radius", "give one of the two",
+    ),
+    "ring load without balls": (
+        ONE_BALL, ["operation.mode=ring_load"], "[bearing] balls is missing", 'mode = "ring_load" needs it',
+    ),
+    "three diagonals": (
+        ONE_BALL, ['operation.contact_loads=["1 N", "1 N", "1 N"]'],
+        "[operation] contact_loads", "one or two",
+    ),
+    "nothing pressed": (
+        ONE_BALL, ['operation.contact_loads=["0 N", "0 N"]'], "[operation] contact_loads", "above zero",
+    ),
+    "load without unit": (
+        ONE_BALL, ["operation.contact_loads=[5, 0]"],
+        "[operation] contact_loads = [5, 0] has no unit", "26 kN",
+    ),
+    "contact loads that are not there": (
+        FOUR_POINT, ["operation.mode=contact_loads"], "[operation] contact_loads is missing", "needs it",
+    ),
+    "two frictions": (
+        ONE_BALL, ['friction.pressures=["1 GPa"]', "friction.coefficients=[0.1]"],
+        "[friction] coefficient = 0.09", "give one of the two",
+    ),
+    "field of a ball that is not there": (
+        FOUR_POINT, ["fields.balls=[156]"], "[fields] balls = [156]", "from 0 to 155",
+    ),
+    "load and place at once": (
+        ANGULAR, ["operation.displacement.axial=5 um"],
+        "[operation.displacement] axial", "left out beside operation.load.axial",
+    ),
+    "ball as large as the pitch circle": (
+        ANGULAR, ["bearing.ball.diameter=60 mm"], "[bearing.ball] diameter", "below bearing.pitch_diameter",
+    ),
+    "control by nothing": (
+        ANGULAR, ["operation.control=none"], "[operation] control", '"outer" or "inner" or "equal"',
+    ),
+    "key of a roller bearing": (
+        ANGULAR, ["bearing.rollers=5"], "[bearing] rollers is not a key of this case",
+        'It belongs to kind = "cylindrical_roller"',
+    ),
+    "unknown kind": (ANGULAR, ["kind=ball"], 'kind = "ball" is not allowed', '"four_point_ball"'),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("file", "settings", "place", "allowed"), IMPOSSIBLE.values(), ids=IMPOSSIBLE.keys())
+def test_impossible_case_is_refused(file, settings, place, allowed):
+    message = refusal(file, *settings)
+    assert file.name in message or "--set" in message
+    assert place in message
+    assert allowed in message
+    assert len(message.splitlines()) == 1
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ('kind = "four_point_ball"\n', "", 'balls = 156 is not a key here. It belongs to kind = "four'),
+        ('kind = "four_point_ball"\n', "kind = 3\n", "kind = 3 is not allowed"),
+        ("balls = 156", "bals = 156", "[bearing] bals = 156 is not a key here. Did you mean balls?"),
+        ("coefficient = 0.12", 'pressures = ["2 GPa", "1 GPa"]\ncoefficients = [0.1, 0.1]', "growing"),
+        ("coefficient = 0.12", 'pressures = ["1 GPa", "2 GPa"]\ncoefficients = [0.1]', "2 numbers above 0"),
+        ("coefficient = 0.12", "coefficients = [0.1]", "[friction] pressures is missing"),
+        ("coefficient = 0.12", "", "[friction] coefficient is missing"),
+        ("conformity = 0.525 ", "# ", "[bearing.inner] conformity is missing: a groove without radius"),
+        ('"friction.coefficient",', '"friction.coeficient",', "Did you mean coefficient?"),
+    ],
+    ids=[
+        "kind forgotten", "kind is a number", "misspelt", "pressures fall", "one coefficient short",
+        "no pressures", "no friction", "no groove", "assumed key that is none",
+    ],
+)  # fmt: skip
+def test_broken_file_is_refused(tmp_path, old, new, told):
+    text = FOUR_POINT.read_text()
+    assert old in text
+    file = tmp_path / "broken.toml"
+    file.write_text(text.replace(old, new, 1))
+    assert told in refusal(file)
+
+
+def test_kind_inside_the_bearing_is_shown_its_place(tmp_path):
+    file = tmp_path / "inside.toml"
+    text = FOUR_POINT.read_text().replace('kind = "four_point_ball"\n', "")
+    file.write_text(text.replace("[bearing]", '[bearing]\nkind = "four_point_ball"'))
+    assert "write it first in the file" in refusal(file)
+
+
+def test_key_of_several_kinds_is_explained_for_each():
+    found = explain("bearing.clearance")
+    assert found.count("key      bearing.clearance") == 2
+    assert "kind     four_point_ball" in found
+    assert "along a diagonal" in found
+    assert "diametral clearance, warm and running" in found
+    assert "kind     four_point_ball, angular_contact_ball" in explain("bearing.ball.diameter")
+    assert "kind     " not in explain("title")
+
+
+def test_ball_bearing_is_not_traced():
+    with pytest.raises(BadCase, match="only roller bearings are traced, this is a angular_contact_ball"):
+        trace(ANGULAR, "operation.inner_speed=100 rpm..200 rpm")
+
+
+def test_check_loads_nothing_heavy():
+    code = (
+        "import sys\n"
+        "from flexbearing.cli import main\n"
+        f"for file in {[str(FOUR_POINT), str(ANGULAR)]}:\n"
+        "    sys.argv = ['flexbearing', 'check', file]\n"
+        "    try: main()\n"
+        "    except SystemExit as end: assert not end.code\n"
+        "print([m for m in ('ngsolve', 'netgen', 'h5py', 'matplotlib') if m in sys.modules])"
+    )
+    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    *checked, heavy = found.stdout.splitlines()
+    assert len(checked) == 2
+    assert all("nothing wrong with it" in line for line in checked)
+    assert heavy == "[]"

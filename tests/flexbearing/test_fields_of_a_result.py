@@ -1,0 +1,127 @@
+"""Stresses and displacements of the rings of a stored run."""
+
+import json
+from pathlib import Path
+
+import ngsolve as ngs
+import numpy as np
+import pytest
+from pytest import approx
+from typer.testing import CliRunner
+
+import fem
+import flexbearing
+from flexbearing.case import BadCase
+from flexbearing.cli import app
+from flexbearing.compute import assemble, fields
+from flexbearing.compute.deformed import pictures
+from flexbearing.report import summary, text
+from flexbearing.results import BadResult
+
+PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
+COARSE = [
+    "inner.kind=rigid", "outer.bars=8", "outer.bar_width=10 mm", "accuracy.element_order=2",
+    "accuracy.mesh_size=8 mm", "accuracy.raceway_mesh_size=3.5 mm", "accuracy.patch_width=1.5 mm",
+    "accuracy.slices=8", "accuracy.axial_shapes=2", "accuracy.threads=1", "outputs.stresses=true",
+]  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def result(tmp_path_factory):
+    return flexbearing.run(PAPER, tmp_path_factory.mktemp("run") / "cage.h5", COARSE)
+
+
+@pytest.fixture(scope="module")
+def rigid(tmp_path_factory):
+    settings = ["inner.kind=rigid", "outer.kind=rigid"]
+    return flexbearing.run(PAPER, tmp_path_factory.mktemp("run") / "rigid.h5", settings)
+
+
+@pytest.fixture(scope="module")
+def outer(result):
+    (found,) = fields.of_result(result)
+    return found
+
+
+def test_largest_stresses_are_stored_and_shown(result, outer):
+    stored = result.attributes["stresses"]
+    assert list(stored) == ["outer"]
+    assert set(stored["outer"]["bodies"]) == {"ring", "bars", "flange"}
+    assert summary(result)["stresses"] == json.loads(json.dumps(stored))
+    bars = stored["outer"]["bodies"]["bars"]
+    assert f"{bars['von_mises_MPa']:,.0f}" in text(result)
+    computed = outer.record()
+    assert computed["bodies"]["bars"] == approx(bars, rel=1e-6)
+    assert computed["nominal_bar_stress_MPa"] == approx(stored["outer"]["nominal_bar_stress_MPa"], rel=1e-6)
+
+
+def test_solid_moves_as_the_condensed_ring_did(result, outer):
+    """Mean translation of the raceway, on two meshes and by two ways."""
+    mesh, (_, u, v) = outer.fields.mesh, outer.fields.displacement
+    outward = (u * ngs.y + v * ngs.z) / ngs.sqrt(ngs.y**2 + ngs.z**2) ** 2
+    raceway = mesh.Boundaries("raceway")
+    area = ngs.Integrate(ngs.CF(1), mesh, definedon=raceway)
+    found = [2 / area * ngs.Integrate(outward * e, mesh, definedon=raceway) for e in (ngs.y, ngs.z)]
+    expected = result.flexible["support_translation"][1]
+    assert found == approx(expected, abs=0.06 * np.abs(expected).max())
+
+
+def test_support_is_as_stiff_as_the_condensed_one(result, outer):
+    condensed = result.attributes["structure"]["outer"]["support_stiffness_N_per_m"]
+    assert outer.support.radial == approx(condensed, rel=0.06)
+
+
+def test_forces_of_a_state_are_those_of_its_rollers(result, outer):
+    values = fields.state_of(result, "flexible")
+    assert outer.fields.forces[:, 0] == approx(values["outer_load"], rel=1e-9, abs=1e-9)
+    inwards = fields.forces(values["inner_slice_load"], "inner", 5e-3, 2)
+    assert inwards[:, 0] == approx(-values["inner_load"], rel=0.01)
+
+
+def test_every_iteration_can_be_asked_for(result):
+    count = len(result.iterations)
+    assert count > 1
+    assert fields.state_of(result, f"iteration {count}") is result.iterations[-1]
+    assert fields.state_of(result, "iteration 1") is result.iterations[0]
+    for name in (f"iteration {count + 1}", "iteration 0", "iteration", "soft"):
+        with pytest.raises(BadResult, match=f"iteration 1 to iteration {count}"):
+            fields.state_of(result, name)
+
+
+def test_rigid_parts_have_no_fields(result, rigid):
+    with pytest.raises(BadCase, match="inner ring and shaft is rigid"):
+        fields.of_result(result, race="inner")
+    with pytest.raises(BadCase, match="every part is rigid"):
+        fields.of_result(rigid)
+    assert "stresses" not in rigid.attributes
+    assert summary(rigid)["stresses"] is None
+    assert list(pictures(rigid, Path())) == []
+
+
+def test_fields_command_writes_what_paraview_opens(result, tmp_path):
+    done = CliRunner().invoke(app, ["fields", str(result.path), "--part", "outer", "-o", str(tmp_path)])
+    assert done.exit_code == 0, done.output
+    assert "outer: bars" in done.output
+    assert "N m/mrad tilting" in done.output
+    assert (tmp_path / "cage_outer_flexible.vtu").stat().st_size > 10_000
+
+
+def test_picture_shows_the_part_before_and_after(result, outer, tmp_path):
+    (line,) = pictures(result, tmp_path)
+    assert line == f"picture: {tmp_path / 'outer_deformed.png'}"
+    assert (tmp_path / "outer_deformed.png").stat().st_size > 10_000
+
+
+def test_part_without_a_solid_is_said(result, monkeypatch, tmp_path):
+    springs = fem.Foundation(axial=0, radial=1e12, tangential=0)
+    part = assemble.outer_part(fields.case_of(result))
+    ring = fem.OuterRing(
+        raceway_diameter=part.raceway_diameter, thickness=part.thickness, width=part.width,
+        elastic=part.elastic, support=springs,
+    )  # fmt: skip
+    monkeypatch.setattr(assemble, "outer_part", lambda case: ring)
+    with pytest.raises(fields.NoFields, match="outer ring: a solid has no Foundation"):
+        fields.of_result(result)
+    assert "no picture" in next(pictures(result, tmp_path))
+    failed = CliRunner().invoke(app, ["fields", str(result.path)])
+    assert failed.exit_code == 1
