@@ -12,7 +12,7 @@ from typing import Any
 
 import ngsolve as ngs
 import numpy as np
-from netgen.meshing import NgException
+from netgen.meshing import NgException  # pyright: ignore[reportAttributeAccessIssue]  # made at import
 from numpy.typing import NDArray
 from scipy import sparse
 

@@ -12,7 +12,7 @@ from typing import Any
 
 import ngsolve as ngs
 import numpy as np
-from netgen.meshing import NgException
+from netgen.meshing import NgException  # pyright: ignore[reportAttributeAccessIssue]  # made at import
 from numpy.typing import NDArray
 
 REFINABLE = 1e-4  # allowed change of u by a refinement: it restores digits, it does not repair

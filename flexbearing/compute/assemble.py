@@ -113,7 +113,8 @@ def outer_part(case: Case) -> fem.SquirrelCage | fem.OuterRing | StepSolid | Non
 
 def _support(case: Case) -> Any:
     """What holds a plain outer ring."""
-    outer, hot = case.outer, growth(case, "outer_ring")
+    outer: Any = case.outer  # checked on reading
+    hot = growth(case, "outer_ring")
     match outer.support:
         case "seat":
             return fem.RigidSeat()

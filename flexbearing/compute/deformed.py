@@ -26,7 +26,12 @@ def pictures(result: Result, directory: Path) -> Iterator[str]:
     if not result.flexible:
         return
     case = fields.case_of(result)
-    for race in fields.parts(case):
+    try:
+        flexible = fields.parts(case)
+    except fields.NoFields as problem:
+        yield f"no picture of a deformed part: {problem}"
+        return
+    for race in flexible:
         try:
             found = fields.fields(case, race, "flexible", result.flexible)
         except fields.NoFields as problem:

@@ -29,6 +29,7 @@ Arrays = Mapping[str, Any]  # name to array
 
 NAMES = {"inner": "inner ring and shaft", "outer": "outer ring"}
 MEGA = 1e6  # Pa per MPa
+WITHOUT_BARS = (3, 1.2, 0.4)  # order and sizes over the roller length: 2 % of the shaft's largest stress
 
 
 class NoFields(RuntimeError):
@@ -127,8 +128,27 @@ def state_of(result: Result, name: str) -> Arrays:
 
 
 def parts(case: Case) -> dict[Race, Any]:
-    """Parts of a case that are flexible."""
-    both: dict[Race, Any] = {"inner": assemble.inner_part(case), "outer": assemble.outer_part(case)}
+    """Parts of a case that are flexible.
+
+    Parameters
+    ----------
+    case : Case
+        of a run, or from its result; a drawing is looked for beside either
+
+    Returns
+    -------
+    dict
+        part by its raceway
+
+    Raises
+    ------
+    NoFields
+        if a part cannot be built
+    """
+    try:
+        both: dict[Race, Any] = {"inner": assemble.inner_part(case), "outer": assemble.outer_part(case)}
+    except fem.ImpossiblePart as problem:
+        raise NoFields(str(problem)) from problem
     return {race: part for race, part in both.items() if part is not None}
 
 
@@ -153,7 +173,7 @@ def fields(case: Case, race: Race, state: str, values: Arrays) -> PartFields:
     Raises
     ------
     NoFields
-        if the part has no solid, or it could not be solved
+        if the part has no solid, is not bonded to its seat, or could not be solved
 
     Valid
     -----
@@ -172,11 +192,14 @@ def fields(case: Case, race: Race, state: str, values: Arrays) -> PartFields:
         shapes=case.accuracy.axial_shapes,
         width=case.accuracy.patch_width or PATCH * length,
     )
+    if race == "inner" and case.inner.fit != "bonded":
+        raise NoFields(f"{NAMES[race]}: a ring in a fit is not bonded to its shaft; the solid is")
     part = parts(case)[race]
+    sizes = WITHOUT_BARS if isinstance(part, fem.OuterRing | fem.RingOnShaft) else IN_SPACE
     try:
         # threads of the linear algebra would fight with those of the finite elements
         with threadpool_limits(limits=1, user_api="blas"):
-            solid = factored(part, patches, wishes(case, IN_SPACE), case.accuracy.threads)
+            solid = factored(part, patches, wishes(case, sizes), case.accuracy.threads)
             loaded = solid.under(forces(values[f"{race}_slice_load"], race, length, patches.shapes))
             bars = bar_forces(loaded) if isinstance(part, fem.SquirrelCage) else None
             return PartFields(race=race, state=state, fields=loaded, support=support(solid), bars=bars)

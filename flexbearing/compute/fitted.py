@@ -86,6 +86,7 @@ def fit_of(case: Case, part: fem.RingOnShaft, length: float, mesh: fem.Mesh) -> 
     from fem.settled_fit import Fit, settled
 
     inner, materials = case.inner, case.materials
+    assert materials.shaft is not None  # or the case would not have been read
     ring = FittedRing(seat=part, shoulder_diameter=inner.shoulder_diameter)
     bodies = condense_fitted(ring, length, case.accuracy.axial_shapes, mesh)
     return settled(

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from contextlib import contextmanager
 from time import perf_counter
+from typing import Any
 
 from numpy.typing import NDArray
 
@@ -72,9 +73,11 @@ def _by_harmonics(name: str, part: assemble.Part, case: Case, report: Report):
     """Raceway compliance for rollers anywhere: on half a pitch of a cage, else on the axial section."""
     from fem import apart, revolved, supported_ring
 
+    condense: Any = revolved.condense
     cage = isinstance(part, fem.SquirrelCage)
-    condense = apart.condense_sector_apart if cage else revolved.condense
-    if isinstance(part, fem.OuterRing):
+    if cage:
+        condense = apart.condense_sector_apart
+    elif isinstance(part, fem.OuterRing):
         condense = supported_ring.condense
     wanted = (
         part,

@@ -46,7 +46,7 @@ def _solve(case: Case, file: ResultFile, outcome: Outcome, report: Report) -> di
     except PartnerFailed as failure:
         return _ending("not solved", str(failure), 0, rigid_rings) | {"ending": failure.ending}
     if rings.rigid:
-        outcome.store("flexible", rigid, rings)
+        outcome.store("flexible", rigid, rigid_rings)
         ending = _ending("converged", "every part is rigid: nothing to iterate", 0, rings)
         return ending | {"ending": str(rigid.status)}
     report.stage("bearing and rings together", None)

@@ -13,6 +13,8 @@ from fem.mesh import meshed
 from fem.solve import NotSolved, factor, threads
 from tests.fem.test_parts import CAGE, SHAFT, STEEL
 
+pytestmark = pytest.mark.slow  # whole solids; those on half a pitch and on sections are checked against them
+
 Z, M = 30, 3
 ROLLERS = Patches(azimuths=2 * np.pi * np.arange(Z) / Z, length=5e-3, shapes=M, width=1e-3)
 COARSE = Mesh(order=2, size=4e-3, raceway_size=2.5e-3)

@@ -98,7 +98,8 @@ def test_rigid_parts_have_no_fields(result, rigid):
     assert list(pictures(rigid, Path())) == []
 
 
-def test_fields_command_writes_what_paraview_opens(result, tmp_path):
+def test_fields_command_writes_what_paraview_opens(result, outer, tmp_path, monkeypatch):
+    monkeypatch.setattr(fields, "fields", lambda case, race, state, values: outer)  # solved before
     done = CliRunner().invoke(app, ["fields", str(result.path), "--part", "outer", "-o", str(tmp_path)])
     assert done.exit_code == 0, done.output
     assert "outer: bars" in done.output
@@ -106,7 +107,8 @@ def test_fields_command_writes_what_paraview_opens(result, tmp_path):
     assert (tmp_path / "cage_outer_flexible.vtu").stat().st_size > 10_000
 
 
-def test_picture_shows_the_part_before_and_after(result, outer, tmp_path):
+def test_picture_shows_the_deformed_part(result, outer, tmp_path, monkeypatch):
+    monkeypatch.setattr(fields, "fields", lambda case, race, state, values: outer)  # solved before
     (line,) = pictures(result, tmp_path)
     assert line == f"picture: {tmp_path / 'outer_deformed.png'}"
     assert (tmp_path / "outer_deformed.png").stat().st_size > 10_000
@@ -125,3 +127,10 @@ def test_part_without_a_solid_is_said(result, monkeypatch, tmp_path):
     assert "no picture" in next(pictures(result, tmp_path))
     failed = CliRunner().invoke(app, ["fields", str(result.path)])
     assert failed.exit_code == 1
+
+
+def test_ring_in_a_fit_is_not_taken_as_bonded(result):
+    case = fields.case_of(result)
+    loose = case.model_copy(update={"inner": case.inner.model_copy(update={"fit": "frictionless"})})
+    with pytest.raises(fields.NoFields, match="not bonded"):
+        fields.fields(loose, "inner", "flexible", result.flexible)

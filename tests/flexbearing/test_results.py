@@ -32,6 +32,7 @@ ENDING = {
     "life": {"rigid": {"modified_Mrev": 12.0}},
     "regimes": {"rigid": {"inner": "mixed", "outer": "full film"}},
     "structure": {"unknowns": 12_000, "seconds": {"mesh": 0.5}},
+    "stresses": {"outer": {"nominal_bar_stress_MPa": 1500.0}},
 }
 
 

@@ -120,6 +120,7 @@ def test_ring_pinched_by_two_patches():
     assert (along, across) == approx((-0.11543227, 0.10516535), rel=1e-4)
 
 
+@pytest.mark.slow
 def test_ring_pinched_by_two_lines_in_space():
     """1 kN on opposite outer lines; inner diameters at mid-width. Two codes agree to 1e-5.
 
@@ -150,6 +151,7 @@ def test_ring_pinched_by_two_lines_in_space():
     assert (-along, across) == approx((1.15124, 1.04936), rel=1e-4)
 
 
+@pytest.mark.slow
 def test_neighbours_of_a_loaded_roller_on_a_clamped_ring():
     """One face clamped, unit line load on the raceway: u_r at 12, 24, 36, 48 degrees, mid-width [mm/kN].
 
