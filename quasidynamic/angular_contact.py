@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.angular import AngularBalance, race_contacts
+from quasidynamic.balance.light_ball import GRIP, LED
 from quasidynamic.contact.point import INNER, OUTER, PointContact
 from quasidynamic.errors import NotSolved
 from quasidynamic.motion.ball_speeds import Control, spin_to_roll
@@ -114,6 +115,19 @@ class AngularContactState:
     def on_inner(self) -> NDArray:
         """Balls that the inner race touches (Z), bool."""
         return self.loads[0] > 0
+
+    @property
+    def guided(self) -> NDArray:
+        """Balls whose motion both races set (Z), bool.
+
+        The others are pressed too lightly, stand too far round a race or lack friction for their gyroscopic
+        moment, see `AngularBalance`: orbit, spin and tractions of these are estimates.
+        """
+        apart = np.abs(self.contact_angles[0] - self.contact_angles[1])
+        pressed = self.loads[0] > GRIP * self.centrifugal_force
+        wanted = 2 * np.abs(self.gyroscopic_moment) / self.bearing.ball.diameter
+        held = np.abs(self.tractions.sum(0)) >= (1 - 1e-9) * wanted
+        return (apart <= LED) & pressed & held
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -1,6 +1,6 @@
 """Oil film between the cage and the land that guides it."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -105,7 +105,8 @@ def land_torque(
     if cage.guidance == "rollers":
         nothing = np.zeros(np.broadcast_shapes(np.shape(speed_difference), np.shape(eccentricity)))
         return LandTorque(nothing, nothing, nothing)
-    resistance, slope = land_drag(cage, oil), 0.0
+    resistance: Any = land_drag(cage, oil)
+    slope: Any = 0.0
     if cage.land_flow == "vortices":
         radius, clearance = cage.land_diameter / 2, cage.land_clearance / 2
         reynolds = oil.density * radius * clearance / oil.viscosity * np.abs(speed_difference)

@@ -112,21 +112,28 @@ def ball_motion(
     """
     inner_speed, outer_speed = speeds
     attitude = ball_attitude(inner_angle, outer_angle, ratio, control)
-    outer, outer_slopes = _rolling_share(outer_angle, attitude, ratio, 1)
-    inner, inner_slopes = _rolling_share(inner_angle, attitude, -ratio, 0)
-    total, total_slopes = inner + outer, inner_slopes + outer_slopes
+    (inner, outer), slopes = _rolling_shares(inner_angle, outer_angle, attitude, ratio)
+    total, total_slopes = inner + outer, slopes[0] + slopes[1]
     spin = (inner_speed - outer_speed) / (ratio * total)
     orbit = (inner_speed * outer + outer_speed * inner) / total
-    orbit_slopes = (inner_speed * outer_slopes + outer_speed * inner_slopes - orbit * total_slopes) / total
+    orbit_slopes = ((inner_speed - orbit) * slopes[1] + (outer_speed - orbit) * slopes[0]) / total
     return BallMotion(Rated(orbit, orbit_slopes), Rated(spin, -spin / total * total_slopes), attitude)
 
 
-def _rolling_share(angle: NDArray | float, attitude: Rated, side: float, own: int) -> tuple[NDArray, NDArray]:
-    """P = cos(alpha - beta)/(1 + side cos(alpha)), and its slopes by both angles; `own` is that of alpha."""
-    reach = 1 + side * np.cos(angle)
-    share, turn = np.cos(angle - attitude.value) / reach, np.sin(angle - attitude.value) / reach
-    slopes = turn * attitude.slopes
-    slopes[own] += side * np.sin(angle) / reach * share - turn
+def _rolling_shares(
+    inner_angle: NDArray | float, outer_angle: NDArray | float, attitude: Rated, ratio: float
+) -> tuple[NDArray, NDArray]:
+    """P = cos(alpha - beta)/(1 +- gamma cos(alpha)) of both races, slopes (race, by angle, ...)."""
+    none = np.zeros(np.shape(attitude.value))
+    angles = np.array([inner_angle + none, outer_angle + none])
+    side = np.reshape([-ratio, ratio], (2, *[1] * none.ndim))
+    reach = 1 + side * np.cos(angles)
+    ahead = angles - attitude.value
+    share, turn = np.cos(ahead) / reach, np.sin(ahead) / reach
+    slopes = turn[:, None] * attitude.slopes
+    own = side * np.sin(angles) / reach * share - turn
+    slopes[0, 0] += own[0]
+    slopes[1, 1] += own[1]
     return share, slopes
 
 

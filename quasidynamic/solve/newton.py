@@ -51,15 +51,16 @@ def newton(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep]:
     cases, here = np.arange(len(unknowns)), balance
     system, accepted = here.evaluate(unknowns), np.ones(len(unknowns), bool)
     yield Sweep(0, cases, unknowns, system, [Ending.NONE] * len(cases), accepted)
+    # Types are declared where a checker would follow them around the loop for minutes.
+    direction: NDArray = step(here, system)
     size, worst, damping = norm(system), _worst(system), np.ones(len(cases))
-    direction = step(here, system)
     for number in range(1, LIMIT + 1):
         trial = here.bounded(unknowns, unknowns + damping[:, None] * direction)
         system = here.evaluate(trial)
         new = norm(system)
-        better = new <= np.maximum((1 - 1e-4 * damping) * size, ROUNDING * system.loading)
+        better: NDArray = new <= np.maximum((1 - 1e-4 * damping) * size, ROUNDING * system.loading)
         better &= (new < size) | (worst > ENOUGH)
-        everywhere = better.all()
+        everywhere = bool(better.all())
         if everywhere:  # as nearly always: nothing to choose
             unknowns, size, worst, damping = trial, new, _worst(system), np.ones(len(cases))
         else:
@@ -76,10 +77,10 @@ def newton(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep]:
         elif better.any():
             direction = np.where(better[:, None], step(here, system), direction)
         if not all(running):
-            running = np.array(running)
-            cases, here = cases[running], here.take(running)
+            left = np.flatnonzero(running)
+            cases, here = cases[left], here.take(left)
             unknowns, direction, damping, size, worst = (
-                array[running] for array in (unknowns, direction, damping, size, worst)
+                array[left] for array in (unknowns, direction, damping, size, worst)
             )
 
 

@@ -5,24 +5,21 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.angular import AngularBalance, BallBalance, RingBalance
-from quasidynamic.contact.point import in_series
+from quasidynamic.balance.angular import AngularBalance, BallBalance, RingBalance, moved
+from quasidynamic.balance.ball_place import Vectors
+from quasidynamic.solve.balls import along_arc, largest_force, noise, resolved, settle
 from quasidynamic.solve.endings import Ending
+from quasidynamic.solve.frozen_forces import hung
+from quasidynamic.solve.ring_on_springs import first_place, newton_step
 
 TOLERANCE = 1e-11  # of the largest force: unbalanced force on the ring
-BALL_TOLERANCE = 1e-12  # the same for a ball, whose balance the ring relies on
-ROUNDING = 16 * np.finfo(float).eps  # of lengths: a force below stiffness times this is noise
 LIMIT = 60  # Newton steps of the ring, rarely more than ten
-BALL_LIMIT = 60  # evaluations of the balls at one place of the ring, rarely more than four
 LOOSE = 0.1  # of the imbalance before a step: what the balls may leave to the next one
 SHORTEST = 2.0**-12  # part of a Newton step
-LONGEST = 0.3  # of the smaller reach: step of a ball or of the ring
-STIFFENING = 1e-2  # of the whole stiffness over the relative imbalance, where no ball resists a direction
 TOUCHING = 10 * TOLERANCE  # of the largest force: least load that counts as contact of the ring
 SINGULAR = 1e-12  # of the whole stiffness: a direction that nothing holds
-FLOATING = 1e-12  # of the largest stiffness, given to balls that touch nothing
-LEAST_STIFFNESS = 1e-9  # [N/m] the same where no ball touches anything
-FIRST_INERTIA, LEAST_INERTIA = 0.25, 1e-3  # steps of the inertia from rest, where a cold start fails
+ROUNDS, RELAXATION = 60, 0.4  # of forces of inertia that follow the places, where a cold start fails
+CLOSE = 1e-6  # of the largest of these forces: change at which the places are a start
 
 
 @dataclass(frozen=True)
@@ -30,7 +27,7 @@ class Solved:
     """Places of ring and balls, and how the search ended; C cases, Z balls."""
 
     ring: NDArray  # (C, 5) [m] rotations times R_i
-    centres: NDArray  # (C, Z, 2) [m] from the outer groove centres
+    centres: NDArray  # (C, Z) [m] axial + i radial, from the outer groove centres
     endings: list[Ending]
     imbalance: NDArray  # (C) largest unbalanced force over the largest force
     evaluations: NDArray  # (C) of all balls
@@ -42,9 +39,9 @@ class _State:
 
     ring: NDArray
     centres: NDArray
-    late: NDArray  # (C, Z, 2) [m] what the balls still have to move
+    late: NDArray  # (C, Z) [m] what the balls still have to move
     balls: BallBalance
-    follow: NDArray  # (C, Z, 2, 2)
+    follow: NDArray  # (2, C, Z) see `followed`
     balance: RingBalance
     settled: NDArray  # (C) bool
     imbalance: NDArray  # (C)
@@ -53,13 +50,13 @@ class _State:
 
 
 def solve(balance: AngularBalance) -> Solved:
-    """Balance of all cases: from rest in one go, else with inertia that grows step by step."""
+    """Balance of all cases: in one go, else from places under forces of inertia that follow slowly."""
     with np.errstate(all="ignore"):  # places tried on the way may overflow: such a step is not taken
         return _solve(balance)
 
 
 def _solve(balance: AngularBalance) -> Solved:
-    found = newton(balance, first_place(balance))
+    found = newton(balance, *start(balance))
     failed = np.flatnonzero(
         [ending not in (Ending.CONVERGED, Ending.UNDETERMINED) for ending in found.endings]
     )
@@ -67,7 +64,7 @@ def _solve(balance: AngularBalance) -> Solved:
         return found
     endings, pieces = list(found.endings), {}
     for case in failed:
-        pieces[case] = from_rest(balance.take(np.array([case])))
+        pieces[case] = relaxed(balance.take(np.array([case])))
         endings[case] = pieces[case].endings[0]
     arrays = [found.ring, found.centres, found.imbalance, found.evaluations]
     for case, piece in pieces.items():
@@ -77,48 +74,41 @@ def _solve(balance: AngularBalance) -> Solved:
     return Solved(found.ring, found.centres, endings, found.imbalance, found.evaluations)
 
 
-def from_rest(balance: AngularBalance) -> Solved:
-    """One case, followed from the static balance while inertia grows to its full size."""
-    here = newton(replace(balance, inertia=0.0), first_place(balance))
-    inertia, step, count = 0.0, FIRST_INERTIA, here.evaluations
-    if here.endings[0] is not Ending.CONVERGED:
-        return here
-    while inertia < 1.0:
-        trial = min(inertia + step, 1.0)
-        there = newton(replace(balance, inertia=trial), here.ring, here.centres)
-        count = count + there.evaluations
-        if there.endings[0] is Ending.CONVERGED:
-            here, inertia, step = there, trial, 2 * step
-        elif step > LEAST_INERTIA:
-            step /= 4
-        else:
-            return replace(there, evaluations=count)
-    return replace(here, evaluations=count)
+def start(balance: AngularBalance) -> tuple[NDArray, Vectors]:
+    """First places of ring and balls: on springs, then under the forces that inertia has there."""
+    ring = first_place(balance)
+    grooves = balance.grooves(ring)
+    centres = balance.places.resting(grooves)
+    if (balance.free_centrifugal > 0).any():
+        ring, centres = hung(balance, (ring, centres), inertia_forces(balance, ring, centres))
+    return ring, centres
 
 
-def first_place(balance: AngularBalance) -> NDArray:
-    """Ring displacements (C, 5) near the static ones: each load acts alone on the nearest balls."""
-    own = balance.bearing
-    apart, sine = own.inner_reach + own.outer_reach, max(np.sin(own.contact_angle), 0.3)
-    cosine = np.cos(own.contact_angle)
+def inertia_forces(balance: AngularBalance, ring: NDArray, centres: Vectors) -> tuple[Vectors, NDArray]:
+    """Centrifugal forces and tractions on the balls (C, Z), their part of the load (C, 5) [N]."""
+    balls = balance.balls(balance.grooves(ring), centres)
+    return balls.pull, balance.dragged(balls)
 
-    def approach(load: NDArray) -> NDArray:
-        return (np.abs(load) / own.balls / in_series(*balance.contacts)) ** (2 / 3)
 
-    load, place = balance.load, np.zeros_like(balance.load)
-    radial = np.sqrt((load[:, :2] ** 2).sum(1, keepdims=True))
-    place[:, :2] = approach(4.4 * radial / cosine) / cosine * load[:, :2] / np.maximum(radial, 1e-300)
-    axial = apart + approach(load[:, 2] / sine)
-    stretch = np.sqrt(axial**2 - (apart * cosine) ** 2) - apart * np.sin(own.contact_angle)
-    place[:, 2] = np.sign(load[:, 2]) * stretch
-    place[:, 3:] = np.sign(load[:, 3:]) * approach(4.4 * load[:, 3:] / sine) / sine
-    return np.where(balance.held, balance.place, place)
+def relaxed(balance: AngularBalance) -> Solved:
+    """Places under forces of inertia that follow them slowly, then Newton's method."""
+    ring = first_place(balance)
+    centres = balance.places.resting(balance.grooves(ring))
+    pull, drag = 1j * balance.free_centrifugal + np.zeros_like(centres), np.zeros_like(ring)
+    for _ in range(ROUNDS):
+        ring, centres = hung(balance, (ring, centres), (pull, drag), CLOSE)
+        new_pull, new_drag = inertia_forces(balance, ring, centres)
+        change = np.abs(new_pull - pull).max()
+        pull, drag = pull + RELAXATION * (new_pull - pull), drag + RELAXATION * (new_drag - drag)
+        if change <= CLOSE * np.abs(pull).max():
+            break
+    return newton(balance, ring, centres)
 
 
 def newton(balance: AngularBalance, ring: NDArray, centres: NDArray | None = None) -> Solved:
     """Damped Newton on the ring, all cases side by side; a case leaves as soon as it ends."""
     if centres is None:
-        centres = balance.resting(balance.grooves(ring))
+        centres = balance.places.resting(balance.grooves(ring))
     size = len(ring)
     out_ring, out_centres = ring.copy(), centres.copy()
     endings, imbalance, evaluations = [Ending.NONE] * size, np.full(size, np.inf), np.zeros(size, int)
@@ -161,27 +151,20 @@ def _held(balance: AngularBalance, here: _State, case: int) -> bool:
     return bool(touching and sizes.min() > SINGULAR * sizes.max())
 
 
-def _ring_step(balance: AngularBalance, here: _State) -> NDArray:
-    """Newton step (C, 5), stiffer where nothing resists as long as forces are out of balance."""
-    matrix = here.balance.stiffness.copy()
-    whole = np.abs(np.trace(matrix, axis1=1, axis2=2))
-    stiffer = STIFFENING * np.minimum(here.imbalance, 1.0) * whole + np.finfo(float).tiny
-    matrix = np.where(balance.held[:, :, None] | balance.held[:, None, :], 0.0, matrix)
-    diagonal = np.where(balance.held, np.maximum(whole, 1.0)[:, None], stiffer[:, None])
-    matrix = matrix + diagonal[:, :, None] * np.eye(5)
-    step = np.linalg.solve(matrix, here.balance.excess[..., None])[..., 0]
-    longest = LONGEST * min(balance.bearing.inner_reach, balance.bearing.outer_reach)
-    return step / np.maximum(np.abs(step).max(1, keepdims=True) / longest, 1.0)
-
-
 def _moved(balance: AngularBalance, here: _State) -> tuple[_State, NDArray, int]:
     """State after a Newton step; where it fails, balls are brought into balance and the step is halved."""
-    step, damping = _ring_step(balance, here), np.ones(len(here.ring))
+    step, damping = (
+        newton_step(balance, here.balance.excess, here.balance.stiffness, here.imbalance),
+        np.ones(len(here.ring)),
+    )
     there, good = _tried(balance, here, step, damping, LOOSE * here.imbalance)
     count = there.evaluations
     if not good.all():
         here = _state(balance, here.ring, here.centres, 0.0)
-        step, count = _ring_step(balance, here), count + here.evaluations
+        step, count = (
+            newton_step(balance, here.balance.excess, here.balance.stiffness, here.imbalance),
+            count + here.evaluations,
+        )
     while not good.all() and (damping[~good] >= SHORTEST).any():
         there, good = _tried(balance, here, step, damping, 0.0)
         count += there.evaluations
@@ -194,9 +177,9 @@ def _tried(
 ) -> tuple[_State, NDArray]:
     """State after a damped step, and the cases in which it does not run far past the balance on its way."""
     ring = here.ring + damping[:, None] * step
-    shift = (balance.grooves(ring) - balance.grooves(here.ring))[..., None]
-    moved = damping[:, None, None] * here.late + (here.follow @ shift)[..., 0]
-    there = _state(balance, ring, _along_arc(here.centres, moved), share)
+    shift = balance.grooves(ring) - balance.grooves(here.ring)
+    move = damping[:, None] * here.late + moved(here.follow, shift)
+    there = _state(balance, ring, along_arc(here.centres, move), share)
     ahead, left = (here.balance.excess * step).sum(1), (there.balance.excess * step).sum(1)
     good = (left >= -0.5 * np.abs(ahead)) | (there.imbalance < 0.5 * here.imbalance)
     return there, good & there.settled
@@ -210,7 +193,7 @@ def _taken(state: _State, cases: NDArray) -> _State:
         ring=state.ring[cases],
         centres=state.centres[cases],
         late=state.late[cases],
-        follow=state.follow[cases],
+        follow=state.follow[:, cases],
         balance=ring,
         settled=state.settled[cases],
         imbalance=state.imbalance[cases],
@@ -222,105 +205,19 @@ def _state(balance: AngularBalance, ring: NDArray, centres: NDArray, share: NDAr
     """Ring at a place, balls in balance up to a share of the largest force."""
     grooves = balance.grooves(ring)
     centres, balls, settled, count = settle(balance, grooves, centres, share)
-    inverse = _inverse(balls.by_ball)
-    forces = balance.ring(balls, -inverse @ balls.by_groove)
-    off = -(inverse @ balls.excess[..., None])[..., 0]
-    missed = (balance.ball_to_ring @ balls.ring_by_ball @ off[..., None])[..., 0].sum(1)
-    excess = np.where(balance.held, 0.0, forces.excess - missed)
-    largest = np.maximum(_largest_force(balance, balls), _noise(balls, grooves) / TOLERANCE)
+    late, *follow = -resolved(balls, np.concatenate([balls.excess[None], balls.by_groove[:, 0]]))
+    follow = np.array(follow)
+    forces = balance.ring(balls, follow)
+    _, force, traction = moved(balls.by_ball, late)
+    excess = np.where(balance.held, 0.0, forces.excess - balance.on_ring(force, traction))
+    largest = np.maximum(largest_force(balance, balls), noise(balls, grooves) / TOLERANCE)
     largest = np.maximum(largest, np.finfo(float).tiny)
     pressing = balls.loads[0].max(1) / largest
-    worst = np.maximum(np.abs(excess).max(1), np.abs(balls.excess).max((1, 2)))
+    worst = np.maximum(np.abs(excess).max(1), np.abs(balls.excess).max(1))
     forces = forces._replace(excess=excess)
-    follow = -inverse @ balls.by_groove
-    return _State(ring, centres, off, balls, follow, forces, settled, worst / largest, pressing, count)
+    return _State(ring, centres, late, balls, follow, forces, settled, worst / largest, pressing, count)
 
 
 def followed(balls: BallBalance) -> NDArray:
-    """Place of a ball per place of its inner groove (C, Z, 2, 2) [-], by implicit differentiation."""
-    return -_inverse(balls.by_ball) @ balls.by_groove
-
-
-def settle(
-    balance: AngularBalance, grooves: NDArray, centres: NDArray, share: NDArray | float = 0.0
-) -> tuple[NDArray, BallBalance, NDArray, int]:
-    """Balance of every ball for itself, the groove centres given.
-
-    Balls may stay out of balance by a `share` (C) of the largest force. Returns their places, forces,
-    which cases are balanced (C) and the number of evaluations.
-    """
-    centres = _start(balance, grooves, centres)
-    here, count = balance.balls(grooves, centres), 1
-    far = (np.abs(here.excess).max(-1) > balance.free_centrifugal) & (balance.free_centrifugal > 0)
-    if far.any():  # where they were is no better than a closed form
-        centres = np.where(far[..., None], balance.resting(grooves), centres)
-        here, count = balance.balls(grooves, centres), 2
-    step, damping = _ball_step(balance, here), np.ones(centres.shape[:2])
-    ahead, size = (here.excess * step).sum(-1), np.abs(here.excess).max(-1)
-    moving, complete = size > _allowed(balance, here, grooves, share), True
-    while moving.any() and count < BALL_LIMIT and not (damping < SHORTEST).any():
-        trial = _along_arc(centres, np.where(moving, damping, 0.0)[..., None] * step)
-        there, count = balance.balls(grooves, trial), count + 1
-        left, new_size = (there.excess * step).sum(-1), np.abs(there.excess).max(-1)
-        good = (left >= -0.5 * np.abs(ahead)) | (new_size < 0.5 * size)
-        complete, here = bool(good.all()), there
-        centres = np.where(good[..., None], trial, centres)
-        step = np.where(good[..., None], _ball_step(balance, there), step)
-        ahead = np.where(good, (there.excess * step).sum(-1), ahead)
-        size = np.where(good, new_size, size)
-        damping = np.where(good, 1.0, damping / 2)
-        moving = ~good | ~(size <= _allowed(balance, there, grooves, share))
-    if not complete:
-        here, count = balance.balls(grooves, centres), count + 1
-    return centres, here, ~moving.any(1), count
-
-
-def _start(balance: AngularBalance, grooves: NDArray, centres: NDArray) -> NDArray:
-    """Balance of balls where it has a closed form, elsewhere where they were."""
-    at_rest = balance.free_centrifugal == 0
-    if at_rest.any():
-        centres = np.where(at_rest[..., None], balance.resting(grooves), centres)
-    lying, free = balance.lying(grooves)
-    return np.where(free[..., None], lying, centres)
-
-
-def _along_arc(centres: NDArray, step: NDArray) -> NDArray:
-    """Centres moved by a step whose part along the outer groove follows its arc."""
-    length = np.sqrt((centres**2).sum(-1))
-    out = centres / length[..., None]
-    along = np.stack([out[..., 1], -out[..., 0]], axis=-1)
-    angle = ((step * along).sum(-1) / length)[..., None]
-    longer = (length + (step * out).sum(-1))[..., None]
-    return longer * (np.cos(angle) * out + np.sin(angle) * along)
-
-
-def _ball_step(balance: AngularBalance, here: BallBalance) -> NDArray:
-    step = -(_inverse(here.by_ball) @ here.excess[..., None])[..., 0]
-    longest = LONGEST * min(balance.bearing.inner_reach, balance.bearing.outer_reach)
-    return step / np.maximum(np.abs(step).max(-1, keepdims=True) / longest, 1.0)
-
-
-def _inverse(matrix: NDArray) -> NDArray:
-    """Inverse (..., 2, 2) of matrices that are negative where a ball is held, lightly held elsewhere."""
-    floating = FLOATING * np.abs(matrix).max() + LEAST_STIFFNESS
-    a, b = matrix[..., 0, 0] - floating, matrix[..., 0, 1]
-    c, d = matrix[..., 1, 0], matrix[..., 1, 1] - floating
-    inverse = np.stack([d, -b, -c, a], axis=-1) / (a * d - b * c)[..., None]
-    return inverse.reshape(matrix.shape)
-
-
-def _largest_force(balance: AngularBalance, balls: BallBalance) -> NDArray:
-    return np.maximum(np.abs(balance.load).max(1), balls.loads.max((0, 2)))
-
-
-def _allowed(
-    balance: AngularBalance, balls: BallBalance, grooves: NDArray, share: NDArray | float
-) -> NDArray:
-    """Force (C, 1) on a ball that counts as balance."""
-    largest = np.maximum(BALL_TOLERANCE, share) * _largest_force(balance, balls)
-    return np.maximum(largest, _noise(balls, grooves))[:, None]
-
-
-def _noise(balls: BallBalance, grooves: NDArray) -> NDArray:
-    """Force (C) by which rounding of lengths unbalances a ball."""
-    return ROUNDING * np.abs(balls.by_ball).max((1, 2, 3)) * np.abs(grooves).max((1, 2))
+    """Move of a ball per axial and per radial move of its groove (2, C, Z), by implicit differentiation."""
+    return -resolved(balls, balls.by_groove[:, 0])

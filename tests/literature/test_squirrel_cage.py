@@ -5,6 +5,7 @@ order 4; the textbook formula for clamped bars, n E b h (b^2 + h^2)/(2 L^3), 112
 """
 
 import ngsolve as ngs
+import pytest
 from pytest import approx
 
 from fem import Elastic, Mesh, SquirrelCage
@@ -28,6 +29,7 @@ CAGE = SquirrelCage(
 )
 
 
+@pytest.mark.slow
 def test_radial_stiffness_of_slender_bars():
     with threads(2):
         mesh = meshed(CAGE, 4e-3, Mesh(order=3, size=4e-3, raceway_size=4e-3))

@@ -207,3 +207,64 @@ def test_any_sensible_load_is_carried(decades, radial, azimuth, speed, angle):
     load = (radial * thrust * np.cos(azimuth), radial * thrust * np.sin(azimuth), thrust, 0.0, 0.0)
     state = solved(load=load, speed=speed, bearing=bearing, displacement=(None, None, None, 0.0, 0.0))
     assert state.ring_load[:3] == approx(np.array(load[:3]), abs=1e-9 * state.loads.max())
+
+
+RESTLESS = replace(
+    BEARING, inner=Groove(conformity=0.5175, material=STEEL), contact_angle=np.radians(43.5), balls=14
+)
+
+
+@CONTROLS
+@pytest.mark.parametrize("load", [4e4, 200.0, 0.5])
+def test_balls_wedged_by_their_centrifugal_force_are_in_balance(control, load):
+    """Tilt held, the load leaning far over: idle balls touch the inner race near their poles."""
+    state = solved(
+        load=(0.8 * load, 0.18 * load, 0.57 * load, 0.0, 0.0),
+        displacement=(None, None, None, 0.0, 0.0),
+        speed=100.0,
+        control=control,
+        bearing=RESTLESS,
+    )
+    assert ring_load(state)[:3] == approx(
+        [0.8 * load, 0.18 * load, 0.57 * load], abs=1e-7 * state.loads.max()
+    )
+    assert np.abs(state.contact_angles).max() <= np.pi / 2
+    assert (np.abs(state.tractions) <= 0.6 * state.loads).all()
+
+
+def test_races_guide_pressed_balls_and_leave_idle_ones():
+    assert solved(load=(0.0, 0.0, 9000.0, 0.0, 0.0)).guided.all()
+    state = solved(load=(8000.0, 0.0, 4000.0, 0.0, 0.0), displacement=(None, None, None, 0.0, 0.0))
+    assert not state.guided[~state.on_inner].any()
+    assert state.guided.any()
+
+
+@settings(max_examples=25, deadline=None, derandomize=True)
+@given(
+    st.floats(-5.0, 0.0),
+    st.floats(0.0, 1.57),
+    st.floats(0.0, 1.0),
+    st.floats(0.0, 2500.0),
+    st.floats(0.1, 0.78),
+    st.sampled_from(["free", "straight", "preloaded"]),
+)
+def test_any_load_is_carried_or_refused_by_name(decades, lean, tilting, speed, angle, holding):
+    """From axial to radial, moments up to load times pitch radius, loads far below the centrifugal forces."""
+    bearing = replace(BEARING, contact_angle=angle)
+    size = 4e5 * 10.0**decades
+    thrust = 0.0 if holding == "preloaded" else size * np.cos(lean)
+    tilt = tilting * size * bearing.pitch_diameter / 2 if holding == "free" else 0.0
+    load = (size * np.sin(lean), 0.0, thrust, 0.0, tilt)
+    held = {
+        "free": (None,) * 5,
+        "straight": (None, None, None, 0.0, 0.0),
+        "preloaded": (None, None, 2e-5, 0.0, 0.0),
+    }[holding]
+    try:
+        state = solved(load=load, speed=speed, bearing=bearing, displacement=held)
+    except NotSolved as refused:
+        assert refused.ending is Ending.UNDETERMINED  # noqa: PT017
+        return
+    free = [place is None for place in held]
+    left = (ring_load(state) - load) / [1.0, 1.0, 1.0, 0.06, 0.06]
+    assert np.abs(left[free]).max() < 1e-7 * max(state.loads.max(), size)

@@ -1,0 +1,94 @@
+"""First place of a ring on balls: that of a ring on springs, without inertia."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.angular import AngularBalance
+from quasidynamic.balance.ball_place import groove_arm, turning
+from quasidynamic.contact.point import in_series
+
+ENOUGH = 1e-3  # of the largest load: what a first place may leave
+LIMIT = 30  # Newton steps; a first place far off costs time, not the answer
+STIFFENING = 1e-2  # of the whole stiffness over the relative imbalance, where no spring resists a direction
+LONGEST = 0.3  # of the smaller reach: step of the ring
+SHORTEST = 1 / 64  # part of a Newton step
+
+
+def first_place(balance: AngularBalance) -> NDArray:
+    """Ring displacements (C, 5) near the balance of the ring with balls at rest.
+
+    Every ball is a spring between the groove centres that only pulls. The energy of such springs is convex
+    in the displacements: Newton's method, each step halved until it does not run past the minimum.
+    """
+    ring = single_loads(balance)
+    excess, stiffness = _forces(balance, ring)
+    size = np.maximum(np.abs(balance.load).max(1), np.finfo(float).tiny)
+    for _ in range(LIMIT):
+        left = np.abs(excess).max(1) / size
+        if (left <= ENOUGH).all():
+            break
+        step = newton_step(balance, excess, stiffness, left)
+        damping = np.ones(len(ring))
+        ahead = np.abs((excess * step).sum(1))
+        while True:
+            trial = ring + damping[:, None] * step
+            new_excess, new_stiffness = _forces(balance, trial)
+            past = (new_excess * step).sum(1) < -0.5 * ahead
+            past &= damping > SHORTEST
+            if not past.any():
+                break
+            damping = np.where(past, damping / 2, damping)
+        ring, excess, stiffness = trial, new_excess, new_stiffness
+    return ring
+
+
+def newton_step(balance: AngularBalance, excess: NDArray, stiffness: NDArray, imbalance: NDArray) -> NDArray:
+    """Newton step (C, 5), stiffer where nothing resists as long as forces are out of balance."""
+    whole = np.abs(np.trace(stiffness, axis1=1, axis2=2))
+    stiffer = STIFFENING * np.minimum(imbalance, 1.0) * whole + np.finfo(float).tiny
+    matrix = stiffness
+    if balance.held.any():
+        matrix = np.where(balance.held[:, :, None] | balance.held[:, None, :], 0.0, matrix)
+        diagonal = np.where(balance.held, np.maximum(whole, 1.0)[:, None], stiffer[:, None])
+    else:
+        diagonal = stiffer[:, None]
+    matrix = matrix + diagonal[:, :, None] * np.eye(5)
+    step = np.linalg.solve(matrix, excess[..., None])[..., 0]
+    longest = LONGEST * min(balance.bearing.inner_reach, balance.bearing.outer_reach)
+    return step / np.maximum(np.abs(step).max(1, keepdims=True) / longest, 1.0)
+
+
+def _forces(balance: AngularBalance, ring: NDArray) -> tuple[NDArray, NDArray]:
+    """What the springs do not carry of the load (C, 5) [N], and their stiffness (C, 5, 5) [N/m]."""
+    own, matrix = balance.bearing, balance.ring_to_groove
+    arm = groove_arm(balance.grooves(ring))
+    apart = np.abs(arm)
+    normal = arm / apart
+    coefficient = in_series(*balance.contacts)
+    approach = np.maximum(apart - own.inner_reach - own.outer_reach, 0.0)
+    root = coefficient * np.sqrt(approach)
+    load = root * approach
+    along = normal.conj()[..., None] * matrix  # (C, Z, 5) along the spring + i across it
+    weighted = 1.5 * root[..., None] * along.real + 1j * (turning(arm) * load / apart)[..., None] * along.imag
+    stiffness = (along.conj().swapaxes(1, 2) @ weighted).real
+    carried = (along.real * load[..., None]).sum(1)
+    return np.where(balance.held, 0.0, balance.load - carried), stiffness
+
+
+def single_loads(balance: AngularBalance) -> NDArray:
+    """Ring displacements (C, 5) at which each load acts alone on the nearest balls."""
+    own = balance.bearing
+    apart, sine = own.inner_reach + own.outer_reach, max(np.sin(own.contact_angle), 0.3)
+    cosine = np.cos(own.contact_angle)
+
+    def approach(load: NDArray) -> NDArray:
+        return (np.abs(load) / own.balls / in_series(*balance.contacts)) ** (2 / 3)
+
+    load, place = balance.load, np.zeros_like(balance.load)
+    radial = np.sqrt((load[:, :2] ** 2).sum(1, keepdims=True))
+    place[:, :2] = approach(4.4 * radial / cosine) / cosine * load[:, :2] / np.maximum(radial, 1e-300)
+    axial = apart + approach(load[:, 2] / sine)
+    stretch = np.sqrt(axial**2 - (apart * cosine) ** 2) - apart * np.sin(own.contact_angle)
+    place[:, 2] = np.sign(load[:, 2]) * stretch
+    place[:, 3:] = np.sign(load[:, 3:]) * approach(4.4 * load[:, 3:] / sine) / sine
+    return np.where(balance.held, balance.place, place)
