@@ -1,0 +1,113 @@
+"""One squirrel cage by three discretisations: `python -m benchmarks.cage_discretisations`.
+
+A small cage on three bars, its edges sharp and with fillets: half a pitch with harmonics, the whole solid
+with layers of elements along the sharp edges, and the whole solid with plain elements. All press with the
+same Gaussian of 0.5 mm along the arc, which harmonics take up as a factor. Differences are the largest of
+all entries of the compliance over the largest one, against half a pitch.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+from threadpoolctl import threadpool_limits
+
+import fem
+from benchmarks.alone import measured
+from benchmarks.machine import describe
+
+LENGTH, SHAPES, WIDTH = 5e-3, 3, 0.5e-3  # [m], [-], [m]
+AZIMUTHS = 2 * np.pi * np.arange(10) / 10
+STEEL = fem.Elastic(youngs_modulus=203e9, poisson_ratio=0.28)
+SHARP = fem.SquirrelCage(
+    raceway_diameter=20e-3, thickness=3e-3, width=6e-3, bars=3, bar_width=5e-3, bar_thickness=2e-3,
+    bar_length=4e-3, flange_length=3e-3, elastic=STEEL,
+)  # fmt: skip
+ROUND = replace(SHARP, fillet=0.4e-3)
+LAYERS = 2
+HALF_PITCH = fem.Mesh(order=4, size=2e-3, raceway_size=0.6e-3)
+WHOLE = fem.Mesh(order=4, size=2e-3, raceway_size=0.8e-3)
+
+
+def by_half_a_pitch(cage: fem.SquirrelCage, mesh: fem.Mesh) -> tuple[NDArray, float, int]:
+    """Compliance (Z, M, Z, M), support stiffness, unknowns."""
+    from fem import half_pitch, sector
+    from fem.indentation import half_space
+
+    half_pitch.LAYERS = LAYERS
+    with threadpool_limits(limits=1, user_api="blas"):
+        raceway = sector.condense(cage, LENGTH, SHAPES, mesh)
+        support = raceway.at(AZIMUTHS).support_stiffness
+    n = raceway.harmonics
+    wave = np.exp(1j * np.outer(AZIMUTHS, n) - (n * WIDTH / raceway.radius) ** 2 / 2)
+    full = np.einsum("ik,kmlp,jl->imjp", wave, raceway.response, wave.conj(), optimize=True).real
+    own = np.arange(AZIMUTHS.size)
+    full[own, :, own] -= half_space(patches(), STEEL)
+    return full, support, raceway.unknowns
+
+
+def by_the_whole(cage: fem.SquirrelCage, mesh: fem.Mesh, layered: bool) -> tuple[NDArray, float, int]:
+    """The same from a solid without any symmetry but that of rollers and bars."""
+    from fem import compliance
+
+    if layered:
+        compliance.meshed = refined
+    with threadpool_limits(limits=1, user_api="blas"):
+        raceway = compliance.condense(cage, patches(), mesh, thread_number=1)
+    return raceway.full, raceway.support_stiffness, raceway.unknowns
+
+
+def patches() -> fem.Patches:
+    return fem.Patches(azimuths=tuple(AZIMUTHS), length=LENGTH, shapes=SHAPES, width=WIDTH)
+
+
+def refined(cage: fem.SquirrelCage, length: float, wishes: fem.Mesh):
+    """The whole solid, with layers along the sharp edges as half a pitch has them."""
+    import ngsolve as ngs
+    from netgen import occ
+
+    from fem.half_pitch import LAYER_RATIO
+    from fem.mesh import MILLIMETRES, solids
+
+    bodies = solids(cage, length)
+    for body in bodies[1:-1]:
+        for edge in body.edges:
+            if abs(edge.start.x - edge.end.x) < 1e-6:
+                edge.hpref = 1
+    glued = occ.Glue(bodies)
+    for face in glued.faces:
+        if face.name == "raceway":
+            face.maxh = wishes.raceway_size * MILLIMETRES
+    solid = occ.OCCGeometry(glued).GenerateMesh(maxh=wishes.size * MILLIMETRES, parallel_meshing=False)
+    mesh = ngs.Mesh(solid)
+    mesh.RefineHP(LAYERS, LAYER_RATIO)
+    mesh.Curve(wishes.order)
+    return mesh
+
+
+def main() -> None:
+    print(describe())
+    jobs = {
+        "sharp, half a pitch, order 4": (by_half_a_pitch, SHARP, HALF_PITCH),
+        "sharp, whole with layers, order 4": (by_the_whole, SHARP, WHOLE, True),
+        "sharp, whole without, order 4": (by_the_whole, SHARP, WHOLE, False),
+        "fillets, half a pitch, order 4": (by_half_a_pitch, ROUND, HALF_PITCH),
+        "fillets, whole, order 3": (by_the_whole, ROUND, replace(WHOLE, order=3), False),
+        "fillets, whole, order 4": (by_the_whole, ROUND, WHOLE, False),
+    }
+    first = np.zeros(0), 0.0
+    for name, job in jobs.items():
+        (full, support, unknowns), cost = measured(*job, memory_limit=10.0)
+        if job[0] is by_half_a_pitch:
+            first = full, support
+        away = np.abs(full - first[0]).max() / first[0].max()
+        print(
+            f"{name:36s} {unknowns:7d} unknowns, compliance {100 * away:6.3f} % away, support "
+            f"{support / 1e6:8.3f} kN/mm, {100 * (support / first[1] - 1):+.3f} %, "
+            f"{cost.processor_seconds:.1f} s, {cost.memory:.0f} MiB",
+            flush=True,
+        )
+
+
+if __name__ == "__main__":
+    main()
