@@ -184,7 +184,7 @@ def test_neighbours_of_a_ring_with_one_clamped_face(ring):
     assert found.support_stiffness == approx(2.54928e9, rel=1e-4)
 
 
-FEW, MANY = (FAIR, 80), (Mesh(order=6, size=4e-3, raceway_size=0.8e-3), 150)
+FEW, MANY = (FAIR, 75), (Mesh(order=6, size=4e-3, raceway_size=0.8e-3), 140)
 
 
 @pytest.mark.parametrize("part", [RING, pytest.param(SHAFT, marks=pytest.mark.slow)], ids=["ring", "shaft"])
@@ -208,7 +208,7 @@ def test_tetrahedra_agree(part, solid):
     """The same Gaussian on both; its fixed direction costs (width/R)^2, sharp edges 1 % of the stiffness."""
     width, patches = 0.7e-3, Patches(azimuths=tuple(ROLLERS), length=L, shapes=3, width=0.7e-3)
     tetrahedra = condense(part, patches, solid)
-    raceway = revolved.condense(part, L, 3, Mesh(order=6, size=3e-3, raceway_size=0.8e-3), 150)
+    raceway = revolved.condense(part, L, 3, Mesh(order=6, size=3e-3, raceway_size=0.8e-3), 140)
     n = raceway.harmonics
     damped = raceway.response * np.exp(-((n * width / raceway.radius) ** 2))[:, None, None]
     turn = np.exp(1j * np.outer(ROLLERS, n))
