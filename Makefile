@@ -14,8 +14,9 @@ run: $(READY)
 	$(BIN)/flexbearing run configs/mao2016.toml -o results/mao2016.h5
 	$(BIN)/flexbearing plot results/mao2016.h5 -o results
 
+# One thread for each of the workers: threads of several would fight over the cores.
 test: $(READY)
-	$(BIN)/python -m pytest
+	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest -n auto --maxprocesses 4 --dist loadscope
 
 test-slow: $(READY)
 	$(BIN)/python -m pytest -m slow
