@@ -21,6 +21,7 @@ from fem.solve import NotSolved
 
 TRUNCATED = 0.05  # allowed part of the own terms that comes from beyond the last harmonic
 SAME = 1e-9  # half the difference of azimuths that are taken as one [rad]
+SAME_DIGITS = 12  # of azimuths in radians: equal pitches give equal differences
 FEWEST = 8  # harmonics from which the fall of the rest can be told
 FINENESS = 6.0  # highest harmonic over M R/l, unless one is asked for
 RESOLVED = 0.6  # highest harmonic over order times R/h on raceway elements of size h: beyond, errors grow
@@ -211,7 +212,8 @@ class HarmonicCompliance:
 
     def _beyond(self, phi: NDArray) -> NDArray:
         """Sum of the harmonics beyond the last one (Z, M, Z, M) [m/N]."""
-        return self._tail(phi[:, None] - phi).transpose(0, 2, 1, 3)
+        apart, place = _distinct(phi[:, None] - phi)
+        return self._tail(apart)[place].transpose(0, 2, 1, 3)
 
     def _neighbours(self, phi: NDArray) -> NDArray:
         """Half-space between different rollers (Z, M, Z, M) [m/N]."""
@@ -220,7 +222,8 @@ class HarmonicCompliance:
         if np.any(np.abs(np.sin((phi[i] - phi[j]) / 2)) < SAME):
             raise ImpossiblePart(f"azimuths = {phi.tolist()!r} are impossible; all must be different")
         H = np.zeros((Z, M, Z, M))
-        H[i, :, j] = indentation(phi[i] - phi[j], self.radius, self.length, M, self.elastic)
+        apart, place = _distinct(phi[i] - phi[j])
+        H[i, :, j] = indentation(apart, self.radius, self.length, M, self.elastic)[place]
         return H
 
     def _translation(self, phi: NDArray) -> tuple[NDArray, NDArray]:
@@ -238,3 +241,10 @@ class HarmonicCompliance:
             answer = np.einsum("akp,kj->ajp", self.response[first, 0], turn)
             pair = self.response[first[:, None], 0, first, 0]
         return np.real(np.tensordot(read, answer, axes=1)), np.real(read @ pair @ read.conj().T)
+
+
+def _distinct(differences: NDArray) -> tuple[NDArray, NDArray]:
+    """Differences of azimuths without sign and turns, each once, and where each of them belongs."""
+    apart = np.abs(np.mod(differences + np.pi, 2 * np.pi) - np.pi)
+    once, place = np.unique(np.round(apart, SAME_DIGITS), return_inverse=True)
+    return once, place.reshape(differences.shape)

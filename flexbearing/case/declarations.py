@@ -3,6 +3,7 @@
 import json
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
 from types import NoneType, UnionType
 from typing import Annotated, Any, Literal, get_args, get_origin
 
@@ -151,7 +152,12 @@ def declared(model: type[Section], prefix: str = "", table: str = "") -> Iterato
 
 def find(path: str, model: type[Section]) -> Declaration | None:
     """Declaration of a dotted key of one kind of case; None when it has no such key."""
-    return next((item for item in declared(model) if item.path == path), None)
+    return _by_path(model).get(path)
+
+
+@cache
+def _by_path(model: type[Section]) -> dict[str, Declaration]:
+    return {item.path: item for item in declared(model)}
 
 
 def kinds_with(path: str) -> list[str]:

@@ -1,7 +1,7 @@
 """A result file as arrays that cannot change."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
@@ -124,13 +124,8 @@ def _result(file: h5py.File, path: Path) -> Result:
     blocks: dict[str, Arrays] = {"rigid": _NOTHING, "flexible": _NOTHING}
     for name in layout.blocks:
         blocks[name], sizes = _arrays(file.get(name), layout.datasets("block"), sizes, name)
-    states, known = [], layout.datasets("iteration")
-    for number, group in _numbered(file):
-        state, sizes = _arrays(group, known, sizes, f"iteration {number}")
-        states.append(state)
-    return Result(
-        path=path, attributes=_attributes(file, kind), iterations=tuple(states), kind=kind, **blocks
-    )
+    iterations = _iterations(file, layout.datasets("iteration"), sizes)
+    return Result(path=path, attributes=_attributes(file, kind), iterations=iterations, kind=kind, **blocks)
 
 
 def _kind(file: h5py.File, path: Path) -> str:
@@ -140,10 +135,15 @@ def _kind(file: h5py.File, path: Path) -> str:
     return kind
 
 
-def _numbered(file: h5py.File) -> list[tuple[int, Any]]:
-    # by number: as text, iteration 10000 would come before 9999
-    names = list(file.require_group("iterations")) if "iterations" in file else []
-    return [(int(name), file[f"iterations/{name}"]) for name in sorted(names, key=int)]
+def _iterations(file: h5py.File, known: Mapping[str, Dataset], sizes: Sizes) -> tuple[Arrays, ...]:
+    if "iterations" not in file:
+        return ()
+    rows = {name: replace(entry, axes=f"iteration {entry.axes}") for name, entry in known.items()}
+    arrays, sizes = _arrays(file["iterations"], rows, sizes, "iterations")
+    return tuple(
+        MappingProxyType({name: array[number, ...] for name, array in arrays.items()})
+        for number in range(sizes["iteration"])
+    )
 
 
 def _attributes(file: h5py.File, kind: str) -> Mapping[str, Any]:
@@ -155,11 +155,12 @@ def _arrays(group: Any, known: Mapping[str, Dataset], sizes: Sizes, where: str) 
     if group is None:
         return _NOTHING, sizes
     arrays = {}
-    require_same_names(group, known, where)
+    stored = dict(group)
+    require_same_names(stored, known, where)
     for name, entry in known.items():
-        if name not in group:  # it is optional
+        if name not in stored:  # it is optional
             continue
-        array = np.asarray(group[name][()])
+        array = np.asarray(stored[name][()])
         array.flags.writeable = False
         sizes = fitted(entry, array, sizes, where)
         arrays[name] = array

@@ -20,12 +20,12 @@ with h5py.File("OUT.h5") as file:
     print(file.attrs["status"])
     load = file["flexible/inner_load"]
     print(load[:], load.attrs["unit"], load.attrs["meaning"])
-    print([group["load_change"][()] for group in file["iterations"].values()])
+    print(file["iterations/load_change"][:])
 ```
 
 | group | holds |
 |---|---|
-| `iterations/0001`, `iterations/0002`, ... | the iterations of the coupling; none when no part is flexible |
+| `iterations` | the iterations of the coupling, one row each along the first axis; absent when no part is flexible |
 | `rigid` | the solution with rigid raceways |
 | `flexible` | the end state with flexible raceways; for rollers; equal to `rigid` when no part is flexible |
 

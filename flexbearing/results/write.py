@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from flexbearing.results.attributes import attributes_of, encoded, stamp
 from flexbearing.results.checks import NotInLayout, Sizes, fitted, require_finite, require_same_names
 from flexbearing.results.kinds import LAYOUTS, ROLLER
+from flexbearing.results.layout import Dataset
 
 UNFINISHED = ".part"
 
@@ -57,6 +58,7 @@ class ResultFile:
         self._file: h5py.File | None = None
         self._sizes: Sizes = {}
         self._iterations = 0
+        self._rows: dict[str, h5py.Dataset] = {}  # of the iterations
         self._converged: dict[str, bool] = {}  # block to whether it is a solution
 
     def __enter__(self) -> Self:
@@ -90,7 +92,9 @@ class ResultFile:
             raise NotInLayout(
                 f"iteration {number} after iteration {self._iterations}; they come without gaps."
             )
-        self._add(f"iterations/{number:04d}", "iteration", values, must_be_finite=False)
+        known = self._layout.datasets("iteration")
+        arrays = self._checked(f"iteration {number}", known, values, must_be_finite=False)
+        self._append(known, arrays)
         self._iterations = number
 
     def block(
@@ -115,7 +119,12 @@ class ResultFile:
         if name not in self._layout.blocks:
             known = ", ".join(self._layout.blocks)
             raise NotInLayout(f"block {name!r} does not exist; it is one of: {known}.")
-        self._add(name, "block", values, must_be_finite=converged)
+        file, known = self._open_file(), self._layout.datasets("block")
+        if name in file:
+            raise NotInLayout(f"{name} was written before; a result file is never overwritten in part.")
+        for entry, array in self._checked(name, known, values, must_be_finite=converged).items():
+            described(file.create_dataset(f"{name}/{entry}", data=array), known[entry])
+        file.flush()
         self._converged[name] = converged
 
     def finish(self, **attributes: Any) -> None:
@@ -151,29 +160,31 @@ class ResultFile:
                 f"status = 'converged', but no converged block {' or '.join(unsolved)} was written."
             )
 
-    def _add(
-        self,
-        group: str,
-        place: Literal["iteration", "block"],
-        values: Mapping[str, ArrayLike],
-        must_be_finite: bool,
-    ) -> None:
+    def _checked(
+        self, where: str, known: Mapping[str, Dataset], values: Mapping[str, ArrayLike], must_be_finite: bool
+    ) -> dict[str, np.ndarray]:
         # everything is checked before anything is written: no group is ever half there
-        file, known, sizes = self._open_file(), self._layout.datasets(place), self._sizes
-        if group in file:
-            raise NotInLayout(f"{group} was written before; a result file is never overwritten in part.")
-        require_same_names(values, known, group)
+        self._open_file()
+        require_same_names(values, known, where)
         arrays = {name: np.asarray(values[name], dtype=float) for name in known if name in values}
+        sizes = self._sizes
         for name, array in arrays.items():
-            sizes = fitted(known[name], array, sizes, group)
+            sizes = fitted(known[name], array, sizes, where)
             if must_be_finite:
-                require_finite(known[name], array, group)
-        for name, array in arrays.items():
-            stored = file.create_dataset(f"{group}/{name}", data=array)
-            entry = known[name]
-            stored.attrs.update({"unit": entry.unit, "axes": entry.axes, "meaning": entry.meaning})
-        file.flush()
+                require_finite(known[name], array, where)
         self._sizes = sizes
+        return arrays
+
+    def _append(self, known: Mapping[str, Dataset], arrays: Mapping[str, np.ndarray]) -> None:
+        file = self._open_file()
+        for name, array in arrays.items():
+            if name not in self._rows:
+                rows = {"shape": (0, *array.shape), "maxshape": (None, *array.shape), "dtype": float}
+                made = file.create_dataset(f"iterations/{name}", chunks=(1, *array.shape), **rows)
+                self._rows[name] = described(made, known[name], "iteration ")
+            self._rows[name].resize(self._iterations + 1, axis=0)
+            self._rows[name][self._iterations] = array
+        file.flush()
 
     def _encoded(self, attributes: Mapping[str, Any]) -> dict[str, Any]:
         # only strangers matter here: what is still missing comes with finish
@@ -184,6 +195,13 @@ class ResultFile:
         if self._file is None:
             raise NotInLayout(f"{self.path}: the result file is not open; write inside its with-block.")
         return self._file
+
+
+def described(stored: h5py.Dataset, entry: Dataset, leading: str = "") -> h5py.Dataset:
+    """Give a dataset its unit, axes and meaning; returns it."""
+    texts = {"unit": entry.unit, "axes": f"{leading}{entry.axes}".strip(), "meaning": entry.meaning}
+    stored.attrs.update(texts)
+    return stored
 
 
 def _final_name(path: Path) -> Path:

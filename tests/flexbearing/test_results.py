@@ -109,15 +109,6 @@ def test_a_misspelt_history_names_the_nearest_dataset(path):
         read(written(path)).history("load_chagne")
 
 
-def test_ten_thousandth_iteration_comes_after_the_one_before(path):
-    written(path)
-    with h5py.File(path, "a") as file:
-        file.move("iterations/0001", "iterations/10000")
-        file.move("iterations/0002", "iterations/9999")
-    order = [values("iteration", seed)["seconds"] for seed in (2, 1)]
-    np.testing.assert_array_equal(read(path).history("seconds"), order)
-
-
 # -- readable without the project ----------------------------------------------------------------
 
 
@@ -136,7 +127,7 @@ def test_plain_h5py_finds_unit_axes_and_meaning_on_every_dataset(path):
 
     with h5py.File(written(path), "r") as file:
         file.visititems(look)
-        assert list(file["iterations"]) == ["0001", "0002"]
+        assert {len(rows) for rows in file["iterations"].values()} == {2}
         assert file["flexible/inner_slice_load"].shape == (5, 3)
     assert set(found) == table.keys()
 
@@ -167,7 +158,7 @@ def test_interrupted_run_leaves_what_it_reached_in_the_part_file(path):
         file.iteration(2, values("iteration"))
     assert not path.exists()
     with h5py.File(file.part, "r") as part:
-        assert list(part["iterations"]) == ["0001"]
+        assert {len(rows) for rows in part["iterations"].values()} == {1}
         assert "status" not in part.attrs
 
 
@@ -198,9 +189,7 @@ def test_each_iteration_reaches_the_disk_at_once(path):
         copy = path.with_name("copy.h5")  # what a power failure would leave
         copy.write_bytes(file.part.read_bytes())
         with h5py.File(copy, "r") as part:
-            np.testing.assert_array_equal(
-                part["iterations/0001/inner_load"], values("iteration")["inner_load"]
-            )
+            np.testing.assert_array_equal(part["iterations/inner_load"], [values("iteration")["inner_load"]])
 
 
 def test_directory_of_the_result_is_made(path):
@@ -391,7 +380,7 @@ def test_other_format_names_both_numbers(path):
         read(path)
 
 
-@pytest.mark.parametrize("lost", ["rigid/inner_load", "iterations/0002/seconds"], ids=["block", "iteration"])
+@pytest.mark.parametrize("lost", ["rigid/inner_load", "iterations/seconds"], ids=["block", "iteration"])
 def test_result_with_a_lost_dataset_is_refused(path, lost):
     with h5py.File(written(path), "a") as file:
         del file[lost]
