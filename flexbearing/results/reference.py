@@ -25,7 +25,7 @@ with h5py.File("OUT.h5") as file:
 
 | group | holds |
 |---|---|
-| `iterations` | iterations of the coupling, one row each along the first axis; absent without flexible parts |
+| `iterations` | iterations of the coupling, a row each along the first axis; absent without flexible parts |
 | `rigid` | the solution with rigid raceways |
 | `flexible` | the end state with flexible raceways; for rollers; equal to `rigid` when no part is flexible |
 
