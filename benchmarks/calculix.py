@@ -77,18 +77,22 @@ class Hexahedra:
 
 def hexahedra(radial: int, axial: int, around: int, graded: bool) -> Hexahedra:
     """Even elements, or smaller ones towards the corners of the clamp, where stress is singular."""
-    shape = 2 * axial + 1, 2 * radial + 1, 2 * around
-    odd = sum(np.indices(shape) % 2)
-    number = np.zeros(shape, dtype=int)
-    number[odd <= 1] = np.arange(1, np.count_nonzero(odd <= 1) + 1)
-    first = 2 * np.array(list(product(range(axial), range(radial), range(around))))
-    i, j, k = np.moveaxis(first[:, None] + NODES, -1, 0)
     x, r = np.linspace(0, 1, axial + 1), np.linspace(0, 1, radial + 1)
     if graded:
         x, r = 1 - (1 - x) ** 2, (1 - np.cos(np.pi * r)) / 2
-    return Hexahedra(
-        number, number[i, j, k % shape[2]], halved(WIDTH * (x - 1 / 2)), halved(INNER + THICKNESS * r)
-    )
+    return between(WIDTH * (x - 1 / 2), INNER + THICKNESS * r, around)
+
+
+def between(axial: NDArray, radial: NDArray, around: int) -> Hexahedra:
+    """Elements between given ends along the axis and the radius [mm], even around."""
+    counts = axial.size - 1, radial.size - 1, around
+    shape = 2 * counts[0] + 1, 2 * counts[1] + 1, 2 * around
+    odd = sum(np.indices(shape) % 2)
+    number = np.zeros(shape, dtype=int)
+    number[odd <= 1] = np.arange(1, np.count_nonzero(odd <= 1) + 1)
+    first = 2 * np.array(list(product(*map(range, counts))))
+    i, j, k = np.moveaxis(first[:, None] + NODES, -1, 0)
+    return Hexahedra(number, number[i, j, k % shape[2]], halved(axial), halved(radial))
 
 
 def halved(ends: NDArray) -> NDArray:
@@ -96,27 +100,32 @@ def halved(ends: NDArray) -> NDArray:
     return np.insert((ends[1:] + ends[:-1]) / 2, np.arange(ends.size), ends)[: 2 * ends.size - 1]
 
 
-def deck(mesh: Hexahedra, loaded: range) -> str:
-    """Input of CalculiX with one step for each of the loaded lines."""
+def rows(numbers, places) -> list[str]:
+    """Nodes as lines of the input."""
+    # CalculiX reads 20 characters of a number, and would take 1e-15 for 1e-1
+    return [f"{n}, {x:.11f}, {y:.11f}, {z:.11f}" for n, (x, y, z) in zip(numbers, places, strict=True)]
 
-    def rows(numbers, places):
-        # CalculiX reads 20 characters of a number, and would take 1e-15 for 1e-1
-        return [f"{n}, {x:.11f}, {y:.11f}, {z:.11f}" for n, (x, y, z) in zip(numbers, places, strict=True)]
+
+def clamped(mesh: Hexahedra, youngs_modulus: float, poisson_ratio: float) -> list[str]:
+    """Input of CalculiX for an elastic ring [MPa] whose side face at the end of x is clamped."""
 
     def elements():
         for number, nodes in enumerate(mesh.elements, 1):
             yield f"{number}, " + ", ".join(map(str, nodes[:10])) + ","
             yield ", ".join(map(str, nodes[10:]))
 
-    clamped = mesh.number[-1][mesh.number[-1] > 0]
-    lines = [
+    return [
         "*NODE, NSET=ALL", *rows(np.arange(1, mesh.number.max() + 1), mesh.place),
         "*ELEMENT, TYPE=C3D20, ELSET=RING", *elements(),
-        "*NSET, NSET=CLAMPED", *(f"{n}," for n in clamped),
-        "*NSET, NSET=LINES", *(f"{n}," for n in mesh.lines.ravel()),
-        "*MATERIAL, NAME=STEEL", "*ELASTIC", f"{E}, {NU}", "*SOLID SECTION, ELSET=RING, MATERIAL=STEEL",
-        "*BOUNDARY", "CLAMPED, 1, 3",
+        "*NSET, NSET=CLAMPED", *(f"{n}," for n in mesh.number[-1][mesh.number[-1] > 0]),
+        "*MATERIAL, NAME=STEEL", "*ELASTIC", f"{youngs_modulus}, {poisson_ratio}",
+        "*SOLID SECTION, ELSET=RING, MATERIAL=STEEL", "*BOUNDARY", "CLAMPED, 1, 3",
     ]  # fmt: skip
+
+
+def deck(mesh: Hexahedra, loaded: range) -> str:
+    """Input of CalculiX with one step for each of the loaded lines."""
+    lines = clamped(mesh, E, NU) + ["*NSET, NSET=LINES", *(f"{n}," for n in mesh.lines.ravel())]
     share = LOAD * mesh.along_a_line
     for line in loaded:
         phi = 2 * np.pi * line / LINES
@@ -127,10 +136,10 @@ def deck(mesh: Hexahedra, loaded: range) -> str:
     return "\n".join(lines) + "\n"
 
 
-def calculix(program: str, mesh: Hexahedra, loaded: range) -> tuple[NDArray, float]:
-    """Compliance [m/N] of all lines under the first loaded one, and seconds of the processor."""
+def printed(program: str, text: str) -> tuple[str, float]:
+    """What CalculiX prints for an input on one thread, and seconds of the processor."""
     with tempfile.TemporaryDirectory() as folder:
-        (Path(folder) / "ring.inp").write_text(deck(mesh, loaded))
+        (Path(folder) / "ring.inp").write_text(text)
         threads = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
         done = subprocess.run(
@@ -139,13 +148,18 @@ def calculix(program: str, mesh: Hexahedra, loaded: range) -> tuple[NDArray, flo
         after = resource.getrusage(resource.RUSAGE_CHILDREN)
         if done.returncode:
             raise RuntimeError(f"ccx ended with {done.returncode}:\n{done.stdout[-2000:]}")
-        text = (Path(folder) / "ring.dat").read_text()
-    rows = [row.split() for row in text.splitlines() if row.strip() and row.split()[0].isdigit()]
-    moved = {int(row[0]): np.array(row[1:4], dtype=float) for row in rows[: mesh.lines.size]}
+        found = (Path(folder) / "ring.dat").read_text()
+    return found, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
+def calculix(program: str, mesh: Hexahedra, loaded: range) -> tuple[NDArray, float]:
+    """Compliance [m/N] of all lines under the first loaded one, and seconds of the processor."""
+    text, seconds = printed(program, deck(mesh, loaded))
+    found = [row.split() for row in text.splitlines() if row.strip() and row.split()[0].isdigit()]
+    moved = {int(row[0]): np.array(row[1:4], dtype=float) for row in found[: mesh.lines.size]}
     u = np.array([[moved[n] for n in line] for line in mesh.lines])
     phi = 2 * np.pi * np.arange(LINES) / LINES
     radial = u[:, :, 1] * np.cos(phi)[:, None] + u[:, :, 2] * np.sin(phi)[:, None]
-    seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
     return 1e-3 * radial @ mesh.along_a_line / LOAD, seconds
 
 

@@ -59,7 +59,7 @@ def pressed(contact: Contact, rest: NDArray, loads: NDArray) -> NDArray:
         try:
             factor = cho_factor(S + np.diag(p / d), check_finite=False)
         except LinAlgError as problem:
-            raise NotSolved(f"nothing holds the ring on its shaft: {problem}") from problem
+            raise NotSolved(f"nothing holds the ring in its fit: {problem}") from problem
 
         ahead = _step(factor, left, d, p, -d * p)
         reach = min(_reach(d, ahead[0]), _reach(p, ahead[1]))

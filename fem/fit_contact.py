@@ -224,12 +224,10 @@ def touching(contact: Contact, start: NDArray) -> tuple[ContactState, int]:
         try:
             step = contact.step(state)
         except np.linalg.LinAlgError as problem:
-            raise NotSolved(
-                f"nothing holds the ring on its shaft: {problem} after {steps} steps"
-            ) from problem
+            raise NotSolved(f"nothing holds the ring in its fit: {problem} after {steps} steps") from problem
         state = _searched(contact, state, step)
     raise NotSolved(
-        f"contact of ring and shaft: residual {contact.error(state):.2g} after {LIMIT} Newton steps, "
+        f"contact of ring and mate: residual {contact.error(state):.2g} after {LIMIT} Newton steps, "
         f"allowed {TOLERANCE:g}; {state.open.mean():.0%} open, {state.slip.mean():.0%} slip"
     )
 

@@ -20,7 +20,7 @@ MOVES = 1e-9  # of the largest trace: below it a rigid motion does not show in t
 
 @dataclass(frozen=True)
 class Joint:
-    """A ring on a shaft: A points on each of P azimuths, D directions of force, M raceway shapes."""
+    """A ring with its mate: A points on each of P azimuths, D directions of force, M raceway shapes."""
 
     carries: NDArray  # of bool, which points of the bodies are meant: A of them
     points: FacePoints
@@ -58,12 +58,12 @@ class Joint:
         return np.einsum("nml,...nl->...nm", self.raceway, d, optimize=True)
 
 
-def joined(ring: CondensedBody, shaft: CondensedBody, carries: NDArray, tangential: bool) -> Joint:
-    """Join a free ring and a shaft that is held.
+def joined(ring: CondensedBody, mate: CondensedBody, carries: NDArray, tangential: bool) -> Joint:
+    """Join a free ring and its mate, that is held.
 
     Parameters
     ----------
-    ring, shaft : CondensedBody
+    ring, mate : CondensedBody
         with the same faces, point by point
     carries : array of bool
         points that can carry a force
@@ -84,7 +84,7 @@ def joined(ring: CondensedBody, shaft: CondensedBody, carries: NDArray, tangenti
     turn = np.where(kept % 3 == 2, -1j, 1.0)  # the circumferential direction goes with the sine
     stiffness, raceway, bonded = [], [], []
     push = np.zeros(kept.size)
-    for n, (mine, other) in enumerate(zip(ring.compliance, shaft.compliance, strict=True)):
+    for n, (mine, other) in enumerate(zip(ring.compliance, mate.compliance, strict=True)):
         C = mine[np.ix_(kept, kept)] + other[np.ix_(kept, kept)]
         R = ring.motions[n] if n < 2 else np.empty((len(mine), 0))
         shown = np.abs(R[kept]).max(axis=0, initial=0) > MOVES * np.abs(R).max(initial=0)

@@ -5,6 +5,7 @@ directions: pressure, the tangent along the meridian, the tangent along the circ
 keeps its rigid motions as such, see `fem.loose_body`.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import ngsolve as ngs
@@ -12,11 +13,11 @@ import numpy as np
 from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
-from fem.growth import heating, rotation
+from fem.growth import Along, heating, rotation
 from fem.loose_body import held_on_points, responses
 from fem.material import ImpossiblePart
 from fem.mesh import MILLIMETRES
-from fem.revolved_body import Body, edge_shapes
+from fem.revolved_body import Body, edge_shapes, legendre_shapes
 from fem.supports import Loose
 
 FREE = Loose(axial=True, turning=True, across=True)
@@ -58,7 +59,7 @@ class CondensedBody:
     points: FacePoints
     compliance: NDArray  # (N + 1, L + M, L + M) [m/N] per force per radian
     beyond: NDArray  # (K, M, M) [m/N] of the raceway, harmonics N + 1 .. N + K
-    axisymmetric: NDArray  # (L + M, 3) [m] per free expansion, per kg/m^3 rad^2/s^2, per N of axial push
+    axisymmetric: NDArray  # (L + M, 4) [m] per free expansion, kg/m^3 rad^2/s^2, N of push; by the variation
     motions: NDArray  # (2, L + M, 2) of a free body; n = 0: axial [-], turn [m]; n = 1: shift [-], tilt [m]
     unknowns: int
     elements: int
@@ -70,6 +71,7 @@ def condense_body(
     last: int,
     raceway: tuple[int, int] = (0, 0),
     pushed: str | None = None,
+    variations: Mapping[str, Along] | None = None,
 ) -> CondensedBody:
     r"""Compliance of a body at its faces and its raceway, harmonic by harmonic.
 
@@ -91,6 +93,8 @@ def condense_body(
         M, number of shapes on the edge "raceway", and the highest harmonic there
     pushed : str
         edge over which an axial push along +x is evenly spread
+    variations : mapping
+        by the name of a body, free expansion that varies along the axis; of other bodies there is none
 
     Returns
     -------
@@ -99,13 +103,13 @@ def condense_body(
     Raises
     ------
     ImpossiblePart
-        if an edge is missing, or if a face is neither a cylinder nor a plane
+        if an edge is missing, if a face is neither a cylinder nor a plane, or if a variation ends inside
     NotSolved
         if a solve fails
 
     Valid
     -----
-    Small displacement; the body of one material, evenly warm.
+    Small displacement; the body of one material.
     """
     shapes, highest = raceway
     parts = [_face_basis(body, k, face) for k, face in enumerate(faces)]
@@ -117,7 +121,7 @@ def condense_body(
     beyond = np.empty((0, shapes, shapes))
     if highest > last:
         beyond = responses(body, loose, race, highest)[last + 1 :]
-    growth = held_on_points(_unclamped(body), FREE, 0).solve(0, _axisymmetric(body, pushed))
+    growth = held_on_points(_unclamped(body), FREE, 0).solve(0, _axisymmetric(body, pushed, variations or {}))
     motions = np.array([G.T @ rigid for rigid in _rigid_motions(body)])
     return CondensedBody(
         points=points,
@@ -157,7 +161,7 @@ def _face_basis(body: Body, number: int, face: Face) -> tuple[tuple[NDArray, ...
     lagrange = legendre.legvander(xi, face.points - 1) * (np.arange(face.points) + 0.5) * gauss[:, None]
     weight = gauss * length / MILLIMETRES / 2 * r
     v = body.space.TestFunction()
-    shapes = _legendre(2 * (along - middle) / length, face.points)
+    shapes = legendre_shapes(2 * (along - middle) / length, face.points)
     directions = ((face.component, face.sign), (1 - face.component, 1.0), (2, 1.0))
     loads = [
         np.stack([body.load(sign * L * v[k] * ngs.y / MILLIMETRES**2 * where) for L in shapes], axis=1)
@@ -167,15 +171,18 @@ def _face_basis(body: Body, number: int, face: Face) -> tuple[tuple[NDArray, ...
     return (np.full(face.points, number), x, r, weight), np.stack(loads, axis=2).reshape(len(loads[0]), -1)
 
 
-def _axisymmetric(body: Body, pushed: str | None) -> NDArray:
-    """Load vectors per radian of unit expansion, of unit density and speed, of a unit push (unknowns, 3)."""
-    unit = dict.fromkeys(body.space.mesh.GetMaterials(), 1.0)
-    push = np.zeros(body.stiffness.unknowns)
+def _axisymmetric(body: Body, pushed: str | None, variations: Mapping[str, Along]) -> NDArray:
+    """Load vectors per radian of unit expansion, density and speed, push; of the variation (unknowns, 4)."""
+    names = body.space.mesh.GetMaterials()
+    unit, own = dict.fromkeys(names, 1.0), {name: variations[name] for name in names if name in variations}
+    push, varied = np.zeros((2, body.stiffness.unknowns))
+    if own:
+        varied = heating(body, own)
     if pushed is not None:
         where = ngs.ds(definedon=body.space.mesh.Boundaries(pushed))
         push = body.load(body.space.TestFunction()[0] * ngs.y * where)
         push /= 2 * np.pi * ngs.Integrate(ngs.y * where, body.space.mesh)
-    return np.stack([heating(body, unit), rotation(body, unit, 1.0), push], axis=1)
+    return np.stack([heating(body, unit), rotation(body, unit, 1.0), push, varied], axis=1)
 
 
 def _rigid_motions(body: Body) -> tuple[NDArray, NDArray]:
@@ -201,11 +208,3 @@ def _unclamped(body: Body) -> Body:
     free.Set()
     held = np.zeros_like(body.stiffness.held)
     return replace(body, stiffness=replace(body.stiffness, free=free, held=held))
-
-
-def _legendre(xi, count: int) -> list:
-    """L_0 .. L_(count - 1) of a coefficient function, by their recurrence."""
-    L = [ngs.CF(1), xi]
-    for k in range(1, count - 1):
-        L.append(((2 * k + 1) * xi * L[k] - k * L[k - 1]) / (k + 1))
-    return L

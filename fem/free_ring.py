@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from fem.harmonics import FINENESS, HarmonicCompliance, highest_harmonic
 from fem.loose_body import body_of, responses
-from fem.parts import ImpossiblePart, Mesh, OuterRing
+from fem.parts import Mesh, OuterRing, require_on_track
 from fem.revolved_body import Body, edge_shapes
 from fem.solve import NotSolved, threads
 
@@ -62,10 +62,8 @@ class FreeRing:
 
         Parameters
         ----------
-        azimuths : array (Z,)
-            phi of the rollers [rad]
-        lines : array (K,)
-            psi of the lines [rad]
+        azimuths, lines
+            as for `under_radial`
 
         Returns
         -------
@@ -108,12 +106,8 @@ def last_harmonic(part: OuterRing, detail: float, mesh: Mesh, wish: int | None) 
     ----------
     part : OuterRing
         of any support
-    detail : float
-        length l/M that an axial shape resolves [m]
-    mesh : Mesh
-        order and raceway size of the elements
-    wish : int, optional
-        N that is asked for
+    detail, mesh, wish
+        as for `fem.harmonics.highest_harmonic`
 
     Returns
     -------
@@ -158,10 +152,7 @@ def condense(
     NotSolved
         if a solve fails, or if there are too few harmonics
     """
-    if length > part.track * (1 + 1e-9):
-        raise ImpossiblePart(
-            f"length = {length!r} m of the loaded band; allowed is the track, {part.track!r} m"
-        )
+    require_on_track(length, part.track)
     radius, outer = part.raceway_diameter / 2, part.raceway_diameter / 2 + part.thickness
     last = last_harmonic(part, length / shapes, mesh, harmonics)
     start = time.perf_counter()

@@ -6,21 +6,20 @@ Rotation and mirror image make the whole cage of it. Its flat sides are the boun
 bar, azimuth 0) and "cut" (of the slot, azimuth pi / bars); all else is as in `fem.mesh`.
 """
 
-import logging
+from dataclasses import replace
 from math import atan2, pi
 
 import ngsolve as ngs
 from netgen import occ
 
-from fem.mesh import MILLIMETRES, solids
-from fem.parts import ImpossiblePart, Mesh, SquirrelCage
+from fem.curved import FOLDED, curved
+from fem.mesh import ARC, MILLIMETRES, require_kept, size_raceway, solids
+from fem.parts import Mesh, SquirrelCage, require_on_track
 
 NEAR = 1e-6  # [mm], [rad] geometric tolerance
 LAYERS = 1  # of elements refined geometrically towards a sharp edge
 LAYER_RATIO = 0.15  # close to 0.17, the best for a singular edge (Gui and Babuska 1986)
-ARC = 0.6  # elements on the radius of a fillet; curved elements need no more
 
-_log = logging.getLogger(__name__)
 _AXIS = occ.Axis(occ.Pnt(0, 0, 0), occ.X)
 
 
@@ -34,10 +33,8 @@ def half_pitch(part: SquirrelCage, length: float, wishes: Mesh) -> ngs.Mesh:
     ----------
     part : SquirrelCage
         ring, bars and flange
-    length : float
-        axial length of the loaded band, centred on x = 0 [m], at most the track
-    wishes : Mesh
-        order of the geometry and element sizes
+    length, wishes
+        as for `fem.mesh.meshed`
 
     Returns
     -------
@@ -47,31 +44,28 @@ def half_pitch(part: SquirrelCage, length: float, wishes: Mesh) -> ngs.Mesh:
     Raises
     ------
     ImpossiblePart
-        if the band is longer than the track
+        if the band is longer than the track, or elements are inside out
     """
-    if length > part.track * (1 + 1e-9):
-        raise ImpossiblePart(
-            f"length = {length!r} m of the loaded band; allowed is the track, {part.track} m"
-        )
+    require_on_track(length, part.track)
     body = occ.Glue(_pieces(part, length))
     for face in body.faces:
-        if face.name == "raceway":
-            face.maxh = wishes.raceway_size * MILLIMETRES
         azimuth = atan2(face.center.y, face.center.z)
         if abs(azimuth) < NEAR:
             face.name = "middle"
         elif abs(azimuth - pi / part.bars) < NEAR:
             face.name = "cut"
-    geometry = occ.OCCGeometry(body)
-    tetrahedra = geometry.GenerateMesh(
-        maxh=wishes.size * MILLIMETRES, parallel_meshing=False, curvaturesafety=ARC
-    )
-    mesh = ngs.Mesh(tetrahedra)
-    if part.fillet == 0:
-        mesh.RefineHP(LAYERS, LAYER_RATIO)
-    mesh.Curve(wishes.order)
-    _log.debug("half a pitch: %d elements of order %d", mesh.ne, wishes.order)
-    return mesh
+
+    def straight(sizes: Mesh) -> ngs.Mesh:
+        size_raceway(body, sizes)
+        tetrahedra = occ.OCCGeometry(body).GenerateMesh(
+            maxh=sizes.size * MILLIMETRES, parallel_meshing=False, curvaturesafety=ARC
+        )
+        mesh = ngs.Mesh(tetrahedra)
+        if part.fillet == 0:
+            mesh.RefineHP(LAYERS, LAYER_RATIO)
+        return mesh
+
+    return curved(straight, wishes, FOLDED if part.fillet else 0.0)
 
 
 def _pieces(part: SquirrelCage, length: float) -> list:
@@ -79,7 +73,10 @@ def _pieces(part: SquirrelCage, length: float) -> list:
     ring, bar, *_, flange = solids(part, length)
     wedge = _wedge(part)
     pieces = [body * wedge for body in (ring, bar, flange)]
-    if part.fillet == 0:
+    if part.fillet > 0:
+        sharp = solids(replace(part, fillet=0.0), length)[1]
+        require_kept(pieces[1], sharp * wedge, part.fillet * MILLIMETRES)
+    else:
         for edge in pieces[1].edges:
             if abs(edge.start.x - edge.end.x) < NEAR and edge.center.y > NEAR:
                 edge.hpref = 1

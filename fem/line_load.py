@@ -63,14 +63,8 @@ def indentation_harmonics(
     ----------
     harmonics : array (K,) of int
         n
-    radius : float
-        R of the raceway [m]
-    length : float
-        l of the line [m]
-    shapes : int
-        M, number of axial shapes
-    elastic : Elastic
-        material below the raceway
+    radius, length, shapes, elastic
+        as for `indentation`
 
     Returns
     -------

@@ -1,8 +1,9 @@
-"""A fit under rollers: how the raceway yields, with the forces between ring and shaft.
+"""A fit under rollers: how the raceway yields, with the forces between ring and mate.
 
 Rollers load the settled fit in one step: Coulomb's law holds for the whole slip since then.
 """
 
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -88,13 +89,19 @@ class LoadedFit:
 
     @property
     def slip(self) -> NDArray:
-        """Way of the ring on the shaft since the fit settled (P, A, 2) [m]; zeros without friction."""
+        """Way of the ring on its mate since the fit settled (P, A, 2) [m]; zeros without friction."""
         return self._two(self.contact.jump)
 
     @property
     def opened(self) -> float:
         """Part of the area without pressure [-]."""
         return self._share(self.contact.open)
+
+    @property
+    def touching_angle(self) -> float:
+        """Around the axis, where any point of the bore presses [rad]; the azimuths set its resolution."""
+        bore = self.joint.points.face == BORE
+        return 2 * np.pi * float(np.mean(np.any(~self.contact.open[:, bore], axis=1)))
 
     @property
     def slipping(self) -> float:
@@ -121,7 +128,7 @@ def loaded(fit: SettledFit, azimuths, forces, start: NDArray | None = None) -> L
     Parameters
     ----------
     fit : SettledFit
-        ring on its shaft
+        ring with its mate
     azimuths : array (Z,)
         phi of the rollers, all different [rad]
     forces : array (Z, M)
@@ -136,7 +143,7 @@ def loaded(fit: SettledFit, azimuths, forces, start: NDArray | None = None) -> L
     Raises
     ------
     NotSolved
-        if nothing presses the ring on the shaft, or if contact is not found
+        if nothing presses the ring on its mate, or if contact is not found
 
     Valid
     -----
@@ -163,11 +170,11 @@ def loaded(fit: SettledFit, azimuths, forces, start: NDArray | None = None) -> L
 
 
 def _require_held(fit: SettledFit, phi: NDArray, forces: NDArray) -> None:
-    """A loose ring that no resultant presses on the shaft has no place."""
+    """A loose ring that no resultant presses on its mate has no place."""
     resultant = np.abs(forces @ np.exp(1j * phi))
     if not (fit.fit.bonded or fit.force.any() or resultant > BALANCED * np.abs(forces).sum()):
         raise NotSolved(
-            f"nothing holds the ring on its shaft: a clearance of {fit.gap.min():.3g} m is left, and the "
+            f"nothing holds the ring in its fit: a clearance of {fit.gap.min():.3g} m is left, and the "
             f"rollers press with a resultant of {resultant:.3g} N"
         )
 
@@ -179,7 +186,8 @@ def _touching(
     if fit.fit.bonded:
         return contact.at(fit.rest(contact.joint)), 0
     if start is not None:
-        return touching(contact, start)
+        with suppress(NotSolved):  # points of a loose ring change too much: from the beginning
+            return touching(contact, start)
     first, steps = _frictionless(fit, loads)
     if contact.joint.directions == 1:
         return first, steps

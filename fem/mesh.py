@@ -7,21 +7,22 @@ Bodies are "ring" and, where the part has them, "bars", "flange", "shaft", "hous
 which the tolerances of the geometry kernel are made; `MILLIMETRES` is the one conversion.
 """
 
-import logging
 from functools import singledispatch
 
 import ngsolve as ngs
 from netgen import occ
 
 from fem import drawn
-from fem.parts import ImpossiblePart, Mesh, OuterRing, Part, RingOnShaft, SquirrelCage
+from fem.curved import FOLDED, curved
+from fem.material import require
+from fem.parts import ImpossiblePart, Mesh, OuterRing, Part, RingOnShaft, SquirrelCage, require_on_track
 from fem.step import StepSolid
 from fem.supports import ClampedFace, Housing, RigidSeat, edge_names
 
 MILLIMETRES = 1e3  # per metre
 FLAT = 1e-6  # [mm] below it two places are one
+ARC = 0.6  # elements on the radius of a fillet; curved elements need no more
 
-_log = logging.getLogger(__name__)
 _AXIS = occ.Axis(occ.Pnt(0, 0, 0), occ.X)
 
 
@@ -45,22 +46,27 @@ def meshed(part: Part | StepSolid, length: float, wishes: Mesh) -> ngs.Mesh:
     Raises
     ------
     ImpossiblePart
-        if the band is longer than the track, or a drawing does not hold such a part
+        if the band is longer than the track, a drawing does not hold such a part, or elements are inside out
     """
-    if length > part.track * (1 + 1e-9):
-        raise ImpossiblePart(
-            f"length = {length!r} m of the loaded band; allowed is the track, {part.track!r} m"
+    require_on_track(length, part.track)
+    body, rounded = occ.Glue(solids(part, length)), isinstance(part, SquirrelCage) and part.fillet > 0
+    finer = {"curvaturesafety": ARC} if rounded else {}
+
+    def straight(sizes: Mesh) -> ngs.Mesh:
+        size_raceway(body, sizes)
+        # bodies meshed in parallel were seen to crash, at random, on a busy machine; and to take longer
+        return ngs.Mesh(
+            occ.OCCGeometry(body).GenerateMesh(maxh=sizes.size * MILLIMETRES, parallel_meshing=False, **finer)
         )
-    body = occ.Glue(solids(part, length))
+
+    return curved(straight, wishes, FOLDED if rounded else 0.0)
+
+
+def size_raceway(body, sizes: Mesh) -> None:
+    """Wish for the size of elements on the loaded band of a shape."""
     for face in body.faces:
         if face.name == "raceway":
-            face.maxh = wishes.raceway_size * MILLIMETRES
-    # bodies meshed in parallel were seen to crash, at random, on a busy machine; and to take longer
-    tetrahedra = occ.OCCGeometry(body).GenerateMesh(maxh=wishes.size * MILLIMETRES, parallel_meshing=False)
-    mesh = ngs.Mesh(tetrahedra)
-    mesh.Curve(wishes.order)
-    _log.debug("%s: %d elements of order %d", type(part).__name__, mesh.ne, wishes.order)
-    return mesh
+            face.maxh = sizes.raceway_size * MILLIMETRES
 
 
 @singledispatch
@@ -126,7 +132,23 @@ def _flared(bar, ring, flange, radius):
     ends = [edge.center for edge in bar.edges if abs(edge.start.x - edge.end.x) < FLAT]
     whole = ring + bar + flange
     corners = [edge for edge in whole.edges if any((edge.center - end).Norm() < FLAT for end in ends)]
-    return whole.MakeFillet(corners, radius) - ring - flange
+    flared = whole.MakeFillet(corners, radius) - ring - flange
+    require_kept(flared, bar, radius)
+    return flared
+
+
+def require_kept(flared, bar, radius: float) -> None:
+    """Refuse a fillet [mm] with which the geometry kernel loses part of a bar, as was seen close to the most.
+
+    Raises
+    ------
+    ImpossiblePart
+        if the bar became smaller
+    """
+    require(
+        flared.mass > bar.mass, "fillet", radius / MILLIMETRES,
+        "a slightly different one: with this the geometry kernel loses the bar",
+    )  # fmt: skip
 
 
 @solids.register

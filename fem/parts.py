@@ -179,6 +179,18 @@ class RingOnShaft:
 Part = SquirrelCage | OuterRing | RingOnShaft
 
 
+def require_on_track(length: float, track: float) -> None:
+    """Refuse a loaded band [m] that is longer than the track.
+
+    Raises
+    ------
+    ImpossiblePart
+        if rollers would run beyond it
+    """
+    if length > track * (1 + 1e-9):
+        raise ImpossiblePart(f"length = {length!r} m of the loaded band; allowed is the track, {track!r} m")
+
+
 @dataclass(frozen=True, kw_only=True)
 class Mesh:
     """Wishes for the finite elements; geometry wins where a feature is finer than the size."""

@@ -7,7 +7,7 @@ import numpy as np
 
 from fem.harmonics import HarmonicCompliance, highest_harmonic
 from fem.loose_body import body_of, responses
-from fem.parts import ImpossiblePart, Mesh, OuterRing, RingOnShaft
+from fem.parts import ImpossiblePart, Mesh, OuterRing, RingOnShaft, require_on_track
 from fem.revolved_body import edge_shapes
 from fem.solve import threads
 
@@ -49,10 +49,7 @@ def condense(
     -----
     Small displacement, perfect bonds, clamps that do not yield; no load outside the band.
     """
-    if length > part.track * (1 + 1e-9):
-        raise ImpossiblePart(
-            f"length = {length!r} m of the loaded band; allowed is the track, {part.track!r} m"
-        )
+    require_on_track(length, part.track)
     if isinstance(part, OuterRing) and part.loose.across:
         raise ImpossiblePart(
             "a ring that nothing holds has no compliance; `fem.supported_ring` adds the lines"

@@ -111,7 +111,7 @@ def edge_shapes(body: Body, edge: str, shapes: int) -> NDArray:
         raise ImpossiblePart(f"the edge {edge!r} is not one cylinder, its radius varies")
     xi = 2 * (ngs.x - middle / length) / length
     v = body.space.TestFunction()
-    patterns = ((2 * m + 1) / length * L for m, L in enumerate(_legendre(xi, shapes)))
+    patterns = ((2 * m + 1) / length * L for m, L in enumerate(legendre_shapes(xi, shapes)))
     return np.stack([body.load(forms.radial_pressure(v, where, a)) for a in patterns], axis=1)
 
 
@@ -121,8 +121,8 @@ def _edge(section, name: str):
     return section.Boundaries(name)
 
 
-def _legendre(xi, count: int) -> list:
-    """L_0 .. L_(count - 1) of a coefficient function, by their recurrence."""
+def legendre_shapes(xi, count: int) -> list:
+    """Polynomials L_0 .. L_(count - 1) of a coefficient function, by their recurrence."""
     L = [ngs.CF(1), xi]
     for k in range(1, count - 1):
         L.append(((2 * k + 1) * xi * L[k] - k * L[k - 1]) / (k + 1))

@@ -1,4 +1,4 @@
-"""A ring settled on its shaft by interference, heat, rotation and a nut, before rollers load it.
+"""A ring settled in its fit by interference, heat, speed and a nut, before rollers load it.
 
 The fit settles without friction, so that Coulomb's law starts from there.
 """
@@ -19,7 +19,7 @@ from fem.material import ImpossiblePart
 
 @dataclass(frozen=True, kw_only=True)
 class Fit:
-    """How ring and shaft hold each other while they run."""
+    """How ring and mate, that is shaft or housing, hold each other while they run."""
 
     interference: float  # [m] diametral, cold and at rest; negative is a clearance
     friction: float  # mu [-] in bore and shoulder; infinite where nothing may slip
@@ -27,8 +27,8 @@ class Fit:
     clamping: float = (
         0.0  # [N] with which a nut presses the far face of the ring, so that the shoulder holds it
     )
-    expansions: tuple[float, float] = (0.0, 0.0)  # alpha (T - T0) of ring, shaft [-]
-    densities: tuple[float, float] = (0.0, 0.0)  # rho of ring, shaft [kg/m^3]
+    expansions: tuple[float, float] = (0.0, 0.0)  # alpha (T - T0) of ring, mate [-]
+    densities: tuple[float, float] = (0.0, 0.0)  # rho of ring, mate [kg/m^3]
     speed: float = 0.0  # [rad/s]
 
     def __post_init__(self):
@@ -42,7 +42,7 @@ class Fit:
 
 @dataclass(frozen=True)
 class SettledFit:
-    """Ring on its shaft, A points along their faces."""
+    """Ring with its mate, A points along their faces."""
 
     bodies: FittedBodies
     fit: Fit
@@ -66,12 +66,12 @@ class SettledFit:
         """Growth of the raceway (M,) [m] outward, as in `fem.growth`, by heat, rotation and fit."""
         ring, fit = self.bodies.ring, self.fit
         L = 3 * self.force.size
-        loads = np.array([fit.expansions[0], fit.densities[0] * fit.speed**2, fit.clamping])
+        loads = np.array([fit.expansions[0], fit.densities[0] * fit.speed**2, fit.clamping, 1.0])
         return ring.axisymmetric[L:] @ loads + ring.compliance[0, L:, :L:3] @ self.force
 
     @cached_property
     def joint(self) -> Joint:
-        """Ring and shaft joined where they can carry forces.
+        """Ring and mate joined where they can carry forces.
 
         Without friction or a nut nothing balances pressure on the shoulder.
         """
@@ -81,7 +81,7 @@ class SettledFit:
 
     @cached_property
     def sliding(self) -> Joint:
-        """Ring and shaft joined by pressure alone."""
+        """Ring and mate joined by pressure alone."""
         shoulder = self.bodies.ring.points.face == SHOULDER
         return self._joined(~shoulder | bool(self.fit.clamping), False)
 
@@ -97,8 +97,8 @@ class SettledFit:
             length=bodies.length,
             elastic=seat.materials["ring"],
             bars=None,
-            unknowns=bodies.ring.unknowns + bodies.shaft.unknowns,
-            elements=bodies.ring.elements + bodies.shaft.elements,
+            unknowns=bodies.ring.unknowns + bodies.mate.unknowns,
+            elements=bodies.ring.elements + bodies.mate.elements,
             seconds=bodies.seconds,
         )
 
@@ -117,16 +117,16 @@ class SettledFit:
         return Contact(joint, self.fit.friction, offset)
 
     def _joined(self, carries: NDArray, tangential: bool) -> Joint:
-        return joined(self.bodies.ring, self.bodies.shaft, carries, tangential)
+        return joined(self.bodies.ring, self.bodies.mate, carries, tangential)
 
 
 def settled(bodies: FittedBodies, fit: Fit) -> SettledFit:
-    """Let a ring settle on its shaft.
+    """Let a ring settle on its shaft or in its housing.
 
     Parameters
     ----------
     bodies : FittedBodies
-        condensed ring and shaft
+        condensed ring and mate
     fit : Fit
         interference with what changes it
 
@@ -145,7 +145,7 @@ def settled(bodies: FittedBodies, fit: Fit) -> SettledFit:
     if fit.clamping and not shoulder.any():
         raise ImpossiblePart(f"clamping = {fit.clamping!r} N needs a shoulder, and shoulder_diameter is None")
     apart = _growth_apart(bodies, fit) - np.where(shoulder, 0.0, fit.interference / 2)
-    joint = joined(bodies.ring, bodies.shaft, ~shoulder | bool(fit.clamping), tangential=False)
+    joint = joined(bodies.ring, bodies.mate, ~shoulder | bool(fit.clamping), tangential=False)
     even = replace(joint, stiffness=joint.stiffness[:1])  # harmonic 0, on one azimuth
     offset = fit.clamping * joint.push - even.forces(apart[None, joint.carries])[0]
     contact = Contact(even, 0.0, offset[None, :, None])
@@ -160,17 +160,18 @@ def settled(bodies: FittedBodies, fit: Fit) -> SettledFit:
 
 
 def _growth_apart(bodies: FittedBodies, fit: Fit) -> NDArray:
-    """How far free growth takes ring and shaft apart (A,) [m]."""
+    """How far free growth takes ring and mate apart (A,) [m]."""
     grown = [
-        body.axisymmetric[: 3 * body.points.x.size : 3, :2] @ np.array([expansion, density * fit.speed**2])
+        body.axisymmetric[: 3 * body.points.x.size : 3]
+        @ np.array([expansion, density * fit.speed**2, 0.0, 1.0])
         for body, expansion, density in zip(
-            (bodies.ring, bodies.shaft), fit.expansions, fit.densities, strict=True
+            (bodies.ring, bodies.mate), fit.expansions, fit.densities, strict=True
         )
     ]
     return grown[0] - grown[1]
 
 
 def _yield_apart(bodies: FittedBodies, force: NDArray) -> NDArray:
-    """How far pressure takes ring and shaft apart (A,) [m], besides motions of the ring."""
+    """How far pressure takes ring and mate apart (A,) [m], besides motions of the ring."""
     normal = slice(0, 3 * force.size, 3)
-    return (bodies.ring.compliance[0, normal, normal] + bodies.shaft.compliance[0, normal, normal]) @ force
+    return (bodies.ring.compliance[0, normal, normal] + bodies.mate.compliance[0, normal, normal]) @ force

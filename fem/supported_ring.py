@@ -72,7 +72,7 @@ class PlanetRim:
 class AxisymmetricLoad:
     """Heat and rotation of a part, by the names of its bodies."""
 
-    expansions: Mapping[str, float] = field(default_factory=dict)  # alpha (T - T0) [-], positive: grows
+    expansions: Mapping[str, float | growth.Along] = field(default_factory=dict)  # alpha (T - T0) [-]
     densities: Mapping[str, float] = field(default_factory=dict)  # [kg/m^3], needed if it turns
     speed: float = 0.0  # [rad/s]
 
@@ -86,12 +86,8 @@ def condense(
     ----------
     part : OuterRing
         with its support
-    length : float
-        l of the loaded band [m]
-    shapes : int
-        M, number of axial shapes, 1 or more
-    mesh : Mesh
-        wishes for the finite elements; order 5 or 6 pays
+    length, shapes, mesh
+        as for `fem.revolved.condense`
     harmonics : int
         N, the highest; by default what the band needs, and line supports and tooth forces
 
@@ -131,12 +127,8 @@ def growth_of(
     ----------
     part : OuterRing, RingOnShaft
         body of revolution; a planet gear grows freely
-    length : float
-        l of the loaded band [m]
-    shapes : int
-        M
-    mesh : Mesh
-        wishes for the finite elements
+    length, shapes, mesh
+        as for `condense`
     load : AxisymmetricLoad
         of all bodies of the part; clamps, springs and what they stand on stay as they are
 

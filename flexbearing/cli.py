@@ -1,4 +1,4 @@
-"""The command line: check, run, summary, plot, fields, trace, explain."""
+"""The command line: check, run, summary, plot, fields, trace, pareto, explain."""
 
 import json
 import logging
@@ -152,6 +152,41 @@ def trace(
         raise typer.Exit(NOT_CONVERGED) from problem
     sys.stdout.write(f"{found.text()}\ntable: {found.table}\npicture: {found.picture}\n")
     raise typer.Exit(CONVERGED if found.complete else NOT_CONVERGED)
+
+
+@app.command()
+def pareto(
+    case: CaseFile,
+    output: Annotated[
+        Path, typer.Option("-o", "--output", metavar="FOLDER", help="of the table and the picture")
+    ] = Path("results"),
+    name: Annotated[
+        str | None, typer.Option("--name", help="of both files, pareto_NAME; by default that of the case")
+    ] = None,
+    solid: Annotated[bool, typer.Option("--solid", help="also the full solid, which takes long")] = False,
+    settings: Settings = None,
+) -> None:
+    """Run a case on every level of accuracy; draws time against error and names the cheapest levels."""
+    from flexbearing.compute.pareto import NoReference
+    from flexbearing.compute.pareto import pareto as study
+    from flexbearing.report.pareto import text, write_table
+    from flexbearing.report.pareto_figure import write_pareto
+
+    try:
+        found = study(case, settings or [], solid=solid, tell=_tell)
+    except NoReference as problem:
+        _fail(problem, NOT_CONVERGED)
+    output.mkdir(parents=True, exist_ok=True)
+    table, picture = (output / f"pareto_{name or case.stem}{suffix}" for suffix in (".csv", ".png"))
+    write_table(table, found)
+    write_pareto(picture, found)
+    sys.stdout.write(f"\n{text(found)}\ntable: {table}\npicture: {picture}\n")
+
+
+def _tell(measured) -> None:
+    """One line for a level that was measured; not into the table that follows."""
+    times = ", ".join(f"{seconds:.2f} s {when}" for when, seconds in measured.times.items())
+    sys.stderr.write(f"{measured.name}: {measured.message or times}\n")
 
 
 cache_app = typer.Typer(help="Condensed rings that are kept on disk.", no_args_is_help=True)

@@ -156,8 +156,8 @@ class RollerBearing:
         return Raceways(
             law=self._load_law(),
             traction=lubrication.traction(
-                radius=radius[..., None],
-                modulus=modulus[..., None],
+                radius=radius,
+                modulus=modulus,
                 length=roller.length,
                 oil=lubrication.oil,
             ),
@@ -181,4 +181,4 @@ class RollerBearing:
             laws = [iso16281(roller.length)] * 2
         else:
             laws = [palmgren(roller.material, ring, roller.length) for ring in rings]
-        return LoadLaw(np.array([law.coefficient for law in laws])[:, None, None, None])
+        return LoadLaw(np.array([law.coefficient for law in laws])[:, None, None])

@@ -2,7 +2,7 @@
 
 from typing import Literal
 
-from flexbearing.case.quantity import Length, Section, key
+from flexbearing.case.quantity import Fraction, Length, Section, key
 
 
 class Coupling(Section):
@@ -26,15 +26,24 @@ class Coupling(Section):
 
 
 class Accuracy(Section):
-    """How finely everything is resolved."""
+    """How finely everything is resolved: as given, or as a target asks for; what is given stays."""
 
+    target: Fraction | None = key(
+        "allowed numerical error of the largest roller load and of the life; what this table does not give "
+        "is chosen for it, and the errors are estimated",
+        None,
+        example="1 %",
+        gt=0,
+        lt=1,
+    )
     slices: int = key("slices of a roller", 20, ge=2, le=1000)
     axial_shapes: int = key(
         "Legendre shapes along a roller that carry loads to the rings and deviations back", 3, ge=2, le=6
     )
-    structure: Literal["harmonics", "solid"] = key(
+    structure: Literal["beam", "smeared", "harmonics", "solid"] = key(
         "harmonics: rings of revolution on their axial section, a squirrel cage on half a pitch; "
-        "solid: everything as a full solid",
+        "solid: everything as a full solid; smeared: the bars of a squirrel cage as a sleeve, all on axial "
+        "sections; beam: rings as curved beams, without a mesh",
         "harmonics",
     )
     element_order: int | None = key(

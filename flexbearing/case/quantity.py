@@ -71,6 +71,7 @@ def _registry():
 Length = Annotated[float, Kind("a length", "m", "5 mm")]
 Stiffness = Annotated[float, Kind("a stiffness", "N/m", "100 N/um")]
 Foundation = Annotated[float, Kind("a stiffness per area", "N/m^3", "100 N/mm^3")]
+Fraction = Annotated[float, Kind("a fraction", "1", "1 %")]
 Angle = Annotated[float, Kind("an angle", "rad", "12 deg")]
 Mass = Annotated[float, Kind("a mass", "kg", "25 g")]
 Force = Annotated[float, Kind("a force", "N", "20 kN")]

@@ -21,7 +21,7 @@ class Outer(Section):
     width: Length | None = key("axial width of the ring", None, gt=0)
     support: Literal["side", "seat", "foundation", "housing", "lines", "planet"] = key(
         "what holds a plain ring: its side face at the end of x; a rigid seat or springs per area on its "
-        "outer surface; a housing bonded to it; frictionless lines on that surface; or nothing, as rim of "
+        "outer surface; a housing; frictionless lines on that surface; or nothing, as rim of "
         "a planet gear between its tooth forces",
         "side",
     )
@@ -32,6 +32,13 @@ class Outer(Section):
     housing_width: Length | None = key("axial width of the housing", None, gt=0)
     housing_support: Literal["seat", "side"] = key(
         "what holds the housing: a rigid seat on its outer surface, or its side face", "seat"
+    )
+    housing_clearance: Length | None = key(
+        "diametral clearance of ring and housing, cold and at rest: they touch where the ring is pressed on "
+        "the bore, without friction; without this key they are bonded",
+        None,
+        example="20 um",
+        ge=0,
     )
     line_azimuths: tuple[Angle, ...] = key(
         "azimuths of supporting lines, from z towards y",
@@ -72,6 +79,11 @@ class Outer(Section):
     centre_x: Length = key("middle of the rollers in the drawing, along its x", "0 mm")
     centre_y: Length = key("the same along y", "0 mm")
     centre_z: Length = key("the same along z", "0 mm")
+
+    @property
+    def lifts_off(self) -> bool:
+        """Whether the ring touches its housing only where it is pressed on it."""
+        return self.kind == "ring" and self.support == "housing" and self.housing_clearance is not None
 
     @model_validator(mode="after")
     def _complete(self) -> Self:

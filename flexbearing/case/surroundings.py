@@ -1,5 +1,6 @@
 """The sections [materials] and [operation]."""
 
+from itertools import pairwise
 from typing import Literal, Self
 
 from pydantic import model_validator
@@ -8,6 +9,7 @@ from flexbearing.case.quantity import (
     Angle,
     Density,
     Force,
+    Length,
     Moment,
     PerTemperature,
     Pressure,
@@ -17,6 +19,8 @@ from flexbearing.case.quantity import (
     impossible,
     key,
 )
+
+SAME = 1e-3  # [K] by which two statements of a temperature may differ
 
 
 class Material(Section):
@@ -37,7 +41,45 @@ class Materials(Section):
     shaft: Material | None = key(
         'of the shaft; needed for inner.kind = "ring_on_shaft" and for [bearing.fits]', None
     )
-    housing: Material | None = key("of the housing; needed for [bearing.fits.housing]", None)
+    housing: Material | None = key(
+        'of the housing; needed for [bearing.fits.housing]; without it that of outer.support = "housing" is '
+        "made of the material of the outer ring",
+        None,
+    )
+
+
+class Along(Section):
+    """A temperature that varies along the axis, linear between places."""
+
+    at: tuple[Length, ...] = key(
+        "places along the axis from the middle of the rollers, growing, from end to end of the part",
+        example=["-30 mm", "30 mm"],
+        strict=False,
+        min_length=2,
+    )
+    temperatures: tuple[Temperature, ...] = key(
+        "temperature at each of these places", example=["210 degC", "250 degC"], strict=False
+    )
+
+    @model_validator(mode="after")
+    def _makes_a_line(self) -> Self:
+        if any(right <= left for left, right in pairwise(self.at)):
+            raise impossible("at", "places in growing order")
+        if len(self.temperatures) != len(self.at):
+            raise impossible("temperatures", f"one temperature for each of {len(self.at)} places")
+        if not self.at[0] <= 0 <= self.at[-1]:
+            raise impossible("at", "places on both sides of the middle, or the middle itself")
+        return self
+
+    @property
+    def middle(self) -> float:
+        """Temperature in the middle [K]."""
+        lines = zip(pairwise(self.at), pairwise(self.temperatures), strict=True)
+        return next(
+            cold + (warm - cold) * -left / (right - left)
+            for (left, right), (cold, warm) in lines
+            if left <= 0 <= right
+        )
 
 
 class Temperatures(Section):
@@ -47,8 +89,24 @@ class Temperatures(Section):
     inner_ring: Temperature = key("of the inner ring", gt=0)
     roller: Temperature = key("of the rollers", gt=0)
     outer_ring: Temperature = key("of the outer ring and its support", gt=0)
-    housing: Temperature | None = key("of the housing; needed for [bearing.fits.housing]", None, gt=0)
+    housing: Temperature | None = key(
+        "of the housing; needed for [bearing.fits.housing] and outer.housing_clearance", None, gt=0
+    )
     reference: Temperature = key("at which the dimensions are given", gt=0)
+    shaft_along: Along | None = key("how that of the shaft varies along the axis", None)
+    inner_ring_along: Along | None = key("how that of the inner ring varies along the axis", None)
+    outer_ring_along: Along | None = key("how that of the outer ring varies along the axis", None)
+    housing_along: Along | None = key("how that of the housing varies along the axis", None)
+
+    @model_validator(mode="after")
+    def _agree_in_the_middle(self) -> Self:
+        for part in ("shaft", "inner_ring", "outer_ring", "housing"):
+            along, given = getattr(self, f"{part}_along"), getattr(self, part)
+            if along and (given is None or abs(along.middle - given) > SAME):
+                raise impossible(
+                    part, f'"{along.middle:.6g} K", which {part}_along has in the middle of the rollers'
+                )
+        return self
 
 
 class Operation(Section):

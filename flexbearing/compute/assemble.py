@@ -25,6 +25,7 @@ def require_possible(case: Case) -> None:
             corner(guide, whole)
         outer_part(case)
         inner_part(case)
+        _require_held_in_housing(case)
     except (qd.ImpossiblePart, qd.OutOfRange, fem.ImpossiblePart) as problem:
         raise BadCase(f"{case.source.path}: {problem}") from problem
 
@@ -128,7 +129,7 @@ def _support(case: Case) -> Any:
             return fem.Housing(
                 thickness=outer.housing_thickness * hot,
                 width=outer.housing_width * hot,
-                elastic=_elastic(case, "outer_ring"),
+                elastic=_elastic(case, housing_material(case)),
                 support=fem.RigidSeat() if outer.housing_support == "seat" else fem.ClampedFace(),
             )
         case "lines":
@@ -140,6 +141,34 @@ def _support(case: Case) -> Any:
             )
         case _:
             return fem.ClampedFace()
+
+
+def housing_material(case: Case) -> str:
+    """Name of the material of a housing around a flexible ring."""
+    return "outer_ring" if case.materials.housing is None else "housing"
+
+
+def housing_growth(case: Case) -> float:
+    """Hot over reference dimension of a housing around a flexible ring, 1 + alpha (T - T0)."""
+    temperatures = case.operation.temperatures
+    if temperatures is None or temperatures.housing is None:
+        return growth(case, "outer_ring")
+    rise = temperatures.housing - temperatures.reference
+    return 1.0 + getattr(case.materials, housing_material(case)).expansion * rise
+
+
+def _require_held_in_housing(case: Case) -> None:
+    """Refuse a loose ring that no load presses on its housing."""
+    outer: Any = case.outer
+    if not outer.lifts_off or case.operation.radial_load > 0:
+        return
+    diameter = case.bearing.outer_raceway_diameter + 2 * outer.thickness
+    gap = outer.housing_clearance + diameter * (housing_growth(case) - growth(case, "outer_ring"))
+    if gap >= 0:
+        raise fem.ImpossiblePart(
+            f"outer.housing_clearance = {outer.housing_clearance!r} m leaves {gap:.3g} m hot, and nothing "
+            "holds the ring; allowed is an operation.radial_load above zero, or a hotter ring"
+        )
 
 
 def _drawn(case: Case, **ring: Any) -> StepSolid:

@@ -73,7 +73,7 @@ class PartFields:
 
 
 def case_of(result: Result) -> Case:
-    """The case that a result file holds.
+    """The case that a result file holds; its drawing is looked for beside the case, then beside the result.
 
     Parameters
     ----------
@@ -89,7 +89,12 @@ def case_of(result: Result) -> Case:
     BadCase
         if it is about balls, whose rings are rigid
     """
-    case = understood(result.attributes["case_text"], result.path, result.attributes["case_overrides"])
+    attributes = result.attributes
+    file = Path(attributes.get("case_file", result.path))
+    case = understood(attributes["case_text"], file, attributes["case_overrides"])
+    drawn = case.outer.file if isinstance(case, Case) and case.outer.kind == "step" else None
+    if drawn and not (file.parent / drawn).exists():  # carried elsewhere: the drawing may have come along
+        case = understood(attributes["case_text"], result.path, attributes["case_overrides"])
     if not isinstance(case, Case):
         raise BadCase(f"{result.path}: the rings of a {case.kind} bearing are rigid; only rollers bend rings")
     return case
@@ -133,7 +138,7 @@ def parts(case: Case) -> dict[Race, Any]:
     Parameters
     ----------
     case : Case
-        of a run, or from its result; a drawing is looked for beside either
+        of a run, or from its result
 
     Returns
     -------
@@ -173,7 +178,7 @@ def fields(case: Case, race: Race, state: str, values: Arrays) -> PartFields:
     Raises
     ------
     NoFields
-        if the part has no solid, is not bonded to its seat, or could not be solved
+        if the part has no solid, is not bonded to what holds it, or could not be solved
 
     Valid
     -----
@@ -192,8 +197,7 @@ def fields(case: Case, race: Race, state: str, values: Arrays) -> PartFields:
         shapes=case.accuracy.axial_shapes,
         width=case.accuracy.patch_width or PATCH * length,
     )
-    if race == "inner" and case.inner.fit != "bonded":
-        raise NoFields(f"{NAMES[race]}: a ring in a fit is not bonded to its shaft; the solid is")
+    _require_solid(case, race)
     part = parts(case)[race]
     sizes = WITHOUT_BARS if isinstance(part, fem.OuterRing | fem.RingOnShaft) else IN_SPACE
     try:
@@ -205,6 +209,23 @@ def fields(case: Case, race: Race, state: str, values: Arrays) -> PartFields:
             return PartFields(race=race, state=state, fields=loaded, support=support(solid), bars=bars)
     except (fem.ImpossiblePart, NotSolved) as problem:
         raise NoFields(f"{NAMES[race]}: {problem}") from problem
+
+
+def _require_solid(case: Case, race: Race) -> None:
+    """Refuse parts that are computed on their section only."""
+    if race == "inner" and case.inner.fit != "bonded":
+        raise NoFields(
+            f'{NAMES[race]}: inner.fit = "{case.inner.fit}" has no solid, only a bonded ring has one'
+        )
+    if race == "inner" or case.outer.kind != "ring":
+        return
+    if case.outer.lifts_off:
+        raise NoFields(f"{NAMES[race]}: outer.housing_clearance has no solid, only a bonded ring has one")
+    if case.outer.support not in ("side", "seat", "housing"):
+        raise NoFields(
+            f'{NAMES[race]}: outer.support = "{case.outer.support}" has no solid; '
+            '"side", "seat" and "housing" have one'
+        )
 
 
 def forces(slice_loads: NDArray, race: Race, length: float, shapes: int) -> NDArray:

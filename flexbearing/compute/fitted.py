@@ -14,6 +14,7 @@ from flexbearing.coupling import PartnerFailed
 
 if TYPE_CHECKING:
     from fem.compliance import RacewayCompliance
+    from fem.growth import Along
     from fem.loaded_fit import LoadedFit
     from fem.settled_fit import SettledFit
 
@@ -43,23 +44,10 @@ class FittedRings:
 
     def linearised(self, forces: NDArray) -> CondensedRings:
         """Both rings near these forces."""
-        from fem.loaded_fit import loaded
-        from fem.solve import NotSolved
-
         outward = -forces[INNER]  # rollers push the inner raceway inwards
-        try:
-            start = None if self.last is None else self.last.contact.jump
-            found = loaded(self.fit, self.azimuths, outward, start)
-        except NotSolved as problem:
-            raise PartnerFailed(f"fit of the inner ring: {problem}", "not solved") from problem
-        self.last = found
-        tangent = found.tangent
-        direction = np.stack([np.sin(self.azimuths), np.cos(self.azimuths)], axis=1)
-        shape = found.deviation.copy()
-        shape[:, 0] -= direction @ found.translation
-        unloaded = shape - np.tensordot(tangent.matrix, outward, axes=2)
-        shift = found.translation - np.tensordot(tangent.translation, outward, axes=2)
-        inner = replace(tangent, deviation_without_load=unloaded)
+        self.last, inner, shift = raceway_near(
+            "fit of the inner ring", self.fit, self.azimuths, outward, self.last
+        )
         return CondensedRings((inner, self.outer), np.array([shift, [0.0, 0.0]]))
 
     def figures(self) -> dict[str, dict]:
@@ -80,6 +68,65 @@ class FittedRings:
         return rings
 
 
+def raceway_near(
+    name: str, fit: "SettledFit", azimuths: NDArray, outward: NDArray, last: "LoadedFit | None"
+) -> "tuple[LoadedFit, RacewayCompliance, NDArray]":
+    """A fit under outward forces (Z, M), its raceway near them, and its translation (2,) without them [m].
+
+    The mean growth of the raceway belongs to the operating clearance; how it varies along the rollers is
+    part of the shape.
+
+    Raises
+    ------
+    PartnerFailed
+        when contact in the fit is not found
+    """
+    from fem.loaded_fit import loaded
+    from fem.solve import NotSolved
+
+    try:
+        found = loaded(fit, azimuths, outward, None if last is None else last.contact.jump)
+    except NotSolved as problem:
+        raise PartnerFailed(f"{name}: {problem}", "not solved") from problem
+    tangent = found.tangent
+    direction = np.stack([np.sin(azimuths), np.cos(azimuths)], axis=1)
+    shape = found.deviation.copy()
+    shape[:, 0] -= direction @ found.translation
+    shape[:, 1:] += fit.growth[1:]
+    unloaded = shape - np.tensordot(tangent.matrix, outward, axes=2)
+    shift = found.translation - np.tensordot(tangent.translation, outward, axes=2)
+    return found, replace(tangent, deviation_without_load=unloaded), shift
+
+
+def variations(case: Case, **bodies: str) -> "dict[str, Along]":
+    """Free expansions along the axis beyond those of the middle, where temperatures vary.
+
+    Parameters
+    ----------
+    case : Case
+        with the temperatures
+    bodies : str
+        name of each body in the structure, one of them "ring", and in the case
+
+    Returns
+    -------
+    dict
+        by the name of the body in the structure, only of those that vary
+    """
+    from fem.growth import Along
+
+    given, found = case.operation.temperatures, {}
+    hot = growth(case, bodies["ring"])  # both bodies are meshed as warm as the ring
+    for name, part in bodies.items():
+        along = given and getattr(given, f"{part}_along")
+        if given is None or along is None:
+            continue
+        material = getattr(case.materials, part) or case.materials.outer_ring
+        rise = np.array(along.temperatures) - getattr(given, part)
+        found[name] = Along(at=np.multiply(along.at, hot), values=material.expansion * rise)
+    return found
+
+
 def fit_of(case: Case, part: fem.RingOnShaft, length: float, mesh: fem.Mesh) -> "SettledFit":
     """Settle the ring of a case on its shaft, hot and turning, before rollers load it."""
     from fem.fitted_ring import FittedRing, condense_fitted
@@ -88,7 +135,10 @@ def fit_of(case: Case, part: fem.RingOnShaft, length: float, mesh: fem.Mesh) -> 
     inner, materials = case.inner, case.materials
     assert materials.shaft is not None  # or the case would not have been read
     ring = FittedRing(seat=part, shoulder_diameter=inner.shoulder_diameter)
-    bodies = condense_fitted(ring, length, case.accuracy.axial_shapes, mesh)
+    bodies = condense_fitted(
+        ring, length, case.accuracy.axial_shapes, mesh,
+        variations=variations(case, ring="inner_ring", shaft="shaft"),
+    )  # fmt: skip
     return settled(
         bodies,
         Fit(

@@ -137,7 +137,7 @@ def _mixed(case: Case, fluid: Callable[..., TractionLaw], **contact: Any) -> Tra
     assert given is not None  # checked on reading
     assert sigma is not None
     inner, outer = sigma
-    ratio = np.ones_like(contact["radius"]) * np.reshape([1.0, inner / outer], (2, 1, 1, 1))
+    ratio = np.reshape([1.0, inner / outer], (2, 1, 1))
     return qd.Mixed(
         fluid=fluid(**contact),
         share=OtherRoughness(SHARES[given.share], ratio),

@@ -68,6 +68,7 @@ def _head(case: AnyCase) -> dict[str, object]:
     return {
         "title": case.title,
         "case_text": case.source.text,
+        "case_file": str(Path(case.source.path).resolve()),
         "case_overrides": list(case.source.overrides),
         "case_si": case.to_json(),
         "assumed": list(case.assumed),

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from contextlib import contextmanager
 from time import perf_counter
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from numpy.typing import NDArray
 
@@ -13,16 +13,24 @@ from flexbearing.cache import configured
 from flexbearing.case import BadCase, Case
 from flexbearing.compute import assemble
 from flexbearing.compute.fitted import FittedRings, fit_of
+from flexbearing.compute.housed import HousedRings, housing_fit
 from flexbearing.compute.progress import Report
 from flexbearing.compute.structure import CondensedRings
 from flexbearing.coupling import PartnerFailed
 
+if TYPE_CHECKING:
+    from fem.compliance import RacewayCompliance
+    from fem.settled_fit import SettledFit
+
+Rings = CondensedRings | FittedRings | HousedRings
+
 # Order, and sizes of elements over the roller length: 0.1 % and 0.5 % of the largest compliance.
 ON_A_SECTION, IN_SPACE = (5, 1.2, 0.25), (3, 0.6, 0.4)
+WITH_A_SLEEVE = (3, 1.2, 0.4)  # smeared bars are worth no more
 PATCH = 0.1  # width of a load patch over the roller length
 
 
-def condensed(case: Case, azimuths: NDArray, report: Report) -> CondensedRings | FittedRings:
+def condensed(case: Case, azimuths: NDArray, report: Report) -> Rings:
     """Mesh, factor and condense the parts that are not rigid; nothing happens for those that are.
 
     Raises
@@ -30,15 +38,43 @@ def condensed(case: Case, azimuths: NDArray, report: Report) -> CondensedRings |
     PartnerFailed
         when a part has no trustworthy answer
     """
-    outer = _condensed("outer ring", assemble.outer_part(case), case, azimuths, report)
+    outer = outer_ring(case, azimuths, report)
+    return side_by_side(inner_ring(case, azimuths, report), outer, azimuths)
+
+
+def outer_ring(case: Case, azimuths: NDArray, report: Report) -> "RacewayCompliance | SettledFit | None":
+    """Condense the part around the rollers, or put it in its housing; raises as `condensed`."""
+    part = assemble.outer_part(case)
+    if isinstance(part, fem.OuterRing) and case.outer.lifts_off:
+        report.stage("outer ring in its housing", None)
+        with _told(case, "outer ring and housing"):
+            return housing_fit(case, part, assemble.roller_length(case), wishes(case, ON_A_SECTION))
+    return _condensed("outer ring", part, case, azimuths, report)
+
+
+def inner_ring(case: Case, azimuths: NDArray, report: Report) -> "RacewayCompliance | SettledFit | None":
+    """Condense the part inside the rollers, or settle it in its fit; raises as `condensed`."""
     shaft = assemble.inner_part(case)
     if shaft is not None and case.inner.fit != "bonded":
         report.stage("inner ring in its fit", None)
         with _told(case, "inner ring and shaft"):
             mesh, length = wishes(case, ON_A_SECTION), assemble.roller_length(case)
-            return FittedRings(fit_of(case, shaft, length, mesh), azimuths, outer)
-    inner = _condensed("inner ring and shaft", shaft, case, azimuths, report)
-    return CondensedRings((inner, outer))
+            return fit_of(case, shaft, length, mesh)
+    return _condensed("inner ring and shaft", shaft, case, azimuths, report)
+
+
+def side_by_side(
+    inner: "RacewayCompliance | SettledFit | None",
+    outer: "RacewayCompliance | SettledFit | None",
+    azimuths: NDArray,
+) -> Rings:
+    """Both parts as one partner of the coupling."""
+    if outer is not None and not hasattr(outer, "full"):
+        beside = side_by_side(inner, None, azimuths)
+        return HousedRings(outer, azimuths, beside)  # pyright: ignore[reportArgumentType]
+    if inner is None or hasattr(inner, "full"):
+        return CondensedRings((inner, outer))  # pyright: ignore[reportArgumentType]
+    return FittedRings(inner, azimuths, outer)  # pyright: ignore[reportArgumentType]
 
 
 def _condensed(name: str, part: assemble.Part | None, case: Case, azimuths: NDArray, report: Report):
@@ -49,6 +85,8 @@ def _condensed(name: str, part: assemble.Part | None, case: Case, azimuths: NDAr
     with _told(case, name):
         if case.accuracy.structure == "solid" or isinstance(part, StepSolid):
             raceway = _solid(name, part, case, azimuths, report)
+        elif case.accuracy.structure == "beam":
+            raceway = _as_beam(part, case).at(azimuths)
         else:
             raceway = _by_harmonics(name, part, case, report).at(azimuths)
     report.stage(f"{name}: {raceway.unknowns} unknowns, {perf_counter() - began:.1f} s", None)
@@ -69,13 +107,24 @@ def _told(case: Case, name: str) -> Iterator[None]:
         raise PartnerFailed(f"{name}: {problem}", "not solved") from problem
 
 
+def _as_beam(part: fem.Part, case: Case):
+    """Raceway compliance of a curved beam: sooner computed than read from the cache."""
+    from fem import thin_ring
+
+    given = case.accuracy
+    return thin_ring.condense(part, assemble.roller_length(case), given.axial_shapes, given.harmonics)
+
+
 def _by_harmonics(name: str, part: assemble.Part, case: Case, report: Report):
-    """Raceway compliance for rollers anywhere: on half a pitch of a cage, else on the axial section."""
-    from fem import apart, revolved, supported_ring
+    """Raceway compliance for rollers anywhere: on half a pitch of a cage, else on an axial section."""
+    from fem import apart, revolved, smeared_cage, supported_ring
 
     condense: Any = revolved.condense
     cage = isinstance(part, fem.SquirrelCage)
-    if cage:
+    smeared = cage and case.accuracy.structure == "smeared"
+    if smeared:
+        condense = smeared_cage.condense
+    elif cage:
         condense = apart.condense_sector_apart
     elif isinstance(part, fem.OuterRing):
         condense = supported_ring.condense
@@ -83,13 +132,14 @@ def _by_harmonics(name: str, part: assemble.Part, case: Case, report: Report):
         part,
         assemble.roller_length(case),
         case.accuracy.axial_shapes,
-        wishes(case, IN_SPACE if cage else ON_A_SECTION),
+        wishes(case, WITH_A_SLEEVE if smeared else IN_SPACE if cage else ON_A_SECTION),
         case.accuracy.harmonics,
     )
     if case.outer.support in ("lines", "planet") and isinstance(part, fem.OuterRing):
         return condense(*wanted)  # less than a second, and more than the cache can hold
+    key = ("smeared", *wanted) if smeared else wanted
     return configured().cached(
-        wanted, lambda: condense(*wanted), lambda note: report.stage(f"{name}: {note}", None)
+        key, lambda: condense(*wanted), lambda note: report.stage(f"{name}: {note}", None)
     )
 
 

@@ -1,15 +1,31 @@
 """A cylindrical roller bearing: between rigid raceways, then together with its rings."""
 
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from flexbearing.accuracy import Unusable
 from flexbearing.case import Case
 from flexbearing.compute import assemble, clearance, notes
-from flexbearing.compute.fitted import FittedRings
+from flexbearing.compute.ordered import ordered
 from flexbearing.compute.outcome import Outcome
 from flexbearing.compute.progress import Report
-from flexbearing.compute.rings import condensed
+from flexbearing.compute.rings import Rings, condensed
 from flexbearing.compute.structure import CondensedRings
 from flexbearing.compute.together import BearingPartner, Coupled
 from flexbearing.coupling import PartnerFailed
 from flexbearing.results import ResultFile
+from quasidynamic import Equilibrium, RollerBearing
+
+
+@dataclass(frozen=True)
+class Resolved:
+    """A case at definite levels of its resolution."""
+
+    model: RollerBearing
+    rings: Callable[[], Rings]
+    attributes: Mapping[str, Any] = field(default_factory=dict)  # of the result file
+    notes: Callable[[Equilibrium], Iterable[str]] = lambda end: ()  # on an end state that converged
 
 
 def opening(case: Case) -> dict[str, object]:
@@ -24,14 +40,32 @@ def opening(case: Case) -> dict[str, object]:
 def solve(case: Case, file: ResultFile, report: Report) -> dict[str, object]:
     """Write iterations and blocks; returns the root attributes that say how it ended."""
     outcome = Outcome(case, file)
-    ending = _solve(case, file, outcome, report)
-    return ending | outcome.attributes()
+    resolved = _resolved(case, outcome, report)
+    ending = _solve(case, resolved, file, outcome, report)
+    return ending | dict(resolved.attributes) | outcome.attributes()
 
 
-def _solve(case: Case, file: ResultFile, outcome: Outcome, report: Report) -> dict[str, object]:
-    """Rigid equilibrium, then the rings, then both together; returns how it ended."""
+def _resolved(case: Case, outcome: Outcome, report: Report) -> Resolved:
+    """At the levels of the case, or at those that its target asks for."""
     model = assemble.bearing(case)
-    partner = BearingPartner(model)
+    usual = Resolved(model, lambda: condensed(case, model.bearing.azimuths, report))
+    if case.accuracy.target is None:
+        return usual
+    try:
+        found = ordered(case, report)
+    except Unusable as problem:
+        outcome.notes.append(
+            f"accuracy.target: nothing could be chosen or estimated, so the usual levels are used: {problem}"
+        )
+        return Resolved(model, usual.rings, {"choices": {}, "error_estimate": {}})
+    return Resolved(found.model, lambda: found.rings, found.attributes(), found.notes)
+
+
+def _solve(
+    case: Case, resolved: Resolved, file: ResultFile, outcome: Outcome, report: Report
+) -> dict[str, object]:
+    """Rigid equilibrium, then the rings, then both together; returns how it ended."""
+    partner = BearingPartner(resolved.model)
     report.stage("rigid raceways", None)
     rigid_rings = CondensedRings((None, None))
     try:
@@ -40,27 +74,29 @@ def _solve(case: Case, file: ResultFile, outcome: Outcome, report: Report) -> di
         ending = _ending("not solved", f"rigid raceways: {failure}", 0, rigid_rings)
         return ending | {"ending": failure.ending}
     outcome.store("rigid", rigid, rigid_rings)
-    outcome.notes.extend(notes.of_choice(model))
+    outcome.notes.extend(notes.of_choice(resolved.model))
     try:
-        rings = condensed(case, model.bearing.azimuths, report)
+        rings = resolved.rings()
     except PartnerFailed as failure:
         return _ending("not solved", str(failure), 0, rigid_rings) | {"ending": failure.ending}
     if rings.rigid:
         outcome.store("flexible", rigid, rigid_rings)
+        outcome.notes.extend(resolved.notes(rigid))
         ending = _ending("converged", "every part is rigid: nothing to iterate", 0, rings)
         return ending | {"ending": str(rigid.status)}
     report.stage("bearing and rings together", None)
     attempts = Coupled(case, partner, rings, rigid).together(file, report)
     last = attempts[-1]
     near = rings.linearised(last.state.forces)
-    outcome.store("flexible", last.state, near, converged=last.status == "converged")
+    converged = last.status == "converged"
+    outcome.store("flexible", last.state, near, converged=converged)
+    if converged:
+        outcome.notes.extend(resolved.notes(last.state))
     ending = _ending(last.status, last.message, last.iterations, rings)
     return ending | {"ending": last.ending, "attempts": {one.method: one.record() for one in attempts}}
 
 
-def _ending(
-    status: str, message: str, iterations: int, rings: CondensedRings | FittedRings
-) -> dict[str, object]:
+def _ending(status: str, message: str, iterations: int, rings: Rings) -> dict[str, object]:
     return {
         "status": status,
         "message": message,

@@ -5,14 +5,16 @@ from dataclasses import dataclass
 from functools import partial
 from time import perf_counter
 
+from numpy.typing import NDArray
+
 from flexbearing.case import Case
 from flexbearing.compute import datasets
-from flexbearing.compute.fitted import FittedRings
 from flexbearing.compute.progress import Report
-from flexbearing.compute.structure import CondensedRings
+from flexbearing.compute.rings import Rings
 from flexbearing.coupling import RULES, Ending, Iteration, PartnerFailed, alternate, newton, relaxed
 from flexbearing.results import ResultFile
 from quasidynamic import Equilibrium, NotSolved, RollerBearing
+from quasidynamic.balance.settling import series_stiffness
 
 FALLBACK = ("newton", "iqn-ils", "aitken", "relaxed")  # after the method of the case, in this order
 
@@ -29,6 +31,10 @@ class BearingPartner:
             return self.model.solve(start, deviation)
         except NotSolved as failure:
             raise PartnerFailed(str(failure), str(failure.ending)) from failure
+
+    def roller_stiffness(self, state: Equilibrium) -> NDArray:
+        """Stiffness of every roller between its raceways (Z) [N/m], as if it were untilted."""
+        return series_stiffness(state.balance, state.unknowns)[0]
 
     def iterate(self, compliance, start, deviation) -> Iterator[Equilibrium]:
         """Newton iterates between raceways that yield."""
@@ -64,7 +70,7 @@ class Coupled:
 
     case: Case
     partner: BearingPartner
-    rings: CondensedRings | FittedRings
+    rings: Rings
     rigid: Equilibrium
 
     def together(self, file: ResultFile, report: Report) -> list[Attempt]:

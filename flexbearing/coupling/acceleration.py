@@ -1,11 +1,12 @@
 """From what an alternation has seen to the deviations that it tries next.
 
 All rules look at the deviations x_k that the bearing was given and at the residuals r_k, what the structure
-answers less x_k, measured before anything is accelerated.
+answers less x_k, measured before anything is accelerated. Q are the loads that the bearing answers with to
+deviations w, C is the compliance of the structure.
 """
 
 from collections.abc import Callable
-from functools import partial
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,18 +15,29 @@ FIRST_STEP = 0.03  # fraction of the first residual that is taken over while not
 SHORTEST_STEP, LONGEST_STEP = 1e-3, 1.0  # of Aitken's relaxation
 PARALLEL = 0.03  # differences of which newer ones leave less than that are left out
 
-Rule = Callable[[NDArray, NDArray], NDArray]  # (N, k) deviations and residuals, newest last -> (N) next
+
+@dataclass(frozen=True)
+class Seen:
+    """What an alternation knows when it chooses the next deviations."""
+
+    given: NDArray  # (N, k) deviations that the bearing was given, newest last [m]
+    residuals: NDArray  # (N, k) what the structure answered less what was given [m]
+    alike: int  # so many of the newest, at least one, that tell of the present slope
+    estimate: Callable[[], NDArray]  # (N, N) estimated change of the root per residual, to be used once
 
 
-def relaxed(given: NDArray, residuals: NDArray, relaxation: float = FIRST_STEP) -> NDArray:
+Rule = Callable[[Seen], NDArray]  # next deviations (N)
+
+
+def relaxed(seen: Seen, relaxation: float = FIRST_STEP) -> NDArray:
     r"""A constant fraction of the residual.
 
     .. math:: x_{k+1} = x_k + \omega\, r_k
 
     Parameters
     ----------
-    given, residuals : array (N, k)
-        the history, newest last
+    seen : Seen
+        the history
     relaxation : float
         omega in (0, 1]; above 2/(1 + rho), with rho the spectral radius of the alternation, it diverges
 
@@ -34,18 +46,18 @@ def relaxed(given: NDArray, residuals: NDArray, relaxation: float = FIRST_STEP) 
     array (N)
         deviations to try next
     """
-    return given[:, -1] + relaxation * residuals[:, -1]
+    return seen.given[:, -1] + relaxation * seen.residuals[:, -1]
 
 
-def aitken(given: NDArray, residuals: NDArray) -> NDArray:
+def aitken(seen: Seen) -> NDArray:
     r"""A fraction that follows from the last two residuals.
 
     .. math:: \omega_k = -\omega_{k-1} \frac{r_{k-1} \cdot (r_k - r_{k-1})}{|r_k - r_{k-1}|^2}
 
     Parameters
     ----------
-    given, residuals : array (N, k)
-        the history, newest last
+    seen : Seen
+        the history
 
     Returns
     -------
@@ -61,15 +73,15 @@ def aitken(given: NDArray, residuals: NDArray) -> NDArray:
     The fraction is kept between `SHORTEST_STEP` and `LONGEST_STEP` in size.
     """
     fraction = FIRST_STEP
-    for before, after in zip(residuals.T[:-1], residuals.T[1:], strict=True):
+    for before, after in zip(seen.residuals.T[:-1], seen.residuals.T[1:], strict=True):
         change = after - before
         fraction *= -(before @ change) / max(change @ change, np.finfo(float).tiny)
         fraction = np.copysign(np.clip(abs(fraction), SHORTEST_STEP, LONGEST_STEP), fraction)
-    return given[:, -1] + fraction * residuals[:, -1]
+    return seen.given[:, -1] + fraction * seen.residuals[:, -1]
 
 
-def least_squares(given: NDArray, residuals: NDArray, depth: int | None = None) -> NDArray:
-    r"""The combination of what was seen whose residual would be least.
+def anderson(seen: Seen, depth: int = 12) -> NDArray:
+    r"""The combination of the last residuals that would be least.
 
     .. math:: x_{k+1} = x_k + r_k + (X + V) \alpha,\quad \alpha = -V^+ r_k
 
@@ -78,10 +90,10 @@ def least_squares(given: NDArray, residuals: NDArray, depth: int | None = None) 
 
     Parameters
     ----------
-    given, residuals : array (N, k)
-        the history, newest last
-    depth : int, optional
-        how many differences are kept; without it all of them
+    seen : Seen
+        the history
+    depth : int
+        how many differences are kept
 
     Returns
     -------
@@ -90,17 +102,56 @@ def least_squares(given: NDArray, residuals: NDArray, depth: int | None = None) 
 
     Source
     ------
-    All differences: interface quasi-Newton with inverse Jacobian from a least-squares model, Degroote,
-    Bathe and Vierendeels, Computers and Structures 87 (2009). A few of them: Anderson, J. ACM 12 (1965).
+    Anderson, J. ACM 12 (1965); with all differences it is the interface quasi-Newton method of Degroote,
+    Bathe and Vierendeels, Computers and Structures 87 (2009).
     """
-    if given.shape[1] == 1:
-        return relaxed(given, residuals)
-    newest_first = slice(None, None, -1)
-    most = min(depth or len(given), len(given))
-    X, V = (np.diff(each, axis=1)[:, newest_first][:, :most] for each in (given, residuals))
-    X, V = _independent(X, V)
-    share = -np.linalg.lstsq(V, residuals[:, -1], rcond=None)[0]
-    return given[:, -1] + residuals[:, -1] + (X + V) @ share
+    if seen.given.shape[1] == 1:
+        return relaxed(seen)
+    X, V = _differences(seen, depth)
+    share = -np.linalg.lstsq(V, seen.residuals[:, -1], rcond=None)[0]
+    return seen.given[:, -1] + seen.residuals[:, -1] + (X + V) @ share
+
+
+def least_squares(seen: Seen) -> NDArray:
+    r"""Interface quasi-Newton: differences where they tell something, an estimate for the rest.
+
+    .. math:: x_{k+1} = x_k + X \alpha + G (r_k + V \alpha),\quad \alpha = -V^+ r_k
+
+    with X and V as in `anderson`, but only of iterates in which the same rollers touch both raceways:
+    those before a contact opened or closed tell of another slope. What is left of the residual moves
+    the deviations by the estimate :math:`G \approx (1 - C\,\partial Q/\partial w)^{-1}`. A step is never
+    longer than the residual: rollers push back, so the root is nearer than the answer.
+
+    Parameters
+    ----------
+    seen : Seen
+        the history
+
+    Returns
+    -------
+    array (N)
+        deviations to try next
+
+    Source
+    ------
+    Degroote, Bathe and Vierendeels, Computers and Structures 87 (2009), where G is 1; a starting inverse
+    Jacobian as in Lindner et al., VI Coupled Problems (2015).
+    """
+    residual = seen.residuals[:, -1]
+    step, left = np.zeros_like(residual), residual
+    if seen.alike > 1:
+        X, V = _differences(seen, seen.alike - 1)
+        share = -np.linalg.lstsq(V, residual, rcond=None)[0]
+        step, left = X @ share, residual + V @ share
+    step = step + seen.estimate() @ left
+    longest, length = np.linalg.norm(residual), np.linalg.norm(step)
+    return seen.given[:, -1] + step * min(1.0, longest / max(length, np.finfo(float).tiny))
+
+
+def _differences(seen: Seen, most: int) -> tuple[NDArray, NDArray]:
+    """Differences of deviations and residuals, newest first, those that tell something new."""
+    X, V = (np.diff(each, axis=1)[:, ::-1][:, :most] for each in (seen.given, seen.residuals))
+    return _independent(X[:, : len(X)], V[:, : len(V)])
 
 
 def _independent(X: NDArray, V: NDArray) -> tuple[NDArray, NDArray]:
@@ -114,8 +165,4 @@ def _independent(X: NDArray, V: NDArray) -> tuple[NDArray, NDArray]:
     return X, V
 
 
-RULES: dict[str, Rule] = {
-    "iqn-ils": least_squares,
-    "anderson": partial(least_squares, depth=12),
-    "aitken": aitken,
-}
+RULES: dict[str, Rule] = {"iqn-ils": least_squares, "anderson": anderson, "aitken": aitken}

@@ -8,12 +8,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.coupling.acceleration import Rule
+from flexbearing.coupling.history import History
 from flexbearing.coupling.partners import Bearing, Linear, PartnerFailed, S, Structure
 
-Status = Literal["", "converged", "iteration limit", "diverging", "not finite", "not solved"]
+Status = Literal["", "converged", "iteration limit", "diverging", "stagnating", "not finite", "not solved"]
 
-GROWTHS, FAR = 5, 10.0  # so many residuals in a row that grew, and so much above the least one: diverging
-_GROWING = "the alternation grows: a structure that soft cannot be alternated with like that; newton can"
+FAR = 10.0  # diverging: a residual so much above the first one after `SOON` that grew in a row, ...
+SOON, LATE = 3, 5  # ... or above the least one after `LATE`: Aitken's method jumps, but not five times
+PATIENCE, HEADWAY = 40, 0.9  # so many iterations without a residual below this part of the least: stagnating
+ENOUGH = 1e-10  # unbalanced force over the load at which newton has nothing left to do
+_HOPELESS = {
+    "diverging": "the alternation grows: a structure that soft cannot be alternated like that; newton can",
+    "stagnating": f"no residual was {HEADWAY:g} of the least one for {PATIENCE} iterations; newton can",
+}
 
 
 @dataclass(frozen=True)
@@ -51,7 +58,8 @@ def alternate(
     """Alternate: deviations to the bearing, loads to the structure, and back through a rule.
 
     The measure is what the structure answers less what the bearing was given, before the rule takes its
-    share of it. An alternation whose residual only grows is ended: more iterations would not help.
+    share of it. An alternation whose residual only grows, or does not fall any more, is ended: more
+    iterations would not help.
 
     Parameters
     ----------
@@ -67,29 +75,36 @@ def alternate(
     ------
     Iteration
     """
-    deviation, state = structure.deviation(start.forces), start
-    given, residuals, sizes = [], [], []
-    deviation = rule(np.zeros((deviation.size, 1)), deviation.reshape(-1, 1)).reshape(deviation.shape)
+    state, history = start, History()
+    try:
+        deviation = _first(bearing, structure.linearised(start.forces), start, rule)
+    except PartnerFailed as failure:
+        yield _failed(1, start, failure)
+        return
     for number in range(1, ending.limit + 1):
         forces = state.forces
         try:
             state = bearing.solve(start=state, deviation=deviation)
+            linear = structure.linearised(state.forces)
         except PartnerFailed as failure:
-            yield _failed(number, state, failure)
+            yield _lost(_failed(number, state, failure), history.sizes)
             return
-        answer = structure.deviation(state.forces)
-        given.append(deviation.ravel())
-        residuals.append((answer - deviation).ravel())
-        sizes.append(_part(residuals[-1], answer))
+        answer = linear.deviation(state.forces)
+        history.add(deviation, answer - deviation, bearing.roller_stiffness(state))
+        mismatch = _part(answer - deviation, answer)
         change = load_change(state.forces - forces, state.forces)
-        status = ending.judge(number, change, sizes[-1])
-        if not status and _grows(residuals):
-            status = "diverging"
-        message = _GROWING if status == "diverging" else ""
-        yield Iteration(number, state, change, sizes[-1], status, message, state.status)
+        status = ending.judge(number, change, mismatch) or _hopeless(history.sizes)
+        yield Iteration(number, state, change, mismatch, status, _HOPELESS.get(status, ""), state.status)
         if status:
             return
-        deviation = rule(np.array(given).T, np.array(residuals).T).reshape(deviation.shape)
+        deviation = rule(history.seen(linear.compliance)).reshape(answer.shape)
+
+
+def _first(bearing: Bearing[S], linear: Linear, start: S, rule: Rule) -> NDArray:
+    """First deviations (2, Z, M); what even raceways tell is too far from all that comes to be kept."""
+    answer, even = linear.deviation(start.forces), History()
+    even.add(np.zeros_like(answer), answer, bearing.roller_stiffness(start))
+    return rule(even.seen(linear.compliance)).reshape(answer.shape)
 
 
 def _part(residual: NDArray, answer: NDArray) -> float:
@@ -98,11 +113,22 @@ def _part(residual: NDArray, answer: NDArray) -> float:
     return float(np.abs(residual).max() / largest) if largest > 0 else 0.0
 
 
-def _grows(residuals: list[NDArray]) -> bool:
-    """Whether the last residuals only grew, far beyond the least one."""
-    sizes = np.linalg.norm(residuals, axis=1)
-    last = sizes[-GROWTHS - 1 :]
-    return len(last) > GROWTHS and bool((np.diff(last) > 0).all()) and last[-1] > FAR * sizes.min()
+def _hopeless(sizes: list[float]) -> Status:
+    """Whether the last residuals only grew, and far, or none was less for long."""
+    for growths, before in ((SOON, sizes[0]), (LATE, min(sizes))):
+        last = sizes[-growths - 1 :]
+        if len(last) > growths and (np.diff(last) > 0).all() and last[-1] > FAR * before:
+            return "diverging"
+    before = sizes[:-PATIENCE]
+    return "stagnating" if before and min(sizes[-PATIENCE:]) > HEADWAY * min(before) else ""
+
+
+def _lost(failed: Iteration[S], sizes: list[float]) -> Iteration[S]:
+    """A failure of the bearing where residuals had grown far is one of the alternation."""
+    if not sizes or sizes[-1] <= FAR * min(sizes):
+        return failed
+    message = f"{_HOPELESS['diverging']} (at the last shape: {failed.message})"
+    return replace(failed, status="diverging", message=message)
 
 
 def newton(bearing: Bearing[S], structure: Structure, start: S, ending: Ending) -> Iterator[Iteration[S]]:
@@ -130,7 +156,8 @@ def newton(bearing: Bearing[S], structure: Structure, start: S, ending: Ending) 
                     before, linear = linear, structure.linearised(state.forces)
                     answer = linear.deviation(state.forces)
                     mismatch = _part(answer - before.deviation(state.forces), answer)
-                    status = ending.judge(number, step.load_change, mismatch)
+                    # Of one structure in balance nothing is left to change but what its tangent leaves out.
+                    status = ending.judge(number, mismatch)
                     step = replace(step, mismatch=mismatch, status=status)
                 yield step
                 if step.status:
@@ -156,8 +183,8 @@ def _in_one_system(
 
 def _newton_step(number: int, state: S, size: float, ending: Ending) -> Iteration[S]:
     status, message = ending.judge(number, size, state.residual), ""
-    if not status and state.status == "converged":
-        # The bearing's own tolerance is the tighter one: its last step may still move the loads.
+    if state.status == "converged" or state.residual <= ENOUGH:
+        # Such a force is tighter than any tolerance on loads, though the last step may still have moved them.
         status = "converged"
     elif not status and state.status:
         status, message = "not solved", state.failure()

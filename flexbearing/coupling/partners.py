@@ -49,6 +49,10 @@ class Bearing(Protocol[S]):
         """Equilibrium between raceways of a given shape (2, Z, M) [m]; raises `PartnerFailed`."""
         ...
 
+    def roller_stiffness(self, state: S) -> NDArray:
+        """Stiffness of every roller between its raceways (Z) [N/m], about zero where one does not touch."""
+        ...
+
     def iterate(self, compliance: Compliance, start: S, deviation: NDArray | None) -> Iterator[S]:
         """Newton iterates between raceways that yield by (Z, M, Z, M) [m/N] on top of a given deviation.
 
@@ -80,8 +84,4 @@ class Structure(Protocol):
 
     def linearised(self, forces: NDArray) -> Linear:
         """Itself near these roller forces (2, Z, M) [N]; raises `PartnerFailed`."""
-        ...
-
-    def deviation(self, forces: NDArray) -> NDArray:
-        """Outward raceway deviations (2, Z, M) [m] under roller forces (2, Z, M) [N]."""
         ...

@@ -13,6 +13,7 @@ from flexbearing.report.sections import (
     closing,
     life_factors,
     matrices,
+    ordered_levels,
     regimes,
     skew,
     stresses,
@@ -61,6 +62,15 @@ _OPTIONAL = (
     "max_pocket_displacement_um",
 )  # rows that only some cases have
 
+_ESTIMATED = {  # keys of the block with the names of their estimated errors
+    "max_roller_load_N": "roller_load",
+    "max_outer_load_N": "roller_load",
+    "life_L10_Mrev": "life",
+    "stiffness_N_per_m": "stiffness",
+    "total_stiffness_N_per_m": "total_stiffness",
+    "cage_slip_percent": "cage_slip",
+}
+
 
 def ending(numbers: dict[str, Any]) -> str:
     """Say in a line how a run ended.
@@ -90,7 +100,8 @@ def page(numbers: dict[str, Any]) -> Iterator[RenderableType]:
     """Table, stiffness, clearance, life, assumed and calibrated keys, notes, and how the run ended."""
     yield Text(numbers["title"], style="bold")
     if numbers["rigid"] or numbers["flexible"]:
-        yield _table(numbers["rigid"], numbers["flexible"])
+        yield _table(numbers["rigid"], numbers["flexible"], numbers["error_estimate"] or {})
+    yield from ordered_levels(numbers["choices"] or {}, numbers["error_estimate"] or {})
     yield from matrices(numbers["flexible"])
     yield from regimes(numbers["regimes"])
     yield from skew({name: numbers[name] for name in ("rigid", "flexible")})
@@ -100,20 +111,36 @@ def page(numbers: dict[str, Any]) -> Iterator[RenderableType]:
     yield from closing(numbers, ending(numbers))
 
 
-def _table(rigid: dict[str, Any] | None, flexible: dict[str, Any] | None) -> Table:
+def _table(
+    rigid: dict[str, Any] | None, flexible: dict[str, Any] | None, errors: dict[str, float | None]
+) -> Table:
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
     table.add_column("")
-    for name in ("rigid", "flexible", "change [%]"):
+    for name in ("rigid", "flexible", *(["+-"] if errors else []), "change [%]"):
         table.add_column(name, justify="right")
     for label, key, part, scale, form in _ROWS:
         before, after = (_number(block, key, part) for block in (rigid, flexible))
         if key in _OPTIONAL and before is None and after is None:
             continue
         # as Text: rich would take the unit in brackets for a markup tag
+        error = [_error(errors, key, after, scale)] if errors else []
         table.add_row(
-            Text(label), _shown(before, scale, form), _shown(after, scale, form), _change(before, after)
+            Text(label),
+            _shown(before, scale, form),
+            _shown(after, scale, form),
+            *error,
+            _change(before, after),
         )
     return table
+
+
+def _error(errors: dict[str, float | None], key: str, value: float | None, scale: float) -> str:
+    """Estimated error in the unit of its row; empty where none is estimated."""
+    share = errors.get(_ESTIMATED.get(key, ""))
+    if share is None or value is None:
+        return ""
+    error = 100 * share if key == "cage_slip_percent" else share * abs(value) * scale
+    return f"{float(f'{error:.2g}'):,.10g}"
 
 
 def _number(block: dict[str, Any] | None, key: str, part: int | str | None) -> float | None:

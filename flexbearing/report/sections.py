@@ -87,6 +87,24 @@ def life_factors(lives: dict[str, Any]) -> Iterator[RenderableType]:
     yield table
 
 
+def ordered_levels(choices: dict[str, Any], errors: dict[str, Any]) -> Iterator[RenderableType]:
+    """Levels that were chosen for an accuracy, and why; nothing when none was ordered."""
+    if not errors:
+        return
+    met = "estimated to be kept" if errors["met"] else "NOT kept"
+    yield Text(f"accuracy of {100 * errors['target']:g} % of loads and life: {met}", style="bold")
+    table = right_aligned("", "load +- [%]", "life +- [%]", "allowed [%]")
+    table.add_column("level")
+    for name, choice in choices.items():
+        shares = [choice["changes"].get(output) for output in ("roller_load", "life")]
+        percent = ["-" if one is None else f"{100 * one * choice['factor']:.2g}" for one in shares]
+        level = choice["level"] + (" (fixed by the case)" if choice["fixed"] else "")
+        table.add_row(Text(name), *percent, f"{100 * choice['allowed']:.2g}", Text(level))
+    yield table
+    unusable = [f"{level}: {why}" for one in choices.values() for level, why in one["unusable"].items()]
+    yield from listed("levels without an answer", unusable)
+
+
 def matrices(block: dict[str, Any] | None) -> Iterator[RenderableType]:
     """Stiffness and compliance of the end state."""
     if block is None:

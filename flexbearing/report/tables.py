@@ -35,12 +35,14 @@ def summary(result: Result) -> dict[str, Any]:
     Returns
     -------
     dict
-        status, iterations, texts, clearance, life factors, regimes, stresses, and the blocks ``rigid`` and
-        ``flexible``; a name carries its unit. None stands for a number that is not finite, for one
-        that the case does not ask for, and for a block that was never solved.
+        status, iterations, texts, clearance, life factors, regimes, stresses, choices and estimated
+        errors of an accuracy that was ordered, and the blocks ``rigid`` and ``flexible``; a name carries
+        its unit. None stands for a number that is not finite, for one that the case does not ask for, and
+        for a block that was never solved.
     """
     head = {name: plain(result.attributes[name]) for name in HEAD + _OF_ROLLERS}
-    head["stresses"] = plain(result.attributes.get("stresses"))
+    for name in ("stresses", "choices", "error_estimate"):
+        head[name] = plain(result.attributes.get(name))
     blocks = {"rigid": result.rigid, "flexible": result.flexible}
     return {**head, **{name: plain(_block(values)) if values else None for name, values in blocks.items()}}
 

@@ -49,6 +49,7 @@ ATTRIBUTES = (
     ),
     Attribute("wall_time_s", "number", "time from case to result [s]"),
     Attribute("case_text", "text", "the case file, letter by letter"),
+    Attribute("case_file", "text", "where the case file was; drawings lie beside it", optional=True),
     Attribute("case_overrides", "texts", "keys set on the command line, key=value"),
     Attribute("case_si", "json", "the whole case with its defaults, in SI units"),
     Attribute("versions", "json", "versions of the program and of what it stands on"),
@@ -73,6 +74,23 @@ ATTRIBUTES = (
         "json",
         "largest stresses of the flexible parts at the end state, and the stiffness of their supports; "
         "absent without outputs.stresses",
+        rollers=True,
+        optional=True,
+    ),
+    Attribute(
+        "choices",
+        "json",
+        "levels that accuracy.target led to, by choice: the level, whether the case fixes it, the level it "
+        "was compared with, the changes found, the error over a change, and the error allowed; absent "
+        "without a target",
+        rollers=True,
+        optional=True,
+    ),
+    Attribute(
+        "error_estimate",
+        "json",
+        "estimated numerical errors of the flexible block, over the values but for the cage slip; the "
+        "target, and whether it is met; absent without a target, empty where nothing could be estimated",
         rollers=True,
         optional=True,
     ),

@@ -13,6 +13,7 @@ from quasidynamic.balance.roller import (
     CAGE_SPEED,
     FILM_I,
     SPIN,
+    STILL,
     VALUE,
     Motion,
     RollerBalance,
@@ -126,7 +127,7 @@ class BearingBalance:
             ring=x[:, :CAGE].T[..., None],
             cage_drift=x[:, CAGE:BORDER],
             approach=fields[0],
-            tilt=fields[1] if m > 1 else np.zeros_like(fields[0]),
+            tilt=fields[1] if m > 1 else np.zeros(fields[0].shape),
             film=fields[-3:-1],
             spin_drift=fields[-1],
             deviation=deviation,
@@ -156,21 +157,30 @@ class BearingBalance:
         A roller thrown off the outer raceway, or a film below zero, has no slope that leads back. The
         spin of a roller that hardly anything drives may be sent anywhere: it moves by a share only.
         """
-        held, spin = after.copy(), self.field(-1)
+        held, (approach, films, spin) = after.copy(), self._bounded_fields
         least, most = before[:, spin] - SPIN_CHANGE, before[:, spin] + SPIN_CHANGE
         held[:, spin] = np.minimum(np.maximum(after[:, spin], least), most)
-        films = slice(self.field(-3).start, self.field(-2).stop)
         held[:, films] = np.maximum(after[:, films], 0.1 * before[:, films])
-        approach = self.field(0)
-        old, new = self._end_approach(before), self._end_approach(after)
+        old, new = self._largest_approach(before), self._largest_approach(after)
         lowest = np.minimum(old, 0.1 * old) - 3 * GAP_ROUNDING / LENGTH
         held[:, approach] += np.maximum(lowest - new, 0.0)
         return held
 
-    def _end_approach(self, scaled: NDArray) -> NDArray:
-        """Approach (C, Z) of that end of each roller which is nearer to the outer raceway, scaled."""
-        centre = scaled[:, self.field(0)]
-        return centre + np.abs(scaled[:, self.field(1)]) if self.roller.shapes > 1 else centre
+    @cached_property
+    def _bounded_fields(self) -> tuple[slice, slice, slice]:
+        """Places of approaches at the outer raceway, films and spins among the unknowns of a case."""
+        return self.field(0), slice(self.field(-3).start, self.field(-2).stop), self.field(-1)
+
+    def _largest_approach(self, scaled: NDArray) -> NDArray:
+        """Approach (C, Z) where each roller is nearest to the outer raceway, whatever its shape, scaled."""
+        centre = scaled[:, self._bounded_fields[0]]
+        if self.roller.shapes == 1:
+            return centre
+        if not self.yielding and self.deviation is None:
+            return centre + np.abs(scaled[:, self.field(1)])
+        beyond = self.inputs(self.unpack(scaled)).approach[OUTER, 1:] / LENGTH
+        shape = self.roller.raceways.slices.shape[:, 1:]
+        return centre + np.einsum("km,mcz->kcz", shape, beyond).max(0)
 
     @cached_property
     def displacements(self) -> NDArray:
@@ -207,9 +217,11 @@ class BearingBalance:
     def undetermined(self) -> NDArray:
         """Whether nothing holds the ring (C): neither load nor moment, and every roller with its gap."""
         points = self.points
+        idle = (points.load == 0) & (points.moment == 0)
+        if self.deviation is not None or self.yielding or not idle.any():
+            return np.zeros(len(points), bool)
         reach = np.hypot(points.slope_y, points.slope_z) * self.roller.bearing.roller.length / 2
-        idle = (points.load == 0) & (points.moment == 0) & (2 * reach <= self.clearance)
-        return idle[:, 0] & (self.deviation is None and not self.yielding)
+        return (idle & (2 * reach <= self.clearance))[:, 0]
 
     @cached_property
     def unknown_scale(self) -> NDArray:
@@ -227,16 +239,16 @@ class BearingBalance:
 
         Friction is about a hundredth of the load that causes it, and so is the size of its balances.
         """
-        bearing, force = self.roller.bearing, self.reference_force[:, 0]
+        bearing, own = self.roller.bearing, self.own
         half = bearing.roller.length / 2
-        moment, friction = force * half, FRICTION * force
-        tilt = [moment] if self.roller.shapes > 1 else []
-        own = [force, *tilt, FILM, FILM, friction * bearing.roller.diameter / 2]
-        border = [force, force, moment, moment, friction * bearing.pitch_diameter / 2]
-        sizes = [*own, *border, *[LARGE_DEVIATION] * self.roller.shapes * len(self.yielding)]
-        scale = np.empty((len(sizes), len(force)))
-        for row, size in zip(scale, sizes, strict=True):
-            row[:] = size
+        tilt = [half] if self.roller.shapes > 1 else []
+        levers = [1.0, *tilt, 0.0, 0.0, FRICTION * bearing.roller.diameter / 2]
+        levers += [1.0, 1.0, half, half, FRICTION * bearing.pitch_diameter / 2]
+        scale = np.full(
+            (own + BORDER + self.roller.shapes * len(self.yielding), len(self.points)), LARGE_DEVIATION
+        )
+        scale[: own + BORDER] = np.array(levers)[:, None] * self.reference_force[:, 0]
+        scale[own - 3 : own - 1] = FILM
         return scale
 
     @cached_property
@@ -291,8 +303,13 @@ class BearingBalance:
 
     def motion(self, cage_drift: NDArray, spin_drift: NDArray) -> Motion:
         """Motion of the rollers with these drifts (C, 1), (C, Z) [rad/s]."""
-        spin, cage = self.rolling_spin, self.rolling_cage
-        return Motion(spin_drift, cage_drift, spin + spin_drift, cage + cage_drift, rolling_spin=spin)
+        spin, cage_speed = self.rolling_spin + spin_drift, self.rolling_cage + cage_drift
+        return Motion(spin_drift, cage_drift, spin, cage_speed, self._still_spin)
+
+    @cached_property
+    def _still_spin(self) -> NDArray:
+        """Spin (C, 1) [rad/s] below which rollers stand still."""
+        return STILL * self.rolling_spin
 
     @cached_property
     def _given(self) -> NDArray:
@@ -381,10 +398,10 @@ class BearingBalance:
         table = np.zeros((len(gradient), own + BORDER + m * len(self.yielding), *gradient.shape[2:]))
         inner, outer = gradient[:, :m], gradient[:, m : 2 * m]
         spin, cage, film = gradient[:, SPIN], gradient[:, CAGE_SPEED], gradient[:, FILM_I:VALUE]
-        table[:, 0] = outer[:, 0] - inner[:, 0]
-        table[:, own - 3 : own - 1] = film + inner[:, :1]
+        np.subtract(outer[:, 0], inner[:, 0], out=table[:, 0])
+        np.add(film, inner[:, :1], out=table[:, own - 3 : own - 1])
         table[:, own - 1] = spin
-        table[:, own + Y : own + Z + 1] = self._radial[:, None] * inner[:, :1]
+        np.multiply(self._radial[:, None], inner[:, :1], out=table[:, own + Y : own + Z + 1])
         table[:, own + CAGE] = cage
         if m > 1:
             (sin, cos), half = self._radial, self.roller.raceways.slices.length / 2

@@ -30,7 +30,7 @@ class Motion(NamedTuple):
     cage_drift: NDArray  # (C, 1) cage speed less that of pure rolling [rad/s]
     spin: NDArray  # (C, Z) relative to the cage [rad/s]
     cage_speed: NDArray  # (C, 1) [rad/s]
-    rolling_spin: NDArray  # (C, 1) spin in pure rolling [rad/s]
+    still_spin: NDArray  # (C, 1) below it a roller stands still [rad/s]
 
 
 class RollerInputs(NamedTuple):
@@ -77,8 +77,8 @@ class Response(NamedTuple):
 class RollerBalance:
     """Equations of one roller.
 
-    Every row but those of the film is a sum of forces with constant levers: `levers` is the page of
-    equations, `_forces` fills in the forces and their derivatives.
+    Every row is a sum of forces with constant levers: `levers` is the page of equations, `_forces`
+    fills in the forces and their derivatives.
     """
 
     bearing: CylindricalRollerBearing
@@ -92,12 +92,13 @@ class RollerBalance:
 
     @cached_property
     def forces(self) -> list[str]:
-        """Names of the forces, in the order of the columns of `levers`."""
+        """Names of the forces, in the order of the columns of `levers`; films stand among them."""
         shapes = range(self.shapes)
         return (
             [f"inner {m}" for m in shapes]
             + [f"outer {m}" for m in shapes]
-            + ["T_i", "T_o", "R_i", "R_o", "centrifugal", "drag", "churning", "pocket up", "pocket brake"]
+            + ["T_i", "T_o", "R_i", "R_o", "film_i", "film_o"]
+            + ["centrifugal", "drag", "churning", "pocket up", "pocket brake"]
         )
 
     @cached_property
@@ -108,17 +109,19 @@ class RollerBalance:
 
     @cached_property
     def levers(self) -> NDArray:
-        """Equations (rows, forces): radial, tilt, spin, cage torque, tangential, pocket [-] or [m]."""
+        """Equations (rows, forces), the rows of `Response` [-] or [m]."""
         r_w, r_m = self.bearing.roller.diameter / 2, self.bearing.pitch_diameter / 2
         half, g = self.raceways.slices.length / 2, self.bearing.diameter_ratio
         radial = self._row(**{"inner 0": 1, "outer 0": -1, "centrifugal": 1, "pocket up": 1})
         tilt = [self._row(**{"outer 1": half, "inner 1": -half})] if self.shapes > 1 else []
+        alone, m = np.eye(len(self.forces)), self.shapes
+        films, shapes = alone[2 * m + 4 : 2 * m + 6], alone[: 2 * m]
         spin = r_w * self._row(**{"T_i": 1, "T_o": -1, "R_i": -1, "R_o": -1, "pocket brake": -1})
         spin += self._row(churning=-1)
         cage = -r_m * self.cage_force + self._row(**{"pocket brake": -r_w})
         tangential = self._row(T_i=1, R_i=1 - 2 * g)
         pocket = [self.cage_force, self._row(**{"pocket up": 1})] if self.bearing.cage.free else []
-        return np.array([radial, *tilt, spin, cage, tangential, *pocket])
+        return np.array([radial, *tilt, *films, spin, cage, tangential, *pocket, *shapes])
 
     def _row(self, **weights: float) -> NDArray:
         row = np.zeros(len(self.forces))
@@ -130,15 +133,13 @@ class RollerBalance:
         """Evaluate the equations of all rollers."""
         sliding, entrainment, sense = self.surfaces(inputs.motion, points)
         contact = self.raceways.state(inputs.approach, sliding, entrainment, inputs.film)
-        friction = self._friction(contact, entrainment, sense)
-        forces = self._forces(contact, friction, inputs.motion)
+        forces = self._forces(contact, inputs.motion)
+        friction = forces[2 * self.shapes : CENTRIFUGAL].reshape(3, 2, *forces.shape[1:])
+        self._fill_friction(friction, contact, entrainment, sense)
+        self._compare_films(friction[2], inputs.film)
         cage_force = self._add_pocket(forces, inputs.motion)
-        rows, film = _combined(self.levers, forces), friction[2]
-        film[0, FILM_I] = film[1, FILM_O] = -1.0
-        film[:, VALUE] -= inputs.film
-        m, own = self.shapes, 1 + (self.shapes > 1)  # rows before spin
         return Response(
-            np.concatenate([rows[:own], film, rows[own:], forces[: 2 * m]]),
+            _combined(self.levers, forces),
             RollerState(
                 contact,
                 sliding,
@@ -182,10 +183,11 @@ class RollerBalance:
         rolling = 0.5 * np.array([[r_w, r_w], [-r_i, r_o]])
         return sliding[..., None, None], rolling[..., None, None]
 
-    def _friction(self, contact: ContactState, entrainment: NDArray, sense: NDArray) -> NDArray:
+    def _fill_friction(
+        self, found: NDArray, contact: ContactState, entrainment: NDArray, sense: NDArray
+    ) -> None:
         """Traction, rolling shear along the rolling, and film of both raceways (3, 2, inputs + 1, C, Z)."""
         m, (rolling, film) = self.shapes, (contact.rolling, contact.film)
-        found = np.zeros((3, 2, 2 * m + 5, *sense.shape[1:]))
         by_load = np.array([sense * rolling.by_load, film.by_line_load])
         by_approach = by_load[:, :, None] * contact.force_by_approach[:, 0]
         found[0, 0, :m], found[0, 1, m : 2 * m] = contact.traction_by_approach
@@ -195,23 +197,27 @@ class RollerBalance:
             [contact.traction_by_entrainment, sense * rolling.by_entrainment, film.by_entrainment]
         )
         by_rolling[1] += (1 - sense * sense) / entrainment * rolling.force  # the sense changes with the speed
-        speeds = slice(2 * m, 2 * m + 2)
-        found[:, :, speeds] = by_rolling[:, :, None] * by_speed
-        found[0, :, speeds] += contact.traction_by_sliding[:, None] * by_sliding
-        found[2, :, speeds] += film.by_sliding[:, None] * by_sliding
+        by_speeds = found[:, :, 2 * m : 2 * m + 2]
+        np.multiply(by_rolling[:, :, None], by_speed, out=by_speeds)
+        sliders = by_speeds[::2]  # traction and film
+        sliders += np.array([contact.traction_by_sliding, film.by_sliding])[:, :, None] * by_sliding
         found[0, 0, FILM_I], found[0, 1, FILM_O] = contact.traction_by_film
         found[:, :, VALUE] = contact.traction, sense * rolling.force, film.thickness
-        return found
+
+    @staticmethod
+    def _compare_films(films: NDArray, assumed: NDArray) -> None:
+        """Turn films (2, inputs + 1, C, Z) into their excess over those that were assumed (2, C, Z)."""
+        films[0, FILM_I] = films[1, FILM_O] = -1.0
+        films[:, VALUE] -= assumed
 
     # -- forces --------------------------------------------------------------------------------
 
-    def _forces(self, contact: ContactState, friction: NDArray, motion: Motion) -> NDArray:
-        """Fill in `forces` (forces, inputs + 1, C, Z), but for those of the pocket."""
+    def _forces(self, contact: ContactState, motion: Motion) -> NDArray:
+        """Begin `forces` (forces, inputs + 1, C, Z): all but raceway friction, films and the pocket's."""
         m, shape = self.shapes, motion.spin.shape
         found = np.zeros((len(self.forces), 2 * m + 5, *shape))
         found[: 2 * m, VALUE] = contact.force.reshape(2 * m, *shape)
         found[:m, :m], found[m : 2 * m, m : 2 * m] = contact.force_by_approach
-        found[2 * m : 2 * m + 4] = friction[:2].reshape(4, *friction.shape[2:])
         found[CENTRIFUGAL, VALUE], found[CENTRIFUGAL, CAGE_SPEED] = self.centrifugal(motion.cage_speed)
         found[DRAG, VALUE], found[DRAG, CAGE_SPEED] = self.drag(motion.cage_speed)
         if self.lubrication.churning_gap is not None:
@@ -241,23 +247,24 @@ class RollerBalance:
     def _add_pocket(self, forces: NDArray, motion: Motion) -> NDArray:
         """Fill in the pocket's friction: lifts or presses the roller, brakes its spin; returns F_c (C, Z)."""
         coefficient = self.bearing.cage.pocket_friction
-        speed = np.sqrt(motion.spin**2 + (STILL * motion.rolling_spin) ** 2)
+        speed = np.sqrt(motion.spin**2 + motion.still_spin**2)
         sense = motion.spin / speed
-        by_spin = coefficient * (1 - sense**2) / speed
         graded = _combined(self.cage_force, forces)
         force = graded[VALUE]
         rounded = np.sqrt(force * force + CAGE_FORCE_ROUNDING**2)
         size = rounded - CAGE_FORCE_ROUNDING  # of the force, smooth through zero
         friction = coefficient * sense
-        forces[POCKET_UP] = friction * graded
-        forces[POCKET_BRAKE] = (force / rounded) * forces[POCKET_UP]
-        forces[POCKET_BRAKE, VALUE] = friction * size
-        forces[POCKET_UP, SPIN] += by_spin * force
-        forces[POCKET_BRAKE, SPIN] += by_spin * size
+        by_spin = (coefficient - friction * sense) / speed
+        up, brake = forces[POCKET_UP], forces[POCKET_BRAKE]
+        np.multiply(friction, graded, out=up)
+        np.multiply(force / rounded, up, out=brake)
+        np.multiply(friction, size, out=brake[VALUE])
+        up[SPIN] += by_spin * force
+        brake[SPIN] += by_spin * size
         return force
 
 
 def _combined(weights: NDArray, forces: NDArray) -> NDArray:
     """Weighted sums (rows, ...) of forces (forces, ...) as one matrix product."""
-    summed = weights @ forces.reshape(len(forces), -1)
+    summed = weights.dot(forces.reshape(len(forces), -1))  # quicker than `@` where it is small
     return summed.reshape(*weights.shape[:-1], *forces.shape[1:])

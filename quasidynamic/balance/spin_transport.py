@@ -52,13 +52,13 @@ def spin_transport(
     half = inertia * spin_drift.shape[1] / (4 * np.pi)
     size = np.sqrt(cage_speed**2 + (CREEP * rolling_spin) ** 2)
     before, after = half * (size + cage_speed), half * (size - cage_speed)
-    from_before = spin_drift - np.concatenate([spin_drift[:, -1:], spin_drift[:, :-1]], axis=1)
-    from_after = -np.concatenate([from_before[:, 1:], from_before[:, :1]], axis=1)
-    brought, taken_back = before * from_before, after * from_after
+    around = np.concatenate([spin_drift[:, -1:], spin_drift, spin_drift[:, :1]], axis=1)
+    change = around[:, 1:] - around[:, :-1]  # from each roller's neighbour before to the one after the last
+    gained, lost = before * change[:, :-1], after * change[:, 1:]
     return SpinTransport(
-        torque=brought + taken_back,
-        by_spin=before + after,
+        torque=gained - lost,
+        by_spin=2 * half * size,
         by_before=before,
         by_after=after,
-        by_cage=(brought - taken_back) / size,
+        by_cage=(gained + lost) / size,
     )

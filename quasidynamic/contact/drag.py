@@ -126,10 +126,11 @@ def orbit_drag(
     roller = bearing.roller
     radius = bearing.pitch_diameter / 2
     speed = cage_speed * radius
+    size = np.abs(speed)
     area = roller.length * max(roller.diameter - bearing.cage.thickness, 0.0)
     if coefficient is None:
-        value, slope = cylinder_drag(oil.density * roller.diameter / oil.viscosity * np.abs(speed))
+        value, slope = cylinder_drag(oil.density * roller.diameter / oil.viscosity * size)
     else:
         value, slope = coefficient, 0.0
-    half = (0.5 * mixture_density(oil, oil_fraction) * area) * np.abs(speed)
+    half = (0.5 * mixture_density(oil, oil_fraction) * area) * size
     return half * value * speed, half * (2 * value + slope) * radius

@@ -83,18 +83,12 @@ class FilmLaw:
         """Film of loads per length q > 0 [N/m], sliding [m/s] of any sign, entrainment u > 0 [m/s]."""
         f, oil = self.formula, self.oil
         thickness = self._scale * np.exp(f.speed * np.log(entrainment) - f.load * np.log(line_load))
-        if not self.inlet_heating:
-            by_sliding, by_log_speed = np.zeros_like(thickness), f.speed
-        else:
+        by_slip, by_log_speed = 0.0, f.speed
+        if self.inlet_heating:
             factor, by_slip, by_log_speed = inlet_heating_factor(entrainment, sliding, oil)
-            thickness = factor * thickness
-            by_sliding, by_log_speed = by_slip * thickness / entrainment, f.speed + by_log_speed
-        return Film(
-            thickness,
-            -f.load * thickness / line_load,
-            by_sliding,
-            by_log_speed * thickness / entrainment,
-        )
+            thickness, by_log_speed = factor * thickness, f.speed + by_log_speed
+        per_speed = thickness / entrainment
+        return Film(thickness, -f.load * thickness / line_load, by_slip * per_speed, by_log_speed * per_speed)
 
 
 def inlet_heating_factor(
@@ -129,8 +123,8 @@ def inlet_heating_factor(
     ratio = sliding / entrainment
     squared = ratio * ratio + SLIP_ROUNDING**2
     thermal = unit * np.exp(1.28 * np.log(entrainment))
-    sheared = thermal * 14.8 * np.exp(0.83 / 2 * np.log(squared))
+    sheared = thermal * (14.8 * np.exp(0.83 / 2 * np.log(squared)))
     heating = thermal + sheared
     factor = 1.0 / (1.0 + heating)
-    by_slip = -0.83 * factor * sheared / squared * ratio
+    by_slip = -0.83 * factor * sheared * ratio / squared
     return factor, by_slip, -1.28 * factor * heating - by_slip * ratio

@@ -118,7 +118,7 @@ def land_torque(
         crowding, crowding_slope = _film_power(eccentricity, -0.5)
     return LandTorque(
         torque=resistance * crowding * speed_difference,
-        by_speed=resistance * crowding * (1 + slope) + np.zeros_like(speed_difference),
+        by_speed=resistance * crowding * (1 + slope) + np.zeros(np.shape(speed_difference)),
         by_eccentricity=resistance * crowding_slope * speed_difference,
     )
 

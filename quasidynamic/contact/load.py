@@ -19,9 +19,10 @@ class LoadLaw:
 
     def __call__(self, approach: NDArray) -> tuple[NDArray, NDArray]:
         """Load per length [N/m] and its derivative [N/m2]; both tend smoothly to zero in a gap."""
-        closed, slope = smooth_positive(approach)
-        power = self.coefficient * np.exp((EXPONENT - 1) * np.log(closed))
-        return power * closed, EXPONENT * power * slope
+        closed, root = smooth_positive(approach)
+        # The last bits of a ninth of the logarithm matter less than those of all of it.
+        load = self.coefficient * np.exp((EXPONENT - 1) * np.log(closed)) * closed
+        return load, EXPONENT * load / root
 
     def approach(self, line_load: NDArray) -> NDArray:
         """Approach [m] that carries a load per length [N/m]: the inverse, contact assumed closed."""
@@ -29,14 +30,14 @@ class LoadLaw:
 
 
 def smooth_positive(gap: NDArray) -> tuple[NDArray, NDArray]:
-    r"""Positive part rounded over `GAP_ROUNDING`, and its derivative, without cancellation.
+    r"""Positive part rounded over `GAP_ROUNDING` without cancellation, and over its derivative.
 
-    .. math:: (g + \sqrt{g^2 + \varepsilon^2})/2
-              = \max(g, 0) + \tfrac12 \varepsilon^2/(|g| + \sqrt{g^2 + \varepsilon^2})
+    .. math:: p = (g + \sqrt{g^2 + \varepsilon^2})/2
+              = \max(g, 0) + \tfrac12 \varepsilon^2/(|g| + \sqrt{g^2 + \varepsilon^2}),\quad
+              p/p' = \sqrt{g^2 + \varepsilon^2}
     """
     root = np.sqrt(gap * gap + GAP_ROUNDING**2)
-    positive = np.maximum(gap, 0.0) + GAP_ROUNDING**2 / 2 / (root + np.abs(gap))
-    return positive, positive / root
+    return np.maximum(gap, 0.0) + GAP_ROUNDING**2 / 2 / (root + np.abs(gap)), root
 
 
 def palmgren(roller: Material, raceway: Material, length: float) -> LoadLaw:

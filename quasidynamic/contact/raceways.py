@@ -1,13 +1,14 @@
 """Sliced rollers on both raceways: load, traction, rolling shear, film."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.contact.film import Film, FilmLaw
-from quasidynamic.contact.load import LoadLaw
+from quasidynamic.contact.load import EXPONENT, LoadLaw
 from quasidynamic.contact.lubrication import Lubrication
 from quasidynamic.contact.rolling import RollingShear
 from quasidynamic.contact.slices import Slices
@@ -49,6 +50,11 @@ class Raceways:
     radius: NDArray  # (2, 1, 1) [m] reduced
     modulus: NDArray  # (2, 1, 1) [Pa] E'
 
+    @cached_property
+    def softness(self) -> NDArray:
+        """Approach of a straight roller at either raceway per load^0.9 (2) [m/N^0.9]."""
+        return (np.ravel(self.law.coefficient) * self.slices.length) ** (-1 / EXPONENT)
+
     @property
     def oil(self) -> Lubricant:
         """The oil at the inlets."""
@@ -72,22 +78,20 @@ class Raceways:
         -------
         ContactState
         """
-        slices = self.slices
-        q, stiffness = self.law(approach.transpose(0, 2, 3, 1) @ slices.shape.T - self.drop)
-        pull = self.traction(q, sliding[..., None], entrainment[..., None], film[..., None])
-        force = (q @ slices.weights).transpose(0, 3, 1, 2)
-        m = slices.shapes
-        by_approach = (stiffness @ slices.products).transpose(0, 3, 1, 2)
+        slices = self.slices  # first axis from here on: what is the same for all of them broadcasts
+        q, stiffness = self.law(slices.spread(approach.swapaxes(0, 1)) - self.drop[:, None, None, None])
+        pull = self.traction(q, sliding, entrainment, film)
+        force = slices.summed(q).swapaxes(0, 1)
         load = force[:, 0]
         return ContactState(
-            slice_load=q,
+            slice_load=q.transpose(1, 2, 3, 0),
             force=force,
-            force_by_approach=by_approach.reshape(2, m, m, *load.shape[1:]),
-            traction=pull.force @ slices.widths,
-            traction_by_approach=((pull.by_load * stiffness) @ slices.weights).transpose(0, 3, 1, 2),
-            traction_by_sliding=pull.by_sliding @ slices.widths,
-            traction_by_entrainment=pull.by_entrainment @ slices.widths,
-            traction_by_film=pull.by_film @ slices.widths,
+            force_by_approach=slices.paired(stiffness).transpose(2, 0, 1, 3, 4),
+            traction=slices.total(pull.force),
+            traction_by_approach=slices.summed(pull.by_load * stiffness).swapaxes(0, 1),
+            traction_by_sliding=slices.total(pull.by_sliding),
+            traction_by_entrainment=slices.total(pull.by_entrainment),
+            traction_by_film=slices.total(pull.by_film),
             rolling=self.rolling(load, entrainment),
             film=self.film(load, sliding, entrainment),
         )
@@ -104,4 +108,5 @@ class Raceways:
         film = self.film_law(line_load, sliding, entrainment)
         if self.lubrication.inlet_length is not None:
             film = starved_film(film, line_load, self.radius, self.modulus, self.lubrication.inlet_length)
-        return film._replace(by_line_load=film.by_line_load / self.slices.length * load / floored)
+        by_load = film.by_line_load * load / (self.slices.length * floored)
+        return Film(film.thickness, by_load, film.by_sliding, film.by_entrainment)

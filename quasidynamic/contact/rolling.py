@@ -34,9 +34,9 @@ RollingLaw = Callable[[NDArray, NDArray, Geometry, Lubricant], RollingShear]
 class _Groups(NamedTuple):
     """Load and speed without units."""
 
-    unit: NDArray  # l E' R [N]
     speed: NDArray  # U2 = 2 eta0 u / (E' R)
     root_speed: NDArray  # sqrt U2
+    weight: NDArray  # l E' R sqrt U2 [N]
     regime: NDArray  # M = Q / (l E' R sqrt U2)
 
 
@@ -83,7 +83,7 @@ def biboulet_houpert(load: NDArray, entrainment: NDArray, geometry: Geometry, oi
     M from 0.2 to 200, flooded, isothermal.
     """
     groups = _groups(load, entrainment, geometry, oil)
-    return _below_rigid_limit(groups, _Ceiling(ELASTIC), entrainment)
+    return _below_rigid_limit(groups, _Ceiling(ELASTIC), load, entrainment)
 
 
 def dowson_higginson(load: NDArray, entrainment: NDArray, geometry: Geometry, oil: Lubricant) -> RollingShear:
@@ -121,7 +121,7 @@ def dowson_higginson(load: NDArray, entrainment: NDArray, geometry: Geometry, oi
     """
     groups = _groups(load, entrainment, geometry, oil)
     material = 9.2 * 0.5**0.7 * (oil.pressure_viscosity * geometry[1]) ** -0.3
-    return _below_rigid_limit(groups, _Ceiling(material * groups.speed**-0.05, -0.05), entrainment)
+    return _below_rigid_limit(groups, _Ceiling(material * groups.speed**-0.05, -0.05), load, entrainment)
 
 
 def zhou_hoeprich(load: NDArray, entrainment: NDArray, geometry: Geometry, oil: Lubricant) -> RollingShear:
@@ -160,7 +160,7 @@ def zhou_hoeprich(load: NDArray, entrainment: NDArray, geometry: Geometry, oil: 
     by_speed = 0.648 + 0.246 / 2 - 0.75  # W = M sqrt(U2)
     rise = (groups.regime + LOAD_ROUNDING) ** 0.246
     ceiling = _Ceiling(material * groups.speed**by_speed * rise, by_speed, 0.246)
-    return _below_rigid_limit(groups, ceiling, entrainment)
+    return _below_rigid_limit(groups, ceiling, load, entrainment)
 
 
 def goksem_hargreaves(
@@ -216,7 +216,7 @@ def goksem_hargreaves(
         0.25 * exponent - 0.25 + 2 * by_heat,  # L ~ U2^2
         1 - 1.5 * exponent,
     )
-    return _below_rigid_limit(groups, ceiling, entrainment)
+    return _below_rigid_limit(groups, ceiling, load, entrainment)
 
 
 LAWS: dict[str, RollingLaw] = {
@@ -229,24 +229,29 @@ LAWS: dict[str, RollingLaw] = {
 
 def _groups(load: NDArray, entrainment: NDArray, geometry: Geometry, oil: Lubricant) -> _Groups:
     radius, modulus, length = geometry
-    unit = np.multiply(length * modulus, radius)
-    speed = 2 * oil.viscosity / (modulus * radius) * entrainment
+    elastic = modulus * radius
+    speed = 2 * oil.viscosity / elastic * entrainment
     root_speed = np.sqrt(speed)
-    return _Groups(unit, speed, root_speed, load / (unit * root_speed))
+    weight = length * elastic * root_speed
+    return _Groups(speed, root_speed, weight, load / weight)
 
 
-def _below_rigid_limit(groups: _Groups, ceiling: _Ceiling, entrainment: NDArray) -> RollingShear:
+def _below_rigid_limit(
+    groups: _Groups, ceiling: _Ceiling, load: NDArray, entrainment: NDArray
+) -> RollingShear:
     """Smooth lesser of a law and the rigid-isoviscous limit, with derivatives."""
-    regime, weight = groups.regime, groups.unit * groups.root_speed  # F ~ weight U2^0.25, M = Q / weight
+    regime = groups.regime
     shifted = regime + LOAD_ROUNDING
     part = regime / shifted
     square = (RIGID / ceiling.value) ** 2 * part * regime  # of the limit over the law
-    tenth = square * square * square * square * square
+    fourth = square * square
+    tenth = fourth * fourth * square
     crowd = 1 + tenth
     share = tenth / crowd  # of the law in the logarithmic slopes; the rest is the limit's
     tenth_root = np.exp(0.1 * np.log(crowd))
-    per_regime = RIGID * weight * np.sqrt(groups.root_speed / shifted) / tenth_root  # F / M
-    force = per_regime * regime
-    by_regime = per_regime * ((1 - 0.5 * part) / crowd + share * ceiling.slope_by_regime * part)
-    by_log_speed = force * (0.75 + share * ceiling.slope_by_speed) - 0.5 * regime * by_regime
-    return RollingShear(force, by_regime / weight, by_log_speed / entrainment)
+    per_load = RIGID * np.sqrt(groups.root_speed / shifted) / tenth_root  # F / Q
+    force = per_load * load
+    rigid = 1 - 0.5 * part
+    by_log_load = rigid + share * (ceiling.slope_by_regime * part - rigid)
+    by_log_speed = 0.75 + share * ceiling.slope_by_speed - 0.5 * by_log_load  # M ~ U2^-0.5
+    return RollingShear(force, per_load * by_log_load, force * by_log_speed / entrainment)

@@ -64,6 +64,22 @@ class Slices:
         """Legendre polynomials at the computed slices (K, M) [-]."""
         return eval_legendre(np.arange(self.shapes), 2 * self.centres[:, None] / self.length)
 
+    def spread(self, coefficients: NDArray) -> NDArray:
+        """Values (K, ...) at the computed slices from coefficients (M, ...) of the shapes."""
+        return _product(self.shape, coefficients)
+
+    def total(self, values: NDArray) -> NDArray:
+        """Integral (...) along the roller of values (K, ...) per length."""
+        return self.widths.dot(values.reshape(len(values), -1)).reshape(values.shape[1:])
+
+    def summed(self, values: NDArray) -> NDArray:
+        """Integrals (M, ...) of values (K, ...) per length times the shapes."""
+        return _product(self.weights.T, values)
+
+    def paired(self, values: NDArray) -> NDArray:
+        """Integrals (M, M, ...) of values (K, ...) per length times products of two shapes."""
+        return _product(self.products.T, values).reshape(self.shapes, self.shapes, *values.shape[1:])
+
     @cached_property
     def weights(self) -> NDArray:
         """Forces from loads per length: shape times width (K, M) [m]."""
@@ -80,3 +96,9 @@ class Slices:
             return values
         twins = values[..., self.count % 2 :]
         return np.concatenate([twins[..., ::-1], values], axis=-1)
+
+
+def _product(matrix: NDArray, values: NDArray) -> NDArray:
+    """Weighted sums (n, ...) over the first axis of values (K, ...), weights (n, K)."""
+    # Quicker than `@` where it is small.
+    return matrix.dot(values.reshape(len(values), -1)).reshape(-1, *values.shape[1:])

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from math import log
 from typing import NamedTuple, Protocol
 
 import numpy as np
@@ -70,31 +71,35 @@ class Regression4109:
         share = line_load * (self.length / self.load_floor)
         squared = share * share
         floored = 1 + squared  # square of the load over its floor, rounded
-        slip = np.abs(sliding) / entrainment
-        by_load = np.exp(np.multiply.outer(self._LOAD_POWERS / 2, np.log(floored)))
-        by_speed = np.exp(np.multiply.outer(self._SPEED_POWERS, np.log(entrainment)))
-        d, b, c = (x * y * z for x, y, z in zip(self._at_floor, by_speed, by_load, strict=True))
-        fall = c * slip
-        decay = np.exp(-fall)
-        left, climb = d * decay, b * slip * decay
+        slip, log_speed, log_load = np.abs(sliding) / entrainment, np.log(entrainment), np.log(floored)
+        d, b, c = (
+            np.exp((at_floor + by_speed * log_speed) + by_load * log_load)
+            for at_floor, by_speed, by_load in self._logarithmic
+        )
+        decay = np.exp(c * -slip)
+        left, steep = d * decay, b * decay
+        climb = steep * slip
         plateau, excess = d - left, left - climb
-        curve, fading = plateau + climb, excess * fall
+        curve, falling = plateau + climb, excess * c
         # d mu / d ln D = plateau, d mu / d ln B = climb, d mu / d ln C = fading
-        shares = np.array([plateau, climb, fading])
+        shares = np.array([plateau, climb, falling * slip])
         by_log_load, by_log_speed = (self._LOG_SLOPES @ shares.reshape(3, -1)).reshape(2, *curve.shape)
         sign, load_per_speed = np.sign(sliding), line_load / entrainment
         return Traction(
             force=sign * line_load * curve,
             by_load=sign * (curve + by_log_load * (squared / floored)),
-            by_sliding=load_per_speed * (excess * c + b * decay),
+            by_sliding=load_per_speed * (falling + steep),
             by_entrainment=sign * load_per_speed * by_log_speed,
             by_film=np.zeros(curve.shape),
         )
 
     @cached_property
-    def _at_floor(self) -> list[NDArray]:
-        """D, B, C at the load floor and unit speed."""
+    def _logarithmic(self) -> list[tuple[NDArray, float, float]]:
+        """Of D, B and C: ln at the load floor and unit speed, powers of the speed and of `floored`."""
         oil, elastic = self.oil, self.modulus * self.radius
-        pressure, speed = self.load_floor / (elastic * self.radius), oil.viscosity / elastic
-        heat = oil.conductivity * oil.temperature / oil.viscosity
-        return [x0 * pressure**p * speed**u * heat**t for x0, p, u, t in self._FORMULA]
+        pressure, speed = np.log(self.load_floor / (elastic * self.radius)), np.log(oil.viscosity / elastic)
+        heat = log(oil.conductivity * oil.temperature / oil.viscosity)
+        return [
+            (log(x0) + p * pressure + u * speed + t * heat, u - 2 * t, p / 2)
+            for x0, p, u, t in self._FORMULA.tolist()
+        ]

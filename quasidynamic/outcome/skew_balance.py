@@ -175,9 +175,9 @@ class SkewBalance:
         run, speed = self.running, np.array([1.0, -1.0])[:, None] * self.surface_speed
         along, across = run.sliding, speed * skew
         size = np.hypot(along, across)
-        at = (values[:, None, :, None] for values in (size, run.entrainment, run.film))
-        pull = self.raceways.traction(run.slice_load[:, None], *at)
-        total, steepness = pull.force[:, 0], pull.by_sliding[:, 0]
+        at = (values[:, None] for values in (size, run.entrainment, run.film))
+        pull = self.raceways.traction(self._slices_first, *at)
+        total, steepness = (np.moveaxis(each[:, :, 0], 0, -1) for each in (pull.force, pull.by_sliding))
         # without any sliding there is no traction, and no direction is needed
         safe = np.where(size > 0, size, 1.0)
         cos, sin = (part / safe for part in (along, across))
@@ -186,13 +186,16 @@ class SkewBalance:
         by_speed = steepness * sin[..., None] ** 2 + secant * (1 - sin[..., None] ** 2)
         return total * cos[..., None], total * sin[..., None], by_speed * speed[..., None]
 
+    @property
+    def _slices_first(self) -> NDArray:
+        """Load per length (K, 2, 1, Z) [N/m], as the laws of the raceways take it."""
+        return np.moveaxis(self.running.slice_load, -1, 0)[:, :, None]
+
     def _inlet_shears(self) -> NDArray:
         """Inlet shears (2, Z, K) per length [N/m]: the balance's own, spread as by the law."""
         run, raceways = self.running, self.raceways
-        geometry = (raceways.radius[..., None], raceways.modulus[..., None], raceways.slices.length)
-        load = run.slice_load[:, None] * raceways.slices.length
-        law, oil = raceways.lubrication.rolling, raceways.lubrication.oil
-        local = law(load, run.entrainment[:, None, :, None], geometry, oil).force[:, 0]
+        local = raceways.rolling(self._slices_first * raceways.slices.length, run.entrainment[:, None]).force
+        local = np.moveaxis(local[:, :, 0], 0, -1)
         whole = local @ raceways.slices.widths
         scale = np.divide(run.rolling_shear, whole, out=np.zeros_like(whole), where=whole > 0)
         return local * scale[..., None]

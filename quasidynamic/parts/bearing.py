@@ -34,22 +34,22 @@ class CylindricalRollerBearing:
         if self.rollers * self.roller.diameter >= np.pi * self.pitch_diameter:
             raise ImpossiblePart(f"{self.rollers} rollers do not fit on the pitch circle")
 
-    @property
+    @cached_property
     def pitch_diameter(self) -> float:
         """Of the roller centres, rollers lying on the outer raceway [m]."""
         return self.outer_raceway_diameter - self.roller.diameter
 
-    @property
+    @cached_property
     def diameter_ratio(self) -> float:
         """Roller over pitch diameter, gamma [-]."""
         return self.roller.diameter / self.pitch_diameter
 
-    @property
+    @cached_property
     def inner_radius(self) -> float:
         """Inner raceway radius of the kinematics, without the clearance [m]."""
         return (self.pitch_diameter - self.roller.diameter) / 2
 
-    @property
+    @cached_property
     def outer_radius(self) -> float:
         """Outer raceway radius [m]."""
         return self.outer_raceway_diameter / 2

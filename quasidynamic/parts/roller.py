@@ -1,6 +1,7 @@
 """A cylindrical roller with its profile."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from math import pi
 from typing import Protocol
 
@@ -80,12 +81,12 @@ class Roller:
         for name in ("diameter", "length"):
             require_positive(f"roller.{name}", getattr(self, name))
 
-    @property
+    @cached_property
     def mass(self) -> float:
         """Mass of the full cylinder [kg]."""
         return self.material.density * pi / 4 * self.diameter**2 * self.length
 
-    @property
+    @cached_property
     def inertia(self) -> float:
         """Moment of inertia about the roller's own axis [kg m2]."""
         return self.mass * self.diameter**2 / 8

@@ -124,6 +124,11 @@ def _allowed(
     return np.maximum(largest, noise(balls, grooves))[:, None]
 
 
+def in_balance(balance: AngularBalance, balls: BallBalance, grooves: Vectors) -> NDArray:
+    """Cases (C) in which all balls are in balance where they are."""
+    return (np.abs(balls.excess) <= _allowed(balance, balls, grooves, 0.0)).all(1)
+
+
 def noise(balls: BallBalance, grooves: Vectors) -> NDArray:
     """Force (C) by which rounding of lengths unbalances a ball."""
     return ROUNDING * np.abs(balls.by_ball[:, 0]).max((0, 2)) * np.abs(grooves).max(1)

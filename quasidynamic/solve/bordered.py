@@ -122,9 +122,8 @@ def around(middle: NDArray, before: NDArray, after: NDArray, sides: NDArray) -> 
     lower, upper = before.repeat(rollers, axis=1), after.repeat(rollers, axis=1)
     lower[:, 0] = upper[:, -1] = 0.0
     columns = np.concatenate([sides, corners]).reshape(count + 2, -1).T
-    *_, solved, fault = dgtsv(
-        lower.ravel()[1:], middle.ravel(), upper.ravel()[:-1], columns, overwrite_b=True
-    )
+    bands = lower.ravel()[1:], middle.ravel(), upper.ravel()[:-1]
+    *_, solved, fault = dgtsv(*bands, columns, overwrite_dl=True, overwrite_du=True, overwrite_b=True)
     if fault:
         return np.full(sides.shape, np.nan)
     solved = solved.T.reshape(count + 2, cases, rollers)

@@ -37,9 +37,9 @@ class Solved:
         for sweep in sweeps:
             here = cases[sweep.cases]
             self.evaluations[here] += 1
-            for place, (case, ending) in enumerate(zip(here, sweep.endings, strict=True)):
+            for place, ending in enumerate(sweep.endings):
                 if ending is not Ending.NONE:
-                    self.unknowns[case], self.endings[case] = sweep.unknowns[place], ending
+                    self.unknowns[here[place]], self.endings[here[place]] = sweep.unknowns[place], ending
 
 
 def solve(balance: BearingBalance, start: NDArray, better: Sequence[Start]) -> Solved:

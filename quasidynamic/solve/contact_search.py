@@ -6,12 +6,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.bearing import BearingBalance
-from quasidynamic.balance.settling import film_at, resting_loads, settled
+from quasidynamic.balance.settling import between_raceways, film_at, resting_loads, settled
 from quasidynamic.solve.endings import Ending
 from quasidynamic.solve.newton import Sweep, norm, step
 
 LIMIT = 40  # steps
-SMALL_CHANGE = 3.0  # scaled displacement: 3 micrometres
+SMALL_CHANGE = 0.2  # of the largest approach of a roller and its outer raceway
 
 
 def contact_search(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep]:
@@ -24,11 +24,14 @@ def contact_search(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep
     yield Sweep(0, np.array([0]), unknowns, system, [Ending.NONE], one)
     for number in range(1, LIMIT + 1):
         change = step(balance, system)
-        unknowns = unknowns + change
-        found = bool(np.abs(change[0, balance.displacements]).max() < SMALL_CHANGE)
-        if not found:
-            moved = settled(balance, balance.unpack(unknowns))
-            film = film_at(balance, moved, resting_loads(balance, moved))
+        small = SMALL_CHANGE * unknowns[0, balance.field(0)].max()
+        found = bool(np.abs(change[0, balance.displacements]).max() < small)
+        if found:
+            unknowns = balance.bounded(unknowns, unknowns + change)
+        else:
+            moved = between_raceways(balance, balance.unpack(unknowns + change))
+            moved = settled(balance, moved, shaped=True)
+            film = film_at(balance, moved, resting_loads(balance, moved, shaped=True))
             unknowns = balance.pack(moved._replace(film=film))
         system = balance.evaluate(unknowns)
         ending = Ending.NONE if np.isfinite(norm(system)[0]) else Ending.NOT_FINITE

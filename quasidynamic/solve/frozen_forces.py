@@ -33,6 +33,7 @@ def hung(
     place: tuple[NDArray, Vectors],
     frozen: tuple[Vectors, NDArray],
     enough: float = ENOUGH,
+    limit: int = LIMIT,
 ) -> tuple[NDArray, Vectors]:
     """Ring (C, 5) and centres (C, Z) near the balance under constant forces on balls (C, Z), ring (C, 5).
 
@@ -42,7 +43,7 @@ def hung(
     ring, centres = place
     to_groove = balance.ring_to_groove.view(float).reshape(-1, 5, 2).swapaxes(1, 2)
     here = _forces(balance, to_groove, (ring, centres), frozen)
-    for _ in range(LIMIT):
+    for _ in range(limit):
         if (here.imbalance <= enough).all():
             break
         step = newton_step(balance, here.carried_late, here.stiffness, here.imbalance)

@@ -38,7 +38,7 @@ class Sweep:
     @property
     def residual(self) -> NDArray:
         """Largest unbalanced force over the reference force (cases) [-]."""
-        return np.abs(self.system.residual).max(axis=1)
+        return _largest(self.system.residual)
 
 
 def newton(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep]:
@@ -67,7 +67,7 @@ def newton(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep]:
             unknowns = np.where(better[:, None], trial, unknowns)
             size, worst = np.where(better, new, size), np.where(better, _worst(system), worst)
             damping = np.where(better, 1.0, damping / 2)
-        endings = [_ending(*case, last=number == LIMIT) for case in zip(better, worst, damping, strict=True)]
+        endings = _endings(better, worst, damping, number == LIMIT)
         yield Sweep(number, cases, unknowns, system, endings, better)
         running = [ending is Ending.NONE for ending in endings]
         if not any(running):
@@ -84,6 +84,11 @@ def newton(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep]:
             )
 
 
+def _endings(better: NDArray, worst: NDArray, damping: NDArray, last: bool) -> list[Ending]:
+    each = zip(better.tolist(), worst.tolist(), damping.tolist(), strict=True)
+    return [_ending(*case, last) for case in each]
+
+
 def _ending(better: bool, worst: float, damping: float, last: bool) -> Ending:
     if worst <= TOLERANCE or (worst <= ENOUGH and (last or not better)):
         return Ending.CONVERGED
@@ -94,7 +99,7 @@ def _ending(better: bool, worst: float, damping: float, last: bool) -> Ending:
 
 def _worst(system: Linearisation) -> NDArray:
     """Largest unbalanced force over reference or roller load (C) [-]."""
-    return np.abs(system.residual).max(axis=1) / system.loading
+    return _largest(system.residual) / system.loading
 
 
 def step(
@@ -112,16 +117,21 @@ def step(
     """
     right = -system.residual[..., None]
     found = bordered.solve(balance, system, right, shift)[..., 0]
-    far = np.abs(found[:, Y : Z + 1]).max(axis=1)
+    far = _largest(found[:, Y : Z + 1])
     if (far > longest).any():
-        stiffness = np.abs(system.residual[:, Y : Z + 1]).max(axis=1) / longest
+        stiffness = _largest(system.residual[:, Y : Z + 1]) / longest
         held = shift._replace(ring=np.where(far > longest, stiffness, 0.0))
         found = bordered.solve(balance, system, right, held)[..., 0]
-    long = np.maximum(np.abs(found[:, Y : Z + 1]).max(axis=1) / longest, 1.0)
-    long = np.maximum(long, np.abs(found[:, CAGE]) / (speed_change * (system.cage_speed + CRAWL)))
-    return found if (long <= 1.0).all() else found / long[:, None]
+        far = _largest(found[:, Y : Z + 1])
+    long = np.maximum(far / longest, np.abs(found[:, CAGE]) / (speed_change * (system.cage_speed + CRAWL)))
+    return found if (long <= 1.0).all() else found / np.maximum(long, 1.0)[:, None]
 
 
 def norm(system: Linearisation) -> NDArray:
     """Length of the residual (C); not a number when a part of it is not."""
-    return np.sqrt(np.einsum("ci,ci->c", system.residual, system.residual))
+    return np.sqrt(np.vecdot(system.residual, system.residual))
+
+
+def _largest(values: NDArray) -> NDArray:
+    """Largest size (C) of values (C, n)."""
+    return np.maximum.reduce(np.abs(values), axis=1)

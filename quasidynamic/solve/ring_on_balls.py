@@ -7,9 +7,10 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.angular import AngularBalance, BallBalance, RingBalance, moved
 from quasidynamic.balance.ball_place import Vectors
-from quasidynamic.solve.balls import along_arc, largest_force, noise, resolved, settle
+from quasidynamic.solve.balls import along_arc, in_balance, largest_force, noise, resolved, settle
 from quasidynamic.solve.endings import Ending
 from quasidynamic.solve.frozen_forces import hung
+from quasidynamic.solve.inertia_homotopy import led
 from quasidynamic.solve.ring_on_springs import first_place, newton_step
 
 TOLERANCE = 1e-11  # of the largest force: unbalanced force on the ring
@@ -18,8 +19,6 @@ LOOSE = 0.1  # of the imbalance before a step: what the balls may leave to the n
 SHORTEST = 2.0**-12  # part of a Newton step
 TOUCHING = 10 * TOLERANCE  # of the largest force: least load that counts as contact of the ring
 SINGULAR = 1e-12  # of the whole stiffness: a direction that nothing holds
-ROUNDS, RELAXATION = 60, 0.4  # of forces of inertia that follow the places, where a cold start fails
-CLOSE = 1e-6  # of the largest of these forces: change at which the places are a start
 
 
 @dataclass(frozen=True)
@@ -50,7 +49,7 @@ class _State:
 
 
 def solve(balance: AngularBalance) -> Solved:
-    """Balance of all cases: in one go, else from places under forces of inertia that follow slowly."""
+    """Balance of all cases: in one go, else along a path of growing inertia."""
     with np.errstate(all="ignore"):  # places tried on the way may overflow: such a step is not taken
         return _solve(balance)
 
@@ -64,8 +63,9 @@ def _solve(balance: AngularBalance) -> Solved:
         return found
     endings, pieces = list(found.endings), {}
     for case in failed:
-        pieces[case] = relaxed(balance.take(np.array([case])))
-        endings[case] = pieces[case].endings[0]
+        piece = along_path(balance.take(np.array([case])))
+        if piece is not None:
+            pieces[case], endings[case] = piece, piece.endings[0]
     arrays = [found.ring, found.centres, found.imbalance, found.evaluations]
     for case, piece in pieces.items():
         new = [piece.ring, piece.centres, piece.imbalance, found.evaluations[case] + piece.evaluations]
@@ -90,19 +90,17 @@ def inertia_forces(balance: AngularBalance, ring: NDArray, centres: Vectors) -> 
     return balls.pull, balance.dragged(balls)
 
 
-def relaxed(balance: AngularBalance) -> Solved:
-    """Places under forces of inertia that follow them slowly, then Newton's method."""
-    ring = first_place(balance)
-    centres = balance.places.resting(balance.grooves(ring))
-    pull, drag = 1j * balance.free_centrifugal + np.zeros_like(centres), np.zeros_like(ring)
-    for _ in range(ROUNDS):
-        ring, centres = hung(balance, (ring, centres), (pull, drag), CLOSE)
-        new_pull, new_drag = inertia_forces(balance, ring, centres)
-        change = np.abs(new_pull - pull).max()
-        pull, drag = pull + RELAXATION * (new_pull - pull), drag + RELAXATION * (new_drag - drag)
-        if change <= CLOSE * np.abs(pull).max():
-            break
-    return newton(balance, ring, centres)
+def along_path(balance: AngularBalance) -> Solved | None:
+    """Balance of one case at the end of a path of growing inertia; None where the path was lost."""
+    found = led(balance)
+    if found is None:
+        return None
+    ring, centres, count = found
+    grooves = balance.grooves(ring)
+    balls = balance.balls(grooves, centres)
+    state = _at(balance, ring, centres, balls, in_balance(balance, balls, grooves), count + 1)
+    ending = _ending(balance, state, 0, 1.0, last=True)
+    return Solved(ring, centres, [ending], state.imbalance, np.array([state.evaluations]))
 
 
 def newton(balance: AngularBalance, ring: NDArray, centres: NDArray | None = None) -> Solved:
@@ -205,12 +203,19 @@ def _state(balance: AngularBalance, ring: NDArray, centres: NDArray, share: NDAr
     """Ring at a place, balls in balance up to a share of the largest force."""
     grooves = balance.grooves(ring)
     centres, balls, settled, count = settle(balance, grooves, centres, share)
+    return _at(balance, ring, centres, balls, settled, count)
+
+
+def _at(
+    balance: AngularBalance, ring: NDArray, centres: NDArray, balls: BallBalance, settled: NDArray, count: int
+) -> _State:
+    """Ring and balls as they are."""
     late, *follow = -resolved(balls, np.concatenate([balls.excess[None], balls.by_groove[:, 0]]))
     follow = np.array(follow)
     forces = balance.ring(balls, follow)
     _, force, traction = moved(balls.by_ball, late)
     excess = np.where(balance.held, 0.0, forces.excess - balance.on_ring(force, traction))
-    largest = np.maximum(largest_force(balance, balls), noise(balls, grooves) / TOLERANCE)
+    largest = np.maximum(largest_force(balance, balls), noise(balls, balance.grooves(ring)) / TOLERANCE)
     largest = np.maximum(largest, np.finfo(float).tiny)
     pressing = balls.loads[0].max(1) / largest
     worst = np.maximum(np.abs(excess).max(1), np.abs(balls.excess).max(1))

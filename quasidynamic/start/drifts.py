@@ -45,10 +45,10 @@ def guessed_drifts(balance: BearingBalance, static: Unknowns) -> tuple[NDArray, 
     inner_share = load[1] / load.sum(0)
     r_i, r_o = bearing.inner_radius, bearing.outer_radius
     spin_per_cage = (inner_share * (r_i + r_o) - r_i) / (bearing.roller.diameter / 2)
-    every = np.tile(np.arange(cases), len(GUESSES))
+    every = np.arange(len(GUESSES) * cases) % cases  # each case, guess by guess
     many = LumpedRollers(balance.take(every))
     cage_drift = -np.repeat(GUESSES, cases)[:, None] * many.balance.rolling_cage
-    line_load = load[:, every, :, None] / bearing.roller.length
+    line_load = load[:, every] / bearing.roller.length
     forces = many.forces(line_load, cage_drift, cage_drift * spin_per_cage[every])
     torque = many.driving_torque(forces, cage_drift).reshape(len(GUESSES), cases)
     slip = _sign_change(np.log(GUESSES), torque)

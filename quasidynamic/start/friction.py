@@ -60,7 +60,7 @@ class _Friction:
     """Balance of spins and cage under constant loads."""
 
     rollers: LumpedRollers
-    line_load: NDArray  # (2, C, Z, 1) [N/m]
+    line_load: NDArray  # (2, C, Z) [N/m]
     film: NDArray  # (2, C, Z) [m]
     shear: NDArray  # (2, C, Z) [N] of the inlets, without sense
 
@@ -71,7 +71,7 @@ class _Friction:
         sliding, entrainment, _ = rollers.surfaces(cage_drift, spin_drift)
         return cls(
             rollers,
-            load[..., None] / raceways.slices.length,
+            load / raceways.slices.length,
             raceways.film(load, sliding, entrainment).thickness,
             raceways.rolling(load, entrainment).force,
         )
@@ -103,10 +103,9 @@ class _Friction:
         """Tractions (2, C, Z) [N], slopes by spin and cage speed (2, 2, C, Z) [N s], sense of rolling."""
         roller = self.rollers.balance.roller
         sliding, entrainment, sense = self.rollers.surfaces(cage_drift, spin_drift)
-        speeds = sliding[..., None], entrainment[..., None]
-        pull = roller.raceways.traction(self.line_load, *speeds, self.film[..., None])
+        pull = roller.raceways.traction(self.line_load, sliding, entrainment, self.film)
         force, by_sliding, by_entrainment = (
-            roller.raceways.slices.length * each[..., 0]
+            roller.raceways.slices.length * each
             for each in (pull.force, pull.by_sliding, pull.by_entrainment)
         )
         slides, rolls = roller.speed_slopes

@@ -29,11 +29,11 @@ class LumpedRollers:
         balance = self.balance
         cage_drift = -slip[:, None] * balance.rolling_cage
         state = static_unknowns(balance, cage_drift)
-        line_load = resting_loads(balance, state)[..., None] / balance.roller.raceways.slices.length
+        line_load = resting_loads(balance, state) / balance.roller.raceways.slices.length
         drift, forces = self._drifts(line_load, cage_drift)
         t_i, _, r_i, _ = forces
         tangential = (t_i + (1 - 2 * balance.roller.bearing.diameter_ratio) * r_i).sum(-1)
-        load = line_load[0, ..., 0].sum(-1) * balance.roller.raceways.slices.length
+        load = line_load[0].sum(-1) * balance.roller.raceways.slices.length
         friction = tangential / np.maximum(load, SMALLEST_LOAD)
         return drift, friction, self.driving_torque(forces, cage_drift)
 
@@ -57,8 +57,8 @@ class LumpedRollers:
         """
         bearing = self.balance.roller.bearing
         r_w = bearing.roller.diameter / 2
-        inner = -cage_drift * bearing.inner_radius / r_w + np.zeros(line_load.shape[1:3])
-        outer = cage_drift * bearing.outer_radius / r_w + np.zeros(line_load.shape[1:3])
+        inner = -cage_drift * bearing.inner_radius / r_w + np.zeros(line_load.shape[1:])
+        outer = cage_drift * bearing.outer_radius / r_w + np.zeros(line_load.shape[1:])
         # Rolling on the inner raceway is the faster spin when the cage lags behind forwards.
         up = np.sign(inner - outer)
 
@@ -93,11 +93,11 @@ class LumpedRollers:
         """Traction at both raceways and rolling shear at both (4, C, Z) [N]."""
         raceways, length = self.balance.roller.raceways, self.balance.roller.raceways.slices.length
         sliding, entrainment, sense = self.surfaces(cage_drift, drift)
-        load = line_load[..., 0] * length
+        load = line_load * length
         film = raceways.film(load, sliding, entrainment).thickness
-        pull = raceways.traction(line_load, sliding[..., None], entrainment[..., None], film[..., None])
+        pull = raceways.traction(line_load, sliding, entrainment, film)
         shear = raceways.rolling(load, entrainment)
-        return np.concatenate([pull.force[..., 0] * length, sense * shear.force])
+        return np.concatenate([pull.force * length, sense * shear.force])
 
     def surfaces(self, cage_drift: NDArray, drift: NDArray) -> tuple[NDArray, NDArray, NDArray]:
         """Sliding and entrainment speed (2, C, Z) [m/s], sense of rolling [-]."""

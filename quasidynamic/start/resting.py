@@ -11,7 +11,6 @@ from quasidynamic.balance.settling import (
     resting_loads,
     series_stiffness,
     settled,
-    softness,
 )
 from quasidynamic.contact.load import EXPONENT
 
@@ -41,7 +40,7 @@ def static_unknowns(balance: BearingBalance, cage_drift: NDArray) -> Unknowns:
     )
     cage_speed = balance.rolling_cage + cage_drift
     usual = 4 * points.load / balance.rollers + centrifugal_force(balance, cage_speed)
-    film = film_at(balance, unknowns, np.broadcast_to(usual, (2, *shape)))
+    film = film_at(balance, unknowns, usual)
     direction = np.arctan2(points.load_y, points.load_z)
     gap = balance.clearance / 2 - film.sum(0).mean(-1, keepdims=True) + outer_approach(balance, cage_speed)
     shift = ring_shift(balance, direction, gap)
@@ -56,20 +55,21 @@ def ring_shift(balance: BearingBalance, direction: NDArray, gap: NDArray) -> NDA
     displacement: after one step at most it is approached from above.
     """
     raceways, load = balance.roller.raceways, balance.points.load
-    soft = softness(balance)
+    soft = raceways.softness
     share, coefficient = soft[0] / soft.sum(), np.ravel(raceways.law.coefficient)[0]
     cos = np.cos(balance.roller.bearing.azimuths - direction)
     nearest = cos.max(axis=-1, keepdims=True)
     usual = np.minimum(1.0, STRIBECK / balance.rollers) * load / nearest
     room = soft.sum() * usual ** (1 / EXPONENT) + raceways.drop.min() / share
-    shift = (np.maximum(gap, 0.0) + room) / nearest
+    shift, drop = (np.maximum(gap, 0.0) + room) / nearest, raceways.drop[:, None, None]
+    steepness = EXPONENT * share * cos * cos
     for _ in range(SHIFT_STEPS):
         # Of the room between the raceways, the inner one takes its share and has the profile to itself.
-        closed = np.maximum(share * (shift * cos - gap)[..., None] - raceways.drop, 0.0)
+        closed = np.maximum(share * (shift * cos - gap) - drop, 0.0)
         power = coefficient * closed ** (EXPONENT - 1)
-        carried = ((power * closed) @ raceways.slices.widths * cos).sum(-1, keepdims=True)
-        slope = EXPONENT * share * (power @ raceways.slices.widths * cos * cos).sum(-1, keepdims=True)
-        change = np.where(slope > 0, (carried - load) / np.where(slope > 0, slope, 1.0), 0.0)
+        carried = np.vecdot(raceways.slices.total(power * closed), cos)[:, None]
+        slope = np.vecdot(raceways.slices.total(power), steepness)[:, None]
+        change = np.divide(carried - load, slope, out=np.zeros(slope.shape), where=slope > 0)
         shift = shift - change
         if np.abs(change).max() < SHIFT_DIGITS:
             break

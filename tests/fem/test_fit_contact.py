@@ -73,7 +73,7 @@ def thin():
     shaft = assembled([tube(25.8e-3, 29.8e-3, 1e-3, "shaft", "outside")], {"shaft": HOT}, mesh)
     return FittedBodies(
         part=PLAIN, length=1e-3, seconds={},
-        ring=condense_body(ring, faces, 3, (1, 3)), shaft=condense_body(shaft, faces, 3),
+        ring=condense_body(ring, faces, 3, (1, 3)), mate=condense_body(shaft, faces, 3),
     )  # fmt: skip
 
 

@@ -214,7 +214,7 @@ def test_each_raceway_has_asperities_of_its_own_roughness():
         law({**settings, **more})
         for more in ({**outer}, {}, {**outer, "bearing.roughness.inner_raceway": "2.4820 um"})
     )
-    load, sliding, speed, film = (np.full((2, 1, 1, 1), x) for x in (1e5, 0.01, 8.0, 0.5e-6))
+    load, sliding, speed, film = (np.full((2, 1, 1), x) for x in (1e5, 0.01, 8.0, 0.5e-6))
     for place, alone in ((0, smooth), (1, rough)):
         for found, expected in zip(
             both(load, sliding, speed, film), alone(load, sliding, speed, film), strict=True

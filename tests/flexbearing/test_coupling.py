@@ -9,6 +9,9 @@ from pytest import approx
 
 from flexbearing.coupling import RULES, Ending, PartnerFailed, alternate, newton
 from flexbearing.coupling import relaxed as relaxation_rule
+from flexbearing.coupling.acceleration import Seen
+from flexbearing.coupling.history import History, change_per_residual
+from flexbearing.coupling.loop import PATIENCE
 
 
 @dataclass(frozen=True)
@@ -33,6 +36,9 @@ class Springs:
             raise PartnerFailed("too much", "stalled")
         return ToyState(np.full((2, 3, 1), 100.0) - self.stiffness * deviation)
 
+    def roller_stiffness(self, state):
+        return np.full(3, self.stiffness)
+
     def iterate(self, compliance, start=None, deviation=None):
         yield start
         if self.limit < 1e-9:
@@ -40,7 +46,7 @@ class Springs:
         softness = compliance[1][0, 0, 0, 0]
         force = np.full((2, 3, 1), 100.0)
         force[1] = 100.0 / (1 + self.stiffness * softness)
-        yield ToyState(force, 1e-12)
+        yield ToyState(force + 1e-3, 1e-5)
         yield ToyState(force, 1e-15, "converged")
 
 
@@ -154,6 +160,13 @@ class Uneven:
     def matrix(self):
         return self.softness * (np.diag([1.0, 0.3, 0.1]) + 0.05)
 
+    def linearised(self, forces):
+        return self
+
+    @property
+    def compliance(self):
+        return None, self.matrix[:, None, :, None]
+
     def deviation(self, forces):
         return np.array([np.zeros((3, 1)), self.matrix @ forces[1]])
 
@@ -213,3 +226,95 @@ def test_newton_follows_a_structure_that_is_not_linear():
     assert force == approx(100 - 1e6 * structure.deviation(last.state.forces)[1, 0, 0], rel=1e-7)
     assert [step.status for step in steps] == [""] * len(steps)
     assert last.number <= 7  # a step for each linearisation of 100 - x = 3 sqrt(x)
+
+
+# -- what the quasi-Newton rule expects ------------------------------------------------------------
+
+
+def test_estimate_is_exact_for_springs_between_two_raceways():
+    """Loads 100 - k (w_outer - w_inner) of springs over their length: the estimate leads to the root."""
+    rng, shape = np.random.default_rng(3), (2, 4, 3)
+    half = rng.normal(size=(2, 12, 12))
+    compliance = 1e-9 * (half @ half.transpose(0, 2, 1)).reshape(2, 4, 3, 4, 3)
+    stiffness = np.array([1e8, 2e8, 0.0, 5e7])
+    spring = stiffness[:, None] / np.array([1.0, 3.0, 5.0])
+
+    def answer(deviation):
+        load = rng_loads - spring * (deviation[1] - deviation[0])
+        return np.array([-np.tensordot(compliance[0], load, 2), np.tensordot(compliance[1], load, 2)])
+
+    rng_loads, given = rng.normal(size=(4, 3)) * 1e3, 1e-6 * rng.normal(size=shape)
+    residual = answer(given) - given
+    step = change_per_residual((compliance[0], compliance[1]), stiffness, given.size) @ residual.ravel()
+    root = given + step.reshape(shape)
+    assert answer(root) == approx(root, rel=1e-9, abs=1e-12 * np.abs(root).max())
+
+
+def test_rigid_raceway_is_not_moved_by_the_estimate():
+    compliance = None, 1e-8 * np.eye(3)[:, None, :, None]
+    expected = change_per_residual(compliance, np.full(3, 1e8), 6)
+    assert expected[:3] == approx(np.eye(6)[:3], rel=0, abs=1e-15)
+    assert np.diag(expected)[3:] == approx(0.5)
+
+
+def test_trials_with_other_contacts_are_left_out_while_there_is_headway():
+    history, touching = History(), [[1, 1, 1], [1, 1, 0], [1, 1, 0]]
+    for number, stiffness in enumerate(touching):
+        history.add(np.zeros((2, 3, 1)), np.full((2, 3, 1), 1.0 / (1 + number)), np.array(stiffness, float))
+    assert history.seen((None, None)).alike == 2
+    history.add(np.zeros((2, 3, 1)), np.ones((2, 3, 1)), np.array([1.0, 1.0, 0.0]))
+    assert history.seen((None, None)).alike == 4  # a residual that is not the least: no headway
+
+
+def test_quasi_newton_step_is_no_longer_than_the_residual():
+    away = Seen(np.zeros((3, 1)), np.ones((3, 1)), 1, lambda: 50 * np.eye(3))
+    assert RULES["iqn-ils"](away) == approx(np.ones(3))
+
+
+# -- alternations without hope -------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("product", [3.0, 30.0])
+def test_growth_is_seen_within_a_few_iterations(product):
+    *_, last = relaxed(Springs(1e6), Plate(product * 1e-6), START, ENDING, 1.0)
+    assert (last.status, last.number <= 6) == ("diverging", True)
+
+
+def test_slow_growth_after_a_fall_is_seen():
+    """One place diverges slowly, the others converge at first."""
+    steps = list(relaxed(Springs(1e6), Uneven(2.2e-6), START, ENDING, 0.9))
+    assert steps[-1].status == "diverging"
+    assert min(step.mismatch for step in steps) < steps[0].mismatch
+
+
+def test_bearing_that_fails_after_growth_is_a_failure_of_the_alternation():
+    *_, last = relaxed(Springs(1e6, limit=1.0), Plate(100e-6), START, ENDING, 1.0)
+    assert (last.status, last.ending) == ("diverging", "stalled")
+    assert "newton can" in last.message
+    assert "too much" in last.message
+
+
+def test_alternation_that_stands_still_is_ended():
+    *_, last = alternate(Springs(1e6), Plate(3e-6), START, ENDING, lambda seen: seen.given[:, -1])
+    assert last.status == "stagnating"
+    assert last.number == PATIENCE + 1
+    assert "newton can" in last.message
+
+
+def test_structure_that_fails_at_once_is_named():
+    class Torn(Plate):
+        def linearised(self, forces):
+            raise PartnerFailed("the ring is torn", "not solved")
+
+    (last,) = alternate(Springs(1e6), Torn(3e-6), START, ENDING, RULES["iqn-ils"])
+    assert (last.number, last.status, last.message) == (1, "not solved", "the ring is torn")
+
+
+def test_newton_ends_with_the_force_that_is_left_not_with_the_last_step():
+    class Slow(Springs):
+        def iterate(self, compliance, start=None, deviation=None):
+            for residual in (1.0, 1e-6, 0.9e-10, 1e-16):
+                yield ToyState(np.full((2, 3, 1), 100 * (1 + residual**0.5)), residual)
+
+    steps = list(newton(Slow(1e6), Plate(3e-6), START, ENDING))
+    assert [step.status for step in steps] == ["", "converged"]

@@ -1,6 +1,7 @@
 """Stresses and displacements of the rings of a stored run."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import ngsolve as ngs
@@ -9,11 +10,10 @@ import pytest
 from pytest import approx
 from typer.testing import CliRunner
 
-import fem
 import flexbearing
 from flexbearing.case import BadCase
 from flexbearing.cli import app
-from flexbearing.compute import assemble, fields
+from flexbearing.compute import fields
 from flexbearing.compute.deformed import pictures
 from flexbearing.report import summary, text
 from flexbearing.results import BadResult
@@ -115,14 +115,10 @@ def test_picture_shows_the_deformed_part(result, outer, tmp_path, monkeypatch):
 
 
 def test_part_without_a_solid_is_said(result, monkeypatch, tmp_path):
-    springs = fem.Foundation(axial=0, radial=1e12, tangential=0)
-    part = assemble.outer_part(fields.case_of(result))
-    ring = fem.OuterRing(
-        raceway_diameter=part.raceway_diameter, thickness=part.thickness, width=part.width,
-        elastic=part.elastic, support=springs,
-    )  # fmt: skip
-    monkeypatch.setattr(assemble, "outer_part", lambda case: ring)
-    with pytest.raises(fields.NoFields, match="outer ring: a solid has no Foundation"):
+    case = fields.case_of(result)
+    outer = case.outer.model_copy(update={"kind": "ring", "support": "foundation", "foundation_radial": 1e12})
+    monkeypatch.setattr(fields, "case_of", lambda result: case.model_copy(update={"outer": outer}))
+    with pytest.raises(fields.NoFields, match=r'outer ring: outer.support = "foundation" has no solid'):
         fields.of_result(result)
     assert "no picture" in next(pictures(result, tmp_path))
     failed = CliRunner().invoke(app, ["fields", str(result.path)])
@@ -132,5 +128,24 @@ def test_part_without_a_solid_is_said(result, monkeypatch, tmp_path):
 def test_ring_in_a_fit_is_not_taken_as_bonded(result):
     case = fields.case_of(result)
     loose = case.model_copy(update={"inner": case.inner.model_copy(update={"fit": "frictionless"})})
-    with pytest.raises(fields.NoFields, match="not bonded"):
+    with pytest.raises(fields.NoFields, match="has no solid"):
         fields.fields(loose, "inner", "flexible", result.flexible)
+
+
+def test_drawing_is_found_beside_the_case_wherever_the_result_is(result, tmp_path):
+    """A result that holds the case of a drawn part, far from it; then carried elsewhere with the drawing."""
+    drawn = PAPER.with_name("step_ring.toml")
+    kept = {
+        "case_text": drawn.read_text(), "case_file": str(drawn), "case_overrides": ["inner.kind=rigid"]
+    }  # fmt: skip
+    far = replace(result, path=tmp_path / "r.h5", attributes={**result.attributes, **kept})
+    assert fields.parts(fields.case_of(far))["outer"].source == "step_ring.step"
+    gone = replace(far, attributes={**far.attributes, "case_file": str(tmp_path / "away" / "case.toml")})
+    with pytest.raises(fields.NoFields, match=r"step_ring.step cannot be read"):
+        fields.parts(fields.case_of(gone))
+    (tmp_path / "step_ring.step").write_bytes(drawn.with_suffix(".step").read_bytes())
+    assert fields.parts(fields.case_of(gone))["outer"].source == "step_ring.step"
+
+
+def test_result_knows_where_its_case_was(result):
+    assert result.attributes["case_file"] == str(PAPER.resolve())

@@ -15,6 +15,7 @@ BEGINNING = {
     "title": "Rollenlager, Außenring weich",
     "method": "newton",
     "case_text": 'title = "weich"\n' * 10_000,  # larger than an HDF5 attribute may be inside its header
+    "case_file": "/home/user/cases/weich.toml",
     "case_overrides": ["bearing.clearance=50 um"],
     "case_si": {"bearing": {"clearance": 5e-5, "rollers": np.int64(5)}},
     "assumed": [],
@@ -33,6 +34,8 @@ ENDING = {
     "regimes": {"rigid": {"inner": "mixed", "outer": "full film"}},
     "structure": {"unknowns": 12_000, "seconds": {"mesh": 0.5}},
     "stresses": {"outer": {"nominal_bar_stress_MPa": 1500.0}},
+    "choices": {"slices": {"level": "40", "fixed": False, "allowed": 0.004}},
+    "error_estimate": {"target": 0.01, "met": True, "roller_load": 0.002},
 }
 
 

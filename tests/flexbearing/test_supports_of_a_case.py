@@ -7,10 +7,20 @@ import pytest
 from pytest import approx
 
 from flexbearing.case import BadCase, read
-from flexbearing.compute import one
+from flexbearing.compute import assemble, fields, one
+from flexbearing.compute.fitted import FittedRings, fit_of, variations
+from flexbearing.compute.rings import wishes
 
 PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
 RING = ["inner.kind=rigid", "outer.kind=ring", "accuracy.element_order=3"]
+HOUSED = [
+    *RING, "outer.support=housing", "outer.housing_thickness=10 mm", "outer.housing_width=12 mm",
+    "operation.temperatures.housing=218 degC", "accuracy.slices=8", "accuracy.axial_shapes=2",
+]  # fmt: skip
+FITTED = [
+    "outer.kind=rigid", "inner.fit=frictionless", "accuracy.element_order=3", "accuracy.slices=8",
+    "accuracy.axial_shapes=2",
+]  # fmt: skip
 SUPPORTS = {
     "seat": [],
     "foundation": ["outer.foundation_radial=100 N/mm^3"],
@@ -65,6 +75,92 @@ def test_ring_that_can_roll_between_two_lines_is_refused_before_it_is_solved(tmp
     lines = ["outer.support=lines", 'outer.line_azimuths=["0 deg", "180 deg"]']
     with pytest.raises(BadCase, match="can still move along"):
         one.run(PAPER, tmp_path / "r.h5", [*RING, *lines])
+
+
+def test_ring_with_clearance_in_its_housing_touches_it_below_the_load(tmp_path):
+    result = one.run(PAPER, tmp_path / "r.h5", [*HOUSED, "outer.housing_clearance=60 um"])
+    assert result.attributes["status"] == "converged"
+    told = result.attributes["structure"]["outer"]["housing"]
+    assert 60 < told["touching_angle_deg"] < 120
+    assert 0.6 < told["open_share"] < 0.9
+    assert told["largest_pressure_MPa"] > told["mean_pressure_MPa"] > 0
+    assert told["largest_gap_um"] > told["mean_gap_unloaded_um"] == approx(30, abs=1)
+    carried = result.flexible["inner_load"] @ np.cos(result.flexible["roller_azimuth"])
+    assert carried == approx(result.rigid["inner_load"] @ np.cos(result.rigid["roller_azimuth"]), rel=0.01)
+    with pytest.raises(fields.NoFields, match="housing_clearance has no solid"):
+        fields.of_result(result)
+
+
+@pytest.mark.parametrize(
+    ("settings", "told"),
+    [
+        (["operation.radial_load=0 N", "outer.housing_clearance=-1 um"], "housing_clearance"),
+        (["outer.housing_clearance=60 um", "operation.radial_load=0 N"], "nothing holds the ring"),
+    ],
+)
+def test_ring_that_no_load_holds_in_its_housing_is_refused(settings, told, tmp_path):
+    with pytest.raises(BadCase, match=told):
+        one.run(PAPER, tmp_path / "r.h5", [*HOUSED, *settings])
+
+
+def test_clearance_needs_the_temperature_of_the_housing():
+    settings = [*(item for item in HOUSED if "temperatures" not in item), "outer.housing_clearance=60 um"]
+    with pytest.raises(BadCase, match=r"housing is missing: outer.housing_clearance needs it"):
+        read(PAPER, settings)
+
+
+def along(part, *temperatures):
+    names = ", ".join(f'"{t} degC"' for t in temperatures)
+    return [
+        f'operation.temperatures.{part}_along.at=["-30 mm", "30 mm"]',
+        f"operation.temperatures.{part}_along.temperatures=[{names}]",
+    ]
+
+
+def test_temperatures_along_the_axis_are_free_expansions_beyond_the_middle():
+    case = read(PAPER, [*FITTED, *along("shaft", 210, 250)])
+    (found,) = variations(case, ring="inner_ring", shaft="shaft").items()
+    name, expansion = found
+    assert name == "shaft"
+    assert expansion.values == approx((-13.8e-6 * 20, 13.8e-6 * 20), rel=1e-9)
+    assert expansion.at == approx((-30e-3, 30e-3), rel=3e-3)  # as warm as the ring
+
+
+@pytest.mark.slow
+def test_shaft_that_is_warmer_at_one_end_tapers_the_raceway():
+    cases = [read(PAPER, FITTED), read(PAPER, [*FITTED, *along("shaft", 210, 250)])]
+    even, warm = (
+        fit_of(case, assemble.inner_part(case), assemble.roller_length(case), wishes(case, (3, 1.2, 0.3)))
+        for case in cases
+    )
+    change, x = warm.pressure - even.pressure, warm.bodies.ring.points.x
+    assert change[x > 1e-6].min() > 0 > change[x < -1e-6].max()
+    taper = warm.growth[1] - even.growth[1]
+    assert 0 < taper < 13.8e-6 * 40 / 60e-3 * 33e-3 * 2.5e-3  # that of a shaft with this temperature
+    azimuths, forces = 2 * np.pi * np.arange(30) / 30, np.zeros((2, 30, 2))
+    forces[:, :, 0] = 1e3 * np.maximum(np.cos(azimuths), 0)
+    first, second = (FittedRings(fit, azimuths, None).deviation(forces)[0, :, 1] for fit in (even, warm))
+    assert second - first == approx(taper, rel=0.05)
+
+
+@pytest.mark.parametrize(
+    ("settings", "told"),
+    [
+        (along("shaft", 210, 250), "left out"),
+        (["inner.fit=friction", *along("shaft", 210, 240)], r"shaft .*498.15 K"),
+        (["inner.fit=friction", *along("shaft", 210, 230, 250)], "one temperature for each"),
+        (along("outer_ring", 208, 228), "left out"),
+    ],
+)
+def test_temperatures_along_the_axis_that_nothing_follows_are_refused(settings, told):
+    with pytest.raises(BadCase, match=told):
+        read(PAPER, settings)
+
+
+def test_temperatures_that_end_inside_the_shaft_are_refused(tmp_path):
+    short = ['operation.temperatures.shaft_along.at=["-10 mm", "10 mm"]', along("shaft", 225, 235)[1]]
+    with pytest.raises(BadCase, match="covers the body"):
+        one.run(PAPER, tmp_path / "r.h5", [*FITTED, *short])
 
 
 @pytest.mark.slow

@@ -27,9 +27,9 @@ speeds = st.floats(0.1, 200.0)  # [m/s]
 
 @given(st.floats(-1e-3, 1e-3))
 def test_rounded_gap_is_positive_and_close_to_the_sharp_one(gap):
-    positive, slope = smooth_positive(np.array(gap))
+    positive, root = smooth_positive(np.array(gap))
     assert 0.0 < positive <= max(gap, 0.0) + 0.51e-9
-    assert 0.0 <= slope <= 1.0
+    assert 0.0 <= positive / root <= 1.0
 
 
 @given(st.floats(1e-7, 1e-3))

@@ -1,0 +1,178 @@
+"""Estimated against true errors of accuracy on order: `python -m benchmarks.accuracy [TARGET]`.
+
+Every case is solved at the levels that the target leads to, and again much more finely: 2560 slices, ten
+axial shapes, elements of order 7 on sections, of order 4 and two thirds of the size in cages. The true error
+is the difference of the two; parts that were left rigid yield in the second one.
+"""
+
+import sys
+import time
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+from threadpoolctl import threadpool_limits
+
+from benchmarks.machine import describe
+from flexbearing.case import Case, understood
+from flexbearing.compute import assemble, rings
+from flexbearing.compute.ordered import JUDGED, Ordered, ordered
+from flexbearing.compute.progress import Logged
+from flexbearing.compute.structure import CondensedRings
+from flexbearing.compute.together import BearingPartner
+from flexbearing.compute.trials import Trial, changes, finer
+from flexbearing.coupling import Ending, newton
+
+PAPER, NU209 = "configs/mao2016.toml", "configs/nu209.toml"
+SLICES, SHAPES = 2560, 10
+SECTION, CAGE, FITTED = (7, 0.8, 0.15), (4, 0.4, 0.25), (5, 0.9, 0.18)
+
+NO_SHAFT, NO_CAGE = {"inner.kind": "rigid"}, {"outer.kind": "rigid"}
+STEEL = {
+    "youngs_modulus": "207 GPa",
+    "poisson_ratio": 0.3,
+    "density": "7850 kg/m^3",
+    "expansion": "11.5e-6 1/K",
+}
+SHAFT = {
+    **{f"materials.shaft.{name}": value for name, value in STEEL.items()},
+    "inner.kind": "ring_on_shaft", "inner.bore": "45 mm", "inner.thickness": "7 mm", "inner.width": "19 mm",
+    "inner.track_width": "10 mm", "inner.shaft_thickness": "6 mm", "inner.shaft_length": "60 mm",
+}  # fmt: skip
+FIT = {**SHAFT, "inner.fit": "friction", "inner.interference": "20 um"}
+
+
+def ring(thickness: float, support: str, **more: object) -> dict[str, object]:
+    """Settings of a plain outer ring, thickness in mm."""
+    return {
+        "outer.kind": "ring",
+        "outer.thickness": f"{thickness} mm",
+        "outer.width": "19 mm",
+        "outer.support": support,
+        **{f"outer.{name}": value for name, value in more.items()},
+    }
+
+
+THIN_CAGE = {"outer.thickness": "2.4 mm", "outer.bar_thickness": "1.6 mm", "outer.bars": 12, **NO_SHAFT}
+STIFF_CAGE = {"outer.thickness": "7 mm", "outer.bar_thickness": "5 mm", "bearing.rollers": 18, **NO_SHAFT}
+SPRINGS = {"foundation_radial": "100 N/mm^3", "foundation_tangential": "30 N/mm^3"}
+HOUSING = {"housing_thickness": "8 mm", "housing_width": "24 mm"}
+CROWNED = {
+    "bearing.roller.profile": "crowned",
+    "bearing.roller.straight_length": "6 mm",
+    "bearing.roller.crown_radius": "800 mm",
+}
+TEETH = {
+    "tooth_azimuths": ["90 deg", "270 deg"],
+    "tooth_radial": ["-1 kN", "-1 kN"],
+    "tooth_tangential": ["2 kN", "-2 kN"],
+}
+
+CASES: dict[str, tuple[str, dict[str, object]]] = {
+    "paper": (PAPER, {}),
+    "paper, as given": (PAPER, {"accuracy.slices": 20, "accuracy.axial_shapes": 3}),
+    "paper, 5 kN": (PAPER, {"operation.radial_load": "5 kN"}),
+    "paper, 40 kN": (PAPER, {"operation.radial_load": "40 kN"}),
+    "paper, 5000 rpm": (PAPER, {"operation.inner_speed": "5000 rpm"}),
+    "paper, 600 N: skids": (PAPER, {"operation.radial_load": "600 N"}),
+    "paper, clearance 20 um": (PAPER, {"bearing.clearance": "20 um"}),
+    "paper, preload 10 um": (PAPER, {"bearing.clearance": "-10 um"}),
+    "paper, straight rollers": (PAPER, {"bearing.roller.profile": "straight"}),
+    "paper, misaligned 1 mrad": (PAPER, {"operation.misalignment": "1 mrad"}),
+    "paper, moment 10 N m": (PAPER, {"operation.moment": "10 N m"}),
+    "paper, cage only": (PAPER, NO_SHAFT),
+    "paper, shaft only": (PAPER, NO_CAGE),
+    "thin cage on 12 bars": (PAPER, THIN_CAGE),
+    "stiff cage, 18 rollers": (PAPER, STIFF_CAGE),
+    "rigid": (NU209, {"operation.radial_load": "20 kN"}),
+    "rigid, crowned, misaligned": (NU209, {**CROWNED, "operation.misalignment": "0.5 mrad"}),
+    "5 mm ring on a seat": (NU209, ring(5, "seat")),
+    "3 mm ring, side clamped": (NU209, ring(3, "side")),
+    "1.5 mm ring on springs": (NU209, ring(1.5, "foundation", **SPRINGS)),
+    "5 mm ring in a housing": (NU209, ring(5, "housing", **HOUSING)),
+    "8 mm ring on three lines": (NU209, ring(8, "lines", line_azimuths=["0 deg", "120 deg", "240 deg"])),
+    "10 mm rim of a planet gear": (NU209, ring(10, "planet", **TEETH)),
+    "3 mm ring, crowned, misaligned": (
+        NU209, {**ring(3, "seat"), **CROWNED, "operation.misalignment": "0.5 mrad"}
+    ),
+    "ring and shaft, 20 kN": (NU209, {**ring(5, "side"), **SHAFT, "operation.radial_load": "20 kN"}),
+    "shaft only, 500 N": (NU209, {**SHAFT, "operation.radial_load": "500 N"}),
+    "inner ring in a fit": (NU209, FIT),
+    "the same without friction, 15 kN": (
+        NU209, {**FIT, "inner.fit": "frictionless", "operation.radial_load": "15 kN"}
+    ),
+}  # fmt: skip
+
+
+def case_of(file: str, settings: dict[str, object], target: str) -> Case:
+    """A case that leaves all its levels open."""
+    text = Path(file).read_text(encoding="utf-8").partition("[accuracy]")[0]
+    found = understood(text, Path(file), {**settings, "accuracy.target": target})
+    assert isinstance(found, Case)
+    return found
+
+
+def reference(case: Case, found: Ordered) -> Trial:
+    """The same equilibrium, resolved much more finely."""
+    case = finer(case, axial_shapes=SHAPES)
+    model = replace(found.model, slices=SLICES, shapes=SHAPES)
+    azimuths, report = model.bearing.azimuths, Logged()
+    cage = CAGE if case.outer.kind == "squirrel_cage" else SECTION
+    shaft = SECTION if case.inner.fit == "bonded" else FITTED
+    outer = rings.outer_ring(_meshed(case, cage), azimuths, report)
+    both = rings.side_by_side(rings.inner_ring(_meshed(case, shaft), azimuths, report), outer, azimuths)
+    partner = BearingPartner(model)
+    if both.rigid:
+        return Trial(partner.solve(found.trial.found), both)
+    # The same branch; but a fit asks the start for forces of all its shapes, which rigid raceways have.
+    start = found.trial.found if isinstance(both, CondensedRings) else partner.solve()
+    *_, last = newton(partner, both, start, Ending(tolerance=1e-9, limit=100))
+    if last.status != "converged":
+        raise RuntimeError(f"reference: {last.status} {last.message}")
+    return Trial(last.state, both)
+
+
+def _meshed(case: Case, row: tuple[int, float, float]) -> Case:
+    order, size, raceway = row
+    length = assemble.roller_length(case)
+    return finer(case, element_order=order, mesh_size=size * length, raceway_mesh_size=raceway * length)
+
+
+def measured(target: str) -> Iterator[tuple[str, Ordered, dict[str, float], float]]:
+    """Name, choice, true errors and seconds of every case."""
+    for name, (file, settings) in CASES.items():
+        case = case_of(file, settings, target)
+        began = time.perf_counter()
+        found = ordered(case, Logged())
+        seconds = time.perf_counter() - began
+        yield name, found, changes(found.trial, reference(case, found)), seconds
+
+
+def main() -> None:
+    target = sys.argv[1] if len(sys.argv) > 1 else "1 %"
+    print(f"{describe()}\ntarget {target}; errors in %: true/estimate, estimate over true error")
+    kept, ratios, promised = [], [], []
+    with threadpool_limits(limits=1, user_api="blas"):
+        for name, found, true, seconds in measured(target):
+            estimate, words = found.found.estimate, []
+            for output in JUDGED:
+                error, bound = true[output], estimate[output]
+                kept.append(error <= bound)
+                ratios.append(bound / error if error else np.inf)
+                words.append(f"{output} {100 * error:.4f}/{100 * bound:.4f} x{ratios[-1]:<6.1f}")
+            promised.append(
+                not found.found.met or max(true[output] for output in JUDGED) <= found.found.target
+            )
+            levels = ", ".join(one.choice.levels[one.level].partition(",")[0] for one in found.found.verdicts)
+            met = "" if found.found.met else " NOT MET"
+            print(f"{name:33s} {'  '.join(words)} {seconds:5.1f} s  {levels}{met}", flush=True)
+    print(
+        f"{len(promised)} cases, {len(kept)} outputs: true error below the estimate in "
+        f"{100 * np.mean(kept):.1f} %, median of estimate over true error {np.median(ratios):.2f}; "
+        f"true errors within the target, or told that it is not met, in {sum(promised)} cases"
+    )
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,212 @@
+r"""Ladders of levels, one for each choice, climbed until what a level leaves out is allowed.
+
+Where each level leaves at most the part r of the error of the one before, the change between two neighbours
+bounds the errors of both,
+
+.. math:: e_k \le \frac{r}{1 - r}\,|y_k - y_{k-1}|, \quad e_k \le \frac{1}{1 - r}\,|y_k - y_{k+1}|
+
+The first is used where the levels cost much: of two levels that are computed, the finer one is the answer.
+The second may look at more than one richer level, as one alone may happen to give the same.
+One choice moves at a time, and the errors of all choices add up.
+"""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import islice
+from math import inf
+from typing import Generic, TypeVar
+
+Place = tuple[int, ...]  # a level of each choice
+Changes = Mapping[str, float]  # by output
+
+
+class Unusable(RuntimeError):
+    """A level without an answer; the message says why."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Choice:
+    """Something that is resolved more or less finely."""
+
+    name: str
+    levels: tuple[str, ...]  # from the poorest to the richest, in words
+    weight: float  # its part of the target over the sum of all weights
+    above: float  # error of a level over its change to the next [-], >= 1
+    below: float | None = None  # the same over its change from the one before [-]; None: that is not asked
+    looks: int = 1  # richer levels that one is compared with, the largest change counts
+    converging: int = 0  # first level of the sequence; those before leave something out altogether
+    start: int = 0  # first level that may be taken
+    last: int | None = None  # highest level that may be taken, those beyond only measure; None: any
+
+    @property
+    def highest(self) -> int:
+        """Highest level that may be taken."""
+        return len(self.levels) - 1 if self.last is None else self.last
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What a choice costs in accuracy at the level that was taken."""
+
+    choice: Choice
+    level: int
+    against: tuple[int, ...]  # levels that it was compared with; none where there is no other answer
+    changes: Changes  # by output [-]
+    allowed: float  # [-]
+    judged: tuple[str, ...]  # outputs that the target is of
+    unusable: Mapping[str, str] = field(default_factory=dict)  # levels without an answer, and why
+
+    @property
+    def factor(self) -> float:
+        """Error over change [-]; at the top, where there is no next level, that of the one before."""
+        finer = any(level < self.level for level in self.against)
+        return self.choice.below if finer and self.choice.below is not None else self.choice.above
+
+    @property
+    def estimate(self) -> dict[str, float]:
+        """Estimated errors, by output; infinite where nothing could be compared."""
+        if not self.against:
+            return dict.fromkeys(self.judged, inf)
+        return {name: self.factor * change for name, change in self.changes.items()}
+
+    @property
+    def excess(self) -> bool:
+        """Whether an output that the target is of may be wrong by more than allowed."""
+        return any(self.estimate.get(name, 0.0) > self.allowed for name in self.judged)
+
+
+@dataclass(frozen=True)
+class Found:
+    """The levels that were taken, and why."""
+
+    place: Place
+    verdicts: tuple[Verdict, ...]
+    target: float
+
+    @property
+    def estimate(self) -> dict[str, float]:
+        """Estimated errors of all choices together, by output."""
+        names = {name: None for verdict in self.verdicts for name in verdict.estimate}
+        return {name: sum(verdict.estimate.get(name, 0.0) for verdict in self.verdicts) for name in names}
+
+    @property
+    def met(self) -> bool:
+        """Whether the outputs that the target is of are estimated to keep it."""
+        judged = {name for verdict in self.verdicts for name in verdict.judged}
+        return all(error <= self.target for name, error in self.estimate.items() if name in judged)
+
+
+T = TypeVar("T")
+
+
+@dataclass
+class _Climb(Generic[T]):
+    choices: Sequence[Choice]
+    evaluate: Callable[[Place], T]
+    changes: Callable[[T, T], Changes]
+    target: float
+    judged: tuple[str, ...]
+    place: list[int]
+    unusable: dict[tuple[int, int], str] = field(default_factory=dict)  # (choice, level) to why
+
+    def verdict(self, k: int) -> Verdict:
+        """Compare the level of a choice with the best of the others that has an answer."""
+        choice, level = self.choices[k], self.place[k]
+        base = self.evaluate(tuple(self.place))
+        allowed = self.target * choice.weight / sum(other.weight for other in self.choices)
+        others: dict[int, T] = {}
+        for group in _others(choice, level):
+            others = others or dict(islice(self._answers(k, group), choice.looks))
+        found = _largest([self.changes(base, other) for other in others.values()])
+        unusable = {choice.levels[n]: why for (at, n), why in self.unusable.items() if at == k}
+        return Verdict(choice, level, tuple(others), found, allowed, self.judged, unusable)
+
+    def _answers(self, k: int, levels: Iterable[int]) -> Iterator[tuple[int, T]]:
+        """Levels of a choice that have an answer, with it."""
+        for level in levels:
+            answer = self._answer(k, level)
+            if answer is not None:
+                yield level, answer
+
+    def _answer(self, k: int, level: int) -> T | None:
+        if (k, level) in self.unusable:
+            return None
+        try:
+            return self.evaluate((*self.place[:k], level, *self.place[k + 1 :]))
+        except Unusable as problem:
+            self.unusable[k, level] = str(problem)
+            return None
+
+    def rise(self, k: int) -> bool:
+        """Climb one choice as far as needed; returns whether it moved."""
+        began = self.place[k]
+        while self.verdict(k).excess:
+            above = self._next(k)
+            if above is None:
+                break
+            self.place[k] = above
+        return self.place[k] != began
+
+    def _next(self, k: int) -> int | None:
+        """The next level with an answer; the first of a sequence is only to judge the second by."""
+        choice, level = self.choices[k], self.place[k]
+        first = choice.converging + (choice.below is not None)
+        above = range(max(level + 1, min(first, choice.highest)), choice.highest + 1)
+        return next((n for n, _ in self._answers(k, above)), None)
+
+
+def _others(choice: Choice, level: int) -> tuple[Iterable[int], Iterable[int]]:
+    """Levels to compare one with, those first that tell most: the poorer or the richer ones."""
+    richer = range(level + 1, len(choice.levels))
+    poorer = range(level - 1, choice.converging - 1, -1)
+    return (poorer, richer) if choice.below is not None else (richer, poorer)
+
+
+def _largest(changes: Sequence[Changes]) -> Changes:
+    """The largest change of every output."""
+    return {name: max(one.get(name, 0.0) for one in changes) for one in changes for name in one}
+
+
+def climb(
+    choices: Sequence[Choice],
+    evaluate: Callable[[Place], T],
+    changes: Callable[[T, T], Changes],
+    target: float,
+    judged: tuple[str, ...],
+) -> Found:
+    """Take the poorest levels whose estimated errors keep their parts of the target.
+
+    Parameters
+    ----------
+    choices : sequence of Choice
+        the cheapest first; those before are settled when the next is looked at
+    evaluate : callable (place)
+        the answer with a level of each choice; raises `Unusable` where there is none. It is asked for the
+        same place again and again, and should remember.
+    changes : callable (answer, answer)
+        how much two answers differ, by output [-]
+    target : float
+        allowed sum of the estimated errors of each judged output [-]
+    judged : tuple of str
+        outputs that the target is of; the errors of all others are estimated too
+
+    Returns
+    -------
+    Found
+        also where the richest levels do not keep the target: `met` says so
+
+    Raises
+    ------
+    Unusable
+        if the poorest levels together have no answer
+
+    Valid
+    -----
+    Levels that converge as their factors say. All choices are looked at again until none of them moves, as
+    one may matter more when another has moved.
+    """
+    state = _Climb(choices, evaluate, changes, target, judged, [choice.start for choice in choices])
+    while any([state.rise(k) for k in range(len(choices))]):
+        pass
+    verdicts = tuple(state.verdict(k) for k in range(len(choices)))
+    return Found(tuple(state.place), verdicts, target)

@@ -1,0 +1,156 @@
+"""Ring on balls whose forces of inertia grow from constant ones to those of their places."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.angular import AngularBalance
+from quasidynamic.balance.ball_place import Vectors
+from quasidynamic.solve.arclength import Local, follow
+from quasidynamic.solve.balls import largest_force, noise
+from quasidynamic.solve.frozen_forces import hung
+from quasidynamic.solve.ring_on_springs import first_place
+
+TOLERANCE = 5e-13  # of the largest force: unbalanced force
+CLOSE, PATIENCE = 1e-6, 1000  # of the largest force, what the start may leave; Newton steps it may take
+SCALES = (1.0, 0.5, 2.0)  # s, of the constant centrifugal forces at the beginning of a path
+FLOATING = 1e-15  # of the largest derivative, given to balls that touch nothing
+
+
+def led(balance: AngularBalance) -> tuple[NDArray, Vectors, int] | None:
+    r"""Balance of one case at the end of a path that begins where there is one balance only.
+
+    .. math:: (1 - p)\,[R_0(x) + s F_{c0}] + p\, R(x) = 0, \qquad 0 \le p \le 1
+
+    R are the unbalanced forces at the places x of ring and balls, R_0 those without inertia, F_c0 the
+    constant centrifugal forces of balls on the outer race alone. At p = 0 an energy that is convex in
+    all places has its minimum. Forces of inertia and tractions are bounded, contact forces are not, so
+    the places stay bounded, and the path from p = 0 leads to p = 1 however often p turns back on its way.
+    Where it is lost, in a corner sharper than the steps along it can turn, another s draws another path.
+
+    Parameters
+    ----------
+    balance : AngularBalance
+        equations of one case, at speed
+
+    Returns
+    -------
+    triple or None
+        ring (1, 5) and ball centres (1, Z) [m] in balance, evaluations of all balls; None where
+        every path was lost
+
+    Source
+    ------
+    Allgower and Georg, Introduction to Numerical Continuation Methods (2003), ch. 6 and 11.
+    """
+    first = first_place(balance)
+    resting, evaluations = balance.places.resting(balance.grooves(first)), 0
+    for scale in SCALES:
+        pull = scale * 1j * balance.free_centrifugal + np.zeros_like(resting)
+        start = hung(balance, (first, resting), (pull, np.zeros_like(first)), CLOSE, PATIENCE)
+        family = _InertiaFamily(balance, pull)
+        path = follow(family, family.packed(*start), 0.0, (0.0, 1.0), upwards=True)
+        evaluations += family.evaluations
+        if path.steps and path.steps[-1].parameter == 1.0:
+            return *family.unpacked(path.steps[-1].state), evaluations
+    return None
+
+
+@dataclass
+class _InertiaFamily:
+    """Equations of one case; unknowns are the free ring displacements, then the ball places, over a reach."""
+
+    balance: AngularBalance
+    pull: Vectors  # (1, Z) [N] constant forces on the balls at parameter 0
+    evaluations: int = 0
+
+    @cached_property
+    def weight(self) -> NDArray:
+        """Balls count together as much as a direction of the ring."""
+        count = self.balance.bearing.balls
+        return np.concatenate([np.ones(len(self._free)), np.full(2 * count, 1 / count)])
+
+    def bounded(self, before: NDArray, after: NDArray) -> NDArray:
+        """Places may be anywhere."""
+        return after
+
+    def packed(self, ring: NDArray, centres: Vectors) -> NDArray:
+        """Unknowns (N) from places of ring (1, 5) and balls (1, Z)."""
+        return np.concatenate([ring[0, self._free], centres[0].view(float)]) / self._length
+
+    def unpacked(self, state: NDArray) -> tuple[NDArray, Vectors]:
+        """Places of ring (1, 5) and balls (1, Z) from unknowns (N)."""
+        ring, free = self.balance.place.copy(), self._free
+        ring[0, free] = self._length * state[: len(free)]
+        return ring, (self._length * state[len(free) :]).view(complex)[None]
+
+    def at(self, state: NDArray, parameter: float) -> Local:
+        """Forces on ring and balls, over the largest one."""
+        ring, centres = self.unpacked(state)
+        grooves = self.balance.grooves(ring)
+        rest, full = (own.balls(grooves, centres) for own in (self._at_rest, self.balance))
+        self.evaluations += 2
+        begin = rest.forces.copy()
+        begin[0] += self.pull
+        largest = float(largest_force(self.balance, full)[0])
+
+        def blended(start: NDArray, end: NDArray) -> NDArray:
+            return (1 - parameter) * start + parameter * end
+
+        residual = self._residual(blended(begin, full.forces), 1.0) / largest
+        matrix = self._matrix(blended(rest.by_ball, full.by_ball), blended(rest.by_groove, full.by_groove))
+        allowed = max(TOLERANCE, float(noise(full, grooves)[0]) / largest)
+        return Local(
+            residual=residual,
+            by_parameter=self._residual(full.forces - begin, 0.0) / largest,
+            solve=_solver(matrix * (self._length / largest), len(self._free)),
+            done=bool(np.abs(residual).max() <= allowed),
+        )
+
+    def _residual(self, forces: Vectors, loaded: float) -> NDArray:
+        """Unbalanced forces (N) of ring and balls from those of the balls (3, 1, Z)."""
+        excess, force, traction = forces
+        left = loaded * self.balance.load - self.balance.on_ring(force, traction)
+        return np.concatenate([left[0, self._free], excess[0].view(float)])
+
+    def _matrix(self, by_ball: Vectors, by_groove: Vectors) -> NDArray:
+        """Derivatives (N, N) of the unbalanced forces by the places, from (2, 3, 1, Z)."""
+        own, free, count = self.balance, self._free, self.balance.bearing.balls
+        matrix = np.zeros((len(free) + 2 * count,) * 2)
+        to_groove = own.ring_to_groove[:, free].T  # (F, Z)
+        by_ring = by_groove[0, :, 0, None] * to_groove.real + by_groove[1, :, 0, None] * to_groove.imag
+        excess, force, traction = by_ring  # (F, Z)
+        matrix[: len(free), : len(free)] = -own.on_ring(force, traction)[:, free].T
+        parts = np.stack([excess.real, excess.imag], axis=-1).reshape(len(free), -1)
+        matrix[len(free) :, : len(free)] = parts.T
+        for way in range(2):
+            excess, force, traction = by_ball[way, :, 0]
+            columns = len(free) + way + 2 * np.arange(count)
+            matrix[columns - way, columns], matrix[columns - way + 1, columns] = excess.real, excess.imag
+            each = own.on_ring(np.diag(force), np.diag(traction))  # (Z, 5)
+            matrix[: len(free), columns] = -each[:, free].T
+        return matrix
+
+    @cached_property
+    def _free(self) -> NDArray:
+        """Directions in which the ring is free."""
+        return np.flatnonzero(~self.balance.held[0])
+
+    @cached_property
+    def _at_rest(self) -> AngularBalance:
+        return replace(self.balance, speeds=np.zeros_like(self.balance.speeds))
+
+    @property
+    def _length(self) -> float:
+        return min(self.balance.bearing.inner_reach, self.balance.bearing.outer_reach)
+
+
+def _solver(matrix: NDArray, ring: int) -> Callable[[NDArray], NDArray]:
+    """Solutions with a matrix, balls after `ring` unknowns held lightly."""
+    held = matrix.copy()
+    places = np.arange(ring, len(matrix))
+    held[places, places] -= FLOATING * np.abs(matrix).max()
+    return lambda right: np.linalg.solve(held, right)

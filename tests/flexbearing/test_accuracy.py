@@ -1,0 +1,158 @@
+"""The climb over ladders of levels, on ladders whose errors are known."""
+
+from dataclasses import replace
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from pytest import approx
+
+from flexbearing.accuracy import Choice, Unusable, climb
+from flexbearing.accuracy.ladder import Verdict
+
+LEVELS = 12
+RATIO = 0.3
+PART = Choice(
+    name="part", levels=tuple(map(str, range(LEVELS))), weight=1, converging=1,
+    above=1 / (1 - RATIO), below=RATIO / (1 - RATIO),
+)  # fmt: skip
+SLICES = Choice(name="slices", levels=tuple(map(str, range(LEVELS))), weight=1, above=1 / (1 - RATIO))
+
+
+def series(first, *errors):
+    """Errors of a ladder: `errors` of its first levels, then each RATIO of the one before."""
+    errors = [first, *errors]
+    return errors + [errors[-1] * RATIO ** (k + 1) for k in range(LEVELS - len(errors))]
+
+
+class Answers:
+    """An answer is the true one, and what the level of each choice leaves out; it counts what it is asked."""
+
+    def __init__(self, *errors, broken=()):
+        self.errors, self.broken, self.asked = errors, set(broken), set()
+
+    def __call__(self, place):
+        self.asked.add(place)
+        for at in enumerate(place):
+            if at in self.broken:
+                raise Unusable(f"choice {at[0]} has no level {at[1]}")
+        return 1.0 + sum(errors[level] for errors, level in zip(self.errors, place, strict=True))
+
+    def climb(self, choices, target):
+        return climb(choices, self, lambda a, b: {"load": abs(a - b)}, target, ("load",))
+
+
+@given(
+    st.floats(1e-6, 0.1),
+    st.floats(-1, 1),
+    st.floats(-RATIO, RATIO),
+    st.floats(-0.5, 0.5),
+)
+def test_true_error_is_below_the_estimate_and_the_estimate_below_the_target(
+    target, slices, part, flexibility
+):
+    answers = Answers(series(slices), series(flexibility, part * flexibility))
+    found = answers.climb([SLICES, PART], target)
+    true = abs(answers(found.place) - 1.0)
+    assert true <= found.estimate["load"] * (1 + 1e-9) + 1e-12
+    assert sum(verdict.allowed for verdict in found.verdicts) == approx(target)
+    if found.met:
+        assert found.estimate["load"] <= target
+
+
+@given(st.floats(1e-5, 0.2), st.floats(1.0, 100.0), st.floats(0.01, 1), st.floats(0.01, RATIO))
+def test_a_tighter_target_never_takes_a_coarser_level(target, tighter, slices, part):
+    answers = Answers(series(slices), series(0.3, 0.3 * part))
+    loose, tight = (answers.climb([SLICES, PART], t) for t in (target, target / tighter))
+    assert all(a >= b for a, b in zip(tight.place, loose.place, strict=True))
+    assert tight.estimate["load"] <= loose.estimate["load"] * (1 + 1e-12)
+
+
+def test_estimate_of_a_known_series_is_its_error():
+    found = Answers(series(0.1)).climb([SLICES], 1e-3)
+    assert found.estimate["load"] == approx(series(0.1)[found.place[0]], rel=1e-9)
+    below = Answers(series(0.5, 0.1)).climb([PART], 1e-3)
+    assert below.estimate["load"] == approx(series(0.5, 0.1)[below.place[0]], rel=1e-9)
+
+
+def test_of_two_levels_that_are_computed_the_finer_is_the_answer():
+    answers = Answers(series(0.5, 1e-4))
+    found = answers.climb([PART], 1e-2)
+    assert found.place == (2,)
+    assert max(answers.asked) == (2,)
+
+
+def test_a_part_that_changes_nothing_stays_rigid():
+    answers = Answers(series(1e-3, 1e-4))
+    found = answers.climb([PART], 1e-2)
+    assert found.place == (0,)
+    assert max(answers.asked) == (1,)  # judged by its coarsest level
+
+
+def test_a_fixed_choice_stays_and_is_estimated():
+    fixed = replace(SLICES, levels=("20", "40"), last=0)
+    found = Answers([0.1, 0.03]).climb([fixed], 1e-3)
+    assert found.place == (0,)
+    assert found.estimate["load"] == approx(0.1, rel=1e-9)
+    assert not found.met
+
+
+def test_the_top_of_a_ladder_is_judged_by_the_level_below():
+    short = replace(SLICES, levels=("a", "b", "c"))
+    found = Answers([0.5, 0.2, 0.1]).climb([short], 1e-3)
+    assert found.place == (2,)
+    assert found.estimate["load"] == approx(0.1 / (1 - RATIO))
+    assert not found.met
+
+
+def test_a_level_without_an_answer_is_passed_over_and_told():
+    answers = Answers(series(0.5, 0.1), broken=[(0, 2)])
+    found = answers.climb([PART], 1e-2)
+    assert found.place[0] > 2
+    assert found.verdicts[0].unusable == {"2": "choice 0 has no level 2"}
+    assert abs(answers(found.place) - 1) <= found.estimate["load"]
+
+
+def test_two_levels_that_agree_by_accident_do_not_pass_when_more_are_looked_at():
+    passing = [0.4, 0.1, 0.1, 0.03, *series(0.01)[:8]]  # levels 1 and 2 agree
+    assert Answers(passing).climb([SLICES], 0.02).place == (1,)
+    found = Answers(passing).climb([replace(SLICES, looks=2)], 0.02)
+    assert found.place[0] > 2
+    assert passing[found.place[0]] <= found.estimate["load"] <= 0.02
+
+
+def test_nothing_to_compare_with_is_no_accuracy():
+    answers = Answers(series(0.5, 0.1), broken=[(0, level) for level in range(1, LEVELS)])
+    found = answers.climb([PART], 1e-2)
+    assert found.place == (0,)
+    assert not found.met
+
+
+def test_no_answer_at_all_is_raised():
+    with pytest.raises(Unusable, match="no level 0"):
+        Answers(series(0.5), broken=[(0, 0)]).climb([SLICES], 1e-2)
+
+
+def test_a_choice_that_matters_more_when_another_has_moved_is_looked_at_again():
+    def answer(place):
+        slices, part = place
+        return 1.0 + series(0.5, 1e-3)[part] + (0.2 * RATIO**slices if part else 0.0)
+
+    found = climb([SLICES, PART], answer, lambda a, b: {"load": abs(a - b)}, 0.02, ("load",))
+    assert found.place[1] > 0
+    assert abs(answer(found.place) - 1.0) <= 0.02
+
+
+def test_errors_that_the_target_is_not_of_are_estimated_but_not_pursued():
+    found = climb(
+        [SLICES], lambda place: place[0], lambda a, b: {"slip": abs(a - b), "load": 0.0}, 0.1, ("load",)
+    )
+    assert found.place == (0,)
+    assert found.met
+    assert found.estimate["slip"] > 0.1
+
+
+def test_verdict_is_judged_by_the_largest_of_its_outputs():
+    verdict = Verdict(SLICES, 0, (1,), {"load": 0.01, "life": 0.2}, 0.1, ("load", "life"))
+    assert verdict.excess
+    assert not replace(verdict, judged=("load",)).excess

@@ -1,0 +1,144 @@
+"""Accuracy on order, from the case file to the summary."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from pytest import approx
+
+from flexbearing.case import BadCase, read
+from flexbearing.compute import one, rings
+from flexbearing.compute.levels import ladders
+from flexbearing.compute.progress import Logged
+from flexbearing.compute.trials import finer, first_shapes
+from flexbearing.report import summary, text
+
+PLAIN = Path(__file__).parents[2] / "configs" / "nu209.toml"
+RING = ["outer.kind=ring", "outer.thickness=5 mm", "outer.width=19 mm", "outer.support=seat"]
+FINE = ["accuracy.slices=320", "accuracy.axial_shapes=5", "accuracy.element_order=5"]
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    return tmp_path_factory.mktemp("accuracy")
+
+
+@pytest.fixture(scope="module")
+def ordered(folder):
+    return one.run(PLAIN, folder / "ordered.h5", [*RING, "accuracy.target=1 %"])
+
+
+def test_a_target_is_a_fraction_or_percent():
+    assert read(PLAIN, ["accuracy.target=0.5 %"]).accuracy.target == approx(0.005)
+    assert read(PLAIN).accuracy.target is None
+    for wrong in ("0 %", "100 %", "1 mm", "0.01"):
+        with pytest.raises(BadCase, match=r"accuracy.*target"):
+            read(PLAIN, [f"accuracy.target={wrong}"])
+
+
+def test_without_a_target_nothing_is_chosen_or_estimated(folder):
+    result = one.run(PLAIN, folder / "plain.h5", ["outer.kind=rigid"])
+    assert "choices" not in result.attributes
+    assert "error_estimate" not in result.attributes
+    assert result.flexible["slice_position"].size == 20
+    assert summary(result)["error_estimate"] is None
+    assert "+-" not in text(result)
+
+
+def test_true_errors_are_below_the_estimates(ordered, folder):
+    fine = one.run(PLAIN, folder / "fine.h5", [*RING, *FINE])
+    estimate = ordered.attributes["error_estimate"]
+    found, better = ordered.flexible, fine.flexible
+    load = np.abs(found["inner_load"] - better["inner_load"]).max() / better["inner_load"].max()
+    life = abs(float(found["life_L10"]) / float(better["life_L10"]) - 1)
+    assert estimate["met"]
+    assert load <= estimate["roller_load"] <= 0.01
+    assert life <= estimate["life"] <= 0.01
+
+
+def test_choices_say_level_change_and_share(ordered):
+    choices = ordered.attributes["choices"]
+    assert list(choices) == ["slices", "axial shapes", "outer ring"]
+    assert int(choices["slices"]["level"]) == ordered.flexible["slice_position"].size
+    allowed = sum(choice["allowed"] for choice in choices.values())
+    assert allowed == approx(0.01)
+    for output in ("roller_load", "life", "cage_slip", "stiffness", "total_stiffness"):
+        parts = [choice["factor"] * choice["changes"][output] for choice in choices.values()]
+        assert ordered.attributes["error_estimate"][output] == approx(sum(parts))
+    assert not any(choice["fixed"] for choice in choices.values())
+
+
+def test_summary_shows_values_with_their_errors(ordered):
+    numbers = json.loads(json.dumps(summary(ordered), allow_nan=False))
+    assert numbers["error_estimate"]["life"] == ordered.attributes["error_estimate"]["life"]
+    page = text(ordered)
+    assert "accuracy of 1 % of loads and life: estimated to be kept" in page
+    row = next(line for line in page.splitlines() if line.strip().startswith("life L10"))
+    error = numbers["error_estimate"]["life"] * numbers["flexible"]["life_L10_Mrev"]
+    assert f"{float(f'{error:.2g}'):,.10g}" in row.split()
+
+
+def test_what_the_case_gives_stays_and_is_estimated(folder):
+    given = ["accuracy.slices=12", "accuracy.axial_shapes=3", "accuracy.element_order=3"]
+    result = one.run(PLAIN, folder / "fixed.h5", [*RING, *given, "accuracy.target=0.01 %"])
+    choices = result.attributes["choices"]
+    assert result.flexible["slice_position"].size == 12
+    assert choices["slices"]["level"] == "12"
+    assert choices["axial shapes"]["level"] == "3"
+    assert choices["outer ring"]["level"] == "as given"
+    assert choices["outer ring"]["compared_with"] == ["harmonics, order 4"]
+    assert all(choice["fixed"] for choice in choices.values())
+    assert not result.attributes["error_estimate"]["met"]
+    assert any("not met" in note and "which the case fixes" in note for note in result.attributes["notes"])
+
+
+@pytest.mark.slow
+def test_the_answer_is_that_of_the_same_levels_by_hand(folder):
+    given = ["accuracy.slices=12", "accuracy.axial_shapes=3", "accuracy.element_order=3"]
+    by_hand = one.run(PLAIN, folder / "hand.h5", [*RING, *given])
+    result = one.run(PLAIN, folder / "again.h5", [*RING, *given, "accuracy.target=1 %"])
+    assert result.attributes["choices"]["outer ring"]["level"] == "as given"
+    assert result.flexible["inner_load"] == approx(by_hand.flexible["inner_load"], rel=1e-6)
+
+
+@pytest.mark.slow
+def test_a_tighter_target_is_never_resolved_coarser(ordered, folder):
+    tight = one.run(PLAIN, folder / "tight.h5", [*RING, "accuracy.target=0.2 %"])
+    loose, fine = (
+        max(result.attributes["error_estimate"][output] for output in ("roller_load", "life"))
+        for result in (ordered, tight)
+    )
+    assert fine <= 0.002
+    assert fine < loose
+    assert tight.flexible["slice_position"].size >= ordered.flexible["slice_position"].size
+
+
+def test_a_part_that_changes_nothing_is_left_rigid_and_told(folder):
+    result = one.run(PLAIN, folder / "rock.h5", [*RING, "materials.outer_ring.youngs_modulus=2070e6 GPa",
+                                                 "accuracy.target=1 %"])  # fmt: skip
+    assert result.attributes["choices"]["outer ring"]["level"] == "rigid"
+    assert result.attributes["structure"] == {}
+    assert any(note.startswith("outer ring: left rigid") for note in result.attributes["notes"])
+
+
+def test_fewer_axial_shapes_are_a_part_of_more():
+    case, azimuths = read(PLAIN, [*RING, "accuracy.element_order=3"]), np.arange(5) * 2 * np.pi / 5
+    many, few = (rings.outer_ring(finer(case, axial_shapes=n), azimuths, Logged()) for n in (6, 3))
+    part = first_shapes(many, 3)
+    assert part.full == approx(few.full, abs=1e-7 * np.abs(few.full).max())
+    assert part.translation == approx(few.translation, abs=1e-7 * np.abs(few.translation).max())
+    assert part.deviation_without_load.shape == (5, 3)
+
+
+def test_edge_stress_keeps_its_thirty_slices():
+    slices = ladders(read(PLAIN, ["life.edge_stress=true", "accuracy.slices=30"]))[0]
+    assert slices.choice.levels == ("30", "60", "120")
+
+
+def test_a_case_without_an_answer_is_told_and_solved_as_usual(folder):
+    broken = ["accuracy.harmonics=900", "accuracy.target=1 %"]
+    result = one.run(PLAIN, folder / "broken.h5", [*RING, *broken])
+    assert result.attributes["status"] == "not solved"
+    assert any("nothing could be chosen or estimated" in note for note in result.attributes["notes"])
+    assert result.attributes["error_estimate"] == {}

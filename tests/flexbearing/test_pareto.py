@@ -1,0 +1,214 @@
+"""The command `pareto`: levels of a case, what is best among them, table and picture."""
+
+import csv
+import os
+import sys
+from math import inf
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from pytest import approx
+
+from flexbearing import cli
+from flexbearing.cache.key import digest
+from flexbearing.case import read
+from flexbearing.compute import pareto, pareto_levels, rings
+from flexbearing.compute.pareto_levels import Level, ladder, left_out, richest
+from flexbearing.compute.progress import Logged
+from flexbearing.report.pareto import Measured, Study, cheapest, front, text
+from flexbearing.report.pareto_figure import draw_pareto
+
+CONFIGS = Path(__file__).parents[2] / "configs"
+THIN = {"outer.kind": "ring", "outer.thickness": "1 mm", "outer.width": "10 mm"}
+points = st.lists(st.tuples(st.floats(0, 10), st.floats(0, 1)), min_size=1, max_size=12)
+
+
+def measured(name, cold, cached, *errors, message=""):
+    names = ("load", "slip", "life", "stiffness")
+    return Measured(
+        name=name, settings=(), times={"cold": cold, "cached": cached},
+        errors=dict(zip(names, errors, strict=False)), message=message,
+    )  # fmt: skip
+
+
+STUDY = Study(
+    title="Three levels",
+    reference=measured("reference", 9.0, 1.0, 0, 0, 0, 0),
+    levels=(
+        measured("quick", 0.1, 0.1, 0.05, 0.08, 0.09, 0.02),
+        measured("middle", 1.0, 0.3, 0.005, 0.008, 0.09, 0.002),
+        measured("slow", 5.0, 0.2, 0.0005, 0.0008, 0.0, 0.0002),
+        measured("broken", 0.5, 0.5, message="the alternation grows"),
+    ),
+    left_out=("smeared: there are no bars",),
+)
+
+
+@given(points)
+def test_nothing_beats_the_front_and_the_front_beats_all_else(points):
+    kept = front(points)
+    for number, point in enumerate(points):
+        better = [p for p in points if p[0] <= point[0] and p[1] <= point[1] and p != point]
+        assert (number in kept and not better) or better or points.index(point) in kept
+    assert [points[n] for n in kept] == sorted(points[n] for n in kept)
+    assert [points[n][1] for n in kept] == sorted((points[n][1] for n in kept), reverse=True)
+
+
+def test_levels_that_are_no_better_do_not_widen_the_front():
+    assert front([(3.0, 0.1), (1.0, 0.5), (2.0, 0.5), (1.0, 0.5)]) == [1, 0]
+
+
+def test_cheapest_level_within_a_target_is_the_fastest_that_keeps_it():
+    assert cheapest(STUDY, "cold", 0.1, ("load", "life")).name == "quick"
+    assert cheapest(STUDY, "cold", 0.01, ("load",)).name == "middle"
+    assert cheapest(STUDY, "cached", 0.01, ("load",)).name == "slow"
+    assert cheapest(STUDY, "cold", 0.01, ("load", "life")).name == "slow"
+    assert cheapest(STUDY, "cold", 1e-4, ("load",)) is None
+
+
+def test_failed_level_is_told_and_drawn_nowhere():
+    words = text(STUDY)
+    assert "- broken: the alternation grows" in words
+    assert "| broken" not in words
+    assert "- smeared: there are no bars" in words
+    assert "| 0.1 % in all | slow, 5 s | slow, 0.2 s |" in words
+    assert "without an answer: broken" in draw_pareto(STUDY).get_suptitle()
+
+
+@pytest.mark.parametrize("name", ["mao2016", "step_ring"])
+def test_every_level_of_a_case_can_be_read_and_has_a_name(name):
+    path = CONFIGS / f"{name}.toml"
+    levels = [richest(read(path)), *ladder(read(path), solid=True)]
+    assert len({level.name for level in levels}) == len(levels)
+    for level in levels:
+        read(path, level.settings)
+
+
+def names(case, *, solid=False):
+    return {level.name for level in ladder(case, solid=solid)}
+
+
+def test_levels_that_a_case_does_not_have_are_left_out_with_a_word():
+    cage, rigid = read(CONFIGS / "mao2016.toml"), read(CONFIGS / "nu209.toml")
+    ring = read(CONFIGS / "nu209.toml", {**THIN, "outer.support": "seat"})
+    assert {"rigid", "beam", "smeared", "harmonics, order 2", "relaxed"} <= names(cage)
+    assert not {"rigid", "beam", "smeared", "2 axial shapes", "aitken"} & names(rigid)
+    assert not {"beam", "smeared", "20 slices", "newton"} & names(ring)
+    assert "full solid" in names(cage, solid=True) - names(cage)
+    assert any("bars" in words for words in left_out(ring, solid=False))
+    assert any("seat" in words for words in left_out(ring, solid=False))
+    assert any("rigid" in words for words in left_out(rigid, solid=False))
+
+
+@pytest.mark.parametrize(("structure", "most"), [("beam", 6), ("smeared", 2000)])
+def test_cheap_structures_have_few_unknowns_and_hold_alike(structure, most):
+    case = read(CONFIGS / "mao2016.toml", {"accuracy.structure": structure, "accuracy.element_order": 2})
+    found = rings.outer_ring(case, np.linspace(0, 6, 5), Logged())
+    assert found.unknowns <= most
+    assert found.support_stiffness == approx(1.5e8, rel=0.1)
+
+
+def test_smeared_bars_are_kept_apart_from_true_ones(monkeypatch):
+    """On one mesh both are made from the same data."""
+    asked = []
+    keeper = SimpleNamespace(cached=lambda parts, compute, note: asked.append(digest(parts)))
+    monkeypatch.setattr(rings, "configured", lambda: keeper)
+    same = {"accuracy.element_order": 3, "accuracy.mesh_size": "3 mm", "accuracy.raceway_mesh_size": "2 mm"}
+    for structure in ("smeared", "harmonics"):
+        case = read(CONFIGS / "mao2016.toml", {**same, "accuracy.structure": structure})
+        with pytest.raises(AttributeError):  # nothing is computed
+            rings.outer_ring(case, np.zeros(1), Logged())
+    assert len(set(asked)) == 2
+
+
+def result(**changes):
+    values = {"inner_load": [0.0, 100.0], "outer_load": [1.0, 110.0], "cage_slip": 0.05, "life_L10": 2e6,
+              "total_stiffness": 1e8, **changes}  # fmt: skip
+    return SimpleNamespace(flexible={name: np.asarray(value) for name, value in values.items()})
+
+
+def test_errors_are_those_of_their_outputs():
+    off = pareto.errors(
+        result(outer_load=[2.1, 110.0], cage_slip=0.04, life_L10=1e6, total_stiffness=1.1e8), result()
+    )
+    assert off == {
+        "load": approx(0.01), "slip": approx(0.2), "life": approx(0.5), "stiffness": approx(0.1)
+    }  # fmt: skip
+    assert pareto.errors(result(cage_slip=1e-5), result(cage_slip=-1e-5))["slip"] == approx(2e-3)
+    assert pareto.errors(result(life_L10=inf), result(life_L10=inf))["life"] == 0
+
+
+@pytest.fixture
+def command(monkeypatch, capsys):
+    """The command line in this process: exit code, what it prints, what it complains about."""
+
+    def run(*words):
+        monkeypatch.setattr(sys, "argv", ["flexbearing", "pareto", *map(str, words)])
+        try:
+            cli.main()
+        except SystemExit as ending:
+            return ending.code, *capsys.readouterr()
+        raise AssertionError("the command line always exits")
+
+    return run
+
+
+def test_command_writes_table_and_picture(command, monkeypatch, tmp_path):
+    few = Level("5 slices", ("accuracy.slices=5",)), Level("no roller", ("bearing.rollers=-1",))
+    monkeypatch.setattr(pareto, "ladder", lambda case, solid: few)
+    monkeypatch.setattr(pareto, "richest", lambda case: Level("reference", ("accuracy.slices=40",)))
+    monkeypatch.setattr(pareto, "CACHED_RUNS", 1)
+    cache = os.environ["FLEXBEARING_CACHE"]
+    code, words, progress = command(CONFIGS / "nu209.toml", "-o", tmp_path, "--name", "few")
+    assert code == 0
+    assert os.environ["FLEXBEARING_CACHE"] == cache
+    assert (tmp_path / "pareto_few.png").stat().st_size > 20_000
+    with (tmp_path / "pareto_few.csv").open(encoding="utf-8") as file:
+        rows = {row["level"]: row for row in csv.DictReader(file)}
+    assert list(rows) == ["5 slices", "no roller", "reference"]
+    assert 0 < float(rows["5 slices"]["error_load"]) < 0.02
+    assert float(rows["reference"]["error_load"]) == 0
+    assert rows["no roller"]["error_load"] == ""
+    assert "rollers = -1 is not allowed" in rows["no roller"]["message"]
+    assert "| 5 slices |" in words
+    assert "- no roller:" in words
+    assert "5 slices: " in progress
+
+
+@pytest.mark.parametrize("name", ["joshi2015_qj309", "rivera2021_7008"])
+def test_ball_bearings_are_refused(command, name):
+    code, _, complaint = command(CONFIGS / f"{name}.toml")
+    assert code == 2
+    assert "only roller bearings" in complaint
+
+
+def test_target_is_refused(command):
+    code, _, complaint = command(CONFIGS / "nu209.toml", "--set", "accuracy.target=1 %")
+    assert code == 2
+    assert "accuracy.target" in complaint
+
+
+def test_reference_without_an_answer_is_no_reference(command, monkeypatch):
+    broken = SimpleNamespace(attributes={"status": "not solved", "message": "no equilibrium"})
+    monkeypatch.setattr(pareto, "_timed", lambda case, settings: ({"cold": 1.0, "cached": 1.0}, broken))
+    code, _, complaint = command(CONFIGS / "nu209.toml")
+    assert code == 1
+    assert "no equilibrium" in complaint
+
+
+@pytest.mark.slow
+def test_cheap_structures_of_a_cage_are_nearly_right(tmp_path, monkeypatch):
+    """Loads within 1 %, as measured; the life asks for tilts that they know less well."""
+    path, found = CONFIGS / "mao2016.toml", {}
+    for level in (Level("usual"), *pareto_levels.ladder(read(path), solid=False)):
+        if level.name in ("usual", "beam", "smeared"):
+            found[level.name] = pareto.run(path, tmp_path / "one.h5", level.settings)
+    for name in ("beam", "smeared"):
+        off = pareto.errors(found[name], found["usual"])
+        assert off["load"] < 0.01
+        assert off["slip"] < 0.03
+        assert off["stiffness"] < 0.03

@@ -1,0 +1,58 @@
+"""Raceways that yield: which rollers touch is found in a few steps, also where loads are light or tilted."""
+
+import numpy as np
+import pytest
+
+from quasidynamic.solve.endings import Ending
+from tests.bearings import paper_bearing
+
+RADIUS, WIDTH, MODULUS = 39.3e-3, 5e-3, 203e9
+
+
+def ring(azimuth, thickness, foundation, shapes):
+    """Compliance (Z, M, Z, M) [m/N]: bending harmonics on springs, higher shapes at their own place only."""
+    bending, area = MODULUS * WIDTH * thickness**3 / 12, WIDTH * thickness
+    apart = azimuth[:, None] - azimuth
+    radial = np.full(apart.shape, 1 / (2 * np.pi * RADIUS * (MODULUS * area / RADIUS**2 + foundation)))
+    for n in range(2, 60):
+        stiff = np.pi * RADIUS * (bending * (n**2 - 1) ** 2 / RADIUS**4 + foundation)
+        radial += np.cos(n * apart) / stiff
+    found, each = np.zeros((len(azimuth), shapes, len(azimuth), shapes)), np.arange(len(azimuth))
+    found[:, 0, :, 0] = radial
+    for shape in range(1, shapes):
+        found[each, shape, each, shape] = 3e-9
+    # A ring held at one side tilts as it yields, and bends along the roller.
+    found[:, 1, :, 0] = found[:, 0, :, 1] = 0.3 * radial
+    found[:, 2, :, 0] = found[:, 0, :, 2] = -0.05 * radial
+    return found
+
+
+CASES = {
+    "heavy": ({}, 1e8),
+    "light": ({"load": 500.0}, 1e8),
+    "moment": ({"moment": 60.0}, 1e8),
+    "slow": ({"speed": 10.0}, 1e8),
+    "preload": ({"clearance": -40e-6}, 1e8),
+    "very soft": ({}, 1e7),
+}
+
+
+@pytest.mark.parametrize(("changes", "foundation"), CASES.values(), ids=CASES.keys())
+def test_bearing_and_ring_agree_in_a_few_steps(changes, foundation):
+    model = paper_bearing(shapes=3, slices=10, **changes)
+    matrix = ring(model.bearing.azimuths, 3.6e-3, foundation, 3)
+    *_, last = model.iterate((None, matrix), model.solve())
+    assert last.status is Ending.CONVERGED
+    assert last.number <= 15  # 5 to 14
+    assert last.deviation[1] == pytest.approx(np.tensordot(matrix, last.forces[1], 2), rel=1e-7, abs=1e-13)
+
+
+def test_rollers_that_touch_at_their_ends_only_are_not_held_back():
+    """A raceway that bulges inwards: mid-roller is off it, and no step may take that for no contact."""
+    model = paper_bearing(shapes=3, slices=10)
+    shape = np.zeros((2, 30, 3))
+    shape[1, :, 2] = -20e-6
+    found = model.solve(deviation=shape)
+    approach = found.unknowns.approach[0]
+    assert approach.min() < 0 < found.loads[1].min()
+    assert found.number <= 15
