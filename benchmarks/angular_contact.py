@@ -1,10 +1,10 @@
-"""Time and sureness of angular-contact solves on one core: `python -m benchmarks.angular_contact [count]`.
+"""Time and sureness of angular-contact solves: `python -m benchmarks.angular_contact [count [seed]]`.
 
-First the 218 bearing of the textbook, in CPU time of a warm interpreter. Then bearings drawn at random: size,
-conformity, contact angle, steel or ceramic balls, raceway control, loads over five decades up to about the
-static capacity in any direction from axial to radial, 10 to 500 000 mm/min; the ring free under moments up to
-load times pitch radius, held against tilt, or held against tilt with an axial preload. Where nothing holds
-the ring against such loads the ending is "undetermined", which counts for itself.
+First the 218 bearing of the textbook, in CPU time of a warm interpreter on one core. Then bearings drawn at
+random: size, conformity, contact angle, steel or ceramic balls, raceway control, loads over five decades, up
+to about the static capacity in any direction from axial to radial, 10 to 500 000 mm/min; the ring free under
+moments up to load times pitch radius, held against tilt, or held against tilt with an axial preload. Where
+nothing holds the ring against such loads the ending is "undetermined", which counts for itself.
 """
 
 import collections
@@ -43,7 +43,8 @@ def main() -> None:
     print(describe())
     with threadpool_limits(limits=1, user_api="blas"):
         textbook()
-        at_random(int(sys.argv[1]) if len(sys.argv) > 1 else 1000)
+        given = [int(word) for word in sys.argv[1:]]
+        at_random(*given) if given else at_random(1000)
 
 
 def textbook() -> None:
@@ -70,27 +71,30 @@ def textbook() -> None:
         )
 
 
-def at_random(count: int) -> None:
-    endings, evaluations, worst, unguided = collections.Counter(), [], 0.0, 0
-    began = time.process_time()
-    for seed in range(count):
+def at_random(count: int, first: int = 0) -> None:
+    endings, evaluations, worst, unguided, seconds = collections.Counter(), [], 0.0, 0, []
+    for seed in range(first, first + count):
         model, operation = drawn(seed)
+        began = time.process_time()
         try:
             state = model.solve(operation)
+            seconds.append(time.process_time() - began)
         except NotSolved as found:
+            seconds.append(time.process_time() - began)
             undetermined = found.ending is Ending.UNDETERMINED
             endings[f"{found.ending}" + ("" if undetermined else f" (seed {seed})")] += 1
             continue
         evaluations.append(state.evaluations)
         worst = max(worst, unbalanced(state))
         unguided += not state.guided.all()
-    spent = time.process_time() - began
     print(
-        f"{count} bearings at random: {len(evaluations)} solved ({unguided} with balls that the races do not "
-        f"guide), worst imbalance {worst:.1e} of the largest force, others: {dict(endings)}; "
+        f"{count} bearings at random from seed {first}: {len(evaluations)} solved "
+        f"({unguided} with balls that the races do not guide), "
+        f"worst imbalance {worst:.1e} of the largest force, others: {dict(endings)}; "
         f"evaluations: median {np.median(evaluations):.0f}, "
         f"99 % below {np.percentile(evaluations, 99):.0f}, largest {max(evaluations)}; "
-        f"{spent / count * 1e3:.1f} ms each"
+        f"{np.mean(seconds) * 1e3:.1f} ms each, median {np.median(seconds) * 1e3:.1f} ms, "
+        f"longest {max(seconds):.1f} s"
     )
 
 

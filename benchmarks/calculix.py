@@ -125,7 +125,7 @@ def clamped(mesh: Hexahedra, youngs_modulus: float, poisson_ratio: float) -> lis
 
 def deck(mesh: Hexahedra, loaded: range) -> str:
     """Input of CalculiX with one step for each of the loaded lines."""
-    lines = clamped(mesh, E, NU) + ["*NSET, NSET=LINES", *(f"{n}," for n in mesh.lines.ravel())]
+    lines = [*clamped(mesh, E, NU), "*NSET, NSET=LINES", *(f"{n}," for n in mesh.lines.ravel())]
     share = LOAD * mesh.along_a_line
     for line in loaded:
         phi = 2 * np.pi * line / LINES

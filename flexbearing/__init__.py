@@ -10,7 +10,13 @@ if TYPE_CHECKING:
 __all__ = ["run"]
 
 
-def run(case: str | Path, output: str | Path | None = None, overrides: Sequence[str] = ()) -> "Result":
+def run(
+    case: str | Path,
+    output: str | Path | None = None,
+    overrides: Sequence[str] = (),
+    *,
+    start: "str | Path | Result | None" = None,
+) -> "Result":
     """Compute a case file and return its result; see `flexbearing.compute.one.run`.
 
     >>> result = run("case.toml")                                    # doctest: +SKIP
@@ -18,4 +24,4 @@ def run(case: str | Path, output: str | Path | None = None, overrides: Sequence[
     """
     from flexbearing.compute.one import run as compute  # loads what computing needs, when it is needed
 
-    return compute(case, output, overrides)
+    return compute(case, output, overrides, start=start)

@@ -43,6 +43,10 @@ def run(
     case: CaseFile,
     output: Annotated[Path | None, typer.Option("-o", "--output", metavar="OUT.h5")] = None,
     settings: Settings = None,
+    start: Annotated[
+        Path | None,
+        typer.Option("--start", metavar="OTHER.h5", help="result of a neighbouring case where newton begins"),
+    ] = None,
     quiet: Annotated[bool, typer.Option("--quiet", help="only what went wrong")] = False,
 ) -> None:
     """Compute a case and store every iteration; prints a summary."""
@@ -54,7 +58,7 @@ def run(
     if not quiet and not console.is_terminal:
         logging.basicConfig(level=logging.INFO, stream=sys.stdout, format="%(message)s")
     with OnTerminal(console) if console.is_terminal and not quiet else Logged() as report:
-        result = compute(case, output, settings or [], report)
+        result = compute(case, output, settings or [], report, start)
     if not quiet:
         sys.stdout.write(text(result, console if console.is_terminal else None))
         sys.stdout.write(f"\nresults: {result.path}\n")

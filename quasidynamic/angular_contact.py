@@ -22,7 +22,7 @@ from quasidynamic.motion.rolling_lines import (
 from quasidynamic.outcome.rolling_contact import RollingContact
 from quasidynamic.parts.angular import AngularContactBearing, RingOperation
 from quasidynamic.solve.endings import Ending
-from quasidynamic.solve.ring_on_balls import followed, solve
+from quasidynamic.solve.ring_on_balls import solve
 
 
 @dataclass(frozen=True)
@@ -50,6 +50,19 @@ class AngularContactState:
         """Semi-axes a across and b along the rolling direction (2, Z) [m]."""
         axes = [contact.semi_axes(load) for contact, load in zip(self.contacts, self.loads, strict=True)]
         return np.stack([a for a, _ in axes]), np.stack([b for _, b in axes])
+
+    @property
+    def needed_shoulders(self) -> NDArray:
+        """Height of the races above the bottoms of their grooves up to which contacts reach (2, Z) [m].
+
+        r (1 - cos(|alpha| + asin(2a/D))) with the groove radius r; zero without a load. The grooves of the
+        balance have no end: on a lower shoulder contacts are cut off, and balls climb it.
+        """
+        own = self.bearing
+        half = np.arcsin(np.minimum(2 * self.semi_axes[0] / own.ball.diameter, 1.0))
+        reach = np.minimum(np.abs(self.contact_angles) + half, np.pi / 2)
+        radius = own.ball.diameter * np.array([[own.inner.conformity], [own.outer.conformity]])
+        return np.where(self.loads > 0, radius * (1 - np.cos(reach)), 0.0)
 
     @property
     def peak_pressures(self) -> NDArray:
@@ -168,9 +181,7 @@ class AngularContactBallBearing:
         """Balance at several operating points side by side; an error stands in its place."""
         balance = self._balance(operations)
         found = solve(balance)
-        grooves = balance.grooves(found.ring)
-        balls = balance.balls(grooves, found.centres)
-        ring = balance.ring(balls, followed(balls))
+        balls, ring = found.forces(balance)
         scale = self._scale
         states: list[AngularContactState | NotSolved] = []
         for case, operation in enumerate(operations):

@@ -1,8 +1,10 @@
 """The sections [coupling] and [accuracy]."""
 
-from typing import Literal
+from typing import Literal, Self
 
-from flexbearing.case.quantity import Fraction, Length, Section, key
+from pydantic import model_validator
+
+from flexbearing.case.quantity import Fraction, Length, Section, impossible, key
 
 
 class Coupling(Section):
@@ -12,6 +14,11 @@ class Coupling(Section):
         "newton: both in one system; the others alternate and take over what all differences seen so far say "
         "(iqn-ils), the last twelve (anderson), a fraction that adapts (aitken), a constant one (relaxed)",
         "newton",
+    )
+    structure: Literal["condensed", "full"] = key(
+        "condensed: rings are condensed once to what rollers feel of them; full: the whole solid of every "
+        "flexible ring is factored once and solved anew in every iteration, for all methods but newton",
+        "condensed",
     )
     fallback: bool = key("whether other methods are tried when one fails", True)
     tolerance: float = key(
@@ -23,6 +30,16 @@ class Coupling(Section):
     )
     max_iterations: int = key("limit of the iterations", 200, ge=1)
     relaxation: float = key('fraction of the change taken over, method = "relaxed"', 0.1, gt=0, le=1)
+
+    @model_validator(mode="after")
+    def _newton_knows_how_rings_yield(self) -> Self:
+        if self.structure == "full" and self.method == "newton":
+            raise impossible(
+                "method",
+                '"iqn-ils", "anderson", "aitken" or "relaxed" for coupling.structure = "full": newton asks '
+                "how the rings yield, which a solve under given loads does not tell",
+            )
+        return self
 
 
 class Accuracy(Section):

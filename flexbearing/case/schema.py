@@ -15,6 +15,7 @@ from flexbearing.case.numerics import Accuracy, Coupling
 from flexbearing.case.outputs import Outputs
 from flexbearing.case.quantity import impossible, key, needed
 from flexbearing.case.rings import Inner, Outer
+from flexbearing.case.solids import require_solids
 from flexbearing.case.surroundings import Materials, Operation
 
 
@@ -61,6 +62,12 @@ class Case(Head):
             raise impossible("bearing.roller.profile", allowed)
         if self.life.edge_stress and self.accuracy.slices < FEWEST_SLICES:
             raise impossible("accuracy.slices", f"at least {FEWEST_SLICES} for life.edge_stress")
+        return self
+
+    @model_validator(mode="after")
+    def _full_structures_are_solids(self) -> Self:
+        if self.coupling.structure == "full":
+            require_solids(self)
         return self
 
     @model_validator(mode="after")

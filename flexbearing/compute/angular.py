@@ -10,6 +10,8 @@ from flexbearing.case import AngularCase
 from flexbearing.compute.ball_parts import ball, groove
 from quasidynamic.outcome.rolling_contact import RollingContact
 
+USUAL_SHOULDER = 0.25  # of the ball diameter, assumed: races of catalogue bearings are rarely higher
+
 
 @dataclass(frozen=True)
 class Solution:
@@ -118,6 +120,13 @@ def notes(case: AngularCase, solution: Solution) -> tuple[str, ...]:
     off = int((~state.on_inner).sum())
     if off:
         told += (f"{off} of {len(state.on_inner)} balls do not touch the inner race",)
+    told += _beyond_shoulders(state)
+    led = int((state.on_inner & ~state.guided).sum())
+    if led:
+        told += (
+            f"{led} balls touch the inner race too lightly or too far round for both races to guide them: "
+            "their orbit, spin and tractions are estimates",
+        )
     if solution.contact is None:
         near = "; next to a controlling race the spin may be against the contact angle"
         told += (f"no pure rolling lines: {solution.reason}{near * (case.operation.control != 'equal')}",)
@@ -128,3 +137,17 @@ def notes(case: AngularCase, solution: Solution) -> tuple[str, ...]:
             f"rolling_lines.coefficient = {given:g}: in reality balls would turn about the rolling direction",
         )
     return told
+
+
+def _beyond_shoulders(state: qd.AngularContactState) -> tuple[str, ...]:
+    """Races that contacts would leave over a shoulder of usual height."""
+    worst = state.needed_shoulders.max(1) / state.bearing.ball.diameter
+    return tuple(
+        f"contacts reach {height:.3g} ball diameters up the {race} race, at contact angles of up to "
+        f"{np.degrees(np.abs(angles[loads > 0]).max()):.1f} deg; shoulders end at some "
+        f"{USUAL_SHOULDER:g}, and beyond theirs contacts are cut off, which is left out"
+        for race, height, angles, loads in zip(
+            ("inner", "outer"), worst, state.contact_angles, state.loads, strict=True
+        )
+        if height > USUAL_SHOULDER
+    )

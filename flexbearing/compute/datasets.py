@@ -5,9 +5,11 @@ from dataclasses import asdict, replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from flexbearing.compute.neighbour import flat
 from flexbearing.compute.structure import CondensedRings
 from flexbearing.coupling import Iteration
 from quasidynamic import Equilibrium
+from quasidynamic.balance.bearing import Unknowns
 
 MREV = 1e6  # revolutions
 UNLOADED = 1e-3  # [N] below it no film is reported
@@ -63,7 +65,7 @@ def block(
             "slice_position": found.slice_positions,
             "life_L10": found.life * MREV,
             "load_direction": _load_direction(found),
-            "stiffness": found.tangent.radial_stiffness,
+            "stiffness": between_raceways(found, rings).tangent.radial_stiffness,
             "stiffness_matrix": whole.stiffness,
             "compliance_matrix": whole.compliance,
             "total_stiffness": whole.radial_stiffness,
@@ -73,6 +75,7 @@ def block(
             "ring_moment": found.ring_moment,
             "peak_pressure": found.peak_pressure,
             "minimum_film": smallest_film(found),
+            "unknowns": flat(found),
         }
         | _cage(found)
         | {f"loss_{cause}": power for cause, power in asdict(found.losses).items()}
@@ -104,11 +107,25 @@ def supported(found: Equilibrium, rings: CondensedRings) -> Equilibrium:
     deviation, ring = unknowns.deviation.copy(), unknowns.ring.copy()
     deviation[:, 0, 0] += moved @ direction
     ring[:2, 0, 0] += moved[1] - moved[0]
+    compliance = [None if raceway is None else raceway.full for raceway in rings.raceways]
+    return _yielding(found, compliance, unknowns._replace(ring=ring, deviation=deviation))
+
+
+def between_raceways(found: Equilibrium, rings: CondensedRings) -> Equilibrium:
+    """The same state between raceways that yield, also where it was found between those of a given shape."""
+    if rings.rigid or found.balance.yielding:
+        return found
+    compliance = [None if raceway is None else raceway.matrix for raceway in rings.raceways]
+    return _yielding(found, compliance, found.unknowns)
+
+
+def _yielding(found: Equilibrium, compliance: list[NDArray | None], unknowns: Unknowns) -> Equilibrium:
+    """A state with other unknowns in equations that know how raceways (Z, M, Z, M) yield."""
+    balance = found.balance
     size = balance.rollers * balance.roller.shapes
-    compliance = [None if raceway is None else raceway.full.reshape(size, size) for raceway in rings.raceways]
-    whole = replace(balance, compliance=tuple(compliance))
-    scaled = whole.pack(unknowns._replace(ring=ring, deviation=deviation))
-    return replace(found, balance=whole, scaled=scaled[0])
+    square = [None if matrix is None else matrix.reshape(size, size) for matrix in compliance]
+    whole = replace(balance, compliance=(square[0], square[1]))
+    return replace(found, balance=whole, scaled=whole.pack(unknowns)[0])
 
 
 def smallest_film(found: Equilibrium) -> NDArray:

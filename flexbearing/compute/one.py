@@ -1,6 +1,7 @@
 """One case from file to file."""
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 from time import perf_counter
 from typing import Any
@@ -9,6 +10,7 @@ from threadpoolctl import threadpool_limits
 
 from flexbearing.case import AngularCase, AnyCase, Case, FourPointCase, read
 from flexbearing.compute import ball, roller
+from flexbearing.compute.neighbour import Neighbour, neighbour
 from flexbearing.compute.possible import require_possible
 from flexbearing.compute.progress import Logged, Report
 from flexbearing.results import Result, ResultFile
@@ -23,6 +25,7 @@ def run(
     output: str | Path | None = None,
     overrides: Sequence[str] = (),
     report: Report | None = None,
+    start: str | Path | Result | None = None,
 ) -> Result:
     """Compute a case and store it.
 
@@ -36,6 +39,8 @@ def run(
         `"key=value"` settings that replace those of the file
     report : Report, optional
         hears of stages and iterations; default is the log
+    start : path or Result, optional
+        of a neighbouring case, at whose flexible end state newton begins; by default between rigid raceways
 
     Returns
     -------
@@ -45,13 +50,16 @@ def run(
     Raises
     ------
     BadCase
-        when the case cannot be computed as it stands
+        when the case cannot be computed as it stands, or cannot start there
+    BadResult
+        when there is no complete result to start from
     """
     began = perf_counter()
     report = report or Logged()
     wanted = read(case, overrides)
     require_possible(wanted)
-    opening, solve = _job(wanted)
+    near = None if start is None else neighbour(start, wanted)
+    opening, solve = _job(wanted, near)
     path = Path(output) if output else Path("results") / f"{Path(case).stem}.h5"
     # The bearing's matrices are small: threads of the linear algebra would only wait for each other.
     with (
@@ -76,11 +84,11 @@ def _head(case: AnyCase) -> dict[str, object]:
     }
 
 
-def _job(case: AnyCase) -> tuple[Opening, Solve]:
+def _job(case: AnyCase, near: Neighbour | None) -> tuple[Opening, Solve]:
     """What opens the file of a case, and what solves it."""
     match case:
         case Case():
-            return roller.opening, roller.solve
+            return roller.opening, partial(roller.solve, near=near)
         case FourPointCase():
             return ball.opening, ball.solve_four_point
         case AngularCase():

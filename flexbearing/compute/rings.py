@@ -47,7 +47,7 @@ def outer_ring(case: Case, azimuths: NDArray, report: Report) -> "RacewayComplia
     part = assemble.outer_part(case)
     if isinstance(part, fem.OuterRing) and case.outer.lifts_off:
         report.stage("outer ring in its housing", None)
-        with _told(case, "outer ring and housing"):
+        with told(case, "outer ring and housing"):
             return housing_fit(case, part, assemble.roller_length(case), wishes(case, ON_A_SECTION))
     return _condensed("outer ring", part, case, azimuths, report)
 
@@ -57,7 +57,7 @@ def inner_ring(case: Case, azimuths: NDArray, report: Report) -> "RacewayComplia
     shaft = assemble.inner_part(case)
     if shaft is not None and case.inner.fit != "bonded":
         report.stage("inner ring in its fit", None)
-        with _told(case, "inner ring and shaft"):
+        with told(case, "inner ring and shaft"):
             mesh, length = wishes(case, ON_A_SECTION), assemble.roller_length(case)
             return fit_of(case, shaft, length, mesh)
     return _condensed("inner ring and shaft", shaft, case, azimuths, report)
@@ -82,7 +82,7 @@ def _condensed(name: str, part: assemble.Part | None, case: Case, azimuths: NDAr
         return None
     began = perf_counter()
     report.stage(name, None)
-    with _told(case, name):
+    with told(case, name):
         if case.accuracy.structure == "solid" or isinstance(part, StepSolid):
             raceway = _solid(name, part, case, azimuths, report)
         elif case.accuracy.structure == "beam":
@@ -94,7 +94,7 @@ def _condensed(name: str, part: assemble.Part | None, case: Case, azimuths: NDAr
 
 
 @contextmanager
-def _told(case: Case, name: str) -> Iterator[None]:
+def told(case: Case, name: str) -> Iterator[None]:
     """Give failures of the finite elements the names that users and coupling know."""
     # NGSolve takes a second to load: only cases with a flexible part wait for it.
     from fem.solve import NotSolved
@@ -147,14 +147,7 @@ def _solid(name: str, part: assemble.Part, case: Case, azimuths: NDArray, report
     """Raceway compliance of the whole solid for rollers where they are."""
     from fem.apart import condense_apart
 
-    length = assemble.roller_length(case)
-    patches = fem.Patches(
-        azimuths=tuple(azimuths),
-        length=length,
-        shapes=case.accuracy.axial_shapes,
-        width=case.accuracy.patch_width or PATCH * length,
-    )
-    wanted = part, patches, wishes(case, IN_SPACE)
+    wanted = part, patches(case, azimuths), wishes(case, IN_SPACE)
 
     def computed():
         return condense_apart(
@@ -164,6 +157,17 @@ def _solid(name: str, part: assemble.Part, case: Case, azimuths: NDArray, report
         )
 
     return configured().cached(wanted, computed, lambda note: report.stage(f"{name}: {note}", None))
+
+
+def patches(case: Case, azimuths: NDArray) -> fem.Patches:
+    """What rollers do to a full solid."""
+    length = assemble.roller_length(case)
+    return fem.Patches(
+        azimuths=tuple(azimuths),
+        length=length,
+        shapes=case.accuracy.axial_shapes,
+        width=case.accuracy.patch_width or PATCH * length,
+    )
 
 
 def wishes(case: Case, usual: tuple[int, float, float]) -> fem.Mesh:

@@ -7,12 +7,14 @@ from typing import Any
 from flexbearing.accuracy import Unusable
 from flexbearing.case import Case
 from flexbearing.compute import assemble, clearance, notes
+from flexbearing.compute.neighbour import Neighbour
 from flexbearing.compute.ordered import ordered
 from flexbearing.compute.outcome import Outcome
 from flexbearing.compute.progress import Report
 from flexbearing.compute.rings import Rings, condensed
 from flexbearing.compute.structure import CondensedRings
-from flexbearing.compute.together import BearingPartner, Coupled
+from flexbearing.compute.together import WARM, BearingPartner, Coupled
+from flexbearing.compute.whole import WholeRings, whole
 from flexbearing.coupling import PartnerFailed
 from flexbearing.results import ResultFile
 from quasidynamic import Equilibrium, RollerBearing
@@ -23,7 +25,7 @@ class Resolved:
     """A case at definite levels of its resolution."""
 
     model: RollerBearing
-    rings: Callable[[], Rings]
+    rings: Callable[[], Rings | WholeRings]
     attributes: Mapping[str, Any] = field(default_factory=dict)  # of the result file
     notes: Callable[[Equilibrium], Iterable[str]] = lambda end: ()  # on an end state that converged
 
@@ -37,18 +39,21 @@ def opening(case: Case) -> dict[str, object]:
     }
 
 
-def solve(case: Case, file: ResultFile, report: Report) -> dict[str, object]:
+def solve(case: Case, file: ResultFile, report: Report, near: Neighbour | None = None) -> dict[str, object]:
     """Write iterations and blocks; returns the root attributes that say how it ended."""
     outcome = Outcome(case, file)
     resolved = _resolved(case, outcome, report)
-    ending = _solve(case, resolved, file, outcome, report)
+    ending = _solve(case, resolved, file, outcome, report, near)
+    if near is not None:
+        ending |= _start(near, ending["attempts"], outcome)
     return ending | dict(resolved.attributes) | outcome.attributes()
 
 
 def _resolved(case: Case, outcome: Outcome, report: Report) -> Resolved:
     """At the levels of the case, or at those that its target asks for."""
     model = assemble.bearing(case)
-    usual = Resolved(model, lambda: condensed(case, model.bearing.azimuths, report))
+    solved = whole if case.coupling.structure == "full" else condensed
+    usual = Resolved(model, lambda: solved(case, model.bearing.azimuths, report))
     if case.accuracy.target is None:
         return usual
     try:
@@ -62,7 +67,12 @@ def _resolved(case: Case, outcome: Outcome, report: Report) -> Resolved:
 
 
 def _solve(
-    case: Case, resolved: Resolved, file: ResultFile, outcome: Outcome, report: Report
+    case: Case,
+    resolved: Resolved,
+    file: ResultFile,
+    outcome: Outcome,
+    report: Report,
+    near: Neighbour | None,
 ) -> dict[str, object]:
     """Rigid equilibrium, then the rings, then both together; returns how it ended."""
     partner = BearingPartner(resolved.model)
@@ -85,18 +95,27 @@ def _solve(
         ending = _ending("converged", "every part is rigid: nothing to iterate", 0, rings)
         return ending | {"ending": str(rigid.status)}
     report.stage("bearing and rings together", None)
-    attempts = Coupled(case, partner, rings, rigid).together(file, report)
+    attempts = Coupled(case, partner, rings, rigid, near).together(file, report)
     last = attempts[-1]
-    near = rings.linearised(last.state.forces)
+    final = rings.condensed if isinstance(rings, WholeRings) else rings.linearised(last.state.forces)
     converged = last.status == "converged"
-    outcome.store("flexible", last.state, near, converged=converged)
+    outcome.store("flexible", last.state, final, converged=converged)
     if converged:
         outcome.notes.extend(resolved.notes(last.state))
     ending = _ending(last.status, last.message, last.iterations, rings)
     return ending | {"ending": last.ending, "attempts": {one.method: one.record() for one in attempts}}
 
 
-def _ending(status: str, message: str, iterations: int, rings: Rings) -> dict[str, object]:
+def _start(near: Neighbour, attempts: Any, outcome: Outcome) -> dict[str, object]:
+    """Where the coupling started; a note where that is not the neighbour."""
+    tried = attempts.get(WARM, {"status": "not reached", "message": "nothing was iterated"})
+    if tried["status"] == "converged":
+        return {"started_from": near.name}
+    outcome.notes.append(f"start {near.name}: not used: {tried['message']}")
+    return {"started_from": "rigid raceways"}
+
+
+def _ending(status: str, message: str, iterations: int, rings: Rings | WholeRings) -> dict[str, object]:
     return {
         "status": status,
         "message": message,

@@ -5,17 +5,30 @@ from dataclasses import dataclass
 from functools import partial
 from time import perf_counter
 
+import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.case import Case
 from flexbearing.compute import datasets
+from flexbearing.compute.neighbour import Neighbour
 from flexbearing.compute.progress import Report
 from flexbearing.compute.rings import Rings
-from flexbearing.coupling import RULES, Ending, Iteration, PartnerFailed, alternate, newton, relaxed
+from flexbearing.compute.whole import WholeRings
+from flexbearing.coupling import (
+    RULES,
+    Condensed,
+    Ending,
+    Iteration,
+    PartnerFailed,
+    alternate,
+    newton,
+    relaxed,
+)
 from flexbearing.results import ResultFile
 from quasidynamic import Equilibrium, NotSolved, RollerBearing
 from quasidynamic.balance.settling import series_stiffness
 
+WARM = "newton from a neighbour"
 FALLBACK = ("newton", "iqn-ils", "aitken", "relaxed")  # after the method of the case, in this order
 
 
@@ -70,8 +83,9 @@ class Coupled:
 
     case: Case
     partner: BearingPartner
-    rings: Rings
+    rings: Rings | WholeRings
     rigid: Equilibrium
+    near: Neighbour | None = None  # where newton starts first
 
     def together(self, file: ResultFile, report: Report) -> list[Attempt]:
         """Iterate by one method after the other, and store every iteration; the last attempt counts."""
@@ -87,8 +101,10 @@ class Coupled:
     def _chain(self) -> tuple[str, ...]:
         """Methods in the order in which they are tried."""
         first = self.case.coupling.method
-        others = tuple(method for method in FALLBACK if method != first)
-        return (first, *others) if self.case.coupling.fallback else (first,)
+        able = FALLBACK if isinstance(self.rings, Condensed) else FALLBACK[1:]  # only newton asks for more
+        others = tuple(method for method in able if method != first)
+        cold = (first, *others) if self.case.coupling.fallback else (first,)
+        return cold if self.near is None else (WARM, *cold)
 
     def _attempt(self, method: str, file: ResultFile, report: Report, done: int) -> Attempt:
         began, step = perf_counter(), None
@@ -103,10 +119,20 @@ class Coupled:
     def _steps(self, method: str) -> Iterator[Iteration[Equilibrium]]:
         given = self.case.coupling
         ending = Ending(tolerance=given.tolerance, limit=given.max_iterations)
-        if method == "newton":
+        if isinstance(self.rings, Condensed) and method in ("newton", WARM):
+            if self.near is not None and method == WARM:
+                return self._warm(self.near, self.rings, ending)
             return newton(self.partner, self.rings, self.rigid, ending)
         rule = partial(relaxed, relaxation=given.relaxation) if method == "relaxed" else RULES[method]
         return alternate(self.partner, self.rings, self.rigid, ending, rule)
+
+    def _warm(self, near: Neighbour, rings: Condensed, ending: Ending) -> Iterator[Iteration[Equilibrium]]:
+        try:
+            start = near.state(self.partner, rings, self.rigid)
+        except PartnerFailed as failure:
+            yield Iteration(1, self.rigid, np.inf, np.inf, "not solved", str(failure), failure.ending)
+            return
+        yield from newton(self.partner, rings, start, ending)
 
 
 def _sentence(method: str, last: Iteration, case: Case) -> str:

@@ -2,11 +2,12 @@
 
 from flexbearing.coupling.acceleration import RULES, Rule, relaxed
 from flexbearing.coupling.loop import Ending, Iteration, alternate, newton
-from flexbearing.coupling.partners import Bearing, PartnerFailed, State, Structure
+from flexbearing.coupling.partners import Bearing, Condensed, PartnerFailed, State, Structure
 
 __all__ = [
     "RULES",
     "Bearing",
+    "Condensed",
     "Ending",
     "Iteration",
     "PartnerFailed",

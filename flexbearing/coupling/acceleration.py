@@ -23,7 +23,8 @@ class Seen:
     given: NDArray  # (N, k) deviations that the bearing was given, newest last [m]
     residuals: NDArray  # (N, k) what the structure answered less what was given [m]
     alike: int  # so many of the newest, at least one, that tell of the present slope
-    estimate: Callable[[], NDArray]  # (N, N) estimated change of the root per residual, to be used once
+    # (N, N) estimated change of the root per residual, to be used once; None where that is unknown
+    estimate: Callable[[], NDArray] | None
 
 
 Rule = Callable[[Seen], NDArray]  # next deviations (N)
@@ -122,6 +123,9 @@ def least_squares(seen: Seen) -> NDArray:
     the deviations by the estimate :math:`G \approx (1 - C\,\partial Q/\partial w)^{-1}`. A step is never
     longer than the residual: rollers push back, so the root is nearer than the answer.
 
+    Of a structure that does not tell how it yields nothing is estimated: G is 1, and all differences count,
+    as with so rough a G what is left of the residual must be small.
+
     Parameters
     ----------
     seen : Seen
@@ -137,6 +141,8 @@ def least_squares(seen: Seen) -> NDArray:
     Degroote, Bathe and Vierendeels, Computers and Structures 87 (2009), where G is 1; a starting inverse
     Jacobian as in Lindner et al., VI Coupled Problems (2015).
     """
+    if seen.estimate is None:
+        return anderson(seen, seen.given.shape[1])
     residual = seen.residuals[:, -1]
     step, left = np.zeros_like(residual), residual
     if seen.alike > 1:

@@ -31,13 +31,14 @@ class History:
         """Lengths of the residuals [m]."""
         return [float(np.linalg.norm(residual)) for residual in self.residuals]
 
-    def seen(self, compliance: Compliance) -> Seen:
-        """What a rule may know."""
+    def seen(self, compliance: Compliance | None) -> Seen:
+        """What a rule may know; without a compliance no change can be estimated."""
+        stiffness, size = self.stiffness[-1], len(self.given[-1])
         return Seen(
             given=np.array(self.given).T,
             residuals=np.array(self.residuals).T,
             alike=self._alike(),
-            estimate=partial(change_per_residual, compliance, self.stiffness[-1], len(self.given[-1])),
+            estimate=compliance and partial(change_per_residual, compliance, stiffness, size),
         )
 
     def _alike(self) -> int:

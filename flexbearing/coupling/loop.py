@@ -9,7 +9,15 @@ from numpy.typing import NDArray
 
 from flexbearing.coupling.acceleration import Rule
 from flexbearing.coupling.history import History
-from flexbearing.coupling.partners import Bearing, Linear, PartnerFailed, S, Structure
+from flexbearing.coupling.partners import (
+    Bearing,
+    Compliance,
+    Condensed,
+    Linear,
+    PartnerFailed,
+    S,
+    Structure,
+)
 
 Status = Literal["", "converged", "iteration limit", "diverging", "stagnating", "not finite", "not solved"]
 
@@ -77,7 +85,7 @@ def alternate(
     """
     state, history = start, History()
     try:
-        deviation = _first(bearing, structure.linearised(start.forces), start, rule)
+        deviation = _first(bearing, structure, start, rule)
     except PartnerFailed as failure:
         yield _failed(1, start, failure)
         return
@@ -85,11 +93,10 @@ def alternate(
         forces = state.forces
         try:
             state = bearing.solve(start=state, deviation=deviation)
-            linear = structure.linearised(state.forces)
+            answer, compliance = _asked(structure, state.forces)
         except PartnerFailed as failure:
             yield _lost(_failed(number, state, failure), history.sizes)
             return
-        answer = linear.deviation(state.forces)
         history.add(deviation, answer - deviation, bearing.roller_stiffness(state))
         mismatch = _part(answer - deviation, answer)
         change = load_change(state.forces - forces, state.forces)
@@ -97,14 +104,22 @@ def alternate(
         yield Iteration(number, state, change, mismatch, status, _HOPELESS.get(status, ""), state.status)
         if status:
             return
-        deviation = rule(history.seen(linear.compliance)).reshape(answer.shape)
+        deviation = rule(history.seen(compliance)).reshape(answer.shape)
 
 
-def _first(bearing: Bearing[S], linear: Linear, start: S, rule: Rule) -> NDArray:
+def _first(bearing: Bearing[S], structure: Structure, start: S, rule: Rule) -> NDArray:
     """First deviations (2, Z, M); what even raceways tell is too far from all that comes to be kept."""
-    answer, even = linear.deviation(start.forces), History()
+    (answer, compliance), even = _asked(structure, start.forces), History()
     even.add(np.zeros_like(answer), answer, bearing.roller_stiffness(start))
-    return rule(even.seen(linear.compliance)).reshape(answer.shape)
+    return rule(even.seen(compliance)).reshape(answer.shape)
+
+
+def _asked(structure: Structure, forces: NDArray) -> tuple[NDArray, Compliance | None]:
+    """What a structure answers, and how it yields there, which not every one tells."""
+    if isinstance(structure, Condensed):
+        linear = structure.linearised(forces)
+        return linear.deviation(forces), linear.compliance
+    return structure.deviation(forces), None
 
 
 def _part(residual: NDArray, answer: NDArray) -> float:
@@ -131,7 +146,7 @@ def _lost(failed: Iteration[S], sizes: list[float]) -> Iteration[S]:
     return replace(failed, status="diverging", message=message)
 
 
-def newton(bearing: Bearing[S], structure: Structure, start: S, ending: Ending) -> Iterator[Iteration[S]]:
+def newton(bearing: Bearing[S], structure: Condensed, start: S, ending: Ending) -> Iterator[Iteration[S]]:
     """Solve bearing and structure as one system, the structure linearised where it is not linear.
 
     Parameters

@@ -1,7 +1,7 @@
 """What the coupling asks of its partners: plain arrays, inner raceway first, outer second."""
 
 from collections.abc import Iterator
-from typing import Protocol, TypeVar
+from typing import Protocol, TypeVar, runtime_checkable
 
 from numpy.typing import NDArray
 
@@ -81,6 +81,18 @@ class Linear(Protocol):
 
 class Structure(Protocol):
     """Answers with raceway deviations to roller loads."""
+
+    def deviation(self, forces: NDArray) -> NDArray:
+        """Outward raceway deviations (2, Z, M) [m] under roller forces (2, Z, M) [N].
+
+        Raises `PartnerFailed`.
+        """
+        ...
+
+
+@runtime_checkable
+class Condensed(Structure, Protocol):
+    """A structure that also tells how it yields, which `newton` asks for."""
 
     def linearised(self, forces: NDArray) -> Linear:
         """Itself near these roller forces (2, Z, M) [N]; raises `PartnerFailed`."""

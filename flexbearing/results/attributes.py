@@ -16,7 +16,7 @@ from flexbearing.results.checks import NotInLayout
 from flexbearing.results.kinds import ROLLER
 from flexbearing.results.layout import FORMAT
 
-STATUSES = ("converged", "iteration limit", "diverging", "not finite", "not solved")
+STATUSES = ("converged", "iteration limit", "diverging", "stagnating", "not finite", "not solved")
 
 Kind = Literal["text", "texts", "integer", "number", "json"]
 
@@ -46,6 +46,14 @@ ATTRIBUTES = (
         "json",
         "methods of the coupling in the order they were tried, with their ends",
         rollers=True,
+    ),
+    Attribute(
+        "started_from",
+        "text",
+        "result of a neighbouring case whose flexible end state the coupling started from, or rigid raceways "
+        "where that failed; absent where none was asked for",
+        rollers=True,
+        optional=True,
     ),
     Attribute("wall_time_s", "number", "time from case to result [s]"),
     Attribute("case_text", "text", "the case file, letter by letter"),

@@ -13,7 +13,7 @@ class Dataset:
     """One dataset of the file."""
 
     name: str
-    axes: str  # Z rollers or balls, K slices, or a number, separated by a space; empty for a scalar
+    axes: str  # Z rollers or balls, K slices, N unknowns, or a number, by spaces; empty for a scalar
     unit: str  # SI
     place: Place  # "state": in iterations and blocks; else only there
     meaning: str  # with its sign
@@ -84,6 +84,11 @@ TABLE = (
             "moment on the inner ring, one for each slope of ring_tilt: applied (free) or reaction (held)"),
     Dataset("peak_pressure", "2", "Pa", "block", "largest contact pressure (inner, outer)"),
     Dataset("minimum_film", "2", "m", "block", "smallest film of a loaded contact (inner, outer)"),
+    Dataset("unknowns", "N", "m, rad, rad/s", "block",
+            "where a neighbouring case may start: ring displacement (y, z) and slopes, cage speed less that "
+            "of pure rolling; then, Z each, approach and tilt approach of the rollers at the outer raceway, "
+            "inner film, outer film, spin less that of pure rolling; then Legendre coefficients of the "
+            "outward deviations of the inner and the outer raceway, roller by roller"),
     Dataset("inner_film_ratio", "Z", "1", "block",
             "film over composite roughness of the inner contact, 0 without load; absent without roughness",
             optional=True),

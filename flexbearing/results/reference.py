@@ -36,7 +36,7 @@ A block that was never solved is absent, and so is a dataset whose meaning says 
 
 _AXES = {
     "cylindrical_roller": """\
-Axes: Z rollers, K slices along a roller. Directions: x axial, z along the load unless
+Axes: Z rollers, K slices along a roller, N unknowns. Directions: x axial, z along the load unless
 `operation.load_direction` turns the load; azimuth from z towards y, which is the way a positive speed turns.
 A pair is (inner, outer) or (y, z) as stated.
 """,

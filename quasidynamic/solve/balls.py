@@ -124,9 +124,9 @@ def _allowed(
     return np.maximum(largest, noise(balls, grooves))[:, None]
 
 
-def in_balance(balance: AngularBalance, balls: BallBalance, grooves: Vectors) -> NDArray:
-    """Cases (C) in which all balls are in balance where they are."""
-    return (np.abs(balls.excess) <= _allowed(balance, balls, grooves, 0.0)).all(1)
+def balanced(balance: AngularBalance, balls: BallBalance, grooves: Vectors, share: float = 0.0) -> NDArray:
+    """Balls (C, Z) that are in balance where they are, up to a share of the largest force."""
+    return np.less_equal(np.abs(balls.excess), _allowed(balance, balls, grooves, share))
 
 
 def noise(balls: BallBalance, grooves: Vectors) -> NDArray:

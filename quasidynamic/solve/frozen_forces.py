@@ -12,7 +12,7 @@ from quasidynamic.solve.ring_on_springs import newton_step
 
 ENOUGH = 0.02  # of the largest force: what may be left for the search with all forces
 LIMIT = 40  # Newton steps; stopping early costs time later, not the answer
-SHORTEST = 1 / 64  # part of a Newton step
+SHORTEST = 2.0**-40  # part of a Newton step
 FLOATING = 1e-9  # of the stiffness of a ball, given to balls that touch nothing
 
 
@@ -88,7 +88,7 @@ def _forces(
     ball[..., 0] += pull.real
     ball[..., 1] += pull.imag
     whole = matrix.sum(0)
-    inverse = np.linalg.inv(whole + (FLOATING * np.abs(whole).max() + np.finfo(float).tiny) * np.eye(2))
+    inverse = _inverse(whole, FLOATING * np.abs(whole).max() + np.finfo(float).tiny)
     follow = inverse @ matrix[0]
     late = (inverse @ ball[..., None])[..., 0]
     held = matrix[0] - matrix[0] @ follow
@@ -103,3 +103,13 @@ def _forces(
     largest = np.maximum(np.abs(balance.load).max(1), loads.max((0, 2)))
     worst = np.maximum(np.abs(excess_late).max(1), np.abs(ball).max((1, 2)))
     return _Here(excess, ball, excess_late, late, follow, stiffness, worst / largest)
+
+
+def _inverse(matrix: NDArray, floating: float) -> NDArray:
+    """Inverse of symmetric matrices (..., 2, 2) that are held lightly."""
+    first, second = matrix[..., 0, 0] + floating, matrix[..., 1, 1] + floating
+    size = first * second - matrix[..., 0, 1] ** 2
+    found = np.empty_like(matrix)
+    found[..., 0, 0], found[..., 1, 1] = second, first
+    found[..., 0, 1] = found[..., 1, 0] = -matrix[..., 0, 1]
+    return found / size[..., None, None]

@@ -1,6 +1,5 @@
 """Ring on balls whose forces of inertia grow from constant ones to those of their places."""
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -9,8 +8,9 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.angular import AngularBalance
 from quasidynamic.balance.ball_place import Vectors
-from quasidynamic.solve.arclength import Local, follow
+from quasidynamic.solve.arclength import Local
 from quasidynamic.solve.balls import largest_force, noise
+from quasidynamic.solve.corners import followed_through
 from quasidynamic.solve.frozen_forces import hung
 from quasidynamic.solve.ring_on_springs import first_place
 
@@ -29,7 +29,7 @@ def led(balance: AngularBalance) -> tuple[NDArray, Vectors, int] | None:
     constant centrifugal forces of balls on the outer race alone. At p = 0 an energy that is convex in
     all places has its minimum. Forces of inertia and tractions are bounded, contact forces are not, so
     the places stay bounded, and the path from p = 0 leads to p = 1 however often p turns back on its way.
-    Where it is lost, in a corner sharper than the steps along it can turn, another s draws another path.
+    Should it be lost all the same, another s draws another path.
 
     Parameters
     ----------
@@ -51,23 +51,23 @@ def led(balance: AngularBalance) -> tuple[NDArray, Vectors, int] | None:
     for scale in SCALES:
         pull = scale * 1j * balance.free_centrifugal + np.zeros_like(resting)
         start = hung(balance, (first, resting), (pull, np.zeros_like(first)), CLOSE, PATIENCE)
-        family = _InertiaFamily(balance, pull)
-        path = follow(family, family.packed(*start), 0.0, (0.0, 1.0), upwards=True)
+        family = InertiaFamily(balance, pull)
+        end = followed_through(family, family.packed(*start))
         evaluations += family.evaluations
-        if path.steps and path.steps[-1].parameter == 1.0:
-            return *family.unpacked(path.steps[-1].state), evaluations
+        if end is not None:
+            return *family.unpacked(end.state), evaluations
     return None
 
 
 @dataclass
-class _InertiaFamily:
+class InertiaFamily:
     """Equations of one case; unknowns are the free ring displacements, then the ball places, over a reach."""
 
     balance: AngularBalance
     pull: Vectors  # (1, Z) [N] constant forces on the balls at parameter 0
     evaluations: int = 0
 
-    @cached_property
+    @property
     def weight(self) -> NDArray:
         """Balls count together as much as a direction of the ring."""
         count = self.balance.bearing.balls
@@ -87,8 +87,23 @@ class _InertiaFamily:
         ring[0, free] = self._length * state[: len(free)]
         return ring, (self._length * state[len(free) :]).view(complex)[None]
 
+    def orientation(self, state: NDArray, parameter: float) -> float:
+        """Sign of the determinant of the derivatives."""
+        sign, _ = np.linalg.slogdet(self._linear(state, parameter)[2])
+        return float(sign)
+
     def at(self, state: NDArray, parameter: float) -> Local:
         """Forces on ring and balls, over the largest one."""
+        residual, by_parameter, matrix, allowed = self._linear(state, parameter)
+        return Local(
+            residual=residual,
+            by_parameter=by_parameter,
+            solve=lambda right: _solution(matrix, right),
+            done=bool(np.abs(residual).max() <= allowed),
+        )
+
+    def _linear(self, state: NDArray, parameter: float) -> tuple[NDArray, NDArray, NDArray, float]:
+        """Forces over the largest one, derivatives by parameter and unknowns, size that counts as none."""
         ring, centres = self.unpacked(state)
         grooves = self.balance.grooves(ring)
         rest, full = (own.balls(grooves, centres) for own in (self._at_rest, self.balance))
@@ -100,14 +115,15 @@ class _InertiaFamily:
         def blended(start: NDArray, end: NDArray) -> NDArray:
             return (1 - parameter) * start + parameter * end
 
-        residual = self._residual(blended(begin, full.forces), 1.0) / largest
         matrix = self._matrix(blended(rest.by_ball, full.by_ball), blended(rest.by_groove, full.by_groove))
-        allowed = max(TOLERANCE, float(noise(full, grooves)[0]) / largest)
-        return Local(
-            residual=residual,
-            by_parameter=self._residual(full.forces - begin, 0.0) / largest,
-            solve=_solver(matrix * (self._length / largest), len(self._free)),
-            done=bool(np.abs(residual).max() <= allowed),
+        matrix *= self._length / largest
+        places = np.arange(len(self._free), len(matrix))
+        matrix[places, places] -= FLOATING * np.abs(matrix).max()
+        return (
+            self._residual(blended(begin, full.forces), 1.0) / largest,
+            self._residual(full.forces - begin, 0.0) / largest,
+            matrix,
+            max(TOLERANCE, float(noise(full, grooves)[0]) / largest),
         )
 
     def _residual(self, forces: Vectors, loaded: float) -> NDArray:
@@ -148,9 +164,9 @@ class _InertiaFamily:
         return min(self.balance.bearing.inner_reach, self.balance.bearing.outer_reach)
 
 
-def _solver(matrix: NDArray, ring: int) -> Callable[[NDArray], NDArray]:
-    """Solutions with a matrix, balls after `ring` unknowns held lightly."""
-    held = matrix.copy()
-    places = np.arange(ring, len(matrix))
-    held[places, places] -= FLOATING * np.abs(matrix).max()
-    return lambda right: np.linalg.solve(held, right)
+def _solution(matrix: NDArray, right: NDArray) -> NDArray:
+    """Solution of linear equations; not a number where they are singular, which ends a correction."""
+    try:
+        return np.linalg.solve(matrix, right)
+    except np.linalg.LinAlgError:
+        return np.full_like(right, np.nan)

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.angular import AngularBalance, BallBalance, RingBalance, moved
 from quasidynamic.balance.ball_place import Vectors
-from quasidynamic.solve.balls import along_arc, in_balance, largest_force, noise, resolved, settle
+from quasidynamic.solve.balls import along_arc, balanced, largest_force, noise, resolved, settle
 from quasidynamic.solve.endings import Ending
 from quasidynamic.solve.frozen_forces import hung
 from quasidynamic.solve.inertia_homotopy import led
@@ -16,7 +16,7 @@ from quasidynamic.solve.ring_on_springs import first_place, newton_step
 TOLERANCE = 1e-11  # of the largest force: unbalanced force on the ring
 LIMIT = 60  # Newton steps of the ring, rarely more than ten
 LOOSE = 0.1  # of the imbalance before a step: what the balls may leave to the next one
-SHORTEST = 2.0**-12  # part of a Newton step
+SHORTEST = 2.0**-6  # part of a Newton step; a path of growing inertia is quicker than shorter ones
 TOUCHING = 10 * TOLERANCE  # of the largest force: least load that counts as contact of the ring
 SINGULAR = 1e-12  # of the whole stiffness: a direction that nothing holds
 
@@ -30,6 +30,14 @@ class Solved:
     endings: list[Ending]
     imbalance: NDArray  # (C) largest unbalanced force over the largest force
     evaluations: NDArray  # (C) of all balls
+    last: tuple[BallBalance, RingBalance] | None = None  # forces there, where all cases ended together
+
+    def forces(self, balance: AngularBalance) -> tuple[BallBalance, RingBalance]:
+        """Forces on balls and ring at these places."""
+        if self.last is not None:
+            return self.last
+        balls = balance.balls(balance.grooves(self.ring), self.centres)
+        return balls, balance.ring(balls, followed(balls))
 
 
 @dataclass
@@ -98,7 +106,7 @@ def along_path(balance: AngularBalance) -> Solved | None:
     ring, centres, count = found
     grooves = balance.grooves(ring)
     balls = balance.balls(grooves, centres)
-    state = _at(balance, ring, centres, balls, in_balance(balance, balls, grooves), count + 1)
+    state = _at(balance, ring, centres, balls, np.all(balanced(balance, balls, grooves), axis=1), count + 1)
     ending = _ending(balance, state, 0, 1.0, last=True)
     return Solved(ring, centres, [ending], state.imbalance, np.array([state.evaluations]))
 
@@ -112,21 +120,22 @@ def newton(balance: AngularBalance, ring: NDArray, centres: NDArray | None = Non
     endings, imbalance, evaluations = [Ending.NONE] * size, np.full(size, np.inf), np.zeros(size, int)
     cases, here = np.arange(size), _state(balance, ring, centres, LOOSE)
     evaluations += here.evaluations
-    damping = np.ones(size)
-    for number in range(LIMIT + 1):
+    damping, number = np.ones(size), 0
+    while True:
         ended = [_ending(balance, here, k, damping[k], number == LIMIT) for k in range(len(cases))]
         for k, case in enumerate(cases):
             out_ring[case], out_centres[case] = here.ring[k], here.centres[k]
             endings[case], imbalance[case] = ended[k], here.imbalance[k]
         running = np.array([ending is Ending.NONE for ending in ended])
         if not running.any():
-            break
+            together = (here.balls, here.balance) if len(cases) == size else None
+            return Solved(out_ring, out_centres, endings, imbalance, evaluations, together)
         if not running.all():
             cases, balance, damping = cases[running], balance.take(running), damping[running]
             here = _taken(here, running)
         here, damping, count = _moved(balance, here)
         evaluations[cases] += count
-    return Solved(out_ring, out_centres, endings, imbalance, evaluations)
+        number += 1
 
 
 def _ending(balance: AngularBalance, here: _State, case: int, damping: float, last: bool) -> Ending:
@@ -212,6 +221,9 @@ def _at(
     """Ring and balls as they are."""
     late, *follow = -resolved(balls, np.concatenate([balls.excess[None], balls.by_groove[:, 0]]))
     follow = np.array(follow)
+    late = np.where(
+        balanced(balance, balls, balance.grooves(ring)), 0.0, late
+    )  # else slopes of light balls err
     forces = balance.ring(balls, follow)
     _, force, traction = moved(balls.by_ball, late)
     excess = np.where(balance.held, 0.0, forces.excess - balance.on_ring(force, traction))

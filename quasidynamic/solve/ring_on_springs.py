@@ -8,10 +8,10 @@ from quasidynamic.balance.ball_place import groove_arm, turning
 from quasidynamic.contact.point import in_series
 
 ENOUGH = 1e-3  # of the largest load: what a first place may leave
-LIMIT = 30  # Newton steps; a first place far off costs time, not the answer
+LIMIT = 300  # Newton steps, rarely more than ten; a first place far off costs time, not the answer
 STIFFENING = 1e-2  # of the whole stiffness over the relative imbalance, where no spring resists a direction
 LONGEST = 0.3  # of the smaller reach: step of the ring
-SHORTEST = 1 / 64  # part of a Newton step
+SHORTEST = 2.0**-40  # part of a Newton step
 
 
 def first_place(balance: AngularBalance) -> NDArray:

@@ -214,6 +214,20 @@ def test_lines_that_do_not_exist_are_left_out_with_a_reason(run, control):
         assert "pure rolling line" in text(result)
 
 
+def test_contacts_that_leave_the_races_are_told(run):
+    steep = run(RIVERA, "bearing.contact_angle=50 deg")
+    (note,) = [note for note in steep.attributes["notes"] if note.startswith("contacts reach ")]
+    assert "up the inner race" in note
+    assert f"{np.degrees(steep.rigid['contact_angle'][0]).max():.1f} deg" in note
+    assert note in " ".join(text(steep).split())
+    assert not any("contacts reach" in note for note in run(RIVERA).attributes["notes"])
+
+
+def test_balls_that_no_race_guides_are_told(run):
+    light = run(RIVERA, "operation.load.axial=2 N")
+    assert any("18 balls touch the inner race too lightly" in n for n in light.attributes["notes"])
+
+
 def test_friction_too_low_for_the_gyroscopic_moment_is_told(run):
     result = run(RIVERA, "rolling_lines.coefficient=0.01")
     assert any("gyroscopic moment" in note for note in result.attributes["notes"])

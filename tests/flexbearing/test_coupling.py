@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import partial
+from typing import get_args
 
 import numpy as np
 import pytest
@@ -11,7 +12,8 @@ from flexbearing.coupling import RULES, Ending, PartnerFailed, alternate, newton
 from flexbearing.coupling import relaxed as relaxation_rule
 from flexbearing.coupling.acceleration import Seen
 from flexbearing.coupling.history import History, change_per_residual
-from flexbearing.coupling.loop import PATIENCE
+from flexbearing.coupling.loop import PATIENCE, Status
+from flexbearing.results.attributes import STATUSES
 
 
 @dataclass(frozen=True)
@@ -269,6 +271,10 @@ def test_trials_with_other_contacts_are_left_out_while_there_is_headway():
 def test_quasi_newton_step_is_no_longer_than_the_residual():
     away = Seen(np.zeros((3, 1)), np.ones((3, 1)), 1, lambda: 50 * np.eye(3))
     assert RULES["iqn-ils"](away) == approx(np.ones(3))
+
+
+def test_every_end_has_a_word_in_the_result_file():
+    assert set(get_args(Status)) - {""} == set(STATUSES)
 
 
 # -- alternations without hope -------------------------------------------------------------------

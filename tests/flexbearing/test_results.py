@@ -9,7 +9,7 @@ from flexbearing.results import BadResult, NotInLayout, ResultFile, read, refere
 from flexbearing.results.attributes import ATTRIBUTES
 from flexbearing.results.layout import FORMAT, TABLE, datasets
 
-SIZE = {"Z": 5, "K": 3, "2": 2, "5": 5}
+SIZE = {"Z": 5, "K": 3, "N": 7, "2": 2, "5": 5}
 PAGE = Path(__file__).parents[2] / "docs" / "reference" / "results.md"
 BEGINNING = {
     "title": "Rollenlager, Außenring weich",
@@ -26,6 +26,7 @@ ENDING = {
     "ending": "converged",
     "message": "loads settled",
     "iterations": 2,
+    "started_from": "results/nachbar.h5",
     "attempts": {"newton": {"iterations": 2, "status": "converged", "message": "loads settled"}},
     "wall_time_s": 1.5,
     "notes": ["film outside its range", "second"],

@@ -268,3 +268,17 @@ def test_any_load_is_carried_or_refused_by_name(decades, lean, tilting, speed, a
     free = [place is None for place in held]
     left = (ring_load(state) - load) / [1.0, 1.0, 1.0, 0.06, 0.06]
     assert np.abs(left[free]).max() < 1e-7 * max(state.loads.max(), size)
+
+
+def test_contacts_reach_up_the_races():
+    """Height over the groove bottom of the edge of the contact, by points of ball and groove."""
+    state = solved(load=(0.0, 0.0, 9000.0, 0.0, 0.0))
+    for race, groove in enumerate((BEARING.inner, BEARING.outer)):
+        angle, half = state.contact_angles[race, 0], state.semi_axes[0][race, 0]
+        radius, ball = groove.conformity * BEARING.ball.diameter, BEARING.ball.diameter / 2
+        way = np.array([np.sin(angle), np.cos(angle)])
+        edge = np.sqrt(ball**2 - half**2) * way + half * way[::-1] * [1, -1]  # on the ball, from its centre
+        height = radius * (1 - edge[1] / ball)
+        assert state.needed_shoulders[race] == approx(np.full(16, height), rel=1e-9)
+    idle = solved(load=(8000.0, 0.0, 4000.0, 0.0, 0.0), displacement=(None, None, None, 0.0, 0.0))
+    assert (idle.needed_shoulders[0, ~idle.on_inner] == 0).all()

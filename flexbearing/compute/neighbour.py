@@ -1,0 +1,166 @@
+"""The flexible end state of a neighbouring case as a start."""
+
+from dataclasses import dataclass, replace
+from functools import reduce
+from operator import getitem
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexbearing.case import AnyCase, BadCase, Case
+from flexbearing.case.declarations import toml
+from flexbearing.coupling import Bearing, Condensed
+from flexbearing.results import Result, read
+from quasidynamic import Equilibrium
+from quasidynamic.balance.bearing import BORDER, CAGE, Unknowns
+
+SAME = ("bearing.cage.guidance", "bearing.cage.centre", "lubricant.film")  # what the unknowns mean
+FIELDS = 5  # unknowns of a roller: approach, tilt, both films, spin
+
+
+def flat(found: Equilibrium) -> NDArray:
+    """Unknowns (N) of a state in SI units, in the order of the result file, however it was solved.
+
+    N = 5 + 5 Z + 2 Z M: ring and cage, fields over the rollers, deviations of both raceways, given or not.
+    """
+    x = found.unknowns
+    fields = (x.approach, x.tilt, *x.film, x.spin_drift)
+    return np.concatenate(
+        [x.ring.ravel(), x.cage_drift.ravel(), *(field.ravel() for field in fields), found.deviation.ravel()]
+    )
+
+
+def unknowns(values: NDArray, rollers: int) -> Unknowns:
+    """The unknowns that `flat` (N) was made of, all deviations among those of raceways that yield."""
+    border, fields, deviation = np.split(values, [BORDER, BORDER + FIELDS * rollers])
+    approach, tilt, inner, outer, spin = fields.reshape(FIELDS, 1, rollers)
+    return Unknowns(
+        ring=border[:CAGE, None, None],
+        cage_drift=border[CAGE:, None],
+        approach=approach,
+        tilt=tilt,
+        film=np.array([inner, outer]),
+        spin_drift=spin,
+        deviation=np.moveaxis(deviation.reshape(2, rollers, -1), -1, 1)[:, :, None],
+    )
+
+
+@dataclass(frozen=True)
+class Neighbour:
+    """Where a case may start."""
+
+    name: str  # of its result
+    unknowns: Unknowns  # of the flexible end state
+
+    def state(self, bearing: Bearing[Equilibrium], rings: Condensed, rigid: Equilibrium) -> Equilibrium:
+        """The end state of the neighbour in the equations of this case.
+
+        Parameters
+        ----------
+        bearing : Bearing
+            of this case
+        rings : Condensed
+            its structure
+        rigid : Equilibrium
+            its state between rigid raceways
+
+        Returns
+        -------
+        Equilibrium
+            with the loads of the neighbour's unknowns, not in balance
+
+        Raises
+        ------
+        PartnerFailed
+            where the rings have no answer to these loads
+        """
+        even = np.zeros((rigid.balance.rollers, rigid.shapes) * 2)
+        found = _put(next(bearing.iterate((even, even), rigid, None)), self.unknowns)
+        linear = rings.linearised(found.forces)
+        if linear.unloaded is None:
+            return found
+        left = np.moveaxis(linear.unloaded, -1, 1)[:, :, None]
+        own = self.unknowns._replace(deviation=self.unknowns.deviation - left)
+        return _put(next(bearing.iterate(linear.compliance, found, linear.unloaded)), own)
+
+
+def _put(state: Equilibrium, x: Unknowns) -> Equilibrium:
+    """A state with other unknowns."""
+    return replace(state, scaled=state.balance.pack(x)[0])
+
+
+def neighbour(start: str | Path | Result, case: AnyCase) -> Neighbour:
+    """The end state that a case shall start from.
+
+    Parameters
+    ----------
+    start : path or Result
+        what the run of another case left behind
+    case : Case
+        the case that starts there
+
+    Returns
+    -------
+    Neighbour
+
+    Raises
+    ------
+    BadCase
+        where the case cannot start from another one, or not from this one; it says what differs
+    BadResult
+        if the file is no complete result
+    """
+    result = start if isinstance(start, Result) else read(start)
+    if problem := _of_case(case) or _of_result(result) or _differing(result, case):
+        raise BadCase(f"start {result.path}: {problem}")
+    values = result.flexible["unknowns"]
+    return Neighbour(str(result.path), unknowns(values, result.flexible["roller_azimuth"].size))
+
+
+def _of_case(case: AnyCase) -> str:
+    """Why a case starts nowhere but between rigid raceways; empty where it can."""
+    if not isinstance(case, Case):
+        return f"only roller bearings start from another case, this is a {case.kind}"
+    if case.coupling.method != "newton":
+        return (
+            f'coupling.method = "{case.coupling.method}" begins between rigid raceways; allowed is "newton"'
+        )
+    if case.accuracy.target is not None:
+        return "accuracy.target chooses its own levels and starts; leave one of both out"
+    if case.inner.kind == case.outer.kind == "rigid":
+        return "every part of this case is rigid; a start is for flexible parts"
+    return ""
+
+
+def _of_result(result: Result) -> str:
+    """Why no case can start from a result; empty where one can."""
+    if result.kind != "cylindrical_roller":
+        return f"it is of a {result.kind} bearing; allowed is one of a cylindrical_roller bearing"
+    if result.attributes["status"] != "converged":
+        return f"it did not converge ({result.attributes['status']}); allowed is a converged result"
+    if not np.isfinite(result.flexible["unknowns"]).all():
+        return "its flexible/unknowns are not finite: the file was changed; run that case again"
+    return ""
+
+
+def _differing(result: Result, case: AnyCase) -> str:
+    """What makes the unknowns of a result other ones than those of a case; empty where nothing does."""
+    assert isinstance(case, Case)
+    block, this, other = result.flexible, case.model_dump(), result.attributes["case_si"]
+    rollers = block["roller_azimuth"].size
+    shapes = (block["unknowns"].size - BORDER - FIELDS * rollers) // (2 * rollers)
+    pairs = [
+        ("bearing.rollers", rollers, case.bearing.rollers),
+        ("accuracy.slices", block["slice_position"].size, case.accuracy.slices),
+        ("accuracy.axial_shapes", shapes, case.accuracy.axial_shapes),
+        *((key, _at(other, key), _at(this, key)) for key in SAME),
+    ]
+    told = [f"{key} = {toml(there)} there, {toml(here)} here" for key, there, here in pairs if there != here]
+    return "; ".join(told) + "; allowed is the same in both" if told else ""
+
+
+def _at(case: Any, key: str) -> Any:
+    """A key of a case that is dumped as tables."""
+    return reduce(getitem, key.split("."), case)

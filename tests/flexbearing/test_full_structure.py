@@ -1,0 +1,183 @@
+"""A full solve of the solids in every iteration, against the same solids condensed once."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from pytest import approx
+
+import fem
+import flexbearing
+from flexbearing.case import BadCase, read
+from flexbearing.compute.structure import CondensedRings
+from flexbearing.compute.together import BearingPartner
+from flexbearing.compute.whole import WholeRings
+from flexbearing.coupling import RULES, Condensed, Ending, PartnerFailed, alternate, newton
+from tests.bearings import paper_bearing
+
+PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
+FULL = ["coupling.structure=full", "coupling.method=iqn-ils"]
+RING = ["inner.kind=rigid", "outer.kind=ring", "outer.thickness=3.6 mm"]
+COARSE = [
+    "bearing.rollers=12", "accuracy.slices=4", "accuracy.axial_shapes=2", "accuracy.element_order=2",
+    "accuracy.mesh_size=12 mm", "accuracy.raceway_mesh_size=4 mm", "accuracy.patch_width=1.5 mm",
+    "accuracy.threads=1",
+]  # fmt: skip
+
+STEEL = fem.Elastic(youngs_modulus=203e9, poisson_ratio=0.28)
+BEARING = paper_bearing(rollers=11, slices=4, shapes=2, load=6000.0, azimuth=0.1)
+MESH = fem.Mesh(order=2, size=12e-3, raceway_size=4e-3)
+# Three bars and eleven rollers, or a ring and uneven ones, share no symmetry that condensing could even out.
+CAGE = fem.SquirrelCage(
+    raceway_diameter=75e-3, elastic=STEEL, thickness=3.6e-3, width=10e-3, bars=3, bar_width=20e-3,
+    bar_thickness=2.6e-3, bar_length=10.25e-3, flange_length=5e-3,
+)  # fmt: skip
+PLAIN = fem.OuterRing(
+    raceway_diameter=40e-3, elastic=STEEL, thickness=3e-3, width=8e-3, support=fem.ClampedFace()
+)
+
+
+@pytest.fixture(scope="module")
+def solids():
+    """Two raceways as they are solved, and as they are condensed; the first stands for an inner one."""
+    from fem.compliance import condense
+    from fem.raceway import SolidRaceway
+    from fem.solid import factored
+
+    azimuths = BEARING.bearing.azimuths
+    uneven = azimuths + 0.1 * np.random.default_rng(5).random(azimuths.size)
+    found = []
+    for part, places in ((PLAIN, uneven), (CAGE, azimuths)):
+        patches = fem.Patches(azimuths=tuple(places), length=5e-3, shapes=2, width=1.5e-3)
+        solved = SolidRaceway(solid=factored(part, patches, MESH, 1))
+        found.append((solved, condense(part, patches, MESH, thread_number=1)))
+    inner, outer = found
+    return inner, outer
+
+
+def test_full_solve_answers_as_the_condensed_operator(solids):
+    (inner, condensed_inner), (outer, condensed_outer) = solids
+    forces = 1e3 * np.random.default_rng(1).normal(size=(2, 11, 2))
+    whole, once = WholeRings((inner, outer)), CondensedRings((condensed_inner, condensed_outer))
+    expected = once.deviation(forces)
+    assert whole.deviation(forces) == approx(expected, rel=0, abs=1e-9 * np.abs(expected).max())
+    moved = np.array([inner.answer(-forces[0])[1], outer.answer(forces[1])[1]])
+    assert moved == approx(once.translation(forces), rel=1e-9)
+
+
+def test_solids_condensed_at_the_end_are_those_condensed_at_once(solids):
+    for solved, once in solids:
+        again = solved.condensed()
+        assert again.full == approx(once.full, rel=0, abs=1e-12 * np.abs(once.full).max())
+        assert again.support_stiffness == approx(once.support_stiffness, rel=1e-12)
+        assert (again.unknowns, again.elements) == (once.unknowns, once.elements)
+
+
+def test_coupled_loads_are_those_of_the_condensed_operator(solids):
+    _, (solved, once) = solids
+    partner, rigid, ending = BearingPartner(BEARING), BEARING.solve(), Ending(tolerance=1e-10, limit=100)
+    *_, expected = newton(partner, CondensedRings((None, once)), rigid, ending)
+    assert np.abs(expected.state.forces - rigid.forces).max() > 100  # [N]: the cage matters
+    for method in ("iqn-ils", "aitken"):
+        *_, found = alternate(partner, WholeRings((None, solved)), rigid, ending, RULES[method])
+        assert found.status == "converged"
+        largest = expected.state.forces.max()
+        assert found.state.forces == approx(expected.state.forces, rel=0, abs=1e-8 * largest)
+
+
+def test_newton_is_not_for_solids_that_are_only_solved(solids):
+    _, (solved, once) = solids
+    assert not isinstance(WholeRings((None, solved)), Condensed)
+    assert isinstance(CondensedRings((None, once)), Condensed)
+
+
+def test_solve_that_fails_has_the_name_of_its_ring():
+    from fem.solve import NotSolved
+
+    class Torn:
+        def answer(self, forces):
+            raise NotSolved("relative residual 1")
+
+    with pytest.raises(PartnerFailed, match="outer ring: relative residual 1"):
+        WholeRings((None, Torn())).deviation(np.zeros((2, 3, 2)))  # pyright: ignore[reportArgumentType]
+
+
+def test_run_solves_the_whole_ring_in_every_iteration(tmp_path):
+    found = flexbearing.run(PAPER, tmp_path / "full.h5", [*RING, *COARSE, *FULL])
+    assert found.attributes["status"] == "converged"
+    assert list(found.attributes["attempts"]) == ["iqn-ils"]
+    assert found.attributes["structure"]["outer"]["unknowns"] > 1000
+    flexible = found.flexible
+    assert np.abs(flexible["outer_deviation"]).max() > 1e-6
+    assert flexible["total_stiffness"] < flexible["stiffness"]
+    tried = [*RING, *COARSE, *FULL, "coupling.max_iterations=2"]
+    stopped = flexbearing.run(PAPER, tmp_path / "stopped.h5", tried)
+    assert list(stopped.attributes["attempts"]) == ["iqn-ils", "aitken", "relaxed"]
+
+
+def test_stiffness_does_not_depend_on_the_method(tmp_path):
+    """Also where raceways stood still while the bearing was solved, they yield to a change of the load."""
+    ring = [*RING, "accuracy.structure=beam", "accuracy.slices=8"]
+    by_newton, alternated = (
+        flexbearing.run(PAPER, tmp_path / "out.h5", [*ring, f"coupling.method={method}"])
+        for method in ("newton", "iqn-ils")
+    )
+    for name in ("stiffness", "total_stiffness"):
+        assert alternated.flexible[name] == approx(by_newton.flexible[name], rel=1e-5)
+    assert by_newton.flexible["stiffness"] < by_newton.rigid["stiffness"]
+
+
+REFUSED = {
+    "newton": (["coupling.method=newton"], r"\[coupling\] method = \"newton\".*asks how the rings yield"),
+    "sections": (["accuracy.structure=harmonics"], r"\[accuracy\] structure.*uses the whole solids"),
+    "beam": (["accuracy.structure=beam"], r"\[accuracy\] structure.*uses the whole solids"),
+    "target": (["accuracy.target=1 %"], r"\[accuracy\] target.*condensed rings"),
+    "fit": (["inner.kind=ring_on_shaft", "inner.fit=frictionless"], r"\[inner\] fit.*only a bonded ring"),
+    "springs": (["outer.support=foundation", "outer.foundation_radial=1 N/mm^3"], r"\[outer\] support"),
+    "lines": (
+        ["outer.support=lines", 'outer.line_azimuths=["0 deg", "120 deg", "240 deg"]'],
+        r"\[outer\] support.*have no solid",
+    ),
+    "planet": (
+        [
+            "outer.support=planet", 'outer.tooth_azimuths=["90 deg"]', 'outer.tooth_radial=["0 N"]',
+            'outer.tooth_tangential=["1 N"]',
+        ],
+        r"\[outer\] support.*have no solid",
+    ),
+    "clearance": (
+        [
+            "outer.support=housing", "outer.housing_thickness=10 mm", "outer.housing_width=12 mm",
+            "outer.housing_clearance=10 um", "operation.temperatures.housing=218 degC",
+        ],
+        r"\[outer\] housing_clearance.*only a bonded ring",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("settings", "told"), REFUSED.values(), ids=REFUSED.keys())
+def test_what_has_no_full_solve_is_refused_on_reading(settings, told):
+    with pytest.raises(BadCase, match=told):
+        read(PAPER, [*RING, *FULL, *settings])
+
+
+def test_solids_may_be_asked_for_by_name():
+    assert read(PAPER, [*RING, *FULL, "accuracy.structure=solid"])
+
+
+@pytest.mark.slow
+def test_condensing_evens_out_what_the_mesh_breaks_of_a_symmetry():
+    """Where rollers and ring share one, both answers differ by an error of the mesh, which falls."""
+    from fem.raceway import SolidRaceway
+    from fem.solid import factored
+
+    azimuths = 2 * np.pi * np.arange(10) / 10
+    patches = fem.Patches(azimuths=tuple(azimuths), length=5e-3, shapes=2, width=1.2e-3)
+    forces, gaps = np.random.default_rng(1).normal(size=(10, 2)), []
+    for order, size, raceway_size in ((2, 5e-3, 3e-3), (3, 3e-3, 2e-3)):
+        mesh = fem.Mesh(order=order, size=size, raceway_size=raceway_size)
+        solved = SolidRaceway(solid=factored(PLAIN, patches, mesh, 1))
+        expected = np.tensordot(solved.condensed().matrix, forces, axes=2)
+        gaps.append(np.abs(solved.answer(forces)[0] - expected).max() / np.abs(expected).max())
+    assert 0.01 < gaps[0] < 0.1
+    assert gaps[1] < 0.1 * gaps[0]

@@ -1,0 +1,139 @@
+"""Lightly loaded free rings, whose balls jump as they move: balance at the end of growing inertia."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from pytest import approx
+
+from quasidynamic.balance.angular import AngularBalance, race_contacts
+from quasidynamic.parts.angular import AngularContactBearing
+from quasidynamic.parts.ball import Ball, Groove
+from quasidynamic.parts.material import Material
+from quasidynamic.solve.arclength import Local
+from quasidynamic.solve.corners import followed_through
+from quasidynamic.solve.endings import Ending
+from quasidynamic.solve.inertia_homotopy import InertiaFamily, led
+from quasidynamic.solve.ring_on_balls import newton, solve, start
+
+STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
+BEARING = AngularContactBearing(
+    ball=Ball(diameter=10e-3, material=STEEL),
+    inner=Groove(conformity=0.53, material=STEEL),
+    outer=Groove(conformity=0.545, material=STEEL),
+    balls=7,
+    pitch_diameter=50e-3,
+    contact_angle=np.radians(36.0),
+)
+SPEED = 500.0  # [rad/s]
+LOADS = {  # over the centrifugal force of a ball, moments over the groove radius too
+    "tilted": (-0.5, -0.1, 0.1, -0.1, 0.2),
+    "axial and tilted": (0.0, 0.15, 0.9, 0.13, -0.12),
+    "heavier": (4.0, -1.5, 7.4, -4.0, 3.0),
+}
+
+
+def balance(load, control, speed=SPEED):
+    own = AngularBalance(
+        bearing=BEARING,
+        contacts=race_contacts(BEARING),
+        control=control,
+        load=np.array([load]),
+        held=np.zeros((1, 5), bool),
+        place=np.zeros((1, 5)),
+        speeds=np.array([speed, 0.0]).reshape(2, 1, 1),
+    )
+    own.load[:] *= own.free_centrifugal[0]
+    return own
+
+
+@pytest.mark.parametrize("control", ["outer", "inner"])
+@pytest.mark.parametrize("load", LOADS.values(), ids=LOADS.keys())
+def test_path_of_growing_inertia_ends_in_balance(load, control):
+    own = balance(load, control)
+    found = led(own)
+    assert found is not None
+    ring, centres, _ = found
+    balls = own.balls(own.grooves(ring), centres)
+    _, force, traction = balls.forces
+    largest = max(balls.loads.max(), np.abs(own.load).max())
+    assert np.abs(balls.excess).max() < 1e-11 * largest
+    assert np.abs(own.load - own.on_ring(force, traction)).max() < 1e-11 * largest
+
+
+def test_path_ends_where_newtons_method_does_when_all_balls_are_pressed():
+    own = balance((5.0, 2.0, 60.0, 1.0, -2.0), "outer")
+    ring, centres, _ = led(own) or (None, None, 0)
+    direct = newton(own, *start(own))
+    assert direct.endings == [Ending.CONVERGED]
+    assert ring == approx(direct.ring, rel=1e-7, abs=1e-13)
+    assert centres == approx(direct.centres, rel=1e-7)
+
+
+def test_derivatives_of_the_path():
+    own = balance(LOADS["heavier"], "inner")
+    ring, centres, _ = led(own) or (None, None, 0)
+    assert ring is not None
+    assert centres is not None
+    family = InertiaFamily(own, 1j * own.free_centrifugal + np.zeros_like(centres))
+    state, step = family.packed(ring, centres) * (1 + 1e-4 * np.cos(np.arange(19))), 1e-7
+    for parameter in (0.3, 1.0):
+        columns = [
+            (family.at(state + way, parameter).residual - family.at(state - way, parameter).residual)
+            for way in step * np.eye(len(state))
+        ]
+        matrix = np.array(columns).T / (2 * step)
+        solved = family.at(state, parameter).solve(matrix)  # the largest force hardly moves: nearly one
+        assert solved == approx(np.eye(len(state)), abs=2e-3)
+        sign, _ = np.linalg.slogdet(matrix)
+        assert family.orientation(state, parameter) == sign
+
+
+def test_case_that_stalls_newtons_method_is_solved_along_the_path():
+    """Bearing drawn at random: balls jump between lying on the outer race and being wedged."""
+    own = replace(
+        balance((0.304, 0.061, 0.152, 0.061, -0.001), "inner"),
+        speeds=np.array([1111.6, 0.0]).reshape(2, 1, 1),
+    )
+    with np.errstate(all="ignore"):
+        assert newton(own, *start(own)).endings != [Ending.CONVERGED]
+    assert solve(own).endings == [Ending.CONVERGED]
+
+
+class Zigzag:
+    """x for x up to 0.3, back to 0.06 at 0.38, then up again: two corners sharper than a right angle."""
+
+    weight = np.ones(1)
+
+    def bounded(self, before, after):
+        return after
+
+    def _slope(self, x):
+        return np.where((x > 0.3) & (x < 0.38), -3.0, 1.0)
+
+    def orientation(self, state, parameter):
+        return float(np.sign(self._slope(state[0])))
+
+    def at(self, state, parameter):
+        x = state[0]
+        value = min(x, 0.3) - 3 * np.clip(x - 0.3, 0.0, 0.08) + max(x - 0.38, 0.0)
+        residual, slope = np.array([value - parameter]), self._slope(x)
+        return Local(residual, np.array([-1.0]), lambda right: right / slope, abs(residual[0]) < 1e-12)
+
+
+def test_branch_is_followed_around_sharp_corners():
+    end = followed_through(Zigzag(), np.zeros(1))
+    assert end is not None
+    assert end.state[0] == approx(1.32, abs=1e-10)
+
+
+def test_branch_that_comes_back_is_no_answer():
+    class Returning(Zigzag):
+        def at(self, state, parameter):
+            x = state[0]
+            residual = np.array([x - x**2 - parameter])
+            return Local(
+                residual, np.array([-1.0]), lambda right: right / (1 - 2 * x), abs(residual[0]) < 1e-12
+            )
+
+    assert followed_through(Returning(), np.zeros(1)) is None
