@@ -221,16 +221,17 @@ def _at(
     """Ring and balls as they are."""
     late, *follow = -resolved(balls, np.concatenate([balls.excess[None], balls.by_groove[:, 0]]))
     follow = np.array(follow)
-    late = np.where(
-        balanced(balance, balls, balance.grooves(ring)), 0.0, late
-    )  # else slopes of light balls err
+    grooves = balance.grooves(ring)
+    late = np.where(balanced(balance, balls, grooves), 0.0, late)  # slopes of light balls do not reach far
     forces = balance.ring(balls, follow)
     _, force, traction = moved(balls.by_ball, late)
     excess = np.where(balance.held, 0.0, forces.excess - balance.on_ring(force, traction))
-    largest = np.maximum(largest_force(balance, balls), noise(balls, balance.grooves(ring)) / TOLERANCE)
+    largest = np.maximum(largest_force(balance, balls), noise(balls, grooves) / TOLERANCE)
     largest = np.maximum(largest, np.finfo(float).tiny)
     pressing = balls.loads[0].max(1) / largest
-    worst = np.maximum(np.abs(excess).max(1), np.abs(balls.excess).max(1))
+    near = np.all(balanced(balance, balls, grooves, TOLERANCE), axis=1)[:, None]
+    counted = np.where(near, forces.excess, excess)  # no balance by what balls would do
+    worst = np.maximum(np.abs(counted).max(1), np.abs(balls.excess).max(1))
     forces = forces._replace(excess=excess)
     return _State(ring, centres, late, balls, follow, forces, settled, worst / largest, pressing, count)
 
