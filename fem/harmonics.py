@@ -14,10 +14,10 @@ from math import ceil, floor
 import numpy as np
 from numpy.typing import NDArray
 
-from fem.compliance import RacewayCompliance
+from fem.errors import NotSolved
 from fem.line_load import cubic_tail, curvature_tail, indentation, indentation_harmonics
 from fem.parts import Elastic, ImpossiblePart, Mesh
-from fem.solve import NotSolved
+from fem.raceway_compliance import RacewayCompliance
 
 TRUNCATED = 0.05  # allowed part of the own terms that comes from beyond the last harmonic
 SAME = 1e-9  # half the difference of azimuths that are taken as one [rad]

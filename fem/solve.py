@@ -15,14 +15,12 @@ import numpy as np
 from netgen.meshing import NgException  # pyright: ignore[reportAttributeAccessIssue]  # made at import
 from numpy.typing import NDArray
 
+from fem.errors import NotSolved
+
 REFINABLE = 1e-4  # allowed change of u by a refinement: it restores digits, it does not repair
 RESIDUAL = 1e-8  # allowed |f - K u| / |f|; a healthy direct solve stays below 1e-11
 
 _log = logging.getLogger(__name__)
-
-
-class NotSolved(RuntimeError):
-    """The system has no trustworthy solution; the message says how large the residual is."""
 
 
 @contextmanager

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from numpy.typing import NDArray
 
 import fem
+from fem.errors import NotSolved
 from fem.step import StepSolid
 from flexbearing.cache import configured
 from flexbearing.case import BadCase, Case
@@ -96,9 +97,6 @@ def _condensed(name: str, part: assemble.Part | None, case: Case, azimuths: NDAr
 @contextmanager
 def told(case: Case, name: str) -> Iterator[None]:
     """Give failures of the finite elements the names that users and coupling know."""
-    # NGSolve takes a second to load: only cases with a flexible part wait for it.
-    from fem.solve import NotSolved
-
     try:
         yield
     except fem.ImpossiblePart as problem:
@@ -117,17 +115,8 @@ def _as_beam(part: fem.Part, case: Case):
 
 def _by_harmonics(name: str, part: assemble.Part, case: Case, report: Report):
     """Raceway compliance for rollers anywhere: on half a pitch of a cage, else on an axial section."""
-    from fem import apart, revolved, smeared_cage, supported_ring
-
-    condense: Any = revolved.condense
     cage = isinstance(part, fem.SquirrelCage)
     smeared = cage and case.accuracy.structure == "smeared"
-    if smeared:
-        condense = smeared_cage.condense
-    elif cage:
-        condense = apart.condense_sector_apart
-    elif isinstance(part, fem.OuterRing):
-        condense = supported_ring.condense
     wanted = (
         part,
         assemble.roller_length(case),
@@ -136,11 +125,26 @@ def _by_harmonics(name: str, part: assemble.Part, case: Case, report: Report):
         case.accuracy.harmonics,
     )
     if case.outer.support in ("lines", "planet") and isinstance(part, fem.OuterRing):
-        return condense(*wanted)  # less than a second, and more than the cache can hold
+        return _condenser(part, smeared)(*wanted)  # less than a second, and more than the cache can hold
     key = ("smeared", *wanted) if smeared else wanted
     return configured().cached(
-        key, lambda: condense(*wanted), lambda note: report.stage(f"{name}: {note}", None)
+        key,
+        lambda: _condenser(part, smeared)(*wanted),
+        lambda note: report.stage(f"{name}: {note}", None),
     )
+
+
+def _condenser(part: assemble.Part, smeared: bool) -> Any:
+    """What condenses a part; NGSolve takes a second to load, which known rings need not wait for."""
+    if smeared:
+        from fem.smeared_cage import condense
+    elif isinstance(part, fem.SquirrelCage):
+        from fem.apart import condense_sector_apart as condense
+    elif isinstance(part, fem.OuterRing):
+        from fem.supported_ring import condense
+    else:
+        from fem.revolved import condense
+    return condense
 
 
 def _solid(name: str, part: assemble.Part, case: Case, azimuths: NDArray, report: Report):

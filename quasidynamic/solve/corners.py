@@ -5,12 +5,24 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.solve.arclength import Direction, End, Family, Step, corrected, follow
+from quasidynamic.solve.arclength import (
+    LIMIT,
+    SHORTEST,
+    STRAIGHT,
+    Direction,
+    End,
+    Family,
+    Step,
+    advanced,
+    corrected,
+    follow,
+)
 
-TURNS = 20  # corners on a path, rarely more than one
+TURNS = 20  # corners on a path and stretches of short steps, rarely more than one
 PEEKS = (1e-6, 1e-5, 1e-4)  # beyond a corner, to see the equations there
 STRIDES = (10.0, 100.0, 1000.0)  # over that: length of the first step on the new piece
 SAME = 0.99  # cosine between two directions that are no corner
+GROWTH = 1.5  # of a step after one that kept the sense
 NEAR = 0.7  # cosine between the direction of the new piece at the corner and after the first step
 
 
@@ -30,7 +42,8 @@ def followed_through(family: OrientedFamily, state: NDArray) -> Step | None:
     .. math:: \operatorname{sign} \dot p = \pm \operatorname{sign} \det R_x
 
     also where the branch bends back on itself by a sharp corner, as when a body touches another one and
-    is swept away at once. There the equations beyond the corner tell the new direction.
+    is swept away at once. There the equations beyond the corner tell the new direction. A step that does
+    not keep the sense has leapt to another branch nearby, and shorter ones take its place.
 
     Parameters
     ----------
@@ -53,14 +66,61 @@ def followed_through(family: OrientedFamily, state: NDArray) -> Step | None:
         path = follow(family, state, parameter, (0.0, 1.0), upwards)
         if not path.steps:
             return None
-        last = path.steps[-1]
-        if path.end is End.RANGE_LEFT:
+        steps = _in_sense(family, path.steps, first)
+        if not steps:
+            return None
+        last = steps[-1]
+        if len(steps) < len(path.steps):
+            turned = _closely(family, last, path.steps[len(steps)], first)
+        elif path.end is End.RANGE_LEFT:
             return last if last.parameter == 1.0 else None
-        turned = _around(family, last, first) if path.end is End.STEP_TOO_SHORT else last
+        else:
+            turned = _around(family, last, first) if path.end is End.STEP_TOO_SHORT else last
         if turned is None:
             return None
         state, parameter, upwards = turned.state, turned.parameter, turned.tangent.parameter > 0
     return None
+
+
+def _in_sense(family: OrientedFamily, steps: tuple[Step, ...], first: float) -> tuple[Step, ...]:
+    """Steps before the first one that does not keep the sense; right on a fold there is none to keep."""
+    kept = 0
+    for number, step in enumerate(steps, 1):
+        if step.fold:
+            continue
+        if not _keeps(family, step, first):
+            return steps[:kept]
+        kept = number
+    return steps
+
+
+def _keeps(family: OrientedFamily, step: Step, first: float) -> bool:
+    """Whether a step has the sense of the branch; `first` is the sign of det R_x where the branch starts."""
+    return first * family.orientation(step.state, step.parameter) * step.tangent.parameter > 0
+
+
+def _closely(family: OrientedFamily, here: Step, lost: Step, first: float) -> Step | None:
+    """Place on the branch where a step was lost, after shorter ones, or around the corner there."""
+    ahead = here.tangent.along(family.weight, lost.state - here.state, lost.parameter - here.parameter)
+    length = ahead / 2
+    for _ in range(LIMIT):
+        if length < SHORTEST:
+            return _around(family, here, first)
+        found = advanced(family, here, length)
+        if found is None or not _keeps(family, found, first) or _bend(family, here, found) <= STRAIGHT:
+            length /= 2
+            continue
+        if not 0.0 <= found.parameter <= 1.0:
+            return here
+        here, ahead, length = found, ahead - length, GROWTH * length
+        if ahead <= 0:
+            return here
+    return None
+
+
+def _bend(family: OrientedFamily, here: Step, ahead: Step) -> float:
+    """Cosine between the directions of two steps."""
+    return here.tangent.along(family.weight, ahead.tangent.state, ahead.tangent.parameter)
 
 
 def _around(family: OrientedFamily, here: Step, first: float) -> Step | None:
@@ -77,8 +137,7 @@ def _around(family: OrientedFamily, here: Step, first: float) -> Step | None:
                 continue
             step = found.step(family, way)
             near = way.along(family.weight, step.tangent.state, step.tangent.parameter) > NEAR
-            sense = first * family.orientation(step.state, step.parameter)
-            if near and sense * step.tangent.parameter > 0:
+            if near and _keeps(family, step, first):
                 return step
     return None
 

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.angular import AngularBalance
 from quasidynamic.balance.ball_place import Vectors, groove_arm, turning
-from quasidynamic.solve.balls import along_arc
+from quasidynamic.solve.balls import LEAST_STIFFNESS, LONGEST, along_arc
 from quasidynamic.solve.ring_on_springs import newton_step
 
 ENOUGH = 0.02  # of the largest force: what may be left for the search with all forces
@@ -41,6 +41,7 @@ def hung(
     Newton's method finds when no step runs past the minimum. The balls are eliminated one by one.
     """
     ring, centres = place
+    longest = LONGEST * min(balance.bearing.inner_reach, balance.bearing.outer_reach)
     to_groove = balance.ring_to_groove.view(float).reshape(-1, 5, 2).swapaxes(1, 2)
     here = _forces(balance, to_groove, (ring, centres), frozen)
     for _ in range(limit):
@@ -49,13 +50,15 @@ def hung(
         step = newton_step(balance, here.carried_late, here.stiffness, here.imbalance)
         shift = (to_groove @ step[:, None, :, None])[..., 0]
         moves = here.late + (here.follow @ shift[..., None])[..., 0]
+        moves /= np.maximum(np.linalg.norm(moves, axis=2, keepdims=True) / longest, 1.0)
         ahead = _work(here, step, moves)
         damping = np.where(here.imbalance > enough, 1.0, 0.0)
         while True:
             trial_ring = ring + damping[:, None] * step
             trial = along_arc(centres, damping[:, None] * (moves[..., 0] + 1j * moves[..., 1]))
             there = _forces(balance, to_groove, (trial_ring, trial), frozen)
-            past = (_work(there, step, moves) < -0.5 * np.abs(ahead)) & (damping > SHORTEST)
+            past = ~(_work(there, step, moves) >= -0.5 * np.abs(ahead))  # also not a number
+            past &= damping > SHORTEST
             if not past.any():
                 break
             damping = np.where(past, damping / 2, damping)
@@ -88,7 +91,7 @@ def _forces(
     ball[..., 0] += pull.real
     ball[..., 1] += pull.imag
     whole = matrix.sum(0)
-    inverse = _inverse(whole, FLOATING * np.abs(whole).max() + np.finfo(float).tiny)
+    inverse = _inverse(whole, FLOATING * np.abs(whole).max() + LEAST_STIFFNESS)
     follow = inverse @ matrix[0]
     late = (inverse @ ball[..., None])[..., 0]
     held = matrix[0] - matrix[0] @ follow

@@ -99,7 +99,7 @@ class InertiaFamily:
             residual=residual,
             by_parameter=by_parameter,
             solve=lambda right: _solution(matrix, right),
-            done=bool(np.abs(residual).max() <= allowed),
+            done=self._largest(residual) <= allowed,
         )
 
     def _linear(self, state: NDArray, parameter: float) -> tuple[NDArray, NDArray, NDArray, float]:
@@ -131,6 +131,11 @@ class InertiaFamily:
         excess, force, traction = forces
         left = loaded * self.balance.load - self.balance.on_ring(force, traction)
         return np.concatenate([left[0, self._free], excess[0].view(float)])
+
+    def _largest(self, residual: NDArray) -> float:
+        """Largest force in a direction of the ring, or on a ball as a vector."""
+        ring, balls = np.split(residual, [len(self._free)])
+        return float(max(np.abs(ring).max(initial=0.0), np.abs(balls.view(complex)).max()))
 
     def _matrix(self, by_ball: Vectors, by_groove: Vectors) -> NDArray:
         """Derivatives (N, N) of the unbalanced forces by the places, from (2, 3, 1, Z)."""

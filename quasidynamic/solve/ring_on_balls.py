@@ -36,8 +36,9 @@ class Solved:
         """Forces on balls and ring at these places."""
         if self.last is not None:
             return self.last
-        balls = balance.balls(balance.grooves(self.ring), self.centres)
-        return balls, balance.ring(balls, followed(balls))
+        with np.errstate(all="ignore"):  # a case that ended not finite has no forces
+            balls = balance.balls(balance.grooves(self.ring), self.centres)
+            return balls, balance.ring(balls, followed(balls))
 
 
 @dataclass

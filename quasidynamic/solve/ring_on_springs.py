@@ -12,6 +12,9 @@ LIMIT = 300  # Newton steps, rarely more than ten; a first place far off costs t
 STIFFENING = 1e-2  # of the whole stiffness over the relative imbalance, where no spring resists a direction
 LONGEST = 0.3  # of the smaller reach: step of the ring
 SHORTEST = 2.0**-40  # part of a Newton step
+LEAST_STIFFNESS = (
+    1e-9  # [N/m] where nothing at all resists: a force then makes the longest step, not an infinite one
+)
 
 
 def first_place(balance: AngularBalance) -> NDArray:
@@ -33,7 +36,7 @@ def first_place(balance: AngularBalance) -> NDArray:
         while True:
             trial = ring + damping[:, None] * step
             new_excess, new_stiffness = _forces(balance, trial)
-            past = (new_excess * step).sum(1) < -0.5 * ahead
+            past = ~((new_excess * step).sum(1) >= -0.5 * ahead)  # also not a number
             past &= damping > SHORTEST
             if not past.any():
                 break
@@ -45,7 +48,7 @@ def first_place(balance: AngularBalance) -> NDArray:
 def newton_step(balance: AngularBalance, excess: NDArray, stiffness: NDArray, imbalance: NDArray) -> NDArray:
     """Newton step (C, 5), stiffer where nothing resists as long as forces are out of balance."""
     whole = np.abs(np.trace(stiffness, axis1=1, axis2=2))
-    stiffer = STIFFENING * np.minimum(imbalance, 1.0) * whole + np.finfo(float).tiny
+    stiffer = STIFFENING * np.minimum(imbalance, 1.0) * whole + LEAST_STIFFNESS
     matrix = stiffness
     if balance.held.any():
         matrix = np.where(balance.held[:, :, None] | balance.held[:, None, :], 0.0, matrix)

@@ -1,5 +1,7 @@
 """A raceway in harmonics gives its compliance for rollers anywhere."""
 
+import subprocess
+import sys
 from dataclasses import replace
 
 import numpy as np
@@ -174,3 +176,9 @@ def test_impossible_arrays_are_named():
         replace(right, harmonics=right.harmonics + 1)
     with pytest.raises(ImpossiblePart, match="shape"):
         replace(right, response=right.response[:, :, :2])
+
+
+def test_known_rings_never_load_the_finite_elements():
+    """A run whose rings are in the cache needs no NGSolve, which takes longer to load than such a run."""
+    program = "import sys, fem.harmonics; sys.exit('ngsolve' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", program], check=False).returncode == 0

@@ -10,11 +10,14 @@ from quasidynamic.balance.angular import AngularBalance, race_contacts
 from quasidynamic.parts.angular import AngularContactBearing
 from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.parts.material import Material
-from quasidynamic.solve.arclength import Local
+from quasidynamic.solve.arclength import Local, follow
+from quasidynamic.solve.balls import balanced, noise, resolved
 from quasidynamic.solve.corners import followed_through
 from quasidynamic.solve.endings import Ending
+from quasidynamic.solve.frozen_forces import hung
 from quasidynamic.solve.inertia_homotopy import InertiaFamily, led
 from quasidynamic.solve.ring_on_balls import newton, solve, start
+from quasidynamic.solve.ring_on_springs import LONGEST, newton_step
 
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
 BEARING = AngularContactBearing(
@@ -100,6 +103,44 @@ def test_case_that_stalls_newtons_method_is_solved_along_the_path():
     assert solve(own).endings == [Ending.CONVERGED]
 
 
+def test_path_and_balls_call_the_same_forces_balance():
+    own = balance((2e-3, -8e-3, 0.05, 0.0, 0.0), "outer")
+    ring, centres, _ = led(own) or (None, None, 0)
+    assert ring is not None
+    family = InertiaFamily(own, 1j * own.free_centrifugal + np.zeros_like(centres))
+    balls = own.balls(own.grooves(ring), centres)
+    limit = noise(balls, own.grooves(ring))[0]
+    for share, holds in (
+        (0.5, True),
+        (0.85, False),
+    ):  # of the limit, in both directions: 0.7 and 1.2 as a vector
+        force = np.zeros_like(centres)
+        force[0, 2] = share * limit * (1 + 1j)
+        place = centres + resolved(balls, force - balls.excess)
+        assert balanced(own, own.balls(own.grooves(ring), place), own.grooves(ring)).all() == holds
+        assert family.at(family.packed(ring, place), 1.0).done == holds
+
+
+def test_ring_that_nothing_resists_makes_the_longest_step():
+    own, force = balance((0.0, 0.0, 0.1, 0.0, 0.0), "outer"), np.array([[3.0, -1.0, -40.0, 0.0, 0.0]])
+    step = newton_step(own, force, np.zeros((1, 5, 5)), np.array([7.0]))
+    longest = LONGEST * min(BEARING.inner_reach, BEARING.outer_reach)
+    assert step == approx(longest * force / 40.0, rel=1e-12)
+
+
+def test_balls_off_both_races_fall_back_on_them():
+    own = balance((0.2, -0.1, 3.0, 0.0, 0.0), "outer")
+    ring = np.zeros((1, 5))
+    inside = np.full((1, BEARING.balls), 0.9j * BEARING.outer_reach)
+    ring[0, 2] = -own.unloaded_groove.real
+    assert (np.abs(own.grooves(ring) - inside) < BEARING.inner_reach).all()
+    pull = 1j * own.free_centrifugal + np.zeros_like(inside)
+    found, centres = hung(own, (ring, inside), (pull, np.zeros((1, 5))), 1e-9, 400)
+    expected, _ = hung(own, start(own), (pull, np.zeros((1, 5))), 1e-9, 400)
+    assert found == approx(expected, rel=1e-6, abs=1e-12)
+    assert (np.abs(centres) >= BEARING.outer_reach).all()
+
+
 class Zigzag:
     """x for x up to 0.3, back to 0.06 at 0.38, then up again: two corners sharper than a right angle."""
 
@@ -137,3 +178,29 @@ def test_branch_that_comes_back_is_no_answer():
             )
 
     assert followed_through(Returning(), np.zeros(1)) is None
+
+
+def test_step_that_leaps_to_another_branch_is_taken_back():
+    class Hyperbola:
+        """x = p, y^2 = (x - 1/2)^2 + 1e-6: two branches that nearly touch, each turning sharply there."""
+
+        weight = np.ones(2)
+
+        def bounded(self, before, after):
+            return after
+
+        def orientation(self, state, parameter):
+            return float(np.sign(state[1]))
+
+        def at(self, state, parameter):
+            x, y = state
+            residual = np.array([x - parameter, y**2 - (x - 0.5) ** 2 - 1e-6])
+            matrix = np.array([[1.0, 0.0], [1.0 - 2 * x, 2 * y]])
+            done = bool(np.abs(residual).max() < 1e-13)
+            return Local(residual, np.array([-1.0, 0.0]), lambda right: np.linalg.solve(matrix, right), done)
+
+    family, begin = Hyperbola(), np.array([0.0, np.sqrt(0.25 + 1e-6)])
+    assert follow(family, begin, 0.0, (0.0, 1.0), upwards=True).steps[-1].state[1] < 0
+    end = followed_through(family, begin)
+    assert end is not None
+    assert end.state == approx([1.0, begin[1]], rel=1e-10)

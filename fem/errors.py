@@ -1,0 +1,5 @@
+"""What finite elements fail at, known without loading them."""
+
+
+class NotSolved(RuntimeError):
+    """The system has no trustworthy solution; the message says how large the residual is."""
