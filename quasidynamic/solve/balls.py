@@ -11,7 +11,7 @@ ROUNDING = 16 * np.finfo(float).eps  # of lengths: a force below stiffness times
 LIMIT = 40  # evaluations of the balls at one place of the ring, rarely more than four
 STABLE = 0.1  # of the stiffness of a ball hanging in the outer groove: least one in a step
 FLOATING = 1e-15  # of its stiffness, given to every ball
-LEAST_STIFFNESS = 1e-9  # [N/m] the same where no ball touches anything
+LEAST_STIFFNESS = 1e-9  # [N/m] the same where nothing touches: a long step, not an infinite one
 LONGEST = 0.3  # of the smaller reach: step of a ball
 SHORTEST = 2.0**-12  # part of a Newton step
 

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.angular import AngularBalance
 from quasidynamic.balance.ball_place import Vectors, groove_arm, turning
-from quasidynamic.solve.balls import LEAST_STIFFNESS, LONGEST, along_arc
+from quasidynamic.solve.balls import LEAST_STIFFNESS, along_arc
 from quasidynamic.solve.ring_on_springs import newton_step
 
 ENOUGH = 0.02  # of the largest force: what may be left for the search with all forces
@@ -41,7 +41,6 @@ def hung(
     Newton's method finds when no step runs past the minimum. The balls are eliminated one by one.
     """
     ring, centres = place
-    longest = LONGEST * min(balance.bearing.inner_reach, balance.bearing.outer_reach)
     to_groove = balance.ring_to_groove.view(float).reshape(-1, 5, 2).swapaxes(1, 2)
     here = _forces(balance, to_groove, (ring, centres), frozen)
     for _ in range(limit):
@@ -50,7 +49,6 @@ def hung(
         step = newton_step(balance, here.carried_late, here.stiffness, here.imbalance)
         shift = (to_groove @ step[:, None, :, None])[..., 0]
         moves = here.late + (here.follow @ shift[..., None])[..., 0]
-        moves /= np.maximum(np.linalg.norm(moves, axis=2, keepdims=True) / longest, 1.0)
         ahead = _work(here, step, moves)
         damping = np.where(here.imbalance > enough, 1.0, 0.0)
         while True:

@@ -6,15 +6,13 @@ from numpy.typing import NDArray
 from quasidynamic.balance.angular import AngularBalance
 from quasidynamic.balance.ball_place import groove_arm, turning
 from quasidynamic.contact.point import in_series
+from quasidynamic.solve.balls import LEAST_STIFFNESS
 
 ENOUGH = 1e-3  # of the largest load: what a first place may leave
 LIMIT = 300  # Newton steps, rarely more than ten; a first place far off costs time, not the answer
 STIFFENING = 1e-2  # of the whole stiffness over the relative imbalance, where no spring resists a direction
 LONGEST = 0.3  # of the smaller reach: step of the ring
 SHORTEST = 2.0**-40  # part of a Newton step
-LEAST_STIFFNESS = (
-    1e-9  # [N/m] where nothing at all resists: a force then makes the longest step, not an infinite one
-)
 
 
 def first_place(balance: AngularBalance) -> NDArray:

@@ -16,7 +16,7 @@ from quasidynamic.solve.corners import followed_through
 from quasidynamic.solve.endings import Ending
 from quasidynamic.solve.frozen_forces import hung
 from quasidynamic.solve.inertia_homotopy import InertiaFamily, led
-from quasidynamic.solve.ring_on_balls import newton, solve, start
+from quasidynamic.solve.ring_on_balls import Solved, newton, solve, start
 from quasidynamic.solve.ring_on_springs import LONGEST, newton_step
 
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
@@ -107,6 +107,7 @@ def test_path_and_balls_call_the_same_forces_balance():
     own = balance((2e-3, -8e-3, 0.05, 0.0, 0.0), "outer")
     ring, centres, _ = led(own) or (None, None, 0)
     assert ring is not None
+    assert centres is not None
     family = InertiaFamily(own, 1j * own.free_centrifugal + np.zeros_like(centres))
     balls = own.balls(own.grooves(ring), centres)
     limit = noise(balls, own.grooves(ring))[0]
@@ -119,6 +120,15 @@ def test_path_and_balls_call_the_same_forces_balance():
         place = centres + resolved(balls, force - balls.excess)
         assert balanced(own, own.balls(own.grooves(ring), place), own.grooves(ring)).all() == holds
         assert family.at(family.packed(ring, place), 1.0).done == holds
+
+
+def test_case_that_ended_not_finite_has_no_forces():
+    own, nothing = balance(LOADS["heavier"], "outer"), np.full((1, 1), np.nan)
+    places = nothing * np.ones(5), nothing * np.ones(BEARING.balls, complex)
+    lost = Solved(*places, [Ending.NOT_FINITE], nothing[0], np.array([1]))
+    balls, ring = lost.forces(own)  # without a warning
+    assert np.isnan(balls.excess).all()
+    assert np.isnan(ring.excess).all()
 
 
 def test_ring_that_nothing_resists_makes_the_longest_step():
