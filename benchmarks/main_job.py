@@ -16,8 +16,8 @@ from pathlib import Path
 from threadpoolctl import threadpool_limits
 
 from benchmarks.machine import describe
-from flexbearing import run as compute
 from flexbearing.cache.store import VARIABLE
+from flexbearing.compute.one import run as compute
 from flexbearing.compute.progress import Report
 
 CASE = "configs/mao2016.toml"
