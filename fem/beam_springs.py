@@ -56,7 +56,8 @@ def bars(
     Source
     ------
     Timoshenko beam with both ends guided, e.g. Przemieniecki, Theory of Matrix Structural Analysis, ch. 5;
-    rotation of the edge of a half-plane: O'Donnell, J. Appl. Mech. 27 (1960) 461-464, plane stress.
+    rotation of the edge of a half-plane: O'Donnell, J. Appl. Mech. 27 (1960) 461-464, plane stress. Its
+    16.67/pi is quoted second-hand; the work of a pressure linear over the foot gives 18/pi.
 
     Valid
     -----
