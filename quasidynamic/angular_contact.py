@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.angular import AngularBalance, race_contacts
 from quasidynamic.balance.light_ball import GRIP, LED
+from quasidynamic.balance.race_control import RaceControl
 from quasidynamic.contact.point import INNER, OUTER, PointContact
 from quasidynamic.errors import NotSolved
 from quasidynamic.motion.ball_speeds import Control, spin_to_roll
@@ -182,7 +183,7 @@ class AngularContactBallBearing:
         balance = self._balance(operations)
         found = solve(balance)
         balls, ring = found.forces(balance)
-        scale = self._scale
+        guidance, scale = balls.guidance, self._scale
         states: list[AngularContactState | NotSolved] = []
         for case, operation in enumerate(operations):
             if found.endings[case] is not Ending.CONVERGED:
@@ -196,14 +197,14 @@ class AngularContactBallBearing:
                     ring_displacement=found.ring[case] / scale,
                     ring_load=ring.carried[case] * scale,
                     stiffness=ring.stiffness[case] * np.outer(scale, scale),
-                    contact_angles=balls.angles[:, case],
-                    loads=balls.loads[:, case],
-                    tractions=balls.tractions[:, case],
-                    orbital_speed=balls.motion.orbit.value[case],
-                    ball_speed=balls.motion.spin.value[case],
-                    attitude=balls.motion.attitude.value[case],
-                    centrifugal_force=balls.centrifugal[case],
-                    gyroscopic_moment=balls.gyroscopic[case],
+                    contact_angles=balls.contacts.angles[:, case],
+                    loads=balls.contacts.loads[:, case],
+                    tractions=guidance.tractions[:, case],
+                    orbital_speed=guidance.orbit[case],
+                    ball_speed=guidance.spin[case],
+                    attitude=guidance.attitude[case],
+                    centrifugal_force=guidance.centrifugal[case],
+                    gyroscopic_moment=guidance.gyroscopic[case],
                     evaluations=int(found.evaluations[case]),
                 )
             )
@@ -227,7 +228,7 @@ class AngularContactBallBearing:
         return AngularBalance(
             bearing=self.bearing,
             contacts=self._contacts,
-            control=self.control,
+            guide=RaceControl(self.bearing, self.control),
             load=np.array([operation.load for operation in operations]) / self._scale,
             held=held,
             place=place * self._scale,

@@ -8,19 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.ball_place import BallPlaces, Vectors, groove_arm, turning
-from quasidynamic.balance.light_ball import grip, held_traction, led_angle
+from quasidynamic.balance.race_control import Guidance, Guide, Pressed
 from quasidynamic.contact.point import INNER, OUTER, PointContact, point_contact, race_curvatures
-from quasidynamic.motion.ball_speeds import (
-    BallMotion,
-    Control,
-    ball_motion,
-    centrifugal_force,
-    gyroscopic_moment,
-)
+from quasidynamic.motion.speeds import rolling_cage_speed
 from quasidynamic.parts.angular import AngularContactBearing
 from quasidynamic.parts.material import contact_modulus
-
-INNER_SHARE = {"outer": 0.0, "inner": 2.0, "equal": 1.0}  # lambda_i, part of 2 M_g/D held by the inner race
 
 
 class BallBalance(NamedTuple):
@@ -33,12 +25,8 @@ class BallBalance(NamedTuple):
     forces: Vectors  # (3, C, Z) [N]
     by_ball: Vectors  # (2, 3, C, Z) [N/m] by the place of the ball
     by_groove: Vectors  # (2, 3, C, Z) [N/m] by the place of the inner groove
-    angles: NDArray  # (2, C, Z) [rad] contact angles, inner then outer
-    loads: NDArray  # (2, C, Z) [N] normal, inner then outer
-    tractions: NDArray  # (2, C, Z) [N] along the groove sections, holding the gyroscopic moment
-    motion: BallMotion
-    centrifugal: NDArray  # (C, Z) [N]
-    gyroscopic: NDArray  # (C, Z) [N m]
+    contacts: Pressed
+    guidance: Guidance
 
     @property
     def excess(self) -> Vectors:
@@ -48,18 +36,13 @@ class BallBalance(NamedTuple):
     @property
     def pull(self) -> Vectors:
         """Centrifugal force and tractions on each ball (C, Z) [N]."""
-        inner, outer = self.tractions * np.exp(-1j * self.angles)
-        return inner - outer + 1j * self.centrifugal
+        inner, outer = self.guidance.tractions * np.exp(-1j * self.contacts.angles)
+        return inner - outer + 1j * self.guidance.centrifugal
 
-
-class _Inertia(NamedTuple):
-    """What the motion of balls asks of the races; slopes (4, C, Z) by L_i, alpha_i, L_o, alpha_o."""
-
-    motion: BallMotion
-    centrifugal: NDArray  # (C, Z) [N]
-    centrifugal_slopes: NDArray
-    gyroscopic: NDArray  # (C, Z) [N m]
-    gyroscopic_slopes: NDArray
+    @property
+    def loads(self) -> NDArray:
+        """Normal loads (2, C, Z) [N], inner then outer."""
+        return self.contacts.loads
 
 
 class RingBalance(NamedTuple):
@@ -75,18 +58,11 @@ class AngularBalance:
     r"""Equations of an angular-contact bearing under quasi-static loads.
 
     .. math:: Q_i \sin\alpha_i - Q_o \sin\alpha_o + T_i \cos\alpha_i - T_o \cos\alpha_o &= 0 \\
-              Q_i \cos\alpha_i - Q_o \cos\alpha_o - T_i \sin\alpha_i + T_o \sin\alpha_o + F_c &= 0 \\
-              T_i = \lambda_i M_g / D,\quad T_o = \lambda_o M_g / D,\quad \lambda_i + \lambda_o &= 2
+              Q_i \cos\alpha_i - Q_o \cos\alpha_o - T_i \sin\alpha_i + T_o \sin\alpha_o + F_c &= 0
 
     in complex numbers, axial + i radial, with n = sin(alpha) + i cos(alpha):
-    (Q_i - i T_i) n_i - (Q_o - i T_o) n_o + i F_c = 0.
+    (Q_i - i T_i) n_i - (Q_o - i T_o) n_o + i F_c = 0. The guide says what F_c, T_i and T_o are.
 
-    A ball that leaves the inner race rests on the outer one: as its load Q_i falls below a small
-    multiple of `RELEASE` F_c, the inner contact angle in the kinematics fades out by
-    h = tanh(Q_i/(RELEASE F_c)). No traction comes near its load, see `held_traction`; what the inner race
-    cannot hold the outer one takes. A ball that its centrifugal force wedges between grooves far apart
-    touches the inner race near its pole, where rolling alone would whirl it away: in the kinematics
-    the angle between the contacts grows no more from `LED` on, smoothly, and stays below `WIDEST`.
     Grooves are half circles that go on as straight walls, see `groove_arm`.
     The ring carries T_i with its lever to the groove centre.
 
@@ -98,7 +74,7 @@ class AngularBalance:
 
     bearing: AngularContactBearing
     contacts: tuple[PointContact, PointContact]  # with the inner and with the outer race
-    control: Control
+    guide: Guide
     load: NDArray  # (C, 5) [N] moments over R_i
     held: NDArray  # (C, 5) bool, where the displacement is given
     place: NDArray  # (C, 5) [m] the given displacements, rotations times R_i
@@ -136,9 +112,9 @@ class AngularBalance:
     @cached_property
     def free_centrifugal(self) -> NDArray:
         """F_c of balls that lie on the outer race alone, at its bottom (C, 1) [N]."""
-        own, none = self.bearing, np.zeros(())
-        motion = ball_motion(none, none, own.diameter_ratio, tuple(self.speeds), self.control)
-        return centrifugal_force(motion.orbit, own.ball.mass, own.pitch_diameter).value
+        own = self.bearing
+        orbit = rolling_cage_speed(*self.speeds, own.diameter_ratio)
+        return 0.5 * own.ball.mass * own.pitch_diameter * orbit**2
 
     @cached_property
     def places(self) -> BallPlaces:
@@ -154,61 +130,29 @@ class AngularBalance:
         lengths = np.abs(arms)
         normals = arms / lengths
         angles = np.arctan2(normals.real, normals.imag)
-        loads, stiffness = self.pressed(lengths)
-        inertia = self._inertia(angles, loads, stiffness[0])
-        tractions, held = self._tractions(inertia, loads, stiffness)
+        contacts = Pressed(angles, *self.pressed(lengths))
+        guidance = self.guide.guided(contacts, self.speeds, self.free_centrifugal)
+        (loads, stiffness), held = contacts[1:], guidance.traction_slopes
         turns = -1j * normals  # along the groove sections
-        pushes = loads - 1j * tractions
+        pushes = loads - 1j * guidance.tractions
         on_inner = pushes[0] * normals[0]
-        excess = on_inner - pushes[1] * normals[1] + 1j * inertia.centrifugal
+        excess = on_inner - pushes[1] * normals[1] + 1j * guidance.centrifugal
         slopes = np.empty((4, 3, *excess.shape), complex)  # by L_i, alpha_i, L_o, alpha_o
         slopes[:, 1] = held[0] * turns[0]
         slopes[0, 1] += stiffness[0] * normals[0]
         slopes[1, 1] += pushes[0] * turns[0]
         slopes[:, 2] = held[0]
-        slopes[:, 0] = slopes[:, 1] - held[1] * turns[1] + 1j * inertia.centrifugal_slopes
+        slopes[:, 0] = slopes[:, 1] - held[1] * turns[1] + 1j * guidance.centrifugal_slopes
         slopes[2, 0] -= stiffness[1] * normals[1]
         slopes[3, 0] -= pushes[1] * turns[1]
         by_groove = _by_place(slopes[:2], arms[0], lengths[0])
         return BallBalance(
-            forces=np.array([excess, on_inner, tractions[0]]),
+            forces=np.array([excess, on_inner, guidance.tractions[0]]),
             by_ball=_by_place(slopes[2:], arms[1], lengths[1]) - by_groove,
             by_groove=by_groove,
-            angles=angles,
-            loads=loads,
-            tractions=tractions,
-            motion=inertia.motion,
-            centrifugal=inertia.centrifugal,
-            gyroscopic=inertia.gyroscopic,
+            contacts=contacts,
+            guidance=guidance,
         )
-
-    def _inertia(self, angles: NDArray, loads: NDArray, stiffness: NDArray) -> "_Inertia":
-        """Motion of the balls and what it asks of the races."""
-        own = self.bearing
-        hold, hold_slope = grip(loads[0], stiffness, self.free_centrifugal)
-        apart, slope = led_angle(angles[0] - angles[1])
-        rolling, by_length, by_angle = angles[1] + hold * apart, hold_slope * apart, hold * slope
-        motion = ball_motion(rolling, angles[1], own.diameter_ratio, tuple(self.speeds), self.control)
-        force = centrifugal_force(motion.orbit, own.ball.mass, own.pitch_diameter)
-        moment = gyroscopic_moment(motion, own.ball.inertia)
-        both = np.array([force.slopes, moment.slopes]).swapaxes(0, 1)
-        by_inner = both[0] * by_angle
-        slopes = np.array([both[0] * by_length, by_inner, 0.0 * by_inner, both[1] + both[0] - by_inner])
-        return _Inertia(motion, force.value, slopes[:, 0], moment.value, slopes[:, 1])
-
-    def _tractions(self, inertia: "_Inertia", loads: NDArray, stiffness: NDArray) -> tuple[NDArray, NDArray]:
-        """T_i, T_o (2, C, Z) [N] and their slopes (2, 4, C, Z) by L_i, alpha_i, L_o, alpha_o."""
-        diameter, share = self.bearing.ball.diameter, INNER_SHARE[self.control]
-        wanted, slopes = inertia.gyroscopic / diameter, inertia.gyroscopic_slopes / diameter
-        inner, held = 0.0 * wanted, 0.0 * slopes
-        if share:
-            inner, by_wanted, by_load = held_traction(share * wanted, loads[0])
-            held = by_wanted * share * slopes
-            held[0] += by_load * stiffness[0]
-        outer, by_wanted, by_load = held_traction(2 * wanted - inner, loads[1])
-        rest = by_wanted * (2 * slopes - held)
-        rest[2] += by_load * stiffness[1]
-        return np.array([inner, outer]), np.array([held, rest])
 
     def pressed(self, lengths: NDArray) -> tuple[NDArray, NDArray]:
         """Loads and stiffnesses (2, C, Z) of the contacts from the lengths between the centres."""
@@ -235,8 +179,8 @@ class AngularBalance:
 
     def dragged(self, balls: BallBalance) -> NDArray:
         """Load (C, 5) [N] that the tractions of the inner race take up."""
-        traction = balls.tractions[0]
-        return self.on_ring(traction * np.exp(-1j * balls.angles[0]), traction)
+        traction = balls.guidance.tractions[0]
+        return self.on_ring(traction * np.exp(-1j * balls.contacts.angles[0]), traction)
 
     @cached_property
     def ring_to_lever(self) -> NDArray:

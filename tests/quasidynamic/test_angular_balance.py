@@ -9,6 +9,7 @@ from pytest import approx
 from quasidynamic.balance.angular import AngularBalance, race_contacts
 from quasidynamic.balance.ball_place import groove_arm
 from quasidynamic.balance.light_ball import LED, STEADY, STRONGEST, WIDEST, grip, held_traction, led_angle
+from quasidynamic.balance.race_control import RaceControl
 from quasidynamic.parts.angular import AngularContactBearing
 from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.parts.material import Material
@@ -29,7 +30,7 @@ def balance(control, speed=1000.0):
     return AngularBalance(
         bearing=BEARING,
         contacts=race_contacts(BEARING),
-        control=control,
+        guide=RaceControl(BEARING, control),
         load=np.zeros((1, 5)),
         held=np.zeros((1, 5), bool),
         place=np.zeros((1, 5)),
@@ -73,7 +74,7 @@ def test_a_ball_beyond_the_half_circle_is_pushed_along_the_shaft():
     groove, centre = place(2.0, 0.1, 0.0, 1e-5)
     centre = centre + (BEARING.inner_reach * (np.sin(2.0) - 1) - 1e-5)  # onto the wall
     found = balance("outer").balls(groove, centre)
-    assert found.angles[0] == approx(np.full((1, 4), np.pi / 2), abs=1e-12)
+    assert found.contacts.angles[0] == approx(np.full((1, 4), np.pi / 2), abs=1e-12)
     assert (found.loads[0] > 0).all()
 
 

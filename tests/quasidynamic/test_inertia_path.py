@@ -7,6 +7,7 @@ import pytest
 from pytest import approx
 
 from quasidynamic.balance.angular import AngularBalance, race_contacts
+from quasidynamic.balance.race_control import RaceControl
 from quasidynamic.parts.angular import AngularContactBearing
 from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.parts.material import Material
@@ -40,7 +41,7 @@ def balance(load, control, speed=SPEED):
     own = AngularBalance(
         bearing=BEARING,
         contacts=race_contacts(BEARING),
-        control=control,
+        guide=RaceControl(BEARING, control),
         load=np.array([load]),
         held=np.zeros((1, 5), bool),
         place=np.zeros((1, 5)),

@@ -1,0 +1,115 @@
+"""What races make balls do, by an assumption on which race controls their spin."""
+
+from dataclasses import dataclass
+from typing import NamedTuple, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.light_ball import grip, held_traction, led_angle
+from quasidynamic.motion.ball_speeds import Control, ball_motion, centrifugal_force, gyroscopic_moment
+from quasidynamic.parts.angular import AngularContactBearing
+
+INNER_SHARE = {"outer": 0.0, "inner": 2.0, "equal": 1.0}  # lambda_i, part of 2 M_g/D held by the inner race
+
+
+class Pressed(NamedTuple):
+    """Contacts of balls with the inner and with the outer race (2, C, Z); C cases, Z balls."""
+
+    angles: NDArray  # [rad] contact angles
+    loads: NDArray  # [N] normal, >= 0
+    stiffness: NDArray  # [N/m] of the loads by the distances L_i, L_o of ball and groove centres
+
+
+class Guidance(NamedTuple):
+    """Motion of balls and what it asks of the races; slopes (4, C, Z) by L_i, alpha_i, L_o, alpha_o."""
+
+    orbit: NDArray  # (C, Z) [rad/s]
+    spin: NDArray  # (C, Z) [rad/s] in the orbiting frame
+    attitude: NDArray  # (C, Z) [rad] of the spin axis to the shaft, in the plane of the section
+    yaw: NDArray  # (C, Z) [rad] of the spin axis out of that plane
+    centrifugal: NDArray  # (C, Z) [N]
+    centrifugal_slopes: NDArray  # (4, C, Z)
+    gyroscopic: NDArray  # (C, Z) [N m] about the rolling direction
+    tractions: NDArray  # (2, C, Z) [N] along the groove sections
+    traction_slopes: NDArray  # (2, 4, C, Z)
+
+
+class Guide(Protocol):
+    """How motion and tractions of balls follow from their contacts."""
+
+    def guided(self, contacts: Pressed, speeds: NDArray, centrifugal: NDArray) -> Guidance:
+        """Motion of balls and what it asks of the races.
+
+        Parameters
+        ----------
+        contacts : Pressed
+            of C cases, Z balls
+        speeds : array (2, C, 1)
+            of the inner and of the outer ring [rad/s]
+        centrifugal : array (C, 1)
+            F_c of balls on the outer race alone [N]
+        """
+        ...
+
+
+@dataclass(frozen=True)
+class RaceControl:
+    r"""Balls roll on both races; one of these, or both alike, control the attitude of their spin.
+
+    .. math:: T_i = \lambda_i M_g / D,\quad T_o = \lambda_o M_g / D,\quad \lambda_i + \lambda_o = 2
+
+    A ball that leaves the inner race rests on the outer one: as its load Q_i falls below a small
+    multiple of `light_ball.RELEASE` F_c, the inner contact angle in the kinematics fades out by
+    h = tanh(Q_i/(RELEASE F_c)). No traction comes near its load, see `held_traction`; what the inner race
+    cannot hold the outer one takes. A ball that its centrifugal force wedges between grooves far apart
+    touches the inner race near its pole, where rolling alone would whirl it away: in the kinematics
+    the angle between the contacts grows no more from `LED` on, smoothly, and stays below `WIDEST`.
+
+    Source
+    ------
+    Jones, J. Basic Eng. 81 (1959); Harris, Rolling Bearing Analysis, 4th ed. (2001), ch. 8 and 9, with the
+    signs of a positive ball speed.
+    """
+
+    bearing: AngularContactBearing
+    control: Control
+
+    def guided(self, contacts: Pressed, speeds: NDArray, centrifugal: NDArray) -> Guidance:
+        """Motion of balls and what it asks of the races, see `Guide`."""
+        own, (inner, outer) = self.bearing, contacts.angles
+        hold, hold_slope = grip(contacts.loads[0], contacts.stiffness[0], centrifugal)
+        apart, slope = led_angle(inner - outer)
+        rolling, by_length, by_angle = outer + hold * apart, hold_slope * apart, hold * slope
+        motion = ball_motion(rolling, outer, own.diameter_ratio, tuple(speeds), self.control)
+        force = centrifugal_force(motion.orbit, own.ball.mass, own.pitch_diameter)
+        moment = gyroscopic_moment(motion, own.ball.inertia)
+        both = np.array([force.slopes, moment.slopes]).swapaxes(0, 1)
+        by_inner = both[0] * by_angle
+        slopes = np.array([both[0] * by_length, by_inner, 0.0 * by_inner, both[1] + both[0] - by_inner])
+        tractions, held = self._tractions(moment.value, slopes[:, 1], contacts)
+        return Guidance(
+            orbit=motion.orbit.value,
+            spin=motion.spin.value,
+            attitude=motion.attitude.value,
+            yaw=np.zeros_like(inner),
+            centrifugal=force.value,
+            centrifugal_slopes=slopes[:, 0],
+            gyroscopic=moment.value,
+            tractions=tractions,
+            traction_slopes=held,
+        )
+
+    def _tractions(self, moment: NDArray, slopes: NDArray, contacts: Pressed) -> tuple[NDArray, NDArray]:
+        """T_i, T_o (2, C, Z) [N] and their slopes (2, 4, C, Z)."""
+        diameter, share = self.bearing.ball.diameter, INNER_SHARE[self.control]
+        wanted, slopes, loads, stiffness = moment / diameter, slopes / diameter, *contacts[1:]
+        inner, held = 0.0 * wanted, 0.0 * slopes
+        if share:
+            inner, by_wanted, by_load = held_traction(share * wanted, loads[0])
+            held = by_wanted * share * slopes
+            held[0] += by_load * stiffness[0]
+        outer, by_wanted, by_load = held_traction(2 * wanted - inner, loads[1])
+        rest = by_wanted * (2 * slopes - held)
+        rest[2] += by_load * stiffness[1]
+        return np.array([inner, outer]), np.array([held, rest])
