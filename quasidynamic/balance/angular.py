@@ -117,6 +117,16 @@ class AngularBalance:
         return 0.5 * own.ball.mass * own.pitch_diameter * orbit**2
 
     @cached_property
+    def pulled(self) -> NDArray:
+        """Whether centrifugal forces act (C, 1)."""
+        return self.free_centrifugal > 0
+
+    @cached_property
+    def largest_load(self) -> NDArray:
+        """Largest load on the ring (C) [N]."""
+        return np.abs(self.load).max(1)
+
+    @cached_property
     def places(self) -> BallPlaces:
         """Where balls lie, wedge or are pressed."""
         own = self.bearing
@@ -129,39 +139,41 @@ class AngularBalance:
         arms = groove_arm(np.array([grooves - centres, centres]))
         lengths = np.abs(arms)
         normals = arms / lengths
-        angles = np.arctan2(normals.real, normals.imag)
-        contacts = Pressed(angles, *self.pressed(lengths))
+        contacts = Pressed(np.arctan2(normals.real, normals.imag), *self.pressed(lengths))
         guidance = self.guide.guided(contacts, self.speeds, self.free_centrifugal)
-        (loads, stiffness), held = contacts[1:], guidance.traction_slopes
+        tractions, held = guidance.tractions, guidance.traction_slopes
         turns = -1j * normals  # along the groove sections
-        pushes = loads - 1j * guidance.tractions
-        on_inner = pushes[0] * normals[0]
-        excess = on_inner - pushes[1] * normals[1] + 1j * guidance.centrifugal
-        slopes = np.empty((4, 3, *excess.shape), complex)  # by L_i, alpha_i, L_o, alpha_o
-        slopes[:, 1] = held[0] * turns[0]
-        slopes[0, 1] += stiffness[0] * normals[0]
-        slopes[1, 1] += pushes[0] * turns[0]
-        slopes[:, 2] = held[0]
-        slopes[:, 0] = slopes[:, 1] - held[1] * turns[1] + 1j * guidance.centrifugal_slopes
-        slopes[2, 0] -= stiffness[1] * normals[1]
-        slopes[3, 0] -= pushes[1] * turns[1]
-        by_groove = _by_place(slopes[:2], arms[0], lengths[0])
-        return BallBalance(
-            forces=np.array([excess, on_inner, guidance.tractions[0]]),
-            by_ball=_by_place(slopes[2:], arms[1], lengths[1]) - by_groove,
-            by_groove=by_groove,
-            contacts=contacts,
-            guidance=guidance,
-        )
+        pushes = contacts.loads - 1j * tractions
+        forces = np.empty((3, *grooves.shape), complex)
+        on_inner, on_outer = pushes * normals
+        forces[0] = on_inner - on_outer + 1j * guidance.centrifugal
+        forces[1], forces[2] = on_inner, tractions[0]
+        slopes = np.empty((4, *forces.shape), complex)  # by L_i, alpha_i, L_o, alpha_o
+        stiffer, turned = contacts.stiffness * normals, pushes * turns
+        inner, outer = held * turns[:, None]
+        inner[0] += stiffer[0]
+        inner[1] += turned[0]
+        outer[2] += stiffer[1]
+        outer[3] += turned[1]
+        slopes[:, 0] = inner - outer + 1j * guidance.centrifugal_slopes
+        slopes[:, 1], slopes[:, 2] = inner, held[0]
+        by_inner, by_outer = _by_place(slopes.reshape(2, 2, *forces.shape), normals, turning(arms) / lengths)
+        return BallBalance(forces, by_outer - by_inner, by_inner, contacts, guidance)
 
     def pressed(self, lengths: NDArray) -> tuple[NDArray, NDArray]:
         """Loads and stiffnesses (2, C, Z) of the contacts from the lengths between the centres."""
-        own, (inner, outer) = self.bearing, self.contacts
-        reach = np.array([own.inner_reach, own.outer_reach])[:, None, None]
-        both = np.array([inner.coefficient, outer.coefficient])[:, None, None]
+        reach, coefficient = self._reach_and_coefficient
         approach = np.maximum(lengths - reach, 0.0)
-        grown = both * np.sqrt(approach)
+        grown = coefficient * np.sqrt(approach)
         return grown * approach, 1.5 * grown
+
+    @cached_property
+    def _reach_and_coefficient(self) -> NDArray:
+        """Lengths [m] from which contacts carry, and their K [N/m^1.5]; (2, 2, 1, 1)."""
+        own, (inner, outer) = self.bearing, self.contacts
+        return np.array([own.inner_reach, own.outer_reach, inner.coefficient, outer.coefficient]).reshape(
+            2, 2, 1, 1
+        )
 
     def ring(self, balls: BallBalance, follow: Vectors) -> RingBalance:
         """Balance of the inner ring; `follow` (2, C, Z) is the move of a ball per move of its groove."""
@@ -170,17 +182,22 @@ class AngularBalance:
         along, aside = balls.by_groove + moved(balls.by_ball[:, None], follow[:, None])
         by_ring = along[1:, ..., None] * self.ring_to_groove.real
         by_ring += aside[1:, ..., None] * self.ring_to_groove.imag
-        stiffness = (self.ring_to_groove.conj().T @ by_ring[0] - self.ring_to_lever.T @ by_ring[1]).real
+        stiffness = (self.groove_to_ring.T @ by_ring[0] - self.ring_to_lever.T @ by_ring[1]).real
         return RingBalance(np.where(self.held, 0.0, self.load - carried), stiffness, carried)
 
     def on_ring(self, force: Vectors, traction: NDArray) -> NDArray:
         """Load (C, 5) [N] that forces and tractions of the inner ring on the balls (C, Z) take up."""
-        return (force @ self.ring_to_groove.conj() - traction @ self.ring_to_lever).real
+        return (force @ self.groove_to_ring - traction @ self.ring_to_lever).real
 
     def dragged(self, balls: BallBalance) -> NDArray:
         """Load (C, 5) [N] that the tractions of the inner race take up."""
         traction = balls.guidance.tractions[0]
         return self.on_ring(traction * np.exp(-1j * balls.contacts.angles[0]), traction)
+
+    @cached_property
+    def groove_to_ring(self) -> Vectors:
+        """Load on the ring per force on a ball, conjugate complex (Z, 5)."""
+        return self.ring_to_groove.conj()
 
     @cached_property
     def ring_to_lever(self) -> NDArray:
@@ -214,8 +231,15 @@ def moved(by_place: Vectors, move: Vectors) -> Vectors:
     return by_place[0] * move.real + by_place[1] * move.imag
 
 
-def _by_place(slopes: Vectors, arm: Vectors, length: NDArray) -> Vectors:
-    """Derivatives by an axial and by a radial move from slopes by the length and by the contact angle."""
-    (by_length, by_angle), sine, cosine = slopes, arm.real / length, arm.imag / length
-    turned = by_angle * (turning(arm) / length)
-    return np.array([by_length * sine + turned * cosine, by_length * cosine - turned * sine])
+def _by_place(slopes: Vectors, normals: Vectors, turning: NDArray) -> Vectors:
+    """Derivatives by an axial and by a radial move at both ends (2, 2, ...).
+
+    From slopes (2, 2, ...) by length and contact angle at each end, and the turn (2, C, Z) [1/m] of its normal.
+    """
+    along = slopes[:, 0, None]
+    across = slopes[:, 1, None] * turning[:, None, None]
+    sine, cosine = normals.real[:, None], normals.imag[:, None]
+    found = np.empty_like(slopes)
+    found[:, 0] = along[:, 0] * sine + across[:, 0] * cosine
+    found[:, 1] = along[:, 0] * cosine - across[:, 0] * sine
+    return found

@@ -1,6 +1,7 @@
 """Places at which a ball between two grooves rests without friction."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,6 +10,8 @@ from quasidynamic.contact.point import PointContact, in_series
 
 Vectors = NDArray[np.complex128]  # axial + i radial
 
+FURTHEST_ASIDE = 0.6  # of the smaller reach: bound of what a first guess moves a pressed ball aside
+SMALLEST = 1e-200  # [N] stands for a load of zero where no force acts either
 FLATTEST_WEDGE = 0.1  # [-] sine of the angle between the contacts in a first guess of their loads
 
 
@@ -26,37 +29,46 @@ class BallPlaces:
     outer: PointContact
     centrifugal: NDArray  # (C, 1) [N]
 
-    def lying(self, grooves: Vectors) -> tuple[Vectors, NDArray]:
-        """Centres (C, Z) [m] of balls at the bottom of the outer race, and which ones stay there.
+    @cached_property
+    def bottom(self) -> Vectors:
+        """Centres (C, 1) [m] of balls that lie at the bottom of the outer race."""
+        return 1j * (self.outer_reach + self.outer.approach(self.centrifugal))
 
-        They stay, in balance, where the inner race leaves them alone.
-        """
-        bottom = 1j * (self.outer_reach + self.outer.approach(self.centrifugal))
-        off = (np.abs(groove_arm(grooves - bottom)) <= self.inner_reach) & (self.centrifugal > 0)
-        return bottom + np.zeros_like(grooves), off
+    def free(self, grooves: Vectors) -> NDArray:
+        """Balls (C, Z) that stay at the bottom, in balance, where the inner race leaves them alone."""
+        return (np.abs(groove_arm(grooves - self.bottom)) <= self.inner_reach) & (self.centrifugal > 0)
 
     def resting(self, grooves: Vectors) -> Vectors:
-        """Ball centres (C, Z) [m] in balance but for the gyroscopic moment or for the centrifugal force.
+        """Ball centres (C, Z) [m] in balance but for the gyroscopic moment, nearly so where pressed hard.
 
-        A ball lies on the outer race, is wedged between the races by the centrifugal force, or pressed on
+        A ball lies on the outer race, is wedged between the races by the centrifugal force, or pressed near
         the line of the groove centres where that prevails.
         """
-        lying, free = self.lying(grooves)
         apart = np.abs(groove_arm(grooves))
         approach = np.maximum(apart - self.inner_reach - self.outer_reach, 0.0)
         pressed = in_series(self.inner, self.outer) * approach**1.5 >= self.centrifugal
         centres = self._pressed(grooves, apart)
         if not pressed.all():
             centres = np.where(pressed, centres, self._wedged(grooves, apart))
-        return np.where(free, lying, centres)
+        return np.where(self.free(grooves), self.bottom, centres)
 
     def _pressed(self, grooves: Vectors, apart: NDArray) -> Vectors:
-        """Centres on the line of the groove centres, the approach shared as equal loads ask."""
+        """Centres near the line of the groove centres, the approach shared as equal loads ask.
+
+        The centrifugal force moves a ball aside until its loads, like two taut strings, hold it.
+        """
         touching = self.inner_reach + self.outer_reach
         gap = apart - touching
         soft = (self.inner.coefficient / self.outer.coefficient) ** (2 / 3)
-        share = np.where(gap > 0, soft / (1 + soft), self.outer_reach / touching)
-        return grooves * ((self.outer_reach + share * gap) / apart)
+        from_outer = (
+            self.outer_reach + np.where(gap > 0, soft / (1 + soft), self.outer_reach / touching) * gap
+        )
+        along = grooves / apart
+        load = in_series(self.inner, self.outer) * np.maximum(gap, 0.0) ** 1.5
+        held = np.maximum(load, self.centrifugal) * apart / (from_outer * (apart - from_outer))
+        most = FURTHEST_ASIDE * min(self.inner_reach, self.outer_reach)
+        aside = most * np.tanh(self.centrifugal * along.real / np.maximum(held * most, SMALLEST))
+        return (from_outer + 1j * aside) * along
 
     def _wedged(self, grooves: Vectors, apart: NDArray) -> Vectors:
         """Centres where both races touch the ball and hold its centrifugal force without friction."""

@@ -41,7 +41,7 @@ def grip(load: NDArray, stiffness: NDArray, centrifugal: NDArray) -> tuple[NDArr
     return hold, (1 - hold**2) / width * stiffness
 
 
-def led_angle(apart: NDArray) -> tuple[NDArray, NDArray]:
+def led_angle(apart: NDArray) -> tuple[NDArray, NDArray | float]:
     r"""Angle between the contacts that the kinematics see, and its slope.
 
     .. math:: s(\Delta) = \Delta\ \text{up to}\ \Delta_1,\quad
@@ -54,7 +54,7 @@ def led_angle(apart: NDArray) -> tuple[NDArray, NDArray]:
 
     Returns
     -------
-    pair of arrays (...)
+    pair of arrays (...), the second may be one number
         s [rad], below `WIDEST` = Delta_1 + w in size, and ds/dDelta [-], both without a kink
 
     Source
@@ -66,14 +66,14 @@ def led_angle(apart: NDArray) -> tuple[NDArray, NDArray]:
     Exact up to Delta_1 = `LED`; beyond, orbit and spin of the ball are estimates.
     """
     beyond = np.abs(apart) - LED
-    if not (beyond > 0).any():
-        return apart, np.ones_like(apart)
+    if beyond.max() <= 0:
+        return apart, 1.0
     part = np.tanh(beyond / (WIDEST - LED))
     bent = np.sign(apart) * (LED + (WIDEST - LED) * part)
     return np.where(beyond > 0, bent, apart), np.where(beyond > 0, 1 - part**2, 1.0)
 
 
-def held_traction(wanted: NDArray, load: NDArray) -> tuple[NDArray, NDArray, NDArray]:
+def held_traction(wanted: NDArray, load: NDArray) -> tuple[NDArray, NDArray | float, NDArray | float]:
     r"""Traction that a contact provides where another one is wanted.
 
     .. math:: T = P\ \text{up to}\ |P| = \kappa Q,\quad
@@ -88,7 +88,7 @@ def held_traction(wanted: NDArray, load: NDArray) -> tuple[NDArray, NDArray, NDA
 
     Returns
     -------
-    three arrays (...)
+    three arrays (...), the second and the third may be one number
         T [N], below `STRONGEST` = kappa + w of Q, its slope by P and its slope by Q [-], without a kink
 
     Source
@@ -100,10 +100,10 @@ def held_traction(wanted: NDArray, load: NDArray) -> tuple[NDArray, NDArray, NDA
     -----
     Exact up to kappa = `STEADY`, far above friction of lubricated contacts.
     """
+    if (np.abs(wanted) <= STEADY * load).all():
+        return wanted, 1.0, 0.0
     ratio = np.minimum(np.abs(wanted) / np.maximum(load, LEAST_LOAD), MOST_WANTED)
     beyond = ratio - STEADY
-    if not (beyond > 0).any():
-        return wanted, np.ones_like(wanted), np.zeros_like(load)
     part = np.tanh(beyond / (STRONGEST - STEADY))
     share, growth = STEADY + (STRONGEST - STEADY) * part, 1 - part**2
     traction = np.where(beyond > 0, np.sign(wanted) * load * share, wanted)

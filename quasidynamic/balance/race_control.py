@@ -80,21 +80,23 @@ class RaceControl:
         own, (inner, outer) = self.bearing, contacts.angles
         hold, hold_slope = grip(contacts.loads[0], contacts.stiffness[0], centrifugal)
         apart, slope = led_angle(inner - outer)
-        rolling, by_length, by_angle = outer + hold * apart, hold_slope * apart, hold * slope
-        motion = ball_motion(rolling, outer, own.diameter_ratio, tuple(speeds), self.control)
+        seen = np.array([outer + hold * apart, outer])
+        motion = ball_motion(seen, own.diameter_ratio, tuple(speeds), self.control)
         force = centrifugal_force(motion.orbit, own.ball.mass, own.pitch_diameter)
         moment = gyroscopic_moment(motion, own.ball.inertia)
-        both = np.array([force.slopes, moment.slopes]).swapaxes(0, 1)
-        by_inner = both[0] * by_angle
-        slopes = np.array([both[0] * by_length, by_inner, 0.0 * by_inner, both[1] + both[0] - by_inner])
-        tractions, held = self._tractions(moment.value, slopes[:, 1], contacts)
+        by_seen = np.array([force.slopes, moment.slopes])  # (2, 2, C, Z)
+        slopes = np.zeros((2, 4, *inner.shape))
+        slopes[:, 0] = by_seen[:, 0] * (hold_slope * apart)
+        slopes[:, 1] = by_seen[:, 0] * (hold * slope)
+        slopes[:, 3] = by_seen[:, 0] + by_seen[:, 1] - slopes[:, 1]
+        tractions, held = self._tractions(moment.value, slopes[1], contacts)
         return Guidance(
             orbit=motion.orbit.value,
             spin=motion.spin.value,
             attitude=motion.attitude.value,
             yaw=np.zeros_like(inner),
             centrifugal=force.value,
-            centrifugal_slopes=slopes[:, 0],
+            centrifugal_slopes=slopes[0],
             gyroscopic=moment.value,
             tractions=tractions,
             traction_slopes=held,
@@ -102,14 +104,14 @@ class RaceControl:
 
     def _tractions(self, moment: NDArray, slopes: NDArray, contacts: Pressed) -> tuple[NDArray, NDArray]:
         """T_i, T_o (2, C, Z) [N] and their slopes (2, 4, C, Z)."""
-        diameter, share = self.bearing.ball.diameter, INNER_SHARE[self.control]
-        wanted, slopes, loads, stiffness = moment / diameter, slopes / diameter, *contacts[1:]
-        inner, held = 0.0 * wanted, 0.0 * slopes
+        wanted, slopes = (2 / self.bearing.ball.diameter) * moment, (2 / self.bearing.ball.diameter) * slopes
+        share, (loads, stiffness) = 0.5 * INNER_SHARE[self.control], contacts[1:]
+        tractions, held = np.zeros((2, *moment.shape)), np.zeros((2, *slopes.shape))
         if share:
-            inner, by_wanted, by_load = held_traction(share * wanted, loads[0])
-            held = by_wanted * share * slopes
-            held[0] += by_load * stiffness[0]
-        outer, by_wanted, by_load = held_traction(2 * wanted - inner, loads[1])
-        rest = by_wanted * (2 * slopes - held)
-        rest[2] += by_load * stiffness[1]
-        return np.array([inner, outer]), np.array([held, rest])
+            tractions[0], by_wanted, by_load = held_traction(share * wanted, loads[0])
+            held[0] = by_wanted * share * slopes
+            held[0, 0] += by_load * stiffness[0]
+        tractions[1], by_wanted, by_load = held_traction(wanted - tractions[0], loads[1])
+        held[1] = by_wanted * (slopes - held[0])
+        held[1, 2] += by_load * stiffness[1]
+        return tractions, held

@@ -23,9 +23,7 @@ class BallMotion(NamedTuple):
     attitude: Rated  # [rad] of the spin axis to the shaft, positive like the contact angles
 
 
-def ball_attitude(
-    inner_angle: NDArray | float, outer_angle: NDArray | float, ratio: float, control: Control
-) -> Rated:
+def ball_attitude(angles: NDArray, ratio: float, control: Control) -> Rated:
     r"""Angle between spin axis and shaft under raceway control.
 
     .. math:: \tan\beta = \frac{\sin\alpha_o}{\cos\alpha_o + \gamma}\ \text{(outer)},\quad
@@ -34,7 +32,7 @@ def ball_attitude(
 
     Parameters
     ----------
-    inner_angle, outer_angle : array (...)
+    angles : array (2, ...)
         alpha_i, alpha_o, contact angles [rad]
     ratio : float
         gamma, ball over pitch diameter [-]
@@ -55,23 +53,16 @@ def ball_attitude(
     -----
     An assumption about friction, not a balance: good for loaded balls in thin films.
     """
-    none = 0.0 * (inner_angle + outer_angle)
-    slopes = np.zeros((2, *np.shape(none)))
     if control == "equal":
-        slopes += 0.5
-        return Rated(np.asarray(0.5 * (inner_angle + outer_angle)), slopes)
-    angle, side = (outer_angle, ratio) if control == "outer" else (inner_angle, -ratio)
-    cosine = np.cos(angle)
-    slopes[1 if control == "outer" else 0] = (1 + side * cosine) / (1 + 2 * side * cosine + ratio**2)
-    return Rated(none + np.arctan2(np.sin(angle), cosine + side), slopes)
+        return Rated(0.5 * (angles[0] + angles[1]), np.full(np.shape(angles), 0.5))
+    race, side = (1, ratio) if control == "outer" else (0, -ratio)
+    cosine, slopes = np.cos(angles[race]), np.zeros(np.shape(angles))
+    slopes[race] = (1 + side * cosine) / ((1 + ratio**2) + 2 * side * cosine)
+    return Rated(np.arctan2(np.sin(angles[race]), cosine + side), slopes)
 
 
 def ball_motion(
-    inner_angle: NDArray | float,
-    outer_angle: NDArray | float,
-    ratio: float,
-    speeds: tuple[NDArray | float, NDArray | float],
-    control: Control,
+    angles: NDArray, ratio: float, speeds: tuple[NDArray | float, NDArray | float], control: Control
 ) -> BallMotion:
     r"""Orbital speed and spin of a ball that does not slip at the centres of its contacts.
 
@@ -85,7 +76,7 @@ def ball_motion(
 
     Parameters
     ----------
-    inner_angle, outer_angle : array (...)
+    angles : array (2, ...)
         alpha_i, alpha_o, contact angles [rad]
     ratio : float
         gamma, ball over pitch diameter [-]
@@ -106,35 +97,27 @@ def ball_motion(
     -----
     No gross sliding; p_i + p_o > 0, as for contact angles less than a right angle apart.
 
-    >>> motion = ball_motion(0.7, 0.7, 0.1, (100.0, 0.0), "equal")
+    >>> motion = ball_motion(np.array([0.7, 0.7]), 0.1, (100.0, 0.0), "equal")
     >>> round(float(motion.orbit.value), 6)  # half of 1 - gamma cos(alpha)
     46.175789
     """
     inner_speed, outer_speed = speeds
-    attitude = ball_attitude(inner_angle, outer_angle, ratio, control)
-    (inner, outer), slopes = _rolling_shares(inner_angle, outer_angle, attitude, ratio)
-    total, total_slopes = inner + outer, slopes[0] + slopes[1]
-    spin = (inner_speed - outer_speed) / (ratio * total)
-    orbit = (inner_speed * outer + outer_speed * inner) / total
-    orbit_slopes = ((inner_speed - orbit) * slopes[1] + (outer_speed - orbit) * slopes[0]) / total
-    return BallMotion(Rated(orbit, orbit_slopes), Rated(spin, -spin / total * total_slopes), attitude)
-
-
-def _rolling_shares(
-    inner_angle: NDArray | float, outer_angle: NDArray | float, attitude: Rated, ratio: float
-) -> tuple[NDArray, NDArray]:
-    """P = cos(alpha - beta)/(1 +- gamma cos(alpha)) of both races, slopes (race, by angle, ...)."""
-    none = np.zeros(np.shape(attitude.value))
-    angles = np.array([inner_angle + none, outer_angle + none])
-    side = np.reshape([-ratio, ratio], (2, *[1] * none.ndim))
-    reach = 1 + side * np.cos(angles)
-    ahead = angles - attitude.value
-    share, turn = np.cos(ahead) / reach, np.sin(ahead) / reach
-    slopes = turn[:, None] * attitude.slopes
-    own = side * np.sin(angles) / reach * share - turn
-    slopes[0, 0] += own[0]
-    slopes[1, 1] += own[1]
-    return share, slopes
+    attitude = ball_attitude(angles, ratio, control)
+    side = np.array([-ratio, ratio]).reshape(2, *[1] * (np.ndim(angles) - 1))
+    reach, ahead = 1 + side * np.cos(angles), angles - attitude.value
+    share, turn = np.cos(ahead) / reach, np.sin(ahead) / reach  # p and its slope by beta
+    own = side * np.sin(angles) / reach * share - turn  # slope of p by its own angle
+    inner, outer = share
+    apart, total = inner_speed - outer_speed, inner + outer
+    spin, lead = apart / (ratio * total), apart / total**2
+    by_own = own * share[::-1]
+    by_own[0] *= -1
+    orbit = Rated(
+        outer_speed + apart * outer / total,
+        lead * ((turn[1] * inner - turn[0] * outer) * attitude.slopes + by_own),
+    )
+    slower = -spin / total
+    return BallMotion(orbit, Rated(spin, slower * ((turn[0] + turn[1]) * attitude.slopes + own)), attitude)
 
 
 def centrifugal_force(orbit: Rated, mass: float, pitch_diameter: float) -> Rated:

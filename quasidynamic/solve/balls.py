@@ -1,5 +1,7 @@
 """Newton's method for balls that find their own balance, the ring held."""
 
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -7,7 +9,7 @@ from quasidynamic.balance.angular import AngularBalance, BallBalance
 from quasidynamic.balance.ball_place import Vectors
 
 TOLERANCE = 1e-12  # of the largest force: unbalanced force on a ball
-ROUNDING = 16 * np.finfo(float).eps  # of lengths: a force below stiffness times this is noise
+ROUNDING = 16 * float(np.finfo(float).eps)  # of lengths: a force below stiffness times this is noise
 LIMIT = 40  # evaluations of the balls at one place of the ring, rarely more than four
 STABLE = 0.1  # of the stiffness of a ball hanging in the outer groove: least one in a step
 FLOATING = 1e-15  # of its stiffness, given to every ball
@@ -16,53 +18,96 @@ LONGEST = 0.3  # of the smaller reach: step of a ball
 SHORTEST = 2.0**-12  # part of a Newton step
 
 
+class Sizes(NamedTuple):
+    """Forces (C) [N] that unbalanced ones are measured with."""
+
+    largest: NDArray  # load on ring or balls
+    noise: NDArray  # force by which rounding of lengths unbalances a ball
+
+    def allowed(self, share: NDArray | float = 0.0) -> NDArray:
+        """Force (C, 1) on a ball that counts as balance, up to a `share` (C) of the largest force."""
+        return np.maximum(np.maximum(TOLERANCE, share) * self.largest, self.noise)[:, None]
+
+
+class Settled(NamedTuple):
+    """Balls at their places, and what is left to balance there."""
+
+    centres: Vectors  # (C, Z) [m]
+    balls: BallBalance
+    sizes: Sizes
+    left: NDArray  # (C, Z) [N] size of the unbalanced force on a ball
+    moving: NDArray  # (C, Z) balls that are not balanced as well as was asked for
+    evaluations: int
+
+    @property
+    def done(self) -> NDArray:
+        """Whether all balls are balanced as well as was asked for (C)."""
+        return ~self.moving.any(1)
+
+
+def at_places(
+    balance: AngularBalance,
+    grooves: Vectors,
+    centres: Vectors,
+    share: NDArray | float = 0.0,
+    evaluations: int = 1,
+) -> Settled:
+    """Balls where they are, see `settle` for the share."""
+    balls = balance.balls(grooves, centres)
+    left, sizes = np.abs(balls.excess), sizes_of(balance, balls, grooves)
+    return Settled(centres, balls, sizes, left, ~(left <= sizes.allowed(share)), evaluations)
+
+
+def sizes_of(balance: AngularBalance, balls: BallBalance, grooves: Vectors) -> Sizes:
+    """Forces that unbalanced ones on these balls are measured with."""
+    largest = np.maximum(balance.largest_load, balls.loads.max((0, 2)))
+    return Sizes(largest, ROUNDING * np.abs(balls.by_ball[:, 0]).max((0, 2)) * np.abs(grooves).max(1))
+
+
 def settle(
     balance: AngularBalance, grooves: Vectors, centres: Vectors, share: NDArray | float = 0.0
-) -> tuple[Vectors, BallBalance, NDArray, int]:
+) -> Settled:
     """Balance of every ball for itself, the groove centres given.
 
-    Balls may stay out of balance by a `share` (C) of the largest force. Returns their places, forces,
-    which cases are balanced (C) and the number of evaluations.
+    Balls may stay out of balance by a `share` (C) of the largest force.
     """
-    centres = _start(balance, grooves, centres)
-    found, balls, settled, count = _newton_of_balls(balance, grooves, centres, share)
-    if not settled.all() and (balance.free_centrifugal > 0).any():  # again from the places without friction
-        centres = np.where(settled, found, balance.places.resting(grooves))
-        found, balls, settled, again = _newton_of_balls(balance, grooves, centres, share)
-        count += again
-    return found, balls, np.all(settled, axis=1), count
+    found = _newton_of_balls(balance, grooves, _start(balance, grooves, centres), share)
+    if found.moving.any() and balance.pulled.any():  # again from the places without friction
+        centres = np.where(found.moving, balance.places.resting(grooves), found.centres)
+        again = _newton_of_balls(balance, grooves, centres, share)
+        return again._replace(evaluations=found.evaluations + again.evaluations)
+    return found
 
 
 def _newton_of_balls(
     balance: AngularBalance, grooves: Vectors, centres: Vectors, share: NDArray | float
-) -> tuple[Vectors, BallBalance, NDArray, int]:
-    """Damped Newton for each ball: places, forces, which balls are balanced (C, Z), evaluations."""
-    here, count = balance.balls(grooves, centres), 1
-    far = (np.abs(here.excess) > balance.free_centrifugal) & (balance.free_centrifugal > 0)
+) -> Settled:
+    """Damped Newton for each ball."""
+    here = at_places(balance, grooves, centres, share)
+    far = (here.left > balance.free_centrifugal) & balance.pulled
     if far.any():  # where they were is no better than a closed form
         centres = np.where(far, balance.places.resting(grooves), centres)
-        here, count = balance.balls(grooves, centres), 2
-    size = np.abs(here.excess)
-    moving, complete = size > _allowed(balance, here, grooves, share), True
+        here = at_places(balance, grooves, centres, share, 2)
+    moving, good, size, count = here.moving, np.True_, here.left, here.evaluations
     if not moving.any():
-        return centres, here, ~moving, count
-    step, damping = _ball_step(balance, here), np.ones(centres.shape)
-    ahead = _along(here.excess, step)
+        return here
+    step, damping = _ball_step(balance, here.balls), np.ones(centres.shape)
+    ahead = _along(here.balls.excess, step)
     while moving.any() and count < LIMIT and not (damping < SHORTEST).any():
         trial = along_arc(centres, np.where(moving, damping, 0.0) * step)
-        there, count = balance.balls(grooves, trial), count + 1
-        left, new_size = _along(there.excess, step), np.abs(there.excess)
-        good = (left >= -0.5 * np.abs(ahead)) | (new_size < 0.5 * size)
-        complete, here = bool(good.all()), there
+        here, count = at_places(balance, grooves, trial, share), count + 1
+        there = here.balls
+        left = _along(there.excess, step)
+        good = (left >= -0.5 * np.abs(ahead)) | (here.left < 0.5 * size)
         centres = np.where(good, trial, centres)
         step = np.where(good, _ball_step(balance, there), step)
         ahead = np.where(good, _along(there.excess, step), ahead)
-        size = np.where(good, new_size, size)
+        size = np.where(good, here.left, size)
         damping = np.where(good, 1.0, damping / 2)
-        moving = ~good | ~(size <= _allowed(balance, there, grooves, share))
-    if not complete:
-        here, count = balance.balls(grooves, centres), count + 1
-    return centres, here, ~moving, count
+        moving = ~good | here.moving
+    if not good.all():
+        here, count = at_places(balance, grooves, centres, share), count + 1
+    return here._replace(moving=moving, evaluations=count)
 
 
 def along_arc(centres: Vectors, step: Vectors) -> Vectors:
@@ -80,11 +125,10 @@ def _along(force: Vectors, step: Vectors) -> NDArray:
 
 def _start(balance: AngularBalance, grooves: Vectors, centres: Vectors) -> NDArray:
     """Balance of balls where it has a closed form, elsewhere where they were."""
-    at_rest = balance.free_centrifugal == 0
-    if at_rest.any():
-        centres = np.where(at_rest, balance.places.resting(grooves), centres)
-    lying, free = balance.places.lying(grooves)
-    return np.where(free, lying, centres)
+    if not balance.pulled.all():
+        centres = np.where(balance.pulled, centres, balance.places.resting(grooves))
+    free = balance.places.free(grooves)
+    return np.where(free, balance.places.bottom, centres) if free.any() else centres
 
 
 def _ball_step(balance: AngularBalance, here: BallBalance) -> Vectors:
@@ -111,24 +155,6 @@ def resolved(balls: BallBalance, force: Vectors, stiffer: NDArray | float = 0.0)
     return ((axial.conj() * force).imag * 1j - (radial.conj() * force).imag) / size
 
 
-def largest_force(balance: AngularBalance, balls: BallBalance) -> NDArray:
-    """Largest load on ring or balls (C) [N]."""
-    return np.maximum(np.abs(balance.load).max(1), balls.loads.max((0, 2)))
-
-
-def _allowed(
-    balance: AngularBalance, balls: BallBalance, grooves: Vectors, share: NDArray | float
-) -> NDArray:
-    """Force (C, 1) on a ball that counts as balance."""
-    largest = np.maximum(TOLERANCE, share) * largest_force(balance, balls)
-    return np.maximum(largest, noise(balls, grooves))[:, None]
-
-
-def balanced(balance: AngularBalance, balls: BallBalance, grooves: Vectors, share: float = 0.0) -> NDArray:
-    """Balls (C, Z) that are in balance where they are, up to a share of the largest force."""
-    return np.less_equal(np.abs(balls.excess), _allowed(balance, balls, grooves, share))
-
-
-def noise(balls: BallBalance, grooves: Vectors) -> NDArray:
-    """Force (C) by which rounding of lengths unbalances a ball."""
-    return ROUNDING * np.abs(balls.by_ball[:, 0]).max((0, 2)) * np.abs(grooves).max(1)
+def balanced(balance: AngularBalance, balls: BallBalance, grooves: Vectors) -> NDArray:
+    """Balls (C, Z) that are in balance where they are."""
+    return np.less_equal(np.abs(balls.excess), sizes_of(balance, balls, grooves).allowed())

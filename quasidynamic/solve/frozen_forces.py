@@ -17,13 +17,15 @@ FLOATING = 1e-9  # of the stiffness of a ball, given to balls that touch nothing
 
 
 class _Here(NamedTuple):
-    """Forces at one place; vectors (..., 2) axial, radial."""
+    """Forces at one place; vectors are complex numbers, axial + i radial."""
 
     ring: NDArray  # (C, 5) [N] load that is not carried
-    ball: NDArray  # (C, Z, 2) [N] unbalanced force
+    ball: Vectors  # (C, Z) [N] unbalanced force
     carried_late: NDArray  # (C, 5) [N] load not carried once the balls have moved
-    late: NDArray  # (C, Z, 2) [m] move of the balls, the ring held
-    follow: NDArray  # (C, Z, 2, 2) move of a ball per move of its groove
+    late: Vectors  # (C, Z) [m] move of the balls, the ring held
+    follow: tuple[
+        Vectors, Vectors
+    ]  # (C, Z) p and q of the move p v + q conj(v) of a ball with its groove's v
     stiffness: NDArray  # (C, 5, 5) [N/m] balls in balance
     imbalance: NDArray  # (C) over the largest force
 
@@ -41,20 +43,19 @@ def hung(
     Newton's method finds when no step runs past the minimum. The balls are eliminated one by one.
     """
     ring, centres = place
-    to_groove = balance.ring_to_groove.view(float).reshape(-1, 5, 2).swapaxes(1, 2)
-    here = _forces(balance, to_groove, (ring, centres), frozen)
+    here = _forces(balance, (ring, centres), frozen)
     for _ in range(limit):
         if (here.imbalance <= enough).all():
             break
         step = newton_step(balance, here.carried_late, here.stiffness, here.imbalance)
-        shift = (to_groove @ step[:, None, :, None])[..., 0]
-        moves = here.late + (here.follow @ shift[..., None])[..., 0]
+        shift, (along, across) = step @ balance.ring_to_groove.T, here.follow
+        moves = here.late + along * shift + across * shift.conj()
         ahead = _work(here, step, moves)
         damping = np.where(here.imbalance > enough, 1.0, 0.0)
         while True:
             trial_ring = ring + damping[:, None] * step
-            trial = along_arc(centres, damping[:, None] * (moves[..., 0] + 1j * moves[..., 1]))
-            there = _forces(balance, to_groove, (trial_ring, trial), frozen)
+            trial = along_arc(centres, damping[:, None] * moves)
+            there = _forces(balance, (trial_ring, trial), frozen)
             past = ~(_work(there, step, moves) >= -0.5 * np.abs(ahead))  # also not a number
             past &= damping > SHORTEST
             if not past.any():
@@ -64,53 +65,41 @@ def hung(
     return ring, centres
 
 
-def _work(here: _Here, step: NDArray, moves: NDArray) -> NDArray:
+def _work(here: _Here, step: NDArray, moves: Vectors) -> NDArray:
     """Work (C) [N m] of the unbalanced forces on a step."""
-    return (here.ring * step).sum(1) + (here.ball * moves).sum((1, 2))
+    return (here.ring * step).sum(1) + (here.ball.conj() * moves).real.sum(1)
 
 
 def _forces(
-    balance: AngularBalance,
-    to_groove: NDArray,
-    place: tuple[NDArray, Vectors],
-    frozen: tuple[Vectors, NDArray],
+    balance: AngularBalance, place: tuple[NDArray, Vectors], frozen: tuple[Vectors, NDArray]
 ) -> _Here:
-    """Forces at a place; `to_groove` (Z, 2, 5) is the move of a groove per ring displacement."""
-    (ring, centres), (pull, drag) = place, frozen
+    """Forces at a place.
+
+    A symmetric matrix acts on a complex vector v as m v + d conj(v), m real; the stiffness of a contact,
+    k along its normal n and h across it, has m = (k + h)/2 and d = n^2 (k - h)/2.
+    """
+    (ring, centres), (pull, drag), to_groove = place, frozen, balance.ring_to_groove
     arms = groove_arm(np.array([balance.grooves(ring) - centres, centres]))
     lengths = np.abs(arms)
-    normals = (arms / lengths).view(float).reshape(*arms.shape, 2)
+    normals = arms / lengths
     loads, stiff = balance.pressed(lengths)
-    forces = loads[..., None] * normals
     across = turning(arms) * loads / lengths
-    matrix = (stiff - across)[..., None, None] * normals[..., :, None] * normals[..., None, :]
-    matrix += across[..., None, None] * np.eye(2)
-    ball = forces[0] - forces[1]
-    ball[..., 0] += pull.real
-    ball[..., 1] += pull.imag
-    whole = matrix.sum(0)
-    inverse = _inverse(whole, FLOATING * np.abs(whole).max() + LEAST_STIFFNESS)
-    follow = inverse @ matrix[0]
-    late = (inverse @ ball[..., None])[..., 0]
-    held = matrix[0] - matrix[0] @ follow
-    count = len(ring)
-    flat = to_groove.reshape(-1, 5)
-    stiffness = flat.T @ (held @ to_groove).reshape(count, -1, 5)
-    carried = forces[0].reshape(count, -1) @ flat
-    missed = (matrix[0] @ late[..., None]).reshape(count, -1) @ flat
-    free = ~balance.held
-    excess = np.where(free, balance.load - drag - carried, 0.0)
-    excess_late = np.where(free, excess + missed, 0.0)
-    largest = np.maximum(np.abs(balance.load).max(1), loads.max((0, 2)))
-    worst = np.maximum(np.abs(excess_late).max(1), np.abs(ball).max((1, 2)))
-    return _Here(excess, ball, excess_late, late, follow, stiffness, worst / largest)
-
-
-def _inverse(matrix: NDArray, floating: float) -> NDArray:
-    """Inverse of symmetric matrices (..., 2, 2) that are held lightly."""
-    first, second = matrix[..., 0, 0] + floating, matrix[..., 1, 1] + floating
-    size = first * second - matrix[..., 0, 1] ** 2
-    found = np.empty_like(matrix)
-    found[..., 0, 0], found[..., 1, 1] = second, first
-    found[..., 0, 1] = found[..., 1, 0] = -matrix[..., 0, 1]
-    return found / size[..., None, None]
+    even, odd = 0.5 * (stiff + across), 0.5 * (stiff - across) * normals**2
+    on_inner, on_outer = loads * normals
+    ball = on_inner - on_outer + pull
+    floating = FLOATING * 2 * even.max() + LEAST_STIFFNESS
+    mean, skew = even[0] + even[1] + floating, odd[0] + odd[1]
+    size = mean**2 - np.abs(skew) ** 2
+    late = (mean * ball - skew * ball.conj()) / size
+    p = (mean * even[0] - skew * odd[0].conj()) / size
+    q = (mean * odd[0] - skew * even[0]) / size
+    held_even = even[0] * (1 - p) - odd[0] * q.conj()
+    held_odd = odd[0] * (1 - p.conj()) - even[0] * q
+    to_ring = balance.groove_to_ring
+    resisted = held_even[..., None] * to_groove + held_odd[..., None] * to_ring
+    missed = ((even[0] * late + odd[0] * late.conj()) @ to_ring).real
+    excess = np.where(balance.held, 0.0, balance.load - drag - (on_inner @ to_ring).real)
+    excess_late = np.where(balance.held, 0.0, excess + missed)
+    largest = np.maximum(balance.largest_load, loads.max((0, 2)))
+    worst = np.maximum(np.abs(excess_late).max(1), np.abs(ball).max(1))
+    return _Here(excess, ball, excess_late, late, (p, q), (to_ring.T @ resisted).real, worst / largest)

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from quasidynamic.balance.angular import AngularBalance
 from quasidynamic.balance.ball_place import Vectors
 from quasidynamic.solve.arclength import Local
-from quasidynamic.solve.balls import largest_force, noise
+from quasidynamic.solve.balls import sizes_of
 from quasidynamic.solve.corners import followed_through
 from quasidynamic.solve.frozen_forces import hung
 from quasidynamic.solve.ring_on_springs import first_place
@@ -110,7 +110,8 @@ class InertiaFamily:
         self.evaluations += 2
         begin = rest.forces.copy()
         begin[0] += self.pull
-        largest = float(largest_force(self.balance, full)[0])
+        sizes = sizes_of(self.balance, full, grooves)
+        largest, noise = float(sizes.largest[0]), float(sizes.noise[0])
 
         def blended(start: NDArray, end: NDArray) -> NDArray:
             return (1 - parameter) * start + parameter * end
@@ -123,7 +124,7 @@ class InertiaFamily:
             self._residual(blended(begin, full.forces), 1.0) / largest,
             self._residual(full.forces - begin, 0.0) / largest,
             matrix,
-            max(TOLERANCE, float(noise(full, grooves)[0]) / largest),
+            max(TOLERANCE, noise / largest),
         )
 
     def _residual(self, forces: Vectors, loaded: float) -> NDArray:

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.angular import AngularBalance, BallBalance, RingBalance, moved
 from quasidynamic.balance.ball_place import Vectors
-from quasidynamic.solve.balls import along_arc, balanced, largest_force, noise, resolved, settle
+from quasidynamic.solve.balls import Settled, along_arc, at_places, resolved, settle
 from quasidynamic.solve.endings import Ending
 from quasidynamic.solve.frozen_forces import hung
 from quasidynamic.solve.inertia_homotopy import led
@@ -18,6 +18,7 @@ LIMIT = 60  # Newton steps of the ring, rarely more than ten
 LOOSE = 0.1  # of the imbalance before a step: what the balls may leave to the next one
 SHORTEST = 2.0**-6  # part of a Newton step; a path of growing inertia is quicker than shorter ones
 TOUCHING = 10 * TOLERANCE  # of the largest force: least load that counts as contact of the ring
+TINY = float(np.finfo(float).tiny)
 SINGULAR = 1e-12  # of the whole stiffness: a direction that nothing holds
 
 
@@ -105,9 +106,7 @@ def along_path(balance: AngularBalance) -> Solved | None:
     if found is None:
         return None
     ring, centres, count = found
-    grooves = balance.grooves(ring)
-    balls = balance.balls(grooves, centres)
-    state = _at(balance, ring, centres, balls, np.all(balanced(balance, balls, grooves), axis=1), count + 1)
+    state = _at(balance, ring, at_places(balance, balance.grooves(ring), centres, evaluations=count + 1))
     ending = _ending(balance, state, 0, 1.0, last=True)
     return Solved(ring, centres, [ending], state.imbalance, np.array([state.evaluations]))
 
@@ -212,29 +211,34 @@ def _taken(state: _State, cases: NDArray) -> _State:
 def _state(balance: AngularBalance, ring: NDArray, centres: NDArray, share: NDArray | float) -> _State:
     """Ring at a place, balls in balance up to a share of the largest force."""
     grooves = balance.grooves(ring)
-    centres, balls, settled, count = settle(balance, grooves, centres, share)
-    return _at(balance, ring, centres, balls, settled, count)
+    return _at(balance, ring, settle(balance, grooves, centres, share))
 
 
-def _at(
-    balance: AngularBalance, ring: NDArray, centres: NDArray, balls: BallBalance, settled: NDArray, count: int
-) -> _State:
+def _at(balance: AngularBalance, ring: NDArray, found: Settled) -> _State:
     """Ring and balls as they are."""
-    late, *follow = -resolved(balls, np.concatenate([balls.excess[None], balls.by_groove[:, 0]]))
-    follow = np.array(follow)
-    grooves = balance.grooves(ring)
-    late = np.where(balanced(balance, balls, grooves), 0.0, late)  # slopes of light balls do not reach far
+    balls, sizes = found.balls, found.sizes
+    moves = -resolved(balls, np.concatenate([balls.excess[None], balls.by_groove[:, 0]]))
+    late, follow = moves[0], moves[1:]
+    late[found.left <= sizes.allowed()] = 0.0  # slopes of light balls do not reach far
     forces = balance.ring(balls, follow)
     _, force, traction = moved(balls.by_ball, late)
     excess = np.where(balance.held, 0.0, forces.excess - balance.on_ring(force, traction))
-    largest = np.maximum(largest_force(balance, balls), noise(balls, grooves) / TOLERANCE)
-    largest = np.maximum(largest, np.finfo(float).tiny)
-    pressing = balls.loads[0].max(1) / largest
-    near = np.all(balanced(balance, balls, grooves, TOLERANCE), axis=1)[:, None]
+    largest = np.maximum(np.maximum(sizes.largest, sizes.noise / TOLERANCE), TINY)
+    left = found.left.max(1)
+    near = left[:, None] <= sizes.allowed(TOLERANCE)
     counted = np.where(near, forces.excess, excess)  # no balance by what balls would do
-    worst = np.maximum(np.abs(counted).max(1), np.abs(balls.excess).max(1))
-    forces = forces._replace(excess=excess)
-    return _State(ring, centres, late, balls, follow, forces, settled, worst / largest, pressing, count)
+    return _State(
+        ring=ring,
+        centres=found.centres,
+        late=late,
+        balls=balls,
+        follow=follow,
+        balance=forces._replace(excess=excess),
+        settled=found.done,
+        imbalance=np.maximum(np.abs(counted).max(1), left) / largest,
+        pressing=balls.loads[0].max(1) / largest,
+        evaluations=found.evaluations,
+    )
 
 
 def followed(balls: BallBalance) -> NDArray:

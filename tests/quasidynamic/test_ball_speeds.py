@@ -36,7 +36,7 @@ def contact_velocity(angle, ratio, motion, ring, side):
 def test_ball_does_not_slip_at_the_centres_of_its_contacts(
     control, inner, outer, ratio, inner_speed, outer_speed
 ):
-    motion = ball_motion(inner, outer, ratio, (inner_speed, outer_speed), control)
+    motion = ball_motion(np.array([inner, outer]), ratio, (inner_speed, outer_speed), control)
     for angle, ring, side in ((inner, inner_speed, -1), (outer, outer_speed, 1)):
         slip, spin = contact_velocity(angle, ratio, motion, ring, side)
         assert slip == approx(0.0, abs=1e-10)
@@ -48,13 +48,13 @@ def test_ball_does_not_slip_at_the_centres_of_its_contacts(
 @given(ANGLES, ANGLES, st.floats(0.02, 0.35))
 def test_ball_does_not_spin_on_the_controlling_race(inner, outer, ratio):
     for control, angle, side in (("outer", outer, 1), ("inner", inner, -1)):
-        attitude = ball_attitude(inner, outer, ratio, control).value
+        attitude = ball_attitude(np.array([inner, outer]), ratio, control).value
         assert spin_to_roll(angle, attitude, ratio, side) == approx(0.0, abs=1e-12)
 
 
 @CONTROLS
 def test_radial_bearing_is_a_roller_bearing(control):
-    motion = ball_motion(0.0, 0.0, 0.2, (100.0, -30.0), control)
+    motion = ball_motion(np.zeros(2), 0.2, (100.0, -30.0), control)
     assert motion.orbit.value == approx(rolling_cage_speed(100.0, -30.0, 0.2), rel=1e-13)
     assert motion.spin.value == approx(rolling_roller_speed(100.0, -30.0, 0.2), rel=1e-13)
     assert gyroscopic_moment(motion, 1.0).value == 0.0
@@ -66,7 +66,7 @@ def test_derivatives_by_the_contact_angles(control, inner, outer):
     angles, step = np.array([inner, outer]), 1e-6
 
     def quantities(at):
-        motion = ball_motion(at[0], at[1], 0.15, (500.0, -200.0), control)
+        motion = ball_motion(at, 0.15, (500.0, -200.0), control)
         force = centrifugal_force(motion.orbit, 0.01, 0.1)
         return [*motion, force, gyroscopic_moment(motion, 1e-6)]
 

@@ -12,7 +12,7 @@ from quasidynamic.parts.angular import AngularContactBearing
 from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.parts.material import Material
 from quasidynamic.solve.arclength import Local, follow
-from quasidynamic.solve.balls import balanced, noise, resolved
+from quasidynamic.solve.balls import balanced, resolved, sizes_of
 from quasidynamic.solve.corners import followed_through
 from quasidynamic.solve.endings import Ending
 from quasidynamic.solve.frozen_forces import hung
@@ -111,7 +111,7 @@ def test_path_and_balls_call_the_same_forces_balance():
     assert centres is not None
     family = InertiaFamily(own, 1j * own.free_centrifugal + np.zeros_like(centres))
     balls = own.balls(own.grooves(ring), centres)
-    limit = noise(balls, own.grooves(ring))[0]
+    limit = sizes_of(own, balls, own.grooves(ring)).noise[0]
     for share, holds in (
         (0.5, True),
         (0.85, False),
