@@ -122,6 +122,11 @@ class AngularBalance:
         return self.free_centrifugal > 0
 
     @cached_property
+    def both_free(self) -> NDArray:
+        """Pairs of directions in which the ring is free (C, 5, 5)."""
+        return ~(self.held[:, :, None] | self.held[:, None, :])
+
+    @cached_property
     def largest_load(self) -> NDArray:
         """Largest load on the ring (C) [N]."""
         return np.abs(self.load).max(1)
@@ -234,7 +239,7 @@ def moved(by_place: Vectors, move: Vectors) -> Vectors:
 def _by_place(slopes: Vectors, normals: Vectors, turning: NDArray) -> Vectors:
     """Derivatives by an axial and by a radial move at both ends (2, 2, ...).
 
-    From slopes (2, 2, ...) by length and contact angle at each end, and the turn (2, C, Z) [1/m] of its normal.
+    From slopes (2, 2, ...) by length and contact angle at each end, and the turn of normals (2, C, Z) [1/m].
     """
     along = slopes[:, 0, None]
     across = slopes[:, 1, None] * turning[:, None, None]

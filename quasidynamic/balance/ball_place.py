@@ -30,6 +30,11 @@ class BallPlaces:
     centrifugal: NDArray  # (C, 1) [N]
 
     @cached_property
+    def in_series(self) -> float:
+        """Coefficient of both contacts in series [N/m^1.5]."""
+        return float(in_series(self.inner, self.outer))
+
+    @cached_property
     def bottom(self) -> Vectors:
         """Centres (C, 1) [m] of balls that lie at the bottom of the outer race."""
         return 1j * (self.outer_reach + self.outer.approach(self.centrifugal))
@@ -46,7 +51,7 @@ class BallPlaces:
         """
         apart = np.abs(groove_arm(grooves))
         approach = np.maximum(apart - self.inner_reach - self.outer_reach, 0.0)
-        pressed = in_series(self.inner, self.outer) * approach**1.5 >= self.centrifugal
+        pressed = self.in_series * approach**1.5 >= self.centrifugal
         centres = self._pressed(grooves, apart)
         if not pressed.all():
             centres = np.where(pressed, centres, self._wedged(grooves, apart))
@@ -64,7 +69,7 @@ class BallPlaces:
             self.outer_reach + np.where(gap > 0, soft / (1 + soft), self.outer_reach / touching) * gap
         )
         along = grooves / apart
-        load = in_series(self.inner, self.outer) * np.maximum(gap, 0.0) ** 1.5
+        load = self.in_series * np.maximum(gap, 0.0) ** 1.5
         held = np.maximum(load, self.centrifugal) * apart / (from_outer * (apart - from_outer))
         most = FURTHEST_ASIDE * min(self.inner_reach, self.outer_reach)
         aside = most * np.tanh(self.centrifugal * along.real / np.maximum(held * most, SMALLEST))

@@ -5,7 +5,6 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.angular import AngularBalance
 from quasidynamic.balance.ball_place import groove_arm, turning
-from quasidynamic.contact.point import in_series
 from quasidynamic.solve.balls import LEAST_STIFFNESS
 
 ENOUGH = 1e-3  # of the largest load: what a first place may leave
@@ -13,6 +12,7 @@ LIMIT = 300  # Newton steps, rarely more than ten; a first place far off costs t
 STIFFENING = 1e-2  # of the whole stiffness over the relative imbalance, where no spring resists a direction
 LONGEST = 0.3  # of the smaller reach: step of the ring
 SHORTEST = 2.0**-40  # part of a Newton step
+_EACH = np.arange(5)
 
 
 def first_place(balance: AngularBalance) -> NDArray:
@@ -23,7 +23,7 @@ def first_place(balance: AngularBalance) -> NDArray:
     """
     ring = single_loads(balance)
     excess, stiffness = _forces(balance, ring)
-    size = np.maximum(np.abs(balance.load).max(1), np.finfo(float).tiny)
+    size = np.maximum(balance.largest_load, np.finfo(float).tiny)
     for _ in range(LIMIT):
         left = np.abs(excess).max(1) / size
         if (left <= ENOUGH).all():
@@ -45,15 +45,11 @@ def first_place(balance: AngularBalance) -> NDArray:
 
 def newton_step(balance: AngularBalance, excess: NDArray, stiffness: NDArray, imbalance: NDArray) -> NDArray:
     """Newton step (C, 5), stiffer where nothing resists as long as forces are out of balance."""
-    whole = np.abs(np.trace(stiffness, axis1=1, axis2=2))
-    stiffer = STIFFENING * np.minimum(imbalance, 1.0) * whole + LEAST_STIFFNESS
-    matrix = stiffness
-    if balance.held.any():
-        matrix = np.where(balance.held[:, :, None] | balance.held[:, None, :], 0.0, matrix)
-        diagonal = np.where(balance.held, np.maximum(whole, 1.0)[:, None], stiffer[:, None])
-    else:
-        diagonal = stiffer[:, None]
-    matrix = matrix + diagonal[:, :, None] * np.eye(5)
+    whole = np.abs(stiffness.trace(axis1=1, axis2=2))[:, None]
+    stiffer = STIFFENING * np.minimum(imbalance, 1.0)[:, None] * whole + LEAST_STIFFNESS
+    diagonal = np.where(balance.held, np.maximum(whole, 1.0), stiffer)
+    matrix = np.where(balance.both_free, stiffness, 0.0)
+    matrix[:, _EACH, _EACH] += diagonal
     step = np.linalg.solve(matrix, excess[..., None])[..., 0]
     longest = LONGEST * min(balance.bearing.inner_reach, balance.bearing.outer_reach)
     return step / np.maximum(np.abs(step).max(1, keepdims=True) / longest, 1.0)
@@ -64,15 +60,16 @@ def _forces(balance: AngularBalance, ring: NDArray) -> tuple[NDArray, NDArray]:
     own, matrix = balance.bearing, balance.ring_to_groove
     arm = groove_arm(balance.grooves(ring))
     apart = np.abs(arm)
-    normal = arm / apart
-    coefficient = in_series(*balance.contacts)
+    normal, coefficient = arm / apart, balance.places.in_series
     approach = np.maximum(apart - own.inner_reach - own.outer_reach, 0.0)
     root = coefficient * np.sqrt(approach)
     load = root * approach
     along = normal.conj()[..., None] * matrix  # (C, Z, 5) along the spring + i across it
-    weighted = 1.5 * root[..., None] * along.real + 1j * (turning(arm) * load / apart)[..., None] * along.imag
+    weighted = (1.5 * root)[..., None] * along.real + 1j * (turning(arm) * load / apart)[
+        ..., None
+    ] * along.imag
     stiffness = (along.conj().swapaxes(1, 2) @ weighted).real
-    carried = (along.real * load[..., None]).sum(1)
+    carried = ((load * normal) @ balance.groove_to_ring).real
     return np.where(balance.held, 0.0, balance.load - carried), stiffness
 
 
@@ -83,7 +80,7 @@ def single_loads(balance: AngularBalance) -> NDArray:
     cosine = np.cos(own.contact_angle)
 
     def approach(load: NDArray) -> NDArray:
-        return (np.abs(load) / own.balls / in_series(*balance.contacts)) ** (2 / 3)
+        return (np.abs(load) / own.balls / balance.places.in_series) ** (2 / 3)
 
     load, place = balance.load, np.zeros_like(balance.load)
     radial = np.sqrt((load[:, :2] ** 2).sum(1, keepdims=True))
