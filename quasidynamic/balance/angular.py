@@ -113,7 +113,7 @@ class AngularBalance:
     def free_centrifugal(self) -> NDArray:
         """F_c of balls that lie on the outer race alone, at its bottom (C, 1) [N]."""
         own = self.bearing
-        orbit = rolling_cage_speed(*self.speeds, own.diameter_ratio)
+        orbit = rolling_cage_speed(self.speeds[0], self.speeds[1], own.diameter_ratio)
         return 0.5 * own.ball.mass * own.pitch_diameter * orbit**2
 
     @cached_property

@@ -37,7 +37,7 @@ class BallPlaces:
     @cached_property
     def bottom(self) -> Vectors:
         """Centres (C, 1) [m] of balls that lie at the bottom of the outer race."""
-        return 1j * (self.outer_reach + self.outer.approach(self.centrifugal))
+        return np.multiply(1j, self.outer_reach + self.outer.approach(self.centrifugal))
 
     def free(self, grooves: Vectors) -> NDArray:
         """Balls (C, Z) that stay at the bottom, in balance, where the inner race leaves them alone."""

@@ -42,7 +42,7 @@ class Settled(NamedTuple):
     @property
     def done(self) -> NDArray:
         """Whether all balls are balanced as well as was asked for (C)."""
-        return ~self.moving.any(1)
+        return np.logical_not(self.moving.any(axis=1))
 
 
 def at_places(
