@@ -67,13 +67,13 @@ def refined(cage: fem.SquirrelCage, length: float, wishes: fem.Mesh):
     import ngsolve as ngs
     from netgen import occ
 
-    from fem.half_pitch import LAYER_RATIO
+    from fem.half_pitch import LAYER_RATIO, NEAR
     from fem.mesh import MILLIMETRES, solids
 
     bodies = solids(cage, length)
     for body in bodies[1:-1]:
         for edge in body.edges:
-            if abs(edge.start.x - edge.end.x) < 1e-6:
+            if abs(edge.start.x - edge.end.x) < NEAR:
                 edge.hpref = 1
     glued = occ.Glue(bodies)
     for face in glued.faces:

@@ -23,7 +23,7 @@ from flexbearing.compute.rings import condensed
 from flexbearing.compute.structure import CondensedRings
 from flexbearing.compute.together import BearingPartner
 from flexbearing.coupling import RULES, Ending, alternate, newton, relaxed
-from quasidynamic.balance.bearing import BORDER, LARGE_DEVIATION, LENGTH
+from quasidynamic.balance.sizes import LARGE_DEVIATION, LENGTH
 from quasidynamic.solve import bordered
 
 METHODS = ("newton", *RULES, "relaxed")
@@ -149,9 +149,9 @@ def spectral_radius(state) -> float:
     The bearing's own matrix, solved for residuals of the deviations, answers with (1 - C dQ/dw)^-1.
     """
     balance = state.balance
-    first = BORDER + balance.rollers * balance.own
-    count = balance.size - first
-    sides = np.zeros((1, balance.size, count))
+    first = balance.layout.fields_end
+    count = balance.layout.size - first
+    sides = np.zeros((1, balance.layout.size, count))
     sides[0, first:] = np.eye(count) / LARGE_DEVIATION
     answer = bordered.solve(balance, state.system, sides)[0, first:] * LENGTH
     return float(np.abs(1 - 1 / np.linalg.eigvals(answer)).max())

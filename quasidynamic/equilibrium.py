@@ -7,20 +7,10 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.bearing import (
-    BORDER,
-    CAGE,
-    INNER,
-    OUTER,
-    TILT_Z,
-    BearingBalance,
-    Linearisation,
-    Unknowns,
-    Y,
-    Z,
-)
+from quasidynamic.balance.bearing import BearingBalance, Linearisation
 from quasidynamic.balance.cage import FloatingCage
 from quasidynamic.balance.roller import RollerState
+from quasidynamic.balance.unknowns import BORDER, CAGE, INNER, OUTER, TILT_Z, Unknowns, Y, Z
 from quasidynamic.contact.hertz import peak_pressure
 from quasidynamic.contact.land import land_torque
 from quasidynamic.contact.load import palmgren
@@ -61,11 +51,11 @@ class Equilibrium:
     @property
     def unbalanced(self) -> tuple[float, float]:
         """Largest force [N] and largest moment [N m] that are not balanced."""
-        residual = np.abs(self.system.residual * self.balance.residual_scale)[0]
-        first, spin = self.balance.field(0), self.balance.field(-1)
+        residual = np.abs(self.system.residual * self.balance.sizes.residual)[0]
+        first, spin = self.balance.layout.field(0), self.balance.layout.field(-1)
         moments = [residual[TILT_Z:BORDER], residual[spin]]
         if self.balance.roller.shapes > 1:
-            moments.append(residual[self.balance.field(1)])
+            moments.append(residual[self.balance.layout.field(1)])
         forces = [residual[[Y, Z]], residual[first]]
         return float(np.concatenate(forces).max()), float(np.concatenate(moments).max())
 
@@ -80,7 +70,7 @@ class Equilibrium:
         return (
             f"the bearing found no equilibrium: {self.status} after {self.number} evaluations, "
             f"{force:.2g} N and {moment:.2g} N m unbalanced; "
-            f"the largest outer force is {self.balance.reference_force[0, 0]:.4g} N"
+            f"the largest outer force is {self.balance.sizes.force[0, 0]:.4g} N"
         )
 
     @property

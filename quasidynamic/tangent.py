@@ -6,7 +6,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.bearing import CAGE, TILT_Z, BearingBalance, Unknowns, Y, Z
+from quasidynamic.balance.bearing import BearingBalance
+from quasidynamic.balance.unknowns import CAGE, TILT_Z, Unknowns, Y, Z
 from quasidynamic.solve import bordered
 
 RING = (Y, Z, TILT_Z, TILT_Z + 1)  # the ring's places among the unknowns
@@ -40,10 +41,10 @@ class Tangent:
     @cached_property
     def answer(self) -> NDArray:
         """Change of all unknowns (N, 4) per newton along y and z, per newton metre on dz/dx and dy/dx."""
-        loads = np.zeros((1, self.balance.size, len(RING)))
-        loads[0, RING, range(len(RING))] = -1.0 / self.balance.residual_scale[0, RING]
+        loads = np.zeros((1, self.balance.layout.size, len(RING)))
+        loads[0, RING, range(len(RING))] = -1.0 / self.balance.sizes.residual[0, RING]
         system = self.balance.evaluate(self.scaled)
-        return bordered.solve(self.balance, system, loads)[0] * self.balance.unknown_scale.T
+        return bordered.solve(self.balance, system, loads)[0] * self.balance.sizes.unknown.T
 
     @property
     def compliance(self) -> NDArray:

@@ -9,7 +9,7 @@ from flexbearing.compute.neighbour import flat
 from flexbearing.compute.structure import CondensedRings
 from flexbearing.coupling import Iteration
 from quasidynamic import Equilibrium
-from quasidynamic.balance.bearing import Unknowns
+from quasidynamic.balance.unknowns import Unknowns
 
 MREV = 1e6  # revolutions
 UNLOADED = 1e-3  # [N] below it no film is reported
@@ -113,7 +113,7 @@ def supported(found: Equilibrium, rings: CondensedRings) -> Equilibrium:
 
 def between_raceways(found: Equilibrium, rings: CondensedRings) -> Equilibrium:
     """The same state between raceways that yield, also where it was found between those of a given shape."""
-    if rings.rigid or found.balance.yielding:
+    if rings.rigid or found.balance.layout.yielding:
         return found
     compliance = [None if raceway is None else raceway.matrix for raceway in rings.raceways]
     return _yielding(found, compliance, found.unknowns)
@@ -122,7 +122,7 @@ def between_raceways(found: Equilibrium, rings: CondensedRings) -> Equilibrium:
 def _yielding(found: Equilibrium, compliance: list[NDArray | None], unknowns: Unknowns) -> Equilibrium:
     """A state with other unknowns in equations that know how raceways (Z, M, Z, M) yield."""
     balance = found.balance
-    size = balance.rollers * balance.roller.shapes
+    size = balance.layout.rollers * balance.roller.shapes
     square = [None if matrix is None else matrix.reshape(size, size) for matrix in compliance]
     whole = replace(balance, compliance=(square[0], square[1]))
     return replace(found, balance=whole, scaled=whole.pack(unknowns)[0])

@@ -14,7 +14,7 @@ from flexbearing.case.declarations import toml
 from flexbearing.coupling import Bearing, Condensed
 from flexbearing.results import Result, read
 from quasidynamic import Equilibrium
-from quasidynamic.balance.bearing import BORDER, CAGE, Unknowns
+from quasidynamic.balance.unknowns import BORDER, CAGE, Unknowns
 
 SAME = ("bearing.cage.guidance", "bearing.cage.centre", "lubricant.film")  # what the unknowns mean
 FIELDS = 5  # unknowns of a roller: approach, tilt, both films, spin
@@ -76,7 +76,7 @@ class Neighbour:
         PartnerFailed
             where the rings have no answer to these loads
         """
-        even = np.zeros((rigid.balance.rollers, rigid.shapes) * 2)
+        even = np.zeros((rigid.balance.layout.rollers, rigid.shapes) * 2)
         found = _put(next(bearing.iterate((even, even), rigid, None)), self.unknowns)
         linear = rings.linearised(found.forces)
         if linear.unloaded is None:

@@ -9,16 +9,22 @@ from time import perf_counter
 
 import numpy as np
 
+import quasidynamic as qd
+from fem.errors import NotSolved
+from fem.material import ImpossiblePart
 from flexbearing.cache.store import VARIABLE
 from flexbearing.case import AnyCase, BadCase, Case, read
 from flexbearing.compute.one import run
 from flexbearing.compute.pareto_levels import Level, ladder, left_out, richest
 from flexbearing.compute.possible import require_possible
+from flexbearing.coupling import PartnerFailed
 from flexbearing.report.pareto import OUTPUTS, Measured, Study
 from flexbearing.results import Result
 
 CACHED_RUNS, SHORT = 3, 1.0  # [s] whatever else the machine does disturbs short runs most: they are repeated
 LEAST_SLIP = 0.01  # errors of smaller slips are told as parts of this one
+# Ends that a computation has a name for; anything else is a mistake in the program and ends the study.
+ENDS = PartnerFailed, ImpossiblePart, NotSolved, qd.ImpossiblePart, qd.OutOfRange, qd.NotSolved
 Tell = Callable[[Measured], None]
 
 
@@ -52,14 +58,17 @@ def pareto(
     BadCase
         when the case cannot be computed as it stands, or is no roller bearing
     NoReference
-        when the richest level does not converge
+        when the richest level fails or does not converge
     """
     wanted = _rollers(read(case, overrides))
     require_possible(wanted)
     tell = tell or (lambda measured: None)
     _load(wanted)
     best = richest(wanted)
-    times, exact = _timed(case, (*overrides, *best.settings))
+    try:
+        times, exact = _timed(case, (*overrides, *best.settings))
+    except ENDS as problem:
+        raise NoReference(f"{case}: the reference has no answer: {problem}") from problem
     if problem := _problem(exact):
         raise NoReference(f"{case}: the reference is not converged: {problem}")
     reference = Measured(
@@ -130,7 +139,7 @@ def _load(case: Case) -> None:
 def _measured(case: str | Path, overrides: Sequence[str], level: Level, exact: Result) -> Measured:
     try:
         times, found = _timed(case, (*overrides, *level.settings))
-    except BadCase as problem:
+    except (BadCase, *ENDS) as problem:
         return Measured(name=level.name, settings=level.settings, message=str(problem))
     if problem := _problem(found):
         return Measured(name=level.name, settings=level.settings, times=times, message=problem)

@@ -6,17 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg.lapack import dgtsv  # pyright: ignore[reportAttributeAccessIssue]  # made at import
 
-from quasidynamic.balance.bearing import (
-    BORDER,
-    CAGE,
-    INNER,
-    LARGE_DEVIATION,
-    LENGTH,
-    BearingBalance,
-    Linearisation,
-    Y,
-    Z,
-)
+from quasidynamic.balance.bearing import BearingBalance, Linearisation
+from quasidynamic.balance.sizes import LARGE_DEVIATION, LENGTH
+from quasidynamic.balance.unknowns import BORDER, CAGE, INNER, Layout, Y, Z
 
 
 class Shift(NamedTuple):
@@ -52,13 +44,13 @@ def solve(balance: BearingBalance, system: Linearisation, right: NDArray, shift:
     array (C, N, R)
         not a number for cases whose matrix is singular
     """
-    own, (cases, _, count) = balance.own, right.shape
-    split = BORDER + balance.rollers * own
+    layout, (cases, _, count) = balance.layout, right.shape
+    own, split = layout.own, layout.fields_end
     rows, columns = system.table.shape[:2]
-    table = np.zeros((rows, columns + count, cases, balance.rollers))
+    table = np.zeros((rows, columns + count, cases, layout.rollers))
     table[:, :-count] = system.table
     table[:own, -count:] = (
-        right[:, BORDER:split].reshape(cases, own, balance.rollers, count).transpose(1, 3, 0, 2)
+        right[:, BORDER:split].reshape(cases, own, layout.rollers, count).transpose(1, 3, 0, 2)
     )
     border = system.border
     if shift is not NO_SHIFT:
@@ -66,15 +58,15 @@ def solve(balance: BearingBalance, system: Linearisation, right: NDArray, shift:
         border = _shifted(border, shift)
     with np.errstate(all="ignore"):
         eliminate(table, own - 1)
-        rest = _dense if balance.yielding else _chained
+        rest = _dense if layout.yielding else _chained
         edge, spin, shared = rest(balance, system, table[own - 1 :, own - 1 :], border, right)
-        found = np.empty((columns, count, cases, balance.rollers))
+        found = np.empty((columns, count, cases, layout.rollers))
         found[own - 1], found[own : own + BORDER], found[own + BORDER :] = spin, edge[..., None], shared
         substitute(table, found, own - 1)
     fields = found[:own].transpose(2, 0, 3, 1).reshape(cases, -1, count)
     solved = [edge.transpose(2, 0, 1), fields]
-    if balance.yielding:
-        solved.append(_deviations(balance, shared))
+    if layout.yielding:
+        solved.append(_deviations(layout, shared))
     return np.concatenate(solved, axis=1)
 
 
@@ -115,7 +107,11 @@ def _chained(balance, system, table, border, right) -> tuple[NDArray, NDArray, N
 
 
 def around(middle: NDArray, before: NDArray, after: NDArray, sides: NDArray) -> NDArray:
-    """Solve the ring middle s_j + before s_(j-1) + after s_(j+1) = sides (R, C, Z), for all cases at once."""
+    """Solve the ring middle s_j + before s_(j-1) + after s_(j+1) = sides (R, C, Z), for all cases at once.
+
+    Not a number for cases whose ring is singular, closed or cut open: such as that of rollers which only
+    hand on their spin, where nothing tells how fast all of them turn.
+    """
     count, cases, rollers = sides.shape
     corners = np.zeros((2, cases, rollers))  # what the last spin does to the first one, and the reverse
     corners[0, :, 0], corners[1, :, -1] = before[:, 0], after[:, 0]
@@ -124,16 +120,25 @@ def around(middle: NDArray, before: NDArray, after: NDArray, sides: NDArray) -> 
     columns = np.concatenate([sides, corners]).reshape(count + 2, -1).T
     bands = lower.ravel()[1:], middle.ravel(), upper.ravel()[:-1]
     *_, solved, fault = dgtsv(*bands, columns, overwrite_dl=True, overwrite_du=True, overwrite_b=True)
-    if fault:
-        return np.full(sides.shape, np.nan)
+    if fault:  # of one case, and the columns are spent
+        return _one_by_one(middle, before, after, sides)
     solved = solved.T.reshape(count + 2, cases, rollers)
     open_ring, (first, last) = solved[:count], solved[count:]
     # The two ends of the ring from each other: s_last = open_last - first s_last - last s_first, ...
     a, b, c, d = 1 + first[:, -1], last[:, -1], first[:, 0], 1 + last[:, 0]
     end, begin = open_ring[:, :, -1], open_ring[:, :, 0]
     determinant = a * d - b * c
+    determinant[determinant == 0] = np.nan
     end, begin = (d * end - b * begin) / determinant, (a * begin - c * end) / determinant
     return open_ring - first * end[..., None] - last * begin[..., None]
+
+
+def _one_by_one(middle: NDArray, before: NDArray, after: NDArray, sides: NDArray) -> NDArray:
+    """Like `around`, so that a case whose ring cannot be cut open spoils no other."""
+    if len(middle) == 1:
+        return np.full(sides.shape, np.nan)
+    each = (slice(case, case + 1) for case in range(len(middle)))
+    return np.concatenate([around(middle[c], before[c], after[c], sides[:, c]) for c in each], axis=1)
 
 
 def _solved(matrix: NDArray, side: NDArray) -> NDArray:
@@ -148,8 +153,8 @@ def _solved(matrix: NDArray, side: NDArray) -> NDArray:
 
 def _dense(balance, system, table, border, right) -> tuple[NDArray, NDArray, NDArray]:
     """Border (5, R, C), spins (R, C, Z), deviations (races M, R, C, Z), one dense system for each case."""
-    rollers, yields = balance.rollers, len(balance.yielding) * balance.roller.shapes
-    count = right.shape[2]
+    layout, count = balance.layout, right.shape[2]
+    rollers, yields = layout.rollers, len(layout.yielding) * layout.shapes
     found = []
     for case in range(len(right)):
         here = table[:, :, case]
@@ -159,12 +164,12 @@ def _dense(balance, system, table, border, right) -> tuple[NDArray, NDArray, NDA
         side[:BORDER] = right[case, :BORDER] + columns[1 : 1 + BORDER].sum(-1)
         side[BORDER : BORDER + rollers] = columns[0].T
         forces = columns[1 + BORDER :]
-        side[BORDER + rollers :] = right[case, BORDER + rollers * balance.own :] - _pressed(balance, forces)
+        side[BORDER + rollers :] = right[case, layout.fields_end :] - _pressed(balance, forces)
         found.append(_solved(matrix[None], side[None])[0])
     solved = np.array(found)
     edge, spin = solved[:, :BORDER], solved[:, BORDER : BORDER + rollers]
     shapes = solved[:, BORDER + rollers :].reshape(
-        len(right), len(balance.yielding), rollers, balance.roller.shapes, count
+        len(right), len(layout.yielding), rollers, layout.shapes, count
     )
     return (
         edge.transpose(1, 2, 0),
@@ -175,7 +180,8 @@ def _dense(balance, system, table, border, right) -> tuple[NDArray, NDArray, NDA
 
 def _assembled(balance, system, table: NDArray, border: NDArray, case: int) -> NDArray:
     """Matrix of border, spins and deviations from the reduced table (rows, columns, Z) of a case."""
-    z, m, races = balance.rollers, balance.roller.shapes, len(balance.yielding)
+    layout = balance.layout
+    z, m, races = layout.rollers, layout.shapes, len(layout.yielding)
     each = np.arange(z)
     size = BORDER + z + races * z * m
     matrix, spins = np.zeros((size, size)), BORDER + each
@@ -203,16 +209,16 @@ def _assembled(balance, system, table: NDArray, border: NDArray, case: int) -> N
 
 def _pressed(balance, forces: NDArray) -> NDArray:
     """Deviations (races Z M, R) under forces (races M, R, Z), scaled alike."""
-    m, answers = balance.roller.shapes, []
-    for place, race in enumerate(balance.yielding):
-        here = forces[place * m : (place + 1) * m].transpose(2, 0, 1).reshape(balance.rollers * m, -1)
+    layout, m, answers = balance.layout, balance.layout.shapes, []
+    for place, race in enumerate(layout.yielding):
+        here = forces[place * m : (place + 1) * m].transpose(2, 0, 1).reshape(layout.rollers * m, -1)
         answers.append((-1.0 if race == INNER else 1.0) * balance.compliance[race] @ here)
     return np.concatenate(answers)
 
 
-def _deviations(balance, shapes: NDArray) -> NDArray:
+def _deviations(layout: Layout, shapes: NDArray) -> NDArray:
     """Deviation unknowns (C, races Z M, R) from shapes (races M, R, C, Z)."""
-    m, races = balance.roller.shapes, len(balance.yielding)
+    m, races = layout.shapes, len(layout.yielding)
     _, count, cases, rollers = shapes.shape
     split = shapes.reshape(races, m, count, cases, rollers)
     return split.transpose(3, 0, 4, 1, 2).reshape(cases, -1, count)

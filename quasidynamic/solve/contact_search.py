@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.bearing import BearingBalance
 from quasidynamic.balance.settling import between_raceways, film_at, resting_loads, settled
+from quasidynamic.solve.bounds import bounded, bounded_spins
 from quasidynamic.solve.endings import Ending
 from quasidynamic.solve.newton import Sweep, norm, step
 
@@ -18,18 +19,19 @@ def contact_search(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep
     """Yield undamped steps of one case, rollers settled after each, until displacements hardly change.
 
     The load law is nearly linear, so a full step solves the problem of the rollers that touched
-    before it, however far it overshoots; a damped one crawls.
+    before it, however far it overshoots; a damped one crawls. Friction is not linear at all: spins are held.
     """
     system, one = balance.evaluate(unknowns), np.array([True])
     yield Sweep(0, np.array([0]), unknowns, system, [Ending.NONE], one)
     for number in range(1, LIMIT + 1):
         change = step(balance, system)
-        small = SMALL_CHANGE * unknowns[0, balance.field(0)].max()
-        found = bool(np.abs(change[0, balance.displacements]).max() < small)
+        small = SMALL_CHANGE * unknowns[0, balance.layout.field(0)].max()
+        found = bool(np.abs(change[0, balance.layout.displacements]).max() < small)
         if found:
-            unknowns = balance.bounded(unknowns, unknowns + change)
+            unknowns = bounded(balance, unknowns, unknowns + change)
         else:
-            moved = between_raceways(balance, balance.unpack(unknowns + change))
+            after = bounded_spins(balance, unknowns, unknowns + change)
+            moved = between_raceways(balance, balance.unpack(after))
             moved = settled(balance, moved, shaped=True)
             film = film_at(balance, moved, resting_loads(balance, moved, shaped=True))
             unknowns = balance.pack(moved._replace(film=film))

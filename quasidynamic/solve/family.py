@@ -6,10 +6,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.bearing import CAGE, TILT_Z, BearingBalance, Y, Z
+from quasidynamic.balance.bearing import BearingBalance
 from quasidynamic.balance.points import OperatingPoints
+from quasidynamic.balance.unknowns import CAGE, TILT_Z, Y, Z
 from quasidynamic.solve import bordered
 from quasidynamic.solve.arclength import Local
+from quasidynamic.solve.bounds import bounded
 
 DIFFERENCE = 1e-5  # of the parameter
 ENOUGH = 1e-10  # residual, of the reference force or of the largest roller load if that is larger
@@ -27,11 +29,11 @@ class BalanceFamily:
     @property
     def weight(self) -> NDArray:
         """Weights (N): slip of the cage, mean slip of the spins, ring; approaches and films follow these."""
-        weight = np.zeros(self.balance.size)
+        weight = np.zeros(self.balance.layout.size)
         weight[[Y, Z]] = RING_SIZE**-2
         weight[TILT_Z:CAGE] = TILT_SIZE**-2
         weight[CAGE] = 1.0
-        weight[self.balance.field(-1)] = 1.0 / self.balance.rollers
+        weight[self.balance.layout.field(-1)] = 1.0 / self.balance.layout.rollers
         return weight
 
     def balance_at(self, parameter: float) -> BearingBalance:
@@ -44,7 +46,7 @@ class BalanceFamily:
         system = balance.evaluate(state[None])
         by_parameter = (
             self._forces(state, parameter + DIFFERENCE) - self._forces(state, parameter - DIFFERENCE)
-        ) / (2 * DIFFERENCE * balance.residual_scale[0])
+        ) / (2 * DIFFERENCE * balance.sizes.residual[0])
         return Local(
             residual=system.residual[0],
             by_parameter=by_parameter,
@@ -55,8 +57,8 @@ class BalanceFamily:
     def _forces(self, state: NDArray, parameter: float) -> NDArray:
         """Residual (N) in SI units."""
         balance = self.balance_at(parameter)
-        return (balance.evaluate(state[None]).residual * balance.residual_scale)[0]
+        return (balance.evaluate(state[None]).residual * balance.sizes.residual)[0]
 
     def bounded(self, before: NDArray, after: NDArray) -> NDArray:
         """Keep films and approaches of a step positive."""
-        return self.balance.bounded(before[None], after[None])[0]
+        return bounded(self.balance, before[None], after[None])[0]

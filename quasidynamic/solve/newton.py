@@ -6,8 +6,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.bearing import CAGE, BearingBalance, Linearisation, Y, Z
+from quasidynamic.balance.bearing import BearingBalance, Linearisation
+from quasidynamic.balance.unknowns import CAGE, Y, Z
 from quasidynamic.solve import bordered
+from quasidynamic.solve.bounds import bounded
 from quasidynamic.solve.endings import Ending
 
 TOLERANCE = 1e-12  # of the reference force, or of the largest roller load if that is larger
@@ -55,7 +57,7 @@ def newton(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep]:
     direction: NDArray = step(here, system)
     size, worst, damping = norm(system), _worst(system), np.ones(len(cases))
     for number in range(1, LIMIT + 1):
-        trial = here.bounded(unknowns, unknowns + damping[:, None] * direction)
+        trial = bounded(here, unknowns, unknowns + damping[:, None] * direction)
         system = here.evaluate(trial)
         new = norm(system)
         better: NDArray = new <= np.maximum((1 - 1e-4 * damping) * size, ROUNDING * system.loading)

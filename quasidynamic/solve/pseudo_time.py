@@ -6,8 +6,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.bearing import CAGE, TILT_Z, BearingBalance, Linearisation
+from quasidynamic.balance.bearing import BearingBalance, Linearisation
+from quasidynamic.balance.unknowns import CAGE, TILT_Z
 from quasidynamic.solve import bordered
+from quasidynamic.solve.bounds import bounded
 from quasidynamic.solve.endings import Ending
 from quasidynamic.solve.newton import Sweep, norm, step
 
@@ -77,7 +79,7 @@ def pseudo_time(balance: BearingBalance, unknowns: NDArray, pace: Pace) -> Itera
         following = np.where(
             refused[:, None],
             before,
-            here.bounded(unknowns, unknowns + change / np.maximum(hurry, 1.0)[:, None]),
+            bounded(here, unknowns, unknowns + change / np.maximum(hurry, 1.0)[:, None]),
         )
         size = np.where(refused, np.inf, new)
         before, unknowns = here_now, following
@@ -105,9 +107,9 @@ def _ending(size: float, enough: float, refused: bool, last: bool) -> Ending:
 def _step(balance: BearingBalance, system: Linearisation, pace: Pace) -> NDArray:
     bearing = balance.roller.bearing
     orbiting = bearing.cage.mass + bearing.rollers * bearing.roller.mass
-    columns, rows = balance.unknown_scale, balance.residual_scale
-    spin, cage = balance.field(-1).start, CAGE
-    own = system.table[balance.own - 1, balance.own - 1]
+    columns, rows = balance.sizes.unknown, balance.sizes.residual
+    spin, cage = balance.layout.field(-1).start, CAGE
+    own = system.table[balance.layout.own - 1, balance.layout.own - 1]
     inertia = bearing.roller.inertia * columns[:, spin] / rows[:, spin] / pace.time
     shift = bordered.Shift(
         # A spin that runs away, as on a traction curve that falls, is led the way it runs.

@@ -3,7 +3,8 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.bearing import CAGE, BearingBalance, Linearisation
+from quasidynamic.balance.bearing import BearingBalance, Linearisation
+from quasidynamic.balance.unknowns import CAGE
 from quasidynamic.solve import bordered
 
 
@@ -36,8 +37,8 @@ def growth_rates(balance: BearingBalance, system: Linearisation) -> NDArray:
     For the state that stands still as seen from the cage: rollers pass from azimuth to azimuth, and
     the spin at an azimuth changes. The ring has no mass here: whirling is not looked at.
     """
-    moving = np.concatenate([[CAGE], np.arange(balance.size)[balance.field(-1)]])
-    unit = np.zeros((1, balance.size, len(moving)))
+    moving = np.concatenate([[CAGE], np.arange(balance.layout.size)[balance.layout.field(-1)]])
+    unit = np.zeros((1, balance.layout.size, len(moving)))
     unit[0, moving, range(len(moving))] = 1.0
     inverse = bordered.solve(balance, system, unit)[0, moving]
     if not np.isfinite(inverse).all():
@@ -49,7 +50,7 @@ def _inertia(balance: BearingBalance) -> NDArray:
     """Inertia (N) [s] of each scaled unknown in its scaled residual, zero but for cage and spins."""
     bearing = balance.roller.bearing
     orbiting = bearing.cage.mass + bearing.rollers * bearing.roller.mass
-    inertia, spins = np.zeros(balance.size), balance.field(-1)
+    inertia, spins = np.zeros(balance.layout.size), balance.layout.field(-1)
     inertia[spins] = bearing.roller.inertia
     inertia[CAGE] = orbiting * (bearing.pitch_diameter / 2) ** 2
-    return inertia * balance.unknown_scale[0] / balance.residual_scale[0]
+    return inertia * balance.sizes.unknown[0] / balance.sizes.residual[0]

@@ -6,8 +6,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.bearing import BearingBalance, Unknowns
+from quasidynamic.balance.bearing import BearingBalance
 from quasidynamic.balance.settling import resting_loads
+from quasidynamic.balance.unknowns import Unknowns
 from quasidynamic.solve.bordered import around
 from quasidynamic.start.lumped import LumpedRollers
 

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.bearing import BearingBalance, Unknowns
+from quasidynamic.balance.bearing import BearingBalance
 from quasidynamic.balance.settling import (
     centrifugal_force,
     film_at,
@@ -12,6 +12,7 @@ from quasidynamic.balance.settling import (
     series_stiffness,
     settled,
 )
+from quasidynamic.balance.unknowns import Unknowns
 from quasidynamic.contact.load import EXPONENT
 
 STRIBECK = 5.0  # largest roller load times their number over the load, about
@@ -27,7 +28,7 @@ SMALLEST_STIFFNESS = 1.0  # [N/m] where no roller touches at all
 def static_unknowns(balance: BearingBalance, cage_drift: NDArray) -> Unknowns:
     """Unknowns of `static_start` at a cage speed, all spins still those of pure rolling."""
     points, m = balance.points, balance.roller.shapes
-    shape = (len(points), balance.rollers)
+    shape = (len(points), balance.layout.rollers)
     nothing = np.zeros(shape)
     unknowns = Unknowns(
         ring=np.array([nothing[:, :1], nothing[:, :1], points.slope_z, points.slope_y]),
@@ -39,7 +40,7 @@ def static_unknowns(balance: BearingBalance, cage_drift: NDArray) -> Unknowns:
         deviation=np.zeros((2, m, *shape)),
     )
     cage_speed = balance.rolling_cage + cage_drift
-    usual = 4 * points.load / balance.rollers + centrifugal_force(balance, cage_speed)
+    usual = 4 * points.load / balance.layout.rollers + centrifugal_force(balance, cage_speed)
     film = film_at(balance, unknowns, usual)
     direction = np.arctan2(points.load_y, points.load_z)
     gap = balance.clearance / 2 - film.sum(0).mean(-1, keepdims=True) + outer_approach(balance, cage_speed)
@@ -59,7 +60,7 @@ def ring_shift(balance: BearingBalance, direction: NDArray, gap: NDArray) -> NDA
     share, coefficient = soft[0] / soft.sum(), np.ravel(raceways.law.coefficient)[0]
     cos = np.cos(balance.roller.bearing.azimuths - direction)
     nearest = cos.max(axis=-1, keepdims=True)
-    usual = np.minimum(1.0, STRIBECK / balance.rollers) * load / nearest
+    usual = np.minimum(1.0, STRIBECK / balance.layout.rollers) * load / nearest
     room = soft.sum() * usual ** (1 / EXPONENT) + raceways.drop.min() / share
     shift, drop = (np.maximum(gap, 0.0) + room) / nearest, raceways.drop[:, None, None]
     steepness = EXPONENT * share * cos * cos

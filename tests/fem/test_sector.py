@@ -8,10 +8,10 @@ import netgen.meshing as ngm
 import ngsolve as ngs
 import numpy as np
 import pytest
-from netgen import occ
 from numpy.polynomial import legendre
 from pytest import approx
 
+from benchmarks.cage_discretisations import LAYERS, refined
 from fem import Elastic, ImpossiblePart, Mesh, Patches, SquirrelCage, compliance, half_pitch, load, sector
 from fem.half_sector import face, half
 from fem.mesh import MILLIMETRES, solids
@@ -253,29 +253,11 @@ def test_limits_of_the_geometry_can_be_meshed(change):
     assert float(done.stdout.split()[-1]) > 0
 
 
-def refined(part, length, wishes):
-    """The whole solid, with layers of elements along the sharp edges as half a pitch has them."""
-    bodies = solids(part, length)
-    for body in bodies[1:-1]:
-        for edge in body.edges:
-            if abs(edge.start.x - edge.end.x) < 1e-6:
-                edge.hpref = 1
-    glued = occ.Glue(bodies)
-    for side in glued.faces:
-        if side.name == "raceway":
-            side.maxh = wishes.raceway_size * MILLIMETRES
-    solid = occ.OCCGeometry(glued).GenerateMesh(maxh=wishes.size * MILLIMETRES, parallel_meshing=False)
-    mesh = ngs.Mesh(solid)
-    mesh.RefineHP(half_pitch.LAYERS, half_pitch.LAYER_RATIO)
-    mesh.Curve(wishes.order)
-    return mesh
-
-
 @pytest.mark.slow
 def test_agrees_with_gaussian_patches_on_the_whole_solid(monkeypatch):
     """The whole has coarser elements: finer ones take the support from 0.24 to 0.12 % apart."""
     monkeypatch.setattr(compliance, "meshed", refined)
-    monkeypatch.setattr(half_pitch, "LAYERS", 2)
+    monkeypatch.setattr(half_pitch, "LAYERS", LAYERS)
     wishes = Mesh(order=3, size=3e-3, raceway_size=1.2e-3)
     azimuths = 2 * np.pi * np.arange(10) / 10
     patches = Patches(azimuths=tuple(azimuths), length=L, shapes=M, width=0.3e-3)

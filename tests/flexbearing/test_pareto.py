@@ -13,12 +13,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pytest import approx
 
+import fem.errors
+import quasidynamic as qd
 from flexbearing import cli
 from flexbearing.cache.key import digest
-from flexbearing.case import read
+from flexbearing.case import BadCase, read
 from flexbearing.compute import pareto, pareto_levels, rings
 from flexbearing.compute.pareto_levels import Level, ladder, left_out, richest
 from flexbearing.compute.progress import Logged
+from flexbearing.coupling import PartnerFailed
 from flexbearing.report.pareto import Measured, Study, cheapest, front, text
 from flexbearing.report.pareto_figure import draw_pareto
 
@@ -198,6 +201,53 @@ def test_reference_without_an_answer_is_no_reference(command, monkeypatch):
     code, _, complaint = command(CONFIGS / "nu209.toml")
     assert code == 1
     assert "no equilibrium" in complaint
+
+
+FAILURES = [PartnerFailed, fem.errors.NotSolved, fem.ImpossiblePart, qd.NotSolved, qd.OutOfRange, BadCase]
+
+
+def failing(problem, exact):
+    """The level of 5 slices ends like that, all others alike."""
+
+    def timed(case, settings):
+        if "accuracy.slices=5" in settings:
+            raise problem
+        return {"cold": 1.0, "cached": 1.0}, exact
+
+    return timed
+
+
+def answer(**changes):
+    return SimpleNamespace(attributes={"status": "converged"}, flexible=result(**changes).flexible)
+
+
+@pytest.mark.parametrize("kind", FAILURES, ids=lambda kind: f"{kind.__module__}.{kind.__name__}")
+def test_level_that_fails_is_a_row_and_the_study_goes_on(monkeypatch, kind):
+    monkeypatch.setattr(pareto, "_timed", failing(kind("the ring lifts off"), answer()))
+    study = pareto.pareto(CONFIGS / "nu209.toml")
+    found = {level.name: level for level in study.levels}
+    assert found["5 slices"].message == "the ring lifts off"
+    assert not found["5 slices"].errors
+    assert [level.name for level in study.levels if not level.errors] == ["5 slices"]
+    assert list(found)[-1] == "target 0.1 %"  # levels after it are measured
+    assert "- 5 slices: the ring lifts off" in text(study)
+
+
+@pytest.mark.parametrize("mistake", [TypeError, KeyError, ValueError, RuntimeError, AssertionError])
+def test_mistake_in_the_program_ends_the_study(monkeypatch, mistake):
+    monkeypatch.setattr(pareto, "_timed", failing(mistake("a mistake"), answer()))
+    with pytest.raises(mistake, match="a mistake"):
+        pareto.pareto(CONFIGS / "nu209.toml")
+
+
+def test_reference_that_fails_is_no_reference(command, monkeypatch):
+    def lost(case, settings):
+        raise fem.errors.NotSolved("the residual stayed at 0.1")
+
+    monkeypatch.setattr(pareto, "_timed", lost)
+    code, _, complaint = command(CONFIGS / "nu209.toml")
+    assert code == 1
+    assert "the residual stayed at 0.1" in complaint
 
 
 @pytest.mark.slow

@@ -1,10 +1,13 @@
 """Raceways that yield: which rollers touch is found in a few steps, also where loads are light or tilted."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
+from quasidynamic.solve.bounds import SPIN_CHANGE
 from quasidynamic.solve.endings import Ending
-from tests.bearings import paper_bearing
+from tests.bearings import RPM, paper_bearing
 
 RADIUS, WIDTH, MODULUS = 39.3e-3, 5e-3, 203e9
 
@@ -45,6 +48,20 @@ def test_bearing_and_ring_agree_in_a_few_steps(changes, foundation):
     assert last.status is Ending.CONVERGED
     assert last.number <= 15  # 5 to 14
     assert last.deviation[1] == pytest.approx(np.tensordot(matrix, last.forces[1], 2), rel=1e-7, abs=1e-13)
+
+
+@pytest.mark.parametrize("speed", [1000 * RPM, 3000 * RPM], ids=["1000 rpm", "3000 rpm"])
+@pytest.mark.parametrize("load", [3000.0, 10000.0])
+def test_spins_are_held_while_contacts_are_searched(load, speed):
+    """Traction at its limit has no slope: undamped steps sent spins to many times that of pure rolling."""
+    model = paper_bearing(shapes=3, slices=10, load=load, speed=speed, traction="eyring")
+    matrix = ring(model.bearing.azimuths, 2e-3, 1e9, 3)
+    states = list(model.iterate((None, matrix), model.solve()))
+    assert states[-1].status is Ending.CONVERGED
+    assert states[-1].number <= 15  # 8 to 13; without it none in 45
+    rolling = states[-1].balance.rolling_spin[0, 0]
+    for before, after in pairwise(states):
+        assert np.abs(after.roller_speed - before.roller_speed).max() <= (SPIN_CHANGE + 1e-12) * rolling
 
 
 def test_rollers_that_touch_at_their_ends_only_are_not_held_back():

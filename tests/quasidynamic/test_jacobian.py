@@ -51,19 +51,19 @@ def state(request):
         balance = replace(balance, compliance=(root @ root.T, 2 * root @ root.T))
     unknowns = static_start(balance)
     unknowns = unknowns * (1 + 0.01 * rng.normal(size=unknowns.shape))
-    unknowns[:, balance.displacements] += 0.3 * rng.normal(size=(1, len(balance.displacements)))
+    unknowns[:, balance.layout.displacements] += 0.3 * rng.normal(size=(1, len(balance.layout.displacements)))
     return balance, unknowns
 
 
 def jacobian(balance, unknowns):
     """Central differences (N, N)."""
     # Speeds are scaled by their nominal value, displacements and films by a micrometre.
-    steps = np.full(balance.size, 1e-8)
-    steps[balance.displacements] = 1e-5
-    steps[balance.field(-2)] = steps[balance.field(-3)] = 1e-6
+    steps = np.full(balance.layout.size, 1e-8)
+    steps[balance.layout.displacements] = 1e-5
+    steps[balance.layout.field(-2)] = steps[balance.layout.field(-3)] = 1e-6
     columns = []
     for i, step in enumerate(steps):
-        change = np.zeros((1, balance.size))
+        change = np.zeros((1, balance.layout.size))
         change[0, i] = step
         ahead, behind = (balance.evaluate(unknowns + s * change).residual[0] for s in (1, -1))
         columns.append((ahead - behind) / (2 * step))
@@ -77,7 +77,7 @@ def test_solve_inverts_the_difference_jacobian(state):
     scale = np.abs(differenced).max(axis=1)
     system = balance.evaluate(unknowns)
     unit = bordered.solve(balance, system, differenced[None])[0]
-    error = (unit - np.eye(balance.size)).T
+    error = (unit - np.eye(balance.layout.size)).T
     # An error of the Jacobian, seen through its inverse, is put back into rows of size one.
     back = (differenced @ error.T) / scale[:, None]
     assert np.abs(back).max() < 1e-6
@@ -86,11 +86,42 @@ def test_solve_inverts_the_difference_jacobian(state):
 def test_shifted_solve_is_that_of_the_shifted_matrix(state):
     balance, unknowns = state
     system, shift = balance.evaluate(unknowns), bordered.Shift(3.0, 5.0, 7.0)
-    right = np.random.default_rng(1).normal(size=(1, balance.size, 2))
+    right = np.random.default_rng(1).normal(size=(1, balance.layout.size, 2))
     found = bordered.solve(balance, system, right, shift)
     matrix = jacobian(balance, unknowns)
-    spins = np.arange(balance.size)[balance.field(-1)]
+    spins = np.arange(balance.layout.size)[balance.layout.field(-1)]
     matrix[spins, spins] -= 3.0
     matrix[[0, 1, 4], [0, 1, 4]] -= [7.0, 7.0, 5.0]
     scale = np.abs(matrix).max(axis=1)[:, None] * np.abs(found[0]).max()
     assert (matrix @ found[0] - right[0]) / scale == approx(np.zeros(right[0].shape), abs=1e-6)
+
+
+def rings(own):
+    """Three rings of five spins, the second one with these entries in the middle; its sides; its matrix."""
+    rng = np.random.default_rng(3)
+    middle, sides = rng.uniform(-4.0, -3.0, (3, 5)), rng.normal(size=(2, 3, 5))
+    before, after = np.array([[0.5], [1.0], [1.0]]), np.array([[1.0], [0.0], [0.5]])
+    middle[1] = own
+    neighbour = np.roll(np.eye(5), 1, axis=0)
+    matrix = [
+        np.diag(m) + b * neighbour + a * neighbour.T for m, b, a in zip(middle, before, after, strict=True)
+    ]
+    return (middle, before, after, sides), np.array(matrix)
+
+
+def test_ring_of_spins_is_solved_case_by_case():
+    given, matrix = rings([-3.0, -2.0, -4.0, -2.0, -3.0])
+    assert np.einsum("cij,rcj->rci", matrix, bordered.around(*given)) == approx(given[-1], rel=0, abs=1e-13)
+
+
+@pytest.mark.parametrize(
+    "own", [-np.ones(5), np.array([0.0, -1, -1, -1, -1])], ids=["closed ring", "first spin of the open ring"]
+)
+def test_singular_ring_of_spins_is_no_number_and_spoils_no_other(own):
+    """The first only hands on its spin, so that it solves to any; warnings are errors here."""
+    given, matrix = rings(own)
+    found = bordered.around(*given)
+    assert np.isnan(found[:, 1]).all()
+    kept = [0, 2]
+    back = np.einsum("cij,rcj->rci", matrix[kept], found[:, kept])
+    assert back == approx(given[-1][:, kept], rel=0, abs=1e-13)

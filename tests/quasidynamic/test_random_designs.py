@@ -20,6 +20,7 @@ from quasidynamic.balance.roller import STILL
 from quasidynamic.solve import bordered
 from quasidynamic.static import static_loads
 from tests.bearings import RPM
+from tests.quasidynamic.test_identities import torque_on_rollers_and_cage
 
 SEEDS, INERTIA = st.integers(0, 9999), st.booleans()
 FEW = settings(max_examples=20, deadline=None)
@@ -75,15 +76,8 @@ def test_every_design_ends_by_name(seed, spin_inertia):
 def test_angular_momentum_is_kept(seed, spin_inertia):
     """The transport of spin is handed from roller to roller: around the bearing it adds up to nothing."""
     _, state = solved(seed, spin_inertia)
-    bearing = state.balance.roller.bearing
-    torques = [
-        bearing.inner_radius * (state.traction[0] + state.rolling_shear[0]).sum(),
-        bearing.outer_radius * (state.traction[1] - state.rolling_shear[1]).sum(),
-        -bearing.rollers * state.rollers.drag[0, 0] * bearing.pitch_diameter / 2,
-        state.rollers.churning.sum(),
-        state.land_torque,
-    ]
-    assert sum(torques) == approx(0.0, abs=1e-12 * state.loads[1].sum() * bearing.outer_radius)
+    torque, size = torque_on_rollers_and_cage(state)
+    assert torque == approx(0.0, abs=1e-12 * size)
 
 
 @FEW
@@ -143,15 +137,15 @@ def test_linear_solve_inverts_the_differenced_jacobian(seed, spin_inertia):
     _, state = solved(seed, spin_inertia)
     assume(state.cage_slip > 1e-4)  # traction is too curved for differences where it changes side
     balance, here = state.balance, state.scaled[None]
-    steps = np.full(balance.size, 1e-9)
-    steps[balance.displacements] = 1e-6
-    steps[balance.field(-2)] = steps[balance.field(-3)] = 1e-6
+    steps = np.full(balance.layout.size, 1e-9)
+    steps[balance.layout.displacements] = 1e-6
+    steps[balance.layout.field(-2)] = steps[balance.layout.field(-3)] = 1e-6
 
     def change(direction):
         ahead, behind = (balance.evaluate(here + sign * direction).residual[0] for sign in (1, -1))
         return (ahead - behind) / 2
 
-    direction = steps * np.random.default_rng(seed).normal(size=balance.size)
+    direction = steps * np.random.default_rng(seed).normal(size=balance.layout.size)
     right = change(direction)
     error = bordered.solve(balance, balance.evaluate(here), right[None, :, None])[0, :, 0] - direction
     size = np.abs(error / steps).max()

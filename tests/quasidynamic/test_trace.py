@@ -11,9 +11,10 @@ from pytest import approx
 
 import quasidynamic.trace
 from quasidynamic import FourPointCurve, OutOfRange
-from quasidynamic.balance.bearing import CAGE
+from quasidynamic.balance.unknowns import CAGE
 from quasidynamic.solve import arclength, bordered
 from quasidynamic.solve.arclength import End, Local, follow
+from quasidynamic.solve.bounds import bounded
 from quasidynamic.trace import equilibria_at, trace
 from tests.bearings import RPM, paper_bearing
 
@@ -232,13 +233,13 @@ def after_a_while(one, slip_change, time_steps):
     balance, bearing = one.balance, one.balance.roller.bearing
     orbiting = bearing.cage.mass + bearing.rollers * bearing.roller.mass
     inertias = bearing.roller.inertia, orbiting * (bearing.pitch_diameter / 2) ** 2
-    scale = (balance.unknown_scale / balance.residual_scale)[0, [balance.field(-1).start, CAGE]]
+    scale = (balance.sizes.unknown / balance.sizes.residual)[0, [balance.layout.field(-1).start, CAGE]]
     state, slips = one.scaled[None].copy(), []
     state[0, CAGE] -= slip_change
     for time_step in time_steps:
         system, shift = balance.evaluate(state), bordered.Shift(*(inertias * scale / time_step))
         change = -bordered.solve(balance, system, system.residual[..., None], shift)[..., 0]
-        state = balance.bounded(state, state + change)
+        state = bounded(balance, state, state + change)
         slips.append(-state[0, CAGE])
     return np.array(slips)
 

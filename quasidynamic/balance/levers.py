@@ -1,0 +1,115 @@
+"""How ring and raceways move the approaches of the rollers; by the same levers the rollers push them."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.roller import CAGE_SPEED, FILM_I, SPIN, VALUE
+from quasidynamic.balance.unknowns import (
+    BORDER,
+    CAGE,
+    INNER,
+    OUTER,
+    TILT_Y,
+    TILT_Z,
+    Layout,
+    Unknowns,
+    Y,
+    Z,
+)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Levers:
+    """Levers of the rollers at their places, for all cases alike."""
+
+    layout: Layout
+    azimuths: NDArray  # (Z) [rad] from axis z towards axis y
+    half: float  # [m] half of the length that the axial shapes are made for
+
+    @cached_property
+    def _radial(self) -> NDArray:
+        """Sine and cosine of the roller azimuths (2, Z): components y and z of what points outwards."""
+        return np.array([np.sin(self.azimuths), np.cos(self.azimuths)])
+
+    @cached_property
+    def _reactions(self) -> NDArray:
+        """Directions y and z against the motion of the rollers and inwards (2, 2, 1, 1, Z)."""
+        sin, cos = self._radial
+        return np.array([[-cos, sin], [-sin, -cos]])[:, :, None, None]
+
+    def approach(self, x: Unknowns, clearance: float) -> NDArray:
+        """Shape coefficients (2, M, C, Z) of the approaches between even raceways [m]."""
+        m, (y, z) = self.layout.shapes, x.ring[:TILT_Z]
+        sin, cos = self._radial
+        approach = np.zeros((2, m, *x.spin_drift.shape))
+        approach[INNER, 0] = y * sin + z * cos - x.approach + (x.film[0] + x.film[1] - clearance / 2)
+        approach[OUTER, 0] = x.approach
+        if m > 1:
+            slope_z, slope_y = x.ring[TILT_Z:]
+            approach[INNER, 1] = self.half * (slope_z * cos + slope_y * sin) - x.tilt
+            approach[OUTER, 1] = x.tilt
+        return approach
+
+    @staticmethod
+    def deviate(approach: NDArray, deviation: NDArray) -> None:
+        """Add outward deviations of the raceways to the approaches, both (2, M, C, Z), in place.
+
+        The roller follows the outer raceway's height and tilt but not its waviness: those two
+        change the inner approach, the rest the outer one.
+        """
+        inner, outer = deviation
+        approach[INNER] += inner
+        approach[INNER, :2] -= outer[:2]
+        approach[OUTER, 2:] -= outer[2:]
+
+    def columns(self, gradient: NDArray) -> NDArray:
+        """Derivatives by the unknowns (rows, columns, C, Z) from those by a roller's inputs."""
+        m, own = self.layout.shapes, self.layout.own
+        columns = own + BORDER + m * len(self.layout.yielding)
+        table = np.zeros((len(gradient), columns, *gradient.shape[2:]))
+        inner, outer = gradient[:, :m], gradient[:, m : 2 * m]
+        spin, cage, film = gradient[:, SPIN], gradient[:, CAGE_SPEED], gradient[:, FILM_I:VALUE]
+        np.subtract(outer[:, 0], inner[:, 0], out=table[:, 0])
+        np.add(film, inner[:, :1], out=table[:, own - 3 : own - 1])
+        table[:, own - 1] = spin
+        np.multiply(self._radial[:, None], inner[:, :1], out=table[:, own + Y : own + Z + 1])
+        table[:, own + CAGE] = cage
+        if m > 1:
+            (sin, cos), half = self._radial, self.half
+            table[:, 1] = outer[:, 1] - inner[:, 1]
+            table[:, own + TILT_Z] = half * cos * inner[:, 1]
+            table[:, own + TILT_Y] = half * sin * inner[:, 1]
+        for place, race in enumerate(self.layout.yielding):
+            here = table[:, own + BORDER + place * m : own + BORDER + (place + 1) * m]
+            here[:] = inner if race == INNER else -np.concatenate([inner[:, :2], outer[:, 2:]], axis=1)
+        return table
+
+    def rows(self, response: NDArray, free_tilt: NDArray) -> NDArray:
+        """Rows of the table from those of a roller's response (rows, inputs + 1, C, Z).
+
+        `free_tilt` (C, 1) tells whether a ring may tilt: no moment reaches one that may not.
+        """
+        m, own = self.layout.shapes, self.layout.own
+        cage, tangential = response[own], response[own + 1]
+        first = len(response) - 2 * m  # row of the forces conjugate to the shapes
+        inner = response[first : first + m]
+        rows = np.zeros((own + BORDER + m * len(self.layout.yielding), *response.shape[1:]))
+        rows[:own] = response[:own]
+        rows[own + Y : own + Z + 1] = self.pushed(tangential, inner[0])
+        if m > 1:
+            sin, cos = self._radial
+            moment = -self.half * inner[1]
+            rows[own + TILT_Z], rows[own + TILT_Y] = free_tilt * (moment * cos), free_tilt * (moment * sin)
+        rows[own + CAGE] = cage
+        for place, race in enumerate(self.layout.yielding):
+            start = first + race * m
+            rows[own + BORDER + place * m : own + BORDER + (place + 1) * m] = response[start : start + m]
+        return rows
+
+    def pushed(self, along: NDArray, outward: NDArray) -> NDArray:
+        """Force (2, n, C, Z) [N], y and z, on what pushes rollers (n, C, Z) along the motion and outwards."""
+        backwards, inwards = self._reactions
+        return backwards * along + inwards * outward
