@@ -5,6 +5,8 @@ and it goes on smoothly around the raceway, so that the harmonics of the indenta
 without disturbance and those of a ring differ from them by c/(n^2 - 1) for large n.
 """
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.polynomial import legendre
 from numpy.typing import NDArray
@@ -71,9 +73,28 @@ def indentation_harmonics(
     array (K, M, M)
         h [m/N]; for large n it is (1 - nu^2)/(pi E) (2m + 1)/l |n|^-1 on the diagonal
     """
+    return fourier(harmonics, lambda phi: indentation(phi, radius, length, shapes, elastic))
+
+
+def fourier(harmonics: NDArray, answer: Callable[[NDArray], NDArray]) -> NDArray:
+    r"""Fourier coefficients of an even answer that may have a logarithm at the line.
+
+    .. math:: h_n = \frac{1}{\pi} \int_0^\pi H(\varphi) \cos n\varphi\,d\varphi
+
+    Parameters
+    ----------
+    harmonics : array (K,) of int
+        n
+    answer : callable (Q,) -> (Q, ...)
+        H of azimuths between 0 and pi [rad]
+
+    Returns
+    -------
+    array (K, ...)
+        in the unit of H
+    """
     phi, weight = _half_turn(int(np.abs(harmonics).max()))
-    H = indentation(phi, radius, length, shapes, elastic)
-    return np.tensordot(np.cos(np.outer(harmonics, phi)) * weight / np.pi, H, axes=1)
+    return np.tensordot(np.cos(np.outer(harmonics, phi)) * weight / np.pi, answer(phi), axes=1)
 
 
 def curvature_tail(azimuth, last: int) -> NDArray:

@@ -7,7 +7,8 @@ or "foundation" where the part is held, "lines" where line loads may act, "seat"
 is in millimetres, as in `fem.mesh`.
 """
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from functools import singledispatch
 
 import ngsolve as ngs
@@ -27,6 +28,8 @@ class Section:
 
     material: str
     corners: tuple[tuple[float, float, str | None], ...]  # (x, r [m], name of the edge that ends here)
+    bends: Mapping[int, tuple[float, float]] = field(default_factory=dict)  # arcs: at the start of the edge
+    # that ends at a corner, by its number, the direction of the arc
 
 
 @singledispatch
@@ -113,6 +116,8 @@ def meshed(bodies: list[Section], wishes: Mesh) -> ngs.Mesh:
             edge.maxh = wishes.raceway_size * MILLIMETRES
     mesh = ngs.Mesh(occ.OCCGeometry(plane, dim=2).GenerateMesh(maxh=wishes.size * MILLIMETRES))
     mesh.RefineHP(GRADED_LAYERS, GRADED_RATIO)
+    if any(body.bends for body in bodies):
+        mesh.Curve(wishes.order)
     return mesh
 
 
@@ -120,8 +125,10 @@ def _face(body: Section):
     pen = occ.WorkPlane()
     at = body.corners[0][:2]
     pen.MoveTo(*(c * MILLIMETRES for c in at))
-    for x, r, name in [*body.corners[1:], body.corners[0]]:
-        if max(abs(x - at[0]), abs(r - at[1])) * MILLIMETRES > 1e-9:  # a band as long as its track
+    for number, (x, r, name) in [*enumerate(body.corners[1:], 1), (0, body.corners[0])]:
+        if number in body.bends:
+            pen.ArcTo(x * MILLIMETRES, r * MILLIMETRES, occ.gp_Vec2d(*body.bends[number]), name=name)
+        elif max(abs(x - at[0]), abs(r - at[1])) * MILLIMETRES > 1e-9:  # a band as long as its track
             pen.LineTo(x * MILLIMETRES, r * MILLIMETRES, name=name)
         at = (x, r)
     face = pen.Face()

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.ball_attitude import Attitude, attitude
 from quasidynamic.balance.four_point import BallLoads, ball_loads
+from quasidynamic.balance.four_point_yielding import yielding_ball_loads
 from quasidynamic.contact.ellipse_friction import Ellipse, slip_field
 from quasidynamic.contact.point import PointContact, point_contact, race_curvatures
 from quasidynamic.errors import ImpossiblePart, OutOfRange
@@ -110,15 +111,25 @@ class FourPointBallBearing:
         if not 0.0 <= self.hysteresis_loss < 1.0:
             raise ImpossiblePart(f"hysteresis_loss = {self.hysteresis_loss!r} must be in [0, 1)")
 
-    def solve(self, load: RingLoad) -> FourPointEquilibrium:
+    def solve(self, load: RingLoad, compliance: NDArray | None = None) -> FourPointEquilibrium:
         """Load distribution, then the motion and torque of every ball.
+
+        Parameters
+        ----------
+        load : RingLoad
+            on the inner ring
+        compliance : array (Z, 2, 2, 2, 2), optional
+            of rings that yield to the balls, see `yielding_ball_loads` [m/N]; rigid rings without it
 
         Raises
         ------
         ImpossiblePart, NotSolved, OutOfRange
-            see `ball_loads`, `attitude` and `slide`
+            see `ball_loads`, `yielding_ball_loads`, `attitude` and `slide`
         """
-        found = ball_loads(self.bearing, load.vector())
+        if compliance is None:
+            found = ball_loads(self.bearing, load.vector())
+        else:
+            found = yielding_ball_loads(self.bearing, load.vector(), compliance)
         both = (len(found.loads), 2, 2)
         return FourPointEquilibrium(
             found,

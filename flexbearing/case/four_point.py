@@ -5,6 +5,7 @@ from typing import Literal, Self
 
 from pydantic import model_validator
 
+from flexbearing.case import bolted
 from flexbearing.case.balls import BallBearing, Elastic, Number, RingLoad, Whole
 from flexbearing.case.head import Head
 from flexbearing.case.quantity import (
@@ -155,6 +156,7 @@ class FourPointCase(Head):
     materials: SlowMaterials = key("the materials")
     friction: SlowFriction = key("friction of the contacts")
     operation: SlowOperation = key("load and speed", {})
+    rings: bolted.Rings = key("rings that yield to the balls; rigid without it", {})
     fields: Fields = key("contacts whose slip and shear are stored point by point", {})
 
     @property
@@ -166,7 +168,22 @@ class FourPointCase(Head):
     def _balls_are_known(self) -> Self:
         if self.operation.mode == "ring_load" and self.bearing.balls is None:
             raise needed(["bearing.balls"], 'operation.mode = "ring_load"')
+        if self.operation.mode == "contact_loads" and not self.rings.rigid:
+            raise impossible(
+                "operation.mode", '"ring_load" beside rings that yield: they change how balls share it'
+            )
         chosen = self.fields.balls
         if chosen is not None and (not chosen or not all(0 <= ball < self.balls for ball in chosen)):
             raise impossible("fields.balls", f"numbers of balls, from 0 to {self.balls - 1}")
+        return self
+
+    @model_validator(mode="after")
+    def _grooves_fit_into_the_rings(self) -> Self:
+        own, ball = self.bearing, self.bearing.ball.diameter
+        self.rings.require_room(
+            *(
+                bolted.Groove(own.pitch_diameter, ball, groove.over(ball) * ball, own.contact_angle)
+                for groove in (own.inner, own.outer)
+            )
+        )
         return self

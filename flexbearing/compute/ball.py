@@ -1,12 +1,13 @@
-"""A ball bearing between rigid rings, from case to result file."""
+"""A ball bearing, from case to result file."""
 
 from collections.abc import Mapping
 from typing import Any
 
 from numpy.typing import ArrayLike
 
+from fem.errors import NotSolved as RingNotSolved
 from flexbearing.case import AngularCase, AnyCase, BadCase, FourPointCase
-from flexbearing.compute import angular, four_point
+from flexbearing.compute import angular, bolted, four_point
 from flexbearing.compute.progress import Report
 from flexbearing.results import ResultFile
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
@@ -18,11 +19,20 @@ def opening(case: AnyCase) -> dict[str, object]:
 
 
 def solve_four_point(case: FourPointCase, file: ResultFile, report: Report) -> dict[str, object]:
-    """Write the solution of a slow bearing; returns the root attributes that say how it ended."""
-    report.stage("slow balls between rigid rings", None)
+    """Write the solution of a slow bearing; returns the root attributes that say how it ended.
+
+    Rings that yield come beside the rigid ones.
+    """
     try:
+        report.stage("slow balls between rigid rings", None)
         found = four_point.solved(case)
-    except NotSolved as failure:
+        file.block("rigid", four_point.arrays(case, found))
+        if not case.rings.rigid:
+            compliance = bolted.compliance(case, report)
+            report.stage("slow balls between rings that yield", None)
+            found = four_point.solved(case, compliance)
+            file.block("flexible", four_point.arrays(case, found))
+    except (NotSolved, RingNotSolved) as failure:
         return _not_solved(failure)
     except (ImpossiblePart, OutOfRange) as problem:
         raise BadCase(f"{case.source.path}: {problem}") from problem
@@ -30,7 +40,7 @@ def solve_four_point(case: FourPointCase, file: ResultFile, report: Report) -> d
     message = f"friction of every ball in balance to {worst:.1e} of its power"
     if found.distribution is not None:
         message += f", the ring to {found.distribution.imbalance:.1e} of the largest force"
-    return _stored(file, four_point.arrays(case, found), message, four_point.notes(case, found))
+    return _converged(message, four_point.notes(case, found))
 
 
 def solve_angular(case: AngularCase, file: ResultFile, report: Report) -> dict[str, object]:
@@ -50,11 +60,16 @@ def _stored(
     file: ResultFile, arrays: Mapping[str, ArrayLike], message: str, notes: tuple[str, ...]
 ) -> dict[str, Any]:
     file.block("rigid", arrays)
+    return _converged(message, notes)
+
+
+def _converged(message: str, notes: tuple[str, ...]) -> dict[str, Any]:
     return _ending("converged", message, "converged") | {"notes": list(notes)}
 
 
-def _not_solved(failure: NotSolved) -> dict[str, Any]:
-    return _ending("not solved", str(failure), str(failure.ending))
+def _not_solved(failure: NotSolved | RingNotSolved) -> dict[str, Any]:
+    ending = str(failure.ending) if isinstance(failure, NotSolved) else "rings not solved"
+    return _ending("not solved", str(failure), ending)
 
 
 def _ending(status: str, message: str, ending: str) -> dict[str, Any]:

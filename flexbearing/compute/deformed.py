@@ -6,6 +6,7 @@ from pathlib import Path
 from flexbearing.compute import fields
 from flexbearing.report.structure import deformed
 from flexbearing.results import Result
+from flexbearing.results.kinds import ROLLER
 
 
 def pictures(result: Result, directory: Path) -> Iterator[str]:
@@ -21,9 +22,10 @@ def pictures(result: Result, directory: Path) -> Iterator[str]:
     Yields
     ------
     str
-        a line for each part: its file, or why there is none; nothing without flexible parts or end state
+        a line for each part: its file, or why there is none; nothing without flexible parts or end state,
+        nor of ball bearings, whose rings are known at the balls only
     """
-    if not result.flexible:
+    if not result.flexible or result.kind != ROLLER:
         return
     case = fields.case_of(result)
     try:

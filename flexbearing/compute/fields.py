@@ -87,7 +87,7 @@ def case_of(result: Result) -> Case:
     Raises
     ------
     BadCase
-        if it is about balls, whose rings are rigid
+        if it is about balls, whose rings are rigid, or known at the balls only
     """
     attributes = result.attributes
     file = Path(attributes.get("case_file", result.path))
@@ -96,7 +96,7 @@ def case_of(result: Result) -> Case:
     if drawn and not (file.parent / drawn).exists():  # carried elsewhere: the drawing may have come along
         case = understood(attributes["case_text"], result.path, attributes["case_overrides"])
     if not isinstance(case, Case):
-        raise BadCase(f"{result.path}: the rings of a {case.kind} bearing are rigid; only rollers bend rings")
+        raise BadCase(f"{result.path}: the rings of a {case.kind} bearing have no fields; only rollers have")
     return case
 
 

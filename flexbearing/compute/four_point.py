@@ -7,8 +7,10 @@ from numpy.typing import ArrayLike, NDArray
 
 import quasidynamic as qd
 from flexbearing.case import FourPointCase
+from flexbearing.compute import bolted
 from flexbearing.compute.ball_parts import ball, groove
 from quasidynamic.balance.four_point import BallLoads
+from quasidynamic.balance.four_point_yielding import YieldingBallLoads
 
 FEWEST = 3  # balls of a ring; a single one has the same pitch circle
 SIGN = np.array([1.0, -1.0])  # of the torques on inner and outer ring
@@ -23,8 +25,10 @@ class Solution:
 
 
 def bearing(case: FourPointCase) -> qd.FourPointBallBearing:
-    """The bearing of a case."""
+    """The bearing of a case; raises `BadCase` when one of its rings cannot be."""
     own, materials = case.bearing, case.materials
+    for name in ("inner", "outer"):
+        bolted.ring(case, name)
     return qd.FourPointBallBearing(
         bearing=qd.FourPointBearing(
             ball=ball(own, materials.ball),
@@ -49,8 +53,14 @@ def _friction(case: FourPointCase) -> qd.FrictionCurve:
     return qd.FrictionCurve(pressures=given.pressures, coefficients=given.coefficients)
 
 
-def solved(case: FourPointCase) -> Solution:
-    """Loads and motion of the balls; raises `NotSolved`, `OutOfRange` or `ImpossiblePart`."""
+def solved(case: FourPointCase, compliance: NDArray | None = None) -> Solution:
+    """Loads and motion of the balls between rigid rings, or between those of a compliance [m/N].
+
+    Raises
+    ------
+    NotSolved, OutOfRange, ImpossiblePart
+        see `qd.FourPointBallBearing.solve`
+    """
     model = bearing(case)
     if case.operation.mode == "ring_load":
         load = case.operation.load
@@ -61,7 +71,8 @@ def solved(case: FourPointCase) -> Solution:
                 axial=load.axial,
                 moment_x=load.moment_x,
                 moment_y=load.moment_y,
-            )
+            ),
+            compliance,
         )
         return Solution(found.balls, found.distribution)
     given = np.array(case.operation.contact_loads)
@@ -112,12 +123,15 @@ def _torques(case: FourPointCase, balls: qd.SlidingBalls) -> dict[str, ArrayLike
 def _ring(case: FourPointCase, found: BallLoads | None) -> dict[str, ArrayLike]:
     if found is None:
         return {}
-    return {
+    own: dict[str, ArrayLike] = {
         "ring_load": case.operation.load.values,
         "ring_displacement": found.displacement,
         "stiffness_matrix": found.stiffness,
         "ring_imbalance": found.imbalance,
     }
+    if isinstance(found, YieldingBallLoads):
+        own["ring_yield"] = found.yielded
+    return own
 
 
 def _fields(case: FourPointCase, balls: qd.SlidingBalls) -> dict[str, ArrayLike]:
@@ -149,11 +163,28 @@ def notes(case: FourPointCase, solution: Solution) -> tuple[str, ...]:
     told = balls.notes
     if solution.distribution is None:
         told += ("contact loads are given: every ball carries them, at the contact angle without load",)
+    told += _on_shoulders(case, balls)
     idle = int((~balls.attitude.driven).sum())
     if idle:
         told += (f"{idle} of {len(balls.load)} balls are not pressed on both rings: they make no torque",)
     if case.friction.torque == "circumferential":
         told += (_apart(balls.torques.circumferential.sum(0), balls.torques.total.sum(0)),)
+    return told
+
+
+def _on_shoulders(case: FourPointCase, balls: qd.SlidingBalls) -> tuple[str, ...]:
+    """Contacts that reach over the arches of rings whose shoulders are known."""
+    told: tuple[str, ...] = ()
+    for race, name in enumerate(("inner", "outer")):
+        ring = bolted.ring(case, name)
+        if ring is not None:
+            reach = balls.contacts.angle[..., race] + balls.ellipse.across[..., race] / ring.groove_radius
+            over = int((reach[balls.load[..., race] > 0] > ring.groove_end).sum())
+            if over:
+                told += (
+                    f"{over} contacts of the {name} ring reach over its shoulders at "
+                    f"{np.degrees(ring.groove_end):.1f} deg; they are computed as if the arches went on",
+                )
     return told
 
 

@@ -7,6 +7,7 @@ from rich.console import RenderableType
 from rich.table import Table
 from rich.text import Text
 
+from flexbearing.report.four_point_compared import beside
 from flexbearing.report.four_point_tables import PARTS
 from flexbearing.report.sections import closing, matrix, right_aligned
 
@@ -62,9 +63,15 @@ _RING = (
 
 
 def four_point_page(numbers: dict[str, Any]) -> Iterator[RenderableType]:
-    """Loads, torque in parts, ring, assumed keys, notes, and how the run ended."""
+    """Loads, torque in parts, ring, assumed keys, notes, and how the run ended.
+
+    Rings that yield are compared with rigid ones; then everything is said of them.
+    """
     yield Text(numbers["title"], style="bold")
-    if block := numbers["rigid"]:
+    if numbers["flexible"]:
+        yield beside(numbers)
+        yield Text("between the rings that yield", "bold")
+    if block := numbers["flexible"] or numbers["rigid"]:
         yield _values(block, _ROWS_FOUR_POINT)
         yield _races(block, _RACES_FOUR_POINT)
         yield Text(

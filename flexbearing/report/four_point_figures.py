@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from flexbearing.report.ball_axes import STYLES, around, close_ring, stacked
+from flexbearing.report.four_point_compared import compared_loads
 from flexbearing.report.tables import LOADED
 from flexbearing.results import Result
 
@@ -29,7 +30,8 @@ def pictures(result: Result) -> dict[str, Figure]:
     Returns
     -------
     dict
-        loads and torques around the ring when the ring is loaded, and the contacts of each chosen ball;
+        loads and torques around the ring when the ring is loaded, and the contacts of each chosen ball,
+        between rings that yield where there are such; then also their loads beside those of rigid rings;
         empty when nothing was solved
     """
     if not result.rigid:
@@ -37,14 +39,21 @@ def pictures(result: Result) -> dict[str, Figure]:
     found = {}
     if "ring_load" in result.rigid:
         found |= {"ball_loads": ball_loads(result), "ball_torques": ball_torques(result)}
-    for place, ball in enumerate(result.rigid["field_ball"].astype(int)):
+    if result.flexible:
+        found["rigid_and_yielding_rings"] = compared_loads(result)
+    for place, ball in enumerate(_last(result)["field_ball"].astype(int)):
         found[f"contacts_of_ball_{ball}"] = contact_fields(result, place)
     return found
 
 
+def _last(result: Result) -> Any:
+    """The block of rings that yield, else of rigid ones."""
+    return result.flexible or result.rigid
+
+
 def ball_loads(result: Result) -> Figure:
     """Draw loads and contact angles of both diagonals around the ring."""
-    values = result.rigid
+    values = _last(result)
     figure, (upper, lower) = stacked(result, "Contact loads and angles at the inner race", 2)
     for diagonal in range(values["contact_load"].shape[1]):
         load = values["contact_load"][:, diagonal, 0]
@@ -61,7 +70,7 @@ def ball_loads(result: Result) -> Figure:
 
 def ball_torques(result: Result) -> Figure:
     """Draw the torque of every ball and its parts, and how the balls turn."""
-    values = result.rigid
+    values = _last(result)
     total = values["torque"][0]
     figure, (upper, middle, lower) = stacked(
         result, f"Torque of each ball on the inner ring, together {total:.4g} N m", 3, 1.9
@@ -95,7 +104,7 @@ def contact_fields(result: Result, place: int = 0) -> Figure:
     matplotlib.figure.Figure
         one panel for each loaded contact, to scale
     """
-    values = result.rigid
+    values = _last(result)
     ball = int(values["field_ball"][place])
     load = values["contact_load"][ball]
     drawn = [contact for contact in np.ndindex(load.shape) if _is_stored(values, place, contact)]

@@ -21,17 +21,18 @@ def summary(result: Result) -> dict[str, Any]:
     Returns
     -------
     dict
-        status, texts, and the block ``rigid``; a name carries its unit. None stands for a number that is not
-        finite, for one that the case does not ask for, and for a block that was never solved. Ball data are
-        (balls, diagonals) where nothing else is said; torques are those of the inner ring.
+        status, texts, and the blocks ``rigid`` and ``flexible``; a name carries its unit. None stands for a
+        number that is not finite, for one that the case does not ask for, and for a block that was never
+        solved, as ``flexible`` between rigid rings. Ball data are (balls, diagonals) where nothing else is
+        said; torques are those of the inner ring.
     """
     head = {name: plain(result.attributes[name]) for name in HEAD}
-    block = plain(_block(result)) if result.rigid else None
-    return {"kind": result.kind, **head, "rigid": block, "flexible": None}
+    blocks = {"rigid": result.rigid, "flexible": result.flexible}
+    shown = {name: plain(_block(result, values)) if values else None for name, values in blocks.items()}
+    return {"kind": result.kind, **head, **shown}
 
 
-def _block(result: Result) -> dict[str, Any]:
-    values: Any = result.rigid
+def _block(result: Result, values: Any) -> dict[str, Any]:
     return _loads(values) | _torques(result, values) | _motion(values) | _ring(values)
 
 
@@ -86,8 +87,11 @@ def _motion(values: Any) -> dict[str, Any]:
 def _ring(values: Any) -> dict[str, Any]:
     """Ring under load; None when the contact loads are given."""
     if "ring_displacement" not in values:
-        return dict.fromkeys(("ring_displacement_um", "ring_tilt_mrad", "stiffness_matrix_SI"))
+        names = ("ring_displacement_um", "ring_tilt_mrad", "stiffness_matrix_SI", "largest_ring_yield_um")
+        return dict.fromkeys(names)
+    yielded = values.get("ring_yield")
     return {
+        "largest_ring_yield_um": None if yielded is None else 1e6 * np.hypot(*yielded.T).max(),
         "ring_displacement_um": 1e6 * values["ring_displacement"][:3],
         "ring_tilt_mrad": 1e3 * values["ring_displacement"][3:],
         "stiffness_matrix_SI": values["stiffness_matrix"],

@@ -45,7 +45,11 @@ FOUR_POINT = (
     Dataset("ring_load", "5", "N, N m", "block",
             f"load on the inner ring ({_RING}); absent when contact loads are given", optional=True),
     Dataset("ring_displacement", "5", "m, rad", "block",
-            f"displacement of the inner ring ({_RING}); absent when contact loads are given", optional=True),
+            f"displacement of the inner ring ({_RING}), of its bolted face when it yields; absent when "
+            "contact loads are given", optional=True),
+    Dataset("ring_yield", "Z G 2", "m", "block",
+            "by how much both rings let opposite groove centres come closer, (outward, along z), the "
+            "indentation of the contacts left out; absent between rigid rings", optional=True),
     Dataset("stiffness_matrix", "5 5", _PER_STIFFNESS, "block",
             f"tangent stiffness of the rings without friction ({_RING}); absent when contact loads are given",
             optional=True),

@@ -15,6 +15,7 @@ class Layout:
 
     table: tuple[Dataset, ...]
     blocks: tuple[str, ...]  # that a converged run has
+    further: tuple[str, ...] = ()  # that only some cases have
 
     def datasets(self, place: Literal["iteration", "block"]) -> dict[str, Dataset]:
         """Datasets of an iteration or of a block, by name."""
@@ -23,6 +24,6 @@ class Layout:
 
 LAYOUTS = {
     ROLLER: Layout(TABLE, ("rigid", "flexible")),
-    "four_point_ball": Layout(FOUR_POINT, ("rigid",)),
+    "four_point_ball": Layout(FOUR_POINT, ("rigid",), ("flexible",)),
     "angular_contact_ball": Layout(ANGULAR, ("rigid",)),
 }

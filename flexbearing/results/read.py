@@ -30,7 +30,7 @@ class Result:
     path: Path
     attributes: Mapping[str, Any]  # JSON attributes are mappings again, lists are tuples
     rigid: Arrays  # empty when the run ended before it was solved
-    flexible: Arrays  # likewise; of ball bearings always
+    flexible: Arrays  # likewise; of ball bearings also between rigid rings
     iterations: tuple[Arrays, ...]  # from the first to the last
     kind: str = ROLLER  # family of the bearing
 
@@ -122,7 +122,7 @@ def _result(file: h5py.File, path: Path) -> Result:
     layout = LAYOUTS[kind]
     sizes: Sizes = {}
     blocks: dict[str, Arrays] = {"rigid": _NOTHING, "flexible": _NOTHING}
-    for name in layout.blocks:
+    for name in layout.blocks + layout.further:
         blocks[name], sizes = _arrays(file.get(name), layout.datasets("block"), sizes, name)
     iterations = _iterations(file, layout.datasets("iteration"), sizes)
     return Result(path=path, attributes=_attributes(file, kind), iterations=iterations, kind=kind, **blocks)

@@ -116,8 +116,9 @@ class ResultFile:
         NotInLayout
             for an unknown or missing name, a wrong shape, or a solution that is not finite
         """
-        if name not in self._layout.blocks:
-            known = ", ".join(self._layout.blocks)
+        possible = self._layout.blocks + self._layout.further
+        if name not in possible:
+            known = ", ".join(possible)
             raise NotInLayout(f"block {name!r} does not exist; it is one of: {known}.")
         file, known = self._open_file(), self._layout.datasets("block")
         if name in file:
@@ -154,7 +155,8 @@ class ResultFile:
             raise NotInLayout(
                 f"iterations = {attributes['iterations']}, but {self._iterations} were written."
             )
-        unsolved = [name for name in self._layout.blocks if not self._converged.get(name)]
+        unsolved = [name for name in self._layout.blocks if name not in self._converged]
+        unsolved += [name for name, converged in self._converged.items() if not converged]
         if attributes["status"] == "converged" and unsolved:
             raise NotInLayout(
                 f"status = 'converged', but no converged block {' or '.join(unsolved)} was written."

@@ -1,0 +1,145 @@
+"""The section [rings] of a four-point bearing: rings that stand on a bolted face."""
+
+from math import cos, pi, sin, sqrt
+from typing import ClassVar, Literal, NamedTuple, Self
+
+from pydantic import model_validator
+
+from flexbearing.case.quantity import Angle, Foundation, Length, Section, impossible, key, require
+
+
+class Groove(NamedTuple):
+    """A groove of two arches."""
+
+    pitch_diameter: float  # [m]
+    ball_diameter: float  # [m]
+    radius: float  # [m] of the arches
+    angle: float  # [rad] contact angle without load
+
+    def half_width(self, end: float) -> float:
+        """From the plane of the ball centres to where arches end at a contact angle [m]."""
+        return self.radius * sin(end) - self._offset * sin(self.angle)
+
+    def bottom_diameter(self, outward: int) -> float:
+        """Diameter where both arches meet [m]."""
+        reach = sqrt(self.radius**2 - (self._offset * sin(self.angle)) ** 2) - self._offset * cos(self.angle)
+        return self.pitch_diameter + 2 * outward * reach
+
+    @property
+    def _offset(self) -> float:
+        return self.radius - self.ball_diameter / 2
+
+
+class BoltedRing(Section):
+    """A ring of rectangular section; its keys are ignored when it is rigid."""
+
+    far: ClassVar[str]  # key of the diameter opposite the groove
+    outward: ClassVar[int]  # sign of the radial direction from the balls into the ring
+
+    kind: Literal["rigid", "bolted"] = key(
+        "rigid; or a ring of rectangular section with the groove cut out, one end face of which stands as a "
+        "whole on something rigid or on springs",
+        "rigid",
+    )
+    width: Length | None = key("axial width of the ring", None, example="80 mm", gt=0)
+    face_distance: Length | None = key(
+        "distance of the bolted face from the plane of the ball centres", None, example="45 mm", gt=0
+    )
+    face: Literal["+z", "-z"] | None = key("end face that is bolted", None)
+    face_stiffness: Foundation | None = key(
+        "springs per area under the bolted face, along z; without this key the face is rigid",
+        None,
+        example="500 N/mm^3",
+        gt=0,
+    )
+    face_shear_stiffness: Foundation | None = key(
+        "the same along the face, both ways", None, example="200 N/mm^3", gt=0
+    )
+    groove_end: Angle = key("contact angle at which the shoulders cut the arches", "75 deg", gt=0, lt=pi / 2)
+
+    @model_validator(mode="after")
+    def _complete(self) -> Self:
+        if self.kind == "rigid":
+            return self
+        require(self, ("width", "face_distance", "face", self.far), 'kind = "bolted"')
+        if (self.face_stiffness is None) != (self.face_shear_stiffness is None):
+            names = ("face_stiffness", "face_shear_stiffness")
+            require(self, names, "a face on springs")
+        return self
+
+    def misfit(self, groove: Groove) -> tuple[str, str] | None:
+        """Key that leaves no room for the groove, and what it must be; None when there is room."""
+        width, distance, far = require(self, ("width", "face_distance", self.far), self.kind)
+        if self.groove_end <= groove.angle:
+            return "groove_end", "above bearing.contact_angle"
+        half = groove.half_width(self.groove_end)
+        if distance <= half:
+            return "face_distance", f"above {half * 1e3:.4g} mm, half the width of the groove"
+        if width <= distance + half:
+            return "width", f"above {(distance + half) * 1e3:.4g} mm, or the groove reaches the other face"
+        if self.outward * (far - groove.bottom_diameter(self.outward)) <= 0:
+            side = "above" if self.outward > 0 else "below"
+            return (
+                self.far,
+                f"{side} {groove.bottom_diameter(self.outward) * 1e3:.5g} mm, the groove's bottom",
+            )
+        return None
+
+
+class BoltedOuter(BoltedRing):
+    """The ring around the balls."""
+
+    far = "outside_diameter"
+    outward = 1
+
+    outside_diameter: Length | None = key("outside diameter of the ring", None, example="2060 mm", gt=0)
+
+
+class BoltedInner(BoltedRing):
+    """The ring inside the balls."""
+
+    far = "bore"
+    outward = -1
+
+    bore: Length | None = key("bore of the ring", None, example="1740 mm", gt=0)
+
+
+class Rings(Section):
+    """The rings, rigid unless they are described, and how finely they are resolved."""
+
+    outer: BoltedOuter = key("the ring around the balls, its bolted face at rest", {})
+    inner: BoltedInner = key(
+        "the ring inside the balls; its bolted face moves as a rigid body and takes operation.load", {}
+    )
+    line: Length | None = key(
+        "length of the line across an arch on which a ball presses; without this key a fifth of the ball",
+        None,
+        example="7 mm",
+        gt=0,
+    )
+    element_order: int | None = key(
+        "order of the finite elements; without this key 5", None, example=5, ge=2, le=8
+    )
+    mesh_size: Length | None = key(
+        "largest element; without this key half a ball diameter", None, example="15 mm", gt=0
+    )
+    line_mesh_size: Length | None = key(
+        "largest element on the loaded lines; without this key half of rings.line", None, gt=0
+    )
+    harmonics: int | None = key(
+        "azimuthal harmonics, or what the mesh resolves; without this key 6 times radius over rings.line",
+        None,
+        example=800,
+        ge=8,
+    )
+
+    @property
+    def rigid(self) -> bool:
+        """Whether nothing yields."""
+        return self.outer.kind == self.inner.kind == "rigid"
+
+    def require_room(self, inner: Groove, outer: Groove) -> None:
+        """Raise unless the grooves of the bearing fit into the rings."""
+        for name, ring, groove in (("outer", self.outer, outer), ("inner", self.inner, inner)):
+            if ring.kind == "bolted" and (found := ring.misfit(groove)):
+                raise impossible(f"rings.{name}.{found[0]}", found[1])

@@ -1,0 +1,99 @@
+"""Diagonals of a four-point contact ball bearing: loads by the distance of opposite groove centres."""
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.contact.point import point_contact, race_curvatures
+from quasidynamic.motion.ball_slip import SIDE
+from quasidynamic.parts.ball import FourPointBearing
+
+SIGN = np.array([1.0, -1.0])  # of the axial direction in which the diagonals lean outwards
+
+
+class Pressed(NamedTuple):
+    """What the diagonals do at one place of the inner ring; components are (outward, along z)."""
+
+    loads: NDArray  # (Z, 2) [N]
+    angles: NDArray  # (Z, 2) [rad]
+    force: NDArray  # (Z, 2, 2) of the balls on the outer ring [N]; the inner ring has the opposite
+    stiffness: NDArray  # (Z, 2, 2, 2) of that force by the distance of the groove centres [N/m]
+
+
+@dataclass(frozen=True)
+class Diagonals:
+    """Balls between two rings; moments and tilts are taken over the pitch radius."""
+
+    coefficient: float  # K [N/m^1.5]
+    touching: float  # [m] distance of the groove centres at which a diagonal begins to carry
+    start: NDArray  # (2, 2) [m] distance of the groove centres (diagonal, component), rings concentric
+    moves: (
+        NDArray  # (Z, 2, 5) [-] displacement (outward, along z) of the inner ring at each ball by its place
+    )
+
+    @classmethod
+    def of(cls, bearing: FourPointBearing) -> "Diagonals":
+        """Build from a bearing."""
+        cosine, sine = np.cos(bearing.azimuths), np.sin(bearing.azimuths)
+        none, one = np.zeros_like(cosine), np.ones_like(cosine)
+        angle, distance = bearing.contact_angle, bearing.centre_distance - bearing.clearance
+        outward = np.stack([cosine, sine, none, none, none], 1)
+        along = np.stack([none, none, one, sine, -cosine], 1)
+        return cls(
+            coefficient=diagonal_coefficient(bearing),
+            touching=bearing.centre_distance,
+            start=distance * np.stack([np.full(2, np.cos(angle)), np.sin(angle) * SIGN], 1),
+            moves=np.stack([outward, along], 1),
+        )
+
+    def at(self, place: NDArray, yielded: NDArray | float = 0.0) -> Pressed:
+        r"""Evaluate every diagonal.
+
+        .. math:: Q = K [L - A]_+^{3/2},\quad F = Q e,\quad
+                  \frac{dF}{dv} = \tfrac32 K [L - A]_+^{1/2}\,e e^T + \frac{Q}{L}\,(1 - e e^T),\quad
+                  e = v/L,\quad L = |v|
+
+        Parameters
+        ----------
+        place : array (5)
+            x, y, z of the inner ring and its tilts about x and y, times the pitch radius [m]
+        yielded : array (Z, 2, 2)
+            by how much elastic rings let the groove centres come closer: of each ball and diagonal, radial
+            and axial part of v that is lost [m]
+
+        Returns
+        -------
+        Pressed
+        """
+        v = self.start + (self.moves @ place)[:, None] - yielded
+        length = np.hypot(v[..., 0], v[..., 1])
+        approach = np.maximum(length - self.touching, 0.0)
+        loads = self.coefficient * approach**1.5
+        e = v / length[..., None]
+        normal, turning = 1.5 * self.coefficient * np.sqrt(approach), loads / length
+        along = e[..., :, None] * e[..., None, :]
+        return Pressed(
+            loads=loads,
+            angles=np.arctan2(v[..., 1] * SIGN, v[..., 0]),
+            force=loads[..., None] * e,
+            stiffness=normal[..., None, None] * along + turning[..., None, None] * (np.eye(2) - along),
+        )
+
+    def carried(self, force: NDArray) -> NDArray:
+        """Load (5) [N] that forces (Z, 2, 2) of the diagonals carry."""
+        return np.einsum("jcp,jdc->p", self.moves, force)
+
+    def stiffness(self, each: NDArray) -> NDArray:
+        """Stiffness (5, 5) of the ring by those of the diagonals (Z, 2, 2, 2) [N/m]."""
+        return np.einsum("jcp,jcb,jbq->pq", self.moves, each.sum(1), self.moves, optimize=True)
+
+
+def diagonal_coefficient(bearing: FourPointBearing) -> float:
+    """Coefficient K of a diagonal, both contacts in series, at the unloaded contact angle [N/m^1.5]."""
+    curvatures = race_curvatures(
+        bearing.ball.diameter, bearing.groove_radii, bearing.pitch_diameter, bearing.contact_angle, SIDE
+    )
+    both = point_contact(curvatures, bearing.moduli).coefficient
+    return float((both ** (-2 / 3)).sum() ** -1.5)

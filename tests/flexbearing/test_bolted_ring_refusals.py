@@ -1,0 +1,55 @@
+"""What a case file may not say of bolted rings, and how it is told."""
+
+from pathlib import Path
+
+import pytest
+
+from flexbearing.case import BadCase, explain, read
+from flexbearing.compute.possible import require_possible
+
+SLEWING = Path(__file__).parents[2] / "configs" / "slewing_bolted.toml"
+
+
+def test_example_is_possible():
+    require_possible(read(SLEWING, ()))
+
+
+def test_rings_are_rigid_unless_they_are_described():
+    assert read(SLEWING.with_name("joshi2015_fourpoint.toml"), ()).rings.rigid
+    assert not read(SLEWING, ()).rings.rigid
+    assert "rings.outer.face_distance" in explain("rings")
+
+
+@pytest.mark.parametrize(
+    ("settings", "place", "allowed"),
+    [
+        (["rings.outer.outside_diameter=1930 mm"], "[rings.outer] outside_diameter", "above 1935"),
+        (["rings.inner.bore=1870 mm"], "[rings.inner] bore", "below 1864"),
+        (["rings.inner.face_distance=10 mm"], "[rings.inner] face_distance", "half the width of the groove"),
+        (["rings.outer.width=55 mm"], "[rings.outer] width", "reaches the other face"),
+        (["rings.outer.face=up"], "[rings.outer] face", '"+z" or "-z"'),
+        (["rings.outer.groove_end=40 deg"], "[rings.outer] groove_end", "above bearing.contact_angle"),
+        (["rings.outer.kind=free"], "[rings.outer] kind", '"rigid" or "bolted"'),
+        (["rings.outer.face_stiffness=5 N/mm^3"], "[rings.outer] face_shear_stiffness is missing", "springs"),
+        (["rings.line=0 mm"], "[rings] line", "above 0 m"),
+        (["rings.outer.bore=2 m"], "[rings.outer] bore", "not a key"),
+        (
+            ["operation.mode=contact_loads", 'operation.contact_loads=["5 kN"]'],
+            "[operation] mode", '"ring_load" beside rings that yield',
+        ),
+    ],
+)  # fmt: skip
+def test_impossible_ring_is_refused(settings, place, allowed):
+    with pytest.raises(BadCase) as problem:
+        read(SLEWING, settings)
+    message = str(problem.value)
+    assert place in message
+    assert allowed in message
+    assert len(message.splitlines()) == 1
+
+
+def test_described_ring_is_described_completely(tmp_path):
+    file = tmp_path / "broken.toml"
+    file.write_text(SLEWING.read_text().replace('face = "-z"\n', "").replace('    "rings.outer.width",', ""))
+    with pytest.raises(BadCase, match=r'\[rings\.outer\] face is missing: kind = "bolted" needs it'):
+        read(file, ())

@@ -1,0 +1,173 @@
+"""Four-point bearings between bolted rings, from case file to summary and pictures."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from pytest import approx
+
+import flexbearing
+from fem.errors import NotSolved
+from flexbearing.compute import bolted
+from flexbearing.report import summary, text
+from flexbearing.report.kinds import LOOKS
+from flexbearing.results import NotInLayout, ResultFile
+from flexbearing.results.kinds import LAYOUTS
+
+SLEWING = Path(__file__).parents[2] / "configs" / "slewing_bolted.toml"
+SMALL = (
+    "bearing.balls=24", "bearing.pitch_diameter=300 mm", "bearing.ball.diameter=25 mm",
+    "operation.load.axial=60 kN", "operation.load.radial_x=20 kN", "operation.load.radial_y=0 N",
+    "operation.load.moment_x=0 N m", "operation.load.moment_y=2 kN m", "fields.points=5",
+    "rings.outer.outside_diameter=400 mm", "rings.outer.width=50 mm", "rings.outer.face_distance=27 mm",
+    "rings.inner.bore=200 mm", "rings.inner.width=50 mm", "rings.inner.face_distance=27 mm",
+    "rings.element_order=4", "rings.harmonics=80", "rings.mesh_size=20 mm",
+)  # fmt: skip
+STIFF = ("materials.outer_ring.youngs_modulus=1e9 GPa", "materials.outer_ring.poisson_ratio=0.3")
+
+
+@pytest.fixture(scope="module")
+def run(tmp_path_factory):
+    """Results by settings, each computed once."""
+    place, known = tmp_path_factory.mktemp("bolted"), {}
+
+    def computed(*settings):
+        if settings not in known:
+            known[settings] = flexbearing.run(SLEWING, place / f"{len(known)}.h5", (*SMALL, *settings))
+        return known[settings]
+
+    return computed
+
+
+def test_both_blocks_carry_the_load(run):
+    result = run()
+    assert result.attributes["status"] == "converged"
+    for block in (result.rigid, result.flexible):
+        load, angle, azimuth = block["contact_load"], block["contact_angle"], block["ball_azimuth"]
+        outward, along = load * np.cos(angle), load * np.sin(angle) * np.array([1, -1])[:, None]
+        assert along[..., 0].sum() == approx(60e3, rel=1e-9)
+        assert outward[..., 0].sum(1) @ np.cos(azimuth) == approx(20e3, rel=1e-9)
+        assert -0.15 * along[..., 0].sum(1) @ np.cos(azimuth) == approx(2e3, rel=1e-9)
+    assert set(result.flexible) - set(result.rigid) == {"ring_yield"}
+    assert set(result.flexible) <= set(LAYOUTS[result.kind].datasets("block"))
+
+
+def test_bolted_rings_soften_the_bearing_and_lower_its_largest_load(run):
+    rigid, flexible = run().rigid, run().flexible
+    # not each entry, as loads move from ball to ball; but along z, with the load
+    assert flexible["stiffness_matrix"][2, 2] < 0.99 * rigid["stiffness_matrix"][2, 2]
+    assert flexible["ring_displacement"][2] > rigid["ring_displacement"][2]
+    assert flexible["contact_load"].max() != approx(rigid["contact_load"].max(), rel=1e-3)
+
+
+def test_rigid_block_is_that_of_rigid_rings(run):
+    alone = run("rings.outer.kind=rigid", "rings.inner.kind=rigid")
+    assert alone.flexible == {}
+    assert alone.rigid["contact_load"] == approx(run().rigid["contact_load"], rel=1e-12)
+    assert summary(alone)["flexible"] is None
+
+
+def test_each_ring_yields_for_itself(run):
+    """Two rings yield about as much as each of them, as far as the loads stay the same."""
+    both, outer, inner = (
+        run(*settings).flexible["ring_displacement"][2]
+        for settings in ((), ("rings.inner.kind=rigid",), ("rings.outer.kind=rigid",))
+    )
+    rigid = run().rigid["ring_displacement"][2]
+    assert (outer - rigid) + (inner - rigid) == approx(both - rigid, rel=0.05)
+    assert outer > rigid
+    assert inner > rigid
+
+
+def test_arch_far_from_the_bolted_face_yields_more(run):
+    """The first diagonal, which carries an axial load, presses on the inner ring at -z."""
+    near, far = (
+        run("rings.outer.kind=rigid", *face).flexible["ring_yield"] for face in (("rings.inner.face=-z",), ())
+    )
+    assert np.hypot(*far[:, 0].T).mean() > 1.5 * np.hypot(*near[:, 0].T).mean()
+
+
+@pytest.mark.slow
+def test_ring_of_endless_stiffness_is_rigid(run):
+    # the ring alone: its contact is stiffer, too
+    settings = ("rings.inner.kind=rigid", *STIFF)
+    values = run(*settings)
+    assert values.flexible["contact_load"] == approx(values.rigid["contact_load"], rel=1e-4, abs=0.1)
+    assert np.abs(values.flexible["ring_yield"]).max() < 1e-10
+
+
+@pytest.mark.slow
+def test_bearing_turned_over_swaps_its_diagonals(run):
+    """Faces and axial loads mirrored at the plane of the balls."""
+    turned = run(
+        "rings.outer.face=+z", "rings.inner.face=-z",
+        "operation.load.axial=-60 kN", "operation.load.moment_y=-2 kN m",
+    )  # fmt: skip
+    load = run().flexible["contact_load"]
+    assert turned.flexible["contact_load"][:, ::-1] == approx(load, rel=1e-4, abs=1e-4 * load.max())
+
+
+@pytest.mark.slow
+def test_springs_under_the_face_soften_further(run):
+    springs = ("rings.outer.face_stiffness=200 N/mm^3", "rings.outer.face_shear_stiffness=80 N/mm^3")
+    softer = run(*springs).flexible["ring_displacement"]
+    assert softer[2] > 1.05 * run().flexible["ring_displacement"][2]
+
+
+def test_summary_and_page_show_both(run):
+    numbers = summary(run())
+    assert json.loads(json.dumps(numbers, allow_nan=False)) == numbers
+    page = text(run())
+    for block in ("rigid", "flexible"):
+        assert f"{numbers[block]['max_contact_load_N']:,.1f}" in page
+        assert f"{numbers[block]['torque_Nm']['inner']:.5g}" in page
+    assert "tangent stiffness about x [kN m/mrad]" in page
+    assert numbers["rigid"]["largest_ring_yield_um"] is None
+
+
+def test_pictures_put_rigid_beside_yielding(run, tmp_path):
+    from flexbearing.compute.deformed import pictures
+
+    drawn = LOOKS["four_point_ball"].pictures(run())
+    assert "rigid_and_yielding_rings" in drawn
+    upper = drawn["rigid_and_yielding_rings"].axes[0]
+    heights = {line.get_label(): line.get_ydata().max() for line in upper.lines}
+    assert len(heights) == 4
+    assert max(heights.values()) == approx(
+        max(run().rigid["contact_load"].max(), run().flexible["contact_load"].max())
+    )
+    assert list(pictures(run(), tmp_path)) == []  # inside the rings nothing is known
+
+
+@pytest.mark.slow
+def test_line_length_hardly_matters(run):
+    shorter = run("rings.line=3.5 mm").flexible
+    assert shorter["contact_load"].max() == approx(run().flexible["contact_load"].max(), rel=2e-3)
+
+
+@pytest.mark.slow
+def test_contacts_that_reach_over_the_shoulders_are_told(run):
+    cut = run("rings.outer.groove_end=58 deg", "rings.line=3.5 mm")
+    assert any("outer ring reach over its shoulders" in note for note in cut.attributes["notes"])
+    assert not any("shoulders" in note for note in run().attributes["notes"])
+
+
+def test_finite_elements_without_answer_leave_the_rigid_block(tmp_path, monkeypatch):
+    def refuse(*_):
+        raise NotSolved("relative residual 1")
+
+    monkeypatch.setattr(bolted, "compliance", refuse)
+    result = flexbearing.run(SLEWING, tmp_path / "r.h5", SMALL)
+    assert result.attributes["status"] == "not solved"
+    assert result.attributes["ending"] == "rings not solved"
+    assert result.rigid
+    assert not result.flexible
+
+
+def test_block_that_no_case_of_a_kind_has_is_refused(tmp_path):
+    with (
+        ResultFile(tmp_path / "r.h5", {}, "angular_contact_ball") as file,
+        pytest.raises(NotInLayout, match="one of: rigid"),
+    ):
+        file.block("flexible", {})
