@@ -215,6 +215,9 @@ def _least_power(balls: _Balls, start: NDArray) -> tuple[NDArray, NDArray, NDArr
         better = (after <= -ENOUGH_SLOPE * before) | (CAUTION[tries] == 1.0)
         better &= there.power <= heat.power * (1 + ROUNDING)
         found[running[better]] = trial[better]
+        if better.all():  # all that follows would change nothing
+            heat, tries, part = there, np.zeros_like(tries), np.ones_like(part)
+            continue
         heat = there.or_else(heat, better)
         tries = np.where(better, 0, tries + 1)
         whole = better | (CAUTION.take(tries, mode="clip") > 0.0)

@@ -4,7 +4,6 @@ from math import pi
 from typing import NamedTuple
 
 import numpy as np
-from numpy.polynomial.polynomial import polyval
 from numpy.typing import NDArray
 from scipy.special import ellipe, ellipkm1
 
@@ -73,18 +72,18 @@ def _elliptic(m: NDArray, q: NDArray) -> tuple[NDArray, NDArray]:
     bend = (2 * third - first) / safe
     small = m < SERIES
     if small.any():
-        third[small], bend[small] = polyval(m[small], _SERIES)
+        third[small], bend[small] = _SERIES @ np.vander(m[small], TERMS, increasing=True).T
     return third, bend
 
 
 def _series() -> NDArray:
-    """Coefficients (TERMS, 2) of D and U in powers of m, from the integrals of sin^2n."""
+    """Coefficients (2, TERMS) of D and U in powers of m, from the integrals of sin^2n."""
     n = np.arange(1, TERMS + 3)
     wallis = pi / 2 * np.cumprod(np.concatenate([[1.0], (2 * n - 1) / (2 * n)]))
     binomial = wallis[: TERMS + 1] * 2 / pi
     third = binomial * wallis[1 : TERMS + 2]
     other = binomial * (wallis[: TERMS + 1] - wallis[1 : TERMS + 2])
-    return np.stack([third[:TERMS], (third - other)[1:]], -1)
+    return np.stack([third[:TERMS], (third - other)[1:]])
 
 
 _SERIES = _series()
