@@ -3,17 +3,18 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal
+from typing import Literal, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.angular import AngularBalance, race_contacts
+from quasidynamic.balance.angular import AngularBalance, BallBalance, race_contacts
+from quasidynamic.balance.coulomb_control import CoulombControl
 from quasidynamic.balance.light_ball import GRIP, LED
-from quasidynamic.balance.race_control import RaceControl
+from quasidynamic.balance.race_control import Guide, RaceControl
 from quasidynamic.contact.point import INNER, OUTER, PointContact
-from quasidynamic.errors import NotSolved
-from quasidynamic.motion.ball_speeds import Control, spin_to_roll
+from quasidynamic.errors import ImpossiblePart, NotSolved, require_positive
+from quasidynamic.motion.ball_speeds import Control, ball_attitude, spin_to_roll
 from quasidynamic.motion.rolling_lines import (
     ball_friction,
     hertz_section_radius,
@@ -24,6 +25,9 @@ from quasidynamic.outcome.rolling_contact import RollingContact
 from quasidynamic.parts.angular import AngularContactBearing, RingOperation
 from quasidynamic.solve.endings import Ending
 from quasidynamic.solve.ring_on_balls import solve
+
+CONTROLS: tuple[Control, ...] = ("outer", "inner")
+UPRIGHT = 0.9  # of the attitude under race control: what is left of it where friction holds
 
 
 @dataclass(frozen=True)
@@ -42,9 +46,20 @@ class AngularContactState:
     orbital_speed: NDArray  # (Z) [rad/s]
     ball_speed: NDArray  # (Z) [rad/s] in the orbiting frame
     attitude: NDArray  # (Z) [rad] beta, of the spin axis to the shaft
+    yaw: NDArray  # (Z) [rad] of the spin axis out of the plane of the section
     centrifugal_force: NDArray  # (Z) [N]
     gyroscopic_moment: NDArray  # (Z) [N m]
     evaluations: int  # of all balls
+    friction: float | None = None  # [-] Coulomb coefficient, where friction decides what balls do
+    friction_heat: NDArray | None = None  # (Z) [W] of both contacts, known there
+
+    @property
+    def friction_torque(self) -> float | None:
+        """Torque of friction, heat over the speed of the rings against each other [N m]; None as above."""
+        if self.friction_heat is None:
+            return None
+        speed = abs(self.operation.inner_speed - self.operation.outer_speed)
+        return float(self.friction_heat.sum() / speed) if speed else 0.0
 
     @property
     def semi_axes(self) -> tuple[NDArray, NDArray]:
@@ -135,18 +150,35 @@ class AngularContactState:
         """Balls whose motion both races set (Z), bool.
 
         The others are pressed too lightly, stand too far round a race or lack friction for their gyroscopic
-        moment, see `AngularBalance`: orbit, spin and tractions of these are estimates.
+        moment, see `RaceControl`: orbit, spin and tractions of these are estimates. Where friction decides,
+        see `CoulombControl`, they are pressed too lightly.
         """
         apart = np.abs(self.contact_angles[0] - self.contact_angles[1])
         pressed = self.loads[0] > GRIP * self.centrifugal_force
+        if self.friction is not None:
+            return pressed
         wanted = 2 * np.abs(self.gyroscopic_moment) / self.bearing.ball.diameter
         held = np.abs(self.tractions.sum(0)) >= (1 - 1e-9) * wanted
         return (apart <= LED) & pressed & held
+
+    @property
+    def upright(self) -> NDArray:
+        """Balls whose axes friction holds up against the gyroscopic moment (Z), bool.
+
+        Their attitude is not far below those of outer and of inner control; where friction is missing the
+        axis turns towards the shaft, and the moment becomes less.
+        """
+        ratio = self.bearing.diameter_ratio
+        known = [ball_attitude(self.contact_angles, ratio, control).value for control in CONTROLS]
+        return (self.ball_speed == 0) | (np.abs(self.attitude) >= UPRIGHT * np.abs(known).min(axis=0))
 
 
 @dataclass(frozen=True, kw_only=True)
 class AngularContactBallBearing:
     """An angular-contact ball bearing between rigid rings.
+
+    What balls do follows from an assumption on which race controls their spin, or, with control "coulomb",
+    from the friction of their contacts.
 
     >>> from quasidynamic.parts.ball import Ball, Groove
     >>> from quasidynamic.parts.material import Material
@@ -163,7 +195,17 @@ class AngularContactBallBearing:
     """
 
     bearing: AngularContactBearing
-    control: Control = "outer"
+    control: Literal["outer", "inner", "equal", "coulomb"] = "outer"  # "coulomb": none, friction decides
+    friction: float | None = None  # [-] Coulomb coefficient of the contacts; with control "coulomb" only
+
+    def __post_init__(self):
+        if (self.control == "coulomb") != (self.friction is not None):
+            raise ImpossiblePart(
+                f'control = {self.control!r} with friction = {self.friction!r}: "coulomb" needs a '
+                "coefficient of friction, no other control takes one"
+            )
+        if self.friction is not None:
+            require_positive("friction", self.friction)
 
     def solve(self, operation: RingOperation) -> AngularContactState:
         """Balance of ring and balls.
@@ -183,11 +225,14 @@ class AngularContactBallBearing:
         balance = self._balance(operations)
         found = solve(balance)
         balls, ring = found.forces(balance)
-        guidance, scale = balls.guidance, self._scale
+        guidance, scale, heat = balls.guidance, self._scale, self._heat(balance, balls)
         states: list[AngularContactState | NotSolved] = []
         for case, operation in enumerate(operations):
             if found.endings[case] is not Ending.CONVERGED:
                 states.append(_not_solved(operation, found.endings[case], found.imbalance[case]))
+                continue
+            if self._too_wide(balls.contacts.loads[:, case]):
+                states.append(_too_heavy(operation))
                 continue
             states.append(
                 AngularContactState(
@@ -203,9 +248,12 @@ class AngularContactBallBearing:
                     orbital_speed=guidance.orbit[case],
                     ball_speed=guidance.spin[case],
                     attitude=guidance.attitude[case],
+                    yaw=guidance.yaw[case],
                     centrifugal_force=guidance.centrifugal[case],
                     gyroscopic_moment=guidance.gyroscopic[case],
                     evaluations=int(found.evaluations[case]),
+                    friction=self.friction,
+                    friction_heat=None if heat is None else heat[case],
                 )
             )
         return states
@@ -213,6 +261,25 @@ class AngularContactBallBearing:
     @cached_property
     def _contacts(self) -> tuple[PointContact, PointContact]:
         return race_contacts(self.bearing)
+
+    @cached_property
+    def _guide(self) -> Guide:
+        if self.control == "coulomb":
+            return CoulombControl(self.bearing, self._contacts, cast(float, self.friction))
+        return RaceControl(self.bearing, self.control)
+
+    def _too_wide(self, loads: NDArray) -> bool:
+        """Whether friction is asked of contacts (2, Z) nearly as wide as the ball."""
+        if not isinstance(self._guide, CoulombControl):
+            return False
+        pairs = zip(self._contacts, loads, strict=True)
+        return max(contact.semi_axes(load)[0].max() for contact, load in pairs) > self._guide.widest
+
+    def _heat(self, balance: AngularBalance, balls: BallBalance) -> NDArray | None:
+        """Heat of friction (C, Z) [W], where the guide knows it."""
+        if isinstance(self._guide, CoulombControl):
+            return self._guide.heat(balls.contacts, balance.speeds, balance.free_centrifugal)
+        return None
 
     @property
     def _scale(self) -> NDArray:
@@ -228,7 +295,7 @@ class AngularContactBallBearing:
         return AngularBalance(
             bearing=self.bearing,
             contacts=self._contacts,
-            guide=RaceControl(self.bearing, self.control),
+            guide=self._guide,
             load=np.array([operation.load for operation in operations]) / self._scale,
             held=held,
             place=place * self._scale,
@@ -246,4 +313,12 @@ def _not_solved(operation: RingOperation, ending: Ending, imbalance: float) -> N
         )
     return NotSolved(
         f"{where}: no balance of ring and balls, {imbalance:.1e} of the largest force left", ending
+    )
+
+
+def _too_heavy(operation: RingOperation) -> NotSolved:
+    return NotSolved(
+        f"load {operation.load}: contact ellipses would be nearly as wide as the ball, and have no friction "
+        "that is known; the load is far too high",
+        Ending.NOT_FINITE,
     )

@@ -7,7 +7,7 @@ from pydantic import model_validator
 
 from flexbearing.case.balls import BallBearing, Elastic, HeavyElastic, RingLoad
 from flexbearing.case.head import Head
-from flexbearing.case.quantity import Angle, Length, Section, Speed, impossible, key
+from flexbearing.case.quantity import Angle, Length, Section, Speed, impossible, key, require
 
 RIGHT_ANGLE = pi / 2  # [rad]
 DIRECTIONS = {  # name of a load, and of the displacement that may be held instead
@@ -62,11 +62,27 @@ class FastOperation(Section):
 
     inner_speed: Speed = key("speed of the inner ring", example="15000 rpm")
     outer_speed: Speed = key("speed of the outer ring", "0 rpm")
-    control: Literal["outer", "inner", "equal"] = key(
-        "race on which the balls do not spin; equal: the spin axis halves the angle between both contacts"
+    control: Literal["outer", "inner", "equal", "coulomb"] = key(
+        "race on which the balls do not spin; equal: the spin axis halves the angle between both contacts; "
+        "coulomb: no assumption, friction in both contacts decides"
+    )
+    friction: float | None = key(
+        "Coulomb friction of the contacts; needed with control coulomb, left out with any other",
+        None,
+        example=0.06,
+        gt=0,
+        le=1,
     )
     load: RingLoad = key("load on the inner ring; axial pushes the balls against their shoulders", {})
     displacement: Displacement = key("where the inner ring is held instead of loaded", {})
+
+    @model_validator(mode="after")
+    def _friction_decides(self) -> Self:
+        if self.control == "coulomb":
+            require(self, ("friction",), 'control = "coulomb"')
+        elif self.friction is not None:
+            raise impossible("friction", f'left out with control = "{self.control}", or control = "coulomb"')
+        return self
 
     @model_validator(mode="after")
     def _load_or_displacement(self) -> Self:

@@ -36,6 +36,7 @@ def bearing(case: AngularCase) -> qd.AngularContactBallBearing:
             first_ball_azimuth=own.first_ball_azimuth,
         ),
         control=case.operation.control,
+        friction=case.operation.friction,
     )
 
 
@@ -78,12 +79,16 @@ def arrays(case: AngularCase, solution: Solution) -> dict[str, ArrayLike]:
         "orbital_speed": state.orbital_speed,
         "ball_speed": state.ball_speed,
         "ball_attitude": state.attitude,
+        "ball_yaw": state.yaw,
         "centrifugal_force": state.centrifugal_force,
         "gyroscopic_moment": state.gyroscopic_moment,
         "ring_load": state.ring_load,
         "ring_displacement": state.ring_displacement,
         "stiffness_matrix": state.stiffness,
     }
+    heat, torque = state.friction_heat, state.friction_torque
+    if heat is not None and torque is not None:
+        found |= {"friction_heat": heat, "friction_torque": torque}
     return found if solution.contact is None else found | _lines(case, state, solution.contact)
 
 
@@ -123,20 +128,34 @@ def notes(case: AngularCase, solution: Solution) -> tuple[str, ...]:
     told += _beyond_shoulders(state)
     led = int((state.on_inner & ~state.guided).sum())
     if led:
+        far = "" if case.operation.control == "coulomb" else " or too far round"
         told += (
-            f"{led} balls touch the inner race too lightly or too far round for both races to guide them: "
+            f"{led} balls touch the inner race too lightly{far} for both races to guide them: "
             "their orbit, spin and tractions are estimates",
         )
     if solution.contact is None:
         near = "; next to a controlling race the spin may be against the contact angle"
         told += (f"no pure rolling lines: {solution.reason}{near * (case.operation.control != 'equal')}",)
-    needed, given = state.needed_friction.max(), case.rolling_lines.coefficient
-    if needed > given:
-        told += (
-            f"gyroscopic moment: held by friction with a coefficient of up to {needed:.3g}, more than "
-            f"rolling_lines.coefficient = {given:g}: in reality balls would turn about the rolling direction",
+    return told + _gyroscopic(case, state)
+
+
+def _gyroscopic(case: AngularCase, state: qd.AngularContactState) -> tuple[str, ...]:
+    """Whether friction holds the gyroscopic moments."""
+    if state.friction is not None:
+        lying = state.on_inner & ~state.upright
+        if not lying.any():
+            return ()
+        return (
+            f"gyroscopic moment: friction does not hold the axes of {int(lying.sum())} balls, which turn "
+            f"towards the shaft, down to {np.degrees(np.abs(state.attitude[lying]).min()):.1f} deg",
         )
-    return told
+    needed, given = state.needed_friction.max(), case.rolling_lines.coefficient
+    if needed <= given:
+        return ()
+    return (
+        f"gyroscopic moment: held by friction with a coefficient of up to {needed:.3g}, more than "
+        f"rolling_lines.coefficient = {given:g}: in reality balls would turn about the rolling direction",
+    )
 
 
 def _beyond_shoulders(state: qd.AngularContactState) -> tuple[str, ...]:

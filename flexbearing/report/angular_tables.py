@@ -68,8 +68,11 @@ def _motion(values: Any) -> dict[str, Any]:
         "orbital_speed_range_rpm": _range(_RPM * values["orbital_speed"]),
         "ball_speed_range_rpm": _range(_RPM * values["ball_speed"]),
         "ball_attitude_range_deg": _range(np.degrees(values["ball_attitude"])),
+        "ball_yaw_range_deg": _range(np.degrees(values["ball_yaw"])),
         "centrifugal_force_range_N": _range(values["centrifugal_force"]),
         "gyroscopic_moment_range_Nm": _range(values["gyroscopic_moment"]),
+        "friction_torque_Nm": values.get("friction_torque"),
+        "friction_heat_range_W": _range(values["friction_heat"]) if "friction_heat" in values else None,
     }
 
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 INNER, OUTER = 0, 1  # place of a race on the last axis
 SIDE = np.array([-1.0, 1.0])  # of the ball, towards the shaft and away from it
 DIAGONAL = np.array([1.0, -1.0])  # axial direction of the outer contact
-ORBIT, AXIAL, RADIAL = 0, 1, 2  # components of the motion of a ball
+ORBIT, AXIAL, RADIAL, TURN = 0, 1, 2, 3  # components of the motion of a ball
 
 
 @dataclass(frozen=True)
@@ -208,3 +208,32 @@ def spinning_motion(contacts: BallContacts) -> NDArray:
 def _motion(inner_speed: NDArray, ball_speed: NDArray, axis: NDArray) -> NDArray:
     """Motion (N, 3) from the size of the ball speed and the angle of its axis to the bearing axis."""
     return np.stack([inner_speed - 1.0, -ball_speed * np.cos(axis), ball_speed * np.sin(axis)], -1)
+
+
+def turning_slip_by_motion(contacts: BallContacts) -> NDArray:
+    r"""Slip of every contact for a unit of each component of the motion of a ball that also turns about the
+    rolling direction.
+
+    .. math:: c = \omega_t h_0,\quad B = \omega_t
+
+    beside e, A and w of `slip_by_motion`; e_t = e_x x e_r, and slip across is positive along (-n_r, n_x).
+
+    Parameters
+    ----------
+    contacts : BallContacts
+        normals n, heights h_0 and pitch radius R_c
+
+    Returns
+    -------
+    array (N, G, 2, 5, 4)
+        e [m], A and w [-], c slip of the centre across the rolling direction [m] and turn B [-] for race
+        speed Omega and ball speeds omega_x, omega_r, omega_t of one
+
+    Source
+    ------
+    Rigid bodies: (omega - Omega e_x) x p across the rolling direction.
+    """
+    found = np.zeros((*contacts.angle.shape, 5, 4))
+    found[..., :3, :TURN] = slip_by_motion(contacts)
+    found[..., 3, TURN], found[..., 4, TURN] = contacts.height, 1.0
+    return found

@@ -134,8 +134,8 @@ def _start(balance: AngularBalance, grooves: Vectors, centres: Vectors) -> NDArr
 def _ball_step(balance: AngularBalance, here: BallBalance) -> Vectors:
     """Newton step of every ball; where its balance is unstable, one that forces do work on."""
     axial, radial = here.by_ball[:, 0]
-    half, skew = (axial.real - radial.imag) / 2, (axial.imag + radial.real) / 2
-    loosest = (axial.real + radial.imag) / 2 + np.sqrt(half**2 + skew**2)  # of the symmetric part
+    half, product = (axial.real - radial.imag) / 2, axial.imag * radial.real
+    loosest = (axial.real + radial.imag) / 2 + np.sqrt(np.maximum(half**2 + product, 0.0))  # eigenvalue
     hanging = balance.free_centrifugal / balance.bearing.outer_reach
     stiffer = np.maximum(loosest + STABLE * hanging, 0.0)
     step = -resolved(here, here.excess, stiffer)

@@ -323,3 +323,29 @@ def test_pictures_become_files(run, tmp_path):
     (file,) = write_figures(run("heras2017_a1"), tmp_path)
     assert file.name == "contacts_of_ball_0.png"
     assert file.read_bytes()[:4] == b"\x89PNG"
+
+
+COULOMB = ("operation.control=coulomb", "operation.friction=0.08")
+
+
+def test_friction_decides_what_balls_do(run):
+    """The 7008 bearing at 15 000 rpm, thrust alone: all balls alike, heat is the power of the shaft."""
+    result = run(RIVERA, *COULOMB)
+    values, numbers = result.rigid, summary(result)["rigid"]
+    assert np.ptp(values["ball_attitude"]) < 1e-8
+    assert 0 < np.abs(values["ball_yaw"]).max() < np.radians(0.5)
+    assert (np.abs(values["traction"]) < 0.08 * values["contact_load"]).all()
+    speed = 15000 * np.pi / 30
+    assert values["friction_torque"] * speed == approx(values["friction_heat"].sum(), rel=1e-12)
+    assert numbers["friction_torque_Nm"] == approx(float(values["friction_torque"]), rel=1e-12)
+    assert numbers["ball_yaw_range_deg"] == approx(np.degrees(values["ball_yaw"][[0, -1]]), abs=1e-9)
+    assert summary(run(RIVERA))["rigid"]["friction_torque_Nm"] is None
+    assert (run(RIVERA).rigid["ball_yaw"] == 0).all()
+
+
+def test_balls_that_friction_hardly_holds_are_told(run):
+    result = run(RIVERA, "operation.control=coulomb", "operation.friction=0.01")
+    (note,) = [note for note in result.attributes["notes"] if note.startswith("gyroscopic moment: ")]
+    assert "does not hold the axes of 18 balls" in note
+    assert f"{np.degrees(result.rigid['ball_attitude']).min():.1f} deg" in note
+    assert not any(note.startswith("gyroscopic") for note in run(RIVERA, *COULOMB).attributes["notes"])

@@ -79,6 +79,16 @@ IMPOSSIBLE = {
     "control by nothing": (
         ANGULAR, ["operation.control=none"], "[operation] control", '"outer" or "inner" or "equal"',
     ),
+    "friction decides, but there is none": (
+        ANGULAR, ["operation.control=coulomb"], "[operation] friction is missing",
+        'control = "coulomb" needs it',
+    ),
+    "friction beside an assumption on control": (
+        ANGULAR, ["operation.friction=0.06"], "[operation] friction = 0.06", 'or control = "coulomb"',
+    ),
+    "friction of nothing": (
+        ANGULAR, ["operation.control=coulomb", "operation.friction=0"], "[operation] friction", "above 0",
+    ),
     "key of a roller bearing": (
         ANGULAR, ["bearing.rollers=5"], "[bearing] rollers is not a key of this case",
         'It belongs to kind = "cylindrical_roller"',

@@ -1,0 +1,105 @@
+"""How the motion of balls that friction moves follows their contacts."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.free_ball import FreeBalls
+from quasidynamic.balance.free_ball_search import NEAR, nearly_balanced, searched_again
+from quasidynamic.contact.sliding_ellipse import ACROSS, CENTRE, PIVOT, ROLL, Sliding
+from quasidynamic.motion.ball_slip import INNER, ORBIT, OUTER, TURN, BallContacts, turning_slip_by_motion
+
+LOAD, ANGLE = 0, 1  # what a contact is given by
+
+
+class Settled(NamedTuple):
+    """N balls in balance; slopes by ln N_i, alpha_i, ln N_o and alpha_o. Not a number where none is found."""
+
+    motion: NDArray  # (N, 4) over the speed of the inner against the outer ring
+    motion_slopes: NDArray  # (N, 4, 4)
+    across: NDArray  # (N, 2) [N] friction on the ball along the groove sections
+    across_slopes: NDArray  # (N, 2, 4)
+    power: NDArray  # (N, 2) [N m] heat over the speed of the inner against the outer ring
+
+
+class _Contact(NamedTuple):
+    """What changes at one contact with its load or angle, the motion given: (N, 2, ...) load, then angle."""
+
+    left: NDArray  # (N, 2, 4) by motion
+    force: NDArray  # (N, 2, 5) derivative of the heat by the slip
+
+
+def settled(balls: FreeBalls) -> Settled:
+    """Balance of balls with its slopes, by implicit differentiation."""
+    unknowns = nearly_balanced(balls)
+    found, left, unknowns = _settled_at(balls, unknowns)
+    for search in (None, None, searched_again):
+        lost = ~(left <= NEAR)
+        if not lost.any():
+            break
+        some, start = balls.taken(lost), unknowns[lost]
+        again, left[lost], unknowns[lost] = _settled_at(some, search(some, start) if search else start)
+        for array, new in zip(found, again, strict=True):
+            array[lost] = new
+    for array in found:
+        array[~(left <= NEAR)] = np.nan
+    return found
+
+
+def _settled_at(balls: FreeBalls, unknowns: NDArray) -> tuple[Settled, NDArray, NDArray]:
+    """Balls after a last Newton step from unknowns (N, 4), what was left before it, and its end."""
+    friction = balls.friction(unknowns)
+    here = balls.balance(unknowns, friction)
+    motion = balls.motion(unknowns)
+    given = [_given(balls, race, motion, friction) for race in (INNER, OUTER)]
+    changed = np.concatenate([one.left for one in given], axis=1) @ balls.unknowns  # (N, 4, 4)
+    moments = np.concatenate([np.swapaxes(changed, -1, -2), here.left[..., None]], axis=-1)
+    slopes, last = np.split(-here.resolved(moments), [4], axis=-1)  # by what the contacts are, Newton step
+    by_unknown = friction.curvature[:, :, [ACROSS]] @ balls.by_unknown  # (N, 2, 1, 4)
+    across = -(by_unknown @ slopes[:, None])[:, :, 0]
+    for race, one in enumerate(given):
+        across[:, race, 2 * race : 2 * race + 2] -= one.force[..., ACROSS]
+    found = Settled(
+        motion=motion + (balls.unknowns @ last)[..., 0],
+        motion_slopes=balls.unknowns @ slopes,
+        across=-friction.by_slip[..., ACROSS] - (by_unknown @ last[:, None])[..., 0, 0],
+        across_slopes=across,
+        power=friction.power,
+    )
+    return found, (np.abs(here.left) / balls.scale).max(1), unknowns + last[..., 0]
+
+
+def _given(balls: FreeBalls, race: int, motion: NDArray, friction: Sliding) -> _Contact:
+    """What changes at the contacts with one race, the motion (N, 4) given."""
+    seen = motion.copy()
+    if race == INNER:
+        seen[:, ORBIT] += 1.0
+    by_slip, curvature = friction.by_slip[:, race], friction.curvature[:, race]
+    higher, turned = _higher(balls, race), _turned(balls.contacts)[:, race]
+    by_contact = np.stack([higher, turned], axis=1)  # (N, 2, 5, 4) slip by motion
+    slip = (by_contact @ seen[:, None, :, None])[..., 0]
+    force = slip @ curvature
+    force[:, LOAD] += friction.by_load[:, race]
+    left = force @ balls.by_motion[:, race] + np.einsum("nksj,ns->nkj", by_contact, by_slip)
+    return _Contact(left, force)
+
+
+def _higher(balls: FreeBalls, race: int) -> NDArray:
+    """Slip (N, 5, 4) by motion that the height of the contact makes, by the logarithm of the load."""
+    own, ball = balls.ellipse, balls.contacts.ball_radius
+    across, radius = own.across[:, race], own.radius[:, race]
+    grown = across**2 / 3 * (1 / np.sqrt(radius**2 - across**2) - 1 / np.sqrt(ball**2 - across**2))
+    found = np.zeros_like(balls.by_motion[:, race])
+    found[:, CENTRE], found[:, ACROSS] = balls.by_motion[:, race, ROLL], balls.by_motion[:, race, PIVOT]
+    return grown[:, None, None] * found
+
+
+def _turned(contacts: BallContacts) -> NDArray:
+    """Slip (N, 2, 5, 4) by motion, by the contact angle: that of normals a right angle further."""
+    further = BallContacts(
+        contacts.ball_radius, 0.0 * contacts.pitch_radius, contacts.angle + np.pi / 2, contacts.height
+    )
+    found = turning_slip_by_motion(further)[:, 0]
+    found[..., TURN] = 0.0
+    return found

@@ -1,0 +1,142 @@
+"""Friction of contact ellipses that slip in both directions."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from pytest import approx
+
+from quasidynamic.balance.driving_load import driving_load
+from quasidynamic.contact.ellipse_friction import Ellipse, sagitta, sliding_friction
+from quasidynamic.contact.sliding_ellipse import Points, sliding_ellipse, strip_points
+
+ACROSS, ALONG, RADIUS, TRACTION = 0.6e-3, 0.12e-3, 5e-3, 100.0  # [m] [m] [m] [N]
+FALL = ACROSS**2 / (2 * RADIUS)  # [m] of the surface to the edge
+SIZES = TRACTION * np.array([1.0, FALL, ACROSS, 1.0, FALL])  # of the forces
+MANY = Points(60, 40, 1e-5)
+
+
+def ellipse(growth=0.0):
+    """Contact under a load that has grown by a factor exp(growth)."""
+    values = np.array([ACROSS, ALONG, TRACTION]) * np.exp(np.array([1 / 3, 1 / 3, 1.0]) * growth)
+    return Ellipse(values[0], values[1], np.array(RADIUS), values[2])
+
+
+def slip(centre, spin, across, pivot=0.0):
+    """From numbers of the size of one: slips over that of the edge by rolling at 1 rad/s."""
+    return FALL * np.array([centre, 1 / FALL, spin / ACROSS, across, pivot / RADIUS])
+
+
+slips = st.builds(
+    slip, st.floats(-0.5, 1.5), st.floats(-20.0, 20.0), st.floats(-10.0, 10.0), st.floats(-30.0, 30.0)
+)
+smooth = st.builds(
+    slip, st.floats(-0.5, 1.5), st.floats(0.5, 10.0), st.floats(-3.0, 3.0), st.floats(-30.0, 30.0)
+)
+
+
+def summed(own, points=600):
+    """Heat and its derivatives by a plain sum over rings and rays."""
+    u = (np.arange(points) + 0.5) / points
+    rho, angle = np.meshgrid(np.sin(np.pi / 2 * u), 2 * np.pi * u, indexing="ij")
+    x, y = ACROSS * rho * np.cos(angle), ALONG * rho * np.sin(angle)
+    area = ACROSS * ALONG * rho * np.pi / 2 * np.cos(np.pi / 2 * u)[:, None] / points * 2 * np.pi / points
+    force = 1.5 * TRACTION / (np.pi * ACROSS * ALONG) * np.sqrt(1 - rho**2) * area
+    rise = sagitta(x, np.array(RADIUS))
+    along, across = own[0] + own[1] * rise + own[2] * x, own[3] + own[4] * rise - own[2] * y
+    size = np.hypot(along, across)
+    forward, sideward = force * along / size, force * across / size
+    parts = [forward, forward * rise, forward * x - sideward * y, sideward, sideward * rise]
+    return (force * size).sum(), np.array([part.sum() for part in parts])
+
+
+@pytest.mark.parametrize(
+    "own",
+    [slip(0.2, 0.5, 0.3, 20.0), slip(0.0, 8.0, 2.0), slip(-0.3, -4.0, -3.0), slip(0.4, 0.0, 9.0)],
+    ids=["nearly rolling", "spinning", "spinning back", "turning across"],
+)
+def test_friction_is_that_of_a_plain_sum(own):
+    found, (power, forces) = sliding_ellipse(own, ellipse()), summed(own)
+    assert found.power == approx(power, rel=2e-5)
+    assert found.by_slip / SIZES == approx(forces / SIZES, abs=2e-4)
+
+
+@settings(max_examples=30)
+@given(st.floats(-0.5, 1.5), st.floats(-8.0, 8.0))
+def test_without_slip_across_friction_is_the_closed_form_over_strips(centre, spin):
+    own = slip(centre, spin, 0.0)
+    found, known = sliding_ellipse(own, ellipse(), MANY), sliding_friction(own[:3], ellipse())
+    assert found.power == approx(float(known.power), rel=1e-8)
+    assert found.by_slip[:3] / SIZES[:3] == approx(known.by_slip / SIZES[:3], abs=3e-7)
+    assert found.by_slip[3:] / SIZES[3:] == approx(np.zeros(2), abs=1e-12)
+
+
+@settings(max_examples=30)
+@given(slips)
+def test_points_leave_a_small_error(own):
+    found, fine = sliding_ellipse(own, ellipse()), sliding_ellipse(own, ellipse(), MANY)
+    assert found.power == approx(float(fine.power), rel=2e-9)
+    assert found.by_slip / SIZES == approx(fine.by_slip / SIZES, abs=2e-7)
+
+
+@settings(max_examples=25)
+@given(smooth)
+def test_curvature_is_the_slope_of_the_force(own):
+    found = sliding_ellipse(own, ellipse())
+    scale = np.sqrt(np.diagonal(found.curvature))
+    for component in range(5):
+        step = np.eye(5)[component] * 1e-5 / scale[component] * np.sqrt(found.power)
+        ahead, behind = (sliding_ellipse(own + sign * step, ellipse()).by_slip for sign in (1, -1))
+        slope = (ahead - behind) / (2 * step[component])
+        allowed = 3e-3 * scale * scale[component] + 1e-9 * SIZES / step[component]
+        assert (np.abs(found.curvature[component] - slope) <= allowed).all()
+
+
+@settings(max_examples=25)
+@given(smooth)
+def test_slope_by_the_load_is_that_of_a_growing_contact(own):
+    step = 1e-4
+    ahead, behind = (sliding_ellipse(own, ellipse(sign * step)).by_slip for sign in (1, -1))
+    slope = (ahead - behind) / (2 * step)
+    assert sliding_ellipse(own, ellipse()).by_load / SIZES == approx(slope / SIZES, abs=2e-4)
+
+
+@given(slips, slips)
+def test_heat_lies_between_its_tangent_and_its_majorant(here, there):
+    found, step = sliding_ellipse(here, ellipse()), there - here
+    tangent, heat = found.power + found.by_slip @ step, sliding_ellipse(there, ellipse()).power
+    assert tangent <= heat * (1 + 1e-7)
+    assert heat <= (tangent + (found.majorant * step**2).sum() / 2) * (1 + 1e-7)
+
+
+@given(slips)
+def test_mirrored_slip_has_the_mirrored_force(own):
+    sign = np.array([1.0, 1.0, 1.0, -1.0, -1.0])  # y turned round: slip across and its forces change sign
+    found, other = (sliding_ellipse(value, ellipse()).by_slip for value in (own, own * sign))
+    assert other / SIZES == approx(sign * found / SIZES, abs=1e-12)
+
+
+@settings(max_examples=50)
+@given(st.floats(-8.0, 1.0), st.floats(-3.0, 3.0), st.floats(-2.0, 2.0))
+def test_points_of_a_strip_follow_a_slip_that_nearly_vanishes(decades, middle, turn):
+    along, k, s = (np.array([value]) for value in (10.0**decades, middle, turn))
+
+    def heat(points):
+        place, weight = strip_points(along, k, s, points)
+        return (weight * np.hypot(along[:, None], k[:, None] - s[:, None] * place)).sum()
+
+    assert heat(24) == approx(heat(200), rel=1e-8)
+
+
+@given(st.floats(-4.0, 2.0), st.floats(0.1, 10.0))
+def test_driving_load_is_the_load_of_pressed_balls_and_never_less_than_its_width(decades, width):
+    load, w, step = np.array([width * 10.0**decades]), np.array([width]), 1e-6 * width
+    found = driving_load(load, w)
+    assert found.value >= max(load[0], 0.99 * width)
+    assert found.hold * found.value == approx(load, rel=1e-6)
+    if load > 20 * width:
+        assert found.value == load
+    by_load = (driving_load(load + step, w).value - driving_load(load - step, w).value) / (2 * step)
+    by_width = (driving_load(load, w + step).value - driving_load(load, w - step).value) / (2 * step)
+    assert found.by_load == approx(by_load, abs=1e-5)
+    assert found.by_width == approx(by_width, abs=1e-5)
