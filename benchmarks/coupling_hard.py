@@ -23,8 +23,8 @@ from flexbearing.compute.rings import condensed
 from flexbearing.compute.structure import CondensedRings
 from flexbearing.compute.together import BearingPartner
 from flexbearing.coupling import RULES, Ending, alternate, newton, relaxed
-from quasidynamic.balance.sizes import LARGE_DEVIATION, LENGTH
-from quasidynamic.solve import bordered
+from quasidynamic.balance.rollers.sizes import LARGE_DEVIATION, LENGTH
+from quasidynamic.solve.rollers import bordered
 
 METHODS = ("newton", *RULES, "relaxed")
 TOLERANCE, LIMIT = 1e-8, 250

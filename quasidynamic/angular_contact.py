@@ -8,10 +8,10 @@ from typing import Literal, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.angular import AngularBalance, BallBalance, race_contacts
-from quasidynamic.balance.coulomb_control import CoulombControl
-from quasidynamic.balance.light_ball import GRIP, LED
-from quasidynamic.balance.race_control import Guide, RaceControl
+from quasidynamic.balance.balls.angular import AngularBalance, BallBalance, race_contacts
+from quasidynamic.balance.balls.coulomb_control import CoulombControl
+from quasidynamic.balance.balls.light_ball import GRIP, LED
+from quasidynamic.balance.balls.race_control import Guide, RaceControl
 from quasidynamic.contact.point import INNER, OUTER, PointContact
 from quasidynamic.errors import ImpossiblePart, NotSolved, require_positive
 from quasidynamic.motion.ball_speeds import Control, ball_attitude, spin_to_roll
@@ -23,8 +23,8 @@ from quasidynamic.motion.rolling_lines import (
 )
 from quasidynamic.outcome.rolling_contact import RollingContact
 from quasidynamic.parts.angular import AngularContactBearing, RingOperation
+from quasidynamic.solve.balls.ring_on_balls import solve
 from quasidynamic.solve.endings import Ending
-from quasidynamic.solve.ring_on_balls import solve
 
 CONTROLS: tuple[Control, ...] = ("outer", "inner")
 UPRIGHT = 0.9  # of the attitude under race control: what is left of it where friction holds

@@ -7,10 +7,10 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.bearing import BearingBalance, Linearisation
-from quasidynamic.balance.cage import FloatingCage
-from quasidynamic.balance.roller import RollerState
-from quasidynamic.balance.unknowns import BORDER, CAGE, INNER, OUTER, TILT_Z, Unknowns, Y, Z
+from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
+from quasidynamic.balance.rollers.cage import FloatingCage
+from quasidynamic.balance.rollers.roller import RollerState
+from quasidynamic.balance.rollers.unknowns import BORDER, CAGE, INNER, OUTER, TILT_Z, Unknowns, Y, Z
 from quasidynamic.contact.hertz import peak_pressure
 from quasidynamic.contact.land import land_torque
 from quasidynamic.contact.load import palmgren

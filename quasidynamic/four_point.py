@@ -5,9 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.ball_attitude import Attitude, attitude
-from quasidynamic.balance.four_point import BallLoads, ball_loads
-from quasidynamic.balance.four_point_yielding import yielding_ball_loads
+from quasidynamic.balance.balls.ball_attitude import Attitude, attitude
+from quasidynamic.balance.balls.four_point import BallLoads, ball_loads
+from quasidynamic.balance.balls.four_point_yielding import yielding_ball_loads
 from quasidynamic.contact.ellipse_friction import Ellipse, slip_field
 from quasidynamic.contact.point import PointContact, point_contact, race_curvatures
 from quasidynamic.errors import ImpossiblePart, OutOfRange

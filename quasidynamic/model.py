@@ -7,9 +7,9 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.bearing import BearingBalance
-from quasidynamic.balance.points import OperatingPoints
-from quasidynamic.balance.roller import RollerBalance
+from quasidynamic.balance.rollers.bearing import BearingBalance
+from quasidynamic.balance.rollers.points import OperatingPoints
+from quasidynamic.balance.rollers.roller import RollerBalance
 from quasidynamic.contact.film import FilmLaw
 from quasidynamic.contact.hertz import reduced_radius
 from quasidynamic.contact.load import LoadLaw, iso16281, palmgren
@@ -21,8 +21,8 @@ from quasidynamic.errors import NotSolved
 from quasidynamic.parts.bearing import CylindricalRollerBearing
 from quasidynamic.parts.material import contact_modulus
 from quasidynamic.parts.operation import Operation
-from quasidynamic.solve.chain import iterate, solve
 from quasidynamic.solve.endings import Ending
+from quasidynamic.solve.rollers.chain import iterate, solve
 from quasidynamic.start import RESTARTS, slipping_start, static_start
 
 __all__ = ["Equilibria", "Equilibrium", "RollerBearing"]

@@ -6,9 +6,9 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.bearing import BearingBalance
-from quasidynamic.balance.unknowns import CAGE, TILT_Z, Unknowns, Y, Z
-from quasidynamic.solve import bordered
+from quasidynamic.balance.rollers.bearing import BearingBalance
+from quasidynamic.balance.rollers.unknowns import CAGE, TILT_Z, Unknowns, Y, Z
+from quasidynamic.solve.rollers import bordered
 
 RING = (Y, Z, TILT_Z, TILT_Z + 1)  # the ring's places among the unknowns
 

@@ -9,15 +9,15 @@ from math import copysign, exp, isfinite, log
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.bearing import BearingBalance
-from quasidynamic.balance.points import OperatingPoints
+from quasidynamic.balance.rollers.bearing import BearingBalance
+from quasidynamic.balance.rollers.points import OperatingPoints
 from quasidynamic.equilibrium import Equilibrium
 from quasidynamic.errors import NotSolved, OutOfRange
 from quasidynamic.model import RollerBearing
 from quasidynamic.solve.arclength import End, Step, at_parameter, follow, solved_at
 from quasidynamic.solve.endings import Ending
-from quasidynamic.solve.family import BalanceFamily
-from quasidynamic.solve.stability import growth_rates
+from quasidynamic.solve.rollers.family import BalanceFamily
+from quasidynamic.solve.rollers.stability import growth_rates
 from quasidynamic.start import LumpedRollers, static_unknowns
 
 __all__ = ["OVER", "Branch", "End", "Point", "equilibria_at", "trace"]

@@ -30,7 +30,7 @@ def compliance(case: FourPointCase, report: Report) -> NDArray:
     Returns
     -------
     array (Z, 2, 2, 2, 2)
-        as `quasidynamic.balance.four_point_yielding` takes it [m/N]
+        as `quasidynamic.balance.balls.four_point_yielding` takes it [m/N]
 
     Raises
     ------

@@ -9,7 +9,7 @@ from flexbearing.compute.neighbour import flat
 from flexbearing.compute.structure import CondensedRings
 from flexbearing.coupling import Iteration
 from quasidynamic import Equilibrium
-from quasidynamic.balance.unknowns import Unknowns
+from quasidynamic.balance.rollers.unknowns import Unknowns
 
 MREV = 1e6  # revolutions
 UNLOADED = 1e-3  # [N] below it no film is reported

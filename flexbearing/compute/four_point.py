@@ -9,8 +9,8 @@ import quasidynamic as qd
 from flexbearing.case import FourPointCase
 from flexbearing.compute import bolted
 from flexbearing.compute.ball_parts import ball, groove
-from quasidynamic.balance.four_point import BallLoads
-from quasidynamic.balance.four_point_yielding import YieldingBallLoads
+from quasidynamic.balance.balls.four_point import BallLoads
+from quasidynamic.balance.balls.four_point_yielding import YieldingBallLoads
 
 FEWEST = 3  # balls of a ring; a single one has the same pitch circle
 SIGN = np.array([1.0, -1.0])  # of the torques on inner and outer ring

@@ -14,7 +14,7 @@ from flexbearing.case.declarations import toml
 from flexbearing.coupling import Bearing, Condensed
 from flexbearing.results import Result, read
 from quasidynamic import Equilibrium
-from quasidynamic.balance.unknowns import BORDER, CAGE, Unknowns
+from quasidynamic.balance.rollers.unknowns import BORDER, CAGE, Unknowns
 
 SAME = ("bearing.cage.guidance", "bearing.cage.centre", "lubricant.film")  # what the unknowns mean
 FIELDS = 5  # unknowns of a roller: approach, tilt, both films, spin

@@ -26,7 +26,7 @@ from flexbearing.coupling import (
 )
 from flexbearing.results import ResultFile
 from quasidynamic import Equilibrium, NotSolved, RollerBearing
-from quasidynamic.balance.settling import series_stiffness
+from quasidynamic.balance.rollers.settling import series_stiffness
 
 WARM = "newton from a neighbour"
 FALLBACK = ("newton", "iqn-ils", "aitken", "relaxed")  # after the method of the case, in this order

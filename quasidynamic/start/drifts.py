@@ -3,9 +3,9 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.bearing import BearingBalance
-from quasidynamic.balance.settling import resting_loads
-from quasidynamic.balance.unknowns import Unknowns
+from quasidynamic.balance.rollers.bearing import BearingBalance
+from quasidynamic.balance.rollers.settling import resting_loads
+from quasidynamic.balance.rollers.unknowns import Unknowns
 from quasidynamic.start.friction import balanced_drifts
 from quasidynamic.start.lumped import LumpedRollers
 from quasidynamic.start.resting import static_unknowns

@@ -6,10 +6,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.bearing import BearingBalance
-from quasidynamic.balance.settling import resting_loads
-from quasidynamic.balance.unknowns import Unknowns
-from quasidynamic.solve.bordered import around
+from quasidynamic.balance.rollers.bearing import BearingBalance
+from quasidynamic.balance.rollers.settling import resting_loads
+from quasidynamic.balance.rollers.unknowns import Unknowns
+from quasidynamic.solve.rollers.bordered import around
 from quasidynamic.start.lumped import LumpedRollers
 
 STEPS = 12

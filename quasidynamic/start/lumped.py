@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.bearing import BearingBalance
-from quasidynamic.balance.settling import resting_loads
+from quasidynamic.balance.rollers.bearing import BearingBalance
+from quasidynamic.balance.rollers.settling import resting_loads
 from quasidynamic.contact.land import land_torque
 from quasidynamic.start.resting import static_unknowns
 

@@ -3,8 +3,8 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.bearing import BearingBalance
-from quasidynamic.balance.settling import (
+from quasidynamic.balance.rollers.bearing import BearingBalance
+from quasidynamic.balance.rollers.settling import (
     centrifugal_force,
     film_at,
     outer_approach,
@@ -12,7 +12,7 @@ from quasidynamic.balance.settling import (
     series_stiffness,
     settled,
 )
-from quasidynamic.balance.unknowns import Unknowns
+from quasidynamic.balance.rollers.unknowns import Unknowns
 from quasidynamic.contact.load import EXPONENT
 
 STRIBECK = 5.0  # largest roller load times their number over the load, about

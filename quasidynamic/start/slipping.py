@@ -5,8 +5,8 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.bearing import BearingBalance
-from quasidynamic.balance.settling import film_at, resting_loads, settled
+from quasidynamic.balance.rollers.bearing import BearingBalance
+from quasidynamic.balance.rollers.settling import film_at, resting_loads, settled
 from quasidynamic.start.lumped import LumpedRollers
 from quasidynamic.start.resting import resting_ring, static_unknowns
 

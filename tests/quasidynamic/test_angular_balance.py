@@ -6,10 +6,18 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pytest import approx
 
-from quasidynamic.balance.angular import AngularBalance, race_contacts
-from quasidynamic.balance.ball_place import groove_arm
-from quasidynamic.balance.light_ball import LED, STEADY, STRONGEST, WIDEST, grip, held_traction, led_angle
-from quasidynamic.balance.race_control import RaceControl
+from quasidynamic.balance.balls.angular import AngularBalance, race_contacts
+from quasidynamic.balance.balls.ball_place import groove_arm
+from quasidynamic.balance.balls.light_ball import (
+    LED,
+    STEADY,
+    STRONGEST,
+    WIDEST,
+    grip,
+    held_traction,
+    led_angle,
+)
+from quasidynamic.balance.balls.race_control import RaceControl
 from quasidynamic.parts.angular import AngularContactBearing
 from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.parts.material import Material

@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from pytest import approx
 
-from quasidynamic.balance.ball_attitude import attitude
+from quasidynamic.balance.balls.ball_attitude import attitude
 from quasidynamic.contact.ellipse_friction import (
     SPIN,
     Ellipse,

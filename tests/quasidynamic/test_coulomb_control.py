@@ -7,10 +7,10 @@ import pytest
 from pytest import approx
 
 from quasidynamic.angular_contact import AngularContactBallBearing
-from quasidynamic.balance.angular import AngularBalance, race_contacts
-from quasidynamic.balance.ball_attitude import attitude
-from quasidynamic.balance.coulomb_control import CoulombControl
-from quasidynamic.balance.race_control import Pressed
+from quasidynamic.balance.balls.angular import AngularBalance, race_contacts
+from quasidynamic.balance.balls.ball_attitude import attitude
+from quasidynamic.balance.balls.coulomb_control import CoulombControl
+from quasidynamic.balance.balls.race_control import Pressed
 from quasidynamic.contact.ellipse_friction import Ellipse, sagitta
 from quasidynamic.errors import ImpossiblePart, NotSolved
 from quasidynamic.motion.ball_slip import BallContacts, pressed_height, pressed_radius

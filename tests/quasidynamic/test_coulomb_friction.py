@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from pytest import approx
 
-from quasidynamic.balance.driving_load import driving_load
+from quasidynamic.balance.balls.driving_load import driving_load
 from quasidynamic.contact.ellipse_friction import Ellipse, sagitta, sliding_friction
 from quasidynamic.contact.sliding_ellipse import Points, sliding_ellipse, strip_points
 

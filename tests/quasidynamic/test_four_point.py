@@ -6,8 +6,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from pytest import approx
 
-from quasidynamic.balance.four_point import ball_loads
-from quasidynamic.balance.four_point_diagonals import diagonal_coefficient
+from quasidynamic.balance.balls.four_point import ball_loads
+from quasidynamic.balance.balls.four_point_diagonals import diagonal_coefficient
 from quasidynamic.errors import ImpossiblePart, NotSolved
 from quasidynamic.four_point import RingLoad
 from quasidynamic.parts.ball import Groove

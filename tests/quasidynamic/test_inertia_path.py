@@ -6,19 +6,19 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from quasidynamic.balance.angular import AngularBalance, race_contacts
-from quasidynamic.balance.race_control import RaceControl
+from quasidynamic.balance.balls.angular import AngularBalance, race_contacts
+from quasidynamic.balance.balls.race_control import RaceControl
 from quasidynamic.parts.angular import AngularContactBearing
 from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.parts.material import Material
 from quasidynamic.solve.arclength import Local, follow
-from quasidynamic.solve.balls import balanced, resolved, sizes_of
+from quasidynamic.solve.balls.frozen_forces import hung
+from quasidynamic.solve.balls.inertia_homotopy import InertiaFamily, led
+from quasidynamic.solve.balls.ring_on_balls import Solved, newton, solve, start
+from quasidynamic.solve.balls.ring_on_springs import LONGEST, newton_step
+from quasidynamic.solve.balls.settling import balanced, resolved, sizes_of
 from quasidynamic.solve.corners import followed_through
 from quasidynamic.solve.endings import Ending
-from quasidynamic.solve.frozen_forces import hung
-from quasidynamic.solve.inertia_homotopy import InertiaFamily, led
-from quasidynamic.solve.ring_on_balls import Solved, newton, solve, start
-from quasidynamic.solve.ring_on_springs import LONGEST, newton_step
 
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
 BEARING = AngularContactBearing(

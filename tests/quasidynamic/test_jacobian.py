@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from quasidynamic.solve import bordered
+from quasidynamic.solve.rollers import bordered
 from quasidynamic.start import static_start
 from tests.bearings import eyring, paper_bearing
 

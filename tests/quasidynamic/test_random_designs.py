@@ -16,8 +16,8 @@ from pytest import approx
 
 from benchmarks.random_designs import design, imbalance
 from quasidynamic import Ending, NotSolved
-from quasidynamic.balance.roller import STILL
-from quasidynamic.solve import bordered
+from quasidynamic.balance.rollers.roller import STILL
+from quasidynamic.solve.rollers import bordered
 from quasidynamic.static import static_loads
 from tests.bearings import RPM
 from tests.quasidynamic.test_identities import torque_on_rollers_and_cage

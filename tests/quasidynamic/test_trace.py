@@ -11,10 +11,11 @@ from pytest import approx
 
 import quasidynamic.trace
 from quasidynamic import FourPointCurve, OutOfRange
-from quasidynamic.balance.unknowns import CAGE
-from quasidynamic.solve import arclength, bordered
+from quasidynamic.balance.rollers.unknowns import CAGE
+from quasidynamic.solve import arclength
 from quasidynamic.solve.arclength import End, Local, follow
-from quasidynamic.solve.bounds import bounded
+from quasidynamic.solve.rollers import bordered
+from quasidynamic.solve.rollers.bounds import bounded
 from quasidynamic.trace import equilibria_at, trace
 from tests.bearings import RPM, paper_bearing
 

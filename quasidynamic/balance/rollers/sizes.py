@@ -6,9 +6,9 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.points import OperatingPoints
-from quasidynamic.balance.roller import RollerBalance
-from quasidynamic.balance.unknowns import BORDER, CAGE, TILT_Z, Layout
+from quasidynamic.balance.rollers.points import OperatingPoints
+from quasidynamic.balance.rollers.roller import RollerBalance
+from quasidynamic.balance.rollers.unknowns import BORDER, CAGE, TILT_Z, Layout
 from quasidynamic.motion.speeds import rolling_cage_speed, rolling_roller_speed
 
 FRICTION = 1e-2  # usual size of friction over load

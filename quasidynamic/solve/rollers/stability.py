@@ -3,9 +3,9 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.bearing import BearingBalance, Linearisation
-from quasidynamic.balance.unknowns import CAGE
-from quasidynamic.solve import bordered
+from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
+from quasidynamic.balance.rollers.unknowns import CAGE
+from quasidynamic.solve.rollers import bordered
 
 
 def growth_rates(balance: BearingBalance, system: Linearisation) -> NDArray:

@@ -6,13 +6,13 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.angular import AngularBalance
-from quasidynamic.balance.ball_place import Vectors
+from quasidynamic.balance.balls.angular import AngularBalance
+from quasidynamic.balance.balls.ball_place import Vectors
 from quasidynamic.solve.arclength import Local
-from quasidynamic.solve.balls import sizes_of
+from quasidynamic.solve.balls.frozen_forces import hung
+from quasidynamic.solve.balls.ring_on_springs import first_place
+from quasidynamic.solve.balls.settling import sizes_of
 from quasidynamic.solve.corners import followed_through
-from quasidynamic.solve.frozen_forces import hung
-from quasidynamic.solve.ring_on_springs import first_place
 
 TOLERANCE = 5e-13  # of the largest force: unbalanced force
 CLOSE, PATIENCE = 1e-6, 1000  # of the largest force, what the start may leave; Newton steps it may take

@@ -5,13 +5,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.angular import AngularBalance, BallBalance, RingBalance, moved
-from quasidynamic.balance.ball_place import Vectors
-from quasidynamic.solve.balls import Settled, along_arc, at_places, resolved, settle
+from quasidynamic.balance.balls.angular import AngularBalance, BallBalance, RingBalance, moved
+from quasidynamic.balance.balls.ball_place import Vectors
+from quasidynamic.solve.balls.frozen_forces import hung
+from quasidynamic.solve.balls.inertia_homotopy import led
+from quasidynamic.solve.balls.ring_on_springs import first_place, newton_step
+from quasidynamic.solve.balls.settling import Settled, along_arc, at_places, resolved, settle
 from quasidynamic.solve.endings import Ending
-from quasidynamic.solve.frozen_forces import hung
-from quasidynamic.solve.inertia_homotopy import led
-from quasidynamic.solve.ring_on_springs import first_place, newton_step
 
 TOLERANCE = 1e-11  # of the largest force: unbalanced force on the ring
 LIMIT = 60  # Newton steps of the ring, rarely more than ten

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.free_ball import FreeBalls, Local, gyroscopic
+from quasidynamic.balance.balls.free_ball import FreeBalls, Local, gyroscopic
 from quasidynamic.contact.sliding_ellipse import COARSE, FINE, ROLL, SPIN, Points, sliding_ellipse
 from quasidynamic.motion.ball_slip import TURN
 

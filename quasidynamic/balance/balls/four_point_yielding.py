@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.four_point import (
+from quasidynamic.balance.balls.four_point import (
     ENOUGH,
     STIFFENING,
     TOLERANCE,
@@ -15,7 +15,7 @@ from quasidynamic.balance.four_point import (
     balanced,
     levers,
 )
-from quasidynamic.balance.four_point_diagonals import Pressed
+from quasidynamic.balance.balls.four_point_diagonals import Pressed
 from quasidynamic.errors import ImpossiblePart, NotSolved
 from quasidynamic.parts.ball import FourPointBearing
 

@@ -7,8 +7,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.ball_place import BallPlaces, Vectors, groove_arm, turning
-from quasidynamic.balance.race_control import Guidance, Guide, Pressed
+from quasidynamic.balance.balls.ball_place import BallPlaces, Vectors, groove_arm, turning
+from quasidynamic.balance.balls.race_control import Guidance, Guide, Pressed
 from quasidynamic.contact.point import INNER, OUTER, PointContact, point_contact, race_curvatures
 from quasidynamic.motion.speeds import rolling_cage_speed
 from quasidynamic.parts.angular import AngularContactBearing

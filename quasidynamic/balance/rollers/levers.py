@@ -6,8 +6,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.roller import CAGE_SPEED, FILM_I, SPIN, VALUE
-from quasidynamic.balance.unknowns import (
+from quasidynamic.balance.rollers.roller import CAGE_SPEED, FILM_I, SPIN, VALUE
+from quasidynamic.balance.rollers.unknowns import (
     BORDER,
     CAGE,
     INNER,

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.points import OperatingPoints
+from quasidynamic.balance.rollers.points import OperatingPoints
 from quasidynamic.contact.churning import churning
 from quasidynamic.contact.drag import orbit_drag
 from quasidynamic.contact.lubrication import Lubrication

@@ -6,11 +6,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.bearing import BearingBalance, Linearisation
-from quasidynamic.balance.unknowns import CAGE, Y, Z
-from quasidynamic.solve import bordered
-from quasidynamic.solve.bounds import bounded
+from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
+from quasidynamic.balance.rollers.unknowns import CAGE, Y, Z
 from quasidynamic.solve.endings import Ending
+from quasidynamic.solve.rollers import bordered
+from quasidynamic.solve.rollers.bounds import bounded
 
 TOLERANCE = 1e-12  # of the reference force, or of the largest roller load if that is larger
 ENOUGH = 1e-10  # the same, where rounding keeps a step from lowering the residual any more

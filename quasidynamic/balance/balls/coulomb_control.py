@@ -6,11 +6,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.driving_load import driving_load
-from quasidynamic.balance.free_ball import free_balls
-from quasidynamic.balance.free_ball_slopes import Settled, settled
-from quasidynamic.balance.light_ball import RELEASE
-from quasidynamic.balance.race_control import Guidance, Pressed
+from quasidynamic.balance.balls.driving_load import driving_load
+from quasidynamic.balance.balls.free_ball import free_balls
+from quasidynamic.balance.balls.free_ball_slopes import Settled, settled
+from quasidynamic.balance.balls.light_ball import RELEASE
+from quasidynamic.balance.balls.race_control import Guidance, Pressed
 from quasidynamic.contact.ellipse_friction import Ellipse
 from quasidynamic.contact.point import PointContact
 from quasidynamic.motion.ball_slip import (

@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg.lapack import dgtsv  # pyright: ignore[reportAttributeAccessIssue]  # made at import
 
-from quasidynamic.balance.bearing import BearingBalance, Linearisation
-from quasidynamic.balance.sizes import LARGE_DEVIATION, LENGTH
-from quasidynamic.balance.unknowns import BORDER, CAGE, INNER, Layout, Y, Z
+from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
+from quasidynamic.balance.rollers.sizes import LARGE_DEVIATION, LENGTH
+from quasidynamic.balance.rollers.unknowns import BORDER, CAGE, INNER, Layout, Y, Z
 
 
 class Shift(NamedTuple):

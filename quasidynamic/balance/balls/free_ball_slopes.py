@@ -5,8 +5,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.free_ball import FreeBalls
-from quasidynamic.balance.free_ball_search import NEAR, nearly_balanced, searched_again
+from quasidynamic.balance.balls.free_ball import FreeBalls
+from quasidynamic.balance.balls.free_ball_search import NEAR, nearly_balanced, searched_again
 from quasidynamic.contact.sliding_ellipse import ACROSS, CENTRE, PIVOT, ROLL, Sliding
 from quasidynamic.motion.ball_slip import INNER, ORBIT, OUTER, TURN, BallContacts, turning_slip_by_motion
 

@@ -7,13 +7,24 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.cage import FloatingCage, floating_cage
-from quasidynamic.balance.levers import Levers
-from quasidynamic.balance.points import OperatingPoints
-from quasidynamic.balance.roller import STILL, VALUE, Motion, RollerBalance, RollerInputs, RollerState
-from quasidynamic.balance.sizes import ANGLE, Sizes
-from quasidynamic.balance.spin_transport import SpinTransport, spin_transport
-from quasidynamic.balance.unknowns import BORDER, CAGE, INNER, OUTER, TILT_Y, TILT_Z, Layout, Unknowns, Y, Z
+from quasidynamic.balance.rollers.cage import FloatingCage, floating_cage
+from quasidynamic.balance.rollers.levers import Levers
+from quasidynamic.balance.rollers.points import OperatingPoints
+from quasidynamic.balance.rollers.roller import STILL, VALUE, Motion, RollerBalance, RollerInputs, RollerState
+from quasidynamic.balance.rollers.sizes import ANGLE, Sizes
+from quasidynamic.balance.rollers.spin_transport import SpinTransport, spin_transport
+from quasidynamic.balance.rollers.unknowns import (
+    BORDER,
+    CAGE,
+    INNER,
+    OUTER,
+    TILT_Y,
+    TILT_Z,
+    Layout,
+    Unknowns,
+    Y,
+    Z,
+)
 from quasidynamic.contact.land import land_torque
 
 

@@ -5,8 +5,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.angular import AngularBalance, BallBalance
-from quasidynamic.balance.ball_place import Vectors
+from quasidynamic.balance.balls.angular import AngularBalance, BallBalance
+from quasidynamic.balance.balls.ball_place import Vectors
 
 TOLERANCE = 1e-12  # of the largest force: unbalanced force on a ball
 ROUNDING = 16 * float(np.finfo(float).eps)  # of lengths: a force below stiffness times this is noise

@@ -3,8 +3,8 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.bearing import BearingBalance
-from quasidynamic.balance.unknowns import Unknowns
+from quasidynamic.balance.rollers.bearing import BearingBalance
+from quasidynamic.balance.rollers.unknowns import Unknowns
 from quasidynamic.contact.load import EXPONENT
 
 SETTLING_STEPS = 8  # Newton on a nearly linear law inside a bracket

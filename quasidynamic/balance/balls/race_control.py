@@ -6,7 +6,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.light_ball import grip, held_traction, led_angle
+from quasidynamic.balance.balls.light_ball import grip, held_traction, led_angle
 from quasidynamic.motion.ball_speeds import Control, ball_motion, centrifugal_force, gyroscopic_moment
 from quasidynamic.parts.angular import AngularContactBearing
 

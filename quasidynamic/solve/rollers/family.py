@@ -6,12 +6,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.bearing import BearingBalance
-from quasidynamic.balance.points import OperatingPoints
-from quasidynamic.balance.unknowns import CAGE, TILT_Z, Y, Z
-from quasidynamic.solve import bordered
+from quasidynamic.balance.rollers.bearing import BearingBalance
+from quasidynamic.balance.rollers.points import OperatingPoints
+from quasidynamic.balance.rollers.unknowns import CAGE, TILT_Z, Y, Z
 from quasidynamic.solve.arclength import Local
-from quasidynamic.solve.bounds import bounded
+from quasidynamic.solve.rollers import bordered
+from quasidynamic.solve.rollers.bounds import bounded
 
 DIFFERENCE = 1e-5  # of the parameter
 ENOUGH = 1e-10  # residual, of the reference force or of the largest roller load if that is larger

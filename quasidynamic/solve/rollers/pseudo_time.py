@@ -6,12 +6,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.bearing import BearingBalance, Linearisation
-from quasidynamic.balance.unknowns import CAGE, TILT_Z
-from quasidynamic.solve import bordered
-from quasidynamic.solve.bounds import bounded
+from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
+from quasidynamic.balance.rollers.unknowns import CAGE, TILT_Z
 from quasidynamic.solve.endings import Ending
-from quasidynamic.solve.newton import Sweep, norm, step
+from quasidynamic.solve.rollers import bordered
+from quasidynamic.solve.rollers.bounds import bounded
+from quasidynamic.solve.rollers.newton import Sweep, norm, step
 
 LIMIT = 40  # evaluations before Newton's method is tried again
 ENOUGH = 1e-4  # residual from which it is tried at once

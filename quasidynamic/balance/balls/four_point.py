@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.four_point_diagonals import Diagonals, Pressed
+from quasidynamic.balance.balls.four_point_diagonals import Diagonals, Pressed
 from quasidynamic.errors import ImpossiblePart, NotSolved
 from quasidynamic.parts.ball import FourPointBearing
 

@@ -6,12 +6,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.bearing import BearingBalance
-from quasidynamic.solve.contact_search import contact_search
-from quasidynamic.solve.continuation import from_heavier_load
+from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.solve.endings import Ending
-from quasidynamic.solve.newton import Sweep, newton
-from quasidynamic.solve.pseudo_time import Pace, pseudo_time
+from quasidynamic.solve.rollers.contact_search import contact_search
+from quasidynamic.solve.rollers.continuation import from_heavier_load
+from quasidynamic.solve.rollers.newton import Sweep, newton
+from quasidynamic.solve.rollers.pseudo_time import Pace, pseudo_time
 
 # Rounds of pseudo-time, each followed by Newton's method: before a heavier load, after it, at restarts.
 ROUNDS = (3, 9, 3)

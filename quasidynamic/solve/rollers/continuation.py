@@ -6,9 +6,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.bearing import BearingBalance
+from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.solve.endings import Ending
-from quasidynamic.solve.newton import newton
+from quasidynamic.solve.rollers.newton import newton
 
 HEAVIER = (8.0, 64.0, 512.0, 4096.0)  # loads to begin from, over the load that is asked for
 FIRST_STEP = 0.7  # of the logarithm of the load

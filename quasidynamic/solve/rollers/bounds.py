@@ -3,9 +3,9 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.bearing import BearingBalance
-from quasidynamic.balance.sizes import LENGTH
-from quasidynamic.balance.unknowns import OUTER
+from quasidynamic.balance.rollers.bearing import BearingBalance
+from quasidynamic.balance.rollers.sizes import LENGTH
+from quasidynamic.balance.rollers.unknowns import OUTER
 from quasidynamic.contact.load import GAP_ROUNDING
 
 SPIN_CHANGE = 0.5  # of the spin in pure rolling in a step

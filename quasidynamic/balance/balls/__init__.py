@@ -1,0 +1,1 @@
+"""What must vanish in a ball bearing."""

@@ -1,0 +1,1 @@
+"""A ball bearing's residuals to zero."""

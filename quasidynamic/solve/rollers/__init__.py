@@ -1,0 +1,1 @@
+"""A roller bearing's residuals to zero."""
