@@ -16,7 +16,8 @@ import numpy as np
 from threadpoolctl import threadpool_limits
 
 from benchmarks.machine import describe
-from quasidynamic.angular_contact import AngularContactBallBearing, AngularContactState
+from quasidynamic.angular_contact import AngularContactBallBearing
+from quasidynamic.angular_state import AngularContactState
 from quasidynamic.errors import NotSolved
 from quasidynamic.parts.angular import AngularContactBearing, RingOperation
 from quasidynamic.parts.ball import Ball, Groove

@@ -1,6 +1,7 @@
 """Bearings: rollers or balls, raceways, film, traction and cage, with NumPy and SciPy alone."""
 
-from quasidynamic.angular_contact import AngularContactBallBearing, AngularContactState
+from quasidynamic.angular_contact import AngularContactBallBearing
+from quasidynamic.angular_state import AngularContactState
 from quasidynamic.contact.adore import AdoreType
 from quasidynamic.contact.curve import FourPointCurve
 from quasidynamic.contact.film import FORMULAS
