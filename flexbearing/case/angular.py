@@ -5,7 +5,7 @@ from typing import Literal, Self
 
 from pydantic import model_validator
 
-from flexbearing.case.balls import BallBearing, Elastic, HeavyElastic, RingLoad
+from flexbearing.case.balls import BallBearing, Elastic, Groove, HeavyElastic, RingLoad
 from flexbearing.case.head import Head
 from flexbearing.case.quantity import Angle, Length, Section, Speed, impossible, key, require
 
@@ -19,9 +19,23 @@ DIRECTIONS = {  # name of a load, and of the displacement that may be held inste
 }
 
 
+class EndingGroove(Groove):
+    """A groove that may end on a shoulder."""
+
+    shoulder: Length | None = key(
+        "height of the shoulder above the bottom of the groove, of both where there are two; "
+        "contacts that reach over it are told",
+        None,
+        example="4.5 mm",
+        gt=0,
+    )
+
+
 class AngularBearing(BallBearing):
     """The bearing."""
 
+    inner: EndingGroove = key("groove of the inner ring")
+    outer: EndingGroove = key("groove of the outer ring")
     balls: int = key("number of balls", example=18, ge=3, le=1000)
     contact_angle: Angle = key(
         "contact angle without load, from the radial plane", example="15 deg", ge=0, lt=RIGHT_ANGLE
@@ -31,6 +45,15 @@ class AngularBearing(BallBearing):
     @model_validator(mode="after")
     def _balls_fit(self) -> Self:
         self.require_room(self.balls)
+        return self
+
+    @model_validator(mode="after")
+    def _shoulders_end_on_the_grooves(self) -> Self:
+        diameter = self.ball.diameter
+        for name, groove in (("inner", self.inner), ("outer", self.outer)):
+            radius = groove.over(diameter) * diameter
+            if groove.shoulder is not None and groove.shoulder > radius:
+                raise impossible(f"{name}.shoulder", f"at most the groove radius, {1e3 * radius:.4g} mm")
         return self
 
 

@@ -125,7 +125,7 @@ def notes(case: AngularCase, solution: Solution) -> tuple[str, ...]:
     off = int((~state.on_inner).sum())
     if off:
         told += (f"{off} of {len(state.on_inner)} balls do not touch the inner race",)
-    told += _beyond_shoulders(state)
+    told += _beyond_shoulders(case, state)
     led = int((state.on_inner & ~state.guided).sum())
     if led:
         far = "" if case.operation.control == "coulomb" else " or too far round"
@@ -158,15 +158,29 @@ def _gyroscopic(case: AngularCase, state: qd.AngularContactState) -> tuple[str, 
     )
 
 
-def _beyond_shoulders(state: qd.AngularContactState) -> tuple[str, ...]:
-    """Races that contacts would leave over a shoulder of usual height."""
-    worst = state.needed_shoulders.max(1) / state.bearing.ball.diameter
-    return tuple(
-        f"contacts reach {height:.3g} ball diameters up the {race} race, at contact angles of up to "
-        f"{np.degrees(np.abs(angles[loads > 0]).max()):.1f} deg; shoulders end at some "
-        f"{USUAL_SHOULDER:g}, and beyond theirs contacts are cut off, which is left out"
-        for race, height, angles, loads in zip(
-            ("inner", "outer"), worst, state.contact_angles, state.loads, strict=True
+def _beyond_shoulders(case: AngularCase, state: qd.AngularContactState) -> tuple[str, ...]:
+    """Races that contacts would leave over their shoulders."""
+    own = case.bearing
+    told = (_beyond(state, 0, own.inner.shoulder), _beyond(state, 1, own.outer.shoulder))
+    return tuple(note for note in told if note)
+
+
+def _beyond(state: qd.AngularContactState, index: int, shoulder: float | None) -> str:
+    """What is left out of contacts above a shoulder [m], one of usual height unless given; empty for none."""
+    race, needed = ("inner", "outer")[index], state.needed_shoulders[index]
+    diameter = state.bearing.ball.diameter
+    over = needed > (USUAL_SHOULDER * diameter if shoulder is None else shoulder)
+    if not over.any():
+        return ""
+    steepest = np.degrees(np.abs(state.contact_angles[index, over]).max())
+    at = f"at contact angles of up to {steepest:.1f} deg"
+    if shoulder is None:
+        return (
+            f"contacts reach {needed.max() / diameter:.3g} ball diameters up the {race} race, {at}; "
+            f"shoulders end at some {USUAL_SHOULDER:g}, and beyond theirs contacts are cut off, "
+            "which is left out"
         )
-        if height > USUAL_SHOULDER
+    return (
+        f"{int(over.sum())} contacts are cut off on the shoulder of the {race} race, {1e3 * shoulder:.4g} mm "
+        f"high: they reach up to {1e3 * needed.max():.4g} mm, {at}; that is left out, as if the race went on"
     )

@@ -50,12 +50,16 @@ _ROWS_ANGULAR = (
     ("orbital speed [rpm]", "orbital_speed_range_rpm", ",.0f"),
     ("ball speed [rpm]", "ball_speed_range_rpm", ",.0f"),
     ("angle of the ball's axis [deg]", "ball_attitude_range_deg", ".2f"),
+    ("yaw of the ball's axis [deg]", "ball_yaw_range_deg", ".3f"),
     ("centrifugal force [N]", "centrifugal_force_range_N", ".3f"),
     ("gyroscopic moment [mN m]", "gyroscopic_moment_range_Nm", ".4f"),
+    ("friction torque [N m]", "friction_torque_Nm", ".4g"),
+    ("heat of friction of a ball [W]", "friction_heat_range_W", ".4g"),
     ("spin torque on the shaft [N m]", "spin_friction_Nm", ".4g"),
     ("  by the pure rolling lines [N m]", "spin_friction_by_lines_Nm", ".4g"),
 )
 _SCALES = {"gyroscopic_moment_range_Nm": 1e3}
+_ONLY_BESIDE = {"ball_yaw_range_deg": "friction_torque_Nm"}  # zero by assumption unless friction decides
 _RING = (
     ("displacement x, y, z [um]", "ring_displacement_um", ".3f"),
     ("turn about x, y [mrad]", "ring_tilt_mrad", ".4f"),
@@ -95,7 +99,7 @@ def angular_page(numbers: dict[str, Any]) -> Iterator[RenderableType]:
 def _values(block: dict[str, Any], rows: tuple[tuple[str, str, str], ...]) -> Table:
     table = right_aligned("", "value")
     for label, key, form in rows:
-        if block[key] is not None:
+        if block[key] is not None and block[_ONLY_BESIDE.get(key, key)] is not None:
             table.add_row(Text(label), _shown(block[key], form, _SCALES.get(key, 1)))
     return table
 

@@ -16,8 +16,10 @@ from flexbearing.results import read as read_result
 from flexbearing.results.kinds import LAYOUTS
 
 CONFIGS = Path(__file__).parents[2] / "configs"
-BALLS = sorted(file.stem for stem in ("heras", "joshi", "rivera") for file in CONFIGS.glob(f"{stem}*.toml"))
-RIVERA = "rivera2021_7008"
+BALLS = sorted(
+    file.stem for stem in ("harris", "heras", "joshi", "rivera") for file in CONFIGS.glob(f"{stem}*.toml")
+)
+RIVERA, HARRIS = "rivera2021_7008", "harris218"
 EQUATION_15 = "rolling_lines.spin=contact angle"
 FEW = "fields.points=5"
 
@@ -223,6 +225,35 @@ def test_contacts_that_leave_the_races_are_told(run):
     assert not any("contacts reach" in note for note in run(RIVERA).attributes["notes"])
 
 
+def reached(values, ball, groove):
+    """Height of the inner race up to which contacts reach [m], from the file alone."""
+    ends = np.abs(values["contact_angle"][0]) + np.arcsin(2 * values["semi_axis_across"][0] / ball)
+    return groove * (1 - np.cos(ends))
+
+
+def shoulder_notes(result):
+    return [note for note in result.attributes["notes"] if "shoulder" in note]
+
+
+def test_contacts_on_a_given_shoulder_are_counted(run):
+    leaning = ("bearing.contact_angle=30 deg", "operation.load.radial_x=400 N")
+    height = reached(run(RIVERA, *leaning).rigid, 7.938e-3, 0.52 * 7.938e-3)
+    shoulder = float(np.median(height))
+    (note,) = shoulder_notes(run(RIVERA, *leaning, f"bearing.inner.shoulder={shoulder!r} m"))
+    over = int((height > shoulder).sum())
+    assert 0 < over < 18
+    assert note.startswith(f"{over} contacts are cut off on the shoulder of the inner race, ")
+    assert f"{1e3 * shoulder:.4g} mm high: they reach up to {1e3 * height.max():.4g} mm" in note
+
+
+def test_given_shoulder_counts_instead_of_the_usual_one(run):
+    """Contacts reach 5.85 mm up the inner race, more than a quarter of the ball, 3.03 mm up the outer one."""
+    assert "0.263 ball diameters up the inner race" in shoulder_notes(run(HARRIS))[0]
+    assert not shoulder_notes(run(HARRIS, "bearing.inner.shoulder=5.9 mm"))
+    (note,) = shoulder_notes(run(HARRIS, "bearing.inner.shoulder=5.9 mm", "bearing.outer.shoulder=2 mm"))
+    assert note.startswith("16 contacts are cut off on the shoulder of the outer race, 2 mm high")
+
+
 def test_balls_that_no_race_guides_are_told(run):
     light = run(RIVERA, "operation.load.axial=2 N")
     assert any("18 balls touch the inner race too lightly" in n for n in light.attributes["notes"])
@@ -341,6 +372,21 @@ def test_friction_decides_what_balls_do(run):
     assert numbers["ball_yaw_range_deg"] == approx(np.degrees(values["ball_yaw"][[0, -1]]), abs=1e-9)
     assert summary(run(RIVERA))["rigid"]["friction_torque_Nm"] is None
     assert (run(RIVERA).rigid["ball_yaw"] == 0).all()
+
+
+OF_FRICTION = ("yaw of the ball's axis [deg]", "friction torque [N m]", "heat of friction of a ball [W]")
+
+
+def test_page_shows_what_friction_decides_only_where_it_does(run):
+    decided, assumed = text(run(RIVERA, *COULOMB)), text(run(RIVERA))
+    rows = [line.split("]") for line in decided.splitlines() if any(row in line for row in OF_FRICTION)]
+    assert [label.strip() + "]" for label, _ in rows] == list(OF_FRICTION)
+    numbers = summary(run(RIVERA, *COULOMB))["rigid"]
+    torque, heat = numbers["friction_torque_Nm"], numbers["friction_heat_range_W"]
+    shown = [float(value.split()[0]) for _, value in rows]
+    assert shown == approx([numbers["ball_yaw_range_deg"][0], torque, heat[0]], rel=1e-3, abs=5e-4)
+    assert not any(row in assumed for row in OF_FRICTION)
+    assert "None" not in assumed
 
 
 def test_balls_that_friction_hardly_holds_are_told(run):

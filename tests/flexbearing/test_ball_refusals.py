@@ -5,6 +5,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from pytest import approx
 
 from flexbearing.case import AngularCase, BadCase, Case, FourPointCase, explain, read
 from flexbearing.case.head import Head
@@ -89,6 +90,17 @@ IMPOSSIBLE = {
     "friction of nothing": (
         ANGULAR, ["operation.control=coulomb", "operation.friction=0"], "[operation] friction", "above 0",
     ),
+    "shoulder above the groove": (
+        ANGULAR, ["bearing.outer.shoulder=4.2 mm"],
+        "[bearing.outer] shoulder", "at most the groove radius, 4.128 mm",
+    ),
+    "shoulder of no height": (
+        ANGULAR, ["bearing.inner.shoulder=0 mm"], "[bearing.inner] shoulder", "above 0 m",
+    ),
+    "shoulder of arches": (
+        FOUR_POINT, ["bearing.inner.shoulder=4 mm"], "[bearing.inner] shoulder is not a key of this case",
+        'It belongs to kind = "angular_contact_ball"',
+    ),
     "key of a roller bearing": (
         ANGULAR, ["bearing.rollers=5"], "[bearing] rollers is not a key of this case",
         'It belongs to kind = "cylindrical_roller"',
@@ -130,6 +142,13 @@ def test_broken_file_is_refused(tmp_path, old, new, told):
     file = tmp_path / "broken.toml"
     file.write_text(text.replace(old, new, 1))
     assert told in refusal(file)
+
+
+def test_shoulder_may_be_as_high_as_the_groove_radius():
+    case = read(ANGULAR, ["bearing.inner.shoulder=4.12776 mm"])
+    assert isinstance(case, AngularCase)
+    groove = case.bearing.inner
+    assert groove.shoulder == approx(groove.over(7.938e-3) * 7.938e-3, rel=1e-12)
 
 
 def test_kind_inside_the_bearing_is_shown_its_place(tmp_path):
