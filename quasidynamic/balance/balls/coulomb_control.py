@@ -10,7 +10,7 @@ from quasidynamic.balance.balls.driving_load import driving_load
 from quasidynamic.balance.balls.free_ball import free_balls
 from quasidynamic.balance.balls.free_ball_slopes import Settled, settled
 from quasidynamic.balance.balls.light_ball import RELEASE
-from quasidynamic.balance.balls.race_control import Guidance, Pressed
+from quasidynamic.balance.balls.race_control import Guidance, Pressed, RaceControl
 from quasidynamic.contact.ellipse_friction import Ellipse
 from quasidynamic.contact.point import PointContact
 from quasidynamic.motion.ball_slip import (
@@ -64,6 +64,11 @@ class CoulombControl:
     bearing: AngularContactBearing
     contacts: tuple[PointContact, PointContact]  # with the inner and with the outer race
     friction: float  # [-] Coulomb coefficient
+
+    @property
+    def simpler(self) -> RaceControl:
+        """Outer control: what friction comes to at high speed, a hundred times as quick."""
+        return RaceControl(self.bearing, "outer")
 
     def guided(self, contacts: Pressed, speeds: NDArray, centrifugal: NDArray) -> Guidance:
         """Motion of balls and what it asks of the races, see `Guide`."""

@@ -38,6 +38,11 @@ class Guidance(NamedTuple):
 class Guide(Protocol):
     """How motion and tractions of balls follow from their contacts."""
 
+    @property
+    def simpler(self) -> "Guide | None":
+        """A guide that costs less and balances ring and balls near the same place, to begin there."""
+        ...
+
     def guided(self, contacts: Pressed, speeds: NDArray, centrifugal: NDArray) -> Guidance:
         """Motion of balls and what it asks of the races.
 
@@ -74,6 +79,11 @@ class RaceControl:
 
     bearing: AngularContactBearing
     control: Control
+
+    @property
+    def simpler(self) -> None:
+        """None: nothing costs less."""
+        return None
 
     def guided(self, contacts: Pressed, speeds: NDArray, centrifugal: NDArray) -> Guidance:
         """Motion of balls and what it asks of the races, see `Guide`."""

@@ -85,7 +85,13 @@ def _solve(balance: AngularBalance) -> Solved:
 
 
 def start(balance: AngularBalance) -> tuple[NDArray, Vectors]:
-    """First places of ring and balls: on springs, then under the forces that inertia has there."""
+    """First places of ring and balls: on springs, then under the forces that inertia has there.
+
+    Or the balance under a simpler guide, where there is one.
+    """
+    if balance.guide.simpler is not None:
+        found = _solve(replace(balance, guide=balance.guide.simpler))
+        return found.ring, found.centres
     ring = first_place(balance)
     grooves = balance.grooves(ring)
     centres = balance.places.resting(grooves)
