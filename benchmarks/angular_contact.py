@@ -1,22 +1,26 @@
-"""Time and sureness of angular-contact solves: `python -m benchmarks.angular_contact [count [seed]]`.
+"""Time and sureness of angular-contact solves.
+
+Run from the project directory: python -m benchmarks.angular_contact [count [seed]] [coulomb]
 
 First the 218 bearing of the textbook, in CPU time of a warm interpreter on one core. Then bearings drawn at
 random: size, conformity, contact angle, steel or ceramic balls, raceway control, loads over five decades, up
 to about the static capacity in any direction from axial to radial, 10 to 500 000 mm/min; the ring free under
 moments up to load times pitch radius, held against tilt, or held against tilt with an axial preload. Where
-nothing holds the ring against such loads the ending is "undetermined", which counts for itself.
+nothing holds the ring against such loads the ending is "undetermined", which counts for itself. With
+`coulomb`, friction of 0.03 to 0.12 moves the balls of the same bearings.
 """
 
 import collections
 import statistics
 import sys
 import time
+from collections.abc import Callable
 
 import numpy as np
 from threadpoolctl import threadpool_limits
 
 from benchmarks.machine import describe
-from quasidynamic.angular_contact import AngularContactBallBearing
+from quasidynamic.angular_contact import AngularContactBallBearing as Model
 from quasidynamic.angular_state import AngularContactState
 from quasidynamic.errors import NotSolved
 from quasidynamic.parts.angular import AngularContactBearing, RingOperation
@@ -44,8 +48,8 @@ def main() -> None:
     print(describe())
     with threadpool_limits(limits=1, user_api="blas"):
         textbook()
-        given = [int(word) for word in sys.argv[1:]]
-        at_random(*given) if given else at_random(1000)
+        numbers = [int(word) for word in sys.argv[1:] if word != "coulomb"]
+        at_random(*numbers or (1000,), draw=drawn_sliding if "coulomb" in sys.argv else drawn)
 
 
 def textbook() -> None:
@@ -58,7 +62,7 @@ def textbook() -> None:
         pitch_diameter=125.26e-3,
         contact_angle=np.radians(40.0),
     )
-    model = AngularContactBallBearing(bearing=bearing)
+    model = Model(bearing=bearing)
     for name, operation in OPERATIONS.items():
         seconds = []
         for _ in range(51):
@@ -72,10 +76,10 @@ def textbook() -> None:
         )
 
 
-def at_random(count: int, first: int = 0) -> None:
+def at_random(count: int, first: int = 0, *, draw: Callable[[int], tuple[Model, RingOperation]]) -> None:
     endings, evaluations, worst, unguided, seconds = collections.Counter(), [], 0.0, 0, []
     for seed in range(first, first + count):
-        model, operation = drawn(seed)
+        model, operation = draw(seed)
         began = time.process_time()
         try:
             state = model.solve(operation)
@@ -117,7 +121,14 @@ def unbalanced(state: AngularContactState) -> float:
     return float(max(ball.max(), ring.max(initial=0.0)) / largest)
 
 
-def drawn(seed: int) -> tuple[AngularContactBallBearing, RingOperation]:
+def drawn_sliding(seed: int) -> tuple[Model, RingOperation]:
+    """The same bearing, its balls moved by Coulomb friction of 0.03 to 0.12."""
+    model, operation = drawn(seed)
+    friction = np.exp(np.random.default_rng([seed, 1]).uniform(np.log(0.03), np.log(0.12)))
+    return Model(bearing=model.bearing, control="coulomb", friction=float(friction)), operation
+
+
+def drawn(seed: int) -> tuple[Model, RingOperation]:
     random = np.random.default_rng(seed)
     balls_of = STEEL if random.random() < 0.7 else CERAMIC
     diameter, ratio = np.exp(random.uniform(np.log(3e-3), np.log(40e-3))), random.uniform(0.08, 0.3)
@@ -153,7 +164,7 @@ def drawn(seed: int) -> tuple[AngularContactBallBearing, RingOperation]:
         inner_speed=speed,
     )
     control = ("outer", "inner", "equal")[int(random.integers(3))]
-    return AngularContactBallBearing(bearing=bearing, control=control), operation
+    return Model(bearing=bearing, control=control), operation
 
 
 if __name__ == "__main__":
