@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.contact.ellipse_friction import CENTRE, SPIN, Ellipse, sliding_friction
+from quasidynamic.contact.ellipse_friction import CENTRE, ROLL, SPIN, Ellipse, sliding_friction
 from quasidynamic.errors import NotSolved
 from quasidynamic.motion.ball_slip import (
     INNER,
@@ -23,6 +23,7 @@ ENOUGH = 1e-7  # the same, where rounding keeps a step from lowering it any more
 LIMIT = 300  # evaluations; half of all balls need six, one in a hundred seventy
 ENOUGH_SLOPE = 0.5  # of the slope at the start of a step that may be left at its end
 ROUNDING = 1e-13  # of the power: too small to tell two powers apart
+LINES = 0.347**2 / 2  # of A a^2/R: slip of the centre of a contact that rolls on two lines, without spin
 CAUTION = np.array([0.0, 0.0, 0.0, 0.0, 0.01, 0.1, 1.0])  # share of the majorant in one try after the other
 _RIDGE = 1e-13 * np.eye(3)  # added to the curvature, whose diagonal is scaled to one
 
@@ -101,8 +102,8 @@ def attitude(contacts: BallContacts, ellipse: Ellipse) -> Attitude:
 
     The heat Phi is convex in the motion: its stationarity is the balance of forces along the orbit and of
     both moments, its minimum is the torque, and there is no other balance. Newton's method for all balls
-    side by side from the best of these motions: rolling on either diagonal, spinning on both, or rolling
-    without spin on one race of the stronger diagonal.
+    side by side from the best of these motions: rolling on either diagonal, spinning on both, or rolling on
+    two lines of each contact of the stronger diagonal, without spin on one race or with as much on both.
 
     Parameters
     ----------
@@ -172,8 +173,10 @@ def _prepared(contacts: BallContacts, ellipse: Ellipse) -> tuple[NDArray, _Balls
     by_unknown[ball, strong, :, CENTRE] = np.eye(3)[:2]
     balls = _Balls(base, by_unknown, ellipse, unknowns * _speed(rolling)[:, None])
     starts = np.einsum("nij,snj->sni", unknowns, every - rolling)
-    control = np.zeros((2, len(rolling), 3))  # no spin on the inner, on the outer race of that diagonal
-    control[:, :, 2] = (-base[ball, strong, :, SPIN] / by_unknown[ball, strong, :, SPIN, 2]).T
+    control = np.zeros((3, len(rolling), 3))  # no spin on the inner, on the outer race, as much on both
+    control[:2, :, 2] = (-base[ball, strong, :, SPIN] / by_unknown[ball, strong, :, SPIN, 2]).T
+    control[2, :, 2] = control[:2, :, 2].mean(0)
+    control[:, :, :2] = (LINES * base[..., ROLL] * ellipse.across**2 / ellipse.radius)[ball, strong]
     return rolling, balls, np.concatenate([starts, control])
 
 
