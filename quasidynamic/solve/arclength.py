@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from enum import StrEnum
-from math import isfinite
+from math import isfinite, nan
 from typing import Protocol
 
 import numpy as np
@@ -240,7 +240,8 @@ def corrected(family: Family, state: NDArray, parameter: float, across: Directio
 def _newton_step(family: Family, local: Local, across: Direction) -> tuple[NDArray, float]:
     u, v = local.solve(np.column_stack([-local.residual, local.by_parameter])).T
     along_u, along_v = (across.along(family.weight, part, 0.0) for part in (u, v))
-    change = -along_u / (across.parameter - along_v)
+    slope = across.parameter - along_v
+    change = -along_u / slope if slope else nan  # no step leads across: not a number ends a correction
     return u - v * change, change
 
 

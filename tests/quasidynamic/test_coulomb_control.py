@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 from pytest import approx
 
+from benchmarks.angular_contact import drawn_sliding, unbalanced
 from quasidynamic.angular_contact import AngularContactBallBearing
 from quasidynamic.balance.balls.angular import AngularBalance, race_contacts
 from quasidynamic.balance.balls.ball_attitude import attitude
-from quasidynamic.balance.balls.coulomb_control import CoulombControl
+from quasidynamic.balance.balls.coulomb_control import NOISE, CoulombControl
 from quasidynamic.balance.balls.race_control import Pressed
 from quasidynamic.contact.ellipse_friction import Ellipse, sagitta
 from quasidynamic.errors import ImpossiblePart, NotSolved
@@ -305,3 +306,10 @@ def test_derivatives_by_the_places_of_ball_and_groove(where):
         ):
             slope = (ahead.forces - behind.forces) / (2 * step)
             assert np.abs(by[k] - slope).max() <= 2e-5 * np.abs(here.by_ball).max()
+
+
+@pytest.mark.parametrize("seed", [502, 668])
+def test_what_the_search_of_friction_leaves_does_not_stall_the_ring(seed):
+    """Both found no balance to 1e-11 of the largest force, nor did the balls to 1e-12."""
+    model, operation = drawn_sliding(seed)
+    assert unbalanced(model.solve(operation)) < 2 * NOISE

@@ -20,7 +20,7 @@ from quasidynamic.motion.ball_slip import (
 
 TOLERANCE = 1e-10  # unbalanced power over the power of friction
 ENOUGH = 1e-7  # the same, where rounding keeps a step from lowering it any more
-LIMIT = 300  # evaluations; half of all balls need six, one in a hundred seventy
+LIMIT = 300  # evaluations; half of all balls need six, one in a hundred fifty
 ENOUGH_SLOPE = 0.5  # of the slope at the start of a step that may be left at its end
 ROUNDING = 1e-13  # of the power: too small to tell two powers apart
 LINES = 0.347**2 / 2  # of A a^2/R: slip of the centre of a contact that rolls on two lines, without spin

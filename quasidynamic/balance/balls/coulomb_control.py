@@ -28,6 +28,7 @@ from quasidynamic.parts.angular import AngularContactBearing
 
 RELEASED = (RELEASE, RELEASE / 8)  # of F_c: least driving load of the inner, of the outer race
 UNEVEN = 0.05  # of the load on the other race: the same, away from balance
+NOISE = 1e-9  # of the largest force: what is left of the balance of balls that friction moves
 WIDEST = 0.9  # of the ball radius: semi-axis up to which a contact has a friction
 
 
@@ -69,6 +70,11 @@ class CoulombControl:
     def simpler(self) -> RaceControl:
         """Outer control: what friction comes to at high speed, a hundred times as quick."""
         return RaceControl(self.bearing, "outer")
+
+    @property
+    def noise(self) -> float:
+        """What the search for the motion of balls leaves of their friction."""
+        return NOISE
 
     def guided(self, contacts: Pressed, speeds: NDArray, centrifugal: NDArray) -> Guidance:
         """Motion of balls and what it asks of the races, see `Guide`."""

@@ -43,6 +43,11 @@ class Guide(Protocol):
         """A guide that costs less and balances ring and balls near the same place, to begin there."""
         ...
 
+    @property
+    def noise(self) -> float:
+        """Part of the largest force by which its forces are uncertain, beyond rounding of places [-]."""
+        ...
+
     def guided(self, contacts: Pressed, speeds: NDArray, centrifugal: NDArray) -> Guidance:
         """Motion of balls and what it asks of the races.
 
@@ -84,6 +89,11 @@ class RaceControl:
     def simpler(self) -> None:
         """None: nothing costs less."""
         return None
+
+    @property
+    def noise(self) -> float:
+        """Zero: closed forms."""
+        return 0.0
 
     def guided(self, contacts: Pressed, speeds: NDArray, centrifugal: NDArray) -> Guidance:
         """Motion of balls and what it asks of the races, see `Guide`."""

@@ -22,7 +22,7 @@ class Sizes(NamedTuple):
     """Forces (C) [N] that unbalanced ones are measured with."""
 
     largest: NDArray  # load on ring or balls
-    noise: NDArray  # force by which rounding of lengths unbalances a ball
+    noise: NDArray  # force by which rounding of lengths, or the guide, unbalances a ball
 
     def allowed(self, share: NDArray | float = 0.0) -> NDArray:
         """Force (C, 1) on a ball that counts as balance, up to a `share` (C) of the largest force."""
@@ -61,7 +61,8 @@ def at_places(
 def sizes_of(balance: AngularBalance, balls: BallBalance, grooves: Vectors) -> Sizes:
     """Forces that unbalanced ones on these balls are measured with."""
     largest = np.maximum(balance.largest_load, balls.loads.max((0, 2)))
-    return Sizes(largest, ROUNDING * np.abs(balls.by_ball[:, 0]).max((0, 2)) * np.abs(grooves).max(1))
+    rounding = ROUNDING * np.abs(balls.by_ball[:, 0]).max((0, 2)) * np.abs(grooves).max(1)
+    return Sizes(largest, np.maximum(rounding, balance.guide.noise * largest))
 
 
 def settle(
