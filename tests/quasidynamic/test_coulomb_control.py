@@ -30,6 +30,8 @@ BEARING = AngularContactBearing(
 )
 CONTACTS = race_contacts(BEARING)
 STRAIGHT = (None, None, None, 0.0, 0.0)
+from quasidynamic.solve.balls.ring_on_balls import _at, start
+from quasidynamic.solve.balls.settling import settle
 
 
 def pressed(inner, outer, inner_load, outer_load):
@@ -313,3 +315,14 @@ def test_what_the_search_of_friction_leaves_does_not_stall_the_ring(seed):
     """Both found no balance to 1e-11 of the largest force, nor did the balls to 1e-12."""
     model, operation = drawn_sliding(seed)
     assert unbalanced(model.solve(operation)) < 2 * NOISE
+
+
+def test_imbalance_is_told_over_the_largest_force():
+    operation = RingOperation(load=(0.0, 0.0, 6000.0, 0.0, 0.0), displacement=STRAIGHT, inner_speed=1000.0)
+    model = AngularContactBallBearing(bearing=BEARING, control="coulomb", friction=0.06)
+    balance = model._balance([operation])
+    ring, centres = start(replace(balance, load=1.1 * balance.load))
+    found = settle(balance, balance.grooves(ring), centres)
+    state = _at(balance, ring, found)
+    assert state.imbalance[0] == approx(np.abs(state.balance.excess).max() / found.sizes.largest[0], rel=1e-6)
+    assert 0.01 < state.imbalance[0] < 0.2

@@ -17,7 +17,7 @@ TOLERANCE = 1e-11  # of the largest force: unbalanced force on the ring
 LIMIT = 60  # Newton steps of the ring, rarely more than ten
 LOOSE = 0.1  # of the imbalance before a step: what the balls may leave to the next one
 SHORTEST = 2.0**-6  # part of a Newton step; a path of growing inertia is quicker than shorter ones
-TOUCHING = 10 * TOLERANCE  # of the largest force: least load that counts as contact of the ring
+TOUCHING = 10  # times what may be left: least load that counts as contact of the ring
 TINY = float(np.finfo(float).tiny)
 SINGULAR = 1e-12  # of the whole stiffness: a direction that nothing holds
 
@@ -147,11 +147,16 @@ def newton(balance: AngularBalance, ring: NDArray, centres: NDArray | None = Non
 def _ending(balance: AngularBalance, here: _State, case: int, damping: float, last: bool) -> Ending:
     if not np.isfinite(here.imbalance[case]):
         return Ending.NOT_FINITE
-    if here.settled[case] and here.imbalance[case] <= TOLERANCE:
+    if here.settled[case] and here.imbalance[case] <= _tolerance(balance):
         return Ending.CONVERGED if _held(balance, here, case) else Ending.UNDETERMINED
     if damping < SHORTEST or not here.settled[case]:
         return Ending.STALLED
     return Ending.LIMIT if last else Ending.NONE
+
+
+def _tolerance(balance: AngularBalance) -> float:
+    """Part of the largest force that may be left: a guide may know its forces less surely than balances."""
+    return max(TOLERANCE, balance.guide.noise)
 
 
 def _held(balance: AngularBalance, here: _State, case: int) -> bool:
@@ -160,7 +165,7 @@ def _held(balance: AngularBalance, here: _State, case: int) -> bool:
     if not free.any():
         return True
     sizes = np.linalg.svd(here.balance.stiffness[case][np.ix_(free, free)], compute_uv=False)
-    touching = here.pressing[case] > TOUCHING
+    touching = here.pressing[case] > TOUCHING * _tolerance(balance)
     return bool(touching and sizes.min() > SINGULAR * sizes.max())
 
 
@@ -229,9 +234,10 @@ def _at(balance: AngularBalance, ring: NDArray, found: Settled) -> _State:
     forces = balance.ring(balls, follow)
     _, force, traction = moved(balls.by_ball, late)
     excess = np.where(balance.held, 0.0, forces.excess - balance.on_ring(force, traction))
-    largest = np.maximum(np.maximum(sizes.largest, sizes.noise / TOLERANCE), TINY)
+    tolerance = _tolerance(balance)
+    largest = np.maximum(np.maximum(sizes.largest, sizes.noise / tolerance), TINY)
     left = found.left.max(1)
-    near = left[:, None] <= sizes.allowed(TOLERANCE)
+    near = left[:, None] <= sizes.allowed(tolerance)
     counted = np.where(near, forces.excess, excess)  # no balance by what balls would do
     return _State(
         ring=ring,
