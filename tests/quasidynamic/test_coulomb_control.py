@@ -18,6 +18,8 @@ from quasidynamic.motion.ball_slip import BallContacts, pressed_height, pressed_
 from quasidynamic.parts.angular import AngularContactBearing, RingOperation
 from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.parts.material import Material
+from quasidynamic.solve.balls.ring_on_balls import _at, start
+from quasidynamic.solve.balls.settling import settle
 
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
 BEARING = AngularContactBearing(
@@ -30,8 +32,6 @@ BEARING = AngularContactBearing(
 )
 CONTACTS = race_contacts(BEARING)
 STRAIGHT = (None, None, None, 0.0, 0.0)
-from quasidynamic.solve.balls.ring_on_balls import _at, start
-from quasidynamic.solve.balls.settling import settle
 
 
 def pressed(inner, outer, inner_load, outer_load):
