@@ -16,14 +16,15 @@ import numpy as np
 from threadpoolctl import threadpool_limits
 
 from benchmarks.machine import describe
+from flexbearing.accuracy.adaptive import JUDGED, Ordered, ordered
+from flexbearing.accuracy.trials import Trial, changes, finer
+from flexbearing.build import assemble
 from flexbearing.case import Case, understood
-from flexbearing.compute import assemble, rings
-from flexbearing.compute.ordered import JUDGED, Ordered, ordered
-from flexbearing.compute.progress import Logged
-from flexbearing.compute.structure import CondensedRings
-from flexbearing.compute.together import BearingPartner
-from flexbearing.compute.trials import Trial, changes, finer
+from flexbearing.coupled.coupled import BearingPartner
 from flexbearing.coupling import Ending, newton
+from flexbearing.progress import Logged
+from flexbearing.rings import condensed
+from flexbearing.rings.raceways import CondensedRings
 
 PAPER, NU209 = "configs/mao2016.toml", "configs/nu209.toml"
 SLICES, SHAPES = 2560, 10
@@ -144,8 +145,10 @@ def reference(case: Case, found: Ordered) -> Trial:
     azimuths, report = model.bearing.azimuths, Logged()
     cage = CAGE if case.outer.kind == "squirrel_cage" else SECTION
     shaft = SECTION if case.inner.fit == "bonded" else FITTED
-    outer = rings.outer_ring(_meshed(case, cage), azimuths, report)
-    both = rings.side_by_side(rings.inner_ring(_meshed(case, shaft), azimuths, report), outer, azimuths)
+    outer = condensed.outer_ring(_meshed(case, cage), azimuths, report)
+    both = condensed.side_by_side(
+        condensed.inner_ring(_meshed(case, shaft), azimuths, report), outer, azimuths
+    )
     partner = BearingPartner(model)
     if both.rigid:
         return Trial(partner.solve(found.trial.found), both)

@@ -21,12 +21,12 @@ from threadpoolctl import threadpool_limits
 
 from benchmarks.machine import describe
 from quasidynamic.angular_contact import AngularContactBallBearing as Model
-from quasidynamic.angular_state import AngularContactState
 from quasidynamic.errors import NotSolved
-from quasidynamic.parts.angular import AngularContactBearing, RingOperation
+from quasidynamic.outcome.angular_contact_state import AngularContactState
+from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
 from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.parts.material import Material
-from quasidynamic.solve.endings import Ending
+from quasidynamic.solve.outcome import Ending
 
 RPM = np.pi / 30
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800.0)

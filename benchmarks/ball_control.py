@@ -15,8 +15,8 @@ from scipy.special import ellipe
 
 from benchmarks.machine import describe
 from flexbearing.case import AngularCase, read
-from flexbearing.compute.angular import bearing, operation
 from flexbearing.report.figures import BLUE, ORANGE
+from flexbearing.runs.angular_contact import bearing, operation
 from quasidynamic import AngularContactState
 from quasidynamic.motion.ball_speeds import ball_attitude
 

@@ -7,8 +7,8 @@ import numpy as np
 from threadpoolctl import threadpool_limits
 
 from benchmarks.machine import describe, median_seconds
-from quasidynamic.balance.balls.ball_attitude import attitude
 from quasidynamic.balance.balls.four_point import ball_loads
+from quasidynamic.balance.balls.sliding_motion import attitude
 from quasidynamic.four_point import FourPointBallBearing, RingLoad
 from quasidynamic.parts.ball import Ball, FourPointBearing, Groove
 from quasidynamic.parts.ball_friction import constant_friction

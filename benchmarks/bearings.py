@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from flexbearing.build import assemble
 from flexbearing.case import read
-from flexbearing.compute import assemble
 from quasidynamic import RollerBearing, Straight
 
 RPM = 2 * np.pi / 60

@@ -32,12 +32,13 @@ WHOLE = fem.Mesh(order=4, size=2e-3, raceway_size=0.65e-3)
 
 def by_half_a_pitch(cage: fem.SquirrelCage, mesh: fem.Mesh) -> tuple[NDArray, float, int]:
     """Compliance (Z, M, Z, M), support stiffness, unknowns."""
-    from fem import half_pitch, sector
-    from fem.indentation import half_space
+    from fem.cage import cyclic_symmetry
+    from fem.half_space.load_patch import half_space
+    from fem.mesh import half_pitch
 
     half_pitch.LAYERS = LAYERS
     with threadpool_limits(limits=1, user_api="blas"):
-        raceway = sector.condense(cage, LENGTH, SHAPES, mesh)
+        raceway = cyclic_symmetry.condense(cage, LENGTH, SHAPES, mesh)
         support = raceway.at(AZIMUTHS).support_stiffness
     n = raceway.harmonics
     wave = np.exp(1j * np.outer(AZIMUTHS, n) - (n * WIDTH / raceway.radius) ** 2 / 2)
@@ -49,12 +50,12 @@ def by_half_a_pitch(cage: fem.SquirrelCage, mesh: fem.Mesh) -> tuple[NDArray, fl
 
 def by_the_whole(cage: fem.SquirrelCage, mesh: fem.Mesh, layered: bool) -> tuple[NDArray, float, int]:
     """The same from a solid without any symmetry but that of rollers and bars."""
-    from fem import compliance
+    from fem.solid import condensation
 
     if layered:
-        compliance.meshed = refined
+        condensation.meshed = refined
     with threadpool_limits(limits=1, user_api="blas"):
-        raceway = compliance.condense(cage, patches(), mesh, thread_number=1)
+        raceway = condensation.condense(cage, patches(), mesh, thread_number=1)
     return raceway.full, raceway.support_stiffness, raceway.unknowns
 
 
@@ -67,8 +68,8 @@ def refined(cage: fem.SquirrelCage, length: float, wishes: fem.Mesh):
     import ngsolve as ngs
     from netgen import occ
 
-    from fem.half_pitch import LAYER_RATIO, NEAR
-    from fem.mesh import MILLIMETRES, solids
+    from fem.mesh.half_pitch import LAYER_RATIO, NEAR
+    from fem.mesh.solid import MILLIMETRES, solids
 
     bodies = solids(cage, length)
     for body in bodies[1:-1]:

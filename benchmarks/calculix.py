@@ -165,7 +165,7 @@ def calculix(program: str, mesh: Hexahedra, loaded: range) -> tuple[NDArray, flo
 
 def ours(mesh: Mesh, harmonics: int) -> tuple[NDArray, float]:
     """Compliance [m/N] between all lines, the row of the first one; and seconds of the processor."""
-    from fem import revolved
+    from fem.section import revolved
 
     steel = Elastic(youngs_modulus=E * 1e6, poisson_ratio=NU)
     ring = OuterRing(

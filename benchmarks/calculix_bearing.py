@@ -31,9 +31,9 @@ from benchmarks.calculix import Hexahedra, printed
 from benchmarks.calculix_springs import MOVED, SLICES, Springs, deck, found, meshed
 from benchmarks.machine import describe
 from flexbearing import run
+from flexbearing.build import assemble
 from flexbearing.cache.store import VARIABLE
 from flexbearing.case import Case, read
-from flexbearing.compute import assemble
 
 CASE = "configs/nu209.toml"
 SETTINGS = [

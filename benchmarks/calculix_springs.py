@@ -30,8 +30,8 @@ from scipy import sparse
 import fem
 import quasidynamic as qd
 from benchmarks.calculix import Hexahedra, between, clamped, rows
-from quasidynamic.contact.load import palmgren
-from quasidynamic.contact.slices import Slices
+from quasidynamic.contact.line.load_law import palmgren
+from quasidynamic.contact.line.slices import Slices
 
 SLICES = 10
 MOVED = 0.045  # [mm] inner ring

@@ -14,7 +14,7 @@ from threadpoolctl import threadpool_limits
 from benchmarks.bearings import changed, paper_bearing
 from benchmarks.machine import describe, median_seconds
 from quasidynamic.solve.rollers.newton import step
-from quasidynamic.start import static_start
+from quasidynamic.solve.start import static_start
 
 AT_ONCE = 16
 

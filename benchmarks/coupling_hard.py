@@ -16,15 +16,15 @@ from threadpoolctl import threadpool_limits
 
 from benchmarks.bearings import CASE
 from benchmarks.machine import describe
+from flexbearing.build import assemble
 from flexbearing.case import read
-from flexbearing.compute import assemble
-from flexbearing.compute.progress import Logged
-from flexbearing.compute.rings import condensed
-from flexbearing.compute.structure import CondensedRings
-from flexbearing.compute.together import BearingPartner
+from flexbearing.coupled.coupled import BearingPartner
 from flexbearing.coupling import RULES, Ending, alternate, newton, relaxed
-from quasidynamic.balance.rollers.sizes import LARGE_DEVIATION, LENGTH
-from quasidynamic.solve.rollers import bordered
+from flexbearing.progress import Logged
+from flexbearing.rings.condensed import condensed
+from flexbearing.rings.raceways import CondensedRings
+from quasidynamic.balance.rollers.scales import LARGE_DEVIATION, LENGTH
+from quasidynamic.solve.rollers import bordered_system
 
 METHODS = ("newton", *RULES, "relaxed")
 TOLERANCE, LIMIT = 1e-8, 250
@@ -153,7 +153,7 @@ def spectral_radius(state) -> float:
     count = balance.layout.size - first
     sides = np.zeros((1, balance.layout.size, count))
     sides[0, first:] = np.eye(count) / LARGE_DEVIATION
-    answer = bordered.solve(balance, state.system, sides)[0, first:] * LENGTH
+    answer = bordered_system.solve(balance, state.system, sides)[0, first:] * LENGTH
     return float(np.abs(1 - 1 / np.linalg.eigvals(answer)).max())
 
 

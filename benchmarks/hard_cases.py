@@ -12,7 +12,7 @@ from threadpoolctl import threadpool_limits
 from benchmarks.bearings import RPM, changed, paper_bearing
 from benchmarks.machine import describe
 from quasidynamic import Ending, FourPointCurve, NotSolved, RollerBearing
-from quasidynamic.contact.traction import Traction
+from quasidynamic.contact.traction.traction_law import Traction
 
 LOADED = 1.0  # [N]
 

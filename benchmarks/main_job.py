@@ -17,8 +17,8 @@ from threadpoolctl import threadpool_limits
 
 from benchmarks.machine import describe
 from flexbearing.cache.store import VARIABLE
-from flexbearing.compute.one import run as compute
-from flexbearing.compute.progress import Report
+from flexbearing.progress import Report
+from flexbearing.runs.run_case import run as compute
 
 CASE = "configs/mao2016.toml"
 RUNS = 3

@@ -11,8 +11,8 @@ from threadpoolctl import threadpool_limits
 
 from benchmarks.bearings import CASE, RPM
 from benchmarks.machine import describe, median_seconds
+from flexbearing.build import assemble
 from flexbearing.case import read
-from flexbearing.compute import assemble
 
 
 def main() -> None:

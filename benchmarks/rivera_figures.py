@@ -11,8 +11,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from flexbearing.case import read
-from flexbearing.compute.angular import bearing, operation
 from flexbearing.report.figures import BLUE, ORANGE
+from flexbearing.runs.angular_contact import bearing, operation
 from quasidynamic import AngularContactState
 
 CASE = "configs/rivera2021_7008.toml"

@@ -16,9 +16,9 @@ import fem
 from benchmarks.alone import Cost, measured
 from benchmarks.bearings import CASE
 from benchmarks.machine import describe
+from flexbearing.build import assemble
 from flexbearing.case import read
-from flexbearing.compute import assemble
-from flexbearing.compute.rings import IN_SPACE, ON_A_SECTION
+from flexbearing.rings.condensed import IN_SPACE, ON_A_SECTION
 
 SHAPES = 3
 
@@ -62,11 +62,13 @@ SHAFT = (
 
 def condensed(part, length: float, wish: Wish):
     """Compliance (Z, M, Z, M), support stiffness, unknowns; layers are a constant of the mesher."""
-    from fem import half_pitch, meridian, revolved, sector
+    from fem.cage import cyclic_symmetry
+    from fem.mesh import axial_section, half_pitch
+    from fem.section import revolved
 
-    half_pitch.LAYERS = meridian.GRADED_LAYERS = wish.layers
+    half_pitch.LAYERS = axial_section.GRADED_LAYERS = wish.layers
     mesh = fem.Mesh(order=wish.order, size=wish.size * length, raceway_size=wish.raceway_size * length)
-    room = sector if isinstance(part, fem.SquirrelCage) else revolved
+    room = cyclic_symmetry if isinstance(part, fem.SquirrelCage) else revolved
     with threadpool_limits(limits=1, user_api="blas"):
         raceway = room.condense(part, length, SHAPES, mesh, wish.harmonics)
         found = raceway.at(2 * np.pi * np.arange(30) / 30)

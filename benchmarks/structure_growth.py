@@ -17,8 +17,8 @@ import fem
 from benchmarks.alone import measured
 from benchmarks.bearings import CASE
 from benchmarks.machine import describe
+from flexbearing.build import assemble
 from flexbearing.case import read
-from flexbearing.compute import assemble
 
 SIZES = (4.0, 3.0, 2.2, 1.6, 1.2, 1.0, 0.9)  # [mm]
 ORDER = 3
@@ -30,9 +30,9 @@ def solved(part, length: float, size: float) -> tuple[int, list[float]]:
     """Unknowns, and seconds of the processor by stage."""
     import ngsolve as ngs
 
-    from fem.compliance import elastic_energy
-    from fem.mesh import meshed
-    from fem.solve import factor, threads
+    from fem.assembly.factorisation import factor, threads
+    from fem.mesh.solid import meshed
+    from fem.solid.condensation import elastic_energy
 
     with threadpool_limits(limits=1, user_api="blas"), threads(1):
         clock = [time.process_time()]

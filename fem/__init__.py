@@ -1,11 +1,19 @@
-"""Flexible rings as finite elements; `fem.compliance.condense` is the way in.
+"""Flexible rings as finite elements; `fem.solid.condensation.condense` is the way in.
 
 Only the parts are re-exported here: describing a ring costs nothing, NGSolve is loaded by the
 modules that compute.
 """
 
-from fem.parts import Elastic, ImpossiblePart, Mesh, OuterRing, Part, Patches, RingOnShaft, SquirrelCage
-from fem.supports import ClampedFace, Foundation, Housing, LineForce, LineSupports, PlanetGear, RigidSeat
+from fem.parts.boundary_conditions import (
+    ClampedFace,
+    Foundation,
+    Housing,
+    LineForce,
+    LineSupports,
+    PlanetGear,
+    RigidSeat,
+)
+from fem.parts.rings import Elastic, ImpossiblePart, Mesh, OuterRing, Part, Patches, RingOnShaft, SquirrelCage
 
 __all__ = [
     "ClampedFace",

@@ -17,11 +17,11 @@ def run(
     *,
     start: "str | Path | Result | None" = None,
 ) -> "Result":
-    """Compute a case file and return its result; see `flexbearing.compute.one.run`.
+    """Compute a case file and return its result; see `flexbearing.runs.run_case.run`.
 
     >>> result = run("case.toml")                                    # doctest: +SKIP
     >>> result.flexible["inner_load"].max()                          # doctest: +SKIP
     """
-    from flexbearing.compute.one import run as compute  # loads what computing needs, when it is needed
+    from flexbearing.runs.run_case import run as compute  # loads what computing needs, when it is needed
 
     return compute(case, output, overrides, start=start)

@@ -31,7 +31,7 @@ Settings = Annotated[
 @app.command()
 def check(case: CaseFile, settings: Settings = None) -> None:
     """Say whether a case can be computed, without computing it."""
-    from flexbearing.compute.possible import require_possible
+    from flexbearing.runs.validate import require_possible
 
     found = read(case, settings or [])
     require_possible(found)
@@ -50,9 +50,9 @@ def run(
     quiet: Annotated[bool, typer.Option("--quiet", help="only what went wrong")] = False,
 ) -> None:
     """Compute a case and store every iteration; prints a summary."""
-    from flexbearing.compute.one import run as compute
-    from flexbearing.compute.progress import Logged, OnTerminal
+    from flexbearing.progress import Logged, OnTerminal
     from flexbearing.report import text
+    from flexbearing.runs.run_case import run as compute
 
     console = Console()
     if not quiet and not console.is_terminal:
@@ -91,8 +91,7 @@ def plot(
     output: Annotated[Path | None, typer.Option("-o", "--output", metavar="DIR")] = None,
 ) -> None:
     """Draw the pictures of a result as PNG files, with deformed rings where they are flexible."""
-    from flexbearing.compute import deformed
-    from flexbearing.report import write_figures
+    from flexbearing.report import deformed, write_figures
     from flexbearing.results import read as read_result
 
     found, directory = read_result(result), output or result.parent
@@ -117,9 +116,9 @@ def fields(
     """Compute displacements and stresses of the flexible rings; writes VTU files for ParaView."""
     from rich.console import Group
 
-    from flexbearing.compute import fields as compute
     from flexbearing.report.sections import stresses
     from flexbearing.results import read as read_result
+    from flexbearing.runs import fields as compute
 
     if part not in ("inner", "outer", None):
         raise BadCase(f'--part {part}: it is "inner" or "outer"')
@@ -146,7 +145,7 @@ def trace(
     settings: Settings = None,
 ) -> None:
     """Follow the equilibria of a case over its load or speed, around folds; writes a table and a picture."""
-    from flexbearing.compute.trace import trace as follow
+    from flexbearing.studies.trace import trace as follow
     from quasidynamic import NotSolved
 
     try:
@@ -171,10 +170,10 @@ def pareto(
     settings: Settings = None,
 ) -> None:
     """Run a case on every level of accuracy; draws time against error and names the cheapest levels."""
-    from flexbearing.compute.pareto import NoReference
-    from flexbearing.compute.pareto import pareto as study
     from flexbearing.report.pareto import text, write_table
     from flexbearing.report.pareto_figure import write_pareto
+    from flexbearing.studies.pareto import NoReference
+    from flexbearing.studies.pareto import pareto as study
 
     try:
         found = study(case, settings or [], solid=solid, tell=_tell)

@@ -8,15 +8,15 @@ from typing import Literal, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.angular_state import AngularContactState
-from quasidynamic.balance.balls.angular import AngularBalance, BallBalance, race_contacts
+from quasidynamic.balance.balls.angular_contact import AngularBalance, BallBalance, race_contacts
 from quasidynamic.balance.balls.coulomb_control import CoulombControl
 from quasidynamic.balance.balls.race_control import Guide, RaceControl
-from quasidynamic.contact.point import PointContact
+from quasidynamic.contact.ellipse.point_contact import PointContact
 from quasidynamic.errors import ImpossiblePart, NotSolved, require_positive
-from quasidynamic.parts.angular import AngularContactBearing, RingOperation
+from quasidynamic.outcome.angular_contact_state import AngularContactState
+from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
 from quasidynamic.solve.balls.ring_on_balls import solve
-from quasidynamic.solve.endings import Ending
+from quasidynamic.solve.outcome import Ending
 
 
 @dataclass(frozen=True, kw_only=True)

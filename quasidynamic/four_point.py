@@ -5,11 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.balls.ball_attitude import Attitude, attitude
 from quasidynamic.balance.balls.four_point import BallLoads, ball_loads
-from quasidynamic.balance.balls.four_point_yielding import yielding_ball_loads
-from quasidynamic.contact.ellipse_friction import Ellipse, slip_field
-from quasidynamic.contact.point import PointContact, point_contact, race_curvatures
+from quasidynamic.balance.balls.four_point_elastic import yielding_ball_loads
+from quasidynamic.balance.balls.sliding_motion import Attitude, attitude
+from quasidynamic.contact.ellipse.full_sliding import Ellipse, slip_field
+from quasidynamic.contact.ellipse.point_contact import PointContact, point_contact, race_curvatures
 from quasidynamic.errors import ImpossiblePart, OutOfRange
 from quasidynamic.motion.ball_slip import SIDE, BallContacts, pressed_height, pressed_radius
 from quasidynamic.outcome.ball_torque import RaceTorques, hysteresis_torque, race_torques

@@ -8,10 +8,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.contact.load import EXPONENT, LoadLaw, iso16281, palmgren
-from quasidynamic.contact.slices import Slices
+from quasidynamic.contact.line.load_law import EXPONENT, LoadLaw, iso16281, palmgren
+from quasidynamic.contact.line.slices import Slices
 from quasidynamic.errors import ImpossiblePart, NotSolved
-from quasidynamic.parts.bearing import CylindricalRollerBearing
+from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
 
 TOLERANCE = 1e-11  # of the largest force: unbalanced force on the ring
 STEPS = 60  # rarely more than ten: the energy is convex

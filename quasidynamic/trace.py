@@ -10,15 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance
-from quasidynamic.balance.rollers.points import OperatingPoints
-from quasidynamic.equilibrium import Equilibrium
+from quasidynamic.balance.rollers.operating_points import OperatingPoints
 from quasidynamic.errors import NotSolved, OutOfRange
-from quasidynamic.model import RollerBearing
+from quasidynamic.outcome.equilibrium import Equilibrium
+from quasidynamic.roller import RollerBearing
 from quasidynamic.solve.arclength import End, Step, at_parameter, follow, solved_at
-from quasidynamic.solve.endings import Ending
-from quasidynamic.solve.rollers.family import BalanceFamily
+from quasidynamic.solve.outcome import Ending
+from quasidynamic.solve.rollers.parameter_family import BalanceFamily
 from quasidynamic.solve.rollers.stability import growth_rates
-from quasidynamic.start import LumpedRollers, static_unknowns
+from quasidynamic.solve.start import LumpedRollers, static_unknowns
 
 __all__ = ["OVER", "Branch", "End", "Point", "equilibria_at", "trace"]
 

@@ -39,11 +39,12 @@ def digest(parts: Any) -> str:
 @cache
 def code() -> str:
     """Digest of the finite element package and the version of its solver."""
-    sources = sorted(Path(fem.__path__[0]).glob("*.py"))
-    found = sha256(version("ngsolve").encode())
-    for source in sources:
-        found.update(source.name.encode() + b"\0" + source.read_bytes() + b"\0")
-    return found.hexdigest()
+    package = Path(fem.__path__[0])
+    sources = sha256(version("ngsolve").encode())
+    for source in sorted(package.rglob("*.py")):
+        name = source.relative_to(package).as_posix()
+        sources.update(name.encode() + b"\0" + source.read_bytes() + b"\0")
+    return sources.hexdigest()
 
 
 def _plain(value: Any) -> Any:

@@ -1,9 +1,9 @@
 """The kinds of bearing that a case file can be about."""
 
-from flexbearing.case.angular import AngularCase
-from flexbearing.case.four_point import FourPointCase
+from flexbearing.case.balls.angular_contact import AngularCase
+from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.case.head import Head
-from flexbearing.case.schema import Case
+from flexbearing.case.roller.roller_case import Case
 
 AnyCase = Case | FourPointCase | AngularCase
 

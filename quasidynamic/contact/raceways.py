@@ -7,13 +7,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.contact.film import Film, FilmLaw
-from quasidynamic.contact.load import EXPONENT, LoadLaw
+from quasidynamic.contact.film.starvation import starved_film
+from quasidynamic.contact.film.thickness import Film, FilmLaw
+from quasidynamic.contact.line.load_law import EXPONENT, LoadLaw
+from quasidynamic.contact.line.slices import Slices
 from quasidynamic.contact.lubrication import Lubrication
-from quasidynamic.contact.rolling import RollingShear
-from quasidynamic.contact.slices import Slices
-from quasidynamic.contact.starvation import starved_film
-from quasidynamic.contact.traction import TractionLaw
+from quasidynamic.contact.traction.inlet_shear import RollingShear
+from quasidynamic.contact.traction.traction_law import TractionLaw
 from quasidynamic.parts.lubricant import Lubricant
 
 FILM_LOAD_FLOOR = 30.0  # [N] keeps the film of a grazing roller from depending on its own load

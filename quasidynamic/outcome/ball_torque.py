@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.contact.ellipse_friction import ROLL, SPIN, Ellipse, sliding_friction
+from quasidynamic.contact.ellipse.full_sliding import ROLL, SPIN, Ellipse, sliding_friction
 from quasidynamic.motion.ball_slip import ORBIT, BallContacts, slip_by_motion
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from quasidynamic.errors import OutOfRange
-from quasidynamic.parts.bearing import CylindricalRollerBearing
+from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
 
 MILLIMETRE = 1e-3  # [m] the printed forms are in N and mm
 MATERIAL_FACTOR = 1.1  # b_m of modern cylindrical roller bearings

@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 
 from quasidynamic.errors import OutOfRange, require_positive
 from quasidynamic.outcome.capacity import raceway_capacity, reference_raceway_capacity
-from quasidynamic.parts.bearing import CylindricalRollerBearing
 from quasidynamic.parts.roller import Straight
+from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
 
 WEIBULL = 9 / 8  # dispersion exponent of line contact
 TURNING, STANDING = 4.0, 4.5  # load exponents of a ring against the load

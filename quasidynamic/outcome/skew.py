@@ -11,8 +11,8 @@ from quasidynamic.contact.flange import flange_forces, flange_push
 from quasidynamic.contact.raceways import Raceways
 from quasidynamic.errors import NotSolved
 from quasidynamic.outcome.skew_balance import Moments, Running, Sideways, SkewBalance
-from quasidynamic.parts.bearing import CylindricalRollerBearing
 from quasidynamic.parts.flange import Flange
+from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
 
 LARGEST = 0.5  # [rad] a roller that skews further is not held
 BALANCED = 1e-12  # of the moments that balance

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from quasidynamic.contact.flange import Corner, corner, corner_couple, corner_sliding, touching_skew
 from quasidynamic.contact.raceways import Raceways
-from quasidynamic.parts.bearing import CylindricalRollerBearing
 from quasidynamic.parts.flange import Flange
+from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
 
 
 class Running(NamedTuple):

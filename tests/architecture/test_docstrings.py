@@ -8,7 +8,7 @@ import pytest
 
 import quasidynamic
 
-PHYSICS = ("quasidynamic.contact", "quasidynamic.fits", "quasidynamic.motion", "quasidynamic.outcome")
+PHYSICS = ("quasidynamic.contact", "quasidynamic.clearance", "quasidynamic.motion", "quasidynamic.outcome")
 
 
 def public_functions():

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from fem.material import ImpossiblePart
+from fem.parts.material import ImpossiblePart
 
 
 @dataclass(frozen=True)

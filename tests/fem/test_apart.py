@@ -12,8 +12,8 @@ import pytest
 from pytest import approx
 
 from fem import ClampedFace, ImpossiblePart, Mesh, OuterRing, Patches
-from fem.apart import apart, condense_apart
-from fem.solve import NotSolved
+from fem.assembly.factorisation import NotSolved
+from fem.subprocess import apart, condense_apart
 from tests.fem.processes import Lost, aborting, answering, killed, leaving, silent, strange, wrong
 from tests.fem.test_parts import STEEL
 
@@ -88,7 +88,7 @@ def test_interrupt_ends_the_process():
 def test_process_ends_with_its_parent():
     program = (
         f"import sys; sys.path[:] = {sys.path!r}; from tests.fem.processes import silent; "
-        "from fem.apart import apart; apart(silent, report=lambda stage, _: print(stage, flush=True))"
+        "from fem.subprocess import apart; apart(silent, report=lambda stage, _: print(stage, flush=True))"
     )
     with subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, text=True) as parent:
         assert parent.stdout is not None
@@ -101,7 +101,7 @@ def test_process_ends_with_its_parent():
 
 
 def test_condensing_apart_is_condensing():
-    from fem.compliance import condense
+    from fem.solid.condensation import condense
 
     stages = []
     found = condense_apart(RING, ROLLERS, COARSE, lambda stage, _: stages.append(stage), thread_number=1)

@@ -7,10 +7,11 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from fem import Elastic, Mesh, Patches, load
-from fem.compliance import condense, elastic_energy
-from fem.mesh import meshed
-from fem.solve import NotSolved, factor, threads
+from fem import Elastic, Mesh, Patches
+from fem.assembly import roller_loads
+from fem.assembly.factorisation import NotSolved, factor, threads
+from fem.mesh.solid import meshed
+from fem.solid.condensation import condense, elastic_energy
 from tests.fem.test_parts import CAGE, SHAFT, STEEL
 
 pytestmark = pytest.mark.slow  # whole solids; those on half a pitch and on sections are checked against them
@@ -35,7 +36,7 @@ def band():
     with threads(2):
         mesh = meshed(CAGE, 5e-3, Mesh(order=3, size=4e-3, raceway_size=2e-3))
         space = ngs.VectorH1(mesh, order=3, dirichlet="clamped")
-        return space, load.band(space, "raceway", load.HIGHEST_ORDER)
+        return space, roller_loads.band(space, "raceway", roller_loads.HIGHEST_ORDER)
 
 
 def rigid(space, *field):
@@ -47,7 +48,7 @@ def rigid(space, *field):
 def test_resultant_and_moment_of_every_load_are_exact(band):
     """Loads work on rigid motions as the roller's force and moment would."""
     space, raceway = band
-    loads = load.roller_forces(raceway, ROLLERS).toarray().reshape(space.ndof, Z, M)
+    loads = roller_loads.roller_forces(raceway, ROLLERS).toarray().reshape(space.ndof, Z, M)
     phi = np.array(ROLLERS.azimuths)
     force_y, force_z = (np.tensordot(rigid(space, *e), loads, 1) for e in ((0, 1, 0), (0, 0, 1)))
     assert force_y[:, 0] == approx(np.sin(phi), abs=1e-8)
@@ -71,13 +72,13 @@ def test_loads_are_those_of_a_plain_linear_form(band):
         * ngs.ds(definedon=space.mesh.Boundaries("raceway"), bonus_intorder=12)
     )  # fmt: skip
     expected = form.Assemble().vec.FV().NumPy()
-    found = load.roller_forces(raceway, replace(ROLLERS, azimuths=(phi,))).toarray()[:, 0]
+    found = roller_loads.roller_forces(raceway, replace(ROLLERS, azimuths=(phi,))).toarray()[:, 0]
     assert found == approx(expected, abs=1e-5 * np.abs(expected).max())
 
 
 def test_translation_of_a_rigid_band_is_read_exactly(band):
     space, raceway = band
-    read = load.translation_forces(raceway)
+    read = roller_loads.translation_forces(raceway)
     assert rigid(space, 0, 1, 0) @ read == approx((1, 0), abs=1e-9)
     assert rigid(space, 0, 0, 1) @ read == approx((0, 1), abs=1e-9)
 

@@ -8,9 +8,9 @@ from netgen import occ
 from pytest import approx
 
 from fem import ImpossiblePart, Mesh
-from fem.curved import curved
-from fem.half_pitch import half_pitch
-from fem.mesh import MILLIMETRES
+from fem.mesh.curved import curved
+from fem.mesh.half_pitch import half_pitch
+from fem.mesh.solid import MILLIMETRES
 from tests.fem.test_parts import CAGE
 
 COARSE = Mesh(order=3, size=10e-3, raceway_size=10e-3)

@@ -8,14 +8,15 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from fem import ClampedFace, Elastic, Housing, ImpossiblePart, Mesh, OuterRing, Patches, SquirrelCage, sector
-from fem.bars import bar_forces
-from fem.compliance import elastic_energy
-from fem.notches import notches
-from fem.skin import skin
-from fem.solid import factored
-from fem.stress import principal, von_mises
-from fem.support import motion_forces, support
+from fem import ClampedFace, Elastic, Housing, ImpossiblePart, Mesh, OuterRing, Patches, SquirrelCage
+from fem.cage import cyclic_symmetry
+from fem.cage.bar_forces import bar_forces
+from fem.mesh.notches import notches
+from fem.solid.condensation import elastic_energy
+from fem.solid.factored_solid import factored
+from fem.solid.skin import skin
+from fem.solid.stress import principal, von_mises
+from fem.solid.support_stiffness import motion_forces, support
 from tests.fem.test_parts import CAGE, SHAFT
 
 STEEL = Elastic(youngs_modulus=200e9, poisson_ratio=0.3)
@@ -195,7 +196,7 @@ def test_support_is_nearly_as_stiff_as_its_bars(cage):
 @pytest.mark.slow
 def test_support_is_that_of_the_harmonics(cage):
     """The whole solid against half a pitch."""
-    half = sector.condense(BARS, ON_BARS.length, 1, Mesh(order=3, size=8e-3, raceway_size=3.6e-3), 8)
+    half = cyclic_symmetry.condense(BARS, ON_BARS.length, 1, Mesh(order=3, size=8e-3, raceway_size=3.6e-3), 8)
     last = half.harmonics[-1]
     first = half.response[[last + 1, last - 1], 0, last + 1, 0]
     assert 1 / support(cage).radial == approx(2 * first.sum(), rel=0.05)

@@ -9,14 +9,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from pytest import approx
 
-from fem import Elastic, ImpossiblePart, Mesh, revolved
-from fem.fit_surface import Face, condense_body
-from fem.fitted_ring import BORE, SHOULDER, FitGrid, FittedBodies, FittedRing, condense_fitted
-from fem.loaded_fit import loaded
-from fem.meridian import Section
-from fem.revolved_body import assembled
-from fem.settled_fit import Fit, settled
-from fem.solve import NotSolved
+from fem import Elastic, ImpossiblePart, Mesh
+from fem.assembly.factorisation import NotSolved
+from fem.joint.face_condensation import Face, condense_body
+from fem.joint.fitted_ring import BORE, SHOULDER, FitGrid, FittedBodies, FittedRing, condense_fitted
+from fem.joint.loaded_fit import loaded
+from fem.joint.preloaded_fit import Fit, settled
+from fem.mesh.axial_section import Section
+from fem.section import revolved
+from fem.section.revolved_body import assembled
 from tests.fem.test_parts import SHAFT, STEEL
 
 HOT = Elastic(youngs_modulus=179e9, poisson_ratio=0.281)

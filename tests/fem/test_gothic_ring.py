@@ -11,13 +11,13 @@ from pytest import approx
 from scipy.integrate import dblquad
 
 from fem import Elastic, ImpossiblePart, Mesh, Patches
-from fem.ball_ring_line import line_answers, line_harmonics
-from fem.gothic_ring import GothicRing
-from fem.gothic_ring_compliance import body_of, condense, line_forces
-from fem.gothic_ring_section import section
-from fem.indentation import half_space
-from fem.loose_body import responses
-from fem.supports import Loose
+from fem.half_space.groove_line import line_answers, line_harmonics
+from fem.half_space.load_patch import half_space
+from fem.mesh.bolted_ring_section import section
+from fem.parts.bolted_ring import GothicRing
+from fem.parts.boundary_conditions import Loose
+from fem.section.bolted_ring import body_of, condense, line_forces
+from fem.section.rigid_body_modes import responses
 
 STEEL = Elastic(youngs_modulus=210e9, poisson_ratio=0.3)
 ANGLE, LENGTH, BALLS = np.radians(45.0), 4e-3, 12

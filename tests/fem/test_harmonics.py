@@ -12,9 +12,9 @@ from numpy.polynomial import legendre
 from pytest import approx
 
 from fem import Elastic, ImpossiblePart
-from fem.harmonics import HarmonicCompliance
-from fem.line_load import cubic_tail, curvature_tail, indentation, indentation_harmonics
-from fem.solve import NotSolved
+from fem.assembly.factorisation import NotSolved
+from fem.half_space.line_load import cubic_tail, curvature_tail, indentation, indentation_harmonics
+from fem.raceway.harmonics import HarmonicCompliance
 
 STEEL = Elastic(youngs_modulus=203e9, poisson_ratio=0.28)
 UNIT = (1 - 0.28**2) / (np.pi * 203e9)  # [1/Pa]
@@ -180,5 +180,5 @@ def test_impossible_arrays_are_named():
 
 def test_known_rings_never_load_the_finite_elements():
     """A run whose rings are in the cache needs no NGSolve, which takes longer to load than such a run."""
-    program = "import sys, fem.harmonics; sys.exit('ngsolve' in sys.modules)"
+    program = "import sys, fem.raceway.harmonics; sys.exit('ngsolve' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", program], check=False).returncode == 0

@@ -10,10 +10,10 @@ import pytest
 from pytest import approx
 
 from fem import ClampedFace, Elastic, ImpossiblePart, Mesh, OuterRing, PlanetGear
-from fem.fitted_ring import FitGrid, FittedRing, condense_fitted
-from fem.growth import Along
-from fem.settled_fit import Fit, settled
-from fem.supported_ring import AxisymmetricLoad, growth_of
+from fem.joint.fitted_ring import FitGrid, FittedRing, condense_fitted
+from fem.joint.preloaded_fit import Fit, settled
+from fem.section.expansion import Along
+from fem.section.supported_ring import AxisymmetricLoad, growth_of
 from tests.fem.test_parts import SHAFT, STEEL
 
 L, M = 5e-3, 3

@@ -18,14 +18,13 @@ from fem import (
     Mesh,
     OuterRing,
     PlanetGear,
-    free_ring,
-    revolved,
-)  # fmt: skip
-from fem.fitted_ring import FitGrid, HousedRing, condense_fitted
-from fem.loaded_fit import loaded
-from fem.settled_fit import Fit, settled
-from fem.solve import NotSolved
-from fem.supported_ring import PlanetRim
+)
+from fem.assembly.factorisation import NotSolved
+from fem.joint.fitted_ring import FitGrid, HousedRing, condense_fitted
+from fem.joint.loaded_fit import loaded
+from fem.joint.preloaded_fit import Fit, settled
+from fem.section import free_ring, revolved
+from fem.section.supported_ring import PlanetRim
 from tests.fem.test_parts import STEEL
 
 L, M = 5e-3, 3

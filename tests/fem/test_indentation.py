@@ -6,7 +6,7 @@ from numpy.polynomial import legendre
 from pytest import approx
 
 from fem import Elastic, Patches
-from fem.indentation import half_space, kernel
+from fem.half_space.load_patch import half_space, kernel
 
 STEEL = Elastic(youngs_modulus=203e9, poisson_ratio=0.28)
 L = 5e-3

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from fem import ClampedFace, Elastic, ImpossiblePart, Mesh, OuterRing, Patches, RingOnShaft, SquirrelCage
-from fem.mesh import meshed
+from fem.mesh.solid import meshed
 
 STEEL = Elastic(youngs_modulus=203e9, poisson_ratio=0.28)
 CAGE = SquirrelCage(

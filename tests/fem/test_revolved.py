@@ -6,23 +6,14 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from fem import (
-    ClampedFace,
-    Elastic,
-    ImpossiblePart,
-    Mesh,
-    OuterRing,
-    Patches,
-    growth,
-    revolved,
-    revolved_body,
-)
-from fem.compliance import condense
-from fem.indentation import half_space
-from fem.meridian import Section, sections
-from fem.pencil import compliances
-from fem.revolved_body import Springs
-from fem.solve import NotSolved
+from fem import ClampedFace, Elastic, ImpossiblePart, Mesh, OuterRing, Patches
+from fem.assembly.factorisation import NotSolved
+from fem.assembly.harmonic_stiffness import compliances
+from fem.half_space.load_patch import half_space
+from fem.mesh.axial_section import Section, sections
+from fem.section import expansion, revolved, revolved_body
+from fem.section.revolved_body import Springs
+from fem.solid.condensation import condense
 from tests.fem.test_parts import CAGE, SHAFT, STEEL
 
 RING = OuterRing(raceway_diameter=75e-3, thickness=3.6e-3, width=10e-3, elastic=STEEL, support=ClampedFace())
@@ -83,10 +74,10 @@ def test_short_ring_grows_with_speed_as_in_plane_stress(inner, outer, elastic, d
     """Closed form for 38000 rpm, free ring."""
     springs = Springs(axial=1.0, radial=0.0, tangential=1.0)
     body = held([tube(inner, outer, 1e-3)], {"ring": elastic}, COARSE, left=springs)
-    load = growth.rotation(body, {"ring": density}, 38000 * 2 * np.pi / 60)
+    load = expansion.rotation(body, {"ring": density}, 38000 * 2 * np.pi / 60)
     for edge, expected in zip(("inside", "outside"), grown, strict=True):
         if expected is not None:
-            assert growth.growth(body, load, edge)[0] == approx(expected, rel=5e-4)
+            assert expansion.growth(body, load, edge)[0] == approx(expected, rel=5e-4)
 
 
 def lame_fit(a, b, c, inner, outer, strains):
@@ -110,9 +101,9 @@ def test_hot_shaft_widens_its_ring_as_lame_says():
         {"shaft": inner, "ring": STEEL}, COARSE,
         left=replace(GLIDING, tangential=1.0), right=GLIDING,
     )  # fmt: skip
-    load = growth.heating(body, {"shaft": strains[0], "ring": strains[1]})
+    load = expansion.heating(body, {"shaft": strains[0], "ring": strains[1]})
     expected = lame_fit(25.8e-3, 29.8e-3, 32.5e-3, inner, STEEL, strains)
-    assert growth.growth(body, load, "outside", 3) == approx([expected, 0, 0], abs=1e-6 * expected)
+    assert expansion.growth(body, load, "outside", 3) == approx([expected, 0, 0], abs=1e-6 * expected)
 
 
 def test_stiff_ring_on_springs_only_translates():

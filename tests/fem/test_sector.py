@@ -12,10 +12,14 @@ from numpy.polynomial import legendre
 from pytest import approx
 
 from benchmarks.cage_discretisations import LAYERS, refined
-from fem import Elastic, ImpossiblePart, Mesh, Patches, SquirrelCage, compliance, half_pitch, load, sector
-from fem.half_sector import face, half
-from fem.mesh import MILLIMETRES, solids
-from fem.solve import NotSolved, factor, threads
+from fem import Elastic, ImpossiblePart, Mesh, Patches, SquirrelCage
+from fem.assembly import roller_loads
+from fem.assembly.factorisation import NotSolved, factor, threads
+from fem.cage import cyclic_symmetry
+from fem.cage.half_pitch_stiffness import face, half
+from fem.mesh import half_pitch
+from fem.mesh.solid import MILLIMETRES, solids
+from fem.solid import condensation
 from tests.fem.test_parts import CAGE, STEEL
 
 L, M = 5e-3, 3
@@ -30,7 +34,7 @@ ROLLERS = 2 * np.pi * np.arange(30) / 30
 
 @pytest.fixture(scope="module")
 def cage():
-    return sector.condense(CAGE, L, M, COARSE)
+    return cyclic_symmetry.condense(CAGE, L, M, COARSE)
 
 
 def images(points, bars: int):
@@ -77,14 +81,14 @@ def test_half_a_pitch_answers_like_the_whole_cage(bars, monkeypatch):
     with threads(1):
         piece = half_pitch.half_pitch(cage, L, Mesh(order=1, size=5e-3, raceway_size=5e-3))
         part = half(cage, piece, 2)
-        band = load.band(part.space, "raceway", 10)
+        band = roller_loads.band(part.space, "raceway", 10)
         faces = [face(part, band, L, shapes, highest, symmetric) for symmetric in (True, False)]
-        found = sector._response(part, faces, bars, highest)
+        found = cyclic_symmetry._response(part, faces, bars, highest)
 
         mesh = whole(piece, bars)
         space = ngs.VectorH1(mesh, order=2, dirichlet="clamped")
-        stiffness = factor(space, compliance.elastic_energy(mesh, {"ring": STEEL}))
-        band = load.band(space, "raceway", 10)
+        stiffness = factor(space, condensation.elastic_energy(mesh, {"ring": STEEL}))
+        band = roller_loads.band(space, "raceway", 10)
         shape = legendre.legvander(2 * band.x / L, shapes - 1) * (2 * np.arange(shapes) + 1) / L
         n = np.arange(-highest, highest + 1)
         wave = np.exp(1j * np.outer(band.azimuth, n))
@@ -145,7 +149,7 @@ def test_slender_bars_under_a_rigid_ring():
         raceway_diameter=96e-3, thickness=4e-3, width=6e-3, bars=24, bar_width=4e-3, bar_thickness=3e-3,
         bar_length=40e-3, flange_length=2e-3, elastic=Elastic(youngs_modulus=200e9, poisson_ratio=0.3),
     )  # fmt: skip
-    ring = sector.condense(slender, 6e-3, 2, Mesh(order=2, size=6e-3, raceway_size=6e-3))
+    ring = cyclic_symmetry.condense(slender, 6e-3, 2, Mesh(order=2, size=6e-3, raceway_size=6e-3))
     one = np.flatnonzero(ring.harmonics == 1)[0]
     # 1 N spread like 2 cos(phi) has F_1 = F_-1 = 1, and moves the ring by 2 w_1 cos(phi)
     support = 1 / (2 * ring.response[one, 0, one, 0])
@@ -154,7 +158,7 @@ def test_slender_bars_under_a_rigid_ring():
 
 def test_support_and_own_compliance_of_the_main_case():
     """Order 5 with two layers, 107 000 unknowns of half a pitch: 154.00 kN/mm and 4.513e-8 m/N."""
-    ring = sector.condense(CAGE, L, M, USUAL).at(ROLLERS)
+    ring = cyclic_symmetry.condense(CAGE, L, M, USUAL).at(ROLLERS)
     assert ring.support_stiffness == approx(154.00e6, rel=5e-3)
     assert ring.full[0, 0, 0, 0] == approx(4.513e-8, rel=5e-3)
 
@@ -162,21 +166,21 @@ def test_support_and_own_compliance_of_the_main_case():
 def test_unbalanced_solution_is_noticed():
     with threads(1):
         part = half(STUMPS, half_pitch.half_pitch(STUMPS, L, COARSE), 2)
-        band = load.band(part.space, "raceway", 10)
+        band = roller_loads.band(part.space, "raceway", 10)
         faces = [face(part, band, L, M, 3, symmetric) for symmetric in (True, False)]
     wrong = replace(faces[0], stiffness=faces[0].stiffness * (1 + 1e-6))
     with pytest.raises(NotSolved, match="residual"):
-        sector._response(part, [wrong, faces[1]], STUMPS.bars, 3)
+        cyclic_symmetry._response(part, [wrong, faces[1]], STUMPS.bars, 3)
 
 
 def test_harmonic_too_short_for_the_mesh_is_refused():
     with pytest.raises(NotSolved, match="raceway_size"):
-        sector.condense(CAGE, L, M, COARSE, harmonics=30)
+        cyclic_symmetry.condense(CAGE, L, M, COARSE, harmonics=30)
 
 
 def test_band_longer_than_the_track_is_refused():
     with pytest.raises(ImpossiblePart, match="track"):
-        sector.condense(CAGE, 11e-3, M, COARSE)
+        cyclic_symmetry.condense(CAGE, 11e-3, M, COARSE)
 
 
 @pytest.mark.parametrize(
@@ -220,7 +224,7 @@ def test_fillet_stiffens_the_support():
     """The feet of the bars shorten them: more than the mesh changes, less than by their whole length."""
     wishes = Mesh(order=2, size=4e-3, raceway_size=1.5e-3)
     sharp, round_ = (
-        sector.condense(replace(STUMPS, fillet=f), L, 2, wishes).at(ROLLERS).support_stiffness
+        cyclic_symmetry.condense(replace(STUMPS, fillet=f), L, 2, wishes).at(ROLLERS).support_stiffness
         for f in (0.0, 0.4e-3)
     )
     assert 1.02 * sharp < round_ < 1.2 * sharp
@@ -242,7 +246,7 @@ def test_limits_of_the_geometry_can_be_meshed(change):
         "import ngsolve as ngs\n"
         "from dataclasses import replace\n"
         "from fem import Mesh\n"
-        "from fem.half_pitch import half_pitch\n"
+        "from fem.mesh.half_pitch import half_pitch\n"
         "from tests.fem.test_parts import CAGE\n"
         f"mesh = half_pitch(replace(CAGE, **{change!r}), {L}, Mesh(order=2, size=3e-3, raceway_size=2e-3))\n"
         "assert {'cut', 'middle', 'raceway', 'clamped'} <= set(mesh.GetBoundaries())\n"
@@ -256,13 +260,13 @@ def test_limits_of_the_geometry_can_be_meshed(change):
 @pytest.mark.slow
 def test_agrees_with_gaussian_patches_on_the_whole_solid(monkeypatch):
     """The whole has coarser elements: finer ones take the support from 0.24 to 0.12 % apart."""
-    monkeypatch.setattr(compliance, "meshed", refined)
+    monkeypatch.setattr(condensation, "meshed", refined)
     monkeypatch.setattr(half_pitch, "LAYERS", LAYERS)
     wishes = Mesh(order=3, size=3e-3, raceway_size=1.2e-3)
     azimuths = 2 * np.pi * np.arange(10) / 10
     patches = Patches(azimuths=tuple(azimuths), length=L, shapes=M, width=0.3e-3)
-    solid = compliance.condense(STUMPS, patches, wishes)
-    ring = sector.condense(STUMPS, L, M, wishes).at(azimuths)
+    solid = condensation.condense(STUMPS, patches, wishes)
+    ring = cyclic_symmetry.condense(STUMPS, L, M, wishes).at(azimuths)
     assert ring.support_stiffness == approx(solid.support_stiffness, rel=4e-3)
     assert ring.full == approx(solid.full, rel=0, abs=5e-3 * solid.full.max())
     assert ring.translation == approx(solid.translation, rel=0, abs=4e-3 * np.abs(solid.translation).max())

@@ -9,10 +9,10 @@ from netgen import occ
 from pytest import approx
 
 from fem import ClampedFace, ImpossiblePart, Mesh, OuterRing, Patches
-from fem.compliance import condense
-from fem.drawn import solid
-from fem.mesh import meshed
-from fem.step import Coloured, Named, Near, StepSolid, drawing
+from fem.mesh.solid import meshed
+from fem.mesh.step_import import solid
+from fem.parts.step_solid import Coloured, Named, Near, StepSolid, drawing
+from fem.solid.condensation import condense
 from tests.fem.test_parts import STEEL
 
 R, THICKNESS, WIDTH = 37.5, 4.5, 10.0  # [mm] of a plain ring, drawn about x

@@ -7,8 +7,8 @@ from hypothesis import strategies as st
 from pytest import approx
 from scipy import sparse
 
-from fem.solve import NotSolved
-from fem.substructure import eliminate, owners
+from fem.assembly.factorisation import NotSolved
+from fem.assembly.static_condensation import eliminate, owners
 
 
 def chain(seed, cells):

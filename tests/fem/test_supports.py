@@ -22,18 +22,16 @@ from fem import (
     OuterRing,
     PlanetGear,
     RigidSeat,
-    free_ring,
-    revolved,
-    supported_ring,
-)  # fmt: skip
-from fem.compliance import elastic_energy
-from fem.loose_body import body_of
-from fem.mesh import meshed
-from fem.revolved_body import edge_shapes
-from fem.ring_on_lines import RingOnLines
-from fem.solve import NotSolved, factor, threads
-from fem.support_points import SupportPoints, bordered_inverse, pushing_points
-from fem.supported_ring import AxisymmetricLoad, PlanetRim, growth_of
+)
+from fem.assembly.factorisation import NotSolved, factor, threads
+from fem.mesh.solid import meshed
+from fem.section import free_ring, revolved, supported_ring
+from fem.section.revolved_body import edge_shapes
+from fem.section.rigid_body_modes import body_of
+from fem.section.ring_on_lines import RingOnLines
+from fem.section.supported_ring import AxisymmetricLoad, PlanetRim, growth_of
+from fem.section.unilateral_points import SupportPoints, bordered_inverse, pushing_points
+from fem.solid.condensation import elastic_energy
 from tests.fem.test_parts import STEEL
 
 L, M = 5e-3, 2

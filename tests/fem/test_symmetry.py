@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pytest import approx
 
-from fem.symmetry import completed, permutations, representatives
+from fem.raceway.symmetry import completed, permutations, representatives
 
 
 def rollers(count, first=0.0):

@@ -8,11 +8,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pytest import approx
 
-from fem import ClampedFace, Foundation, Mesh, OuterRing, RigidSeat, sector, smeared_cage, thin_ring
-from fem.curved_beam import CurvedBeam
-from fem.parts import ImpossiblePart
-from fem.revolved import condense
-from fem.solve import NotSolved
+from fem import ClampedFace, Foundation, Mesh, OuterRing, RigidSeat
+from fem.assembly.factorisation import NotSolved
+from fem.beam import thin_ring
+from fem.beam.curved_beam import CurvedBeam
+from fem.cage import cyclic_symmetry
+from fem.parts.rings import ImpossiblePart
+from fem.section import smeared_cage
+from fem.section.revolved import condense
 from tests.fem.test_parts import CAGE as ODD_CAGE
 from tests.fem.test_parts import SHAFT, STEEL
 
@@ -64,7 +67,7 @@ def test_inner_ring_on_its_shaft_is_only_roughly_a_beam():
 @pytest.mark.slow
 def test_both_models_of_a_cage_deviate_like_half_a_pitch_of_it():
     """Beam 1.1 %, smeared bars 0.3 % as measured."""
-    true = sector.condense(CAGE, L, M, Mesh(order=3, size=3e-3, raceway_size=2e-3))
+    true = cyclic_symmetry.condense(CAGE, L, M, Mesh(order=3, size=3e-3, raceway_size=2e-3))
     assert error(thin_ring.condense(CAGE, L, M), true) < 0.015
     assert error(smeared_cage.condense(CAGE, L, M, Mesh(order=3, size=6e-3, raceway_size=2e-3)), true) < 0.005
 

@@ -7,12 +7,13 @@ import numpy as np
 import pytest
 from pytest import approx
 
+from flexbearing.accuracy.levels import ladders
+from flexbearing.accuracy.trials import finer, first_shapes
 from flexbearing.case import BadCase, read
-from flexbearing.compute import one, rings
-from flexbearing.compute.levels import ladders
-from flexbearing.compute.progress import Logged
-from flexbearing.compute.trials import finer, first_shapes
+from flexbearing.progress import Logged
 from flexbearing.report import summary, text
+from flexbearing.rings import condensed
+from flexbearing.runs import run_case
 
 PLAIN = Path(__file__).parents[2] / "configs" / "nu209.toml"
 RING = ["outer.kind=ring", "outer.thickness=5 mm", "outer.width=19 mm", "outer.support=seat"]
@@ -26,7 +27,7 @@ def folder(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def ordered(folder):
-    return one.run(PLAIN, folder / "ordered.h5", [*RING, "accuracy.target=1 %"])
+    return run_case.run(PLAIN, folder / "ordered.h5", [*RING, "accuracy.target=1 %"])
 
 
 def test_a_target_is_a_fraction_or_percent():
@@ -38,7 +39,7 @@ def test_a_target_is_a_fraction_or_percent():
 
 
 def test_without_a_target_nothing_is_chosen_or_estimated(folder):
-    result = one.run(PLAIN, folder / "plain.h5", ["outer.kind=rigid"])
+    result = run_case.run(PLAIN, folder / "plain.h5", ["outer.kind=rigid"])
     assert "choices" not in result.attributes
     assert "error_estimate" not in result.attributes
     assert result.flexible["slice_position"].size == 20
@@ -47,7 +48,7 @@ def test_without_a_target_nothing_is_chosen_or_estimated(folder):
 
 
 def test_true_errors_are_below_the_estimates(ordered, folder):
-    fine = one.run(PLAIN, folder / "fine.h5", [*RING, *FINE])
+    fine = run_case.run(PLAIN, folder / "fine.h5", [*RING, *FINE])
     estimate = ordered.attributes["error_estimate"]
     found, better = ordered.flexible, fine.flexible
     load = np.abs(found["inner_load"] - better["inner_load"]).max() / better["inner_load"].max()
@@ -81,7 +82,7 @@ def test_summary_shows_values_with_their_errors(ordered):
 
 def test_what_the_case_gives_stays_and_is_estimated(folder):
     given = ["accuracy.slices=12", "accuracy.axial_shapes=3", "accuracy.element_order=3"]
-    result = one.run(PLAIN, folder / "fixed.h5", [*RING, *given, "accuracy.target=0.01 %"])
+    result = run_case.run(PLAIN, folder / "fixed.h5", [*RING, *given, "accuracy.target=0.01 %"])
     choices = result.attributes["choices"]
     assert result.flexible["slice_position"].size == 12
     assert choices["slices"]["level"] == "12"
@@ -96,15 +97,15 @@ def test_what_the_case_gives_stays_and_is_estimated(folder):
 @pytest.mark.slow
 def test_the_answer_is_that_of_the_same_levels_by_hand(folder):
     given = ["accuracy.slices=12", "accuracy.axial_shapes=3", "accuracy.element_order=3"]
-    by_hand = one.run(PLAIN, folder / "hand.h5", [*RING, *given])
-    result = one.run(PLAIN, folder / "again.h5", [*RING, *given, "accuracy.target=1 %"])
+    by_hand = run_case.run(PLAIN, folder / "hand.h5", [*RING, *given])
+    result = run_case.run(PLAIN, folder / "again.h5", [*RING, *given, "accuracy.target=1 %"])
     assert result.attributes["choices"]["outer ring"]["level"] == "as given"
     assert result.flexible["inner_load"] == approx(by_hand.flexible["inner_load"], rel=1e-6)
 
 
 @pytest.mark.slow
 def test_a_tighter_target_is_never_resolved_coarser(ordered, folder):
-    tight = one.run(PLAIN, folder / "tight.h5", [*RING, "accuracy.target=0.2 %"])
+    tight = run_case.run(PLAIN, folder / "tight.h5", [*RING, "accuracy.target=0.2 %"])
     loose, fine = (
         max(result.attributes["error_estimate"][output] for output in ("roller_load", "life"))
         for result in (ordered, tight)
@@ -115,7 +116,7 @@ def test_a_tighter_target_is_never_resolved_coarser(ordered, folder):
 
 
 def test_a_part_that_changes_nothing_is_left_rigid_and_told(folder):
-    result = one.run(PLAIN, folder / "rock.h5", [*RING, "materials.outer_ring.youngs_modulus=2070e6 GPa",
+    result = run_case.run(PLAIN, folder / "rock.h5", [*RING, "materials.outer_ring.youngs_modulus=2070e6 GPa",
                                                  "accuracy.target=1 %"])  # fmt: skip
     assert result.attributes["choices"]["outer ring"]["level"] == "rigid"
     assert result.attributes["structure"] == {}
@@ -124,7 +125,7 @@ def test_a_part_that_changes_nothing_is_left_rigid_and_told(folder):
 
 def test_fewer_axial_shapes_are_a_part_of_more():
     case, azimuths = read(PLAIN, [*RING, "accuracy.element_order=3"]), np.arange(5) * 2 * np.pi / 5
-    many, few = (rings.outer_ring(finer(case, axial_shapes=n), azimuths, Logged()) for n in (6, 3))
+    many, few = (condensed.outer_ring(finer(case, axial_shapes=n), azimuths, Logged()) for n in (6, 3))
     part = first_shapes(many, 3)
     assert part.full == approx(few.full, abs=1e-7 * np.abs(few.full).max())
     assert part.translation == approx(few.translation, abs=1e-7 * np.abs(few.translation).max())
@@ -138,7 +139,7 @@ def test_edge_stress_keeps_its_thirty_slices():
 
 def test_a_case_without_an_answer_is_told_and_solved_as_usual(folder):
     broken = ["accuracy.harmonics=900", "accuracy.target=1 %"]
-    result = one.run(PLAIN, folder / "broken.h5", [*RING, *broken])
+    result = run_case.run(PLAIN, folder / "broken.h5", [*RING, *broken])
     assert result.attributes["status"] == "not solved"
     assert any("nothing could be chosen or estimated" in note for note in result.attributes["notes"])
     assert result.attributes["error_estimate"] == {}

@@ -10,8 +10,8 @@ from pytest import approx
 from flexbearing.case import AngularCase, BadCase, Case, FourPointCase, explain, read
 from flexbearing.case.head import Head
 from flexbearing.case.kinds import KINDS
-from flexbearing.compute.trace import trace
 from flexbearing.results.kinds import LAYOUTS
+from flexbearing.studies.trace import trace
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 FOUR_POINT, ONE_BALL, ANGULAR = (

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from flexbearing.case import BadCase, explain, read
-from flexbearing.compute.possible import require_possible
+from flexbearing.runs.validate import require_possible
 
 SLEWING = Path(__file__).parents[2] / "configs" / "slewing_bolted.toml"
 

@@ -9,11 +9,11 @@ from pytest import approx
 
 import flexbearing
 from fem.errors import NotSolved
-from flexbearing.compute import bolted
 from flexbearing.report import summary, text
 from flexbearing.report.kinds import LOOKS
 from flexbearing.results import NotInLayout, ResultFile
 from flexbearing.results.kinds import LAYOUTS
+from flexbearing.rings import bolted
 
 SLEWING = Path(__file__).parents[2] / "configs" / "slewing_bolted.toml"
 SMALL = (
@@ -127,7 +127,7 @@ def test_summary_and_page_show_both(run):
 
 
 def test_pictures_put_rigid_beside_yielding(run, tmp_path):
-    from flexbearing.compute.deformed import pictures
+    from flexbearing.report.deformed import pictures
 
     drawn = LOOKS["four_point_ball"].pictures(run())
     assert "rigid_and_yielding_rings" in drawn

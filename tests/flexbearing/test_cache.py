@@ -13,9 +13,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import fem
-from fem.compliance import RacewayCompliance
-from fem.harmonics import HarmonicCompliance
-from fem.step import Named, StepSolid
+from fem.parts.step_solid import Named, StepSolid
+from fem.raceway.harmonics import HarmonicCompliance
+from fem.solid.condensation import RacewayCompliance
 from flexbearing.cache import Cache, configured, key, listing, store
 from flexbearing.cache.archive import Damaged, packed, unpacked
 
@@ -120,15 +120,19 @@ def test_content_of_a_drawing_counts_and_not_what_it_is_called():
     assert key.digest(replace(SOLID, drawing=b"ISO-10303-21;b")) != key.digest(SOLID)
 
 
-def test_other_code_has_another_name(monkeypatch, tmp_path):
-    before = key.digest(PARTS)
-    (tmp_path / "solve.py").write_text("RESIDUAL = 1e-9")
+def test_other_code_in_any_room_has_another_name(monkeypatch, tmp_path):
+    source = tmp_path / "assembly" / "factorisation.py"
+    source.parent.mkdir()
     monkeypatch.setattr(fem, "__path__", [str(tmp_path)])
-    key.code.cache_clear()
+    names = []
     try:
-        assert key.digest(PARTS) != before
+        for text in ("RESIDUAL = 1e-9", "RESIDUAL = 1e-8"):
+            source.write_text(text)
+            key.code.cache_clear()
+            names.append(key.digest(PARTS))
     finally:
         key.code.cache_clear()
+    assert names[0] != names[1]
 
 
 LOOKALIKES = [

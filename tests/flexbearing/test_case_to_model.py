@@ -8,9 +8,10 @@ import pytest
 from pytest import approx
 
 import quasidynamic as qd
+from flexbearing.build import assemble, lubrication
 from flexbearing.case import BadCase, read
-from flexbearing.case.life import CleanlinessName
-from flexbearing.case.lubricant import (
+from flexbearing.case.roller.life import CleanlinessName
+from flexbearing.case.roller.lubricant import (
     AdoreOilName,
     FilmName,
     OilName,
@@ -18,12 +19,12 @@ from flexbearing.case.lubricant import (
     ShareName,
     TractionName,
 )
-from flexbearing.compute import assemble, lubrication, notes
-from quasidynamic.contact.adore import ADORE_OILS
-from quasidynamic.contact.mixed import FILM_SHARE_1_8, ZHOU_HOEPRICH
-from quasidynamic.contact.rolling import LAWS
+from flexbearing.runs import notes, validate
+from quasidynamic.contact.traction.adore import ADORE_OILS
+from quasidynamic.contact.traction.inlet_shear import LAWS
+from quasidynamic.contact.traction.mixed import FILM_SHARE_1_8, ZHOU_HOEPRICH
 from quasidynamic.outcome.life_factors import CLEANLINESS
-from quasidynamic.parts.oils import OILS
+from quasidynamic.parts.oil_properties import OILS
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 PLAIN, FITS, PAPER = (CONFIGS / f"{name}.toml" for name in ("nu209", "nu209_fits", "mao2016"))
@@ -117,7 +118,7 @@ def test_notes_call_the_oil_of_a_data_sheet_by_its_name(sheet_case):
 
 def test_oil_of_a_data_sheet_too_hot_is_bad_input(sheet_case):
     with pytest.raises(BadCase, match=r"oil 46 at 573\.1 K is outside 273 to 473 K"):
-        assemble.require_possible(read(sheet_case, {**SHEET, "lubricant.inlet_temperature": "300 degC"}))
+        validate.require_possible(read(sheet_case, {**SHEET, "lubricant.inlet_temperature": "300 degC"}))
 
 
 # -- the laws --------------------------------------------------------------------------------------

@@ -6,10 +6,11 @@ import pytest
 from pytest import approx
 
 import flexbearing
+from flexbearing.build import assemble, clearance
 from flexbearing.case import BadCase, read
-from flexbearing.compute import assemble, clearance, notes
 from flexbearing.report import text
-from quasidynamic.fits import Annulus, PressFit, operating_clearance
+from flexbearing.runs import notes, validate
+from quasidynamic.clearance import Annulus, PressFit, operating_clearance
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 PLAIN, FITS, PAPER = (CONFIGS / f"{name}.toml" for name in ("nu209", "nu209_fits", "mao2016"))
@@ -134,7 +135,7 @@ def test_stated_preload_is_noted_as_well():
 
 def refusal(file, settings):
     with pytest.raises(BadCase) as problem:
-        assemble.require_possible(read(file, settings))
+        validate.require_possible(read(file, settings))
     return str(problem.value)
 
 

@@ -13,10 +13,10 @@ from typer.testing import CliRunner
 import flexbearing
 from flexbearing.case import BadCase
 from flexbearing.cli import app
-from flexbearing.compute import fields
-from flexbearing.compute.deformed import pictures
 from flexbearing.report import summary, text
+from flexbearing.report.deformed import pictures
 from flexbearing.results import BadResult
+from flexbearing.runs import fields
 
 PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
 COARSE = [

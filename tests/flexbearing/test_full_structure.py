@@ -9,10 +9,10 @@ from pytest import approx
 import fem
 import flexbearing
 from flexbearing.case import BadCase, read
-from flexbearing.compute.structure import CondensedRings
-from flexbearing.compute.together import BearingPartner
-from flexbearing.compute.whole import WholeRings
+from flexbearing.coupled.coupled import BearingPartner
 from flexbearing.coupling import RULES, Condensed, Ending, PartnerFailed, alternate, newton
+from flexbearing.rings.full_solve import WholeRings
+from flexbearing.rings.raceways import CondensedRings
 from tests.bearings import paper_bearing
 
 PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
@@ -40,9 +40,9 @@ PLAIN = fem.OuterRing(
 @pytest.fixture(scope="module")
 def solids():
     """Two raceways as they are solved, and as they are condensed; the first stands for an inner one."""
-    from fem.compliance import condense
-    from fem.raceway import SolidRaceway
-    from fem.solid import factored
+    from fem.solid.condensation import condense
+    from fem.solid.factored_solid import factored
+    from fem.solid.full_solve import SolidRaceway
 
     azimuths = BEARING.bearing.azimuths
     uneven = azimuths + 0.1 * np.random.default_rng(5).random(azimuths.size)
@@ -92,7 +92,7 @@ def test_newton_is_not_for_solids_that_are_only_solved(solids):
 
 
 def test_solve_that_fails_has_the_name_of_its_ring():
-    from fem.solve import NotSolved
+    from fem.assembly.factorisation import NotSolved
 
     class Torn:
         def answer(self, forces):
@@ -168,8 +168,8 @@ def test_solids_may_be_asked_for_by_name():
 @pytest.mark.slow
 def test_condensing_evens_out_what_the_mesh_breaks_of_a_symmetry():
     """Where rollers and ring share one, both answers differ by an error of the mesh, which falls."""
-    from fem.raceway import SolidRaceway
-    from fem.solid import factored
+    from fem.solid.factored_solid import factored
+    from fem.solid.full_solve import SolidRaceway
 
     azimuths = 2 * np.pi * np.arange(10) / 10
     patches = fem.Patches(azimuths=tuple(azimuths), length=5e-3, shapes=2, width=1.2e-3)

@@ -7,8 +7,10 @@ import numpy as np
 import pytest
 from pytest import approx
 
+from flexbearing.build import assemble
 from flexbearing.case import BadCase, read
-from flexbearing.compute import assemble, datasets, life
+from flexbearing.coupled import states
+from flexbearing.runs import life, validate
 from quasidynamic.outcome.capacity import raceway_capacity, roller_capacity
 from quasidynamic.outcome.life import RollerBody, edge_stress_factor, slice_life
 from quasidynamic.outcome.life_factors import film_factor, material_factor, reliability_factor
@@ -30,7 +32,7 @@ def state():
 
 def lived(state, settings):
     case = read(PLAIN, {"accuracy.slices": 30, **settings})
-    return life.modified(case, state, datasets.smallest_film(state))
+    return life.modified(case, state, states.smallest_film(state))
 
 
 def only(found):
@@ -159,6 +161,6 @@ REFUSED = {
 @pytest.mark.parametrize(("settings", "expected"), REFUSED.values(), ids=REFUSED.keys())
 def test_factor_that_cannot_be_is_refused_before_anything_is_solved(settings, expected):
     with pytest.raises(BadCase) as problem:
-        assemble.require_possible(read(PLAIN, settings))
+        validate.require_possible(read(PLAIN, settings))
     for part in expected:
         assert part in str(problem.value)

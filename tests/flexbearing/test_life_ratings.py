@@ -5,8 +5,10 @@ from pathlib import Path
 import pytest
 from pytest import approx
 
+from flexbearing.build import assemble
 from flexbearing.case import BadCase, read
-from flexbearing.compute import assemble, datasets, life
+from flexbearing.coupled import states
+from flexbearing.runs import life, validate
 from quasidynamic.outcome.capacity import dynamic_rating, raceway_capacity, reference_raceway_capacity
 from quasidynamic.outcome.life import reference_life
 
@@ -21,7 +23,7 @@ def state():
 
 
 def lived(state, settings):
-    return life.modified(read(PLAIN, settings), state, datasets.smallest_film(state))
+    return life.modified(read(PLAIN, settings), state, states.smallest_film(state))
 
 
 def test_rating_of_iso_281_gives_the_reference_life(state):
@@ -70,5 +72,5 @@ def test_rating_that_nothing_uses_is_refused():
 def test_formula_of_iso_281_stops_where_its_table_ends():
     slim = {"bearing.outer_raceway_diameter": "31 mm", "bearing.rollers": 5, "bearing.cage.thickness": "2 mm"}
     with pytest.raises(BadCase, match="ISO 281, table 7"):
-        assemble.require_possible(read(PLAIN, ISO | slim))
-    assemble.require_possible(read(PLAIN, ISO | slim | {"life.dynamic_rating": "20 kN"}))
+        validate.require_possible(read(PLAIN, ISO | slim))
+    validate.require_possible(read(PLAIN, ISO | slim | {"life.dynamic_rating": "20 kN"}))

@@ -18,12 +18,13 @@ import quasidynamic as qd
 from flexbearing import cli
 from flexbearing.cache.key import digest
 from flexbearing.case import BadCase, read
-from flexbearing.compute import pareto, pareto_levels, rings
-from flexbearing.compute.pareto_levels import Level, ladder, left_out, richest
-from flexbearing.compute.progress import Logged
 from flexbearing.coupling import PartnerFailed
+from flexbearing.progress import Logged
 from flexbearing.report.pareto import Measured, Study, cheapest, front, text
 from flexbearing.report.pareto_figure import draw_pareto
+from flexbearing.rings import condensed
+from flexbearing.studies import pareto, pareto_levels
+from flexbearing.studies.pareto_levels import Level, ladder, left_out, richest
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 THIN = {"outer.kind": "ring", "outer.thickness": "1 mm", "outer.width": "10 mm"}
@@ -110,7 +111,7 @@ def test_levels_that_a_case_does_not_have_are_left_out_with_a_word():
 @pytest.mark.parametrize(("structure", "most"), [("beam", 6), ("smeared", 2000)])
 def test_cheap_structures_have_few_unknowns_and_hold_alike(structure, most):
     case = read(CONFIGS / "mao2016.toml", {"accuracy.structure": structure, "accuracy.element_order": 2})
-    found = rings.outer_ring(case, np.linspace(0, 6, 5), Logged())
+    found = condensed.outer_ring(case, np.linspace(0, 6, 5), Logged())
     assert found.unknowns <= most
     assert found.support_stiffness == approx(1.5e8, rel=0.1)
 
@@ -119,12 +120,12 @@ def test_smeared_bars_are_kept_apart_from_true_ones(monkeypatch):
     """On one mesh both are made from the same data."""
     asked = []
     keeper = SimpleNamespace(cached=lambda parts, compute, note: asked.append(digest(parts)))
-    monkeypatch.setattr(rings, "configured", lambda: keeper)
+    monkeypatch.setattr(condensed, "configured", lambda: keeper)
     same = {"accuracy.element_order": 3, "accuracy.mesh_size": "3 mm", "accuracy.raceway_mesh_size": "2 mm"}
     for structure in ("smeared", "harmonics"):
         case = read(CONFIGS / "mao2016.toml", {**same, "accuracy.structure": structure})
         with pytest.raises(AttributeError):  # nothing is computed
-            rings.outer_ring(case, np.zeros(1), Logged())
+            condensed.outer_ring(case, np.zeros(1), Logged())
     assert len(set(asked)) == 2
 
 

@@ -8,9 +8,10 @@ import pytest
 from pytest import approx
 
 import flexbearing
+from flexbearing.build import assemble
 from flexbearing.case import BadCase, read
-from flexbearing.compute import assemble, skew
 from flexbearing.report import summary, text
+from flexbearing.runs import skew
 
 PLAIN = Path(__file__).parents[2] / "configs" / "nu209.toml"
 FLANGE = {

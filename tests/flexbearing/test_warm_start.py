@@ -13,7 +13,7 @@ from typer.testing import CliRunner
 import flexbearing
 from flexbearing.case import BadCase
 from flexbearing.cli import app
-from flexbearing.compute.neighbour import unknowns
+from flexbearing.coupled.initial_state import unknowns
 from flexbearing.results import BadResult, read
 
 PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"

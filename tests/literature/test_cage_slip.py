@@ -30,10 +30,10 @@ from quasidynamic import (
     Roller,
     RollerBearing,
 )
-from quasidynamic.contact.land import land_drag
-from quasidynamic.contact.rolling import RollingShear
-from quasidynamic.contact.traction import Traction
-from quasidynamic.motion.speeds import rolling_cage_speed, rolling_roller_speed
+from quasidynamic.contact.cage.land import land_drag
+from quasidynamic.contact.traction.inlet_shear import RollingShear
+from quasidynamic.contact.traction.traction_law import Traction
+from quasidynamic.motion.roller_speeds import rolling_cage_speed, rolling_roller_speed
 from tests.bearings import RPM
 
 OIL = Lubricant(  # thin: its film must not fill the gaps

@@ -14,8 +14,8 @@ import pytest
 from netgen import occ
 from pytest import approx
 
-from fem import forms
-from fem.solve import factor, threads
+from fem.assembly import elasticity
+from fem.assembly.factorisation import factor, threads
 
 SIZE, LAYER_RATIO = 4.0, 0.15  # [mm], [-]
 AXIS = occ.Axis(occ.Pnt(0, 0, 0), occ.X)
@@ -94,11 +94,11 @@ def under_elastic_ring(cage, order, layers):
     space = ngs.VectorH1(
         mesh, order=order, dirichletx=held, dirichlety=f"{held}|mirror", dirichletz="clamped"
     )
-    steel = forms.lame_constants(cage.modulus, cage.poisson_ratio)
+    steel = elasticity.lame_constants(cage.modulus, cage.poisson_ratio)
     loaded = mesh.Materials("ring")
     volume = ngs.Integrate(ngs.CF(1), mesh, definedon=loaded)
     with threads(1):
-        stiffness = factor(space, lambda u, v: forms.elasticity(u, v, *steel))
+        stiffness = factor(space, lambda u, v: elasticity.elasticity(u, v, *steel))
         form = ngs.LinearForm(space.TestFunction()[2] / volume * ngs.dx(definedon=loaded)).Assemble()
         load = form.vec.FV().NumPy().copy()
         return 4 / (load @ stiffness.solve(load))
@@ -111,7 +111,7 @@ def under_rigid_ring(cage, order, layers):
     """
     mesh = meshed(bars(cage), order, layers)
     space = ngs.VectorH1(mesh, order=order, dirichlet="clamped|end")
-    lame, shear = forms.lame_constants(cage.modulus, cage.poisson_ratio)
+    lame, shear = elasticity.lame_constants(cage.modulus, cage.poisson_ratio)
     part = ngs.x / cage.length
     off = (ngs.x - cage.length - cage.ring / 2) / cage.radius
     motions = [ngs.CF((0, 0, 1)) * part, ngs.CF((ngs.z / cage.radius, 0, -off)) * part]
@@ -125,9 +125,9 @@ def under_rigid_ring(cage, order, layers):
 
     strains = [strain(g) for g in motions]
     with threads(1):
-        stiffness = factor(space, lambda u, v: forms.elasticity(u, v, lame, shear))
+        stiffness = factor(space, lambda u, v: elasticity.elasticity(u, v, lame, shear))
         v = space.TestFunction()
-        sides = [ngs.LinearForm(-work(e, forms.strain(v)) * ngs.dx).Assemble().vec for e in strains]
+        sides = [ngs.LinearForm(-work(e, elasticity.strain(v)) * ngs.dx).Assemble().vec for e in strains]
         sides = np.stack([side.FV().NumPy().copy() for side in sides], axis=1)
         relief = sides.T @ np.stack([stiffness.solve(side) for side in sides.T], axis=1)
         whole = [[ngs.Integrate(work(e, d), mesh, order=8) for d in strains] for e in strains]

@@ -5,9 +5,9 @@ import pytest
 from pytest import approx
 
 from fem import Elastic
-from fem.beam_springs import slide
-from fem.curved_beam import CurvedBeam, twist_constant
-from fem.thin_ring import U, W
+from fem.beam.curved_beam import CurvedBeam, twist_constant
+from fem.beam.support_springs import slide
+from fem.beam.thin_ring import U, W
 from tests.literature.test_rings import MICHELL
 
 STEEL = Elastic(youngs_modulus=203e9, poisson_ratio=0.28)

@@ -8,7 +8,8 @@ from math import pi
 import numpy as np
 from pytest import approx
 
-from fem import ClampedFace, Elastic, Mesh, OuterRing, PlanetGear, free_ring, revolved
+from fem import ClampedFace, Elastic, Mesh, OuterRing, PlanetGear
+from fem.section import free_ring, revolved
 
 WIDTH, SHAPES = 10e-3, 7
 MIDDLE = np.array([1, 0, -1 / 2, 0, 3 / 8, 0, -5 / 16])  # L_m(0): what the shapes add up to at mid-width

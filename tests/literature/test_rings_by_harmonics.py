@@ -7,10 +7,11 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from fem import Elastic, LineForce, LineSupports, Mesh, OuterRing, PlanetGear, free_ring, supported_ring
-from fem.meridian import Section
-from fem.revolved_body import assembled
-from fem.ring_on_lines import RingOnLines
+from fem import Elastic, LineForce, LineSupports, Mesh, OuterRing, PlanetGear
+from fem.mesh.axial_section import Section
+from fem.section import free_ring, supported_ring
+from fem.section.revolved_body import assembled
+from fem.section.ring_on_lines import RingOnLines
 from tests.literature.test_rings import MICHELL, OUTSIDE, plane_ring, polar, solved
 
 STEEL = Elastic(youngs_modulus=203e9, poisson_ratio=0.28)

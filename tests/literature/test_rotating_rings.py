@@ -11,9 +11,17 @@ from math import pi
 import pytest
 from pytest import approx
 
-from quasidynamic.fits import Annulus, FitState, Mounting, PressFit, RunningState, operating_clearance, seat
-from quasidynamic.fits.fit import outside_displacement, running_interference
-from quasidynamic.fits.ring import heat_displacement, pressure_displacement, rotation_displacement
+from quasidynamic.clearance import (
+    Annulus,
+    FitState,
+    Mounting,
+    PressFit,
+    RunningState,
+    operating_clearance,
+    seat,
+)
+from quasidynamic.clearance.annulus import heat_displacement, pressure_displacement, rotation_displacement
+from quasidynamic.clearance.press_fit import outside_displacement, running_interference
 
 SPEED = 38000 * 2 * pi / 60  # [rad/s]
 UM, MPA = 1e-6, 1e6

@@ -9,9 +9,9 @@ import pytest
 from pytest import approx
 
 from fem import Elastic, Mesh, SquirrelCage
-from fem.compliance import elastic_energy
-from fem.mesh import meshed
-from fem.solve import factor, threads
+from fem.assembly.factorisation import factor, threads
+from fem.mesh.solid import meshed
+from fem.solid.condensation import elastic_energy
 
 STEEL = Elastic(youngs_modulus=200e9, poisson_ratio=0.3)
 RIGID = Elastic(youngs_modulus=200e12, poisson_ratio=0.3)

@@ -6,8 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pytest import approx
 
-from quasidynamic.balance.balls.angular import AngularBalance, race_contacts
-from quasidynamic.balance.balls.ball_place import groove_arm
+from quasidynamic.balance.balls.angular_contact import AngularBalance, race_contacts
+from quasidynamic.balance.balls.ball_position import groove_arm
 from quasidynamic.balance.balls.light_ball import (
     LED,
     STEADY,
@@ -18,7 +18,7 @@ from quasidynamic.balance.balls.light_ball import (
     led_angle,
 )
 from quasidynamic.balance.balls.race_control import RaceControl
-from quasidynamic.parts.angular import AngularContactBearing
+from quasidynamic.parts.angular_contact_bearing import AngularContactBearing
 from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.parts.material import Material
 

@@ -9,12 +9,12 @@ from hypothesis import strategies as st
 from pytest import approx
 
 from quasidynamic.angular_contact import AngularContactBallBearing
-from quasidynamic.contact.point import in_series
+from quasidynamic.contact.ellipse.point_contact import in_series
 from quasidynamic.errors import ImpossiblePart, NotSolved
-from quasidynamic.parts.angular import AngularContactBearing, RingOperation
+from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
 from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.parts.material import Material
-from quasidynamic.solve.endings import Ending
+from quasidynamic.solve.outcome import Ending
 
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
 BEARING = AngularContactBearing(

@@ -6,8 +6,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from pytest import approx
 
-from quasidynamic.balance.balls.ball_attitude import attitude
-from quasidynamic.contact.ellipse_friction import (
+from quasidynamic.balance.balls.sliding_motion import attitude
+from quasidynamic.contact.ellipse.full_sliding import (
     SPIN,
     Ellipse,
     no_slip_positions,
@@ -15,7 +15,7 @@ from quasidynamic.contact.ellipse_friction import (
     sliding_friction,
     slip_field,
 )
-from quasidynamic.contact.point import point_contact, race_curvatures
+from quasidynamic.contact.ellipse.point_contact import point_contact, race_curvatures
 from quasidynamic.errors import ImpossiblePart, OutOfRange
 from quasidynamic.motion.ball_slip import (
     SIDE,

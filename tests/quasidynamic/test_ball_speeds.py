@@ -13,7 +13,7 @@ from quasidynamic.motion.ball_speeds import (
     gyroscopic_moment,
     spin_to_roll,
 )
-from quasidynamic.motion.speeds import rolling_cage_speed, rolling_roller_speed
+from quasidynamic.motion.roller_speeds import rolling_cage_speed, rolling_roller_speed
 
 ANGLES = st.floats(-0.8, 0.8)
 CONTROLS = pytest.mark.parametrize("control", ["outer", "inner", "equal"])

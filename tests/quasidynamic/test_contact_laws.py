@@ -7,12 +7,12 @@ from hypothesis import strategies as st
 from pytest import approx
 
 from quasidynamic import Crowned, Logarithmic, Material, OutOfRange, Straight, oil_at
-from quasidynamic.contact.film import FORMULAS, FilmLaw, inlet_heating_factor
-from quasidynamic.contact.hertz import half_width, peak_pressure, reduced_radius
-from quasidynamic.contact.load import iso16281, palmgren, smooth_positive
-from quasidynamic.contact.rheology import Eyring
-from quasidynamic.contact.rolling import biboulet_houpert
-from quasidynamic.contact.traction import Regression4109
+from quasidynamic.contact.film.thickness import FORMULAS, FilmLaw, inlet_heating_factor
+from quasidynamic.contact.line.hertz import half_width, peak_pressure, reduced_radius
+from quasidynamic.contact.line.load_law import iso16281, palmgren, smooth_positive
+from quasidynamic.contact.traction.inlet_shear import biboulet_houpert
+from quasidynamic.contact.traction.rheology import Eyring
+from quasidynamic.contact.traction.traction_law import Regression4109
 from quasidynamic.parts.lubricant import Lubricant
 
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7850)

@@ -5,8 +5,8 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from quasidynamic.solve.endings import Ending
-from quasidynamic.solve.rollers.bounds import SPIN_CHANGE
+from quasidynamic.solve.outcome import Ending
+from quasidynamic.solve.rollers.step_bounds import SPIN_CHANGE
 from tests.bearings import RPM, paper_bearing
 
 RADIUS, WIDTH, MODULUS = 39.3e-3, 5e-3, 203e9

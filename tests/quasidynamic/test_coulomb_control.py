@@ -8,18 +8,18 @@ from pytest import approx
 
 from benchmarks.angular_contact import drawn_sliding, unbalanced
 from quasidynamic.angular_contact import AngularContactBallBearing
-from quasidynamic.balance.balls.angular import AngularBalance, race_contacts
-from quasidynamic.balance.balls.ball_attitude import attitude
+from quasidynamic.balance.balls.angular_contact import AngularBalance, race_contacts
 from quasidynamic.balance.balls.coulomb_control import NOISE, CoulombControl
 from quasidynamic.balance.balls.race_control import Pressed
-from quasidynamic.contact.ellipse_friction import Ellipse, sagitta
+from quasidynamic.balance.balls.sliding_motion import attitude
+from quasidynamic.contact.ellipse.full_sliding import Ellipse, sagitta
 from quasidynamic.errors import ImpossiblePart, NotSolved
 from quasidynamic.motion.ball_slip import BallContacts, pressed_height, pressed_radius
-from quasidynamic.parts.angular import AngularContactBearing, RingOperation
+from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
 from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.parts.material import Material
+from quasidynamic.solve.balls.ball_equilibrium import settle
 from quasidynamic.solve.balls.ring_on_balls import _at, start
-from quasidynamic.solve.balls.settling import settle
 
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
 BEARING = AngularContactBearing(

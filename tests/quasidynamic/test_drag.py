@@ -8,15 +8,21 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pytest import approx
 
-from quasidynamic.contact.churning import churning, cylinder_churning, end_face_churning
-from quasidynamic.contact.couette import couette_factor
-from quasidynamic.contact.drag import AIR_DENSITY, cylinder_drag, drag_notes, mixture_density, orbit_drag
-from quasidynamic.contact.land import ECCENTRICITY_LIMIT, land_drag, land_force, land_notes, land_torque
-from quasidynamic.parts.bearing import CylindricalRollerBearing
+from quasidynamic.contact.cage.couette import couette_factor
+from quasidynamic.contact.cage.land import ECCENTRICITY_LIMIT, land_drag, land_force, land_notes, land_torque
+from quasidynamic.contact.drag.churning import churning, cylinder_churning, end_face_churning
+from quasidynamic.contact.drag.orbit_drag import (
+    AIR_DENSITY,
+    cylinder_drag,
+    drag_notes,
+    mixture_density,
+    orbit_drag,
+)
 from quasidynamic.parts.cage import Cage
 from quasidynamic.parts.lubricant import Lubricant
 from quasidynamic.parts.material import Material
 from quasidynamic.parts.roller import Roller
+from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
 
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7850)
 ROLLER = Roller(diameter=5e-3, length=5e-3, material=STEEL)

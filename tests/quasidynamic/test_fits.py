@@ -8,10 +8,18 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pytest import approx
 
+from quasidynamic.clearance import (
+    Annulus,
+    FitState,
+    Mounting,
+    PressFit,
+    RunningState,
+    operating_clearance,
+    seat,
+)
+from quasidynamic.clearance.annulus import heat_displacement, pressure_displacement, rotation_displacement
+from quasidynamic.clearance.press_fit import inside_displacement, outside_displacement
 from quasidynamic.errors import ImpossiblePart, OutOfRange
-from quasidynamic.fits import Annulus, FitState, Mounting, PressFit, RunningState, operating_clearance, seat
-from quasidynamic.fits.fit import inside_displacement, outside_displacement
-from quasidynamic.fits.ring import heat_displacement, pressure_displacement, rotation_displacement
 
 STEEL = {"youngs_modulus": 203e9, "poisson_ratio": 0.28, "density": 7850.0, "expansion": 11.2e-6}
 ALUMINIUM = {"youngs_modulus": 71e9, "poisson_ratio": 0.33, "density": 2770.0, "expansion": 23e-6}

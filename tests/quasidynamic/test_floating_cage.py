@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 from pytest import approx
 
 from quasidynamic import Cage, ImpossiblePart, NotSolved
-from quasidynamic.contact.land import land_force, land_offset
-from quasidynamic.contact.pocket import displacement_in_pocket, roller_on_pocket_force
+from quasidynamic.contact.cage.land import land_force, land_offset
+from quasidynamic.contact.cage.pocket import displacement_in_pocket, roller_on_pocket_force
 from tests.bearings import paper_bearing
 
 MODEL = paper_bearing()

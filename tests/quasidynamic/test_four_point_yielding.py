@@ -8,7 +8,7 @@ from pytest import approx
 
 from quasidynamic.balance.balls.four_point import ball_loads
 from quasidynamic.balance.balls.four_point_diagonals import Diagonals, diagonal_coefficient
-from quasidynamic.balance.balls.four_point_yielding import yielding_ball_loads
+from quasidynamic.balance.balls.four_point_elastic import yielding_ball_loads
 from quasidynamic.errors import ImpossiblePart, NotSolved
 from quasidynamic.four_point import RingLoad
 from tests.ball_bearings import slow_bearing

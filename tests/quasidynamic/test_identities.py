@@ -7,7 +7,7 @@ import pytest
 from pytest import approx
 
 from quasidynamic import Crowned, Ending, NotSolved
-from quasidynamic.contact.rolling import RollingShear
+from quasidynamic.contact.traction.inlet_shear import RollingShear
 from tests.bearings import RPM, paper_bearing
 
 CASES = {

@@ -6,19 +6,19 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from quasidynamic.balance.balls.angular import AngularBalance, race_contacts
+from quasidynamic.balance.balls.angular_contact import AngularBalance, race_contacts
 from quasidynamic.balance.balls.race_control import RaceControl
-from quasidynamic.parts.angular import AngularContactBearing
+from quasidynamic.parts.angular_contact_bearing import AngularContactBearing
 from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.parts.material import Material
 from quasidynamic.solve.arclength import Local, follow
+from quasidynamic.solve.balls.ball_equilibrium import balanced, resolved, sizes_of
 from quasidynamic.solve.balls.frozen_forces import hung
 from quasidynamic.solve.balls.inertia_homotopy import InertiaFamily, led
 from quasidynamic.solve.balls.ring_on_balls import Solved, newton, solve, start
 from quasidynamic.solve.balls.ring_on_springs import LONGEST, newton_step
-from quasidynamic.solve.balls.settling import balanced, resolved, sizes_of
 from quasidynamic.solve.corners import followed_through
-from quasidynamic.solve.endings import Ending
+from quasidynamic.solve.outcome import Ending
 
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
 BEARING = AngularContactBearing(

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from quasidynamic.solve.rollers import bordered
-from quasidynamic.start import static_start
+from quasidynamic.solve.rollers import bordered_system
+from quasidynamic.solve.start import static_start
 from tests.bearings import eyring, paper_bearing
 
 CASES = {
@@ -76,7 +76,7 @@ def test_solve_inverts_the_difference_jacobian(state):
     differenced = jacobian(balance, unknowns)
     scale = np.abs(differenced).max(axis=1)
     system = balance.evaluate(unknowns)
-    unit = bordered.solve(balance, system, differenced[None])[0]
+    unit = bordered_system.solve(balance, system, differenced[None])[0]
     error = (unit - np.eye(balance.layout.size)).T
     # An error of the Jacobian, seen through its inverse, is put back into rows of size one.
     back = (differenced @ error.T) / scale[:, None]
@@ -85,9 +85,9 @@ def test_solve_inverts_the_difference_jacobian(state):
 
 def test_shifted_solve_is_that_of_the_shifted_matrix(state):
     balance, unknowns = state
-    system, shift = balance.evaluate(unknowns), bordered.Shift(3.0, 5.0, 7.0)
+    system, shift = balance.evaluate(unknowns), bordered_system.Shift(3.0, 5.0, 7.0)
     right = np.random.default_rng(1).normal(size=(1, balance.layout.size, 2))
-    found = bordered.solve(balance, system, right, shift)
+    found = bordered_system.solve(balance, system, right, shift)
     matrix = jacobian(balance, unknowns)
     spins = np.arange(balance.layout.size)[balance.layout.field(-1)]
     matrix[spins, spins] -= 3.0
@@ -111,7 +111,9 @@ def rings(own):
 
 def test_ring_of_spins_is_solved_case_by_case():
     given, matrix = rings([-3.0, -2.0, -4.0, -2.0, -3.0])
-    assert np.einsum("cij,rcj->rci", matrix, bordered.around(*given)) == approx(given[-1], rel=0, abs=1e-13)
+    assert np.einsum("cij,rcj->rci", matrix, bordered_system.around(*given)) == approx(
+        given[-1], rel=0, abs=1e-13
+    )
 
 
 @pytest.mark.parametrize(
@@ -120,7 +122,7 @@ def test_ring_of_spins_is_solved_case_by_case():
 def test_singular_ring_of_spins_is_no_number_and_spoils_no_other(own):
     """The first only hands on its spin, so that it solves to any; warnings are errors here."""
     given, matrix = rings(own)
-    found = bordered.around(*given)
+    found = bordered_system.around(*given)
     assert np.isnan(found[:, 1]).all()
     kept = [0, 2]
     back = np.einsum("cij,rcj->rci", matrix[kept], found[:, kept])

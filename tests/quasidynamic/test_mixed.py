@@ -8,8 +8,8 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from pytest import approx
 
-from quasidynamic.contact.mixed import FILM_SHARE_1_8, ZHOU_HOEPRICH, ErrorFunctionShare, Mixed
-from quasidynamic.contact.rheology import BairWiner
+from quasidynamic.contact.traction.mixed import FILM_SHARE_1_8, ZHOU_HOEPRICH, ErrorFunctionShare, Mixed
+from quasidynamic.contact.traction.rheology import BairWiner
 from quasidynamic.errors import ImpossiblePart
 from quasidynamic.parts.lubricant import Lubricant
 

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from pytest import approx
 
 from quasidynamic.errors import ImpossiblePart, OutOfRange
-from quasidynamic.parts.oil_data import walther_line
-from quasidynamic.parts.oils import OILS, oil_at, two_point_oil, walther_viscosity
+from quasidynamic.parts.oil_curves import walther_line
+from quasidynamic.parts.oil_properties import OILS, oil_at, two_point_oil, walther_viscosity
 
 ZERO = 273.15  # degC in kelvin
 NAMES = sorted(OILS)

@@ -5,8 +5,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pytest import approx
 
-from quasidynamic.contact.load import palmgren
-from quasidynamic.contact.pocket import roller_on_pocket_force
+from quasidynamic.contact.cage.pocket import roller_on_pocket_force
+from quasidynamic.contact.line.load_law import palmgren
 from quasidynamic.parts.material import Material
 
 CLEARANCE = 0.1e-3  # [m]

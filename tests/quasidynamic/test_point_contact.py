@@ -11,7 +11,7 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 from scipy.special import ellipe, ellipkm1
 
-from quasidynamic.contact.point import (
+from quasidynamic.contact.ellipse.point_contact import (
     INNER,
     OUTER,
     Curvatures,

@@ -17,7 +17,7 @@ from pytest import approx
 from benchmarks.random_designs import design, imbalance
 from quasidynamic import Ending, NotSolved
 from quasidynamic.balance.rollers.roller import STILL
-from quasidynamic.solve.rollers import bordered
+from quasidynamic.solve.rollers import bordered_system
 from quasidynamic.static import static_loads
 from tests.bearings import RPM
 from tests.quasidynamic.test_identities import torque_on_rollers_and_cage
@@ -147,7 +147,7 @@ def test_linear_solve_inverts_the_differenced_jacobian(seed, spin_inertia):
 
     direction = steps * np.random.default_rng(seed).normal(size=balance.layout.size)
     right = change(direction)
-    error = bordered.solve(balance, balance.evaluate(here), right[None, :, None])[0, :, 0] - direction
+    error = bordered_system.solve(balance, balance.evaluate(here), right[None, :, None])[0, :, 0] - direction
     size = np.abs(error / steps).max()
     assert size * np.abs(change(error / size)).max() < 1e-5 * np.abs(right).max()
 

@@ -9,10 +9,10 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from pytest import approx
 
-from quasidynamic.contact.adore import ADORE_OILS, AdoreType
-from quasidynamic.contact.rheology import BairWiner, Eyring
-from quasidynamic.contact.traction import Traction
-from quasidynamic.contact.warm_shear import Walls, roelands
+from quasidynamic.contact.traction.adore import ADORE_OILS, AdoreType
+from quasidynamic.contact.traction.rheology import BairWiner, Eyring
+from quasidynamic.contact.traction.thermal_shear import Walls, roelands
+from quasidynamic.contact.traction.traction_law import Traction
 from quasidynamic.errors import ImpossiblePart
 from quasidynamic.parts.lubricant import Lubricant
 

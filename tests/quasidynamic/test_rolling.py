@@ -8,7 +8,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pytest import approx
 
-from quasidynamic.contact.rolling import ELASTIC, LAWS, RIGID, dowson_higginson, goksem_hargreaves
+from quasidynamic.contact.traction.inlet_shear import (
+    ELASTIC,
+    LAWS,
+    RIGID,
+    dowson_higginson,
+    goksem_hargreaves,
+)
 from quasidynamic.parts.lubricant import Lubricant
 
 # MIL-PRF-23699 at 220 degC and a 5 mm roller at 38 000 rpm, inner and outer raceway

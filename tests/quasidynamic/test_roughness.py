@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pytest import approx
 
-from quasidynamic.contact.roughness import composite_roughness, lambda_ratio, regime
+from quasidynamic.contact.film.roughness import composite_roughness, lambda_ratio, regime
 from quasidynamic.errors import OutOfRange
 
 heights = st.floats(1e-9, 1e-5)  # [m]

@@ -6,8 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pytest import approx
 
-from quasidynamic.contact.film import Film
-from quasidynamic.contact.starvation import (
+from quasidynamic.contact.film.starvation import (
     ANGULAR_CONTACT,
     CYLINDRICAL_ROLLER,
     DEEP_GROOVE,
@@ -17,6 +16,7 @@ from quasidynamic.contact.starvation import (
     replenishment_factor,
     starved_film,
 )
+from quasidynamic.contact.film.thickness import Film
 
 RADIUS, MODULUS = 2.32e-3, 2.2487e11  # [m], [Pa]
 

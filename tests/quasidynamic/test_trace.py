@@ -14,8 +14,8 @@ from quasidynamic import FourPointCurve, OutOfRange
 from quasidynamic.balance.rollers.unknowns import CAGE
 from quasidynamic.solve import arclength
 from quasidynamic.solve.arclength import End, Local, follow
-from quasidynamic.solve.rollers import bordered
-from quasidynamic.solve.rollers.bounds import bounded
+from quasidynamic.solve.rollers import bordered_system
+from quasidynamic.solve.rollers.step_bounds import bounded
 from quasidynamic.trace import equilibria_at, trace
 from tests.bearings import RPM, paper_bearing
 
@@ -238,8 +238,8 @@ def after_a_while(one, slip_change, time_steps):
     state, slips = one.scaled[None].copy(), []
     state[0, CAGE] -= slip_change
     for time_step in time_steps:
-        system, shift = balance.evaluate(state), bordered.Shift(*(inertias * scale / time_step))
-        change = -bordered.solve(balance, system, system.residual[..., None], shift)[..., 0]
+        system, shift = balance.evaluate(state), bordered_system.Shift(*(inertias * scale / time_step))
+        change = -bordered_system.solve(balance, system, system.residual[..., None], shift)[..., 0]
         state = bounded(balance, state, state + change)
         slips.append(-state[0, CAGE])
     return np.array(slips)

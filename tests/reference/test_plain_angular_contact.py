@@ -5,7 +5,7 @@ import pytest
 from pytest import approx
 
 from quasidynamic.angular_contact import AngularContactBallBearing
-from quasidynamic.parts.angular import AngularContactBearing, RingOperation
+from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
 from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.parts.material import Material
 from tests.reference import plain_angular_contact as plain

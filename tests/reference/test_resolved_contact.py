@@ -12,8 +12,10 @@ roller to its centre (Johnson, Contact Mechanics, 1985, eq. 5.57):
           + \frac{2 q (1-\nu_w^2)}{\pi E_w} \left(\ln\frac{4R_w}{b} - \frac12\right)
 
 The first bracket is half the mean of l k_00(s) over the pressure, where k_00 = 2/l (ln(2l/s) - 1 + s/l)
-is the kernel of `fem.indentation` for s far below l; the mean of ln(1/s) is ln(2/b) + 1/2, that of s is
-4b/(3 pi). The structure is `fem.harmonics` with the half-space of the same length taken off. The length that
+is the kernel of `fem.half_space.load_patch` for s far below l; the mean of ln(1/s) is ln(2/b) + 1/2, that
+of s is
+4b/(3 pi). The structure is `fem.raceway.harmonics` with the half-space of the same length taken off. The
+length that
 was chosen must not matter: a plane has no half-space relative to infinity, only the sum of both parts has a
 meaning.
 """
@@ -29,13 +31,15 @@ import pytest
 from netgen import occ
 from pytest import approx
 
-from fem import Elastic, Mesh, forms, revolved_body
-from fem.harmonics import HarmonicCompliance
-from fem.loose_body import responses
-from fem.meridian import Section
-from fem.revolved_body import Springs
-from fem.solve import factor, threads
-from fem.supports import Loose
+from fem import Elastic, Mesh
+from fem.assembly import elasticity
+from fem.assembly.factorisation import factor, threads
+from fem.mesh.axial_section import Section
+from fem.parts.boundary_conditions import Loose
+from fem.raceway.harmonics import HarmonicCompliance
+from fem.section import revolved_body
+from fem.section.revolved_body import Springs
+from fem.section.rigid_body_modes import responses
 
 INSIDE, OUTSIDE, ROLLER = 37.5, 41.1, 2.5  # [mm] radii
 STEEL = Elastic(youngs_modulus=203e9, poisson_ratio=0.28)
@@ -87,11 +91,11 @@ def loop(corners, size):
 def moved(mesh, elastic, pressure, clamped):
     """Displacement [mm] of a quarter in plane strain by an outward pressure [MPa] on its contacts."""
     space = ngs.VectorH1(mesh, order=ORDER, dirichletx=f"left|{clamped}", dirichlety=f"below|{clamped}")
-    lame, shear = forms.lame_constants(elastic.youngs_modulus * 1e-6, elastic.poisson_ratio)
+    lame, shear = elasticity.lame_constants(elastic.youngs_modulus * 1e-6, elastic.poisson_ratio)
     outward = ngs.CF((ngs.x, ngs.y)) / ngs.sqrt(ngs.x**2 + ngs.y**2)
     traction = pressure * outward * space.TestFunction()
     with threads(1):
-        stiffness = factor(space, lambda u, v: forms.elasticity(u, v, lame, shear))
+        stiffness = factor(space, lambda u, v: elasticity.elasticity(u, v, lame, shear))
         side = ngs.LinearForm(traction * ngs.ds("contact", bonus_intorder=12)).Assemble()
         shift = ngs.GridFunction(space)
         shift.vec.FV().NumPy()[:] = stiffness.solve(side.vec.FV().NumPy())

@@ -11,8 +11,8 @@ from quasidynamic.balance.balls.free_ball import free_balls
 from quasidynamic.balance.balls.free_ball_slopes import Settled, settled
 from quasidynamic.balance.balls.light_ball import RELEASE
 from quasidynamic.balance.balls.race_control import Guidance, Pressed, RaceControl
-from quasidynamic.contact.ellipse_friction import Ellipse
-from quasidynamic.contact.point import PointContact
+from quasidynamic.contact.ellipse.full_sliding import Ellipse
+from quasidynamic.contact.ellipse.point_contact import PointContact
 from quasidynamic.motion.ball_slip import (
     AXIAL,
     INNER,
@@ -24,7 +24,7 @@ from quasidynamic.motion.ball_slip import (
     pressed_height,
     pressed_radius,
 )
-from quasidynamic.parts.angular import AngularContactBearing
+from quasidynamic.parts.angular_contact_bearing import AngularContactBearing
 
 RELEASED = (RELEASE, RELEASE / 8)  # of F_c: least driving load of the inner, of the outer race
 UNEVEN = 0.05  # of the load on the other race: the same, away from balance

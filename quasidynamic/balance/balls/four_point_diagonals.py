@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.contact.point import point_contact, race_curvatures
+from quasidynamic.contact.ellipse.point_contact import point_contact, race_curvatures
 from quasidynamic.motion.ball_slip import SIDE
 from quasidynamic.parts.ball import FourPointBearing
 

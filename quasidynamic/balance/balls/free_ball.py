@@ -6,8 +6,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.contact.ellipse_friction import Ellipse
-from quasidynamic.contact.sliding_ellipse import (
+from quasidynamic.contact.ellipse.full_sliding import Ellipse
+from quasidynamic.contact.ellipse.general_sliding import (
     CENTRE,
     FINE,
     Points,

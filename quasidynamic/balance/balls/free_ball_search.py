@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.balls.free_ball import FreeBalls, Local, gyroscopic
-from quasidynamic.contact.sliding_ellipse import COARSE, FINE, ROLL, SPIN, Points, sliding_ellipse
+from quasidynamic.contact.ellipse.general_sliding import COARSE, FINE, ROLL, SPIN, Points, sliding_ellipse
 from quasidynamic.motion.ball_slip import TURN
 
 NEAR = 1e-7  # of the largest friction: moments left from which one more Newton step ends in rounding

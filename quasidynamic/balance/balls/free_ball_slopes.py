@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.balls.free_ball import FreeBalls
 from quasidynamic.balance.balls.free_ball_search import NEAR, nearly_balanced, searched_again
-from quasidynamic.contact.sliding_ellipse import ACROSS, CENTRE, PIVOT, ROLL, Sliding
+from quasidynamic.contact.ellipse.general_sliding import ACROSS, CENTRE, PIVOT, ROLL, Sliding
 from quasidynamic.motion.ball_slip import INNER, ORBIT, OUTER, TURN, BallContacts, turning_slip_by_motion
 
 LOAD, ANGLE = 0, 1  # what a contact is given by

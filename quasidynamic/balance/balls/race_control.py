@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.balls.light_ball import grip, held_traction, led_angle
 from quasidynamic.motion.ball_speeds import Control, ball_motion, centrifugal_force, gyroscopic_moment
-from quasidynamic.parts.angular import AngularContactBearing
+from quasidynamic.parts.angular_contact_bearing import AngularContactBearing
 
 INNER_SHARE = {"outer": 0.0, "inner": 2.0, "equal": 1.0}  # lambda_i, part of 2 M_g/D held by the inner race
 

@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.cage import FloatingCage, floating_cage
 from quasidynamic.balance.rollers.levers import Levers
-from quasidynamic.balance.rollers.points import OperatingPoints
+from quasidynamic.balance.rollers.operating_points import OperatingPoints
 from quasidynamic.balance.rollers.roller import STILL, VALUE, Motion, RollerBalance, RollerInputs, RollerState
-from quasidynamic.balance.rollers.sizes import ANGLE, Sizes
+from quasidynamic.balance.rollers.scales import ANGLE, Sizes
 from quasidynamic.balance.rollers.spin_transport import SpinTransport, spin_transport
 from quasidynamic.balance.rollers.unknowns import (
     BORDER,
@@ -25,7 +25,7 @@ from quasidynamic.balance.rollers.unknowns import (
     Y,
     Z,
 )
-from quasidynamic.contact.land import land_torque
+from quasidynamic.contact.cage.land import land_torque
 
 
 class Linearisation(NamedTuple):

@@ -5,8 +5,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.rollers.points import OperatingPoints
-from quasidynamic.contact.land import land_offset, land_torque
+from quasidynamic.balance.rollers.operating_points import OperatingPoints
+from quasidynamic.contact.cage.land import land_offset, land_torque
 from quasidynamic.parts.cage import Cage
 from quasidynamic.parts.lubricant import Lubricant
 

@@ -7,12 +7,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.rollers.points import OperatingPoints
-from quasidynamic.contact.churning import churning
-from quasidynamic.contact.drag import orbit_drag
+from quasidynamic.balance.rollers.operating_points import OperatingPoints
+from quasidynamic.contact.drag.churning import churning
+from quasidynamic.contact.drag.orbit_drag import orbit_drag
 from quasidynamic.contact.lubrication import Lubrication
 from quasidynamic.contact.raceways import ContactState, Raceways
-from quasidynamic.parts.bearing import CylindricalRollerBearing
+from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
 
 CAGE_FORCE_ROUNDING = 0.5  # [N] width over which the pocket force changes side
 GRAVITY = 9.81  # [m/s2]

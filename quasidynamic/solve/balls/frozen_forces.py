@@ -5,10 +5,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.balls.angular import AngularBalance
-from quasidynamic.balance.balls.ball_place import Vectors, groove_arm, turning
+from quasidynamic.balance.balls.angular_contact import AngularBalance
+from quasidynamic.balance.balls.ball_position import Vectors, groove_arm, turning
+from quasidynamic.solve.balls.ball_equilibrium import LEAST_STIFFNESS, along_arc
 from quasidynamic.solve.balls.ring_on_springs import newton_step
-from quasidynamic.solve.balls.settling import LEAST_STIFFNESS, along_arc
 
 ENOUGH = 0.02  # of the largest force: what may be left for the search with all forces
 LIMIT = 40  # Newton steps; stopping early costs time later, not the answer

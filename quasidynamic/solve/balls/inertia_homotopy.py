@@ -6,12 +6,12 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.balls.angular import AngularBalance
-from quasidynamic.balance.balls.ball_place import Vectors
+from quasidynamic.balance.balls.angular_contact import AngularBalance
+from quasidynamic.balance.balls.ball_position import Vectors
 from quasidynamic.solve.arclength import Local
+from quasidynamic.solve.balls.ball_equilibrium import sizes_of
 from quasidynamic.solve.balls.frozen_forces import hung
 from quasidynamic.solve.balls.ring_on_springs import first_place
-from quasidynamic.solve.balls.settling import sizes_of
 from quasidynamic.solve.corners import followed_through
 
 TOLERANCE = 5e-13  # of the largest force: unbalanced force

@@ -5,13 +5,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.balls.angular import AngularBalance, BallBalance, RingBalance, moved
-from quasidynamic.balance.balls.ball_place import Vectors
+from quasidynamic.balance.balls.angular_contact import AngularBalance, BallBalance, RingBalance, moved
+from quasidynamic.balance.balls.ball_position import Vectors
+from quasidynamic.solve.balls.ball_equilibrium import Settled, along_arc, at_places, resolved, settle
 from quasidynamic.solve.balls.frozen_forces import hung
 from quasidynamic.solve.balls.inertia_homotopy import led
 from quasidynamic.solve.balls.ring_on_springs import first_place, newton_step
-from quasidynamic.solve.balls.settling import Settled, along_arc, at_places, resolved, settle
-from quasidynamic.solve.endings import Ending
+from quasidynamic.solve.outcome import Ending
 
 TOLERANCE = 1e-11  # of the largest force: unbalanced force on the ring
 LIMIT = 60  # Newton steps of the ring, rarely more than ten

@@ -3,9 +3,9 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.balls.angular import AngularBalance
-from quasidynamic.balance.balls.ball_place import groove_arm, turning
-from quasidynamic.solve.balls.settling import LEAST_STIFFNESS
+from quasidynamic.balance.balls.angular_contact import AngularBalance
+from quasidynamic.balance.balls.ball_position import groove_arm, turning
+from quasidynamic.solve.balls.ball_equilibrium import LEAST_STIFFNESS
 
 ENOUGH = 1e-3  # of the largest load: what a first place may leave
 LIMIT = 300  # Newton steps, rarely more than ten; a first place far off costs time, not the answer

@@ -6,10 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance
-from quasidynamic.balance.rollers.settling import between_raceways, film_at, resting_loads, settled
-from quasidynamic.solve.endings import Ending
-from quasidynamic.solve.rollers.bounds import bounded, bounded_spins
+from quasidynamic.solve.outcome import Ending
 from quasidynamic.solve.rollers.newton import Sweep, norm, step
+from quasidynamic.solve.rollers.static_equilibrium import between_raceways, film_at, resting_loads, settled
+from quasidynamic.solve.rollers.step_bounds import bounded, bounded_spins
 
 LIMIT = 40  # steps
 SMALL_CHANGE = 0.2  # of the largest approach of a roller and its outer raceway

@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
 from quasidynamic.balance.rollers.unknowns import CAGE, Y, Z
-from quasidynamic.solve.endings import Ending
-from quasidynamic.solve.rollers import bordered
-from quasidynamic.solve.rollers.bounds import bounded
+from quasidynamic.solve.outcome import Ending
+from quasidynamic.solve.rollers import bordered_system
+from quasidynamic.solve.rollers.step_bounds import bounded
 
 TOLERANCE = 1e-12  # of the reference force, or of the largest roller load if that is larger
 ENOUGH = 1e-10  # the same, where rounding keeps a step from lowering the residual any more
@@ -109,7 +109,7 @@ def step(
     system: Linearisation,
     longest: NDArray | float = LONGEST_SHIFT,
     speed_change: float = SPEED_CHANGE,
-    shift: bordered.Shift = bordered.NO_SHIFT,
+    shift: bordered_system.Shift = bordered_system.NO_SHIFT,
 ) -> NDArray:
     """Newton step (C, N), with a ring that moves no further than `longest` (scaled).
 
@@ -118,12 +118,12 @@ def step(
     share `speed_change` at most, rollers are `bounded` one by one.
     """
     right = -system.residual[..., None]
-    found = bordered.solve(balance, system, right, shift)[..., 0]
+    found = bordered_system.solve(balance, system, right, shift)[..., 0]
     far = _largest(found[:, Y : Z + 1])
     if (far > longest).any():
         stiffness = _largest(system.residual[:, Y : Z + 1]) / longest
         held = shift._replace(ring=np.where(far > longest, stiffness, 0.0))
-        found = bordered.solve(balance, system, right, held)[..., 0]
+        found = bordered_system.solve(balance, system, right, held)[..., 0]
         far = _largest(found[:, Y : Z + 1])
     long = np.maximum(far / longest, np.abs(found[:, CAGE]) / (speed_change * (system.cage_speed + CRAWL)))
     return found if (long <= 1.0).all() else found / np.maximum(long, 1.0)[:, None]

@@ -8,10 +8,10 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
 from quasidynamic.balance.rollers.unknowns import CAGE, TILT_Z
-from quasidynamic.solve.endings import Ending
-from quasidynamic.solve.rollers import bordered
-from quasidynamic.solve.rollers.bounds import bounded
+from quasidynamic.solve.outcome import Ending
+from quasidynamic.solve.rollers import bordered_system
 from quasidynamic.solve.rollers.newton import Sweep, norm, step
+from quasidynamic.solve.rollers.step_bounds import bounded
 
 LIMIT = 40  # evaluations before Newton's method is tried again
 ENOUGH = 1e-4  # residual from which it is tried at once
@@ -111,7 +111,7 @@ def _step(balance: BearingBalance, system: Linearisation, pace: Pace) -> NDArray
     spin, cage = balance.layout.field(-1).start, CAGE
     own = system.table[balance.layout.own - 1, balance.layout.own - 1]
     inertia = bearing.roller.inertia * columns[:, spin] / rows[:, spin] / pace.time
-    shift = bordered.Shift(
+    shift = bordered_system.Shift(
         # A spin that runs away, as on a traction curve that falls, is led the way it runs.
         spin=inertia[:, None] + np.maximum(2 * own, 0.0),
         cage=orbiting * (bearing.pitch_diameter / 2) ** 2 * columns[:, cage] / rows[:, cage] / pace.time,

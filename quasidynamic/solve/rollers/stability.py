@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
 from quasidynamic.balance.rollers.unknowns import CAGE
-from quasidynamic.solve.rollers import bordered
+from quasidynamic.solve.rollers import bordered_system
 
 
 def growth_rates(balance: BearingBalance, system: Linearisation) -> NDArray:
@@ -40,7 +40,7 @@ def growth_rates(balance: BearingBalance, system: Linearisation) -> NDArray:
     moving = np.concatenate([[CAGE], np.arange(balance.layout.size)[balance.layout.field(-1)]])
     unit = np.zeros((1, balance.layout.size, len(moving)))
     unit[0, moving, range(len(moving))] = 1.0
-    inverse = bordered.solve(balance, system, unit)[0, moving]
+    inverse = bordered_system.solve(balance, system, unit)[0, moving]
     if not np.isfinite(inverse).all():
         return np.full(len(moving), np.nan, complex)
     return 1.0 / np.linalg.eigvals(inverse * _inertia(balance)[moving]).astype(complex)

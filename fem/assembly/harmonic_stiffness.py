@@ -1,0 +1,197 @@
+r"""A stiffness that is quadratic in the harmonic, :math:`K(n) = K_0 + n K_1 + n^2 K_2`, answering loads.
+
+Displacements vary slowly with n. So the answers at a few harmonics span a small space which holds those
+of all others; as the work of a load on its answer is stationary there, its relative error is about the
+square of the residual.
+"""
+
+import logging
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any
+
+import ngsolve as ngs
+import numpy as np
+from netgen.meshing import NgException  # pyright: ignore[reportAttributeAccessIssue]  # made at import
+from numpy.typing import NDArray
+from scipy import sparse
+
+from fem.assembly.factorisation import REFINABLE, RESIDUAL, NotSolved
+
+FIRST_STEP = 1.5  # ratio of the harmonics that are solved at first
+SMALL_SPACE_RESIDUAL = 3e-3  # allowed |f - K u| / |f| of what the small space answers
+
+_log = logging.getLogger(__name__)
+
+
+@dataclass(frozen=True)
+class Pencil:
+    """Stiffness for every harmonic, per radian."""
+
+    matrix: Any  # ngsolve.BaseMatrix, whose pattern all three share
+    parts: tuple[sparse.csr_array, ...]  # K_0, K_1, K_2 (unknowns, unknowns) [N/m]
+    free: Any  # ngsolve.BitArray, unset where clamped
+    held: NDArray  # (unknowns,) of bool, True where clamped
+
+    @property
+    def unknowns(self) -> int:
+        """Number of equations, clamped ones included."""
+        return self.matrix.height
+
+    def solve(self, harmonic: int, loads: NDArray) -> NDArray:
+        """Displacements under loads of one harmonic.
+
+        Parameters
+        ----------
+        harmonic : int
+            n, >= 0
+        loads : array (unknowns, L)
+            per radian [N], work-conjugate to the unknowns; entries on clamped unknowns have no effect
+
+        Returns
+        -------
+        array (unknowns, L)
+            u [m], zero where clamped
+
+        Raises
+        ------
+        NotSolved
+            if the matrix cannot be factored, or if the residual stays above
+            `fem.assembly.factorisation.RESIDUAL`
+        """
+        f = np.where(self.held[:, None], 0.0, loads)
+        K = self.matrix.CreateMatrix()
+        K.AsVector().FV().NumPy()[:] = values = _at(harmonic, [part.data for part in self.parts])
+        try:
+            inverse = K.Inverse(self.free, inverse="sparsecholesky")
+        except NgException as refusal:
+            raise NotSolved(f"harmonic {harmonic} could not be factored: {refusal}") from refusal
+        pattern = self.parts[0]
+        rows = sparse.csr_array((values, pattern.indices, pattern.indptr), shape=pattern.shape)
+
+        def left(u):
+            return np.where(self.held[:, None], 0.0, f - rows @ u)
+
+        u = _answers(inverse, f)
+        size = _relative(left(u), f)
+        if size > RESIDUAL:
+            # Parts of very different stiffness cost digits, which one refinement brings back.
+            correction = _answers(inverse, left(u))
+            u += correction
+            size = max(_relative(left(u), f), RESIDUAL / REFINABLE * _relative(correction, u))
+        if not size <= RESIDUAL:
+            raise NotSolved(
+                f"relative residual {size:.2g} of harmonic {harmonic}, allowed {RESIDUAL:g}; "
+                "is the body held everywhere?"
+            )
+        return u
+
+
+def pencil(space, *forms) -> Pencil:
+    """Assemble the three parts of a stiffness.
+
+    Parameters
+    ----------
+    space : ngsolve.FESpace
+        with its clamped boundaries
+    forms : ngsolve.SumOfIntegrals
+        the parts without n, with n, with n^2; symmetric
+
+    Returns
+    -------
+    Pencil
+
+    Raises
+    ------
+    NotSolved
+        if the parts do not couple the same unknowns
+    """
+    matrices = [ngs.BilinearForm(form, symmetric=True).Assemble().mat for form in forms]
+    parts = tuple(_as_sparse(matrix) for matrix in matrices)
+    if not all(np.array_equal(part.indices, parts[0].indices) for part in parts):
+        raise NotSolved("the parts of the stiffness have different patterns and cannot be added")
+    free = space.FreeDofs()
+    return Pencil(matrix=matrices[0], parts=parts, free=free, held=~np.array(list(free)))
+
+
+def compliances(pencil: Pencil, loads: NDArray, last: int) -> NDArray:
+    r"""Work of loads on their answers, for all harmonics 0 .. N.
+
+    .. math:: W_n = G^T K(n)^{-1} G
+
+    Parameters
+    ----------
+    pencil : Pencil
+        stiffness per radian
+    loads : array (unknowns, L)
+        G, the same for all harmonics [N/N]
+    last : int
+        N, >= 1
+
+    Returns
+    -------
+    array (N + 1, L, L)
+        [m/N] symmetric; relative error about the square of `SMALL_SPACE_RESIDUAL`
+
+    Raises
+    ------
+    NotSolved
+        if a solve fails
+    """
+    G = np.where(pencil.held[:, None], 0.0, loads)
+    answers: dict[int, NDArray] = {}
+    wanted = _geometric(last)
+    while wanted:
+        answers |= {n: pencil.solve(n, G) for n in wanted}
+        basis = np.linalg.qr(np.hstack([u / np.linalg.norm(u, axis=0) for u in answers.values()]))[0]
+        moved = [np.where(pencil.held[:, None], 0.0, part @ basis) for part in pencil.parts]
+        left = {n: _small_residual(n, basis, moved, G) for n in _between(sorted(answers))}
+        _log.debug(
+            "%d of %d harmonics solved, residual %.1e", len(answers), last + 1, max(left.values(), default=0)
+        )
+        wanted = [n for n, size in left.items() if not size <= SMALL_SPACE_RESIDUAL]
+    small, g = [basis.T @ part for part in moved], basis.T @ G
+    return np.array([g.T @ np.linalg.solve(_at(n, small), g) for n in range(last + 1)])
+
+
+def _small_residual(harmonic: int, basis: NDArray, moved: list[NDArray], loads: NDArray) -> float:
+    """Largest relative residual that the best answer in the small space leaves."""
+    K = _at(harmonic, moved)
+    return _relative(loads - K @ np.linalg.solve(basis.T @ K, basis.T @ loads), loads)
+
+
+def _relative(left: NDArray, loads: NDArray) -> float:
+    """Largest norm of a residual over that of its load."""
+    size = np.linalg.norm(loads, axis=0)
+    return float(np.max(np.linalg.norm(left, axis=0) / np.where(size > 0, size, 1.0)))
+
+
+def _at(harmonic: int, parts):
+    return parts[0] + harmonic * parts[1] + harmonic**2 * parts[2]
+
+
+def _geometric(last: int) -> list[int]:
+    """0, 1, 2, 3, 5, 7, ... and the last harmonic."""
+    count = int(np.ceil(np.log(last) / np.log(FIRST_STEP))) + 1
+    return sorted({0, *np.rint(np.geomspace(1, last, count)).astype(int).tolist()})
+
+
+def _between(solved: list[int]) -> list[int]:
+    """Harmonics half way between solved ones, where the small space is worst; none between neighbours."""
+    middle = (int(np.rint(np.sqrt(a * b))) for a, b in pairwise(solved))
+    return [n for n in middle if n not in solved]
+
+
+def _as_sparse(matrix) -> sparse.csr_array:
+    values, columns, starts = (np.array(part) for part in matrix.CSR())
+    return sparse.csr_array((values, columns, starts), shape=(matrix.height, matrix.width))
+
+
+def _answers(inverse, loads: NDArray) -> NDArray:
+    f, u = inverse.CreateColVector(), inverse.CreateRowVector()
+    answers = np.empty_like(loads)
+    for k, load in enumerate(loads.T):
+        f.FV().NumPy()[:] = load
+        u.data = inverse * f
+        answers[:, k] = u.FV().NumPy()
+    return answers

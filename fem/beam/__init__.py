@@ -1,0 +1,1 @@
+"""Rings as closed curved beams on springs, in closed form per harmonic; no mesh."""

@@ -1,0 +1,238 @@
+r"""A raceway as a closed curved beam: compliance in azimuthal harmonics without a mesh.
+
+The section moves as a rigid one (`fem.beam.curved_beam`); on top of it, the wall yields below the rollers
+like an elastic layer with a free back,
+
+.. math:: W_n = \frac{1}{2\pi} G^T (K_n + K_s)^{-1} G + g_m(k t)\,h_n, \quad
+          k^2 = \left(\frac{n}{R}\right)^2 + \left(\frac{m\pi}{l}\right)^2
+
+with h the harmonics of the half-space (`fem.half_space.line_load`), t the thickness of the wall, and g what
+a layer
+yields over what a half-space does, less what the beam does already. Short waves leave g = 1: there ring and
+half-space agree, so that the remainder has a sum.
+"""
+
+import time
+from functools import singledispatch
+from math import ceil
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fem.assembly.factorisation import NotSolved
+from fem.beam.curved_beam import MOTIONS, CurvedBeam
+from fem.beam.support_springs import alone, bars, carried, chained, foundation, strip
+from fem.half_space.line_load import indentation_harmonics
+from fem.parts.boundary_conditions import ClampedFace, Foundation
+from fem.parts.rings import Elastic, ImpossiblePart, OuterRing, RingOnShaft, SquirrelCage, require_on_track
+from fem.raceway.harmonics import FEWEST, FINENESS, HarmonicCompliance
+
+SMALL = 0.1  # wave number times thickness below which g is its series: digits cancel
+SERIES = 32 / 175, -2 / 7875  # of g, in s and s^3
+FOLLOWS = 13 / 35  # mean square of a cubic from ring to clamp: part of a tube's length whose hoops count
+WAVES = 10.0  # highest harmonic over R/thickness: there the wall has long yielded like a half-space
+LARGE = 300.0  # beyond, sinh overflows; the quotient has been 1 since 20
+U, W, V, THETA, CHI, PSI = range(len(MOTIONS))
+
+
+def condense(
+    part: OuterRing | SquirrelCage | RingOnShaft, length: float, shapes: int, harmonics: int | None = None
+) -> HarmonicCompliance:
+    r"""Compliance of a raceway for rollers anywhere, its ring as a curved beam.
+
+    Parameters
+    ----------
+    part : OuterRing, SquirrelCage, RingOnShaft
+        an outer ring on a foundation or with a clamped face, a ring on bars and flange, or a ring on a
+        hollow shaft, both together one section
+    length : float
+        l of the loaded band [m]
+    shapes : int
+        M, number of axial shapes, 1 or more; under all but the first two the section keeps its place
+    harmonics : int
+        N, the highest; by default what band and thickness ask for
+
+    Returns
+    -------
+    HarmonicCompliance
+        of revolution: bars are spread evenly
+
+    Raises
+    ------
+    ImpossiblePart
+        if the band is longer than the track, or what holds the ring is no spring to ground
+    NotSolved
+        if fewer harmonics are asked for than any ring needs
+
+    Valid
+    -----
+    Section small against the radius, width up to about :math:`2\sqrt{R t}`: it keeps its shape. A clamped
+    face is taken as a wall that bends along x only, bars as spread Timoshenko beams, a shaft as walls that
+    bend along x with hoops that fade like a clamped beam.
+    """
+    require_on_track(length, part.track)
+    start = time.perf_counter()
+    beam = beam_of(part)
+    raceway = part.raceway_diameter / 2
+    last = _last_harmonic(raceway, length / shapes, beam.thickness, harmonics)
+    n = np.arange(last + 1)
+    answer = _section_answers(stiffness_of(part, n), length, shapes) + _wall_answers(
+        part.materials["ring"], beam.thickness, raceway, n, length, shapes
+    )
+    return HarmonicCompliance(
+        harmonics=np.arange(-last, last + 1),
+        response=np.concatenate([answer[:0:-1], answer]),
+        radius=raceway,
+        length=length,
+        elastic=part.materials["ring"],
+        bars=None,
+        unknowns=len(MOTIONS),
+        elements=1,
+        seconds={"condense": time.perf_counter() - start},
+    )
+
+
+@singledispatch
+def beam_of(part) -> CurvedBeam:
+    """Beam that stands for the ring of a part.
+
+    Raises
+    ------
+    ImpossiblePart
+        for a part whose ring has no rectangular section
+    """
+    raise ImpossiblePart(f"{type(part).__name__} is not known as a curved beam")
+
+
+@beam_of.register
+def _(part: OuterRing | SquirrelCage):
+    inside = part.raceway_diameter / 2
+    return CurvedBeam(inside=inside, outside=inside + part.thickness, width=part.width, elastic=part.elastic)
+
+
+@beam_of.register
+def _(part: RingOnShaft):
+    inside, seat, outside = part.shaft_bore / 2, part.bore / 2, part.raceway_diameter / 2
+    share = (outside - seat) / (outside - inside)
+    mixed = Elastic(
+        youngs_modulus=share * part.ring.youngs_modulus + (1 - share) * part.shaft.youngs_modulus,
+        poisson_ratio=share * part.ring.poisson_ratio + (1 - share) * part.shaft.poisson_ratio,
+    )
+    return CurvedBeam(inside=inside, outside=outside, width=part.width, elastic=mixed)
+
+
+@singledispatch
+def stiffness_of(part, harmonics: NDArray) -> NDArray:
+    """Stiffness (K, 6, 6) per radian of the ring of a part and of what holds it.
+
+    Raises
+    ------
+    ImpossiblePart
+        for a support that is no spring to ground
+    """
+    raise ImpossiblePart(f"{type(part).__name__} is not known as a curved beam")
+
+
+@stiffness_of.register
+def _(part: SquirrelCage, harmonics):
+    beam, foot = beam_of(part), part.width / 2 + part.bar_length
+    held = chained(
+        bars(part.bars, (part.bar_width, part.bar_thickness), (part.width / 2, foot), 0.0, part.elastic),
+        strip(beam.radius, part.thickness, (foot, foot + part.flange_length), 0.0, part.elastic),
+    )
+    return beam.stiffness(harmonics) + held
+
+
+@stiffness_of.register
+def _(part: OuterRing, harmonics):
+    beam = beam_of(part)
+    match part.support:
+        case ClampedFace():
+            held = alone(strip(beam.radius, beam.thickness, (0.0, part.width / 2), 0.0, part.elastic))
+        case Foundation(axial=axial, radial=radial, tangential=tangential):
+            held = foundation((axial, radial, tangential), beam.outside, part.width, beam.thickness / 2)
+        case other:
+            raise ImpossiblePart(
+                f"{type(other).__name__} is impossible below a curved beam; allowed are ClampedFace and "
+                "Foundation"
+            )
+    return beam.stiffness(harmonics) + held
+
+
+@stiffness_of.register
+def _(part: RingOnShaft, harmonics):
+    beam, side, end = beam_of(part), part.width / 2, part.shaft_length / 2
+    tube = CurvedBeam(
+        inside=part.shaft_bore / 2,
+        outside=part.bore / 2,
+        width=FOLLOWS * 2 * (end - side),
+        elastic=part.shaft,
+    )
+    offset = tube.radius - beam.radius
+    held = sum(
+        alone(strip(tube.radius, tube.thickness, (sign * side, sign * end), offset, part.shaft))
+        for sign in (1, -1)
+    )
+    return beam.stiffness(harmonics) + held + carried(tube.stiffness(harmonics), offset)
+
+
+def layer_share(wave, shape: int = 0) -> NDArray:
+    r"""What a layer with a free back yields over what a half-space does, less the motion of a beam.
+
+    .. math:: g_0 = f - \frac{6}{s^3} - \frac{6}{5s}, \quad g_1 = f - \frac{6}{s^3}, \quad g_2 = f, \quad
+              f(s) = \frac{\sinh s \cosh s + s}{\sinh^2 s - s^2}
+
+    A beam bends and shears under the mean of a load along the roller, it tilts under a linear one, and does
+    not move under higher ones.
+
+    Parameters
+    ----------
+    wave : array (...)
+        s = k t, wave number times thickness, above 0 for all but the first shape
+    shape : int
+        m of the load along the roller
+
+    Returns
+    -------
+    array (...)
+        g [-]; that of the first shape is 32 s/175 for small s
+
+    Source
+    ------
+    Timoshenko, Goodier, Theory of Elasticity, sec. 24 (sinusoidal load on one side of a strip).
+    """
+    s = np.asarray(wave, dtype=float)
+    p = np.clip(s, SMALL, LARGE)
+    whole = (np.sinh(p) * np.cosh(p) + p) / (np.sinh(p) ** 2 - p**2)
+    bending, shear = 6 / p**3, 6 / (5 * np.maximum(s, SMALL))
+    above = np.where(s < SMALL, SERIES[0] * s + SERIES[1] * s**3, whole - bending - shear)
+    sheared = 6 / (5 * s) if shape > 0 else 0.0
+    return above + sheared + (6 / s**3 if shape > 1 else 0.0)
+
+
+def _last_harmonic(radius: float, detail: float, thickness: float, wish: int | None) -> int:
+    """The last harmonic: fine for the band, and beyond it the wall yields like a half-space."""
+    if wish is not None and wish < FEWEST:
+        raise NotSolved(f"{wish} harmonics are impossible, allowed are {FEWEST} or more")
+    return wish or ceil(radius * max(FINENESS / detail, WAVES / thickness))
+
+
+def _section_answers(K: NDArray, length: float, shapes: int) -> NDArray:
+    """Answers (N + 1, M, M) [m/N] of the rigid section to the first two shapes."""
+    # No load on the raceway turns the ring or, where nothing holds it axially, moves it along its axis.
+    K[0, V, V] += np.abs(K[0]).max()
+    if K[0, U, U] == 0:
+        K[0, U, U] = 1.0
+    loads = np.zeros((len(MOTIONS), shapes))
+    loads[W, 0] = 1.0
+    loads[THETA, 1:2] = length / 2
+    return loads.T @ np.linalg.solve(K, np.broadcast_to(loads, (len(K), *loads.shape))) / (2 * np.pi)
+
+
+def _wall_answers(
+    elastic: Elastic, thickness: float, radius: float, n: NDArray, length: float, shapes: int
+) -> NDArray:
+    """Answers (N + 1, M, M) [m/N] of the wall below the rollers."""
+    waves = thickness * np.hypot(n[:, None] / radius, np.pi / length * np.arange(shapes))
+    share = np.sqrt([layer_share(wave, shape) for shape, wave in enumerate(waves.T)]).T
+    return indentation_harmonics(n, radius, length, shapes, elastic) * share[:, :, None] * share[:, None]

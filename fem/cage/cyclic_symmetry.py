@@ -1,0 +1,153 @@
+r"""A squirrel cage from half a pitch of it: mirror images and one phase for each class of harmonics.
+
+The field of a harmonic n is :math:`u = a + ib` with a real, a its own mirror image in the middle plane
+of a bar, b the negative of its own; both live on half a pitch. From pitch to pitch the field turns by
+:math:`\theta = 2\pi n/\mathrm{bars}`, which at the middle of the slot ties the two together, with c =
+cos(theta/2), s = sin(theta/2):
+
+.. math:: a_{x,r} = c\,z_{x,r}, \quad b_{x,r} = s\,z_{x,r}, \quad a_t = -s\,z_t, \quad b_t = c\,z_t
+
+So one mesh is reduced to its face in the slot twice, symmetric and antisymmetric, and small real
+symmetric systems for z answer every harmonic of every phase.
+"""
+
+import logging
+import time
+from math import pi
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import LinAlgError, cho_factor, cho_solve
+
+from fem.assembly import roller_loads
+from fem.assembly.factorisation import RESIDUAL, NotSolved, threads
+from fem.cage.half_pitch_stiffness import Face, Half, face, half, imbalance
+from fem.mesh.half_pitch import half_pitch
+from fem.parts.rings import Mesh, SquirrelCage
+from fem.raceway.harmonics import HarmonicCompliance, highest_harmonic
+
+_log = logging.getLogger(__name__)
+
+
+def condense(
+    cage: SquirrelCage, length: float, shapes: int, mesh: Mesh, harmonics: int | None = None
+) -> HarmonicCompliance:
+    r"""Compliance of the raceway of a squirrel cage, for rollers anywhere.
+
+    .. math:: w_{n'} = 2\,\mathrm{bars}\,(g_{n'}^a \cdot a + g_{n'}^b \cdot b), \quad
+              g_n^{a,b} = \frac{1}{2\pi R} \int a_m v_r\,(\cos n\varphi, \sin n\varphi)\,dA
+
+    over half a pitch, for n' that differs from n by a multiple of the number of bars.
+
+    Parameters
+    ----------
+    cage : SquirrelCage
+        ring, bars and flange
+    length : float
+        l of the loaded band [m]
+    shapes : int
+        M, number of axial shapes, 1 or more
+    mesh : Mesh
+        wishes for the finite elements; order 3 pays
+    harmonics : int
+        N, the highest; by default 6 M R/l or what the mesh resolves
+
+    Returns
+    -------
+    HarmonicCompliance
+        with a real response, as azimuth 0 is a plane of symmetry
+
+    Raises
+    ------
+    ImpossiblePart
+        if the band is longer than the track
+    NotSolved
+        if a residual is too large, or the mesh too coarse for the harmonics
+
+    Valid
+    -----
+    Small displacement, perfect bonds, a clamp that does not yield; no load outside the band.
+    """
+    radius = cage.raceway_diameter / 2
+    last = highest_harmonic(radius, length / shapes, mesh, harmonics)
+    start = time.perf_counter()
+    with threads(1):  # half a pitch is small: a second thread would only wait
+        solid = half_pitch(cage, length, mesh)
+        ready = time.perf_counter()
+        part = half(cage, solid, mesh.order)
+        band = roller_loads.band(part.space, "raceway", roller_loads.HIGHEST_ORDER)
+        faces = [face(part, band, length, shapes, last, symmetric) for symmetric in (True, False)]
+    reduced = time.perf_counter()
+    response = _response(part, faces, cage.bars, last)
+    done = time.perf_counter()
+    _log.info("SquirrelCage: %d unknowns of half a pitch, %.1f s", part.space.ndof, done - start)
+    return HarmonicCompliance(
+        harmonics=np.arange(-last, last + 1),
+        response=response,
+        radius=radius,
+        length=length,
+        elastic=cage.materials["ring"],
+        bars=cage.bars,
+        unknowns=part.space.ndof,
+        elements=solid.ne,
+        seconds={"mesh": ready - start, "factor": reduced - ready, "condense": done - reduced},
+    )
+
+
+def _response(part: Half, faces: list[Face], bars: int, highest: int) -> NDArray:
+    """Answers of all harmonics to all (K, M, K, M) [m/N]."""
+    harmonics = np.arange(-highest, highest + 1)
+    m = np.arange(faces[0].share.shape[2])
+    response, probes = np.zeros((harmonics.size, m.size) * 2), []
+    for phase in range(bars // 2 + 1):
+        same = harmonics[(harmonics - phase) % bars == 0]
+        if same.size:
+            answer, probe = _phase(faces, 2 * pi * phase / bars, same)
+            probes.append(probe)
+            for n in (same, -same):  # the second is the mirror image
+                response[np.ix_(n + highest, m, n + highest, m)] = 2 * bars * answer
+    _require_balance(part, faces, probes)
+    return response
+
+
+def _phase(faces: list[Face], theta: float, harmonics: NDArray):
+    """Answers (k, M, k, M) of the harmonics of one phase, per half pitch; and one solution as a probe."""
+    even, odd = faces
+    shares = even.share[:, np.abs(harmonics)], odd.share[:, np.abs(harmonics)] * np.sign(harmonics)[:, None]
+    forces = [share.reshape(len(share), -1) for share in shares]
+    ties = _ties(theta, len(even.stiffness) // 3)
+    stiffness = np.sum([t[:, None] * f.stiffness * t for f, t in zip(faces, ties, strict=True)], axis=0)
+    pulls = [t[:, None] * (f.coupling @ q) for f, t, q in zip(faces, ties, forces, strict=True)]
+    pull = np.sum(pulls, axis=0)
+    try:
+        z = cho_solve(cho_factor(stiffness), pull)
+    except LinAlgError as refusal:
+        raise NotSolved(f"phase {theta:.3g} rad could not be solved: {refusal}") from refusal
+    answer = pull.T @ z + sum(q.T @ f.compliance @ q for f, q in zip(faces, forces, strict=True))
+    shape = harmonics.size, even.share.shape[2]
+    weights = np.random.default_rng(0).standard_normal(z.shape[1])
+    probe = [(t * (z @ weights), q @ weights, t) for t, q in zip(ties, forces, strict=True)]
+    return answer.reshape(*shape, *shape), probe
+
+
+def _ties(theta: float, places: int) -> tuple[NDArray, NDArray]:
+    """Factors of z in a and in b, for the displacements x, r and t of all places."""
+    c, s = np.cos(theta / 2), np.sin(theta / 2)
+    return np.repeat([c, c, -s], places), np.repeat([s, s, c], places)
+
+
+def _require_balance(part: Half, faces: list[Face], probes: list) -> None:
+    """Raise if a phase leaves forces on the unknowns of half a pitch; each was probed with a random load."""
+    left, size = np.zeros(len(probes)), np.zeros(len(probes))
+    on_the_cut = np.zeros((part.cut.size, len(probes)))
+    for number, f in enumerate(faces):
+        u, q, tie = (np.stack(columns, axis=1) for columns in zip(*(p[number] for p in probes), strict=True))
+        rest = imbalance(part, f, u, q)
+        on_the_cut += tie * rest[part.cut.ravel()]
+        rest[part.cut] = 0.0
+        left += (rest**2).sum(axis=0)
+        size += ((f.patterns @ q) ** 2).sum(axis=0)
+    residual = np.sqrt((left + (on_the_cut**2).sum(axis=0)) / size).max()
+    _log.debug("relative residual %.1e", residual)
+    if not residual <= RESIDUAL:
+        raise NotSolved(f"relative residual {residual:.2g}, allowed {RESIDUAL:g}; is the cage held?")

@@ -1,0 +1,197 @@
+r"""Half a pitch of a squirrel cage, reduced to its face in the middle of the slot.
+
+A field that is its own mirror image in the middle plane of the bar, or the negative of it, is known
+from half a pitch: the plane holds the displacement t across it, or those along it. The face in the
+slot keeps its displacements u in the directions x, r, t; with generalised forces q on the raceway
+
+.. math:: S u - G q = f, \quad w = G^T u + C q
+
+gives the force f on that face and the generalised displacement w.
+"""
+
+from dataclasses import dataclass
+from math import pi
+
+import ngsolve as ngs
+import numpy as np
+from numpy.polynomial import legendre
+from numpy.typing import NDArray
+from scipy import sparse
+
+from fem.assembly import roller_loads
+from fem.assembly.static_condensation import Substructure, eliminate, owners
+from fem.parts.rings import SquirrelCage
+from fem.solid.condensation import elastic_energy
+
+NEGLIGIBLE = 1e-13  # part of the largest load pattern that is rounding
+
+
+@dataclass(frozen=True)
+class Half:
+    """Half a pitch as a sparse matrix, the inner unknowns of the elements condensed."""
+
+    space: ngs.FESpace
+    stiffness: sparse.csr_array  # (unknowns, unknowns) [N/m], whole
+    owner: NDArray  # (unknowns,) groups of elements (`static_condensation.owners`); 0 clamped or condensed
+    cut: NDArray  # (3, places) unknowns of the slot's face that stand for x, r and t
+    middle: NDArray  # (3, places) unknowns x, y = t and z = r of the bar's middle plane
+    turn: sparse.csr_array  # (unknowns, unknowns) from x, r, t on the cut to x, y, z; orthogonal
+
+
+@dataclass(frozen=True)
+class Face:
+    """Half a pitch seen from its face in the slot, for one kind of mirror image."""
+
+    stiffness: NDArray  # S (3 places, 3 places) [N/m]
+    coupling: NDArray  # G (3 places, patterns) [-]
+    compliance: NDArray  # C (patterns, patterns) [m/N]
+    share: NDArray  # (patterns, N + 1, M) forces q that make up each harmonic and axial shape [N/N]
+    patterns: NDArray  # (unknowns, patterns) load vectors of unit q
+    inside: Substructure
+
+
+def half(cage: SquirrelCage, mesh: ngs.Mesh, order: int) -> Half:
+    """Assemble half a pitch.
+
+    Parameters
+    ----------
+    cage : SquirrelCage
+        ring, bars and flange
+    mesh : ngsolve.Mesh
+        from `fem.mesh.half_pitch`
+    order : int
+        of the displacement
+
+    Returns
+    -------
+    Half
+    """
+    space = ngs.VectorH1(mesh, order=order, dirichlet="clamped")
+    u, v = space.TnT()
+    form = ngs.BilinearForm(space, symmetric=True, condense=True)
+    form += elastic_energy(mesh, cage.materials)(u, v)
+    values, columns, starts = form.Assemble().mat.CSR()
+    stiffness = sparse.csr_array((values, columns, starts), shape=(space.ndof, space.ndof))
+    dofs = space.FreeDofs(coupling=True)
+    free = np.array([dofs[k] for k in range(space.ndof)])
+    elements = [np.array(element.dofs) for element in space.Elements(ngs.VOL)]
+    centres = np.array([np.mean([mesh[v].point for v in e.vertices], axis=0) for e in mesh.Elements(ngs.VOL)])
+    owner = np.where(free, owners(elements, centres, space.ndof), 0)
+    cut = _unknowns(space, "cut", free)
+    turn = _turn(cut, pi / cage.bars, space.ndof)
+    return Half(
+        space=space, stiffness=sparse.csr_array(turn.T @ stiffness @ turn), owner=owner, cut=cut,
+        middle=_unknowns(space, "middle", free), turn=turn,
+    )  # fmt: skip
+
+
+def face(
+    half: Half, band: roller_loads.Band, length: float, shapes: int, highest: int, symmetric: bool
+) -> Face:
+    """Reduce half a pitch to its face in the slot.
+
+    Parameters
+    ----------
+    half : Half
+        from `half`
+    band : fem.assembly.roller_loads.Band
+        quadrature on its part of the raceway
+    length : float
+        l, axial length of the loaded band [m]
+    shapes : int
+        M, number of axial shapes
+    highest : int
+        N, the highest harmonic
+    symmetric : bool
+        loads like cos(n phi) and fields that are their own mirror image; else like sin(n phi)
+
+    Returns
+    -------
+    Face
+
+    Raises
+    ------
+    NotSolved
+        if half a pitch floats
+    """
+    patterns, share = _patterns(half, band, length, (highest + 1, shapes), symmetric)
+    size, count = patterns.shape
+    owner = half.owner.copy()
+    owner[half.cut] = 0
+    owner[half.middle[[1]] if symmetric else half.middle[[0, 2]]] = 0
+    kept = np.concatenate([half.cut.ravel(), size + np.arange(count)])
+    loads = sparse.csr_array(patterns)
+    bordered = sparse.csr_array(sparse.block_array([[half.stiffness, -loads], [-loads.T, None]]))
+    inside = eliminate(bordered, np.append(owner, np.zeros(count, dtype=int)), kept)
+    places = half.cut.size
+    return Face(
+        stiffness=inside.schur[:places, :places],
+        coupling=-inside.schur[:places, places:],
+        compliance=-inside.schur[places:, places:],
+        share=share,
+        patterns=patterns,
+        inside=inside,
+    )
+
+
+def imbalance(half: Half, face: Face, displacement: NDArray, forces: NDArray) -> NDArray:
+    """Forces that are left when the whole half pitch follows its face.
+
+    Parameters
+    ----------
+    half : Half
+        the sparse matrix
+    face : Face
+        its reduction
+    displacement : array (3 places, columns)
+        u of the face [m]
+    forces : array (patterns, columns)
+        q [N]
+
+    Returns
+    -------
+    array (unknowns, columns)
+        K u - F q [N], zero where a plane or a clamp holds; on the face it is the force f
+    """
+    u = face.inside.interior(np.vstack([displacement, forces]))[: half.space.ndof]
+    left = half.stiffness @ u - face.patterns @ forces
+    carried = np.zeros(half.space.ndof, dtype=bool)
+    carried[face.inside.order[face.inside.order < half.space.ndof]] = True
+    left[~carried] = 0.0
+    return left
+
+
+def _unknowns(space, boundary: str, free: NDArray) -> NDArray:
+    """Free unknowns on a boundary (3, places), the components x, y and z of each shape function."""
+    scalar = np.array(list(space.components[0].GetDofs(space.mesh.Boundaries(boundary))))
+    first = np.flatnonzero(scalar)
+    unknowns = np.array([space.Range(k).start for k in range(3)])[:, None] + first
+    return unknowns[:, free[unknowns].all(axis=0)]
+
+
+def _turn(cut: NDArray, azimuth: float, size: int) -> sparse.csr_array:
+    """Cartesian from cylindrical components on a plane through the axis; r replaces y and t replaces z."""
+    _, y, z = cut
+    turn = sparse.lil_array(sparse.eye_array(size))
+    turn[y, y], turn[y, z] = np.sin(azimuth), np.cos(azimuth)
+    turn[z, y], turn[z, z] = np.cos(azimuth), -np.sin(azimuth)
+    return sparse.csr_array(turn)
+
+
+def _patterns(half: Half, band: roller_loads.Band, length: float, count: tuple[int, int], symmetric: bool):
+    """Load vectors (unknowns, patterns) that span those of all harmonics and shapes; their shares.
+
+    On one pitch the harmonics are nearly dependent, so that far fewer patterns span them.
+    """
+    wave = (np.cos if symmetric else np.sin)(np.outer(band.azimuth, np.arange(count[0])))
+    m = np.arange(count[1])
+    shape = legendre.legvander(2 * band.x / length, m[-1]) * (2 * m + 1) / length
+    pressure = (wave[:, :, None] * shape[:, None]).reshape(band.x.size, -1) / (2 * pi * band.radius)
+    y, z = np.sin(band.azimuth)[:, None], np.cos(band.azimuth)[:, None]
+    vectors = half.turn.T @ band.forces(pressure * y, pressure * z)
+    loaded = np.flatnonzero(vectors.any(axis=1))
+    basis, size, mix = np.linalg.svd(vectors[loaded], full_matrices=False)
+    rank = np.count_nonzero(size > NEGLIGIBLE * size[0])
+    patterns = np.zeros((len(vectors), rank))
+    patterns[loaded] = basis[:, :rank]
+    return patterns, (size[:rank, None] * mix[:rank]).reshape(rank, *count)

@@ -1,0 +1,162 @@
+r"""What a half-space yields beside a line load, wrapped around a raceway.
+
+The distance from the line is the chord :math:`d = 2R\,|\sin(\varphi/2)|`: near the line it is the arc,
+and it goes on smoothly around the raceway, so that the harmonics of the indentation fall as 1/n
+without disturbance and those of a ring differ from them by c/(n^2 - 1) for large n.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.polynomial import legendre
+from numpy.typing import NDArray
+
+from fem.half_space.load_patch import kernel
+from fem.parts.rings import Elastic
+
+PANEL_POINTS = 16  # Gauss points on each period of a harmonic
+FAR_POINTS = 20  # Gauss points along a line that is seen from further away than its length
+
+
+def indentation(azimuth, radius: float, length: float, shapes: int, elastic: Elastic) -> NDArray:
+    r"""Generalised displacement of a half-space beside a line load.
+
+    .. math:: H_{mm'}(\varphi) = \frac{1-\nu^2}{\pi E}\,k_{mm'}(2R\,|\sin(\varphi/2)|)
+
+    Parameters
+    ----------
+    azimuth : array (...)
+        phi from the line [rad], not a multiple of 2 pi
+    radius : float
+        R of the raceway [m]
+    length : float
+        l of the line [m]
+    shapes : int
+        M, number of axial shapes
+    elastic : Elastic
+        material below the raceway
+
+    Returns
+    -------
+    array (..., M, M)
+        H [m/N], in the direction of the force; the kernel k is that of `fem.half_space.load_patch`
+
+    Source
+    ------
+    Johnson, Contact Mechanics (1985), sec. 3.2.
+    """
+    chord = 2 * radius * np.abs(np.sin(np.asarray(azimuth) / 2))
+    unit = (1 - elastic.poisson_ratio**2) / (np.pi * elastic.youngs_modulus)
+    near = chord < length
+    H = np.empty((*chord.shape, shapes, shapes))
+    H[near] = kernel(chord[near], length, shapes)
+    H[~near] = _far_kernel(chord[~near], length, shapes)
+    return unit * H
+
+
+def indentation_harmonics(
+    harmonics: NDArray, radius: float, length: float, shapes: int, elastic: Elastic
+) -> NDArray:
+    r"""Fourier coefficients of `indentation`.
+
+    .. math:: h_n = \frac{1}{\pi} \int_0^\pi H(\varphi) \cos n\varphi\,d\varphi
+
+    Parameters
+    ----------
+    harmonics : array (K,) of int
+        n
+    radius, length, shapes, elastic
+        as for `indentation`
+
+    Returns
+    -------
+    array (K, M, M)
+        h [m/N]; for large n it is (1 - nu^2)/(pi E) (2m + 1)/l |n|^-1 on the diagonal
+    """
+    return fourier(harmonics, lambda phi: indentation(phi, radius, length, shapes, elastic))
+
+
+def fourier(harmonics: NDArray, answer: Callable[[NDArray], NDArray]) -> NDArray:
+    r"""Fourier coefficients of an even answer that may have a logarithm at the line.
+
+    .. math:: h_n = \frac{1}{\pi} \int_0^\pi H(\varphi) \cos n\varphi\,d\varphi
+
+    Parameters
+    ----------
+    harmonics : array (K,) of int
+        n
+    answer : callable (Q,) -> (Q, ...)
+        H of azimuths between 0 and pi [rad]
+
+    Returns
+    -------
+    array (K, ...)
+        in the unit of H
+    """
+    phi, weight = _half_turn(int(np.abs(harmonics).max()))
+    return np.tensordot(np.cos(np.outer(harmonics, phi)) * weight / np.pi, answer(phi), axes=1)
+
+
+def curvature_tail(azimuth, last: int) -> NDArray:
+    r"""Sum of the harmonics that the curvature of a raceway adds beyond the last one known.
+
+    .. math:: T_N(\varphi) = \sum_{|n|>N} \frac{e^{in\varphi}}{n^2-1}
+              = 1 + \tfrac12 \cos\varphi - (\pi-\varphi)\sin\varphi
+              - \sum_{n=2}^N \frac{2\cos n\varphi}{n^2-1}
+
+    Parameters
+    ----------
+    azimuth : array (...)
+        phi [rad], between 0 and 2 pi in the printed form
+    last : int
+        N, at least 1
+
+    Returns
+    -------
+    array (...)
+        [-], about 2/N at phi = 0
+    """
+    phi = np.mod(azimuth, 2 * np.pi)
+    n = np.arange(2, last + 1)
+    known = np.cos(np.multiply.outer(phi, n)) @ (2 / (n**2 - 1.0))
+    return 1 + np.cos(phi) / 2 - (np.pi - phi) * np.sin(phi) - known
+
+
+def cubic_tail(azimuth, last: int) -> NDArray:
+    r"""Sum of a cubic fall beyond the last harmonic known.
+
+    .. math:: \sum_{|n|>N} \frac{e^{in\varphi}}{|n|^3}
+
+    Parameters
+    ----------
+    azimuth : array (...)
+        phi [rad]
+    last : int
+        N, at least 1
+
+    Returns
+    -------
+    array (...)
+        [-], about 1/N^2 at phi = 0, where all beyond 16 N is 0.4 % of it and left out
+    """
+    n = np.arange(last + 1, 16 * last + 1)
+    return np.cos(np.multiply.outer(np.asarray(azimuth), n)) @ (2.0 / n**3)
+
+
+def _far_kernel(arc: NDArray, length: float, shapes: int) -> NDArray:
+    """The kernel of `load_patch` further away than a length, where its recurrence loses digits."""
+    x, weights = legendre.leggauss(FAR_POINTS)
+    patterns = weights[:, None] * legendre.legvander(x, shapes - 1) * (np.arange(shapes) + 0.5)
+    inverse = 1 / np.hypot(arc[:, None, None], (x[:, None] - x) * length / 2)
+    return patterns.T @ inverse @ patterns
+
+
+def _half_turn(last: int) -> tuple[NDArray, NDArray]:
+    """Nodes and weights on 0 .. pi for the last harmonic times a logarithm at 0."""
+    first = 2 * np.pi / max(last, 32)
+    ends = np.concatenate(
+        [[0.0], first * 0.2 ** np.arange(24, 0, -1), np.arange(first, np.pi, first), [np.pi]]
+    )
+    nodes, weights = legendre.leggauss(PANEL_POINTS)
+    half = np.diff(ends)[:, None] / 2
+    return (ends[:-1, None] + half * (1 + nodes)).ravel(), (half * weights).ravel()

@@ -1,0 +1,1 @@
+"""Fits that may open or slide: two condensed bodies with unilateral contact and Coulomb friction."""

@@ -1,0 +1,210 @@
+"""A body of revolution as felt at the faces where it touches another one.
+
+Tractions on a face are polynomials along its meridian, given at Gauss points. A face has its own
+directions: pressure, the tangent along the meridian, the tangent along the circumference. A free body
+keeps its rigid motions as such, see `fem.section.rigid_body_modes`.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import ngsolve as ngs
+import numpy as np
+from numpy.polynomial import legendre
+from numpy.typing import NDArray
+
+from fem.mesh.solid import MILLIMETRES
+from fem.parts.boundary_conditions import Loose
+from fem.parts.material import ImpossiblePart
+from fem.section.expansion import Along, heating, rotation
+from fem.section.revolved_body import Body, edge_shapes, legendre_shapes
+from fem.section.rigid_body_modes import held_on_points, responses
+
+FREE = Loose(axial=True, turning=True, across=True)
+FLAT = 1e-12  # mean square deviation of an edge from its place, over the square of its length
+
+
+@dataclass(frozen=True, kw_only=True)
+class Face:
+    """An edge along which bodies can touch."""
+
+    edge: str
+    component: int  # that pressure has: 0 axial, 1 radial
+    sign: float  # of that component, where pressure pushes the outer body
+    points: int  # A, Gauss points along the meridian
+
+    def __post_init__(self):
+        if self.points < 2:
+            raise ImpossiblePart(f"points = {self.points!r} on the face {self.edge!r}; allowed is 2 or more")
+
+
+@dataclass(frozen=True)
+class FacePoints:
+    """Gauss points of all faces, one face after the other."""
+
+    face: NDArray  # (A,) of int
+    x: NDArray  # (A,) [m]
+    radius: NDArray  # (A,) [m]
+    weight: NDArray  # (A,) [m^2] area per radian
+
+
+@dataclass(frozen=True)
+class CondensedBody:
+    """What a body answers at L = 3 A face directions and M raceway shapes.
+
+    At every point, pressure comes first, then the tangents along meridian and circumference.
+    The last goes with the sine where the others go with the cosine.
+    """
+
+    points: FacePoints
+    compliance: NDArray  # (N + 1, L + M, L + M) [m/N] per force per radian
+    beyond: NDArray  # (K, M, M) [m/N] of the raceway, harmonics N + 1 .. N + K
+    axisymmetric: NDArray  # (L + M, 4) [m] per free expansion, kg/m^3 rad^2/s^2, N of push; by the variation
+    motions: NDArray  # (2, L + M, 2) of a free body; n = 0: axial [-], turn [m]; n = 1: shift [-], tilt [m]
+    unknowns: int
+    elements: int
+
+
+def condense_body(
+    body: Body,
+    faces: tuple[Face, ...],
+    last: int,
+    raceway: tuple[int, int] = (0, 0),
+    pushed: str | None = None,
+    variations: Mapping[str, Along] | None = None,
+) -> CondensedBody:
+    r"""Compliance of a body at its faces and its raceway, harmonic by harmonic.
+
+    .. math:: C_n = G^T K(n)^{-1} G, \quad g_a(v) = \frac{1}{w_a} \int \ell_a v_k\,r\,ds, \quad
+              w_a = \int \ell_a\,r\,ds
+
+    Clamps hold the body against these loads. They follow its growth by heat or rotation, as a shaft that
+    goes on beyond them.
+
+    Parameters
+    ----------
+    body : Body
+        one body; free if nothing of it is clamped
+    faces : tuple of Face
+        where it can touch others
+    last : int
+        N, highest harmonic of the tractions, >= 3
+    raceway : tuple (2,) of int
+        M, number of shapes on the edge "raceway", and the highest harmonic there
+    pushed : str
+        edge over which an axial push along +x is evenly spread
+    variations : mapping
+        by the name of a body, free expansion that varies along the axis; of other bodies there is none
+
+    Returns
+    -------
+    CondensedBody
+
+    Raises
+    ------
+    ImpossiblePart
+        if an edge is missing, if a face is neither a cylinder nor a plane, or if a variation ends inside
+    NotSolved
+        if a solve fails
+
+    Valid
+    -----
+    Small displacement; the body of one material.
+    """
+    shapes, highest = raceway
+    parts = [_face_basis(body, k, face) for k, face in enumerate(faces)]
+    points = FacePoints(*(np.concatenate(column) for column in zip(*(p for p, _ in parts), strict=True)))
+    race = edge_shapes(body, "raceway", shapes) if shapes else np.empty((body.stiffness.unknowns, 0))
+    G = np.hstack([*(columns for _, columns in parts), race])
+    held = body.stiffness.held.any()
+    loose = Loose(axial=not held, turning=not held, across=not held)
+    beyond = np.empty((0, shapes, shapes))
+    if highest > last:
+        beyond = responses(body, loose, race, highest)[last + 1 :]
+    growth = held_on_points(_unclamped(body), FREE, 0).solve(0, _axisymmetric(body, pushed, variations or {}))
+    motions = np.array([G.T @ rigid for rigid in _rigid_motions(body)])
+    return CondensedBody(
+        points=points,
+        compliance=responses(body, loose, G, last),
+        beyond=beyond,
+        axisymmetric=G.T @ growth,
+        motions=motions[:, :, : 0 if held else 2],
+        unknowns=body.stiffness.unknowns,
+        elements=body.space.mesh.ne,
+    )
+
+
+def _face_basis(body: Body, number: int, face: Face) -> tuple[tuple[NDArray, ...], NDArray]:
+    """Gauss points of one face, and the load vectors of unit forces there (unknowns, 3 A)."""
+    section = body.space.mesh
+    if face.edge not in section.GetBoundaries():
+        raise ImpossiblePart(
+            f"no edge is named {face.edge!r}; there are {sorted(set(section.GetBoundaries()))}"
+        )
+    where = ngs.ds(definedon=section.Boundaries(face.edge), bonus_intorder=face.points)
+    along, across = (ngs.x, ngs.y) if face.component == 1 else (ngs.y, ngs.x)
+
+    def mean(f):
+        return ngs.Integrate(f * where, section) / ngs.Integrate(ngs.CF(1) * where, section)
+
+    length, middle, place = ngs.Integrate(ngs.CF(1) * where, section), mean(along), mean(across)
+    if mean((across - place) ** 2) > FLAT * length**2:
+        raise ImpossiblePart(f"the face {face.edge!r} is neither a cylinder nor a plane")
+    xi, gauss = legendre.leggauss(face.points)
+    s = (middle + xi * length / 2) / MILLIMETRES
+    x, r = (
+        (s, np.full_like(s, place / MILLIMETRES))
+        if face.component == 1
+        else (np.full_like(s, place / MILLIMETRES), s)
+    )
+    # l_a(xi) = sum over m of (m + 1/2) gauss_a L_m(xi_a) L_m(xi), by their discrete orthogonality
+    lagrange = legendre.legvander(xi, face.points - 1) * (np.arange(face.points) + 0.5) * gauss[:, None]
+    weight = gauss * length / MILLIMETRES / 2 * r
+    v = body.space.TestFunction()
+    shapes = legendre_shapes(2 * (along - middle) / length, face.points)
+    directions = ((face.component, face.sign), (1 - face.component, 1.0), (2, 1.0))
+    loads = [
+        np.stack([body.load(sign * L * v[k] * ngs.y / MILLIMETRES**2 * where) for L in shapes], axis=1)
+        @ lagrange.T / weight
+        for k, sign in directions
+    ]  # fmt: skip
+    return (np.full(face.points, number), x, r, weight), np.stack(loads, axis=2).reshape(len(loads[0]), -1)
+
+
+def _axisymmetric(body: Body, pushed: str | None, variations: Mapping[str, Along]) -> NDArray:
+    """Load vectors per radian of unit expansion, density and speed, push; of the variation (unknowns, 4)."""
+    names = body.space.mesh.GetMaterials()
+    unit, own = dict.fromkeys(names, 1.0), {name: variations[name] for name in names if name in variations}
+    push, varied = np.zeros((2, body.stiffness.unknowns))
+    if own:
+        varied = heating(body, own)
+    if pushed is not None:
+        where = ngs.ds(definedon=body.space.mesh.Boundaries(pushed))
+        push = body.load(body.space.TestFunction()[0] * ngs.y * where)
+        push /= 2 * np.pi * ngs.Integrate(ngs.y * where, body.space.mesh)
+    return np.stack([heating(body, unit), rotation(body, unit, 1.0), push, varied], axis=1)
+
+
+def _rigid_motions(body: Body) -> tuple[NDArray, NDArray]:
+    r"""Unknowns of rigid motions (unknowns, 2) each for n = 0 and n = 1.
+
+    .. math:: (1, 0, 0),\ (0, 0, r);\quad (0, 1, -1),\ (-r, x, -x)
+    """
+    x, r = np.array([v.point for v in body.space.mesh.vertices]).T / MILLIMETRES
+    one, nil = np.ones_like(x), np.zeros_like(x)
+    # linear functions have no part in the hierarchical shapes beyond those of the vertices
+    places = np.array([[c.GetDofNrs(v)[0] for v in body.space.mesh.vertices] for c in body.space.components])
+    places += np.array([body.space.Range(k).start for k in range(3)])[:, None]
+    even, once = np.zeros((2, body.stiffness.unknowns, 2))
+    for k, values in enumerate([(one, nil), (nil, nil), (nil, r)]):
+        even[places[k]] = np.stack(values, axis=1)
+    for k, values in enumerate([(nil, -r), (one, x), (-one, -x)]):
+        once[places[k]] = np.stack(values, axis=1)
+    return even, once
+
+
+def _unclamped(body: Body) -> Body:
+    free = ngs.BitArray(body.stiffness.unknowns)
+    free.Set()
+    held = np.zeros_like(body.stiffness.held)
+    return replace(body, stiffness=replace(body.stiffness, free=free, held=held))

@@ -1,0 +1,167 @@
+"""A ring held by a fit, on a hollow shaft or in a housing, both condensed to where they touch.
+
+`condense_fitted` is the way in; `fem.joint.preloaded_fit.settled` and `fem.joint.loaded_fit.loaded` go on
+from there.
+"""
+
+import logging
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from fem.assembly.factorisation import NotSolved, threads
+from fem.joint.face_condensation import CondensedBody, Face, condense_body
+from fem.mesh.axial_section import Section, sections
+from fem.parts.boundary_conditions import ClampedFace, Housing, RigidSeat
+from fem.parts.material import ImpossiblePart
+from fem.parts.rings import SLENDEREST_SLOT, Mesh, OuterRing, RingOnShaft, require_on_track
+from fem.raceway.harmonics import highest_harmonic
+from fem.section.expansion import Along
+from fem.section.revolved_body import assembled
+
+BORE, SHOULDER = 0, 1  # numbers of the faces
+
+_log = logging.getLogger(__name__)
+
+
+@dataclass(frozen=True, kw_only=True)
+class FittedRing:
+    """An inner ring on a hollow shaft, perhaps against a shoulder."""
+
+    seat: RingOnShaft  # nominal dimensions; its bond is not used
+    shoulder_diameter: float | None = None  # [m] of the shaft beyond the face of the ring at x = +width/2
+
+    def __post_init__(self):
+        if self.shoulder_diameter is not None:
+            wall = 2 * SLENDEREST_SLOT
+            low, high = self.seat.bore + wall, self.seat.rib_diameter - wall
+            if not low <= self.shoulder_diameter <= high:
+                raise ImpossiblePart(
+                    f"shoulder_diameter = {self.shoulder_diameter!r} is impossible; allowed is {low:.6g} to "
+                    f"{high:.6g} m, between bore and ribs"
+                )
+
+    def faces(self, grid: "FitGrid") -> tuple[Face, ...]:
+        """Where ring and shaft can touch."""
+        bore = Face(edge="seat", component=1, sign=1.0, points=grid.bore_points)
+        if self.shoulder_diameter is None:
+            return (bore,)
+        return bore, Face(edge="shoulder", component=0, sign=-1.0, points=grid.shoulder_points)
+
+    def sections(self, length: float) -> tuple[Section, Section]:
+        """Ring, whose face away from the shoulder is "far", with the shaft, which is cut to the shoulder."""
+        ring, shaft = sections(self.seat, length)
+        around = [(*ring.corners[0][:2], "far"), *ring.corners[1:]]
+        along = list(shaft.corners)
+        if self.shoulder_diameter is not None:
+            top = self.shoulder_diameter / 2
+            side, bore = along[3][:2]
+            around.insert(2, (side, top, "shoulder"))
+            along[2:4] = [(along[2][0], top, "clamped"), (side, top, None), (side, bore, "shoulder")]
+        return Section(ring.material, tuple(around)), Section(shaft.material, tuple(along))
+
+
+@dataclass(frozen=True, kw_only=True)
+class HousedRing:
+    """An outer ring in the bore of a housing, which it need not fill."""
+
+    seat: OuterRing  # nominal dimensions, in a `Housing`; its bond is not used
+
+    def __post_init__(self):
+        housing = self.seat.support
+        if not isinstance(housing, Housing) or not isinstance(housing.support, ClampedFace | RigidSeat):
+            raise ImpossiblePart(
+                f"support = {housing!r} is impossible; allowed is a Housing that is clamped or seated itself"
+            )
+
+    def faces(self, grid: "FitGrid") -> tuple[Face, ...]:
+        """Where ring and housing can touch; pressure pushes the ring inwards."""
+        return (Face(edge="seat", component=1, sign=-1.0, points=grid.bore_points),)
+
+    def sections(self, length: float) -> tuple[Section, Section]:
+        """Ring with the housing."""
+        ring, housing = sections(self.seat, length)
+        return ring, housing
+
+
+@dataclass(frozen=True, kw_only=True)
+class FitGrid:
+    """How finely the forces between ring and mate are resolved."""
+
+    bore_points: int = 10  # along the axis
+    shoulder_points: int = 4  # along the radius
+    harmonics: int = 36  # N around the circumference, on 2 N + 1 azimuths; beyond it the fit carries nothing
+
+    def __post_init__(self):
+        if self.harmonics < 3:
+            raise ImpossiblePart(f"harmonics = {self.harmonics!r} of the fit; allowed is 3 or more")
+
+
+@dataclass(frozen=True, kw_only=True)
+class FittedBodies:
+    """Ring and mate, that is shaft or housing, condensed once for all fits and loads."""
+
+    part: FittedRing | HousedRing
+    length: float  # l of the loaded band [m]
+    ring: CondensedBody
+    mate: CondensedBody
+    seconds: dict[str, float] = field(compare=False)  # by stage: factor, condense
+
+
+def condense_fitted(
+    part: FittedRing | HousedRing,
+    length: float,
+    shapes: int,
+    mesh: Mesh,
+    grid: FitGrid | None = None,
+    variations: Mapping[str, Along] | None = None,
+) -> FittedBodies:
+    """Condense ring and mate to the bore, the shoulder and the raceway.
+
+    Parameters
+    ----------
+    part : FittedRing, HousedRing
+        ring with what it sits on or in
+    length, shapes, mesh
+        as for `fem.section.revolved.condense`
+    grid : FitGrid
+        resolution of the fit
+    variations : mapping
+        by the name of a body, its free expansion along the axis beyond the even one of
+        `fem.joint.preloaded_fit.Fit`
+
+    Returns
+    -------
+    FittedBodies
+
+    Raises
+    ------
+    ImpossiblePart
+        if the band is longer than the track, or a variation ends inside its body
+    NotSolved
+        if a solve fails, or if the mesh is too coarse for the harmonics of the fit
+
+    Valid
+    -----
+    Small displacement, clamps that do not yield to loads but follow heat and rotation freely; no load
+    outside the band.
+    """
+    seat, grid = part.seat, grid or FitGrid()
+    require_on_track(length, seat.track)
+    last = highest_harmonic(seat.raceway_diameter / 2, length / shapes, mesh)
+    if last < grid.harmonics:
+        raise NotSolved(
+            f"{grid.harmonics} harmonics of the fit are more than the {last} of the raceway: "
+            "a smaller raceway_size or a higher order resolves more"
+        )
+    faces, pushed = part.faces(grid), "far" if isinstance(part, FittedRing) else None
+    start = time.perf_counter()
+    with threads(1):  # sections are small: a second thread would only wait
+        bodies = [assembled([section], seat.materials, mesh) for section in part.sections(length)]
+        ready = time.perf_counter()
+        ring = condense_body(bodies[0], faces, grid.harmonics, (shapes, last), pushed, variations)
+        mate = condense_body(bodies[1], faces, grid.harmonics, variations=variations)
+    done = time.perf_counter()
+    _log.info("%s: %d unknowns, %.1f s", type(part).__name__, ring.unknowns + mate.unknowns, done - start)
+    seconds = {"factor": ready - start, "condense": done - ready}
+    return FittedBodies(part=part, length=length, ring=ring, mate=mate, seconds=seconds)

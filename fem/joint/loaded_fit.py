@@ -1,0 +1,243 @@
+"""A fit under rollers: how the raceway yields, with the forces between ring and mate.
+
+Rollers load the settled fit in one step: Coulomb's law holds for the whole slip since then.
+"""
+
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fem.assembly.factorisation import NotSolved
+from fem.joint.fitted_ring import BORE
+from fem.joint.interface_stiffness import Joint
+from fem.joint.interior_point import pressed
+from fem.joint.preloaded_fit import SettledFit
+from fem.joint.semismooth_newton import Contact, ContactState, touching
+from fem.solid.condensation import RacewayCompliance
+
+LEAST_CLIMB = 1e-3  # part of the friction added at once
+BALANCED = 1e-9  # resultant of the rollers over the sum of their forces, below which it has no direction
+
+
+@dataclass(frozen=True, kw_only=True)
+class LoadedFit:
+    """Raceway and fit under Z rollers of M shapes; P azimuths of A points along the faces.
+
+    A bonded fit tells by the same names where it would open or slip first.
+    """
+
+    deviation: NDArray  # (Z, M) [m] of the raceway, outward, beyond growth; the half-space removed
+    translation: NDArray  # (2,) [m] mean of the raceway along y, z
+    contact: ContactState  # its `jump` is a start for similar cases
+    steps: int  # of Newton's method
+    settled: SettledFit
+    equations: Contact
+    closed: RacewayCompliance  # where no point opens or slips
+    turn: NDArray  # (Z, N + 1) exp(-i n phi) / 2 pi of the rollers
+
+    @property
+    def joint(self) -> Joint:
+        """Whose `azimuths` and `points` are those of the arrays here."""
+        return self.equations.joint
+
+    @cached_property
+    def tangent(self) -> RacewayCompliance:
+        """Compliance to small changes of the forces; not symmetric where points slip.
+
+        At a kink, that of one side.
+        """
+        moved, support = self._moved_by_rollers()
+        Z, M = self.deviation.shape
+        own = _at_rollers(moved, self.turn).reshape(Z, M, Z, M).transpose(2, 3, 0, 1)
+        return replace(
+            self.closed,
+            full=self.closed.full + own,
+            translation=self.closed.translation + _translation(moved).reshape(2, Z, M),
+            support_stiffness=float(2 / (2 / self.closed.support_stiffness + support)),
+        )
+
+    def _moved_by_rollers(self) -> tuple[NDArray, float]:
+        """Raceway harmonics (Z M, N + 1, M) [m/N] by opening and slip per force; trace for resultants."""
+        N, (Z, M) = self.turn.shape[1], self.deviation.shape
+        rollers = np.einsum("jn,mp->jmnp", self.turn, np.eye(M)).reshape(Z * M, N, M)
+        if self.settled.fit.bonded:
+            return np.zeros_like(rollers), 0.0
+        resultants = np.zeros((2, N, M), dtype=complex)
+        resultants[:, 1, 0] = np.array([-1j, 1.0]) / (2 * np.pi)  # like sin, cos
+        forces = self.joint.forces_of_raceway(np.concatenate([rollers, resultants]))
+        jumps = self.equations.tangent(self.contact, forces.reshape(-1, *self.contact.jump.shape))
+        moved = self.joint.raceway_harmonics(_flat(jumps))
+        return moved[:-2], float(np.trace(_translation(moved[-2:])))
+
+    @property
+    def pressure(self) -> NDArray:
+        """Pressure (P, A) [Pa]."""
+        return self.contact.forces[..., 0] / self.joint.points.weight
+
+    @property
+    def traction(self) -> NDArray:
+        """Traction on the ring (P, A, 2) [Pa] along meridian (x in the bore) and circumference."""
+        return self._two(self.contact.forces) / self.joint.points.weight[:, None]
+
+    @property
+    def gap(self) -> NDArray:
+        """Gap (P, A) [m]."""
+        return self.contact.jump[..., 0]
+
+    @property
+    def slip(self) -> NDArray:
+        """Way of the ring on its mate since the fit settled (P, A, 2) [m]; zeros without friction."""
+        return self._two(self.contact.jump)
+
+    @property
+    def opened(self) -> float:
+        """Part of the area without pressure [-]."""
+        return self._share(self.contact.open)
+
+    @property
+    def touching_angle(self) -> float:
+        """Around the axis, where any point of the bore presses [rad]; the azimuths set its resolution."""
+        bore = self.joint.points.face == BORE
+        return 2 * np.pi * float(np.mean(np.any(~self.contact.open[:, bore], axis=1)))
+
+    @property
+    def slipping(self) -> float:
+        """Part of the area under pressure that slips [-]."""
+        pressed = 1 - self.opened
+        return self._share(self.contact.slip) / pressed if pressed else 0.0
+
+    @property
+    def mean_pressure(self) -> float:
+        """Mean over the bore [Pa]."""
+        bore = self.joint.points.face == BORE
+        return float(np.average(self.pressure.mean(axis=0)[bore], weights=self.joint.points.weight[bore]))
+
+    def _share(self, which: NDArray) -> float:
+        return float(np.average(which.mean(axis=0), weights=self.joint.points.weight))
+
+    def _two(self, values: NDArray) -> NDArray:
+        return values[..., 1:] if values.shape[-1] == 3 else np.zeros((*values.shape[:-1], 2))
+
+
+def loaded(fit: SettledFit, azimuths, forces, start: NDArray | None = None) -> LoadedFit:
+    """Load a settled fit with rollers.
+
+    Parameters
+    ----------
+    fit : SettledFit
+        ring with its mate
+    azimuths : array (Z,)
+        phi of the rollers, all different [rad]
+    forces : array (Z, M)
+        generalised forces as in `fem.assembly.roller_loads` [N], outward: those of rollers on an inner ring
+        are negative
+    start : array (P, A, D)
+        `contact.jump` of a similar case
+
+    Returns
+    -------
+    LoadedFit
+
+    Raises
+    ------
+    NotSolved
+        if nothing presses the ring on its mate, or if contact is not found
+
+    Valid
+    -----
+    Forces that grow together: slip that would turn back on the way is not followed.
+    """
+    phi, F = np.asarray(azimuths, dtype=float), np.asarray(forces, dtype=float)
+    _require_held(fit, phi, F[:, 0])
+    joint, closed = fit.joint, fit.closed.at(phi)
+    turn = np.exp(-1j * np.outer(phi, np.arange(len(joint.stiffness)))) / (2 * np.pi)
+    loads = np.einsum("jn,jm->nm", turn, F)
+    contact = fit.contact(joint, loads)
+    state, steps = _touching(fit, contact, loads, start)
+    moved = joint.raceway_harmonics(_flat(state.jump - fit.rest(joint)))
+    return LoadedFit(
+        deviation=np.tensordot(closed.full, F, 2) + _at_rollers(moved, turn),
+        translation=np.tensordot(closed.translation, F, 2) + _translation(moved),
+        contact=state,
+        steps=steps,
+        settled=fit,
+        equations=contact,
+        closed=closed,
+        turn=turn,
+    )
+
+
+def _require_held(fit: SettledFit, phi: NDArray, forces: NDArray) -> None:
+    """A loose ring that no resultant presses on its mate has no place."""
+    resultant = np.abs(forces @ np.exp(1j * phi))
+    if not (fit.fit.bonded or fit.force.any() or resultant > BALANCED * np.abs(forces).sum()):
+        raise NotSolved(
+            f"nothing holds the ring in its fit: a clearance of {fit.gap.min():.3g} m is left, and the "
+            f"rollers press with a resultant of {resultant:.3g} N"
+        )
+
+
+def _touching(
+    fit: SettledFit, contact: Contact, loads: NDArray, start: NDArray | None
+) -> tuple[ContactState, int]:
+    """Contact, by way of the one without friction unless there is a start."""
+    if fit.fit.bonded:
+        return contact.at(fit.rest(contact.joint)), 0
+    if start is not None:
+        with suppress(NotSolved):  # points of a loose ring change too much: from the beginning
+            return touching(contact, start)
+    first, steps = _frictionless(fit, loads)
+    if contact.joint.directions == 1:
+        return first, steps
+    jump, pressure = fit.rest(contact.joint), np.zeros(contact.offset.shape[:2])
+    both = fit.sliding.carries[contact.joint.carries]
+    jump[:, both, 0], pressure[:, both] = first.jump[..., 0], np.where(first.open, 0.0, first.forces[..., 0])
+    if not fit.force.any():
+        jump = contact.slid(jump[..., 0], pressure, ~both)
+    state, more = _climbed(contact, jump)
+    return state, steps + more
+
+
+def _climbed(contact: Contact, jump: NDArray) -> tuple[ContactState, int]:
+    """Contact with friction, if need be by way of less of it."""
+    done, part, steps = 0.0, 1.0, 0
+    while True:
+        try:
+            state, more = touching(replace(contact, friction=contact.friction * (done + part)), jump)
+        except NotSolved:
+            if not (part > LEAST_CLIMB and np.isfinite(contact.friction)):
+                raise
+            part /= 4
+            continue
+        done, jump, steps = done + part, state.jump, steps + more
+        if done >= 1:
+            return state, steps
+        part = min(2 * part, 1 - done)
+
+
+def _frictionless(fit: SettledFit, loads: NDArray) -> tuple[ContactState, int]:
+    """Contact by pressure alone; a loose ring needs a start that knows where it touches."""
+    contact, rest = fit.contact(fit.sliding, loads), fit.rest(fit.sliding)
+    if fit.force.any():
+        return touching(contact, rest)
+    return touching(contact, pressed(contact, rest, fit.sliding.forces_of_raceway(loads)))
+
+
+def _at_rollers(harmonics: NDArray, turn: NDArray) -> NDArray:
+    """Sum of harmonics 0 .. N (..., N + 1, M) at the rollers (..., Z, M); those below 0 are conjugate."""
+    twice = np.where(np.arange(turn.shape[1]) == 0, 1.0, 2.0)
+    return np.real(np.einsum("jn,...nm->...jm", 2 * np.pi * turn.conj() * twice, harmonics, optimize=True))
+
+
+def _translation(harmonics: NDArray) -> NDArray:
+    """Mean translation along y, z (2, ...) of harmonics 0 .. N (..., N + 1, M)."""
+    first = harmonics[..., 1, 0]
+    return np.stack([-2 * np.imag(first), 2 * np.real(first)])
+
+
+def _flat(jump: NDArray) -> NDArray:
+    """Points with their directions in one row (..., P, A D)."""
+    return jump.reshape(*jump.shape[:-2], -1)

@@ -1,0 +1,1 @@
+"""From frozen parts to curved meshes with named bodies and boundaries; no equation is assembled here."""

@@ -1,0 +1,136 @@
+# The geometry kernel fills its module at run time, where the type checker cannot look.
+# pyright: reportAttributeAccessIssue=false
+"""Bodies of revolution as named polygons on the half-plane of x (axial) next to r (radial).
+
+A body carries the name of its material. Edges are named "raceway", exactly the loaded band, "clamped"
+or "foundation" where the part is held, "lines" where line loads may act, "seat" between bodies. The mesh
+is in millimetres, as in `fem.mesh.solid`.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import singledispatch
+
+import ngsolve as ngs
+from netgen import occ
+
+from fem.mesh.solid import MILLIMETRES
+from fem.parts.boundary_conditions import Housing, edge_names
+from fem.parts.rings import ImpossiblePart, Mesh, OuterRing, RingOnShaft
+
+GRADED_LAYERS = 2  # layers of ever smaller elements around each corner, where stress may be singular
+GRADED_RATIO = 0.2  # size of a layer to that of the one around it
+
+
+@dataclass(frozen=True)
+class Section:
+    """Half of a body's axial section."""
+
+    material: str
+    corners: tuple[tuple[float, float, str | None], ...]  # (x, r [m], name of the edge that ends here)
+    bends: Mapping[int, tuple[float, float]] = field(default_factory=dict)  # arcs: at the start of the edge
+    # that ends at a corner, by its number, the direction of the arc
+
+
+@singledispatch
+def sections(part, length: float) -> list[Section]:
+    """Bodies of a part as polygons that touch along whole edges.
+
+    Parameters
+    ----------
+    part : OuterRing, RingOnShaft
+        a body of revolution with its seat
+    length : float
+        axial length of the loaded band, centred on x = 0 [m], at most the track of the part
+
+    Returns
+    -------
+    list of Section
+        their corners in counter-clockwise order
+
+    Raises
+    ------
+    ImpossiblePart
+        if the part is not a body of revolution
+    """
+    raise ImpossiblePart(f"{type(part).__name__} is not known as a body of revolution")
+
+
+@sections.register
+def _(part: OuterRing, length):
+    inner, side, half = part.raceway_diameter / 2, part.width / 2, length / 2
+    outer = inner + part.thickness
+    bore = (-side, inner, None), (-half, inner, None), (half, inner, "raceway"), (side, inner, None)
+    if not isinstance(part.support, Housing):
+        face, outside = edge_names(part.support)
+        return [Section("ring", (*bore, (side, outer, face), (-side, outer, outside)))]
+    face, outside = edge_names(part.support.support)
+    end, top = part.support.width / 2, outer + part.support.thickness
+    seat = min(side, end)
+    ring = Section("ring", (
+        *bore, (side, outer, None), (seat, outer, None), (-seat, outer, "seat"), (-side, outer, None)
+    ))  # fmt: skip
+    housing = Section("housing", (
+        (-end, outer, None), (-seat, outer, None), (seat, outer, "seat"), (end, outer, None),
+        (end, top, face), (-end, top, outside),
+    ))  # fmt: skip
+    return [ring, housing]
+
+
+@sections.register
+def _(part: RingOnShaft, length):
+    diameters = (part.raceway_diameter, part.rib_diameter, part.bore, part.shaft_bore)
+    raceway, rib, bore, hollow = (d / 2 for d in diameters)
+    track, side, end, half = part.track_width / 2, part.width / 2, part.shaft_length / 2, length / 2
+    ring = Section("ring", (
+        (-side, bore, None), (side, bore, "seat"), (side, rib, None), (track, rib, None),
+        (track, raceway, None), (half, raceway, None), (-half, raceway, "raceway"), (-track, raceway, None),
+        (-track, rib, None), (-side, rib, None),
+    ))  # fmt: skip
+    shaft = Section("shaft", (
+        (-end, hollow, None), (end, hollow, None), (end, bore, "clamped"), (side, bore, None),
+        (-side, bore, "seat"), (-end, bore, None), (-end, hollow, "clamped"),
+    ))  # fmt: skip
+    return [ring, shaft]
+
+
+def meshed(bodies: list[Section], wishes: Mesh) -> ngs.Mesh:
+    """Triangles that fill sections, with quadrilaterals in the layers around corners.
+
+    Parameters
+    ----------
+    bodies : list of Section
+        which touch along whole edges
+    wishes : Mesh
+        element sizes
+
+    Returns
+    -------
+    ngsolve.Mesh
+        in millimetres, x along the axis, y the radius
+    """
+    plane = occ.Glue([_face(body) for body in bodies])
+    plane.vertices.hpref = 1
+    for edge in plane.edges:
+        if edge.name in ("raceway", "lines"):
+            edge.maxh = wishes.raceway_size * MILLIMETRES
+    mesh = ngs.Mesh(occ.OCCGeometry(plane, dim=2).GenerateMesh(maxh=wishes.size * MILLIMETRES))
+    mesh.RefineHP(GRADED_LAYERS, GRADED_RATIO)
+    if any(body.bends for body in bodies):
+        mesh.Curve(wishes.order)
+    return mesh
+
+
+def _face(body: Section):
+    pen = occ.WorkPlane()
+    at = body.corners[0][:2]
+    pen.MoveTo(*(c * MILLIMETRES for c in at))
+    for number, (x, r, name) in [*enumerate(body.corners[1:], 1), (0, body.corners[0])]:
+        if number in body.bends:
+            pen.ArcTo(x * MILLIMETRES, r * MILLIMETRES, occ.gp_Vec2d(*body.bends[number]), name=name)
+        elif max(abs(x - at[0]), abs(r - at[1])) * MILLIMETRES > 1e-9:  # a band as long as its track
+            pen.LineTo(x * MILLIMETRES, r * MILLIMETRES, name=name)
+        at = (x, r)
+    face = pen.Face()
+    face.faces.name = body.material
+    return face

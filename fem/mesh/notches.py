@@ -1,0 +1,109 @@
+"""Sharp re-entrant edges of a part and the rims of its clamps, where linear elasticity has no finite stress.
+
+They are lines of the axial section, taken to run all around: (x, r) of both ends in metres.
+"""
+
+from dataclasses import dataclass
+from functools import singledispatch
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fem.parts.boundary_conditions import ClampedFace, Housing
+from fem.parts.rings import OuterRing, RingOnShaft, SquirrelCage
+from fem.parts.step_solid import StepSolid
+
+REACH = 0.4  # of the wall: beyond, a notch is hardly felt (IIW, nearest point of the hot spot stress)
+
+
+@dataclass(frozen=True)
+class Notches:
+    """Lines in the axial section, and the wall that they are in."""
+
+    lines: NDArray  # (K, 2, 2) [m] (x, r) of both ends
+    wall: float  # [m] thickness
+
+    @property
+    def reach(self) -> float:
+        """Distance that their own stress reaches [m]."""
+        return REACH * self.wall
+
+    def clear(self, x: NDArray, radius: NDArray) -> NDArray:
+        """Whether places lie further away than the reach.
+
+        Parameters
+        ----------
+        x, radius : array (n,)
+            places in the axial section [m]
+
+        Returns
+        -------
+        array of bool (n,)
+        """
+        place = np.stack([x, radius], axis=1)
+        far = np.ones(len(place), dtype=bool)
+        for start, end in self.lines:
+            along = end - start
+            t = np.clip((place - start) @ along / (along @ along or 1.0), 0, 1)
+            far &= np.linalg.norm(place - start - t[:, None] * along, axis=1) > self.reach
+        return far
+
+
+@singledispatch
+def notches(part) -> Notches:
+    """Notches of a part.
+
+    Parameters
+    ----------
+    part : Part or StepSolid
+        ring with its seat
+
+    Returns
+    -------
+    Notches
+        none for a drawn solid, of which no edges are known
+    """
+    raise TypeError(f"no notches are known for {type(part).__name__}")
+
+
+@notches.register
+def _(part: SquirrelCage):
+    inner = part.raceway_diameter / 2
+    outer, start = inner + part.thickness, part.width / 2
+    stop, middle, half = start + part.bar_length, (inner + outer) / 2, part.bar_thickness / 2
+    feet = [((x, middle - half), (x, middle + half)) for x in (start, stop)]
+    clamp = [_rim(stop + part.flange_length, r) for r in (inner, outer)]
+    return Notches(np.array(clamp if part.fillet > 0 else [*feet, *clamp]), part.bar_thickness)
+
+
+@notches.register
+def _(part: OuterRing):
+    inner, side = part.raceway_diameter / 2, part.width / 2
+    outer, support = inner + part.thickness, part.support
+    rims = []
+    if isinstance(support, Housing):
+        rims = [_rim(sign * min(side, support.width / 2), outer) for sign in (-1, 1)]
+        inner, outer, side, support = outer, outer + support.thickness, support.width / 2, support.support
+    if isinstance(support, ClampedFace):
+        rims += [_rim(side, r) for r in (inner, outer)]
+    else:
+        rims += [_rim(sign * side, outer) for sign in (-1, 1)]
+    return Notches(np.array(rims), part.thickness)
+
+
+@notches.register
+def _(part: RingOnShaft):
+    raceway, bore, hollow = part.raceway_diameter / 2, part.bore / 2, part.shaft_bore / 2
+    corners = [(part.track_width / 2, raceway), (part.width / 2, bore)]
+    corners += [(part.shaft_length / 2, r) for r in (hollow, bore)]
+    rims = [_rim(sign * x, r) for x, r in corners for sign in (-1, 1)]
+    return Notches(np.array(rims), min(bore - hollow, raceway - bore))
+
+
+@notches.register
+def _(part: StepSolid):
+    return Notches(np.zeros((0, 2, 2)), 0.0)
+
+
+def _rim(x, radius):
+    return (x, radius), (x, radius)

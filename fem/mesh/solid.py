@@ -1,0 +1,215 @@
+# The geometry kernel fills its module at run time, where the type checker cannot look.
+# pyright: reportAttributeAccessIssue=false
+"""From a part to a curved mesh with named bodies and boundaries.
+
+Bodies are "ring" and, where the part has them, "bars", "flange", "shaft", "housing"; boundaries are
+"raceway", exactly the loaded band, and "clamped". Everything here is in millimetres, the length for
+which the tolerances of the geometry kernel are made; `MILLIMETRES` is the one conversion.
+"""
+
+from functools import singledispatch
+
+import ngsolve as ngs
+from netgen import occ
+
+from fem.mesh import step_import
+from fem.mesh.curved import FOLDED, curved
+from fem.parts.boundary_conditions import ClampedFace, Housing, RigidSeat, edge_names
+from fem.parts.material import require
+from fem.parts.rings import ImpossiblePart, Mesh, OuterRing, Part, RingOnShaft, SquirrelCage, require_on_track
+from fem.parts.step_solid import StepSolid
+
+MILLIMETRES = 1e3  # per metre
+FLAT = 1e-6  # [mm] below it two places are one
+ARC = 0.6  # elements on the radius of a fillet; curved elements need no more
+
+_AXIS = occ.Axis(occ.Pnt(0, 0, 0), occ.X)
+
+
+def meshed(part: Part | StepSolid, length: float, wishes: Mesh) -> ngs.Mesh:
+    """Curved tetrahedra that fill a part, with the loaded band as faces of their own.
+
+    Parameters
+    ----------
+    part : Part or StepSolid
+        the ring with its seat
+    length : float
+        axial length of the loaded band, centred on x = 0 [m], at most the track of the part
+    wishes : Mesh
+        order of the geometry and element sizes
+
+    Returns
+    -------
+    ngsolve.Mesh
+        in millimetres, x along the axis
+
+    Raises
+    ------
+    ImpossiblePart
+        if the band is longer than the track, a drawing does not hold such a part, or elements are inside out
+    """
+    require_on_track(length, part.track)
+    body, rounded = occ.Glue(solids(part, length)), isinstance(part, SquirrelCage) and part.fillet > 0
+    finer = {"curvaturesafety": ARC} if rounded else {}
+
+    def straight(sizes: Mesh) -> ngs.Mesh:
+        size_raceway(body, sizes)
+        # bodies meshed in parallel were seen to crash, at random, on a busy machine; and to take longer
+        return ngs.Mesh(
+            occ.OCCGeometry(body).GenerateMesh(maxh=sizes.size * MILLIMETRES, parallel_meshing=False, **finer)
+        )
+
+    return curved(straight, wishes, FOLDED if rounded else 0.0)
+
+
+def size_raceway(body, sizes: Mesh) -> None:
+    """Wish for the size of elements on the loaded band of a shape."""
+    for face in body.faces:
+        if face.name == "raceway":
+            face.maxh = sizes.raceway_size * MILLIMETRES
+
+
+@singledispatch
+def solids(part, length: float) -> list:
+    """Bodies of a part that touch, their materials and outer faces named [mm].
+
+    Parameters
+    ----------
+    part : Part
+        the ring with its seat
+    length : float
+        axial length of the loaded band [m]
+
+    Returns
+    -------
+    list of netgen.occ.Solid
+        to be glued, so that the faces between them stay (a fuse would merge the band away)
+    """
+    raise TypeError(f"no geometry is known for {type(part).__name__}")
+
+
+@solids.register
+def _(part: OuterRing, length):
+    tube = part.support if isinstance(part.support, Housing) else None
+    support = tube.support if tube else part.support
+    if not isinstance(support, ClampedFace | RigidSeat):
+        raise ImpossiblePart(f"a solid has no {type(support).__name__}; `fem.section.supported_ring` has")
+    face, outside = edge_names(support)
+    if not tube:
+        return [_outer_ring(part, length, face, outside)]
+    _, outer, _ = _section(part)
+    half, top = tube.width / 2 * MILLIMETRES, outer + tube.thickness * MILLIMETRES
+    housing = _revolved([(-half, outer, None), (half, outer, None), (half, top, face), (-half, top, outside)])
+    housing.mat("housing")
+    return [_outer_ring(part, length), housing]
+
+
+@solids.register
+def _(part: SquirrelCage, length):
+    inner, outer, start = _section(part)
+    middle, half, width = (
+        (inner + outer) / 2,
+        part.bar_thickness / 2 * MILLIMETRES,
+        part.bar_width * MILLIMETRES,
+    )
+    stop, end = (
+        start + part.bar_length * MILLIMETRES,
+        start + (part.bar_length + part.flange_length) * MILLIMETRES,
+    )
+    ring = _outer_ring(part, length)
+    tube = _tube(start, stop, middle - half, middle + half)
+    bar = tube * occ.Box(occ.Pnt(start, -width / 2, 0), occ.Pnt(stop, width / 2, 2 * outer))
+    flange = _tube(stop, end, inner, outer, end="clamped")
+    if part.fillet > 0:
+        bar = _flared(bar, ring, flange, part.fillet * MILLIMETRES)
+    bar.mat("bars")
+    flange.mat("flange")
+    return [ring, *(bar.Rotate(_AXIS, 360 * k / part.bars) for k in range(part.bars)), flange]
+
+
+def _flared(bar, ring, flange, radius):
+    """A bar with its fillets, which end at the faces of ring and flange."""
+    ends = [edge.center for edge in bar.edges if abs(edge.start.x - edge.end.x) < FLAT]
+    whole = ring + bar + flange
+    corners = [edge for edge in whole.edges if any((edge.center - end).Norm() < FLAT for end in ends)]
+    flared = whole.MakeFillet(corners, radius) - ring - flange
+    require_kept(flared, bar, radius)
+    return flared
+
+
+def require_kept(flared, bar, radius: float) -> None:
+    """Refuse a fillet [mm] with which the geometry kernel loses part of a bar, as was seen close to the most.
+
+    Raises
+    ------
+    ImpossiblePart
+        if the bar became smaller
+    """
+    require(
+        flared.mass > bar.mass, "fillet", radius / MILLIMETRES,
+        "a slightly different one: with this the geometry kernel loses the bar",
+    )  # fmt: skip
+
+
+@solids.register
+def _(part: RingOnShaft, length):
+    raceway, rib, bore, hollow = (
+        d * MILLIMETRES / 2 for d in (part.raceway_diameter, part.rib_diameter, part.bore, part.shaft_bore)
+    )
+    track, side, end = (w * MILLIMETRES / 2 for w in (part.track_width, part.width, part.shaft_length))
+    right, left = ((-x, *rest) for x, *rest in _band(raceway, length))  # met from the right
+    ring = _revolved([
+        (-side, bore, None), (side, bore, None), (side, rib, None), (track, rib, None),
+        (track, raceway, None), right, left, (-track, raceway, None),
+        (-track, rib, None), (-side, rib, None),
+    ])  # fmt: skip
+    ring.mat("ring")
+    shaft = _tube(-end, end, hollow, bore, start="clamped", end="clamped")
+    shaft.mat("shaft")
+    return [ring, shaft]
+
+
+@solids.register
+def _(part: StepSolid, length):
+    return [step_import.solid(part, length)]
+
+
+def _section(part):
+    """Inner radius, outer radius and half width of an outer ring [mm]."""
+    inner = part.raceway_diameter / 2
+    return inner * MILLIMETRES, (inner + part.thickness) * MILLIMETRES, part.width / 2 * MILLIMETRES
+
+
+def _outer_ring(part, length, end=None, outside=None):
+    inner, outer, side = _section(part)
+    ring = _revolved([
+        (-side, inner, None), *_band(inner, length), (side, inner, None),
+        (side, outer, end), (-side, outer, outside),
+    ])  # fmt: skip
+    ring.mat("ring")
+    return ring
+
+
+def _band(radius, length):
+    """Ends of the loaded band on a profile [mm]; the edge between them becomes the raceway."""
+    half = length / 2 * MILLIMETRES
+    return [(-half, radius, None), (half, radius, "raceway")]
+
+
+def _tube(left, right, inner, outer, start=None, end=None):
+    return _revolved([(left, inner, start), (right, inner, None), (right, outer, end), (left, outer, None)])
+
+
+def _revolved(profile):
+    """Solid from a closed profile of (x, radius, name of the edge that ends here).
+
+    The profile runs counter-clockwise: the other way the solid is inside out and cannot be meshed.
+    """
+    pen = occ.WorkPlane(occ.Axes(occ.Pnt(0, 0, 0), n=occ.Z, h=occ.X))
+    pen.MoveTo(*profile[0][:2])
+    at = profile[0][:2]
+    for x, radius, name in [*profile[1:], profile[0]]:
+        if max(abs(x - at[0]), abs(radius - at[1])) > 1e-9:  # a band as long as its track has no shoulders
+            pen.LineTo(x, radius, name=name)
+        at = (x, radius)
+    return pen.Face().Revolve(_AXIS, 360)

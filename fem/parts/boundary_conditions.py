@@ -1,0 +1,174 @@
+"""What holds a plain outer ring, as frozen data; lengths, azimuths and directions as in `fem.parts.rings`."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import inf, isfinite
+
+import numpy as np
+
+from fem.parts.material import Elastic, ImpossiblePart, require, require_positive
+
+BALANCED = 1e-9  # moment about the axis that tooth forces may leave, over the largest one
+HELD = 1e-6  # smallest over largest singular value of motions at lines that hold them
+
+
+@dataclass(frozen=True)
+class ClampedFace:
+    """The end face at x = +width/2 does not move."""
+
+
+@dataclass(frozen=True)
+class RigidSeat:
+    """The outer surface does not move."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Foundation:
+    """Springs to ground on the outer surface, which pull as well as push.
+
+    Without axial or tangential ones the ring does not move along or turn about its axis: no load on
+    the raceway would make it.
+    """
+
+    axial: float  # [N/m^3] per area, >= 0
+    radial: float  # [N/m^3] >= 0
+    tangential: float  # [N/m^3] >= 0
+
+    def __post_init__(self):
+        for name in ("axial", "radial", "tangential"):
+            value = getattr(self, name)
+            require(value >= 0 and isfinite(value), name, value, "a finite number, zero or above")
+        if self.radial == self.tangential == 0:
+            raise ImpossiblePart(
+                "radial = tangential = 0: the ring can still move along y and z; give one of the springs"
+            )
+
+
+@dataclass(frozen=True, kw_only=True)
+class Housing:
+    """A concentric tube bonded on the outer surface, centred on the ring and held itself."""
+
+    thickness: float  # [m] radial
+    width: float  # [m] axial, narrower or wider than the ring
+    elastic: Elastic
+    support: ClampedFace | RigidSeat | Foundation = RigidSeat()  # of the tube, at its own surfaces
+
+    def __post_init__(self):
+        require_positive(self, "thickness", "width")
+
+
+@dataclass(frozen=True, kw_only=True)
+class LineSupports:
+    """Frictionless lines along the outer surface, over its full width; they hold it radially.
+
+    Along and about its axis, where they do not hold it, the ring does not move: no load on the raceway
+    would make it.
+    """
+
+    azimuths: Sequence[float]  # (K,) [rad], all different
+    stiffness: float = inf  # [N/m] of each line to ground, evenly spread along it; inf is rigid
+    tilting: bool = False  # lines hold only the mean displacement along them, as a crowned one does
+    pushing: bool = False  # lines only push, and let go where they would pull
+
+    def __post_init__(self):
+        object.__setattr__(self, "azimuths", tuple(float(phi) for phi in self.azimuths))
+        require(
+            len(self.azimuths) > 0 and all(map(isfinite, self.azimuths)),
+            "azimuths", self.azimuths, "one or more finite angles",
+        )  # fmt: skip
+        require(self.stiffness > 0, "stiffness", self.stiffness, "above zero, infinite if rigid")
+        if free := free_translations(self.azimuths):
+            raise ImpossiblePart(
+                f"azimuths = {self.azimuths}: the ring can still move {free}; "
+                "lines in another direction, neither the same nor opposite, would hold it"
+            )
+
+
+@dataclass(frozen=True, kw_only=True)
+class LineForce:
+    """Force on a line along the outer surface, evenly spread over the full width."""
+
+    azimuth: float  # [rad]
+    radial: float  # [N] outward
+    tangential: float  # [N] towards growing azimuth
+
+    def __post_init__(self):
+        values = (self.azimuth, self.radial, self.tangential)
+        require(all(map(isfinite, values)), "line force", values, "finite numbers")
+
+
+@dataclass(frozen=True, kw_only=True)
+class PlanetGear:
+    """The ring is the rim of a planet gear: nothing holds it, tooth forces balance the rollers'."""
+
+    forces: Sequence[LineForce]  # of the teeth, brought to the outer surface
+
+    def __post_init__(self):
+        object.__setattr__(self, "forces", tuple(self.forces))
+        tangential = [force.tangential for force in self.forces]
+        if abs(sum(tangential)) > BALANCED * max(map(abs, tangential), default=0.0):
+            raise ImpossiblePart(
+                f"tangential forces add up to {sum(tangential):.6g} N: the ring can still turn about its "
+                "axis, as rollers cannot hold it; they have to add up to zero"
+            )
+
+
+Support = ClampedFace | RigidSeat | Foundation | Housing | LineSupports | PlanetGear
+
+
+def free_translations(azimuths) -> str:
+    """Directions in which radial lines let a ring go.
+
+    Parameters
+    ----------
+    azimuths : sequence of float (K,)
+        of the lines [rad]
+
+    Returns
+    -------
+    str
+        in words, empty if there are none
+    """
+    normals = np.stack([np.sin(azimuths), np.cos(azimuths)], axis=1).reshape(-1, 2)
+    _, stretch, motions = np.linalg.svd(np.concatenate([normals, np.zeros((2, 2))]))
+    free = motions[stretch <= HELD * max(stretch[0], HELD)]
+    if len(free) == 2:
+        return "along y and z"
+    return " and ".join(f"along (y, z) = ({y:.3g}, {z:.3g})" for y, z in free)
+
+
+@dataclass(frozen=True)
+class Loose:
+    """Rigid motions that nothing holds."""
+
+    axial: bool = False
+    turning: bool = False  # about the axis
+    across: bool = False  # translation along y, z, with tilt about them
+
+
+def loose(support: Support) -> Loose:
+    """Rigid motions that a support leaves to the ring; translations across are in `supported_ring`."""
+    match support:
+        case LineSupports() | PlanetGear():
+            return Loose(axial=True, turning=True, across=True)
+        case Foundation(axial=axial, tangential=tangential):
+            return Loose(axial=axial == 0, turning=tangential == 0)
+        case Housing(support=outer):
+            return loose(outer)
+        case _:
+            return Loose()
+
+
+def edge_names(support: Support) -> tuple[str | None, str | None]:
+    """Names of the end face at +x and of the outer surface that a support acts on."""
+    match support:
+        case ClampedFace():
+            return "clamped", None
+        case RigidSeat():
+            return None, "clamped"
+        case Foundation():
+            return None, "foundation"
+        case LineSupports() | PlanetGear():
+            return None, "lines"
+        case Housing():
+            return None, "seat"

@@ -1,0 +1,225 @@
+"""Rings, their seats and the wishes for a computation, as frozen data.
+
+Everything is in SI units. The axial coordinate x starts in the middle of the raceway, the azimuth
+phi turns from z towards y, so that the outward normal of a raceway is (0, sin phi, cos phi).
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import asin, isfinite, pi
+
+from fem.parts.boundary_conditions import Housing, Loose, Support, loose
+from fem.parts.material import Elastic, require, require_positive
+from fem.parts.material import ImpossiblePart as ImpossiblePart  # parts are where one expects it
+
+SLENDEREST_SLOT = 0.3e-3  # [m] the mesher may abort on narrower gaps and thinner walls
+SMALLEST_FILLET = 0.1e-3  # [m] smaller ones need too many elements to matter
+
+
+@dataclass(frozen=True, kw_only=True)
+class OuterRing:
+    """A plain outer ring with what holds it."""
+
+    raceway_diameter: float  # [m] inner surface
+    thickness: float  # [m] radial
+    width: float  # [m] axial
+    elastic: Elastic
+    support: Support
+
+    def __post_init__(self):
+        require_positive(self, "raceway_diameter", "thickness", "width")
+        require(self.thickness > SLENDEREST_SLOT, "thickness", self.thickness, f"> {SLENDEREST_SLOT} m")
+
+    @property
+    def track(self) -> float:
+        """Axial length on which rollers can run [m]."""
+        return self.width
+
+    @property
+    def bars(self) -> None:
+        """No bars: a body of revolution."""
+
+    @property
+    def materials(self) -> dict[str, Elastic]:
+        """Material of every named body; "ring" carries the raceway."""
+        if isinstance(self.support, Housing):
+            return {"ring": self.elastic, "housing": self.support.elastic}
+        return {"ring": self.elastic}
+
+    @property
+    def loose(self) -> Loose:
+        """Rigid motions that nothing holds."""
+        return loose(self.support)
+
+
+@dataclass(frozen=True, kw_only=True)
+class SquirrelCage:
+    """An outer ring on axial bars, the bars on a flange whose far end face is clamped.
+
+    The bars lie between two radii and have parallel sides, as slots milled from a tube leave them.
+    The flange has the section of the ring radially. The first bar is centred at azimuth 0.
+    """
+
+    raceway_diameter: float  # [m] inner surface of the ring
+    thickness: float  # [m] radial, of ring and flange
+    width: float  # [m] axial, of the ring
+    bars: int  # number of bars, equally spaced
+    bar_width: float  # [m] tangential
+    bar_thickness: float  # [m] radial, centred on the mean radius of the ring
+    bar_length: float  # [m] axial, between ring and flange
+    flange_length: float  # [m] axial
+    elastic: Elastic
+    fillet: float = 0.0  # [m] radius where bars meet ring and flange; 0 is a sharp edge
+
+    def __post_init__(self):
+        require_positive(
+            self, "raceway_diameter", "thickness", "width", "bar_width", "bar_thickness", "bar_length",
+            "flange_length",
+        )  # fmt: skip
+        require(self.bars >= 1, "bars", self.bars, "1 or more")
+        most = self.thickness - 2 * SLENDEREST_SLOT / 3
+        require(
+            self.bar_thickness <= most, "bar_thickness", self.bar_thickness,
+            f"at most {most:.3g} m: less than the thickness of the ring, so that the raceway stays whole",
+        )  # fmt: skip
+        require(
+            self.slot >= SLENDEREST_SLOT, "bar_width", self.bar_width,
+            f"{self.bars} bars with slots of {SLENDEREST_SLOT:.1g} m or more between them, "
+            f"these leave {self.slot:.3g} m",
+        )  # fmt: skip
+
+        if self.fillet != 0:
+            self._require_room_for_fillets()
+
+    def _require_room_for_fillets(self):
+        step, gap = (self.thickness - self.bar_thickness) / 2, self.bar_length / 2
+        most = min(step - SMALLEST_FILLET / 2, gap - SLENDEREST_SLOT / 2)
+        require(
+            SMALLEST_FILLET <= self.fillet <= most, "fillet", self.fillet,
+            f"zero, or {SMALLEST_FILLET:.1g} m to {most:.3g} m: inside the faces that the bars stand on, "
+            f"{step:.3g} m wide beside the bars, and short of half the bars, {gap:.3g} m",
+        )  # fmt: skip
+        left = self._gap(self.bar_width + 2 * self.fillet, self.bar_thickness + 2 * self.fillet)
+        require(
+            left >= SLENDEREST_SLOT, "fillet", self.fillet,
+            f"what leaves slots of {SLENDEREST_SLOT:.1g} m or more between the feet of {self.bars} bars, "
+            f"this leaves {left:.3g} m",
+        )  # fmt: skip
+
+    @property
+    def slot(self) -> float:
+        """Narrowest gap between two bars, at their inner radius [m]; zero or less if they touch."""
+        return self._gap(self.bar_width, self.bar_thickness)
+
+    def _gap(self, width: float, thickness: float) -> float:
+        """Gap between bars of another section, at their inner radius [m]."""
+        inner = (self.raceway_diameter + self.thickness - thickness) / 2
+        half = asin(width / 2 / inner) if width < 2 * inner else pi
+        return 2 * inner * (pi / self.bars - half)
+
+    @property
+    def track(self) -> float:
+        """Axial length on which rollers can run [m]."""
+        return self.width
+
+    @property
+    def materials(self) -> dict[str, Elastic]:
+        """Material of every named body; "ring" carries the raceway."""
+        return {"ring": self.elastic, "bars": self.elastic, "flange": self.elastic}
+
+
+@dataclass(frozen=True, kw_only=True)
+class RingOnShaft:
+    """An inner ring with two ribs, bonded on a hollow shaft that is clamped at both ends."""
+
+    raceway_diameter: float  # [m] outer surface between the ribs
+    track_width: float  # [m] axial, between the ribs
+    rib_diameter: float  # [m] outside of the ribs
+    bore: float  # [m] of the ring, also the outside of the shaft
+    width: float  # [m] axial, of the ring with its ribs
+    shaft_bore: float  # [m]
+    shaft_length: float  # [m] axial, centred on the ring
+    ring: Elastic
+    shaft: Elastic
+
+    def __post_init__(self):
+        require_positive(self, "raceway_diameter", "track_width", "shaft_bore", "shaft_length")
+        wall = 2 * SLENDEREST_SLOT
+        for inside, outside in (
+            ("shaft_bore", "bore"),
+            ("bore", "raceway_diameter"),
+            ("raceway_diameter", "rib_diameter"),
+            ("track_width", "width"),
+            ("width", "shaft_length"),
+        ):
+            most = getattr(self, outside) - wall
+            value = getattr(self, inside)
+            require(value <= most, inside, value, f"at most {most:.6g} m, inside {outside}")
+
+    @property
+    def track(self) -> float:
+        """Axial length on which rollers can run [m]."""
+        return self.track_width
+
+    @property
+    def bars(self) -> None:
+        """No bars: a body of revolution."""
+
+    @property
+    def materials(self) -> dict[str, Elastic]:
+        """Material of every named body; "ring" carries the raceway."""
+        return {"ring": self.ring, "shaft": self.shaft}
+
+    @property
+    def loose(self) -> Loose:
+        """Rigid motions that nothing holds: none."""
+        return Loose()
+
+
+Part = SquirrelCage | OuterRing | RingOnShaft
+
+
+def require_on_track(length: float, track: float) -> None:
+    """Refuse a loaded band [m] that is longer than the track.
+
+    Raises
+    ------
+    ImpossiblePart
+        if rollers would run beyond it
+    """
+    if length > track * (1 + 1e-9):
+        raise ImpossiblePart(f"length = {length!r} m of the loaded band; allowed is the track, {track!r} m")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Mesh:
+    """Wishes for the finite elements; geometry wins where a feature is finer than the size."""
+
+    order: int  # polynomial order of displacement and of curved geometry
+    size: float  # [m] largest element edge
+    raceway_size: float  # [m] largest element edge on the loaded band
+
+    def __post_init__(self):
+        require_positive(self, "size", "raceway_size")
+        require(self.order in range(1, 9), "order", self.order, "1 to 8")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Patches:
+    """Where and how rollers load a raceway, and in which shapes their forces are resolved.
+
+    Every roller presses on |x| <= length/2 with a Gaussian along the arc; along its length the
+    pressure is a sum of Legendre polynomials L_m(2 x / length), m = 0 .. shapes - 1.
+    """
+
+    azimuths: Sequence[float]  # (Z,) [rad] of the rollers
+    length: float  # [m] of the loaded band
+    shapes: int  # M, number of axial shapes; 2 are load and moment
+    width: float  # [m] standard deviation of the Gaussian along the arc
+
+    def __post_init__(self):
+        object.__setattr__(self, "azimuths", tuple(float(phi) for phi in self.azimuths))
+        require_positive(self, "length", "width")
+        require(all(map(isfinite, self.azimuths)) and len(self.azimuths) > 0,
+                 "azimuths", self.azimuths, "one or more finite angles")  # fmt: skip
+        require(2 <= self.shapes <= 8, "shapes", self.shapes, "2 to 8")

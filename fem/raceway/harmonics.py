@@ -1,0 +1,250 @@
+r"""The compliance of a raceway in azimuthal harmonics, before any roller has a place.
+
+Rollers at the azimuths phi_j have the force harmonics :math:`F_{nm} = \sum_j F_{jm} e^{-in\varphi_j}` [N];
+they press with :math:`\frac{1}{2\pi R} \sum_{nm} F_{nm}\,a_m(x)\,e^{in\varphi}` on the raceway, in the
+local radial direction, :math:`a_m = \frac{2m+1}{l} L_m(2x/l)`. The raceway answers with
+:math:`w_m(\varphi) = \int a_m u_r\,dx = \sum_n w_{nm} e^{in\varphi}`, outward. Lines have no width: under
+a line only what differs from a half-space (`fem.half_space.line_load`) has a sum.
+"""
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from math import ceil, floor
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fem.errors import NotSolved
+from fem.half_space.line_load import cubic_tail, curvature_tail, indentation, indentation_harmonics
+from fem.parts.rings import Elastic, ImpossiblePart, Mesh
+from fem.raceway.compliance import RacewayCompliance
+
+TRUNCATED = 0.05  # allowed part of the own terms that comes from beyond the last harmonic
+SAME = 1e-9  # half the difference of azimuths that are taken as one [rad]
+SAME_DIGITS = 12  # of azimuths in radians: equal pitches give equal differences
+FEWEST = 8  # harmonics from which the fall of the rest can be told
+FINENESS = 6.0  # highest harmonic over M R/l, unless one is asked for
+RESOLVED = 0.6  # highest harmonic over order times R/h on raceway elements of size h: beyond, errors grow
+
+
+def highest_harmonic(radius: float, detail: float, mesh: Mesh, wish: int | None = None) -> int:
+    """Choose the last harmonic: one that the elements of the raceway still resolve.
+
+    Parameters
+    ----------
+    radius : float
+        R of the raceway [m]
+    detail : float
+        length l/M that an axial shape resolves [m]
+    mesh : Mesh
+        order and raceway size of the elements
+    wish : int, optional
+        N that is asked for
+
+    Returns
+    -------
+    int
+        N
+
+    Raises
+    ------
+    NotSolved
+        if the mesh is too coarse for what is asked for
+    """
+    limit = floor(RESOLVED * mesh.order * radius / mesh.raceway_size)
+    if wish is None:
+        return min(ceil(FINENESS * radius / detail), limit)
+    if not FEWEST <= wish <= limit:
+        raise NotSolved(
+            f"{wish} harmonics are impossible on this mesh of the raceway, allowed are {FEWEST} to {limit}: "
+            "a smaller raceway_size or a higher order resolves more"
+        )
+    return wish
+
+
+@dataclass(frozen=True, kw_only=True)
+class HarmonicCompliance:
+    """Raceway compliance in azimuthal harmonics; the azimuths of the rollers stay free.
+
+    A body of revolution answers each harmonic with the same one only and holds no more than that.
+    """
+
+    harmonics: NDArray  # (K,) of int, -N .. N
+    response: NDArray  # (K, M, K, M), or (K, M, M) of revolution [m/N]: w_nm per F_n'm', nothing removed
+    radius: float  # R of the raceway [m]
+    length: float  # l of the loaded band [m]
+    elastic: Elastic  # material below the raceway
+    bars: int | None  # equal bars with one at azimuth 0; None for a body of revolution
+    unknowns: int
+    elements: int
+    seconds: dict[str, float] = field(compare=False)  # by stage: mesh, factor, condense
+
+    def __post_init__(self):
+        K, M = self.response.shape[:2]
+        if K // 2 < FEWEST or not np.array_equal(self.harmonics, np.arange(-(K // 2), K // 2 + 1)):
+            raise ImpossiblePart(f"harmonics must be the integers -N .. N in order, N at least {FEWEST}")
+        if self.response.shape not in ((K, M, K, M), (K, M, M)):
+            raise ImpossiblePart(f"response of shape {self.response.shape} does not fit {K} harmonics")
+
+    def at(self, azimuths) -> RacewayCompliance:
+        r"""Compliance for rollers at given azimuths.
+
+        .. math:: C_{ij} = \sum_{nn'} (W - h)_{nn'} e^{i(n\varphi_i - n'\varphi_j)} + (1 - \delta_{ij}) H_{ij}
+
+        with H the answer of a half-space at the chord between two lines and h its harmonics; C_ii is
+        the limit of the answer close to a line less that of the half-space.
+
+        Parameters
+        ----------
+        azimuths : array (Z,)
+            phi of the rollers, all different [rad]
+
+        Returns
+        -------
+        RacewayCompliance
+
+        Raises
+        ------
+        ImpossiblePart
+            if two rollers stand at one azimuth
+        NotSolved
+            if the harmonics end too early for the own terms
+        """
+        phi = np.asarray(azimuths, dtype=float)
+        translation, support = self._translation(phi)
+        return RacewayCompliance(
+            azimuths=phi,
+            full=self.full(phi),
+            translation=translation,
+            support_stiffness=float(2 / np.trace(support)),
+            unknowns=self.unknowns,
+            elements=self.elements,
+            seconds=self.seconds,
+        )
+
+    def full(self, azimuths: NDArray) -> NDArray:
+        """The matrix of `at` alone, also for a raceway without a hold of its own.
+
+        Parameters
+        ----------
+        azimuths : array (Z,)
+            all different [rad]
+
+        Returns
+        -------
+        array (Z, M, Z, M)
+            C [m/N], symmetric
+
+        Raises
+        ------
+        ImpossiblePart
+            if two rollers stand at one azimuth
+        NotSolved
+            if the harmonics end too early for the own terms
+        """
+        if not self.truncation <= TRUNCATED:
+            raise NotSolved(
+                f"{self.truncation:.2g} of the own compliance lies beyond harmonic {self.harmonics[-1]}, "
+                f"allowed {TRUNCATED:g}: take more harmonics"
+            )
+        full = self._series(azimuths) + self._beyond(azimuths) + self._neighbours(azimuths)
+        return (full + full.transpose(2, 3, 0, 1)) / 2
+
+    @property
+    def truncation(self) -> float:
+        """Part of the largest own compliance that is extrapolated, for patterns of equal mean square [-].
+
+        The indentation up to the last harmonic counts as own: on a stiff seat the rest is near zero.
+        """
+        beyond = self._tail(np.zeros(1))[0]
+        own = np.abs(self._remainder.sum(axis=0) + beyond) + self._half_space.sum(axis=0)
+        square = 2 * np.arange(own.shape[0]) + 1
+        return float(
+            np.max(np.abs(beyond) / np.sqrt(np.outer(square, square))) / np.max(np.diag(own) / square)
+        )
+
+    def _diagonal(self) -> NDArray:
+        """Answer of every harmonic to itself (K, M, M) [m/N]."""
+        if self.response.ndim == 3:
+            return self.response
+        return np.einsum("kmkp->kmp", self.response)
+
+    @cached_property
+    def _half_space(self) -> NDArray:
+        """Harmonics of the half-space (K, M, M) [m/N]."""
+        return indentation_harmonics(
+            self.harmonics, self.radius, self.length, self.response.shape[1], self.elastic
+        )
+
+    @cached_property
+    def _remainder(self) -> NDArray:
+        """What every harmonic answers to itself beside the half-space (K, M, M) [m/N]."""
+        return np.real(self._diagonal()) - self._half_space
+
+    def _tail(self, azimuth: NDArray) -> NDArray:
+        r"""Sum of the remainders beyond the last harmonic (..., M, M) [m/N], as the last quarter falls.
+
+        .. math:: S_n = \frac{c}{n^2-1} + \frac{d}{|n|^3}
+
+        The curvature of the raceway makes c, the ends of the band make d.
+        """
+        last = self.harmonics[-1]
+        n = np.arange(last - last // 4, last + 1)
+        rest = self._remainder[last + n]
+        law = np.stack([1 / (n**2 - 1.0), 1.0 / n**3], axis=1)
+        weight = n[:, None] ** 2.0
+        M = rest.shape[-1]
+        fitted = np.linalg.lstsq(weight * law, weight * rest.reshape(n.size, -1), rcond=None)[0]
+        tails = np.stack([curvature_tail(azimuth, last), cubic_tail(azimuth, last)], axis=-1)
+        return (tails @ fitted).reshape(*azimuth.shape, M, M)
+
+    def _series(self, phi: NDArray) -> NDArray:
+        """Sum of the harmonics less the half-space (Z, M, Z, M) [m/N]."""
+        turn = np.exp(1j * np.outer(phi, self.harmonics))
+        if self.response.ndim == 3:
+            answer = np.einsum("ik,jk,kmp->ijmp", turn, turn.conj(), self._remainder, optimize=True)
+            return np.real(answer).transpose(0, 2, 1, 3)
+        left = self.response.astype(complex)
+        own = np.arange(self.harmonics.size)
+        left[own, :, own] -= self._half_space
+        answer = np.tensordot(turn, np.tensordot(left, turn.conj(), axes=(2, 1)), axes=1)
+        return np.real(answer).transpose(0, 1, 3, 2)
+
+    def _beyond(self, phi: NDArray) -> NDArray:
+        """Sum of the harmonics beyond the last one (Z, M, Z, M) [m/N]."""
+        apart, place = _distinct(phi[:, None] - phi)
+        return self._tail(apart)[place].transpose(0, 2, 1, 3)
+
+    def _neighbours(self, phi: NDArray) -> NDArray:
+        """Half-space between different rollers (Z, M, Z, M) [m/N]."""
+        Z, M = phi.size, self.response.shape[1]
+        i, j = np.nonzero(~np.eye(Z, dtype=bool))
+        if np.any(np.abs(np.sin((phi[i] - phi[j]) / 2)) < SAME):
+            raise ImpossiblePart(f"azimuths = {phi.tolist()!r} are impossible; all must be different")
+        H = np.zeros((Z, M, Z, M))
+        apart, place = _distinct(phi[i] - phi[j])
+        H[i, :, j] = indentation(apart, self.radius, self.length, M, self.elastic)[place]
+        return H
+
+    def _translation(self, phi: NDArray) -> tuple[NDArray, NDArray]:
+        r"""Mean translation along y and z per force (2, Z, M), and per load like cos or sin (2, 2) [m/N].
+
+        .. math:: t_y = i(w_{1,0} - w_{-1,0}), \quad t_z = w_{1,0} + w_{-1,0}
+        """
+        first = self.harmonics[-1] + np.array([1, -1])
+        read = np.array([[1j, -1j], [1.0, 1.0]])
+        turn = np.exp(-1j * np.outer(self.harmonics, phi))
+        if self.response.ndim == 3:
+            answer = self.response[first, 0, None, :] * turn[first, :, None]
+            pair = np.diag(self.response[first, 0, 0])
+        else:
+            answer = np.einsum("akp,kj->ajp", self.response[first, 0], turn)
+            pair = self.response[first[:, None], 0, first, 0]
+        return np.real(np.tensordot(read, answer, axes=1)), np.real(read @ pair @ read.conj().T)
+
+
+def _distinct(differences: NDArray) -> tuple[NDArray, NDArray]:
+    """Differences of azimuths without sign and turns, each once, and where each of them belongs."""
+    apart = np.abs(np.mod(differences + np.pi, 2 * np.pi) - np.pi)
+    once, place = np.unique(np.round(apart, SAME_DIGITS), return_inverse=True)
+    return once, place.reshape(differences.shape)

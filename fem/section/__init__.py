@@ -1,0 +1,1 @@
+"""Bodies of revolution on their axial section, by harmonics: rings, shafts, smeared cages, bolted rings."""

@@ -1,0 +1,129 @@
+"""Bonded bodies of revolution on their axial section, with the stiffness for every harmonic."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import ngsolve as ngs
+import numpy as np
+from numpy.typing import NDArray
+
+from fem.assembly import harmonic_elasticity as forms
+from fem.assembly.elasticity import lame_constants
+from fem.assembly.harmonic_stiffness import Pencil, pencil
+from fem.mesh.axial_section import Section, meshed
+from fem.parts.rings import Elastic, ImpossiblePart, Mesh
+
+FLAT = 1e-12  # mean square deviation of an edge from its radius, over the square of that
+
+
+@dataclass(frozen=True)
+class Springs:
+    """An elastic foundation along an edge, per area."""
+
+    axial: float  # [N/m^3] >= 0
+    radial: float  # [N/m^3] >= 0
+    tangential: float  # [N/m^3] >= 0
+
+
+@dataclass(frozen=True)
+class Body:
+    """Bonded sections with their stiffness, ready for loads."""
+
+    space: Any  # ngsolve.FESpace of u_x, u_r, u_t
+    bulk: Any  # ngsolve.CoefficientFunction, K = lambda + 2 mu/3 [Pa]
+    stiffness: Pencil
+
+    def load(self, form) -> NDArray:
+        """Load vector (unknowns,) of a weak form, per radian [N]."""
+        return ngs.LinearForm(form).Assemble().vec.FV().NumPy().copy()
+
+
+def assembled(
+    bodies: list[Section], materials: Mapping[str, Elastic], mesh: Mesh,
+    foundations: Mapping[str, Springs] | None = None,
+) -> Body:  # fmt: skip
+    """Mesh sections and assemble their stiffness.
+
+    Parameters
+    ----------
+    bodies : list of Section
+        bonded where they touch, held on the edges named "clamped"
+    materials : mapping
+        `Elastic` of every body by its name
+    mesh : Mesh
+        wishes for the finite elements
+    foundations : mapping
+        `Springs` to ground by the name of the edge
+
+    Returns
+    -------
+    Body
+
+    Raises
+    ------
+    ImpossiblePart
+        if no edge has the name of a foundation
+    """
+    section = meshed(bodies, mesh)
+    space = ngs.H1(section, order=mesh.order, dirichlet="clamped") ** 3
+    u, v = space.TnT()
+    constants = {name: lame_constants(m.youngs_modulus, m.poisson_ratio) for name, m in materials.items()}
+    lame, shear = (section.MaterialCF({name: c[k] for name, c in constants.items()}) for k in (0, 1))
+    plain, once, twice = forms.elasticity(u, v, lame, shear)
+    for name, springs in (foundations or {}).items():
+        k = (springs.axial, springs.radial, springs.tangential)
+        plain += forms.foundation(u, v, _edge(section, name), k)
+    return Body(space=space, bulk=lame + 2 * shear / 3, stiffness=pencil(space, plain, once, twice))
+
+
+def edge_shapes(body: Body, edge: str, shapes: int) -> NDArray:
+    r"""Load vectors of Legendre pressures on a cylindrical edge, which also read its displacement.
+
+    .. math:: g_m(v) = \int \frac{2m+1}{l} L_m(2(x - x_0)/l)\,v_r\,dx
+
+    Parameters
+    ----------
+    body : Body
+        assembled sections
+    edge : str
+        name of an edge of length l centred on x_0, along x
+    shapes : int
+        M
+
+    Returns
+    -------
+    array (unknowns, M)
+        [-]; g_0 reads the mean radial displacement
+
+    Raises
+    ------
+    ImpossiblePart
+        if no edge has this name, or if it is not one cylinder
+    """
+    where = _edge(body.space.mesh, edge)
+
+    def integral(f):
+        return ngs.Integrate(f, body.space.mesh, ngs.BND, definedon=where)
+
+    length, middle, radius = integral(ngs.CF(1)), integral(ngs.x), integral(ngs.y)
+    if integral((ngs.y - radius / length) ** 2) > FLAT * radius**2 / length:
+        raise ImpossiblePart(f"the edge {edge!r} is not one cylinder, its radius varies")
+    xi = 2 * (ngs.x - middle / length) / length
+    v = body.space.TestFunction()
+    patterns = ((2 * m + 1) / length * L for m, L in enumerate(legendre_shapes(xi, shapes)))
+    return np.stack([body.load(forms.radial_pressure(v, where, a)) for a in patterns], axis=1)
+
+
+def _edge(section, name: str):
+    if name not in section.GetBoundaries():
+        raise ImpossiblePart(f"no edge is named {name!r}; there are {sorted(set(section.GetBoundaries()))}")
+    return section.Boundaries(name)
+
+
+def legendre_shapes(xi, count: int) -> list:
+    """Polynomials L_0 .. L_(count - 1) of a coefficient function, by their recurrence."""
+    L = [ngs.CF(1), xi]
+    for k in range(1, count - 1):
+        L.append(((2 * k + 1) * xi * L[k] - k * L[k - 1]) / (k + 1))
+    return L[:count]

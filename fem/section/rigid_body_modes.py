@@ -1,0 +1,122 @@
+"""Bodies of revolution that are not held against some of their rigid motions.
+
+Loads in balance need no hold. So such a body is held at as many single unknowns as it has loose motions,
+where balanced loads leave no reaction: no spring, and nothing that a result could depend on.
+"""
+
+from dataclasses import replace
+
+import ngsolve as ngs
+import numpy as np
+from numpy.typing import NDArray
+from scipy import sparse
+
+from fem.assembly.harmonic_stiffness import Pencil, compliances
+from fem.mesh.axial_section import sections
+from fem.parts.boundary_conditions import Foundation, Housing, Loose
+from fem.parts.rings import Mesh, OuterRing, RingOnShaft
+from fem.section.revolved_body import Body, Springs, assembled
+
+
+def body_of(part: OuterRing | RingOnShaft, length: float, mesh: Mesh) -> Body:
+    """Assemble the sections of a part with the springs that it stands on.
+
+    Parameters
+    ----------
+    part : OuterRing, RingOnShaft
+        body of revolution
+    length : float
+        of the loaded band [m]
+    mesh : Mesh
+        wishes for the finite elements
+
+    Returns
+    -------
+    Body
+    """
+    support = part.support if isinstance(part, OuterRing) else None
+    if isinstance(support, Housing):
+        support = support.support
+    springs = {}
+    if isinstance(support, Foundation):
+        springs["foundation"] = Springs(support.axial, support.radial, support.tangential)
+    return assembled(sections(part, length), part.materials, mesh, springs)
+
+
+def responses(body: Body, loose: Loose, loads: NDArray, last: int) -> NDArray:
+    r"""Work of loads on their answers, for all harmonics 0 .. N.
+
+    .. math:: W_n = G^T K(n)^{-1} G
+
+    Parameters
+    ----------
+    body : Body
+        assembled sections
+    loose : Loose
+        its rigid motions that nothing holds
+    loads : array (unknowns, L)
+        G, the same for all harmonics [N/N]
+    last : int
+        N, >= 3
+
+    Returns
+    -------
+    array (N + 1, L, L)
+        [m/N] symmetric; for loads out of balance it has the reaction of the points that were held
+
+    Raises
+    ------
+    NotSolved
+        if a solve fails
+    """
+    first = 2 if loose.across else 1 if loose.axial or loose.turning else 0
+    low = [loads.T @ held_on_points(body, loose, n).solve(n, loads) for n in range(first)]
+    return np.concatenate(
+        [*np.array(low)[:, None], compliances(_from(body.stiffness, first), loads, last - first)]
+    )
+
+
+def held_on_points(body: Body, loose: Loose, harmonic: int) -> Pencil:
+    """Hold a body at single points against the loose motions of one harmonic.
+
+    Parameters
+    ----------
+    body : Body
+        assembled sections
+    loose : Loose
+        its rigid motions that nothing holds
+    harmonic : int
+        n
+
+    Returns
+    -------
+    Pencil
+        whose answers to balanced loads are true but for a rigid motion
+    """
+    x = np.array([v.point[0] for v in body.space.mesh.vertices])
+    ends = [ngs.NodeId(ngs.VERTEX, int(k)) for k in (x.argmin(), x.argmax())]
+    wanted = []
+    if harmonic == 0:
+        wanted = [(k, ends[0]) for k, is_loose in ((0, loose.axial), (2, loose.turning)) if is_loose]
+    elif harmonic == 1 and loose.across:
+        wanted = [(1, end) for end in ends]
+    held = body.stiffness.held.copy()
+    free = ngs.BitArray(body.stiffness.free)
+    for component, node in wanted:
+        number = body.space.Range(component).start + body.space.components[component].GetDofNrs(node)[0]
+        held[number] = True
+        free.Clear(number)
+    return replace(body.stiffness, free=free, held=held)
+
+
+def _from(pencil: Pencil, first: int) -> Pencil:
+    """The same stiffness, its harmonics counted from another one."""
+    none, once, twice = (part.data for part in pencil.parts)
+    pattern = pencil.parts[0]
+    parts = (none + first * once + first**2 * twice, once + 2 * first * twice, twice)
+    return replace(
+        pencil,
+        parts=tuple(
+            sparse.csr_array((part, pattern.indices, pattern.indptr), shape=pattern.shape) for part in parts
+        ),
+    )

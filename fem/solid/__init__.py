@@ -1,0 +1,1 @@
+"""Whole solids: factored once, condensed or solved under given loads; displacements and stresses."""

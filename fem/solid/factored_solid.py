@@ -1,0 +1,103 @@
+"""The whole solid of a part, factored once, with its fields under any roller forces."""
+
+import logging
+from dataclasses import dataclass
+
+import ngsolve as ngs
+import numpy as np
+from numpy.typing import NDArray
+
+from fem.assembly import roller_loads
+from fem.assembly.factorisation import Factor, factor, threads
+from fem.mesh.solid import meshed
+from fem.parts.rings import ImpossiblePart, Mesh, Part, Patches
+from fem.parts.step_solid import StepSolid
+from fem.solid.condensation import elastic_energy
+from fem.solid.fields import Loaded
+
+_log = logging.getLogger(__name__)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Solid:
+    """A part as one factored stiffness."""
+
+    part: Part | StepSolid
+    patches: Patches
+    space: ngs.VectorH1  # of displacements [m], on a mesh in millimetres
+    stiffness: Factor
+    band: roller_loads.Band
+    thread_number: int
+
+    def under(self, forces: NDArray) -> Loaded:
+        """Displacement and stress under roller forces.
+
+        Parameters
+        ----------
+        forces : array (Z, M)
+            generalised forces of `fem.assembly.roller_loads` [N], positive outward, for the rollers of
+            `patches`
+
+        Returns
+        -------
+        Loaded
+
+        Raises
+        ------
+        ImpossiblePart
+            for forces of another shape, or not finite
+        NotSolved
+            if the residual is too large, or the mesh too coarse for the patches
+
+        Valid
+        -----
+        Small displacement, perfect bonds, clamps that do not yield; no load outside the band.
+        """
+        wanted = len(self.patches.azimuths), self.patches.shapes
+        if np.shape(forces) != wanted or not np.isfinite(forces).all():
+            found = f"forces of shape {np.shape(forces)}"
+            raise ImpossiblePart(f"{found}; allowed are finite ones of shape {wanted}")
+        displacement = ngs.GridFunction(self.space)
+        with threads(self.thread_number):
+            loads = roller_loads.roller_forces(self.band, self.patches) @ np.ravel(forces)
+            displacement.vec.FV().NumPy()[:] = self.stiffness.solve(loads)
+        return Loaded(
+            part=self.part, patches=self.patches, forces=np.array(forces, dtype=float),
+            displacement=displacement, radius=self.band.radius,
+        )  # fmt: skip
+
+
+def factored(part: Part | StepSolid, patches: Patches, mesh: Mesh, thread_number: int = 2) -> Solid:
+    """Mesh and factor a part.
+
+    Parameters
+    ----------
+    part : Part or StepSolid
+        ring with its seat
+    patches : Patches
+        rollers, and how their forces are resolved
+    mesh : Mesh
+        wishes for the finite elements; order 3 pays
+    thread_number : int
+        threads of NGSolve
+
+    Returns
+    -------
+    Solid
+
+    Raises
+    ------
+    ImpossiblePart
+        if the loaded band is longer than the track, or a drawing or a support has no solid
+    NotSolved
+        if the solver refuses the matrix
+    """
+    solid = meshed(part, patches.length, mesh)
+    with threads(thread_number):
+        space = ngs.VectorH1(solid, order=mesh.order, dirichlet="clamped")
+        stiffness = factor(space, elastic_energy(solid, part.materials))
+        band = roller_loads.band(space, "raceway", roller_loads.quadrature_order(patches, mesh))
+    _log.info("%s: %d unknowns in space", type(part).__name__, space.ndof)
+    return Solid(
+        part=part, patches=patches, space=space, stiffness=stiffness, band=band, thread_number=thread_number
+    )

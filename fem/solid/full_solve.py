@@ -1,0 +1,76 @@
+"""A raceway that answers roller forces by one solve of its whole solid."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fem.assembly import roller_loads
+from fem.assembly.factorisation import threads
+from fem.half_space.load_patch import half_space
+from fem.solid.condensation import RacewayCompliance, condensed
+from fem.solid.factored_solid import Solid
+
+
+@dataclass(frozen=True, kw_only=True)
+class SolidRaceway:
+    """The raceway of a factored solid; symbols as in `fem.assembly.roller_loads`."""
+
+    solid: Solid
+
+    def answer(self, forces: NDArray) -> tuple[NDArray, NDArray]:
+        r"""Outward deviations from the translated raceway, and its translation.
+
+        .. math:: w = B^T u - H F - e\,t,\quad t = T^T u,\quad K u = B F
+
+        with K the stiffness, B the load vectors of unit forces, T those that read the mean translation,
+        H what a half-space yields under a roller's own load, which the contact law holds, and
+        :math:`e_j = (\sin\varphi_j, \cos\varphi_j)`, of the first shape only.
+
+        Parameters
+        ----------
+        forces : array (Z, M)
+            F, generalised forces on the raceway [N], positive outward
+
+        Returns
+        -------
+        deviations : array (Z, M)
+            w [m], positive outward
+        translation : array (2)
+            t along y and z [m]
+
+        Raises
+        ------
+        NotSolved
+            if the residual of the solve is too large, or the mesh too coarse for the patches
+
+        Valid
+        -----
+        Small displacement, perfect bonds, clamps that do not yield; no load outside the band.
+        """
+        with threads(self.solid.thread_number):
+            shift = self.solid.stiffness.solve(self._rollers @ forces.ravel())
+        translation = self._translations.T @ shift
+        deviation = (self._rollers.T @ shift).reshape(forces.shape) - forces @ self._own
+        azimuths = np.array(self.solid.patches.azimuths)
+        deviation[:, 0] -= np.stack([np.sin(azimuths), np.cos(azimuths)], axis=1) @ translation
+        return deviation, translation
+
+    def condensed(self) -> RacewayCompliance:
+        """All of its answers as one operator, by as few solves as symmetry leaves."""
+        solid = self.solid
+        with threads(solid.thread_number):
+            return condensed(solid.part, solid.patches, solid.stiffness, solid.band)
+
+    @cached_property
+    def _rollers(self):
+        return roller_loads.roller_forces(self.solid.band, self.solid.patches)
+
+    @cached_property
+    def _translations(self) -> NDArray:
+        return roller_loads.translation_forces(self.solid.band)
+
+    @cached_property
+    def _own(self) -> NDArray:
+        return half_space(self.solid.patches, self.solid.part.materials["ring"])

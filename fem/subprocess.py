@@ -1,0 +1,219 @@
+"""Work in a process of its own, so that what ends that process does not end this one.
+
+The mesh generator has been seen to abort, on solids that nearly touch themselves. The process is a plain
+interpreter and not one of `multiprocessing`, which would import the caller's script once more; it is
+started fresh because forking a program with threads may hang. Loading NGSolve there takes a second.
+"""
+
+import os
+import pickle
+import signal
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable
+from contextlib import suppress
+from threading import Event, Thread, Timer
+from typing import TYPE_CHECKING, Any, BinaryIO
+
+from fem.parts.material import ImpossiblePart
+from fem.parts.rings import Mesh, Part, Patches, SquirrelCage
+from fem.parts.step_solid import StepSolid
+
+if TYPE_CHECKING:
+    from fem.raceway.harmonics import HarmonicCompliance
+    from fem.solid.condensation import RacewayCompliance
+
+Report = Callable[[str, float | None], None]
+
+WAIT = 3600.0  # [s] without a word from the process before it is given up; factoring is one silence
+LAST_WORDS = 400  # bytes of its error output that are quoted
+_START = "import sys; sys.path[:] = {path!r}; from fem.subprocess import _work; _work()"
+_ONE_THREAD = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
+
+
+def condense_apart(
+    part: Part | StepSolid,
+    patches: Patches,
+    mesh: Mesh,
+    report: Report | None = None,
+    thread_number: int = 2,
+    wait: float = WAIT,
+) -> "RacewayCompliance":
+    """Mesh and condense a part in a process of its own.
+
+    Parameters
+    ----------
+    part, patches, mesh, report, thread_number
+        as for `fem.solid.condensation.condense`
+    wait : float
+        longest silence, between two reports or before the end [s]
+
+    Returns
+    -------
+    RacewayCompliance
+
+    Raises
+    ------
+    ImpossiblePart
+        as `fem.solid.condensation.condense`
+    NotSolved
+        likewise; or if the process ends without an answer, or is silent for too long
+    """
+    return apart(_condense, part, patches, mesh, thread_number, report=report, wait=wait)
+
+
+def _condense(part, patches, mesh, thread_number, report):
+    from fem.solid.condensation import condense
+
+    return condense(part, patches, mesh, report, thread_number)
+
+
+def condense_sector_apart(
+    cage: SquirrelCage,
+    length: float,
+    shapes: int,
+    mesh: Mesh,
+    harmonics: int | None = None,
+    report: Report | None = None,
+) -> "HarmonicCompliance":
+    """Condense a squirrel cage as `fem.cage.cyclic_symmetry.condense` does, in a process of its own."""
+    return apart(_condense_sector, cage, length, shapes, mesh, harmonics, report=report)
+
+
+def _condense_sector(cage, length, shapes, mesh, harmonics, report):
+    from fem.cage.cyclic_symmetry import condense
+
+    return condense(cage, length, shapes, mesh, harmonics)
+
+
+def apart(function: Callable, *arguments: Any, report: Report | None = None, wait: float = WAIT) -> Any:
+    """Call a function in a process of its own.
+
+    Parameters
+    ----------
+    function : callable (*arguments, report)
+        of a module that can be imported
+    arguments
+        that can be pickled, like the result
+    report : callable (stage, fraction)
+        called here with what the function reports there
+    wait : float
+        longest silence, between two reports or before the end [s]
+
+    Returns
+    -------
+    object
+        what the function returns
+
+    Raises
+    ------
+    NotSolved
+        if the process ends without an answer or is silent for too long; ImpossiblePart and
+        NotSolved of the function come through, its other exceptions are told in a NotSolved
+    """
+    with tempfile.TemporaryFile() as errors:
+        process = subprocess.Popen(
+            [sys.executable, "-c", _START.format(path=sys.path)],
+            stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=errors, env=os.environ | _ONE_THREAD,
+        )  # fmt: skip
+        assert process.stdin
+        with process:
+            try:
+                return _answer(process, (function, arguments), report or _ignore, wait, errors)
+            finally:  # also after Ctrl-C; a process that has ended is not harmed
+                process.kill()
+                with suppress(BrokenPipeError):  # of a task that was not taken
+                    process.stdin.close()
+
+
+def _ignore(stage: str, fraction: float | None) -> None:
+    """Nobody wants to know."""
+
+
+def _answer(process: subprocess.Popen, task: tuple, report: Report, wait: float, errors: BinaryIO) -> Any:
+    """Hand over the task, pass reports on, and take the answer."""
+    assert process.stdin
+    with suppress(BrokenPipeError):  # the process has ended: what comes next tells how
+        pickle.dump(task, process.stdin)
+        process.stdin.flush()
+    while True:
+        word, *content = _next(process, wait, errors)
+        if word == "result":
+            return content[0]
+        if word == "raised":
+            raise content[0]
+        report(*content)
+
+
+def _next(process: subprocess.Popen, wait: float, errors: BinaryIO) -> tuple:
+    """The next message; a process that stays silent is ended."""
+    assert process.stdout
+    silence = Event()
+    watch = Timer(wait, lambda: (silence.set(), process.kill()))
+    watch.daemon = True
+    watch.start()
+    try:
+        return pickle.load(process.stdout)
+    except (EOFError, pickle.UnpicklingError):
+        # Loads NGSolve, which a program that only waits for an answer does without.
+        from fem.assembly.factorisation import NotSolved
+
+        silent = f"was silent for {wait:g} s and was ended; take larger elements"
+        what = silent if silence.is_set() else _ending(process, errors)
+        raise NotSolved(f"the process that meshes and condenses {what}") from None
+    finally:
+        watch.cancel()
+
+
+def _ending(process: subprocess.Popen, errors: BinaryIO) -> str:
+    """How a process ended, and its last words."""
+    code = process.wait()
+    how = f"by signal {-code} ({signal.strsignal(-code)})" if code < 0 else f"with exit code {code}"
+    errors.seek(0, os.SEEK_END)
+    errors.seek(max(0, errors.tell() - LAST_WORDS))
+    words = errors.read().decode(errors="replace").strip()
+    return f"ended {how}; its last words: {words or 'none'}. {_advice(code)}"
+
+
+def _advice(code: int) -> str:
+    if code == -9:  # also what a system does that runs out of memory
+        return "Nobody but the system ends it so: take larger elements, they need less memory"
+    return "Gaps and walls that are nearly nothing do that to the mesh generator: widen or remove them"
+
+
+def _work() -> None:
+    """What the process does: take a task, report, answer."""
+    # What libraries print must not get between the messages.
+    answers = os.fdopen(os.dup(1), "wb")
+    os.dup2(2, 1)
+
+    def send(*message):
+        pickle.dump(message, answers)
+        answers.flush()
+
+    task = sys.stdin.buffer
+    function, arguments = pickle.load(task)
+    Thread(target=_leave_with_parent, args=(task,), daemon=True).start()
+    try:
+        result = function(*arguments, report=lambda stage, fraction=None: send("report", stage, fraction))
+        send("result", result)
+    except Exception as problem:
+        send("raised", _sendable(problem))
+
+
+def _leave_with_parent(task: BinaryIO) -> None:
+    """End this process when the parent is gone, whose end of the pipe closes then."""
+    task.read()
+    os._exit(1)
+
+
+def _sendable(problem: Exception) -> Exception:
+    """The exception itself if it is one of ours, or one that says the same."""
+    if isinstance(problem, ImpossiblePart | MemoryError):
+        return problem
+    from fem.assembly.factorisation import NotSolved
+
+    if isinstance(problem, NotSolved):
+        return problem
+    return NotSolved(f"meshing or condensing failed: {type(problem).__name__}: {problem}")

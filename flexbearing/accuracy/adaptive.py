@@ -1,0 +1,135 @@
+"""The levels at which a roller case keeps the accuracy that is ordered."""
+
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from flexbearing.accuracy import Found, Unusable, Verdict, climb
+from flexbearing.accuracy.levels import ladders
+from flexbearing.accuracy.trials import Trial, Trials, changes
+from flexbearing.case import Case
+from flexbearing.progress import Report
+from flexbearing.rings.condensed import Rings
+from quasidynamic import Equilibrium, RollerBearing
+
+JUDGED = ("roller_load", "life")  # outputs that the target is of
+
+
+@dataclass(frozen=True)
+class Ordered:
+    """A case at the levels that its target asks for."""
+
+    found: Found
+    trial: Trial  # at these levels
+    model: RollerBearing
+
+    @property
+    def rings(self) -> Rings:
+        """The parts as they are resolved."""
+        return self.trial.rings
+
+    def attributes(self) -> dict[str, Any]:
+        """What the result file says of levels and errors."""
+        return {
+            "choices": {verdict.choice.name: _record(verdict) for verdict in self.found.verdicts},
+            "error_estimate": {
+                "target": self.found.target,
+                "met": self.found.met,
+                **{name: _finite(error) for name, error in self.found.estimate.items()},
+            },
+        }
+
+    def notes(self, end: Equilibrium) -> Iterator[str]:
+        """What a reader must know: parts that are left rigid, a target that is not met, another end state."""
+        for verdict in self.found.verdicts:
+            if verdict.choice.levels[verdict.level] == "rigid":
+                yield (
+                    f"{verdict.choice.name}: left rigid, as yielding changes loads and life by less than the "
+                    f"target allows it ({_percent(verdict.allowed)})"
+                )
+        if not self.found.met:
+            yield _unmet(self.found)
+        away = np.abs(end.forces[..., 0] - self.trial.loads).max() / self.trial.loads.max()
+        if not away <= self.found.target:
+            yield (
+                f"accuracy.target: the loads of this solution differ by {_percent(away)} from those that "
+                "the errors were estimated at: there are several equilibria, and the estimate is of another"
+            )
+
+
+def ordered(case: Case, report: Report) -> Ordered:
+    """Choose the levels of a case that has a target.
+
+    Parameters
+    ----------
+    case : Case
+        roller bearing
+    report : Report
+        hears of the parts that are condensed
+
+    Returns
+    -------
+    Ordered
+
+    Raises
+    ------
+    Unusable
+        if there is no answer at the coarsest levels
+    """
+    assert case.accuracy.target is not None
+    report.stage("levels for the accuracy that is ordered", None)
+    given = ladders(case)
+    trials = Trials(case, given, report)
+    with ThreadPoolExecutor() as pool:
+        if case.accuracy.threads > 1:
+            trials.foresee(pool)
+        found = climb([one.choice for one in given], trials, changes, case.accuracy.target, JUDGED)
+    for verdict in found.verdicts:
+        name, level = verdict.choice.name, verdict.choice.levels[verdict.level]
+        if not verdict.against and verdict.choice.converging > verdict.level:
+            raise Unusable(
+                "; ".join(verdict.unusable.values())
+            )  # a part without any level is not a rigid one
+        report.stage(f"{name}: {level}", None)
+    return Ordered(found, trials(found.place), trials.model(found.place))
+
+
+def _record(verdict: Verdict) -> dict[str, Any]:
+    """One choice as JSON can hold it."""
+    choice = verdict.choice
+    return {
+        "level": choice.levels[verdict.level],
+        "fixed": choice.last is not None and verdict.level == choice.highest,
+        "compared_with": [choice.levels[level] for level in verdict.against],
+        "changes": dict(verdict.changes),
+        "factor": verdict.factor,
+        "allowed": verdict.allowed,
+        "unusable": dict(verdict.unusable),
+    }
+
+
+def _unmet(found: Found) -> str:
+    """What the errors are and what makes them."""
+    errors = " and ".join(
+        f"{_percent(found.estimate[name])} of the {words}"
+        for name, words in zip(JUDGED, ("largest load", "life"), strict=True)
+        if name in found.estimate
+    )
+    worst = max(found.verdicts, key=lambda one: max(one.estimate.get(name, 0.0) for name in JUDGED))
+    choice = worst.choice
+    fixed = ", which the case fixes" if worst.level == choice.highest and choice.last is not None else ""
+    return (
+        f"accuracy.target of {_percent(found.target)} is not met: the estimated errors are {errors}, most of "
+        f"it from {choice.name} ({choice.levels[worst.level]}{fixed})"
+    )
+
+
+def _percent(share: float) -> str:
+    return f"{100 * share:.2g} %"
+
+
+def _finite(value: float) -> float | None:
+    return value if np.isfinite(value) else None

@@ -1,0 +1,160 @@
+"""The oil of a case and the laws it follows."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import quasidynamic as qd
+from flexbearing.case import Case
+from quasidynamic.contact.traction.adore import ADORE_OILS
+from quasidynamic.contact.traction.mixed import FILM_SHARE_1_8, ZHOU_HOEPRICH, AsperityShare, ErrorFunctionShare
+from quasidynamic.contact.traction.inlet_shear import LAWS
+from quasidynamic.contact.film.roughness import composite_roughness
+from quasidynamic.contact.traction.traction_law import TractionLaw
+from quasidynamic.parts.oil_properties import two_point_oil
+
+SHARES: dict[str, AsperityShare] = {
+    "zhou-hoeprich": ZHOU_HOEPRICH,
+    "film-1.8": FILM_SHARE_1_8,
+    "error-function": ErrorFunctionShare(),
+}
+
+
+def lubrication(case: Case) -> qd.Lubrication:
+    """Oil of a case and the laws it follows."""
+    given = case.lubricant
+    return qd.Lubrication(
+        oil=oil(case),
+        oil_fraction=given.oil_fraction,
+        traction=_traction(case),
+        film=qd.FORMULAS[given.film],
+        rolling=LAWS[given.rolling],
+        inlet_heating=given.inlet_heating,
+        inlet_length=given.inlet_length,
+        drag_coefficient=given.drag_coefficient,
+        churning_gap=given.churning_gap,
+    )
+
+
+def oil(case: Case) -> qd.Lubricant:
+    """The oil at the inlet temperature, with its notes."""
+    given: Any = case.lubricant  # which values are there depends on how it is described, checked on reading
+    if given.oil is not None:
+        return qd.oil_at(given.oil, given.inlet_temperature)
+    if given.data_sheet is not None:
+        return qd.oil_at(_data_sheet_oil(given.data_sheet), given.inlet_temperature)
+    return qd.Lubricant(
+        temperature=given.inlet_temperature,
+        viscosity=given.viscosity,
+        pressure_viscosity=given.pressure_viscosity,
+        temperature_viscosity=given.temperature_viscosity,
+        conductivity=given.conductivity,
+        density=given.density,
+    )
+
+
+def oil_name(case: Case) -> str:
+    """What the oil is called in notes."""
+    given = case.lubricant
+    return given.oil or (given.data_sheet.name if given.data_sheet else "the given oil")
+
+
+def roughness(case: Case) -> NDArray | None:
+    """Composite roughness (2) of inner and outer contact [m]; None when the case does not give it."""
+    surfaces = case.bearing.roughness
+    if surfaces is None:
+        return None
+    return composite_roughness(surfaces.roller, [surfaces.inner_raceway, surfaces.outer_raceway])
+
+
+def _data_sheet_oil(sheet):
+    alphas = [(sheet.cold_temperature, sheet.cold_pressure_viscosity)]
+    if sheet.hot_pressure_viscosity is not None:
+        alphas.append((sheet.hot_temperature, sheet.hot_pressure_viscosity))
+    return two_point_oil(
+        sheet.name,
+        viscosities=(
+            (sheet.cold_temperature, sheet.cold_viscosity),
+            (sheet.hot_temperature, sheet.hot_viscosity),
+        ),
+        density=sheet.density,
+        pressure_viscosities=tuple(alphas),
+        conductivity=sheet.conductivity,
+        source="data sheet of the case",
+    )
+
+
+def _traction(case: Case) -> Callable[..., TractionLaw]:
+    """Law of the film, inside that of rough surfaces when the case asks for it."""
+    fluid = _FLUIDS[case.lubricant.traction](case)
+    return fluid if case.lubricant.mixed is None else partial(_mixed, case, fluid)
+
+
+def _eyring(case: Case) -> Callable[..., TractionLaw]:
+    given: Any = case.lubricant
+    stress = given.eyring_stress or 2 * given.limiting_ratio / oil(case).pressure_viscosity
+    return partial(
+        qd.Eyring,
+        limiting_ratio=given.limiting_ratio,
+        eyring_stress=stress,
+        film_heating=given.film_heating,
+    )
+
+
+def _bair_winer(case: Case) -> Callable[..., TractionLaw]:
+    given: Any = case.lubricant
+    return partial(qd.BairWiner, limiting_ratio=given.limiting_ratio, film_heating=given.film_heating)
+
+
+def _adore(case: Case) -> Callable[..., TractionLaw]:
+    given: Any = case.lubricant
+    return partial(qd.AdoreType, rheology=ADORE_OILS[given.adore_oil], limiting_ratio=given.limiting_ratio)
+
+
+def _four_point(case: Case) -> Callable[..., TractionLaw]:
+    points: Any = case.lubricant.traction_curve
+    curve = qd.FourPointCurve.through(
+        at_rest=points.at_rest, peak=points.peak, peak_slip=points.peak_slip, far=points.far
+    )
+    return lambda **_: curve  # it is the same in every contact
+
+
+_FLUIDS: dict[str, Callable[[Case], Callable[..., TractionLaw]]] = {
+    "4109": lambda case: qd.Regression4109,
+    "eyring": _eyring,
+    "bair-winer": _bair_winer,
+    "adore": _adore,
+    "four-point": _four_point,
+}
+
+
+def _mixed(case: Case, fluid: Callable[..., TractionLaw], **contact: Any) -> TractionLaw:
+    given, sigma = case.lubricant.mixed, roughness(case)
+    assert given is not None  # checked on reading
+    assert sigma is not None
+    inner, outer = sigma
+    ratio = np.reshape([1.0, inner / outer], (2, 1, 1))
+    return qd.Mixed(
+        fluid=fluid(**contact),
+        share=OtherRoughness(SHARES[given.share], ratio),
+        roughness=float(inner),
+        boundary_friction=given.boundary_friction,
+        sign_speed=given.sign_speed,
+    )
+
+
+@dataclass(frozen=True)
+class OtherRoughness:
+    """Asperity share where a raceway is not as rough as the one the film ratio was formed with."""
+
+    share: AsperityShare
+    ratio: NDArray  # [-] roughness of the film ratio over that of the contact, inner and outer raceway
+
+    def __call__(self, film_ratio: NDArray) -> tuple[NDArray, NDArray]:
+        """Share and its derivative by the film ratio it is given."""
+        share, slope = self.share(film_ratio * self.ratio)
+        return share, slope * self.ratio

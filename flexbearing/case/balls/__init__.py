@@ -1,0 +1,1 @@
+"""The case files of ball bearings: four-point and angular contact."""

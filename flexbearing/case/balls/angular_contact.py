@@ -1,0 +1,144 @@
+"""A fast angular-contact ball bearing, as a case."""
+
+from math import pi
+from typing import Literal, Self
+
+from pydantic import model_validator
+
+from flexbearing.case.balls.parts import BallBearing, Elastic, Groove, HeavyElastic, RingLoad
+from flexbearing.case.head import Head
+from flexbearing.case.quantity import Angle, Length, Section, Speed, impossible, key, require
+
+RIGHT_ANGLE = pi / 2  # [rad]
+DIRECTIONS = {  # name of a load, and of the displacement that may be held instead
+    "radial_x": "radial_x",
+    "radial_y": "radial_y",
+    "axial": "axial",
+    "moment_x": "tilt_x",
+    "moment_y": "tilt_y",
+}
+
+
+class EndingGroove(Groove):
+    """A groove that may end on a shoulder."""
+
+    shoulder: Length | None = key(
+        "height of the shoulder above the bottom of the groove, of both where there are two; "
+        "contacts that reach over it are told",
+        None,
+        example="4.5 mm",
+        gt=0,
+    )
+
+
+class AngularBearing(BallBearing):
+    """The bearing."""
+
+    inner: EndingGroove = key("groove of the inner ring")
+    outer: EndingGroove = key("groove of the outer ring")
+    balls: int = key("number of balls", example=18, ge=3, le=1000)
+    contact_angle: Angle = key(
+        "contact angle without load, from the radial plane", example="15 deg", ge=0, lt=RIGHT_ANGLE
+    )
+    first_ball_azimuth: Angle = key("azimuth of a ball, from x towards y", "0 deg")
+
+    @model_validator(mode="after")
+    def _balls_fit(self) -> Self:
+        self.require_room(self.balls)
+        return self
+
+    @model_validator(mode="after")
+    def _shoulders_end_on_the_grooves(self) -> Self:
+        diameter = self.ball.diameter
+        for name, groove in (("inner", self.inner), ("outer", self.outer)):
+            radius = groove.over(diameter) * diameter
+            if groove.shoulder is not None and groove.shoulder > radius:
+                raise impossible(f"{name}.shoulder", f"at most the groove radius, {1e3 * radius:.4g} mm")
+        return self
+
+
+class FastMaterials(Section):
+    """Materials of the parts."""
+
+    ball: HeavyElastic = key("of the balls")
+    inner_ring: Elastic | None = key("of the inner ring; without it as the balls", None)
+    outer_ring: Elastic | None = key("of the outer ring; without it as the balls", None)
+
+
+class Displacement(Section):
+    """Where the inner ring is held; it is free in every direction that is left out."""
+
+    radial_x: Length | None = key("displacement along x, instead of a load", None, example="0 um")
+    radial_y: Length | None = key("displacement along y, instead of a load", None, example="0 um")
+    axial: Length | None = key("displacement along z, instead of a load", None, example="20 um")
+    tilt_x: Angle | None = key("turn about x, instead of a moment", None, example="0 deg")
+    tilt_y: Angle | None = key("turn about y, instead of a moment", None, example="0 deg")
+
+    @property
+    def values(self) -> tuple[float | None, ...]:
+        """Displacements x, y, z [m] and turns about x, y [rad]; None where the ring is free."""
+        return tuple(getattr(self, name) for name in DIRECTIONS.values())
+
+
+class FastOperation(Section):
+    """Load and speed."""
+
+    inner_speed: Speed = key("speed of the inner ring", example="15000 rpm")
+    outer_speed: Speed = key("speed of the outer ring", "0 rpm")
+    control: Literal["outer", "inner", "equal", "coulomb"] = key(
+        "race on which the balls do not spin; equal: the spin axis halves the angle between both contacts; "
+        "coulomb: no assumption, friction in both contacts decides"
+    )
+    friction: float | None = key(
+        "Coulomb friction of the contacts; needed with control coulomb, left out with any other",
+        None,
+        example=0.06,
+        gt=0,
+        le=1,
+    )
+    load: RingLoad = key("load on the inner ring; axial pushes the balls against their shoulders", {})
+    displacement: Displacement = key("where the inner ring is held instead of loaded", {})
+
+    @model_validator(mode="after")
+    def _friction_decides(self) -> Self:
+        if self.control == "coulomb":
+            require(self, ("friction",), 'control = "coulomb"')
+        elif self.friction is not None:
+            raise impossible("friction", f'left out with control = "{self.control}", or control = "coulomb"')
+        return self
+
+    @model_validator(mode="after")
+    def _load_or_displacement(self) -> Self:
+        for load, place in DIRECTIONS.items():
+            if getattr(self.load, load) and getattr(self.displacement, place) is not None:
+                raise impossible(
+                    f"displacement.{place}", f"left out beside operation.load.{load}; give one of the two"
+                )
+        return self
+
+
+class RollingLines(Section):
+    """Lines of the contacts on which balls roll without slip."""
+
+    coefficient: float = key(
+        "Coulomb friction of the contacts, for their spin torque", example=0.1, gt=0, le=1
+    )
+    spin: Literal["slip field", "contact angle"] = key(
+        "spin over roll: of the whole motion of the ball; or by the contact angle alone, as Eq. (15) of "
+        "Rivera, Tong and Hong (2021)",
+        "slip field",
+    )
+    net_force: Literal["none", "balanced"] = key(
+        "net friction in the rolling direction: none; or what balances the moments about the spin axis",
+        "none",
+    )
+    points: int = key("points of the slip profile across each contact", 101, ge=3, le=2001)
+
+
+class AngularCase(Head):
+    """A fast angular-contact ball bearing."""
+
+    bearing: AngularBearing = key("the bearing")
+    materials: FastMaterials = key("the materials")
+    operation: FastOperation = key("load and speed")
+    rolling_lines: RollingLines = key("lines on which the balls roll without slip")

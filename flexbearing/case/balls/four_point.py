@@ -1,0 +1,189 @@
+"""A slow ball bearing of two or four contact points, as a case."""
+
+from math import pi
+from typing import Literal, Self
+
+from pydantic import model_validator
+
+from flexbearing.case.balls import bolted_rings
+from flexbearing.case.balls.parts import BallBearing, Elastic, Number, RingLoad, Whole
+from flexbearing.case.head import Head
+from flexbearing.case.quantity import (
+    Angle,
+    Force,
+    Length,
+    Pressure,
+    Section,
+    Speed,
+    impossible,
+    key,
+    needed,
+    require,
+)
+
+RIGHT_ANGLE = pi / 2  # [rad]
+
+
+class FourPointBearing(BallBearing):
+    """The bearing."""
+
+    balls: int | None = key(
+        'number of balls; without it one ball, for operation.mode = "contact_loads"',
+        None,
+        example=60,
+        ge=3,
+        le=1000,
+    )
+    contact_angle: Angle = key(
+        "contact angle of both diagonals without load, from the radial plane",
+        example="45 deg",
+        gt=0,
+        lt=RIGHT_ANGLE,
+    )
+    clearance: Length = key(
+        "free way of a ball along a diagonal, both contacts together; negative is an interference",
+        "0 um",
+        example="-15 um",
+    )
+
+    @model_validator(mode="after")
+    def _balls_fit(self) -> Self:
+        if self.balls is not None:
+            self.require_room(self.balls)
+        if self.clearance >= self.ball.diameter / 2:
+            raise impossible("clearance", "below half a ball diameter; is the unit right?")
+        reach = sum(groove.over(self.ball.diameter) for groove in (self.inner, self.outer)) - 1
+        if self.clearance <= -reach * self.ball.diameter:
+            most = f"{reach * self.ball.diameter * 1e6:.4g} um"
+            raise impossible("clearance", f"above -{most}, the distance of opposite groove centres")
+        return self
+
+
+class SlowMaterials(Section):
+    """Materials of the parts."""
+
+    ball: Elastic = key("of the balls")
+    inner_ring: Elastic | None = key("of the inner ring; without it as the balls", None)
+    outer_ring: Elastic | None = key("of the outer ring; without it as the balls", None)
+
+
+class SlowFriction(Section):
+    """Coulomb friction of the contacts, and how their torque is summed."""
+
+    coefficient: float | None = key("one coefficient at any pressure", None, example=0.1, gt=0, le=1)
+    pressures: tuple[Pressure, ...] | None = key(
+        "peak pressures at which coefficients were measured, growing; instead of friction.coefficient",
+        None,
+        example=["1 GPa", "3 GPa"],
+        strict=False,
+    )
+    coefficients: tuple[Number, ...] | None = key(
+        "the coefficient at each of friction.pressures, straight lines between them",
+        None,
+        example=[0.12, 0.1],
+        strict=False,
+    )
+    torque: Literal["exact", "circumferential"] = key(
+        "exact: with the moment of the tractions about the contact normal; circumferential: of the tractions "
+        "along the rolling direction alone, as Heras et al. (2017)",
+        "exact",
+    )
+    hysteresis_loss: float = key("part of the elastic work that rolling loses", 0.0, ge=0, lt=1)
+
+    @model_validator(mode="after")
+    def _one_of_both(self) -> Self:
+        if self.pressures is None and self.coefficients is None:
+            if self.coefficient is None:
+                raise needed(["coefficient"], "a case without friction.pressures")
+            return self
+        if self.coefficient is not None:
+            raise impossible("coefficient", "left out beside friction.pressures; give one of the two")
+        pressures, coefficients = require(self, ("pressures", "coefficients"), "a friction curve")
+        if not pressures or any(high <= low for low, high in zip((0.0, *pressures), pressures, strict=False)):
+            raise impossible("pressures", "one pressure at least, above zero and growing")
+        if len(coefficients) != len(pressures) or not all(0 < value <= 1 for value in coefficients):
+            raise impossible("coefficients", f"{len(pressures)} numbers above 0 and at most 1")
+        return self
+
+
+class SlowOperation(Section):
+    """What is given: the load of the ring, or that of the contacts."""
+
+    mode: Literal["ring_load", "contact_loads"] = key(
+        "what is given: the load on the ring, which the balls share at angles that turn with load; or the "
+        "loads of the contacts of every ball, at the contact angle without load",
+        "ring_load",
+    )
+    load: RingLoad = key('load on the inner ring, for operation.mode = "ring_load"', {})
+    contact_loads: tuple[Force, ...] | None = key(
+        "load of the first and of the second diagonal of every ball; the first leans outwards to positive z",
+        None,
+        example=["26 kN", "0 N"],
+        strict=False,
+    )
+    speed: Speed = key(
+        "speed of the inner ring against the outer one; slip and power are in proportion, torque is not",
+        "1 rad/s",
+        gt=0,
+    )
+
+    @model_validator(mode="after")
+    def _contact_loads(self) -> Self:
+        if self.mode == "ring_load":
+            return self
+        (loads,) = require(self, ("contact_loads",), 'mode = "contact_loads"')
+        if len(loads) not in (1, 2) or not all(load >= 0 for load in loads) or not any(loads):
+            raise impossible("contact_loads", "one or two forces, none negative, at least one above zero")
+        return self
+
+
+class Fields(Section):
+    """Contacts whose slip and shear are stored point by point."""
+
+    balls: tuple[Whole, ...] | None = key(
+        "numbers of the balls, from 0 at azimuth zero; without it the one that carries most",
+        None,
+        example=[0, 3],
+        strict=False,
+    )
+    points: int = key("points across and along each contact", 21, ge=3, le=401)
+
+
+class FourPointCase(Head):
+    """A slow ball bearing of two or four contact points."""
+
+    bearing: FourPointBearing = key("the bearing")
+    materials: SlowMaterials = key("the materials")
+    friction: SlowFriction = key("friction of the contacts")
+    operation: SlowOperation = key("load and speed", {})
+    rings: bolted_rings.Rings = key("rings that yield to the balls; rigid without it", {})
+    fields: Fields = key("contacts whose slip and shear are stored point by point", {})
+
+    @property
+    def balls(self) -> int:
+        """Balls that are computed."""
+        return self.bearing.balls or 1
+
+    @model_validator(mode="after")
+    def _balls_are_known(self) -> Self:
+        if self.operation.mode == "ring_load" and self.bearing.balls is None:
+            raise needed(["bearing.balls"], 'operation.mode = "ring_load"')
+        if self.operation.mode == "contact_loads" and not self.rings.rigid:
+            raise impossible(
+                "operation.mode", '"ring_load" beside rings that yield: they change how balls share it'
+            )
+        chosen = self.fields.balls
+        if chosen is not None and (not chosen or not all(0 <= ball < self.balls for ball in chosen)):
+            raise impossible("fields.balls", f"numbers of balls, from 0 to {self.balls - 1}")
+        return self
+
+    @model_validator(mode="after")
+    def _grooves_fit_into_the_rings(self) -> Self:
+        own, ball = self.bearing, self.bearing.ball.diameter
+        self.rings.require_room(
+            *(
+                bolted_rings.Groove(own.pitch_diameter, ball, groove.over(ball) * ball, own.contact_angle)
+                for groove in (own.inner, own.outer)
+            )
+        )
+        return self

@@ -1,0 +1,144 @@
+"""The section [bearing] with its rollers, cage and surfaces."""
+
+from math import pi
+from typing import Literal, Self
+
+from pydantic import model_validator
+
+from flexbearing.case.quantity import Angle, Length, Mass, Section, impossible, key, needed, require
+from flexbearing.case.roller.fits import Fits
+from flexbearing.case.roller.flange import Flange
+
+
+class Roller(Section):
+    """One roller."""
+
+    diameter: Length = key("diameter of the rollers", gt=0)
+    length: Length = key("effective length, without end chamfers", gt=0)
+    profile: Literal["straight", "crowned", "logarithmic"] = key("shape of the generatrix", "straight")
+    straight_length: Length | None = key("length of the straight middle of a crowned roller", None, ge=0)
+    crown_radius: Length | None = key(
+        "radius of the ends' generatrix of a crowned roller", None, example="600 mm", gt=0
+    )
+    drop: Length | None = key(
+        "amplitude A of the logarithmic profile A ln 1/(1 - (2x/l)^2); ISO/TS 16281 takes 0.00035 D",
+        None,
+        example="1.75 um",
+        gt=0,
+    )
+
+    @model_validator(mode="after")
+    def _profile(self) -> Self:
+        if self.profile == "crowned":
+            straight, radius = require(self, ("straight_length", "crown_radius"), 'profile = "crowned"')
+            if straight > self.length:
+                raise impossible("straight_length", "at most bearing.roller.length")
+            if radius <= self.length / 2:
+                raise impossible("crown_radius", "more than half of bearing.roller.length")
+        if self.profile == "logarithmic":
+            require(self, ("drop",), 'profile = "logarithmic"')
+        return self
+
+
+class Cage(Section):
+    """The cage."""
+
+    guidance: Literal["outer", "inner", "rollers"] = key(
+        "what the cage runs on: a ring's land or the rollers"
+    )
+    pocket_friction: float = key("Coulomb friction between roller and pocket", example=0.05, ge=0, le=1)
+    thickness: Length = key(
+        "radial thickness; that part of each roller is hidden from the oil-air mixture", ge=0
+    )
+    mass: Mass = key("mass, used when a start from rest is followed in time", gt=0)
+    land_diameter: Length | None = key("diameter of the guiding land", None, example="74.6 mm", gt=0)
+    land_width: Length | None = key("width of the guiding land, both sides together", None, gt=0)
+    land_clearance: Length | None = key(
+        "diametral clearance at the guiding land", None, example="0.4 mm", gt=0
+    )
+    land_flow: Literal["laminar", "vortices"] = key(
+        "flow of the oil in the land: laminar, or with Taylor vortices and turbulence", "laminar"
+    )
+
+    centre: Literal["held", "free"] = key(
+        "held: the cage stays concentric with its land; free: it floats where the oil film of the land "
+        "carries the push of its pockets",
+        "held",
+    )
+    unbalance: Length = key("distance of the mass centre of a free cage from its axis", "0 um", ge=0)
+    unbalance_azimuth: Angle = key("where that mass centre is, from z towards y", "0 deg")
+    pocket_clearance: Length | None = key(
+        "from a centred roller to either wall of its pocket; shows how far rollers run ahead or lag",
+        None,
+        example="0.1 mm",
+        gt=0,
+    )
+
+    @model_validator(mode="after")
+    def _land(self) -> Self:
+        if self.guidance != "rollers":
+            names = ("land_diameter", "land_width", "land_clearance")
+            require(self, names, f'guidance = "{self.guidance}"')
+        elif self.centre == "free":
+            raise impossible("centre", '"held" where rollers guide the cage: only a land carries a free one')
+        if self.unbalance and self.centre == "held":
+            raise impossible("unbalance", 'zero, or centre = "free": a held cage does not feel it')
+        return self
+
+
+class Roughness(Section):
+    """Root-mean-square roughness of the surfaces, about 1.25 Ra."""
+
+    roller: Length = key("Rq of the rollers", example="0.05 um", gt=0)
+    inner_raceway: Length = key("Rq of the inner raceway", example="0.1 um", gt=0)
+    outer_raceway: Length = key("Rq of the outer raceway", example="0.1 um", gt=0)
+
+
+class Bearing(Section):
+    """The bearing."""
+
+    kind: Literal["cylindrical_roller"] = key("family of the bearing")
+    rollers: int = key("number of rollers", example=30, ge=3, le=1000)
+    outer_raceway_diameter: Length = key("diameter of the outer raceway", example="75 mm", gt=0)
+    clearance: Length | None = key(
+        "operating diametral clearance, warm and running; negative is a preload; instead of bearing.fits",
+        None,
+        example="50 um",
+    )
+    fits: Fits | None = key("cold clearance and fits, from which the operating clearance follows", None)
+    contact_law: Literal["palmgren", "iso16281"] = key("load law of a roller on a raceway", "palmgren")
+    first_roller_azimuth: Angle = key("azimuth of a roller, from z towards y", "0 deg")
+    roller: Roller = key("the rollers")
+    cage: Cage = key("the cage")
+    roughness: Roughness | None = key("roughness of rollers and raceways, for film ratios", None)
+    flange: Flange | None = key("guide flanges of one ring, for the skew of the rollers", None)
+
+    @property
+    def stated_clearance(self) -> float:
+        """The clearance that the case gives, operating or cold [m]."""
+        given = self.fits.cold_clearance if self.fits else self.clearance
+        assert given is not None  # checked on reading
+        return given
+
+    @model_validator(mode="after")
+    def _one_clearance(self) -> Self:
+        if self.clearance is None and self.fits is None:
+            raise needed(["clearance"], "a bearing without [bearing.fits]")
+        if self.clearance is not None and self.fits is not None:
+            raise impossible("clearance", "left out where [bearing.fits] computes it; give one of the two")
+        return self
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        pitch = self.outer_raceway_diameter - self.roller.diameter
+        if pitch <= self.roller.diameter:
+            raise impossible("outer_raceway_diameter", "more than twice bearing.roller.diameter")
+        if self.rollers * self.roller.diameter >= pi * pitch:
+            most = int(pi * pitch / self.roller.diameter)
+            raise impossible("rollers", f"at most {most}, or they touch on the pitch circle")
+        if self.flange and self.flange.height >= self.roller.diameter / 2:
+            raise impossible("flange.height", "below half of bearing.roller.diameter")
+        if abs(self.stated_clearance) > self.roller.diameter / 2:
+            name = "fits.cold_clearance" if self.fits else "clearance"
+            raise impossible(name, "below half a roller diameter; is the unit right?")
+        return self

@@ -1,0 +1,85 @@
+"""A cylindrical roller bearing between its rings, as a case."""
+
+from collections.abc import Callable
+from typing import Self
+
+from pydantic import model_validator
+from pydantic_core import PydanticCustomError
+
+from flexbearing.case.head import Head
+from flexbearing.case.quantity import impossible, key, needed
+from flexbearing.case.roller.bearing import Bearing
+from flexbearing.case.roller.full_solids import require_solids
+from flexbearing.case.roller.life import FEWEST_SLICES, Life
+from flexbearing.case.roller.lubricant import Lubricant
+from flexbearing.case.roller.mounting import require_mounting
+from flexbearing.case.roller.numerics import Accuracy, Coupling
+from flexbearing.case.roller.outputs import Outputs
+from flexbearing.case.roller.rings import Inner, Outer
+from flexbearing.case.roller.surroundings import Materials, Operation
+
+
+class Case(Head):
+    """A cylindrical roller bearing."""
+
+    bearing: Bearing = key("the bearing")
+    materials: Materials = key("the materials")
+    lubricant: Lubricant = key("the oil")
+    operation: Operation = key("load and speed")
+    outer: Outer = key("what carries the outer raceway")
+    inner: Inner = key("what carries the inner raceway")
+    life: Life = key("what modifies the basic life", {})
+    coupling: Coupling = key("how bearing and rings come to agree", {})
+    accuracy: Accuracy = key("how finely everything is resolved", {})
+    outputs: Outputs = key("what is computed beside the solution", {})
+
+    @model_validator(mode="after")
+    def _parts_fit(self) -> Self:
+        raceway, roller = self.bearing.outer_raceway_diameter, self.bearing.roller
+        _at("outer", lambda: self.outer.require_room(raceway, roller.length))
+        inner_raceway = raceway - 2 * roller.diameter - self.bearing.stated_clearance
+        _at("inner", lambda: self.inner.require_room(inner_raceway, roller.length))
+        if self.bearing.cage.thickness >= roller.diameter:
+            raise impossible("bearing.cage.thickness", "below bearing.roller.diameter")
+        if self.inner.kind == "ring_on_shaft" and self.materials.shaft is None:
+            raise needed(["materials.shaft"], 'inner.kind = "ring_on_shaft"')
+        if self.accuracy.axial_shapes > self.accuracy.slices:
+            raise impossible("accuracy.axial_shapes", "at most accuracy.slices")
+        return self
+
+    @model_validator(mode="after")
+    def _surfaces_are_known(self) -> Self:
+        rough = self.bearing.roughness is not None
+        self.lubricant.require_rough_surfaces(rough)
+        if self.life.lubrication == "film" and not rough:
+            raise needed(["bearing.roughness"], 'life.lubrication = "film"')
+        return self
+
+    @model_validator(mode="after")
+    def _edge_stress_is_known(self) -> Self:
+        if self.life.edge_stress and self.bearing.roller.profile == "straight":
+            allowed = '"crowned" or "logarithmic" for life.edge_stress: a straight roller has no known edge'
+            raise impossible("bearing.roller.profile", allowed)
+        if self.life.edge_stress and self.accuracy.slices < FEWEST_SLICES:
+            raise impossible("accuracy.slices", f"at least {FEWEST_SLICES} for life.edge_stress")
+        return self
+
+    @model_validator(mode="after")
+    def _full_structures_are_solids(self) -> Self:
+        if self.coupling.structure == "full":
+            require_solids(self)
+        return self
+
+    @model_validator(mode="after")
+    def _mounting_is_complete(self) -> Self:
+        require_mounting(self)
+        return self
+
+
+def _at(section: str, check: Callable[[], None]) -> None:
+    """Run a check of one section that needs numbers of another; a problem is located in the section."""
+    try:
+        check()
+    except PydanticCustomError as problem:
+        context = problem.context or {}
+        raise impossible(f"{section}.{context['names'][0]}", context["allowed"]) from None

@@ -1,0 +1,1 @@
+"""The coupling with its real partners: bearing and rings, methods in order, initial states, stored states."""

@@ -1,0 +1,148 @@
+"""Bearing and rings until they agree, by one method after the other."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import partial
+from time import perf_counter
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexbearing.case import Case
+from flexbearing.coupled import states
+from flexbearing.coupled.initial_state import Neighbour
+from flexbearing.coupling import (
+    RULES,
+    Condensed,
+    Ending,
+    Iteration,
+    PartnerFailed,
+    alternate,
+    newton,
+    relaxed,
+)
+from flexbearing.progress import Report
+from flexbearing.results import ResultFile
+from flexbearing.rings.condensed import Rings
+from flexbearing.rings.full_solve import WholeRings
+from quasidynamic import Equilibrium, NotSolved, RollerBearing
+from quasidynamic.solve.rollers.static_equilibrium import series_stiffness
+
+WARM = "newton from a neighbour"
+FALLBACK = ("newton", "iqn-ils", "aitken", "relaxed")  # after the method of the case, in this order
+
+
+@dataclass(frozen=True)
+class BearingPartner:
+    """The bearing as the coupling knows it: its failures carry the coupling's name."""
+
+    model: RollerBearing
+
+    def solve(self, start=None, deviation=None) -> Equilibrium:
+        """Equilibrium between raceways of a given shape."""
+        try:
+            return self.model.solve(start, deviation)
+        except NotSolved as failure:
+            raise PartnerFailed(str(failure), str(failure.ending)) from failure
+
+    def roller_stiffness(self, state: Equilibrium) -> NDArray:
+        """Stiffness of every roller between its raceways (Z) [N/m], as if it were untilted."""
+        return series_stiffness(state.balance, state.unknowns)[0]
+
+    def iterate(self, compliance, start, deviation) -> Iterator[Equilibrium]:
+        """Newton iterates between raceways that yield."""
+        try:
+            yield from self.model.iterate(compliance, start, deviation)
+        except NotSolved as failure:
+            raise PartnerFailed(str(failure), str(failure.ending)) from failure
+
+
+@dataclass(frozen=True)
+class Attempt:
+    """How one method ended."""
+
+    method: str
+    iterations: int  # of all attempts so far
+    status: str
+    message: str
+    ending: str
+    state: Equilibrium
+
+    def record(self) -> dict[str, object]:
+        """What the result file says of it."""
+        return {
+            "iterations": self.iterations,
+            "status": self.status,
+            "message": self.message,
+        }
+
+
+@dataclass(frozen=True)
+class Coupled:
+    """Bearing and rings of a case, from the rigid equilibrium on."""
+
+    case: Case
+    partner: BearingPartner
+    rings: Rings | WholeRings
+    rigid: Equilibrium
+    near: Neighbour | None = None  # where newton starts first
+
+    def together(self, file: ResultFile, report: Report) -> list[Attempt]:
+        """Iterate by one method after the other, and store every iteration; the last attempt counts."""
+        attempts: list[Attempt] = []
+        for method in self._chain():
+            done = attempts[-1].iterations if attempts else 0
+            attempts.append(self._attempt(method, file, report, done))
+            if attempts[-1].status == "converged":
+                break
+            report.stage(f"{method}: {attempts[-1].message}", None)
+        return attempts
+
+    def _chain(self) -> tuple[str, ...]:
+        """Methods in the order in which they are tried."""
+        first = self.case.coupling.method
+        able = FALLBACK if isinstance(self.rings, Condensed) else FALLBACK[1:]  # only newton asks for more
+        others = tuple(method for method in able if method != first)
+        cold = (first, *others) if self.case.coupling.fallback else (first,)
+        return cold if self.near is None else (WARM, *cold)
+
+    def _attempt(self, method: str, file: ResultFile, report: Report, done: int) -> Attempt:
+        began, step = perf_counter(), None
+        for step in self._steps(method):
+            file.iteration(done + step.number, states.iteration(step, perf_counter() - began))
+            report.iteration(step)
+            began = perf_counter()
+        assert step is not None  # every method yields at least once
+        message = step.message or _sentence(method, step, self.case)
+        return Attempt(method, done + step.number, step.status, message, str(step.ending), step.state)
+
+    def _steps(self, method: str) -> Iterator[Iteration[Equilibrium]]:
+        given = self.case.coupling
+        ending = Ending(tolerance=given.tolerance, limit=given.max_iterations)
+        if isinstance(self.rings, Condensed) and method in ("newton", WARM):
+            if self.near is not None and method == WARM:
+                return self._warm(self.near, self.rings, ending)
+            return newton(self.partner, self.rings, self.rigid, ending)
+        rule = partial(relaxed, relaxation=given.relaxation) if method == "relaxed" else RULES[method]
+        return alternate(self.partner, self.rings, self.rigid, ending, rule)
+
+    def _warm(self, near: Neighbour, rings: Condensed, ending: Ending) -> Iterator[Iteration[Equilibrium]]:
+        try:
+            start = near.state(self.partner, rings, self.rigid)
+        except PartnerFailed as failure:
+            yield Iteration(1, self.rigid, np.inf, np.inf, "not solved", str(failure), failure.ending)
+            return
+        yield from newton(self.partner, rings, start, ending)
+
+
+def _sentence(method: str, last: Iteration, case: Case) -> str:
+    if last.status == "converged":
+        return (
+            f"loads changed by {last.load_change:.1e} of the largest in the last iteration, "
+            f"unbalanced force {last.state.residual:.1e} of the load"
+        )
+    return (
+        f"{method} stopped after {last.number} iterations with load changes of {last.load_change:.1e} and a "
+        f"mismatch of {last.mismatch:.1e} (converged is below {case.coupling.tolerance:.0e})"
+        + ("; try newton, or a smaller coupling.relaxation" if method == "relaxed" else "")
+    )

@@ -1,0 +1,108 @@
+"""Bolted rings of a case, meshed and condensed, or taken from the cache."""
+
+from math import inf
+
+import numpy as np
+from numpy.typing import NDArray
+
+import fem
+from fem.parts.bolted_ring import GothicRing
+from flexbearing.cache import configured
+from flexbearing.case import BadCase, FourPointCase
+from flexbearing.case.balls.bolted_rings import BoltedRing
+from flexbearing.case.balls.parts import Elastic
+from flexbearing.progress import Report
+
+LINE = 0.2  # of a ball diameter: near the length of a heavily loaded contact
+USUAL = 5, 0.5, 0.5  # order; elements over the ball diameter; elements on the lines over these
+
+
+def compliance(case: FourPointCase, report: Report) -> NDArray:
+    """How both rings together let the groove centres of the diagonals come closer.
+
+    Parameters
+    ----------
+    case : FourPointCase
+        with a ring that yields
+    report : Report
+        hears of what is condensed
+
+    Returns
+    -------
+    array (Z, 2, 2, 2, 2)
+        as `quasidynamic.balance.balls.four_point_elastic` takes it [m/N]
+
+    Raises
+    ------
+    BadCase
+        when a ring cannot be
+    fem.errors.NotSolved
+        when the finite elements find no trustworthy answer
+    """
+    total = np.zeros((case.balls, 2, 2, 2, 2))
+    for name, arches in (("outer", slice(None)), ("inner", slice(None, None, -1))):
+        part = ring(case, name)
+        if part is not None:
+            # the first diagonal presses on the outer arch at +z and on the inner one at -z
+            total += _row(case, name, part, report)[:, arches, :, arches]
+    return total
+
+
+def ring(case: FourPointCase, name: str) -> GothicRing | None:
+    """Part of a case, "outer" or "inner"; None when it is rigid; raises `BadCase` when it cannot be."""
+    own, given = case.bearing, getattr(case.rings, name)
+    if given.kind == "rigid":
+        return None
+    try:
+        return GothicRing(
+            race="outer" if name == "outer" else "inner",
+            pitch_diameter=own.pitch_diameter,
+            ball_diameter=own.ball.diameter,
+            groove_radius=getattr(own, name).over(own.ball.diameter) * own.ball.diameter,
+            contact_angle=own.contact_angle,
+            elastic=_elastic(getattr(case.materials, f"{name}_ring") or case.materials.ball),
+            **_section(given),
+        )
+    except fem.ImpossiblePart as problem:
+        raise BadCase(f"{case.source.path}: {name} ring: {problem}") from problem
+
+
+def _section(given: BoltedRing) -> dict:
+    return {
+        "groove_end": given.groove_end,
+        "far_diameter": getattr(given, given.far),
+        "width": given.width,
+        "face_distance": given.face_distance,
+        "face_side": 1 if given.face == "+z" else -1,
+        "normal_stiffness": given.face_stiffness or inf,
+        "shear_stiffness": given.face_shear_stiffness or inf,
+    }
+
+
+def _elastic(material: Elastic) -> fem.Elastic:
+    return fem.Elastic(youngs_modulus=material.youngs_modulus, poisson_ratio=material.poisson_ratio)
+
+
+def _row(case: FourPointCase, name: str, part: GothicRing, report: Report) -> NDArray:
+    """Compliance of one ring by arches and components (outward, +z) [m/N]."""
+    given, ball = case.rings, case.bearing.ball.diameter
+    line = given.line or LINE * ball
+    order, size, on_line = USUAL
+    mesh = fem.Mesh(
+        order=given.element_order or order,
+        size=given.mesh_size or size * ball,
+        raceway_size=given.line_mesh_size or on_line * line,
+    )
+    wanted = part, case.balls, line, mesh, given.harmonics
+
+    def computed():
+        from fem.section.bolted_ring import condense  # NGSolve: known rings need not wait for it
+
+        return condense(*wanted)
+
+    report.stage(f"{name} ring", None)
+    try:
+        found = configured().cached(wanted, computed, lambda note: report.stage(f"{name} ring: {note}", None))
+    except fem.ImpossiblePart as problem:
+        raise BadCase(f"{case.source.path}: {name} ring: {problem}") from problem
+    return found.row

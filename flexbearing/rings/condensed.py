@@ -1,0 +1,185 @@
+"""Rings of a case, meshed and condensed, or taken from the cache."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from time import perf_counter
+from typing import TYPE_CHECKING, Any
+
+from numpy.typing import NDArray
+
+import fem
+from fem.errors import NotSolved
+from fem.parts.step_solid import StepSolid
+from flexbearing.build import assemble
+from flexbearing.cache import configured
+from flexbearing.case import BadCase, Case
+from flexbearing.coupling import PartnerFailed
+from flexbearing.progress import Report
+from flexbearing.rings.fitted import FittedRings, fit_of
+from flexbearing.rings.housed import HousedRings, housing_fit
+from flexbearing.rings.raceways import CondensedRings
+
+if TYPE_CHECKING:
+    from fem.joint.preloaded_fit import SettledFit
+    from fem.solid.condensation import RacewayCompliance
+
+Rings = CondensedRings | FittedRings | HousedRings
+
+# Order, and sizes of elements over the roller length: 0.1 % and 0.5 % of the largest compliance.
+ON_A_SECTION, IN_SPACE = (5, 1.2, 0.25), (3, 0.6, 0.4)
+WITH_A_SLEEVE = (3, 1.2, 0.4)  # smeared bars are worth no more
+PATCH = 0.1  # width of a load patch over the roller length
+
+
+def condensed(case: Case, azimuths: NDArray, report: Report) -> Rings:
+    """Mesh, factor and condense the parts that are not rigid; nothing happens for those that are.
+
+    Raises
+    ------
+    PartnerFailed
+        when a part has no trustworthy answer
+    """
+    outer = outer_ring(case, azimuths, report)
+    return side_by_side(inner_ring(case, azimuths, report), outer, azimuths)
+
+
+def outer_ring(case: Case, azimuths: NDArray, report: Report) -> "RacewayCompliance | SettledFit | None":
+    """Condense the part around the rollers, or put it in its housing; raises as `condensed`."""
+    part = assemble.outer_part(case)
+    if isinstance(part, fem.OuterRing) and case.outer.lifts_off:
+        report.stage("outer ring in its housing", None)
+        with told(case, "outer ring and housing"):
+            return housing_fit(case, part, assemble.roller_length(case), wishes(case, ON_A_SECTION))
+    return _condensed("outer ring", part, case, azimuths, report)
+
+
+def inner_ring(case: Case, azimuths: NDArray, report: Report) -> "RacewayCompliance | SettledFit | None":
+    """Condense the part inside the rollers, or settle it in its fit; raises as `condensed`."""
+    shaft = assemble.inner_part(case)
+    if shaft is not None and case.inner.fit != "bonded":
+        report.stage("inner ring in its fit", None)
+        with told(case, "inner ring and shaft"):
+            mesh, length = wishes(case, ON_A_SECTION), assemble.roller_length(case)
+            return fit_of(case, shaft, length, mesh)
+    return _condensed("inner ring and shaft", shaft, case, azimuths, report)
+
+
+def side_by_side(
+    inner: "RacewayCompliance | SettledFit | None",
+    outer: "RacewayCompliance | SettledFit | None",
+    azimuths: NDArray,
+) -> Rings:
+    """Both parts as one partner of the coupling."""
+    if outer is not None and not hasattr(outer, "full"):
+        beside = side_by_side(inner, None, azimuths)
+        return HousedRings(outer, azimuths, beside)  # pyright: ignore[reportArgumentType]
+    if inner is None or hasattr(inner, "full"):
+        return CondensedRings((inner, outer))  # pyright: ignore[reportArgumentType]
+    return FittedRings(inner, azimuths, outer)  # pyright: ignore[reportArgumentType]
+
+
+def _condensed(name: str, part: assemble.Part | None, case: Case, azimuths: NDArray, report: Report):
+    if part is None:
+        return None
+    began = perf_counter()
+    report.stage(name, None)
+    with told(case, name):
+        if case.accuracy.structure == "solid" or isinstance(part, StepSolid):
+            raceway = _solid(name, part, case, azimuths, report)
+        elif case.accuracy.structure == "beam":
+            raceway = _as_beam(part, case).at(azimuths)
+        else:
+            raceway = _by_harmonics(name, part, case, report).at(azimuths)
+    report.stage(f"{name}: {raceway.unknowns} unknowns, {perf_counter() - began:.1f} s", None)
+    return raceway
+
+
+@contextmanager
+def told(case: Case, name: str) -> Iterator[None]:
+    """Give failures of the finite elements the names that users and coupling know."""
+    try:
+        yield
+    except fem.ImpossiblePart as problem:
+        raise BadCase(f"{case.source.path}: {name}: {problem}") from problem
+    except NotSolved as problem:
+        raise PartnerFailed(f"{name}: {problem}", "not solved") from problem
+
+
+def _as_beam(part: fem.Part, case: Case):
+    """Raceway compliance of a curved beam: sooner computed than read from the cache."""
+    from fem.beam import thin_ring
+
+    given = case.accuracy
+    return thin_ring.condense(part, assemble.roller_length(case), given.axial_shapes, given.harmonics)
+
+
+def _by_harmonics(name: str, part: assemble.Part, case: Case, report: Report):
+    """Raceway compliance for rollers anywhere: on half a pitch of a cage, else on an axial section."""
+    cage = isinstance(part, fem.SquirrelCage)
+    smeared = cage and case.accuracy.structure == "smeared"
+    wanted = (
+        part,
+        assemble.roller_length(case),
+        case.accuracy.axial_shapes,
+        wishes(case, WITH_A_SLEEVE if smeared else IN_SPACE if cage else ON_A_SECTION),
+        case.accuracy.harmonics,
+    )
+    if case.outer.support in ("lines", "planet") and isinstance(part, fem.OuterRing):
+        return _condenser(part, smeared)(*wanted)  # less than a second, and more than the cache can hold
+    key = ("smeared", *wanted) if smeared else wanted
+    return configured().cached(
+        key,
+        lambda: _condenser(part, smeared)(*wanted),
+        lambda note: report.stage(f"{name}: {note}", None),
+    )
+
+
+def _condenser(part: assemble.Part, smeared: bool) -> Any:
+    """What condenses a part; NGSolve takes a second to load, which known rings need not wait for."""
+    if smeared:
+        from fem.section.smeared_cage import condense
+    elif isinstance(part, fem.SquirrelCage):
+        from fem.subprocess import condense_sector_apart as condense
+    elif isinstance(part, fem.OuterRing):
+        from fem.section.supported_ring import condense
+    else:
+        from fem.section.revolved import condense
+    return condense
+
+
+def _solid(name: str, part: assemble.Part, case: Case, azimuths: NDArray, report: Report):
+    """Raceway compliance of the whole solid for rollers where they are."""
+    from fem.subprocess import condense_apart
+
+    wanted = part, patches(case, azimuths), wishes(case, IN_SPACE)
+
+    def computed():
+        return condense_apart(
+            *wanted,
+            thread_number=case.accuracy.threads,
+            report=lambda stage, fraction=None: report.stage(f"{name}: {stage}", fraction),
+        )
+
+    return configured().cached(wanted, computed, lambda note: report.stage(f"{name}: {note}", None))
+
+
+def patches(case: Case, azimuths: NDArray) -> fem.Patches:
+    """What rollers do to a full solid."""
+    length = assemble.roller_length(case)
+    return fem.Patches(
+        azimuths=tuple(azimuths),
+        length=length,
+        shapes=case.accuracy.axial_shapes,
+        width=case.accuracy.patch_width or PATCH * length,
+    )
+
+
+def wishes(case: Case, usual: tuple[int, float, float]) -> fem.Mesh:
+    """Order and sizes of elements: those of the case, else the usual ones in roller lengths."""
+    order, size, raceway_size = usual
+    given, length = case.accuracy, assemble.roller_length(case)
+    return fem.Mesh(
+        order=given.element_order or order,
+        size=given.mesh_size or size * length,
+        raceway_size=given.raceway_mesh_size or raceway_size * length,
+    )

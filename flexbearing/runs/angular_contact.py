@@ -1,0 +1,186 @@
+"""From a case to a fast angular-contact bearing, and from its solution to the arrays of a result file."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+import quasidynamic as qd
+from flexbearing.build.ball_parts import ball, groove
+from flexbearing.case import AngularCase
+from quasidynamic.outcome.rolling_contact import RollingContact
+
+USUAL_SHOULDER = 0.25  # of the ball diameter, assumed: races of catalogue bearings are rarely higher
+
+
+@dataclass(frozen=True)
+class Solution:
+    """A solved case."""
+
+    state: qd.AngularContactState
+    contact: RollingContact | None  # None when the pure rolling lines do not exist
+    reason: str = ""  # why they do not
+
+
+def bearing(case: AngularCase) -> qd.AngularContactBallBearing:
+    """The bearing of a case."""
+    own, materials = case.bearing, case.materials
+    return qd.AngularContactBallBearing(
+        bearing=qd.AngularContactBearing(
+            ball=ball(own, materials.ball),
+            inner=groove(own, "inner", materials.inner_ring or materials.ball),
+            outer=groove(own, "outer", materials.outer_ring or materials.ball),
+            balls=own.balls,
+            pitch_diameter=own.pitch_diameter,
+            contact_angle=own.contact_angle,
+            first_ball_azimuth=own.first_ball_azimuth,
+        ),
+        control=case.operation.control,
+        friction=case.operation.friction,
+    )
+
+
+def operation(case: AngularCase) -> qd.RingOperation:
+    """Load, displacement and speeds of a case."""
+    given = case.operation
+    return qd.RingOperation(
+        load=given.load.values,
+        displacement=given.displacement.values,
+        inner_speed=given.inner_speed,
+        outer_speed=given.outer_speed,
+    )
+
+
+def solved(case: AngularCase) -> Solution:
+    """Balance and pure rolling lines; raises `NotSolved`, `OutOfRange` or `ImpossiblePart`."""
+    state = bearing(case).solve(operation(case))
+    wanted = case.rolling_lines
+    if not (state.loads > 0).all(0).any():
+        return Solution(state, None, "no ball touches both races")
+    try:
+        return Solution(state, state.rolling_contact(spin=wanted.spin, friction=wanted.net_force))
+    except (qd.OutOfRange, qd.NotSolved) as problem:
+        return Solution(state, None, str(problem))
+
+
+def arrays(case: AngularCase, solution: Solution) -> dict[str, ArrayLike]:
+    """Datasets of the solution."""
+    state = solution.state
+    across, along = state.semi_axes
+    found: dict[str, ArrayLike] = {
+        "ball_azimuth": state.bearing.azimuths,
+        "contact_load": state.loads,
+        "contact_angle": state.contact_angles,
+        "traction": state.tractions,
+        "needed_friction": state.needed_friction,
+        "peak_pressure": state.peak_pressures,
+        "semi_axis_across": across,
+        "semi_axis_along": along,
+        "orbital_speed": state.orbital_speed,
+        "ball_speed": state.ball_speed,
+        "ball_attitude": state.attitude,
+        "ball_yaw": state.yaw,
+        "centrifugal_force": state.centrifugal_force,
+        "gyroscopic_moment": state.gyroscopic_moment,
+        "ring_load": state.ring_load,
+        "ring_displacement": state.ring_displacement,
+        "stiffness_matrix": state.stiffness,
+    }
+    heat, torque = state.friction_heat, state.friction_torque
+    if heat is not None and torque is not None:
+        found |= {"friction_heat": heat, "friction_torque": torque}
+    return found if solution.contact is None else found | _lines(case, state, solution.contact)
+
+
+def _lines(case: AngularCase, state: qd.AngularContactState, contact: RollingContact) -> dict[str, ArrayLike]:
+    """Pure rolling lines; not a number for balls that do not touch both races."""
+
+    def spread(values: NDArray) -> NDArray:
+        whole = np.full((2, state.loads.shape[1], *values.shape[2:]), np.nan)
+        whole[:, contact.balls] = values
+        return whole
+
+    position = np.linspace(-1.0, 1.0, case.rolling_lines.points)
+    integral = contact.spin_torques(case.rolling_lines.coefficient)
+    by_lines = contact.spin_torques(case.rolling_lines.coefficient, "lines")
+    weight = np.sin(state.contact_angles[:, contact.balls])
+    return {
+        "line_parameter": spread(contact.parameter),
+        "net_friction": spread(contact.net_force),
+        "first_line": spread(contact.lines.first),
+        "second_line": spread(contact.lines.second),
+        "line_count": spread(contact.lines.count),
+        "spin_torque": spread(integral),
+        "spin_torque_by_lines": spread(by_lines),
+        "spin_friction": (weight * integral).sum(),
+        "spin_friction_by_lines": (weight * by_lines).sum(),
+        "slip_position": position,
+        "slip_profile": spread(contact.slip_velocity(position)),
+    }
+
+
+def notes(case: AngularCase, solution: Solution) -> tuple[str, ...]:
+    """What a user must know of the solution."""
+    state, told = solution.state, ()
+    off = int((~state.on_inner).sum())
+    if off:
+        told += (f"{off} of {len(state.on_inner)} balls do not touch the inner race",)
+    told += _beyond_shoulders(case, state)
+    led = int((state.on_inner & ~state.guided).sum())
+    if led:
+        far = "" if case.operation.control == "coulomb" else " or too far round"
+        told += (
+            f"{led} balls touch the inner race too lightly{far} for both races to guide them: "
+            "their orbit, spin and tractions are estimates",
+        )
+    if solution.contact is None:
+        near = "; next to a controlling race the spin may be against the contact angle"
+        told += (f"no pure rolling lines: {solution.reason}{near * (case.operation.control != 'equal')}",)
+    return told + _gyroscopic(case, state)
+
+
+def _gyroscopic(case: AngularCase, state: qd.AngularContactState) -> tuple[str, ...]:
+    """Whether friction holds the gyroscopic moments."""
+    if state.friction is not None:
+        lying = state.on_inner & ~state.upright
+        if not lying.any():
+            return ()
+        return (
+            f"gyroscopic moment: friction does not hold the axes of {int(lying.sum())} balls, which turn "
+            f"towards the shaft, down to {np.degrees(np.abs(state.attitude[lying]).min()):.1f} deg",
+        )
+    needed, given = state.needed_friction.max(), case.rolling_lines.coefficient
+    if needed <= given:
+        return ()
+    return (
+        f"gyroscopic moment: held by friction with a coefficient of up to {needed:.3g}, more than "
+        f"rolling_lines.coefficient = {given:g}: in reality balls would turn about the rolling direction",
+    )
+
+
+def _beyond_shoulders(case: AngularCase, state: qd.AngularContactState) -> tuple[str, ...]:
+    """Races that contacts would leave over their shoulders."""
+    own = case.bearing
+    told = (_beyond(state, 0, own.inner.shoulder), _beyond(state, 1, own.outer.shoulder))
+    return tuple(note for note in told if note)
+
+
+def _beyond(state: qd.AngularContactState, index: int, shoulder: float | None) -> str:
+    """What is left out of contacts above a shoulder [m], one of usual height unless given; empty for none."""
+    race, needed = ("inner", "outer")[index], state.needed_shoulders[index]
+    diameter = state.bearing.ball.diameter
+    over = needed > (USUAL_SHOULDER * diameter if shoulder is None else shoulder)
+    if not over.any():
+        return ""
+    steepest = np.degrees(np.abs(state.contact_angles[index, over]).max())
+    at = f"at contact angles of up to {steepest:.1f} deg"
+    if shoulder is None:
+        return (
+            f"contacts reach {needed.max() / diameter:.3g} ball diameters up the {race} race, {at}; "
+            f"shoulders end at some {USUAL_SHOULDER:g}, and beyond theirs contacts are cut off, "
+            "which is left out"
+        )
+    return (
+        f"{int(over.sum())} contacts are cut off on the shoulder of the {race} race, {1e3 * shoulder:.4g} mm "
+        f"high: they reach up to {1e3 * needed.max():.4g} mm, {at}; that is left out, as if the race went on"
+    )

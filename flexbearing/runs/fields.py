@@ -1,0 +1,306 @@
+"""Displacement and stress of the rings at a stored state, on their whole solids."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from threadpoolctl import threadpool_limits
+
+import fem
+from flexbearing.build import assemble
+from flexbearing.case import BadCase, Case, understood
+from flexbearing.results import BadResult, Result
+from flexbearing.rings.condensed import IN_SPACE, PATCH, wishes
+from quasidynamic.contact.line.slices import Slices
+
+if TYPE_CHECKING:
+    from fem.cage.bar_forces import BarForces
+    from fem.solid.fields import Loaded
+    from fem.solid.support_stiffness import Support
+
+Race = Literal["inner", "outer"]
+Arrays = Mapping[str, Any]  # name to array
+
+NAMES = {"inner": "inner ring and shaft", "outer": "outer ring"}
+MEGA = 1e6  # Pa per MPa
+WITHOUT_BARS = (3, 1.2, 0.4)  # order and sizes over the roller length: 2 % of the shaft's largest stress
+
+
+class NoFields(RuntimeError):
+    """A part that displacements and stresses cannot be computed of; the message says why."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class PartFields:
+    """A part under the rollers of one state."""
+
+    race: Race
+    state: str  # "rigid", "flexible", "iteration 3"
+    fields: Loaded
+    support: Support
+    bars: BarForces | None  # of a squirrel cage
+
+    def record(self) -> dict[str, Any]:
+        """Largest values with their units, as JSON can hold them."""
+        bodies = {
+            name: {
+                "von_mises_MPa": most.von_mises / MEGA,
+                "tension_MPa": most.tension / MEGA,
+                "compression_MPa": most.compression / MEGA,
+                "displacement_um": 1e6 * most.displacement,
+                "x_mm": 1e3 * most.x,
+                "radius_mm": 1e3 * most.radius,
+                "azimuth_deg": float(np.degrees(most.azimuth)),
+            }
+            for name, most in self.fields.largest().items()
+        }
+        nominal = None if self.bars is None else float(self.bars.stress.max() / MEGA)
+        return {
+            "bodies": bodies,
+            "nominal_bar_stress_MPa": nominal,
+            "support": {
+                "radial_N_per_m": self.support.radial,
+                "tilting_Nm_per_rad": self.support.tilting,
+                "axial_N_per_m": self.support.axial,
+            },
+        }
+
+
+def case_of(result: Result) -> Case:
+    """The case that a result file holds; its drawing is looked for beside the case, then beside the result.
+
+    Parameters
+    ----------
+    result : Result
+        of a roller bearing
+
+    Returns
+    -------
+    Case
+
+    Raises
+    ------
+    BadCase
+        if it is about balls, whose rings are rigid, or known at the balls only
+    """
+    attributes = result.attributes
+    file = Path(attributes.get("case_file", result.path))
+    case = understood(attributes["case_text"], file, attributes["case_overrides"])
+    drawn = case.outer.file if isinstance(case, Case) and case.outer.kind == "step" else None
+    if drawn and not (file.parent / drawn).exists():  # carried elsewhere: the drawing may have come along
+        case = understood(attributes["case_text"], result.path, attributes["case_overrides"])
+    if not isinstance(case, Case):
+        raise BadCase(f"{result.path}: the rings of a {case.kind} bearing have no fields; only rollers have")
+    return case
+
+
+def state_of(result: Result, name: str) -> Arrays:
+    """Arrays of a stored state.
+
+    Parameters
+    ----------
+    result : Result
+        of a roller bearing
+    name : str
+        "rigid", "flexible", or "iteration N" with N from 1
+
+    Returns
+    -------
+    mapping
+        name to array
+
+    Raises
+    ------
+    BadResult
+        if there is no such state
+    """
+    count = len(result.iterations)
+    found = re.fullmatch(r"iteration\s+(\d+)", name.strip())
+    if found and 1 <= int(found[1]) <= count:
+        return result.iterations[int(found[1]) - 1]
+    blocks = {"rigid": result.rigid, "flexible": result.flexible}
+    if blocks.get(name):
+        return blocks[name]
+    there = [block for block, values in blocks.items() if values]
+    there += [f"iteration 1 to iteration {count}"] if count else []
+    raise BadResult(f"{result.path}: there is no state {name!r}; there are: {', '.join(there) or 'none'}.")
+
+
+def parts(case: Case) -> dict[Race, Any]:
+    """Parts of a case that are flexible.
+
+    Parameters
+    ----------
+    case : Case
+        of a run, or from its result
+
+    Returns
+    -------
+    dict
+        part by its raceway
+
+    Raises
+    ------
+    NoFields
+        if a part cannot be built
+    """
+    try:
+        both: dict[Race, Any] = {"inner": assemble.inner_part(case), "outer": assemble.outer_part(case)}
+    except fem.ImpossiblePart as problem:
+        raise NoFields(str(problem)) from problem
+    return {race: part for race, part in both.items() if part is not None}
+
+
+def fields(case: Case, race: Race, state: str, values: Arrays) -> PartFields:
+    """Solve a part under the roller loads of a state.
+
+    Parameters
+    ----------
+    case : Case
+        what the state is of
+    race : "inner" or "outer"
+        which part; it is flexible
+    state : str
+        name of the state
+    values : mapping
+        its arrays, as in a result file
+
+    Returns
+    -------
+    PartFields
+
+    Raises
+    ------
+    NoFields
+        if the part has no solid, is not bonded to what holds it, or could not be solved
+
+    Valid
+    -----
+    Normal loads only: tractions of the rollers, about a hundredth of them, do not load the solid.
+    """
+    # NGSolve takes a second to load: only who asks for fields waits for it.
+    from fem.assembly.factorisation import NotSolved
+    from fem.cage.bar_forces import bar_forces
+    from fem.solid.factored_solid import factored
+    from fem.solid.support_stiffness import support
+
+    length = assemble.roller_length(case)
+    patches = fem.Patches(
+        azimuths=tuple(assemble.bearing(case).bearing.azimuths),
+        length=length,
+        shapes=case.accuracy.axial_shapes,
+        width=case.accuracy.patch_width or PATCH * length,
+    )
+    _require_solid(case, race)
+    part = parts(case)[race]
+    sizes = WITHOUT_BARS if isinstance(part, fem.OuterRing | fem.RingOnShaft) else IN_SPACE
+    try:
+        # threads of the linear algebra would fight with those of the finite elements
+        with threadpool_limits(limits=1, user_api="blas"):
+            solid = factored(part, patches, wishes(case, sizes), case.accuracy.threads)
+            loaded = solid.under(forces(values[f"{race}_slice_load"], race, length, patches.shapes))
+            bars = bar_forces(loaded) if isinstance(part, fem.SquirrelCage) else None
+            return PartFields(race=race, state=state, fields=loaded, support=support(solid), bars=bars)
+    except (fem.ImpossiblePart, NotSolved) as problem:
+        raise NoFields(f"{NAMES[race]}: {problem}") from problem
+
+
+def _require_solid(case: Case, race: Race) -> None:
+    """Refuse parts that are computed on their section only."""
+    if race == "inner" and case.inner.fit != "bonded":
+        raise NoFields(
+            f'{NAMES[race]}: inner.fit = "{case.inner.fit}" has no solid, only a bonded ring has one'
+        )
+    if race == "inner" or case.outer.kind != "ring":
+        return
+    if case.outer.lifts_off:
+        raise NoFields(f"{NAMES[race]}: outer.housing_clearance has no solid, only a bonded ring has one")
+    if case.outer.support not in ("side", "seat", "housing"):
+        raise NoFields(
+            f'{NAMES[race]}: outer.support = "{case.outer.support}" has no solid; '
+            '"side", "seat" and "housing" have one'
+        )
+
+
+def forces(slice_loads: NDArray, race: Race, length: float, shapes: int) -> NDArray:
+    """Generalised forces on a raceway.
+
+    Parameters
+    ----------
+    slice_loads : array (Z, K)
+        load per length on the slices of the rollers [N/m], >= 0
+    race : "inner" or "outer"
+        rollers push the inner raceway inwards
+    length : float
+        of the roller [m]
+    shapes : int
+        M, Legendre shapes along it
+
+    Returns
+    -------
+    array (Z, M)
+        [N] positive outward
+    """
+    outward = slice_loads @ Slices(slice_loads.shape[1], length, shapes).weights
+    return outward if race == "outer" else -outward
+
+
+def of_result(result: Result, state: str = "flexible", race: Race | None = None) -> list[PartFields]:
+    """Fields of the flexible parts of a result.
+
+    Parameters
+    ----------
+    result : Result
+        what a run left behind
+    state : str
+        as for `state_of`
+    race : "inner" or "outer", optional
+        only this part
+
+    Returns
+    -------
+    list of PartFields
+
+    Raises
+    ------
+    BadCase
+        if no such part is flexible
+    BadResult
+        if there is no such state
+    NoFields
+        if a part has no solid, or it could not be solved
+    """
+    case, values = case_of(result), state_of(result, state)
+    flexible = parts(case)
+    wanted: list[Race] = [race] if race else list(flexible)
+    if not wanted or any(name not in flexible for name in wanted):
+        what = NAMES[race] if race else "every part"
+        raise BadCase(f"{result.path}: {what} is rigid in this case: it has no displacements and stresses")
+    return [fields(case, name, state, values) for name in wanted]
+
+
+def write(found: PartFields, result: Path, directory: Path) -> Path:
+    """Write fields for ParaView, named after result, part and state.
+
+    Parameters
+    ----------
+    found : PartFields
+        of one part
+    result : Path
+        the result file
+    directory : Path
+        where to; made when it is not there
+
+    Returns
+    -------
+    Path
+        the file
+    """
+    directory.mkdir(parents=True, exist_ok=True)
+    return found.fields.write(directory / f"{result.stem}_{found.race}_{found.state.replace(' ', '_')}.vtu")

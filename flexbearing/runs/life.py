@@ -1,0 +1,156 @@
+"""The life of a case after everything that modifies it."""
+
+from collections.abc import Iterator
+from dataclasses import asdict, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexbearing.build.lubrication import oil, roughness
+from flexbearing.case import Case
+from quasidynamic import CylindricalRollerBearing, Equilibrium
+from quasidynamic.outcome.capacity import (
+    dynamic_rating,
+    fatigue_load_limit,
+    raceway_capacity,
+    reference_raceway_capacity,
+    roller_capacity,
+)
+from quasidynamic.outcome.life import (
+    RollerBody,
+    edge_stress_factor,
+    reference_life,
+    reference_load,
+    slice_life,
+)
+from quasidynamic.outcome.life_factors import (
+    CLEANLINESS,
+    Factor,
+    ModifiedLife,
+    contamination_factor,
+    film_factor,
+    material_factor,
+    modification_factor,
+    reliability_factor,
+    viscosity_ratio,
+)
+
+
+def require_possible(case: Case, bearing: CylindricalRollerBearing) -> None:
+    """Raise where a factor does not hold for this bearing, speed and oil; loads are not needed."""
+    if case.life.capacity == "iso281":
+        _rating(case, bearing)
+    if case.life.lubrication == "a_ISO":
+        _rating(case, bearing)
+        modification_factor(_kappa(case, bearing), _fatigue_share(case, bearing))
+    _fixed_factors(case)
+
+
+def modified(case: Case, found: Equilibrium, smallest_film: NDArray) -> dict[str, Any]:
+    """Basic life, every factor and the modified life [10^6 revolutions]; empty when nothing modifies it.
+
+    Parameters
+    ----------
+    case : Case
+        with its section [life]
+    found : Equilibrium
+        the loads
+    smallest_film : array (2)
+        of the loaded contacts, inner and outer [m]
+    """
+    asked = case.life.model_dump(exclude_defaults=True)
+    if not asked or not np.isfinite(found.life):
+        return {}
+    slices = list(_slice_factors(case, found))
+    rated = found.life * float(np.prod([factor["value"] for factor in slices]))
+    lubricated = _lubrication_factors(case, found, smallest_film)
+    life = ModifiedLife(basic=rated, factors=(*lubricated, *_fixed_factors(case)))
+    factors = [{**asdict(factor), "value": float(factor.value)} for factor in life.factors]
+    return {"basic_Mrev": found.life, "factors": [*slices, *factors], "modified_Mrev": float(life.life)}
+
+
+def _slice_factors(case: Case, found: Equilibrium) -> Iterator[dict[str, Any]]:
+    """What capacity, edge stress and rollers make of the basic life, one after the other."""
+    bearing = found.balance.roller.bearing
+    inner, outer = _slice_loads(found)
+    before, edge, capacity = found.life, None, raceway_capacity(bearing)
+
+    def lived(rollers: RollerBody | None = None) -> float:
+        return float(slice_life(inner, outer, capacity, found.turning, edge=edge, rollers=rollers))
+
+    if case.life.capacity == "iso281":
+        rating = _rating(case, bearing)
+        capacity = reference_raceway_capacity(bearing, rating)
+        after = lived()
+        origin = "formula of ISO 281" if case.life.dynamic_rating is None else "given"
+        note = f"ISO/TS 16281 by C_r = {rating:.5g} N, {origin}"
+        yield {"name": "capacity", "value": after / before, "effect": "load", "note": note}
+        before = after
+    if case.life.edge_stress:
+        edge = edge_stress_factor(inner.shape[-1])
+        after = lived()
+        note = f"ISO/TS 16281, {inner.shape[-1]} slices"
+        yield {"name": "edge stress", "value": after / before, "effect": "load", "note": note}
+        before = after
+    if case.life.roller_body:
+        ratio = bearing.diameter_ratio
+        turns = (1 - ratio**2) / (2 * ratio)
+        after = lived(rollers=RollerBody(capacity=roller_capacity(bearing), speed_ratio=turns))
+        note = f"rollers fail too; {turns:.3g} turns of a roller in one of the ring"
+        yield {"name": "roller body", "value": after / before, "effect": "load", "note": note}
+
+
+def _lubrication_factors(case: Case, found: Equilibrium, smallest_film: NDArray) -> Iterator[Factor]:
+    if case.life.lubrication == "film":
+        ratio = float((smallest_film / roughness(case)).min())
+        yield _explained(film_factor(ratio), f"smallest film ratio {ratio:.3g}")
+    elif case.life.lubrication == "a_ISO":
+        bearing, (inner, outer) = found.balance.roller.bearing, _slice_loads(found)
+        rating, kappa = _rating(case, bearing), _kappa(case, bearing)
+        edge = case.life.edge_stress
+        life = reference_life(inner, outer, bearing, found.turning, edge_stress=edge, rating=rating)
+        load = float(reference_load(life, rating))
+        ratio = _fatigue_share(case, bearing) / load
+        words = f"kappa {kappa:.3g}, e_C C_u/P {ratio:.3g}, equivalent load {load:.4g} N"
+        yield _explained(modification_factor(kappa, ratio), words)
+
+
+def _fixed_factors(case: Case) -> list[Factor]:
+    """Factors that the loads do not change."""
+    life, found = case.life, []
+    if life.steel and life.melting:
+        factor = material_factor(life.steel, life.melting)
+        beside = "ISO 281 has no such factor beside a_ISO" if life.lubrication == "a_ISO" else ""
+        found.append(_explained(factor, beside))
+    if life.reliability is not None:
+        found.append(_explained(reliability_factor(life.reliability), f"reliability {life.reliability:g}"))
+    return found
+
+
+def _slice_loads(found: Equilibrium) -> NDArray:
+    """Load (2, Z, K) of each slice [N]."""
+    return found.slice_loads * found.balance.roller.raceways.slices.width
+
+
+def _rating(case: Case, bearing: CylindricalRollerBearing) -> float:
+    """C_r of the case or of ISO 281 [N]."""
+    given = case.life.dynamic_rating
+    return dynamic_rating(bearing) if given is None else given
+
+
+def _kappa(case: Case, bearing: CylindricalRollerBearing) -> float:
+    lubricant, operation = oil(case), case.operation
+    speed = operation.inner_speed - operation.outer_speed
+    return float(viscosity_ratio(lubricant.viscosity / lubricant.density, speed, bearing.pitch_diameter))
+
+
+def _fatigue_share(case: Case, bearing: CylindricalRollerBearing) -> float:
+    """Fatigue load limit that hard particles leave [N]."""
+    cleanliness = CLEANLINESS[str(case.life.cleanliness)]
+    left = contamination_factor(_kappa(case, bearing), bearing.pitch_diameter, cleanliness)
+    return float(left) * fatigue_load_limit(bearing)
+
+
+def _explained(factor: Factor, words: str) -> Factor:
+    return replace(factor, note="; ".join(filter(None, (factor.note, words))))

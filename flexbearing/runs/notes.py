@@ -1,0 +1,67 @@
+"""What left its range of validity, for the reader of the results."""
+
+import numpy as np
+
+from flexbearing.build import clearance
+from flexbearing.build.lubrication import oil, oil_name
+from flexbearing.case import Case
+from quasidynamic import Equilibrium, RollerBearing
+from quasidynamic.contact.cage.land import land_notes
+from quasidynamic.contact.drag.orbit_drag import drag_notes
+from quasidynamic.contact.traction.adore import ADORE_OILS
+from quasidynamic.trace import equilibria_at, several_likely
+
+
+def of_case(case: Case) -> tuple[str, ...]:
+    """What can be said before anything is solved."""
+    found = oil(case).notes
+    if case.lubricant.traction == "4109":
+        found += (
+            "traction: the 4109 regression was measured on point contacts; line contacts are outside it",
+            f"traction: the 4109 regression is used with {oil_name(case)}",
+        )
+    return found + clearance.notes(case)
+
+
+def of_choice(model: RollerBearing) -> tuple[str, ...]:
+    """Other equilibria between rigid raceways, where the friction of lumped rollers hints at them."""
+    if not model.operation.radial_load or not several_likely(model):
+        return ()
+    slips = ", ".join(f"{100 * state.cage_slip:.3g}" for state in equilibria_at(model))
+    if "," not in slips:
+        return ()
+    return (
+        f"several equilibria between rigid raceways, with a cage slip of {slips} %: which one the bearing "
+        "runs in depends on how it came there; `flexbearing trace` shows which are stable",
+    )
+
+
+def of_state(case: Case, found: Equilibrium) -> tuple[str, ...]:
+    """What a solved state adds: drag at its cage speed, traction at its pressures."""
+    return _drag(case, found) + _traction(case, found) + _cage(case, found)
+
+
+def _drag(case: Case, found: Equilibrium) -> tuple[str, ...]:
+    if case.lubricant.drag_coefficient is not None:
+        return ()
+    bearing, lubricant = found.balance.roller.bearing, found.balance.roller.lubrication.oil
+    speed = abs(found.cage_speed) * bearing.pitch_diameter / 2
+    return drag_notes(lubricant.density * bearing.roller.diameter / lubricant.viscosity * speed)
+
+
+def _cage(case: Case, found: Equilibrium) -> tuple[str, ...]:
+    told: tuple[str, ...] = ()
+    cage = found.balance.roller.bearing.cage
+    if found.floating is not None:
+        told += land_notes(np.hypot(*found.floating.offset[0]) / (cage.land_clearance / 2))
+    if found.pocket_displacement is not None:
+        touching = int((np.abs(found.pocket_displacement) > cage.pocket_clearance).sum())
+        told += (f"cage pockets: {touching} rollers touch the wall of their pocket",) if touching else ()
+    return told
+
+
+def _traction(case: Case, found: Equilibrium) -> tuple[str, ...]:
+    given = case.lubricant
+    if given.traction != "adore" or given.adore_oil is None:
+        return ()
+    return ADORE_OILS[given.adore_oil].notes(given.inlet_temperature, found.peak_pressure)

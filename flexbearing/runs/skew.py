@@ -1,0 +1,73 @@
+"""Skew of the rollers of a case whose ring has guide flanges."""
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from flexbearing.build import assemble
+from flexbearing.case import Case
+from quasidynamic import Equilibrium
+from quasidynamic.outcome.skew import Skew, skewed
+from quasidynamic.outcome.skew_balance import Running
+
+GAP = 1e-7  # [m] change of the gap at a roller's end that is worth a note, unless the film is thinner
+SHIFT = 0.01  # of the roller's length, between inner and outer load
+SHARE = 0.1  # of the tractions
+POWER = 0.01  # of the driving power
+
+
+def at(case: Case, found: Equilibrium) -> Skew | None:
+    """Skew of the rollers at an equilibrium; None for a case without flanges."""
+    flange = assemble.flange(case)
+    if flange is None:
+        return None
+    balance, points = found.balance.roller, found.balance.points
+    ring = points.inner_speed if flange.ring == "inner" else points.outer_speed
+    running = Running(
+        slice_load=found.rollers.contact.slice_load[:, 0],
+        sliding=found.sliding,
+        entrainment=found.entrainment,
+        film=found.film,
+        rolling_shear=found.rolling_shear,
+        spin=found.roller_speed,
+        ring_speed=float(ring[0, 0]) - found.cage_speed,
+    )
+    return skewed(running, balance.raceways, balance.bearing, flange)
+
+
+def arrays(skew: Skew) -> dict[str, ArrayLike]:
+    """Datasets of a skew."""
+    return {
+        "roller_skew": skew.angle,
+        "skew_moment": skew.moments.traction,
+        "roller_thrust": skew.sideways.thrust,
+        "flange_force": skew.flange_forces,
+        "flange_power": skew.flange_power.sum(),
+        "skew_power": skew.sideways_power.sum(),
+        "touching_skew": skew.balance.touching,
+        "skew_gap": skew.end_gap,
+        "skew_load_shift": skew.load_shift,
+        "skew_traction_change": skew.traction_change,
+    }
+
+
+def notes(skew: Skew, found: Equilibrium, smallest_film: ArrayLike) -> tuple[str, ...]:
+    """What the equilibrium would have to know of the skew, where it is more than a trifle."""
+    films = np.asarray(smallest_film)
+    gap = min(GAP, *films[films > 0])
+    length = skew.balance.bearing.roller.length
+    power = float(skew.flange_power.sum() + skew.sideways_power.sum())
+    left_out = {
+        f"changes the gap at the ends of the rollers by up to {skew.end_gap * 1e6:.3f} um": skew.end_gap
+        > gap,
+        f"asks for loads shifted by up to {skew.load_shift * 1e3:.3f} mm along the rollers": (
+            skew.load_shift > SHIFT * length
+        ),
+        f"changes tractions by up to {100 * skew.traction_change:.0f} % of the largest": (
+            skew.traction_change > SHARE
+        ),
+        f"costs {power:.3g} W at flanges and raceways beside {found.driving_power:.4g} W": (
+            power > POWER * abs(found.driving_power)
+        ),
+    }
+    words = "skew: not fed back into loads and speeds, though it"
+    return tuple(f"{words} {what}" for what, tells in left_out.items() if tells)

@@ -1,0 +1,1 @@
+"""Several runs of one case: speed against error, equilibria over load or speed."""

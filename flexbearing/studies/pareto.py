@@ -1,0 +1,176 @@
+"""Speed against error: one case on every level of its ladder, cold and with its rings in the cache."""
+
+import os
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from time import perf_counter
+
+import numpy as np
+
+import quasidynamic as qd
+from fem.errors import NotSolved
+from fem.parts.material import ImpossiblePart
+from flexbearing.cache.store import VARIABLE
+from flexbearing.case import AnyCase, BadCase, Case, read
+from flexbearing.coupling import PartnerFailed
+from flexbearing.report.pareto import OUTPUTS, Measured, Study
+from flexbearing.results import Result
+from flexbearing.runs.run_case import run
+from flexbearing.runs.validate import require_possible
+from flexbearing.studies.pareto_levels import Level, ladder, left_out, richest
+
+CACHED_RUNS, SHORT = 3, 1.0  # [s] whatever else the machine does disturbs short runs most: they are repeated
+LEAST_SLIP = 0.01  # errors of smaller slips are told as parts of this one
+# Ends that a computation has a name for; anything else is a mistake in the program and ends the study.
+ENDS = PartnerFailed, ImpossiblePart, NotSolved, qd.ImpossiblePart, qd.OutOfRange, qd.NotSolved
+Tell = Callable[[Measured], None]
+
+
+class NoReference(RuntimeError):
+    """The richest level has no answer, so that no error can be told."""
+
+
+def pareto(
+    case: str | Path, overrides: Sequence[str] = (), *, solid: bool = False, tell: Tell | None = None
+) -> Study:
+    """Run a case on every level of its ladder.
+
+    Parameters
+    ----------
+    case : path
+        case file of a roller bearing
+    overrides : sequence of str
+        `"key=value"` settings that replace those of the file, on every level
+    solid : bool
+        whether the full solid is among the levels
+    tell : callable (Measured), optional
+        told of every level as soon as it is measured
+
+    Returns
+    -------
+    Study
+        also of levels that failed, with their message
+
+    Raises
+    ------
+    BadCase
+        when the case cannot be computed as it stands, or is no roller bearing
+    NoReference
+        when the richest level fails or does not converge
+    """
+    wanted = _rollers(read(case, overrides))
+    require_possible(wanted)
+    tell = tell or (lambda measured: None)
+    _load(wanted)
+    best = richest(wanted)
+    try:
+        times, exact = _timed(case, (*overrides, *best.settings))
+    except ENDS as problem:
+        raise NoReference(f"{case}: the reference has no answer: {problem}") from problem
+    if problem := _problem(exact):
+        raise NoReference(f"{case}: the reference is not converged: {problem}")
+    reference = Measured(
+        name=best.name, settings=best.settings, times=times, errors=dict.fromkeys(OUTPUTS, 0.0)
+    )
+    tell(reference)
+    levels = []
+    for level in ladder(wanted, solid=solid):
+        levels.append(_measured(case, overrides, level, exact))
+        tell(levels[-1])
+    return Study(
+        title=wanted.title,
+        reference=reference,
+        levels=tuple(levels),
+        left_out=left_out(wanted, solid=solid),
+    )
+
+
+def errors(found: Result, exact: Result) -> dict[str, float]:
+    """How wrong a result is, by the names of `flexbearing.report.pareto.OUTPUTS`.
+
+    Parameters
+    ----------
+    found, exact : Result
+        of the same case, converged
+
+    Returns
+    -------
+    dict
+        relative errors [-]
+    """
+    mine, true = found.flexible, exact.flexible
+    loads = ("inner_load", "outer_load")
+    off = max(float(np.abs(mine[name] - true[name]).max()) for name in loads)
+    slip = abs(float(mine["cage_slip"] - true["cage_slip"]))
+    return {
+        "load": off / max(float(true[name].max()) for name in loads),
+        "slip": slip / max(abs(float(true["cage_slip"])), LEAST_SLIP),
+        "life": _off(float(mine["life_L10"]), float(true["life_L10"])),
+        "stiffness": _off(float(mine["total_stiffness"]), float(true["total_stiffness"])),
+    }
+
+
+def _off(found: float, exact: float) -> float:
+    """Relative error, zero where both are infinite."""
+    return 0.0 if found == exact else abs(found / exact - 1)
+
+
+def _rollers(case: AnyCase) -> Case:
+    if not isinstance(case, Case):
+        raise BadCase(
+            f"{case.source.path}: only roller bearings have a ladder of levels, this is a {case.kind}"
+        )
+    if case.accuracy.target is not None:
+        raise BadCase(
+            f"{case.source.path}: accuracy.target chooses levels by itself, here all are run; leave it out"
+        )
+    return case
+
+
+def _load(case: Case) -> None:
+    """Load what every later run finds loaded."""
+    if case.outer.kind != "rigid" or case.inner.kind != "rigid":
+        import fem.section.revolved
+        import fem.section.supported_ring  # noqa: F401
+
+
+def _measured(case: str | Path, overrides: Sequence[str], level: Level, exact: Result) -> Measured:
+    try:
+        times, found = _timed(case, (*overrides, *level.settings))
+    except (BadCase, *ENDS) as problem:
+        return Measured(name=level.name, settings=level.settings, message=str(problem))
+    if problem := _problem(found):
+        return Measured(name=level.name, settings=level.settings, times=times, message=problem)
+    return Measured(name=level.name, settings=level.settings, times=times, errors=errors(found, exact))
+
+
+def _problem(found: Result) -> str:
+    """Why a result is none, empty if it is one."""
+    return "" if found.attributes["status"] == "converged" else str(found.attributes["message"])
+
+
+def _timed(case: str | Path, settings: Sequence[str]) -> tuple[dict[str, float], Result]:
+    """Seconds of a run with an empty cache and of the fastest of some with a filled one, and its result."""
+    with TemporaryDirectory() as folder, _cache(folder):
+        seconds = []
+        while len(seconds) < 2 or (len(seconds) <= CACHED_RUNS and min(seconds) < SHORT):
+            began = perf_counter()
+            found = run(case, Path(folder) / "level.h5", settings)
+            seconds.append(perf_counter() - began)
+    return {"cold": seconds[0], "cached": min(seconds[1:])}, found
+
+
+@contextmanager
+def _cache(folder: str) -> Iterator[None]:
+    """Keep condensed rings in a folder of its own."""
+    before = os.environ.get(VARIABLE)
+    os.environ[VARIABLE] = folder
+    try:
+        yield
+    finally:
+        if before is None:
+            del os.environ[VARIABLE]
+        else:
+            os.environ[VARIABLE] = before

@@ -1,0 +1,164 @@
+"""Equilibria of a case over its load or speed, as a table and a picture."""
+
+from collections.abc import Sequence
+from csv import writer
+from dataclasses import dataclass
+from math import pi
+from pathlib import Path
+
+import numpy as np
+from threadpoolctl import threadpool_limits
+
+from flexbearing.build import assemble
+from flexbearing.case import AnyCase, BadCase, Case, read
+from flexbearing.runs import notes, validate
+from quasidynamic import ImpossiblePart, OutOfRange
+from quasidynamic.trace import Branch, End
+from quasidynamic.trace import trace as follow
+
+RPM = 2 * pi / 60
+
+
+@dataclass(frozen=True)
+class Axis:
+    """A key that a case can be traced over."""
+
+    name: str  # among the keys of [operation]
+    column: str
+    label: str
+    unit: str
+    size: float  # of the unit, in SI
+
+
+AXES = {
+    "operation.radial_load": Axis("radial_load", "radial_load_N", "radial load [N]", "N", 1.0),
+    "operation.inner_speed": Axis("inner_speed", "inner_speed_rpm", "inner speed [rpm]", "rpm", RPM),
+}
+
+
+@dataclass(frozen=True)
+class Traced:
+    """What was found, and where it is written."""
+
+    title: str
+    axis: Axis
+    branch: Branch
+    notes: tuple[str, ...]
+    table: Path
+    picture: Path
+
+    @property
+    def complete(self) -> bool:
+        """Whether the branch was followed until it left the range."""
+        return self.branch.end is End.RANGE_LEFT
+
+    def columns(self) -> dict[str, np.ndarray]:
+        """Columns of the table."""
+        points = self.branch.points
+        return {
+            self.axis.column: self.branch.values / self.axis.size,
+            "cage_slip": self.branch.slip,
+            "largest_roller_load_N": self.branch.largest_load,
+            "stable": self.branch.stable.astype(int),
+            "fold": np.array([point.fold for point in points], int),
+            "growth_rate_1_per_s": np.array([point.growth for point in points]),
+        }
+
+    def text(self) -> str:
+        """The branch in words."""
+        values = self.branch.values / self.axis.size
+        lines = [f"{self.title}: {len(values)} equilibria between rigid raceways"]
+        for point in self.branch.folds:
+            value = point.value / self.axis.size
+            lines.append(f"fold at {value:.6g} {self.axis.unit}, cage slip {100 * point.slip:.4g} %")
+        if self.branch.folds:
+            lines.append(
+                "between two folds there are several equilibria: the slip depends on what was before"
+            )
+        lines.append(f"end: {self.branch.end} at {values[-1]:.6g} {self.axis.unit}")
+        if self.complete and values[-1] == values[0]:
+            lines.append("the branch came back to where it began: a wider range shows the rest of it")
+        return "\n".join([*lines, *(f"note: {note}" for note in self.notes)]) + "\n"
+
+
+def trace(
+    case: str | Path, over: str, output: str | Path | None = None, overrides: Sequence[str] = ()
+) -> Traced:
+    """Follow the equilibria of a case between rigid raceways over its load or speed.
+
+    Parameters
+    ----------
+    case : path
+        case file
+    over : str
+        KEY=FROM..TO, such as "operation.radial_load=500 N..20 kN"
+    output : path, optional
+        table (CSV), beside it a picture of the same name; default `results/<case>_trace.csv`
+    overrides : sequence of str
+        `"key=value"` settings that replace those of the file
+
+    Returns
+    -------
+    Traced
+        also when the branch was not followed to the end of the range
+
+    Raises
+    ------
+    BadCase
+        when key, range or case make no sense
+    NotSolved
+        when there is no equilibrium to begin with
+    """
+    from flexbearing.report.branch import draw_branch, write_branch
+
+    axis, ends = _parsed(over)
+    path = Path(output) if output else Path("results") / f"{Path(case).stem}_trace.csv"
+    if path.suffix != ".csv":
+        raise BadCase(f"--output {path}: the table is written as CSV; name it {path.with_suffix('.csv')}")
+    key = f"operation.{axis.name}"
+    first, last = (_rollers(read(case, [*overrides, f"{key}={end}"])) for end in ends)
+    validate.require_possible(first)
+    span = getattr(first.operation, axis.name), getattr(last.operation, axis.name)
+    try:
+        with threadpool_limits(limits=1, user_api="blas"):
+            branch = follow(assemble.bearing(first), over=axis.name, span=span)
+    except (ImpossiblePart, OutOfRange) as problem:
+        raise BadCase(f"--over {over}: {problem}") from problem
+    traced = Traced(first.title, axis, branch, _notes(first), path, path.with_suffix(".png"))
+    path.parent.mkdir(parents=True, exist_ok=True)
+    _write(path, traced.columns())
+    write_branch(traced.picture, draw_branch(first.title, axis.label, traced.columns()))
+    return traced
+
+
+def _rollers(case: AnyCase) -> Case:
+    if isinstance(case, Case):
+        return case
+    raise BadCase(f"{case.source.path}: only roller bearings are traced, this is a {case.kind}")
+
+
+def _notes(case: Case) -> tuple[str, ...]:
+    found = notes.of_case(case)
+    if case.outer.kind != "rigid" or case.inner.kind != "rigid":
+        found += ("the rings of this case yield; the branch is that between rigid raceways",)
+    return found
+
+
+def _parsed(over: str) -> tuple[Axis, tuple[str, str]]:
+    """Key and both ends of KEY=FROM..TO."""
+    key, _, span = over.partition("=")
+    if key.strip() not in AXES:
+        raise BadCase(f"--over {over}: the key is one of {', '.join(AXES)}")
+    first, dots, last = span.partition("..")
+    if not (first.strip() and dots and last.strip()):
+        raise BadCase(f"--over {over}: a range is KEY=FROM..TO, such as operation.radial_load=500 N..20 kN")
+    return AXES[key.strip()], (first.strip(), last.strip())
+
+
+def _write(path: Path, columns: dict[str, np.ndarray]) -> None:
+    part = path.with_name(path.name + ".part")
+    with part.open("w", newline="", encoding="utf-8") as file:
+        table = writer(file)
+        table.writerow(columns)
+        table.writerows(zip(*(column.tolist() for column in columns.values()), strict=True))
+    part.replace(path)

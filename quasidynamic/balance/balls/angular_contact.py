@@ -1,0 +1,256 @@
+"""Balance of balls between an outer ring at rest in space and an inner ring that moves in five directions."""
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.balls.ball_position import BallPlaces, Vectors, groove_arm, turning
+from quasidynamic.balance.balls.race_control import Guidance, Guide, Pressed
+from quasidynamic.contact.ellipse.point_contact import (
+    INNER,
+    OUTER,
+    PointContact,
+    point_contact,
+    race_curvatures,
+)
+from quasidynamic.motion.roller_speeds import rolling_cage_speed
+from quasidynamic.parts.angular_contact_bearing import AngularContactBearing
+from quasidynamic.parts.material import contact_modulus
+
+
+class BallBalance(NamedTuple):
+    """Balls at given places; C cases, Z balls; vectors are complex numbers, axial + i radial.
+
+    Derivatives are by a move in the axial and by one in the radial direction. Three quantities stand
+    together: the force on a ball that is not balanced, the force of the inner ring on it, T_i.
+    """
+
+    forces: Vectors  # (3, C, Z) [N]
+    by_ball: Vectors  # (2, 3, C, Z) [N/m] by the place of the ball
+    by_groove: Vectors  # (2, 3, C, Z) [N/m] by the place of the inner groove
+    contacts: Pressed
+    guidance: Guidance
+
+    @property
+    def excess(self) -> Vectors:
+        """Force on each ball that is not balanced (C, Z) [N]."""
+        return self.forces[0]
+
+    @property
+    def pull(self) -> Vectors:
+        """Centrifugal force and tractions on each ball (C, Z) [N]."""
+        inner, outer = self.guidance.tractions * np.exp(-1j * self.contacts.angles)
+        return inner - outer + 1j * self.guidance.centrifugal
+
+    @property
+    def loads(self) -> NDArray:
+        """Normal loads (2, C, Z) [N], inner then outer."""
+        return self.contacts.loads
+
+
+class RingBalance(NamedTuple):
+    """Forces on the inner ring, rotations and moments scaled by R_i."""
+
+    excess: NDArray  # (C, 5) [N] what the balls do not carry; zero where the ring is held
+    stiffness: NDArray  # (C, 5, 5) [N/m] force that the balls take up per displacement, balls in balance
+    carried: NDArray  # (C, 5) [N] force that the balls take up
+
+
+@dataclass(frozen=True)
+class AngularBalance:
+    r"""Equations of an angular-contact bearing under quasi-static loads.
+
+    .. math:: Q_i \sin\alpha_i - Q_o \sin\alpha_o + T_i \cos\alpha_i - T_o \cos\alpha_o &= 0 \\
+              Q_i \cos\alpha_i - Q_o \cos\alpha_o - T_i \sin\alpha_i + T_o \sin\alpha_o + F_c &= 0
+
+    in complex numbers, axial + i radial, with n = sin(alpha) + i cos(alpha):
+    (Q_i - i T_i) n_i - (Q_o - i T_o) n_o + i F_c = 0. The guide says what F_c, T_i and T_o are.
+
+    Grooves are half circles that go on as straight walls, see `groove_arm`.
+    The ring carries T_i with its lever to the groove centre.
+
+    Source
+    ------
+    Harris, Rolling Bearing Analysis, 4th ed. (2001), ch. 9, with the signs of a positive ball speed;
+    de Mul, Vree and Maas, J. Tribol. 111 (1989) for the five directions.
+    """
+
+    bearing: AngularContactBearing
+    contacts: tuple[PointContact, PointContact]  # with the inner and with the outer race
+    guide: Guide
+    load: NDArray  # (C, 5) [N] moments over R_i
+    held: NDArray  # (C, 5) bool, where the displacement is given
+    place: NDArray  # (C, 5) [m] the given displacements, rotations times R_i
+    speeds: NDArray  # (2, C, 1) [rad/s] inner, outer ring
+
+    def take(self, cases: NDArray) -> "AngularBalance":
+        """Return the same equations for some of the cases."""
+        return replace(
+            self,
+            load=self.load[cases],
+            held=self.held[cases],
+            place=self.place[cases],
+            speeds=self.speeds[:, cases],
+        )
+
+    # -- geometry ------------------------------------------------------------------------------
+
+    @cached_property
+    def ring_to_groove(self) -> Vectors:
+        """Place of the inner groove centre, axial + i radial, at each ball per ring displacement (Z, 5)."""
+        azimuth = self.bearing.azimuths
+        sine, cosine = np.sin(azimuth), np.cos(azimuth)
+        return np.array([1j * cosine, 1j * sine, 1 + 0 * sine, sine, -cosine], dtype=complex).T.copy()
+
+    def grooves(self, ring: NDArray) -> Vectors:
+        """Inner groove centres from the outer ones (C, Z) [m] at ring displacements (C, 5)."""
+        return self.unloaded_groove + ring @ self.ring_to_groove.T
+
+    @cached_property
+    def unloaded_groove(self) -> complex:
+        """Inner groove centre from the outer one where a ball just touches both races [m]."""
+        own, angle = self.bearing, self.bearing.contact_angle
+        return (own.inner_reach + own.outer_reach) * complex(np.sin(angle), np.cos(angle))
+
+    @cached_property
+    def free_centrifugal(self) -> NDArray:
+        """F_c of balls that lie on the outer race alone, at its bottom (C, 1) [N]."""
+        own = self.bearing
+        orbit = rolling_cage_speed(self.speeds[0], self.speeds[1], own.diameter_ratio)
+        return 0.5 * own.ball.mass * own.pitch_diameter * orbit**2
+
+    @cached_property
+    def pulled(self) -> NDArray:
+        """Whether centrifugal forces act (C, 1)."""
+        return self.free_centrifugal > 0
+
+    @cached_property
+    def both_free(self) -> NDArray:
+        """Pairs of directions in which the ring is free (C, 5, 5)."""
+        return ~(self.held[:, :, None] | self.held[:, None, :])
+
+    @cached_property
+    def largest_load(self) -> NDArray:
+        """Largest load on the ring (C) [N]."""
+        return np.abs(self.load).max(1)
+
+    @cached_property
+    def places(self) -> BallPlaces:
+        """Where balls lie, wedge or are pressed."""
+        own = self.bearing
+        return BallPlaces(own.inner_reach, own.outer_reach, *self.contacts, self.free_centrifugal)
+
+    # -- balance -------------------------------------------------------------------------------
+
+    def balls(self, grooves: Vectors, centres: Vectors) -> BallBalance:
+        """Forces on balls at `centres`, the inner groove at `grooves`, both (C, Z) [m]."""
+        arms = groove_arm(np.array([grooves - centres, centres]))
+        lengths = np.abs(arms)
+        normals = arms / lengths
+        contacts = Pressed(np.arctan2(normals.real, normals.imag), *self.pressed(lengths))
+        guidance = self.guide.guided(contacts, self.speeds, self.free_centrifugal)
+        tractions, held = guidance.tractions, guidance.traction_slopes
+        turns = -1j * normals  # along the groove sections
+        pushes = contacts.loads - 1j * tractions
+        forces = np.empty((3, *grooves.shape), complex)
+        on_inner, on_outer = pushes * normals
+        forces[0] = on_inner - on_outer + 1j * guidance.centrifugal
+        forces[1], forces[2] = on_inner, tractions[0]
+        slopes = np.empty((4, *forces.shape), complex)  # by L_i, alpha_i, L_o, alpha_o
+        stiffer, turned = contacts.stiffness * normals, pushes * turns
+        inner, outer = held * turns[:, None]
+        inner[0] += stiffer[0]
+        inner[1] += turned[0]
+        outer[2] += stiffer[1]
+        outer[3] += turned[1]
+        slopes[:, 0] = inner - outer + 1j * guidance.centrifugal_slopes
+        slopes[:, 1], slopes[:, 2] = inner, held[0]
+        by_inner, by_outer = _by_place(slopes.reshape(2, 2, *forces.shape), normals, turning(arms) / lengths)
+        return BallBalance(forces, by_outer - by_inner, by_inner, contacts, guidance)
+
+    def pressed(self, lengths: NDArray) -> tuple[NDArray, NDArray]:
+        """Loads and stiffnesses (2, C, Z) of the contacts from the lengths between the centres."""
+        reach, coefficient = self._reach_and_coefficient
+        approach = np.maximum(lengths - reach, 0.0)
+        grown = coefficient * np.sqrt(approach)
+        return grown * approach, 1.5 * grown
+
+    @cached_property
+    def _reach_and_coefficient(self) -> NDArray:
+        """Lengths [m] from which contacts carry, and their K [N/m^1.5]; (2, 2, 1, 1)."""
+        own, (inner, outer) = self.bearing, self.contacts
+        return np.array([own.inner_reach, own.outer_reach, inner.coefficient, outer.coefficient]).reshape(
+            2, 2, 1, 1
+        )
+
+    def ring(self, balls: BallBalance, follow: Vectors) -> RingBalance:
+        """Balance of the inner ring; `follow` (2, C, Z) is the move of a ball per move of its groove."""
+        _, force, traction = balls.forces
+        carried = self.on_ring(force, traction)
+        along, aside = balls.by_groove + moved(balls.by_ball[:, None], follow[:, None])
+        by_ring = along[1:, ..., None] * self.ring_to_groove.real
+        by_ring += aside[1:, ..., None] * self.ring_to_groove.imag
+        stiffness = (self.groove_to_ring.T @ by_ring[0] - self.ring_to_lever.T @ by_ring[1]).real
+        return RingBalance(np.where(self.held, 0.0, self.load - carried), stiffness, carried)
+
+    def on_ring(self, force: Vectors, traction: NDArray) -> NDArray:
+        """Load (C, 5) [N] that forces and tractions of the inner ring on the balls (C, Z) take up."""
+        return (force @ self.groove_to_ring - traction @ self.ring_to_lever).real
+
+    def dragged(self, balls: BallBalance) -> NDArray:
+        """Load (C, 5) [N] that the tractions of the inner race take up."""
+        traction = balls.guidance.tractions[0]
+        return self.on_ring(traction * np.exp(-1j * balls.contacts.angles[0]), traction)
+
+    @cached_property
+    def groove_to_ring(self) -> Vectors:
+        """Load on the ring per force on a ball, conjugate complex (Z, 5)."""
+        return self.ring_to_groove.conj()
+
+    @cached_property
+    def ring_to_lever(self) -> NDArray:
+        """Move of the inner contacts against the balls by the tilt of the section (Z, 5)."""
+        own = self.bearing
+        lever = own.inner.conformity * own.ball.diameter / own.inner_groove_radius
+        return lever * self.ring_to_groove.real * [0.0, 0.0, 0.0, 1.0, 1.0]
+
+
+def race_contacts(bearing: AngularContactBearing) -> tuple[PointContact, PointContact]:
+    """Hertz contacts with the inner and with the outer race, at the unloaded contact angle."""
+    own = bearing
+    inner, outer = (
+        point_contact(
+            race_curvatures(
+                own.ball.diameter,
+                groove.conformity * own.ball.diameter,
+                own.pitch_diameter,
+                own.contact_angle,
+                side,
+            ),
+            contact_modulus(own.ball.material, groove.material),
+        )
+        for groove, side in ((own.inner, INNER), (own.outer, OUTER))
+    )
+    return inner, outer
+
+
+def moved(by_place: Vectors, move: Vectors) -> Vectors:
+    """Change of quantities with derivatives (2, ...) under a complex move."""
+    return by_place[0] * move.real + by_place[1] * move.imag
+
+
+def _by_place(slopes: Vectors, normals: Vectors, turning: NDArray) -> Vectors:
+    """Derivatives by an axial and by a radial move at both ends (2, 2, ...).
+
+    From slopes (2, 2, ...) by length and contact angle at each end, and the turn of normals (2, C, Z) [1/m].
+    """
+    along = slopes[:, 0, None]
+    across = slopes[:, 1, None] * turning[:, None, None]
+    sine, cosine = normals.real[:, None], normals.imag[:, None]
+    found = np.empty_like(slopes)
+    found[:, 0] = along[:, 0] * sine + across[:, 0] * cosine
+    found[:, 1] = along[:, 0] * cosine - across[:, 0] * sine
+    return found

@@ -1,0 +1,115 @@
+"""Usual size of every unknown against that of every residual: what makes a bearing's matrix scaled."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.rollers.operating_points import OperatingPoints
+from quasidynamic.balance.rollers.roller import RollerBalance
+from quasidynamic.balance.rollers.unknowns import BORDER, CAGE, TILT_Z, Layout
+from quasidynamic.motion.roller_speeds import rolling_cage_speed, rolling_roller_speed
+
+FRICTION = 1e-2  # usual size of friction over load
+LENGTH = 1e-6  # [m] size of approaches and displacements
+ANGLE = 1e-3  # [rad]
+IDLE = 1e-3  # share of the centrifugal force that stands for a load
+FILM = 1e-4  # [m] far above any film: a step is judged by its forces, not by how far films lag behind
+LARGE_DEVIATION = 1e-4  # [m] of a thin ring
+
+
+@dataclass(frozen=True, kw_only=True)
+class Sizes:
+    """Sizes of C cases; columns stand for unknowns, rows for residuals.
+
+    A table's rows and columns are those of `Linearisation`: a roller's own, the border's, deviations.
+    """
+
+    layout: Layout
+    roller: RollerBalance
+    points: OperatingPoints
+
+    @cached_property
+    def rolling_cage(self) -> NDArray:
+        """Cage speed in pure rolling (C, 1) [rad/s]."""
+        points, ratio = self.points, self.roller.bearing.diameter_ratio
+        return rolling_cage_speed(points.inner_speed, points.outer_speed, ratio)
+
+    @cached_property
+    def rolling_spin(self) -> NDArray:
+        """Roller spin in pure rolling (C, 1) [rad/s]."""
+        points, ratio = self.points, self.roller.bearing.diameter_ratio
+        return rolling_roller_speed(points.inner_speed, points.outer_speed, ratio)
+
+    @cached_property
+    def force(self) -> NDArray:
+        """Force that residuals are measured against (C, 1) [N]: the applied one.
+
+        A small share of the centrifugal force of the rollers takes its place where that is larger.
+        """
+        bearing, points = self.roller.bearing, self.points
+        centrifugal, _ = self.roller.centrifugal(self.rolling_cage)
+        tilting = points.moment / bearing.roller.length
+        return np.maximum(np.maximum(points.load, tilting), IDLE * centrifugal)
+
+    @cached_property
+    def unknown(self) -> NDArray:
+        """Size of each unknown (C, N): micrometres, milliradians, nominal speeds."""
+        scale = np.full((len(self.points), self.layout.size), LENGTH)
+        spin = np.abs(self.rolling_spin)
+        scale[:, TILT_Z:CAGE] = ANGLE
+        scale[:, CAGE:BORDER] = np.maximum(np.abs(self.rolling_cage), 1e-3 * spin)
+        scale[:, self.layout.field(-1)] = spin
+        return scale
+
+    @cached_property
+    def residual(self) -> NDArray:
+        """Size of each residual (C, N)."""
+        layout, own = self.layout, self.layout.own
+        scale = np.full((len(self.points), layout.size), LARGE_DEVIATION)
+        scale[:, :BORDER] = self.row[own : own + BORDER].T
+        scale[:, BORDER : layout.fields_end] = self.row[:own].T.repeat(layout.rollers, axis=1)
+        return scale
+
+    @cached_property
+    def row(self) -> NDArray:
+        """Size of each kind of balance (rows, C).
+
+        Friction is about a hundredth of the load that causes it, and so is the size of its balances.
+        """
+        bearing, layout, own = self.roller.bearing, self.layout, self.layout.own
+        half = bearing.roller.length / 2
+        tilt = [half] if layout.shapes > 1 else []
+        levers = [1.0, *tilt, 0.0, 0.0, FRICTION * bearing.roller.diameter / 2]
+        levers += [1.0, 1.0, half, half, FRICTION * bearing.pitch_diameter / 2]
+        rows = own + BORDER + layout.shapes * len(layout.yielding)
+        scale = np.full((rows, len(self.points)), LARGE_DEVIATION)
+        scale[: own + BORDER] = np.array(levers)[:, None] * self.force[:, 0]
+        scale[own - 3 : own - 1] = FILM
+        return scale
+
+    @cached_property
+    def column(self) -> NDArray:
+        """Size of the unknowns in the columns of the table (columns, C, 1)."""
+        layout = self.layout
+        own = self.unknown[:, BORDER : layout.fields_end : layout.rollers].T
+        yields = np.full((len(layout.yielding) * layout.shapes, len(self.points)), LENGTH)
+        return np.concatenate([own, self.unknown[:, :BORDER].T, yields])[..., None]
+
+    @cached_property
+    def table(self) -> NDArray:
+        """Columns over rows of the table (rows, columns, C, 1)."""
+        return self.column[None] / self.row[:, None, :, None]
+
+    @cached_property
+    def spin(self) -> NDArray:
+        """Spins over their balances (C, 1)."""
+        last = self.layout.own - 1
+        return self.column[last] / self.row[last][:, None]
+
+    @cached_property
+    def border(self) -> NDArray:
+        """Unknowns of the border over its balances (C, 5, 5)."""
+        own = self.layout.own
+        return self.unknown[:, None, :BORDER] / self.row[own : own + BORDER].T[..., None]

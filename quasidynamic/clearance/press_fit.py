@@ -1,0 +1,219 @@
+"""One round body pressed over another."""
+
+import math
+from dataclasses import dataclass
+
+from quasidynamic.clearance.annulus import (
+    Annulus,
+    heat_displacement,
+    pressure_displacement,
+    rotation_displacement,
+)
+from quasidynamic.errors import ImpossiblePart
+
+
+@dataclass(frozen=True, kw_only=True)
+class PressFit:
+    """Two bodies on one nominal radius, such as a ring on a shaft."""
+
+    inside: Annulus
+    outside: Annulus
+    interference: float  # [m] diametral, cold, standing; negative is a loose fit
+
+    def __post_init__(self):
+        shaft, bore = self.inside.outer_radius, self.outside.inner_radius
+        if not math.isclose(shaft, bore, rel_tol=1e-9):
+            raise ImpossiblePart(
+                f"fit: outer radius {shaft} m of the inside body and inner radius {bore} m of the outside "
+                "body must be the same nominal radius; give their difference as the interference"
+            )
+        if not abs(self.interference) < 0.02 * shaft:
+            raise ImpossiblePart(
+                f"fit.interference = {self.interference} m must stay below 1 % of the diameter"
+            )
+
+
+@dataclass(frozen=True, kw_only=True)
+class FitState:
+    """What a fit goes through after mounting."""
+
+    inside_rise: float = 0.0  # [K] over the reference temperature
+    outside_rise: float = 0.0  # [K]
+    speed: float = 0.0  # [rad/s] of both bodies together, also while the fit is open
+
+
+@dataclass(frozen=True, kw_only=True)
+class Seat:
+    """How two bodies sit on each other; pressure or gap, never both."""
+
+    pressure: float  # [Pa] >= 0
+    gap: float  # [m] radial, >= 0
+
+    @property
+    def is_open(self) -> bool:
+        """Whether the bodies have let go of each other."""
+        return self.gap > 0.0
+
+    @property
+    def words(self) -> str:
+        """The seat in one phrase, MPa or um."""
+        if self.is_open:
+            return f"fit open by {self.gap * 1e6:.3f} um radially, pressure zero"
+        return f"fit pressure {self.pressure / 1e6:.3f} MPa"
+
+
+def free_displacement(body: Annulus, radius: float, rise: float, speed: float) -> float:
+    """Radial displacement of a body alone, hot, turning.
+
+    Parameters
+    ----------
+    body : Annulus
+        the body
+    radius : float
+        where [m]
+    rise : float
+        over the reference temperature [K]
+    speed : float
+        [rad/s]
+
+    Returns
+    -------
+    float
+        [m], positive outwards
+
+    Source
+    ------
+    Superposition of `heat_displacement` with `rotation_displacement`.
+    """
+    return float(heat_displacement(body, radius, rise) + rotation_displacement(body, radius, speed))
+
+
+def fit_compliance(fit: PressFit) -> float:
+    r"""Radial interference that one pascal takes up.
+
+    .. math:: c = u_2(R; p_a = 1) - u_1(R; p_b = 1)
+
+    Parameters
+    ----------
+    fit : PressFit
+        1 inside, 2 outside, R their common radius [m]
+
+    Returns
+    -------
+    float
+        c [m/Pa], > 0
+
+    Source
+    ------
+    Timoshenko and Goodier, Theory of Elasticity (1970), art. 28, shrink fit of two cylinders.
+    """
+    stretch = pressure_displacement(fit.outside, fit.outside.inner_radius, 1.0, 0.0)
+    squeeze = pressure_displacement(fit.inside, fit.inside.outer_radius, 0.0, 1.0)
+    return float(stretch - squeeze)
+
+
+def running_interference(fit: PressFit, state: FitState) -> float:
+    r"""Overlap the two bodies would have if they did not touch.
+
+    .. math:: \delta = \Delta/2 + u_1(R) - u_2(R)
+
+    Parameters
+    ----------
+    fit : PressFit
+        1 inside, 2 outside, R common radius [m], Delta diametral interference [m]
+    state : FitState
+        heat [K], speed [rad/s]
+
+    Returns
+    -------
+    float
+        delta, radial [m], negative is a gap
+
+    Source
+    ------
+    Geometry; u_1, u_2 from `free_displacement`.
+    """
+    shaft = free_displacement(fit.inside, fit.inside.outer_radius, state.inside_rise, state.speed)
+    bore = free_displacement(fit.outside, fit.outside.inner_radius, state.outside_rise, state.speed)
+    return fit.interference / 2 + shaft - bore
+
+
+def seat(fit: PressFit, state: FitState) -> Seat:
+    r"""Pressure of a fit, or the gap where it has opened.
+
+    .. math:: p = \max(\delta, 0) / c, \qquad g = \max(-\delta, 0)
+
+    The pressure has a kink where the fit opens.
+
+    Parameters
+    ----------
+    fit : PressFit
+        c from `fit_compliance` [m/Pa]
+    state : FitState
+        delta from `running_interference` [m]
+
+    Returns
+    -------
+    Seat
+        p [Pa], g radial [m]
+
+    Source
+    ------
+    Timoshenko and Goodier, Theory of Elasticity (1970), art. 28, shrink fit of two cylinders.
+
+    Valid
+    -----
+    Linear elastic; both bodies equally long, so that the pressure is even along the fit.
+    """
+    overlap = running_interference(fit, state)
+    return Seat(pressure=max(overlap, 0.0) / fit_compliance(fit), gap=max(-overlap, 0.0))
+
+
+def inside_displacement(fit: PressFit, state: FitState, radius: float) -> float:
+    """Radial displacement of the inside body, pressed from outside.
+
+    Parameters
+    ----------
+    fit : PressFit
+        for the outer ring of a bearing: ring inside, housing outside
+    state : FitState
+        heat [K], speed [rad/s]
+    radius : float
+        where, within the inside body [m]
+
+    Returns
+    -------
+    float
+        [m], positive outwards
+
+    Source
+    ------
+    Superposition of `free_displacement` with `pressure_displacement`.
+    """
+    free = free_displacement(fit.inside, radius, state.inside_rise, state.speed)
+    return free + float(pressure_displacement(fit.inside, radius, 0.0, seat(fit, state).pressure))
+
+
+def outside_displacement(fit: PressFit, state: FitState, radius: float) -> float:
+    """Radial displacement of the outside body, pressed from its bore.
+
+    Parameters
+    ----------
+    fit : PressFit
+        for the inner ring of a bearing: shaft inside, ring outside
+    state : FitState
+        heat [K], speed [rad/s]
+    radius : float
+        where, within the outside body [m]
+
+    Returns
+    -------
+    float
+        [m], positive outwards
+
+    Source
+    ------
+    Superposition of `free_displacement` with `pressure_displacement`.
+    """
+    free = free_displacement(fit.outside, radius, state.outside_rise, state.speed)
+    return free + float(pressure_displacement(fit.outside, radius, seat(fit, state).pressure, 0.0))

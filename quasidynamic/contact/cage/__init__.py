@@ -1,0 +1,1 @@
+"""What touches the cage: roller pockets, the guiding land and the fluid sheared between them."""

@@ -1,0 +1,98 @@
+"""Force between a roller and the pocket of the cage."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.contact.line.load_law import EXPONENT
+from quasidynamic.errors import NotSolved
+
+STEPS = 60  # about ten are needed
+DIGITS = 1e-12  # of the clearance
+FILM_LOAD = 11 / 3  # [N] carried by the film when the roller has crossed the whole clearance
+
+
+class PocketForce(NamedTuple):
+    """Force of a roller on its pocket; the roller feels the opposite."""
+
+    force: NDArray  # [N] signed like the displacement
+    by_displacement: NDArray  # [N/m] > 0
+
+
+def roller_on_pocket_force(displacement: NDArray, clearance: float, stop: NDArray | float) -> PocketForce:
+    r"""Force of a roller on its pocket: a linear film, then also the elastic wall.
+
+    .. math:: F = \frac{11}{3 C_p} z + \operatorname{sign}(z)\, K \max(|z| - C_p,\, 0)^{10/9}
+
+    Parameters
+    ----------
+    displacement : array (...)
+        z, roller centre from the pocket centre along the motion [m]
+    clearance : float
+        C_p, distance to either wall from the centre [m], > 0
+    stop : array (...)
+        K of one wall [N/m^(10/9)], > 0; by `palmgren(roller, cage, length)`: its coefficient times the length
+
+    Returns
+    -------
+    PocketForce
+        odd; the stiffness is continuous, but leaves its film value infinitely steeply at |z| = C_p
+
+    Source
+    ------
+    Film: linear stiffness of quasi-dynamic roller bearing programs. Wall: Palmgren (1959), line contact.
+
+    Valid
+    -----
+    The film carries 11 N / 3 at the wall whatever oil, speed and size: a number to calibrate.
+    """
+    depth = np.maximum(np.abs(displacement) - clearance, 0.0)
+    power = stop * depth ** (EXPONENT - 1)
+    film = FILM_LOAD / clearance
+    return PocketForce(
+        force=film * displacement + np.sign(displacement) * power * depth,
+        by_displacement=film + EXPONENT * power,
+    )
+
+
+def displacement_in_pocket(force: NDArray, clearance: float, stop: NDArray | float) -> NDArray:
+    """Place of a roller that presses its pocket with a force: the inverse of `roller_on_pocket_force`.
+
+    Parameters
+    ----------
+    force : array (...)
+        of the roller on the pocket along the motion [N]
+    clearance : float
+        C_p, distance to either wall from the centre [m], > 0
+    stop : array (...)
+        K of one wall [N/m^(10/9)], > 0
+
+    Returns
+    -------
+    array (...)
+        z [m], signed like the force; found by Newton's method on a convex law from above
+
+    Raises
+    ------
+    NotSolved
+        if a force is not finite
+
+    Source
+    ------
+    `roller_on_pocket_force`.
+
+    Valid
+    -----
+    As the law.
+    """
+    size = np.abs(force)
+    # The film alone, or the wall alone, would have to go further.
+    depth = np.minimum(size * clearance / FILM_LOAD, clearance + (size / stop) ** (1 / EXPONENT))
+    for _ in range(STEPS):
+        law = roller_on_pocket_force(depth, clearance, stop)
+        change = (law.force - size) / law.by_displacement
+        depth = depth - change
+        if (np.abs(change) <= DIGITS * clearance).all():
+            return np.sign(force) * depth
+    raise NotSolved(f"no place in the pocket for forces up to {size.max()!r} N", "not finite")

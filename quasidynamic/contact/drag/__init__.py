@@ -1,0 +1,1 @@
+"""Resistance of the oil-air mixture to rollers that orbit and spin."""

@@ -1,0 +1,136 @@
+"""Drag of the oil-air mixture on orbiting rollers."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.contact.cage.land import land_drag
+from quasidynamic.parts.lubricant import Lubricant
+from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
+
+__all__ = ["AIR_DENSITY", "cylinder_drag", "drag_notes", "land_drag", "mixture_density", "orbit_drag"]
+
+AIR_DENSITY = 1.2  # [kg/m3]
+
+# Cylinder across a stream, linear in log10(Re) between the points.
+_LOG_REYNOLDS = np.log10([0.1, 1, 10, 100, 1e3, 1e4, 1e5, 2e5, 3e5, 4e5, 5e5, 1e6])
+_CYLINDER_DRAG = np.array([60, 10, 3, 1.8, 1.0, 1.2, 1.2, 1.2, 0.9, 0.65, 0.3, 0.3])
+# dC_d/dln(Re), before, between and after the points
+_CYLINDER_SLOPE = np.concatenate(
+    ([0.0], np.diff(_CYLINDER_DRAG) / np.diff(_LOG_REYNOLDS) / np.log(10), [0.0])
+)
+
+
+def cylinder_drag(reynolds: NDArray | float) -> tuple[NDArray, NDArray]:
+    """Drag coefficient of a cylinder across the stream, and its derivative by ln(Re).
+
+    Parameters
+    ----------
+    reynolds : array (...)
+        Re [-] with the diameter, >= 0; held at the end values outside 0.1 to 1e6, see `drag_notes`
+
+    Returns
+    -------
+    tuple of array (...)
+        C_d [-], dC_d/dln Re [-]; the slope jumps at the table's points
+
+    Source
+    ------
+    Table used in quasi-dynamic bearing programs, after Schlichting.
+
+    Valid
+    -----
+    Re from 0.1 to 1e6; one cylinder far from others and from walls.
+    """
+    position = np.log10(np.maximum(reynolds, 1e-300))
+    piece = _LOG_REYNOLDS.searchsorted(position)
+    return np.interp(position, _LOG_REYNOLDS, _CYLINDER_DRAG), _CYLINDER_SLOPE[piece]
+
+
+def drag_notes(reynolds: NDArray | float) -> tuple[str, ...]:
+    """What a user must know about `cylinder_drag` at these Reynolds numbers [-]; empty inside the table."""
+    low, high = float(np.min(reynolds)), float(np.max(reynolds))
+    if low >= 0.1 and high <= 1e6:
+        return ()
+    return (
+        f"drag of the rollers: Re from {low:.3g} to {high:.3g} leaves the table of C_d (0.1 to 1e6); "
+        "its end values are held",
+    )
+
+
+def mixture_density(oil: Lubricant, oil_fraction: float) -> float:
+    r"""Density of the oil-air mixture around the rollers.
+
+    .. math:: \rho = X \rho_{oil} + (1 - X) \rho_{air}
+
+    Parameters
+    ----------
+    oil : Lubricant
+        density of the oil
+    oil_fraction : float
+        X, volume share of oil in the mixture [-], 0 to 1
+
+    Returns
+    -------
+    float
+        rho [kg/m3]
+
+    Source
+    ------
+    Parker (1984), as used in quasi-dynamic bearing programs.
+
+    Valid
+    -----
+    Well mixed: the same share of oil at every roller.
+    """
+    return oil_fraction * oil.density + (1 - oil_fraction) * AIR_DENSITY
+
+
+def orbit_drag(
+    cage_speed: NDArray | float,
+    bearing: CylindricalRollerBearing,
+    oil: Lubricant,
+    oil_fraction: float,
+    coefficient: float | None = None,
+) -> tuple[NDArray, NDArray]:
+    r"""Force of the oil-air mixture on one orbiting roller.
+
+    .. math:: F_g = \tfrac12 \rho\, C_d V^2\, l (D - t_c),\quad V = \omega_c d_m/2
+
+    Parameters
+    ----------
+    cage_speed : array (...)
+        omega_c [rad/s]
+    bearing : CylindricalRollerBearing
+        pitch and roller diameters, length l, cage thickness t_c
+    oil : Lubricant
+        density and viscosity; the Reynolds number is that of the oil
+    oil_fraction : float
+        X, volume share of oil in the mixture [-]
+    coefficient : float, optional
+        C_d [-] at any speed, instead of `cylinder_drag`
+
+    Returns
+    -------
+    tuple of array (...)
+        force against the motion [N], signed like the speed; derivative by cage speed [N s],
+        which jumps where the slope of the table of C_d does
+
+    Source
+    ------
+    Harris, Rolling Bearing Analysis; effective density after Parker.
+
+    Valid
+    -----
+    As `cylinder_drag`.
+    """
+    roller = bearing.roller
+    radius = bearing.pitch_diameter / 2
+    speed = cage_speed * radius
+    size = np.abs(speed)
+    area = roller.length * max(roller.diameter - bearing.cage.thickness, 0.0)
+    if coefficient is None:
+        value, slope = cylinder_drag(oil.density * roller.diameter / oil.viscosity * size)
+    else:
+        value, slope = coefficient, 0.0
+    half = (0.5 * mixture_density(oil, oil_fraction) * area) * size
+    return half * value * speed, half * (2 * value + slope) * radius

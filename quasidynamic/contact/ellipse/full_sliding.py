@@ -1,0 +1,268 @@
+"""Full sliding friction in the contact ellipse of a ball and a raceway."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from math import pi
+from typing import NamedTuple
+
+import numpy as np
+from numpy.polynomial.legendre import leggauss
+from numpy.typing import NDArray
+
+from quasidynamic.contact.ellipse.sliding_strip import SMALLEST, Strip, sliding_strip
+from quasidynamic.errors import OutOfRange
+
+POINTS = 32  # Gauss points in each of three panels
+NARROWEST = 1e-3  # lateral over longitudinal slip below which the curvature is that of this ratio
+
+CENTRE, ROLL, SPIN = 0, 1, 2  # components of the slip of a contact
+
+
+@dataclass(frozen=True)
+class Ellipse:
+    """Contact ellipses with Coulomb friction; arrays of one shape."""
+
+    across: NDArray  # [m] a, semi-axis across the rolling direction
+    along: NDArray  # [m] b, semi-axis along the rolling direction
+    radius: NDArray  # [m] R of the pressed surface in the plane across, above a
+    traction: NDArray  # [N] friction coefficient times load, zero where unloaded
+
+    def __post_init__(self):
+        if not np.all(self.across < self.radius):
+            raise OutOfRange(
+                f"contact ellipse: semi-axis {np.max(self.across):.4g} m is not below the radius "
+                f"{np.min(self.radius):.4g} m of the pressed surface: the load is far too high"
+            )
+
+    @cached_property
+    def width(self) -> NDArray:
+        """Semi-axis a, with a stand-in where the contact is unloaded [m]."""
+        return np.where(self.traction > 0.0, self.across, 1e-3 * self.radius)
+
+    def taken(self, keep: NDArray) -> "Ellipse":
+        """Return the same contacts of some of the balls (leading axis)."""
+        return Ellipse(self.across[keep], self.along[keep], self.radius[keep], self.traction[keep])
+
+
+@dataclass(frozen=True)
+class Friction:
+    """Friction of sliding contacts; the first derivative is minus the force on the ball."""
+
+    power: NDArray  # (...) [W] heat
+    by_slip: NDArray  # (..., 3) [N, N m, N m] derivative by centre slip, roll and spin
+    lateral: NDArray  # (...) [N m] part of `by_slip` of the spin that lateral slip makes
+    curvatures: Callable[[], tuple[NDArray, NDArray]]  # see `_curvatures`
+
+
+def sagitta(position: NDArray, radius: NDArray) -> NDArray:
+    r"""Height of the pressed surface over its middle, towards the ball's outside.
+
+    .. math:: \sigma(x) = \sqrt{R^2 - x^2} - R
+
+    Parameters
+    ----------
+    position : array (...)
+        x across the rolling direction [m], |x| < R
+    radius : array (...)
+        R [m]
+
+    Returns
+    -------
+    array (...)
+        sigma [m], <= 0
+
+    Source
+    ------
+    Jones (1959), J. Basic Eng. 81, 1-12.
+    """
+    return -(position**2) / (radius + np.sqrt(radius**2 - position**2))
+
+
+def no_slip_positions(slip: NDArray, radius: NDArray) -> tuple[NDArray, NDArray]:
+    r"""Where the slip along the rolling direction vanishes, or comes closest to it.
+
+    .. math:: e + A\,\sigma(x) + w x = 0 \;\Rightarrow\;
+              (A^2 + w^2) x^2 - 2 w (R A - e) x - e (2 R A - e) = 0
+
+    Parameters
+    ----------
+    slip : array (..., 3)
+        e slip at the centre [m/s], A roll and w spin [rad/s]
+    radius : array (...)
+        R of the pressed surface [m]
+
+    Returns
+    -------
+    array (...), array (...)
+        both positions [m], the lower first; twice the real part where they are complex. They may lie
+        outside the ellipse or, for x beyond the quarter circle, on the far side of the surface.
+
+    Source
+    ------
+    Jones (1959), J. Basic Eng. 81, 1-12, for the slip; solved here.
+    """
+    centre, roll, spin = slip[..., CENTRE], slip[..., ROLL], slip[..., SPIN]
+    square = np.maximum(roll**2 + spin**2, SMALLEST)
+    middle = spin * (radius * roll - centre)
+    fall = centre * (2 * radius * roll - centre)
+    half = np.abs(roll) * np.sqrt(np.maximum((spin * radius) ** 2 + fall, 0.0))
+    far = middle + np.copysign(half, middle)
+    apart = half > 0.0
+    near = np.where(apart, -fall * square / np.where(apart, far, 1.0), middle)
+    return np.minimum(far, near) / square, np.maximum(far, near) / square
+
+
+def sliding_friction(slip: NDArray, ellipse: Ellipse) -> Friction:
+    r"""Heat of full sliding with its first two derivatives by the slip.
+
+    .. math:: \Phi = \int \mu p\, |v|\, dA,\quad p = \frac{3 Q}{2 \pi a b} \sqrt{1 - x^2/a^2 - y^2/b^2},\\
+              v_t = e + A\,\sigma(x) + w x,\quad v_1 = -w y
+
+    The integral over y is that of `sliding_strip`, in closed form; the integral over x is taken
+    by Gauss panels between the positions without slip, with points crowded at their ends.
+
+    Parameters
+    ----------
+    slip : array (..., 3)
+        e slip at the centre of the contact along the rolling direction [m/s], A roll and w spin of the ball
+        against the race [rad/s]
+    ellipse : Ellipse
+        a, b, R and mu Q
+
+    Returns
+    -------
+    Friction
+        homogeneous of degree one in the slip and convex
+
+    Source
+    ------
+    Jones (1959), J. Basic Eng. 81, 1-12; Leblanc and Nelias (2007), J. Tribol. 129, 801-808, for slip and
+    traction.
+
+    Valid
+    -----
+    Coulomb friction of one coefficient per contact, sliding everywhere: no stick. Where the slip vanishes
+    all over a contact the heat has a kink.
+    """
+    x, weight = _panels(slip, ellipse)
+    share = np.maximum(1.0 - (x / ellipse.width[..., None]) ** 2, 0.0)  # rounding alone makes it negative
+    half = ellipse.along[..., None] * np.sqrt(share)  # of the strip at x
+    rise = sagitta(x, ellipse.radius[..., None])
+    centre, roll, spin = (slip[..., i, None] for i in (CENTRE, ROLL, SPIN))
+    along = centre + roll * rise
+    strip = sliding_strip(along + spin * x, spin * half)
+    weight = weight * share * (1.5 / pi * ellipse.traction / ellipse.width)[..., None]
+    cross = weight * strip.by_along
+    lateral = (weight * strip.by_across * half).sum(-1)
+    moments = np.empty(slip.shape)
+    moments[..., CENTRE] = cross.sum(-1)
+    moments[..., ROLL] = (cross * rise).sum(-1)
+    moments[..., SPIN] = (cross * x).sum(-1) + lateral
+    return Friction(
+        power=(slip * moments).sum(-1),
+        by_slip=moments,
+        lateral=lateral,
+        curvatures=lambda: _curvatures(slip, ellipse, _Points(x, rise, half, along, weight), strip),
+    )
+
+
+class _Points(NamedTuple):
+    """Strips of the ellipse (..., n)."""
+
+    x: NDArray  # [m]
+    rise: NDArray  # [m] of the surface
+    half: NDArray  # [m] half of the length
+    along: NDArray  # [m/s] slip without that of the spin
+    weight: NDArray
+
+
+def _panels(slip: NDArray, ellipse: Ellipse) -> tuple[NDArray, NDArray]:
+    """Points (..., n) and weights [m] of three panels that meet where there is no slip."""
+    width = ellipse.width
+    low, high = no_slip_positions(slip, ellipse.radius)
+    edges = np.empty((*low.shape, 4))
+    edges[..., 0], edges[..., 1], edges[..., 2], edges[..., 3] = -width, low, high, width
+    edges = np.minimum(np.maximum(edges, -width[..., None]), width[..., None])
+    length = (edges[..., 1:] - edges[..., :-1])[..., None]
+    shape = (*low.shape, 3 * POINTS)
+    points = edges[..., :-1, None] + length * _GRADED_POINTS
+    return points.reshape(shape), (length * _GRADED_WEIGHTS).reshape(shape)
+
+
+def _graded() -> tuple[NDArray, NDArray]:
+    """Gauss points on (0, 1) crowded at both ends by t = s^3 (10 - 15 s + 6 s^2), for logarithms there."""
+    s, weight = leggauss(POINTS)
+    s, weight = (s + 1) / 2, weight / 2
+    return s**3 * (10 - 15 * s + 6 * s**2), weight * 30 * (s * (1 - s)) ** 2
+
+
+_GRADED_POINTS, _GRADED_WEIGHTS = _graded()
+
+
+def _curvatures(slip: NDArray, ellipse: Ellipse, points: _Points, strip: Strip) -> tuple[NDArray, NDArray]:
+    """Second derivatives of the heat (..., 3, 3), and those of the parabola that touches it and lies above.
+
+    Where the lateral slip nearly vanishes the heat has a kink along a line, which would fall between the
+    points: its second derivatives are taken at the ratio `NARROWEST`.
+    """
+    roll, spin = slip[..., ROLL, None], slip[..., SPIN, None]
+    least = NARROWEST * np.abs(roll) * (ellipse.width**2 / (2 * ellipse.radius))[..., None]
+    narrow = (np.abs(spin) * ellipse.along[..., None] < least) & (ellipse.traction > 0.0)[..., None]
+    if narrow.any():
+        short = np.maximum(ellipse.along[..., None], SMALLEST)
+        turning = np.where(narrow, np.copysign(least / short, spin), spin)
+        bend = sliding_strip(points.along + spin * points.x, turning * points.half).bend
+        spin = turning
+    else:
+        bend = strip.bend
+    functions = np.empty((2, *slip.shape, points.x.shape[-1]))
+    functions[0, ..., CENTRE, :] = spin
+    functions[0, ..., ROLL, :] = spin * points.rise
+    functions[0, ..., SPIN, :] = -points.along
+    functions[1, ..., CENTRE, :] = 1.0
+    functions[1, ..., ROLL, :] = points.rise
+    functions[1, ..., SPIN, :] = points.x
+    square = points.weight * points.half**2
+    weighted = functions.copy()
+    weighted[0] *= (square * bend)[..., None, :]
+    weighted[1] *= (points.weight * strip.secant_along)[..., None, :]
+    curvature, majorant = weighted @ np.swapaxes(functions, -1, -2)
+    majorant[..., SPIN, SPIN] += (square * strip.secant_across).sum(-1)
+    return curvature, majorant
+
+
+def slip_field(
+    slip: NDArray, ellipse: Ellipse, x: NDArray, y: NDArray
+) -> tuple[NDArray, NDArray, NDArray, NDArray]:
+    r"""Slip and shear stress at points of the ellipse, for pictures.
+
+    .. math:: v_t = e + A\,\sigma(x) + w x,\quad v_1 = -w y,\quad \tau = -\mu p\, v/|v|
+
+    Parameters
+    ----------
+    slip : array (..., 3)
+        e [m/s], A and w [rad/s], ball against race
+    ellipse : Ellipse
+        contacts, of a shape that broadcasts with x
+    x, y : array (...)
+        places across and along the rolling direction [m]
+
+    Returns
+    -------
+    array (...) four times
+        v_t along and v_1 across the rolling direction [m/s], shear stress on the ball along and across [Pa];
+        the stresses are zero outside the ellipse and where nothing slips
+
+    Source
+    ------
+    Jones (1959), J. Basic Eng. 81, 1-12.
+    """
+    width = ellipse.width
+    inside = np.maximum(1.0 - (x / width) ** 2 - (y / ellipse.along) ** 2, 0.0)
+    limit = 1.5 * ellipse.traction / (pi * width * ellipse.along) * np.sqrt(inside)
+    rise = sagitta(np.clip(x, -width, width), ellipse.radius)
+    along = slip[..., CENTRE] + slip[..., ROLL] * rise + slip[..., SPIN] * x
+    across = -slip[..., SPIN] * y
+    size = np.maximum(np.hypot(along, across), SMALLEST)
+    return along, across, -limit * along / size, -limit * across / size

@@ -1,0 +1,1 @@
+"""The dry line contact of a roller: pressure, load law and slices; no film, no friction."""

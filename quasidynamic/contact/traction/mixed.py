@@ -1,0 +1,118 @@
+"""Traction of a film too thin to part the rough surfaces."""
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.special import erfc
+
+from quasidynamic.contact.traction.traction_law import Traction, TractionLaw
+from quasidynamic.errors import ImpossiblePart, require_positive
+
+
+class AsperityShare(Protocol):
+    """Maps the film ratio Lambda > 0 to the share of the load on asperities, one at zero film."""
+
+    def __call__(self, film_ratio: NDArray) -> tuple[NDArray, NDArray]:
+        """Share [-] and its derivative by the film ratio [-], <= 0."""
+        ...
+
+
+@dataclass(frozen=True, kw_only=True)
+class StretchedExponential:
+    r"""Share that decays as a stretched exponential.
+
+    .. math:: f_a = e^{-B \Lambda^C}
+
+    Source
+    ------
+    Zhou and Hoeprich (1991) for tapered rollers; constants see `ZHOU_HOEPRICH` and `FILM_SHARE_1_8`.
+
+    Valid
+    -----
+    Film ratio above zero: with C < 1 the slope has no limit at zero film.
+    """
+
+    rate: float  # [-] B
+    power: float  # [-] C
+
+    def __post_init__(self):
+        for name in ("rate", "power"):
+            require_positive(f"asperity share: {name}", getattr(self, name))
+
+    def __call__(self, film_ratio: NDArray) -> tuple[NDArray, NDArray]:
+        """Share and its derivative."""
+        exponent = self.rate * film_ratio**self.power
+        share = np.exp(-exponent)
+        return share, -self.power * exponent / film_ratio * share
+
+
+ZHOU_HOEPRICH = StretchedExponential(rate=2.32, power=0.97)  # raceway of a 32216 bearing
+FILM_SHARE_1_8 = StretchedExponential(rate=1.8, power=1.2)  # film share 1 - exp(-1.8 Lambda^1.2)
+
+
+@dataclass(frozen=True)
+class ErrorFunctionShare:
+    r"""Share of a Gaussian height beyond the film.
+
+    .. math:: f_a = 1 - \operatorname{erf}\Lambda
+
+    Source
+    ------
+    Arana, Larranaga and Ulacia (2019).
+    """
+
+    def __call__(self, film_ratio: NDArray) -> tuple[NDArray, NDArray]:
+        """Share and its derivative."""
+        return erfc(film_ratio), -2 / np.sqrt(np.pi) * np.exp(-(film_ratio**2))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Mixed:
+    r"""Film and asperities share the load, each with its own friction.
+
+    .. math:: F = (1 - f_a(\Lambda))\, F_f + f_a(\Lambda)\, \mu_b\, q\, \frac{u_s}{\sqrt{u_s^2 + v_0^2}},
+              \quad \Lambda = h/\sigma
+
+    F_f is the traction of the wrapped law under the whole load, so that its coefficient keeps its
+    value. The boundary friction changes sign over the speed v0 (99 % at 7 v0).
+
+    Source
+    ------
+    Load sharing of Johnson, Greenwood and Poon (1972), as used for rollers by Zhou and Hoeprich (1991).
+
+    Valid
+    -----
+    Film > 0; asperities do not change the film. Kinks are those of the wrapped law.
+    """
+
+    fluid: TractionLaw
+    share: AsperityShare
+    roughness: float  # [m] sigma, composite: sqrt(Rq1^2 + Rq2^2)
+    boundary_friction: float  # [-] mu_b, 0.08 to 0.13 for oils on steel
+    sign_speed: float  # [m/s] v0, far below the sliding speeds of interest
+
+    def __post_init__(self):
+        for name in ("roughness", "sign_speed"):
+            require_positive(f"mixed.{name}", getattr(self, name))
+        if not 0 <= self.boundary_friction < float("inf"):
+            raise ImpossiblePart(
+                f"mixed.boundary_friction = {self.boundary_friction!r} must be finite and >= 0"
+            )
+
+    def __call__(self, line_load: NDArray, sliding: NDArray, entrainment: NDArray, film: NDArray) -> Traction:
+        """Traction; entrainment and film act through the wrapped law, the film also through the share."""
+        fluid = self.fluid(line_load, sliding, entrainment, film)
+        share, by_ratio = self.share(film / self.roughness)
+        rounded = np.hypot(sliding, self.sign_speed)
+        friction = self.boundary_friction * sliding / rounded
+        steepness = self.boundary_friction * (self.sign_speed / rounded) ** 2 / rounded
+        rest = 1 - share
+        return Traction(
+            force=rest * fluid.force + share * friction * line_load,
+            by_load=rest * fluid.by_load + share * friction,
+            by_sliding=rest * fluid.by_sliding + share * steepness * line_load,
+            by_entrainment=rest * fluid.by_entrainment,
+            by_film=rest * fluid.by_film + by_ratio / self.roughness * (friction * line_load - fluid.force),
+        )

@@ -1,0 +1,165 @@
+"""How an angular-contact ball bearing carries its load."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.balls.light_ball import GRIP, LED
+from quasidynamic.contact.ellipse.point_contact import INNER, OUTER, PointContact
+from quasidynamic.motion.ball_speeds import Control, ball_attitude, spin_to_roll
+from quasidynamic.motion.rolling_lines import (
+    ball_friction,
+    hertz_section_radius,
+    rolling_lines,
+    spin_parameter,
+)
+from quasidynamic.outcome.rolling_contact import RollingContact
+from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
+
+CONTROLS: tuple[Control, ...] = ("outer", "inner")
+UPRIGHT = 0.9  # of the attitude under race control: what is left of it where friction holds
+
+
+@dataclass(frozen=True)
+class AngularContactState:
+    """How an angular-contact bearing carries its load; Z balls, index 0 the inner and 1 the outer race."""
+
+    bearing: AngularContactBearing
+    operation: RingOperation
+    contacts: tuple[PointContact, PointContact]
+    ring_displacement: NDArray  # (5) [m, m, m, rad, rad] of the inner ring: x, y, z, about x, about y
+    ring_load: NDArray  # (5) [N, N, N, N m, N m] that the balls take up
+    stiffness: NDArray  # (5, 5) load per displacement, balls in balance [N/m, N, N m]
+    contact_angles: NDArray  # (2, Z) [rad]
+    loads: NDArray  # (2, Z) [N] normal
+    tractions: NDArray  # (2, Z) [N] along the groove sections, holding the gyroscopic moment
+    orbital_speed: NDArray  # (Z) [rad/s]
+    ball_speed: NDArray  # (Z) [rad/s] in the orbiting frame
+    attitude: NDArray  # (Z) [rad] beta, of the spin axis to the shaft
+    yaw: NDArray  # (Z) [rad] of the spin axis out of the plane of the section
+    centrifugal_force: NDArray  # (Z) [N]
+    gyroscopic_moment: NDArray  # (Z) [N m]
+    evaluations: int  # of all balls
+    friction: float | None = None  # [-] Coulomb coefficient, where friction decides what balls do
+    friction_heat: NDArray | None = None  # (Z) [W] of both contacts, known there
+
+    @property
+    def friction_torque(self) -> float | None:
+        """Torque of friction, heat over the speed of the rings against each other [N m]; None as above."""
+        if self.friction_heat is None:
+            return None
+        speed = abs(self.operation.inner_speed - self.operation.outer_speed)
+        return float(self.friction_heat.sum() / speed) if speed else 0.0
+
+    @property
+    def semi_axes(self) -> tuple[NDArray, NDArray]:
+        """Semi-axes a across and b along the rolling direction (2, Z) [m]."""
+        axes = [contact.semi_axes(load) for contact, load in zip(self.contacts, self.loads, strict=True)]
+        return np.stack([a for a, _ in axes]), np.stack([b for _, b in axes])
+
+    @property
+    def needed_shoulders(self) -> NDArray:
+        """Height of the races above the bottoms of their grooves up to which contacts reach (2, Z) [m].
+
+        r (1 - cos(|alpha| + asin(2a/D))) with the groove radius r; zero without a load. The grooves of the
+        balance have no end: on a lower shoulder contacts are cut off, and balls climb it.
+        """
+        own = self.bearing
+        half = np.arcsin(np.minimum(2 * self.semi_axes[0] / own.ball.diameter, 1.0))
+        reach = np.minimum(np.abs(self.contact_angles) + half, np.pi / 2)
+        radius = own.ball.diameter * np.array([[own.inner.conformity], [own.outer.conformity]])
+        return np.where(self.loads > 0, radius * (1 - np.cos(reach)), 0.0)
+
+    @property
+    def peak_pressures(self) -> NDArray:
+        """p0 (2, Z) [Pa]."""
+        pairs = zip(self.contacts, self.loads, strict=True)
+        return np.stack([contact.peak_pressure(load) for contact, load in pairs])
+
+    @property
+    def needed_friction(self) -> NDArray:
+        """Traction over load that keeps a ball from turning about the rolling direction (2, Z) [-]."""
+        loaded = self.loads > 0
+        return np.where(loaded, np.abs(self.tractions) / np.where(loaded, self.loads, 1.0), 0.0)
+
+    def rolling_contact(
+        self,
+        spin: Literal["slip field", "contact angle"] = "slip field",
+        friction: Literal["none", "balanced"] = "none",
+    ) -> RollingContact:
+        """Pure rolling lines of the balls that touch both races.
+
+        Parameters
+        ----------
+        spin : {"slip field", "contact angle"}
+            S of the ball's motion, or gamma sin(alpha) alone as in Rivera, Tong and Hong (2021), Eq. (15)
+        friction : {"none", "balanced"}
+            no net friction in the rolling direction (e = 0), or as much as balances the friction moments
+            about the spin axis, see `ball_friction`
+
+        Raises
+        ------
+        OutOfRange
+            where E is negative: spin against the contact angle, as on a race next to a controlling one
+        """
+        touching, own = np.flatnonzero((self.loads > 0).all(0)), self.bearing
+        loads, angles, attitude = (
+            self.loads[:, touching],
+            self.contact_angles[:, touching],
+            self.attitude[touching],
+        )
+        side = np.array([[INNER], [OUTER]])
+        across, along = (axis[:, touching] for axis in self.semi_axes)
+        ratio = own.diameter_ratio
+        ratios = spin_to_roll(angles, angles if spin == "contact angle" else attitude, ratio, side)
+        radius = hertz_section_radius(own.ball.diameter, [[own.inner.conformity], [own.outer.conformity]])
+        parameter = spin_parameter(ratios, radius, across)
+        net = np.zeros_like(loads)
+        if friction == "balanced":
+            net = ball_friction(parameter, loads, across, angles - attitude, own.ball.diameter)
+        rings = np.array([[self.operation.inner_speed], [self.operation.outer_speed]])
+        return RollingContact(
+            balls=touching,
+            parameter=parameter,
+            net_force=net,
+            lines=rolling_lines(parameter, net),
+            semi_axes=(across, along),
+            loads=loads,
+            section_radius=radius,
+            rolling=(rings - self.orbital_speed[touching]) / ratio,
+            spin_to_roll=ratios,
+        )
+
+    @property
+    def on_inner(self) -> NDArray:
+        """Balls that the inner race touches (Z), bool."""
+        return self.loads[0] > 0
+
+    @property
+    def guided(self) -> NDArray:
+        """Balls whose motion both races set (Z), bool.
+
+        The others are pressed too lightly, stand too far round a race or lack friction for their gyroscopic
+        moment, see `RaceControl`: orbit, spin and tractions of these are estimates. Where friction decides,
+        see `CoulombControl`, they are pressed too lightly.
+        """
+        apart = np.abs(self.contact_angles[0] - self.contact_angles[1])
+        pressed = self.loads[0] > GRIP * self.centrifugal_force
+        if self.friction is not None:
+            return pressed
+        wanted = 2 * np.abs(self.gyroscopic_moment) / self.bearing.ball.diameter
+        held = np.abs(self.tractions.sum(0)) >= (1 - 1e-9) * wanted
+        return (apart <= LED) & pressed & held
+
+    @property
+    def upright(self) -> NDArray:
+        """Balls whose axes friction holds up against the gyroscopic moment (Z), bool.
+
+        Their attitude is not far below those of outer and of inner control; where friction is missing the
+        axis turns towards the shaft, and the moment becomes less.
+        """
+        ratio = self.bearing.diameter_ratio
+        known = [ball_attitude(self.contact_angles, ratio, control).value for control in CONTROLS]
+        return (self.ball_speed == 0) | (np.abs(self.attitude) >= UPRIGHT * np.abs(known).min(axis=0))

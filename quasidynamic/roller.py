@@ -1,0 +1,184 @@
+"""The bearing as one callable: raceway shape or compliance in, equilibrium out."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.rollers.bearing import BearingBalance
+from quasidynamic.balance.rollers.operating_points import OperatingPoints
+from quasidynamic.balance.rollers.roller import RollerBalance
+from quasidynamic.contact.film.thickness import FilmLaw
+from quasidynamic.contact.line.hertz import reduced_radius
+from quasidynamic.contact.line.load_law import LoadLaw, iso16281, palmgren
+from quasidynamic.contact.line.slices import Slices
+from quasidynamic.contact.lubrication import Lubrication
+from quasidynamic.contact.raceways import Raceways
+from quasidynamic.errors import NotSolved
+from quasidynamic.outcome.equilibrium import Equilibria, Equilibrium
+from quasidynamic.parts.material import contact_modulus
+from quasidynamic.parts.operation import Operation
+from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
+from quasidynamic.solve.outcome import Ending
+from quasidynamic.solve.rollers.strategy import iterate, solve
+from quasidynamic.solve.start import RESTARTS, slipping_start, static_start
+
+__all__ = ["Equilibria", "Equilibrium", "RollerBearing"]
+
+Compliance = tuple[NDArray | None, NDArray | None]
+STARTS = (slipping_start, *RESTARTS)
+CASES_AT_ONCE = 128  # their slices fit into the processor's cache
+
+
+@dataclass(frozen=True, kw_only=True)
+class RollerBearing:
+    """A cylindrical roller bearing under load and speed, ready to be solved.
+
+    Shapes: Z rollers, M axial shapes, K slices; index 0 is the inner raceway, 1 the outer one.
+    """
+
+    bearing: CylindricalRollerBearing
+    operation: Operation
+    lubrication: Lubrication
+    slices: int = 20
+    shapes: int = 2  # axial shapes that raceways of any shape exchange with the rollers
+    spin_inertia: bool = True
+
+    def solve(self, start: Equilibrium | None = None, deviation: NDArray | None = None) -> Equilibrium:
+        """Equilibrium between raceways of a given shape.
+
+        Parameters
+        ----------
+        start : Equilibrium, optional
+            where to begin; without it a static load distribution is computed first
+        deviation : array (2, Z, M), optional
+            shape coefficients of the outward raceway deviations [m]
+
+        Raises
+        ------
+        NotSolved
+            when no equilibrium was reached; its `ending` says how it ended
+        """
+        balance = self._balance([self.operation], deviation)
+        begin = None if start is None else balance.pack(start.unknowns)
+        found = self._solved(balance, begin)[0]
+        if found.status is not Ending.CONVERGED:
+            raise NotSolved(found.failure(), found.status)
+        return found
+
+    def solve_many(self, operations: Sequence[Operation]) -> "Equilibria":
+        """Equilibria of many operating points between rigid, round raceways.
+
+        All of them are solved side by side; the answers are those of one solve after the other.
+
+        Returns
+        -------
+        Equilibria
+            one for each operation, also where none was reached: its `status` says so
+        """
+        found: list[Equilibrium] = []
+        for first in range(0, len(operations), CASES_AT_ONCE):
+            found.extend(self._solved(self._balance(operations[first : first + CASES_AT_ONCE])))
+        return Equilibria(tuple(found))
+
+    def iterate(
+        self, compliance: Compliance, start: Equilibrium, deviation: NDArray | None = None
+    ) -> Iterator[Equilibrium]:
+        """Newton iterates of the bearing between raceways that yield (inner, outer; None is rigid).
+
+        Parameters
+        ----------
+        compliance : pair of arrays (Z, M, Z, M) or None
+            outward deviation of a raceway per outward force [m/N]
+        start : Equilibrium
+            where to begin, such as the rigid equilibrium
+        deviation : array (2, Z, M), optional
+            outward deviations that are there without any roller load [m]
+        """
+        size = self.bearing.rollers * self.shapes
+        inner, outer = (None if matrix is None else matrix.reshape(size, size) for matrix in compliance)
+        plain = self._balance([self.operation], deviation, aligned=False)
+        balance = replace(plain, compliance=(inner, outer))
+        for sweep in iterate(balance, balance.pack(start.unknowns)):
+            yield Equilibrium(balance, sweep.unknowns[0], sweep.endings[0], sweep.number, self.shapes)
+
+    def _solved(self, balance: BearingBalance, begin: NDArray | None = None) -> list[Equilibrium]:
+        solved = solve(balance, static_start(balance) if begin is None else begin, STARTS)
+        return [
+            Equilibrium(
+                balance.take(np.array([case])) if len(solved.endings) > 1 else balance,
+                solved.unknowns[case],
+                solved.endings[case],
+                int(solved.evaluations[case]),
+                self.shapes,
+            )
+            for case in range(len(solved.endings))
+        ]
+
+    # -- equations -----------------------------------------------------------------------------
+
+    def _balance(
+        self, operations: Sequence[Operation], deviation: NDArray | None = None, aligned: bool = True
+    ) -> BearingBalance:
+        """Equations, with rollers that can tilt only where something may tilt them."""
+        aligned = aligned and deviation is None and not any(operation.tilts for operation in operations)
+        return BearingBalance(
+            roller=self._aligned_rollers if aligned else self._tilting_rollers,
+            points=OperatingPoints.of(operations),
+            clearance=self.bearing.clearance,
+            deviation=deviation,
+            spin_inertia=self.spin_inertia,
+        )
+
+    @cached_property
+    def _aligned_rollers(self) -> RollerBalance:
+        return self._rollers(1)
+
+    @cached_property
+    def _tilting_rollers(self) -> RollerBalance:
+        return self._rollers(self.shapes)
+
+    def _rollers(self, shapes: int) -> RollerBalance:
+        return RollerBalance(
+            bearing=self.bearing, lubrication=self.lubrication, raceways=self._raceways(shapes)
+        )
+
+    def _raceways(self, shapes: int) -> Raceways:
+        bearing, roller, lubrication = self.bearing, self.bearing.roller, self.lubrication
+        slices = Slices(self.slices, roller.length, shapes)
+        radii = [
+            reduced_radius(roller.diameter / 2, r) for r in (bearing.inner_radius, -bearing.outer_radius)
+        ]
+        moduli = [contact_modulus(roller.material, ring) for ring in (bearing.inner_ring, bearing.outer_ring)]
+        radius, modulus = (np.array(values)[:, None, None] for values in (radii, moduli))
+        return Raceways(
+            law=self._load_law(),
+            traction=lubrication.traction(
+                radius=radius,
+                modulus=modulus,
+                length=roller.length,
+                oil=lubrication.oil,
+            ),
+            film_law=FilmLaw(
+                formula=lubrication.film,
+                radius=radius,
+                modulus=modulus,
+                oil=lubrication.oil,
+                inlet_heating=lubrication.inlet_heating,
+            ),
+            lubrication=lubrication,
+            slices=slices,
+            drop=roller.profile.drop(slices.centres, roller.length),
+            radius=radius,
+            modulus=modulus,
+        )
+
+    def _load_law(self) -> LoadLaw:
+        roller, rings = self.bearing.roller, (self.bearing.inner_ring, self.bearing.outer_ring)
+        if self.bearing.contact_law == "iso16281":
+            laws = [iso16281(roller.length)] * 2
+        else:
+            laws = [palmgren(roller.material, ring, roller.length) for ring in rings]
+        return LoadLaw(np.array([law.coefficient for law in laws])[:, None, None])

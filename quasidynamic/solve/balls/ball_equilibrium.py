@@ -1,0 +1,161 @@
+"""Newton's method for balls that find their own balance, the ring held."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.balls.angular_contact import AngularBalance, BallBalance
+from quasidynamic.balance.balls.ball_position import Vectors
+
+TOLERANCE = 1e-12  # of the largest force: unbalanced force on a ball
+ROUNDING = 16 * float(np.finfo(float).eps)  # of lengths: a force below stiffness times this is noise
+LIMIT = 40  # evaluations of the balls at one place of the ring, rarely more than four
+STABLE = 0.1  # of the stiffness of a ball hanging in the outer groove: least one in a step
+FLOATING = 1e-15  # of its stiffness, given to every ball
+LEAST_STIFFNESS = 1e-9  # [N/m] the same where nothing touches: a long step, not an infinite one
+LONGEST = 0.3  # of the smaller reach: step of a ball
+SHORTEST = 2.0**-12  # part of a Newton step
+
+
+class Sizes(NamedTuple):
+    """Forces (C) [N] that unbalanced ones are measured with."""
+
+    largest: NDArray  # load on ring or balls
+    noise: NDArray  # force by which rounding of lengths, or the guide, unbalances a ball
+
+    def allowed(self, share: NDArray | float = 0.0) -> NDArray:
+        """Force (C, 1) on a ball that counts as balance, up to a `share` (C) of the largest force."""
+        return np.maximum(np.maximum(TOLERANCE, share) * self.largest, self.noise)[:, None]
+
+
+class Settled(NamedTuple):
+    """Balls at their places, and what is left to balance there."""
+
+    centres: Vectors  # (C, Z) [m]
+    balls: BallBalance
+    sizes: Sizes
+    left: NDArray  # (C, Z) [N] size of the unbalanced force on a ball
+    moving: NDArray  # (C, Z) balls that are not balanced as well as was asked for
+    evaluations: int
+
+    @property
+    def done(self) -> NDArray:
+        """Whether all balls are balanced as well as was asked for (C)."""
+        return np.logical_not(self.moving.any(axis=1))
+
+
+def at_places(
+    balance: AngularBalance,
+    grooves: Vectors,
+    centres: Vectors,
+    share: NDArray | float = 0.0,
+    evaluations: int = 1,
+) -> Settled:
+    """Balls where they are, see `settle` for the share."""
+    balls = balance.balls(grooves, centres)
+    left, sizes = np.abs(balls.excess), sizes_of(balance, balls, grooves)
+    return Settled(centres, balls, sizes, left, ~(left <= sizes.allowed(share)), evaluations)
+
+
+def sizes_of(balance: AngularBalance, balls: BallBalance, grooves: Vectors) -> Sizes:
+    """Forces that unbalanced ones on these balls are measured with."""
+    largest = np.maximum(balance.largest_load, balls.loads.max((0, 2)))
+    rounding = ROUNDING * np.abs(balls.by_ball[:, 0]).max((0, 2)) * np.abs(grooves).max(1)
+    return Sizes(largest, np.maximum(rounding, balance.guide.noise * largest))
+
+
+def settle(
+    balance: AngularBalance, grooves: Vectors, centres: Vectors, share: NDArray | float = 0.0
+) -> Settled:
+    """Balance of every ball for itself, the groove centres given.
+
+    Balls may stay out of balance by a `share` (C) of the largest force.
+    """
+    found = _newton_of_balls(balance, grooves, _start(balance, grooves, centres), share)
+    if found.moving.any() and balance.pulled.any():  # again from the places without friction
+        centres = np.where(found.moving, balance.places.resting(grooves), found.centres)
+        again = _newton_of_balls(balance, grooves, centres, share)
+        return again._replace(evaluations=found.evaluations + again.evaluations)
+    return found
+
+
+def _newton_of_balls(
+    balance: AngularBalance, grooves: Vectors, centres: Vectors, share: NDArray | float
+) -> Settled:
+    """Damped Newton for each ball."""
+    here = at_places(balance, grooves, centres, share)
+    far = (here.left > balance.free_centrifugal) & balance.pulled
+    if far.any():  # where they were is no better than a closed form
+        centres = np.where(far, balance.places.resting(grooves), centres)
+        here = at_places(balance, grooves, centres, share, 2)
+    moving, good, size, count = here.moving, np.True_, here.left, here.evaluations
+    if not moving.any():
+        return here
+    step, damping = _ball_step(balance, here.balls), np.ones(centres.shape)
+    ahead = _along(here.balls.excess, step)
+    while moving.any() and count < LIMIT and not (damping < SHORTEST).any():
+        trial = along_arc(centres, np.where(moving, damping, 0.0) * step)
+        here, count = at_places(balance, grooves, trial, share), count + 1
+        there = here.balls
+        left = _along(there.excess, step)
+        good = (left >= -0.5 * np.abs(ahead)) | (here.left < 0.5 * size)
+        centres = np.where(good, trial, centres)
+        step = np.where(good, _ball_step(balance, there), step)
+        ahead = np.where(good, _along(there.excess, step), ahead)
+        size = np.where(good, here.left, size)
+        damping = np.where(good, 1.0, damping / 2)
+        moving = ~good | here.moving
+    if not good.all():
+        here, count = at_places(balance, grooves, centres, share), count + 1
+    return here._replace(moving=moving, evaluations=count)
+
+
+def along_arc(centres: Vectors, step: Vectors) -> Vectors:
+    """Centres moved by a step whose part along the outer groove follows its arc."""
+    length = np.abs(centres)
+    out = centres / length
+    part = out.conj() * step
+    return (length + part.real) * out * np.exp(1j * part.imag / length)
+
+
+def _along(force: Vectors, step: Vectors) -> NDArray:
+    """Work of a force on a step [N m]."""
+    return (force.conj() * step).real
+
+
+def _start(balance: AngularBalance, grooves: Vectors, centres: Vectors) -> NDArray:
+    """Balance of balls where it has a closed form, elsewhere where they were."""
+    if not balance.pulled.all():
+        centres = np.where(balance.pulled, centres, balance.places.resting(grooves))
+    free = balance.places.free(grooves)
+    return np.where(free, balance.places.bottom, centres) if free.any() else centres
+
+
+def _ball_step(balance: AngularBalance, here: BallBalance) -> Vectors:
+    """Newton step of every ball; where its balance is unstable, one that forces do work on."""
+    axial, radial = here.by_ball[:, 0]
+    half, product = (axial.real - radial.imag) / 2, axial.imag * radial.real
+    loosest = (axial.real + radial.imag) / 2 + np.sqrt(np.maximum(half**2 + product, 0.0))  # eigenvalue
+    hanging = balance.free_centrifugal / balance.bearing.outer_reach
+    stiffer = np.maximum(loosest + STABLE * hanging, 0.0)
+    step = -resolved(here, here.excess, stiffer)
+    longest = LONGEST * min(balance.bearing.inner_reach, balance.bearing.outer_reach)
+    return step / np.maximum(np.abs(step) / longest, 1.0)
+
+
+def resolved(balls: BallBalance, force: Vectors, stiffer: NDArray | float = 0.0) -> Vectors:
+    """Moves of balls under which their excess changes by a force (..., C, Z) [m].
+
+    The derivatives are negative where a ball is held; elsewhere it is held lightly, and `stiffer` as asked.
+    """
+    axial, radial = balls.by_ball[:, 0]
+    stiffer = stiffer + FLOATING * (np.abs(axial) + np.abs(radial)) + LEAST_STIFFNESS
+    axial, radial = axial - stiffer, radial - 1j * stiffer
+    size = (axial.conj() * radial).imag
+    return ((axial.conj() * force).imag * 1j - (radial.conj() * force).imag) / size
+
+
+def balanced(balance: AngularBalance, balls: BallBalance, grooves: Vectors) -> NDArray:
+    """Balls (C, Z) that are in balance where they are."""
+    return np.less_equal(np.abs(balls.excess), sizes_of(balance, balls, grooves).allowed())

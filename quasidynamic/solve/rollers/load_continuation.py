@@ -1,0 +1,78 @@
+"""Down from a heavier load, where rollers drive the cage, to the load that is asked for."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.rollers.bearing import BearingBalance
+from quasidynamic.solve.outcome import Ending
+from quasidynamic.solve.rollers.newton import newton
+
+HEAVIER = (8.0, 64.0, 512.0, 4096.0)  # loads to begin from, over the load that is asked for
+FIRST_STEP = 0.7  # of the logarithm of the load
+SHORTEST_STEP = 0.02
+LIMIT = 80  # loads
+
+
+@dataclass(frozen=True)
+class Walk:
+    """Where a continuation ended."""
+
+    unknowns: NDArray | None  # (1, N) scaled, at the load that is asked for; None when it was not reached
+    evaluations: int
+
+
+def from_heavier_load(balance: BearingBalance, start: Callable[[BearingBalance], NDArray]) -> Walk:
+    """Equilibrium of one case, from that of a load many times as large in shrinking steps.
+
+    Each step starts from an extrapolation of the last two equilibria over the logarithm of the load,
+    and is halved until Newton's method succeeds.
+    """
+    evaluations = 0
+    for factor in HEAVIER:
+        heavy = loaded(balance, factor)
+        unknowns, used = _newton(heavy, start(heavy))
+        evaluations += used
+        if unknowns is not None:
+            walk = _down(balance, np.log(factor), unknowns)
+            evaluations += walk.evaluations
+            if walk.unknowns is not None:
+                return Walk(walk.unknowns, evaluations)
+    return Walk(None, evaluations)
+
+
+def loaded(balance: BearingBalance, factor: float) -> BearingBalance:
+    """The same balance under a multiple of load and moment."""
+    points = balance.points
+    names = ("load_y", "load_z", "moment_y", "moment_z")
+    return replace(
+        balance, points=replace(points, **{name: factor * getattr(points, name) for name in names})
+    )
+
+
+def _down(balance: BearingBalance, place: float, unknowns: NDArray) -> Walk:
+    """Walk from log(load factor) `place` to zero."""
+    step, slope, evaluations = FIRST_STEP, np.zeros_like(unknowns), 0
+    for _ in range(LIMIT):
+        target = max(place - step, 0.0)
+        found, used = _newton(loaded(balance, np.exp(target)), unknowns + slope * (target - place))
+        evaluations += used
+        if found is None:
+            step /= 2
+            if step < SHORTEST_STEP:
+                break
+            continue
+        slope, place, unknowns = (found - unknowns) / (target - place), target, found
+        if place == 0.0:
+            return Walk(unknowns, evaluations)
+        step *= 1.5
+    return Walk(None, evaluations)
+
+
+def _newton(balance: BearingBalance, unknowns: NDArray) -> tuple[NDArray | None, int]:
+    """Equilibrium (1, N) or None, and evaluations."""
+    *_, last = newton(balance, unknowns)
+    found = last.unknowns if last.endings[0] is Ending.CONVERGED else None
+    return found, last.number + 1

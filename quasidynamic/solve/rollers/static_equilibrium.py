@@ -1,0 +1,96 @@
+"""Rollers put at rest between given raceways, before any friction is known."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.rollers.bearing import BearingBalance
+from quasidynamic.balance.rollers.unknowns import Unknowns
+from quasidynamic.contact.line.load_law import EXPONENT
+
+SETTLING_STEPS = 8  # Newton on a nearly linear law inside a bracket
+NEAR_ENOUGH = 1e-8  # [m] of the last step; what is left after it is far less
+
+
+def centrifugal_force(balance: BearingBalance, cage_speed: NDArray) -> NDArray:
+    """What presses an unloaded roller on the outer raceway (C, 1) [N]."""
+    force, _ = balance.roller.centrifugal(cage_speed)
+    return force
+
+
+def outer_approach(balance: BearingBalance, cage_speed: NDArray) -> NDArray:
+    """Approach of an unloaded straight roller at the outer raceway (C, 1) [m]; a crowned one goes further."""
+    return balance.roller.raceways.softness[1] * centrifugal_force(balance, cage_speed) ** (1 / EXPONENT)
+
+
+def resting_loads(balance: BearingBalance, unknowns: Unknowns, shaped: bool = False) -> NDArray:
+    """Loads (2, C, Z) [N] of rollers, untilted on even raceways or, if `shaped`, as they are."""
+    beyond = axial_shape(balance, unknowns) if shaped else 0.0
+    return _pressed(balance, balance.inputs(unknowns).approach[:, 0], beyond)[0]
+
+
+def series_stiffness(balance: BearingBalance, unknowns: Unknowns) -> NDArray:
+    """Stiffness (C, Z) [N/m] of both raceways of an untilted roller in series."""
+    inner, outer = _pressed(balance, balance.inputs(unknowns).approach[:, 0])[1]
+    return inner * outer / (inner + outer)
+
+
+def _pressed(
+    balance: BearingBalance, approach: NDArray, beyond: NDArray | float = 0.0
+) -> tuple[NDArray, NDArray]:
+    """Loads [N] and stiffnesses [N/m] (2, C, Z) of rollers at their approaches (2, C, Z) [m].
+
+    Slices are nearer by `beyond` (K, 2, C, Z) [m]; rollers without it are untilted.
+    """
+    raceways = balance.roller.raceways
+    line_load, slope = raceways.law(approach + beyond - raceways.drop[:, None, None, None])
+    return raceways.slices.total(line_load), raceways.slices.total(slope)
+
+
+def settled(balance: BearingBalance, unknowns: Unknowns, shaped: bool = False) -> Unknowns:
+    """Put every roller at rest between its raceways, without friction.
+
+    A step that linearises contact may throw a roller off its outer raceway, from where the load law
+    has no slope to bring it back; this puts it on again. Rollers are untilted on even raceways, or, if
+    `shaped`, tilted as they are on raceways of the shape that they have.
+    """
+    beyond = axial_shape(balance, unknowns) if shaped else np.zeros((1, 2, 1, 1))
+    room = balance.inputs(unknowns).approach[:, 0].sum(0)  # both approaches, wherever the roller is
+    _, cage_speed = balance.speeds(unknowns)
+    drop, pressed = balance.roller.raceways.drop, outer_approach(balance, cage_speed)
+    depth = drop[:, None, None] - beyond[:, 1]
+    centrifugal, lowest = centrifugal_force(balance, cage_speed), pressed + depth.min(0)
+    highest = np.maximum(room, pressed + depth.max(0))
+    outer = np.maximum(room / 2, lowest)
+    for _ in range(SETTLING_STEPS):
+        (load_i, load_o), (slope_i, slope_o) = _pressed(balance, np.array([room - outer, outer]), beyond)
+        change = (load_o - load_i - centrifugal) / (slope_o + slope_i)
+        outer = np.minimum(np.maximum(outer - change, lowest), highest)
+        if np.abs(change).max() < NEAR_ENOUGH:
+            break
+    return unknowns._replace(approach=outer)
+
+
+def between_raceways(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
+    """Give no roller a tilt beyond those of its two raceways, and those off the inner one that of the outer.
+
+    A roller that hardly anything presses has no moment that holds its tilt: a linearised step sends it
+    anywhere, but it cannot rest where its moments at both raceways have one sense.
+    """
+    approach = balance.inputs(unknowns).approach
+    whole = approach[0, 1] + approach[1, 1]
+    slack = 3 * np.abs(approach[:, 3::2]).sum((0, 1))
+    low, high = np.minimum(whole, 0.0) - slack, np.maximum(whole, 0.0) + slack
+    return unknowns._replace(tilt=np.clip(unknowns.tilt, low, high))
+
+
+def axial_shape(balance: BearingBalance, unknowns: Unknowns) -> NDArray:
+    """Approaches (K, 2, C, Z) [m] of the slices beyond that of mid-roller, by tilt and uneven raceways."""
+    higher = balance.roller.raceways.slices.shape[:, 1:]
+    return np.einsum("km,rmcz->krcz", higher, balance.inputs(unknowns).approach[:, 1:])
+
+
+def film_at(balance: BearingBalance, unknowns: Unknowns, load: NDArray) -> NDArray:
+    """Films (2, C, Z) [m] at the speeds of the unknowns and roller loads [N] that broadcast to them."""
+    motion = balance.motion(unknowns.cage_drift, unknowns.spin_drift)
+    sliding, entrainment, _ = balance.roller.surfaces(motion, balance.points)
+    return balance.roller.raceways.film(load, sliding, entrainment).thickness

@@ -1,0 +1,69 @@
+"""Drifts of cage and spins from pure rolling at which friction about balances, under static loads."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.rollers.bearing import BearingBalance
+from quasidynamic.balance.rollers.unknowns import Unknowns
+from quasidynamic.solve.rollers.static_equilibrium import resting_loads
+from quasidynamic.solve.start.friction import balanced_drifts
+from quasidynamic.solve.start.lumped import LumpedRollers
+from quasidynamic.solve.start.resting import static_unknowns
+
+LITTLE = 0.1  # slip up to which the centrifugal force and the spins of unloaded rollers change little
+GUESSES = np.geomspace(1e-5, 0.98, 9)  # slips that are looked at for a start
+
+
+def static_start(balance: BearingBalance) -> NDArray:
+    """Scaled unknowns (C, N) near equilibrium: both raceways of a roller in series, no tilt.
+
+    The ring displacement along the load is one scalar root; films are those of pure rolling.
+    """
+    start = static_unknowns(balance, np.zeros_like(balance.rolling_cage))
+    cage_drift, spin_drift = guessed_drifts(balance, start)
+    much = np.flatnonzero(np.abs(cage_drift) > LITTLE * np.abs(balance.rolling_cage))
+    begin = balance.pack(start._replace(cage_drift=cage_drift, spin_drift=spin_drift))
+    if len(much):
+        begin[much] = _slowed(balance.take(much), cage_drift[much], spin_drift[much])
+    return begin
+
+
+def _slowed(balance: BearingBalance, cage_drift: NDArray, spin_drift: NDArray) -> NDArray:
+    """Scaled unknowns (C, N) with less centrifugal force, and spins that follow from each other."""
+    static = static_unknowns(balance, cage_drift)
+    cage_drift, spin_drift = balanced_drifts(balance, static, cage_drift, spin_drift)
+    return balance.pack(static._replace(cage_drift=cage_drift, spin_drift=spin_drift))
+
+
+def guessed_drifts(balance: BearingBalance, static: Unknowns) -> tuple[NDArray, NDArray]:
+    """Drifts of cage (C, 1) and spins (C, Z) at a slip where tractions about drive the cage.
+
+    Each roller shares the sliding between its raceways as if friction grew with load and sliding;
+    between the slips that are looked at, the torque on the cage is interpolated over their logarithm.
+    """
+    cases, bearing = len(balance.points), balance.roller.bearing
+    load = resting_loads(balance, static)
+    inner_share = load[1] / load.sum(0)
+    r_i, r_o = bearing.inner_radius, bearing.outer_radius
+    spin_per_cage = (inner_share * (r_i + r_o) - r_i) / (bearing.roller.diameter / 2)
+    every = np.arange(len(GUESSES) * cases) % cases  # each case, guess by guess
+    many = LumpedRollers(balance.take(every))
+    cage_drift = -np.repeat(GUESSES, cases)[:, None] * many.balance.rolling_cage
+    line_load = load[:, every] / bearing.roller.length
+    forces = many.forces(line_load, cage_drift, cage_drift * spin_per_cage[every])
+    torque = many.driving_torque(forces, cage_drift).reshape(len(GUESSES), cases)
+    slip = _sign_change(np.log(GUESSES), torque)
+    cage_drift = -np.exp(slip)[:, None] * balance.rolling_cage
+    return cage_drift, cage_drift * spin_per_cage
+
+
+def _sign_change(places: NDArray, values: NDArray) -> NDArray:
+    """Where values (places, C) become positive first, interpolated; an end where there is no such place."""
+    each = np.arange(values.shape[1])
+    positive = values > 0
+    last = np.where(positive.any(0), positive.argmax(0), len(places) - 1)
+    first = np.maximum(last - 1, 0)
+    before, after = values[first, each], values[last, each]
+    rise = after - before
+    weight = np.where((before < 0) & (after > 0), -before / np.where(rise > 0, rise, 1.0), 1.0)
+    return places[first] + weight * (places[last] - places[first])

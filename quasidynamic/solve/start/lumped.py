@@ -1,0 +1,113 @@
+"""Friction of rollers with one slice under loads that are known."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.rollers.bearing import BearingBalance
+from quasidynamic.contact.cage.land import land_torque
+from quasidynamic.solve.rollers.static_equilibrium import resting_loads
+from quasidynamic.solve.start.resting import static_unknowns
+
+NEAREST = np.log(1e-13)  # to rolling on one raceway, over the distance to rolling on the other
+SPIN_HALVINGS = 20  # of the logarithm of that distance
+SMALLEST_LOAD = 1e-9  # [N]
+
+
+@dataclass(frozen=True)
+class LumpedRollers:
+    """Rollers of one slice under static loads, at a given cage speed."""
+
+    balance: BearingBalance
+
+    def at(self, slip: NDArray) -> tuple[NDArray, NDArray, NDArray]:
+        """Drifts of the spins (C, Z), friction over load at the inner ring (C), torque on the cage (C).
+
+        The torque [N m] is positive when it drives the cage the way it turns.
+        """
+        balance = self.balance
+        cage_drift = -slip[:, None] * balance.rolling_cage
+        state = static_unknowns(balance, cage_drift)
+        line_load = resting_loads(balance, state) / balance.roller.raceways.slices.length
+        drift, forces = self._drifts(line_load, cage_drift)
+        t_i, _, r_i, _ = forces
+        tangential = (t_i + (1 - 2 * balance.roller.bearing.diameter_ratio) * r_i).sum(-1)
+        load = line_load[0].sum(-1) * balance.roller.raceways.slices.length
+        friction = tangential / np.maximum(load, SMALLEST_LOAD)
+        return drift, friction, self.driving_torque(forces, cage_drift)
+
+    def driving_torque(self, forces: NDArray, cage_drift: NDArray) -> NDArray:
+        """Torque (C) [N m] of tractions and shears (4, C, Z), drag and land, along the way the cage turns."""
+        return self.cage_torque(forces, cage_drift)[0] * np.sign(self.balance.rolling_cage[:, 0])
+
+    def cage_torque(self, forces: NDArray, cage_drift: NDArray) -> tuple[NDArray, NDArray]:
+        """Signed torque on the cage (C) [N m], its slope (C) [N m s] while forces of rollers stay."""
+        bearing = self.balance.roller.bearing
+        (t_i, t_o, r_i, r_o), g = forces, bearing.diameter_ratio
+        driving = (t_i + t_o + (1 - 2 * g) * r_i - (1 + 2 * g) * r_o).sum(-1)
+        resistance, slope = self._resistance(self.balance.rolling_cage + cage_drift)
+        return driving * bearing.pitch_diameter / 2 + resistance, slope
+
+    def _drifts(self, line_load: NDArray, cage_drift: NDArray) -> tuple[NDArray, NDArray]:
+        """Drifts at which the tractions balance, and the forces there.
+
+        They lie between rolling on the inner and on the outer raceway, mostly so close to one of them
+        that the logarithm of the distance has to be halved.
+        """
+        bearing = self.balance.roller.bearing
+        r_w = bearing.roller.diameter / 2
+        inner = -cage_drift * bearing.inner_radius / r_w + np.zeros(line_load.shape[1:])
+        outer = cage_drift * bearing.outer_radius / r_w + np.zeros(line_load.shape[1:])
+        # Rolling on the inner raceway is the faster spin when the cage lags behind forwards.
+        up = np.sign(inner - outer)
+
+        def speeds_up(drift: NDArray) -> NDArray:
+            t_i, t_o, r_i, r_o = self.forces(line_load, cage_drift, drift)
+            return (t_i - t_o - r_i - r_o) * up > 0
+
+        nearer_inner = speeds_up((inner + outer) / 2)
+        end, way = np.where(nearer_inner, inner, outer), np.where(nearer_inner, outer - inner, inner - outer)
+        low, high = np.full(end.shape, NEAREST), np.full(end.shape, np.log(0.5))
+        for _ in range(SPIN_HALVINGS):
+            middle = (low + high) / 2
+            further = speeds_up(end + way * np.exp(middle)) != nearer_inner
+            low, high = np.where(further, middle, low), np.where(further, high, middle)
+        drift = end + way * np.exp((low + high) / 2)
+        return drift, self._balanced(*self.forces(line_load, cage_drift, drift))
+
+    @staticmethod
+    def _balanced(t_i: NDArray, t_o: NDArray, r_i: NDArray, r_o: NDArray) -> NDArray:
+        """Let the larger traction follow from the smaller one: halving does not find it on a steep slope."""
+        inner_is_small = np.abs(t_i) < np.abs(t_o)
+        return np.array(
+            [
+                np.where(inner_is_small, t_i, t_o + r_i + r_o),
+                np.where(inner_is_small, t_i - r_i - r_o, t_o),
+                r_i,
+                r_o,
+            ]
+        )
+
+    def forces(self, line_load: NDArray, cage_drift: NDArray, drift: NDArray) -> NDArray:
+        """Traction at both raceways and rolling shear at both (4, C, Z) [N]."""
+        raceways, length = self.balance.roller.raceways, self.balance.roller.raceways.slices.length
+        sliding, entrainment, sense = self.surfaces(cage_drift, drift)
+        load = line_load * length
+        film = raceways.film(load, sliding, entrainment).thickness
+        pull = raceways.traction(line_load, sliding, entrainment, film)
+        shear = raceways.rolling(load, entrainment)
+        return np.concatenate([pull.force * length, sense * shear.force])
+
+    def surfaces(self, cage_drift: NDArray, drift: NDArray) -> tuple[NDArray, NDArray, NDArray]:
+        """Sliding and entrainment speed (2, C, Z) [m/s], sense of rolling [-]."""
+        return self.balance.roller.surfaces(self.balance.motion(cage_drift, drift), self.balance.points)
+
+    def _resistance(self, cage_speed: NDArray) -> tuple[NDArray, NDArray]:
+        """Torque (C) of oil-air mixture and land on the cage [N m], its slope by the cage speed [N m s]."""
+        bearing, points = self.balance.roller.bearing, self.balance.points
+        lever = bearing.pitch_diameter / 2 * bearing.rollers
+        drag, drag_slope = self.balance.roller.drag(cage_speed)
+        ring = points.outer_speed if bearing.cage.guidance == "outer" else points.inner_speed
+        land = land_torque(ring - cage_speed, bearing.cage, self.balance.roller.lubrication.oil)
+        return (land.torque - lever * drag)[:, 0], (-land.by_speed - lever * drag_slope)[:, 0]

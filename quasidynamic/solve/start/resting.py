@@ -1,0 +1,100 @@
+"""Frictionless rollers that carry a load between rigid rings."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.rollers.bearing import BearingBalance
+from quasidynamic.balance.rollers.unknowns import Unknowns
+from quasidynamic.contact.line.load_law import EXPONENT
+from quasidynamic.solve.rollers.static_equilibrium import (
+    centrifugal_force,
+    film_at,
+    outer_approach,
+    resting_loads,
+    series_stiffness,
+    settled,
+)
+
+STRIBECK = 5.0  # largest roller load times their number over the load, about
+SHIFT_STEPS = 40  # Newton on a convex law from above: never more than about ten
+SHIFT_DIGITS = 1e-7  # [m] of the last step; what is left after it is a thousandth of that
+RING_STEPS = 60
+RING_DIGITS = 1e-8  # [m]
+LONGEST_RING_STEP = 2e-5  # [m]
+RING_FLOOR = 1e-4  # of the stiffness, where no roller resists a direction
+SMALLEST_STIFFNESS = 1.0  # [N/m] where no roller touches at all
+
+
+def static_unknowns(balance: BearingBalance, cage_drift: NDArray) -> Unknowns:
+    """Unknowns of `static_start` at a cage speed, all spins still those of pure rolling."""
+    points, m = balance.points, balance.roller.shapes
+    shape = (len(points), balance.layout.rollers)
+    nothing = np.zeros(shape)
+    unknowns = Unknowns(
+        ring=np.array([nothing[:, :1], nothing[:, :1], points.slope_z, points.slope_y]),
+        cage_drift=cage_drift,
+        approach=nothing,
+        tilt=nothing,
+        film=np.zeros((2, *shape)),
+        spin_drift=nothing,
+        deviation=np.zeros((2, m, *shape)),
+    )
+    cage_speed = balance.rolling_cage + cage_drift
+    usual = 4 * points.load / balance.layout.rollers + centrifugal_force(balance, cage_speed)
+    film = film_at(balance, unknowns, usual)
+    direction = np.arctan2(points.load_y, points.load_z)
+    gap = balance.clearance / 2 - film.sum(0).mean(-1, keepdims=True) + outer_approach(balance, cage_speed)
+    shift = ring_shift(balance, direction, gap)
+    unknowns.ring[:2] = shift * np.sin(direction), shift * np.cos(direction)
+    return settled(balance, unknowns._replace(film=film))
+
+
+def ring_shift(balance: BearingBalance, direction: NDArray, gap: NDArray) -> NDArray:
+    """Displacement of the ring (C, 1) [m] along the load at which the rollers carry it, without friction.
+
+    Newton's method from the usual share of the most loaded roller. The load grows convexly with the
+    displacement: after one step at most it is approached from above.
+    """
+    raceways, load = balance.roller.raceways, balance.points.load
+    soft = raceways.softness
+    share, coefficient = soft[0] / soft.sum(), np.ravel(raceways.law.coefficient)[0]
+    cos = np.cos(balance.roller.bearing.azimuths - direction)
+    nearest = cos.max(axis=-1, keepdims=True)
+    usual = np.minimum(1.0, STRIBECK / balance.layout.rollers) * load / nearest
+    room = soft.sum() * usual ** (1 / EXPONENT) + raceways.drop.min() / share
+    shift, drop = (np.maximum(gap, 0.0) + room) / nearest, raceways.drop[:, None, None]
+    steepness = EXPONENT * share * cos * cos
+    for _ in range(SHIFT_STEPS):
+        # Of the room between the raceways, the inner one takes its share and has the profile to itself.
+        closed = np.maximum(share * (shift * cos - gap) - drop, 0.0)
+        power = coefficient * closed ** (EXPONENT - 1)
+        carried = np.vecdot(raceways.slices.total(power * closed), cos)[:, None]
+        slope = np.vecdot(raceways.slices.total(power), steepness)[:, None]
+        change = np.divide(carried - load, slope, out=np.zeros(slope.shape), where=slope > 0)
+        shift = shift - change
+        if np.abs(change).max() < SHIFT_DIGITS:
+            break
+    return np.where(load > 0, shift, 0.0)
+
+
+def resting_ring(balance: BearingBalance, unknowns: Unknowns, load: NDArray) -> Unknowns:
+    """Put the ring where frictionless rollers hold a load (2, C) [N] in any direction.
+
+    Newton's method on a convex energy, in limited steps; a direction in which nothing resists, such
+    as sideways on a single roller, is given a small stiffness so that the ring moves until something does.
+    """
+    azimuth = balance.roller.bearing.azimuths
+    normal = np.array([np.sin(azimuth), np.cos(azimuth)])
+    position = unknowns.ring[:2]
+    for _ in range(RING_STEPS):
+        unknowns = settled(balance, unknowns._replace(ring=np.concatenate([position, unknowns.ring[2:]])))
+        force, stiffness = resting_loads(balance, unknowns)[0], series_stiffness(balance, unknowns)
+        excess = load - np.einsum("iz,cz->ic", normal, force)
+        matrix = np.einsum("iz,cz,kz->cik", normal, stiffness, normal)
+        floor = RING_FLOOR * np.trace(matrix, axis1=1, axis2=2) + SMALLEST_STIFFNESS
+        change = np.linalg.solve(matrix + floor[:, None, None] * np.eye(2), excess.T[..., None])[..., 0].T
+        length = np.hypot(*change)
+        position = position + (change * np.minimum(1.0, LONGEST_RING_STEP / (length + 1e-30)))[..., None]
+        if length.max() < RING_DIGITS:
+            break
+    return unknowns._replace(ring=np.concatenate([position, unknowns.ring[2:]]))
