@@ -8,7 +8,7 @@ from quasidynamic.clearance import (
     Mounting,
     OperatingClearance,
     PressFit,
-    RunningState,
+    OperatingConditions,
     operating_clearance,
 )
 
@@ -96,11 +96,11 @@ def _bores(case: Case) -> tuple[float, float]:
     return inner.bore, inner.bore - 2 * inner.shaft_thickness
 
 
-def _running(case: Case) -> RunningState:
+def _running(case: Case) -> OperatingConditions:
     temperatures, housed = case.operation.temperatures, case.bearing.fits and case.bearing.fits.housing
     parts = ("reference", "shaft", "inner_ring", "roller", "outer_ring", "housing")
     kelvin = {name: getattr(temperatures, name) if temperatures else ROOM for name in parts}
-    return RunningState(
+    return OperatingConditions(
         reference=kelvin["reference"],
         shaft=kelvin["shaft"],
         inner_ring=kelvin["inner_ring"],

@@ -26,7 +26,7 @@ from quasidynamic.outcome.life import (
 )
 from quasidynamic.outcome.life_factors import (
     CLEANLINESS,
-    Factor,
+    LifeFactor,
     ModifiedLife,
     contamination_factor,
     film_factor,
@@ -101,7 +101,7 @@ def _slice_factors(case: Case, found: Equilibrium) -> Iterator[dict[str, Any]]:
         yield {"name": "roller body", "value": after / before, "effect": "load", "note": note}
 
 
-def _lubrication_factors(case: Case, found: Equilibrium, smallest_film: NDArray) -> Iterator[Factor]:
+def _lubrication_factors(case: Case, found: Equilibrium, smallest_film: NDArray) -> Iterator[LifeFactor]:
     if case.life.lubrication == "film":
         ratio = float((smallest_film / roughness(case)).min())
         yield _explained(film_factor(ratio), f"smallest film ratio {ratio:.3g}")
@@ -116,7 +116,7 @@ def _lubrication_factors(case: Case, found: Equilibrium, smallest_film: NDArray)
         yield _explained(modification_factor(kappa, ratio), words)
 
 
-def _fixed_factors(case: Case) -> list[Factor]:
+def _fixed_factors(case: Case) -> list[LifeFactor]:
     """Factors that the loads do not change."""
     life, found = case.life, []
     if life.steel and life.melting:
@@ -152,5 +152,5 @@ def _fatigue_share(case: Case, bearing: CylindricalRollerBearing) -> float:
     return float(left) * fatigue_load_limit(bearing)
 
 
-def _explained(factor: Factor, words: str) -> Factor:
+def _explained(factor: LifeFactor, words: str) -> LifeFactor:
     return replace(factor, note="; ".join(filter(None, (factor.note, words))))

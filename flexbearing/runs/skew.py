@@ -7,7 +7,7 @@ from flexbearing.build import assemble
 from flexbearing.case import Case
 from quasidynamic import Equilibrium
 from quasidynamic.outcome.skew import Skew, skewed
-from quasidynamic.outcome.skew_balance import Running
+from quasidynamic.outcome.skew_balance import RunningRollers
 
 GAP = 1e-7  # [m] change of the gap at a roller's end that is worth a note, unless the film is thinner
 SHIFT = 0.01  # of the roller's length, between inner and outer load
@@ -22,7 +22,7 @@ def at(case: Case, found: Equilibrium) -> Skew | None:
         return None
     balance, points = found.balance.roller, found.balance.points
     ring = points.inner_speed if flange.ring == "inner" else points.outer_speed
-    running = Running(
+    running = RunningRollers(
         slice_load=found.rollers.contact.slice_load[:, 0],
         sliding=found.sliding,
         entrainment=found.entrainment,
@@ -39,10 +39,10 @@ def arrays(skew: Skew) -> dict[str, ArrayLike]:
     return {
         "roller_skew": skew.angle,
         "skew_moment": skew.moments.traction,
-        "roller_thrust": skew.sideways.thrust,
+        "roller_thrust": skew.axial_traction.thrust,
         "flange_force": skew.flange_forces,
         "flange_power": skew.flange_power.sum(),
-        "skew_power": skew.sideways_power.sum(),
+        "skew_power": skew.axial_sliding_power.sum(),
         "touching_skew": skew.balance.touching,
         "skew_gap": skew.end_gap,
         "skew_load_shift": skew.load_shift,
@@ -55,7 +55,7 @@ def notes(skew: Skew, found: Equilibrium, smallest_film: ArrayLike) -> tuple[str
     films = np.asarray(smallest_film)
     gap = min(GAP, *films[films > 0])
     length = skew.balance.bearing.roller.length
-    power = float(skew.flange_power.sum() + skew.sideways_power.sum())
+    power = float(skew.flange_power.sum() + skew.axial_sliding_power.sum())
     left_out = {
         f"changes the gap at the ends of the rollers by up to {skew.end_gap * 1e6:.3f} um": skew.end_gap
         > gap,

@@ -2,23 +2,23 @@
 
 from quasidynamic.clearance.annulus import Annulus
 from quasidynamic.clearance.operating_clearance import (
+    ClearanceStep,
     Mounting,
     OperatingClearance,
-    RunningState,
-    Step,
+    OperatingConditions,
     operating_clearance,
 )
-from quasidynamic.clearance.press_fit import FitState, PressFit, Seat, seat
+from quasidynamic.clearance.press_fit import FitConditions, PressFit, Seat, seat
 
 __all__ = [
     "Annulus",
-    "FitState",
+    "ClearanceStep",
+    "FitConditions",
     "Mounting",
     "OperatingClearance",
+    "OperatingConditions",
     "PressFit",
-    "RunningState",
     "Seat",
-    "Step",
     "operating_clearance",
     "seat",
 ]

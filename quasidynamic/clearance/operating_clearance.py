@@ -6,7 +6,7 @@ from math import isfinite
 
 from quasidynamic.clearance.annulus import Annulus, heat_displacement
 from quasidynamic.clearance.press_fit import (
-    FitState,
+    FitConditions,
     PressFit,
     Seat,
     free_displacement,
@@ -47,7 +47,7 @@ class Mounting:
 
 
 @dataclass(frozen=True, kw_only=True)
-class RunningState:
+class OperatingConditions:
     """Temperatures [K], of which only differences matter, with the speeds of the rings."""
 
     reference: float  # [K] at which the cold clearance and the interferences were measured
@@ -70,7 +70,7 @@ class RunningState:
 
 
 @dataclass(frozen=True)
-class Step:
+class ClearanceStep:
     """One effect on the clearance."""
 
     name: str
@@ -84,7 +84,7 @@ class OperatingClearance:
     """How a clearance came about, step by step."""
 
     cold: float  # [m] diametral, before mounting
-    steps: tuple[Step, ...]
+    steps: tuple[ClearanceStep, ...]
     shaft_seat: Seat  # in operation
     housing_seat: Seat | None  # in operation; a free ring has none
 
@@ -130,7 +130,7 @@ class _Stage:
     roller_growth: float  # [m] of the diameter
 
 
-def operating_clearance(mounting: Mounting, running: RunningState) -> OperatingClearance:
+def operating_clearance(mounting: Mounting, running: OperatingConditions) -> OperatingClearance:
     r"""Operating clearance as a chain of effects, each switched on after the one before.
 
     .. math:: G = G_0 + 2 u_o - 2 u_i - 2 \Delta D
@@ -142,7 +142,7 @@ def operating_clearance(mounting: Mounting, running: RunningState) -> OperatingC
     ----------
     mounting : Mounting
         bearing, fits, G_0 the cold clearance [m]
-    running : RunningState
+    running : OperatingConditions
         temperatures [K], speeds [rad/s]
 
     Returns
@@ -164,7 +164,7 @@ def operating_clearance(mounting: Mounting, running: RunningState) -> OperatingC
     stages = _stages(mounting, running)
     values = [_clearance(mounting, stage) for stage in stages]
     steps = tuple(
-        Step(stage.name, after - before, after, stage.explanation)
+        ClearanceStep(stage.name, after - before, after, stage.explanation)
         for stage, (before, after) in zip(stages[1:], pairwise(values), strict=True)
     )
     return OperatingClearance(
@@ -180,7 +180,7 @@ def _clearance(mounting: Mounting, stage: _Stage) -> float:
     return mounting.cold_clearance + 2 * raceways - 2 * stage.roller_growth
 
 
-def _stages(mounting: Mounting, running: RunningState) -> list[_Stage]:
+def _stages(mounting: Mounting, running: OperatingConditions) -> list[_Stage]:
     """One more effect at a time; the first stage has none."""
     inner, inner_hot, inner_spun = _inner_raceways(mounting, running)
     outer, outer_hot, outer_spun = _outer_raceways(mounting, running)
@@ -201,14 +201,14 @@ def _stages(mounting: Mounting, running: RunningState) -> list[_Stage]:
     return stages
 
 
-def _inner_raceways(mounting: Mounting, running: RunningState) -> list[_Raceway]:
+def _inner_raceways(mounting: Mounting, running: OperatingConditions) -> list[_Raceway]:
     """The inner raceway mounted, then hot, then turning."""
     fit, radius = mounting.shaft_fit, mounting.inner_ring.outer_radius
     states = _shaft_states(running)
     return [_Raceway(outside_displacement(fit, state, radius), seat(fit, state)) for state in states]
 
 
-def _outer_raceways(mounting: Mounting, running: RunningState) -> list[_Raceway]:
+def _outer_raceways(mounting: Mounting, running: OperatingConditions) -> list[_Raceway]:
     """The outer raceway mounted, then hot, then turning."""
     fit, ring, states = mounting.outer, mounting.outer_ring, _outer_states(running)
     radius = ring.inner_radius
@@ -217,35 +217,35 @@ def _outer_raceways(mounting: Mounting, running: RunningState) -> list[_Raceway]
     return [_Raceway(inside_displacement(fit, state, radius), seat(fit, state)) for state in states]
 
 
-def _shaft_states(running: RunningState) -> tuple[FitState, ...]:
+def _shaft_states(running: OperatingConditions) -> tuple[FitConditions, ...]:
     shaft, ring = running.shaft - running.reference, running.inner_ring - running.reference
     return _history(shaft, ring, running.inner_speed)
 
 
-def _outer_states(running: RunningState) -> tuple[FitState, ...]:
+def _outer_states(running: OperatingConditions) -> tuple[FitConditions, ...]:
     housing = running.outer_ring if running.housing is None else running.housing
     return _history(running.outer_ring - running.reference, housing - running.reference, running.outer_speed)
 
 
-def _history(inside_rise: float, outside_rise: float, speed: float) -> tuple[FitState, ...]:
+def _history(inside_rise: float, outside_rise: float, speed: float) -> tuple[FitConditions, ...]:
     """Cold, standing; then hot; then turning."""
-    hot = FitState(inside_rise=inside_rise, outside_rise=outside_rise)
-    return FitState(), hot, replace(hot, speed=speed)
+    hot = FitConditions(inside_rise=inside_rise, outside_rise=outside_rise)
+    return FitConditions(), hot, replace(hot, speed=speed)
 
 
-def _inner_heat(running: RunningState) -> str:
+def _inner_heat(running: OperatingConditions) -> str:
     shaft, ring = running.shaft - running.reference, running.inner_ring - running.reference
     return f"shaft {shaft:+.1f} K, inner ring {ring:+.1f} K"
 
 
-def _outer_heat(running: RunningState) -> str:
+def _outer_heat(running: OperatingConditions) -> str:
     ring = f"outer ring {running.outer_ring - running.reference:+.1f} K"
     if running.housing is None:
         return ring
     return f"{ring}, housing {running.housing - running.reference:+.1f} K"
 
 
-def _require_housing_temperature(mounting: Mounting, running: RunningState) -> None:
+def _require_housing_temperature(mounting: Mounting, running: OperatingConditions) -> None:
     has_housing = isinstance(mounting.outer, PressFit)
     if has_housing and running.housing is None:
         raise ImpossiblePart(

@@ -34,7 +34,7 @@ class PressFit:
 
 
 @dataclass(frozen=True, kw_only=True)
-class FitState:
+class FitConditions:
     """What a fit goes through after mounting."""
 
     inside_rise: float = 0.0  # [K] over the reference temperature
@@ -112,7 +112,7 @@ def fit_compliance(fit: PressFit) -> float:
     return float(stretch - squeeze)
 
 
-def running_interference(fit: PressFit, state: FitState) -> float:
+def running_interference(fit: PressFit, state: FitConditions) -> float:
     r"""Overlap the two bodies would have if they did not touch.
 
     .. math:: \delta = \Delta/2 + u_1(R) - u_2(R)
@@ -121,7 +121,7 @@ def running_interference(fit: PressFit, state: FitState) -> float:
     ----------
     fit : PressFit
         1 inside, 2 outside, R common radius [m], Delta diametral interference [m]
-    state : FitState
+    state : FitConditions
         heat [K], speed [rad/s]
 
     Returns
@@ -138,7 +138,7 @@ def running_interference(fit: PressFit, state: FitState) -> float:
     return fit.interference / 2 + shaft - bore
 
 
-def seat(fit: PressFit, state: FitState) -> Seat:
+def seat(fit: PressFit, state: FitConditions) -> Seat:
     r"""Pressure of a fit, or the gap where it has opened.
 
     .. math:: p = \max(\delta, 0) / c, \qquad g = \max(-\delta, 0)
@@ -149,7 +149,7 @@ def seat(fit: PressFit, state: FitState) -> Seat:
     ----------
     fit : PressFit
         c from `fit_compliance` [m/Pa]
-    state : FitState
+    state : FitConditions
         delta from `running_interference` [m]
 
     Returns
@@ -169,14 +169,14 @@ def seat(fit: PressFit, state: FitState) -> Seat:
     return Seat(pressure=max(overlap, 0.0) / fit_compliance(fit), gap=max(-overlap, 0.0))
 
 
-def inside_displacement(fit: PressFit, state: FitState, radius: float) -> float:
+def inside_displacement(fit: PressFit, state: FitConditions, radius: float) -> float:
     """Radial displacement of the inside body, pressed from outside.
 
     Parameters
     ----------
     fit : PressFit
         for the outer ring of a bearing: ring inside, housing outside
-    state : FitState
+    state : FitConditions
         heat [K], speed [rad/s]
     radius : float
         where, within the inside body [m]
@@ -194,14 +194,14 @@ def inside_displacement(fit: PressFit, state: FitState, radius: float) -> float:
     return free + float(pressure_displacement(fit.inside, radius, 0.0, seat(fit, state).pressure))
 
 
-def outside_displacement(fit: PressFit, state: FitState, radius: float) -> float:
+def outside_displacement(fit: PressFit, state: FitConditions, radius: float) -> float:
     """Radial displacement of the outside body, pressed from its bore.
 
     Parameters
     ----------
     fit : PressFit
         for the inner ring of a bearing: shaft inside, ring outside
-    state : FitState
+    state : FitConditions
         heat [K], speed [rad/s]
     radius : float
         where, within the outside body [m]

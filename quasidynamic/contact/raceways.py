@@ -19,7 +19,7 @@ from quasidynamic.parts.lubricant import Lubricant
 FILM_LOAD_FLOOR = 30.0  # [N] keeps the film of a grazing roller from depending on its own load
 
 
-class ContactState(NamedTuple):
+class RacewayState(NamedTuple):
     """Forces of the raceways on the rollers, with derivatives.
 
     Shapes: 2 raceways (inner, outer), C cases, Z rollers, M axial shapes, K slices.
@@ -60,7 +60,7 @@ class Raceways:
         """The oil at the inlets."""
         return self.lubrication.oil
 
-    def state(self, approach: NDArray, sliding: NDArray, entrainment: NDArray, film: NDArray) -> ContactState:
+    def state(self, approach: NDArray, sliding: NDArray, entrainment: NDArray, film: NDArray) -> RacewayState:
         """Evaluate the contacts.
 
         Parameters
@@ -76,14 +76,14 @@ class Raceways:
 
         Returns
         -------
-        ContactState
+        RacewayState
         """
         slices = self.slices  # first axis from here on: what is the same for all of them broadcasts
         q, stiffness = self.law(slices.spread(approach.swapaxes(0, 1)) - self.drop[:, None, None, None])
         pull = self.traction(q, sliding, entrainment, film)
         force = slices.summed(q).swapaxes(0, 1)
         load = force[:, 0]
-        return ContactState(
+        return RacewayState(
             slice_load=q.transpose(1, 2, 3, 0),
             force=force,
             force_by_approach=slices.paired(stiffness).transpose(2, 0, 1, 3, 4),

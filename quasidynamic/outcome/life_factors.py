@@ -52,7 +52,7 @@ CLEANLINESS = {
 
 
 @dataclass(frozen=True)
-class Factor:
+class LifeFactor:
     """A number the basic life is multiplied by, with what must be said about it."""
 
     name: str
@@ -70,7 +70,7 @@ class ModifiedLife:
     """The basic life with every factor that was applied to it."""
 
     basic: Any  # [10^6 revolutions] float or array (...)
-    factors: tuple[Factor, ...] = ()
+    factors: tuple[LifeFactor, ...] = ()
 
     def __post_init__(self):
         effects = [factor.effect for factor in self.factors]
@@ -192,7 +192,7 @@ def contamination_factor(kappa: ArrayLike, pitch_diameter: float, cleanliness: C
     return np.minimum(cleanliness.rise * _rated(kappa) ** 0.68 * size**0.55, 1.0) * left
 
 
-def modification_factor(kappa: ArrayLike, load_ratio: ArrayLike) -> Factor:
+def modification_factor(kappa: ArrayLike, load_ratio: ArrayLike) -> LifeFactor:
     r"""Life modification factor a_ISO of radial roller bearings.
 
     .. math:: a_{ISO} = 0.1 \big[1 - (1.5859 - c/\kappa^p) (e_C C_u / P)^{0.4}\big]^{-9.185} \le 50
@@ -214,7 +214,7 @@ def modification_factor(kappa: ArrayLike, load_ratio: ArrayLike) -> Factor:
 
     Returns
     -------
-    Factor
+    LifeFactor
         a_ISO [-], 0.1 to 50; a note tells where a limit was met
 
     Source
@@ -239,10 +239,10 @@ def modification_factor(kappa: ArrayLike, load_ratio: ArrayLike) -> Factor:
         "held at its limit of 50" * bool(np.any(left <= least)),
     ]
     value = 0.1 * np.maximum(left, least) ** -9.185
-    return Factor("a_ISO", value[()], "lubrication", "; ".join(filter(None, notes)))
+    return LifeFactor("a_ISO", value[()], "lubrication", "; ".join(filter(None, notes)))
 
 
-def film_factor(film_ratio: ArrayLike) -> Factor:
+def film_factor(film_ratio: ArrayLike) -> LifeFactor:
     r"""Life factor of the film thickness over the roughness.
 
     Linear between the points of a table:
@@ -259,7 +259,7 @@ def film_factor(film_ratio: ArrayLike) -> Factor:
 
     Returns
     -------
-    Factor
+    LifeFactor
         factor [-], 0.19 to 3.03; a note tells where an end of the table was held
 
     Source
@@ -280,12 +280,12 @@ def film_factor(film_ratio: ArrayLike) -> Factor:
         f"film ratio above {high}, held at its factor" * bool(np.any(ratio > high)),
     ]
     value = np.interp(ratio, FILM_RATIOS, FILM_FACTORS)
-    return Factor("film", value, "lubrication", "; ".join(filter(None, notes)))
+    return LifeFactor("film", value, "lubrication", "; ".join(filter(None, notes)))
 
 
 def material_factor(
     steel: str, melting: str, *, process: float = 1.0, rating_factor: float = MATERIAL_FACTOR
-) -> Factor:
+) -> LifeFactor:
     r"""Life factor of the steel, its melting and its working.
 
     .. math:: a = a_{chemistry}\, a_{melting}\, a_{process} / b_m^4
@@ -305,7 +305,7 @@ def material_factor(
 
     Returns
     -------
-    Factor
+    LifeFactor
         a [-], with a note of its parts
 
     Source
@@ -318,10 +318,10 @@ def material_factor(
     """
     chemistry, melt = _chosen("steel", steel, CHEMISTRY), _chosen("melting", melting, MELTING)
     parts = f"{steel} {chemistry:g}, {melting} {melt:g}, process {process:g}, b_m {rating_factor:g}"
-    return Factor("material", chemistry * melt * process / rating_factor**4, "material", parts)
+    return LifeFactor("material", chemistry * melt * process / rating_factor**4, "material", parts)
 
 
-def reliability_factor(reliability: ArrayLike) -> Factor:
+def reliability_factor(reliability: ArrayLike) -> LifeFactor:
     r"""Life factor of a reliability above 90 %.
 
     .. math:: a_1 = (1 - c) \Big[\frac{\ln (1/S)}{\ln (1/0.9)}\Big]^{2/3} + c,\quad c = 0.05
@@ -333,7 +333,7 @@ def reliability_factor(reliability: ArrayLike) -> Factor:
 
     Returns
     -------
-    Factor
+    LifeFactor
         a_1 [-], 1 at 90 %
 
     Source
@@ -351,7 +351,7 @@ def reliability_factor(reliability: ArrayLike) -> Factor:
             "give a probability, such as 0.99"
         )
     share = (np.log(s) / np.log(LEAST_RELIABILITY)) ** (2 / 3)
-    return Factor("a_1", ((1 - RELIABILITY_OFFSET) * share + RELIABILITY_OFFSET)[()], "reliability")
+    return LifeFactor("a_1", ((1 - RELIABILITY_OFFSET) * share + RELIABILITY_OFFSET)[()], "reliability")
 
 
 def _rated(kappa: ArrayLike) -> Any:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from quasidynamic.contact.flange import flange_forces, flange_push
 from quasidynamic.contact.raceways import Raceways
 from quasidynamic.errors import NotSolved
-from quasidynamic.outcome.skew_balance import Moments, Running, Sideways, SkewBalance
+from quasidynamic.outcome.skew_balance import AxialTraction, RunningRollers, SkewBalance, SkewMoments
 from quasidynamic.parts.flange import Flange
 from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
 
@@ -28,19 +28,19 @@ class Skew:
     beyond: NDArray  # (Z) |angle| less the touching one [rad]
 
     @cached_property
-    def moments(self) -> Moments:
-        """Moments about the radial axes."""
+    def moments(self) -> SkewMoments:
+        """SkewMoments about the radial axes."""
         return self.balance.moments(self.angle, self.beyond)
 
     @cached_property
-    def sideways(self) -> Sideways:
+    def axial_traction(self) -> AxialTraction:
         """Axial tractions of the raceways."""
-        return self.balance.sideways(self.angle)
+        return self.balance.axial_traction(self.angle)
 
     @property
     def flange_forces(self) -> NDArray:
         """Force of the flange at the -x and at the +x end (2, Z) [N], >= 0."""
-        thrust, lever = self.sideways.thrust, self.balance.corner.lever
+        thrust, lever = self.axial_traction.thrust, self.balance.corner.lever
         return flange_forces(flange_push(self.beyond, thrust, self.balance.flange, lever), thrust)
 
     @property
@@ -50,9 +50,9 @@ class Skew:
         return friction * np.hypot(*self.balance.corner_sliding)
 
     @property
-    def sideways_power(self) -> NDArray:
+    def axial_sliding_power(self) -> NDArray:
         """Power (Z) that axial sliding on the raceways turns into heat [W]."""
-        inner, outer = self.sideways.force
+        inner, outer = self.axial_traction.force
         return self.balance.surface_speed * self.angle * (inner - outer)
 
     # -- what the equilibrium does not know ----------------------------------------------------
@@ -69,7 +69,7 @@ class Skew:
 
         .. math:: |r_w (F_{xi} - F_{xo}) + \rho (F_{xi} + F_{xo})| / Q_i
         """
-        inner, outer = self.sideways.force
+        inner, outer = self.axial_traction.force
         couple = self.balance.bearing.roller.diameter / 2 * (inner - outer)
         couple = np.abs(couple + self.balance.corner.level * (inner + outer))
         load = self.balance.running.slice_load[0] @ self.balance.raceways.slices.widths
@@ -89,12 +89,14 @@ class Skew:
         return load > 0.01 * load.max()
 
 
-def skewed(running: Running, raceways: Raceways, bearing: CylindricalRollerBearing, flange: Flange) -> Skew:
+def skewed(
+    running: RunningRollers, raceways: Raceways, bearing: CylindricalRollerBearing, flange: Flange
+) -> Skew:
     """Skew of all rollers, each for itself, at an equilibrium that does not know of it.
 
     Parameters
     ----------
-    running : Running
+    running : RunningRollers
         loads [N/m], speeds [m/s, rad/s] and films [m] of the equilibrium
     raceways : Raceways
         laws of the contacts

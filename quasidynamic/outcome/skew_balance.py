@@ -13,7 +13,7 @@ from quasidynamic.parts.flange import Flange
 from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
 
 
-class Running(NamedTuple):
+class RunningRollers(NamedTuple):
     """What the rollers do at an equilibrium; inner raceway first, K slices as they are computed."""
 
     slice_load: NDArray  # (2, Z, K) [N/m]
@@ -25,7 +25,7 @@ class Running(NamedTuple):
     ring_speed: float  # of the flanged ring against the cage [rad/s]
 
 
-class Sideways(NamedTuple):
+class AxialTraction(NamedTuple):
     """Axial traction of the raceways on skewed rollers."""
 
     force: NDArray  # (2, Z) [N]
@@ -37,8 +37,8 @@ class Sideways(NamedTuple):
         return self.force.sum(axis=0)
 
 
-class Moments(NamedTuple):
-    """Moments about the radial axis of a roller (Z), positive from +x towards the motion [N m]."""
+class SkewMoments(NamedTuple):
+    """SkewMoments about the radial axis of a roller (Z), positive from +x towards the motion [N m]."""
 
     traction: NDArray  # of the raceways' forces along the motion
     restoring: NDArray  # of loads on the curved raceways
@@ -66,7 +66,7 @@ class SkewBalance:
     those that balance the roller.
     """
 
-    running: Running
+    running: RunningRollers
     raceways: Raceways
     bearing: CylindricalRollerBearing
     flange: Flange
@@ -122,7 +122,7 @@ class SkewBalance:
         inner, outer = self.running.slice_load
         return 2 / self.bearing.pitch_diameter * ((outer - inner) * slices.widths) @ slices.centres**2
 
-    def sideways(self, skew: NDArray) -> Sideways:
+    def axial_traction(self, skew: NDArray) -> AxialTraction:
         r"""Axial tractions of the raceways.
 
         .. math:: F_x = \sum_k t(|s|)_k \frac{s_x}{|s|} \Delta x,\quad s_x = \pm w r_w \psi,\;
@@ -132,18 +132,18 @@ class SkewBalance:
         """
         across, by_skew = self._traction(skew)[1:]
         widths = self.raceways.slices.widths
-        return Sideways(across @ widths, by_skew @ widths)
+        return AxialTraction(across @ widths, by_skew @ widths)
 
     def traction_along(self, skew: NDArray) -> NDArray:
         """Tractions (2, Z) along the motion that are left of the same sliding [N]."""
         return self._traction(skew)[0] @ self.raceways.slices.widths
 
-    def moments(self, skew: NDArray, beyond: NDArray | None = None) -> Moments:
-        """Moments about the radial axes; `beyond` spares the digits of |skew| less the touching one."""
+    def moments(self, skew: NDArray, beyond: NDArray | None = None) -> SkewMoments:
+        """SkewMoments about the radial axes; `beyond` spares the digits of |skew| less the touching one."""
         beyond = np.abs(skew) - self.touching if beyond is None else beyond
-        thrust = self.sideways(skew).thrust
+        thrust = self.axial_traction(skew).thrust
         couple = corner_couple(np.abs(skew), beyond, thrust, self.corner, self.flange)
-        return Moments(
+        return SkewMoments(
             traction=self.traction_moment,
             restoring=-self.raceway_stiffness * skew,
             corner=-couple * np.sign(skew),
@@ -159,7 +159,7 @@ class SkewBalance:
 
     def left(self, skew: NDArray, beyond: NDArray) -> tuple[NDArray, NDArray, NDArray]:
         """Unbalanced moment (Z) towards more skew, at skews >= 0 [N m], its slope, size of its parts."""
-        found, lever = self.sideways(skew), self.corner.lever
+        found, lever = self.axial_traction(skew), self.corner.lever
         thrust, by_skew = found.thrust, found.by_skew.sum(axis=0)
         couple = corner_couple(skew, beyond, thrust, self.corner, self.flange)
         stiff = 2 * self.flange.stiffness * lever**2

@@ -13,10 +13,10 @@ from pytest import approx
 
 from quasidynamic.clearance import (
     Annulus,
-    FitState,
+    FitConditions,
     Mounting,
+    OperatingConditions,
     PressFit,
-    RunningState,
     operating_clearance,
     seat,
 )
@@ -41,11 +41,13 @@ OUTER = Annulus(inner_radius=37.5e-3, outer_radius=40e-3, **STEEL)  # free: its 
 ROLLER = Annulus(inner_radius=0.0, outer_radius=2.5e-3, **STEEL | {"expansion": 11.9e-6})
 
 FIT = PressFit(inside=SHAFT, outside=RING, interference=0.0)
-HOT = FitState(inside_rise=210.0, outside_rise=200.0)
+HOT = FitConditions(inside_rise=210.0, outside_rise=200.0)
 HOT_TURNING = replace(HOT, speed=SPEED)
 
 MOUNTING = Mounting(cold_clearance=0.0, shaft_fit=FIT, outer=OUTER, roller=ROLLER)
-STANDING = RunningState(reference=293.15, shaft=503.15, inner_ring=493.15, rollers=499.15, outer_ring=491.15)
+STANDING = OperatingConditions(
+    reference=293.15, shaft=503.15, inner_ring=493.15, rollers=499.15, outer_ring=491.15
+)
 RUNNING = replace(STANDING, inner_speed=SPEED)
 
 
@@ -67,7 +69,7 @@ def test_growth_under_100_mpa_in_the_bore(radius, growth):
 
 
 def test_cold_ring_lifts_off_the_turning_shaft():
-    lifted = seat(FIT, FitState(speed=SPEED))
+    lifted = seat(FIT, FitConditions(speed=SPEED))
     assert lifted.is_open
     assert lifted.pressure == 0.0
     assert lifted.gap / UM == approx(3.394, rel=0.0, abs=5e-4)

@@ -10,10 +10,10 @@ from pytest import approx
 
 from quasidynamic.clearance import (
     Annulus,
-    FitState,
+    FitConditions,
     Mounting,
+    OperatingConditions,
     PressFit,
-    RunningState,
     operating_clearance,
     seat,
 )
@@ -37,7 +37,7 @@ HOUSING = Annulus(inner_radius=41e-3, outer_radius=55e-3, **ALUMINIUM)
 ROLLER = steel(0.0, 2.5e-3)
 SHAFT_FIT = PressFit(inside=steel(20e-3, 30e-3), outside=RING, interference=20e-6)
 HOUSING_FIT = PressFit(inside=OUTER_RING, outside=HOUSING, interference=10e-6)
-COLD = RunningState(
+COLD = OperatingConditions(
     reference=REFERENCE, shaft=REFERENCE, inner_ring=REFERENCE, rollers=REFERENCE, outer_ring=REFERENCE
 )
 
@@ -57,7 +57,7 @@ materials = st.fixed_dictionaries(
         "expansion": st.floats(0.0, 25e-6),
     }
 )
-states = st.builds(FitState, inside_rise=rises, outside_rise=rises, speed=speeds)
+states = st.builds(FitConditions, inside_rise=rises, outside_rise=rises, speed=speeds)
 
 
 @st.composite
@@ -71,7 +71,7 @@ def fits(draw):
 
 
 runs = st.builds(
-    RunningState,
+    OperatingConditions,
     reference=st.just(REFERENCE),
     shaft=st.floats(200.0, 600.0),
     inner_ring=st.floats(200.0, 600.0),
@@ -132,7 +132,10 @@ def test_work_of_pressure_with_rotation_is_mutual():
 
 def test_even_heat_of_one_material_keeps_the_pressure():
     """Both sides of the fit grow alike, so the interference stays."""
-    cold, hot = seat(SHAFT_FIT, FitState()), seat(SHAFT_FIT, FitState(inside_rise=100.0, outside_rise=100.0))
+    cold, hot = (
+        seat(SHAFT_FIT, FitConditions()),
+        seat(SHAFT_FIT, FitConditions(inside_rise=100.0, outside_rise=100.0)),
+    )
     assert hot.pressure == approx(cold.pressure, rel=1e-10, abs=0.0)
 
 
@@ -141,7 +144,7 @@ def test_like_solid_and_ring_press_as_printed_in_handbooks():
     radius, rim, interference = 30e-3, 45e-3, 20e-6
     fit = PressFit(inside=steel(0.0, radius), outside=steel(radius, rim), interference=interference)
     expected = 203e9 * interference * (rim**2 - radius**2) / (4 * radius * rim**2)
-    assert seat(fit, FitState()).pressure == approx(expected, rel=1e-12, abs=0.0)
+    assert seat(fit, FitConditions()).pressure == approx(expected, rel=1e-12, abs=0.0)
 
 
 @given(fits(), states)
@@ -184,10 +187,10 @@ def test_steps_add_up_to_the_complete_evaluation(run, shaft_interference, housin
         running += step.change
         assert step.clearance == approx(running, rel=0.0, abs=1e-15)
 
-    inner = FitState(
+    inner = FitConditions(
         inside_rise=run.shaft - REFERENCE, outside_rise=run.inner_ring - REFERENCE, speed=run.inner_speed
     )
-    outer = FitState(
+    outer = FitConditions(
         inside_rise=run.outer_ring - REFERENCE, outside_rise=housing - REFERENCE, speed=run.outer_speed
     )
     room = inside_displacement(housing_fit, outer, 38e-3) - outside_displacement(shaft_fit, inner, 33e-3)

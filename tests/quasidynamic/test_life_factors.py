@@ -13,7 +13,7 @@ from quasidynamic.outcome.life_factors import (
     CLEANLINESS,
     FILM_FACTORS,
     FILM_RATIOS,
-    Factor,
+    LifeFactor,
     ModifiedLife,
     contamination_factor,
     film_factor,
@@ -198,4 +198,4 @@ def test_lubrication_is_not_counted_twice():
 @pytest.mark.parametrize("value", [0.0, -1.0, float("nan"), float("inf")])
 def test_impossible_factor_is_refused(value):
     with pytest.raises(OutOfRange, match="above zero"):
-        Factor("a", value, "material")
+        LifeFactor("a", value, "material")

@@ -11,7 +11,7 @@ from pytest import approx
 
 from quasidynamic.contact.traction.adore import ADORE_OILS, AdoreType
 from quasidynamic.contact.traction.rheology import BairWiner, Eyring
-from quasidynamic.contact.traction.thermal_shear import Walls, roelands
+from quasidynamic.contact.traction.thermal_shear import WallProperties, roelands
 from quasidynamic.contact.traction.traction_law import Traction
 from quasidynamic.errors import ImpossiblePart
 from quasidynamic.parts.lubricant import Lubricant
@@ -185,7 +185,7 @@ def test_no_sliding_is_no_force_but_a_viscous_slope(law):
 @pytest.mark.parametrize("name", ["eyring heated", "bair-winer heated"])
 def test_heating_vanishes_between_perfect_conductors(name):
     hot = LAWS[name]
-    perfect = replace(hot, oil=replace(hot.oil, conductivity=1e15), walls=Walls(conductivity=1e18))
+    perfect = replace(hot, oil=replace(hot.oil, conductivity=1e15), walls=WallProperties(conductivity=1e18))
     cold = replace(hot, film_heating=False)
     point = np.array(line_load(1e9)), np.geomspace(1e-3, 60, 9), np.array(50.0), np.array(0.2e-6)
     for warm_value, cold_value in zip(perfect(*point), cold(*point), strict=True):
@@ -210,9 +210,9 @@ def test_heated_film_obeys_its_own_equation():
 
 
 def test_first_heating_is_that_of_the_exact_newtonian_film():
-    """Walls that stay cold: tau/(eta u_s/h) = 1 - 2/3 psi; the middle plane alone loses psi."""
+    """WallProperties that stay cold: tau/(eta u_s/h) = 1 - 2/3 psi; the middle plane alone loses psi."""
     oil = ester(373.0, 5e-3, 11e-9, conductivity=0.14727)
-    perfect = Walls(conductivity=1e18)
+    perfect = WallProperties(conductivity=1e18)
     law = replace(LAWS["eyring heated"], oil=oil, walls=perfect, eyring_stress=1e15, limiting_ratio=1e9)
     slide, film, pressure = 0.01, 0.3e-6, 0.3e9
     viscosity = roelands(np.array(pressure), oil)[0]
@@ -247,4 +247,4 @@ def test_two_raceways_in_one_call():
 
 def test_walls_of_no_material_are_refused():
     with pytest.raises(ImpossiblePart, match=r"walls\.density"):
-        Walls(density=0.0)
+        WallProperties(density=0.0)

@@ -20,7 +20,7 @@ from quasidynamic.contact.flange import (
     touching_skew,
 )
 from quasidynamic.outcome.skew import skewed
-from quasidynamic.outcome.skew_balance import Running, SkewBalance
+from quasidynamic.outcome.skew_balance import RunningRollers, SkewBalance
 from quasidynamic.parts.flange import Flange
 from tests.bearings import paper_bearing
 
@@ -38,7 +38,7 @@ def equilibrium(tilt=0.0, **changes):
 def running(state, ring="inner"):
     points = state.balance.points
     speed = points.inner_speed if ring == "inner" else points.outer_speed
-    return Running(
+    return RunningRollers(
         slice_load=state.rollers.contact.slice_load[:, 0],
         sliding=state.sliding,
         entrainment=state.entrainment,
@@ -58,7 +58,7 @@ def test_aligned_rollers_do_not_skew():
     found = skew(equilibrium())
     assert np.all(found.angle == 0.0)
     assert np.all(found.flange_forces == 0.0)
-    assert found.flange_power.sum() == found.sideways_power.sum() == 0.0
+    assert found.flange_power.sum() == found.axial_sliding_power.sum() == 0.0
     assert found.end_gap == found.load_shift == found.traction_change == 0.0
 
 
@@ -96,7 +96,7 @@ def test_moments_and_axial_forces_of_every_roller_balance(tilt, ring, clearance,
     assert np.all(moments.traction * found.angle >= 0.0)
     minus, plus = found.flange_forces
     assert np.all(found.flange_forces >= 0.0)
-    thrust = found.sideways.thrust
+    thrust = found.axial_traction.thrust
     assert plus - minus == approx(thrust, rel=1e-12, abs=1e-12 * np.abs(found.flange_forces).max())
     # corners that touch yield in proportion to their forces
     beyond = flange.stiffness * 2 * found.balance.corner.lever * found.beyond
@@ -155,12 +155,12 @@ def test_axial_traction_opposes_sideways_sliding_and_grows_like_its_derivative()
         running=running(state), raceways=roller.raceways, bearing=roller.bearing, flange=FLANGE
     )
     angle = np.full(30, 3e-4)
-    here, up, down = (balance.sideways(angle + change) for change in (0.0, 1e-8, -1e-8))
+    here, up, down = (balance.axial_traction(angle + change) for change in (0.0, 1e-8, -1e-8))
     assert np.all(here.force[0] >= 0.0)
     assert np.all(here.force[1] <= 0.0)
     difference = (up.force - down.force) / 2e-8
     assert here.by_skew == approx(difference, rel=1e-4, abs=1e-6 * np.abs(difference).max())
-    assert balance.sideways(-angle).force == approx(-here.force, rel=1e-14)
+    assert balance.axial_traction(-angle).force == approx(-here.force, rel=1e-14)
 
 
 def test_traction_of_a_slice_points_along_its_sliding():
@@ -168,7 +168,7 @@ def test_traction_of_a_slice_points_along_its_sliding():
     roller, run = state.balance.roller, running(state)
     balance = SkewBalance(running=run, raceways=roller.raceways, bearing=roller.bearing, flange=FLANGE)
     angle = np.full(30, 2e-4)
-    along, across = balance.traction_along(angle), balance.sideways(angle).force
+    along, across = balance.traction_along(angle), balance.axial_traction(angle).force
     sliding = np.array([1.0, -1.0])[:, None] * run.spin * roller.bearing.roller.diameter / 2 * angle
     assert along * sliding == approx(across * run.sliding, rel=1e-12, abs=1e-15)
     assert balance.traction_along(0 * angle) == approx(state.traction, rel=1e-12, abs=1e-18)
@@ -193,10 +193,10 @@ def test_flange_heat_is_the_power_that_ring_and_roller_leave_there(ring):
 def test_heat_of_sideways_sliding_is_taken_from_the_spin():
     state = equilibrium(8e-4)
     found, radius = skew(state), state.balance.roller.bearing.roller.diameter / 2
-    inner, outer = found.sideways.force
+    inner, outer = found.axial_traction.force
     brake = radius * found.angle * (inner - outer)  # axial forces about an axis turned by the skew
-    assert found.sideways_power == approx(brake * state.roller_speed, rel=1e-12)
-    assert np.all(found.sideways_power >= 0.0)
+    assert found.axial_sliding_power == approx(brake * state.roller_speed, rel=1e-12)
+    assert np.all(found.axial_sliding_power >= 0.0)
 
 
 def test_stiff_flanges_hold_the_roller_at_the_touching_skew():

@@ -11,7 +11,7 @@ from quasidynamic.balance.rollers.operating_points import OperatingPoints
 from quasidynamic.contact.drag.churning import churning
 from quasidynamic.contact.drag.orbit_drag import orbit_drag
 from quasidynamic.contact.lubrication import Lubrication
-from quasidynamic.contact.raceways import ContactState, Raceways
+from quasidynamic.contact.raceways import Raceways, RacewayState
 from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
 
 CAGE_FORCE_ROUNDING = 0.5  # [N] width over which the pocket force changes side
@@ -44,7 +44,7 @@ class RollerInputs(NamedTuple):
 class RollerState(NamedTuple):
     """Everything that happens at the rollers in one state; inner raceway first."""
 
-    contact: ContactState
+    contact: RacewayState
     sliding: NDArray  # (2, C, Z) raceway over roller surface [m/s]
     entrainment: NDArray  # (2, C, Z) [m/s] >= 0
     film: NDArray  # (2, C, Z) [m]
@@ -184,7 +184,7 @@ class RollerBalance:
         return sliding[..., None, None], rolling[..., None, None]
 
     def _fill_friction(
-        self, found: NDArray, contact: ContactState, entrainment: NDArray, sense: NDArray
+        self, found: NDArray, contact: RacewayState, entrainment: NDArray, sense: NDArray
     ) -> None:
         """Traction, rolling shear along the rolling, and film of both raceways (3, 2, inputs + 1, C, Z)."""
         m, (rolling, film) = self.shapes, (contact.rolling, contact.film)
@@ -212,7 +212,7 @@ class RollerBalance:
 
     # -- forces --------------------------------------------------------------------------------
 
-    def _forces(self, contact: ContactState, motion: Motion) -> NDArray:
+    def _forces(self, contact: RacewayState, motion: Motion) -> NDArray:
         """Begin `forces` (forces, inputs + 1, C, Z): all but raceway friction, films and the pocket's."""
         m, shape = self.shapes, motion.spin.shape
         found = np.zeros((len(self.forces), 2 * m + 5, *shape))

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from quasidynamic.contact.traction.film_strip import Shear, capped, loaded_strip, pulled
+from quasidynamic.contact.traction.film_strip import ShearStress, film_traction, limited_stress, loaded_strip
 from quasidynamic.contact.traction.traction_law import Traction
 from quasidynamic.parts.lubricant import Lubricant
 
@@ -82,7 +82,7 @@ class AdoreType:
 
     Source
     ------
-    Shear: exact solution of a Newtonian film between walls of one temperature, viscosity exponential
+    ShearStress: exact solution of a Newtonian film between walls of one temperature, viscosity exponential
     in the temperature, as in the ball bearing papers after Gupta. Pairing with the oil table: inferred.
 
     Valid
@@ -112,7 +112,7 @@ class AdoreType:
         steepness = (1 - z * curve) / squared  # d curve / dz
         scale = np.sqrt(viscosity / per_heat) / film
         stress = scale * curve
-        shear = Shear(
+        shear = ShearStress(
             stress=stress,
             # both scale and z go with the root of eta, and ln eta = alpha p with the root of the load
             by_log_load=0.25 * log_thickening * (stress + scale * steepness * z),
@@ -120,7 +120,9 @@ class AdoreType:
             by_entrainment=np.zeros_like(stress),
             by_film=-stress / film,
         )
-        return pulled(capped(shear, self.limiting_ratio * strip.pressure), strip, line_load, sliding)
+        return film_traction(
+            limited_stress(shear, self.limiting_ratio * strip.pressure), strip, line_load, sliding
+        )
 
 
 def _range_note(

@@ -9,7 +9,7 @@ from quasidynamic.contact.line.hertz import half_width
 from quasidynamic.contact.traction.traction_law import Traction
 
 
-class Pair(Protocol):
+class LineContact(Protocol):
     """What a strip depends on besides its load."""
 
     @property
@@ -33,7 +33,7 @@ class Pair(Protocol):
         ...
 
 
-class Strip(NamedTuple):
+class LoadedStrip(NamedTuple):
     """Contact strip of the floored load."""
 
     load_share: NDArray  # d ln load / d ln q
@@ -41,16 +41,16 @@ class Strip(NamedTuple):
     pressure: NDArray  # [Pa] mean
 
 
-def loaded_strip(line_load: NDArray, law: Pair) -> Strip:
-    """Strip of a Hertzian line contact under loads per length [N/m], none narrower than at the load floor."""
+def loaded_strip(line_load: NDArray, law: LineContact) -> LoadedStrip:
+    """LoadedStrip of a Hertzian line contact under loads per length [N/m], none narrower than at the load floor."""
     squared = line_load * line_load
     floored = squared + (law.load_floor / law.length) ** 2
     load = np.sqrt(floored)
     b = half_width(load, law.radius, law.modulus)
-    return Strip(load_share=squared / floored, half_width=b, pressure=load / (2 * b))
+    return LoadedStrip(load_share=squared / floored, half_width=b, pressure=load / (2 * b))
 
 
-class Shear(NamedTuple):
+class ShearStress(NamedTuple):
     """Stress [Pa], >= 0, with its derivatives; the load is the floored one."""
 
     stress: NDArray
@@ -60,13 +60,13 @@ class Shear(NamedTuple):
     by_film: NDArray
 
 
-def capped(shear: Shear, limit: NDArray) -> Shear:
+def limited_stress(shear: ShearStress, limit: NDArray) -> ShearStress:
     """Stress cut at a limit that grows with the square root of the load; a kink.
 
     A film that warms needs no second look: less stress is less heat, and the colder film is stiffer.
     """
     below = shear.stress <= limit
-    return Shear(
+    return ShearStress(
         stress=np.minimum(shear.stress, limit),
         by_log_load=np.where(below, shear.by_log_load, 0.5 * limit),
         by_sliding=below * shear.by_sliding,
@@ -75,7 +75,7 @@ def capped(shear: Shear, limit: NDArray) -> Shear:
     )
 
 
-def pulled(shear: Shear, strip: Strip, line_load: NDArray, sliding: NDArray) -> Traction:
+def film_traction(shear: ShearStress, strip: LoadedStrip, line_load: NDArray, sliding: NDArray) -> Traction:
     """Force q tau/p_mean, signed like the sliding; p_mean ~ load^(1/2)."""
     sign = np.sign(sliding)
     coefficient = shear.stress / strip.pressure

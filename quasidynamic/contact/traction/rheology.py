@@ -5,16 +5,16 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.contact.traction.film_strip import capped, loaded_strip, pulled
+from quasidynamic.contact.traction.film_strip import film_traction, limited_stress, loaded_strip
 from quasidynamic.contact.traction.thermal_shear import (
     BAIR_WINER,
     EYRING,
     STEEL_WALLS,
-    Flow,
-    Walls,
+    ColdFilm,
+    WallProperties,
     roelands,
-    sheared,
-    viscosity_loss,
+    self_heated_stress,
+    thermal_thinning,
 )
 from quasidynamic.contact.traction.traction_law import Traction
 from quasidynamic.parts.lubricant import Lubricant
@@ -28,7 +28,7 @@ class Eyring:
               \bar p = \tfrac{\pi}{4} p_0
 
     acting on the strip of width 2b; Roelands viscosity at the mean pressure. The cap is a kink.
-    With `film_heating` the viscosity is that of the film temperature, see `viscosity_loss`; the
+    With `film_heating` the viscosity is that of the film temperature, see `thermal_thinning`; the
     stress then falls with the sliding once the heating outruns the shearing.
 
     Source
@@ -48,16 +48,18 @@ class Eyring:
     limiting_ratio: float  # [-] Lambda
     eyring_stress: float  # [Pa] tau_E
     film_heating: bool = False
-    walls: Walls = STEEL_WALLS
+    walls: WallProperties = STEEL_WALLS
     load_floor: float = 1.0  # [N] below it strip width over load keeps its value
 
     def __call__(self, line_load: NDArray, sliding: NDArray, entrainment: NDArray, film: NDArray) -> Traction:
         """Traction; without film heating the entrainment speed enters through the film alone."""
         strip = loaded_strip(line_load, self)
-        flow = Flow(np.abs(sliding), film, *roelands(strip.pressure, self.oil))
-        loss = viscosity_loss(strip, entrainment, film, self.oil, self.walls) if self.film_heating else None
-        shear = sheared(EYRING, (self.eyring_stress, 0.0), strip, flow, loss)
-        return pulled(capped(shear, self.limiting_ratio * strip.pressure), strip, line_load, sliding)
+        flow = ColdFilm(np.abs(sliding), film, *roelands(strip.pressure, self.oil))
+        loss = thermal_thinning(strip, entrainment, film, self.oil, self.walls) if self.film_heating else None
+        shear = self_heated_stress(EYRING, (self.eyring_stress, 0.0), strip, flow, loss)
+        return film_traction(
+            limited_stress(shear, self.limiting_ratio * strip.pressure), strip, line_load, sliding
+        )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -85,14 +87,14 @@ class BairWiner:
     oil: Lubricant
     limiting_ratio: float  # [-] Lambda
     film_heating: bool = False
-    walls: Walls = STEEL_WALLS
+    walls: WallProperties = STEEL_WALLS
     load_floor: float = 1.0  # [N] below it strip width over load keeps its value
 
     def __call__(self, line_load: NDArray, sliding: NDArray, entrainment: NDArray, film: NDArray) -> Traction:
         """Traction; without film heating the entrainment speed enters through the film alone."""
         strip = loaded_strip(line_load, self)
-        flow = Flow(np.abs(sliding), film, *roelands(strip.pressure, self.oil))
-        loss = viscosity_loss(strip, entrainment, film, self.oil, self.walls) if self.film_heating else None
+        flow = ColdFilm(np.abs(sliding), film, *roelands(strip.pressure, self.oil))
+        loss = thermal_thinning(strip, entrainment, film, self.oil, self.walls) if self.film_heating else None
         limit = self.limiting_ratio * strip.pressure
-        shear = sheared(BAIR_WINER, (limit, 0.5), strip, flow, loss)  # limit ~ load^(1/2)
-        return pulled(shear, strip, line_load, sliding)
+        shear = self_heated_stress(BAIR_WINER, (limit, 0.5), strip, flow, loss)  # limit ~ load^(1/2)
+        return film_traction(shear, strip, line_load, sliding)

@@ -7,13 +7,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.contact.traction.film_strip import Shear, Strip
+from quasidynamic.contact.traction.film_strip import LoadedStrip, ShearStress
 from quasidynamic.errors import NotSolved, require_positive
 from quasidynamic.parts.lubricant import Lubricant
 
 
 @dataclass(frozen=True, kw_only=True)
-class Walls:
+class WallProperties:
     """What conducts the heat of the film away; the numbers are those of bearing steel."""
 
     conductivity: float = 46.0  # [W/(m K)]
@@ -30,7 +30,7 @@ class Walls:
         return self.conductivity / (self.density * self.heat_capacity)
 
 
-STEEL_WALLS = Walls()
+STEEL_WALLS = WallProperties()
 
 
 def roelands(pressure: NDArray, oil: Lubricant) -> tuple[NDArray, NDArray]:
@@ -64,7 +64,7 @@ def roelands(pressure: NDArray, oil: Lubricant) -> tuple[NDArray, NDArray]:
     return viscosity, viscosity * span * exponent * power / (ratio * reference)
 
 
-class Loss(NamedTuple):
+class ThermalThinning(NamedTuple):
     """Fall of ln(viscosity) per heat flux tau u_s of the film [m2/W], with its derivatives."""
 
     value: NDArray | float
@@ -73,7 +73,9 @@ class Loss(NamedTuple):
     by_film: NDArray | float  # [m/W]
 
 
-def viscosity_loss(strip: Strip, entrainment: NDArray, film: NDArray, oil: Lubricant, walls: Walls) -> Loss:
+def thermal_thinning(
+    strip: LoadedStrip, entrainment: NDArray, film: NDArray, oil: Lubricant, walls: WallProperties
+) -> ThermalThinning:
     r"""How much of ln(viscosity) a heat flux takes away by warming film and walls.
 
     .. math:: \eta = \eta(\bar p)\, e^{-\beta \Delta T},\quad
@@ -88,7 +90,7 @@ def viscosity_loss(strip: Strip, entrainment: NDArray, film: NDArray, oil: Lubri
 
     Parameters
     ----------
-    strip : Strip
+    strip : LoadedStrip
         half-width b [m]
     entrainment : array (...)
         u [m/s], >= 0, taken for the speed of both walls
@@ -96,12 +98,12 @@ def viscosity_loss(strip: Strip, entrainment: NDArray, film: NDArray, oil: Lubri
         h [m]
     oil : Lubricant
         beta [1/K] and k_oil
-    walls : Walls
+    walls : WallProperties
         k and chi
 
     Returns
     -------
-    Loss
+    ThermalThinning
         beta Delta T over tau u_s [m2/W]
 
     Source
@@ -119,7 +121,7 @@ def viscosity_loss(strip: Strip, entrainment: NDArray, film: NDArray, oil: Lubri
     wall = oil.temperature_viscosity * np.sqrt(8 / (9 * np.pi)) / walls.conductivity
     wall = wall * b * np.sqrt(chi / speed)
     across = oil.temperature_viscosity / (8 * oil.conductivity)
-    return Loss(
+    return ThermalThinning(
         value=across * film + wall,
         by_log_load=wall * (0.5 - 0.25 * entrainment * b / speed),  # b ~ load^(1/2)
         by_entrainment=-0.5 * wall * b / speed,
@@ -127,7 +129,7 @@ def viscosity_loss(strip: Strip, entrainment: NDArray, film: NDArray, oil: Lubri
     )
 
 
-class Flow(NamedTuple):
+class ColdFilm(NamedTuple):
     """Shearing of the film before it warms."""
 
     speed: NDArray  # [m/s] |u_s|
@@ -136,16 +138,20 @@ class Flow(NamedTuple):
     by_pressure: NDArray  # [s] of the viscosity
 
 
-class Curve(NamedTuple):
+class FlowCurve(NamedTuple):
     """Stress over its scale as a function of the rate eta u_s/(scale h), rising."""
 
     value: Callable[[NDArray], tuple[NDArray, NDArray]]  # and its slope, at a rate
     start: Callable[[NDArray, NDArray], NDArray]  # guess of ln(hot rate) from ln(cold rate) and warmth
 
 
-def sheared(
-    curve: Curve, scale: tuple[NDArray | float, float], strip: Strip, flow: Flow, loss: Loss | None
-) -> Shear:
+def self_heated_stress(
+    curve: FlowCurve,
+    scale: tuple[NDArray | float, float],
+    strip: LoadedStrip,
+    flow: ColdFilm,
+    loss: ThermalThinning | None,
+) -> ShearStress:
     r"""Stress of a film that warms by its own shear.
 
     .. math:: \tau = \sigma f(X e^{-a f}),\quad X = \eta u_s/(\sigma h),\quad a = \sigma u_s \cdot loss
@@ -157,7 +163,7 @@ def sheared(
     rate_per_speed = flow.viscosity / (sigma * flow.film)
     flux = sigma * flow.speed  # heat flux at f = 1
     if loss is None:
-        rate, thinning, a, loss = rate_per_speed * flow.speed, 1.0, 0.0, Loss(0.0, 0.0, 0.0, 0.0)
+        rate, thinning, a, loss = rate_per_speed * flow.speed, 1.0, 0.0, ThermalThinning(0.0, 0.0, 0.0, 0.0)
     else:
         cold = rate_per_speed * flow.speed + 1e-300  # its logarithm exists without sliding
         a = loss.value * flux
@@ -169,7 +175,7 @@ def sheared(
     by_log_rate = sigma * slope * rate / damping
     log_viscosity = 0.5 * strip.pressure * flow.by_pressure / flow.viscosity  # by ln load: p ~ load^(1/2)
     warmer = f * flux
-    return Shear(
+    return ShearStress(
         stress=stress,
         by_log_load=power * stress
         + by_log_rate * (log_viscosity - power - power * a * f - warmer * loss.by_log_load),
@@ -179,7 +185,7 @@ def sheared(
     )
 
 
-def _log_hot_rate(curve: Curve, cold: NDArray, warmth: NDArray) -> NDArray:
+def _log_hot_rate(curve: FlowCurve, cold: NDArray, warmth: NDArray) -> NDArray:
     """Root y of y + warmth f(e^y) = cold, all logarithms of rates, to 1e-12.
 
     The left side rises with a slope of at least one, so the root is within the residual of any y;
@@ -220,5 +226,5 @@ def _bair_winer_start(cold: NDArray, warmth: NDArray) -> NDArray:
     return np.maximum(cold - warmth, np.minimum(cold, 0.0))
 
 
-EYRING = Curve(_eyring, _eyring_start)
-BAIR_WINER = Curve(_bair_winer, _bair_winer_start)
+EYRING = FlowCurve(_eyring, _eyring_start)
+BAIR_WINER = FlowCurve(_bair_winer, _bair_winer_start)
