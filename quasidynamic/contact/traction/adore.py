@@ -82,7 +82,7 @@ class AdoreType:
 
     Source
     ------
-    ShearStress: exact solution of a Newtonian film between walls of one temperature, viscosity exponential
+    Shear: exact solution of a Newtonian film between walls of one temperature, viscosity exponential
     in the temperature, as in the ball bearing papers after Gupta. Pairing with the oil table: inferred.
 
     Valid

@@ -42,7 +42,7 @@ class LoadedStrip(NamedTuple):
 
 
 def loaded_strip(line_load: NDArray, law: LineContact) -> LoadedStrip:
-    """LoadedStrip of a Hertzian line contact under loads per length [N/m], none narrower than at the load floor."""
+    """Strip of a Hertzian line contact under loads per length [N/m], none narrower than at the load floor."""
     squared = line_load * line_load
     floored = squared + (law.load_floor / law.length) ** 2
     load = np.sqrt(floored)
