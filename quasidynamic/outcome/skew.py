@@ -29,7 +29,7 @@ class Skew:
 
     @cached_property
     def moments(self) -> SkewMoments:
-        """SkewMoments about the radial axes."""
+        """Moments about the radial axes."""
         return self.balance.moments(self.angle, self.beyond)
 
     @cached_property

@@ -38,7 +38,7 @@ class AxialTraction(NamedTuple):
 
 
 class SkewMoments(NamedTuple):
-    """SkewMoments about the radial axis of a roller (Z), positive from +x towards the motion [N m]."""
+    """Moments about the radial axis of a roller (Z), positive from +x towards the motion [N m]."""
 
     traction: NDArray  # of the raceways' forces along the motion
     restoring: NDArray  # of loads on the curved raceways
@@ -139,7 +139,7 @@ class SkewBalance:
         return self._traction(skew)[0] @ self.raceways.slices.widths
 
     def moments(self, skew: NDArray, beyond: NDArray | None = None) -> SkewMoments:
-        """SkewMoments about the radial axes; `beyond` spares the digits of |skew| less the touching one."""
+        """Moments about the radial axes; `beyond` spares the digits of |skew| less the touching one."""
         beyond = np.abs(skew) - self.touching if beyond is None else beyond
         thrust = self.axial_traction(skew).thrust
         couple = corner_couple(np.abs(skew), beyond, thrust, self.corner, self.flange)

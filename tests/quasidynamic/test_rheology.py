@@ -210,7 +210,7 @@ def test_heated_film_obeys_its_own_equation():
 
 
 def test_first_heating_is_that_of_the_exact_newtonian_film():
-    """WallProperties that stay cold: tau/(eta u_s/h) = 1 - 2/3 psi; the middle plane alone loses psi."""
+    """Walls that stay cold: tau/(eta u_s/h) = 1 - 2/3 psi; the middle plane alone loses psi."""
     oil = ester(373.0, 5e-3, 11e-9, conductivity=0.14727)
     perfect = WallProperties(conductivity=1e18)
     law = replace(LAWS["eyring heated"], oil=oil, walls=perfect, eyring_stress=1e15, limiting_ratio=1e9)
