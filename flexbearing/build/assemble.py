@@ -7,9 +7,9 @@ from typing import Any
 import fem
 import quasidynamic as qd
 from fem.parts.step_solid import Coloured, Named, StepSolid, drawing
-from flexbearing.case import BadCase, Case
 from flexbearing.build import clearance
 from flexbearing.build.lubrication import lubrication
+from flexbearing.case import Case
 from quasidynamic.parts.flange import Flange
 
 Part = fem.SquirrelCage | fem.OuterRing | fem.RingOnShaft | StepSolid

@@ -7,8 +7,8 @@ from quasidynamic.clearance import (
     Annulus,
     Mounting,
     OperatingClearance,
-    PressFit,
     OperatingConditions,
+    PressFit,
     operating_clearance,
 )
 

@@ -10,10 +10,15 @@ from numpy.typing import NDArray
 
 import quasidynamic as qd
 from flexbearing.case import Case
-from quasidynamic.contact.traction.adore import ADORE_OILS
-from quasidynamic.contact.traction.mixed import FILM_SHARE_1_8, ZHOU_HOEPRICH, AsperityShare, ErrorFunctionShare
-from quasidynamic.contact.traction.inlet_shear import LAWS
 from quasidynamic.contact.film.roughness import composite_roughness
+from quasidynamic.contact.traction.adore import ADORE_OILS
+from quasidynamic.contact.traction.inlet_shear import LAWS
+from quasidynamic.contact.traction.mixed import (
+    FILM_SHARE_1_8,
+    ZHOU_HOEPRICH,
+    AsperityShare,
+    ErrorFunctionShare,
+)
 from quasidynamic.contact.traction.traction_law import TractionLaw
 from quasidynamic.parts.oil_properties import two_point_oil
 
