@@ -141,7 +141,7 @@ def case_of(file: str, settings: dict[str, object], target: str) -> Case:
 def reference(case: Case, found: Ordered) -> Trial:
     """The same equilibrium, resolved much more finely."""
     case = finer(case, axial_shapes=SHAPES)
-    model = replace(found.model, slices=SLICES, shapes=SHAPES)
+    model = replace(found.model, slices=SLICES, axial_modes=SHAPES)
     azimuths, report = model.bearing.azimuths, Logged()
     cage = CAGE if case.outer.kind == "squirrel_cage" else SECTION
     shaft = SECTION if case.inner.fit == "bonded" else FITTED

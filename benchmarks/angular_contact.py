@@ -6,7 +6,7 @@ First the 218 bearing of the textbook, in CPU time of a warm interpreter on one 
 random: size, conformity, contact angle, steel or ceramic balls, raceway control, loads over five decades, up
 to about the static capacity in any direction from axial to radial, 10 to 500 000 mm/min; the ring free under
 moments up to load times pitch radius, held against tilt, or held against tilt with an axial preload. Where
-nothing holds the ring against such loads the ending is "undetermined", which counts for itself. With
+nothing holds the ring against such loads the outcome is "undetermined", which counts for itself. With
 `coulomb`, friction of 0.03 to 0.12 moves the balls of the same bearings.
 """
 
@@ -26,7 +26,7 @@ from quasidynamic.outcome.angular_contact_state import AngularContactState
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
 from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.parts.material import Material
-from quasidynamic.solve.outcome import Ending
+from quasidynamic.solve.outcome import SolverOutcome
 
 RPM = np.pi / 30
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800.0)
@@ -77,7 +77,7 @@ def textbook() -> None:
 
 
 def at_random(count: int, first: int = 0, *, draw: Callable[[int], tuple[Model, RingOperation]]) -> None:
-    endings, evaluations, worst, unguided, seconds = collections.Counter(), [], 0.0, 0, []
+    outcomes, evaluations, worst, unguided, seconds = collections.Counter(), [], 0.0, 0, []
     for seed in range(first, first + count):
         model, operation = draw(seed)
         began = time.process_time()
@@ -86,8 +86,8 @@ def at_random(count: int, first: int = 0, *, draw: Callable[[int], tuple[Model, 
             seconds.append(time.process_time() - began)
         except NotSolved as found:
             seconds.append(time.process_time() - began)
-            undetermined = found.ending is Ending.UNDETERMINED
-            endings[f"{found.ending}" + ("" if undetermined else f" (seed {seed})")] += 1
+            undetermined = found.outcome is SolverOutcome.UNDETERMINED
+            outcomes[f"{found.outcome}" + ("" if undetermined else f" (seed {seed})")] += 1
             continue
         evaluations.append(state.evaluations)
         worst = max(worst, unbalanced(state))
@@ -95,7 +95,7 @@ def at_random(count: int, first: int = 0, *, draw: Callable[[int], tuple[Model, 
     print(
         f"{count} bearings at random from seed {first}: {len(evaluations)} solved "
         f"({unguided} with balls that the races do not guide), "
-        f"worst imbalance {worst:.1e} of the largest force, others: {dict(endings)}; "
+        f"worst imbalance {worst:.1e} of the largest force, others: {dict(outcomes)}; "
         f"evaluations: median {np.median(evaluations):.0f}, "
         f"99 % below {np.percentile(evaluations, 99):.0f}, largest {max(evaluations)}; "
         f"{np.mean(seconds) * 1e3:.1f} ms each, median {np.median(seconds) * 1e3:.1f} ms, "

@@ -11,7 +11,7 @@ from threadpoolctl import threadpool_limits
 
 from benchmarks.bearings import RPM, changed, paper_bearing
 from benchmarks.machine import describe
-from quasidynamic import Ending, FourPointCurve, NotSolved, RollerBearing
+from quasidynamic import FourPointCurve, NotSolved, RollerBearing, SolverOutcome
 from quasidynamic.contact.traction.traction_law import Traction
 
 LOADED = 1.0  # [N]
@@ -135,7 +135,7 @@ def solve_all() -> list[tuple]:
             f"slip {100 * state.cage_slip:.3g} %, {loaded(state)} loaded, "
             f"max {state.loads[0].max():.4g} N, aside {1e6 * state.ring_displacement[0]:.3g} um"
         )
-        solved = state.status is Ending.CONVERGED
+        solved = state.status is SolverOutcome.CONVERGED
         found.append(
             (
                 row.name,
@@ -154,8 +154,8 @@ def idle() -> tuple:
     try:
         changed(paper_bearing(), radial_load=0.0).solve()
     except NotSolved as failure:
-        named = failure.ending == Ending.UNDETERMINED
-        return "no load, clearance", "position undetermined, by name", failure.ending, named, 0, 0.0
+        named = failure.outcome == SolverOutcome.UNDETERMINED
+        return "no load, clearance", "position undetermined, by name", failure.outcome, named, 0, 0.0
     return "no load, clearance", "position undetermined, by name", "an answer", False, 0, 0.0
 
 
@@ -163,14 +163,14 @@ def soft_ring(foundation: float = 100e6) -> tuple:
     """Outer ring, 3.6 x 5 mm, that bends on an elastic foundation [N/m per m of arc, Pa]."""
     paper = paper_bearing()
     rigid = paper.solve()
-    count, m = paper.bearing.rollers, paper.shapes
+    count, m = paper.bearing.rollers, paper.axial_modes
     matrix = np.zeros((count, m, count, m))
     matrix[:, 0, :, 0] = ring_on_foundation(paper.bearing.azimuths, foundation)
     began = time.perf_counter()
     states = list(paper.iterate((None, matrix), rigid))
     seconds = time.perf_counter() - began
     last = states[-1]
-    good = last.status is Ending.CONVERGED and loaded(last) == 19
+    good = last.status is SolverOutcome.CONVERGED and loaded(last) == 19
     return (
         "outer ring on a foundation of 100 N/mm2",
         "19 loaded, zone beyond 180 degrees; Newton about 11 steps",

@@ -20,7 +20,6 @@ from quasidynamic import (
     BairWiner,
     Cage,
     CylindricalRollerBearing,
-    Ending,
     Eyring,
     FourPointCurve,
     Logarithmic,
@@ -30,6 +29,7 @@ from quasidynamic import (
     Regression4109,
     Roller,
     RollerBearing,
+    SolverOutcome,
     oil_at,
 )
 
@@ -149,7 +149,7 @@ def main() -> None:
             start = time.perf_counter()
             state = model.solve_many([model.operation])[0]
             seconds = time.perf_counter() - start
-            wrong = imbalance(state) if state.status is Ending.CONVERGED else 0.0
+            wrong = imbalance(state) if state.status is SolverOutcome.CONVERGED else 0.0
             kind = str(state.status) if wrong <= CHECKED_TO else "SILENT WRONG ANSWER"
             kinds[kind] += 1
             operation = model.operation

@@ -73,8 +73,7 @@ def summary(
     as_json: Annotated[bool, typer.Option("--json", help="one JSON object instead of text")] = False,
 ) -> None:
     """Print the numbers of a result."""
-    from flexbearing.report import summary as table
-    from flexbearing.report import text
+    from flexbearing.report import summary as table, text
     from flexbearing.results import read as read_result
 
     found = read_result(result)
@@ -172,8 +171,7 @@ def pareto(
     """Run a case on every level of accuracy; draws time against error and names the cheapest levels."""
     from flexbearing.report.pareto import text, write_table
     from flexbearing.report.pareto_figure import write_pareto
-    from flexbearing.studies.pareto import NoReference
-    from flexbearing.studies.pareto import pareto as study
+    from flexbearing.studies.pareto import NoReference, pareto as study
 
     try:
         found = study(case, settings or [], solid=solid, tell=_tell)

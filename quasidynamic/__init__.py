@@ -1,68 +1,98 @@
-"""Bearings: rollers or balls, raceways, film, traction and cage, with NumPy and SciPy alone."""
+"""Bearings: rollers or balls, raceways, film, traction and cage, with NumPy and SciPy alone.
 
-from quasidynamic.angular_contact import AngularContactBallBearing
-from quasidynamic.contact.film.thickness import FORMULAS
-from quasidynamic.contact.lubrication import Lubrication
-from quasidynamic.contact.traction.adore import AdoreType
-from quasidynamic.contact.traction.measured_curve import FourPointCurve
-from quasidynamic.contact.traction.mixed import Mixed
-from quasidynamic.contact.traction.rheology import BairWiner, Eyring
-from quasidynamic.contact.traction.traction_law import Regression4109
-from quasidynamic.errors import ImpossiblePart, NotSolved, OutOfRange
-from quasidynamic.four_point import FourPointBallBearing, RingLoad, SlidingBalls
-from quasidynamic.outcome.angular_contact_state import AngularContactState
-from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
-from quasidynamic.parts.ball import Ball, FourPointBearing, Groove
-from quasidynamic.parts.ball_friction import FrictionCurve, constant_friction
-from quasidynamic.parts.cage import Cage
-from quasidynamic.parts.lubricant import Lubricant
-from quasidynamic.parts.material import Material
-from quasidynamic.parts.oil_properties import oil_at
-from quasidynamic.parts.operation import Operation
-from quasidynamic.parts.roller import Crowned, Logarithmic, Profile, Roller, Straight
-from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
-from quasidynamic.roller import Equilibria, Equilibrium, RollerBearing
-from quasidynamic.solve.outcome import Ending
-from quasidynamic.static import static_loads
+What others may use is listed here and loaded when it is asked for: a roller bearing loads no ball code, a
+ball bearing no roller solver.
+"""
 
-__all__ = [
-    "FORMULAS",
-    "AdoreType",
-    "AngularContactBallBearing",
-    "AngularContactBearing",
-    "AngularContactState",
-    "BairWiner",
-    "Ball",
-    "Cage",
-    "Crowned",
-    "CylindricalRollerBearing",
-    "Ending",
-    "Equilibria",
-    "Equilibrium",
-    "Eyring",
-    "FourPointBallBearing",
-    "FourPointBearing",
-    "FourPointCurve",
-    "FrictionCurve",
-    "Groove",
-    "ImpossiblePart",
-    "Logarithmic",
-    "Lubricant",
-    "Lubrication",
-    "Material",
-    "Mixed",
-    "NotSolved",
-    "Operation",
-    "OutOfRange",
-    "Profile",
-    "Regression4109",
-    "RingLoad",
-    "RingOperation",
-    "Roller",
-    "RollerBearing",
-    "SlidingBalls",
-    "Straight",
-    "constant_friction",
-    "oil_at",
-    "static_loads",
-]
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from quasidynamic.angular_contact import AngularContactBallBearing as AngularContactBallBearing
+    from quasidynamic.contact.film.thickness import FORMULAS as FORMULAS
+    from quasidynamic.contact.lubrication import Lubrication as Lubrication
+    from quasidynamic.contact.traction.adore import AdoreType as AdoreType
+    from quasidynamic.contact.traction.measured_curve import FourPointCurve as FourPointCurve
+    from quasidynamic.contact.traction.mixed import Mixed as Mixed
+    from quasidynamic.contact.traction.rheology import BairWiner as BairWiner, Eyring as Eyring
+    from quasidynamic.contact.traction.traction_law import Regression4109 as Regression4109
+    from quasidynamic.errors import (
+        ImpossiblePart as ImpossiblePart,
+        NotSolved as NotSolved,
+        OutOfRange as OutOfRange,
+    )
+    from quasidynamic.four_point import (
+        FourPointBallBearing as FourPointBallBearing,
+        RingLoad as RingLoad,
+        SlidingBalls as SlidingBalls,
+    )
+    from quasidynamic.outcome.angular_contact_state import AngularContactState as AngularContactState
+    from quasidynamic.parts.angular_contact_bearing import (
+        AngularContactBearing as AngularContactBearing,
+        RingOperation as RingOperation,
+    )
+    from quasidynamic.parts.ball import Ball as Ball, FourPointBearing as FourPointBearing, Groove as Groove
+    from quasidynamic.parts.ball_friction import (
+        FrictionCurve as FrictionCurve,
+        constant_friction as constant_friction,
+    )
+    from quasidynamic.parts.cage import Cage as Cage
+    from quasidynamic.parts.lubricant import Lubricant as Lubricant
+    from quasidynamic.parts.material import Material as Material
+    from quasidynamic.parts.oil_properties import oil_at as oil_at
+    from quasidynamic.parts.operation import Operation as Operation
+    from quasidynamic.parts.roller import (
+        Crowned as Crowned,
+        Logarithmic as Logarithmic,
+        Profile as Profile,
+        Roller as Roller,
+        Straight as Straight,
+    )
+    from quasidynamic.parts.roller_bearing import CylindricalRollerBearing as CylindricalRollerBearing
+    from quasidynamic.roller import (
+        Equilibria as Equilibria,
+        Equilibrium as Equilibrium,
+        RollerBearing as RollerBearing,
+    )
+    from quasidynamic.solve.outcome import SolverOutcome as SolverOutcome
+    from quasidynamic.static import static_loads as static_loads
+
+EXPORTS = {
+    "angular_contact": ("AngularContactBallBearing",),
+    "contact.film.thickness": ("FORMULAS",),
+    "contact.lubrication": ("Lubrication",),
+    "contact.traction.adore": ("AdoreType",),
+    "contact.traction.measured_curve": ("FourPointCurve",),
+    "contact.traction.mixed": ("Mixed",),
+    "contact.traction.rheology": ("BairWiner", "Eyring"),
+    "contact.traction.traction_law": ("Regression4109",),
+    "errors": ("ImpossiblePart", "NotSolved", "OutOfRange"),
+    "four_point": ("FourPointBallBearing", "RingLoad", "SlidingBalls"),
+    "outcome.angular_contact_state": ("AngularContactState",),
+    "parts.angular_contact_bearing": ("AngularContactBearing", "RingOperation"),
+    "parts.ball": ("Ball", "FourPointBearing", "Groove"),
+    "parts.ball_friction": ("FrictionCurve", "constant_friction"),
+    "parts.cage": ("Cage",),
+    "parts.lubricant": ("Lubricant",),
+    "parts.material": ("Material",),
+    "parts.oil_properties": ("oil_at",),
+    "parts.operation": ("Operation",),
+    "parts.roller": ("Crowned", "Logarithmic", "Profile", "Roller", "Straight"),
+    "parts.roller_bearing": ("CylindricalRollerBearing",),
+    "roller": ("Equilibria", "Equilibrium", "RollerBearing"),
+    "solve.outcome": ("SolverOutcome",),
+    "static": ("static_loads",),
+}
+
+
+def __getattr__(name: str) -> Any:
+    """Load a public name with its module."""
+    for module, names in EXPORTS.items():
+        if name in names:
+            value = globals()[name] = getattr(import_module(f"{__name__}.{module}"), name)
+            return value
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted(name for names in EXPORTS.values() for name in names)

@@ -16,7 +16,7 @@ from quasidynamic.errors import ImpossiblePart, NotSolved, require_positive
 from quasidynamic.outcome.angular_contact_state import AngularContactState
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
 from quasidynamic.solve.balls.ring_on_balls import solve
-from quasidynamic.solve.outcome import Ending
+from quasidynamic.solve.outcome import SolverOutcome
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -59,7 +59,7 @@ class AngularContactBallBearing:
         Raises
         ------
         NotSolved
-            with the ending: nothing holds the ring, or no balance found
+            with the outcome: nothing holds the ring, or no balance found
         """
         found = self.solve_many([operation])[0]
         if isinstance(found, NotSolved):
@@ -74,8 +74,8 @@ class AngularContactBallBearing:
         guidance, scale, heat = balls.guidance, self._scale, self._heat(balance, balls)
         states: list[AngularContactState | NotSolved] = []
         for case, operation in enumerate(operations):
-            if found.endings[case] is not Ending.CONVERGED:
-                states.append(_not_solved(operation, found.endings[case], found.imbalance[case]))
+            if found.outcomes[case] is not SolverOutcome.CONVERGED:
+                states.append(_not_solved(operation, found.outcomes[case], found.imbalance[case]))
                 continue
             if self._too_wide(balls.contacts.loads[:, case]):
                 states.append(_too_heavy(operation))
@@ -149,16 +149,16 @@ class AngularContactBallBearing:
         )
 
 
-def _not_solved(operation: RingOperation, ending: Ending, imbalance: float) -> NotSolved:
+def _not_solved(operation: RingOperation, outcome: SolverOutcome, imbalance: float) -> NotSolved:
     where = f"load {operation.load}, inner ring {operation.inner_speed:.5g} rad/s"
-    if ending is Ending.UNDETERMINED:
+    if outcome is SolverOutcome.UNDETERMINED:
         return NotSolved(
             f"{where}: nothing holds the inner ring in some direction, its place is undetermined; "
             "give an axial load, or a displacement in that direction",
-            ending,
+            outcome,
         )
     return NotSolved(
-        f"{where}: no balance of ring and balls, {imbalance:.1e} of the largest force left", ending
+        f"{where}: no balance of ring and balls, {imbalance:.1e} of the largest force left", outcome
     )
 
 
@@ -166,5 +166,5 @@ def _too_heavy(operation: RingOperation) -> NotSolved:
     return NotSolved(
         f"load {operation.load}: contact ellipses would be nearly as wide as the ball, and have no friction "
         "that is known; the load is far too high",
-        Ending.NOT_FINITE,
+        SolverOutcome.NOT_FINITE,
     )

@@ -10,11 +10,11 @@ class OutOfRange(ValueError):
 
 
 class NotSolved(RuntimeError):
-    """No equilibrium was reached; the message says how far the residual came, `ending` how it ended."""
+    """No equilibrium was reached; the message says how far the residual came, `outcome` why the solver stopped."""
 
-    def __init__(self, message: str, ending: str = ""):
+    def __init__(self, message: str, outcome: str = ""):
         super().__init__(message)
-        self.ending = ending
+        self.outcome = outcome
 
 
 def require_positive(name: str, value: float) -> None:

@@ -21,7 +21,7 @@ from quasidynamic.outcome.equilibrium import Equilibria, Equilibrium
 from quasidynamic.parts.material import contact_modulus
 from quasidynamic.parts.operation import Operation
 from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
-from quasidynamic.solve.outcome import Ending
+from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.strategy import iterate, solve
 from quasidynamic.solve.start import RESTARTS, slipping_start, static_start
 
@@ -36,14 +36,14 @@ CASES_AT_ONCE = 128  # their slices fit into the processor's cache
 class RollerBearing:
     """A cylindrical roller bearing under load and speed, ready to be solved.
 
-    Shapes: Z rollers, M axial shapes, K slices; index 0 is the inner raceway, 1 the outer one.
+    Array shapes: Z rollers, M axial modes, K slices; index 0 is the inner raceway, 1 the outer one.
     """
 
     bearing: CylindricalRollerBearing
     operation: Operation
     lubrication: Lubrication
     slices: int = 20
-    shapes: int = 2  # axial shapes that raceways of any shape exchange with the rollers
+    axial_modes: int = 2  # axial modes that raceways of any shape exchange with the rollers
     spin_inertia: bool = True
 
     def solve(self, start: Equilibrium | None = None, deviation: NDArray | None = None) -> Equilibrium:
@@ -59,12 +59,12 @@ class RollerBearing:
         Raises
         ------
         NotSolved
-            when no equilibrium was reached; its `ending` says how it ended
+            when no equilibrium was reached; its `outcome` says how it ended
         """
         balance = self._balance([self.operation], deviation)
         begin = None if start is None else balance.pack(start.unknowns)
         found = self._solved(balance, begin)[0]
-        if found.status is not Ending.CONVERGED:
+        if found.status is not SolverOutcome.CONVERGED:
             raise NotSolved(found.failure(), found.status)
         return found
 
@@ -97,24 +97,24 @@ class RollerBearing:
         deviation : array (2, Z, M), optional
             outward deviations that are there without any roller load [m]
         """
-        size = self.bearing.rollers * self.shapes
+        size = self.bearing.rollers * self.axial_modes
         inner, outer = (None if matrix is None else matrix.reshape(size, size) for matrix in compliance)
         plain = self._balance([self.operation], deviation, aligned=False)
         balance = replace(plain, compliance=(inner, outer))
         for sweep in iterate(balance, balance.pack(start.unknowns)):
-            yield Equilibrium(balance, sweep.unknowns[0], sweep.endings[0], sweep.number, self.shapes)
+            yield Equilibrium(balance, sweep.unknowns[0], sweep.outcomes[0], sweep.number, self.axial_modes)
 
     def _solved(self, balance: BearingBalance, begin: NDArray | None = None) -> list[Equilibrium]:
         solved = solve(balance, static_start(balance) if begin is None else begin, STARTS)
         return [
             Equilibrium(
-                balance.take(np.array([case])) if len(solved.endings) > 1 else balance,
+                balance.take(np.array([case])) if len(solved.outcomes) > 1 else balance,
                 solved.unknowns[case],
-                solved.endings[case],
+                solved.outcomes[case],
                 int(solved.evaluations[case]),
-                self.shapes,
+                self.axial_modes,
             )
-            for case in range(len(solved.endings))
+            for case in range(len(solved.outcomes))
         ]
 
     # -- equations -----------------------------------------------------------------------------
@@ -138,16 +138,16 @@ class RollerBearing:
 
     @cached_property
     def _tilting_rollers(self) -> RollerBalance:
-        return self._rollers(self.shapes)
+        return self._rollers(self.axial_modes)
 
-    def _rollers(self, shapes: int) -> RollerBalance:
+    def _rollers(self, axial_modes: int) -> RollerBalance:
         return RollerBalance(
-            bearing=self.bearing, lubrication=self.lubrication, raceways=self._raceways(shapes)
+            bearing=self.bearing, lubrication=self.lubrication, raceways=self._raceways(axial_modes)
         )
 
-    def _raceways(self, shapes: int) -> Raceways:
+    def _raceways(self, axial_modes: int) -> Raceways:
         bearing, roller, lubrication = self.bearing, self.bearing.roller, self.lubrication
-        slices = Slices(self.slices, roller.length, shapes)
+        slices = Slices(self.slices, roller.length, axial_modes)
         radii = [
             reduced_radius(roller.diameter / 2, r) for r in (bearing.inner_radius, -bearing.outer_radius)
         ]

@@ -101,7 +101,7 @@ def static_loads(
         slices=own,
         normal=np.array([np.sin(bearing.azimuths), np.cos(bearing.azimuths)]).T,
         gap=bearing.clearance / 2 + 2 * bearing.roller.profile.drop(own.centres, own.length),
-        load=np.outer(along, [load, moment / half][: own.shapes]),
+        load=np.outer(along, [load, moment / half][: own.axial_modes]),
     )
     found, steps = _balanced(rings, _first_place(rings))
     place, loads = found.place, found.slice_load
@@ -110,7 +110,7 @@ def static_loads(
         slice_loads=own.unfolded(loads),
         approach=rings.normal @ place[:, 0] - bearing.clearance / 2,
         ring_displacement=place[:, 0],
-        ring_tilt=place[::-1, 1] / half if own.shapes > 1 else np.zeros(2),
+        ring_tilt=place[::-1, 1] / half if own.axial_modes > 1 else np.zeros(2),
         stiffness=found.stiffness[:, 0, :, 0],
         iterations=steps,
     )
@@ -160,8 +160,8 @@ class _Rings:
 
     def at(self, place: NDArray) -> _Balance:
         """Evaluate every slice."""
-        own, m = self.slices, self.slices.shapes
-        load, slope = self.law(self.normal @ (place @ own.shape.T) - self.gap)
+        own, m = self.slices, self.slices.axial_modes
+        load, slope = self.law(self.normal @ (place @ own.modes.T) - self.gap)
         stiffness = (self._squares @ (slope @ own.products)).reshape(2, 2, m, m).transpose(0, 2, 1, 3)
         return _Balance(place, load, self.load - self.normal.T @ (load @ own.weights), stiffness)
 

@@ -15,7 +15,7 @@ from quasidynamic.errors import NotSolved, OutOfRange
 from quasidynamic.outcome.equilibrium import Equilibrium
 from quasidynamic.roller import RollerBearing
 from quasidynamic.solve.arclength import End, Step, at_parameter, follow, solved_at
-from quasidynamic.solve.outcome import Ending
+from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.parameter_family import BalanceFamily
 from quasidynamic.solve.rollers.stability import growth_rates
 from quasidynamic.solve.start import LumpedRollers, static_unknowns
@@ -143,7 +143,7 @@ def trace(
     exact = {first: span[0], last: span[1]}
     values = [exact.get(step.parameter, copysign(exp(step.parameter), span[0])) for step in followed.steps]
     points = [
-        Point(value, _equilibrium(family, step, model.shapes), step.fold)
+        Point(value, _equilibrium(family, step, model.axial_modes), step.fold)
         for value, step in zip(values, followed.steps, strict=True)
     ]
     return Branch(over, tuple(points), followed.end)
@@ -178,7 +178,7 @@ def equilibria_at(model: RollerBearing) -> tuple[Equilibrium, ...]:
     here, _ = _logarithms(model, "radial_load", (load, load * REACH))
     usual = model.solve_many([model.operation])[0]
     family = _family(model, "radial_load", load, usual.balance)
-    starts = [usual.scaled] if usual.status is Ending.CONVERGED else []
+    starts = [usual.scaled] if usual.status is SolverOutcome.CONVERGED else []
     starts += _lumped_starts(usual.balance)
     known: list[Step] = []
     for state in starts:
@@ -190,7 +190,7 @@ def equilibria_at(model: RollerBearing) -> tuple[Equilibrium, ...]:
                 known.append(step)
     if not known:
         raise NotSolved(usual.failure(), usual.status)
-    found = [_equilibrium(family, step, model.shapes) for step in known]
+    found = [_equilibrium(family, step, model.axial_modes) for step in known]
     return tuple(sorted(found, key=lambda one: one.cage_slip))
 
 
@@ -224,9 +224,9 @@ def _family(model: RollerBearing, over: str, sign: float, balance: BearingBalanc
     return BalanceFamily(balance, points)
 
 
-def _equilibrium(family: BalanceFamily, step: Step, shapes: int) -> Equilibrium:
+def _equilibrium(family: BalanceFamily, step: Step, axial_modes: int) -> Equilibrium:
     balance = family.balance_at(step.parameter)
-    return Equilibrium(balance, step.state, Ending.CONVERGED, step.corrections + 1, shapes)
+    return Equilibrium(balance, step.state, SolverOutcome.CONVERGED, step.corrections + 1, axial_modes)
 
 
 # -- several at one load ---------------------------------------------------------------------------

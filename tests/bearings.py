@@ -77,7 +77,7 @@ def paper_bearing(**changes) -> RollerBearing:
         misalignment=value.pop("misalignment"),
     )
     oil = value.pop("oil", None) or oil_at("MIL-PRF-23699", 493.15)
-    numerics = {name: value.pop(name) for name in ("slices", "shapes", "spin_inertia") if name in value}
+    numerics = {name: value.pop(name) for name in ("slices", "axial_modes", "spin_inertia") if name in value}
     traction = value.pop("traction")
     if isinstance(traction, str):
         traction = TRACTION[traction](oil)

@@ -9,8 +9,12 @@ from dataclasses import dataclass
 from math import asin, isfinite, pi
 
 from fem.parts.boundary_conditions import Housing, Loose, Support, loose
-from fem.parts.material import Elastic, require, require_positive
-from fem.parts.material import ImpossiblePart as ImpossiblePart  # parts are where one expects it
+from fem.parts.material import (
+    Elastic,
+    ImpossiblePart as ImpossiblePart,  # parts are where one expects it
+    require,
+    require_positive,
+)
 
 SLENDEREST_SLOT = 0.3e-3  # [m] the mesher may abort on narrower gaps and thinner walls
 SMALLEST_FILLET = 0.1e-3  # [m] smaller ones need too many elements to matter

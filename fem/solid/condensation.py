@@ -10,8 +10,7 @@ import ngsolve as ngs
 import numpy as np
 from numpy.typing import NDArray
 
-from fem.assembly import elasticity
-from fem.assembly import roller_loads as load
+from fem.assembly import elasticity, roller_loads as load
 from fem.assembly.factorisation import Factor, factor, threads
 from fem.half_space.load_patch import half_space
 from fem.mesh.solid import MILLIMETRES, meshed

@@ -113,7 +113,7 @@ class Trials:
         """The bearing at these levels."""
         case = of_place(self.case, self.ladders, place, None)
         assert case is not None  # only parts are left rigid
-        return replace(self._bearing, slices=case.accuracy.slices, shapes=case.accuracy.axial_shapes)
+        return replace(self._bearing, slices=case.accuracy.slices, axial_modes=case.accuracy.axial_shapes)
 
     @cached_property
     def _bearing(self) -> RollerBearing:
@@ -132,7 +132,9 @@ class Trials:
     def _ways(self, place: Place, partner: BearingPartner, linear: bool):
         """Where to begin and how to iterate, the fastest first: from a trial nearby, or from rigid ones."""
         near = self._near(place)
-        if near is not None and (linear or near.shapes == partner.model.shapes):  # a fit asks for the forces
+        if near is not None and (
+            linear or near.axial_modes == partner.model.axial_modes
+        ):  # a fit asks for the forces
             yield lambda: near, newton
         yield partner.solve, newton
         yield partner.solve, partial(alternate, rule=RULES["iqn-ils"])

@@ -49,7 +49,7 @@ def bearing(case: Case) -> qd.RollerBearing:
         ),
         lubrication=lubrication(case),
         slices=case.accuracy.slices,
-        shapes=case.accuracy.axial_shapes,
+        axial_modes=case.accuracy.axial_shapes,
     )
 
 

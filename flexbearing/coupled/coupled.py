@@ -43,7 +43,7 @@ class BearingPartner:
         try:
             return self.model.solve(start, deviation)
         except NotSolved as failure:
-            raise PartnerFailed(str(failure), str(failure.ending)) from failure
+            raise PartnerFailed(str(failure), str(failure.outcome)) from failure
 
     def roller_stiffness(self, state: Equilibrium) -> NDArray:
         """Stiffness of every roller between its raceways (Z) [N/m], as if it were untilted."""
@@ -54,7 +54,7 @@ class BearingPartner:
         try:
             yield from self.model.iterate(compliance, start, deviation)
         except NotSolved as failure:
-            raise PartnerFailed(str(failure), str(failure.ending)) from failure
+            raise PartnerFailed(str(failure), str(failure.outcome)) from failure
 
 
 @dataclass(frozen=True)

@@ -76,7 +76,7 @@ class Neighbour:
         PartnerFailed
             where the rings have no answer to these loads
         """
-        even = np.zeros((rigid.balance.layout.rollers, rigid.shapes) * 2)
+        even = np.zeros((rigid.balance.layout.rollers, rigid.axial_modes) * 2)
         found = _put(next(bearing.iterate((even, even), rigid, None)), self.unknowns)
         linear = rings.linearised(found.forces)
         if linear.unloaded is None:

@@ -122,7 +122,7 @@ def between_raceways(found: Equilibrium, rings: CondensedRings) -> Equilibrium:
 def _yielding(found: Equilibrium, compliance: list[NDArray | None], unknowns: Unknowns) -> Equilibrium:
     """A state with other unknowns in equations that know how raceways (Z, M, Z, M) yield."""
     balance = found.balance
-    size = balance.layout.rollers * balance.roller.shapes
+    size = balance.layout.rollers * balance.roller.axial_modes
     square = [None if matrix is None else matrix.reshape(size, size) for matrix in compliance]
     whole = replace(balance, compliance=(square[0], square[1]))
     return replace(found, balance=whole, scaled=whole.pack(unknowns)[0])

@@ -69,7 +69,7 @@ def _converged(message: str, notes: tuple[str, ...]) -> dict[str, Any]:
 
 
 def _not_solved(failure: NotSolved | RingNotSolved) -> dict[str, Any]:
-    ending = str(failure.ending) if isinstance(failure, NotSolved) else "rings not solved"
+    ending = str(failure.outcome) if isinstance(failure, NotSolved) else "rings not solved"
     return _ending("not solved", str(failure), ending)
 
 

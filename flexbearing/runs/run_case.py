@@ -11,8 +11,7 @@ from threadpoolctl import threadpool_limits
 from flexbearing.case import AngularCase, AnyCase, Case, FourPointCase, read
 from flexbearing.coupled.initial_state import Neighbour, neighbour
 from flexbearing.progress import Logged, Report
-from flexbearing.results import Result, ResultFile
-from flexbearing.results import read as read_result
+from flexbearing.results import Result, ResultFile, read as read_result
 from flexbearing.runs import ball, roller
 from flexbearing.runs.validate import require_possible
 

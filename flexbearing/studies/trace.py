@@ -13,8 +13,7 @@ from flexbearing.build import assemble
 from flexbearing.case import AnyCase, BadCase, Case, read
 from flexbearing.runs import notes, validate
 from quasidynamic import ImpossiblePart, OutOfRange
-from quasidynamic.trace import Branch, End
-from quasidynamic.trace import trace as follow
+from quasidynamic.trace import Branch, End, trace as follow
 
 RPM = 2 * pi / 60
 

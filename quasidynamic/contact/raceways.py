@@ -22,7 +22,7 @@ FILM_LOAD_FLOOR = 30.0  # [N] keeps the film of a grazing roller from depending 
 class RacewayState(NamedTuple):
     """Forces of the raceways on the rollers, with derivatives.
 
-    Shapes: 2 raceways (inner, outer), C cases, Z rollers, M axial shapes, K slices.
+    Array shapes: 2 raceways (inner, outer), C cases, Z rollers, M axial modes, K slices.
     """
 
     slice_load: NDArray  # (2, C, Z, K) [N/m]
@@ -66,7 +66,7 @@ class Raceways:
         Parameters
         ----------
         approach : array (2, M, C, Z)
-            coefficients of the axial shapes [m], film included, profile drop not
+            coefficients of the axial modes [m], film included, profile drop not
         sliding : array (2, C, Z)
             raceway over roller surface [m/s]
         entrainment : array (2, C, Z)

@@ -18,18 +18,18 @@ from quasidynamic.contact.line.load_law import palmgren
 from quasidynamic.outcome.life import basic_life
 from quasidynamic.outcome.losses import Losses
 from quasidynamic.outcome.ring_stiffness import Tangent
-from quasidynamic.solve.outcome import Ending
+from quasidynamic.solve.outcome import SolverOutcome
 
 
 @dataclass(frozen=True)
 class Equilibrium:
-    """What the bearing does in one state. Z rollers, M shapes, K slices; inner first, outer second."""
+    """What the bearing does in one state. Z rollers, M axial modes, K slices; inner first, outer second."""
 
     balance: BearingBalance  # of one case
     scaled: NDArray  # (N) unknowns
-    status: Ending  # empty while iterating; otherwise how the solve ended
+    status: SolverOutcome  # empty while iterating; otherwise how the solve ended
     number: int  # evaluations it took
-    shapes: int  # M, axial shapes that loads are handed on with
+    axial_modes: int  # M, axial modes that loads are handed on with
 
     # -- the state in numbers ------------------------------------------------------------------
 
@@ -54,14 +54,14 @@ class Equilibrium:
         residual = np.abs(self.system.residual * self.balance.sizes.residual)[0]
         first, spin = self.balance.layout.field(0), self.balance.layout.field(-1)
         moments = [residual[TILT_Z:BORDER], residual[spin]]
-        if self.balance.roller.shapes > 1:
+        if self.balance.roller.axial_modes > 1:
             moments.append(residual[self.balance.layout.field(1)])
         forces = [residual[[Y, Z]], residual[first]]
         return float(np.concatenate(forces).max()), float(np.concatenate(moments).max())
 
     def failure(self) -> str:
         """Say how the solve ended and how far it came."""
-        if self.status is Ending.UNDETERMINED:
+        if self.status is SolverOutcome.UNDETERMINED:
             return (
                 "neither load nor moment, and clearance: no roller touches the inner ring, "
                 "the cage stands still and the ring position is undetermined"
@@ -101,7 +101,7 @@ class Equilibrium:
 
     @property
     def _whole(self):
-        return replace(self.balance.roller.raceways.slices, shapes=max(self.shapes, 2))
+        return replace(self.balance.roller.raceways.slices, axial_modes=max(self.axial_modes, 2))
 
     @property
     def deviation(self) -> NDArray:
@@ -109,12 +109,14 @@ class Equilibrium:
         found = np.moveaxis(self.unknowns.deviation[:, :, 0], 1, -1)
         if self.balance.deviation is not None:
             found = found + self.balance.deviation
-        return np.concatenate([found, np.zeros((*found.shape[:2], self.shapes - found.shape[2]))], axis=-1)
+        return np.concatenate(
+            [found, np.zeros((*found.shape[:2], self.axial_modes - found.shape[2]))], axis=-1
+        )
 
     @property
     def deviation_along_rollers(self) -> NDArray:
         """Outward raceway deviations (2, Z, K) [m]."""
-        return self.deviation @ replace(self._whole, shapes=self.deviation.shape[2]).shape.T
+        return self.deviation @ replace(self._whole, axial_modes=self.deviation.shape[2]).modes.T
 
     @property
     def film(self) -> NDArray:
@@ -143,7 +145,7 @@ class Equilibrium:
     def roller_tilt(self) -> NDArray:
         """Tilt (Z) of the rollers in the plane through the bearing axis [rad]."""
         relative = self.unknowns.tilt[0]
-        if self.balance.roller.shapes > 1:
+        if self.balance.roller.axial_modes > 1:
             relative = relative + self.deviation[OUTER, :, 1]
         return relative / (self.balance.roller.raceways.slices.length / 2)
 
@@ -187,7 +189,7 @@ class Equilibrium:
     @property
     def ring_moment(self) -> NDArray:
         """Moments (2) [N m] that act on the inner ring from outside: applied, or held by its guide."""
-        if self.balance.roller.shapes == 1:
+        if self.balance.roller.axial_modes == 1:
             return np.zeros(2)
         moment = self.balance.roller.raceways.slices.length / 2 * self.rollers.contact.force[INNER, 1, 0]
         azimuth = self.balance.roller.bearing.azimuths
@@ -312,7 +314,7 @@ class Equilibria:
     @property
     def unsolved(self) -> tuple[int, ...]:
         """Cases where no equilibrium was reached."""
-        return tuple(i for i, state in enumerate(self.states) if state.status is not Ending.CONVERGED)
+        return tuple(i for i, state in enumerate(self.states) if state.status is not SolverOutcome.CONVERGED)
 
     @property
     def cage_slip(self) -> NDArray:

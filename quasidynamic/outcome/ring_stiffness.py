@@ -29,7 +29,7 @@ class Tangent:
     def at(cls, balance: BearingBalance, unknowns: Unknowns) -> "Tangent":
         """Tangent at the unknowns of an equilibrium of one case."""
         raceways = balance.roller.raceways
-        slices = replace(raceways.slices, shapes=max(raceways.slices.shapes, 2))
+        slices = replace(raceways.slices, axial_modes=max(raceways.slices.axial_modes, 2))
         whole = replace(raceways, slices=slices, drop=raceways.slices.unfolded(raceways.drop))
         free = replace(
             balance,

@@ -3,10 +3,10 @@
 from enum import StrEnum
 
 
-class Ending(StrEnum):
+class SolverOutcome(StrEnum):
     """How the solve of a case ended."""
 
-    NONE = ""  # it still runs
+    RUNNING = ""  # no outcome yet
     CONVERGED = "converged"
     UNDETERMINED = "undetermined"  # nothing holds the ring: neither load nor contact
     STALLED = "stalled"  # no step lowers the residual

@@ -7,8 +7,7 @@ from math import inf, nan
 import ngsolve as ngs
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 from pytest import approx
 
 from fem import (

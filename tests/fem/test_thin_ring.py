@@ -4,8 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 from pytest import approx
 
 from fem import ClampedFace, Foundation, Mesh, OuterRing, RigidSeat
@@ -16,8 +15,7 @@ from fem.cage import cyclic_symmetry
 from fem.parts.rings import ImpossiblePart
 from fem.section import smeared_cage
 from fem.section.revolved import condense
-from tests.fem.test_parts import CAGE as ODD_CAGE
-from tests.fem.test_parts import SHAFT, STEEL
+from tests.fem.test_parts import CAGE as ODD_CAGE, SHAFT, STEEL
 
 L, M = 5e-3, 3
 ROLLERS = 2 * np.pi * np.arange(30) / 30

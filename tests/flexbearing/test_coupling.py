@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from flexbearing.coupling import RULES, Ending, PartnerFailed, alternate, newton
-from flexbearing.coupling import relaxed as relaxation_rule
+from flexbearing.coupling import RULES, Ending, PartnerFailed, alternate, newton, relaxed as relaxation_rule
 from flexbearing.coupling.acceleration import Seen
 from flexbearing.coupling.history import History, change_per_residual
 from flexbearing.coupling.loop import PATIENCE, Status

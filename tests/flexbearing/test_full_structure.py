@@ -25,7 +25,7 @@ COARSE = [
 ]  # fmt: skip
 
 STEEL = fem.Elastic(youngs_modulus=203e9, poisson_ratio=0.28)
-BEARING = paper_bearing(rollers=11, slices=4, shapes=2, load=6000.0, azimuth=0.1)
+BEARING = paper_bearing(rollers=11, slices=4, axial_modes=2, load=6000.0, azimuth=0.1)
 MESH = fem.Mesh(order=2, size=12e-3, raceway_size=4e-3)
 # Three bars and eleven rollers, or a ring and uneven ones, share no symmetry that condensing could even out.
 CAGE = fem.SquirrelCage(

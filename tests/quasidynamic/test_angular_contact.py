@@ -4,8 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 from pytest import approx
 
 from quasidynamic.angular_contact import AngularContactBallBearing
@@ -14,7 +13,7 @@ from quasidynamic.errors import ImpossiblePart, NotSolved
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
 from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.parts.material import Material
-from quasidynamic.solve.outcome import Ending
+from quasidynamic.solve.outcome import SolverOutcome
 
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
 BEARING = AngularContactBearing(
@@ -181,7 +180,7 @@ def test_speed_enters_against_the_outer_ring(outer_speed):
 def test_ring_that_nothing_holds_is_refused():
     with pytest.raises(NotSolved, match="nothing holds") as caught:
         solved(load=(0.0,) * 5, speed=500.0)
-    assert caught.value.ending is Ending.UNDETERMINED
+    assert caught.value.outcome is SolverOutcome.UNDETERMINED
 
 
 def test_impossible_parts_are_refused():
@@ -263,7 +262,7 @@ def test_any_load_is_carried_or_refused_by_name(decades, lean, tilting, speed, a
     try:
         state = solved(load=load, speed=speed, bearing=bearing, displacement=held)
     except NotSolved as refused:
-        assert refused.ending is Ending.UNDETERMINED  # noqa: PT017
+        assert refused.outcome is SolverOutcome.UNDETERMINED  # noqa: PT017
         return
     free = [place is None for place in held]
     left = (ring_load(state) - load) / [1.0, 1.0, 1.0, 0.06, 0.06]

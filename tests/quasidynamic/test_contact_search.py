@@ -5,7 +5,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from quasidynamic.solve.outcome import Ending
+from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.step_bounds import SPIN_CHANGE
 from tests.bearings import RPM, paper_bearing
 
@@ -42,10 +42,10 @@ CASES = {
 
 @pytest.mark.parametrize(("changes", "foundation"), CASES.values(), ids=CASES.keys())
 def test_bearing_and_ring_agree_in_a_few_steps(changes, foundation):
-    model = paper_bearing(shapes=3, slices=10, **changes)
+    model = paper_bearing(axial_modes=3, slices=10, **changes)
     matrix = ring(model.bearing.azimuths, 3.6e-3, foundation, 3)
     *_, last = model.iterate((None, matrix), model.solve())
-    assert last.status is Ending.CONVERGED
+    assert last.status is SolverOutcome.CONVERGED
     assert last.number <= 15  # 5 to 14
     assert last.deviation[1] == pytest.approx(np.tensordot(matrix, last.forces[1], 2), rel=1e-7, abs=1e-13)
 
@@ -54,10 +54,10 @@ def test_bearing_and_ring_agree_in_a_few_steps(changes, foundation):
 @pytest.mark.parametrize("load", [3000.0, 10000.0])
 def test_spins_are_held_while_contacts_are_searched(load, speed):
     """Traction at its limit has no slope: undamped steps sent spins to many times that of pure rolling."""
-    model = paper_bearing(shapes=3, slices=10, load=load, speed=speed, traction="eyring")
+    model = paper_bearing(axial_modes=3, slices=10, load=load, speed=speed, traction="eyring")
     matrix = ring(model.bearing.azimuths, 2e-3, 1e9, 3)
     states = list(model.iterate((None, matrix), model.solve()))
-    assert states[-1].status is Ending.CONVERGED
+    assert states[-1].status is SolverOutcome.CONVERGED
     assert states[-1].number <= 15  # 8 to 13; without it none in 45
     rolling = states[-1].balance.rolling_spin[0, 0]
     for before, after in pairwise(states):
@@ -66,7 +66,7 @@ def test_spins_are_held_while_contacts_are_searched(load, speed):
 
 def test_rollers_that_touch_at_their_ends_only_are_not_held_back():
     """A raceway that bulges inwards: mid-roller is off it, and no step may take that for no contact."""
-    model = paper_bearing(shapes=3, slices=10)
+    model = paper_bearing(axial_modes=3, slices=10)
     shape = np.zeros((2, 30, 3))
     shape[1, :, 2] = -20e-6
     found = model.solve(deviation=shape)

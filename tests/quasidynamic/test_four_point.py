@@ -2,8 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 from pytest import approx
 
 from quasidynamic.balance.balls.four_point import ball_loads
@@ -123,7 +122,7 @@ def test_loose_bearing_leaves_balls_idle():
 def test_nothing_holds_an_unloaded_loose_ring():
     with pytest.raises(NotSolved, match="nothing holds the ring") as refused:
         ball_loads(LOOSE.bearing, np.zeros(5))
-    assert refused.value.ending == "undetermined"
+    assert refused.value.outcome == "undetermined"
 
 
 def test_what_cannot_be_is_refused():

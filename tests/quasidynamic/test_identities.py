@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from quasidynamic import Crowned, Ending, NotSolved
+from quasidynamic import Crowned, NotSolved, SolverOutcome
 from quasidynamic.contact.traction.inlet_shear import RollingShear
 from tests.bearings import RPM, paper_bearing
 
@@ -123,7 +123,7 @@ def test_both_rings_turning_together_leave_the_loads_of_their_difference_at_rest
 def test_one_half_of_an_aligned_roller_stands_for_both():
     """A ring that is held straight or only just free to tilt: two ways to compute the same bearing."""
     half, whole = paper_bearing().solve(), paper_bearing(free_tilt=True).solve()
-    assert (half.balance.roller.shapes, whole.balance.roller.shapes) == (1, 2)
+    assert (half.balance.roller.axial_modes, whole.balance.roller.axial_modes) == (1, 2)
     assert half.loads == approx(whole.loads, rel=1e-9, abs=1e-7)
     assert half.slice_loads == approx(whole.slice_loads, rel=1e-9, abs=1e-4)
     assert half.cage_slip == approx(whole.cage_slip, rel=1e-9)
@@ -205,5 +205,5 @@ def test_nothing_holds_a_ring_without_load():
     idle = paper_bearing(load=0.0)
     with pytest.raises(NotSolved, match="undetermined") as failure:
         idle.solve()
-    assert failure.value.ending == Ending.UNDETERMINED
-    assert idle.solve_many([idle.operation])[0].status == Ending.UNDETERMINED
+    assert failure.value.outcome == SolverOutcome.UNDETERMINED
+    assert idle.solve_many([idle.operation])[0].status == SolverOutcome.UNDETERMINED

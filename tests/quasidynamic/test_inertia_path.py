@@ -18,7 +18,7 @@ from quasidynamic.solve.balls.inertia_homotopy import InertiaFamily, led
 from quasidynamic.solve.balls.ring_on_balls import Solved, newton, solve, start
 from quasidynamic.solve.balls.ring_on_springs import LONGEST, newton_step
 from quasidynamic.solve.corners import followed_through
-from quasidynamic.solve.outcome import Ending
+from quasidynamic.solve.outcome import SolverOutcome
 
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
 BEARING = AngularContactBearing(
@@ -69,7 +69,7 @@ def test_path_ends_where_newtons_method_does_when_all_balls_are_pressed():
     own = balance((5.0, 2.0, 60.0, 1.0, -2.0), "outer")
     ring, centres, _ = led(own) or (None, None, 0)
     direct = newton(own, *start(own))
-    assert direct.endings == [Ending.CONVERGED]
+    assert direct.outcomes == [SolverOutcome.CONVERGED]
     assert ring == approx(direct.ring, rel=1e-7, abs=1e-13)
     assert centres == approx(direct.centres, rel=1e-7)
 
@@ -100,8 +100,8 @@ def test_case_that_stalls_newtons_method_is_solved_along_the_path():
         speeds=np.array([1111.6, 0.0]).reshape(2, 1, 1),
     )
     with np.errstate(all="ignore"):
-        assert newton(own, *start(own)).endings != [Ending.CONVERGED]
-    assert solve(own).endings == [Ending.CONVERGED]
+        assert newton(own, *start(own)).outcomes != [SolverOutcome.CONVERGED]
+    assert solve(own).outcomes == [SolverOutcome.CONVERGED]
 
 
 def test_path_and_balls_call_the_same_forces_balance():
@@ -126,7 +126,7 @@ def test_path_and_balls_call_the_same_forces_balance():
 def test_case_that_ended_not_finite_has_no_forces():
     own, nothing = balance(LOADS["heavier"], "outer"), np.full((1, 1), np.nan)
     places = nothing * np.ones(5), nothing * np.ones(BEARING.balls, complex)
-    lost = Solved(*places, [Ending.NOT_FINITE], nothing[0], np.array([1]))
+    lost = Solved(*places, [SolverOutcome.NOT_FINITE], nothing[0], np.array([1]))
     balls, ring = lost.forces(own)  # without a warning
     assert np.isnan(balls.excess).all()
     assert np.isnan(ring.excess).all()

@@ -16,8 +16,8 @@ CASES = {
     "eyring, below its limit": ({"limiting_ratio": 0.4, "eyring_stress": 5e6}, False),
     "tilt free": ({"moment": 20.0}, False),
     "misaligned, load sideways": ({"misalignment": 1e-3, "load_direction": 2.0}, False),
-    "tilt free, yielding": ({"moment": 20.0, "shapes": 4}, True),
-    "yielding": ({"shapes": 3}, True),
+    "tilt free, yielding": ({"moment": 20.0, "axial_modes": 4}, True),
+    "yielding": ({"axial_modes": 3}, True),
     "no spin inertia": ({"spin_inertia": False}, False),
     "churning, vortices": ({"churning_gap": 5e-4, "cage": {"land_flow": "vortices"}}, False),
     "floating cage": ({"cage": {"free": True, "unbalance": 5e-5}}, False),
@@ -46,7 +46,7 @@ def state(request):
         model = replace(model, lubrication=lubrication)
     balance = model._balance([model.operation], aligned=not yielding)
     if yielding:
-        size = model.bearing.rollers * model.shapes
+        size = model.bearing.rollers * model.axial_modes
         root = rng.normal(size=(size, size)) * 3e-6
         balance = replace(balance, compliance=(root @ root.T, 2 * root @ root.T))
     unknowns = static_start(balance)

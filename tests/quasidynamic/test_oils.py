@@ -6,8 +6,7 @@ from math import exp, log, log10
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 from pytest import approx
 
 from quasidynamic.errors import ImpossiblePart, OutOfRange

@@ -1,8 +1,7 @@
 """Rollers in the pockets of the cage."""
 
 import numpy as np
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 from pytest import approx
 
 from quasidynamic.contact.cage.pocket import roller_on_pocket_force

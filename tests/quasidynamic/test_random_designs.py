@@ -10,12 +10,11 @@ from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
-from hypothesis import assume, example, given, settings
-from hypothesis import strategies as st
+from hypothesis import assume, example, given, settings, strategies as st
 from pytest import approx
 
 from benchmarks.random_designs import design, imbalance
-from quasidynamic import Ending, NotSolved
+from quasidynamic import NotSolved, SolverOutcome
 from quasidynamic.balance.rollers.roller import STILL
 from quasidynamic.solve.rollers import bordered_system
 from quasidynamic.static import static_loads
@@ -42,7 +41,7 @@ def solved(seed, spin_inertia=True):
     model, _ = design(np.random.default_rng(seed))
     assume(model.operation.radial_load > PRESSED or seed in LIGHT)
     model, state = ended(seed, spin_inertia)
-    assume(state.status is Ending.CONVERGED)
+    assume(state.status is SolverOutcome.CONVERGED)
     return model, state
 
 
@@ -58,14 +57,14 @@ def bearing_speeds(state):
 @given(SEEDS, INERTIA)
 def test_every_design_ends_by_name(seed, spin_inertia):
     model, state = ended(seed, spin_inertia)
-    assert isinstance(state.status, Ending)
-    assert state.status is not Ending.NONE
-    if state.status is Ending.CONVERGED:
+    assert isinstance(state.status, SolverOutcome)
+    assert state.status is not SolverOutcome.RUNNING
+    if state.status is SolverOutcome.CONVERGED:
         assert state.residual <= 1e-9 * max(1.0, state.loads.max() / model.operation.radial_load)
         assert np.isfinite(state.loads).all()
     else:
         failure = NotSolved(state.failure(), state.status)
-        assert failure.ending == state.status
+        assert failure.outcome == state.status
         assert "evaluations" in str(failure)
 
 
@@ -126,7 +125,7 @@ def test_rollers_shifted_by_one_pitch_share_the_load_alike(seed, spin_inertia):
     step = 2 * np.pi / model.bearing.rollers
     bearing = replace(model.bearing, first_roller_azimuth=model.bearing.first_roller_azimuth + step)
     shifted = replace(model, bearing=bearing).solve_many([model.operation])[0]
-    assume(shifted.status is Ending.CONVERGED)
+    assume(shifted.status is SolverOutcome.CONVERGED)
     assert shifted.loads == approx(np.roll(here.loads, -1, axis=1), rel=0, abs=1e-11 * here.loads.max())
 
 
@@ -177,7 +176,7 @@ def test_slow_bearing_is_a_static_one(seed):
     model, _ = design(np.random.default_rng(seed))
     operation = replace(model.operation, inner_speed=1e-4 * RPM)
     state = model.solve_many([operation])[0]
-    assume(state.status is Ending.CONVERGED)
+    assume(state.status is SolverOutcome.CONVERGED)
     load, moment, direction = operation.radial_load, operation.moment, operation.load_direction
     found = static_loads(model.bearing, load, direction, moment, model.slices)
     weight = model.bearing.roller.mass * 9.81

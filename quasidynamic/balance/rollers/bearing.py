@@ -69,7 +69,9 @@ class BearingBalance:
     def layout(self) -> Layout:
         """Order of the unknowns."""
         races = tuple(race for race, matrix in enumerate(self.compliance) if matrix is not None)
-        return Layout(rollers=self.roller.bearing.rollers, shapes=self.roller.shapes, yielding=races)
+        return Layout(
+            rollers=self.roller.bearing.rollers, axial_modes=self.roller.axial_modes, yielding=races
+        )
 
     @cached_property
     def sizes(self) -> Sizes:
@@ -245,7 +247,7 @@ class BearingBalance:
 
     def _yield(self, x: Unknowns, forces: NDArray) -> list[NDArray]:
         """Deviation minus compliance times load (C, Z M) [m]; rollers push the inner raceway inwards."""
-        m, residuals = self.roller.shapes, []
+        m, residuals = self.roller.axial_modes, []
         for place, race in enumerate(self.layout.yielding):
             matrix = self.compliance[race]
             assert matrix is not None  # or it would not yield

@@ -27,7 +27,7 @@ class Levers:
 
     layout: Layout
     azimuths: NDArray  # (Z) [rad] from axis z towards axis y
-    half: float  # [m] half of the length that the axial shapes are made for
+    half: float  # [m] half of the length that the axial modes are made for
 
     @cached_property
     def _radial(self) -> NDArray:
@@ -42,7 +42,7 @@ class Levers:
 
     def approach(self, x: Unknowns, clearance: float) -> NDArray:
         """Shape coefficients (2, M, C, Z) of the approaches between even raceways [m]."""
-        m, (y, z) = self.layout.shapes, x.ring[:TILT_Z]
+        m, (y, z) = self.layout.axial_modes, x.ring[:TILT_Z]
         sin, cos = self._radial
         approach = np.zeros((2, m, *x.spin_drift.shape))
         approach[INNER, 0] = y * sin + z * cos - x.approach + (x.film[0] + x.film[1] - clearance / 2)
@@ -67,7 +67,7 @@ class Levers:
 
     def columns(self, gradient: NDArray) -> NDArray:
         """Derivatives by the unknowns (rows, columns, C, Z) from those by a roller's inputs."""
-        m, own = self.layout.shapes, self.layout.own
+        m, own = self.layout.axial_modes, self.layout.own
         columns = own + BORDER + m * len(self.layout.yielding)
         table = np.zeros((len(gradient), columns, *gradient.shape[2:]))
         inner, outer = gradient[:, :m], gradient[:, m : 2 * m]
@@ -92,9 +92,9 @@ class Levers:
 
         `free_tilt` (C, 1) tells whether a ring may tilt: no moment reaches one that may not.
         """
-        m, own = self.layout.shapes, self.layout.own
+        m, own = self.layout.axial_modes, self.layout.own
         cage, tangential = response[own], response[own + 1]
-        first = len(response) - 2 * m  # row of the forces conjugate to the shapes
+        first = len(response) - 2 * m  # row of the forces conjugate to the axial modes
         inner = response[first : first + m]
         rows = np.zeros((own + BORDER + m * len(self.layout.yielding), *response.shape[1:]))
         rows[:own] = response[:own]

@@ -34,7 +34,7 @@ class Motion(NamedTuple):
 
 
 class RollerInputs(NamedTuple):
-    """What the rollers of C cases are given; M axial shapes."""
+    """What the rollers of C cases are given; M axial modes."""
 
     approach: NDArray  # (2, M, C, Z) shape coefficients at inner and outer raceway [m]
     film: NDArray  # (2, C, Z) [m]
@@ -62,10 +62,10 @@ class Response(NamedTuple):
     inner and outer film. Keeping value and derivatives side by side lets every equation be written
     once: what is a sum of forces is also the sum of their derivatives.
 
-    Rows: radial force [N], tilt moment [N m] (with two shapes or more), film at the inner and the
+    Rows: radial force [N], tilt moment [N m] (with two axial modes or more), film at the inner and the
     outer raceway [m], spin [N m]: these must vanish. Then what the rest of the bearing feels:
     torque on the cage [N m], tangential force of the inner ring [N], force of the pocket on the roller
-    along the motion and outwards [N] (with a free cage), the M forces conjugate to the shapes at the
+    along the motion and outwards [N] (with a free cage), the M forces conjugate to the axial modes at the
     inner and at the outer raceway [N].
     """
 
@@ -86,17 +86,17 @@ class RollerBalance:
     lubrication: Lubrication
 
     @cached_property
-    def shapes(self) -> int:
-        """Number M of axial shapes; with one the roller has no tilt."""
-        return self.raceways.slices.shapes
+    def axial_modes(self) -> int:
+        """Number M of axial modes; with one the roller has no tilt."""
+        return self.raceways.slices.axial_modes
 
     @cached_property
     def forces(self) -> list[str]:
         """Names of the forces, in the order of the columns of `levers`; films stand among them."""
-        shapes = range(self.shapes)
+        axial_modes = range(self.axial_modes)
         return (
-            [f"inner {m}" for m in shapes]
-            + [f"outer {m}" for m in shapes]
+            [f"inner {m}" for m in axial_modes]
+            + [f"outer {m}" for m in axial_modes]
             + ["T_i", "T_o", "R_i", "R_o", "film_i", "film_o"]
             + ["centrifugal", "drag", "churning", "pocket up", "pocket brake"]
         )
@@ -113,15 +113,15 @@ class RollerBalance:
         r_w, r_m = self.bearing.roller.diameter / 2, self.bearing.pitch_diameter / 2
         half, g = self.raceways.slices.length / 2, self.bearing.diameter_ratio
         radial = self._row(**{"inner 0": 1, "outer 0": -1, "centrifugal": 1, "pocket up": 1})
-        tilt = [self._row(**{"outer 1": half, "inner 1": -half})] if self.shapes > 1 else []
-        alone, m = np.eye(len(self.forces)), self.shapes
-        films, shapes = alone[2 * m + 4 : 2 * m + 6], alone[: 2 * m]
+        tilt = [self._row(**{"outer 1": half, "inner 1": -half})] if self.axial_modes > 1 else []
+        alone, m = np.eye(len(self.forces)), self.axial_modes
+        films, axial_modes = alone[2 * m + 4 : 2 * m + 6], alone[: 2 * m]
         spin = r_w * self._row(**{"T_i": 1, "T_o": -1, "R_i": -1, "R_o": -1, "pocket brake": -1})
         spin += self._row(churning=-1)
         cage = -r_m * self.cage_force + self._row(**{"pocket brake": -r_w})
         tangential = self._row(T_i=1, R_i=1 - 2 * g)
         pocket = [self.cage_force, self._row(**{"pocket up": 1})] if self.bearing.cage.free else []
-        return np.array([radial, *tilt, *films, spin, cage, tangential, *pocket, *shapes])
+        return np.array([radial, *tilt, *films, spin, cage, tangential, *pocket, *axial_modes])
 
     def _row(self, **weights: float) -> NDArray:
         row = np.zeros(len(self.forces))
@@ -134,7 +134,7 @@ class RollerBalance:
         sliding, entrainment, sense = self.surfaces(inputs.motion, points)
         contact = self.raceways.state(inputs.approach, sliding, entrainment, inputs.film)
         forces = self._forces(contact, inputs.motion)
-        friction = forces[2 * self.shapes : CENTRIFUGAL].reshape(3, 2, *forces.shape[1:])
+        friction = forces[2 * self.axial_modes : CENTRIFUGAL].reshape(3, 2, *forces.shape[1:])
         self._fill_friction(friction, contact, entrainment, sense)
         self._compare_films(friction[2], inputs.film)
         cage_force = self._add_pocket(forces, inputs.motion)
@@ -187,7 +187,7 @@ class RollerBalance:
         self, found: NDArray, contact: RacewayState, entrainment: NDArray, sense: NDArray
     ) -> None:
         """Traction, rolling shear along the rolling, and film of both raceways (3, 2, inputs + 1, C, Z)."""
-        m, (rolling, film) = self.shapes, (contact.rolling, contact.film)
+        m, (rolling, film) = self.axial_modes, (contact.rolling, contact.film)
         by_load = np.array([sense * rolling.by_load, film.by_line_load])
         by_approach = by_load[:, :, None] * contact.force_by_approach[:, 0]
         found[0, 0, :m], found[0, 1, m : 2 * m] = contact.traction_by_approach
@@ -214,7 +214,7 @@ class RollerBalance:
 
     def _forces(self, contact: RacewayState, motion: Motion) -> NDArray:
         """Begin `forces` (forces, inputs + 1, C, Z): all but raceway friction, films and the pocket's."""
-        m, shape = self.shapes, motion.spin.shape
+        m, shape = self.axial_modes, motion.spin.shape
         found = np.zeros((len(self.forces), 2 * m + 5, *shape))
         found[: 2 * m, VALUE] = contact.force.reshape(2 * m, *shape)
         found[:m, :m], found[m : 2 * m, m : 2 * m] = contact.force_by_approach

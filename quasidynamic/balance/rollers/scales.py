@@ -80,10 +80,10 @@ class Sizes:
         """
         bearing, layout, own = self.roller.bearing, self.layout, self.layout.own
         half = bearing.roller.length / 2
-        tilt = [half] if layout.shapes > 1 else []
+        tilt = [half] if layout.axial_modes > 1 else []
         levers = [1.0, *tilt, 0.0, 0.0, FRICTION * bearing.roller.diameter / 2]
         levers += [1.0, 1.0, half, half, FRICTION * bearing.pitch_diameter / 2]
-        rows = own + BORDER + layout.shapes * len(layout.yielding)
+        rows = own + BORDER + layout.axial_modes * len(layout.yielding)
         scale = np.full((rows, len(self.points)), LARGE_DEVIATION)
         scale[: own + BORDER] = np.array(levers)[:, None] * self.force[:, 0]
         scale[own - 3 : own - 1] = FILM
@@ -94,7 +94,7 @@ class Sizes:
         """Size of the unknowns in the columns of the table (columns, C, 1)."""
         layout = self.layout
         own = self.unknown[:, BORDER : layout.fields_end : layout.rollers].T
-        yields = np.full((len(layout.yielding) * layout.shapes, len(self.points)), LENGTH)
+        yields = np.full((len(layout.yielding) * layout.axial_modes, len(self.points)), LENGTH)
         return np.concatenate([own, self.unknown[:, :BORDER].T, yields])[..., None]
 
     @cached_property

@@ -35,13 +35,13 @@ class Layout:
     """
 
     rollers: int
-    shapes: int  # M, axial shapes
+    axial_modes: int  # M, axial modes
     yielding: tuple[int, ...] = ()  # raceways that yield, by index
 
     @cached_property
     def own(self) -> int:
         """Number of unknowns of each roller."""
-        return 4 + (self.shapes > 1)
+        return 4 + (self.axial_modes > 1)
 
     @cached_property
     def fields_end(self) -> int:
@@ -51,7 +51,7 @@ class Layout:
     @cached_property
     def size(self) -> int:
         """Number N of unknowns of a case."""
-        return self.fields_end + self.rollers * self.shapes * len(self.yielding)
+        return self.fields_end + self.rollers * self.axial_modes * len(self.yielding)
 
     def field(self, which: int) -> slice:
         """Place of a roller's unknown (0 approach, ..., -1 spin) among the unknowns of a case."""
@@ -66,7 +66,7 @@ class Layout:
 
     def split(self, x: NDArray) -> Unknowns:
         """Unknowns by name from a row (C, N), in SI units."""
-        cases, m = len(x), self.shapes
+        cases, m = len(x), self.axial_modes
         fields = x[:, BORDER : self.fields_end].reshape(cases, self.own, self.rollers).transpose(1, 0, 2)
         deviation = np.zeros((2, m, cases, self.rollers))
         if self.yielding:
@@ -84,13 +84,13 @@ class Layout:
 
     def joined(self, unknowns: Unknowns) -> NDArray:
         """Row (C, N), the inverse of `split`; what has no place here is left out."""
-        m, cases = self.shapes, len(unknowns.cage_drift)
+        m, cases = self.axial_modes, len(unknowns.cage_drift)
         tilt = [unknowns.tilt] if m > 1 else []
         fields = [unknowns.approach, *tilt, *unknowns.film, unknowns.spin_drift]
         x = [unknowns.ring[..., 0].T, unknowns.cage_drift, *fields]
         if self.yielding:
-            shapes = np.zeros((2, m, cases, self.rollers))
+            axial_modes = np.zeros((2, m, cases, self.rollers))
             common = min(m, unknowns.deviation.shape[1])
-            shapes[:, :common] = unknowns.deviation[:, :common]
-            x.append(shapes[list(self.yielding)].transpose(2, 0, 3, 1).reshape(cases, -1))
+            axial_modes[:, :common] = unknowns.deviation[:, :common]
+            x.append(axial_modes[list(self.yielding)].transpose(2, 0, 3, 1).reshape(cases, -1))
         return np.concatenate(x, axis=1)

@@ -1,4 +1,4 @@
-"""A roller's length cut into slices, and the axial shapes that carry load and displacement."""
+"""A roller's length cut into slices, and the axial modes that carry load and displacement."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -12,29 +12,29 @@ from quasidynamic.errors import ImpossiblePart
 
 @dataclass(frozen=True)
 class Slices:
-    """Equal slices along a roller, with Legendre polynomials as axial shapes.
+    """Equal slices along a roller, with Legendre polynomials as axial modes.
 
     A displacement along the roller is sum_m a_m L_m(2x/l); the force conjugate to a_m is
     F_m = sum_k q_k L_m(2 x_k/l) l/K. F_0 is the load, F_1 l/2 the moment about mid-roller.
 
-    With one shape a roller can neither tilt nor meet a raceway that does: its two halves do the
+    With one axial mode a roller can neither tilt nor meet a raceway that does: its two halves do the
     same, and only one of them is computed.
     """
 
     count: int
     length: float  # [m]
-    shapes: int = 2  # how many Legendre shapes; 1 is an aligned roller, 2 has a tilt
+    axial_modes: int = 2  # how many Legendre polynomials; 1 is an aligned roller, 2 has a tilt
 
     def __post_init__(self):
-        if self.count < 2 or self.shapes < 1:
-            raise ImpossiblePart("a roller needs at least 2 slices and 1 axial shape")
-        if self.shapes > self.count:
-            raise ImpossiblePart(f"{self.shapes} axial shapes need as many slices, found {self.count}")
+        if self.count < 2 or self.axial_modes < 1:
+            raise ImpossiblePart("a roller needs at least 2 slices and 1 axial mode")
+        if self.axial_modes > self.count:
+            raise ImpossiblePart(f"{self.axial_modes} axial modes need as many slices, found {self.count}")
 
     @property
     def halved(self) -> bool:
         """Whether one half stands for both."""
-        return self.shapes == 1
+        return self.axial_modes == 1
 
     @cached_property
     def all_centres(self) -> NDArray:
@@ -60,35 +60,37 @@ class Slices:
         return self.length / self.count
 
     @cached_property
-    def shape(self) -> NDArray:
+    def modes(self) -> NDArray:
         """Legendre polynomials at the computed slices (K, M) [-]."""
-        return eval_legendre(np.arange(self.shapes), 2 * self.centres[:, None] / self.length)
+        return eval_legendre(np.arange(self.axial_modes), 2 * self.centres[:, None] / self.length)
 
     def spread(self, coefficients: NDArray) -> NDArray:
-        """Values (K, ...) at the computed slices from coefficients (M, ...) of the shapes."""
-        return _product(self.shape, coefficients)
+        """Values (K, ...) at the computed slices from coefficients (M, ...) of the axial modes."""
+        return _product(self.modes, coefficients)
 
     def total(self, values: NDArray) -> NDArray:
         """Integral (...) along the roller of values (K, ...) per length."""
         return self.widths.dot(values.reshape(len(values), -1)).reshape(values.shape[1:])
 
     def summed(self, values: NDArray) -> NDArray:
-        """Integrals (M, ...) of values (K, ...) per length times the shapes."""
+        """Integrals (M, ...) of values (K, ...) per length times the axial modes."""
         return _product(self.weights.T, values)
 
     def paired(self, values: NDArray) -> NDArray:
-        """Integrals (M, M, ...) of values (K, ...) per length times products of two shapes."""
-        return _product(self.products.T, values).reshape(self.shapes, self.shapes, *values.shape[1:])
+        """Integrals (M, M, ...) of values (K, ...) per length times products of two axial modes."""
+        return _product(self.products.T, values).reshape(
+            self.axial_modes, self.axial_modes, *values.shape[1:]
+        )
 
     @cached_property
     def weights(self) -> NDArray:
         """Forces from loads per length: shape times width (K, M) [m]."""
-        return self.shape * self.widths[:, None]
+        return self.modes * self.widths[:, None]
 
     @cached_property
     def products(self) -> NDArray:
-        """Products of two shapes times width (K, M M), for stiffness sums [m]."""
-        return (self.shape[:, :, None] * self.weights[:, None, :]).reshape(len(self.centres), -1)
+        """Products of two axial modes times width (K, M M), for stiffness sums [m]."""
+        return (self.modes[:, :, None] * self.weights[:, None, :]).reshape(len(self.centres), -1)
 
     def unfolded(self, values: NDArray) -> NDArray:
         """Values (..., count) at all slices from those (..., K) at the computed ones."""

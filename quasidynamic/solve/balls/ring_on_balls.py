@@ -11,7 +11,7 @@ from quasidynamic.solve.balls.ball_equilibrium import Settled, along_arc, at_pla
 from quasidynamic.solve.balls.frozen_forces import hung
 from quasidynamic.solve.balls.inertia_homotopy import led
 from quasidynamic.solve.balls.ring_on_springs import first_place, newton_step
-from quasidynamic.solve.outcome import Ending
+from quasidynamic.solve.outcome import SolverOutcome
 
 TOLERANCE = 1e-11  # of the largest force: unbalanced force on the ring
 LIMIT = 60  # Newton steps of the ring, rarely more than ten
@@ -28,7 +28,7 @@ class Solved:
 
     ring: NDArray  # (C, 5) [m] rotations times R_i
     centres: NDArray  # (C, Z) [m] axial + i radial, from the outer groove centres
-    endings: list[Ending]
+    outcomes: list[SolverOutcome]
     imbalance: NDArray  # (C) largest unbalanced force over the largest force
     evaluations: NDArray  # (C) of all balls
     last: tuple[BallBalance, RingBalance] | None = None  # forces there, where all cases ended together
@@ -67,21 +67,21 @@ def solve(balance: AngularBalance) -> Solved:
 def _solve(balance: AngularBalance) -> Solved:
     found = newton(balance, *start(balance))
     failed = np.flatnonzero(
-        [ending not in (Ending.CONVERGED, Ending.UNDETERMINED) for ending in found.endings]
+        [outcome not in (SolverOutcome.CONVERGED, SolverOutcome.UNDETERMINED) for outcome in found.outcomes]
     )
     if not len(failed):
         return found
-    endings, pieces = list(found.endings), {}
+    outcomes, pieces = list(found.outcomes), {}
     for case in failed:
         piece = along_path(balance.take(np.array([case])))
         if piece is not None:
-            pieces[case], endings[case] = piece, piece.endings[0]
+            pieces[case], outcomes[case] = piece, piece.outcomes[0]
     arrays = [found.ring, found.centres, found.imbalance, found.evaluations]
     for case, piece in pieces.items():
         new = [piece.ring, piece.centres, piece.imbalance, found.evaluations[case] + piece.evaluations]
         for array, value in zip(arrays, new, strict=True):
             array[case] = value[0]
-    return Solved(found.ring, found.centres, endings, found.imbalance, found.evaluations)
+    return Solved(found.ring, found.centres, outcomes, found.imbalance, found.evaluations)
 
 
 def start(balance: AngularBalance) -> tuple[NDArray, Vectors]:
@@ -113,8 +113,8 @@ def along_path(balance: AngularBalance) -> Solved | None:
         return None
     ring, centres, count = found
     state = _at(balance, ring, at_places(balance, balance.grooves(ring), centres, evaluations=count + 1))
-    ending = _ending(balance, state, 0, 1.0, last=True)
-    return Solved(ring, centres, [ending], state.imbalance, np.array([state.evaluations]))
+    outcome = _outcome(balance, state, 0, 1.0, last=True)
+    return Solved(ring, centres, [outcome], state.imbalance, np.array([state.evaluations]))
 
 
 def newton(balance: AngularBalance, ring: NDArray, centres: NDArray | None = None) -> Solved:
@@ -123,19 +123,23 @@ def newton(balance: AngularBalance, ring: NDArray, centres: NDArray | None = Non
         centres = balance.places.resting(balance.grooves(ring))
     size = len(ring)
     out_ring, out_centres = ring.copy(), centres.copy()
-    endings, imbalance, evaluations = [Ending.NONE] * size, np.full(size, np.inf), np.zeros(size, int)
+    outcomes, imbalance, evaluations = (
+        [SolverOutcome.RUNNING] * size,
+        np.full(size, np.inf),
+        np.zeros(size, int),
+    )
     cases, here = np.arange(size), _state(balance, ring, centres, LOOSE)
     evaluations += here.evaluations
     damping, number = np.ones(size), 0
     while True:
-        ended = [_ending(balance, here, k, damping[k], number == LIMIT) for k in range(len(cases))]
+        ended = [_outcome(balance, here, k, damping[k], number == LIMIT) for k in range(len(cases))]
         for k, case in enumerate(cases):
             out_ring[case], out_centres[case] = here.ring[k], here.centres[k]
-            endings[case], imbalance[case] = ended[k], here.imbalance[k]
-        running = np.array([ending is Ending.NONE for ending in ended])
+            outcomes[case], imbalance[case] = ended[k], here.imbalance[k]
+        running = np.array([outcome is SolverOutcome.RUNNING for outcome in ended])
         if not running.any():
             together = (here.balls, here.balance) if len(cases) == size else None
-            return Solved(out_ring, out_centres, endings, imbalance, evaluations, together)
+            return Solved(out_ring, out_centres, outcomes, imbalance, evaluations, together)
         if not running.all():
             cases, balance, damping = cases[running], balance.take(running), damping[running]
             here = _taken(here, running)
@@ -144,14 +148,14 @@ def newton(balance: AngularBalance, ring: NDArray, centres: NDArray | None = Non
         number += 1
 
 
-def _ending(balance: AngularBalance, here: _State, case: int, damping: float, last: bool) -> Ending:
+def _outcome(balance: AngularBalance, here: _State, case: int, damping: float, last: bool) -> SolverOutcome:
     if not np.isfinite(here.imbalance[case]):
-        return Ending.NOT_FINITE
+        return SolverOutcome.NOT_FINITE
     if here.settled[case] and here.imbalance[case] <= _tolerance(balance):
-        return Ending.CONVERGED if _held(balance, here, case) else Ending.UNDETERMINED
+        return SolverOutcome.CONVERGED if _held(balance, here, case) else SolverOutcome.UNDETERMINED
     if damping < SHORTEST or not here.settled[case]:
-        return Ending.STALLED
-    return Ending.LIMIT if last else Ending.NONE
+        return SolverOutcome.STALLED
+    return SolverOutcome.LIMIT if last else SolverOutcome.RUNNING
 
 
 def _tolerance(balance: AngularBalance) -> float:

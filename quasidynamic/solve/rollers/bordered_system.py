@@ -154,7 +154,7 @@ def _solved(matrix: NDArray, side: NDArray) -> NDArray:
 def _dense(balance, system, table, border, right) -> tuple[NDArray, NDArray, NDArray]:
     """Border (5, R, C), spins (R, C, Z), deviations (races M, R, C, Z), one dense system for each case."""
     layout, count = balance.layout, right.shape[2]
-    rollers, yields = layout.rollers, len(layout.yielding) * layout.shapes
+    rollers, yields = layout.rollers, len(layout.yielding) * layout.axial_modes
     found = []
     for case in range(len(right)):
         here = table[:, :, case]
@@ -168,20 +168,20 @@ def _dense(balance, system, table, border, right) -> tuple[NDArray, NDArray, NDA
         found.append(_solved(matrix[None], side[None])[0])
     solved = np.array(found)
     edge, spin = solved[:, :BORDER], solved[:, BORDER : BORDER + rollers]
-    shapes = solved[:, BORDER + rollers :].reshape(
-        len(right), len(layout.yielding), rollers, layout.shapes, count
+    axial_modes = solved[:, BORDER + rollers :].reshape(
+        len(right), len(layout.yielding), rollers, layout.axial_modes, count
     )
     return (
         edge.transpose(1, 2, 0),
         spin.transpose(2, 0, 1),
-        shapes.transpose(1, 3, 4, 0, 2).reshape(yields, count, len(right), rollers),
+        axial_modes.transpose(1, 3, 4, 0, 2).reshape(yields, count, len(right), rollers),
     )
 
 
 def _assembled(balance, system, table: NDArray, border: NDArray, case: int) -> NDArray:
     """Matrix of border, spins and deviations from the reduced table (rows, columns, Z) of a case."""
     layout = balance.layout
-    z, m, races = layout.rollers, layout.shapes, len(layout.yielding)
+    z, m, races = layout.rollers, layout.axial_modes, len(layout.yielding)
     each = np.arange(z)
     size = BORDER + z + races * z * m
     matrix, spins = np.zeros((size, size)), BORDER + each
@@ -209,16 +209,16 @@ def _assembled(balance, system, table: NDArray, border: NDArray, case: int) -> N
 
 def _pressed(balance, forces: NDArray) -> NDArray:
     """Deviations (races Z M, R) under forces (races M, R, Z), scaled alike."""
-    layout, m, answers = balance.layout, balance.layout.shapes, []
+    layout, m, answers = balance.layout, balance.layout.axial_modes, []
     for place, race in enumerate(layout.yielding):
         here = forces[place * m : (place + 1) * m].transpose(2, 0, 1).reshape(layout.rollers * m, -1)
         answers.append((-1.0 if race == INNER else 1.0) * balance.compliance[race] @ here)
     return np.concatenate(answers)
 
 
-def _deviations(layout: Layout, shapes: NDArray) -> NDArray:
-    """Deviation unknowns (C, races Z M, R) from shapes (races M, R, C, Z)."""
-    m, races = layout.shapes, len(layout.yielding)
-    _, count, cases, rollers = shapes.shape
-    split = shapes.reshape(races, m, count, cases, rollers)
+def _deviations(layout: Layout, axial_modes: NDArray) -> NDArray:
+    """Deviation unknowns (C, races Z M, R) from axial_modes (races M, R, C, Z)."""
+    m, races = layout.axial_modes, len(layout.yielding)
+    _, count, cases, rollers = axial_modes.shape
+    split = axial_modes.reshape(races, m, count, cases, rollers)
     return split.transpose(3, 0, 4, 1, 2).reshape(cases, -1, count)

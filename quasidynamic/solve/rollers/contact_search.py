@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance
-from quasidynamic.solve.outcome import Ending
+from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.newton import Sweep, norm, step
 from quasidynamic.solve.rollers.static_equilibrium import between_raceways, film_at, resting_loads, settled
 from quasidynamic.solve.rollers.step_bounds import bounded, bounded_spins
@@ -22,7 +22,7 @@ def contact_search(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep
     before it, however far it overshoots; a damped one crawls. Friction is not linear at all: spins are held.
     """
     system, one = balance.evaluate(unknowns), np.array([True])
-    yield Sweep(0, np.array([0]), unknowns, system, [Ending.NONE], one)
+    yield Sweep(0, np.array([0]), unknowns, system, [SolverOutcome.RUNNING], one)
     for number in range(1, LIMIT + 1):
         change = step(balance, system)
         small = SMALL_CHANGE * unknowns[0, balance.layout.field(0)].max()
@@ -36,7 +36,7 @@ def contact_search(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep
             film = film_at(balance, moved, resting_loads(balance, moved, shaped=True))
             unknowns = balance.pack(moved._replace(film=film))
         system = balance.evaluate(unknowns)
-        ending = Ending.NONE if np.isfinite(norm(system)[0]) else Ending.NOT_FINITE
-        yield Sweep(number, np.array([0]), unknowns, system, [ending], one)
-        if found or ending is not Ending.NONE:
+        outcome = SolverOutcome.RUNNING if np.isfinite(norm(system)[0]) else SolverOutcome.NOT_FINITE
+        yield Sweep(number, np.array([0]), unknowns, system, [outcome], one)
+        if found or outcome is not SolverOutcome.RUNNING:
             return

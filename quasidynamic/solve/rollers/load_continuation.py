@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance
-from quasidynamic.solve.outcome import Ending
+from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.newton import newton
 
 HEAVIER = (8.0, 64.0, 512.0, 4096.0)  # loads to begin from, over the load that is asked for
@@ -74,5 +74,5 @@ def _down(balance: BearingBalance, place: float, unknowns: NDArray) -> Walk:
 def _newton(balance: BearingBalance, unknowns: NDArray) -> tuple[NDArray | None, int]:
     """Equilibrium (1, N) or None, and evaluations."""
     *_, last = newton(balance, unknowns)
-    found = last.unknowns if last.endings[0] is Ending.CONVERGED else None
+    found = last.unknowns if last.outcomes[0] is SolverOutcome.CONVERGED else None
     return found, last.number + 1

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
 from quasidynamic.balance.rollers.unknowns import CAGE, Y, Z
-from quasidynamic.solve.outcome import Ending
+from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers import bordered_system
 from quasidynamic.solve.rollers.step_bounds import bounded
 
@@ -30,7 +30,7 @@ class Sweep:
     cases: NDArray  # which cases these are
     unknowns: NDArray  # (cases, N) scaled
     system: Linearisation
-    endings: list[Ending]
+    outcomes: list[SolverOutcome]
     accepted: NDArray  # (cases) whether the step lowered the residual
 
     def numbered(self, number: int) -> "Sweep":
@@ -52,7 +52,7 @@ def newton(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep]:
     """
     cases, here = np.arange(len(unknowns)), balance
     system, accepted = here.evaluate(unknowns), np.ones(len(unknowns), bool)
-    yield Sweep(0, cases, unknowns, system, [Ending.NONE] * len(cases), accepted)
+    yield Sweep(0, cases, unknowns, system, [SolverOutcome.RUNNING] * len(cases), accepted)
     # Types are declared where a checker would follow them around the loop for minutes.
     direction: NDArray = step(here, system)
     size, worst, damping = norm(system), _worst(system), np.ones(len(cases))
@@ -69,9 +69,9 @@ def newton(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep]:
             unknowns = np.where(better[:, None], trial, unknowns)
             size, worst = np.where(better, new, size), np.where(better, _worst(system), worst)
             damping = np.where(better, 1.0, damping / 2)
-        endings = _endings(better, worst, damping, number == LIMIT)
-        yield Sweep(number, cases, unknowns, system, endings, better)
-        running = [ending is Ending.NONE for ending in endings]
+        outcomes = _outcomes(better, worst, damping, number == LIMIT)
+        yield Sweep(number, cases, unknowns, system, outcomes, better)
+        running = [outcome is SolverOutcome.RUNNING for outcome in outcomes]
         if not any(running):
             return
         if everywhere:
@@ -86,17 +86,17 @@ def newton(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep]:
             )
 
 
-def _endings(better: NDArray, worst: NDArray, damping: NDArray, last: bool) -> list[Ending]:
+def _outcomes(better: NDArray, worst: NDArray, damping: NDArray, last: bool) -> list[SolverOutcome]:
     each = zip(better.tolist(), worst.tolist(), damping.tolist(), strict=True)
-    return [_ending(*case, last) for case in each]
+    return [_outcome(*case, last) for case in each]
 
 
-def _ending(better: bool, worst: float, damping: float, last: bool) -> Ending:
+def _outcome(better: bool, worst: float, damping: float, last: bool) -> SolverOutcome:
     if worst <= TOLERANCE or (worst <= ENOUGH and (last or not better)):
-        return Ending.CONVERGED
+        return SolverOutcome.CONVERGED
     if damping < SHORTEST:
-        return Ending.STALLED
-    return Ending.LIMIT if last else Ending.NONE
+        return SolverOutcome.STALLED
+    return SolverOutcome.LIMIT if last else SolverOutcome.RUNNING
 
 
 def _worst(system: Linearisation) -> NDArray:

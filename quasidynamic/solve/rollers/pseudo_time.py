@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
 from quasidynamic.balance.rollers.unknowns import CAGE, TILT_Z
-from quasidynamic.solve.outcome import Ending
+from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers import bordered_system
 from quasidynamic.solve.rollers.newton import Sweep, norm, step
 from quasidynamic.solve.rollers.step_bounds import bounded
@@ -67,9 +67,9 @@ def pseudo_time(balance: BearingBalance, unknowns: NDArray, pace: Pace) -> Itera
         pace = pace.after(refused, _growth(size, new, turned))
         # A refused state is left for the one before it; the next sweep starts there with a shorter step.
         here_now = np.where(refused[:, None], before, unknowns)
-        endings = [_ending(*case, last=number == LIMIT) for case in zip(new, enough, refused, strict=True)]
-        left = np.array([ending is Ending.NONE for ending in endings])
-        yield Sweep(number, cases, here_now, system, endings, ~refused), pace
+        outcomes = [_outcome(*case, last=number == LIMIT) for case in zip(new, enough, refused, strict=True)]
+        left = np.array([outcome is SolverOutcome.RUNNING for outcome in outcomes])
+        yield Sweep(number, cases, here_now, system, outcomes, ~refused), pace
         if not left.any():
             return
         change = _step(here, system, pace)
@@ -96,12 +96,12 @@ def _growth(before: NDArray, now: NDArray, turned: NDArray) -> NDArray:
     return np.where(turned, 0.25, np.clip(1.3 * fall, 1.3, 4.0))
 
 
-def _ending(size: float, enough: float, refused: bool, last: bool) -> Ending:
+def _outcome(size: float, enough: float, refused: bool, last: bool) -> SolverOutcome:
     if size <= enough:
-        return Ending.CONVERGED
+        return SolverOutcome.CONVERGED
     if not np.isfinite(size) and not refused:
-        return Ending.NOT_FINITE
-    return Ending.LIMIT if last else Ending.NONE
+        return SolverOutcome.NOT_FINITE
+    return SolverOutcome.LIMIT if last else SolverOutcome.RUNNING
 
 
 def _step(balance: BearingBalance, system: Linearisation, pace: Pace) -> NDArray:

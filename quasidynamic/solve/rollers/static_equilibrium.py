@@ -85,7 +85,7 @@ def between_raceways(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
 
 def axial_shape(balance: BearingBalance, unknowns: Unknowns) -> NDArray:
     """Approaches (K, 2, C, Z) [m] of the slices beyond that of mid-roller, by tilt and uneven raceways."""
-    higher = balance.roller.raceways.slices.shape[:, 1:]
+    higher = balance.roller.raceways.slices.modes[:, 1:]
     return np.einsum("km,rmcz->krcz", higher, balance.inputs(unknowns).approach[:, 1:])
 
 

@@ -67,10 +67,10 @@ def _largest_approach(balance: BearingBalance, scaled: NDArray) -> NDArray:
     """Approach (C, Z) where each roller is nearest to the outer raceway, whatever its shape, scaled."""
     layout = balance.layout
     centre = scaled[:, layout.field(0)]
-    if layout.shapes == 1:
+    if layout.axial_modes == 1:
         return centre
     if not layout.yielding and balance.deviation is None:
         return centre + np.abs(scaled[:, layout.field(1)])
     beyond = balance.inputs(balance.unpack(scaled)).approach[OUTER, 1:] / LENGTH
-    shape = balance.roller.raceways.slices.shape[:, 1:]
+    shape = balance.roller.raceways.slices.modes[:, 1:]
     return centre + np.einsum("km,mcz->kcz", shape, beyond).max(0)

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance
-from quasidynamic.solve.outcome import Ending
+from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.contact_search import contact_search
 from quasidynamic.solve.rollers.load_continuation import from_heavier_load
 from quasidynamic.solve.rollers.newton import Sweep, newton
@@ -24,22 +24,22 @@ class Solved:
     """Where C cases ended; filled while they are solved."""
 
     unknowns: NDArray  # (C, N) scaled
-    endings: list[Ending]
+    outcomes: list[SolverOutcome]
     evaluations: NDArray  # (C)
 
     def left(self) -> NDArray:
         """Cases that may still be solved."""
-        done = (Ending.CONVERGED, Ending.UNDETERMINED)
-        return np.array([case for case, ending in enumerate(self.endings) if ending not in done], int)
+        done = (SolverOutcome.CONVERGED, SolverOutcome.UNDETERMINED)
+        return np.array([case for case, outcome in enumerate(self.outcomes) if outcome not in done], int)
 
     def follow(self, sweeps: Iterator[Sweep], cases: NDArray) -> None:
         """Take over how some cases end."""
         for sweep in sweeps:
             here = cases[sweep.cases]
             self.evaluations[here] += 1
-            for place, ending in enumerate(sweep.endings):
-                if ending is not Ending.NONE:
-                    self.unknowns[here[place]], self.endings[here[place]] = sweep.unknowns[place], ending
+            for place, outcome in enumerate(sweep.outcomes):
+                if outcome is not SolverOutcome.RUNNING:
+                    self.unknowns[here[place]], self.outcomes[here[place]] = sweep.unknowns[place], outcome
 
 
 def solve(balance: BearingBalance, start: NDArray, better: Sequence[Start]) -> Solved:
@@ -54,8 +54,10 @@ def solve(balance: BearingBalance, start: NDArray, better: Sequence[Start]) -> S
     better : sequence of callables
         starts that cost more, tried one after the other for what is left
     """
-    endings = [Ending.UNDETERMINED if free else Ending.NONE for free in balance.undetermined]
-    solved = Solved(start.copy(), endings, np.zeros(len(start), int))
+    outcomes = [
+        SolverOutcome.UNDETERMINED if free else SolverOutcome.RUNNING for free in balance.undetermined
+    ]
+    solved = Solved(start.copy(), outcomes, np.zeros(len(start), int))
     left = solved.left()
     if len(left):
         solved.follow(newton(_some(balance, left), start[left]), left)
@@ -96,7 +98,7 @@ def _unload(balance: BearingBalance, solved: Solved, better: Start) -> None:
         walk = from_heavier_load(balance.take(np.array([case])), better)
         solved.evaluations[case] += walk.evaluations
         if walk.unknowns is not None:
-            solved.unknowns[case], solved.endings[case] = walk.unknowns[0], Ending.CONVERGED
+            solved.unknowns[case], solved.outcomes[case] = walk.unknowns[0], SolverOutcome.CONVERGED
 
 
 def _some(balance: BearingBalance, cases: NDArray) -> BearingBalance:
@@ -109,8 +111,8 @@ def iterate(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep]:
     for last in contact_search(balance, unknowns):
         yield last
     assert last is not None  # the search yields its start
-    if last.endings[0] is not Ending.NONE:
+    if last.outcomes[0] is not SolverOutcome.RUNNING:
         return
     for sweep in newton(balance, last.unknowns):
-        if sweep.number and (sweep.accepted[0] or sweep.endings[0] is not Ending.NONE):
+        if sweep.number and (sweep.accepted[0] or sweep.outcomes[0] is not SolverOutcome.RUNNING):
             yield sweep.numbered(last.number + sweep.number)

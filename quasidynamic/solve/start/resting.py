@@ -27,7 +27,7 @@ SMALLEST_STIFFNESS = 1.0  # [N/m] where no roller touches at all
 
 def static_unknowns(balance: BearingBalance, cage_drift: NDArray) -> Unknowns:
     """Unknowns of `static_start` at a cage speed, all spins still those of pure rolling."""
-    points, m = balance.points, balance.roller.shapes
+    points, m = balance.points, balance.roller.axial_modes
     shape = (len(points), balance.layout.rollers)
     nothing = np.zeros(shape)
     unknowns = Unknowns(
