@@ -10,7 +10,7 @@ class OutOfRange(ValueError):
 
 
 class NotSolved(RuntimeError):
-    """No equilibrium was reached; the message says how far the residual came, `outcome` why the solver stopped."""
+    """No equilibrium was reached; the message has the residual, `outcome` says how the solver ended."""
 
     def __init__(self, message: str, outcome: str = ""):
         super().__init__(message)
