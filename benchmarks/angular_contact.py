@@ -33,13 +33,13 @@ STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800.0)
 CERAMIC = Material(youngs_modulus=310e9, poisson_ratio=0.26, density=3200.0)
 STRAIGHT = (None, None, None, 0.0, 0.0)
 OPERATIONS = {
-    "at rest, five loads": RingOperation(load=(3000.0, 1000.0, 8000.0, 50.0, -100.0)),
-    "thrust, 10 000 rpm": RingOperation(load=(0.0, 0.0, 17800.0, 0.0, 0.0), inner_speed=10000 * RPM),
+    "at rest, five loads": RingOperation(load=(8000.0, 1000.0, 3000.0, 100.0, -50.0)),
+    "thrust, 10 000 rpm": RingOperation(load=(17800.0, 0.0, 0.0, 0.0, 0.0), inner_speed=10000 * RPM),
     "five loads, 10 000 rpm": RingOperation(
-        load=(3000.0, 1000.0, 8000.0, 50.0, -100.0), inner_speed=10000 * RPM
+        load=(8000.0, 1000.0, 3000.0, 100.0, -50.0), inner_speed=10000 * RPM
     ),
     "half of the balls loaded, 10 000 rpm": RingOperation(
-        load=(8000.0, 0.0, 4000.0, 0.0, 0.0), displacement=STRAIGHT, inner_speed=10000 * RPM
+        load=(4000.0, 0.0, 8000.0, 0.0, 0.0), displacement=STRAIGHT, inner_speed=10000 * RPM
     ),
 }
 
@@ -112,8 +112,8 @@ def unbalanced(state: AngularContactState) -> float:
     azimuth, own = state.bearing.azimuths, state.bearing
     lever = own.inner.conformity * own.ball.diameter / own.inner_groove_radius
     moment = axial[0] - lever * traction[0]
-    arms = [radial[0] * np.cos(azimuth), radial[0] * np.sin(azimuth), axial[0]]
-    arms += [moment * np.sin(azimuth), -moment * np.cos(azimuth)]
+    arms = [axial[0], radial[0] * np.sin(azimuth), radial[0] * np.cos(azimuth)]
+    arms += [moment * np.cos(azimuth), -moment * np.sin(azimuth)]
     scale = np.array([1.0, 1.0, 1.0, own.inner_groove_radius, own.inner_groove_radius])
     free = [place is None for place in state.operation.displacement]
     ring = np.abs(np.sum(arms, axis=1) - np.array(state.operation.load) / scale)[free]
@@ -145,21 +145,21 @@ def drawn(seed: int) -> tuple[Model, RingOperation]:
     speed = 10 ** random.uniform(1.0, np.log10(5e5)) / (pitch * 1e3) * RPM
     lean, azimuth = np.radians(random.uniform(0.0, 90.0)), random.uniform(0.0, 2 * np.pi)
     size = bearing.balls * diameter**2 * 5e7 * 10 ** random.uniform(-5.0, 0.0)
-    load = size * np.array([np.sin(lean) * np.cos(azimuth), np.sin(lean) * np.sin(azimuth), np.cos(lean)])
+    load = size * np.array([np.cos(lean), np.sin(lean) * np.sin(azimuth), np.sin(lean) * np.cos(azimuth)])
     moment = np.zeros(2)
     holding = ("free", "straight", "preloaded")[int(random.choice(3, p=[0.4, 0.3, 0.3]))]
     if holding == "free":
         about = random.uniform(0.0, 2 * np.pi)
-        moment = random.uniform(0.0, 1.0) * size * pitch / 2 * np.array([np.cos(about), np.sin(about)])
+        moment = random.uniform(0.0, 1.0) * size * pitch / 2 * -np.array([np.sin(about), np.cos(about)])
     if holding == "preloaded":
-        load[2] = 0.0
+        load[0] = 0.0
     preload = random.uniform(0.0, 0.3) * min(bearing.inner_reach, bearing.outer_reach)
     operation = RingOperation(
         load=(float(load[0]), float(load[1]), float(load[2]), float(moment[0]), float(moment[1])),
         displacement={
             "free": (None,) * 5,
             "straight": (None, None, None, 0.0, 0.0),
-            "preloaded": (None, None, float(preload), 0.0, 0.0),
+            "preloaded": (float(preload), None, None, 0.0, 0.0),
         }[holding],
         inner_speed=speed,
     )

@@ -15,7 +15,7 @@ from quasidynamic.parts.ball_friction import constant_friction
 from quasidynamic.parts.material import Material
 
 STEEL = Material(youngs_modulus=210e9, poisson_ratio=0.3, density=7850)
-LOAD = RingLoad(radial_x=36_200, radial_y=-31_400, moment_x=-328_601, moment_y=-378_833)
+LOAD = RingLoad(radial_z=36_200, radial_y=-31_400, moment_z=328_601, moment_y=378_833)
 RUNS = 51
 
 

@@ -33,10 +33,10 @@ class Curve:
 
 ALONE = Curve("with inertia", {})
 INERTIA = [Curve("without inertia", {"materials.ball.density": "1e-6 kg/m^3"}), ALONE]
-AXIAL = [Curve(f"Fz = {load} N", {"operation.load.axial": f"{load} N"}) for load in (300, 500, 1000)]
+AXIAL = [Curve(f"Fa = {load} N", {"operation.load.axial": f"{load} N"}) for load in (300, 500, 1000)]
 ANGLES = [Curve(f"{angle}°", {"bearing.contact_angle": f"{angle} deg"}) for angle in (15, 25, 40)]
-RADIAL = [Curve(f"Fr = {load} N", {"operation.load.radial_x": f"{load} N"}) for load in (100, 500, 1000)]
-BOTH = [Curve(curve.name, {**curve.settings, "operation.load.radial_x": "1000 N"}) for curve in ANGLES]
+RADIAL = [Curve(f"Fr = {load} N", {"operation.load.radial_z": f"{load} N"}) for load in (100, 500, 1000)]
+BOTH = [Curve(curve.name, {**curve.settings, "operation.load.radial_z": "1000 N"}) for curve in ANGLES]
 
 
 def solved(curve: Curve, speeds) -> list[AngularContactState]:
@@ -84,7 +84,7 @@ def draw_slip(panels) -> None:
                 axes.plot(place[race, 0], 0, mark, color=color, markerfacecolor="white")
     for axes, race in zip(panels, RACES, strict=True):
         axes.axhline(0, color="0.5", linewidth=0.8)
-        axes.set(title=f"Fig. 12, {race} race, Fz = 1000 N", xlabel="x/a", ylabel="slip [m/s]")
+        axes.set(title=f"Fig. 12, {race} race, Fa = 1000 N", xlabel="x/a", ylabel="slip [m/s]")
     panels[0].legend(frameon=False, fontsize=8)
 
 

@@ -35,7 +35,7 @@ class AngularContactBallBearing:
     ...     ball=ball, inner=groove, outer=groove, balls=16, pitch_diameter=125.26e-3,
     ...     contact_angle=np.radians(40.0))
     >>> state = AngularContactBallBearing(bearing=bearing).solve(
-    ...     RingOperation(load=(0.0, 0.0, 17800.0, 0.0, 0.0), inner_speed=10000 * np.pi / 30))
+    ...     RingOperation(load=(17800.0, 0.0, 0.0, 0.0, 0.0), inner_speed=10000 * np.pi / 30))
     >>> [round(float(angle), 1) for angle in np.degrees(state.contact_angles[:, 0])]
     [50.0, 31.3]
     """

@@ -23,15 +23,15 @@ STEEPEST = np.pi / 2  # [rad] a contact angle stays below
 class RingLoad:
     """Load on the inner ring."""
 
-    radial_x: float = 0.0  # [N]
+    axial: float = 0.0  # [N] along x
     radial_y: float = 0.0  # [N]
-    axial: float = 0.0  # [N] along z
-    moment_x: float = 0.0  # [N m]
-    moment_y: float = 0.0  # [N m]
+    radial_z: float = 0.0  # [N] where azimuths begin
+    moment_y: float = 0.0  # [N m] right-handed about y
+    moment_z: float = 0.0  # [N m] right-handed about z
 
     def vector(self) -> NDArray:
-        """Fx, Fy, Fz [N], Mx, My [N m]."""
-        return np.array([self.radial_x, self.radial_y, self.axial, self.moment_x, self.moment_y])
+        """Fx, Fy, Fz [N], My, Mz [N m]."""
+        return np.array([self.axial, self.radial_y, self.radial_z, self.moment_y, self.moment_z])
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from fem.assembly.factorisation import threads
 from fem.mesh.solid import MILLIMETRES
 from fem.solid.factored_solid import Solid
 
-AXES = ("x", "y", "z", "dz/dx", "dy/dx")
+AXES = ("x", "y", "z", "about y", "about z")
 
 
 @dataclass(frozen=True)
@@ -73,8 +73,8 @@ def motion_forces(space, band: roller_loads.Band) -> NDArray:
     r"""Load vectors that read the mean rigid motion of the band.
 
     .. math:: t_x = \frac{1}{A} \int u_x\,dA, \quad
-              z' = \frac{\int (x u_z - z u_x)\,dA}{\int (x^2 + z^2)\,dA}, \quad
-              y' = \frac{\int (x u_y - y u_x)\,dA}{\int (x^2 + y^2)\,dA}
+              \theta_y = \frac{\int (z u_x - x u_z)\,dA}{\int (x^2 + z^2)\,dA}, \quad
+              \theta_z = \frac{\int (x u_y - y u_x)\,dA}{\int (x^2 + y^2)\,dA}
 
     and translations across by radial pressures like sin and cos,
     `fem.assembly.roller_loads.translation_forces`. A moment
@@ -95,8 +95,8 @@ def motion_forces(space, band: roller_loads.Band) -> NDArray:
         curved mesh is round
     """
     x, y, z = ngs.x / MILLIMETRES, ngs.y / MILLIMETRES, ngs.z / MILLIMETRES
-    axial, up, aside = ((1, 0, 0), (-z, 0, x), (-y, x, 0))
-    along, *tilts = (_pattern(space, ngs.CF(motion)) for motion in (axial, up, aside))
+    axial, about_y, about_z = ((1, 0, 0), (z, 0, -x), (-y, x, 0))
+    along, *tilts = (_pattern(space, ngs.CF(motion)) for motion in (axial, about_y, about_z))
     return np.column_stack([along, roller_loads.translation_forces(band), *tilts])
 
 

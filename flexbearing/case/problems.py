@@ -6,6 +6,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from flexbearing.case.balls.renamed import AXES_CHANGED, RENAMED
 from flexbearing.case.declarations import Declaration, declared, find, kinds_with, toml
 from flexbearing.case.quantity import Section
 
@@ -67,6 +68,8 @@ def _allowed(path: str, model: type[Section]) -> str:
 def nearest(path: str, model: type[Section]) -> str:
     """Suggest the key that was probably meant, else list the keys of that table."""
     section, _, name = path.rpartition(".")
+    if path in RENAMED and find(RENAMED[path].partition(",")[0], model):
+        return f" {path} is now {RENAMED[path]}; {AXES_CHANGED}."
     if kinds := kinds_with(path):
         return f" It belongs to kind = {' or '.join(map(toml, kinds))}, which stands first in a file."
     siblings = [item.path.rpartition(".")[2] for item in _children(section, model)]

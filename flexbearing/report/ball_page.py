@@ -11,7 +11,7 @@ from flexbearing.report.four_point_compared import beside
 from flexbearing.report.four_point_tables import PARTS
 from flexbearing.report.sections import closing, matrix, right_aligned
 
-_AXES = ("x", "y", "z", "about x", "about y")
+_AXES = ("x", "y", "z", "about y", "about z")
 
 # label, key in the block, format; one column for each race
 _RACES_FOUR_POINT = (
@@ -62,7 +62,7 @@ _SCALES = {"gyroscopic_moment_range_Nm": 1e3}
 _ONLY_BESIDE = {"ball_yaw_range_deg": "friction_torque_Nm"}  # zero by assumption unless friction decides
 _RING = (
     ("displacement x, y, z [um]", "ring_displacement_um", ".3f"),
-    ("turn about x, y [mrad]", "ring_tilt_mrad", ".4f"),
+    ("turn about y, z [mrad]", "ring_tilt_mrad", ".4f"),
 )
 
 

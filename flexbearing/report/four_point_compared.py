@@ -16,7 +16,7 @@ from flexbearing.results import Result
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-_DIRECTIONS = ("x [N/um]", "y [N/um]", "z [N/um]", "about x [kN m/mrad]", "about y [kN m/mrad]")
+_DIRECTIONS = ("x [N/um]", "y [N/um]", "z [N/um]", "about y [kN m/mrad]", "about z [kN m/mrad]")
 _ROWS = (  # label, key in the block, format
     ("balls that carry load", "loaded_balls", "d"),
     ("contacts that carry load", "loaded_contacts", "d"),
@@ -36,7 +36,7 @@ def beside(numbers: dict[str, Any]) -> Table:
     for place, name in enumerate("xyz"):
         moved = (format(block["ring_displacement_um"][place], "z.3f") for block in both)
         table.add_row(Text(f"displacement {name} [um]"), *moved)
-    for place, name in enumerate(("about x", "about y")):
+    for place, name in enumerate(("about y", "about z")):
         turned = (format(block["ring_tilt_mrad"][place], "z.4f") for block in both)
         table.add_row(Text(f"turn {name} [mrad]"), *turned)
     for place, name in enumerate(_DIRECTIONS):

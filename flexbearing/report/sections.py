@@ -29,7 +29,7 @@ _STRESSES = (  # column, name, format
     ("pressure", "compression_MPa", ",.0f"),
     ("moves", "displacement_um", ",.1f"),
 )
-AXES = ("x", "y", "z", "dz/dx", "dy/dx")
+AXES = ("x", "y", "z", "about y", "about z")
 
 
 def listed(title: str, lines: list[str]) -> Iterator[RenderableType]:

@@ -5,14 +5,14 @@ from flexbearing.results.layout import Dataset
 _UNDRIVEN = "NaN for a ball that is not pressed on both rings"
 _APART = "NaN for a ball that does not touch both races"
 _PER_STIFFNESS = "N/m, N/rad, N m/m, N m/rad"
-_RING = "x, y, z, about x, about y"
+_RING = "x, y, z, about y, about z"
 _ACROSS = "semi-axis across the rolling direction, 0 without load"
 _ALONG = "semi-axis along the rolling direction, 0 without load"
 
 # tables read best as tables:
 # fmt: off
 FOUR_POINT = (
-    Dataset("ball_azimuth", "Z", "rad", "block", "place of the ball, 0 on the x axis, positive towards y"),
+    Dataset("ball_azimuth", "Z", "rad", "block", "place of the ball, 0 on the z axis, positive towards y"),
     Dataset("contact_load", "Z G 2", "N", "block", "normal load, >= 0"),
     Dataset("contact_angle", "Z G 2", "rad", "block", "contact angle from the radial plane"),
     Dataset("peak_pressure", "Z G 2", "Pa", "block", "largest pressure, 0 without load"),
@@ -20,8 +20,9 @@ FOUR_POINT = (
     Dataset("semi_axis_along", "Z G 2", "m", "block", _ALONG),
     Dataset("friction_coefficient", "Z G 2", "1", "block", "Coulomb friction at the peak pressure"),
     Dataset("ball_motion", "Z 3", "rad/s", "block",
-            "speed of the outer ring, of the ball about the axial and about the radial direction, seen from "
-            f"the orbiting ball centre; {_UNDRIVEN}", gaps=True),
+            "angular velocity of the outer ring about x, of the ball about x and about the radial direction, "
+            "right-handed (rings that turn towards growing azimuth turn about -x), seen from the orbiting "
+            f"ball centre; {_UNDRIVEN}", gaps=True),
     Dataset("ball_speed_ratio", "Z", "1", "block",
             f"speed of the ball over that of the inner ring, seen from the orbiting ball centre; {_UNDRIVEN}",
             gaps=True),
@@ -48,7 +49,7 @@ FOUR_POINT = (
             f"displacement of the inner ring ({_RING}), of its bolted face when it yields; absent when "
             "contact loads are given", optional=True),
     Dataset("ring_yield", "Z G 2", "m", "block",
-            "by how much both rings let opposite groove centres come closer, (outward, along z), the "
+            "by how much both rings let opposite groove centres come closer, (outward, along x), the "
             "indentation of the contacts left out; absent between rigid rings", optional=True),
     Dataset("stiffness_matrix", "5 5", _PER_STIFFNESS, "block",
             f"tangent stiffness of the rings without friction ({_RING}); absent when contact loads are given",
@@ -72,7 +73,7 @@ FOUR_POINT = (
 )
 
 ANGULAR = (
-    Dataset("ball_azimuth", "Z", "rad", "block", "place of the ball, 0 on the x axis, positive towards y"),
+    Dataset("ball_azimuth", "Z", "rad", "block", "place of the ball, 0 on the z axis, positive towards y"),
     Dataset("contact_load", "2 Z", "N", "block", "normal load, >= 0"),
     Dataset("contact_angle", "2 Z", "rad", "block", "contact angle from the radial plane"),
     Dataset("traction", "2 Z", "N", "block",
@@ -81,12 +82,14 @@ ANGULAR = (
     Dataset("peak_pressure", "2 Z", "Pa", "block", "largest pressure, 0 without load"),
     Dataset("semi_axis_across", "2 Z", "m", "block", _ACROSS),
     Dataset("semi_axis_along", "2 Z", "m", "block", _ALONG),
-    Dataset("orbital_speed", "Z", "rad/s", "block", "speed of the ball centre about the shaft"),
+    Dataset("orbital_speed", "Z", "rad/s", "block",
+            "speed of the ball centre about the shaft, positive to +azimuth"),
     Dataset("ball_speed", "Z", "rad/s", "block", "speed of the ball about its axis, in the orbiting frame"),
     Dataset("ball_attitude", "Z", "rad", "block",
             "angle of the ball's axis to the shaft, signed like contact angles"),
     Dataset("ball_yaw", "Z", "rad", "block",
-            "angle of the ball's axis out of the plane of the section; 0 but with control coulomb"),
+            "angle of the ball's axis out of the plane of the section, positive: -x end leads towards "
+            "+azimuth; 0 but with control coulomb"),
     Dataset("centrifugal_force", "Z", "N", "block", "force of the orbit, outwards"),
     Dataset("gyroscopic_moment", "Z", "N m", "block", "moment that turns the ball's axis with the orbit"),
     Dataset("ring_load", "5", "N, N m", "block",

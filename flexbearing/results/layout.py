@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import Literal
 
-FORMAT = 4
+FORMAT = 5
 
 Place = Literal["state", "iteration", "block"]
 
@@ -103,8 +103,8 @@ TABLE = (
             optional=True),
     Dataset("load_direction", "", "rad", "block", "azimuth that the radial load points to"),
     Dataset("stiffness_matrix", "5 5", "N/m, N/rad, N m/m, N m/rad", "block",
-            "tangent stiffness from base to shaft ends, supports included, x, y, z, dz/dx, dy/dx; "
-            "zero along x"),
+            "tangent stiffness from base to shaft ends, supports included, x, y, z, about y, about z "
+            "(right-handed: about y is -dz/dx, about z is dy/dx); zero along x"),
     Dataset("compliance_matrix", "5 5", "m/N, m/(N m), rad/N, rad/(N m)", "block",
             "its inverse; infinite along x, where a bearing without flanges carries nothing", infinite=True),
     Dataset("loss_sliding", "", "W", "block", "power lost by sliding of the raceways on the rollers"),

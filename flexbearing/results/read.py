@@ -19,6 +19,12 @@ Arrays = Mapping[str, np.ndarray]
 _NOTHING: Arrays = MappingProxyType({})
 
 
+OLDER = {  # what the files of an older format are
+    4: "its axes are older: of balls z axial and x along the load, tilts in stiffness_matrix of rollers as "
+    "slopes; see docs/reference/axes.md",
+}
+
+
 class BadResult(ValueError):
     """A file that is no complete result file of this format."""
 
@@ -111,8 +117,9 @@ def _require_format(file: h5py.File, path: Path) -> None:
     if found is None:
         raise BadResult(f"{path}: an HDF5 file, but not a result of flexbearing: it has no format number.")
     if not np.array_equal(found, FORMAT):
+        older = f"; {OLDER[found]}" if found in OLDER else ""
         raise BadResult(
-            f"{path}: format {found}, this version reads format {FORMAT}. "
+            f"{path}: format {found}, this version reads format {FORMAT}{older}. "
             "Run the case again, or read the file with the version that wrote it."
         )
 

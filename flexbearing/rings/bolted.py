@@ -43,7 +43,7 @@ def compliance(case: FourPointCase, report: Report) -> NDArray:
     for name, arches in (("outer", slice(None)), ("inner", slice(None, None, -1))):
         part = ring(case, name)
         if part is not None:
-            # the first diagonal presses on the outer arch at +z and on the inner one at -z
+            # the first diagonal presses on the outer arch at +x and on the inner one at -x
             total += _row(case, name, part, report)[:, arches, :, arches]
     return total
 
@@ -73,7 +73,7 @@ def _section(given: BoltedRing) -> dict:
         "far_diameter": getattr(given, given.far),
         "width": given.width,
         "face_distance": given.face_distance,
-        "face_side": 1 if given.face == "+z" else -1,
+        "face_side": 1 if given.face == "+x" else -1,
         "normal_stiffness": given.face_stiffness or inf,
         "shear_stiffness": given.face_shear_stiffness or inf,
     }
@@ -84,7 +84,7 @@ def _elastic(material: Elastic) -> fem.Elastic:
 
 
 def _row(case: FourPointCase, name: str, part: GothicRing, report: Report) -> NDArray:
-    """Compliance of one ring by arches and components (outward, +z) [m/N]."""
+    """Compliance of one ring by arches and components (outward, +x) [m/N]."""
     given, ball = case.rings, case.bearing.ball.diameter
     line = given.line or LINE * ball
     order, size, on_line = USUAL

@@ -66,11 +66,11 @@ def solved(case: FourPointCase, compliance: NDArray | None = None) -> Solution:
         load = case.operation.load
         found = model.solve(
             qd.RingLoad(
-                radial_x=load.radial_x,
-                radial_y=load.radial_y,
                 axial=load.axial,
-                moment_x=load.moment_x,
+                radial_y=load.radial_y,
+                radial_z=load.radial_z,
                 moment_y=load.moment_y,
+                moment_z=load.moment_z,
             ),
             compliance,
         )
@@ -94,7 +94,7 @@ def arrays(case: FourPointCase, solution: Solution) -> dict[str, ArrayLike]:
             "semi_axis_across": balls.ellipse.across,
             "semi_axis_along": balls.ellipse.along,
             "friction_coefficient": balls.friction,
-            "ball_motion": balls.attitude.motion * speed,
+            "ball_motion": -balls.attitude.motion * speed,  # a positive speed is right-handed about -x
             "ball_speed_ratio": balls.ball_speed,
             "ball_attitude": balls.axis_angle,
             "power_loss": balls.torque * speed,

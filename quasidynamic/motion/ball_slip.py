@@ -1,4 +1,9 @@
-"""Slip of a ball on the raceways of both rings."""
+"""Slip of a ball on the raceways of both rings.
+
+Axes at a ball: x axial, r outwards, t towards growing azimuth. Turns are counted as the speeds of rings are,
+positive by the right hand about -x, -r and -t (docs/reference/axes.md): x, r, t are left-handed, so that
+products of vectors are the usual ones.
+"""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -216,7 +221,7 @@ def turning_slip_by_motion(contacts: BallContacts) -> NDArray:
 
     .. math:: c = \omega_t h_0,\quad B = \omega_t
 
-    beside e, A and w of `slip_by_motion`; e_t = e_x x e_r, and slip across is positive along (-n_r, n_x).
+    beside e, A and w of `slip_by_motion`; slip across is positive along (-n_r, n_x).
 
     Parameters
     ----------

@@ -72,7 +72,7 @@ def ball_motion(
               p_i = \frac{\cos(\alpha_i - \beta)}{1 - \gamma \cos\alpha_i}
 
     the closed form is Harris' pair of equations for omega_m and omega_R. The ball turns by
-    omega_R (-cos beta, sin beta) in the axial and the radial direction.
+    omega_R (-cos beta, sin beta) in the axial and the radial direction, counted as the speeds of rings are.
 
     Parameters
     ----------

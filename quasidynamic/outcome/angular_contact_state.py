@@ -29,7 +29,7 @@ class AngularContactState:
     bearing: AngularContactBearing
     operation: RingOperation
     contacts: tuple[PointContact, PointContact]
-    ring_displacement: NDArray  # (5) [m, m, m, rad, rad] of the inner ring: x, y, z, about x, about y
+    ring_displacement: NDArray  # (5) [m, m, m, rad, rad] of the inner ring: x, y, z, about y, about z
     ring_load: NDArray  # (5) [N, N, N, N m, N m] that the balls take up
     stiffness: NDArray  # (5, 5) load per displacement, balls in balance [N/m, N, N m]
     contact_angles: NDArray  # (2, Z) [rad]

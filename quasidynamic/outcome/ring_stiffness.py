@@ -11,6 +11,7 @@ from quasidynamic.balance.rollers.unknowns import CAGE, TILT_Z, Unknowns, Y, Z
 from quasidynamic.solve.rollers import bordered_system
 
 RING = (Y, Z, TILT_Z, TILT_Z + 1)  # the ring's places among the unknowns
+TILTS = np.array([1.0, 1.0, -1.0, 1.0])  # y, z, tilts about y and z, over y, z, slopes dz/dx and dy/dx
 
 
 @dataclass(frozen=True)
@@ -48,20 +49,20 @@ class Tangent:
 
     @property
     def compliance(self) -> NDArray:
-        """Tangent compliance (5, 5): x, y, z [m], dz/dx, dy/dx [rad] per N and N m.
+        """Tangent compliance (5, 5): x, y, z [m], tilts about y and z [rad] per N and N m.
 
         Infinite along x, where a bearing without flanges carries nothing.
         """
         whole = np.zeros((5, 5))
         whole[0, 0] = np.inf
-        whole[1:, 1:] = self.answer[:CAGE]
+        whole[1:, 1:] = self.answer[:CAGE] * np.outer(TILTS, TILTS)
         return whole
 
     @property
     def stiffness(self) -> NDArray:
         """Tangent stiffness (5, 5), the inverse of `compliance`; zero along x."""
         whole = np.zeros((5, 5))
-        whole[1:, 1:] = np.linalg.inv(self.answer[:CAGE])
+        whole[1:, 1:] = np.linalg.inv(self.answer[:CAGE]) * np.outer(TILTS, TILTS)
         return whole
 
     @property

@@ -20,7 +20,7 @@ class AngularContactBearing:
     balls: int
     pitch_diameter: float  # [m] of the ball centres
     contact_angle: float  # [rad] without load, from the radial plane
-    first_ball_azimuth: float = 0.0  # [rad] from the x axis towards y
+    first_ball_azimuth: float = 0.0  # [rad] from z towards y
 
     def __post_init__(self):
         require_positive("bearing.pitch_diameter", self.pitch_diameter)
@@ -53,7 +53,7 @@ class AngularContactBearing:
 
     @cached_property
     def azimuths(self) -> NDArray:
-        """Ball azimuths from the x axis towards y (Z) [rad]."""
+        """Ball azimuths from z towards y (Z) [rad]."""
         return self.first_ball_azimuth + 2 * np.pi * np.arange(self.balls) / self.balls
 
 
@@ -61,8 +61,8 @@ class AngularContactBearing:
 class RingOperation:
     """What is asked of the inner ring: a load or a displacement in each of five directions, a speed.
 
-    Directions are x and y (radial), z (axial, pushes the balls against their shoulders), then the
-    right-handed rotations about x and y.
+    Directions are x (axial, pushes the balls against their shoulders), y and z (radial), then the
+    right-handed rotations about y and z. Speeds are positive towards growing azimuth.
     """
 
     load: tuple[float, float, float, float, float] = (0.0, 0.0, 0.0, 0.0, 0.0)  # [N, N, N, N m, N m]
@@ -72,12 +72,12 @@ class RingOperation:
 
     def __post_init__(self):
         if len(self.load) != 5 or len(self.displacement) != 5:
-            raise ImpossiblePart("load and displacement have five entries each: x, y, z, about x, about y")
+            raise ImpossiblePart("load and displacement have five entries each: x, y, z, about y, about z")
         given = [value for value in self.displacement if value is not None]
         if not np.all(np.isfinite([*self.load, *given, self.inner_speed, self.outer_speed])):
             raise ImpossiblePart("loads, displacements and speeds must be finite")
         for name, load, place in zip(
-            ["x", "y", "z", "tilt_x", "tilt_y"], self.load, self.displacement, strict=True
+            ["x", "y", "z", "tilt_y", "tilt_z"], self.load, self.displacement, strict=True
         ):
             if load and place is not None:
                 raise ImpossiblePart(

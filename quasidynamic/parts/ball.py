@@ -91,5 +91,5 @@ class FourPointBearing:
 
     @cached_property
     def azimuths(self) -> NDArray:
-        """Ball azimuths from the x axis (Z) [rad]."""
+        """Ball azimuths from z towards y (Z) [rad]."""
         return 2 * np.pi * np.arange(self.balls) / self.balls

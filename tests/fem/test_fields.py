@@ -167,7 +167,7 @@ def test_principal_stresses_are_eigenvalues(seed, cage):
 def test_rigid_motions_of_the_band_are_read_exactly(cage):
     read, field = motion_forces(cage.space, cage.band), ngs.GridFunction(cage.space)
     x, y, z = ngs.x, ngs.y, ngs.z
-    motions = [(1, 0, 0), (0, 1, 0), (0, 0, 1), (-z, 0, x), (-y, x, 0)]  # tilts 1 per mm: 1000 per metre
+    motions = [(1, 0, 0), (0, 1, 0), (0, 0, 1), (z, 0, -x), (-y, x, 0)]  # tilts 1 per mm: 1000 per metre
     found = []
     for motion in motions:
         field.Set(ngs.CF(motion))

@@ -165,7 +165,7 @@ def test_most_loaded_ball_is_drawn_unless_told(run):
 
 
 def test_balls_that_nothing_drives_are_gaps_and_make_no_torque(run):
-    result = run("joshi2015_qj309", "operation.load.axial=0 N", "operation.load.radial_x=5 kN", FEW)
+    result = run("joshi2015_qj309", "operation.load.axial=0 N", "operation.load.radial_z=5 kN", FEW)
     values = result.rigid
     idle = ~(values["contact_load"] > 0).any((1, 2))
     assert 0 < idle.sum() < 10
@@ -198,15 +198,15 @@ def test_groove_radius_says_the_same_as_conformity(run):
 
 def test_held_ring_reports_the_load_it_takes(run):
     loaded = run(RIVERA)
-    place = float(loaded.rigid["ring_displacement"][2])
+    place = float(loaded.rigid["ring_displacement"][0])
     held = run(RIVERA, "operation.load.axial=0 N", f"operation.displacement.axial={place!r} m").rigid
-    assert held["ring_load"][2] == approx(500.0, rel=1e-6)
-    assert summary(loaded)["rigid"]["ring_displacement_um"][2] == approx(1e6 * place, rel=1e-12)
+    assert held["ring_load"][0] == approx(500.0, rel=1e-6)
+    assert summary(loaded)["rigid"]["ring_displacement_um"][0] == approx(1e6 * place, rel=1e-12)
 
 
 @pytest.mark.parametrize("control", ["outer", "inner"])
 def test_lines_that_do_not_exist_are_left_out_with_a_reason(run, control):
-    result = run(RIVERA, f"operation.control={control}", "operation.load.radial_x=300 N")
+    result = run(RIVERA, f"operation.control={control}", "operation.load.radial_z=300 N")
     assert result.attributes["status"] == "converged"
     lines = {name for name, entry in LAYOUTS[result.kind].datasets("block").items() if entry.optional}
     told = [note for note in result.attributes["notes"] if note.startswith("no pure rolling lines: ")]
@@ -236,7 +236,7 @@ def shoulder_notes(result):
 
 
 def test_contacts_on_a_given_shoulder_are_counted(run):
-    leaning = ("bearing.contact_angle=30 deg", "operation.load.radial_x=400 N")
+    leaning = ("bearing.contact_angle=30 deg", "operation.load.radial_z=400 N")
     height = reached(run(RIVERA, *leaning).rigid, 7.938e-3, 0.52 * 7.938e-3)
     shoulder = float(np.median(height))
     (note,) = shoulder_notes(run(RIVERA, *leaning, f"bearing.inner.shoulder={shoulder!r} m"))
@@ -266,7 +266,7 @@ def test_friction_too_low_for_the_gyroscopic_moment_is_told(run):
 
 
 def test_balls_that_leave_the_inner_race_are_gaps(run):
-    result = run(RIVERA, EQUATION_15, "operation.load.radial_x=1000 N", "bearing.contact_angle=40 deg")
+    result = run(RIVERA, EQUATION_15, "operation.load.radial_z=1000 N", "bearing.contact_angle=40 deg")
     values = result.rigid
     off = values["contact_load"][0] == 0
     assert 0 < off.sum() < 18

@@ -105,6 +105,22 @@ IMPOSSIBLE = {
         ANGULAR, ["bearing.rollers=5"], "[bearing] rollers is not a key of this case",
         'It belongs to kind = "cylindrical_roller"',
     ),
+    "load in the axes of older files": (
+        FOUR_POINT, ["operation.load.radial_x=1 kN"], "[operation.load] radial_x is not a key of this case",
+        "operation.load.radial_x is now operation.load.radial_z; axes changed: x axial",
+    ),
+    "moment in the axes of older files": (
+        FOUR_POINT, ["operation.load.moment_x=1 N m"], "[operation.load] moment_x is not a key of this case",
+        "is now operation.load.moment_z, with the opposite sign; axes changed",
+    ),
+    "displacement in the axes of older files": (
+        ANGULAR, ["operation.displacement.radial_x=1 um"], "[operation.displacement] radial_x",
+        "is now operation.displacement.radial_z; axes changed",
+    ),
+    "tilt in the axes of older files": (
+        ANGULAR, ["operation.displacement.tilt_x=0 deg"], "[operation.displacement] tilt_x",
+        "is now operation.displacement.tilt_z, with the opposite sign; axes changed",
+    ),
     "unknown kind": (ANGULAR, ["kind=ball"], 'kind = "ball" is not allowed', '"four_point_ball"'),
 }  # fmt: skip
 
@@ -130,10 +146,13 @@ def test_impossible_case_is_refused(file, settings, place, allowed):
         ("coefficient = 0.12", "", "[friction] coefficient is missing"),
         ("conformity = 0.525 ", "# ", "[bearing.inner] conformity is missing: a groove without radius"),
         ('"friction.coefficient",', '"friction.coeficient",', "Did you mean coefficient?"),
+        ("moment_z = ", "moment_x = ", 'moment_x = "328601 N m" is not a key here. operation.'),
+        ('"friction.coefficient",', '"operation.load.radial_x",', "is now operation.load.radial_z; axes"),
     ],
     ids=[
         "kind forgotten", "kind is a number", "misspelt", "pressures fall", "one coefficient short",
         "no pressures", "no friction", "no groove", "assumed key that is none",
+        "moment of older axes", "assumed key of older axes",
     ],
 )  # fmt: skip
 def test_broken_file_is_refused(tmp_path, old, new, told):

@@ -27,7 +27,8 @@ def test_rings_are_rigid_unless_they_are_described():
         (["rings.inner.bore=1870 mm"], "[rings.inner] bore", "below 1864"),
         (["rings.inner.face_distance=10 mm"], "[rings.inner] face_distance", "half the width of the groove"),
         (["rings.outer.width=55 mm"], "[rings.outer] width", "reaches the other face"),
-        (["rings.outer.face=up"], "[rings.outer] face", '"+z" or "-z"'),
+        (["rings.outer.face=up"], "[rings.outer] face", '"+x" or "-x"'),
+        (["rings.outer.face=+z"], "[rings.outer] face", 'is now "+x" (axes changed'),
         (["rings.outer.groove_end=40 deg"], "[rings.outer] groove_end", "above bearing.contact_angle"),
         (["rings.outer.kind=free"], "[rings.outer] kind", '"rigid" or "bolted"'),
         (["rings.outer.face_stiffness=5 N/mm^3"], "[rings.outer] face_shear_stiffness is missing", "springs"),
@@ -50,6 +51,6 @@ def test_impossible_ring_is_refused(settings, place, allowed):
 
 def test_described_ring_is_described_completely(tmp_path):
     file = tmp_path / "broken.toml"
-    file.write_text(SLEWING.read_text().replace('face = "-z"\n', "").replace('    "rings.outer.width",', ""))
+    file.write_text(SLEWING.read_text().replace('face = "-x"\n', "").replace('    "rings.outer.width",', ""))
     with pytest.raises(BadCase, match=r'\[rings\.outer\] face is missing: kind = "bolted" needs it'):
         read(file, ())

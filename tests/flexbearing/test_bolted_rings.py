@@ -18,8 +18,8 @@ from flexbearing.rings import bolted
 SLEWING = Path(__file__).parents[2] / "configs" / "slewing_bolted.toml"
 SMALL = (
     "bearing.balls=24", "bearing.pitch_diameter=300 mm", "bearing.ball.diameter=25 mm",
-    "operation.load.axial=60 kN", "operation.load.radial_x=20 kN", "operation.load.radial_y=0 N",
-    "operation.load.moment_x=0 N m", "operation.load.moment_y=2 kN m", "fields.points=5",
+    "operation.load.axial=60 kN", "operation.load.radial_z=20 kN", "operation.load.radial_y=0 N",
+    "operation.load.moment_z=0 N m", "operation.load.moment_y=-2 kN m", "fields.points=5",
     "rings.outer.outside_diameter=400 mm", "rings.outer.width=50 mm", "rings.outer.face_distance=27 mm",
     "rings.inner.bore=200 mm", "rings.inner.width=50 mm", "rings.inner.face_distance=27 mm",
     "rings.element_order=4", "rings.harmonics=80", "rings.mesh_size=20 mm",
@@ -48,16 +48,16 @@ def test_both_blocks_carry_the_load(run):
         outward, along = load * np.cos(angle), load * np.sin(angle) * np.array([1, -1])[:, None]
         assert along[..., 0].sum() == approx(60e3, rel=1e-9)
         assert outward[..., 0].sum(1) @ np.cos(azimuth) == approx(20e3, rel=1e-9)
-        assert -0.15 * along[..., 0].sum(1) @ np.cos(azimuth) == approx(2e3, rel=1e-9)
+        assert 0.15 * along[..., 0].sum(1) @ np.cos(azimuth) == approx(-2e3, rel=1e-9)
     assert set(result.flexible) - set(result.rigid) == {"ring_yield"}
     assert set(result.flexible) <= set(LAYOUTS[result.kind].datasets("block"))
 
 
 def test_bolted_rings_soften_the_bearing_and_lower_its_largest_load(run):
     rigid, flexible = run().rigid, run().flexible
-    # not each entry, as loads move from ball to ball; but along z, with the load
-    assert flexible["stiffness_matrix"][2, 2] < 0.99 * rigid["stiffness_matrix"][2, 2]
-    assert flexible["ring_displacement"][2] > rigid["ring_displacement"][2]
+    # not each entry, as loads move from ball to ball; but along x, with the load
+    assert flexible["stiffness_matrix"][0, 0] < 0.99 * rigid["stiffness_matrix"][0, 0]
+    assert flexible["ring_displacement"][0] > rigid["ring_displacement"][0]
     assert flexible["contact_load"].max() != approx(rigid["contact_load"].max(), rel=1e-3)
 
 
@@ -71,19 +71,19 @@ def test_rigid_block_is_that_of_rigid_rings(run):
 def test_each_ring_yields_for_itself(run):
     """Two rings yield about as much as each of them, as far as the loads stay the same."""
     both, outer, inner = (
-        run(*settings).flexible["ring_displacement"][2]
+        run(*settings).flexible["ring_displacement"][0]
         for settings in ((), ("rings.inner.kind=rigid",), ("rings.outer.kind=rigid",))
     )
-    rigid = run().rigid["ring_displacement"][2]
+    rigid = run().rigid["ring_displacement"][0]
     assert (outer - rigid) + (inner - rigid) == approx(both - rigid, rel=0.05)
     assert outer > rigid
     assert inner > rigid
 
 
 def test_arch_far_from_the_bolted_face_yields_more(run):
-    """The first diagonal, which carries an axial load, presses on the inner ring at -z."""
+    """The first diagonal, which carries an axial load, presses on the inner ring at -x."""
     near, far = (
-        run("rings.outer.kind=rigid", *face).flexible["ring_yield"] for face in (("rings.inner.face=-z",), ())
+        run("rings.outer.kind=rigid", *face).flexible["ring_yield"] for face in (("rings.inner.face=-x",), ())
     )
     assert np.hypot(*far[:, 0].T).mean() > 1.5 * np.hypot(*near[:, 0].T).mean()
 
@@ -101,8 +101,8 @@ def test_ring_of_endless_stiffness_is_rigid(run):
 def test_bearing_turned_over_swaps_its_diagonals(run):
     """Faces and axial loads mirrored at the plane of the balls."""
     turned = run(
-        "rings.outer.face=+z", "rings.inner.face=-z",
-        "operation.load.axial=-60 kN", "operation.load.moment_y=-2 kN m",
+        "rings.outer.face=+x", "rings.inner.face=-x",
+        "operation.load.axial=-60 kN", "operation.load.moment_y=2 kN m",
     )  # fmt: skip
     load = run().flexible["contact_load"]
     assert turned.flexible["contact_load"][:, ::-1] == approx(load, rel=1e-4, abs=1e-4 * load.max())
@@ -112,7 +112,7 @@ def test_bearing_turned_over_swaps_its_diagonals(run):
 def test_springs_under_the_face_soften_further(run):
     springs = ("rings.outer.face_stiffness=200 N/mm^3", "rings.outer.face_shear_stiffness=80 N/mm^3")
     softer = run(*springs).flexible["ring_displacement"]
-    assert softer[2] > 1.05 * run().flexible["ring_displacement"][2]
+    assert softer[0] > 1.05 * run().flexible["ring_displacement"][0]
 
 
 def test_summary_and_page_show_both(run):
@@ -122,7 +122,7 @@ def test_summary_and_page_show_both(run):
     for block in ("rigid", "flexible"):
         assert f"{numbers[block]['max_contact_load_N']:,.1f}" in page
         assert f"{numbers[block]['torque_Nm']['inner']:.5g}" in page
-    assert "tangent stiffness about x [kN m/mrad]" in page
+    assert "tangent stiffness about z [kN m/mrad]" in page
     assert numbers["rigid"]["largest_ring_yield_um"] is None
 
 

@@ -384,6 +384,13 @@ def test_other_format_names_both_numbers(path):
         read(path)
 
 
+def test_file_from_before_the_change_of_axes_is_told_what_it_is(path):
+    with h5py.File(written(path), "a") as file:
+        file.attrs["format"] = 4
+    with pytest.raises(BadResult, match=r"its axes are older: of balls z axial.*see docs/reference/axes\.md"):
+        read(path)
+
+
 @pytest.mark.parametrize("lost", ["rigid/inner_load", "iterations/seconds"], ids=["block", "iteration"])
 def test_result_with_a_lost_dataset_is_refused(path, lost):
     with h5py.File(written(path), "a") as file:

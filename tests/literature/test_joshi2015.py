@@ -77,7 +77,7 @@ def test_hysteresis_of_table_2_is_one_loss_factor():
     assert found == approx([3.5, 4.0, 2.0], rel=0.08)
 
 
-LOADS = RingLoad(radial_x=36_200, radial_y=-31_400, moment_x=-328_601, moment_y=-378_833)
+LOADS = RingLoad(radial_z=36_200, radial_y=-31_400, moment_z=328_601, moment_y=378_833)
 
 
 def tables_3_and_4(modulus=210e9, clearance=-15.2e-6, friction=0.12):

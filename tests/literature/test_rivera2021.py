@@ -32,7 +32,7 @@ def solved(speeds, angle=15.0, radial=0.0, axial=500.0):
     )
     operations = [
         RingOperation(
-            load=(radial, 0.0, axial, 0.0, 0.0),
+            load=(axial, 0.0, radial, 0.0, 0.0),
             displacement=(None, None, None, 0.0, 0.0),
             inner_speed=n * RPM,
         )

@@ -199,7 +199,7 @@ def test_a_ball_that_the_inner_race_lets_go_rolls_on_at_the_bottom_of_the_outer_
 # -- the whole bearing -----------------------------------------------------------------------------
 
 
-def solved(friction=0.06, speed=1000.0, load=(0.0, 0.0, 6000.0, 0.0, 0.0), held=STRAIGHT):
+def solved(friction=0.06, speed=1000.0, load=(6000.0, 0.0, 0.0, 0.0, 0.0), held=STRAIGHT):
     operation = RingOperation(load=load, displacement=held, inner_speed=speed)
     return AngularContactBallBearing(bearing=BEARING, control="coulomb", friction=friction).solve(operation)
 
@@ -217,7 +217,7 @@ def test_thrust_makes_all_balls_alike_and_the_heat_is_the_power_of_the_shaft():
 
 
 def test_balls_and_ring_are_in_balance_under_a_load_that_frees_some_balls():
-    load = (2000.0, 0.0, 3000.0, 0.0, 0.0)
+    load = (3000.0, 0.0, 2000.0, 0.0, 0.0)
     state = solved(load=load, held=(None, None, None, 0.0, 0.0))
     (inner, outer), q, t = state.contact_angles, state.loads, state.tractions
     axial, radial = q[0] * np.sin(inner) + t[0] * np.cos(inner), q[0] * np.cos(inner) - t[0] * np.sin(inner)
@@ -225,7 +225,7 @@ def test_balls_and_ring_are_in_balance_under_a_load_that_frees_some_balls():
     lifted = radial - q[1] * np.cos(outer) + t[1] * np.sin(outer) + state.centrifugal_force
     assert np.abs([left, lifted]).max() < 1e-9 * q.max()
     azimuth = BEARING.azimuths
-    carried = [(radial * np.cos(azimuth)).sum(), (radial * np.sin(azimuth)).sum(), axial.sum()]
+    carried = [axial.sum(), (radial * np.sin(azimuth)).sum(), (radial * np.cos(azimuth)).sum()]
     assert carried == approx(load[:3], abs=1e-8 * q.max())
 
 
@@ -249,7 +249,7 @@ def test_balls_pressed_outwards_lie_beside_outer_control():
         pitch_diameter=125.26e-3,
         contact_angle=np.radians(40.0),
     )
-    operation = RingOperation(load=(0.0, 0.0, 17800.0, 0.0, 0.0), inner_speed=10000 * np.pi / 30)
+    operation = RingOperation(load=(17800.0, 0.0, 0.0, 0.0, 0.0), inner_speed=10000 * np.pi / 30)
     off = []
     for friction in (0.03, 0.06, 0.1):
         state = AngularContactBallBearing(bearing=bearing, control="coulomb", friction=friction).solve(
@@ -272,7 +272,7 @@ def test_coefficient_of_friction_belongs_to_coulomb_control():
 
 def test_contacts_as_wide_as_the_ball_are_refused():
     soft = replace(BEARING, inner=Groove(conformity=0.5005, material=STEEL))
-    operation = RingOperation(load=(0.0, 0.0, 2e5, 0.0, 0.0), displacement=STRAIGHT, inner_speed=100.0)
+    operation = RingOperation(load=(2e5, 0.0, 0.0, 0.0, 0.0), displacement=STRAIGHT, inner_speed=100.0)
     with pytest.raises(NotSolved, match="as wide as the ball"):
         AngularContactBallBearing(bearing=soft, control="coulomb", friction=0.1).solve(operation)
 
@@ -318,7 +318,7 @@ def test_what_the_search_of_friction_leaves_does_not_stall_the_ring(seed):
 
 
 def test_imbalance_is_told_over_the_largest_force():
-    operation = RingOperation(load=(0.0, 0.0, 6000.0, 0.0, 0.0), displacement=STRAIGHT, inner_speed=1000.0)
+    operation = RingOperation(load=(6000.0, 0.0, 0.0, 0.0, 0.0), displacement=STRAIGHT, inner_speed=1000.0)
     model = AngularContactBallBearing(bearing=BEARING, control="coulomb", friction=0.06)
     balance = model._balance([operation])
     ring, centres = start(replace(balance, load=1.1 * balance.load))

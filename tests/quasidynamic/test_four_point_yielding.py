@@ -45,7 +45,7 @@ def test_balls_carry_the_load_and_shape_the_rings(bearing, load):
         .sum(1)
         .T
     )
-    carried = [outward @ cosine, outward @ sine, along.sum(), 0.25 * along @ sine, -0.25 * along @ cosine]
+    carried = [along.sum(), outward @ sine, outward @ cosine, 0.25 * along @ cosine, -0.25 * along @ sine]
     assert carried == approx(load, abs=1e-9 * largest)
     apart = np.arange(BALLS)[:, None] - np.arange(BALLS)
     made = np.einsum("jkacbd,kbd->jac", soft()[apart % BALLS], pressed.force)
@@ -63,7 +63,7 @@ def test_rings_that_do_not_yield_are_rigid(bearing, load):
 
 
 def test_nearly_rigid_rings_change_loads_in_proportion_to_their_compliance():
-    load = np.array([3e4, 1e4, 2e4, 2e3, -1e3])
+    load = np.array([2e4, 1e4, 3e4, 1e3, -2e3])
     rigid = ball_loads(TIGHT.bearing, load).loads
     small, smaller = (
         yielding_ball_loads(TIGHT.bearing, load, soft(size=size)).loads - rigid for size in (1e-13, 1e-14)
@@ -74,7 +74,7 @@ def test_nearly_rigid_rings_change_loads_in_proportion_to_their_compliance():
 
 def test_work_of_the_load_is_kept_in_contacts_and_rings():
     """Clapeyron along a path: the energy that a little more load brings is its work."""
-    load, more = np.array([3e4, 1e4, 2e4, 2e3, -1e3]), 1e-4
+    load, more = np.array([2e4, 1e4, 3e4, 1e3, -2e3]), 1e-4
     states = [yielding_ball_loads(LOOSE.bearing, load * (1 + k * more), soft()) for k in (-1, 1)]
     stored = [energy(LOOSE.bearing, state) for state in states]
     moved = states[1].displacement - states[0].displacement
@@ -112,8 +112,9 @@ def test_yielding_rings_are_softer_and_lose_interference():
 def test_load_turned_by_some_balls_turns_the_distribution():
     angle = 2 * np.pi * 5 / BALLS
     turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
-    load = np.array([3e4, 1e4, 2e4, 2e3, -1e3])
-    turned = np.concatenate([turn @ load[:2], load[2:3], turn @ load[3:]])
+    load = np.array([2e4, 1e4, 3e4, 1e3, -2e3])
+    turned = load.copy()
+    turned[[2, 1]], turned[[4, 3]] = turn @ load[[2, 1]], turn @ load[[4, 3]]  # azimuths grow from z to y
     before, after = (yielding_ball_loads(LOOSE.bearing, given, soft()) for given in (load, turned))
     assert after.loads == approx(np.roll(before.loads, 5, axis=0), abs=1e-8 * before.loads.max())
 
@@ -122,7 +123,7 @@ def test_load_turned_by_some_balls_turns_the_distribution():
 def test_distribution_is_that_of_the_plain_model(clearance):
     """A bearing of six balls on one page, its energy lowered by SciPy."""
     bearing = slow_bearing(clearance=clearance, balls=6, ball=30e-3, pitch=0.2).bearing
-    load = np.array([2e4, 5e3, 1e4, 300.0, -400.0])
+    load = np.array([1e4, 5e3, 2e4, 400.0, -300.0])
     found = yielding_ball_loads(bearing, load, soft(6, 4e-9))
     loads, place = plain.solve(
         balls=6, pitch=0.2, angle=np.radians(45), touching=1.5e-3, clearance=clearance,
@@ -133,7 +134,7 @@ def test_distribution_is_that_of_the_plain_model(clearance):
     assert np.abs(ball_loads(bearing, load).loads - loads).max() > 0.02 * loads.max()
 
 
-@pytest.mark.parametrize("load", [[100.0, 0, 0, 0, 0], [1e4, 0, 0, 0, 0]])
+@pytest.mark.parametrize("load", [[0, 0, 100.0, 0, 0], [0, 0, 1e4, 0, 0]])
 def test_ring_that_a_single_ball_carries_is_not_pushed_aside(load):
     """Nothing resists along y and about some axes, and nothing pushes there."""
     bearing = slow_bearing(clearance=200e-6, balls=6, ball=30e-3, pitch=0.5).bearing
@@ -141,11 +142,11 @@ def test_ring_that_a_single_ball_carries_is_not_pushed_aside(load):
     assert (found.loads > 0).sum(axis=1).tolist() == [2, 0, 0, 0, 0, 0]
     assert found.loads == approx(rigid.loads, rel=0.02)
     assert found.displacement[1] == approx(0.0, abs=1e-9)
-    assert found.displacement[0] > rigid.displacement[0]
+    assert found.displacement[2] > rigid.displacement[2]
 
 
 def test_torque_follows_the_loads_of_yielding_rings():
-    load = RingLoad(radial_x=2e4, axial=1e4, moment_y=1e3)
+    load = RingLoad(radial_z=2e4, axial=1e4, moment_y=-1e3)
     state = TIGHT.solve(load, soft())
     assert state.distribution.loads == approx(
         yielding_ball_loads(TIGHT.bearing, load.vector(), soft()).loads, rel=1e-12
@@ -155,7 +156,7 @@ def test_torque_follows_the_loads_of_yielding_rings():
 
 
 def test_compliance_that_cannot_be_is_refused():
-    load = np.array([0, 0, 1e4, 0, 0])
+    load = np.array([1e4, 0, 0, 0, 0])
     for broken in (soft(12), soft() * np.nan):
         with pytest.raises(ImpossiblePart, match="must be finite, of shape"):
             yielding_ball_loads(TIGHT.bearing, load, broken)

@@ -19,11 +19,11 @@ def solve(balls, pitch, angle, touching, clearance, coefficient, compliance, loa
             C[j, :, :, k] = compliance[(j - k) % balls]
         for diagonal, lean in enumerate((1, -1)):
             start[j, diagonal] = (touching - clearance) * np.array([np.cos(angle), lean * np.sin(angle)])
-            carry[0, j, diagonal, 0], carry[1, j, diagonal, 0] = np.cos(phi), np.sin(phi)
-            carry[2, j, diagonal, 1] = 1
+            carry[0, j, diagonal, 1] = 1
+            carry[1, j, diagonal, 0], carry[2, j, diagonal, 0] = np.sin(phi), np.cos(phi)
             carry[3, j, diagonal, 1], carry[4, j, diagonal, 1] = (
-                np.sin(phi) * pitch / 2,
-                -np.cos(phi) * pitch / 2,
+                np.cos(phi) * pitch / 2,
+                -np.sin(phi) * pitch / 2,
             )
     C, carry, start = C.reshape(4 * balls, -1), carry.reshape(5, -1), start.ravel()
     weight = np.array([1, 1, 1, 2 / pitch, 2 / pitch])  # moments as forces

@@ -24,7 +24,7 @@ def production(thrust, radial, speed, control):
         contact_angle=PLAIN["alpha"],
     )
     operation = RingOperation(
-        load=(radial, 0.0, thrust, 0.0, 0.0), displacement=(None, None, None, 0.0, 0.0), inner_speed=speed
+        load=(thrust, 0.0, radial, 0.0, 0.0), displacement=(None, None, None, 0.0, 0.0), inner_speed=speed
     )
     return AngularContactBallBearing(bearing=bearing, control=control).solve(operation)
 
@@ -33,7 +33,7 @@ def production(thrust, radial, speed, control):
 def test_equilibrium_of_production_is_that_of_the_plain_model(control):
     state = production(1500.0, 300.0, PLAIN["omega"], control)
     place, balls = plain.bearing(PLAIN | {"control": control}, 1500.0, 300.0)
-    assert state.ring_displacement[[2, 0]] == approx(place, rel=1e-7)
+    assert state.ring_displacement[[0, 2]] == approx(place, rel=1e-7)
     assert state.loads[0] == approx([ball["Qi"] for ball in balls], rel=1e-7)
     assert state.loads[1] == approx([ball["Qo"] for ball in balls], rel=1e-7)
     assert state.contact_angles[0] == approx([ball["inner"] for ball in balls], rel=1e-7)

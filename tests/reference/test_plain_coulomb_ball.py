@@ -24,7 +24,7 @@ def production(friction, thrust):
         contact_angle=PLAIN["alpha"],
     )
     operation = RingOperation(
-        load=(0.0, 0.0, thrust, 0.0, 0.0),
+        load=(thrust, 0.0, 0.0, 0.0, 0.0),
         displacement=(None, None, None, 0.0, 0.0),
         inner_speed=PLAIN["omega"],
     )

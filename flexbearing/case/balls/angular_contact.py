@@ -11,11 +11,11 @@ from flexbearing.case.quantity import Angle, Length, Section, Speed, impossible,
 
 RIGHT_ANGLE = pi / 2  # [rad]
 DIRECTIONS = {  # name of a load, and of the displacement that may be held instead
-    "radial_x": "radial_x",
-    "radial_y": "radial_y",
     "axial": "axial",
-    "moment_x": "tilt_x",
+    "radial_y": "radial_y",
+    "radial_z": "radial_z",
     "moment_y": "tilt_y",
+    "moment_z": "tilt_z",
 }
 
 
@@ -40,7 +40,7 @@ class AngularBearing(BallBearing):
     contact_angle: Angle = key(
         "contact angle without load, from the radial plane", example="15 deg", ge=0, lt=RIGHT_ANGLE
     )
-    first_ball_azimuth: Angle = key("azimuth of a ball, from x towards y", "0 deg")
+    first_ball_azimuth: Angle = key("azimuth of a ball, from z towards y", "0 deg")
 
     @model_validator(mode="after")
     def _balls_fit(self) -> Self:
@@ -68,15 +68,15 @@ class FastMaterials(Section):
 class Displacement(Section):
     """Where the inner ring is held; it is free in every direction that is left out."""
 
-    radial_x: Length | None = key("displacement along x, instead of a load", None, example="0 um")
+    axial: Length | None = key("displacement along x, instead of a load", None, example="20 um")
     radial_y: Length | None = key("displacement along y, instead of a load", None, example="0 um")
-    axial: Length | None = key("displacement along z, instead of a load", None, example="20 um")
-    tilt_x: Angle | None = key("turn about x, instead of a moment", None, example="0 deg")
-    tilt_y: Angle | None = key("turn about y, instead of a moment", None, example="0 deg")
+    radial_z: Length | None = key("displacement along z, instead of a load", None, example="0 um")
+    tilt_y: Angle | None = key("turn about y by the right hand, instead of a moment", None, example="0 deg")
+    tilt_z: Angle | None = key("turn about z by the right hand, instead of a moment", None, example="0 deg")
 
     @property
     def values(self) -> tuple[float | None, ...]:
-        """Displacements x, y, z [m] and turns about x, y [rad]; None where the ring is free."""
+        """Displacements x, y, z [m] and turns about y, z [rad]; None where the ring is free."""
         return tuple(getattr(self, name) for name in DIRECTIONS.values())
 
 

@@ -3,8 +3,10 @@
 from math import cos, pi, sin, sqrt
 from typing import ClassVar, Literal, NamedTuple, Self
 
-from pydantic import model_validator
+from pydantic import field_validator, model_validator
+from pydantic_core import PydanticCustomError
 
+from flexbearing.case.balls.renamed import AXES_CHANGED
 from flexbearing.case.quantity import Angle, Foundation, Length, Section, impossible, key, require
 
 
@@ -45,9 +47,9 @@ class BoltedRing(Section):
     face_distance: Length | None = key(
         "distance of the bolted face from the plane of the ball centres", None, example="45 mm", gt=0
     )
-    face: Literal["+z", "-z"] | None = key("end face that is bolted", None)
+    face: Literal["+x", "-x"] | None = key("end face that is bolted", None)
     face_stiffness: Foundation | None = key(
-        "springs per area under the bolted face, along z; without this key the face is rigid",
+        "springs per area under the bolted face, along x; without this key the face is rigid",
         None,
         example="500 N/mm^3",
         gt=0,
@@ -56,6 +58,14 @@ class BoltedRing(Section):
         "the same along the face, both ways", None, example="200 N/mm^3", gt=0
     )
     groove_end: Angle = key("contact angle at which the shoulders cut the arches", "75 deg", gt=0, lt=pi / 2)
+
+    @field_validator("face", mode="before")
+    @classmethod
+    def _axes_of_today(cls, face: object) -> object:
+        if face in ("+z", "-z"):
+            new = str(face).replace("z", "x")
+            raise PydanticCustomError("quantity", "{why}", {"why": f'is now "{new}" ({AXES_CHANGED})'})
+        return face
 
     @model_validator(mode="after")
     def _complete(self) -> Self:

@@ -70,16 +70,16 @@ class HeavyElastic(Elastic):
 class RingLoad(Section):
     """Load on the inner ring."""
 
-    radial_x: Force = key("radial force along x, where azimuths begin", "0 N")
+    axial: Force = key("axial force along x", "0 N")
     radial_y: Force = key("radial force along y", "0 N")
-    axial: Force = key("axial force along z", "0 N")
-    moment_x: Moment = key("moment about x, by the right hand", "0 N m")
+    radial_z: Force = key("radial force along z, where azimuths begin", "0 N")
     moment_y: Moment = key("moment about y, by the right hand", "0 N m")
+    moment_z: Moment = key("moment about z, by the right hand", "0 N m")
 
     @property
     def values(self) -> tuple[float, float, float, float, float]:
-        """Fx, Fy, Fz [N], Mx, My [N m]."""
-        return self.radial_x, self.radial_y, self.axial, self.moment_x, self.moment_y
+        """Fx, Fy, Fz [N], My, Mz [N m]."""
+        return self.axial, self.radial_y, self.radial_z, self.moment_y, self.moment_z
 
 
 class BallBearing(Section):

@@ -103,7 +103,7 @@ class AngularBalance:
         """Place of the inner groove centre, axial + i radial, at each ball per ring displacement (Z, 5)."""
         azimuth = self.bearing.azimuths
         sine, cosine = np.sin(azimuth), np.cos(azimuth)
-        return np.array([1j * cosine, 1j * sine, 1 + 0 * sine, sine, -cosine], dtype=complex).T.copy()
+        return np.array([1 + 0 * sine, 1j * sine, 1j * cosine, cosine, -sine], dtype=complex).T.copy()
 
     def grooves(self, ring: NDArray) -> Vectors:
         """Inner groove centres from the outer ones (C, Z) [m] at ring displacements (C, 5)."""

@@ -19,11 +19,11 @@ STIFFENING = 1e-2  # of the whole stiffness over the relative imbalance, where n
 
 @dataclass(frozen=True)
 class BallLoads:
-    """How the balls share a load. Z balls, two diagonals: the first leans outwards to positive z."""
+    """How the balls share a load. Z balls, two diagonals: the first leans outwards to positive x."""
 
     loads: NDArray  # (Z, 2) [N] the same at both ends of a diagonal
     angles: NDArray  # (Z, 2) [rad] contact angle from the radial plane, loaded
-    displacement: NDArray  # (5) x, y, z [m] and tilts about x and y [rad] of the inner against the outer ring
+    displacement: NDArray  # (5) x, y, z [m] and tilts about y and z [rad] of the inner against the outer ring
     stiffness: NDArray  # (5, 5) tangent [N/m, N, N m], symmetric
     imbalance: float  # [-] unbalanced force over the largest force
     iterations: int  # evaluations of all balls
@@ -42,9 +42,9 @@ def ball_loads(bearing: FourPointBearing, load: NDArray) -> BallLoads:
     r"""Load of every diagonal under five loads on the inner ring, with contact angles that turn.
 
     .. math:: Q = K [L - A]_+^{3/2},\quad A = r_i + r_o - D,\quad L_0 = A - G,\\
-              L = |(L_0 \cos\alpha_0 + u_r,\; L_0 \sin\alpha_0 \pm u_z)|,\quad
-              u_r = u_x \cos\varphi + u_y \sin\varphi,\quad
-              u_z = u_{zz} + R_c (\theta_x \sin\varphi - \theta_y \cos\varphi)
+              L = |(L_0 \cos\alpha_0 + u_r,\; L_0 \sin\alpha_0 \pm u_a)|,\quad
+              u_r = u_y \sin\varphi + u_z \cos\varphi,\quad
+              u_a = u_x + R_c (\theta_y \cos\varphi - \theta_z \sin\varphi)
 
     Newton's method on the convex energy of the contacts.
 
@@ -53,7 +53,7 @@ def ball_loads(bearing: FourPointBearing, load: NDArray) -> BallLoads:
     bearing : FourPointBearing
         D, r, contact angle alpha_0, clearance G of a diagonal, pitch radius R_c
     load : array (5)
-        on the inner ring: radial x and y, axial z [N], moments about x and y [N m]
+        on the inner ring: axial x, radial y and z [N], moments about y and z [N m]
 
     Returns
     -------
@@ -106,7 +106,7 @@ class RigidRings:
         """Build from a bearing and a load [N, N m]; raises as `ball_loads`."""
         load = np.asarray(load, dtype=float)
         if load.shape != (5,) or not np.isfinite(load).all():
-            raise ImpossiblePart(f"load = {load} must be five finite numbers: Fx, Fy, Fz, Mx, My")
+            raise ImpossiblePart(f"load = {load} must be five finite numbers: Fx, Fy, Fz, My, Mz")
         if not load.any() and bearing.clearance >= 0.0:
             raise NotSolved(
                 f"no load, and a clearance of {bearing.clearance * 1e6:g} um: nothing holds the ring, its "

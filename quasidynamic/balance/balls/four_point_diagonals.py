@@ -14,7 +14,7 @@ SIGN = np.array([1.0, -1.0])  # of the axial direction in which the diagonals le
 
 
 class Pressed(NamedTuple):
-    """What the diagonals do at one place of the inner ring; components are (outward, along z)."""
+    """What the diagonals do at one place of the inner ring; components are (outward, along x)."""
 
     loads: NDArray  # (Z, 2) [N]
     angles: NDArray  # (Z, 2) [rad]
@@ -30,7 +30,7 @@ class Diagonals:
     touching: float  # [m] distance of the groove centres at which a diagonal begins to carry
     start: NDArray  # (2, 2) [m] distance of the groove centres (diagonal, component), rings concentric
     moves: (
-        NDArray  # (Z, 2, 5) [-] displacement (outward, along z) of the inner ring at each ball by its place
+        NDArray  # (Z, 2, 5) [-] displacement (outward, along x) of the inner ring at each ball by its place
     )
 
     @classmethod
@@ -39,8 +39,8 @@ class Diagonals:
         cosine, sine = np.cos(bearing.azimuths), np.sin(bearing.azimuths)
         none, one = np.zeros_like(cosine), np.ones_like(cosine)
         angle, distance = bearing.contact_angle, bearing.centre_distance - bearing.clearance
-        outward = np.stack([cosine, sine, none, none, none], 1)
-        along = np.stack([none, none, one, sine, -cosine], 1)
+        outward = np.stack([none, sine, cosine, none, none], 1)
+        along = np.stack([one, none, none, cosine, -sine], 1)
         return cls(
             coefficient=diagonal_coefficient(bearing),
             touching=bearing.centre_distance,
@@ -58,7 +58,7 @@ class Diagonals:
         Parameters
         ----------
         place : array (5)
-            x, y, z of the inner ring and its tilts about x and y, times the pitch radius [m]
+            x, y, z of the inner ring and its tilts about y and z, times the pitch radius [m]
         yielded : array (Z, 2, 2)
             by how much elastic rings let the groove centres come closer: of each ball and diagonal, radial
             and axial part of v that is lost [m]

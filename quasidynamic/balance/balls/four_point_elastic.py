@@ -58,12 +58,12 @@ def yielding_ball_loads(bearing: FourPointBearing, load: NDArray, compliance: ND
     bearing : FourPointBearing
         as for `ball_loads`
     load : array (5)
-        P on the face of the inner ring, which moves as a rigid body: radial x and y, axial z [N], moments
-        about x and y [N m]
+        P on the face of the inner ring, which moves as a rigid body: axial x, radial y and z [N], moments
+        about y and z [N m]
     compliance : array (Z, 2, 2, 2, 2)
         C by which the groove centres of a diagonal come closer (diagonal, component) for a force of
         another diagonal so many balls before it (diagonal, component), both rings together, the contacts' own
-        indentation left out [m/N]; diagonals as in `BallLoads`, components outward and along z; symmetric
+        indentation left out [m/N]; diagonals as in `BallLoads`, components outward and along x; symmetric
 
     Returns
     -------

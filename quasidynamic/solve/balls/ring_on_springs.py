@@ -83,10 +83,10 @@ def single_loads(balance: AngularBalance) -> NDArray:
         return (np.abs(load) / own.balls / balance.places.in_series) ** (2 / 3)
 
     load, place = balance.load, np.zeros_like(balance.load)
-    radial = np.sqrt((load[:, :2] ** 2).sum(1, keepdims=True))
-    place[:, :2] = approach(4.4 * radial / cosine) / cosine * load[:, :2] / np.maximum(radial, 1e-300)
-    axial = apart + approach(load[:, 2] / sine)
+    radial = np.sqrt((load[:, 1:3] ** 2).sum(1, keepdims=True))
+    place[:, 1:3] = approach(4.4 * radial / cosine) / cosine * load[:, 1:3] / np.maximum(radial, 1e-300)
+    axial = apart + approach(load[:, 0] / sine)
     stretch = np.sqrt(axial**2 - (apart * cosine) ** 2) - apart * np.sin(own.contact_angle)
-    place[:, 2] = np.sign(load[:, 2]) * stretch
+    place[:, 0] = np.sign(load[:, 0]) * stretch
     place[:, 3:] = np.sign(load[:, 3:]) * approach(4.4 * load[:, 3:] / sine) / sine
     return np.where(balance.held, balance.place, place)
