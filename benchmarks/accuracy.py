@@ -16,12 +16,12 @@ import numpy as np
 from threadpoolctl import threadpool_limits
 
 from benchmarks.machine import describe
-from flexbearing.accuracy.adaptive import JUDGED, Ordered, ordered
+from flexbearing.accuracy.adaptive import JUDGED, AdaptiveResolution, adaptive_resolution
 from flexbearing.accuracy.trials import Trial, changes, finer
-from flexbearing.build import assemble
+from flexbearing.build import expansion
 from flexbearing.case import Case, understood
 from flexbearing.coupled.coupled import BearingPartner
-from flexbearing.coupling import Ending, newton
+from flexbearing.coupling import StoppingCriterion, newton
 from flexbearing.progress import Logged
 from flexbearing.rings import condensed
 from flexbearing.rings.raceways import CondensedRings
@@ -138,7 +138,7 @@ def case_of(file: str, settings: dict[str, object], target: str) -> Case:
     return found
 
 
-def reference(case: Case, found: Ordered) -> Trial:
+def reference(case: Case, found: AdaptiveResolution) -> Trial:
     """The same equilibrium, resolved much more finely."""
     case = finer(case, axial_shapes=SHAPES)
     model = replace(found.model, slices=SLICES, axial_modes=SHAPES)
@@ -154,7 +154,7 @@ def reference(case: Case, found: Ordered) -> Trial:
         return Trial(partner.solve(found.trial.found), both)
     # The same branch; but a fit asks the start for forces of all its shapes, which rigid raceways have.
     start = found.trial.found if isinstance(both, CondensedRings) else partner.solve()
-    *_, last = newton(partner, both, start, Ending(tolerance=1e-9, limit=100))
+    *_, last = newton(partner, both, start, StoppingCriterion(tolerance=1e-9, limit=100))
     if last.status != "converged":
         raise RuntimeError(f"reference: {last.status} {last.message}")
     return Trial(last.state, both)
@@ -162,16 +162,16 @@ def reference(case: Case, found: Ordered) -> Trial:
 
 def _meshed(case: Case, row: tuple[int, float, float]) -> Case:
     order, size, raceway = row
-    length = assemble.roller_length(case)
+    length = expansion.roller_length(case)
     return finer(case, element_order=order, mesh_size=size * length, raceway_mesh_size=raceway * length)
 
 
-def measured(target: str, cases: Cases) -> Iterator[tuple[str, Ordered, dict[str, float], float]]:
+def measured(target: str, cases: Cases) -> Iterator[tuple[str, AdaptiveResolution, dict[str, float], float]]:
     """Name, choice, true errors and seconds of every case."""
     for name, (file, settings) in cases.items():
         case = case_of(file, settings, target)
         began = time.perf_counter()
-        found = ordered(case, Logged())
+        found = adaptive_resolution(case, Logged())
         seconds = time.perf_counter() - began
         yield name, found, changes(found.trial, reference(case, found)), seconds
 

@@ -31,7 +31,7 @@ from benchmarks.calculix import Hexahedra, printed
 from benchmarks.calculix_springs import MOVED, SLICES, Springs, deck, found, meshed
 from benchmarks.machine import describe
 from flexbearing import run
-from flexbearing.build import assemble
+from flexbearing.build import ring_parts, roller_bearing
 from flexbearing.cache.store import VARIABLE
 from flexbearing.case import Case, read
 
@@ -115,7 +115,7 @@ def main() -> None:
     print(f"{describe()}, {release(program)}")
     case = read(CASE, SETTINGS)
     assert isinstance(case, Case)
-    bearing, ring = assemble.bearing(case).bearing, assemble.outer_part(case)
+    bearing, ring = roller_bearing.bearing(case).bearing, ring_parts.outer_part(case)
     assert isinstance(ring, fem.OuterRing)
     ours(LOADED, [])  # loads modules
     with threadpool_limits(limits=1, user_api="blas"):

@@ -16,10 +16,10 @@ from threadpoolctl import threadpool_limits
 
 from benchmarks.bearings import CASE
 from benchmarks.machine import describe
-from flexbearing.build import assemble
+from flexbearing.build import roller_bearing
 from flexbearing.case import read
 from flexbearing.coupled.coupled import BearingPartner
-from flexbearing.coupling import RULES, Ending, alternate, newton, relaxed
+from flexbearing.coupling import RULES, StoppingCriterion, fixed_point, newton, relaxed
 from flexbearing.progress import Logged
 from flexbearing.rings.condensed import condensed
 from flexbearing.rings.raceways import CondensedRings
@@ -104,10 +104,10 @@ class Pair:
 
     def run(self, method: str, start=None):
         """Last iteration of a method, and the seconds that it took."""
-        began, ending = time.perf_counter(), Ending(tolerance=TOLERANCE, limit=LIMIT)
+        began, ending = time.perf_counter(), StoppingCriterion(tolerance=TOLERANCE, limit=LIMIT)
         given = self.bearing, self.rings, start or self.rigid, ending
         rule = partial(relaxed, relaxation=0.1) if method == "relaxed" else RULES.get(method)
-        *_, last = newton(*given) if rule is None else alternate(*given, rule)
+        *_, last = newton(*given) if rule is None else fixed_point(*given, rule)
         return last, time.perf_counter() - began
 
 
@@ -116,7 +116,7 @@ def pairs(words: list[str]) -> Iterator[tuple[str, Pair]]:
         if words and not any(word in name for word in words):
             continue
         case = read(CASE, settings)
-        bearing = BearingPartner(assemble.bearing(case))
+        bearing = BearingPartner(roller_bearing.bearing(case))
         rings = condensed(case, bearing.model.bearing.azimuths, Logged())
         # Every iteration of a fit solves its contact: too long for a constant relaxation.
         methods = METHODS[:-1] if "fit" in name else METHODS
@@ -160,7 +160,7 @@ def spectral_radius(state) -> float:
 def softened() -> list[Row]:
     """The same bearing on cages of growing softness."""
     case = read(CASE, CAGE)
-    bearing = BearingPartner(assemble.bearing(case))
+    bearing = BearingPartner(roller_bearing.bearing(case))
     cage = condensed(case, bearing.model.bearing.azimuths, Logged()).raceways[1]
     rows = []
     for factor in SOFTNESS:

@@ -16,7 +16,7 @@ import fem
 from benchmarks.alone import Cost, measured
 from benchmarks.bearings import CASE
 from benchmarks.machine import describe
-from flexbearing.build import assemble
+from flexbearing.build import expansion, ring_parts
 from flexbearing.case import read
 from flexbearing.rings.condensed import IN_SPACE, ON_A_SECTION
 
@@ -134,10 +134,10 @@ def main() -> None:
     asked = parser.parse_args()
     print(describe())
     case = read(CASE)
-    length = assemble.roller_length(case)
+    length = expansion.roller_length(case)
     series = {
-        "cage": table("squirrel cage", assemble.outer_part(case), length, CAGE),
-        "shaft": table("inner ring on its shaft", assemble.inner_part(case), length, SHAFT),
+        "cage": table("squirrel cage", ring_parts.outer_part(case), length, CAGE),
+        "shaft": table("inner ring on its shaft", ring_parts.inner_part(case), length, SHAFT),
     }
     if asked.picture:
         draw(series, asked.picture)

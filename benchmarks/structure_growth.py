@@ -17,7 +17,7 @@ import fem
 from benchmarks.alone import measured
 from benchmarks.bearings import CASE
 from benchmarks.machine import describe
-from flexbearing.build import assemble
+from flexbearing.build import expansion, ring_parts
 from flexbearing.case import read
 
 SIZES = (4.0, 3.0, 2.2, 1.6, 1.2, 1.0, 0.9)  # [mm]
@@ -93,7 +93,7 @@ def main() -> None:
     asked = parser.parse_args()
     print(describe())
     case = read(CASE)
-    found = rows(assemble.outer_part(case), assemble.roller_length(case))
+    found = rows(ring_parts.outer_part(case), expansion.roller_length(case))
     unknowns, seconds, memory = (np.array(column) for column in zip(*found, strict=True))
     for name, cost in zip((*STAGES, "memory"), (*seconds.T, memory), strict=True):
         print(f"{name}: grows like n^{exponent(unknowns, cost):.2f}")

@@ -19,7 +19,7 @@ JUDGED = ("roller_load", "life")  # outputs that the target is of
 
 
 @dataclass(frozen=True)
-class Ordered:
+class AdaptiveResolution:
     """A case at the levels that its target asks for."""
 
     found: Found
@@ -60,7 +60,7 @@ class Ordered:
             )
 
 
-def ordered(case: Case, report: Report) -> Ordered:
+def adaptive_resolution(case: Case, report: Report) -> AdaptiveResolution:
     """Choose the levels of a case that has a target.
 
     Parameters
@@ -72,7 +72,7 @@ def ordered(case: Case, report: Report) -> Ordered:
 
     Returns
     -------
-    Ordered
+    AdaptiveResolution
 
     Raises
     ------
@@ -94,7 +94,7 @@ def ordered(case: Case, report: Report) -> Ordered:
                 "; ".join(verdict.unusable.values())
             )  # a part without any level is not a rigid one
         report.stage(f"{name}: {level}", None)
-    return Ordered(found, trials(found.place), trials.model(found.place))
+    return AdaptiveResolution(found, trials(found.place), trials.model(found.place))
 
 
 def _record(verdict: Verdict) -> dict[str, Any]:

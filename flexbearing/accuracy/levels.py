@@ -7,7 +7,7 @@ from typing import Any, Literal
 import fem
 from fem.parts.step_solid import StepSolid
 from flexbearing.accuracy import Choice
-from flexbearing.build import assemble
+from flexbearing.build import expansion, ring_parts
 from flexbearing.case import Case
 from flexbearing.case.roller.life import FEWEST_SLICES
 from flexbearing.rings.condensed import IN_SPACE, ON_A_SECTION
@@ -47,7 +47,7 @@ class Ladder:
 
 def ladders(case: Case) -> tuple[Ladder, ...]:
     """Everything that can be resolved more or less finely, the cheapest first."""
-    both: dict[Race, Any] = {"inner": assemble.inner_part(case), "outer": assemble.outer_part(case)}
+    both: dict[Race, Any] = {"inner": ring_parts.inner_part(case), "outer": ring_parts.outer_part(case)}
     parts: dict[Race, Any] = {race: part for race, part in both.items() if part is not None}
     found = [_slices(case), _shapes(case, parts), *_harmonics(case)]
     found += [_part(case, race, part) for race, part in parts.items()]
@@ -69,7 +69,7 @@ def _slices(case: Case) -> Ladder:
 
 def _shapes(case: Case, parts: Mapping[Race, Any]) -> Ladder:
     """Axial shapes come two at a time. A raceway with few of them has too few harmonics for a fit."""
-    given, length = case.accuracy.axial_shapes, assemble.roller_length(case)
+    given, length = case.accuracy.axial_shapes, expansion.roller_length(case)
     fits = [part.raceway_diameter / 2 for race, part in parts.items() if in_a_fit(case, race)]
     least = max((FEWEST_OF_A_FIT / (PER_SHAPE * radius / length) for radius in fits), default=0)
     if _given(case, "axial_shapes"):
@@ -136,7 +136,7 @@ def in_a_fit(case: Case, race: Race) -> bool:
 def _mesh(row: tuple[int, float, float], harmonics: float, case: Case, part: Any) -> Settings:
     """Settings of a level, its raceway so fine that it resolves at least so many harmonics."""
     order, size, raceway = row
-    length, radius = assemble.roller_length(case), part.raceway_diameter / 2
+    length, radius = expansion.roller_length(case), part.raceway_diameter / 2
     largest = PER_ORDER * order * radius / harmonics
     return dict(zip(MESH, (order, size * length, min(raceway * length, largest)), strict=True))
 

@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 from flexbearing.accuracy import Unusable
 from flexbearing.accuracy.ladder import Place
 from flexbearing.accuracy.levels import APART, SHAPES, Ladder, Race, in_a_fit, of_place
-from flexbearing.build import assemble
+from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase, Case
 from flexbearing.coupled import states
 from flexbearing.coupled.coupled import BearingPartner
-from flexbearing.coupling import RULES, Ending, PartnerFailed, alternate, newton
+from flexbearing.coupling import RULES, PartnerFailed, StoppingCriterion, fixed_point, newton
 from flexbearing.progress import Report
 from flexbearing.rings import condensed
 from flexbearing.rings.raceways import CondensedRings
@@ -117,7 +117,7 @@ class Trials:
 
     @cached_property
     def _bearing(self) -> RollerBearing:
-        return assemble.bearing(self.case)
+        return roller_bearing.bearing(self.case)
 
     def _solved(self, place: Place) -> Trial:
         partner, both = BearingPartner(self.model(place)), self._rings(place)
@@ -137,12 +137,12 @@ class Trials:
         ):  # a fit asks for the forces
             yield lambda: near, newton
         yield partner.solve, newton
-        yield partner.solve, partial(alternate, rule=RULES["iqn-ils"])
+        yield partner.solve, partial(fixed_point, rule=RULES["iqn-ils"])
 
     @property
-    def _ending(self) -> Ending:
+    def _ending(self) -> StoppingCriterion:
         given = self.case.coupling
-        return Ending(tolerance=given.tolerance, limit=given.max_iterations)
+        return StoppingCriterion(tolerance=given.tolerance, limit=given.max_iterations)
 
     def _near(self, place: Place) -> Equilibrium | None:
         """The last trial with the same rigid parts, or else the last one."""

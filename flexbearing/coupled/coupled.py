@@ -10,14 +10,14 @@ from numpy.typing import NDArray
 
 from flexbearing.case import Case
 from flexbearing.coupled import states
-from flexbearing.coupled.initial_state import Neighbour
+from flexbearing.coupled.initial_state import InitialState
 from flexbearing.coupling import (
     RULES,
     Condensed,
-    Ending,
     Iteration,
     PartnerFailed,
-    alternate,
+    StoppingCriterion,
+    fixed_point,
     newton,
     relaxed,
 )
@@ -28,7 +28,7 @@ from flexbearing.rings.full_solve import WholeRings
 from quasidynamic import Equilibrium, NotSolved, RollerBearing
 from quasidynamic.solve.rollers.static_equilibrium import series_stiffness
 
-WARM = "newton from a neighbour"
+WARM = "newton from an initial state"
 FALLBACK = ("newton", "iqn-ils", "aitken", "relaxed")  # after the method of the case, in this order
 
 
@@ -85,7 +85,7 @@ class Coupled:
     partner: BearingPartner
     rings: Rings | WholeRings
     rigid: Equilibrium
-    near: Neighbour | None = None  # where newton starts first
+    near: InitialState | None = None  # where newton starts first
 
     def together(self, file: ResultFile, report: Report) -> list[Attempt]:
         """Iterate by one method after the other, and store every iteration; the last attempt counts."""
@@ -118,15 +118,17 @@ class Coupled:
 
     def _steps(self, method: str) -> Iterator[Iteration[Equilibrium]]:
         given = self.case.coupling
-        ending = Ending(tolerance=given.tolerance, limit=given.max_iterations)
+        ending = StoppingCriterion(tolerance=given.tolerance, limit=given.max_iterations)
         if isinstance(self.rings, Condensed) and method in ("newton", WARM):
             if self.near is not None and method == WARM:
                 return self._warm(self.near, self.rings, ending)
             return newton(self.partner, self.rings, self.rigid, ending)
         rule = partial(relaxed, relaxation=given.relaxation) if method == "relaxed" else RULES[method]
-        return alternate(self.partner, self.rings, self.rigid, ending, rule)
+        return fixed_point(self.partner, self.rings, self.rigid, ending, rule)
 
-    def _warm(self, near: Neighbour, rings: Condensed, ending: Ending) -> Iterator[Iteration[Equilibrium]]:
+    def _warm(
+        self, near: InitialState, rings: Condensed, ending: StoppingCriterion
+    ) -> Iterator[Iteration[Equilibrium]]:
         try:
             start = near.state(self.partner, rings, self.rigid)
         except PartnerFailed as failure:

@@ -48,7 +48,7 @@ def unknowns(values: NDArray, rollers: int) -> Unknowns:
 
 
 @dataclass(frozen=True)
-class Neighbour:
+class InitialState:
     """Where a case may start."""
 
     name: str  # of its result
@@ -91,7 +91,7 @@ def _put(state: Equilibrium, x: Unknowns) -> Equilibrium:
     return replace(state, scaled=state.balance.pack(x)[0])
 
 
-def neighbour(start: str | Path | Result, case: AnyCase) -> Neighbour:
+def initial_state(start: str | Path | Result, case: AnyCase) -> InitialState:
     """The end state that a case shall start from.
 
     Parameters
@@ -103,7 +103,7 @@ def neighbour(start: str | Path | Result, case: AnyCase) -> Neighbour:
 
     Returns
     -------
-    Neighbour
+    InitialState
 
     Raises
     ------
@@ -116,7 +116,7 @@ def neighbour(start: str | Path | Result, case: AnyCase) -> Neighbour:
     if problem := _of_case(case) or _of_result(result) or _differing(result, case):
         raise BadCase(f"start {result.path}: {problem}")
     values = result.flexible["unknowns"]
-    return Neighbour(str(result.path), unknowns(values, result.flexible["roller_azimuth"].size))
+    return InitialState(str(result.path), unknowns(values, result.flexible["roller_azimuth"].size))
 
 
 def _of_case(case: AnyCase) -> str:

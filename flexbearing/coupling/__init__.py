@@ -1,20 +1,20 @@
 """Two partners that stay strangers: a bearing and the structures that carry its raceways."""
 
 from flexbearing.coupling.acceleration import RULES, Rule, relaxed
-from flexbearing.coupling.loop import Ending, Iteration, alternate, newton
+from flexbearing.coupling.loop import Iteration, StoppingCriterion, fixed_point, newton
 from flexbearing.coupling.partners import Bearing, Condensed, PartnerFailed, State, Structure
 
 __all__ = [
     "RULES",
     "Bearing",
     "Condensed",
-    "Ending",
     "Iteration",
     "PartnerFailed",
     "Rule",
     "State",
+    "StoppingCriterion",
     "Structure",
-    "alternate",
+    "fixed_point",
     "newton",
     "relaxed",
 ]

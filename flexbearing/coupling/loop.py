@@ -21,13 +21,18 @@ from flexbearing.coupling.partners import (
 
 Status = Literal["", "converged", "iteration limit", "diverging", "stagnating", "not finite", "not solved"]
 
-FAR = 10.0  # diverging: a residual so much above the first one after `SOON` that grew in a row, ...
-SOON, LATE = 3, 5  # ... or above the least one after `LATE`: Aitken's method jumps, but not five times
-PATIENCE, HEADWAY = 40, 0.9  # so many iterations without a residual below this part of the least: stagnating
-ENOUGH = 1e-10  # unbalanced force over the load at which newton has nothing left to do
-_HOPELESS = {
-    "diverging": "the alternation grows: a structure that soft cannot be alternated like that; newton can",
-    "stagnating": f"no residual was {HEADWAY:g} of the least one for {PATIENCE} iterations; newton can",
+# Diverging: a residual grew so often in a row and is so much above the first, or above the smallest. Aitken's
+# method jumps, but not five times.
+DIVERGENCE_RATIO = 10.0
+GROWTHS_OVER_FIRST, GROWTHS_OVER_LEAST = 3, 5
+# Stagnating: so many iterations without a residual below this part of the smallest before them.
+STAGNATION_LIMIT, STAGNATION_RATIO = 40, 0.9
+BALANCED = 1e-10  # unbalanced force over the load at which newton has nothing left to improve
+_REASONS = {
+    "diverging": "diverging iterations are stopped: the structure is too soft for a fixed-point iteration; "
+    "newton can solve it",
+    "stagnating": f"no residual fell below {STAGNATION_RATIO:g} of the smallest in {STAGNATION_LIMIT} "
+    "iterations; newton can solve it",
 }
 
 
@@ -45,7 +50,7 @@ class Iteration(Generic[S]):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Ending:
+class StoppingCriterion:
     """When to stop."""
 
     tolerance: float  # on the load change and on the unbalanced force, both over the load
@@ -60,8 +65,8 @@ class Ending:
         return "iteration limit" if number == self.limit else ""
 
 
-def alternate(
-    bearing: Bearing[S], structure: Structure, start: S, ending: Ending, rule: Rule
+def fixed_point(
+    bearing: Bearing[S], structure: Structure, start: S, ending: StoppingCriterion, rule: Rule
 ) -> Iterator[Iteration[S]]:
     """Alternate: deviations to the bearing, loads to the structure, and back through a rule.
 
@@ -74,7 +79,7 @@ def alternate(
     bearing, structure : partners
     start : State
         the first loads, those of rigid raceways
-    ending : Ending
+    ending : StoppingCriterion
         tolerance and limit
     rule : callable
         next deviations from those before and their residuals, such as those in `acceleration`
@@ -101,7 +106,7 @@ def alternate(
         mismatch = _part(answer - deviation, answer)
         change = load_change(state.forces - forces, state.forces)
         status = ending.judge(number, change, mismatch) or _hopeless(history.sizes)
-        yield Iteration(number, state, change, mismatch, status, _HOPELESS.get(status, ""), state.status)
+        yield Iteration(number, state, change, mismatch, status, _REASONS.get(status, ""), state.status)
         if status:
             return
         deviation = rule(history.seen(compliance)).reshape(answer.shape)
@@ -130,23 +135,25 @@ def _part(residual: NDArray, answer: NDArray) -> float:
 
 def _hopeless(sizes: list[float]) -> Status:
     """Whether the last residuals only grew, and far, or none was less for long."""
-    for growths, before in ((SOON, sizes[0]), (LATE, min(sizes))):
+    for growths, before in ((GROWTHS_OVER_FIRST, sizes[0]), (GROWTHS_OVER_LEAST, min(sizes))):
         last = sizes[-growths - 1 :]
-        if len(last) > growths and (np.diff(last) > 0).all() and last[-1] > FAR * before:
+        if len(last) > growths and (np.diff(last) > 0).all() and last[-1] > DIVERGENCE_RATIO * before:
             return "diverging"
-    before = sizes[:-PATIENCE]
-    return "stagnating" if before and min(sizes[-PATIENCE:]) > HEADWAY * min(before) else ""
+    before = sizes[:-STAGNATION_LIMIT]
+    return "stagnating" if before and min(sizes[-STAGNATION_LIMIT:]) > STAGNATION_RATIO * min(before) else ""
 
 
 def _lost(failed: Iteration[S], sizes: list[float]) -> Iteration[S]:
     """A failure of the bearing where residuals had grown far is one of the alternation."""
-    if not sizes or sizes[-1] <= FAR * min(sizes):
+    if not sizes or sizes[-1] <= DIVERGENCE_RATIO * min(sizes):
         return failed
-    message = f"{_HOPELESS['diverging']} (at the last shape: {failed.message})"
+    message = f"{_REASONS['diverging']} (at the last shape: {failed.message})"
     return replace(failed, status="diverging", message=message)
 
 
-def newton(bearing: Bearing[S], structure: Condensed, start: S, ending: Ending) -> Iterator[Iteration[S]]:
+def newton(
+    bearing: Bearing[S], structure: Condensed, start: S, ending: StoppingCriterion
+) -> Iterator[Iteration[S]]:
     """Solve bearing and structure as one system, the structure linearised where it is not linear.
 
     Parameters
@@ -154,7 +161,7 @@ def newton(bearing: Bearing[S], structure: Condensed, start: S, ending: Ending) 
     bearing, structure : partners
     start : State
         where to begin, the equilibrium of rigid raceways
-    ending : Ending
+    ending : StoppingCriterion
         tolerance and limit
 
     Yields
@@ -182,7 +189,7 @@ def newton(bearing: Bearing[S], structure: Condensed, start: S, ending: Ending) 
 
 
 def _in_one_system(
-    bearing: Bearing[S], linear: Linear, start: S, ending: Ending, done: int
+    bearing: Bearing[S], linear: Linear, start: S, ending: StoppingCriterion, done: int
 ) -> Iterator[Iteration[S]]:
     """Newton iterates between raceways that yield linearly, numbered on from those that are done."""
     forces = start.forces
@@ -196,9 +203,9 @@ def _in_one_system(
         forces = state.forces
 
 
-def _newton_step(number: int, state: S, size: float, ending: Ending) -> Iteration[S]:
+def _newton_step(number: int, state: S, size: float, ending: StoppingCriterion) -> Iteration[S]:
     status, message = ending.judge(number, size, state.residual), ""
-    if state.status == "converged" or state.residual <= ENOUGH:
+    if state.status == "converged" or state.residual <= BALANCED:
         # Such a force is tighter than any tolerance on loads, though the last step may still have moved them.
         status = "converged"
     elif not status and state.status:

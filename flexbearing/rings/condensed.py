@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 import fem
 from fem.errors import NotSolved
 from fem.parts.step_solid import StepSolid
-from flexbearing.build import assemble
+from flexbearing.build import expansion, ring_parts
 from flexbearing.cache import configured
 from flexbearing.case import BadCase, Case
 from flexbearing.coupling import PartnerFailed
@@ -45,21 +45,21 @@ def condensed(case: Case, azimuths: NDArray, report: Report) -> Rings:
 
 def outer_ring(case: Case, azimuths: NDArray, report: Report) -> "RacewayCompliance | SettledFit | None":
     """Condense the part around the rollers, or put it in its housing; raises as `condensed`."""
-    part = assemble.outer_part(case)
+    part = ring_parts.outer_part(case)
     if isinstance(part, fem.OuterRing) and case.outer.lifts_off:
         report.stage("outer ring in its housing", None)
         with told(case, "outer ring and housing"):
-            return housing_fit(case, part, assemble.roller_length(case), wishes(case, ON_A_SECTION))
+            return housing_fit(case, part, expansion.roller_length(case), wishes(case, ON_A_SECTION))
     return _condensed("outer ring", part, case, azimuths, report)
 
 
 def inner_ring(case: Case, azimuths: NDArray, report: Report) -> "RacewayCompliance | SettledFit | None":
     """Condense the part inside the rollers, or settle it in its fit; raises as `condensed`."""
-    shaft = assemble.inner_part(case)
+    shaft = ring_parts.inner_part(case)
     if shaft is not None and case.inner.fit != "bonded":
         report.stage("inner ring in its fit", None)
         with told(case, "inner ring and shaft"):
-            mesh, length = wishes(case, ON_A_SECTION), assemble.roller_length(case)
+            mesh, length = wishes(case, ON_A_SECTION), expansion.roller_length(case)
             return fit_of(case, shaft, length, mesh)
     return _condensed("inner ring and shaft", shaft, case, azimuths, report)
 
@@ -78,7 +78,7 @@ def side_by_side(
     return FittedRings(inner, azimuths, outer)  # pyright: ignore[reportArgumentType]
 
 
-def _condensed(name: str, part: assemble.Part | None, case: Case, azimuths: NDArray, report: Report):
+def _condensed(name: str, part: ring_parts.Part | None, case: Case, azimuths: NDArray, report: Report):
     if part is None:
         return None
     began = perf_counter()
@@ -110,16 +110,16 @@ def _as_beam(part: fem.Part, case: Case):
     from fem.beam import thin_ring
 
     given = case.accuracy
-    return thin_ring.condense(part, assemble.roller_length(case), given.axial_shapes, given.harmonics)
+    return thin_ring.condense(part, expansion.roller_length(case), given.axial_shapes, given.harmonics)
 
 
-def _by_harmonics(name: str, part: assemble.Part, case: Case, report: Report):
+def _by_harmonics(name: str, part: ring_parts.Part, case: Case, report: Report):
     """Raceway compliance for rollers anywhere: on half a pitch of a cage, else on an axial section."""
     cage = isinstance(part, fem.SquirrelCage)
     smeared = cage and case.accuracy.structure == "smeared"
     wanted = (
         part,
-        assemble.roller_length(case),
+        expansion.roller_length(case),
         case.accuracy.axial_shapes,
         wishes(case, WITH_A_SLEEVE if smeared else IN_SPACE if cage else ON_A_SECTION),
         case.accuracy.harmonics,
@@ -134,7 +134,7 @@ def _by_harmonics(name: str, part: assemble.Part, case: Case, report: Report):
     )
 
 
-def _condenser(part: assemble.Part, smeared: bool) -> Any:
+def _condenser(part: ring_parts.Part, smeared: bool) -> Any:
     """What condenses a part; NGSolve takes a second to load, which known rings need not wait for."""
     if smeared:
         from fem.section.smeared_cage import condense
@@ -147,7 +147,7 @@ def _condenser(part: assemble.Part, smeared: bool) -> Any:
     return condense
 
 
-def _solid(name: str, part: assemble.Part, case: Case, azimuths: NDArray, report: Report):
+def _solid(name: str, part: ring_parts.Part, case: Case, azimuths: NDArray, report: Report):
     """Raceway compliance of the whole solid for rollers where they are."""
     from fem.subprocess import condense_apart
 
@@ -165,7 +165,7 @@ def _solid(name: str, part: assemble.Part, case: Case, azimuths: NDArray, report
 
 def patches(case: Case, azimuths: NDArray) -> fem.Patches:
     """What rollers do to a full solid."""
-    length = assemble.roller_length(case)
+    length = expansion.roller_length(case)
     return fem.Patches(
         azimuths=tuple(azimuths),
         length=length,
@@ -177,7 +177,7 @@ def patches(case: Case, azimuths: NDArray) -> fem.Patches:
 def wishes(case: Case, usual: tuple[int, float, float]) -> fem.Mesh:
     """Order and sizes of elements: those of the case, else the usual ones in roller lengths."""
     order, size, raceway_size = usual
-    given, length = case.accuracy, assemble.roller_length(case)
+    given, length = case.accuracy, expansion.roller_length(case)
     return fem.Mesh(
         order=given.element_order or order,
         size=given.mesh_size or size * length,

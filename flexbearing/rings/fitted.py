@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import fem
-from flexbearing.build.assemble import growth
+from flexbearing.build.expansion import hot_over_cold, material
 from flexbearing.case import Case
 from flexbearing.coupling import PartnerFailed
 from flexbearing.rings.raceways import CondensedRings
@@ -116,14 +116,14 @@ def variations(case: Case, **bodies: str) -> "dict[str, Along]":
     from fem.section.expansion import Along
 
     given, found = case.operation.temperatures, {}
-    hot = growth(case, bodies["ring"])  # both bodies are meshed as warm as the ring
+    hot = hot_over_cold(case, bodies["ring"])  # both bodies are meshed as warm as the ring
     for name, part in bodies.items():
         along = given and getattr(given, f"{part}_along")
         if given is None or along is None:
             continue
-        material = getattr(case.materials, part) or case.materials.outer_ring
+        expansion = material(case, part).expansion
         rise = np.array(along.temperatures) - getattr(given, part)
-        found[name] = Along(at=np.multiply(along.at, hot), values=material.expansion * rise)
+        found[name] = Along(at=np.multiply(along.at, hot), values=expansion * rise)
     return found
 
 
@@ -145,7 +145,7 @@ def fit_of(case: Case, part: fem.RingOnShaft, length: float, mesh: fem.Mesh) -> 
             interference=inner.interference,
             friction=0.0 if inner.fit == "frictionless" else inner.fit_friction,
             clamping=inner.clamping,
-            expansions=(growth(case, "inner_ring") - 1, growth(case, "shaft") - 1),
+            expansions=(hot_over_cold(case, "inner_ring") - 1, hot_over_cold(case, "shaft") - 1),
             densities=(materials.inner_ring.density, materials.shaft.density),
             speed=case.operation.inner_speed,
         ),

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from flexbearing.build import assemble
+from flexbearing.build import ring_parts
 from flexbearing.case import Case
 from flexbearing.coupling import PartnerFailed
 from flexbearing.progress import Report
@@ -75,13 +75,13 @@ def whole(case: Case, azimuths: NDArray, report: Report) -> WholeRings:
     PartnerFailed
         when a part has no trustworthy answer
     """
-    parts = assemble.inner_part(case), assemble.outer_part(case)
+    parts = ring_parts.inner_part(case), ring_parts.outer_part(case)
     inner, outer = (_factored(race, part, case, azimuths, report) for race, part in enumerate(parts))
     return WholeRings((inner, outer))
 
 
 def _factored(
-    race: int, part: assemble.Part | None, case: Case, azimuths: NDArray, report: Report
+    race: int, part: ring_parts.Part | None, case: Case, azimuths: NDArray, report: Report
 ) -> "SolidRaceway | None":
     if part is None:
         return None

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import fem
-from flexbearing.build.assemble import growth, housing_growth, housing_material
+from flexbearing.build.expansion import hot_over_cold, material
 from flexbearing.case import Case
 from flexbearing.rings.fitted import INNER, OUTER, FittedRings, raceway_near, variations
 from flexbearing.rings.raceways import CondensedRings
@@ -73,7 +73,7 @@ def housing_fit(case: Case, part: fem.OuterRing, length: float, mesh: fem.Mesh) 
     from fem.joint.fitted_ring import HousedRing, condense_fitted
     from fem.joint.preloaded_fit import Fit, settled
 
-    clearance, name = case.outer.housing_clearance, housing_material(case)
+    clearance = case.outer.housing_clearance
     assert clearance is not None  # or there would be no fit
     bodies = condense_fitted(
         HousedRing(seat=part), length, case.accuracy.axial_shapes, mesh,
@@ -84,8 +84,8 @@ def housing_fit(case: Case, part: fem.OuterRing, length: float, mesh: fem.Mesh) 
         Fit(
             interference=-clearance,
             friction=0.0,
-            expansions=(growth(case, "outer_ring") - 1, housing_growth(case) - 1),
-            densities=(case.materials.outer_ring.density, getattr(case.materials, name).density),
+            expansions=(hot_over_cold(case, "outer_ring") - 1, hot_over_cold(case, "housing") - 1),
+            densities=(case.materials.outer_ring.density, material(case, "housing").density),
             speed=case.operation.outer_speed,
         ),
     )

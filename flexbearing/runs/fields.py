@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
 import fem
-from flexbearing.build import assemble
+from flexbearing.build import expansion, ring_parts, roller_bearing
 from flexbearing.case import BadCase, Case, understood
 from flexbearing.results import BadResult, Result
 from flexbearing.rings.condensed import IN_SPACE, PATCH, wishes
@@ -151,7 +151,7 @@ def parts(case: Case) -> dict[Race, Any]:
         if a part cannot be built
     """
     try:
-        both: dict[Race, Any] = {"inner": assemble.inner_part(case), "outer": assemble.outer_part(case)}
+        both: dict[Race, Any] = {"inner": ring_parts.inner_part(case), "outer": ring_parts.outer_part(case)}
     except fem.ImpossiblePart as problem:
         raise NoFields(str(problem)) from problem
     return {race: part for race, part in both.items() if part is not None}
@@ -190,9 +190,9 @@ def fields(case: Case, race: Race, state: str, values: Arrays) -> PartFields:
     from fem.solid.factored_solid import factored
     from fem.solid.support_stiffness import support
 
-    length = assemble.roller_length(case)
+    length = expansion.roller_length(case)
     patches = fem.Patches(
-        azimuths=tuple(assemble.bearing(case).bearing.azimuths),
+        azimuths=tuple(roller_bearing.bearing(case).bearing.azimuths),
         length=length,
         shapes=case.accuracy.axial_shapes,
         width=case.accuracy.patch_width or PATCH * length,

@@ -5,11 +5,11 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from flexbearing.accuracy import Unusable
-from flexbearing.accuracy.adaptive import ordered
-from flexbearing.build import assemble, clearance
+from flexbearing.accuracy.adaptive import adaptive_resolution
+from flexbearing.build import clearance, roller_bearing
 from flexbearing.case import Case
 from flexbearing.coupled.coupled import WARM, BearingPartner, Coupled
-from flexbearing.coupled.initial_state import Neighbour
+from flexbearing.coupled.initial_state import InitialState
 from flexbearing.coupling import PartnerFailed
 from flexbearing.progress import Report
 from flexbearing.results import ResultFile
@@ -40,7 +40,9 @@ def opening(case: Case) -> dict[str, object]:
     }
 
 
-def solve(case: Case, file: ResultFile, report: Report, near: Neighbour | None = None) -> dict[str, object]:
+def solve(
+    case: Case, file: ResultFile, report: Report, near: InitialState | None = None
+) -> dict[str, object]:
     """Write iterations and blocks; returns the root attributes that say how it ended."""
     outcome = Outcome(case, file)
     resolved = _resolved(case, outcome, report)
@@ -52,13 +54,13 @@ def solve(case: Case, file: ResultFile, report: Report, near: Neighbour | None =
 
 def _resolved(case: Case, outcome: Outcome, report: Report) -> Resolved:
     """At the levels of the case, or at those that its target asks for."""
-    model = assemble.bearing(case)
+    model = roller_bearing.bearing(case)
     solved = whole if case.coupling.structure == "full" else condensed
     usual = Resolved(model, lambda: solved(case, model.bearing.azimuths, report))
     if case.accuracy.target is None:
         return usual
     try:
-        found = ordered(case, report)
+        found = adaptive_resolution(case, report)
     except Unusable as problem:
         outcome.notes.append(
             f"accuracy.target: nothing could be chosen or estimated, so the usual levels are used: {problem}"
@@ -73,7 +75,7 @@ def _solve(
     file: ResultFile,
     outcome: Outcome,
     report: Report,
-    near: Neighbour | None,
+    near: InitialState | None,
 ) -> dict[str, object]:
     """Rigid equilibrium, then the rings, then both together; returns how it ended."""
     partner = BearingPartner(resolved.model)
@@ -107,7 +109,7 @@ def _solve(
     return ending | {"ending": last.ending, "attempts": {one.method: one.record() for one in attempts}}
 
 
-def _start(near: Neighbour, attempts: Any, outcome: Outcome) -> dict[str, object]:
+def _start(near: InitialState, attempts: Any, outcome: Outcome) -> dict[str, object]:
     """Where the coupling started; a note where that is not the neighbour."""
     tried = attempts.get(WARM, {"status": "not reached", "message": "nothing was iterated"})
     if tried["status"] == "converged":

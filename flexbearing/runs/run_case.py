@@ -9,7 +9,7 @@ from typing import Any
 from threadpoolctl import threadpool_limits
 
 from flexbearing.case import AngularCase, AnyCase, Case, FourPointCase, read
-from flexbearing.coupled.initial_state import Neighbour, neighbour
+from flexbearing.coupled.initial_state import InitialState, initial_state
 from flexbearing.progress import Logged, Report
 from flexbearing.results import Result, ResultFile, read as read_result
 from flexbearing.runs import ball, roller
@@ -57,7 +57,7 @@ def run(
     report = report or Logged()
     wanted = read(case, overrides)
     require_possible(wanted)
-    near = None if start is None else neighbour(start, wanted)
+    near = None if start is None else initial_state(start, wanted)
     opening, solve = _job(wanted, near)
     path = Path(output) if output else Path("results") / f"{Path(case).stem}.h5"
     # The bearing's matrices are small: threads of the linear algebra would only wait for each other.
@@ -83,7 +83,7 @@ def _head(case: AnyCase) -> dict[str, object]:
     }
 
 
-def _job(case: AnyCase, near: Neighbour | None) -> tuple[Opening, Solve]:
+def _job(case: AnyCase, near: InitialState | None) -> tuple[Opening, Solve]:
     """What opens the file of a case, and what solves it."""
     match case:
         case Case():

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
-from flexbearing.build import assemble
+from flexbearing.build import roller_bearing
 from flexbearing.case import Case
 from quasidynamic import Equilibrium
 from quasidynamic.outcome.skew import Skew, skewed
@@ -17,7 +17,7 @@ POWER = 0.01  # of the driving power
 
 def at(case: Case, found: Equilibrium) -> Skew | None:
     """Skew of the rollers at an equilibrium; None for a case without flanges."""
-    flange = assemble.flange(case)
+    flange = roller_bearing.flange(case)
     if flange is None:
         return None
     balance, points = found.balance.roller, found.balance.points

@@ -1,7 +1,7 @@
 """Whether a case of any kind can be computed, found out without computing it."""
 
 import fem
-from flexbearing.build import assemble
+from flexbearing.build import ring_parts, roller_bearing
 from flexbearing.case import AngularCase, AnyCase, BadCase, Case, FourPointCase
 from flexbearing.runs import angular_contact, four_point, life
 from quasidynamic import ImpossiblePart, OutOfRange
@@ -24,10 +24,10 @@ def require_possible(case: AnyCase) -> None:
 
 
 def _build_roller_bearing(case: Case) -> None:
-    bearing = assemble.bearing(case).bearing
+    bearing = roller_bearing.bearing(case).bearing
     life.require_possible(case, bearing)
-    if flange := assemble.flange(case):
+    if flange := roller_bearing.flange(case):
         corner(flange, bearing)
-    assemble.outer_part(case)
-    assemble.inner_part(case)
-    assemble.require_held_in_housing(case)
+    ring_parts.outer_part(case)
+    ring_parts.inner_part(case)
+    ring_parts.require_held_in_housing(case)

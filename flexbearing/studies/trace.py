@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 from threadpoolctl import threadpool_limits
 
-from flexbearing.build import assemble
+from flexbearing.build import roller_bearing
 from flexbearing.case import AnyCase, BadCase, Case, read
 from flexbearing.runs import notes, validate
 from quasidynamic import ImpossiblePart, OutOfRange
@@ -120,7 +120,7 @@ def trace(
     span = getattr(first.operation, axis.name), getattr(last.operation, axis.name)
     try:
         with threadpool_limits(limits=1, user_api="blas"):
-            branch = follow(assemble.bearing(first), over=axis.name, span=span)
+            branch = follow(roller_bearing.bearing(first), over=axis.name, span=span)
     except (ImpossiblePart, OutOfRange) as problem:
         raise BadCase(f"--over {over}: {problem}") from problem
     traced = Traced(first.title, axis, branch, _notes(first), path, path.with_suffix(".png"))

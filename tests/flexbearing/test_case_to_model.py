@@ -8,7 +8,7 @@ import pytest
 from pytest import approx
 
 import quasidynamic as qd
-from flexbearing.build import assemble, lubrication
+from flexbearing.build import lubrication, roller_bearing
 from flexbearing.case import BadCase, read
 from flexbearing.case.roller.life import CleanlinessName
 from flexbearing.case.roller.lubricant import (
@@ -36,11 +36,13 @@ ROUGH = {
 
 
 def model(file, **settings):
-    return assemble.bearing(read(file, {name.replace("__", "."): value for name, value in settings.items()}))
+    return roller_bearing.bearing(
+        read(file, {name.replace("__", "."): value for name, value in settings.items()})
+    )
 
 
 def built(file, settings):
-    return assemble.bearing(read(file, settings))
+    return roller_bearing.bearing(read(file, settings))
 
 
 def law(settings, file=PLAIN):
@@ -245,17 +247,17 @@ def test_load_direction_and_misalignment_reach_the_operation():
 def test_traction_oil_outside_its_fit_is_noted_at_the_pressures_of_the_state():
     settings = {"lubricant.traction": "adore", "lubricant.adore_oil": "Mobil DTE SAE 30"}
     case = read(PLAIN, {**settings, "operation.radial_load": "40 kN"})
-    (note,) = notes.of_state(case, assemble.bearing(case).solve())
+    (note,) = notes.of_state(case, roller_bearing.bearing(case).solve())
     assert note.startswith("Mobil DTE SAE 30: pressure")
     assert "extrapolated" in note
     case = read(PLAIN, settings)
-    assert notes.of_state(case, assemble.bearing(case).solve()) == ()
+    assert notes.of_state(case, roller_bearing.bearing(case).solve()) == ()
 
 
 def test_reynolds_number_outside_the_drag_table_is_noted_at_the_solved_cage_speed():
     settings = {"lubricant.viscosity": "0.01 mPa s", "lubricant.limiting_ratio": 0.02}
     case = read(PLAIN, {**settings, "lubricant.inlet_heating": False, "operation.inner_speed": "9000 rpm"})
-    state = assemble.bearing(case).solve()
+    state = roller_bearing.bearing(case).solve()
     (note,) = notes.of_state(case, state)
     assert note.startswith("drag of the rollers: Re")
     given = read(PLAIN, {**settings, "lubricant.drag_coefficient": 1.0})

@@ -6,7 +6,7 @@ import pytest
 from pytest import approx
 
 import flexbearing
-from flexbearing.build import assemble, clearance
+from flexbearing.build import clearance, expansion, ring_parts, roller_bearing
 from flexbearing.case import BadCase, read
 from flexbearing.report import text
 from flexbearing.runs import notes, validate
@@ -19,7 +19,7 @@ PRELOAD = {"bearing.fits.shaft_interference": "80 um"}
 
 def test_stated_clearance_is_the_operating_one():
     case = read(PLAIN)
-    assert assemble.bearing(case).bearing.clearance == approx(41e-6, rel=1e-12)
+    assert roller_bearing.bearing(case).bearing.clearance == approx(41e-6, rel=1e-12)
     assert clearance.record(case) == {"operating_m": approx(41e-6, rel=1e-12), "steps": []}
 
 
@@ -27,7 +27,7 @@ def test_computed_clearance_reaches_the_model():
     case = read(FITS)
     chain = clearance.computed(case)
     assert chain is not None
-    assert assemble.bearing(case).bearing.clearance == chain.clearance
+    assert roller_bearing.bearing(case).bearing.clearance == chain.clearance
     assert chain.clearance == approx(chain.cold + sum(step.change for step in chain.steps), abs=1e-15)
 
 
@@ -97,10 +97,10 @@ def test_flexible_parts_give_the_dimensions_of_the_fits(tmp_path):
     shaft = mounting.shaft_fit.inside
     assert (2 * shaft.inner_radius, 2 * shaft.outer_radius) == approx((51.6e-3, 59.6e-3))
     chain = operating_clearance(mounting, clearance._running(case))
-    part = assemble.inner_part(case)
+    part = ring_parts.inner_part(case)
     assert part is not None
-    rollers = 2 * case.bearing.roller.diameter * assemble.growth(case, "roller")
-    gap = assemble.outer_raceway_diameter(case) - rollers - part.raceway_diameter
+    rollers = 2 * case.bearing.roller.diameter * expansion.hot_over_cold(case, "roller")
+    gap = expansion.outer_raceway_diameter(case) - rollers - part.raceway_diameter
     assert gap == approx(chain.clearance, rel=1e-9)
 
 

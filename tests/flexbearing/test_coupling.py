@@ -8,10 +8,17 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from flexbearing.coupling import RULES, Ending, PartnerFailed, alternate, newton, relaxed as relaxation_rule
+from flexbearing.coupling import (
+    RULES,
+    PartnerFailed,
+    StoppingCriterion,
+    fixed_point,
+    newton,
+    relaxed as relaxation_rule,
+)
 from flexbearing.coupling.acceleration import Seen
 from flexbearing.coupling.history import History, change_per_residual
-from flexbearing.coupling.loop import PATIENCE, Status
+from flexbearing.coupling.loop import STAGNATION_LIMIT, Status
 from flexbearing.results.attributes import STATUSES
 
 
@@ -70,11 +77,11 @@ class Plate:
 
 
 def relaxed(bearing, structure, start, ending, relaxation):
-    return alternate(bearing, structure, start, ending, partial(relaxation_rule, relaxation=relaxation))
+    return fixed_point(bearing, structure, start, ending, partial(relaxation_rule, relaxation=relaxation))
 
 
 START = ToyState(np.full((2, 3, 1), 100.0))
-ENDING = Ending(tolerance=1e-8, limit=200)
+ENDING = StoppingCriterion(tolerance=1e-8, limit=200)
 
 
 @pytest.mark.parametrize(("product", "relaxation"), [(0.5, 1.0), (0.5, 0.3), (9.0, 0.1)])
@@ -99,14 +106,14 @@ def test_alternation_that_diverges_never_calls_itself_converged():
 
 
 def test_the_limit_is_not_convergence():
-    *_, last = relaxed(Springs(1e6), Plate(0.5e-6), START, Ending(tolerance=1e-8, limit=5), 0.3)
+    *_, last = relaxed(Springs(1e6), Plate(0.5e-6), START, StoppingCriterion(tolerance=1e-8, limit=5), 0.3)
     assert last.status == "iteration limit"
     assert last.number == 5
 
 
 def test_small_steps_are_not_taken_for_small_residuals():
     """A tiny relaxation hardly moves the loads, while the answer is still wrong by half."""
-    *_, last = relaxed(Springs(1e6), Plate(1e-6), START, Ending(tolerance=1e-3, limit=5), 1e-4)
+    *_, last = relaxed(Springs(1e6), Plate(1e-6), START, StoppingCriterion(tolerance=1e-3, limit=5), 1e-4)
     assert last.status == "iteration limit"
     assert last.mismatch > 0.5
 
@@ -145,7 +152,7 @@ def test_newton_counts_steps_not_the_start():
 @pytest.mark.parametrize("rule", RULES.values(), ids=RULES.keys())
 @pytest.mark.parametrize("product", [0.5, 3.0, 25.0])
 def test_accelerated_alternations_end_at_the_known_loads(rule, product):
-    *_, last = alternate(Springs(1e6), Plate(product * 1e-6), START, ENDING, rule)
+    *_, last = fixed_point(Springs(1e6), Plate(product * 1e-6), START, ENDING, rule)
     assert last.status == "converged"
     assert last.state.forces[1] == approx(100 / (1 + product), rel=1e-7)
     assert last.number <= 12  # one number is looked for: two residuals tell it
@@ -175,7 +182,7 @@ class Uneven:
 @pytest.mark.parametrize("rule", [RULES["iqn-ils"], RULES["anderson"]], ids=["iqn-ils", "anderson"])
 def test_least_squares_knows_a_linear_partner_after_as_many_steps_as_it_has_numbers(rule):
     plate = Uneven(20e-6)
-    *_, last = alternate(Springs(1e6), plate, START, ENDING, rule)
+    *_, last = fixed_point(Springs(1e6), plate, START, ENDING, rule)
     exact = np.linalg.solve(np.eye(3) + 1e6 * plate.matrix, np.full(3, 100.0))
     assert last.status == "converged"
     assert last.state.forces[1, :, 0] == approx(exact, rel=1e-7)
@@ -300,9 +307,9 @@ def test_bearing_that_fails_after_growth_is_a_failure_of_the_alternation():
 
 
 def test_alternation_that_stands_still_is_ended():
-    *_, last = alternate(Springs(1e6), Plate(3e-6), START, ENDING, lambda seen: seen.given[:, -1])
+    *_, last = fixed_point(Springs(1e6), Plate(3e-6), START, ENDING, lambda seen: seen.given[:, -1])
     assert last.status == "stagnating"
-    assert last.number == PATIENCE + 1
+    assert last.number == STAGNATION_LIMIT + 1
     assert "newton can" in last.message
 
 
@@ -311,7 +318,7 @@ def test_structure_that_fails_at_once_is_named():
         def linearised(self, forces):
             raise PartnerFailed("the ring is torn", "not solved")
 
-    (last,) = alternate(Springs(1e6), Torn(3e-6), START, ENDING, RULES["iqn-ils"])
+    (last,) = fixed_point(Springs(1e6), Torn(3e-6), START, ENDING, RULES["iqn-ils"])
     assert (last.number, last.status, last.message) == (1, "not solved", "the ring is torn")
 
 

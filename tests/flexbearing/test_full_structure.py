@@ -10,7 +10,7 @@ import fem
 import flexbearing
 from flexbearing.case import BadCase, read
 from flexbearing.coupled.coupled import BearingPartner
-from flexbearing.coupling import RULES, Condensed, Ending, PartnerFailed, alternate, newton
+from flexbearing.coupling import RULES, Condensed, PartnerFailed, StoppingCriterion, fixed_point, newton
 from flexbearing.rings.full_solve import WholeRings
 from flexbearing.rings.raceways import CondensedRings
 from tests.bearings import paper_bearing
@@ -75,11 +75,15 @@ def test_solids_condensed_at_the_end_are_those_condensed_at_once(solids):
 
 def test_coupled_loads_are_those_of_the_condensed_operator(solids):
     _, (solved, once) = solids
-    partner, rigid, ending = BearingPartner(BEARING), BEARING.solve(), Ending(tolerance=1e-10, limit=100)
+    partner, rigid, ending = (
+        BearingPartner(BEARING),
+        BEARING.solve(),
+        StoppingCriterion(tolerance=1e-10, limit=100),
+    )
     *_, expected = newton(partner, CondensedRings((None, once)), rigid, ending)
     assert np.abs(expected.state.forces - rigid.forces).max() > 100  # [N]: the cage matters
     for method in ("iqn-ils", "aitken"):
-        *_, found = alternate(partner, WholeRings((None, solved)), rigid, ending, RULES[method])
+        *_, found = fixed_point(partner, WholeRings((None, solved)), rigid, ending, RULES[method])
         assert found.status == "converged"
         largest = expected.state.forces.max()
         assert found.state.forces == approx(expected.state.forces, rel=0, abs=1e-8 * largest)

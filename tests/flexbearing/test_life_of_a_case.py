@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from flexbearing.build import assemble
+from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase, read
 from flexbearing.coupled import states
 from flexbearing.runs import life, validate
@@ -27,7 +27,7 @@ CLEAN = {"life.lubrication": "a_ISO", "life.cleanliness": "oil, in-line filter, 
 
 @pytest.fixture(scope="module")
 def state():
-    return assemble.bearing(read(PLAIN, ["accuracy.slices=30"])).solve()
+    return roller_bearing.bearing(read(PLAIN, ["accuracy.slices=30"])).solve()
 
 
 def lived(state, settings):

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from pytest import approx
 
-from flexbearing.build import assemble
+from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase, read
 from flexbearing.coupled import states
 from flexbearing.runs import life, validate
@@ -19,7 +19,7 @@ CLEAN = {"life.lubrication": "a_ISO", "life.cleanliness": "oil, in-line filter, 
 
 @pytest.fixture(scope="module")
 def state():
-    return assemble.bearing(read(PLAIN)).solve()
+    return roller_bearing.bearing(read(PLAIN)).solve()
 
 
 def lived(state, settings):
@@ -45,7 +45,7 @@ def test_rating_of_iso_281_gives_the_reference_life(state):
 def test_rating_of_iso_281_by_hand():
     # C_r = b_m f_c (i l cos a)^(7/9) Z^(3/4) D^(29/27); ISO 281, table 7, prints
     # f_c = 88.5 at gamma = 0.16
-    bearing = assemble.bearing(read(PLAIN, {"bearing.outer_raceway_diameter": "72.5 mm"})).bearing
+    bearing = roller_bearing.bearing(read(PLAIN, {"bearing.outer_raceway_diameter": "72.5 mm"})).bearing
     by_hand = 1.1 * 88.5 * 9.601 ** (7 / 9) * 14**0.75 * 10 ** (29 / 27)
     assert dynamic_rating(bearing) == approx(by_hand, rel=1e-3)
 

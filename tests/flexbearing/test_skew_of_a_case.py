@@ -8,7 +8,7 @@ import pytest
 from pytest import approx
 
 import flexbearing
-from flexbearing.build import assemble
+from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase, read
 from flexbearing.report import summary, text
 from flexbearing.runs import skew
@@ -61,10 +61,10 @@ def test_summary_and_page_tell_of_the_skew(run):
 
 def test_aligned_rollers_do_not_skew():
     case = read(PLAIN, FLANGE)
-    found = skew.at(case, assemble.bearing(case).solve())
+    found = skew.at(case, roller_bearing.bearing(case).solve())
     assert found is not None
     assert np.all(found.angle == 0.0)
-    assert skew.notes(found, assemble.bearing(case).solve(), [1e-7, 1e-7]) == ()
+    assert skew.notes(found, roller_bearing.bearing(case).solve(), [1e-7, 1e-7]) == ()
 
 
 def test_case_without_flanges_has_no_skew(tmp_path):
@@ -78,7 +78,7 @@ def test_what_the_equilibrium_does_not_know_is_noted():
     case = read(
         PLAIN, FLANGE | TILTED | {"bearing.flange.friction": 1.0, "operation.misalignment": "6 arcmin"}
     )
-    state = assemble.bearing(case).solve()
+    state = roller_bearing.bearing(case).solve()
     found = skew.at(case, state)
     assert found is not None
     costs, *others = reversed(skew.notes(found, state, [3e-7, 3e-7]))
@@ -109,7 +109,7 @@ def test_heat_makes_the_flange_grow_but_not_its_clearance():
         for part in ("shaft", "inner_ring", "roller", "outer_ring")
     }
     case = read(PLAIN, FLANGE | hot | {"operation.temperatures.reference": "20 degC"})
-    flange = assemble.flange(case)
+    flange = roller_bearing.flange(case)
     assert flange is not None
     assert flange.height == approx(2e-3 * (1 + 11.5e-4), rel=1e-12)
     assert flange.clearance == approx(30e-6, rel=1e-12)

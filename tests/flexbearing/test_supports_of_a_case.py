@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from flexbearing.build import assemble
+from flexbearing.build import expansion, ring_parts
 from flexbearing.case import BadCase, read
 from flexbearing.rings.condensed import wishes
 from flexbearing.rings.fitted import FittedRings, fit_of, variations
@@ -121,17 +121,17 @@ def along(part, *temperatures):
 def test_temperatures_along_the_axis_are_free_expansions_beyond_the_middle():
     case = read(PAPER, [*FITTED, *along("shaft", 210, 250)])
     (found,) = variations(case, ring="inner_ring", shaft="shaft").items()
-    name, expansion = found
+    name, growth = found
     assert name == "shaft"
-    assert expansion.values == approx((-13.8e-6 * 20, 13.8e-6 * 20), rel=1e-9)
-    assert expansion.at == approx((-30e-3, 30e-3), rel=3e-3)  # as warm as the ring
+    assert growth.values == approx((-13.8e-6 * 20, 13.8e-6 * 20), rel=1e-9)
+    assert growth.at == approx((-30e-3, 30e-3), rel=3e-3)  # as warm as the ring
 
 
 @pytest.mark.slow
 def test_shaft_that_is_warmer_at_one_end_tapers_the_raceway():
     cases = [read(PAPER, FITTED), read(PAPER, [*FITTED, *along("shaft", 210, 250)])]
     even, warm = (
-        fit_of(case, assemble.inner_part(case), assemble.roller_length(case), wishes(case, (3, 1.2, 0.3)))
+        fit_of(case, ring_parts.inner_part(case), expansion.roller_length(case), wishes(case, (3, 1.2, 0.3)))
         for case in cases
     )
     change, x = warm.pressure - even.pressure, warm.bodies.ring.points.x

@@ -51,7 +51,7 @@ def test_warm_start_ends_where_a_cold_one_does_and_sooner(other, cold, tmp_path)
     warm = flexbearing.run(PAPER, tmp_path / "warm.h5", HERE, start=other.path)
     assert warm.attributes["status"] == "converged"
     assert warm.attributes["iterations"] < cold.attributes["iterations"]
-    assert list(warm.attributes["attempts"]) == ["newton from a neighbour"]
+    assert list(warm.attributes["attempts"]) == ["newton from an initial state"]
     assert warm.attributes["started_from"] == str(other.path)
     assert "started_from" not in cold.attributes
     for name in (
@@ -123,7 +123,7 @@ def test_damaged_start_falls_back_to_rigid_raceways(other, cold, tmp_path):
     found = flexbearing.run(PAPER, tmp_path / "out.h5", [*HERE, "coupling.fallback=false"], start=damaged)
     assert found.attributes["status"] == "converged"
     first, second = found.attributes["attempts"].items()
-    assert (first[0], second[0]) == ("newton from a neighbour", "newton")
+    assert (first[0], second[0]) == ("newton from an initial state", "newton")
     assert first[1]["status"] != "converged"
     assert found.attributes["started_from"] == "rigid raceways"
     assert any("damaged.h5: not used: " in note for note in found.attributes["notes"])

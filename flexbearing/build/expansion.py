@@ -1,0 +1,33 @@
+"""Parts at their temperature: how much they expand, and what they are made of."""
+
+from flexbearing.case import Case
+from flexbearing.case.roller.surroundings import Material
+
+
+def hot_over_cold(case: Case, part: str) -> float:
+    """Dimension of a part at its temperature over that at the reference temperature [-].
+
+    A housing whose temperature is not given follows the outer ring.
+    """
+    temperatures = case.operation.temperatures
+    if temperatures is None:
+        return 1.0
+    temperature = getattr(temperatures, part)
+    if temperature is None:
+        return hot_over_cold(case, "outer_ring")
+    return 1.0 + material(case, part).expansion * (temperature - temperatures.reference)
+
+
+def material(case: Case, part: str) -> Material:
+    """Material of a part; that of the outer ring where a housing has none of its own."""
+    return getattr(case.materials, part) or case.materials.outer_ring
+
+
+def outer_raceway_diameter(case: Case) -> float:
+    """Hot outer raceway diameter [m]."""
+    return case.bearing.outer_raceway_diameter * hot_over_cold(case, "outer_ring")
+
+
+def roller_length(case: Case) -> float:
+    """Hot roller length [m]."""
+    return case.bearing.roller.length * hot_over_cold(case, "roller")

@@ -1,0 +1,135 @@
+"""From a case to what carries the raceways: outer and inner part at their temperatures."""
+
+import re
+from pathlib import Path
+from typing import Any
+
+import fem
+from fem.parts.step_solid import Coloured, Named, StepSolid, drawing
+from flexbearing.build import clearance
+from flexbearing.build.expansion import hot_over_cold, material, outer_raceway_diameter, roller_length
+from flexbearing.case import Case
+
+Part = fem.SquirrelCage | fem.OuterRing | fem.RingOnShaft | StepSolid
+
+
+def outer_part(case: Case) -> fem.SquirrelCage | fem.OuterRing | StepSolid | None:
+    """What carries the outer raceway, at its temperature; None when it is rigid."""
+    outer: Any = case.outer  # which values are there depends on the kind, checked on reading
+    hot = hot_over_cold(case, "outer_ring")
+    ring: dict[str, Any] = {
+        "raceway_diameter": outer_raceway_diameter(case),
+        "elastic": _elastic(case, "outer_ring"),
+    }
+    if outer.kind == "rigid":
+        return None
+    if outer.kind == "step":
+        return _drawn(case, **ring, growth=hot)
+    if outer.kind == "ring":
+        lengths = {name: getattr(outer, name) * hot for name in ("thickness", "width")}
+        return fem.OuterRing(**ring, **lengths, support=_support(case))
+    lengths = ("thickness", "width", "bar_width", "bar_thickness", "bar_length", "flange_length", "fillet")
+    return fem.SquirrelCage(**ring, bars=outer.bars, **{name: getattr(outer, name) * hot for name in lengths})
+
+
+def _support(case: Case) -> Any:
+    """What holds a plain outer ring."""
+    outer: Any = case.outer  # checked on reading
+    hot = hot_over_cold(case, "outer_ring")
+    match outer.support:
+        case "seat":
+            return fem.RigidSeat()
+        case "foundation":
+            return fem.Foundation(
+                axial=outer.foundation_axial,
+                radial=outer.foundation_radial,
+                tangential=outer.foundation_tangential,
+            )
+        case "housing":
+            return fem.Housing(
+                thickness=outer.housing_thickness * hot,
+                width=outer.housing_width * hot,
+                elastic=_elastic(case, "housing"),
+                support=fem.RigidSeat() if outer.housing_support == "seat" else fem.ClampedFace(),
+            )
+        case "lines":
+            return fem.LineSupports(azimuths=outer.line_azimuths)
+        case "planet":
+            teeth = zip(outer.tooth_azimuths, outer.tooth_radial, outer.tooth_tangential, strict=True)
+            return fem.PlanetGear(
+                forces=tuple(fem.LineForce(azimuth=a, radial=r, tangential=t) for a, r, t in teeth)
+            )
+        case _:
+            return fem.ClampedFace()
+
+
+def _drawn(case: Case, **ring: Any) -> StepSolid:
+    """Solid from the STEP file that lies next to the case."""
+    outer: Any = case.outer
+    return StepSolid(
+        drawing=drawing(Path(case.source.path).parent / outer.file),
+        clamps=tuple(_pick(face) for face in outer.clamps),
+        raceway=None if outer.raceway is None else _pick(outer.raceway),
+        centre=(outer.centre_x, outer.centre_y, outer.centre_z),
+        axis=_direction(outer.axis),
+        zenith=_direction(outer.zenith),
+        source=outer.file,
+        **ring,
+    )
+
+
+def _pick(face: str) -> Named | Coloured:
+    """Choice of faces by a colour such as #e75959, or by a name."""
+    if re.fullmatch(r"#[0-9a-fA-F]{6}", face):
+        return Coloured(*bytes.fromhex(face[1:]))
+    return Named(face)
+
+
+def _direction(name: str) -> tuple[float, float, float]:
+    """Unit vector along an axis of the drawing."""
+    vector = [0.0, 0.0, 0.0]
+    vector["xyz".index(name[-1])] = -1.0 if name.startswith("-") else 1.0
+    return vector[0], vector[1], vector[2]
+
+
+def inner_part(case: Case) -> fem.RingOnShaft | None:
+    """Inner ring on its hollow shaft, at the ring's temperature; None when it is rigid."""
+    inner: Any = case.inner
+    if inner.kind == "rigid":
+        return None
+    # The two parts are bonded: one expansion for both keeps their common surface common.
+    hot = hot_over_cold(case, "inner_ring")
+    return fem.RingOnShaft(
+        raceway_diameter=outer_raceway_diameter(case)
+        - 2 * case.bearing.roller.diameter * hot_over_cold(case, "roller")
+        - clearance.operating(case),
+        track_width=max(inner.track_width * hot, roller_length(case)),
+        rib_diameter=(inner.bore + 2 * inner.thickness) * hot,
+        bore=inner.bore * hot,
+        width=inner.width * hot,
+        shaft_bore=(inner.bore - 2 * inner.shaft_thickness) * hot,
+        shaft_length=inner.shaft_length * hot,
+        ring=_elastic(case, "inner_ring"),
+        shaft=_elastic(case, "shaft"),
+    )
+
+
+def require_held_in_housing(case: Case) -> None:
+    """Refuse a loose ring that no load presses on its housing."""
+    outer: Any = case.outer
+    if not outer.lifts_off or case.operation.radial_load > 0:
+        return
+    diameter = case.bearing.outer_raceway_diameter + 2 * outer.thickness
+    gap = outer.housing_clearance + diameter * (
+        hot_over_cold(case, "housing") - hot_over_cold(case, "outer_ring")
+    )
+    if gap >= 0:
+        raise fem.ImpossiblePart(
+            f"outer.housing_clearance = {outer.housing_clearance!r} m leaves {gap:.3g} m hot, and nothing "
+            "holds the ring; allowed is an operation.radial_load above zero, or a hotter ring"
+        )
+
+
+def _elastic(case: Case, part: str) -> fem.Elastic:
+    solid = material(case, part)
+    return fem.Elastic(youngs_modulus=solid.youngs_modulus, poisson_ratio=solid.poisson_ratio)

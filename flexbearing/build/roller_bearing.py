@@ -1,0 +1,96 @@
+"""From a case to the bearing: its rollers, cage and flanges at their temperatures."""
+
+from typing import Any
+
+import quasidynamic as qd
+from flexbearing.build import clearance
+from flexbearing.build.expansion import hot_over_cold, material, outer_raceway_diameter, roller_length
+from flexbearing.build.lubrication import lubrication
+from flexbearing.case import Case
+from quasidynamic.parts.flange import Flange
+
+
+def bearing(case: Case) -> qd.RollerBearing:
+    """Bearing of a case, its parts at their temperatures, which the operating clearance already knows."""
+    return qd.RollerBearing(
+        bearing=qd.CylindricalRollerBearing(
+            rollers=case.bearing.rollers,
+            outer_raceway_diameter=outer_raceway_diameter(case),
+            clearance=clearance.operating(case),
+            roller=_roller(case),
+            cage=_cage(case),
+            inner_ring=_material(case, "inner_ring"),
+            outer_ring=_material(case, "outer_ring"),
+            contact_law=case.bearing.contact_law,
+            first_roller_azimuth=case.bearing.first_roller_azimuth,
+        ),
+        operation=qd.Operation(
+            radial_load=case.operation.radial_load,
+            inner_speed=case.operation.inner_speed,
+            outer_speed=case.operation.outer_speed,
+            load_direction=case.operation.load_direction,
+            moment=case.operation.moment,
+            misalignment=case.operation.misalignment,
+            free_tilt=case.operation.free_tilt,
+        ),
+        lubrication=lubrication(case),
+        slices=case.accuracy.slices,
+        axial_modes=case.accuracy.axial_shapes,
+    )
+
+
+def flange(case: Case) -> Flange | None:
+    """Hot guide flanges, their clearance as given; None when the case has none."""
+    given = case.bearing.flange
+    if given is None:
+        return None
+    return Flange(
+        ring=given.ring,
+        clearance=given.clearance,
+        height=given.height * hot_over_cold(case, f"{given.ring}_ring"),
+        roller_chamfer=given.roller_chamfer * hot_over_cold(case, "roller"),
+        stiffness=given.stiffness,
+        friction=given.friction,
+    )
+
+
+def _material(case: Case, part: str) -> qd.Material:
+    solid = material(case, part)
+    return qd.Material(
+        youngs_modulus=solid.youngs_modulus, poisson_ratio=solid.poisson_ratio, density=solid.density
+    )
+
+
+def _roller(case: Case) -> qd.Roller:
+    return qd.Roller(
+        diameter=case.bearing.roller.diameter * hot_over_cold(case, "roller"),
+        length=roller_length(case),
+        material=_material(case, "roller"),
+        profile=_profile(case),
+    )
+
+
+def _profile(case: Case) -> qd.Profile:
+    roller: Any = case.bearing.roller  # which values are there depends on the profile, checked on reading
+    if roller.profile == "crowned":
+        return qd.Crowned(straight_length=roller.straight_length, crown_radius=roller.crown_radius)
+    if roller.profile == "logarithmic":
+        return qd.Logarithmic(amplitude=roller.drop)
+    return qd.Straight()
+
+
+def _cage(case: Case) -> qd.Cage:
+    cage = case.bearing.cage
+    land = ("land_diameter", "land_width", "land_clearance")
+    return qd.Cage(
+        guidance=cage.guidance,
+        pocket_friction=cage.pocket_friction,
+        thickness=cage.thickness,
+        mass=cage.mass,
+        land_flow=cage.land_flow,
+        free=cage.centre == "free",
+        unbalance=cage.unbalance,
+        unbalance_azimuth=cage.unbalance_azimuth,
+        pocket_clearance=cage.pocket_clearance,
+        **{name: getattr(cage, name) for name in land if getattr(cage, name) is not None},
+    )
