@@ -18,6 +18,12 @@ class NotSolved(RuntimeError):
 
 
 def require_positive(name: str, value: float) -> None:
-    """Raise `ImpossiblePart` unless the value is a finite number above zero."""
+    """Refuse a value that is not a finite number above zero.
+
+    Raises
+    ------
+    ImpossiblePart
+        with the name and the value
+    """
     if not 0.0 < value < float("inf"):
         raise ImpossiblePart(f"{name} = {value!r} must be a finite number above zero")

@@ -76,7 +76,7 @@ def pressure_displacement(body: Annulus, radius: Numbers, inside: Numbers, outsi
 
 
 def rotation_displacement(body: Annulus, radius: Numbers, speed: Numbers) -> Numbers:
-    r"""Centrifugal growth of a turning disc, with a hole or without.
+    r"""Centrifugal expansion of a turning disc, with a hole or without.
 
     .. math::
         u = \frac{\rho \omega^2}{8 E} \left[ (3+\nu)(1-\nu)(a^2+b^2) r

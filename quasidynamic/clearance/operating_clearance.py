@@ -61,12 +61,31 @@ class OperatingConditions:
 
     def __post_init__(self):
         for name in ("reference", "shaft", "inner_ring", "rollers", "outer_ring"):
-            require_positive(f"running.{name}", getattr(self, name))
+            require_positive(f"operating.{name}", getattr(self, name))
         if self.housing is not None:
-            require_positive("running.housing", self.housing)
+            require_positive("operating.housing", self.housing)
         for name in ("inner_speed", "outer_speed"):
             if not isfinite(getattr(self, name)):
-                raise ImpossiblePart(f"running.{name} = {getattr(self, name)} must be a finite number")
+                raise ImpossiblePart(f"operating.{name} = {getattr(self, name)} must be a finite number")
+
+    @property
+    def shaft_fit(self) -> FitConditions:
+        """Of the shaft inside the inner ring."""
+        return FitConditions(
+            inside_rise=self.shaft - self.reference,
+            outside_rise=self.inner_ring - self.reference,
+            speed=self.inner_speed,
+        )
+
+    @property
+    def outer_fit(self) -> FitConditions:
+        """Of the outer ring inside its housing; without one both bodies are as warm as the ring."""
+        housing = self.outer_ring if self.housing is None else self.housing
+        return FitConditions(
+            inside_rise=self.outer_ring - self.reference,
+            outside_rise=housing - self.reference,
+            speed=self.outer_speed,
+        )
 
 
 @dataclass(frozen=True)
@@ -109,9 +128,9 @@ class OperatingClearance:
 
 @dataclass(frozen=True)
 class _Raceway:
-    """What has happened to one raceway so far."""
+    """Expansion of one raceway, and how its ring sits on the shaft or in the housing."""
 
-    growth: float = 0.0  # [m] of its radius
+    expansion: float = 0.0  # [m] of its radius
     seat: Seat | None = None
 
     @property
@@ -127,10 +146,10 @@ class _Stage:
     explanation: str
     inner: _Raceway
     outer: _Raceway
-    roller_growth: float  # [m] of the diameter
+    roller_expansion: float  # [m] of the diameter
 
 
-def operating_clearance(mounting: Mounting, running: OperatingConditions) -> OperatingClearance:
+def operating_clearance(mounting: Mounting, conditions: OperatingConditions) -> OperatingClearance:
     r"""Operating clearance as a chain of effects, each switched on after the one before.
 
     .. math:: G = G_0 + 2 u_o - 2 u_i - 2 \Delta D
@@ -142,14 +161,19 @@ def operating_clearance(mounting: Mounting, running: OperatingConditions) -> Ope
     ----------
     mounting : Mounting
         bearing, fits, G_0 the cold clearance [m]
-    running : OperatingConditions
+    conditions : OperatingConditions
         temperatures [K], speeds [rad/s]
 
     Returns
     -------
     OperatingClearance
-        steps whose changes add up to G - G_0 [m]; u_o, u_i growth of the raceway radii,
+        steps whose changes add up to G - G_0 [m]; u_o, u_i expansion of the raceway radii,
         Delta D of the roller diameter
+
+    Raises
+    ------
+    ImpossiblePart
+        when a housing has no temperature, or a temperature no housing
 
     Source
     ------
@@ -158,100 +182,82 @@ def operating_clearance(mounting: Mounting, running: OperatingConditions) -> Ope
 
     Valid
     -----
-    One temperature per body; no load of the rollers on the rings; rollers do not grow by their speed.
+    One temperature per body; no load of the rollers on the rings; rollers do not expand by their speed.
     """
-    _require_housing_temperature(mounting, running)
-    stages = _stages(mounting, running)
-    values = [_clearance(mounting, stage) for stage in stages]
+    _require_housing_temperature(mounting, conditions)
+    stages = _stages(mounting, conditions)
+    clearances = [
+        mounting.cold_clearance
+        + 2 * (stage.outer.expansion - stage.inner.expansion)
+        - 2 * stage.roller_expansion
+        for stage in stages
+    ]
     steps = tuple(
         ClearanceStep(stage.name, after - before, after, stage.explanation)
-        for stage, (before, after) in zip(stages[1:], pairwise(values), strict=True)
+        for stage, (before, after) in zip(stages[1:], pairwise(clearances), strict=True)
     )
     return OperatingClearance(
         cold=mounting.cold_clearance,
         steps=steps,
-        shaft_seat=seat(mounting.shaft_fit, _shaft_states(running)[-1]),
+        shaft_seat=seat(mounting.shaft_fit, conditions.shaft_fit),
         housing_seat=stages[-1].outer.seat,
     )
 
 
-def _clearance(mounting: Mounting, stage: _Stage) -> float:
-    raceways = stage.outer.growth - stage.inner.growth
-    return mounting.cold_clearance + 2 * raceways - 2 * stage.roller_growth
-
-
-def _stages(mounting: Mounting, running: OperatingConditions) -> list[_Stage]:
+def _stages(mounting: Mounting, conditions: OperatingConditions) -> list[_Stage]:
     """One more effect at a time; the first stage has none."""
-    inner, inner_hot, inner_spun = _inner_raceways(mounting, running)
-    outer, outer_hot, outer_spun = _outer_raceways(mounting, running)
-    roller, rise = mounting.roller, running.rollers - running.reference
-    growth = 2 * float(heat_displacement(roller, roller.outer_radius, rise))
+    shaft, outer_fit = conditions.shaft_fit, conditions.outer_fit
+    inner, inner_hot, inner_turning = (_inner_raceway(mounting, step) for step in _history(shaft))
+    outer, outer_hot, outer_turning = (_outer_raceway(mounting, step) for step in _history(outer_fit))
+    inner_heat = f"shaft {shaft.inside_rise:+.1f} K, inner ring {shaft.outside_rise:+.1f} K"
+    outer_heat = f"outer ring {outer_fit.inside_rise:+.1f} K"
+    if conditions.housing is not None:
+        outer_heat += f", housing {outer_fit.outside_rise:+.1f} K"
+    roller, rise = mounting.roller, conditions.rollers - conditions.reference
+    thicker = 2 * float(heat_displacement(roller, roller.outer_radius, rise))
+    inner_speed, outer_speed = f"{shaft.speed:.1f} rad/s", f"{outer_fit.speed:.1f} rad/s"
     changes = (
         ("inner fit", f"mounted; {inner.words}", {"inner": inner}),
         ("outer fit", f"mounted; {outer.words}", {"outer": outer}),
-        ("inner heat", f"{_inner_heat(running)}; {inner_hot.words}", {"inner": inner_hot}),
-        ("outer heat", f"{_outer_heat(running)}; {outer_hot.words}", {"outer": outer_hot}),
-        ("roller heat", f"rollers {rise:+.1f} K", {"roller_growth": growth}),
-        ("inner rotation", f"{running.inner_speed:.1f} rad/s; {inner_spun.words}", {"inner": inner_spun}),
-        ("outer rotation", f"{running.outer_speed:.1f} rad/s; {outer_spun.words}", {"outer": outer_spun}),
+        ("inner heat", f"{inner_heat}; {inner_hot.words}", {"inner": inner_hot}),
+        ("outer heat", f"{outer_heat}; {outer_hot.words}", {"outer": outer_hot}),
+        ("roller heat", f"rollers {rise:+.1f} K", {"roller_expansion": thicker}),
+        ("inner rotation", f"{inner_speed}; {inner_turning.words}", {"inner": inner_turning}),
+        ("outer rotation", f"{outer_speed}; {outer_turning.words}", {"outer": outer_turning}),
     )
-    stages = [_Stage("cold", "before mounting", _Raceway(), _Raceway(), roller_growth=0.0)]
+    stages = [_Stage("cold", "before mounting", _Raceway(), _Raceway(), roller_expansion=0.0)]
     for name, explanation, change in changes:
         stages.append(replace(stages[-1], name=name, explanation=explanation, **change))
     return stages
 
 
-def _inner_raceways(mounting: Mounting, running: OperatingConditions) -> list[_Raceway]:
-    """The inner raceway mounted, then hot, then turning."""
-    fit, radius = mounting.shaft_fit, mounting.inner_ring.outer_radius
-    states = _shaft_states(running)
-    return [_Raceway(outside_displacement(fit, state, radius), seat(fit, state)) for state in states]
+def _history(turning: FitConditions) -> tuple[FitConditions, FitConditions, FitConditions]:
+    """Mounted cold and standing; then hot; then turning."""
+    return FitConditions(), replace(turning, speed=0.0), turning
 
 
-def _outer_raceways(mounting: Mounting, running: OperatingConditions) -> list[_Raceway]:
-    """The outer raceway mounted, then hot, then turning."""
-    fit, ring, states = mounting.outer, mounting.outer_ring, _outer_states(running)
-    radius = ring.inner_radius
+def _inner_raceway(mounting: Mounting, conditions: FitConditions) -> _Raceway:
+    fit = mounting.shaft_fit
+    return _Raceway(
+        outside_displacement(fit, conditions, mounting.inner_ring.outer_radius), seat(fit, conditions)
+    )
+
+
+def _outer_raceway(mounting: Mounting, conditions: FitConditions) -> _Raceway:
+    fit, ring = mounting.outer, mounting.outer_ring
     if isinstance(fit, Annulus):
-        return [_Raceway(free_displacement(ring, radius, state.inside_rise, state.speed)) for state in states]
-    return [_Raceway(inside_displacement(fit, state, radius), seat(fit, state)) for state in states]
+        rise, speed = conditions.inside_rise, conditions.speed
+        return _Raceway(free_displacement(ring, ring.inner_radius, rise, speed))
+    return _Raceway(inside_displacement(fit, conditions, ring.inner_radius), seat(fit, conditions))
 
 
-def _shaft_states(running: OperatingConditions) -> tuple[FitConditions, ...]:
-    shaft, ring = running.shaft - running.reference, running.inner_ring - running.reference
-    return _history(shaft, ring, running.inner_speed)
-
-
-def _outer_states(running: OperatingConditions) -> tuple[FitConditions, ...]:
-    housing = running.outer_ring if running.housing is None else running.housing
-    return _history(running.outer_ring - running.reference, housing - running.reference, running.outer_speed)
-
-
-def _history(inside_rise: float, outside_rise: float, speed: float) -> tuple[FitConditions, ...]:
-    """Cold, standing; then hot; then turning."""
-    hot = FitConditions(inside_rise=inside_rise, outside_rise=outside_rise)
-    return FitConditions(), hot, replace(hot, speed=speed)
-
-
-def _inner_heat(running: OperatingConditions) -> str:
-    shaft, ring = running.shaft - running.reference, running.inner_ring - running.reference
-    return f"shaft {shaft:+.1f} K, inner ring {ring:+.1f} K"
-
-
-def _outer_heat(running: OperatingConditions) -> str:
-    ring = f"outer ring {running.outer_ring - running.reference:+.1f} K"
-    if running.housing is None:
-        return ring
-    return f"{ring}, housing {running.housing - running.reference:+.1f} K"
-
-
-def _require_housing_temperature(mounting: Mounting, running: OperatingConditions) -> None:
+def _require_housing_temperature(mounting: Mounting, conditions: OperatingConditions) -> None:
     has_housing = isinstance(mounting.outer, PressFit)
-    if has_housing and running.housing is None:
+    if has_housing and conditions.housing is None:
         raise ImpossiblePart(
-            "running.housing is missing: the outer ring sits in a housing, give its temperature"
+            "operating.housing is missing: the outer ring sits in a housing, give its temperature"
         )
-    if not has_housing and running.housing is not None:
+    if not has_housing and conditions.housing is not None:
         raise ImpossiblePart(
-            f"running.housing = {running.housing} K, but the outer ring is free; leave the temperature out"
+            f"operating.housing = {conditions.housing} K, but the outer ring is free; leave the temperature out"
         )

@@ -35,7 +35,7 @@ class PressFit:
 
 @dataclass(frozen=True, kw_only=True)
 class FitConditions:
-    """What a fit goes through after mounting."""
+    """Temperatures and speed of a mounted fit."""
 
     inside_rise: float = 0.0  # [K] over the reference temperature
     outside_rise: float = 0.0  # [K]
@@ -51,7 +51,7 @@ class Seat:
 
     @property
     def is_open(self) -> bool:
-        """Whether the bodies have let go of each other."""
+        """Whether the fit has opened: the bodies do not touch."""
         return self.gap > 0.0
 
     @property
@@ -112,7 +112,7 @@ def fit_compliance(fit: PressFit) -> float:
     return float(stretch - squeeze)
 
 
-def running_interference(fit: PressFit, state: FitConditions) -> float:
+def running_interference(fit: PressFit, conditions: FitConditions) -> float:
     r"""Overlap the two bodies would have if they did not touch.
 
     .. math:: \delta = \Delta/2 + u_1(R) - u_2(R)
@@ -121,8 +121,8 @@ def running_interference(fit: PressFit, state: FitConditions) -> float:
     ----------
     fit : PressFit
         1 inside, 2 outside, R common radius [m], Delta diametral interference [m]
-    state : FitConditions
-        heat [K], speed [rad/s]
+    conditions : FitConditions
+        temperature rises [K], speed [rad/s]
 
     Returns
     -------
@@ -133,12 +133,12 @@ def running_interference(fit: PressFit, state: FitConditions) -> float:
     ------
     Geometry; u_1, u_2 from `free_displacement`.
     """
-    shaft = free_displacement(fit.inside, fit.inside.outer_radius, state.inside_rise, state.speed)
-    bore = free_displacement(fit.outside, fit.outside.inner_radius, state.outside_rise, state.speed)
+    shaft = free_displacement(fit.inside, fit.inside.outer_radius, conditions.inside_rise, conditions.speed)
+    bore = free_displacement(fit.outside, fit.outside.inner_radius, conditions.outside_rise, conditions.speed)
     return fit.interference / 2 + shaft - bore
 
 
-def seat(fit: PressFit, state: FitConditions) -> Seat:
+def seat(fit: PressFit, conditions: FitConditions) -> Seat:
     r"""Pressure of a fit, or the gap where it has opened.
 
     .. math:: p = \max(\delta, 0) / c, \qquad g = \max(-\delta, 0)
@@ -149,7 +149,7 @@ def seat(fit: PressFit, state: FitConditions) -> Seat:
     ----------
     fit : PressFit
         c from `fit_compliance` [m/Pa]
-    state : FitConditions
+    conditions : FitConditions
         delta from `running_interference` [m]
 
     Returns
@@ -165,19 +165,19 @@ def seat(fit: PressFit, state: FitConditions) -> Seat:
     -----
     Linear elastic; both bodies equally long, so that the pressure is even along the fit.
     """
-    overlap = running_interference(fit, state)
+    overlap = running_interference(fit, conditions)
     return Seat(pressure=max(overlap, 0.0) / fit_compliance(fit), gap=max(-overlap, 0.0))
 
 
-def inside_displacement(fit: PressFit, state: FitConditions, radius: float) -> float:
+def inside_displacement(fit: PressFit, conditions: FitConditions, radius: float) -> float:
     """Radial displacement of the inside body, pressed from outside.
 
     Parameters
     ----------
     fit : PressFit
         for the outer ring of a bearing: ring inside, housing outside
-    state : FitConditions
-        heat [K], speed [rad/s]
+    conditions : FitConditions
+        temperature rises [K], speed [rad/s]
     radius : float
         where, within the inside body [m]
 
@@ -190,19 +190,19 @@ def inside_displacement(fit: PressFit, state: FitConditions, radius: float) -> f
     ------
     Superposition of `free_displacement` with `pressure_displacement`.
     """
-    free = free_displacement(fit.inside, radius, state.inside_rise, state.speed)
-    return free + float(pressure_displacement(fit.inside, radius, 0.0, seat(fit, state).pressure))
+    free = free_displacement(fit.inside, radius, conditions.inside_rise, conditions.speed)
+    return free + float(pressure_displacement(fit.inside, radius, 0.0, seat(fit, conditions).pressure))
 
 
-def outside_displacement(fit: PressFit, state: FitConditions, radius: float) -> float:
+def outside_displacement(fit: PressFit, conditions: FitConditions, radius: float) -> float:
     """Radial displacement of the outside body, pressed from its bore.
 
     Parameters
     ----------
     fit : PressFit
         for the inner ring of a bearing: shaft inside, ring outside
-    state : FitConditions
-        heat [K], speed [rad/s]
+    conditions : FitConditions
+        temperature rises [K], speed [rad/s]
     radius : float
         where, within the outside body [m]
 
@@ -215,5 +215,5 @@ def outside_displacement(fit: PressFit, state: FitConditions, radius: float) -> 
     ------
     Superposition of `free_displacement` with `pressure_displacement`.
     """
-    free = free_displacement(fit.outside, radius, state.outside_rise, state.speed)
-    return free + float(pressure_displacement(fit.outside, radius, seat(fit, state).pressure, 0.0))
+    free = free_displacement(fit.outside, radius, conditions.outside_rise, conditions.speed)
+    return free + float(pressure_displacement(fit.outside, radius, seat(fit, conditions).pressure, 0.0))

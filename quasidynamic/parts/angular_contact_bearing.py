@@ -73,8 +73,8 @@ class RingOperation:
     def __post_init__(self):
         if len(self.load) != 5 or len(self.displacement) != 5:
             raise ImpossiblePart("load and displacement have five entries each: x, y, z, about y, about z")
-        given = [value for value in self.displacement if value is not None]
-        if not np.all(np.isfinite([*self.load, *given, self.inner_speed, self.outer_speed])):
+        prescribed = [value for value in self.displacement if value is not None]
+        if not np.all(np.isfinite([*self.load, *prescribed, self.inner_speed, self.outer_speed])):
             raise ImpossiblePart("loads, displacements and speeds must be finite")
         for name, load, place in zip(
             ["x", "y", "z", "tilt_y", "tilt_z"], self.load, self.displacement, strict=True

@@ -30,6 +30,11 @@ def contact_modulus(first: Material, second: Material) -> float:
 
     .. math:: E' = 2 / [(1-\nu_1^2)/E_1 + (1-\nu_2^2)/E_2]
 
+    Parameters
+    ----------
+    first, second : Material
+        the touching bodies
+
     Returns
     -------
     float

@@ -1,7 +1,7 @@
 """Oils as data: property curves with their source and range."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import exp, log, log10, sinh
 
 import numpy as np
@@ -10,8 +10,8 @@ from quasidynamic.errors import ImpossiblePart, require_positive
 
 Point = tuple[float, float]  # (temperature [K], value)
 
-EXPANSION = 0.65  # [kg/(m3 K)] fall of density, typical of mineral oils (recalled); esters lose 0.7 to 0.8
-BELOW, ABOVE = 40.0, 100.0  # [K] how far a line through two viscosities is carried past its points
+DENSITY_FALL = 0.65  # [kg/(m3 K)] typical of mineral oils (recalled); esters lose 0.7 to 0.8
+USABLE_BELOW, USABLE_ABOVE = 40.0, 100.0  # [K] how far a Walther line is carried past its two points
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -128,6 +128,12 @@ def two_point_oil(
         measured between the two viscosities, usable from 40 K below to 100 K above them;
         `dataclasses.replace(oil, usable=...)` widens that
 
+    Raises
+    ------
+    ImpossiblePart
+        when the viscosity does not fall with temperature, a property is not above zero, or the
+        pressure-viscosities are not one point or two at rising temperatures
+
     Source
     ------
     ASTM D341; the fall of density is recalled, typical of mineral oils.
@@ -148,21 +154,23 @@ def two_point_oil(
     require_positive(f"oil {name}: conductivity", conductivity)
 
     def rho(temperature: float) -> float:
-        return density - EXPANSION * (temperature - 288.15)
+        return density - DENSITY_FALL * (temperature - 288.15)
 
     measured = (first[0], second[0])
-    usable = (first[0] - BELOW, second[0] + ABOVE)
+    usable = (first[0] - USABLE_BELOW, second[0] + USABLE_ABOVE)
     require_positive(f"oil {name}: density at {usable[1]:.0f} K", rho(usable[1]))
+    pressure_viscosity = _exponential(name, pressure_viscosities)
+    held = f"{name}: pressure-viscosity is that of {pressure_viscosities[0][0]:.0f} K at any temperature"
     return Oil(
         name=name,
         source=source,
         measured=measured,
         usable=usable,
         viscosity=lambda t: walther_viscosity(t, a, b) * rho(t),
-        pressure_viscosity=_exponential(name, pressure_viscosities),
+        pressure_viscosity=pressure_viscosity,
         conductivity=lambda t: conductivity,
         density=rho,
-        notes=_constant_note(name, pressure_viscosities),
+        notes=(held,) if len(pressure_viscosities) == 1 else (),
     )
 
 
@@ -183,25 +191,15 @@ def _exponential(name: str, points: tuple[Point, ...]) -> Callable[[float], floa
     return lambda t: v1 * exp(rate * (t - t1))
 
 
-def _constant_note(name: str, points: tuple[Point, ...]) -> tuple[str, ...]:
-    if len(points) == 1:
-        return (f"{name}: pressure-viscosity is that of {points[0][0]:.0f} K at any temperature",)
-    return ()
-
-
-def line_through(temperature: float, temperatures: list[float], values: list[float]) -> float:
-    """Piecewise linear property; beyond the ends the last piece goes on as a straight line."""
+def _piecewise_linear(temperature: float, temperatures: list[float], values: list[float]) -> float:
+    """Property with straight lines between its points; beyond the ends the last line goes on."""
     piece = int(np.clip(np.searchsorted(temperatures, temperature) - 1, 0, len(values) - 2))
     slope = (values[piece + 1] - values[piece]) / (temperatures[piece + 1] - temperatures[piece])
     return values[piece] + slope * (temperature - temperatures[piece])
 
 
 def _ester_density(temperature: float) -> float:
-    return line_through(temperature, [233.0, 300.0, 367.0, 422.0], [1016.0, 966.0, 922.0, 884.0])
-
-
-def _ester_viscosity(temperature: float) -> float:
-    return walther_viscosity(temperature, 9.3126, 3.6665) * _ester_density(temperature)
+    return _piecewise_linear(temperature, [233.0, 300.0, 367.0, 422.0], [1016.0, 966.0, 922.0, 884.0])
 
 
 def _ester_pressure_viscosity(temperature: float) -> float:
@@ -211,17 +209,8 @@ def _ester_pressure_viscosity(temperature: float) -> float:
     return exp(1.15607 * log(viscosity) - 17.496) / viscosity
 
 
-def _diester_viscosity(temperature: float) -> float:
-    return 9.997e-4 * (exp(exp(-3.7048 * log(temperature) + 22.216)) - 0.87)
-
-
 def _thin_aviation_density(temperature: float) -> float:
     return 970.0 - 0.7 * (temperature - 293.15)
-
-
-def _thin_aviation_viscosity(temperature: float) -> float:
-    # Printed with 148.85 and T = degC + 273; 149.00 for kelvin gives the printed table.
-    return 0.132e-6 * sinh(925.19 / (temperature - 149.0)) * _thin_aviation_density(temperature)
 
 
 def _mineral(grade: int, hot_viscosity: float, density: float, alphas: tuple[float, float]) -> Oil:
@@ -238,11 +227,7 @@ def _mineral(grade: int, hot_viscosity: float, density: float, alphas: tuple[flo
         "k 0.13-0.145 W/(m K), rho falling 0.65 kg/(m3 K)",
     )
     typical = f"{name}: all but the grade are typical of mineral oils, recalled, not measured on one oil"
-    return _with_notes(oil, typical)
-
-
-def _with_notes(oil: Oil, *notes: str) -> Oil:
-    return Oil(**{**vars(oil), "notes": oil.notes + notes})
+    return replace(oil, notes=(*oil.notes, typical))
 
 
 OILS = {
@@ -255,7 +240,7 @@ OILS = {
             "alpha 5 to 12 % above recalled NASA measurements",
             measured=(311.0, 478.0),
             usable=(273.0, 523.0),
-            viscosity=_ester_viscosity,
+            viscosity=lambda t: walther_viscosity(t, 9.3126, 3.6665) * _ester_density(t),
             pressure_viscosity=_ester_pressure_viscosity,
             conductivity=lambda t: 0.14868 - 2.2275e-4 * (t - 366.67),
             density=_ester_density,
@@ -265,12 +250,14 @@ OILS = {
             source="ADORE-type fits; nu 13 % below a published chart at 478 K, rho 5 % above it at 433 K",
             measured=(311.0, 478.0),
             usable=(273.0, 523.0),
-            viscosity=_diester_viscosity,
+            viscosity=lambda t: 9.997e-4 * (exp(exp(-3.7048 * log(t) + 22.216)) - 0.87),
             pressure_viscosity=lambda t: 7.5808e-10 + 1.0742e-6 / (t - 215.56),
-            conductivity=lambda t: line_through(
+            conductivity=lambda t: _piecewise_linear(
                 t, [311.0, 367.0, 422.0, 478.0], [0.1449, 0.1340, 0.1327, 0.1314]
             ),
-            density=lambda t: line_through(t, [311.0, 367.0, 422.0, 478.0], [954.0, 914.0, 870.0, 826.0]),
+            density=lambda t: _piecewise_linear(
+                t, [311.0, 367.0, 422.0, 478.0], [954.0, 914.0, 870.0, 826.0]
+            ),
         ),
         Oil(
             name="4 cSt aviation",
@@ -279,7 +266,8 @@ OILS = {
             "its roller version has alpha 12.5 1/GPa, k 0.14, rho 885",
             measured=(293.0, 423.0),
             usable=(273.0, 503.0),
-            viscosity=_thin_aviation_viscosity,
+            # printed with 148.85 and T = degC + 273; 149.00 for kelvin gives the printed table
+            viscosity=lambda t: 0.132e-6 * sinh(925.19 / (t - 149.0)) * _thin_aviation_density(t),
             pressure_viscosity=lambda t: 1.28e-8,
             conductivity=lambda t: 0.0966,
             density=_thin_aviation_density,

@@ -43,38 +43,33 @@ def oil_at(oil: str | Oil, temperature: float) -> Lubricant:
     >>> round(oil_at("MIL-PRF-23699", 373.15).viscosity * 1e3, 2)  # [mPa s]
     4.68
     """
-    found = oil if isinstance(oil, Oil) else _named(oil)
-    low, high = found.usable
+    if isinstance(oil, str):
+        oil = _named(oil)
+    (coldest, hottest), (low, high) = oil.measured, oil.usable
     if not low <= temperature <= high:
         raise OutOfRange(
-            f"oil {found.name} at {temperature:.1f} K is outside {low:.0f} to {high:.0f} K, its usable range"
+            f"oil {oil.name} at {temperature:.1f} K is outside {low:.0f} to {high:.0f} K, its usable range"
         )
+    extrapolated = (
+        f"{oil.name} at {temperature:.0f} K is extrapolated: its data cover {coldest:.0f} to {hottest:.0f} K"
+    )
+    step = 0.5  # [K] the property curves are smooth on this scale
+    colder, warmer = oil.viscosity(temperature - step), oil.viscosity(temperature + step)
     return Lubricant(
         temperature=temperature,
-        viscosity=found.viscosity(temperature),
-        pressure_viscosity=found.pressure_viscosity(temperature),
-        temperature_viscosity=_temperature_viscosity(found, temperature),
-        conductivity=found.conductivity(temperature),
-        density=found.density(temperature),
-        notes=_extrapolation_note(found, temperature) + found.notes,
+        viscosity=oil.viscosity(temperature),
+        pressure_viscosity=oil.pressure_viscosity(temperature),
+        temperature_viscosity=log(colder / warmer) / (2 * step),
+        conductivity=oil.conductivity(temperature),
+        density=oil.density(temperature),
+        notes=oil.notes if coldest <= temperature <= hottest else (extrapolated, *oil.notes),
     )
 
 
 def _named(name: str) -> Oil:
+    """An oil of `OILS`, or an error that names the nearest."""
     if name in OILS:
         return OILS[name]
     close = get_close_matches(name, OILS, n=1)
     hint = f". Did you mean {close[0]}?" if close else ""
     raise OutOfRange(f"oil {name!r} is not known; known are {', '.join(sorted(OILS))}{hint}")
-
-
-def _temperature_viscosity(oil: Oil, temperature: float) -> float:
-    step = 0.5  # K; the property curves are smooth on this scale
-    return log(oil.viscosity(temperature - step) / oil.viscosity(temperature + step)) / (2 * step)
-
-
-def _extrapolation_note(oil: Oil, temperature: float) -> tuple[str, ...]:
-    low, high = oil.measured
-    if low <= temperature <= high:
-        return ()
-    return (f"{oil.name} at {temperature:.0f} K is extrapolated: its data cover {low:.0f} to {high:.0f} K",)
