@@ -6,8 +6,8 @@ from numpy.typing import ArrayLike
 from flexbearing.build import roller_bearing
 from flexbearing.case import Case
 from quasidynamic import Equilibrium
+from quasidynamic.balance.rollers.skew import RunningRollers
 from quasidynamic.outcome.skew import Skew, skewed
-from quasidynamic.outcome.skew_balance import RunningRollers
 
 GAP = 1e-7  # [m] change of the gap at a roller's end that is worth a note, unless the film is thinner
 SHIFT = 0.01  # of the roller's length, between inner and outer load

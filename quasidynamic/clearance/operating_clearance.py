@@ -259,5 +259,6 @@ def _require_housing_temperature(mounting: Mounting, conditions: OperatingCondit
         )
     if not has_housing and conditions.housing is not None:
         raise ImpossiblePart(
-            f"operating.housing = {conditions.housing} K, but the outer ring is free; leave the temperature out"
+            f"operating.housing = {conditions.housing} K, but the outer ring is free; "
+            "leave the temperature out"
         )

@@ -59,13 +59,18 @@ def geometry_factor(diameter_ratio: float) -> float:
     float
         f_c [-] for N and mm
 
+    Raises
+    ------
+    OutOfRange
+        when gamma leaves the table of the standard
+
     Source
     ------
     ISO 281 (2007), table 7, in closed form; lambda nu = 0.83.
 
     Valid
     -----
-    gamma from 0.01 to 0.30, as tabulated; outside `OutOfRange`.
+    gamma from 0.01 to 0.30, as tabulated.
     """
     g, (low, high) = diameter_ratio, TABULATED
     if not low <= g <= high:

@@ -21,9 +21,7 @@ class RollerBody:
     """Fatigue of the rollers themselves, next to that of the raceways."""
 
     capacity: tuple[float, float]  # [N] inner and outer contact, for 10^6 turns of the roller
-    speed_ratio: (
-        float  # [-] turns of the roller against the cage per turn of the ring; (1 - g^2)/(2 g) rolling
-    )
+    speed_ratio: float  # [-] turns of the roller against the cage per turn of the ring; see `slice_life`
 
     def __post_init__(self):
         for side, capacity in zip(("inner", "outer"), self.capacity, strict=True):
@@ -92,14 +90,18 @@ def reference_life(
     float or array (...)
         L10r [10^6 revolutions]; infinite without load
 
+    Raises
+    ------
+    OutOfRange
+        when the edge stress is asked of straight rollers, whose end slices do not contain the edge
+
     Source
     ------
     ISO/TS 16281 (2008), roller bearings.
 
     Valid
     -----
-    Reliability 90 %. The edge stress belongs to profiled rollers with at least 30 slices; on straight
-    rollers, whose end slices do not know of the edge, it is refused with `OutOfRange`.
+    Reliability 90 %. The edge stress belongs to profiled rollers with at least 30 slices.
     """
     if edge_stress and isinstance(bearing.roller.profile, Straight):
         raise OutOfRange("the edge stress factor holds for profiled rollers; this roller is straight")
@@ -125,7 +127,7 @@ def slice_life(
 
     with p = 4 for a ring that turns against the load and 4.5 for one that stands still under it. A
     roller meets all loads of the circle in turn (p = 4), lives (q_cr/q_r)^4 of its own turns, s of
-    them in a turn of the ring, and all Z rollers must survive.
+    them in a turn of the ring, (1 - gamma^2)/(2 gamma) where it rolls, and all Z rollers must survive.
 
     Parameters
     ----------
@@ -158,8 +160,8 @@ def slice_life(
     exponents = [TURNING if turns else STANDING for turns in turning]
     damage = sum(_damage(q, c, p) for q, c, p in zip(loads, capacity, exponents, strict=True))
     if rollers:
-        one = sum(_damage(q, c, TURNING) for q, c in zip(loads, rollers.capacity, strict=True))
-        damage = damage + loads[0].shape[-2] * rollers.speed_ratio**WEIBULL * one
+        roller_damage = sum(_damage(q, c, TURNING) for q, c in zip(loads, rollers.capacity, strict=True))
+        damage = damage + loads[0].shape[-2] * rollers.speed_ratio**WEIBULL * roller_damage
     with np.errstate(divide="ignore"):  # no load, no damage: for ever
         return damage ** (-1 / WEIBULL)
 
@@ -179,6 +181,11 @@ def edge_stress_factor(slices: int) -> NDArray:
     array (n_s)
         f [-], 1 in the middle
 
+    Raises
+    ------
+    OutOfRange
+        for fewer than 30 slices
+
     Source
     ------
     ISO/TS 16281 (2008), approximation of the stress riser.
@@ -186,7 +193,7 @@ def edge_stress_factor(slices: int) -> NDArray:
     Valid
     -----
     Rollers with the logarithmic profile 0.00035 D ln 1/(1 - (2x/l)^2) or one like it, misalignment below
-    4 minutes of arc, medium load. Fewer than 30 slices raise `OutOfRange`.
+    4 minutes of arc, medium load.
     """
     if slices < FEWEST_SLICES:
         raise OutOfRange(f"{slices} slices; the edge stress factor needs at least {FEWEST_SLICES}")

@@ -108,6 +108,11 @@ def reference_viscosity(speed: ArrayLike, pitch_diameter: float) -> Any:
     float or array (...)
         nu_1 [m2/s]
 
+    Raises
+    ------
+    OutOfRange
+        at rest, where no viscosity separates the surfaces
+
     Source
     ------
     ISO 281 (2007), section 9.3.3.
@@ -115,7 +120,6 @@ def reference_viscosity(speed: ArrayLike, pitch_diameter: float) -> Any:
     Valid
     -----
     Ordinary surface finish, mineral oil. Falls by 2.3 % where the branches meet at 1000 1/min.
-    A ring at rest has no reference viscosity and raises `OutOfRange`.
     """
     n = np.abs(speed) / RPM
     if not np.all(n > 0):
@@ -175,21 +179,25 @@ def contamination_factor(kappa: ArrayLike, pitch_diameter: float, cleanliness: C
     float or array (...)
         e_C [-], 0 to 1
 
+    Raises
+    ------
+    OutOfRange
+        for kappa below 0.1, and for a pitch circle so small that e_C would be negative
+
     Source
     ------
     ISO 281 (2007), annex A.
 
     Valid
     -----
-    kappa below 0.1, and a pitch circle so small that e_C would be negative, raise `OutOfRange`.
-    Kinks where the minimum is reached and at kappa = 4.
+    kappa from 0.1. Kinks where the minimum is reached and at kappa = 4.
     """
     size = pitch_diameter / MILLIMETRE
-    left = 1 - cleanliness.loss * size ** (-1 / 3)
-    if not left > 0:
+    largest = 1 - cleanliness.loss * size ** (-1 / 3)
+    if not largest > 0:
         least = cleanliness.loss**3
         raise OutOfRange(f"pitch diameter {size:.4g} mm: this cleanliness needs more than {least:.3g} mm")
-    return np.minimum(cleanliness.rise * _rated(kappa) ** 0.68 * size**0.55, 1.0) * left
+    return np.minimum(cleanliness.rise * _rated(kappa) ** 0.68 * size**0.55, 1.0) * largest
 
 
 def modification_factor(kappa: ArrayLike, load_ratio: ArrayLike) -> LifeFactor:
@@ -217,13 +225,18 @@ def modification_factor(kappa: ArrayLike, load_ratio: ArrayLike) -> LifeFactor:
     LifeFactor
         a_ISO [-], 0.1 to 50; a note tells where a limit was met
 
+    Raises
+    ------
+    OutOfRange
+        for kappa below 0.1, where the standard stops, and for a negative load ratio
+
     Source
     ------
     ISO 281 (2007), Eqs. 34-36.
 
     Valid
     -----
-    kappa below 0.1 raises `OutOfRange`: the standard stops there. Kinks at kappa = 0.4, 1 and 4, and
+    kappa from 0.1. Kinks at kappa = 0.4, 1 and 4, and
     at the limit of 50, which also stands for loads below the fatigue limit.
     """
     kappa, load_ratio = np.asarray(kappa), np.asarray(load_ratio)
@@ -232,13 +245,13 @@ def modification_factor(kappa: ArrayLike, load_ratio: ArrayLike) -> LifeFactor:
     k = _rated(kappa)
     c = np.where(k < 0.4, 1.3993, 1.2348)
     p = np.where(k < 0.4, 0.054381, np.where(k < 1.0, 0.19087, 0.071739))
-    left = 1 - (1.5859 - c / k**p) * load_ratio**0.4
+    bracket = 1 - (1.5859 - c / k**p) * load_ratio**0.4
     least = (LARGEST_MODIFICATION / 0.1) ** (-1 / 9.185)  # below it the factor has reached 50
     notes = [
         "viscosity ratio above 4, rated as 4" * bool(np.any(kappa > FULL_VISCOSITY_RATIO)),
-        "held at its limit of 50" * bool(np.any(left <= least)),
+        "held at its limit of 50" * bool(np.any(bracket <= least)),
     ]
-    value = 0.1 * np.maximum(left, least) ** -9.185
+    value = 0.1 * np.maximum(bracket, least) ** -9.185
     return LifeFactor("a_ISO", value[()], "lubrication", "; ".join(filter(None, notes)))
 
 
@@ -261,6 +274,11 @@ def film_factor(film_ratio: ArrayLike) -> LifeFactor:
     -------
     LifeFactor
         factor [-], 0.19 to 3.03; a note tells where an end of the table was held
+
+    Raises
+    ------
+    OutOfRange
+        for a negative film ratio
 
     Source
     ------
@@ -308,6 +326,11 @@ def material_factor(
     LifeFactor
         a [-], with a note of its parts
 
+    Raises
+    ------
+    OutOfRange
+        for a steel or a melting that is not in the tables
+
     Source
     ------
     STLE Life Factors for Rolling Bearings (Zaretsky, 1992); division by b_m^4 as in a published program.
@@ -336,13 +359,18 @@ def reliability_factor(reliability: ArrayLike) -> LifeFactor:
     LifeFactor
         a_1 [-], 1 at 90 %
 
+    Raises
+    ------
+    OutOfRange
+        outside 0.90 to 0.9995
+
     Source
     ------
     ISO 281 (2007), table 12, as its Weibull curve of three parameters.
 
     Valid
     -----
-    S from 0.90 to 0.9995, the table's range; outside `OutOfRange`.
+    S from 0.90 to 0.9995, the table's range.
     """
     s = np.asarray(reliability)
     if not np.all((s >= LEAST_RELIABILITY) & (s <= LARGEST_RELIABILITY)):

@@ -13,7 +13,7 @@ class Losses:
     pocket: float  # friction of the rollers in the pockets
     land: float  # of the cage on its guide
     churning: float  # of the mixture around the spinning rollers
-    transport: float  # of spin from azimuth to azimuth: no heat, an error of its differences
+    transport: float  # of spin from azimuth to azimuth: not heat but discretisation residual
 
     @property
     def total(self) -> float:

@@ -1,22 +1,17 @@
 """Skew of rollers between guide flanges, at an equilibrium of the bearing."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
+from quasidynamic.balance.rollers.skew import AxialTraction, RunningRollers, SkewBalance, SkewMoments
 from quasidynamic.contact.flange import flange_forces, flange_push
 from quasidynamic.contact.raceways import Raceways
-from quasidynamic.errors import NotSolved
-from quasidynamic.outcome.skew_balance import AxialTraction, RunningRollers, SkewBalance, SkewMoments
 from quasidynamic.parts.flange import Flange
 from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
-
-LARGEST = 0.5  # [rad] a roller that skews further is not held
-BALANCED = 1e-12  # of the moments that balance
-STEPS = 200
+from quasidynamic.solve.rollers.skew_equilibrium import skew_equilibrium
 
 
 @dataclass(frozen=True)
@@ -55,7 +50,7 @@ class Skew:
         inner, outer = self.axial_traction.force
         return self.balance.surface_speed * self.angle * (inner - outer)
 
-    # -- what the equilibrium does not know ----------------------------------------------------
+    # -- what the equilibrium does not contain -------------------------------------------------
 
     @property
     def end_gap(self) -> float:
@@ -68,12 +63,17 @@ class Skew:
         r"""Largest shift along a loaded roller from outer to inner load that axial forces ask for [m].
 
         .. math:: |r_w (F_{xi} - F_{xo}) + \rho (F_{xi} + F_{xo})| / Q_i
+
+        Source
+        ------
+        Moment of the axial forces about the motion, over the inner load; derived here.
         """
         inner, outer = self.axial_traction.force
         couple = self.balance.bearing.roller.diameter / 2 * (inner - outer)
         couple = np.abs(couple + self.balance.corner.level * (inner + outer))
         load = self.balance.running.slice_load[0] @ self.balance.raceways.slices.widths
-        return float((couple[self._loaded] / load[self._loaded]).max(initial=0.0))
+        loaded = load > 0.01 * load.max()
+        return float((couple[loaded] / load[loaded]).max(initial=0.0))
 
     @property
     def traction_change(self) -> float:
@@ -81,12 +81,6 @@ class Skew:
         before = self.balance.traction_along(np.zeros_like(self.angle))
         change = np.abs(self.balance.traction_along(self.angle) - before).max()
         return float(change / np.abs(before).max()) if change else 0.0
-
-    @property
-    def _loaded(self) -> NDArray:
-        """Whether the inner raceway presses a roller by a hundredth of the largest load (Z)."""
-        load = self.balance.running.slice_load[0] @ self.balance.raceways.slices.widths
-        return load > 0.01 * load.max()
 
 
 def skewed(
@@ -125,61 +119,4 @@ def skewed(
     is not fed back: `end_gap`, `load_shift`, `traction_change` and the two powers say how much it is.
     """
     balance = SkewBalance(running=running, raceways=raceways, bearing=bearing, flange=flange)
-    return Skew(balance, *_balanced(balance))
-
-
-def _balanced(balance: SkewBalance) -> tuple[NDArray, NDArray]:
-    """Skew (Z) in balance [rad], and what of it is beyond the touching one."""
-    wanted, sense = np.abs(balance.traction_moment), np.sign(balance.traction_moment)
-    touching, lever = balance.touching, balance.corner.lever
-    first = np.full_like(wanted, touching)
-    # Beyond the clearance the unknown is counted from the touching: a stiff corner needs its digits.
-    outside = (wanted > 0) & (balance.left(first, np.zeros_like(first))[0] >= 0)
-    base = np.where(outside, touching, 0.0)
-
-    def beyond(z: NDArray) -> NDArray:
-        return np.where(outside, z, z - touching)
-
-    stiff = wanted / (2 * balance.flange.stiffness * lever**2)
-    size = np.where(outside, stiff, touching) * (wanted > 0)
-    z = _falling_root(lambda z: balance.left(base + z, beyond(z)), size)
-    return sense * (base + z), beyond(z)
-
-
-def _falling_root(left: Callable[[NDArray], tuple[NDArray, NDArray, NDArray]], size: NDArray) -> NDArray:
-    """Roots z >= 0 where a function that is not negative at zero falls through zero.
-
-    Newton steps that leave the bracket, or that have not halved what is left, are replaced by halving.
-    """
-    low, high = np.zeros_like(size), _beyond_root(left, size)
-    z, before = high, np.full_like(size, np.inf)
-    for _ in range(STEPS):
-        residual, slope, scale = left(z)
-        done = np.abs(residual) <= BALANCED * scale
-        if done.all():
-            return z
-        low, high = np.where(residual > 0, z, low), np.where(residual > 0, high, z)
-        newton = z - np.divide(residual, slope, out=np.full_like(z, np.inf), where=slope < 0)
-        wild = (newton <= low) | (newton >= high) | (np.abs(residual) > 0.5 * before)
-        before = np.abs(residual)
-        z = np.where(done, z, np.where(wild, 0.5 * (low + high), newton))
-    worst = float((np.abs(residual) / scale).max())
-    raise NotSolved(f"skew: {worst:.1e} of the moments on a roller are unbalanced after {STEPS} steps")
-
-
-def _beyond_root(left: Callable[[NDArray], tuple[NDArray, NDArray, NDArray]], size: NDArray) -> NDArray:
-    """Some z past each root: the size, doubled until the function is no longer positive."""
-    high = size.copy()
-    while True:
-        residual = left(high)[0]
-        if not np.isfinite(residual).all():
-            raise NotSolved("skew: a moment on a roller is not finite")
-        open_ = residual > 0
-        if not open_.any():
-            return high
-        if (high[open_] > LARGEST).any():
-            raise NotSolved(
-                f"skew: nothing holds {np.count_nonzero(open_)} rollers below {LARGEST:g} rad; "
-                "is the stiffness of the flange right?"
-            )
-        high = np.where(open_, 2 * high, high)
+    return Skew(balance, *skew_equilibrium(balance))

@@ -10,6 +10,7 @@ from hypothesis import given, settings, strategies as st
 from pytest import approx
 
 from quasidynamic import ImpossiblePart, NotSolved
+from quasidynamic.balance.rollers.skew import RunningRollers, SkewBalance
 from quasidynamic.contact.flange import (
     corner,
     corner_couple,
@@ -19,7 +20,6 @@ from quasidynamic.contact.flange import (
     touching_skew,
 )
 from quasidynamic.outcome.skew import skewed
-from quasidynamic.outcome.skew_balance import RunningRollers, SkewBalance
 from quasidynamic.parts.flange import Flange
 from tests.bearings import paper_bearing
 

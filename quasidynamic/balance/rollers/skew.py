@@ -64,6 +64,14 @@ class SkewBalance:
     the couple M_c of the corners, see `corner_couple`, and the stiffness k_R of cylinders that cross at a
     small angle. Skew is positive when the +x end leads. M_T does not depend on the skew: its tractions are
     those that balance the roller.
+
+    Source
+    ------
+    Balance of moments about the radial axis through a roller's centre, derived here.
+
+    Valid
+    -----
+    Small angles; loads, speeds along the motion and films as at the equilibrium without skew.
     """
 
     running: RunningRollers
@@ -157,27 +165,40 @@ class SkewBalance:
         direction = np.divide(along, size, out=np.zeros_like(size), where=size > 0)
         return self.flange.friction * self.bearing.roller.length / 2 * direction
 
-    def left(self, skew: NDArray, beyond: NDArray) -> tuple[NDArray, NDArray, NDArray]:
-        """Unbalanced moment (Z) towards more skew, at skews >= 0 [N m], its slope, size of its parts."""
-        found, lever = self.axial_traction(skew), self.corner.lever
-        thrust, by_skew = found.thrust, found.by_skew.sum(axis=0)
+    def residual(self, skew: NDArray, beyond: NDArray) -> tuple[NDArray, NDArray, NDArray]:
+        """Unbalanced moment (Z) towards more skew, its slope and the sum of the sizes of its parts.
+
+        Parameters
+        ----------
+        skew : array (Z)
+            psi in the sense of M_T [rad], >= 0
+        beyond : array (Z)
+            psi - psi_0 [rad], with digits of its own
+
+        Returns
+        -------
+        tuple of array (Z)
+            [N m], [N m/rad], [N m]
+        """
+        axial, lever = self.axial_traction(skew), self.corner.lever
+        thrust, by_skew = axial.thrust, axial.by_skew.sum(axis=0)
         couple = corner_couple(skew, beyond, thrust, self.corner, self.flange)
         stiff = 2 * self.flange.stiffness * lever**2
         free = couple == lever * np.abs(thrust)  # neither flat on one flange nor held by both
         couple_slope = np.where(free, lever * np.sign(thrust) * by_skew, stiff)
-        own, friction = np.abs(self.traction_moment), self._friction_lever * thrust
-        parts = np.array([own, -self.raceway_stiffness * skew, -couple, friction])
+        driving, friction = np.abs(self.traction_moment), self._friction_lever * thrust
+        parts = np.array([driving, -self.raceway_stiffness * skew, -couple, friction])
         slope = -self.raceway_stiffness - couple_slope + self._friction_lever * by_skew
         return parts.sum(axis=0), slope, np.abs(parts).sum(axis=0)
 
     def _traction(self, skew: NDArray) -> tuple[NDArray, NDArray, NDArray]:
         """Tractions (2, Z, K) along and across the motion, the latter also by skew [N/m]."""
-        run, speed = self.running, np.array([1.0, -1.0])[:, None] * self.surface_speed
-        along, across = run.sliding, speed * skew
+        running, speed = self.running, np.array([1.0, -1.0])[:, None] * self.surface_speed
+        along, across = running.sliding, speed * skew
         size = np.hypot(along, across)
-        at = (values[:, None] for values in (size, run.entrainment, run.film))
-        pull = self.raceways.traction(self._slices_first, *at)
-        total, steepness = (np.moveaxis(each[:, :, 0], 0, -1) for each in (pull.force, pull.by_sliding))
+        sliding, entrainment, film = (each[:, None] for each in (size, running.entrainment, running.film))
+        law = self.raceways.traction(self._slices_first, sliding, entrainment, film)
+        total, steepness = (np.moveaxis(each[:, :, 0], 0, -1) for each in (law.force, law.by_sliding))
         # without any sliding there is no traction, and no direction is needed
         safe = np.where(size > 0, size, 1.0)
         cos, sin = (part / safe for part in (along, across))
@@ -193,9 +214,10 @@ class SkewBalance:
 
     def _inlet_shears(self) -> NDArray:
         """Inlet shears (2, Z, K) per length [N/m]: the balance's own, spread as by the law."""
-        run, raceways = self.running, self.raceways
-        local = raceways.rolling(self._slices_first * raceways.slices.length, run.entrainment[:, None]).force
-        local = np.moveaxis(local[:, :, 0], 0, -1)
-        whole = local @ raceways.slices.widths
-        scale = np.divide(run.rolling_shear, whole, out=np.zeros_like(whole), where=whole > 0)
-        return local * scale[..., None]
+        running, raceways = self.running, self.raceways
+        slice_load = self._slices_first * raceways.slices.length
+        shear = raceways.rolling(slice_load, running.entrainment[:, None]).force
+        shear = np.moveaxis(shear[:, :, 0], 0, -1)
+        total = shear @ raceways.slices.widths
+        scale = np.divide(running.rolling_shear, total, out=np.zeros_like(total), where=total > 0)
+        return shear * scale[..., None]
