@@ -14,7 +14,7 @@ from flexbearing.results import ResultFile
 from flexbearing.rings.raceways import CondensedRings
 from flexbearing.runs import fields, life, notes, skew
 from quasidynamic import Equilibrium
-from quasidynamic.contact.film.roughness import regime
+from quasidynamic.contact.film.roughness import lambda_ratio, regime
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,7 @@ class Outcome:
                 self.lives[name] = lived
                 arrays["modified_life"] = lived["modified_Mrev"] * states.MREV
             if sigma is not None:
-                words = (str(word) for word in regime(smallest / sigma))
+                words = (str(word) for word in regime(lambda_ratio(smallest, sigma)))
                 self.regimes[name] = dict(zip(("inner", "outer"), words, strict=True))
             self.notes.extend(notes.of_state(self.case, found))
             if skewed := skew.at(self.case, found):

@@ -5,7 +5,7 @@ from flexbearing.build import ring_parts, roller_bearing
 from flexbearing.case import AngularCase, AnyCase, BadCase, Case, FourPointCase
 from flexbearing.runs import angular_contact, four_point, life
 from quasidynamic import ImpossiblePart, OutOfRange
-from quasidynamic.contact.flange import corner
+from quasidynamic.contact.flange import flange_corner
 
 
 def require_possible(case: AnyCase) -> None:
@@ -27,7 +27,7 @@ def _build_roller_bearing(case: Case) -> None:
     bearing = roller_bearing.bearing(case).bearing
     life.require_possible(case, bearing)
     if flange := roller_bearing.flange(case):
-        corner(flange, bearing)
+        flange_corner(flange, bearing)
     ring_parts.outer_part(case)
     ring_parts.inner_part(case)
     ring_parts.require_held_in_housing(case)

@@ -10,14 +10,14 @@ from quasidynamic.parts.flange import Flange
 from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
 
 
-class Corner(NamedTuple):
+class FlangeCorner(NamedTuple):
     """Where the edge of a flange crosses the rim of a roller's end, from the middle of the roller."""
 
     lever: float  # [m] along the motion, on either side; the chord between two corners is twice that
     level: float  # [m] radially outwards
 
 
-def corner(flange: Flange, bearing: CylindricalRollerBearing) -> Corner:
+def flange_corner(flange: Flange, bearing: CylindricalRollerBearing) -> FlangeCorner:
     r"""Corner of a roller's end that a skewed roller meets the flange with.
 
     .. math:: a = \frac{r_f^2 + r_m^2 - r_e^2}{2 r_m},\quad y = \sqrt{r_f^2 - a^2},\quad
@@ -34,7 +34,7 @@ def corner(flange: Flange, bearing: CylindricalRollerBearing) -> Corner:
 
     Returns
     -------
-    Corner
+    FlangeCorner
         y > 0 and a - r_m [m]
 
     Raises
@@ -59,7 +59,7 @@ def corner(flange: Flange, bearing: CylindricalRollerBearing) -> Corner:
     edge = bearing.inner_radius + flange.height if on_inner else bearing.outer_radius - flange.height
     rim = radius - flange.roller_chamfer
     from_axis = (edge**2 + pitch**2 - rim**2) / (2 * pitch)
-    return Corner(lever=float(np.sqrt(edge**2 - from_axis**2)), level=from_axis - pitch)
+    return FlangeCorner(lever=float(np.sqrt(edge**2 - from_axis**2)), level=from_axis - pitch)
 
 
 def touching_skew(flange: Flange, lever: float) -> float:
@@ -95,7 +95,7 @@ def flange_push(beyond: NDArray, thrust: NDArray, flange: Flange, lever: float) 
 
     .. math:: N_- + N_+ = \max(2 k y (|\psi| - \psi_0),\; |F_x|)
 
-    A corner yields in proportion to its force, N = k delta, with delta_+- = y (|psi| - psi_0) +- xi and
+    A corner deflects in proportion to its force, N = k delta, with delta_+- = y (|psi| - psi_0) +- xi and
     the axial displacement xi such that N_+ - N_- = F_x.
 
     Parameters
@@ -125,7 +125,9 @@ def flange_push(beyond: NDArray, thrust: NDArray, flange: Flange, lever: float) 
     return np.maximum(2 * flange.stiffness * lever * beyond, np.abs(thrust))
 
 
-def corner_couple(skew: NDArray, beyond: NDArray, thrust: NDArray, at: Corner, flange: Flange) -> NDArray:
+def corner_couple(
+    skew: NDArray, beyond: NDArray, thrust: NDArray, corner: FlangeCorner, flange: Flange
+) -> NDArray:
     r"""Restoring moment of the flanges' normal forces.
 
     .. math:: M = y \min[\max(|F_x|,\; 2 k y (|\psi| - \psi_0)),\; 2 k y |\psi|]
@@ -139,7 +141,7 @@ def corner_couple(skew: NDArray, beyond: NDArray, thrust: NDArray, at: Corner, f
         abs(psi) and abs(psi) - psi_0 [rad]
     thrust : array (...)
         F_x, axial force of the raceways on the roller [N], any sign
-    at : Corner
+    corner : FlangeCorner
         y [m]
     flange : Flange
         stiffness k of a corner [N/m]
@@ -157,8 +159,8 @@ def corner_couple(skew: NDArray, beyond: NDArray, thrust: NDArray, at: Corner, f
     -----
     As `flange_push`. Kinks where a corner lifts or begins to touch.
     """
-    stiff = 2 * flange.stiffness * at.lever
-    return at.lever * np.clip(np.abs(thrust), stiff * beyond, stiff * skew)
+    stiff = 2 * flange.stiffness * corner.lever
+    return corner.lever * np.clip(np.abs(thrust), stiff * beyond, stiff * skew)
 
 
 def flange_forces(push: NDArray, thrust: NDArray) -> NDArray:
@@ -185,7 +187,7 @@ def flange_forces(push: NDArray, thrust: NDArray) -> NDArray:
     return 0.5 * np.array([push - thrust, push + thrust])
 
 
-def corner_sliding(at: Corner, spin: NDArray, ring_speed: float, pitch_radius: float) -> NDArray:
+def corner_sliding(corner: FlangeCorner, spin: NDArray, ring_speed: float, pitch_radius: float) -> NDArray:
     r"""Sliding of the flange over the roller at the touching corner.
 
     .. math:: s_t = \Omega (r_m + \rho) + w \rho,\quad s_n = -(\Omega + w)\, t
@@ -195,7 +197,7 @@ def corner_sliding(at: Corner, spin: NDArray, ring_speed: float, pitch_radius: f
 
     Parameters
     ----------
-    at : Corner
+    corner : FlangeCorner
         y and rho [m]
     spin : array (Z)
         w, roller against the cage [rad/s], positive when it rolls forwards on the inner ring
@@ -217,5 +219,5 @@ def corner_sliding(at: Corner, spin: NDArray, ring_speed: float, pitch_radius: f
     -----
     Angles of skew and tilt small.
     """
-    along = ring_speed * (pitch_radius + at.level) + spin * at.level
-    return np.array([along, -(ring_speed + spin) * at.lever])
+    along = ring_speed * (pitch_radius + corner.level) + spin * corner.level
+    return np.array([along, -(ring_speed + spin) * corner.lever])

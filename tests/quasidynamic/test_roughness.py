@@ -18,7 +18,7 @@ heights = st.floats(1e-9, 1e-5)  # [m]
 )
 def test_lambda_of_the_high_speed_roller(roughness, expected):
     """Film 0.1163 um (Dowson 1968, inner raceway, 3537 N), both surfaces alike: two printed digits."""
-    assert lambda_ratio(0.1163e-6, roughness, roughness) == approx(expected, abs=0.006)
+    assert lambda_ratio(0.1163e-6, composite_roughness(roughness, roughness)) == approx(expected, abs=0.006)
 
 
 @given(first=heights, second=heights)
@@ -31,15 +31,14 @@ def test_composite_roughness_is_symmetric_and_between_its_bounds(first, second):
 
 @given(film=heights, first=heights, second=heights)
 def test_lambda_keeps_its_value_when_all_lengths_scale(film, first, second):
-    assert lambda_ratio(7 * film, 7 * first, 7 * second) == approx(
-        lambda_ratio(film, first, second), rel=1e-12
-    )
+    ratio = lambda_ratio(film, composite_roughness(first, second))
+    assert lambda_ratio(7 * film, composite_roughness(7 * first, 7 * second)) == approx(ratio, rel=1e-12)
 
 
 def test_one_smooth_surface_is_allowed_and_two_are_not():
-    assert lambda_ratio(0.2e-6, 0.1e-6, 0.0) == approx(2.0, rel=1e-12)
+    assert lambda_ratio(0.2e-6, composite_roughness(0.1e-6, 0.0)) == approx(2.0, rel=1e-12)
     with pytest.raises(OutOfRange, match="smooth"):
-        lambda_ratio(np.array([0.2e-6, 0.2e-6]), np.array([0.1e-6, 0.0]), 0.0)
+        lambda_ratio(np.array([0.2e-6, 0.2e-6]), composite_roughness(np.array([0.1e-6, 0.0]), 0.0))
 
 
 def test_regime_changes_at_its_stated_bounds():

@@ -12,7 +12,6 @@ from pytest import approx
 from quasidynamic import ImpossiblePart, NotSolved
 from quasidynamic.balance.rollers.skew import RunningRollers, SkewBalance
 from quasidynamic.contact.flange import (
-    corner,
     corner_couple,
     corner_sliding,
     flange_forces,
@@ -115,7 +114,7 @@ def test_forces_of_the_slices_are_those_that_pocket_and_drag_balance(tilt):
 @given(thrust=st.floats(-1e3, 1e3), stiffness=st.floats(4, 11).map(lambda power: 10.0**power))
 def test_restoring_couple_rises_with_the_skew(thrust, stiffness):
     flange = replace(FLANGE, stiffness=stiffness)
-    at = corner(flange, paper_bearing().bearing)
+    at = flange_corner(flange, paper_bearing().bearing)
     touching = touching_skew(flange, at.lever)
     angle = np.linspace(0.0, 2 * touching, 201)
     couple = corner_couple(angle, angle - touching, np.array(thrust), at, flange)
@@ -230,7 +229,7 @@ def test_flanges_carry_the_thrust_and_never_pull(lever, clearance, beyond, thrus
 def test_corner_lies_on_the_rim_and_on_the_edge_of_the_flange(ring):
     bearing = paper_bearing().bearing
     flange = replace(FLANGE, ring=ring)
-    lever, level = corner(flange, bearing)
+    lever, level = flange_corner(flange, bearing)
     assert np.hypot(lever, level) == approx(bearing.roller.diameter / 2 - flange.roller_chamfer, rel=1e-12)
     edge = np.hypot(lever, bearing.pitch_diameter / 2 + level)
     radius = bearing.inner_radius + flange.height if ring == "inner" else bearing.outer_radius - flange.height
@@ -238,7 +237,7 @@ def test_corner_lies_on_the_rim_and_on_the_edge_of_the_flange(ring):
 
 
 def test_pure_rolling_slides_at_the_raceway_not_at_all_and_at_the_corner_by_its_height():
-    at = corner(FLANGE, paper_bearing().bearing)
+    at = flange_corner(FLANGE, paper_bearing().bearing)
     spin, pitch, radius = 700.0, 35e-3, 2.5e-3
     ring = spin * radius / (pitch - radius)
     along, radial = corner_sliding(at, np.array(spin), ring, pitch)
@@ -263,7 +262,7 @@ def test_impossible_flange_is_named(change, words):
 
 def test_flange_that_reaches_the_middle_of_the_roller_is_refused():
     with pytest.raises(ImpossiblePart, match="half a roller diameter"):
-        corner(replace(FLANGE, height=2.5e-3), paper_bearing().bearing)
+        flange_corner(replace(FLANGE, height=2.5e-3), paper_bearing().bearing)
 
 
 def test_roller_that_nothing_holds_is_no_result():

@@ -6,13 +6,8 @@ from hypothesis import given, strategies as st
 from pytest import approx
 
 from quasidynamic.contact.film.starvation import (
-    ANGULAR_CONTACT,
-    CYLINDRICAL_ROLLER,
-    DEEP_GROOVE,
     FLOODED_FROM,
-    GREASE_OR_OIL_AIR,
     meniscus_factor,
-    replenishment_factor,
     starved_film,
 )
 from quasidynamic.contact.film.thickness import Film
@@ -114,30 +109,3 @@ def test_flooded_film_passes_through_unchanged():
 def test_arrays_broadcast():
     found = meniscus_factor(np.full((3, 4), 1e-4), np.full((3, 4), 1e-6), np.full((3, 1), 5e-3), 1.0)
     assert all(part.shape == (3, 4) for part in found)
-
-
-def test_replenishment_of_a_bearing_worked_by_hand():
-    """32 mm2/s, 3000 rpm, 50 and 90 mm: exp(-3e-8 * 32 * 3000 * 140 * sqrt(5.1/80))."""
-    speed = 3000 * np.pi / 30
-    exponent = 3e-8 * 32 * 3000 * 140 * np.sqrt(5.1 / 80)
-    assert exponent == approx(0.10180, rel=1e-4)
-    assert replenishment_factor(32e-6, speed, (0.05, 0.09)) == approx(np.exp(-exponent), rel=1e-12)
-    assert replenishment_factor(32e-6, -speed, (0.05, 0.09)) == approx(np.exp(-exponent), rel=1e-12)
-
-
-def test_replenishment_worsens_with_speed_and_scarce_oil():
-    speed = np.array([0.0, 10.0, 100.0, 1000.0])
-    bath = replenishment_factor(32e-6, speed, (0.05, 0.09))
-    grease = replenishment_factor(32e-6, speed, (0.05, 0.09), GREASE_OR_OIL_AIR)
-    assert bath[0] == 1.0
-    assert np.all(np.diff(bath) < 0)
-    assert grease == approx(bath**2, rel=1e-12)
-
-
-@pytest.mark.parametrize(
-    ("geometry", "constant"), [(DEEP_GROOVE, 3.1), (ANGULAR_CONTACT, 4.4), (CYLINDRICAL_ROLLER, 5.1)]
-)
-def test_replenishment_has_the_published_geometry_constants(geometry, constant):
-    base = np.log(replenishment_factor(32e-6, 300.0, (0.05, 0.09), geometry=1.0))
-    found = np.log(replenishment_factor(32e-6, 300.0, (0.05, 0.09), geometry=geometry))
-    assert found == approx(base * constant**0.5, rel=1e-12)

@@ -7,7 +7,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.contact.flange import Corner, corner, corner_couple, corner_sliding, touching_skew
+from quasidynamic.contact.flange import (
+    FlangeCorner,
+    corner_couple,
+    corner_sliding,
+    flange_corner,
+    touching_skew,
+)
 from quasidynamic.contact.raceways import Raceways
 from quasidynamic.parts.flange import Flange
 from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
@@ -80,9 +86,9 @@ class SkewBalance:
     flange: Flange
 
     @cached_property
-    def corner(self) -> Corner:
+    def corner(self) -> FlangeCorner:
         """Corner of the roller's end."""
-        return corner(self.flange, self.bearing)
+        return flange_corner(self.flange, self.bearing)
 
     @cached_property
     def touching(self) -> float:

@@ -38,17 +38,17 @@ def composite_roughness(first: ArrayLike, second: ArrayLike) -> NDArray:
     return np.hypot(first, second)
 
 
-def lambda_ratio(film: ArrayLike, first: ArrayLike, second: ArrayLike) -> NDArray:
+def lambda_ratio(film: ArrayLike, roughness: ArrayLike) -> NDArray:
     r"""Film thickness over composite roughness.
 
-    .. math:: \lambda = h / \sqrt{R_{q1}^2 + R_{q2}^2}
+    .. math:: \lambda = h / \sigma,\quad \sigma = \sqrt{R_{q1}^2 + R_{q2}^2}
 
     Parameters
     ----------
     film : array (...)
         h, film of smooth surfaces [m], >= 0
-    first, second : array (...)
-        Rq1, Rq2 [m], >= 0, not both zero
+    roughness : array (...)
+        sigma, composite roughness [m], > 0; see `composite_roughness`
 
     Returns
     -------
@@ -68,13 +68,12 @@ def lambda_ratio(film: ArrayLike, first: ArrayLike, second: ArrayLike) -> NDArra
     -----
     A film taken as if the surfaces were smooth; below lambda of about 1 it is a measure, not a gap.
 
-    >>> round(float(lambda_ratio(0.1163e-6, 0.05e-6, 0.05e-6)), 2)
+    >>> round(float(lambda_ratio(0.1163e-6, composite_roughness(0.05e-6, 0.05e-6))), 2)
     1.64
     """
-    roughness = composite_roughness(first, second)
-    if not np.all(roughness > 0.0):
+    if not np.all(np.asarray(roughness) > 0.0):
         raise OutOfRange("lambda needs roughness above zero; both surfaces are given as perfectly smooth")
-    return np.asarray(film) / roughness
+    return np.asarray(film) / np.asarray(roughness)
 
 
 def regime(ratio: ArrayLike) -> NDArray:

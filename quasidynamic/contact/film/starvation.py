@@ -1,4 +1,4 @@
-"""Loss of film where the inlet holds too little oil."""
+"""Starvation: loss of film where the inlet holds too little oil."""
 
 from typing import NamedTuple
 
@@ -10,10 +10,6 @@ from quasidynamic.contact.line.hertz import half_width as hertz_half_width
 
 FLOODED_FROM = 8.0  # [-] xi at which the meniscus formula is switched off
 FIT = ((-1.68005, 0.8315), (0.260137, 1.558), (-0.016146, 2.296))  # (coefficient, exponent) of xi
-
-BATH_OR_JET, GREASE_OR_OIL_AIR = 3e-8, 6e-8  # [-] replenishment constant K_rs, read
-DEEP_GROOVE, ANGULAR_CONTACT = 3.1, 4.4  # [-] geometry constant K_z, read
-CYLINDRICAL_ROLLER = 5.1  # [-] K_z with a cage, recalled
 
 
 class Starvation(NamedTuple):
@@ -65,10 +61,10 @@ def meniscus_factor(
     """
     xi = inlet_length * (half_width**2 / (2 * film * radius)) ** (2 / 3)
     fitted = np.minimum(xi, FLOODED_FROM)
-    left = np.exp(sum(c * fitted**n for c, n in FIT))
-    by_log = np.where(xi < FLOODED_FROM, -left * sum(c * n * fitted**n for c, n in FIT), 0.0)  # d phi/d ln xi
+    lost = np.exp(sum(c * fitted**n for c, n in FIT))
+    by_log = np.where(xi < FLOODED_FROM, -lost * sum(c * n * fitted**n for c, n in FIT), 0.0)  # d phi/d ln xi
     return Starvation(
-        np.where(xi < FLOODED_FROM, 1.0 - left, 1.0), -2 / 3 * by_log / film, 4 / 3 * by_log / half_width
+        np.where(xi < FLOODED_FROM, 1.0 - lost, 1.0), -2 / 3 * by_log / film, 4 / 3 * by_log / half_width
     )
 
 
@@ -117,53 +113,4 @@ def starved_film(
         slope * flooded.by_line_load + flooded.thickness * by_width * width / (2 * line_load),
         slope * flooded.by_sliding,
         slope * flooded.by_entrainment,
-    )
-
-
-def replenishment_factor(
-    kinematic_viscosity: NDArray | float,
-    speed: NDArray | float,
-    diameters: tuple[float, float],
-    replenishment: float = BATH_OR_JET,
-    geometry: float = CYLINDRICAL_ROLLER,
-) -> NDArray:
-    r"""Share of the rolling torque left when rollers outrun the oil that flows back into their track.
-
-    .. math:: \varphi_{rs} = \exp\left\{-K_{rs}\, \nu n (d + D) \sqrt{\frac{K_z}{2 (D - d)}}\right\}
-              \qquad (\nu\ \text{in mm2/s},\ n\ \text{in rpm},\ d, D\ \text{in mm})
-
-    Parameters
-    ----------
-    kinematic_viscosity : array (...)
-        nu at the inlet temperature [m2/s], > 0
-    speed : array (...)
-        omega of the rotating ring [rad/s], any sign
-    diameters : tuple
-        d, bore, and D, outside diameter [m], 0 < d < D
-    replenishment : float
-        K_rs [-]: `BATH_OR_JET` or `GREASE_OR_OIL_AIR`
-    geometry : float
-        K_z [-]: `DEEP_GROOVE`, `ANGULAR_CONTACT` or `CYLINDRICAL_ROLLER` (recalled)
-
-    Returns
-    -------
-    array (...)
-        phi_rs in (0, 1] [-]
-
-    Source
-    ------
-    SKF model of the frictional moment, kinematic replenishment; read in a public implementation.
-
-    Valid
-    -----
-    A factor on the rolling torque, not on the film; depends on neither load nor film. Kink at zero speed.
-
-    >>> round(float(replenishment_factor(32e-6, 314.159, (0.050, 0.090))), 4)
-    0.9032
-    """
-    bore, outside = (1e3 * value for value in diameters)
-    turns = np.abs(speed) * 30 / np.pi
-    crowding = np.sqrt(geometry / (2 * (outside - bore)))
-    return np.exp(
-        -replenishment * np.asarray(kinematic_viscosity) * 1e6 * turns * (bore + outside) * crowding
     )
