@@ -125,9 +125,7 @@ def flange_push(beyond: NDArray, thrust: NDArray, flange: Flange, lever: float) 
     return np.maximum(2 * flange.stiffness * lever * beyond, np.abs(thrust))
 
 
-def corner_couple(
-    skew: NDArray, beyond: NDArray, thrust: NDArray, corner: FlangeCorner, flange: Flange
-) -> NDArray:
+def corner_couple(skew: NDArray, beyond: NDArray, thrust: NDArray, flange: Flange, lever: float) -> NDArray:
     r"""Restoring moment of the flanges' normal forces.
 
     .. math:: M = y \min[\max(|F_x|,\; 2 k y (|\psi| - \psi_0)),\; 2 k y |\psi|]
@@ -141,10 +139,10 @@ def corner_couple(
         abs(psi) and abs(psi) - psi_0 [rad]
     thrust : array (...)
         F_x, axial force of the raceways on the roller [N], any sign
-    corner : FlangeCorner
-        y [m]
     flange : Flange
         stiffness k of a corner [N/m]
+    lever : float
+        y [m]
 
     Returns
     -------
@@ -159,8 +157,8 @@ def corner_couple(
     -----
     As `flange_push`. Kinks where a corner lifts or begins to touch.
     """
-    stiff = 2 * flange.stiffness * corner.lever
-    return corner.lever * np.clip(np.abs(thrust), stiff * beyond, stiff * skew)
+    stiff = 2 * flange.stiffness * lever
+    return lever * np.clip(np.abs(thrust), stiff * beyond, stiff * skew)
 
 
 def flange_forces(push: NDArray, thrust: NDArray) -> NDArray:

@@ -14,6 +14,7 @@ from quasidynamic.balance.rollers.skew import RunningRollers, SkewBalance
 from quasidynamic.contact.flange import (
     corner_couple,
     corner_sliding,
+    flange_corner,
     flange_forces,
     flange_push,
     touching_skew,
@@ -117,7 +118,7 @@ def test_restoring_couple_rises_with_the_skew(thrust, stiffness):
     at = flange_corner(flange, paper_bearing().bearing)
     touching = touching_skew(flange, at.lever)
     angle = np.linspace(0.0, 2 * touching, 201)
-    couple = corner_couple(angle, angle - touching, np.array(thrust), at, flange)
+    couple = corner_couple(angle, angle - touching, np.array(thrust), flange, at.lever)
     assert couple[0] == 0.0
     assert np.all(np.diff(couple) >= 0.0)
     held = couple > at.lever * abs(thrust) * (1 + 1e-12)

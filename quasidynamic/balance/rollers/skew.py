@@ -156,7 +156,7 @@ class SkewBalance:
         """Moments about the radial axes; `beyond` spares the digits of |skew| less the touching one."""
         beyond = np.abs(skew) - self.touching if beyond is None else beyond
         thrust = self.axial_traction(skew).thrust
-        couple = corner_couple(np.abs(skew), beyond, thrust, self.corner, self.flange)
+        couple = corner_couple(np.abs(skew), beyond, thrust, self.flange, self.corner.lever)
         return SkewMoments(
             traction=self.traction_moment,
             restoring=-self.raceway_stiffness * skew,
@@ -188,7 +188,7 @@ class SkewBalance:
         """
         axial, lever = self.axial_traction(skew), self.corner.lever
         thrust, by_skew = axial.thrust, axial.by_skew.sum(axis=0)
-        couple = corner_couple(skew, beyond, thrust, self.corner, self.flange)
+        couple = corner_couple(skew, beyond, thrust, self.flange, lever)
         stiff = 2 * self.flange.stiffness * lever**2
         free = couple == lever * np.abs(thrust)  # neither flat on one flange nor held by both
         couple_slope = np.where(free, lever * np.sign(thrust) * by_skew, stiff)

@@ -24,7 +24,7 @@ class LandTorque(NamedTuple):
 
 
 class LandOffset(NamedTuple):
-    """Place of the cage in its land."""
+    """Offset of the cage in its land."""
 
     offset: NDArray  # (..., 2) [m] components y and z
     by_force: NDArray  # (..., 2, 2) [m/N] component of the offset, component of the force
@@ -170,6 +170,7 @@ def land_force(
     direction = ratio / np.maximum(size, 1e-300)[..., None]
     back, back_slope = _film_power(size, -2.0)
     along, along_slope = _film_power(size, -1.5)
+    # F_r along the offset and F_t before its turn, each a size(e) times the vector e
     radial, radial_by = _central(ratio, direction, size * back, size * back_slope + back)
     tangential, tangential_by = _central(ratio, direction, np.pi / 4 * along, np.pi / 4 * along_slope)
     turned = np.array([[0.0, 1.0], [-1.0, 0.0]])  # (y, z) by 90 degrees from z to y
@@ -180,7 +181,7 @@ def land_force(
 
 
 def land_offset(force: NDArray, speed_sum: NDArray | float, cage: Cage, oil: Lubricant) -> LandOffset:
-    r"""Place of a cage at which its land carries a force: the inverse of `land_force`.
+    r"""Offset of a cage at which its land carries a force: the inverse of `land_force`.
 
     Parameters
     ----------
@@ -211,12 +212,12 @@ def land_offset(force: NDArray, speed_sum: NDArray | float, cage: Cage, oil: Lub
     unit = _force_unit(cage, oil, lands=2) * np.abs(speed_sum)
     ratio = _eccentricity(np.hypot(force[..., 0], force[..., 1]) / unit)
     along = np.stack([ratio * clearance, np.zeros_like(ratio)], axis=-1)
-    found = land_force(along, speed_sum, cage, oil).force
-    turn = np.arctan2(force[..., 1], force[..., 0]) - np.arctan2(found[..., 1], found[..., 0])
+    unturned = land_force(along, speed_sum, cage, oil).force
+    turn = np.arctan2(force[..., 1], force[..., 0]) - np.arctan2(unturned[..., 1], unturned[..., 0])
     offset = along[..., :1] * np.stack([np.cos(turn), np.sin(turn)], axis=-1)
-    there = land_force(offset, speed_sum, cage, oil)
-    by_force = np.linalg.inv(there.by_offset)
-    return LandOffset(offset, by_force, -(by_force @ there.by_speed[..., None])[..., 0])
+    land = land_force(offset, speed_sum, cage, oil)
+    by_force = np.linalg.inv(land.by_offset)
+    return LandOffset(offset, by_force, -(by_force @ land.by_speed[..., None])[..., 0])
 
 
 def _force_unit(cage: Cage, oil: Lubricant, lands: int) -> float:
@@ -251,7 +252,7 @@ def _film_force(ratio: NDArray) -> tuple[NDArray, NDArray]:
 
 
 def land_notes(eccentricity: NDArray | float) -> tuple[str, ...]:
-    """What a user must know about a land with these eccentricity ratios [-]; empty inside the validity."""
+    """Tell where eccentricity ratios [-] leave the validity of `land_force`; empty inside it."""
     worst = float(np.max(eccentricity))
     if worst <= ECCENTRICITY_LIMIT:
         return ()

@@ -57,7 +57,7 @@ def roller_on_pocket_force(displacement: NDArray, clearance: float, stop: NDArra
 
 
 def displacement_in_pocket(force: NDArray, clearance: float, stop: NDArray | float) -> NDArray:
-    """Place of a roller that presses its pocket with a force: the inverse of `roller_on_pocket_force`.
+    """Displacement of a roller that presses its pocket with a force: inverse of `roller_on_pocket_force`.
 
     Parameters
     ----------
@@ -95,4 +95,4 @@ def displacement_in_pocket(force: NDArray, clearance: float, stop: NDArray | flo
         depth = depth - change
         if (np.abs(change) <= DIGITS * clearance).all():
             return np.sign(force) * depth
-    raise NotSolved(f"no place in the pocket for forces up to {size.max()!r} N", "not finite")
+    raise NotSolved(f"no displacement in the pocket for forces up to {size.max()!r} N", "not finite")

@@ -3,11 +3,8 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.contact.cage.land import land_drag
 from quasidynamic.parts.lubricant import Lubricant
 from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
-
-__all__ = ["AIR_DENSITY", "cylinder_drag", "drag_notes", "land_drag", "mixture_density", "orbit_drag"]
 
 AIR_DENSITY = 1.2  # [kg/m3]
 
@@ -47,7 +44,7 @@ def cylinder_drag(reynolds: NDArray | float) -> tuple[NDArray, NDArray]:
 
 
 def drag_notes(reynolds: NDArray | float) -> tuple[str, ...]:
-    """What a user must know about `cylinder_drag` at these Reynolds numbers [-]; empty inside the table."""
+    """Tell where Reynolds numbers [-] leave the table of `cylinder_drag`; empty inside it."""
     low, high = float(np.min(reynolds)), float(np.max(reynolds))
     if low >= 0.1 and high <= 1e6:
         return ()

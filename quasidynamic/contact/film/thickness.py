@@ -30,6 +30,10 @@ class FilmFormula:
 
     with q load per length, u mean surface speed, E' = 2/[(1-nu1^2)/E1 + (1-nu2^2)/E2].
 
+    Source
+    ------
+    Groups of Dowson and Higginson; the coefficients of each formula name their own in `FORMULAS`.
+
     Valid
     -----
     Flooded, isothermal, elastic and piezoviscous contacts.
@@ -63,7 +67,7 @@ FORMULAS = {
 
 @dataclass(frozen=True, kw_only=True)
 class FilmLaw:
-    """A film formula at given contacts, thinned by shear heating of the inlet when asked."""
+    """A film formula at the contacts of a bearing, thinned by inlet shear heating if wanted."""
 
     formula: FilmFormula
     radius: NDArray | float  # [m] reduced radius R, broadcasts against the loads
@@ -94,7 +98,7 @@ class FilmLaw:
 def inlet_heating_factor(
     entrainment: NDArray, sliding: NDArray, oil: Lubricant
 ) -> tuple[NDArray, NDArray, NDArray]:
-    r"""Reduction of the film by shear heating of the inlet, and its derivatives.
+    r"""Reduction of the film by inlet shear heating, and its derivatives.
 
     .. math:: \varphi_T = 1/[1 + 0.1 (1 + 14.8\, S^{0.83}) L^{0.64}],\quad L = \eta_0 \beta u^2/k
 
@@ -119,12 +123,12 @@ def inlet_heating_factor(
     S below about 1; beyond it the trend only. S^0.83 is infinitely steep at zero: S is rounded over
     `SLIP_ROUNDING`, which thins the film of pure rolling by less than 0.5 %.
     """
-    unit = 0.1 * np.power(oil.viscosity * oil.temperature_viscosity / oil.conductivity, 0.64)
+    thermal_unit = 0.1 * np.power(oil.viscosity * oil.temperature_viscosity / oil.conductivity, 0.64)
     ratio = sliding / entrainment
     squared = ratio * ratio + SLIP_ROUNDING**2
-    thermal = unit * np.exp(1.28 * np.log(entrainment))
-    sheared = thermal * (14.8 * np.exp(0.83 / 2 * np.log(squared)))
-    heating = thermal + sheared
+    rolling = thermal_unit * np.exp(1.28 * np.log(entrainment))
+    sliding_part = rolling * (14.8 * np.exp(0.83 / 2 * np.log(squared)))
+    heating = rolling + sliding_part
     factor = 1.0 / (1.0 + heating)
-    by_slip = -0.83 * factor * sheared * ratio / squared
+    by_slip = -0.83 * factor * sliding_part * ratio / squared
     return factor, by_slip, -1.28 * factor * heating - by_slip * ratio

@@ -35,6 +35,24 @@ def smooth_positive(gap: NDArray) -> tuple[NDArray, NDArray]:
     .. math:: p = (g + \sqrt{g^2 + \varepsilon^2})/2
               = \max(g, 0) + \tfrac12 \varepsilon^2/(|g| + \sqrt{g^2 + \varepsilon^2}),\quad
               p/p' = \sqrt{g^2 + \varepsilon^2}
+
+    Parameters
+    ----------
+    gap : array (...)
+        g [m], positive is an approach, negative an open gap; epsilon is `GAP_ROUNDING` [m]
+
+    Returns
+    -------
+    tuple of array (...)
+        p and p over its derivative [m], both > 0
+
+    Source
+    ------
+    Derived here: the hyperbola with the asymptotes of max(g, 0).
+
+    Valid
+    -----
+    p exceeds max(g, 0) by epsilon/2 at g = 0 and by epsilon^2/(4 |g|) far from it.
     """
     root = np.sqrt(gap * gap + GAP_ROUNDING**2)
     return np.maximum(gap, 0.0) + GAP_ROUNDING**2 / 2 / (root + np.abs(gap)), root
@@ -66,8 +84,8 @@ def palmgren(roller: Material, raceway: Material, length: float) -> LoadLaw:
     -----
     Rollers about as long as thick on solid rings; an empirical law.
     """
-    pair = (roller.plane_compliance + raceway.plane_compliance) / np.pi
-    return LoadLaw((length**0.8 / 3.81) ** EXPONENT / pair / length)
+    B = (roller.plane_compliance + raceway.plane_compliance) / np.pi
+    return LoadLaw((length**0.8 / 3.81) ** EXPONENT / B / length)
 
 
 def iso16281(length: float) -> LoadLaw:
@@ -94,5 +112,5 @@ def iso16281(length: float) -> LoadLaw:
     Steel on steel.
     """
     millimetre = 1e-3
-    whole = 35948 * (length / millimetre) ** (8 / 9) * (2 / millimetre) ** EXPONENT
-    return LoadLaw(whole / length)
+    roller = 35948 * (length / millimetre) ** (8 / 9) * (2 / millimetre) ** EXPONENT
+    return LoadLaw(roller / length)

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from numpy.polynomial.legendre import legvander
 from numpy.typing import NDArray
-from scipy.special import eval_legendre
 
 from quasidynamic.errors import ImpossiblePart
 
@@ -62,7 +62,7 @@ class Slices:
     @cached_property
     def modes(self) -> NDArray:
         """Legendre polynomials at the computed slices (K, M) [-]."""
-        return eval_legendre(np.arange(self.axial_modes), 2 * self.centres[:, None] / self.length)
+        return legvander(2 * self.centres / self.length, self.axial_modes - 1)
 
     def spread(self, coefficients: NDArray) -> NDArray:
         """Values (K, ...) at the computed slices from coefficients (M, ...) of the axial modes."""

@@ -125,7 +125,7 @@ def dowson_higginson(load: NDArray, entrainment: NDArray, geometry: Geometry, oi
 
 
 def zhou_hoeprich(load: NDArray, entrainment: NDArray, geometry: Geometry, oil: Lubricant) -> RollingShear:
-    r"""Inlet shear force that grows with the load.
+    r"""Inlet shear force that rises with the load.
 
     .. math:: \frac{F}{l E' R} = 18.62\, U_2^{0.648} W^{0.246} G^{-0.352}
 
@@ -204,16 +204,16 @@ def goksem_hargreaves(
     groups = _groups(load, entrainment, geometry, oil)
     material = oil.pressure_viscosity * geometry[1]
     regime = groups.regime + LOAD_ROUNDING
-    heat = oil.viscosity * oil.temperature_viscosity / oil.conductivity * entrainment**2
-    steeper, weaker = 0.0106383 * heat**0.31746, 0.411483 * heat**0.707071
+    thermal = oil.viscosity * oil.temperature_viscosity / oil.conductivity * entrainment**2  # L
+    steeper, weaker = 0.0106383 * thermal**0.31746, 0.411483 * thermal**0.707071
     exponent = 0.658228 + steeper
     root = np.sqrt(groups.speed)
     log_drive = np.log(0.5 * 11.8122 * material * np.sqrt(root) / (regime * np.sqrt(regime)))
     gain = np.exp(exponent * log_drive - 0.162625) / (1 + weaker)
-    by_heat = 0.31746 * steeper * log_drive - 0.707071 * weaker / (1 + weaker)
+    by_log_thermal = 0.31746 * steeper * log_drive - 0.707071 * weaker / (1 + weaker)
     ceiling = _Ceiling(
         gain * regime / (material * np.sqrt(root)),
-        0.25 * exponent - 0.25 + 2 * by_heat,  # L ~ U2^2
+        0.25 * exponent - 0.25 + 2 * by_log_thermal,  # L ~ U2^2
         1 - 1.5 * exponent,
     )
     return _below_rigid_limit(groups, ceiling, load, entrainment)
@@ -246,9 +246,9 @@ def _below_rigid_limit(
     square = (RIGID / ceiling.value) ** 2 * part * regime  # of the limit over the law
     fourth = square * square
     tenth = fourth * fourth * square
-    crowd = 1 + tenth
-    share = tenth / crowd  # of the law in the logarithmic slopes; the rest is the limit's
-    tenth_root = np.exp(0.1 * np.log(crowd))
+    total = 1 + tenth
+    share = tenth / total  # of the law in the logarithmic slopes; the rest is the limit's
+    tenth_root = np.exp(0.1 * np.log(total))
     per_load = RIGID * np.sqrt(groups.root_speed / shifted) / tenth_root  # F / Q
     force = per_load * load
     rigid = 1 - 0.5 * part

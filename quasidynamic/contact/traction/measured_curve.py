@@ -5,7 +5,6 @@ from math import e, isfinite
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import lambertw
 
 from quasidynamic.contact.traction.traction_law import Traction
 from quasidynamic.errors import ImpossiblePart, require_positive
@@ -105,6 +104,8 @@ class FourPointCurve:
                 f"curve: peak = {peak!r} must be finite and above at_rest = {at_rest!r} and far = {far!r}, "
                 "both >= 0; a curve without a maximum cannot be fitted"
             )
+        from scipy.special import lambertw  # costly to import, and few cases draw this curve
+
         a, height = at_rest - far, peak - far
         w = height * np.exp(1 + lambertw(-a / (e * height)).real)
         b = (w - a) / peak_slip

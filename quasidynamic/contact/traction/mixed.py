@@ -1,11 +1,10 @@
-"""Traction of a film too thin to part the rough surfaces."""
+"""Mixed lubrication: film and asperities share the load."""
 
 from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import erfc
 
 from quasidynamic.contact.traction.traction_law import Traction, TractionLaw
 from quasidynamic.errors import ImpossiblePart, require_positive
@@ -65,6 +64,8 @@ class ErrorFunctionShare:
 
     def __call__(self, film_ratio: NDArray) -> tuple[NDArray, NDArray]:
         """Share and its derivative."""
+        from scipy.special import erfc  # costly to import, and few cases take this share
+
         return erfc(film_ratio), -2 / np.sqrt(np.pi) * np.exp(-(film_ratio**2))
 
 
@@ -108,11 +109,12 @@ class Mixed:
         rounded = np.hypot(sliding, self.sign_speed)
         friction = self.boundary_friction * sliding / rounded
         steepness = self.boundary_friction * (self.sign_speed / rounded) ** 2 / rounded
-        rest = 1 - share
+        film_share = 1 - share
         return Traction(
-            force=rest * fluid.force + share * friction * line_load,
-            by_load=rest * fluid.by_load + share * friction,
-            by_sliding=rest * fluid.by_sliding + share * steepness * line_load,
-            by_entrainment=rest * fluid.by_entrainment,
-            by_film=rest * fluid.by_film + by_ratio / self.roughness * (friction * line_load - fluid.force),
+            force=film_share * fluid.force + share * friction * line_load,
+            by_load=film_share * fluid.by_load + share * friction,
+            by_sliding=film_share * fluid.by_sliding + share * steepness * line_load,
+            by_entrainment=film_share * fluid.by_entrainment,
+            by_film=film_share * fluid.by_film
+            + by_ratio / self.roughness * (friction * line_load - fluid.force),
         )

@@ -63,7 +63,7 @@ class Regression4109:
     )
     _LOAD_POWERS = _FORMULA[:, 1]
     _SPEED_POWERS = _FORMULA[:, 2] - 2 * _FORMULA[:, 3]  # of the entrainment speed, in U and Theta
-    # How plateau, climb and fading below follow ln(load), and ln(speed): there S falls as the speed grows.
+    # of ln D, ln B and ln C by ln(load), and by ln(speed) at constant sliding, where S falls as speed rises
     _LOG_SLOPES = np.array([_LOAD_POWERS, _SPEED_POWERS - [0, 1, 1]])
 
     def __call__(self, line_load: NDArray, sliding: NDArray, entrainment: NDArray, film: NDArray) -> Traction:
@@ -77,18 +77,18 @@ class Regression4109:
             for at_floor, by_speed, by_load in self._logarithmic
         )
         decay = np.exp(c * -slip)
-        left, steep = d * decay, b * decay
-        climb = steep * slip
-        plateau, excess = d - left, left - climb
+        fading, steepness = d * decay, b * decay
+        climb = steepness * slip
+        plateau, excess = d - fading, fading - climb
         curve, falling = plateau + climb, excess * c
-        # d mu / d ln D = plateau, d mu / d ln B = climb, d mu / d ln C = fading
+        # d mu / d ln D = plateau, d mu / d ln B = climb, d mu / d ln C = falling slip
         shares = np.array([plateau, climb, falling * slip])
         by_log_load, by_log_speed = (self._LOG_SLOPES @ shares.reshape(3, -1)).reshape(2, *curve.shape)
         sign, load_per_speed = np.sign(sliding), line_load / entrainment
         return Traction(
             force=sign * line_load * curve,
             by_load=sign * (curve + by_log_load * (squared / floored)),
-            by_sliding=load_per_speed * (falling + steep),
+            by_sliding=load_per_speed * (falling + steepness),
             by_entrainment=sign * load_per_speed * by_log_speed,
             by_film=np.zeros(curve.shape),
         )
