@@ -10,7 +10,7 @@ from quasidynamic.contact.traction.traction_law import Traction
 
 
 class LineContact(Protocol):
-    """What a strip depends on besides its load."""
+    """A line contact: what its strip depends on besides the load."""
 
     @property
     def radius(self) -> NDArray | float:
@@ -34,7 +34,7 @@ class LineContact(Protocol):
 
 
 class LoadedStrip(NamedTuple):
-    """Contact strip of the floored load."""
+    """Hertzian strip under the load of a contact, taken not below its load floor."""
 
     load_share: NDArray  # d ln load / d ln q
     half_width: NDArray  # [m] b
@@ -42,7 +42,27 @@ class LoadedStrip(NamedTuple):
 
 
 def loaded_strip(line_load: NDArray, law: LineContact) -> LoadedStrip:
-    """Strip of a Hertzian line contact under loads per length [N/m], none narrower than at the load floor."""
+    r"""Strip of a Hertzian line contact, none narrower than at the load floor.
+
+    .. math:: \tilde q = \sqrt{q^2 + (Q_0/l)^2},\quad b = \sqrt{8 \tilde q R/(\pi E')},\quad
+              \bar p = \tilde q/(2 b)
+
+    Parameters
+    ----------
+    line_load : array (...)
+        q, load per length [N/m], >= 0
+    law : LineContact
+        R [m], E' [Pa], l [m] and the load floor Q_0 [N]
+
+    Returns
+    -------
+    LoadedStrip
+        b [m], mean pressure [Pa] and d ln(floored load)/d ln q [-]
+
+    Source
+    ------
+    Johnson, Contact Mechanics (1985), sec. 4.2; the floor keeps b/q finite at zero load.
+    """
     squared = line_load * line_load
     floored = squared + (law.load_floor / law.length) ** 2
     load = np.sqrt(floored)
@@ -51,19 +71,37 @@ def loaded_strip(line_load: NDArray, law: LineContact) -> LoadedStrip:
 
 
 class ShearStress(NamedTuple):
-    """Stress [Pa], >= 0, with its derivatives; the load is the floored one."""
+    """Shear stress of a film, >= 0, with its derivatives."""
 
-    stress: NDArray
-    by_log_load: NDArray
-    by_sliding: NDArray
-    by_entrainment: NDArray
-    by_film: NDArray
+    stress: NDArray  # [Pa]
+    by_log_load: NDArray  # [Pa] by ln of the floored load
+    by_sliding: NDArray  # [Pa s/m] by the size of the sliding
+    by_entrainment: NDArray  # [Pa s/m]
+    by_film: NDArray  # [Pa/m]
 
 
 def limited_stress(shear: ShearStress, limit: NDArray) -> ShearStress:
-    """Stress cut at a limit that grows with the square root of the load; a kink.
+    r"""Stress held at a limiting shear stress.
 
-    A film that warms needs no second look: less stress is less heat, and the colder film is stiffer.
+    .. math:: \tau \leftarrow \min(\tau,\; \Lambda \bar p),\quad \bar p \sim q^{1/2}
+
+    A film that warms needs no second solution: less stress is less heat, and the colder film is stiffer.
+
+    Parameters
+    ----------
+    shear : ShearStress
+        tau [Pa] without a limit, with its derivatives
+    limit : array (...)
+        limiting shear stress, in proportion to the mean pressure [Pa], >= 0
+
+    Returns
+    -------
+    ShearStress
+        at most the limit, with its derivatives; a kink where it is reached
+
+    Source
+    ------
+    Limiting shear stress in proportion to the pressure: Evans and Johnson (1986).
     """
     below = shear.stress <= limit
     return ShearStress(
@@ -76,16 +114,41 @@ def limited_stress(shear: ShearStress, limit: NDArray) -> ShearStress:
 
 
 def film_traction(shear: ShearStress, strip: LoadedStrip, line_load: NDArray, sliding: NDArray) -> Traction:
-    """Force q tau/p_mean, signed like the sliding; p_mean ~ load^(1/2)."""
+    r"""Traction per length of a film under shear stress.
+
+    .. math:: F = \operatorname{sgn}(u_s)\, \frac{q}{\bar p}\, \tau,\quad \bar p \sim \tilde q^{1/2}
+
+    that is 2 b tau above the load floor; below it the friction coefficient tau/p keeps its value.
+
+    Parameters
+    ----------
+    shear : ShearStress
+        tau [Pa], >= 0
+    strip : LoadedStrip
+        mean pressure [Pa] of the floored load
+    line_load : array (...)
+        q, load per length [N/m], >= 0
+    sliding : array (...)
+        u_s, raceway over roller surface [m/s], any sign
+
+    Returns
+    -------
+    Traction
+        [N/m] signed like the sliding, with its derivatives
+
+    Source
+    ------
+    Stress times area of the strip, derived here.
+    """
     sign = np.sign(sliding)
     coefficient = shear.stress / strip.pressure
-    width = line_load / strip.pressure
-    pull = sign * width
+    width = line_load / strip.pressure  # 2b above the load floor
+    signed_width = sign * width
+    by_log_load = shear.by_log_load / strip.pressure - 0.5 * coefficient
     return Traction(
-        force=pull * shear.stress,
-        by_load=sign
-        * (coefficient + strip.load_share * (shear.by_log_load / strip.pressure - 0.5 * coefficient)),
+        force=signed_width * shear.stress,
+        by_load=sign * (coefficient + strip.load_share * by_log_load),
         by_sliding=width * shear.by_sliding,
-        by_entrainment=pull * shear.by_entrainment,
-        by_film=pull * shear.by_film,
+        by_entrainment=signed_width * shear.by_entrainment,
+        by_film=signed_width * shear.by_film,
     )

@@ -54,9 +54,9 @@ class Eyring:
     def __call__(self, line_load: NDArray, sliding: NDArray, entrainment: NDArray, film: NDArray) -> Traction:
         """Traction; without film heating the entrainment speed enters through the film alone."""
         strip = loaded_strip(line_load, self)
-        flow = ColdFilm(np.abs(sliding), film, *roelands(strip.pressure, self.oil))
-        loss = thermal_thinning(strip, entrainment, film, self.oil, self.walls) if self.film_heating else None
-        shear = self_heated_stress(EYRING, (self.eyring_stress, 0.0), strip, flow, loss)
+        cold = ColdFilm(np.abs(sliding), film, *roelands(strip.pressure, self.oil))
+        warm = thermal_thinning(strip, entrainment, film, self.oil, self.walls) if self.film_heating else None
+        shear = self_heated_stress(EYRING, (self.eyring_stress, 0.0), strip, cold, warm)
         return film_traction(
             limited_stress(shear, self.limiting_ratio * strip.pressure), strip, line_load, sliding
         )
@@ -93,8 +93,8 @@ class BairWiner:
     def __call__(self, line_load: NDArray, sliding: NDArray, entrainment: NDArray, film: NDArray) -> Traction:
         """Traction; without film heating the entrainment speed enters through the film alone."""
         strip = loaded_strip(line_load, self)
-        flow = ColdFilm(np.abs(sliding), film, *roelands(strip.pressure, self.oil))
-        loss = thermal_thinning(strip, entrainment, film, self.oil, self.walls) if self.film_heating else None
+        cold = ColdFilm(np.abs(sliding), film, *roelands(strip.pressure, self.oil))
+        warm = thermal_thinning(strip, entrainment, film, self.oil, self.walls) if self.film_heating else None
         limit = self.limiting_ratio * strip.pressure
-        shear = self_heated_stress(BAIR_WINER, (limit, 0.5), strip, flow, loss)  # limit ~ load^(1/2)
+        shear = self_heated_stress(BAIR_WINER, (limit, 0.5), strip, cold, warm)  # limit ~ load^(1/2)
         return film_traction(shear, strip, line_load, sliding)

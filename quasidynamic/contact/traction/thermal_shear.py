@@ -130,10 +130,10 @@ def thermal_thinning(
 
 
 class ColdFilm(NamedTuple):
-    """Shearing of the film before it warms."""
+    """Film and its shearing at the temperature of the inlet."""
 
     speed: NDArray  # [m/s] |u_s|
-    film: NDArray  # [m]
+    thickness: NDArray  # [m]
     viscosity: NDArray  # [Pa s]
     by_pressure: NDArray  # [s] of the viscosity
 
@@ -149,39 +149,66 @@ def self_heated_stress(
     curve: FlowCurve,
     scale: tuple[NDArray | float, float],
     strip: LoadedStrip,
-    flow: ColdFilm,
-    loss: ThermalThinning | None,
+    film: ColdFilm,
+    thinning: ThermalThinning | None,
 ) -> ShearStress:
     r"""Stress of a film that warms by its own shear.
 
-    .. math:: \tau = \sigma f(X e^{-a f}),\quad X = \eta u_s/(\sigma h),\quad a = \sigma u_s \cdot loss
+    .. math:: \tau = \sigma f(X e^{-a f}),\quad X = \eta u_s/(\sigma h),\quad a = \sigma u_s \theta
 
-    The derivatives follow from ``df = g (d ln X - f da)/(1 + a g)``, g = df/d ln(rate); `scale` is
-    sigma with its power of the load.
+    The derivatives follow from ``df = g (d ln X - f da)/(1 + a g)``, g = df/d ln(rate).
+
+    Parameters
+    ----------
+    curve : FlowCurve
+        f [-] of the rate
+    scale : tuple
+        sigma, such as the Eyring stress [Pa], > 0, and its power of the load [-]
+    strip : LoadedStrip
+        mean pressure [Pa]
+    film : ColdFilm
+        u_s >= 0 [m/s], h [m] and eta [Pa s] at the temperature of the inlet
+    thinning : ThermalThinning or None
+        theta, fall of ln(viscosity) per heat flux [m2/W]; None for an isothermal film
+
+    Returns
+    -------
+    ShearStress
+        tau [Pa], with its derivatives
+
+    Raises
+    ------
+    NotSolved
+        when the temperature of the film is not found
+
+    Source
+    ------
+    Flow curve at the viscosity of the warm film; root and derivatives are derived here.
     """
     sigma, power = scale
-    rate_per_speed = flow.viscosity / (sigma * flow.film)
-    flux = sigma * flow.speed  # heat flux at f = 1
-    if loss is None:
-        rate, thinning, a, loss = rate_per_speed * flow.speed, 1.0, 0.0, ThermalThinning(0.0, 0.0, 0.0, 0.0)
+    rate_per_speed = film.viscosity / (sigma * film.thickness)
+    flux = sigma * film.speed  # heat flux at f = 1
+    if thinning is None:
+        rate, hot_over_cold, a = rate_per_speed * film.speed, 1.0, 0.0
+        thinning = ThermalThinning(0.0, 0.0, 0.0, 0.0)
     else:
-        cold = rate_per_speed * flow.speed + 1e-300  # its logarithm exists without sliding
-        a = loss.value * flux
+        cold = rate_per_speed * film.speed + 1e-300  # its logarithm exists without sliding
+        a = thinning.value * flux
         rate = np.exp(_log_hot_rate(curve, np.log(cold), a))
-        thinning = rate / cold
+        hot_over_cold = rate / cold
     f, slope = curve.value(rate)
     stress = sigma * f
     damping = 1 + a * slope * rate
     by_log_rate = sigma * slope * rate / damping
-    log_viscosity = 0.5 * strip.pressure * flow.by_pressure / flow.viscosity  # by ln load: p ~ load^(1/2)
-    warmer = f * flux
+    log_viscosity = 0.5 * strip.pressure * film.by_pressure / film.viscosity  # by ln load: p ~ load^(1/2)
+    heat = f * flux
     return ShearStress(
         stress=stress,
         by_log_load=power * stress
-        + by_log_rate * (log_viscosity - power - power * a * f - warmer * loss.by_log_load),
-        by_sliding=sigma * slope * rate_per_speed * thinning * (1 - a * f) / damping,
-        by_entrainment=-by_log_rate * warmer * loss.by_entrainment,
-        by_film=-by_log_rate * (1 / flow.film + warmer * loss.by_film),
+        + by_log_rate * (log_viscosity - power - power * a * f - heat * thinning.by_log_load),
+        by_sliding=sigma * slope * rate_per_speed * hot_over_cold * (1 - a * f) / damping,
+        by_entrainment=-by_log_rate * heat * thinning.by_entrainment,
+        by_film=-by_log_rate * (1 / film.thickness + heat * thinning.by_film),
     )
 
 
@@ -189,7 +216,7 @@ def _log_hot_rate(curve: FlowCurve, cold: NDArray, warmth: NDArray) -> NDArray:
     """Root y of y + warmth f(e^y) = cold, all logarithms of rates, to 1e-12.
 
     The left side rises with a slope of at least one, so the root is within the residual of any y;
-    Newton steps that leave what is known of the root are replaced by halving.
+    Newton steps that leave this bracket are replaced by halving.
     """
     tolerance, limit = 1e-12, 100
     y = curve.start(cold, warmth)
@@ -208,23 +235,18 @@ def _log_hot_rate(curve: FlowCurve, cold: NDArray, warmth: NDArray) -> NDArray:
     raise NotSolved(f"film temperature: residual {worst:.1e} of ln(viscosity) after {limit} steps")
 
 
-def _eyring(rate: NDArray) -> tuple[NDArray, NDArray]:
-    return np.arcsinh(rate), 1 / np.sqrt(1 + rate * rate)
-
-
-def _eyring_start(cold: NDArray, warmth: NDArray) -> NDArray:
-    # asinh(e^y) >= max(0, y + ln 2): never below the root, and Newton comes down without overshoot
-    return np.minimum(cold, (cold - warmth * np.log(2.0)) / (1 + warmth))
-
-
 def _bair_winer(rate: NDArray) -> tuple[NDArray, NDArray]:
+    """1 - exp(-rate) and its slope."""
     remaining = np.expm1(-rate)
     return -remaining, 1 + remaining
 
 
-def _bair_winer_start(cold: NDArray, warmth: NDArray) -> NDArray:
-    return np.maximum(cold - warmth, np.minimum(cold, 0.0))
-
-
-EYRING = FlowCurve(_eyring, _eyring_start)
-BAIR_WINER = FlowCurve(_bair_winer, _bair_winer_start)
+EYRING = FlowCurve(
+    value=lambda rate: (np.arcsinh(rate), 1 / np.sqrt(1 + rate * rate)),
+    # asinh(e^y) >= max(0, y + ln 2): never below the root, and Newton comes down without overshoot
+    start=lambda cold, warmth: np.minimum(cold, (cold - warmth * np.log(2.0)) / (1 + warmth)),
+)
+BAIR_WINER = FlowCurve(
+    value=_bair_winer,
+    start=lambda cold, warmth: np.maximum(cold - warmth, np.minimum(cold, 0.0)),
+)
