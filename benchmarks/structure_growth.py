@@ -30,7 +30,7 @@ def solved(part, length: float, size: float) -> tuple[int, list[float]]:
     """Unknowns, and seconds of the processor by stage."""
     import ngsolve as ngs
 
-    from fem.assembly.factorisation import factor, threads
+    from fem.assembly.factorisation import factorised, threads
     from fem.mesh.solid import meshed
     from fem.solid.condensation import elastic_energy
 
@@ -39,7 +39,7 @@ def solved(part, length: float, size: float) -> tuple[int, list[float]]:
         mesh = meshed(part, length, fem.Mesh(order=ORDER, size=size * 1e-3, raceway_size=size * 1e-3))
         clock.append(time.process_time())
         space = ngs.VectorH1(mesh, order=ORDER, dirichlet="clamped")
-        stiffness = factor(space, elastic_energy(mesh, part.materials))
+        stiffness = factorised(space, elastic_energy(mesh, part.materials))
         clock.append(time.process_time())
         down = space.TestFunction()[2] * ngs.dx(definedon=mesh.Materials("ring"))
         stiffness.solve(ngs.LinearForm(down).Assemble().vec.FV().NumPy())

@@ -1,4 +1,4 @@
-"""Factor once, solve many: the only place that calls solvers of NGSolve.
+"""Factorisation once, solve many: the only place that calls solvers of NGSolve.
 
 A direct solver hands back numbers also for a body that floats, so the true residual of every solve
 is measured, on the full system and not on the condensed one.
@@ -32,7 +32,7 @@ def threads(number: int) -> Iterator[None]:
 
 
 @dataclass(frozen=True)
-class Factor:
+class Factorisation:
     """A factored stiffness K, ready to answer load vectors."""
 
     form: Any  # ngsolve.BilinearForm, symmetric, interior unknowns condensed
@@ -97,7 +97,7 @@ class Factor:
         return left, left.Norm() / (f.Norm() or 1.0)
 
 
-def factor(space, energy) -> Factor:
+def factorised(space, energy) -> Factorisation:
     """Assemble and factor a symmetric, positive definite form.
 
     Parameters
@@ -109,7 +109,7 @@ def factor(space, energy) -> Factor:
 
     Returns
     -------
-    Factor
+    Factorisation
 
     Raises
     ------
@@ -125,4 +125,4 @@ def factor(space, energy) -> Factor:
         inverse = form.mat.Inverse(space.FreeDofs(coupling=True), inverse="sparsecholesky")
     except NgException as refusal:
         raise NotSolved(f"the stiffness could not be factored: {refusal}") from refusal
-    return Factor(form=form, inverse=inverse, free=free)
+    return Factorisation(form=form, inverse=inverse, free=free)

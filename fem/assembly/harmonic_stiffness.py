@@ -25,7 +25,7 @@ _log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True)
-class Pencil:
+class HarmonicStiffness:
     """Stiffness for every harmonic, per radian."""
 
     matrix: Any  # ngsolve.BaseMatrix, whose pattern all three share
@@ -87,7 +87,7 @@ class Pencil:
         return u
 
 
-def pencil(space, *forms) -> Pencil:
+def harmonic_stiffness(space, *forms) -> HarmonicStiffness:
     """Assemble the three parts of a stiffness.
 
     Parameters
@@ -99,7 +99,7 @@ def pencil(space, *forms) -> Pencil:
 
     Returns
     -------
-    Pencil
+    HarmonicStiffness
 
     Raises
     ------
@@ -111,17 +111,17 @@ def pencil(space, *forms) -> Pencil:
     if not all(np.array_equal(part.indices, parts[0].indices) for part in parts):
         raise NotSolved("the parts of the stiffness have different patterns and cannot be added")
     free = space.FreeDofs()
-    return Pencil(matrix=matrices[0], parts=parts, free=free, held=~np.array(list(free)))
+    return HarmonicStiffness(matrix=matrices[0], parts=parts, free=free, held=~np.array(list(free)))
 
 
-def compliances(pencil: Pencil, loads: NDArray, last: int) -> NDArray:
+def compliances(stiffness: HarmonicStiffness, loads: NDArray, last: int) -> NDArray:
     r"""Work of loads on their answers, for all harmonics 0 .. N.
 
     .. math:: W_n = G^T K(n)^{-1} G
 
     Parameters
     ----------
-    pencil : Pencil
+    stiffness : HarmonicStiffness
         stiffness per radian
     loads : array (unknowns, L)
         G, the same for all harmonics [N/N]
@@ -138,13 +138,13 @@ def compliances(pencil: Pencil, loads: NDArray, last: int) -> NDArray:
     NotSolved
         if a solve fails
     """
-    G = np.where(pencil.held[:, None], 0.0, loads)
+    G = np.where(stiffness.held[:, None], 0.0, loads)
     answers: dict[int, NDArray] = {}
     wanted = _geometric(last)
     while wanted:
-        answers |= {n: pencil.solve(n, G) for n in wanted}
+        answers |= {n: stiffness.solve(n, G) for n in wanted}
         basis = np.linalg.qr(np.hstack([u / np.linalg.norm(u, axis=0) for u in answers.values()]))[0]
-        moved = [np.where(pencil.held[:, None], 0.0, part @ basis) for part in pencil.parts]
+        moved = [np.where(stiffness.held[:, None], 0.0, part @ basis) for part in stiffness.parts]
         left = {n: _small_residual(n, basis, moved, G) for n in _between(sorted(answers))}
         _log.debug(
             "%d of %d harmonics solved, residual %.1e", len(answers), last + 1, max(left.values(), default=0)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from fem.mesh.solid import MILLIMETRES
 from fem.parts.rings import ImpossiblePart, SquirrelCage
-from fem.solid.fields import Loaded
+from fem.solid.fields import LoadedSolid
 
 POINTS = 6  # of the Gauss rule along each side of a section
 QUARTERS = (0.25, 0.75)  # of the bar: away from its feet, where plane sections stay plane
@@ -39,7 +39,7 @@ class BarForces:
         return (self.tangential_moment[:, 1] - self.tangential_moment[:, 0]) / self.length
 
 
-def bar_forces(state: Loaded) -> BarForces:
+def bar_forces(state: LoadedSolid) -> BarForces:
     r"""Section forces of all bars, and the nominal stress at the corners of their ends.
 
     .. math:: N = \int \sigma_x\,dA, \quad M_n = \int \sigma_x (n - n_0)\,dA, \quad
@@ -51,7 +51,7 @@ def bar_forces(state: Loaded) -> BarForces:
 
     Parameters
     ----------
-    state : Loaded
+    state : LoadedSolid
         a squirrel cage under its rollers
 
     Returns
@@ -119,7 +119,7 @@ def _corners(cage: SquirrelCage, centre: float) -> tuple[NDArray, NDArray]:
     return np.concatenate(_sides(cage, t)) - centre, np.tile(t, 2)
 
 
-def _tension(state: Loaded, x: NDArray, azimuths: NDArray, t: NDArray, n: NDArray) -> NDArray:
+def _tension(state: LoadedSolid, x: NDArray, azimuths: NDArray, t: NDArray, n: NDArray) -> NDArray:
     """Axial stress (B, sections, points) [Pa]."""
     s, c = np.sin(azimuths)[:, None], np.cos(azimuths)[:, None]
     y, z = n * s + t * c, n * c - t * s  # (B, points)

@@ -14,18 +14,18 @@ from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
 from fem.mesh.solid import MILLIMETRES
-from fem.parts.boundary_conditions import Loose
+from fem.parts.boundary_conditions import FreeMotions
 from fem.parts.material import ImpossiblePart
 from fem.section.expansion import Along, heating, rotation
 from fem.section.revolved_body import Body, edge_shapes, legendre_shapes
 from fem.section.rigid_body_modes import held_on_points, responses
 
-FREE = Loose(axial=True, turning=True, across=True)
+FREE = FreeMotions(axial=True, turning=True, across=True)
 FLAT = 1e-12  # mean square deviation of an edge from its place, over the square of its length
 
 
 @dataclass(frozen=True, kw_only=True)
-class Face:
+class ContactFace:
     """An edge along which bodies can touch."""
 
     edge: str
@@ -67,7 +67,7 @@ class CondensedBody:
 
 def condense_body(
     body: Body,
-    faces: tuple[Face, ...],
+    faces: tuple[ContactFace, ...],
     last: int,
     raceway: tuple[int, int] = (0, 0),
     pushed: str | None = None,
@@ -117,15 +117,15 @@ def condense_body(
     race = edge_shapes(body, "raceway", shapes) if shapes else np.empty((body.stiffness.unknowns, 0))
     G = np.hstack([*(columns for _, columns in parts), race])
     held = body.stiffness.held.any()
-    loose = Loose(axial=not held, turning=not held, across=not held)
+    free_motions = FreeMotions(axial=not held, turning=not held, across=not held)
     beyond = np.empty((0, shapes, shapes))
     if highest > last:
-        beyond = responses(body, loose, race, highest)[last + 1 :]
+        beyond = responses(body, free_motions, race, highest)[last + 1 :]
     growth = held_on_points(_unclamped(body), FREE, 0).solve(0, _axisymmetric(body, pushed, variations or {}))
     motions = np.array([G.T @ rigid for rigid in _rigid_motions(body)])
     return CondensedBody(
         points=points,
-        compliance=responses(body, loose, G, last),
+        compliance=responses(body, free_motions, G, last),
         beyond=beyond,
         axisymmetric=G.T @ growth,
         motions=motions[:, :, : 0 if held else 2],
@@ -134,7 +134,7 @@ def condense_body(
     )
 
 
-def _face_basis(body: Body, number: int, face: Face) -> tuple[tuple[NDArray, ...], NDArray]:
+def _face_basis(body: Body, number: int, face: ContactFace) -> tuple[tuple[NDArray, ...], NDArray]:
     """Gauss points of one face, and the load vectors of unit forces there (unknowns, 3 A)."""
     section = body.space.mesh
     if face.edge not in section.GetBoundaries():

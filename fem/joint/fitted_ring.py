@@ -1,6 +1,6 @@
 """A ring held by a fit, on a hollow shaft or in a housing, both condensed to where they touch.
 
-`condense_fitted` is the way in; `fem.joint.preloaded_fit.settled` and `fem.joint.loaded_fit.loaded` go on
+`condense_fitted` is the way in; `fem.joint.preloaded_fit.preloaded` and `fem.joint.loaded_fit.loaded` go on
 from there.
 """
 
@@ -10,8 +10,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from fem.assembly.factorisation import NotSolved, threads
-from fem.joint.face_condensation import CondensedBody, Face, condense_body
-from fem.mesh.axial_section import Section, sections
+from fem.joint.face_condensation import CondensedBody, ContactFace, condense_body
+from fem.mesh.axial_section import AxialSection, sections
 from fem.parts.boundary_conditions import ClampedFace, Housing, RigidSeat
 from fem.parts.material import ImpossiblePart
 from fem.parts.rings import SLENDEREST_SLOT, Mesh, OuterRing, RingOnShaft, require_on_track
@@ -41,14 +41,14 @@ class FittedRing:
                     f"{high:.6g} m, between bore and ribs"
                 )
 
-    def faces(self, grid: "FitGrid") -> tuple[Face, ...]:
+    def faces(self, grid: "FitGrid") -> tuple[ContactFace, ...]:
         """Where ring and shaft can touch."""
-        bore = Face(edge="seat", component=1, sign=1.0, points=grid.bore_points)
+        bore = ContactFace(edge="seat", component=1, sign=1.0, points=grid.bore_points)
         if self.shoulder_diameter is None:
             return (bore,)
-        return bore, Face(edge="shoulder", component=0, sign=-1.0, points=grid.shoulder_points)
+        return bore, ContactFace(edge="shoulder", component=0, sign=-1.0, points=grid.shoulder_points)
 
-    def sections(self, length: float) -> tuple[Section, Section]:
+    def sections(self, length: float) -> tuple[AxialSection, AxialSection]:
         """Ring, whose face away from the shoulder is "far", with the shaft, which is cut to the shoulder."""
         ring, shaft = sections(self.seat, length)
         around = [(*ring.corners[0][:2], "far"), *ring.corners[1:]]
@@ -58,7 +58,7 @@ class FittedRing:
             side, bore = along[3][:2]
             around.insert(2, (side, top, "shoulder"))
             along[2:4] = [(along[2][0], top, "clamped"), (side, top, None), (side, bore, "shoulder")]
-        return Section(ring.material, tuple(around)), Section(shaft.material, tuple(along))
+        return AxialSection(ring.material, tuple(around)), AxialSection(shaft.material, tuple(along))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -74,11 +74,11 @@ class HousedRing:
                 f"support = {housing!r} is impossible; allowed is a Housing that is clamped or seated itself"
             )
 
-    def faces(self, grid: "FitGrid") -> tuple[Face, ...]:
+    def faces(self, grid: "FitGrid") -> tuple[ContactFace, ...]:
         """Where ring and housing can touch; pressure pushes the ring inwards."""
-        return (Face(edge="seat", component=1, sign=-1.0, points=grid.bore_points),)
+        return (ContactFace(edge="seat", component=1, sign=-1.0, points=grid.bore_points),)
 
-    def sections(self, length: float) -> tuple[Section, Section]:
+    def sections(self, length: float) -> tuple[AxialSection, AxialSection]:
         """Ring with the housing."""
         ring, housing = sections(self.seat, length)
         return ring, housing

@@ -19,7 +19,7 @@ MOVES = 1e-9  # of the largest trace: below it a rigid motion does not show in t
 
 
 @dataclass(frozen=True)
-class Joint:
+class InterfaceStiffness:
     """A ring with its mate: A points on each of P azimuths, D directions of force, M raceway shapes."""
 
     carries: NDArray  # of bool, which points of the bodies are meant: A of them
@@ -58,7 +58,9 @@ class Joint:
         return np.einsum("nml,...nl->...nm", self.raceway, d, optimize=True)
 
 
-def joined(ring: CondensedBody, mate: CondensedBody, carries: NDArray, tangential: bool) -> Joint:
+def interface_stiffness(
+    ring: CondensedBody, mate: CondensedBody, carries: NDArray, tangential: bool
+) -> InterfaceStiffness:
     """Join a free ring and its mate, that is held.
 
     Parameters
@@ -72,7 +74,7 @@ def joined(ring: CondensedBody, mate: CondensedBody, carries: NDArray, tangentia
 
     Returns
     -------
-    Joint
+    InterfaceStiffness
 
     Valid
     -----
@@ -99,7 +101,7 @@ def joined(ring: CondensedBody, mate: CondensedBody, carries: NDArray, tangentia
         if n == 0 and shown[0]:
             load = np.append(ring.axisymmetric[kept, 2], np.eye(R.shape[1])[0] * scale / (2 * np.pi))
             push = -(inverse @ load)[: kept.size]
-    return Joint(
+    return InterfaceStiffness(
         carries=carries,
         points=FacePoints(
             *(getattr(ring.points, name)[carries] for name in ("face", "x", "radius", "weight"))

@@ -12,19 +12,19 @@ from numpy.typing import NDArray
 from scipy.linalg import LinAlgError, cho_factor, cho_solve
 
 from fem.assembly.factorisation import NotSolved
-from fem.joint.semismooth_newton import Contact
+from fem.joint.semismooth_newton import ContactEquations
 
 CLOSE = 1e-10  # p d over that of the start, from which Newton's method goes on
 LIMIT = 60  # steps; 15 to 25 are usual
 BOUNDARY = 0.99  # of the way to the nearest p = 0 or d = 0
 
 
-def pressed(contact: Contact, rest: NDArray, loads: NDArray) -> NDArray:
+def frictionless_start(contact: ContactEquations, rest: NDArray, loads: NDArray) -> NDArray:
     """Gaps close to those of contact without friction.
 
     Parameters
     ----------
-    contact : Contact
+    contact : ContactEquations
         of pressure alone
     rest : array (P, A, 1)
         gaps without loads [m]

@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 
 from fem.assembly.factorisation import NotSolved
 from fem.joint.fitted_ring import BORE
-from fem.joint.interface_stiffness import Joint
-from fem.joint.interior_point import pressed
-from fem.joint.preloaded_fit import SettledFit
-from fem.joint.semismooth_newton import Contact, ContactState, touching
+from fem.joint.interface_stiffness import InterfaceStiffness
+from fem.joint.interior_point import frictionless_start
+from fem.joint.preloaded_fit import PreloadedFit
+from fem.joint.semismooth_newton import ContactEquations, InterfaceState, solve_contact
 from fem.solid.condensation import RacewayCompliance
 
 LEAST_CLIMB = 1e-3  # part of the friction added at once
@@ -31,15 +31,15 @@ class LoadedFit:
 
     deviation: NDArray  # (Z, M) [m] of the raceway, outward, beyond growth; the half-space removed
     translation: NDArray  # (2,) [m] mean of the raceway along y, z
-    contact: ContactState  # its `jump` is a start for similar cases
+    contact: InterfaceState  # its `jump` is a start for similar cases
     steps: int  # of Newton's method
-    settled: SettledFit
-    equations: Contact
+    preloaded: PreloadedFit
+    equations: ContactEquations
     closed: RacewayCompliance  # where no point opens or slips
     turn: NDArray  # (Z, N + 1) exp(-i n phi) / 2 pi of the rollers
 
     @property
-    def joint(self) -> Joint:
+    def joint(self) -> InterfaceStiffness:
         """Whose `azimuths` and `points` are those of the arrays here."""
         return self.equations.joint
 
@@ -63,7 +63,7 @@ class LoadedFit:
         """Raceway harmonics (Z M, N + 1, M) [m/N] by opening and slip per force; trace for resultants."""
         N, (Z, M) = self.turn.shape[1], self.deviation.shape
         rollers = np.einsum("jn,mp->jmnp", self.turn, np.eye(M)).reshape(Z * M, N, M)
-        if self.settled.fit.bonded:
+        if self.preloaded.fit.bonded:
             return np.zeros_like(rollers), 0.0
         resultants = np.zeros((2, N, M), dtype=complex)
         resultants[:, 1, 0] = np.array([-1j, 1.0]) / (2 * np.pi)  # like sin, cos
@@ -122,12 +122,12 @@ class LoadedFit:
         return values[..., 1:] if values.shape[-1] == 3 else np.zeros((*values.shape[:-1], 2))
 
 
-def loaded(fit: SettledFit, azimuths, forces, start: NDArray | None = None) -> LoadedFit:
+def loaded(fit: PreloadedFit, azimuths, forces, start: NDArray | None = None) -> LoadedFit:
     """Load a settled fit with rollers.
 
     Parameters
     ----------
-    fit : SettledFit
+    fit : PreloadedFit
         ring with its mate
     azimuths : array (Z,)
         phi of the rollers, all different [rad]
@@ -163,14 +163,14 @@ def loaded(fit: SettledFit, azimuths, forces, start: NDArray | None = None) -> L
         translation=np.tensordot(closed.translation, F, 2) + _translation(moved),
         contact=state,
         steps=steps,
-        settled=fit,
+        preloaded=fit,
         equations=contact,
         closed=closed,
         turn=turn,
     )
 
 
-def _require_held(fit: SettledFit, phi: NDArray, forces: NDArray) -> None:
+def _require_held(fit: PreloadedFit, phi: NDArray, forces: NDArray) -> None:
     """A loose ring that no resultant presses on its mate has no place."""
     resultant = np.abs(forces @ np.exp(1j * phi))
     if not (fit.fit.bonded or fit.force.any() or resultant > BALANCED * np.abs(forces).sum()):
@@ -181,14 +181,14 @@ def _require_held(fit: SettledFit, phi: NDArray, forces: NDArray) -> None:
 
 
 def _touching(
-    fit: SettledFit, contact: Contact, loads: NDArray, start: NDArray | None
-) -> tuple[ContactState, int]:
+    fit: PreloadedFit, contact: ContactEquations, loads: NDArray, start: NDArray | None
+) -> tuple[InterfaceState, int]:
     """Contact, by way of the one without friction unless there is a start."""
     if fit.fit.bonded:
         return contact.at(fit.rest(contact.joint)), 0
     if start is not None:
         with suppress(NotSolved):  # points of a loose ring change too much: from the beginning
-            return touching(contact, start)
+            return solve_contact(contact, start)
     first, steps = _frictionless(fit, loads)
     if contact.joint.directions == 1:
         return first, steps
@@ -201,12 +201,12 @@ def _touching(
     return state, steps + more
 
 
-def _climbed(contact: Contact, jump: NDArray) -> tuple[ContactState, int]:
+def _climbed(contact: ContactEquations, jump: NDArray) -> tuple[InterfaceState, int]:
     """Contact with friction, if need be by way of less of it."""
     done, part, steps = 0.0, 1.0, 0
     while True:
         try:
-            state, more = touching(replace(contact, friction=contact.friction * (done + part)), jump)
+            state, more = solve_contact(replace(contact, friction=contact.friction * (done + part)), jump)
         except NotSolved:
             if not (part > LEAST_CLIMB and np.isfinite(contact.friction)):
                 raise
@@ -218,12 +218,12 @@ def _climbed(contact: Contact, jump: NDArray) -> tuple[ContactState, int]:
         part = min(2 * part, 1 - done)
 
 
-def _frictionless(fit: SettledFit, loads: NDArray) -> tuple[ContactState, int]:
+def _frictionless(fit: PreloadedFit, loads: NDArray) -> tuple[InterfaceState, int]:
     """Contact by pressure alone; a loose ring needs a start that knows where it touches."""
     contact, rest = fit.contact(fit.sliding, loads), fit.rest(fit.sliding)
     if fit.force.any():
-        return touching(contact, rest)
-    return touching(contact, pressed(contact, rest, fit.sliding.forces_of_raceway(loads)))
+        return solve_contact(contact, rest)
+    return solve_contact(contact, frictionless_start(contact, rest, fit.sliding.forces_of_raceway(loads)))
 
 
 def _at_rollers(harmonics: NDArray, turn: NDArray) -> NDArray:

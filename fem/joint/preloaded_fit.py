@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fem.joint.fitted_ring import BORE, SHOULDER, FittedBodies
-from fem.joint.interface_stiffness import Joint, joined
-from fem.joint.semismooth_newton import Contact, touching
+from fem.joint.interface_stiffness import InterfaceStiffness, interface_stiffness
+from fem.joint.semismooth_newton import ContactEquations, solve_contact
 from fem.parts.material import ImpossiblePart
 from fem.raceway.harmonics import HarmonicCompliance
 
@@ -41,7 +41,7 @@ class Fit:
 
 
 @dataclass(frozen=True)
-class SettledFit:
+class PreloadedFit:
     """Ring with its mate, A points along their faces."""
 
     bodies: FittedBodies
@@ -62,7 +62,7 @@ class SettledFit:
         return float(self.force[bore].sum() / points.weight[bore].sum())
 
     @property
-    def growth(self) -> NDArray:
+    def expansion(self) -> NDArray:
         """Expansion of the raceway (M,) [m] outward by heat, rotation and fit; see `section.expansion`."""
         ring, fit = self.bodies.ring, self.fit
         L = 3 * self.force.size
@@ -70,7 +70,7 @@ class SettledFit:
         return ring.axisymmetric[L:] @ loads + ring.compliance[0, L:, :L:3] @ self.force
 
     @cached_property
-    def joint(self) -> Joint:
+    def joint(self) -> InterfaceStiffness:
         """Ring and mate joined where they can carry forces.
 
         Without friction or a nut nothing balances pressure on the shoulder.
@@ -80,7 +80,7 @@ class SettledFit:
         return self._joined(~shoulder | tangential | bool(fit.clamping), tangential)
 
     @cached_property
-    def sliding(self) -> Joint:
+    def sliding(self) -> InterfaceStiffness:
         """Ring and mate joined by pressure alone."""
         shoulder = self.bodies.ring.points.face == SHOULDER
         return self._joined(~shoulder | bool(self.fit.clamping), False)
@@ -102,25 +102,25 @@ class SettledFit:
             seconds=bodies.seconds,
         )
 
-    def rest(self, joint: Joint) -> NDArray:
+    def rest(self, joint: InterfaceStiffness) -> NDArray:
         """Jump of a joint without rollers (P, A, D) [m]: gaps, no slip."""
         jump = np.zeros((joint.azimuths.size, joint.points.x.size, joint.directions))
         jump[..., 0] = self.gap[joint.carries]
         return jump
 
-    def contact(self, joint: Joint, loads: NDArray) -> Contact:
+    def contact(self, joint: InterfaceStiffness, loads: NDArray) -> ContactEquations:
         """Contact of a joint under harmonics of raceway loads (N + 1, M) [N/rad]."""
         rest = self.rest(joint)
         offset = joint.forces_of_raceway(loads) - joint.forces(rest.reshape(len(rest), -1))
         offset = offset.reshape(rest.shape)
         offset[..., 0] += self.force[joint.carries]
-        return Contact(joint, self.fit.friction, offset)
+        return ContactEquations(joint, self.fit.friction, offset)
 
-    def _joined(self, carries: NDArray, tangential: bool) -> Joint:
-        return joined(self.bodies.ring, self.bodies.mate, carries, tangential)
+    def _joined(self, carries: NDArray, tangential: bool) -> InterfaceStiffness:
+        return interface_stiffness(self.bodies.ring, self.bodies.mate, carries, tangential)
 
 
-def settled(bodies: FittedBodies, fit: Fit) -> SettledFit:
+def preloaded(bodies: FittedBodies, fit: Fit) -> PreloadedFit:
     """Let a ring settle on its shaft or in its housing.
 
     Parameters
@@ -132,7 +132,7 @@ def settled(bodies: FittedBodies, fit: Fit) -> SettledFit:
 
     Returns
     -------
-    SettledFit
+    PreloadedFit
 
     Raises
     ------
@@ -145,18 +145,18 @@ def settled(bodies: FittedBodies, fit: Fit) -> SettledFit:
     if fit.clamping and not shoulder.any():
         raise ImpossiblePart(f"clamping = {fit.clamping!r} N needs a shoulder, and shoulder_diameter is None")
     apart = _growth_apart(bodies, fit) - np.where(shoulder, 0.0, fit.interference / 2)
-    joint = joined(bodies.ring, bodies.mate, ~shoulder | bool(fit.clamping), tangential=False)
+    joint = interface_stiffness(bodies.ring, bodies.mate, ~shoulder | bool(fit.clamping), tangential=False)
     even = replace(joint, stiffness=joint.stiffness[:1])  # harmonic 0, on one azimuth
     offset = fit.clamping * joint.push - even.forces(apart[None, joint.carries])[0]
-    contact = Contact(even, 0.0, offset[None, :, None])
-    state, _ = touching(contact, np.zeros_like(contact.offset))
+    contact = ContactEquations(even, 0.0, offset[None, :, None])
+    state, _ = solve_contact(contact, np.zeros_like(contact.offset))
     force, gap = np.zeros_like(apart), np.zeros_like(apart)
     force[joint.carries] = np.where(state.open, 0.0, state.forces[..., 0])[0]
     gap[joint.carries] = state.jump[0, :, 0]
     if not joint.carries.all():
         away = (apart + _yield_apart(bodies, force))[shoulder]
         gap[shoulder] = away - away.min()  # put against the shoulder, without force
-    return SettledFit(bodies, fit, force, gap)
+    return PreloadedFit(bodies, fit, force, gap)
 
 
 def _growth_apart(bodies: FittedBodies, fit: Fit) -> NDArray:

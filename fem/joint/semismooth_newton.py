@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fem.assembly.factorisation import NotSolved
-from fem.joint.interface_stiffness import Joint
+from fem.joint.interface_stiffness import InterfaceStiffness
 
 TOLERANCE = 1e-11  # residual over the largest force at a point, with jumps or without
 RIGID = 1e-9  # stiffness over the largest, below which a slip is a rigid one
@@ -28,7 +28,7 @@ _log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True)
-class ContactState:
+class InterfaceState:
     """Forces and jumps at P azimuths times A points in D directions, pressure first."""
 
     jump: NDArray  # (P, A, D) gap and slip [m]
@@ -68,10 +68,10 @@ class ContactState:
 
 
 @dataclass(frozen=True)
-class Contact:
+class ContactEquations:
     """The equations of a joint with friction."""
 
-    joint: Joint
+    joint: InterfaceStiffness
     friction: float  # mu, >= 0; infinite where nothing slips
     offset: NDArray  # (P, A, D) forces per radian on the ring without gaps or slip [N]
 
@@ -81,20 +81,20 @@ class Contact:
         own = np.diagonal(self.joint.blocks[0]).reshape(-1, self.joint.directions)
         return own.mean(axis=1)
 
-    def at(self, jump: NDArray) -> ContactState:
+    def at(self, jump: NDArray) -> InterfaceState:
         """Forces that go with gaps and slips (P, A, D) [m]."""
         forces = self._linear(jump) + self.offset
         pull = forces[..., 0] - self.weight * jump[..., 0]
         drag = forces[..., 1:] - self.weight[:, None] * jump[..., 1:]
         limit = np.multiply(self.friction, pull, where=pull > 0, out=np.zeros_like(pull))
-        return ContactState(jump, forces, pull, drag, limit)
+        return InterfaceState(jump, forces, pull, drag, limit)
 
-    def error(self, state: ContactState) -> float:
+    def error(self, state: InterfaceState) -> float:
         """Largest residual over the largest force, with or without jumps [-]."""
         size = max(np.abs(self.offset).max(), np.abs(state.forces).max())
         return float(np.abs(state.residual).max() / (size or 1.0))
 
-    def step(self, state: ContactState) -> NDArray:
+    def step(self, state: InterfaceState) -> NDArray:
         """Newton step (P, A, D) [m]."""
         known = np.where(self._unknown(state), 0.0, -state.jump)
         return self._answer(state, -state.residual, known)
@@ -120,7 +120,7 @@ class Contact:
         jump[:, away, 0] -= axial
         return jump
 
-    def tangent(self, state: ContactState, forces: NDArray) -> NDArray:
+    def tangent(self, state: InterfaceState, forces: NDArray) -> NDArray:
         """Change of the jump (K, P, A, D) [m] with K changes of `offset` (K, P, A, D) [N].
 
         At a kink, that of the side that `state` stands on.
@@ -131,13 +131,13 @@ class Contact:
     def _linear(self, jump: NDArray) -> NDArray:
         return self.joint.forces(jump.reshape(*jump.shape[:-2], -1)).reshape(jump.shape)
 
-    def _unknown(self, state: ContactState) -> NDArray:
+    def _unknown(self, state: InterfaceState) -> NDArray:
         """Jumps left to the balance (P, A, D): all at open points, slip at slipping ones."""
         free = np.repeat(state.open[..., None], self.joint.directions, axis=-1)
         free[..., 1:] |= state.slip[..., None]
         return free
 
-    def _slopes(self, state: ContactState) -> tuple[NDArray, NDArray]:
+    def _slopes(self, state: InterfaceState) -> tuple[NDArray, NDArray]:
         r"""Slopes (P, A, D, D) of the residual by the own force and, beyond that, by the own jump.
 
         Where a point slips along e, from :math:`t - \mu (p - c g) e` with e the direction of t - c s:
@@ -159,7 +159,7 @@ class Contact:
         of_jump[..., 1:, 1:] = self.weight[:, None, None] * across
         return of_force, of_jump
 
-    def _answer(self, state: ContactState, residual: NDArray, known: NDArray) -> NDArray:
+    def _answer(self, state: InterfaceState, residual: NDArray, known: NDArray) -> NDArray:
         """Changes of the jumps, some known, that change the residual as wished (..., P, A, D)."""
         unknown = self._unknown(state).ravel()
         if not unknown.any():
@@ -189,19 +189,19 @@ class Contact:
         return own.reshape(row.size, -1)[unknown[row]]
 
 
-def touching(contact: Contact, start: NDArray) -> tuple[ContactState, int]:
+def solve_contact(contact: ContactEquations, start: NDArray) -> tuple[InterfaceState, int]:
     """Solve for contact with friction.
 
     Parameters
     ----------
-    contact : Contact
+    contact : ContactEquations
         the equations
     start : array (P, A, D)
         gaps and slips of a similar case, or zeros [m]
 
     Returns
     -------
-    ContactState
+    InterfaceState
         solution, residual below `TOLERANCE`
     int
         Newton steps
@@ -232,7 +232,7 @@ def touching(contact: Contact, start: NDArray) -> tuple[ContactState, int]:
     )
 
 
-def _searched(contact: Contact, state: ContactState, step: NDArray) -> ContactState:
+def _searched(contact: ContactEquations, state: InterfaceState, step: NDArray) -> InterfaceState:
     """The first halved step that lowers the residual, else the shortest: Newton steps cross kinks."""
     size, part = np.linalg.norm(state.residual), 1.0
     while True:

@@ -23,7 +23,7 @@ GRADED_RATIO = 0.2  # size of a layer to that of the one around it
 
 
 @dataclass(frozen=True)
-class Section:
+class AxialSection:
     """Half of a body's axial section."""
 
     material: str
@@ -33,7 +33,7 @@ class Section:
 
 
 @singledispatch
-def sections(part, length: float) -> list[Section]:
+def sections(part, length: float) -> list[AxialSection]:
     """Bodies of a part as polygons that touch along whole edges.
 
     Parameters
@@ -45,7 +45,7 @@ def sections(part, length: float) -> list[Section]:
 
     Returns
     -------
-    list of Section
+    list of AxialSection
         their corners in counter-clockwise order
 
     Raises
@@ -63,14 +63,14 @@ def _(part: OuterRing, length):
     bore = (-side, inner, None), (-half, inner, None), (half, inner, "raceway"), (side, inner, None)
     if not isinstance(part.support, Housing):
         face, outside = edge_names(part.support)
-        return [Section("ring", (*bore, (side, outer, face), (-side, outer, outside)))]
+        return [AxialSection("ring", (*bore, (side, outer, face), (-side, outer, outside)))]
     face, outside = edge_names(part.support.support)
     end, top = part.support.width / 2, outer + part.support.thickness
     seat = min(side, end)
-    ring = Section("ring", (
+    ring = AxialSection("ring", (
         *bore, (side, outer, None), (seat, outer, None), (-seat, outer, "seat"), (-side, outer, None)
     ))  # fmt: skip
-    housing = Section("housing", (
+    housing = AxialSection("housing", (
         (-end, outer, None), (-seat, outer, None), (seat, outer, "seat"), (end, outer, None),
         (end, top, face), (-end, top, outside),
     ))  # fmt: skip
@@ -82,24 +82,24 @@ def _(part: RingOnShaft, length):
     diameters = (part.raceway_diameter, part.rib_diameter, part.bore, part.shaft_bore)
     raceway, rib, bore, hollow = (d / 2 for d in diameters)
     track, side, end, half = part.track_width / 2, part.width / 2, part.shaft_length / 2, length / 2
-    ring = Section("ring", (
+    ring = AxialSection("ring", (
         (-side, bore, None), (side, bore, "seat"), (side, rib, None), (track, rib, None),
         (track, raceway, None), (half, raceway, None), (-half, raceway, "raceway"), (-track, raceway, None),
         (-track, rib, None), (-side, rib, None),
     ))  # fmt: skip
-    shaft = Section("shaft", (
+    shaft = AxialSection("shaft", (
         (-end, hollow, None), (end, hollow, None), (end, bore, "clamped"), (side, bore, None),
         (-side, bore, "seat"), (-end, bore, None), (-end, hollow, "clamped"),
     ))  # fmt: skip
     return [ring, shaft]
 
 
-def meshed(bodies: list[Section], wishes: Mesh) -> ngs.Mesh:
+def meshed(bodies: list[AxialSection], wishes: Mesh) -> ngs.Mesh:
     """Triangles that fill sections, with quadrilaterals in the layers around corners.
 
     Parameters
     ----------
-    bodies : list of Section
+    bodies : list of AxialSection
         which touch along whole edges
     wishes : Mesh
         element sizes
@@ -121,7 +121,7 @@ def meshed(bodies: list[Section], wishes: Mesh) -> ngs.Mesh:
     return mesh
 
 
-def _face(body: Section):
+def _face(body: AxialSection):
     pen = occ.WorkPlane()
     at = body.corners[0][:2]
     pen.MoveTo(*(c * MILLIMETRES for c in at))

@@ -2,26 +2,26 @@
 
 from math import cos, isinf, sin
 
-from fem.mesh.axial_section import Section
-from fem.parts.bolted_ring import GothicRing
+from fem.mesh.axial_section import AxialSection
+from fem.parts.bolted_ring import BoltedGrooveRing
 from fem.parts.material import require
 
 Corner = tuple[float, float, str | None]
 
 
-def section(ring: GothicRing, length: float) -> Section:
-    """Section of a ring; the loaded lines on both arches are named "raceway".
+def section(ring: BoltedGrooveRing, length: float) -> AxialSection:
+    """AxialSection of a ring; the loaded lines on both arches are named "raceway".
 
     Parameters
     ----------
-    ring : GothicRing
+    ring : BoltedGrooveRing
         the part
     length : float
         l of each loaded line, across the groove along the arch [m]
 
     Returns
     -------
-    Section
+    AxialSection
         its bolted face is named "clamped", or "foundation" on springs
 
     Raises
@@ -45,10 +45,10 @@ def section(ring: GothicRing, length: float) -> Section:
         (ends[-first], far, faces.get(-first)),
         (ends[first], far, None),
     )
-    return Section("ring", corners, {k + 1: (along, sign * into) for k, (along, into) in bends.items()})
+    return AxialSection("ring", corners, {k + 1: (along, sign * into) for k, (along, into) in bends.items()})
 
 
-def _groove(ring: GothicRing, length: float, first: int) -> tuple[list[Corner], dict]:
+def _groove(ring: BoltedGrooveRing, length: float, first: int) -> tuple[list[Corner], dict]:
     """Corners from shoulder to shoulder, along x and into the ring from the ball centre [m], and arcs."""
     half = length / (2 * ring.groove_radius)
     reach = min(ring.contact_angle - ring.bottom_angle, ring.groove_end - ring.contact_angle)

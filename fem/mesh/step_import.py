@@ -155,7 +155,7 @@ def _placed(body, part: StepSolid):
     frame = occ.Axes(
         occ.Pnt(*(c * MILLIMETRES for c in part.centre)), n=occ.Dir(*part.zenith), h=occ.Dir(*part.axis)
     )
-    return occ.gp_Trsf.Scale(occ.Pnt(0, 0, 0), part.growth)(occ.gp_Trsf.Transformation(frame)(body))
+    return occ.gp_Trsf.Scale(occ.Pnt(0, 0, 0), part.scale)(occ.gp_Trsf.Transformation(frame)(body))
 
 
 def _raceway(body, part: StepSolid) -> tuple[float, float, float]:

@@ -11,7 +11,7 @@ from fem.parts.material import Elastic, require, require_positive
 
 
 @dataclass(frozen=True, kw_only=True)
-class GothicRing:
+class BoltedGrooveRing:
     """A ring of rectangular section with two arches, one to each side of the balls.
 
     Its whole bolted face stands on something rigid, or on springs per area. The groove is two arcs that

@@ -138,7 +138,7 @@ def free_translations(azimuths) -> str:
 
 
 @dataclass(frozen=True)
-class Loose:
+class FreeMotions:
     """Rigid motions that nothing holds."""
 
     axial: bool = False
@@ -146,17 +146,17 @@ class Loose:
     across: bool = False  # translation along y, z, with tilt about them
 
 
-def loose(support: Support) -> Loose:
+def free_motions(support: Support) -> FreeMotions:
     """Rigid motions that a support leaves to the ring; translations across are in `supported_ring`."""
     match support:
         case LineSupports() | PlanetGear():
-            return Loose(axial=True, turning=True, across=True)
+            return FreeMotions(axial=True, turning=True, across=True)
         case Foundation(axial=axial, tangential=tangential):
-            return Loose(axial=axial == 0, turning=tangential == 0)
+            return FreeMotions(axial=axial == 0, turning=tangential == 0)
         case Housing(support=outer):
-            return loose(outer)
+            return free_motions(outer)
         case _:
-            return Loose()
+            return FreeMotions()
 
 
 def edge_names(support: Support) -> tuple[str | None, str | None]:

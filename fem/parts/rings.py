@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from math import asin, isfinite, pi
 
-from fem.parts.boundary_conditions import Housing, Loose, Support, loose
+from fem.parts.boundary_conditions import FreeMotions, Housing, Support, free_motions
 from fem.parts.material import (
     Elastic,
     ImpossiblePart as ImpossiblePart,  # parts are where one expects it
@@ -51,9 +51,9 @@ class OuterRing:
         return {"ring": self.elastic}
 
     @property
-    def loose(self) -> Loose:
+    def free_motions(self) -> FreeMotions:
         """Rigid motions that nothing holds."""
-        return loose(self.support)
+        return free_motions(self.support)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -175,9 +175,9 @@ class RingOnShaft:
         return {"ring": self.ring, "shaft": self.shaft}
 
     @property
-    def loose(self) -> Loose:
+    def free_motions(self) -> FreeMotions:
         """Rigid motions that nothing holds: none."""
-        return Loose()
+        return FreeMotions()
 
 
 Part = SquirrelCage | OuterRing | RingOnShaft

@@ -77,13 +77,13 @@ class StepSolid:
     centre: Vector = (0.0, 0.0, 0.0)  # [m] middle of the loaded band in the drawing
     axis: Vector = (1.0, 0.0, 0.0)  # direction of the bearing's x in the drawing
     zenith: Vector = (0.0, 0.0, 1.0)  # direction of azimuth 0 in the drawing, at right angles to the axis
-    growth: float = 1.0  # [-] size over drawn size, for a hot part
+    scale: float = 1.0  # [-] size over drawn size, for a hot part
     source: str = field(default="STEP drawing", compare=False)  # how messages call it
 
     def __post_init__(self):
         if not self.drawing.lstrip().startswith(BEGINNING):
             raise ImpossiblePart(f'{self.source} is no STEP file: it does not begin with "ISO-10303-21"')
-        require_positive(self, "raceway_diameter", "growth")
+        require_positive(self, "raceway_diameter", "scale")
         require(len(self.clamps) > 0, "clamps", self.clamps,
                 "one face or more: the structure can still move freely, no load finds a hold")  # fmt: skip
         self._require_frame()

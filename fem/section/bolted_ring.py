@@ -24,8 +24,8 @@ from fem.half_space.groove_line import line_answers, line_harmonics
 from fem.half_space.line_load import cubic_tail, curvature_tail
 from fem.mesh.bolted_ring_section import section
 from fem.mesh.solid import MILLIMETRES
-from fem.parts.bolted_ring import GothicRing
-from fem.parts.boundary_conditions import Loose
+from fem.parts.bolted_ring import BoltedGrooveRing
+from fem.parts.boundary_conditions import FreeMotions
 from fem.parts.rings import Mesh
 from fem.raceway.harmonics import TRUNCATED, highest_harmonic
 from fem.section.revolved_body import Body, Springs, assembled
@@ -46,7 +46,7 @@ class ArchCompliance:
 
 
 def condense(
-    ring: GothicRing, balls: int, length: float, mesh: Mesh, harmonics: int | None = None
+    ring: BoltedGrooveRing, balls: int, length: float, mesh: Mesh, harmonics: int | None = None
 ) -> ArchCompliance:  # fmt: skip
     r"""Compliance of both arches under balls at equal pitches.
 
@@ -58,7 +58,7 @@ def condense(
 
     Parameters
     ----------
-    ring : GothicRing
+    ring : BoltedGrooveRing
         the part
     balls : int
         Z, 3 or more
@@ -95,7 +95,7 @@ def condense(
     with threads(1):  # sections are small: a second thread would only wait
         body = body_of(ring, length, mesh)
         ready = time.perf_counter()
-        W = responses(body, Loose(), line_forces(body, length), last) / (2 * np.pi)
+        W = responses(body, FreeMotions(), line_forces(body, length), last) / (2 * np.pi)
     done = time.perf_counter()
     _log.info("%s gothic ring: %d unknowns, %.1f s", ring.race, body.stiffness.unknowns, done - start)
     row, beyond = _row(ring, length, W, balls)
@@ -113,7 +113,7 @@ def condense(
     )
 
 
-def body_of(ring: GothicRing, length: float, mesh: Mesh) -> Body:
+def body_of(ring: BoltedGrooveRing, length: float, mesh: Mesh) -> Body:
     """Assemble the section of a ring on its bolted face."""
     polygon = section(ring, length)
     named = {name for *_, name in polygon.corners}
@@ -140,7 +140,7 @@ def line_forces(body: Body, length: float) -> NDArray:
     )
 
 
-def _row(ring: GothicRing, length: float, W: NDArray, balls: int) -> tuple[NDArray, float]:
+def _row(ring: BoltedGrooveRing, length: float, W: NDArray, balls: int) -> tuple[NDArray, float]:
     """Compliance so many pitches apart (Z, 4, 4) [m/N], and the part of the own one that is extrapolated."""
     last = len(W) - 1
     place = ring.contact_radius, length, ring.elastic
@@ -156,7 +156,7 @@ def _row(ring: GothicRing, length: float, W: NDArray, balls: int) -> tuple[NDArr
     return (row + row.swapaxes(1, 2)) / 2, float(np.abs(beyond[0]).max() / size.max())
 
 
-def _turned(ring: GothicRing, answers: NDArray) -> NDArray:
+def _turned(ring: BoltedGrooveRing, answers: NDArray) -> NDArray:
     """Answers normal and along the lines (..., 2) as those to outward and axial forces (..., 4, 4)."""
     cosine, sine = np.cos(ring.contact_angle), np.sin(ring.contact_angle)
     both = np.zeros((*answers.shape[:-1], 4, 4))

@@ -194,7 +194,7 @@ def _free_responses(body: Body, part: OuterRing, length: float, shapes: int, las
     G = np.column_stack(
         [edge_shapes(body, "raceway", shapes), edge_shapes(body, "lines", LINE_SHAPES), along]
     )
-    W = responses(body, part.loose, G, last) / (2 * np.pi)
+    W = responses(body, part.free_motions, G, last) / (2 * np.pi)
     # by the rigid motions (u_x, u_r, u_t) = (0, 1, -1) and (-r, x, -x)
     rigid = np.zeros((G.shape[1], 2))
     rigid[[0, shapes, -1], 0] = 1, 1, -1

@@ -50,7 +50,7 @@ def condense(
     Small displacement, perfect bonds, clamps that do not yield; no load outside the band.
     """
     require_on_track(length, part.track)
-    if isinstance(part, OuterRing) and part.loose.across:
+    if isinstance(part, OuterRing) and part.free_motions.across:
         raise ImpossiblePart(
             "a ring that nothing holds has no compliance; `fem.section.supported_ring` adds the lines"
         )
@@ -60,7 +60,7 @@ def condense(
     with threads(1):  # sections are small: a second thread would only wait
         body = body_of(part, length, mesh)
         ready = time.perf_counter()
-        W = responses(body, part.loose, edge_shapes(body, "raceway", shapes), last) / (2 * np.pi)
+        W = responses(body, part.free_motions, edge_shapes(body, "raceway", shapes), last) / (2 * np.pi)
     done = time.perf_counter()
     _log.info("%s: %d unknowns, %.1f s", type(part).__name__, body.stiffness.unknowns, done - start)
     return HarmonicCompliance(

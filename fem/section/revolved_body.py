@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from fem.assembly import harmonic_elasticity as forms
 from fem.assembly.elasticity import lame_constants
-from fem.assembly.harmonic_stiffness import Pencil, pencil
-from fem.mesh.axial_section import Section, meshed
+from fem.assembly.harmonic_stiffness import HarmonicStiffness, harmonic_stiffness
+from fem.mesh.axial_section import AxialSection, meshed
 from fem.parts.rings import Elastic, ImpossiblePart, Mesh
 
 FLAT = 1e-12  # mean square deviation of an edge from its radius, over the square of that
@@ -32,7 +32,7 @@ class Body:
 
     space: Any  # ngsolve.FESpace of u_x, u_r, u_t
     bulk: Any  # ngsolve.CoefficientFunction, K = lambda + 2 mu/3 [Pa]
-    stiffness: Pencil
+    stiffness: HarmonicStiffness
 
     def load(self, form) -> NDArray:
         """Load vector (unknowns,) of a weak form, per radian [N]."""
@@ -40,14 +40,14 @@ class Body:
 
 
 def assembled(
-    bodies: list[Section], materials: Mapping[str, Elastic], mesh: Mesh,
+    bodies: list[AxialSection], materials: Mapping[str, Elastic], mesh: Mesh,
     foundations: Mapping[str, Springs] | None = None,
 ) -> Body:  # fmt: skip
     """Mesh sections and assemble their stiffness.
 
     Parameters
     ----------
-    bodies : list of Section
+    bodies : list of AxialSection
         bonded where they touch, held on the edges named "clamped"
     materials : mapping
         `Elastic` of every body by its name
@@ -74,7 +74,9 @@ def assembled(
     for name, springs in (foundations or {}).items():
         k = (springs.axial, springs.radial, springs.tangential)
         plain += forms.foundation(u, v, _edge(section, name), k)
-    return Body(space=space, bulk=lame + 2 * shear / 3, stiffness=pencil(space, plain, once, twice))
+    return Body(
+        space=space, bulk=lame + 2 * shear / 3, stiffness=harmonic_stiffness(space, plain, once, twice)
+    )
 
 
 def edge_shapes(body: Body, edge: str, shapes: int) -> NDArray:

@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
 
-from fem.assembly.harmonic_stiffness import Pencil, compliances
+from fem.assembly.harmonic_stiffness import HarmonicStiffness, compliances
 from fem.mesh.axial_section import sections
-from fem.parts.boundary_conditions import Foundation, Housing, Loose
+from fem.parts.boundary_conditions import Foundation, FreeMotions, Housing
 from fem.parts.rings import Mesh, OuterRing, RingOnShaft
 from fem.section.revolved_body import Body, Springs, assembled
 
@@ -43,7 +43,7 @@ def body_of(part: OuterRing | RingOnShaft, length: float, mesh: Mesh) -> Body:
     return assembled(sections(part, length), part.materials, mesh, springs)
 
 
-def responses(body: Body, loose: Loose, loads: NDArray, last: int) -> NDArray:
+def responses(body: Body, free_motions: FreeMotions, loads: NDArray, last: int) -> NDArray:
     r"""Work of loads on their answers, for all harmonics 0 .. N.
 
     .. math:: W_n = G^T K(n)^{-1} G
@@ -52,7 +52,7 @@ def responses(body: Body, loose: Loose, loads: NDArray, last: int) -> NDArray:
     ----------
     body : Body
         assembled sections
-    loose : Loose
+    free_motions : FreeMotions
         its rigid motions that nothing holds
     loads : array (unknowns, L)
         G, the same for all harmonics [N/N]
@@ -69,36 +69,38 @@ def responses(body: Body, loose: Loose, loads: NDArray, last: int) -> NDArray:
     NotSolved
         if a solve fails
     """
-    first = 2 if loose.across else 1 if loose.axial or loose.turning else 0
-    low = [loads.T @ held_on_points(body, loose, n).solve(n, loads) for n in range(first)]
+    first = 2 if free_motions.across else 1 if free_motions.axial or free_motions.turning else 0
+    low = [loads.T @ held_on_points(body, free_motions, n).solve(n, loads) for n in range(first)]
     return np.concatenate(
         [*np.array(low)[:, None], compliances(_from(body.stiffness, first), loads, last - first)]
     )
 
 
-def held_on_points(body: Body, loose: Loose, harmonic: int) -> Pencil:
+def held_on_points(body: Body, free_motions: FreeMotions, harmonic: int) -> HarmonicStiffness:
     """Hold a body at single points against the loose motions of one harmonic.
 
     Parameters
     ----------
     body : Body
         assembled sections
-    loose : Loose
+    free_motions : FreeMotions
         its rigid motions that nothing holds
     harmonic : int
         n
 
     Returns
     -------
-    Pencil
+    HarmonicStiffness
         whose answers to balanced loads are true but for a rigid motion
     """
     x = np.array([v.point[0] for v in body.space.mesh.vertices])
     ends = [ngs.NodeId(ngs.VERTEX, int(k)) for k in (x.argmin(), x.argmax())]
     wanted = []
     if harmonic == 0:
-        wanted = [(k, ends[0]) for k, is_loose in ((0, loose.axial), (2, loose.turning)) if is_loose]
-    elif harmonic == 1 and loose.across:
+        wanted = [
+            (k, ends[0]) for k, is_free in ((0, free_motions.axial), (2, free_motions.turning)) if is_free
+        ]
+    elif harmonic == 1 and free_motions.across:
         wanted = [(1, end) for end in ends]
     held = body.stiffness.held.copy()
     free = ngs.BitArray(body.stiffness.free)
@@ -109,13 +111,13 @@ def held_on_points(body: Body, loose: Loose, harmonic: int) -> Pencil:
     return replace(body.stiffness, free=free, held=held)
 
 
-def _from(pencil: Pencil, first: int) -> Pencil:
+def _from(stiffness: HarmonicStiffness, first: int) -> HarmonicStiffness:
     """The same stiffness, its harmonics counted from another one."""
-    none, once, twice = (part.data for part in pencil.parts)
-    pattern = pencil.parts[0]
+    none, once, twice = (part.data for part in stiffness.parts)
+    pattern = stiffness.parts[0]
     parts = (none + first * once + first**2 * twice, once + 2 * first * twice, twice)
     return replace(
-        pencil,
+        stiffness,
         parts=tuple(
             sparse.csr_array((part, pattern.indices, pattern.indptr), shape=pattern.shape) for part in parts
         ),

@@ -19,10 +19,10 @@ import numpy as np
 from fem.assembly import harmonic_elasticity as forms
 from fem.assembly.elasticity import lame_constants
 from fem.assembly.factorisation import threads
-from fem.assembly.harmonic_stiffness import compliances, pencil
+from fem.assembly.harmonic_stiffness import compliances, harmonic_stiffness
 from fem.beam.curved_beam import shear_modulus
 from fem.beam.support_springs import tangential_slide
-from fem.mesh.axial_section import Section, meshed
+from fem.mesh.axial_section import AxialSection, meshed
 from fem.parts.rings import Mesh, SquirrelCage, require_on_track
 from fem.raceway.harmonics import HarmonicCompliance, highest_harmonic
 from fem.section.revolved_body import Body, edge_shapes
@@ -87,18 +87,20 @@ def condense(
     )
 
 
-def _sections(cage: SquirrelCage, length: float) -> list[Section]:
+def _sections(cage: SquirrelCage, length: float) -> list[AxialSection]:
     """Ring, sleeve and flange as polygons that touch along whole edges."""
     inner, side, half = cage.raceway_diameter / 2, cage.width / 2, length / 2
     outer, foot = inner + cage.thickness, side + cage.bar_length
     low, high = ((inner + outer + sign * cage.bar_thickness) / 2 for sign in (-1, 1))
     end = foot + cage.flange_length
-    ring = Section("ring", (
+    ring = AxialSection("ring", (
         (-side, inner, None), (-half, inner, None), (half, inner, "raceway"), (side, inner, None),
         (side, low, None), (side, high, None), (side, outer, None), (-side, outer, None),
     ))  # fmt: skip
-    sleeve = Section("bars", ((side, low, None), (foot, low, None), (foot, high, None), (side, high, None)))
-    flange = Section("flange", (
+    sleeve = AxialSection(
+        "bars", ((side, low, None), (foot, low, None), (foot, high, None), (side, high, None))
+    )
+    flange = AxialSection("flange", (
         (foot, inner, None), (end, inner, None), (end, outer, "clamped"), (foot, outer, None),
         (foot, high, None), (foot, low, None),
     ))  # fmt: skip
@@ -114,7 +116,7 @@ def _assembled(cage: SquirrelCage, length: float, mesh: Mesh) -> Body:
     lame, shear = (section.MaterialCF({"ring": c, "flange": c}, default=ngs.CF(0.0)) for c in constants)
     whole = forms.elasticity(u, v, lame, shear)
     parts = (a + b for a, b in zip(whole, _sleeve(u, v, cage, section.Materials("bars")), strict=True))
-    return Body(space=space, bulk=lame + 2 * shear / 3, stiffness=pencil(space, *parts))
+    return Body(space=space, bulk=lame + 2 * shear / 3, stiffness=harmonic_stiffness(space, *parts))
 
 
 def _sleeve(u, v, cage: SquirrelCage, where):

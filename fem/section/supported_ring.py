@@ -153,5 +153,5 @@ def growth_of(
             f += expansion.heating(body, load.expansions)
         if load.speed != 0:
             f += expansion.rotation(body, load.densities, load.speed)
-        held = replace(body, stiffness=held_on_points(body, part.loose, 0))
+        held = replace(body, stiffness=held_on_points(body, part.free_motions, 0))
         return expansion.growth(held, f, "raceway", shapes)

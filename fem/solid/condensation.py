@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fem.assembly import elasticity, roller_loads as load
-from fem.assembly.factorisation import Factor, factor, threads
+from fem.assembly.factorisation import Factorisation, factorised, threads
 from fem.half_space.load_patch import half_space
 from fem.mesh.solid import MILLIMETRES, meshed
 from fem.parts.rings import Elastic, Mesh, Part, Patches
@@ -67,7 +67,7 @@ def condense(
     with threads(thread_number):
         with stage("factor"):
             space = ngs.VectorH1(solid, order=mesh.order, dirichlet="clamped")
-            stiffness = factor(space, elastic_energy(solid, part.materials))
+            stiffness = factorised(space, elastic_energy(solid, part.materials))
         with stage("condense") as progress:
             band = load.band(space, "raceway", load.quadrature_order(patches, mesh))
             found = condensed(part, patches, stiffness, band, progress)
@@ -78,7 +78,7 @@ def condense(
 def condensed(
     part: Part | StepSolid,
     patches: Patches,
-    stiffness: Factor,
+    stiffness: Factorisation,
     band: load.Band,
     progress: Callable[[float], None] = lambda fraction: None,
 ) -> RacewayCompliance:
@@ -90,7 +90,7 @@ def condensed(
         ring with its seat
     patches : Patches
         rollers, and how finely their forces are resolved
-    stiffness : Factor
+    stiffness : Factorisation
         of the part
     band : Band
         its raceway
@@ -152,7 +152,7 @@ def _renumbered(part: Part | StepSolid, patches: Patches) -> NDArray:
     return symmetry.permutations(patches.azimuths, part.bars)
 
 
-def _answers(stiffness: Factor, band: load.Band, renumbered: NDArray, patches: Patches, progress):
+def _answers(stiffness: Factorisation, band: load.Band, renumbered: NDArray, patches: Patches, progress):
     """Full compliance (Z, M, Z, M), translations (2, Z, M) and support compliance (2, 2) [m/N]."""
     Z, M = len(patches.azimuths), patches.shapes
     rollers, translations = load.roller_forces(band, patches), load.translation_forces(band)

@@ -8,28 +8,28 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fem.assembly import roller_loads
-from fem.assembly.factorisation import Factor, factor, threads
+from fem.assembly.factorisation import Factorisation, factorised, threads
 from fem.mesh.solid import meshed
 from fem.parts.rings import ImpossiblePart, Mesh, Part, Patches
 from fem.parts.step_solid import StepSolid
 from fem.solid.condensation import elastic_energy
-from fem.solid.fields import Loaded
+from fem.solid.fields import LoadedSolid
 
 _log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True, kw_only=True)
-class Solid:
+class FactoredSolid:
     """A part as one factored stiffness."""
 
     part: Part | StepSolid
     patches: Patches
     space: ngs.VectorH1  # of displacements [m], on a mesh in millimetres
-    stiffness: Factor
+    stiffness: Factorisation
     band: roller_loads.Band
     thread_number: int
 
-    def under(self, forces: NDArray) -> Loaded:
+    def under(self, forces: NDArray) -> LoadedSolid:
         """Displacement and stress under roller forces.
 
         Parameters
@@ -40,7 +40,7 @@ class Solid:
 
         Returns
         -------
-        Loaded
+        LoadedSolid
 
         Raises
         ------
@@ -61,13 +61,13 @@ class Solid:
         with threads(self.thread_number):
             loads = roller_loads.roller_forces(self.band, self.patches) @ np.ravel(forces)
             displacement.vec.FV().NumPy()[:] = self.stiffness.solve(loads)
-        return Loaded(
+        return LoadedSolid(
             part=self.part, patches=self.patches, forces=np.array(forces, dtype=float),
             displacement=displacement, radius=self.band.radius,
         )  # fmt: skip
 
 
-def factored(part: Part | StepSolid, patches: Patches, mesh: Mesh, thread_number: int = 2) -> Solid:
+def factored(part: Part | StepSolid, patches: Patches, mesh: Mesh, thread_number: int = 2) -> FactoredSolid:
     """Mesh and factor a part.
 
     Parameters
@@ -83,7 +83,7 @@ def factored(part: Part | StepSolid, patches: Patches, mesh: Mesh, thread_number
 
     Returns
     -------
-    Solid
+    FactoredSolid
 
     Raises
     ------
@@ -95,9 +95,9 @@ def factored(part: Part | StepSolid, patches: Patches, mesh: Mesh, thread_number
     solid = meshed(part, patches.length, mesh)
     with threads(thread_number):
         space = ngs.VectorH1(solid, order=mesh.order, dirichlet="clamped")
-        stiffness = factor(space, elastic_energy(solid, part.materials))
+        stiffness = factorised(space, elastic_energy(solid, part.materials))
         band = roller_loads.band(space, "raceway", roller_loads.quadrature_order(patches, mesh))
     _log.info("%s: %d unknowns in space", type(part).__name__, space.ndof)
-    return Solid(
+    return FactoredSolid(
         part=part, patches=patches, space=space, stiffness=stiffness, band=band, thread_number=thread_number
     )

@@ -22,7 +22,7 @@ MEGA = 1e6  # Pa per MPa
 
 
 @dataclass(frozen=True, kw_only=True)
-class Largest:
+class BodyExtremes:
     """Extremes of one body; stresses away from loaded rollers and sharp edges."""
 
     displacement: float  # [m] anywhere
@@ -35,7 +35,7 @@ class Largest:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Loaded:
+class LoadedSolid:
     """A solid under roller forces."""
 
     part: Part | StepSolid
@@ -69,7 +69,7 @@ class Loaded:
         xx, yy, zz, xy, yz, xz = (averaged[k] for k in range(6))
         return ngs.CF((xx, xy, xz, xy, yy, yz, xz, yz, zz), dims=(3, 3))
 
-    def largest(self) -> dict[str, Largest]:
+    def largest(self) -> dict[str, BodyExtremes]:
         """Extremes of every body.
 
         Stresses are the averaged ones, read at vertices and between them. Left out is what lies within
@@ -79,7 +79,7 @@ class Loaded:
         Returns
         -------
         dict
-            `Largest` by the name of the body
+            `BodyExtremes` by the name of the body
 
         Raises
         ------
@@ -88,7 +88,7 @@ class Loaded:
         """
         return {name: self._largest(name) for name in self.part.materials}
 
-    def _largest(self, body: str) -> Largest:
+    def _largest(self, body: str) -> BodyExtremes:
         points = self.mesh.MapToAllElements(_nodes(), self.mesh.Materials(body))
         x, y, z = ngs.CF((ngs.x, ngs.y, ngs.z))(points).T / MILLIMETRES
         far = self._clear(x, y, z)
@@ -98,7 +98,7 @@ class Loaded:
         averaged = self._averaged(body)
         mises, *values = ngs.CF((von_mises(averaged), principal(averaged))).Compile()(points).T
         top = np.flatnonzero(far)[mises[far].argmax()]
-        return Largest(
+        return BodyExtremes(
             displacement=float(shift.max()),
             von_mises=float(mises[top]),
             tension=float(values[0][far].max()),

@@ -10,14 +10,14 @@ from fem.assembly import roller_loads
 from fem.assembly.factorisation import threads
 from fem.half_space.load_patch import half_space
 from fem.solid.condensation import RacewayCompliance, condensed
-from fem.solid.factored_solid import Solid
+from fem.solid.factored_solid import FactoredSolid
 
 
 @dataclass(frozen=True, kw_only=True)
-class SolidRaceway:
+class FullSolve:
     """The raceway of a factored solid; symbols as in `fem.assembly.roller_loads`."""
 
-    solid: Solid
+    solid: FactoredSolid
 
     def answer(self, forces: NDArray) -> tuple[NDArray, NDArray]:
         r"""Outward deviations from the translated raceway, and its translation.

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fem.mesh.solid import MILLIMETRES
-from fem.solid.fields import Loaded
+from fem.solid.fields import LoadedSolid
 from fem.solid.stress import von_mises
 
 
@@ -20,12 +20,12 @@ class Skin:
     von_mises: NDArray  # (triangles, 3) [Pa]
 
 
-def skin(state: Loaded, parts: int = 3) -> Skin:
+def skin(state: LoadedSolid, parts: int = 3) -> Skin:
     """Triangulate the outside.
 
     Parameters
     ----------
-    state : Loaded
+    state : LoadedSolid
         a solid under its rollers
     parts : int
         an element's edge is cut into, >= 1

@@ -9,13 +9,13 @@ from numpy.typing import NDArray
 from fem.assembly import roller_loads
 from fem.assembly.factorisation import threads
 from fem.mesh.solid import MILLIMETRES
-from fem.solid.factored_solid import Solid
+from fem.solid.factored_solid import FactoredSolid
 
 AXES = ("x", "y", "z", "about y", "about z")
 
 
 @dataclass(frozen=True)
-class Support:
+class SupportStiffness:
     """Mean motions of the raceway under unit forces and moments, in the order of `AXES`."""
 
     compliance: NDArray  # (5, 5) [m/N, m/(N m), rad/N, rad/(N m)] symmetric
@@ -41,7 +41,7 @@ class Support:
         return float(1 / self.compliance[0, 0])
 
 
-def support(solid: Solid) -> Support:
+def support_stiffness(solid: FactoredSolid) -> SupportStiffness:
     r"""Stiffness of what holds a raceway, its band a rigid body on average.
 
     .. math:: C = P^T K^{-1} P
@@ -50,12 +50,12 @@ def support(solid: Solid) -> Support:
 
     Parameters
     ----------
-    solid : Solid
+    solid : FactoredSolid
         factored part
 
     Returns
     -------
-    Support
+    SupportStiffness
 
     Raises
     ------
@@ -66,7 +66,7 @@ def support(solid: Solid) -> Support:
         patterns = motion_forces(solid.space, solid.band)
         shifts = np.stack([solid.stiffness.solve(pattern) for pattern in patterns.T], axis=1)
     compliance = patterns.T @ shifts
-    return Support((compliance + compliance.T) / 2)
+    return SupportStiffness((compliance + compliance.T) / 2)
 
 
 def motion_forces(space, band: roller_loads.Band) -> NDArray:

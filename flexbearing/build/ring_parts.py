@@ -24,7 +24,7 @@ def outer_part(case: Case) -> fem.SquirrelCage | fem.OuterRing | StepSolid | Non
     if outer.kind == "rigid":
         return None
     if outer.kind == "step":
-        return _drawn(case, **ring, growth=hot)
+        return _drawn(case, **ring, scale=hot)
     if outer.kind == "ring":
         lengths = {name: getattr(outer, name) * hot for name in ("thickness", "width")}
         return fem.OuterRing(**ring, **lengths, support=_support(case))

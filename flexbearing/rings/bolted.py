@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import fem
-from fem.parts.bolted_ring import GothicRing
+from fem.parts.bolted_ring import BoltedGrooveRing
 from flexbearing.cache import configured
 from flexbearing.case import BadCase, FourPointCase
 from flexbearing.case.balls.bolted_rings import BoltedRing
@@ -48,13 +48,13 @@ def compliance(case: FourPointCase, report: Report) -> NDArray:
     return total
 
 
-def ring(case: FourPointCase, name: str) -> GothicRing | None:
+def ring(case: FourPointCase, name: str) -> BoltedGrooveRing | None:
     """Part of a case, "outer" or "inner"; None when it is rigid; raises `BadCase` when it cannot be."""
     own, given = case.bearing, getattr(case.rings, name)
     if given.kind == "rigid":
         return None
     try:
-        return GothicRing(
+        return BoltedGrooveRing(
             race="outer" if name == "outer" else "inner",
             pitch_diameter=own.pitch_diameter,
             ball_diameter=own.ball.diameter,
@@ -83,7 +83,7 @@ def _elastic(material: Elastic) -> fem.Elastic:
     return fem.Elastic(youngs_modulus=material.youngs_modulus, poisson_ratio=material.poisson_ratio)
 
 
-def _row(case: FourPointCase, name: str, part: GothicRing, report: Report) -> NDArray:
+def _row(case: FourPointCase, name: str, part: BoltedGrooveRing, report: Report) -> NDArray:
     """Compliance of one ring by arches and components (outward, +x) [m/N]."""
     given, ball = case.rings, case.bearing.ball.diameter
     line = given.line or LINE * ball

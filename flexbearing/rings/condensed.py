@@ -20,7 +20,7 @@ from flexbearing.rings.housed import HousedRings, housing_fit
 from flexbearing.rings.raceways import CondensedRings
 
 if TYPE_CHECKING:
-    from fem.joint.preloaded_fit import SettledFit
+    from fem.joint.preloaded_fit import PreloadedFit
     from fem.solid.condensation import RacewayCompliance
 
 Rings = CondensedRings | FittedRings | HousedRings
@@ -43,7 +43,7 @@ def condensed(case: Case, azimuths: NDArray, report: Report) -> Rings:
     return side_by_side(inner_ring(case, azimuths, report), outer, azimuths)
 
 
-def outer_ring(case: Case, azimuths: NDArray, report: Report) -> "RacewayCompliance | SettledFit | None":
+def outer_ring(case: Case, azimuths: NDArray, report: Report) -> "RacewayCompliance | PreloadedFit | None":
     """Condense the part around the rollers, or put it in its housing; raises as `condensed`."""
     part = ring_parts.outer_part(case)
     if isinstance(part, fem.OuterRing) and case.outer.lifts_off:
@@ -53,7 +53,7 @@ def outer_ring(case: Case, azimuths: NDArray, report: Report) -> "RacewayComplia
     return _condensed("outer ring", part, case, azimuths, report)
 
 
-def inner_ring(case: Case, azimuths: NDArray, report: Report) -> "RacewayCompliance | SettledFit | None":
+def inner_ring(case: Case, azimuths: NDArray, report: Report) -> "RacewayCompliance | PreloadedFit | None":
     """Condense the part inside the rollers, or settle it in its fit; raises as `condensed`."""
     shaft = ring_parts.inner_part(case)
     if shaft is not None and case.inner.fit != "bonded":
@@ -65,8 +65,8 @@ def inner_ring(case: Case, azimuths: NDArray, report: Report) -> "RacewayComplia
 
 
 def side_by_side(
-    inner: "RacewayCompliance | SettledFit | None",
-    outer: "RacewayCompliance | SettledFit | None",
+    inner: "RacewayCompliance | PreloadedFit | None",
+    outer: "RacewayCompliance | PreloadedFit | None",
     azimuths: NDArray,
 ) -> Rings:
     """Both parts as one partner of the coupling."""

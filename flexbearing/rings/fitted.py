@@ -14,7 +14,7 @@ from flexbearing.rings.raceways import CondensedRings
 
 if TYPE_CHECKING:
     from fem.joint.loaded_fit import LoadedFit
-    from fem.joint.preloaded_fit import SettledFit
+    from fem.joint.preloaded_fit import PreloadedFit
     from fem.section.expansion import Along
     from fem.solid.condensation import RacewayCompliance
 
@@ -28,7 +28,7 @@ class FittedRings:
     It remembers the last answer: the next one starts from there.
     """
 
-    fit: "SettledFit"
+    fit: "PreloadedFit"
     azimuths: NDArray
     outer: "RacewayCompliance | None"
     last: "LoadedFit | None" = field(default=None, repr=False)
@@ -55,7 +55,7 @@ class FittedRings:
         rings = CondensedRings((self.fit.closed.at(self.azimuths), self.outer)).figures()
         told: dict[str, Any] = {
             "mean_pressure_unloaded_MPa": 1e-6 * self.fit.mean_pressure,
-            "raceway_growth_um": 1e6 * float(self.fit.growth[0]),
+            "raceway_growth_um": 1e6 * float(self.fit.expansion[0]),
         }
         if self.last is not None:
             told |= {
@@ -69,7 +69,7 @@ class FittedRings:
 
 
 def raceway_near(
-    name: str, fit: "SettledFit", azimuths: NDArray, outward: NDArray, last: "LoadedFit | None"
+    name: str, fit: "PreloadedFit", azimuths: NDArray, outward: NDArray, last: "LoadedFit | None"
 ) -> "tuple[LoadedFit, RacewayCompliance, NDArray]":
     """A fit under outward forces (Z, M), its raceway near them, and its translation (2,) without them [m].
 
@@ -92,7 +92,7 @@ def raceway_near(
     direction = np.stack([np.sin(azimuths), np.cos(azimuths)], axis=1)
     shape = found.deviation.copy()
     shape[:, 0] -= direction @ found.translation
-    shape[:, 1:] += fit.growth[1:]
+    shape[:, 1:] += fit.expansion[1:]
     unloaded = shape - np.tensordot(tangent.matrix, outward, axes=2)
     shift = found.translation - np.tensordot(tangent.translation, outward, axes=2)
     return found, replace(tangent, deviation_without_load=unloaded), shift
@@ -127,10 +127,10 @@ def variations(case: Case, **bodies: str) -> "dict[str, Along]":
     return found
 
 
-def fit_of(case: Case, part: fem.RingOnShaft, length: float, mesh: fem.Mesh) -> "SettledFit":
+def fit_of(case: Case, part: fem.RingOnShaft, length: float, mesh: fem.Mesh) -> "PreloadedFit":
     """Settle the ring of a case on its shaft, hot and turning, before rollers load it."""
     from fem.joint.fitted_ring import FittedRing, condense_fitted
-    from fem.joint.preloaded_fit import Fit, settled
+    from fem.joint.preloaded_fit import Fit, preloaded
 
     inner, materials = case.inner, case.materials
     assert materials.shaft is not None  # or the case would not have been read
@@ -139,7 +139,7 @@ def fit_of(case: Case, part: fem.RingOnShaft, length: float, mesh: fem.Mesh) -> 
         ring, length, case.accuracy.axial_shapes, mesh,
         variations=variations(case, ring="inner_ring", shaft="shaft"),
     )  # fmt: skip
-    return settled(
+    return preloaded(
         bodies,
         Fit(
             interference=inner.interference,

@@ -18,7 +18,7 @@ from flexbearing.rings.condensed import IN_SPACE, patches, told, wishes
 from flexbearing.rings.raceways import CondensedRings
 
 if TYPE_CHECKING:
-    from fem.solid.full_solve import SolidRaceway
+    from fem.solid.full_solve import FullSolve
 
 NAMES = ("inner ring and shaft", "outer ring")
 SIGNS = (-1.0, 1.0)  # rollers push the inner raceway inwards
@@ -28,7 +28,7 @@ SIGNS = (-1.0, 1.0)  # rollers push the inner raceway inwards
 class WholeRings:
     """Factored solids; None where a ring is rigid. Index 0 inner, 1 outer."""
 
-    raceways: tuple["SolidRaceway | None", "SolidRaceway | None"]
+    raceways: tuple["FullSolve | None", "FullSolve | None"]
 
     @property
     def rigid(self) -> bool:
@@ -82,11 +82,11 @@ def whole(case: Case, azimuths: NDArray, report: Report) -> WholeRings:
 
 def _factored(
     race: int, part: ring_parts.Part | None, case: Case, azimuths: NDArray, report: Report
-) -> "SolidRaceway | None":
+) -> "FullSolve | None":
     if part is None:
         return None
     from fem.solid.factored_solid import factored
-    from fem.solid.full_solve import SolidRaceway
+    from fem.solid.full_solve import FullSolve
 
     began = perf_counter()
     report.stage(NAMES[race], None)
@@ -94,4 +94,4 @@ def _factored(
         solid = factored(part, patches(case, azimuths), wishes(case, IN_SPACE), case.accuracy.threads)
     seconds = perf_counter() - began
     report.stage(f"{NAMES[race]}: {solid.stiffness.unknowns} unknowns, {seconds:.1f} s", None)
-    return SolidRaceway(solid=solid)
+    return FullSolve(solid=solid)

@@ -14,7 +14,7 @@ from flexbearing.rings.raceways import CondensedRings
 
 if TYPE_CHECKING:
     from fem.joint.loaded_fit import LoadedFit
-    from fem.joint.preloaded_fit import SettledFit
+    from fem.joint.preloaded_fit import PreloadedFit
 
 
 @dataclass
@@ -24,7 +24,7 @@ class HousedRings:
     It remembers the last answer: the next one starts from there.
     """
 
-    fit: "SettledFit"
+    fit: "PreloadedFit"
     azimuths: NDArray
     inner: CondensedRings | FittedRings  # without an outer ring
     last: "LoadedFit | None" = field(default=None, repr=False)
@@ -54,7 +54,7 @@ class HousedRings:
         told: dict[str, Any] = {
             "mean_gap_unloaded_um": 1e6 * float(self.fit.gap.mean()),
             "mean_pressure_unloaded_MPa": 1e-6 * self.fit.mean_pressure,
-            "raceway_growth_um": 1e6 * float(self.fit.growth[0]),
+            "raceway_growth_um": 1e6 * float(self.fit.expansion[0]),
         }
         if self.last is not None:
             told |= {
@@ -68,10 +68,10 @@ class HousedRings:
         return rings
 
 
-def housing_fit(case: Case, part: fem.OuterRing, length: float, mesh: fem.Mesh) -> "SettledFit":
+def housing_fit(case: Case, part: fem.OuterRing, length: float, mesh: fem.Mesh) -> "PreloadedFit":
     """Ring of a case in its housing, hot and turning, before rollers load it."""
     from fem.joint.fitted_ring import HousedRing, condense_fitted
-    from fem.joint.preloaded_fit import Fit, settled
+    from fem.joint.preloaded_fit import Fit, preloaded
 
     clearance = case.outer.housing_clearance
     assert clearance is not None  # or there would be no fit
@@ -79,7 +79,7 @@ def housing_fit(case: Case, part: fem.OuterRing, length: float, mesh: fem.Mesh) 
         HousedRing(seat=part), length, case.accuracy.axial_shapes, mesh,
         variations=variations(case, ring="outer_ring", housing="housing"),
     )  # fmt: skip
-    return settled(
+    return preloaded(
         bodies,
         Fit(
             interference=-clearance,

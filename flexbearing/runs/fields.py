@@ -21,8 +21,8 @@ from quasidynamic.contact.line.slices import Slices
 
 if TYPE_CHECKING:
     from fem.cage.bar_forces import BarForces
-    from fem.solid.fields import Loaded
-    from fem.solid.support_stiffness import Support
+    from fem.solid.fields import LoadedSolid
+    from fem.solid.support_stiffness import SupportStiffness
 
 Race = Literal["inner", "outer"]
 Arrays = Mapping[str, Any]  # name to array
@@ -42,8 +42,8 @@ class PartFields:
 
     race: Race
     state: str  # "rigid", "flexible", "iteration 3"
-    fields: Loaded
-    support: Support
+    fields: LoadedSolid
+    support: SupportStiffness
     bars: BarForces | None  # of a squirrel cage
 
     def record(self) -> dict[str, Any]:
@@ -188,7 +188,7 @@ def fields(case: Case, race: Race, state: str, values: Arrays) -> PartFields:
     from fem.assembly.factorisation import NotSolved
     from fem.cage.bar_forces import bar_forces
     from fem.solid.factored_solid import factored
-    from fem.solid.support_stiffness import support
+    from fem.solid.support_stiffness import support_stiffness
 
     length = expansion.roller_length(case)
     patches = fem.Patches(
@@ -206,7 +206,9 @@ def fields(case: Case, race: Race, state: str, values: Arrays) -> PartFields:
             solid = factored(part, patches, wishes(case, sizes), case.accuracy.threads)
             loaded = solid.under(forces(values[f"{race}_slice_load"], race, length, patches.shapes))
             bars = bar_forces(loaded) if isinstance(part, fem.SquirrelCage) else None
-            return PartFields(race=race, state=state, fields=loaded, support=support(solid), bars=bars)
+            return PartFields(
+                race=race, state=state, fields=loaded, support=support_stiffness(solid), bars=bars
+            )
     except (fem.ImpossiblePart, NotSolved) as problem:
         raise NoFields(f"{NAMES[race]}: {problem}") from problem
 

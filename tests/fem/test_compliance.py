@@ -9,7 +9,7 @@ from pytest import approx
 
 from fem import Elastic, Mesh, Patches
 from fem.assembly import roller_loads
-from fem.assembly.factorisation import NotSolved, factor, threads
+from fem.assembly.factorisation import NotSolved, factorised, threads
 from fem.mesh.solid import meshed
 from fem.solid.condensation import condense, elastic_energy
 from tests.fem.test_parts import CAGE, SHAFT, STEEL
@@ -129,9 +129,9 @@ def test_wrong_answer_of_the_direct_solver_is_noticed():
     with threads(2):
         mesh = meshed(CAGE, 5e-3, COARSE)
         space = ngs.VectorH1(mesh, order=1, dirichlet="clamped")
-        right = factor(space, elastic_energy(mesh, CAGE.materials))
+        right = factorised(space, elastic_energy(mesh, CAGE.materials))
         other = Elastic(youngs_modulus=203e9, poisson_ratio=0.3)
-        wrong = factor(space, elastic_energy(mesh, dict.fromkeys(CAGE.materials, other)))
+        wrong = factorised(space, elastic_energy(mesh, dict.fromkeys(CAGE.materials, other)))
         load = rigid(space, 0, 0, 1)
         right.solve(load)
         with pytest.raises(NotSolved, match="residual"):

@@ -16,7 +16,7 @@ from fem.solid.condensation import elastic_energy
 from fem.solid.factored_solid import factored
 from fem.solid.skin import skin
 from fem.solid.stress import principal, von_mises
-from fem.solid.support_stiffness import motion_forces, support
+from fem.solid.support_stiffness import motion_forces, support_stiffness
 from tests.fem.test_parts import CAGE, SHAFT
 
 STEEL = Elastic(youngs_modulus=200e9, poisson_ratio=0.3)
@@ -179,7 +179,7 @@ def test_rigid_motions_of_the_band_are_read_exactly(cage):
 
 def test_support_is_nearly_as_stiff_as_its_bars(cage):
     """Translation bends bars between clamps, tilt and axial motion stretch them; their feet yield as well."""
-    held = support(cage)
+    held = support_stiffness(cage)
     n, side, length = BARS.bars, BARS.bar_width, BARS.bar_length
     bending = STEEL.youngs_modulus * side**4 / length**3
     stretching = STEEL.youngs_modulus * side**2 / length
@@ -199,7 +199,7 @@ def test_support_is_that_of_the_harmonics(cage):
     half = cyclic_symmetry.condense(BARS, ON_BARS.length, 1, Mesh(order=3, size=8e-3, raceway_size=3.6e-3), 8)
     last = half.harmonics[-1]
     first = half.response[[last + 1, last - 1], 0, last + 1, 0]
-    assert 1 / support(cage).radial == approx(2 * first.sum(), rel=0.05)
+    assert 1 / support_stiffness(cage).radial == approx(2 * first.sum(), rel=0.05)
 
 
 def test_skin_is_closed_around_the_solid(pulled):

@@ -10,11 +10,11 @@ from pytest import approx
 
 from fem import Elastic, ImpossiblePart, Mesh
 from fem.assembly.factorisation import NotSolved
-from fem.joint.face_condensation import Face, condense_body
+from fem.joint.face_condensation import ContactFace, condense_body
 from fem.joint.fitted_ring import BORE, SHOULDER, FitGrid, FittedBodies, FittedRing, condense_fitted
 from fem.joint.loaded_fit import loaded
-from fem.joint.preloaded_fit import Fit, settled
-from fem.mesh.axial_section import Section
+from fem.joint.preloaded_fit import Fit, preloaded
+from fem.mesh.axial_section import AxialSection
 from fem.section import revolved
 from fem.section.revolved_body import assembled
 from tests.fem.test_parts import SHAFT, STEEL
@@ -44,7 +44,7 @@ def tube(inner, outer, width, material, seat):
     half = width / 2
     edges = ("seat", None) if seat == "inside" else ("raceway", "seat")
     names = edges if seat == "outside" else ("seat", "raceway")
-    return Section(material, (
+    return AxialSection(material, (
         (-half, inner, "far"), (half, inner, names[0]), (half, outer, None), (-half, outer, names[1]),
     ))  # fmt: skip
 
@@ -67,7 +67,7 @@ def stepped():
 @pytest.fixture(scope="module")
 def thin():
     """Tubes 25.8/29.8/32.5 mm of 1 mm width, nearly in plane stress, on nothing."""
-    faces = (Face(edge="seat", component=1, sign=1.0, points=4),)
+    faces = (ContactFace(edge="seat", component=1, sign=1.0, points=4),)
     mesh = Mesh(order=3, size=2e-3, raceway_size=2e-3)
     ring = assembled([tube(29.8e-3, 32.5e-3, 1e-3, "ring", "inside")], {"ring": STEEL}, mesh)
     shaft = assembled([tube(25.8e-3, 29.8e-3, 1e-3, "shaft", "outside")], {"shaft": HOT}, mesh)
@@ -84,27 +84,27 @@ def thin():
 )
 def test_hot_shaft_presses_as_lame_says(thin, speed, pressure, growth):
     """Closed form in plane stress: shaft at 230, ring at 220 from 20 degC; radial interference 19.6084 um."""
-    fit = settled(thin, Fit(
+    fit = preloaded(thin, Fit(
         interference=0.0, friction=0.1, speed=speed, densities=(7850.0, 8240.0),
         expansions=(11.2e-6 * 200, 13.8e-6 * 210),
     ))  # fmt: skip
     assert fit.mean_pressure == approx(pressure, rel=1e-3)
-    assert fit.growth[0] == approx(growth, rel=1e-4)
+    assert fit.expansion[0] == approx(growth, rel=1e-4)
 
 
 def test_loose_ring_grows_alone(thin):
     """The shaft grows less with speed: 18.27572 um outside the ring; 72.8000 um by 200 K."""
-    fit = settled(thin, Fit(interference=0.0, friction=0.1, speed=SPEED, densities=(7850.0, 8240.0)))
+    fit = preloaded(thin, Fit(interference=0.0, friction=0.1, speed=SPEED, densities=(7850.0, 8240.0)))
     assert not fit.force.any()
     assert fit.gap == approx(3.394e-6, rel=1e-3)
-    assert fit.growth[0] == approx(18.27572e-6, rel=1e-4)
-    warm = settled(thin, Fit(interference=-1e-3, friction=0.1, expansions=(11.2e-6 * 200, 0.0)))
-    assert warm.growth[0] == approx(72.8e-6, rel=1e-9)
+    assert fit.expansion[0] == approx(18.27572e-6, rel=1e-4)
+    warm = preloaded(thin, Fit(interference=-1e-3, friction=0.1, expansions=(11.2e-6 * 200, 0.0)))
+    assert warm.expansion[0] == approx(72.8e-6, rel=1e-9)
 
 
 def test_cold_interference_is_diametral(thin):
     """19.6084 um radial make 6.8701 MPa."""
-    fit = settled(thin, Fit(interference=2 * 19.6084e-6, friction=0.1))
+    fit = preloaded(thin, Fit(interference=2 * 19.6084e-6, friction=0.1))
     assert fit.mean_pressure == approx(6.8701e6, rel=1e-3)
 
 
@@ -143,7 +143,7 @@ def resultants(found, forces):
 )
 def test_ring_is_in_balance(bodies, stepped, fit, shoulder):
     forces = loads(20e3)
-    found = loaded(settled(stepped if shoulder else bodies, fit), ROLLERS, forces)
+    found = loaded(preloaded(stepped if shoulder else bodies, fit), ROLLERS, forces)
     total, size = resultants(found, forces)
     assert total == approx(np.zeros(6), abs=1e-10 * size)
 
@@ -151,7 +151,7 @@ def test_ring_is_in_balance(bodies, stepped, fit, shoulder):
 def test_nut_pushes_the_ring_on_the_shoulder(stepped):
     forces = loads(5e3)
     for friction in (0.0, 0.1):
-        fit = settled(stepped, replace(TIGHT, friction=friction, clamping=2e3))
+        fit = preloaded(stepped, replace(TIGHT, friction=friction, clamping=2e3))
         shoulder = fit.bodies.ring.points.face == SHOULDER
         assert 2 * np.pi * fit.force[shoulder].sum() == approx(2e3, rel=1e-9)
         total, size = resultants(loaded(fit, ROLLERS, forces), forces)
@@ -161,7 +161,7 @@ def test_nut_pushes_the_ring_on_the_shoulder(stepped):
 def test_bonded_raceway_is_that_of_the_bonded_part(bodies):
     """Coarse faces leave 1 %; with finer ones see below."""
     exact = revolved.condense(SEAT, L, M, COARSE)
-    found = settled(bodies, replace(TIGHT, bonded=True)).closed
+    found = preloaded(bodies, replace(TIGHT, bonded=True)).closed
     low = np.abs(exact.harmonics) <= 3
     assert found.response[low] == approx(exact.response[low], rel=0, abs=0.01 * exact.response.max())
     translation = exact.at(ROLLERS).translation
@@ -175,7 +175,7 @@ def test_sticking_fit_is_the_bonded_part():
     fine = condense_fitted(PLAIN, L, M, mesh, FitGrid(bore_points=16, harmonics=64))
     exact = revolved.condense(SEAT, L, M, mesh).at(ROLLERS)
     forces = loads(1e3)
-    found = loaded(settled(fine, Fit(interference=50e-6, friction=1e3)), ROLLERS, forces)
+    found = loaded(preloaded(fine, Fit(interference=50e-6, friction=1e3)), ROLLERS, forces)
     assert found.opened == found.slipping == 0
     deviation = np.tensordot(exact.full, forces, 2)
     assert found.deviation == approx(deviation, rel=0, abs=1e-3 * np.abs(deviation).max())
@@ -185,8 +185,8 @@ def test_sticking_fit_is_the_bonded_part():
 
 def test_fit_that_never_slips_is_bonded(bodies):
     forces = loads(500.0)
-    stuck = loaded(settled(bodies, replace(TIGHT, friction=1e3)), ROLLERS, forces)
-    glued = loaded(settled(bodies, replace(TIGHT, bonded=True)), ROLLERS, forces)
+    stuck = loaded(preloaded(bodies, replace(TIGHT, friction=1e3)), ROLLERS, forces)
+    glued = loaded(preloaded(bodies, replace(TIGHT, bonded=True)), ROLLERS, forces)
     assert stuck.opened == stuck.slipping == 0
     assert stuck.deviation == approx(glued.deviation, rel=1e-9, abs=1e-15)
     assert stuck.traction == approx(glued.traction, rel=1e-9, abs=1e-3)
@@ -194,8 +194,8 @@ def test_fit_that_never_slips_is_bonded(bodies):
 
 def test_hardly_any_friction_is_none(bodies):
     forces = loads(20e3)
-    free = loaded(settled(bodies, replace(TIGHT, friction=0.0)), ROLLERS, forces)
-    slight = loaded(settled(bodies, replace(TIGHT, friction=1e-7)), ROLLERS, forces)
+    free = loaded(preloaded(bodies, replace(TIGHT, friction=0.0)), ROLLERS, forces)
+    slight = loaded(preloaded(bodies, replace(TIGHT, friction=1e-7)), ROLLERS, forces)
     assert slight.deviation == approx(free.deviation, rel=0, abs=1e-6 * np.abs(free.deviation).max())
     assert slight.pressure == approx(free.pressure, rel=0, abs=1e-5 * free.pressure.max())
 
@@ -203,7 +203,7 @@ def test_hardly_any_friction_is_none(bodies):
 def test_more_friction_makes_a_stiffer_seat(bodies):
     forces = loads(5e3)
     found = [
-        loaded(settled(bodies, replace(TIGHT, friction=mu)), ROLLERS, forces) for mu in (0, 0.1, 0.5, 1e3)
+        loaded(preloaded(bodies, replace(TIGHT, friction=mu)), ROLLERS, forces) for mu in (0, 0.1, 0.5, 1e3)
     ]
     assert np.all(np.diff([np.sum(f.deviation * forces) for f in found]) < 0)  # work of the rollers
     slipping = [f.slipping for f in found[1:]]
@@ -212,7 +212,7 @@ def test_more_friction_makes_a_stiffer_seat(bodies):
 
 @pytest.mark.parametrize("interference", [40e-6, -10e-6], ids=["tight", "loose"])
 def test_tangent_is_the_slope(bodies, interference):
-    fit, forces = settled(bodies, replace(TIGHT, interference=interference)), loads(10e3)
+    fit, forces = preloaded(bodies, replace(TIGHT, interference=interference)), loads(10e3)
     here = loaded(fit, ROLLERS, forces)
     change = np.random.default_rng(2).normal(size=forces.shape)  # [N]
     up, down = (loaded(fit, ROLLERS, forces + s * change, here.contact.jump) for s in (1e-2, -1e-2))
@@ -229,7 +229,7 @@ ANY_FIT = given(
 
 
 def obeys_contact_and_friction(interference, total, friction, half, shoulder, seed):
-    fit = settled(
+    fit = preloaded(
         condensed(STEPPED if shoulder else PLAIN), Fit(interference=interference, friction=friction)
     )
     if interference <= 0 and total == 0:
@@ -264,7 +264,7 @@ def test_many_fits_obey_contact_and_friction(interference, total, friction, half
 
 
 def test_loose_ring_without_load_has_no_place(bodies):
-    fit = settled(bodies, replace(TIGHT, interference=-10e-6))
+    fit = preloaded(bodies, replace(TIGHT, interference=-10e-6))
     balanced = np.zeros((ROLLERS.size, M))
     balanced[[0, 15], 0] = -1e3
     for forces in (0 * balanced, balanced):
@@ -273,7 +273,7 @@ def test_loose_ring_without_load_has_no_place(bodies):
 
 
 def test_warm_start_gives_the_same(bodies):
-    fit = settled(bodies, TIGHT)
+    fit = preloaded(bodies, TIGHT)
     first = loaded(fit, ROLLERS, loads(10e3))
     cold, warm = loaded(fit, ROLLERS, loads(11e3)), loaded(fit, ROLLERS, loads(11e3), first.contact.jump)
     assert warm.steps < cold.steps
@@ -286,7 +286,7 @@ def test_impossible_fits_are_refused(bodies):
     with pytest.raises(ImpossiblePart, match="friction"):
         Fit(interference=0.0, friction=-0.1)
     with pytest.raises(ImpossiblePart, match="shoulder"):
-        settled(bodies, replace(TIGHT, clamping=1e3))
+        preloaded(bodies, replace(TIGHT, clamping=1e3))
     with pytest.raises(ImpossiblePart, match="track"):
         condense_fitted(PLAIN, 9e-3, M, COARSE, SMALL)
     with pytest.raises(NotSolved, match="harmonics"):

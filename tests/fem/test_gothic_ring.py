@@ -14,14 +14,14 @@ from fem import Elastic, ImpossiblePart, Mesh, Patches
 from fem.half_space.groove_line import line_answers, line_harmonics
 from fem.half_space.load_patch import half_space
 from fem.mesh.bolted_ring_section import section
-from fem.parts.bolted_ring import GothicRing
-from fem.parts.boundary_conditions import Loose
+from fem.parts.bolted_ring import BoltedGrooveRing
+from fem.parts.boundary_conditions import FreeMotions
 from fem.section.bolted_ring import body_of, condense, line_forces
 from fem.section.rigid_body_modes import responses
 
 STEEL = Elastic(youngs_modulus=210e9, poisson_ratio=0.3)
 ANGLE, LENGTH, BALLS = np.radians(45.0), 4e-3, 12
-RING = GothicRing(
+RING = BoltedGrooveRing(
     race="outer",
     pitch_diameter=150e-3,
     ball_diameter=20e-3,
@@ -80,7 +80,7 @@ def test_ring_with_the_indentation_of_its_contacts_yields_to_every_force():
 def test_neighbours_feel_the_whole_ring():
     """Nothing is left out between balls: there the harmonics themselves have a sum if they fade out."""
     body = body_of(RING, LENGTH, FAIR)
-    W = responses(body, Loose(), line_forces(body, LENGTH), 90) / (2 * np.pi)
+    W = responses(body, FreeMotions(), line_forces(body, LENGTH), 90) / (2 * np.pi)
     n = np.arange(91)
     fading = (1 + np.cos(np.pi * n / 91)) / 2
     weight = np.where(n > 0, 2.0, 1.0) * fading * np.cos(2 * np.pi * n / BALLS)

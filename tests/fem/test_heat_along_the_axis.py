@@ -11,7 +11,7 @@ from pytest import approx
 
 from fem import ClampedFace, Elastic, ImpossiblePart, Mesh, OuterRing, PlanetGear
 from fem.joint.fitted_ring import FitGrid, FittedRing, condense_fitted
-from fem.joint.preloaded_fit import Fit, settled
+from fem.joint.preloaded_fit import Fit, preloaded
 from fem.section.expansion import Along
 from fem.section.supported_ring import AxisymmetricLoad, growth_of
 from tests.fem.test_parts import SHAFT, STEEL
@@ -60,7 +60,7 @@ def test_temperature_that_ends_inside_the_body_is_refused():
 def fit_with(**variations):
     seat = replace(SHAFT, shaft=Elastic(youngs_modulus=179e9, poisson_ratio=0.281))
     bodies = condense_fitted(FittedRing(seat=seat), L, M, COARSE, SMALL, variations)
-    return settled(bodies, Fit(interference=40e-6, friction=0.1))
+    return preloaded(bodies, Fit(interference=40e-6, friction=0.1))
 
 
 @pytest.fixture(scope="module")
@@ -73,7 +73,7 @@ def test_cones_that_go_together_press_as_cylinders_do(even):
     cone = Along(at=(-20e-3, 20e-3), values=(-1e-3, 1e-3))
     both = fit_with(ring=cone, shaft=cone)
     assert both.pressure == approx(even.pressure, rel=1e-6)
-    assert both.growth - even.growth == approx([0, 65e-3 / 2 * 0.05 * L / 2, 0], rel=1e-6, abs=1e-12)
+    assert both.expansion - even.expansion == approx([0, 65e-3 / 2 * 0.05 * L / 2, 0], rel=1e-6, abs=1e-12)
 
 
 def test_shaft_that_is_warmer_at_one_end_presses_there(even):

@@ -21,7 +21,7 @@ from fem import (
 from fem.assembly.factorisation import NotSolved
 from fem.joint.fitted_ring import FitGrid, HousedRing, condense_fitted
 from fem.joint.loaded_fit import loaded
-from fem.joint.preloaded_fit import Fit, settled
+from fem.joint.preloaded_fit import Fit, preloaded
 from fem.section import free_ring, revolved
 from fem.section.supported_ring import PlanetRim
 from tests.fem.test_parts import STEEL
@@ -70,7 +70,7 @@ def test_ring_that_fills_its_bore_is_held_without_friction():
     Beyond the harmonics of the fit the ring is on its own.
     """
     part = replace(BORE, seat=replace(BORE.seat, width=6e-3))
-    fit = settled(condense_fitted(part, L, M, FAIR, FitGrid(bore_points=6, harmonics=24)), loose(0.0))
+    fit = preloaded(condense_fitted(part, L, M, FAIR, FitGrid(bore_points=6, harmonics=24)), loose(0.0))
     springs = Foundation(axial=0.0, radial=1e18, tangential=0.0)
     exact = revolved.condense(replace(part.seat, support=springs), L, M, FAIR)
     low = np.abs(exact.harmonics) <= 24
@@ -80,7 +80,7 @@ def test_ring_that_fills_its_bore_is_held_without_friction():
 
 def test_contact_that_never_opens_is_linear(bodies):
     """A press fit under small loads answers as joined by pressure alone."""
-    fit, F = settled(bodies, loose(-20e-6)), loads(100.0)
+    fit, F = preloaded(bodies, loose(-20e-6)), loads(100.0)
     found = loaded(fit, ROLLERS, F)
     assert found.opened == 0
     assert found.deviation == approx(np.tensordot(fit.closed.at(ROLLERS).full, F, 2), rel=1e-9, abs=1e-15)
@@ -95,7 +95,7 @@ def test_ring_in_a_very_wide_bore_rests_on_one_line():
     rim = PlanetRim(free, PlanetGear(forces=(foot,))).at(ROLLERS)
     exact = rim.deviation_without_load + np.tensordot(rim.full, even, 2)
     bodies = condense_fitted(BORE, L, M, FAIR, FitGrid(bore_points=4, harmonics=24))
-    found = loaded(settled(bodies, loose(5e-3)), ROLLERS, even)
+    found = loaded(preloaded(bodies, loose(5e-3)), ROLLERS, even)
     shape = found.deviation[:, 0] - np.stack([np.sin(ROLLERS), np.cos(ROLLERS)], axis=1) @ found.translation
     assert found.touching_angle < np.radians(20)
     assert shape == approx(exact[:, 0], rel=0, abs=0.01 * np.abs(exact[:, 0]).max())
@@ -116,7 +116,7 @@ def imbalance(found, forces):
 @given(st.just(0.0) | st.floats(1e-6, 2e-3), st.floats(100.0, 30e3), st.floats(0.3, 1.5), st.integers(0, 9))
 def test_any_clearance_obeys_contact_in_balance(bodies, clearance, total, half, seed):
     forces = loads(total, half, seed)
-    found = loaded(settled(bodies, loose(clearance)), ROLLERS, forces)
+    found = loaded(preloaded(bodies, loose(clearance)), ROLLERS, forces)
     p, gap = found.pressure, found.gap
     tiny, length = 1e-8 * p.max(), 1e-8 * np.abs(gap).max() + 1e-15
     assert p.min() >= -tiny
@@ -126,7 +126,7 @@ def test_any_clearance_obeys_contact_in_balance(bodies, clearance, total, half, 
 
 
 def test_wider_bores_bend_the_ring_more(bodies):
-    found = [loaded(settled(bodies, loose(c)), ROLLERS, loads(10e3)) for c in (0.0, 20e-6, 100e-6, 1e-3)]
+    found = [loaded(preloaded(bodies, loose(c)), ROLLERS, loads(10e3)) for c in (0.0, 20e-6, 100e-6, 1e-3)]
     assert np.all(np.diff([f.touching_angle for f in found]) <= 0)
     work = [np.sum(f.deviation * loads(10e3)) for f in found]
     assert np.all(np.diff(work) > 0)
@@ -138,13 +138,13 @@ def test_loose_ring_without_a_resultant_has_no_place(bodies):
     balanced[[0, 12], 0] = 1e3
     for forces in (0 * balanced, balanced):
         with pytest.raises(NotSolved, match="nothing holds"):
-            loaded(settled(bodies, loose(10e-6)), ROLLERS, forces)
+            loaded(preloaded(bodies, loose(10e-6)), ROLLERS, forces)
 
 
 def test_hot_ring_fills_its_housing(bodies):
     """0.02 mm of clearance on 82.2 mm close at an expansion of 2.43e-4."""
     for expansion, presses in ((2.3e-4, False), (2.6e-4, True)):
-        fit = settled(bodies, replace(loose(20e-6), expansions=(expansion, 0.0)))
+        fit = preloaded(bodies, replace(loose(20e-6), expansions=(expansion, 0.0)))
         assert fit.force.any() == presses
 
 

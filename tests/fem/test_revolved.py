@@ -10,7 +10,7 @@ from fem import ClampedFace, Elastic, ImpossiblePart, Mesh, OuterRing, Patches
 from fem.assembly.factorisation import NotSolved
 from fem.assembly.harmonic_stiffness import compliances
 from fem.half_space.load_patch import half_space
-from fem.mesh.axial_section import Section, sections
+from fem.mesh.axial_section import AxialSection, sections
 from fem.section import expansion, revolved, revolved_body
 from fem.section.revolved_body import Springs
 from fem.solid.condensation import condense
@@ -28,7 +28,7 @@ def tube(inner, outer, width, material="ring", inside="inside", outside="outside
     """A plain section with named edges."""
     half = width / 2
     corners = (-half, inner, "left"), (half, inner, inside), (half, outer, "right"), (-half, outer, outside)
-    return Section(material, corners)
+    return AxialSection(material, corners)
 
 
 def held(sections, materials, mesh, **springs):

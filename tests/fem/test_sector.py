@@ -14,7 +14,7 @@ from pytest import approx
 from benchmarks.cage_discretisations import LAYERS, refined
 from fem import Elastic, ImpossiblePart, Mesh, Patches, SquirrelCage
 from fem.assembly import roller_loads
-from fem.assembly.factorisation import NotSolved, factor, threads
+from fem.assembly.factorisation import NotSolved, factorised, threads
 from fem.cage import cyclic_symmetry
 from fem.cage.half_pitch_stiffness import face, half
 from fem.mesh import half_pitch
@@ -87,7 +87,7 @@ def test_half_a_pitch_answers_like_the_whole_cage(bars, monkeypatch):
 
         mesh = whole(piece, bars)
         space = ngs.VectorH1(mesh, order=2, dirichlet="clamped")
-        stiffness = factor(space, condensation.elastic_energy(mesh, {"ring": STEEL}))
+        stiffness = factorised(space, condensation.elastic_energy(mesh, {"ring": STEEL}))
         band = roller_loads.band(space, "raceway", 10)
         shape = legendre.legvander(2 * band.x / L, shapes - 1) * (2 * np.arange(shapes) + 1) / L
         n = np.arange(-highest, highest + 1)

@@ -124,8 +124,8 @@ def test_azimuth_turns_from_the_zenith_and_no_symmetry_is_assumed():
     assert own[1, 0, 1, 0] > 2 * own[0, 0, 0, 0]
 
 
-def test_growth_makes_the_part_larger():
-    body = solid(part(plain(), growth=1.001), 6e-3)
+def test_scale_makes_the_part_larger():
+    body = solid(part(plain(), scale=1.001), 6e-3)
     assert body.mass == approx(1.001**3 * np.pi * WIDTH * ((R + THICKNESS) ** 2 - R**2), rel=1e-6)
 
 
@@ -199,7 +199,7 @@ BAD = {
     "no clamp": (lambda: part(plain(), clamps=()), "can still move freely"),
     "skew zenith": (lambda: part(plain(), zenith=(0.1, 0, 1.0)), "right angles"),
     "no axis": (lambda: part(plain(), axis=(0, 0, 0)), "longer than zero"),
-    "growth": (lambda: part(plain(), growth=0.0), "growth = 0.0"),
+    "scale": (lambda: part(plain(), scale=0.0), "scale = 0.0"),
     "no file": (lambda: drawing(Path("nowhere.step")), "cannot be read: No such file"),
 }  # fmt: skip
 

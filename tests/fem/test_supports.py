@@ -22,7 +22,7 @@ from fem import (
     PlanetGear,
     RigidSeat,
 )
-from fem.assembly.factorisation import NotSolved, factor, threads
+from fem.assembly.factorisation import NotSolved, factorised, threads
 from fem.mesh.solid import meshed
 from fem.section import free_ring, revolved, supported_ring
 from fem.section.revolved_body import edge_shapes
@@ -323,7 +323,7 @@ def solid_response(part, harmonics, mesh, length):
             per_area = (1e-6 * k * (u.Trace() * e) * (v.Trace() * e) for k, e in pairs)  # [N/m] per mm^2
             return sum((work * ngs.ds("clamped") for work in per_area), elastic(u, v))
 
-        stiffness = factor(space, energy)
+        stiffness = factorised(space, energy)
         answers = []
         for n, m in product(harmonics, (0, 1)):
             shape = (2 * m + 1) / (1e3 * length) * (1.0 if m == 0 else 2e-3 * ngs.x / length)

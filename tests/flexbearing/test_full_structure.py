@@ -42,14 +42,14 @@ def solids():
     """Two raceways as they are solved, and as they are condensed; the first stands for an inner one."""
     from fem.solid.condensation import condense
     from fem.solid.factored_solid import factored
-    from fem.solid.full_solve import SolidRaceway
+    from fem.solid.full_solve import FullSolve
 
     azimuths = BEARING.bearing.azimuths
     uneven = azimuths + 0.1 * np.random.default_rng(5).random(azimuths.size)
     found = []
     for part, places in ((PLAIN, uneven), (CAGE, azimuths)):
         patches = fem.Patches(azimuths=tuple(places), length=5e-3, shapes=2, width=1.5e-3)
-        solved = SolidRaceway(solid=factored(part, patches, MESH, 1))
+        solved = FullSolve(solid=factored(part, patches, MESH, 1))
         found.append((solved, condense(part, patches, MESH, thread_number=1)))
     inner, outer = found
     return inner, outer
@@ -173,14 +173,14 @@ def test_solids_may_be_asked_for_by_name():
 def test_condensing_evens_out_what_the_mesh_breaks_of_a_symmetry():
     """Where rollers and ring share one, both answers differ by an error of the mesh, which falls."""
     from fem.solid.factored_solid import factored
-    from fem.solid.full_solve import SolidRaceway
+    from fem.solid.full_solve import FullSolve
 
     azimuths = 2 * np.pi * np.arange(10) / 10
     patches = fem.Patches(azimuths=tuple(azimuths), length=5e-3, shapes=2, width=1.2e-3)
     forces, gaps = np.random.default_rng(1).normal(size=(10, 2)), []
     for order, size, raceway_size in ((2, 5e-3, 3e-3), (3, 3e-3, 2e-3)):
         mesh = fem.Mesh(order=order, size=size, raceway_size=raceway_size)
-        solved = SolidRaceway(solid=factored(PLAIN, patches, mesh, 1))
+        solved = FullSolve(solid=factored(PLAIN, patches, mesh, 1))
         expected = np.tensordot(solved.condensed().matrix, forces, axes=2)
         gaps.append(np.abs(solved.answer(forces)[0] - expected).max() / np.abs(expected).max())
     assert 0.01 < gaps[0] < 0.1

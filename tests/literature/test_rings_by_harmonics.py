@@ -8,7 +8,7 @@ import pytest
 from pytest import approx
 
 from fem import Elastic, LineForce, LineSupports, Mesh, OuterRing, PlanetGear
-from fem.mesh.axial_section import Section
+from fem.mesh.axial_section import AxialSection
 from fem.section import free_ring, supported_ring
 from fem.section.revolved_body import assembled
 from fem.section.ring_on_lines import RingOnLines
@@ -103,7 +103,7 @@ def test_ring_on_thirty_springs_is_that_of_beam_theory():
 def test_ring_under_four_alternating_axial_forces():
     """R 100, 10 x 10 mm, E 200 GPa, nu 0.3, 100 N: tetrahedra 0.118985 mm, beams with shear 0.118967."""
     half, inner, outer = 5e-3, 95e-3, 105e-3
-    square = Section("ring", (
+    square = AxialSection("ring", (
         (-half, inner, "left"), (half, inner, "inside"), (half, outer, "right"), (-half, outer, "outside")
     ))  # fmt: skip
     steel = Elastic(youngs_modulus=200e9, poisson_ratio=0.3)

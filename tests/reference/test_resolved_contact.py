@@ -33,9 +33,9 @@ from pytest import approx
 
 from fem import Elastic, Mesh
 from fem.assembly import elasticity
-from fem.assembly.factorisation import factor, threads
-from fem.mesh.axial_section import Section
-from fem.parts.boundary_conditions import Loose
+from fem.assembly.factorisation import factorised, threads
+from fem.mesh.axial_section import AxialSection
+from fem.parts.boundary_conditions import FreeMotions
 from fem.raceway.harmonics import HarmonicCompliance
 from fem.section import revolved_body
 from fem.section.revolved_body import Springs
@@ -95,7 +95,7 @@ def moved(mesh, elastic, pressure, clamped):
     outward = ngs.CF((ngs.x, ngs.y)) / ngs.sqrt(ngs.x**2 + ngs.y**2)
     traction = pressure * outward * space.TestFunction()
     with threads(1):
-        stiffness = factor(space, lambda u, v: elasticity.elasticity(u, v, lame, shear))
+        stiffness = factorised(space, lambda u, v: elasticity.elasticity(u, v, lame, shear))
         side = ngs.LinearForm(traction * ngs.ds("contact", bonus_intorder=12)).Assemble()
         shift = ngs.GridFunction(space)
         shift.vec.FV().NumPy()[:] = stiffness.solve(side.vec.FV().NumPy())
@@ -165,9 +165,12 @@ def structure(name, length):
         (-half, outer, outside),
     )
     mesh, last = Mesh(order=5, size=6e-3, raceway_size=1.25e-3), 80
-    springs, free = {"left": GLIDING, "right": GLIDING}, Loose(turning=not ring.seat, across=not ring.seat)
+    springs, free = (
+        {"left": GLIDING, "right": GLIDING},
+        FreeMotions(turning=not ring.seat, across=not ring.seat),
+    )
     with threads(1):
-        body = revolved_body.assembled([Section("ring", corners)], {"ring": STEEL}, mesh, springs)
+        body = revolved_body.assembled([AxialSection("ring", corners)], {"ring": STEEL}, mesh, springs)
         W = responses(body, free, revolved_body.edge_shapes(body, "raceway", 1), last) / (2 * pi)
     raceway = HarmonicCompliance(
         harmonics=np.arange(-last, last + 1), response=np.concatenate([W[:0:-1], W]), radius=inner,
