@@ -14,23 +14,23 @@ from quasidynamic.balance.rollers.operating_points import OperatingPoints
 from quasidynamic.errors import NotSolved, OutOfRange
 from quasidynamic.outcome.equilibrium import Equilibrium
 from quasidynamic.roller import RollerBearing
-from quasidynamic.solve.arclength import End, Step, at_parameter, follow, solved_at
+from quasidynamic.solve.arclength import BranchEnd, BranchPoint, at_parameter, follow, solved_at
 from quasidynamic.solve.outcome import SolverOutcome
-from quasidynamic.solve.rollers.parameter_family import BalanceFamily
+from quasidynamic.solve.rollers.parametric_balance import ParametricBalance
 from quasidynamic.solve.rollers.stability import growth_rates
 from quasidynamic.solve.start import LumpedRollers, static_unknowns
 
-__all__ = ["OVER", "Branch", "End", "Point", "equilibria_at", "trace"]
+__all__ = ["PARAMETERS", "Branch", "BranchEnd", "TracedEquilibrium", "equilibria_at", "trace"]
 
-OVER = ("radial_load", "inner_speed")
-SLIPS = np.concatenate([np.geomspace(1e-6, 0.03, 28), np.linspace(0.05, 0.99, 24)])
+PARAMETERS = ("radial_load", "inner_speed")
+TRIAL_SLIPS = np.concatenate([np.geomspace(1e-6, 0.03, 28), np.linspace(0.05, 0.99, 24)])
 SLIP_HALVINGS = 14
-REACH = 3.0  # loads over that asked for, and below it, between which a branch is searched
-SAME = 1e-5  # distance on the branch between two equilibria that are one
+LOAD_RANGE = 3.0  # loads over that asked for, and below it, between which a branch is searched
+SAME_EQUILIBRIUM = 1e-5  # distance on the branch between two equilibria that are one
 
 
 @dataclass(frozen=True)
-class Point:
+class TracedEquilibrium:
     """An equilibrium on a branch."""
 
     value: float  # [N] radial load or [rad/s] speed
@@ -66,11 +66,11 @@ class Branch:
     """Equilibria in the order in which they follow each other."""
 
     over: str  # key of the operation that changes
-    points: tuple[Point, ...]
-    end: End  # why it was not followed further
+    points: tuple[TracedEquilibrium, ...]
+    end: BranchEnd  # why it was not followed further
 
     @property
-    def folds(self) -> tuple[Point, ...]:
+    def folds(self) -> tuple[TracedEquilibrium, ...]:
         """Where load or speed turns back."""
         return tuple(point for point in self.points if point.fold)
 
@@ -134,17 +134,17 @@ def trace(
     """
     first, last = _logarithms(model, over, span)
     begin = start or _changed(model, over, span[0]).solve()
-    family = _family(model, over, span[0], begin.balance)
-    state = family.balance_at(first).pack(begin.unknowns)[0]
+    problem = _problem(model, over, span[0], begin.balance)
+    state = problem.balance_at(first).pack(begin.unknowns)[0]
     bounds = min(first, last), max(first, last)
-    followed = follow(family, state, first, bounds, upwards=last > first)
-    if not followed.steps:
+    followed = follow(problem, state, first, bounds, upwards=last > first)
+    if not followed.points:
         raise NotSolved(f"no equilibrium near the start of the branch at {over} = {span[0]:.6g}")
     exact = {first: span[0], last: span[1]}
-    values = [exact.get(step.parameter, copysign(exp(step.parameter), span[0])) for step in followed.steps]
+    values = [exact.get(step.parameter, copysign(exp(step.parameter), span[0])) for step in followed.points]
     points = [
-        Point(value, _equilibrium(family, step, model.axial_modes), step.fold)
-        for value, step in zip(values, followed.steps, strict=True)
+        TracedEquilibrium(value, _equilibrium(problem, step, model.axial_modes), step.fold)
+        for value, step in zip(values, followed.points, strict=True)
     ]
     return Branch(over, tuple(points), followed.end)
 
@@ -175,22 +175,22 @@ def equilibria_at(model: RollerBearing) -> tuple[Equilibrium, ...]:
         when the bearing has no load
     """
     load = model.operation.radial_load
-    here, _ = _logarithms(model, "radial_load", (load, load * REACH))
+    here, _ = _logarithms(model, "radial_load", (load, load * LOAD_RANGE))
     usual = model.solve_many([model.operation])[0]
-    family = _family(model, "radial_load", load, usual.balance)
+    problem = _problem(model, "radial_load", load, usual.balance)
     starts = [usual.scaled] if usual.status is SolverOutcome.CONVERGED else []
     starts += _lumped_starts(usual.balance)
-    known: list[Step] = []
+    known: list[BranchPoint] = []
     for state in starts:
-        found = solved_at(family, state, here)
-        if found is None or not _is_new(family, found, known):
+        found = solved_at(problem, state, here)
+        if found is None or not _is_new(problem, found, known):
             continue
-        for step in _through(family, found):
-            if _is_new(family, step, known):
+        for step in _through(problem, found):
+            if _is_new(problem, step, known):
                 known.append(step)
     if not known:
         raise NotSolved(usual.failure(), usual.status)
-    found = [_equilibrium(family, step, model.axial_modes) for step in known]
+    found = [_equilibrium(problem, step, model.axial_modes) for step in known]
     return tuple(sorted(found, key=lambda one: one.cage_slip))
 
 
@@ -199,8 +199,8 @@ def equilibria_at(model: RollerBearing) -> tuple[Equilibrium, ...]:
 
 def _logarithms(model: RollerBearing, over: str, span: tuple[float, float]) -> tuple[float, float]:
     """Logarithms of the sizes of both ends; raises where the way between them makes no sense."""
-    if over not in OVER:
-        raise OutOfRange(f'a branch over "{over}" is not followed; it can be {" or ".join(OVER)}')
+    if over not in PARAMETERS:
+        raise OutOfRange(f'a branch over "{over}" is not followed; it can be {" or ".join(PARAMETERS)}')
     first, last = span
     if not (isfinite(first) and isfinite(last) and first * last > 0) or first == last:
         raise OutOfRange(f"{over} from {first:.6g} to {last:.6g}: both must be of one sign, and not the same")
@@ -217,35 +217,35 @@ def _changed(model: RollerBearing, over: str, value: float) -> RollerBearing:
     return replace(model, operation=replace(model.operation, **{over: value}))
 
 
-def _family(model: RollerBearing, over: str, sign: float, balance: BearingBalance) -> BalanceFamily:
+def _problem(model: RollerBearing, over: str, sign: float, balance: BearingBalance) -> ParametricBalance:
     def points(parameter: float) -> OperatingPoints:
         return OperatingPoints.of([_changed(model, over, copysign(exp(parameter), sign)).operation])
 
-    return BalanceFamily(balance, points)
+    return ParametricBalance(balance, points)
 
 
-def _equilibrium(family: BalanceFamily, step: Step, axial_modes: int) -> Equilibrium:
-    balance = family.balance_at(step.parameter)
+def _equilibrium(problem: ParametricBalance, step: BranchPoint, axial_modes: int) -> Equilibrium:
+    balance = problem.balance_at(step.parameter)
     return Equilibrium(balance, step.state, SolverOutcome.CONVERGED, step.corrections + 1, axial_modes)
 
 
 # -- several at one load ---------------------------------------------------------------------------
 
 
-def _is_new(family: BalanceFamily, step: Step, known: list[Step]) -> bool:
+def _is_new(problem: ParametricBalance, step: BranchPoint, known: list[BranchPoint]) -> bool:
     apart = [step.state - other.state for other in known]
-    return all(np.sqrt(change @ (family.weight * change)) > SAME for change in apart)
+    return all(np.sqrt(change @ (problem.weight * change)) > SAME_EQUILIBRIUM for change in apart)
 
 
-def _through(family: BalanceFamily, begin: Step) -> Iterator[Step]:
+def _through(problem: ParametricBalance, begin: BranchPoint) -> Iterator[BranchPoint]:
     """Places at the parameter of a solution on the branch through it, both ways, itself included."""
     yield begin
-    here, reach = begin.parameter, log(REACH)
+    here, reach = begin.parameter, log(LOAD_RANGE)
     for upwards in (True, False):
-        branch = follow(family, begin.state, here, (here - reach, here + reach), upwards)
-        for before, after in pairwise(branch.steps[1:]):
+        branch = follow(problem, begin.state, here, (here - reach, here + reach), upwards)
+        for before, after in pairwise(branch.points[1:]):
             if (before.parameter - here) * (after.parameter - here) <= 0:
-                found = at_parameter(family, before, after, here)
+                found = at_parameter(problem, before, after, here)
                 if found is not None:
                     yield found
 
@@ -255,7 +255,7 @@ def _lumped_starts(balance: BearingBalance) -> list[NDArray]:
     places, drives = _sign_changes(balance)
     if not len(places):
         return []
-    low, high, sense = SLIPS[places], SLIPS[places + 1], drives[places]
+    low, high, sense = TRIAL_SLIPS[places], TRIAL_SLIPS[places + 1], drives[places]
     some = balance.take(np.zeros(len(places), int))
     lumped = LumpedRollers(some)
     for _ in range(SLIP_HALVINGS):
@@ -268,6 +268,6 @@ def _lumped_starts(balance: BearingBalance) -> list[NDArray]:
 
 
 def _sign_changes(balance: BearingBalance) -> tuple[NDArray, NDArray]:
-    """Places among `SLIPS` after which the torque on the cage changes its sign, and where it drives."""
-    drives = LumpedRollers(balance.take(np.zeros(len(SLIPS), int))).at(SLIPS)[2] > 0
+    """Places among `TRIAL_SLIPS` after which the torque on the cage changes its sign, and where it drives."""
+    drives = LumpedRollers(balance.take(np.zeros(len(TRIAL_SLIPS), int))).at(TRIAL_SLIPS)[2] > 0
     return np.flatnonzero(drives[1:] != drives[:-1]), drives

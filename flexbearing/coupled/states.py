@@ -113,7 +113,7 @@ def supported(found: Equilibrium, rings: CondensedRings) -> Equilibrium:
 
 def between_raceways(found: Equilibrium, rings: CondensedRings) -> Equilibrium:
     """The same state between raceways that yield, also where it was found between those of a given shape."""
-    if rings.rigid or found.balance.layout.yielding:
+    if rings.rigid or found.balance.layout.elastic_raceways:
         return found
     compliance = [None if raceway is None else raceway.matrix for raceway in rings.raceways]
     return _yielding(found, compliance, found.unknowns)

@@ -13,7 +13,7 @@ from flexbearing.build import roller_bearing
 from flexbearing.case import AnyCase, BadCase, Case, read
 from flexbearing.runs import notes, validate
 from quasidynamic import ImpossiblePart, OutOfRange
-from quasidynamic.trace import Branch, End, trace as follow
+from quasidynamic.trace import Branch, BranchEnd, trace as follow
 
 RPM = 2 * pi / 60
 
@@ -49,7 +49,7 @@ class Traced:
     @property
     def complete(self) -> bool:
         """Whether the branch was followed until it left the range."""
-        return self.branch.end is End.RANGE_LEFT
+        return self.branch.end is BranchEnd.RANGE_LEFT
 
     def columns(self) -> dict[str, np.ndarray]:
         """Columns of the table."""

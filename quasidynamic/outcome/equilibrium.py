@@ -51,7 +51,7 @@ class Equilibrium:
     @property
     def unbalanced(self) -> tuple[float, float]:
         """Largest force [N] and largest moment [N m] that are not balanced."""
-        residual = np.abs(self.system.residual * self.balance.sizes.residual)[0]
+        residual = np.abs(self.system.residual * self.balance.scales.residual)[0]
         first, spin = self.balance.layout.field(0), self.balance.layout.field(-1)
         moments = [residual[TILT_Z:BORDER], residual[spin]]
         if self.balance.roller.axial_modes > 1:
@@ -70,7 +70,7 @@ class Equilibrium:
         return (
             f"the bearing found no equilibrium: {self.status} after {self.number} evaluations, "
             f"{force:.2g} N and {moment:.2g} N m unbalanced; "
-            f"the largest outer force is {self.balance.sizes.force[0, 0]:.4g} N"
+            f"the largest outer force is {self.balance.scales.force[0, 0]:.4g} N"
         )
 
     @property

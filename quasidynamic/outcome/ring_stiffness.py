@@ -43,9 +43,9 @@ class Tangent:
     def answer(self) -> NDArray:
         """Change of all unknowns (N, 4) per newton along y and z, per newton metre on dz/dx and dy/dx."""
         loads = np.zeros((1, self.balance.layout.size, len(RING)))
-        loads[0, RING, range(len(RING))] = -1.0 / self.balance.sizes.residual[0, RING]
+        loads[0, RING, range(len(RING))] = -1.0 / self.balance.scales.residual[0, RING]
         system = self.balance.evaluate(self.scaled)
-        return bordered_system.solve(self.balance, system, loads)[0] * self.balance.sizes.unknown.T
+        return bordered_system.solve(self.balance, system, loads)[0] * self.balance.scales.unknown.T
 
     @property
     def compliance(self) -> NDArray:

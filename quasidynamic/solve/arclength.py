@@ -9,22 +9,22 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-FIRST_LENGTH = 0.02
-LONGEST = 0.1
-SHORTEST = 1e-6
-STRAIGHT = 0.9  # cosine between two tangents, below which a step is halved ...
-CORNER = 1e-3  # ... unless it is this short: where a contact opens, a branch has a corner
-LEAPS = (1e-4, 1e-3, 1e-2)  # over such a corner
-LIMIT = 400  # steps
-CORRECTIONS = 10  # Newton steps back to the branch
-EASY = 4  # corrections up to which the next step may be longer
-SHORTEST_PART = 0.1  # of a Newton step
+FIRST_STEP = 0.02
+LONGEST_STEP = 0.1
+SHORTEST_STEP = 1e-6
+SMALLEST_COSINE = 0.9  # cosine between two tangents, below which a step is halved ...
+CORNER_STEP = 1e-3  # ... unless it is this short: where a contact opens, a branch has a corner
+STEPS_OVER_CORNER = (1e-4, 1e-3, 1e-2)  # over such a corner
+MAX_STEPS = 400
+MAX_CORRECTIONS = 10  # Newton steps back to the branch
+FEW_CORRECTIONS = 4  # corrections up to which the next step may be longer
+SMALLEST_DAMPING = 0.1  # of a Newton step
 ROUNDING = 1e-9  # residual from where rounding decides whether a step looks smaller
-LOCATIONS = 30  # evaluations for a place between two steps
-SMALL_PLACE = 1e-9  # of the length between them
+MAX_LOCATIONS = 30  # evaluations for a point between two others
+LOCATION_TOLERANCE = 1e-9  # of the distance between them
 
 
-class End(StrEnum):
+class BranchEnd(StrEnum):
     """Why a branch is not followed further."""
 
     RANGE_LEFT = "range left"
@@ -34,16 +34,16 @@ class End(StrEnum):
 
 
 @dataclass(frozen=True)
-class Local:
+class LinearisedEquations:
     """Equations and their derivatives at a state."""
 
     residual: NDArray  # (N)
     by_parameter: NDArray  # (N)
     solve: Callable[[NDArray], NDArray]  # unknowns (N, R) for right-hand sides (N, R)
-    done: bool  # whether the residual is small enough
+    converged: bool  # whether the residual is small enough
 
 
-class Family(Protocol):
+class ParametricEquations(Protocol):
     """Equations in N unknowns that depend on a parameter."""
 
     @property
@@ -51,7 +51,7 @@ class Family(Protocol):
         """Weight (N) of the square of each unknown in the length of a branch; the parameter has one."""
         ...
 
-    def at(self, state: NDArray, parameter: float) -> Local:
+    def at(self, state: NDArray, parameter: float) -> LinearisedEquations:
         """Equations at a state (N)."""
         ...
 
@@ -61,11 +61,15 @@ class Family(Protocol):
 
 
 @dataclass(frozen=True)
-class Direction:
+class BranchDirection:
     """Tangent of a branch, of length one in the weighted norm."""
 
     state: NDArray  # (N)
     parameter: float
+
+    def turned(self) -> "BranchDirection":
+        """Return the opposite direction."""
+        return BranchDirection(-self.state, -self.parameter)
 
     def along(self, weight: NDArray, state: NDArray, parameter: float) -> float:
         """Length of a displacement along this direction."""
@@ -73,42 +77,52 @@ class Direction:
 
 
 @dataclass(frozen=True)
-class Step:
-    """A solved place on the branch."""
+class BranchPoint:
+    """A solution on the branch."""
 
     state: NDArray  # (N)
     parameter: float
-    tangent: Direction
+    tangent: BranchDirection
     corrections: int  # Newton steps it took
     fold: bool = False  # whether the parameter turns back here
 
+    def cosine(self, problem: ParametricEquations, other: "BranchPoint") -> float:
+        """Cosine between the tangents of two points."""
+        return self.tangent.along(problem.weight, other.tangent.state, other.tangent.parameter)
+
+    def distance(self, problem: ParametricEquations, other: "BranchPoint") -> float:
+        """Distance of another point along the tangent of this one."""
+        return self.tangent.along(problem.weight, other.state - self.state, other.parameter - self.parameter)
+
 
 @dataclass(frozen=True)
-class Followed:
-    """A branch, step by step."""
+class FollowedBranch:
+    """A branch, point by point."""
 
-    steps: tuple[Step, ...]
-    end: End
+    points: tuple[BranchPoint, ...]
+    end: BranchEnd
 
 
 @dataclass(frozen=True)
-class Corrected:
-    """Where the corrector ended."""
+class CorrectedPoint:
+    """Solution that the corrector found."""
 
     state: NDArray
     parameter: float
-    local: Local
+    equations: LinearisedEquations
     corrections: int
 
-    def step(self, family: Family, sense: Direction) -> Step:
-        """A step of the branch, looking in the sense of a direction."""
-        way = tangent(family, self.local, sense)
-        return Step(self.state, self.parameter, way, self.corrections)
+    def oriented(self, problem: ParametricEquations, sense: BranchDirection) -> BranchPoint:
+        """Point of the branch with its tangent in the sense of a direction."""
+        way = tangent(problem, self.equations)
+        if sense.along(problem.weight, way.state, way.parameter) < 0:
+            way = way.turned()
+        return BranchPoint(self.state, self.parameter, way, self.corrections)
 
 
 def follow(
-    family: Family, state: NDArray, start: float, bounds: tuple[float, float], upwards: bool
-) -> Followed:
+    problem: ParametricEquations, state: NDArray, start: float, bounds: tuple[float, float], upwards: bool
+) -> FollowedBranch:
     r"""Follow a branch from a solution at one parameter until the parameter leaves its bounds.
 
     Predictor along the tangent, corrector on the plane across it:
@@ -116,11 +130,11 @@ def follow(
     .. math:: R(x, p) = 0,\qquad \dot x \cdot W (x - x_0) + \dot p\,(p - p_0) = \Delta s
 
     The step grows while few corrections are needed and is halved where the branch bends too much.
-    Folds, where dp/ds changes its sign, are located and stand between the steps.
+    Folds, where dp/ds changes its sign, are located and stand among the points.
 
     Parameters
     ----------
-    family : Family
+    problem : ParametricEquations
         equations
     state : array (N)
         near a solution at `start`
@@ -133,8 +147,8 @@ def follow(
 
     Returns
     -------
-    Followed
-        without any step when there is no solution near the start; a branch that leaves the range
+    FollowedBranch
+        without any point when there is no solution near the start; a branch that leaves the range
         ends exactly on its bound, which may be where it began
 
     Source
@@ -142,73 +156,64 @@ def follow(
     Keller (1977), pseudo-arclength continuation; Allgower and Georg, Introduction to Numerical
     Continuation Methods (2003), ch. 6.
     """
-    begin = solved_at(family, state, start)
+    begin = solved_at(problem, state, start)
     if begin is None:
-        return Followed((), End.NO_START)
-    steps, length = [begin if upwards else _turned(begin)], FIRST_LENGTH
-    for _ in range(LIMIT):
-        here = steps[-1]
-        ahead, length = _ahead(family, here, length)
-        if ahead is None:
-            return Followed(tuple(steps), End.STEP_TOO_SHORT)
-        fold = _fold(family, here, ahead)
-        for place in (ahead,) if fold is None else (fold, ahead):
-            inside = min(max(place.parameter, bounds[0]), bounds[1])
-            if inside != place.parameter:
-                last = at_parameter(family, steps[-1], place, inside)
-                end = End.STEP_TOO_SHORT if last is None else End.RANGE_LEFT
-                return Followed((*steps, last) if last else tuple(steps), end)
-            steps.append(place)
-    return Followed(tuple(steps), End.LIMIT)
+        return FollowedBranch((), BranchEnd.NO_START)
+    points = [begin if upwards else replace(begin, tangent=begin.tangent.turned())]
+    length = FIRST_STEP
+    for _ in range(MAX_STEPS):
+        before = points[-1]
+        after, length = _next_point(problem, before, length)
+        if after is None:
+            return FollowedBranch(tuple(points), BranchEnd.STEP_TOO_SHORT)
+        for point in (*_folds_between(problem, before, after), after):
+            inside = min(max(point.parameter, bounds[0]), bounds[1])
+            if inside != point.parameter:
+                last = at_parameter(problem, points[-1], point, inside)
+                end = BranchEnd.STEP_TOO_SHORT if last is None else BranchEnd.RANGE_LEFT
+                return FollowedBranch((*points, last) if last else tuple(points), end)
+            points.append(point)
+    return FollowedBranch(tuple(points), BranchEnd.LIMIT)
 
 
-def _turned(step: Step) -> Step:
-    """The same place, looking back."""
-    return replace(step, tangent=Direction(-step.tangent.state, -step.tangent.parameter))
-
-
-def _ahead(family: Family, here: Step, length: float) -> tuple[Step | None, float]:
-    """Next step and the length to try after it; none when it became too short."""
-    while length >= SHORTEST:
-        ahead = advanced(family, here, length)
-        if ahead is not None:
-            bend = here.tangent.along(family.weight, ahead.tangent.state, ahead.tangent.parameter)
-            if bend > STRAIGHT or length < CORNER:
-                growth = 1.7 if ahead.corrections <= EASY else 0.8
-                return ahead, min(growth * length, LONGEST)
+def _next_point(
+    problem: ParametricEquations, before: BranchPoint, length: float
+) -> tuple[BranchPoint | None, float]:
+    """Next point and the length to try after it; none when the step became too short."""
+    while length >= SHORTEST_STEP:
+        after = advanced(problem, before, length)
+        if after is not None and (before.cosine(problem, after) > SMALLEST_COSINE or length < CORNER_STEP):
+            growth = 1.7 if after.corrections <= FEW_CORRECTIONS else 0.8
+            return after, min(growth * length, LONGEST_STEP)
         length /= 2
-    return _leap(family, here)
-
-
-def _leap(family: Family, here: Step) -> tuple[Step | None, float]:
-    """A step over a corner, from so near that shorter steps end within its rounding, and its length."""
-    for length in LEAPS:
-        ahead = advanced(family, here, length)
-        if ahead is not None:
-            way = ahead.state - here.state, ahead.parameter - here.parameter
-            if ahead.tangent.along(family.weight, *way) > 0:
-                return ahead, length
+    # Over a corner, from so near that shorter steps end within its rounding.
+    for length in STEPS_OVER_CORNER:
+        after = advanced(problem, before, length)
+        if after is not None and after.distance(problem, before) < 0:
+            return after, length
     return None, 0.0
 
 
-def advanced(family: Family, here: Step, length: float) -> Step | None:
-    """The place a length further along the tangent; none when Newton's method does not reach it."""
-    way = here.tangent
-    guess = family.bounded(here.state, here.state + length * way.state)
-    found = corrected(family, guess, here.parameter + length * way.parameter, way)
-    ahead = found and found.step(family, way)
+def advanced(problem: ParametricEquations, before: BranchPoint, length: float) -> BranchPoint | None:
+    """The point a length further along the tangent; none when Newton's method does not reach it."""
+    way = before.tangent
+    guess = problem.bounded(before.state, before.state + length * way.state)
+    solution = corrected(problem, guess, before.parameter + length * way.parameter, way)
+    after = solution and solution.oriented(problem, way)
     # Right on a fold the matrix may be singular.
-    return ahead if ahead and np.isfinite(ahead.tangent.state).all() else None
+    return after if after and np.isfinite(after.tangent.state).all() else None
 
 
-def solved_at(family: Family, state: NDArray, parameter: float) -> Step | None:
-    """The place at a given parameter, near a state; its tangent points to larger parameters."""
-    upwards = Direction(np.zeros_like(state), 1.0)
-    found = corrected(family, state, parameter, upwards)
-    return found and found.step(family, upwards)
+def solved_at(problem: ParametricEquations, state: NDArray, parameter: float) -> BranchPoint | None:
+    """The point at a given parameter, near a state; its tangent points to larger parameters."""
+    upwards = BranchDirection(np.zeros_like(state), 1.0)
+    solution = corrected(problem, state, parameter, upwards)
+    return solution and solution.oriented(problem, upwards)
 
 
-def corrected(family: Family, state: NDArray, parameter: float, across: Direction) -> Corrected | None:
+def corrected(
+    problem: ParametricEquations, state: NDArray, parameter: float, across: BranchDirection
+) -> CorrectedPoint | None:
     r"""Newton's method on the equations with one more row, solved by the bordering lemma.
 
     .. math:: J u = -R,\; J v = R_p,\; \Delta x = u - v\,\Delta p,\;
@@ -217,83 +222,93 @@ def corrected(family: Family, state: NDArray, parameter: float, across: Directio
     Every step is taken `across` a direction: the tangent, or that of the parameter, which then keeps
     its value. A step is halved as long as the residual grows.
     """
-    here, damping, step = family.at(state, parameter), 1.0, (np.zeros_like(state), 0.0)
-    before, size = (state, parameter), np.inf
-    for number in range(CORRECTIONS + 1):
-        new = float(np.linalg.norm(here.residual))
-        if not new < max(size, ROUNDING):  # also when it is not a number
-            if (damping := damping / 2) < SHORTEST_PART:
+    equations, damping, step = problem.at(state, parameter), 1.0, (np.zeros_like(state), 0.0)
+    start, smallest = (state, parameter), np.inf
+    for corrections in range(MAX_CORRECTIONS + 1):
+        residual = float(np.linalg.norm(equations.residual))
+        if not residual < max(smallest, ROUNDING):  # also when it is not a number
+            if (damping := damping / 2) < SMALLEST_DAMPING:
                 return None
-        elif here.done:
-            return Corrected(state, parameter, here, number)
+        elif equations.converged:
+            return CorrectedPoint(state, parameter, equations, corrections)
         else:
-            before, size, damping = (state, parameter), new, 1.0
-            step = _newton_step(family, here, across)
+            start, smallest, damping = (state, parameter), residual, 1.0
+            step = _newton_step(problem, equations, across)
             if not (isfinite(step[1]) and np.isfinite(step[0]).all()):
                 return None
-        state = family.bounded(before[0], before[0] + damping * step[0])
-        parameter = before[1] + damping * step[1]
-        here = family.at(state, parameter)
+        state = problem.bounded(start[0], start[0] + damping * step[0])
+        parameter = start[1] + damping * step[1]
+        equations = problem.at(state, parameter)
     return None
 
 
-def _newton_step(family: Family, local: Local, across: Direction) -> tuple[NDArray, float]:
-    u, v = local.solve(np.column_stack([-local.residual, local.by_parameter])).T
-    along_u, along_v = (across.along(family.weight, part, 0.0) for part in (u, v))
+def _newton_step(
+    problem: ParametricEquations, equations: LinearisedEquations, across: BranchDirection
+) -> tuple[NDArray, float]:
+    """Change of state and parameter; not a number where no step leads across."""
+    u, v = equations.solve(np.column_stack([-equations.residual, equations.by_parameter])).T
+    along_u, along_v = (across.along(problem.weight, part, 0.0) for part in (u, v))
     slope = across.parameter - along_v
-    change = -along_u / slope if slope else nan  # no step leads across: not a number ends a correction
+    change = -along_u / slope if slope else nan
     return u - v * change, change
 
 
-def tangent(family: Family, local: Local, sense: Direction) -> Direction:
-    """Tangent of the branch at a solution, in the sense of another direction."""
-    change = -local.solve(local.by_parameter[:, None])[:, 0]
-    length = np.sqrt(change @ (family.weight * change) + 1.0)
-    if sense.along(family.weight, change, 1.0) < 0:
-        length = -length
+def tangent(problem: ParametricEquations, equations: LinearisedEquations) -> BranchDirection:
+    """Tangent of the branch at a solution, towards larger parameters."""
+    change = -equations.solve(equations.by_parameter[:, None])[:, 0]
+    length = np.sqrt(change @ (problem.weight * change) + 1.0)
     with np.errstate(invalid="ignore"):
-        return Direction(change / length, float(1.0 / length))
+        return BranchDirection(change / length, float(1.0 / length))
 
 
-# -- places between two steps ----------------------------------------------------------------------
+# -- points between two others ---------------------------------------------------------------------
 
 
-def located(family: Family, here: Step, ahead: Step, measure: Callable[[Step], float]) -> Step:
-    """The place between two steps where a measure changes its sign, by regula falsi (Illinois).
+def located(
+    problem: ParametricEquations,
+    before: BranchPoint,
+    after: BranchPoint,
+    measure: Callable[[BranchPoint], float],
+) -> BranchPoint:
+    """The point between two others where a measure changes its sign, by regula falsi (Illinois).
 
-    The places are a variable length in front of the first step, so that it works around folds too.
-    Where Newton's method fails in between it is the nearest place so far.
+    Points are a variable length in front of the first one, so that it works around folds too.
+    Where Newton's method fails in between it is the nearest point so far.
     """
-    span = here.tangent.along(family.weight, ahead.state - here.state, ahead.parameter - here.parameter)
-    low, high, below, above = 0.0, span, measure(here), measure(ahead)
-    best, last = here if abs(below) < abs(above) else ahead, 0.0
-    for _ in range(LOCATIONS):
-        if abs(high - low) <= SMALL_PLACE * span or below == above or measure(best) == 0.0:
+    span = before.distance(problem, after)
+    low, high, below, above = 0.0, span, measure(before), measure(after)
+    best, last = before if abs(below) < abs(above) else after, 0.0
+    for _ in range(MAX_LOCATIONS):
+        if abs(high - low) <= LOCATION_TOLERANCE * span or below == above or measure(best) == 0.0:
             break
         middle = high - above * (high - low) / (above - below)
-        found = advanced(family, here, middle)
-        if found is None:
+        between = advanced(problem, before, middle)
+        if between is None:
             break
-        value = measure(found)
-        best = found if abs(value) < abs(measure(best)) else best
+        value = measure(between)
+        best = between if abs(value) < abs(measure(best)) else best
         if value * above < 0:
             low, below = high, above
         else:
             below = below / 2
-        if abs(middle - last) <= SMALL_PLACE * span:
+        if abs(middle - last) <= LOCATION_TOLERANCE * span:
             break
         high, above, last = middle, value, middle
     return best
 
 
-def _fold(family: Family, here: Step, ahead: Step) -> Step | None:
-    """The fold between two steps; none when the parameter does not turn back."""
-    if here.tangent.parameter * ahead.tangent.parameter >= 0:
-        return None
-    return replace(located(family, here, ahead, lambda step: step.tangent.parameter), fold=True)
+def _folds_between(
+    problem: ParametricEquations, before: BranchPoint, after: BranchPoint
+) -> tuple[BranchPoint, ...]:
+    """The fold between two points, where the parameter turns back; empty when it does not."""
+    if before.tangent.parameter * after.tangent.parameter >= 0:
+        return ()
+    return (replace(located(problem, before, after, lambda point: point.tangent.parameter), fold=True),)
 
 
-def at_parameter(family: Family, here: Step, ahead: Step, parameter: float) -> Step | None:
-    """The place between two steps at a given parameter; none when Newton's method does not reach it."""
-    found = located(family, here, ahead, lambda step: step.parameter - parameter)
-    return solved_at(family, found.state, parameter)
+def at_parameter(
+    problem: ParametricEquations, before: BranchPoint, after: BranchPoint, parameter: float
+) -> BranchPoint | None:
+    """The point between two others at a given parameter; none when Newton's method does not reach it."""
+    near = located(problem, before, after, lambda point: point.parameter - parameter)
+    return solved_at(problem, near.state, parameter)

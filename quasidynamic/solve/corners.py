@@ -2,31 +2,31 @@
 
 from typing import Protocol
 
-import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.solve.arclength import (
-    LIMIT,
-    SHORTEST,
-    STRAIGHT,
-    Direction,
-    End,
-    Family,
-    Step,
+    MAX_STEPS,
+    SHORTEST_STEP,
+    SMALLEST_COSINE,
+    BranchDirection,
+    BranchEnd,
+    BranchPoint,
+    ParametricEquations,
     advanced,
     corrected,
     follow,
+    tangent,
 )
 
-TURNS = 20  # corners on a path and stretches of short steps, rarely more than one
-PEEKS = (1e-6, 1e-5, 1e-4)  # beyond a corner, to see the equations there
-STRIDES = (10.0, 100.0, 1000.0)  # over that: length of the first step on the new piece
-SAME = 0.99  # cosine between two directions that are no corner
-GROWTH = 1.5  # of a step after one that kept the sense
-NEAR = 0.7  # cosine between the direction of the new piece at the corner and after the first step
+MAX_CORNERS = 20  # corners on a path and stretches of short steps, rarely more than one
+PROBES = (1e-6, 1e-5, 1e-4)  # distances beyond a corner at which the equations there are looked at
+FIRST_STEPS = (10.0, 100.0, 1000.0)  # over that: length of the first step on the new piece
+CORNER_COSINE = 0.99  # cosine between two directions that are no corner
+STEP_GROWTH = 1.5  # of a step after one that kept the sense
+NEW_PIECE_COSINE = 0.7  # between the direction of the new piece at the corner and after the first step
 
 
-class OrientedFamily(Family, Protocol):
+class OrientedEquations(ParametricEquations, Protocol):
     """Equations in N unknowns whose derivatives have a determinant to be had."""
 
     def orientation(self, state: NDArray, parameter: float) -> float:
@@ -34,8 +34,8 @@ class OrientedFamily(Family, Protocol):
         ...
 
 
-def followed_through(family: OrientedFamily, state: NDArray) -> Step | None:
-    r"""The place at parameter 1 of the branch that starts at parameter 0 near a state.
+def followed_through(problem: OrientedEquations, state: NDArray) -> BranchPoint | None:
+    r"""The point at parameter 1 of the branch that starts at parameter 0 near a state.
 
     Along a branch of piecewise smooth equations one sense is kept by
 
@@ -47,109 +47,105 @@ def followed_through(family: OrientedFamily, state: NDArray) -> Step | None:
 
     Parameters
     ----------
-    family : OrientedFamily
+    problem : OrientedEquations
         equations
     state : array (N)
         near a solution at parameter 0
 
     Returns
     -------
-    Step or None
+    BranchPoint or None
         None where the branch is lost or comes back to parameter 0
 
     Source
     ------
     Allgower and Georg, Introduction to Numerical Continuation Methods (2003), ch. 2 and 12.
     """
-    parameter, upwards, first = 0.0, True, family.orientation(state, 0.0)
-    for _ in range(TURNS):
-        path = follow(family, state, parameter, (0.0, 1.0), upwards)
-        if not path.steps:
+    parameter, upwards, start_sense = 0.0, True, problem.orientation(state, 0.0)
+    for _ in range(MAX_CORNERS):
+        branch = follow(problem, state, parameter, (0.0, 1.0), upwards)
+        points = _in_sense(problem, branch.points, start_sense)
+        if not points:
             return None
-        steps = _in_sense(family, path.steps, first)
-        if not steps:
-            return None
-        last = steps[-1]
-        if len(steps) < len(path.steps):
-            turned = _closely(family, last, path.steps[len(steps)], first)
-        elif path.end is End.RANGE_LEFT:
+        last = points[-1]
+        if len(points) < len(branch.points):
+            following = _in_short_steps(problem, last, branch.points[len(points)], start_sense)
+        elif branch.end is BranchEnd.RANGE_LEFT:
             return last if last.parameter == 1.0 else None
         else:
-            turned = _around(family, last, first) if path.end is End.STEP_TOO_SHORT else last
-        if turned is None:
+            at_corner = branch.end is BranchEnd.STEP_TOO_SHORT
+            following = _around(problem, last, start_sense) if at_corner else last
+        if following is None:
             return None
-        state, parameter, upwards = turned.state, turned.parameter, turned.tangent.parameter > 0
+        state, parameter, upwards = following.state, following.parameter, following.tangent.parameter > 0
     return None
 
 
-def _in_sense(family: OrientedFamily, steps: tuple[Step, ...], first: float) -> tuple[Step, ...]:
-    """Steps before the first one that does not keep the sense; right on a fold there is none to keep."""
+def _in_sense(
+    problem: OrientedEquations, points: tuple[BranchPoint, ...], start_sense: float
+) -> tuple[BranchPoint, ...]:
+    """Points before the first one that does not keep the sense; right on a fold there is none to keep."""
     kept = 0
-    for number, step in enumerate(steps, 1):
-        if step.fold:
+    for number, point in enumerate(points, 1):
+        if point.fold:
             continue
-        if not _keeps(family, step, first):
-            return steps[:kept]
+        if not _keeps_sense(problem, point, start_sense):
+            return points[:kept]
         kept = number
-    return steps
+    return points
 
 
-def _keeps(family: OrientedFamily, step: Step, first: float) -> bool:
-    """Whether a step has the sense of the branch; `first` is the sign of det R_x where the branch starts."""
-    return first * family.orientation(step.state, step.parameter) * step.tangent.parameter > 0
+def _keeps_sense(problem: OrientedEquations, point: BranchPoint, start_sense: float) -> bool:
+    """Whether a point has the sense of the branch: the sign of det R_x where the branch starts."""
+    return start_sense * problem.orientation(point.state, point.parameter) * point.tangent.parameter > 0
 
 
-def _closely(family: OrientedFamily, here: Step, lost: Step, first: float) -> Step | None:
-    """Place on the branch where a step was lost, after shorter ones, or around the corner there."""
-    ahead = here.tangent.along(family.weight, lost.state - here.state, lost.parameter - here.parameter)
+def _in_short_steps(
+    problem: OrientedEquations, before: BranchPoint, lost: BranchPoint, start_sense: float
+) -> BranchPoint | None:
+    """Point on the branch where a step was lost, after shorter ones, or around the corner there."""
+    ahead = before.distance(problem, lost)
     length = ahead / 2
-    for _ in range(LIMIT):
-        if length < SHORTEST:
-            return _around(family, here, first)
-        found = advanced(family, here, length)
-        if found is None or not _keeps(family, found, first) or _bend(family, here, found) <= STRAIGHT:
+    for _ in range(MAX_STEPS):
+        if length < SHORTEST_STEP:
+            return _around(problem, before, start_sense)
+        after = advanced(problem, before, length)
+        if (
+            after is None
+            or not _keeps_sense(problem, after, start_sense)
+            or before.cosine(problem, after) <= SMALLEST_COSINE
+        ):
             length /= 2
             continue
-        if not 0.0 <= found.parameter <= 1.0:
-            return here
-        here, ahead, length = found, ahead - length, GROWTH * length
+        if not 0.0 <= after.parameter <= 1.0:
+            return before
+        before, ahead, length = after, ahead - length, STEP_GROWTH * length
         if ahead <= 0:
-            return here
+            return before
     return None
 
 
-def _bend(family: OrientedFamily, here: Step, ahead: Step) -> float:
-    """Cosine between the directions of two steps."""
-    return here.tangent.along(family.weight, ahead.tangent.state, ahead.tangent.parameter)
-
-
-def _around(family: OrientedFamily, here: Step, first: float) -> Step | None:
-    """First place beyond the corner just ahead; `first` is the sign of det R_x where the branch starts."""
-    for peek in PEEKS:
-        state, parameter = _moved(here.state, here.parameter, here.tangent, peek)
-        way = _direction(family, state, parameter, first)
-        if not here.tangent.along(family.weight, way.state, way.parameter) < SAME:  # also not a number
+def _around(problem: OrientedEquations, before: BranchPoint, start_sense: float) -> BranchPoint | None:
+    """First point beyond the corner just ahead, in the direction that the equations there have."""
+    for probe in PROBES:
+        state, parameter = _moved(before.state, before.parameter, before.tangent, probe)
+        beyond = tangent(problem, problem.at(state, parameter))
+        if start_sense * problem.orientation(state, parameter) < 0:
+            beyond = beyond.turned()
+        cosine = before.tangent.along(problem.weight, beyond.state, beyond.parameter)
+        if not cosine < CORNER_COSINE:  # also not a number
             continue
-        for stride in STRIDES:
-            guess = _moved(state, parameter, way, stride * peek)
-            found = corrected(family, *guess, way)
-            if found is None:
+        for ratio in FIRST_STEPS:
+            guess = _moved(state, parameter, beyond, ratio * probe)
+            solution = corrected(problem, *guess, beyond)
+            if solution is None:
                 continue
-            step = found.step(family, way)
-            near = way.along(family.weight, step.tangent.state, step.tangent.parameter) > NEAR
-            if near and _keeps(family, step, first):
-                return step
+            point = solution.oriented(problem, beyond)
+            near = beyond.along(problem.weight, point.tangent.state, point.tangent.parameter)
+            if near > NEW_PIECE_COSINE and _keeps_sense(problem, point, start_sense):
+                return point
     return None
 
 
-def _moved(state: NDArray, parameter: float, way: Direction, length: float) -> tuple[NDArray, float]:
+def _moved(state: NDArray, parameter: float, way: BranchDirection, length: float) -> tuple[NDArray, float]:
     return state + length * way.state, parameter + length * way.parameter
-
-
-def _direction(family: OrientedFamily, state: NDArray, parameter: float, first: float) -> Direction:
-    """Direction of a branch by the equations near it."""
-    local = family.at(state, parameter)
-    change = -local.solve(local.by_parameter[:, None])[:, 0]
-    sense = first * family.orientation(state, parameter)
-    length = sense * np.sqrt(change @ (family.weight * change) + 1.0)
-    return Direction(change / length, float(1.0 / length))

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from quasidynamic.solve.arclength import Direction, Local, corrected
+from quasidynamic.solve.arclength import BranchDirection, LinearisedEquations, corrected
 
 
 class Unmoved:
@@ -17,11 +17,11 @@ class Unmoved:
         return 1.0
 
     def at(self, state, parameter):
-        return Local(
-            residual=np.ones(1), by_parameter=np.zeros(1), solve=lambda right: 1.0 * right, done=False
+        return LinearisedEquations(
+            residual=np.ones(1), by_parameter=np.zeros(1), solve=lambda right: 1.0 * right, converged=False
         )
 
 
 def test_a_step_that_cannot_lead_across_ends_the_correction():
-    across = Direction(np.ones(1), 0.0)  # along the unknown, and the branch runs along it
+    across = BranchDirection(np.ones(1), 0.0)  # along the unknown, and the branch runs along it
     assert corrected(Unmoved(), np.zeros(1), 0.5, across) is None

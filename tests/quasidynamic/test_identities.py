@@ -65,7 +65,7 @@ def test_rollers_hold_the_load_and_each_other(state):
     bearing, points = state.balance.roller.bearing, state.balance.points
     tangential = state.traction[0] + (1 - 2 * bearing.diameter_ratio) * state.rolling_shear[0]
     cos, sin = np.cos(bearing.azimuths), np.sin(bearing.azimuths)
-    load, size = state.loads[0], 1e-9 * state.balance.sizes.force[0, 0]
+    load, size = state.loads[0], 1e-9 * state.balance.scales.force[0, 0]
     assert load @ cos - tangential @ sin == approx(points.load_z[0, 0], abs=size)
     assert load @ sin + tangential @ cos == approx(points.load_y[0, 0], abs=size)
     assert state.forces[0, :, 1] == approx(state.forces[1, :, 1], abs=size)

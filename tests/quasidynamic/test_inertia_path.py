@@ -11,7 +11,7 @@ from quasidynamic.balance.balls.race_control import RaceControl
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing
 from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.parts.material import Material
-from quasidynamic.solve.arclength import Local, follow
+from quasidynamic.solve.arclength import LinearisedEquations, follow
 from quasidynamic.solve.balls.ball_equilibrium import balanced, resolved, sizes_of
 from quasidynamic.solve.balls.frozen_forces import hung
 from quasidynamic.solve.balls.inertia_homotopy import InertiaFamily, led
@@ -120,7 +120,7 @@ def test_path_and_balls_call_the_same_forces_balance():
         force[0, 2] = share * limit * (1 + 1j)
         place = centres + resolved(balls, force - balls.excess)
         assert balanced(own, own.balls(own.grooves(ring), place), own.grooves(ring)).all() == holds
-        assert family.at(family.packed(ring, place), 1.0).done == holds
+        assert family.at(family.packed(ring, place), 1.0).converged == holds
 
 
 def test_case_that_ended_not_finite_has_no_forces():
@@ -170,7 +170,9 @@ class Zigzag:
         x = state[0]
         value = min(x, 0.3) - 3 * np.clip(x - 0.3, 0.0, 0.08) + max(x - 0.38, 0.0)
         residual, slope = np.array([value - parameter]), self._slope(x)
-        return Local(residual, np.array([-1.0]), lambda right: right / slope, abs(residual[0]) < 1e-12)
+        return LinearisedEquations(
+            residual, np.array([-1.0]), lambda right: right / slope, abs(residual[0]) < 1e-12
+        )
 
 
 def test_branch_is_followed_around_sharp_corners():
@@ -184,7 +186,7 @@ def test_branch_that_comes_back_is_no_answer():
         def at(self, state, parameter):
             x = state[0]
             residual = np.array([x - x**2 - parameter])
-            return Local(
+            return LinearisedEquations(
                 residual, np.array([-1.0]), lambda right: right / (1 - 2 * x), abs(residual[0]) < 1e-12
             )
 
@@ -208,10 +210,12 @@ def test_step_that_leaps_to_another_branch_is_taken_back():
             residual = np.array([x - parameter, y**2 - (x - 0.5) ** 2 - 1e-6])
             matrix = np.array([[1.0, 0.0], [1.0 - 2 * x, 2 * y]])
             done = bool(np.abs(residual).max() < 1e-13)
-            return Local(residual, np.array([-1.0, 0.0]), lambda right: np.linalg.solve(matrix, right), done)
+            return LinearisedEquations(
+                residual, np.array([-1.0, 0.0]), lambda right: np.linalg.solve(matrix, right), done
+            )
 
     family, begin = Hyperbola(), np.array([0.0, np.sqrt(0.25 + 1e-6)])
-    assert follow(family, begin, 0.0, (0.0, 1.0), upwards=True).steps[-1].state[1] < 0
+    assert follow(family, begin, 0.0, (0.0, 1.0), upwards=True).points[-1].state[1] < 0
     end = followed_through(family, begin)
     assert end is not None
     assert end.state == approx([1.0, begin[1]], rel=1e-10)

@@ -15,7 +15,7 @@ from pytest import approx
 
 from benchmarks.random_designs import design, imbalance
 from quasidynamic import NotSolved, SolverOutcome
-from quasidynamic.balance.rollers.roller import STILL
+from quasidynamic.balance.rollers.roller import STANDSTILL
 from quasidynamic.solve.rollers import bordered_system
 from quasidynamic.static import static_loads
 from tests.bearings import RPM
@@ -88,7 +88,7 @@ def test_power_put_in_is_the_work_of_all_forces(seed, spin_inertia):
     model, state = solved(seed, spin_inertia)
     cage, r_w, spin = model.bearing.cage, model.bearing.roller.diameter / 2, state.roller_speed
     rolling, losses = bearing_speeds(state), state.losses
-    still = STILL * np.abs(state.balance.rolling_spin[0, 0])
+    still = STANDSTILL * np.abs(state.balance.rolling_spin[0, 0])
     friction = cage.pocket_friction * (np.hypot(state.cage_force, 0.5) - 0.5) * spin / np.hypot(spin, still)
     work = [
         (state.traction * state.sliding).sum(),

@@ -13,7 +13,7 @@ import quasidynamic.trace
 from quasidynamic import FourPointCurve, OutOfRange
 from quasidynamic.balance.rollers.unknowns import CAGE
 from quasidynamic.solve import arclength
-from quasidynamic.solve.arclength import End, Local, follow
+from quasidynamic.solve.arclength import BranchEnd, LinearisedEquations, follow
 from quasidynamic.solve.rollers import bordered_system
 from quasidynamic.solve.rollers.step_bounds import bounded
 from quasidynamic.trace import equilibria_at, trace
@@ -41,7 +41,7 @@ class Toy:
                 np.array([part(state[0], parameter)], float)
                 for part in (self.value, self.by_state, self.by_parameter)
             )
-        return Local(value, change, partial(self.solved, slope), bool(abs(value[0]) < 1e-13))
+        return LinearisedEquations(value, change, partial(self.solved, slope), bool(abs(value[0]) < 1e-13))
 
     @staticmethod
     def solved(slope, right):
@@ -60,50 +60,50 @@ ROOT = Toy(lambda x, p: x - np.sqrt(-p), lambda x, p: 1.0, lambda x, p: 0.5 / np
 
 def test_folds_of_a_cubic():
     found = follow(CUBIC, np.array([-1.3]), -1.0, (-1.0, 1.0), upwards=True)
-    assert found.end is End.RANGE_LEFT
-    folds = [step for step in found.steps if step.fold]
+    assert found.end is BranchEnd.RANGE_LEFT
+    folds = [step for step in found.points if step.fold]
     assert [step.parameter for step in folds] == approx(
         np.array([2, -2]) / (3 * np.sqrt(3)), rel=0, abs=1e-12
     )
     assert [step.state[0] for step in folds] == approx(np.array([-1, 1]) / np.sqrt(3), rel=0, abs=1e-7)
-    assert found.steps[0].parameter == -1.0
-    assert found.steps[-1].parameter == 1.0
-    assert all(abs(CUBIC.value(step.state[0], step.parameter)) < 1e-12 for step in found.steps)
+    assert found.points[0].parameter == -1.0
+    assert found.points[-1].parameter == 1.0
+    assert all(abs(CUBIC.value(step.state[0], step.parameter)) < 1e-12 for step in found.points)
 
 
 def test_steps_go_on_along_the_branch_and_never_back():
     found = follow(CUBIC, np.array([-1.3]), -1.0, (-1.0, 1.0), upwards=True)
-    assert (np.diff([step.state[0] for step in found.steps]) > 0).all()
+    assert (np.diff([step.state[0] for step in found.points]) > 0).all()
 
 
 def test_branch_that_turns_back_ends_where_it_began():
     found = follow(CUBIC, np.array([1.2]), 0.5, (-1.0, 0.5), upwards=False)
-    assert found.end is End.RANGE_LEFT
+    assert found.end is BranchEnd.RANGE_LEFT
     # Round the lower fold, up the middle, round the upper one, down to the other bound.
-    assert found.steps[-1].parameter == -1.0
+    assert found.points[-1].parameter == -1.0
     short = follow(CUBIC, np.array([1.2]), 0.2, (-0.5, 0.2), upwards=False)
-    assert short.end is End.RANGE_LEFT
-    assert short.steps[-1].parameter == 0.2
-    assert short.steps[-1].state[0] == approx(-0.20914, rel=0, abs=1e-5)
-    assert sum(step.fold for step in short.steps) == 1
+    assert short.end is BranchEnd.RANGE_LEFT
+    assert short.points[-1].parameter == 0.2
+    assert short.points[-1].state[0] == approx(-0.20914, rel=0, abs=1e-5)
+    assert sum(step.fold for step in short.points) == 1
 
 
 def test_closed_branch_ends_at_the_step_limit():
     found = follow(CIRCLE, np.array([1.0]), 0.0, (-2.0, 2.0), upwards=True)
-    assert found.end is End.LIMIT
-    folds = np.array([step.parameter for step in found.steps if step.fold])
+    assert found.end is BranchEnd.LIMIT
+    folds = np.array([step.parameter for step in found.points if step.fold])
     assert folds[:4] == approx([1.0, -1.0, 1.0, -1.0], rel=0, abs=1e-12)
 
 
 def test_branch_that_stops_is_said_to_stop():
     found = follow(ROOT, np.array([1.0]), -1.0, (-1.0, 1.0), upwards=True)
-    assert found.end is End.STEP_TOO_SHORT
-    assert found.steps[-1].parameter == approx(0.0, rel=0, abs=1e-4)
+    assert found.end is BranchEnd.STEP_TOO_SHORT
+    assert found.points[-1].parameter == approx(0.0, rel=0, abs=1e-4)
 
 
 def test_nothing_to_begin_with():
     found = follow(ROOT, np.array([1.0]), 1.0, (0.5, 1.0), upwards=False)
-    assert found == type(found)((), End.NO_START)
+    assert found == type(found)((), BranchEnd.NO_START)
 
 
 @pytest.mark.parametrize("steepness", [1.0, -1.0, 50.0, -50.0])
@@ -116,24 +116,24 @@ def test_a_corner_is_passed(steepness):
         lambda x, p: -steepness * (1 + p / np.hypot(p, rounding)) / 2,
     )
     found = follow(corner, np.array([0.0]), -1.0, (-1.0, 0.3), upwards=True)
-    assert found.end is End.RANGE_LEFT
-    assert not any(step.fold for step in found.steps)
-    assert found.steps[-1].state[0] == approx(0.3 * steepness, rel=1e-9, abs=0)
+    assert found.end is BranchEnd.RANGE_LEFT
+    assert not any(step.fold for step in found.points)
+    assert found.points[-1].state[0] == approx(0.3 * steepness, rel=1e-9, abs=0)
 
 
 def test_a_gap_too_small_to_matter_is_leaped_over(monkeypatch):
     """Where rounding spoils a contact that opens, short steps end inside it and longer ones do not."""
-    monkeypatch.setattr(arclength, "FIRST_LENGTH", 1e-6)
+    monkeypatch.setattr(arclength, "FIRST_STEP", 1e-6)
     gap = Toy(lambda x, p: x - p if not 0 < p < 1e-5 else np.nan, lambda x, p: 1.0, lambda x, p: -1.0)
     found = follow(gap, np.array([0.0]), 0.0, (0.0, 1.0), upwards=True)
-    assert found.end is End.RANGE_LEFT
-    assert (np.diff([step.parameter for step in found.steps]) > 0).all()
+    assert found.end is BranchEnd.RANGE_LEFT
+    assert (np.diff([step.parameter for step in found.points]) > 0).all()
 
 
 def test_steps_are_short_where_the_branch_bends():
     small = Toy(lambda x, p: x**2 + p**2 - 0.01, lambda x, p: 2 * x, lambda x, p: 2 * p)
     found = follow(small, np.array([0.1]), 0.0, (-2.0, 2.0), upwards=True)
-    ways = [step.tangent for step in found.steps if not step.fold]
+    ways = [step.tangent for step in found.points if not step.fold]
     bends = [one.along(1.0, other.state, other.parameter) for one, other in pairwise(ways)]
     assert min(bends) == approx(0.95, rel=0, abs=0.05)
 
@@ -168,7 +168,7 @@ def jump(loads):
 
 def test_slip_follows_an_s_over_load_through_two_folds():
     found = branch()
-    assert found.end is End.RANGE_LEFT
+    assert found.end is BranchEnd.RANGE_LEFT
     assert (found.values[0], found.values[-1]) == SPAN
     upper, lower = found.folds
     assert upper.slip > lower.slip
@@ -214,7 +214,7 @@ def test_three_equilibria_between_the_folds():
 
 @pytest.mark.parametrize(
     ("name", "without"),
-    [("REACH", 1.001), ("_lumped_starts", lambda balance: [])],
+    [("LOAD_RANGE", 1.001), ("_lumped_starts", lambda balance: [])],
     ids=["by lumped rollers", "along the branch"],
 )
 def test_either_way_of_searching_finds_all_three(monkeypatch, name, without):
@@ -234,7 +234,7 @@ def after_a_while(one, slip_change, time_steps):
     balance, bearing = one.balance, one.balance.roller.bearing
     orbiting = bearing.cage.mass + bearing.rollers * bearing.roller.mass
     inertias = bearing.roller.inertia, orbiting * (bearing.pitch_diameter / 2) ** 2
-    scale = (balance.sizes.unknown / balance.sizes.residual)[0, [balance.layout.field(-1).start, CAGE]]
+    scale = (balance.scales.unknown / balance.scales.residual)[0, [balance.layout.field(-1).start, CAGE]]
     state, slips = one.scaled[None].copy(), []
     state[0, CAGE] -= slip_change
     for time_step in time_steps:
@@ -270,7 +270,7 @@ def test_bearing_leaves_the_unstable_equilibrium_for_a_stable_one(slowed, where)
 
 def test_branch_comes_back_to_the_load_where_it_began():
     found = trace(falling(WITHIN), span=(WITHIN, 6000.0), start=three()[2])
-    assert found.end is End.RANGE_LEFT
+    assert found.end is BranchEnd.RANGE_LEFT
     assert found.values[-1] == WITHIN
     assert len(found.folds) == 1
     assert found.points[0].slip == approx(three()[2].cage_slip, rel=1e-8, abs=0)
@@ -279,7 +279,7 @@ def test_branch_comes_back_to_the_load_where_it_began():
 
 def test_speed_has_folds_too():
     found = trace(falling(WITHIN), over="inner_speed", span=(-20000 * RPM, -95000 * RPM))
-    assert found.end is End.RANGE_LEFT
+    assert found.end is BranchEnd.RANGE_LEFT
     (upper, lower), here = found.folds, -38000 * RPM
     assert upper.value < here < lower.value < 0
     assert found.values[-1] == -95000 * RPM
@@ -292,7 +292,7 @@ def test_speed_has_folds_too():
 
 def test_without_falling_traction_there_is_one_stable_branch():
     found = trace(paper_bearing(), span=(100.0, 20000.0))
-    assert found.end is End.RANGE_LEFT
+    assert found.end is BranchEnd.RANGE_LEFT
     assert (found.values[0], found.values[-1]) == (100.0, 20000.0)
     assert found.folds == ()
     assert found.stable.all()
@@ -307,7 +307,7 @@ def test_without_falling_traction_there_is_one_stable_branch():
 def test_corners_of_a_tilted_bearing_are_passed():
     """Edge by edge, tilted rollers come into contact; the ring turns off at each."""
     found = trace(falling(WITHIN, moment=5.0), over="inner_speed", span=(55000 * RPM, 75000 * RPM))
-    assert found.end is End.RANGE_LEFT
+    assert found.end is BranchEnd.RANGE_LEFT
     assert found.values[-1] == 75000 * RPM
 
 

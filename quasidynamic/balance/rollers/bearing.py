@@ -8,10 +8,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.cage import FloatingCage, floating_cage
-from quasidynamic.balance.rollers.levers import Levers
+from quasidynamic.balance.rollers.kinematics import ApproachKinematics
 from quasidynamic.balance.rollers.operating_points import OperatingPoints
-from quasidynamic.balance.rollers.roller import STILL, VALUE, Motion, RollerBalance, RollerInputs, RollerState
-from quasidynamic.balance.rollers.scales import ANGLE, Sizes
+from quasidynamic.balance.rollers.roller import (
+    STANDSTILL,
+    VALUE,
+    Motion,
+    RollerBalance,
+    RollerInputs,
+    RollerState,
+)
+from quasidynamic.balance.rollers.scales import ANGLE, Scales
 from quasidynamic.balance.rollers.spin_transport import SpinTransport, spin_transport
 from quasidynamic.balance.rollers.unknowns import (
     BORDER,
@@ -20,7 +27,7 @@ from quasidynamic.balance.rollers.unknowns import (
     OUTER,
     TILT_Y,
     TILT_Z,
-    Layout,
+    UnknownLayout,
     Unknowns,
     Y,
     Z,
@@ -51,7 +58,7 @@ class BearingBalance:
     """Residuals that vanish at equilibrium, as a function of scaled unknowns (C, N).
 
     Speeds of the cage and of the rollers are known by what they differ from pure rolling, so that small
-    slips keep their digits; `Layout` tells the order of the unknowns.
+    slips keep their digits; `UnknownLayout` tells the order of the unknowns.
     """
 
     roller: RollerBalance
@@ -66,48 +73,48 @@ class BearingBalance:
         return replace(self, points=self.points.take(cases))
 
     @cached_property
-    def layout(self) -> Layout:
+    def layout(self) -> UnknownLayout:
         """Order of the unknowns."""
         races = tuple(race for race, matrix in enumerate(self.compliance) if matrix is not None)
-        return Layout(
-            rollers=self.roller.bearing.rollers, axial_modes=self.roller.axial_modes, yielding=races
+        return UnknownLayout(
+            rollers=self.roller.bearing.rollers, axial_modes=self.roller.axial_modes, elastic_raceways=races
         )
 
     @cached_property
-    def sizes(self) -> Sizes:
+    def scales(self) -> Scales:
         """What unknowns and residuals are scaled by."""
-        return Sizes(layout=self.layout, roller=self.roller, points=self.points)
+        return Scales(layout=self.layout, roller=self.roller, points=self.points)
 
     @cached_property
-    def levers(self) -> Levers:
+    def kinematics(self) -> ApproachKinematics:
         """How the rollers feel ring and raceways."""
         half = self.roller.raceways.slices.length / 2
-        return Levers(layout=self.layout, azimuths=self.roller.bearing.azimuths, half=half)
+        return ApproachKinematics(layout=self.layout, azimuths=self.roller.bearing.azimuths, half=half)
 
     @property
     def rolling_cage(self) -> NDArray:
         """Cage speed in pure rolling (C, 1) [rad/s]."""
-        return self.sizes.rolling_cage
+        return self.scales.rolling_cage
 
     @property
     def rolling_spin(self) -> NDArray:
         """Roller spin in pure rolling (C, 1) [rad/s]."""
-        return self.sizes.rolling_spin
+        return self.scales.rolling_spin
 
     def unpack(self, scaled: NDArray) -> Unknowns:
         """Unknowns in SI units from scaled ones (C, N)."""
-        return self.layout.split(scaled * self.sizes.unknown)
+        return self.layout.split(scaled * self.scales.unknown)
 
     def pack(self, unknowns: Unknowns) -> NDArray:
         """Scaled unknowns (C, N), the inverse of `unpack`; what this balance does not know is left out."""
-        return self.layout.joined(unknowns) / self.sizes.unknown
+        return self.layout.joined(unknowns) / self.scales.unknown
 
     @cached_property
     def undetermined(self) -> NDArray:
         """Whether nothing holds the ring (C): neither load nor moment, and every roller with its gap."""
         points = self.points
         idle = (points.load == 0) & (points.moment == 0)
-        if self.deviation is not None or self.layout.yielding or not idle.any():
+        if self.deviation is not None or self.layout.elastic_raceways or not idle.any():
             return np.zeros(len(points), bool)
         reach = np.hypot(points.slope_y, points.slope_z) * self.roller.bearing.roller.length / 2
         return (idle & (2 * reach <= self.clearance))[:, 0]
@@ -116,10 +123,10 @@ class BearingBalance:
 
     def inputs(self, x: Unknowns) -> RollerInputs:
         """What the rollers are given; outward deviations move the raceways towards (inner) or away."""
-        approach = self.levers.approach(x, self.clearance)
-        if self.layout.yielding or self.deviation is not None:
+        approach = self.kinematics.approach(x, self.clearance)
+        if self.layout.elastic_raceways or self.deviation is not None:
             given = x.deviation if self.deviation is None else x.deviation + self._given
-            self.levers.deviate(approach, given)
+            self.kinematics.deviate(approach, given)
         return RollerInputs(approach, x.film, self.motion(x.cage_drift, x.spin_drift))
 
     def speeds(self, x: Unknowns) -> tuple[NDArray, NDArray]:
@@ -135,7 +142,7 @@ class BearingBalance:
     @cached_property
     def _still_spin(self) -> NDArray:
         """Spin (C, 1) [rad/s] below which rollers stand still."""
-        return STILL * self.rolling_spin
+        return STANDSTILL * self.rolling_spin
 
     @cached_property
     def _given(self) -> NDArray:
@@ -152,13 +159,13 @@ class BearingBalance:
             return self._evaluated(scaled)
 
     def _evaluated(self, scaled: NDArray) -> Linearisation:
-        own, sizes, x = self.layout.own, self.sizes, self.unpack(scaled)
+        own, sizes, x = self.layout.per_roller, self.scales, self.unpack(scaled)
         inputs = self.inputs(x)
         response = self.roller.respond(inputs, self.points)
-        graded, floating = self.levers.rows(response.table, self.points.free_tilt), None
+        graded, floating = self.kinematics.rows(response.table, self.points.free_tilt), None
         if self.roller.bearing.cage.free:
             floating = self._float(x, response.table, graded)
-        rows, table = graded[:, VALUE], self.levers.columns(graded)
+        rows, table = graded[:, VALUE], self.kinematics.columns(graded)
         transport = self._add_spin_transport(x, rows, table)
         border, border_by = self._border(x.ring[TILT_Z:CAGE, :, 0], inputs.motion.cage_speed, floating)
         border += rows[own : own + BORDER].sum(-1)
@@ -183,24 +190,24 @@ class BearingBalance:
 
     def _add_spin_transport(self, x: Unknowns, rows: NDArray, table: NDArray) -> SpinTransport:
         """Add the transport of spin to its balance, but for what the neighbours' spins do there."""
-        taken, row = self.spin_transport(x.cage_drift, x.spin_drift), self.layout.own - 1
+        taken, row = self.spin_transport(x.cage_drift, x.spin_drift), self.layout.per_roller - 1
         rows[row] -= taken.torque
         table[row, row] -= taken.by_spin
-        table[row, self.layout.own + CAGE] -= taken.by_cage
+        table[row, self.layout.per_roller + CAGE] -= taken.by_cage
         return taken
 
     def floating(self, x: Unknowns, pockets: NDArray) -> FloatingCage:
         """Cage in its land; `pockets` (2, C, Z) [N] push rollers along the motion and outwards."""
-        push = self.levers.pushed(*pockets[:, None])[:, 0].sum(-1).T
+        push = self.kinematics.pushed(*pockets[:, None])[:, 0].sum(-1).T
         bearing = self.roller.bearing
         cage_speed = self.speeds(x)[1][:, 0]
         return floating_cage(push, cage_speed, self.points, bearing.cage, self.roller.lubrication.oil)
 
     def _float(self, x: Unknowns, response: NDArray, graded: NDArray) -> FloatingCage:
         """Let the land's torque follow from the pockets' push; a guiding inner ring bears that push."""
-        own = self.layout.own
+        own = self.layout.per_roller
         pockets = response[own + 2 : own + 4]
-        found, push = self.floating(x, pockets[:, VALUE]), self.levers.pushed(*pockets)
+        found, push = self.floating(x, pockets[:, VALUE]), self.kinematics.pushed(*pockets)
         value = graded[own + CAGE, VALUE].copy()
         graded[own + CAGE] += np.einsum("ci,i...cz->...cz", found.by_push, push)
         graded[own + CAGE, VALUE] = value  # the torque itself is one of the border
@@ -238,7 +245,7 @@ class BearingBalance:
         push[Y], push[Z] = points.load_y[:, 0], points.load_z[:, 0]
         free = points.free_tilt[:, 0]
         # Any stiffness holds a tilt where it shall be; this one has the size of the other rows.
-        stiffness = np.where(free, 0.0, self.sizes.row[self.layout.own + TILT_Z] / ANGLE)
+        stiffness = np.where(free, 0.0, self.scales.row[self.layout.per_roller + TILT_Z] / ANGLE)
         hold[:, TILT_Z, TILT_Z] = hold[:, TILT_Y, TILT_Y] = stiffness
         # A ring that tilts freely has no given slope, one that is held no moment.
         push[TILT_Z] = points.moment_z[:, 0] - stiffness * points.slope_z[:, 0]
@@ -248,7 +255,7 @@ class BearingBalance:
     def _yield(self, x: Unknowns, forces: NDArray) -> list[NDArray]:
         """Deviation minus compliance times load (C, Z M) [m]; rollers push the inner raceway inwards."""
         m, residuals = self.roller.axial_modes, []
-        for place, race in enumerate(self.layout.yielding):
+        for place, race in enumerate(self.layout.elastic_raceways):
             matrix = self.compliance[race]
             assert matrix is not None  # or it would not yield
             load = np.moveaxis(forces[place * m : (place + 1) * m], 0, -1).reshape(len(self.points), -1)

@@ -16,7 +16,7 @@ from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
 
 CAGE_FORCE_ROUNDING = 0.5  # [N] width over which the pocket force changes side
 GRAVITY = 9.81  # [m/s2]
-STILL = 1e-5  # of nominal speeds: below it surfaces stand still, and friction has no sense
+STANDSTILL = 1e-5  # of nominal speeds: below it surfaces stand still, and friction has no sense
 
 # Places among a roller's inputs and its value, and among its forces, counted from the end.
 SPIN, CAGE_SPEED, FILM_I, FILM_O, VALUE = range(-5, 0)
@@ -30,7 +30,7 @@ class Motion(NamedTuple):
     cage_drift: NDArray  # (C, 1) cage speed less that of pure rolling [rad/s]
     spin: NDArray  # (C, Z) relative to the cage [rad/s]
     cage_speed: NDArray  # (C, 1) [rad/s]
-    still_spin: NDArray  # (C, 1) below it a roller stands still [rad/s]
+    standstill_spin: NDArray  # (C, 1) below it a roller stands still [rad/s]
 
 
 class RollerInputs(NamedTuple):
@@ -160,7 +160,7 @@ class RollerBalance:
         sliding, rolling = self._surface_speeds(motion, points)
         # The size of the mean surface speed, kept above zero.
         entrainment = np.sqrt(
-            rolling * rolling + (STILL * self.bearing.inner_radius * points.relative_speed) ** 2
+            rolling * rolling + (STANDSTILL * self.bearing.inner_radius * points.relative_speed) ** 2
         )
         return sliding, entrainment, rolling / entrainment
 
@@ -247,7 +247,7 @@ class RollerBalance:
     def _add_pocket(self, forces: NDArray, motion: Motion) -> NDArray:
         """Fill in the pocket's friction: lifts or presses the roller, brakes its spin; returns F_c (C, Z)."""
         coefficient = self.bearing.cage.pocket_friction
-        speed = np.sqrt(motion.spin**2 + motion.still_spin**2)
+        speed = np.sqrt(motion.spin**2 + motion.standstill_spin**2)
         sense = motion.spin / speed
         graded = _combined(self.cage_force, forces)
         force = graded[VALUE]

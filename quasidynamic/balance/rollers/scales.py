@@ -8,25 +8,25 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.operating_points import OperatingPoints
 from quasidynamic.balance.rollers.roller import RollerBalance
-from quasidynamic.balance.rollers.unknowns import BORDER, CAGE, TILT_Z, Layout
+from quasidynamic.balance.rollers.unknowns import BORDER, CAGE, TILT_Z, UnknownLayout
 from quasidynamic.motion.roller_speeds import rolling_cage_speed, rolling_roller_speed
 
 FRICTION = 1e-2  # usual size of friction over load
 LENGTH = 1e-6  # [m] size of approaches and displacements
 ANGLE = 1e-3  # [rad]
-IDLE = 1e-3  # share of the centrifugal force that stands for a load
-FILM = 1e-4  # [m] far above any film: a step is judged by its forces, not by how far films lag behind
+CENTRIFUGAL_SHARE = 1e-3  # share of the centrifugal force that stands for a load
+FILM_SCALE = 1e-4  # [m] far above any film: a step is judged by its forces, not by how far films lag behind
 LARGE_DEVIATION = 1e-4  # [m] of a thin ring
 
 
 @dataclass(frozen=True, kw_only=True)
-class Sizes:
-    """Sizes of C cases; columns stand for unknowns, rows for residuals.
+class Scales:
+    """Scales of C cases; columns stand for unknowns, rows for residuals.
 
     A table's rows and columns are those of `Linearisation`: a roller's own, the border's, deviations.
     """
 
-    layout: Layout
+    layout: UnknownLayout
     roller: RollerBalance
     points: OperatingPoints
 
@@ -51,7 +51,7 @@ class Sizes:
         bearing, points = self.roller.bearing, self.points
         centrifugal, _ = self.roller.centrifugal(self.rolling_cage)
         tilting = points.moment / bearing.roller.length
-        return np.maximum(np.maximum(points.load, tilting), IDLE * centrifugal)
+        return np.maximum(np.maximum(points.load, tilting), CENTRIFUGAL_SHARE * centrifugal)
 
     @cached_property
     def unknown(self) -> NDArray:
@@ -66,7 +66,7 @@ class Sizes:
     @cached_property
     def residual(self) -> NDArray:
         """Size of each residual (C, N)."""
-        layout, own = self.layout, self.layout.own
+        layout, own = self.layout, self.layout.per_roller
         scale = np.full((len(self.points), layout.size), LARGE_DEVIATION)
         scale[:, :BORDER] = self.row[own : own + BORDER].T
         scale[:, BORDER : layout.fields_end] = self.row[:own].T.repeat(layout.rollers, axis=1)
@@ -78,15 +78,15 @@ class Sizes:
 
         Friction is about a hundredth of the load that causes it, and so is the size of its balances.
         """
-        bearing, layout, own = self.roller.bearing, self.layout, self.layout.own
+        bearing, layout, own = self.roller.bearing, self.layout, self.layout.per_roller
         half = bearing.roller.length / 2
         tilt = [half] if layout.axial_modes > 1 else []
         levers = [1.0, *tilt, 0.0, 0.0, FRICTION * bearing.roller.diameter / 2]
         levers += [1.0, 1.0, half, half, FRICTION * bearing.pitch_diameter / 2]
-        rows = own + BORDER + layout.axial_modes * len(layout.yielding)
+        rows = own + BORDER + layout.axial_modes * len(layout.elastic_raceways)
         scale = np.full((rows, len(self.points)), LARGE_DEVIATION)
         scale[: own + BORDER] = np.array(levers)[:, None] * self.force[:, 0]
-        scale[own - 3 : own - 1] = FILM
+        scale[own - 3 : own - 1] = FILM_SCALE
         return scale
 
     @cached_property
@@ -94,7 +94,7 @@ class Sizes:
         """Size of the unknowns in the columns of the table (columns, C, 1)."""
         layout = self.layout
         own = self.unknown[:, BORDER : layout.fields_end : layout.rollers].T
-        yields = np.full((len(layout.yielding) * layout.axial_modes, len(self.points)), LENGTH)
+        yields = np.full((len(layout.elastic_raceways) * layout.axial_modes, len(self.points)), LENGTH)
         return np.concatenate([own, self.unknown[:, :BORDER].T, yields])[..., None]
 
     @cached_property
@@ -105,11 +105,11 @@ class Sizes:
     @cached_property
     def spin(self) -> NDArray:
         """Spins over their balances (C, 1)."""
-        last = self.layout.own - 1
+        last = self.layout.per_roller - 1
         return self.column[last] / self.row[last][:, None]
 
     @cached_property
     def border(self) -> NDArray:
         """Unknowns of the border over its balances (C, 5, 5)."""
-        own = self.layout.own
+        own = self.layout.per_roller
         return self.unknown[:, None, :BORDER] / self.row[own : own + BORDER].T[..., None]

@@ -25,7 +25,7 @@ class Unknowns(NamedTuple):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Layout:
+class UnknownLayout:
     """Order of the N unknowns of a case.
 
     Ring displacement y, z; ring slopes dz/dx, dy/dx; cage drift; then field by field over the rollers
@@ -36,42 +36,44 @@ class Layout:
 
     rollers: int
     axial_modes: int  # M, axial modes
-    yielding: tuple[int, ...] = ()  # raceways that yield, by index
+    elastic_raceways: tuple[int, ...] = ()  # raceways that yield, by index
 
     @cached_property
-    def own(self) -> int:
+    def per_roller(self) -> int:
         """Number of unknowns of each roller."""
         return 4 + (self.axial_modes > 1)
 
     @cached_property
     def fields_end(self) -> int:
         """Number of unknowns before the deviations."""
-        return BORDER + self.rollers * self.own
+        return BORDER + self.rollers * self.per_roller
 
     @cached_property
     def size(self) -> int:
         """Number N of unknowns of a case."""
-        return self.fields_end + self.rollers * self.axial_modes * len(self.yielding)
+        return self.fields_end + self.rollers * self.axial_modes * len(self.elastic_raceways)
 
     def field(self, which: int) -> slice:
         """Place of a roller's unknown (0 approach, ..., -1 spin) among the unknowns of a case."""
-        start = BORDER + which % self.own * self.rollers
+        start = BORDER + which % self.per_roller * self.rollers
         return slice(start, start + self.rollers)
 
     @cached_property
     def displacements(self) -> NDArray:
         """Places of the unknowns that are displacements of rings, rollers and raceways."""
-        rollers = np.arange(BORDER, BORDER + self.rollers * (self.own - 3))
+        rollers = np.arange(BORDER, BORDER + self.rollers * (self.per_roller - 3))
         return np.concatenate([[Y, Z], rollers, np.arange(self.fields_end, self.size)])
 
     def split(self, x: NDArray) -> Unknowns:
         """Unknowns by name from a row (C, N), in SI units."""
         cases, m = len(x), self.axial_modes
-        fields = x[:, BORDER : self.fields_end].reshape(cases, self.own, self.rollers).transpose(1, 0, 2)
+        fields = (
+            x[:, BORDER : self.fields_end].reshape(cases, self.per_roller, self.rollers).transpose(1, 0, 2)
+        )
         deviation = np.zeros((2, m, cases, self.rollers))
-        if self.yielding:
-            given = x[:, self.fields_end :].reshape(cases, len(self.yielding), self.rollers, m)
-            deviation[list(self.yielding)] = given.transpose(1, 3, 0, 2)
+        if self.elastic_raceways:
+            given = x[:, self.fields_end :].reshape(cases, len(self.elastic_raceways), self.rollers, m)
+            deviation[list(self.elastic_raceways)] = given.transpose(1, 3, 0, 2)
         return Unknowns(
             ring=x[:, :CAGE].T[..., None],
             cage_drift=x[:, CAGE:BORDER],
@@ -88,9 +90,9 @@ class Layout:
         tilt = [unknowns.tilt] if m > 1 else []
         fields = [unknowns.approach, *tilt, *unknowns.film, unknowns.spin_drift]
         x = [unknowns.ring[..., 0].T, unknowns.cage_drift, *fields]
-        if self.yielding:
+        if self.elastic_raceways:
             axial_modes = np.zeros((2, m, cases, self.rollers))
             common = min(m, unknowns.deviation.shape[1])
             axial_modes[:, :common] = unknowns.deviation[:, :common]
-            x.append(axial_modes[list(self.yielding)].transpose(2, 0, 3, 1).reshape(cases, -1))
+            x.append(axial_modes[list(self.elastic_raceways)].transpose(2, 0, 3, 1).reshape(cases, -1))
         return np.concatenate(x, axis=1)

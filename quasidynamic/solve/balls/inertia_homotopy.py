@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.balls.angular_contact import AngularBalance
 from quasidynamic.balance.balls.ball_position import Vectors
-from quasidynamic.solve.arclength import Local
+from quasidynamic.solve.arclength import LinearisedEquations
 from quasidynamic.solve.balls.ball_equilibrium import sizes_of
 from quasidynamic.solve.balls.frozen_forces import hung
 from quasidynamic.solve.balls.ring_on_springs import first_place
@@ -92,14 +92,14 @@ class InertiaFamily:
         sign, _ = np.linalg.slogdet(self._linear(state, parameter)[2])
         return float(sign)
 
-    def at(self, state: NDArray, parameter: float) -> Local:
+    def at(self, state: NDArray, parameter: float) -> LinearisedEquations:
         """Forces on ring and balls, over the largest one."""
         residual, by_parameter, matrix, allowed = self._linear(state, parameter)
-        return Local(
+        return LinearisedEquations(
             residual=residual,
             by_parameter=by_parameter,
             solve=lambda right: _solution(matrix, right),
-            done=self._largest(residual) <= allowed,
+            converged=self._largest(residual) <= allowed,
         )
 
     def _linear(self, state: NDArray, parameter: float) -> tuple[NDArray, NDArray, NDArray, float]:

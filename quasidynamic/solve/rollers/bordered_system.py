@@ -8,7 +8,7 @@ from scipy.linalg.lapack import dgtsv  # pyright: ignore[reportAttributeAccessIs
 
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
 from quasidynamic.balance.rollers.scales import LARGE_DEVIATION, LENGTH
-from quasidynamic.balance.rollers.unknowns import BORDER, CAGE, INNER, Layout, Y, Z
+from quasidynamic.balance.rollers.unknowns import BORDER, CAGE, INNER, UnknownLayout, Y, Z
 
 
 class Shift(NamedTuple):
@@ -45,7 +45,7 @@ def solve(balance: BearingBalance, system: Linearisation, right: NDArray, shift:
         not a number for cases whose matrix is singular
     """
     layout, (cases, _, count) = balance.layout, right.shape
-    own, split = layout.own, layout.fields_end
+    own, split = layout.per_roller, layout.fields_end
     rows, columns = system.table.shape[:2]
     table = np.zeros((rows, columns + count, cases, layout.rollers))
     table[:, :-count] = system.table
@@ -58,14 +58,14 @@ def solve(balance: BearingBalance, system: Linearisation, right: NDArray, shift:
         border = _shifted(border, shift)
     with np.errstate(all="ignore"):
         eliminate(table, own - 1)
-        rest = _dense if layout.yielding else _chained
+        rest = _dense if layout.elastic_raceways else _chained
         edge, spin, shared = rest(balance, system, table[own - 1 :, own - 1 :], border, right)
         found = np.empty((columns, count, cases, layout.rollers))
         found[own - 1], found[own : own + BORDER], found[own + BORDER :] = spin, edge[..., None], shared
         substitute(table, found, own - 1)
     fields = found[:own].transpose(2, 0, 3, 1).reshape(cases, -1, count)
     solved = [edge.transpose(2, 0, 1), fields]
-    if layout.yielding:
+    if layout.elastic_raceways:
         solved.append(_deviations(layout, shared))
     return np.concatenate(solved, axis=1)
 
@@ -154,7 +154,7 @@ def _solved(matrix: NDArray, side: NDArray) -> NDArray:
 def _dense(balance, system, table, border, right) -> tuple[NDArray, NDArray, NDArray]:
     """Border (5, R, C), spins (R, C, Z), deviations (races M, R, C, Z), one dense system for each case."""
     layout, count = balance.layout, right.shape[2]
-    rollers, yields = layout.rollers, len(layout.yielding) * layout.axial_modes
+    rollers, yields = layout.rollers, len(layout.elastic_raceways) * layout.axial_modes
     found = []
     for case in range(len(right)):
         here = table[:, :, case]
@@ -169,7 +169,7 @@ def _dense(balance, system, table, border, right) -> tuple[NDArray, NDArray, NDA
     solved = np.array(found)
     edge, spin = solved[:, :BORDER], solved[:, BORDER : BORDER + rollers]
     axial_modes = solved[:, BORDER + rollers :].reshape(
-        len(right), len(layout.yielding), rollers, layout.axial_modes, count
+        len(right), len(layout.elastic_raceways), rollers, layout.axial_modes, count
     )
     return (
         edge.transpose(1, 2, 0),
@@ -181,7 +181,7 @@ def _dense(balance, system, table, border, right) -> tuple[NDArray, NDArray, NDA
 def _assembled(balance, system, table: NDArray, border: NDArray, case: int) -> NDArray:
     """Matrix of border, spins and deviations from the reduced table (rows, columns, Z) of a case."""
     layout = balance.layout
-    z, m, races = layout.rollers, layout.axial_modes, len(layout.yielding)
+    z, m, races = layout.rollers, layout.axial_modes, len(layout.elastic_raceways)
     each = np.arange(z)
     size = BORDER + z + races * z * m
     matrix, spins = np.zeros((size, size)), BORDER + each
@@ -210,15 +210,15 @@ def _assembled(balance, system, table: NDArray, border: NDArray, case: int) -> N
 def _pressed(balance, forces: NDArray) -> NDArray:
     """Deviations (races Z M, R) under forces (races M, R, Z), scaled alike."""
     layout, m, answers = balance.layout, balance.layout.axial_modes, []
-    for place, race in enumerate(layout.yielding):
+    for place, race in enumerate(layout.elastic_raceways):
         here = forces[place * m : (place + 1) * m].transpose(2, 0, 1).reshape(layout.rollers * m, -1)
         answers.append((-1.0 if race == INNER else 1.0) * balance.compliance[race] @ here)
     return np.concatenate(answers)
 
 
-def _deviations(layout: Layout, axial_modes: NDArray) -> NDArray:
+def _deviations(layout: UnknownLayout, axial_modes: NDArray) -> NDArray:
     """Deviation unknowns (C, races Z M, R) from axial_modes (races M, R, C, Z)."""
-    m, races = layout.axial_modes, len(layout.yielding)
+    m, races = layout.axial_modes, len(layout.elastic_raceways)
     _, count, cases, rollers = axial_modes.shape
     split = axial_modes.reshape(races, m, count, cases, rollers)
     return split.transpose(3, 0, 4, 1, 2).reshape(cases, -1, count)

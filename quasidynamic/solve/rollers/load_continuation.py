@@ -10,28 +10,28 @@ from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.newton import newton
 
-HEAVIER = (8.0, 64.0, 512.0, 4096.0)  # loads to begin from, over the load that is asked for
+FIRST_LOADS = (8.0, 64.0, 512.0, 4096.0)  # loads to begin from, over the load that is asked for
 FIRST_STEP = 0.7  # of the logarithm of the load
 SHORTEST_STEP = 0.02
-LIMIT = 80  # loads
+MAX_LOADS = 80  # loads
 
 
 @dataclass(frozen=True)
-class Walk:
+class Continuation:
     """Where a continuation ended."""
 
     unknowns: NDArray | None  # (1, N) scaled, at the load that is asked for; None when it was not reached
     evaluations: int
 
 
-def from_heavier_load(balance: BearingBalance, start: Callable[[BearingBalance], NDArray]) -> Walk:
+def from_heavier_load(balance: BearingBalance, start: Callable[[BearingBalance], NDArray]) -> Continuation:
     """Equilibrium of one case, from that of a load many times as large in shrinking steps.
 
     Each step starts from an extrapolation of the last two equilibria over the logarithm of the load,
     and is halved until Newton's method succeeds.
     """
     evaluations = 0
-    for factor in HEAVIER:
+    for factor in FIRST_LOADS:
         heavy = loaded(balance, factor)
         unknowns, used = _newton(heavy, start(heavy))
         evaluations += used
@@ -39,8 +39,8 @@ def from_heavier_load(balance: BearingBalance, start: Callable[[BearingBalance],
             walk = _down(balance, np.log(factor), unknowns)
             evaluations += walk.evaluations
             if walk.unknowns is not None:
-                return Walk(walk.unknowns, evaluations)
-    return Walk(None, evaluations)
+                return Continuation(walk.unknowns, evaluations)
+    return Continuation(None, evaluations)
 
 
 def loaded(balance: BearingBalance, factor: float) -> BearingBalance:
@@ -52,10 +52,10 @@ def loaded(balance: BearingBalance, factor: float) -> BearingBalance:
     )
 
 
-def _down(balance: BearingBalance, place: float, unknowns: NDArray) -> Walk:
-    """Walk from log(load factor) `place` to zero."""
+def _down(balance: BearingBalance, place: float, unknowns: NDArray) -> Continuation:
+    """Continuation from log(load factor) `place` to zero."""
     step, slope, evaluations = FIRST_STEP, np.zeros_like(unknowns), 0
-    for _ in range(LIMIT):
+    for _ in range(MAX_LOADS):
         target = max(place - step, 0.0)
         found, used = _newton(loaded(balance, np.exp(target)), unknowns + slope * (target - place))
         evaluations += used
@@ -66,9 +66,9 @@ def _down(balance: BearingBalance, place: float, unknowns: NDArray) -> Walk:
             continue
         slope, place, unknowns = (found - unknowns) / (target - place), target, found
         if place == 0.0:
-            return Walk(unknowns, evaluations)
+            return Continuation(unknowns, evaluations)
         step *= 1.5
-    return Walk(None, evaluations)
+    return Continuation(None, evaluations)
 
 
 def _newton(balance: BearingBalance, unknowns: NDArray) -> tuple[NDArray | None, int]:

@@ -13,17 +13,17 @@ from quasidynamic.solve.rollers import bordered_system
 from quasidynamic.solve.rollers.step_bounds import bounded
 
 TOLERANCE = 1e-12  # of the reference force, or of the largest roller load if that is larger
-ENOUGH = 1e-10  # the same, where rounding keeps a step from lowering the residual any more
+ROUNDING_TOLERANCE = 1e-10  # the same, where rounding keeps a step from lowering the residual any more
 ROUNDING = 1e-8  # residual from where rounding decides whether a step looks smaller
-LIMIT = 60  # evaluations
-LONGEST_SHIFT = 100.0  # scaled ring displacement in a step: 100 micrometres
-SPEED_CHANGE = 0.7  # of the cage speed in a step
-CRAWL = 0.02  # of the cage speed in pure rolling, by which it may change at any speed
-SHORTEST = 2.0**-10  # part of a Newton step
+MAX_EVALUATIONS = 60  # evaluations
+LARGEST_RING_STEP = 100.0  # scaled ring displacement in a step: 100 micrometres
+LARGEST_SPEED_CHANGE = 0.7  # of the cage speed in a step
+SLOW_CAGE = 0.02  # of the cage speed in pure rolling, by which it may change at any speed
+SMALLEST_DAMPING = 2.0**-10  # part of a Newton step
 
 
 @dataclass(frozen=True)
-class Sweep:
+class Iterate:
     """One evaluation of the cases that were still running."""
 
     number: int
@@ -33,7 +33,7 @@ class Sweep:
     outcomes: list[SolverOutcome]
     accepted: NDArray  # (cases) whether the step lowered the residual
 
-    def numbered(self, number: int) -> "Sweep":
+    def numbered(self, number: int) -> "Iterate":
         """Return the same sweep under another number."""
         return replace(self, number=number)
 
@@ -43,7 +43,7 @@ class Sweep:
         return _largest(self.system.residual)
 
 
-def newton(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep]:
+def newton(balance: BearingBalance, unknowns: NDArray) -> Iterator[Iterate]:
     """Yield Newton iterates of all cases; a case leaves when its residual is below `TOLERANCE`.
 
     A step is halved until the residual falls; one too short to help ends as `STALLED`. Every
@@ -52,16 +52,16 @@ def newton(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep]:
     """
     cases, here = np.arange(len(unknowns)), balance
     system, accepted = here.evaluate(unknowns), np.ones(len(unknowns), bool)
-    yield Sweep(0, cases, unknowns, system, [SolverOutcome.RUNNING] * len(cases), accepted)
+    yield Iterate(0, cases, unknowns, system, [SolverOutcome.RUNNING] * len(cases), accepted)
     # Types are declared where a checker would follow them around the loop for minutes.
     direction: NDArray = step(here, system)
     size, worst, damping = norm(system), _worst(system), np.ones(len(cases))
-    for number in range(1, LIMIT + 1):
+    for number in range(1, MAX_EVALUATIONS + 1):
         trial = bounded(here, unknowns, unknowns + damping[:, None] * direction)
         system = here.evaluate(trial)
         new = norm(system)
         better: NDArray = new <= np.maximum((1 - 1e-4 * damping) * size, ROUNDING * system.loading)
-        better &= (new < size) | (worst > ENOUGH)
+        better &= (new < size) | (worst > ROUNDING_TOLERANCE)
         everywhere = bool(better.all())
         if everywhere:  # as nearly always: nothing to choose
             unknowns, size, worst, damping = trial, new, _worst(system), np.ones(len(cases))
@@ -69,8 +69,8 @@ def newton(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep]:
             unknowns = np.where(better[:, None], trial, unknowns)
             size, worst = np.where(better, new, size), np.where(better, _worst(system), worst)
             damping = np.where(better, 1.0, damping / 2)
-        outcomes = _outcomes(better, worst, damping, number == LIMIT)
-        yield Sweep(number, cases, unknowns, system, outcomes, better)
+        outcomes = _outcomes(better, worst, damping, number == MAX_EVALUATIONS)
+        yield Iterate(number, cases, unknowns, system, outcomes, better)
         running = [outcome is SolverOutcome.RUNNING for outcome in outcomes]
         if not any(running):
             return
@@ -92,9 +92,9 @@ def _outcomes(better: NDArray, worst: NDArray, damping: NDArray, last: bool) -> 
 
 
 def _outcome(better: bool, worst: float, damping: float, last: bool) -> SolverOutcome:
-    if worst <= TOLERANCE or (worst <= ENOUGH and (last or not better)):
+    if worst <= TOLERANCE or (worst <= ROUNDING_TOLERANCE and (last or not better)):
         return SolverOutcome.CONVERGED
-    if damping < SHORTEST:
+    if damping < SMALLEST_DAMPING:
         return SolverOutcome.STALLED
     return SolverOutcome.LIMIT if last else SolverOutcome.RUNNING
 
@@ -107,8 +107,8 @@ def _worst(system: Linearisation) -> NDArray:
 def step(
     balance: BearingBalance,
     system: Linearisation,
-    longest: NDArray | float = LONGEST_SHIFT,
-    speed_change: float = SPEED_CHANGE,
+    longest: NDArray | float = LARGEST_RING_STEP,
+    speed_change: float = LARGEST_SPEED_CHANGE,
     shift: bordered_system.Shift = bordered_system.NO_SHIFT,
 ) -> NDArray:
     """Newton step (C, N), with a ring that moves no further than `longest` (scaled).
@@ -125,7 +125,9 @@ def step(
         held = shift._replace(ring=np.where(far > longest, stiffness, 0.0))
         found = bordered_system.solve(balance, system, right, held)[..., 0]
         far = _largest(found[:, Y : Z + 1])
-    long = np.maximum(far / longest, np.abs(found[:, CAGE]) / (speed_change * (system.cage_speed + CRAWL)))
+    long = np.maximum(
+        far / longest, np.abs(found[:, CAGE]) / (speed_change * (system.cage_speed + SLOW_CAGE))
+    )
     return found if (long <= 1.0).all() else found / np.maximum(long, 1.0)[:, None]
 
 

@@ -10,45 +10,47 @@ from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
 from quasidynamic.balance.rollers.unknowns import CAGE, TILT_Z
 from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers import bordered_system
-from quasidynamic.solve.rollers.newton import Sweep, norm, step
+from quasidynamic.solve.rollers.newton import Iterate, norm, step
 from quasidynamic.solve.rollers.step_bounds import bounded
 
-LIMIT = 40  # evaluations before Newton's method is tried again
-ENOUGH = 1e-4  # residual from which it is tried at once
-PROGRESS = 1e-2  # part of the first residual that must be reached before
+MAX_EVALUATIONS = 40  # evaluations before Newton's method is tried again
+NEWTON_RESIDUAL = 1e-4  # residual from which it is tried at once
+NEWTON_REDUCTION = 1e-2  # part of the first residual that must be reached before
 FIRST_STEP = 1e-4  # [s]
 SHORTEST_STEP = 1e-9  # [s]
-LONGEST_SHIFT = 5.0  # scaled ring displacement in a step: 5 micrometres
+LARGEST_RING_STEP = 5.0  # scaled ring displacement in a step: 5 micrometres
 TILT_SHARE = 0.2  # scaled tilt of a ring that moves roller ends about as far as a scaled displacement
-SPEED_CHANGE = 0.15  # of the cage speed in a step
-WORSE = 3.0  # growth of the residual that is still taken
+LARGEST_SPEED_CHANGE = 0.15  # of the cage speed in a step
+LARGEST_GROWTH = 3.0  # growth of the residual that is still taken
 
 
 @dataclass(frozen=True)
-class Pace:
+class StepLimits:
     """How far the next step of each case may go."""
 
     time: NDArray  # (C) [s]
     shift: NDArray  # (C) scaled ring displacement
 
     @classmethod
-    def first(cls, cases: int) -> "Pace":
-        """Pace to begin with."""
-        return cls(np.full(cases, FIRST_STEP), np.full(cases, LONGEST_SHIFT))
+    def first(cls, cases: int) -> "StepLimits":
+        """StepLimits to begin with."""
+        return cls(np.full(cases, FIRST_STEP), np.full(cases, LARGEST_RING_STEP))
 
-    def after(self, refused: NDArray, growth: NDArray) -> "Pace":
+    def after(self, refused: NDArray, growth: NDArray) -> "StepLimits":
         """Slower where a step was refused, otherwise faster, the more so the more the residual fell."""
-        return Pace(
+        return StepLimits(
             np.where(refused, self.time / 4, self.time * growth),
-            np.where(refused, self.shift / 4, np.minimum(2 * self.shift, LONGEST_SHIFT)),
+            np.where(refused, self.shift / 4, np.minimum(2 * self.shift, LARGEST_RING_STEP)),
         )
 
-    def take(self, cases: NDArray) -> "Pace":
-        """Pace of some cases."""
-        return Pace(self.time[cases], self.shift[cases])
+    def take(self, cases: NDArray) -> "StepLimits":
+        """StepLimits of some cases."""
+        return StepLimits(self.time[cases], self.shift[cases])
 
 
-def pseudo_time(balance: BearingBalance, unknowns: NDArray, pace: Pace) -> Iterator[tuple[Sweep, Pace]]:
+def pseudo_time(
+    balance: BearingBalance, unknowns: NDArray, pace: StepLimits
+) -> Iterator[tuple[Iterate, StepLimits]]:
     """Yield each sweep over the running cases, with their pace.
 
     Ring and rollers follow at once. The time step grows as the residual falls (switched evolution
@@ -59,17 +61,19 @@ def pseudo_time(balance: BearingBalance, unknowns: NDArray, pace: Pace) -> Itera
     before, size = unknowns, np.full(len(unknowns), np.inf)
     pull, turned = np.zeros(len(unknowns)), np.zeros(len(unknowns), bool)
     enough = None
-    for number in range(LIMIT + 1):
+    for number in range(MAX_EVALUATIONS + 1):
         system = here.evaluate(unknowns)
         new = norm(system)
-        enough = np.minimum(ENOUGH, PROGRESS * new) if enough is None else enough
-        refused = ~(new < WORSE * size) & (pace.time > SHORTEST_STEP)
+        enough = np.minimum(NEWTON_RESIDUAL, NEWTON_REDUCTION * new) if enough is None else enough
+        refused = ~(new < LARGEST_GROWTH * size) & (pace.time > SHORTEST_STEP)
         pace = pace.after(refused, _growth(size, new, turned))
         # A refused state is left for the one before it; the next sweep starts there with a shorter step.
         here_now = np.where(refused[:, None], before, unknowns)
-        outcomes = [_outcome(*case, last=number == LIMIT) for case in zip(new, enough, refused, strict=True)]
+        outcomes = [
+            _outcome(*case, last=number == MAX_EVALUATIONS) for case in zip(new, enough, refused, strict=True)
+        ]
         left = np.array([outcome is SolverOutcome.RUNNING for outcome in outcomes])
-        yield Sweep(number, cases, here_now, system, outcomes, ~refused), pace
+        yield Iterate(number, cases, here_now, system, outcomes, ~refused), pace
         if not left.any():
             return
         change = _step(here, system, pace)
@@ -104,16 +108,16 @@ def _outcome(size: float, enough: float, refused: bool, last: bool) -> SolverOut
     return SolverOutcome.LIMIT if last else SolverOutcome.RUNNING
 
 
-def _step(balance: BearingBalance, system: Linearisation, pace: Pace) -> NDArray:
+def _step(balance: BearingBalance, system: Linearisation, pace: StepLimits) -> NDArray:
     bearing = balance.roller.bearing
     orbiting = bearing.cage.mass + bearing.rollers * bearing.roller.mass
-    columns, rows = balance.sizes.unknown, balance.sizes.residual
+    columns, rows = balance.scales.unknown, balance.scales.residual
     spin, cage = balance.layout.field(-1).start, CAGE
-    own = system.table[balance.layout.own - 1, balance.layout.own - 1]
+    own = system.table[balance.layout.per_roller - 1, balance.layout.per_roller - 1]
     inertia = bearing.roller.inertia * columns[:, spin] / rows[:, spin] / pace.time
     shift = bordered_system.Shift(
         # A spin that runs away, as on a traction curve that falls, is led the way it runs.
         spin=inertia[:, None] + np.maximum(2 * own, 0.0),
         cage=orbiting * (bearing.pitch_diameter / 2) ** 2 * columns[:, cage] / rows[:, cage] / pace.time,
     )
-    return step(balance, system, pace.shift, SPEED_CHANGE, shift)
+    return step(balance, system, pace.shift, LARGEST_SPEED_CHANGE, shift)

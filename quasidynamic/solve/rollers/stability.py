@@ -53,4 +53,4 @@ def _inertia(balance: BearingBalance) -> NDArray:
     inertia, spins = np.zeros(balance.layout.size), balance.layout.field(-1)
     inertia[spins] = bearing.roller.inertia
     inertia[CAGE] = orbiting * (bearing.pitch_diameter / 2) ** 2
-    return inertia * balance.sizes.unknown[0] / balance.sizes.residual[0]
+    return inertia * balance.scales.unknown[0] / balance.scales.residual[0]

@@ -7,7 +7,7 @@ from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.balance.rollers.unknowns import Unknowns
 from quasidynamic.contact.line.load_law import EXPONENT
 
-SETTLING_STEPS = 8  # Newton on a nearly linear law inside a bracket
+MAX_STEPS = 8  # Newton on a nearly linear law inside a bracket
 NEAR_ENOUGH = 1e-8  # [m] of the last step; what is left after it is far less
 
 
@@ -22,9 +22,9 @@ def outer_approach(balance: BearingBalance, cage_speed: NDArray) -> NDArray:
     return balance.roller.raceways.softness[1] * centrifugal_force(balance, cage_speed) ** (1 / EXPONENT)
 
 
-def resting_loads(balance: BearingBalance, unknowns: Unknowns, shaped: bool = False) -> NDArray:
-    """Loads (2, C, Z) [N] of rollers, untilted on even raceways or, if `shaped`, as they are."""
-    beyond = axial_shape(balance, unknowns) if shaped else 0.0
+def frictionless_loads(balance: BearingBalance, unknowns: Unknowns, uneven: bool = False) -> NDArray:
+    """Loads (2, C, Z) [N] of rollers, untilted on even raceways or, if `uneven`, as they are."""
+    beyond = axial_variation(balance, unknowns) if uneven else 0.0
     return _pressed(balance, balance.inputs(unknowns).approach[:, 0], beyond)[0]
 
 
@@ -46,14 +46,14 @@ def _pressed(
     return raceways.slices.total(line_load), raceways.slices.total(slope)
 
 
-def settled(balance: BearingBalance, unknowns: Unknowns, shaped: bool = False) -> Unknowns:
+def static_equilibrium(balance: BearingBalance, unknowns: Unknowns, uneven: bool = False) -> Unknowns:
     """Put every roller at rest between its raceways, without friction.
 
     A step that linearises contact may throw a roller off its outer raceway, from where the load law
     has no slope to bring it back; this puts it on again. Rollers are untilted on even raceways, or, if
-    `shaped`, tilted as they are on raceways of the shape that they have.
+    `uneven`, tilted as they are on raceways of the shape that they have.
     """
-    beyond = axial_shape(balance, unknowns) if shaped else np.zeros((1, 2, 1, 1))
+    beyond = axial_variation(balance, unknowns) if uneven else np.zeros((1, 2, 1, 1))
     room = balance.inputs(unknowns).approach[:, 0].sum(0)  # both approaches, wherever the roller is
     _, cage_speed = balance.speeds(unknowns)
     drop, pressed = balance.roller.raceways.drop, outer_approach(balance, cage_speed)
@@ -61,7 +61,7 @@ def settled(balance: BearingBalance, unknowns: Unknowns, shaped: bool = False) -
     centrifugal, lowest = centrifugal_force(balance, cage_speed), pressed + depth.min(0)
     highest = np.maximum(room, pressed + depth.max(0))
     outer = np.maximum(room / 2, lowest)
-    for _ in range(SETTLING_STEPS):
+    for _ in range(MAX_STEPS):
         (load_i, load_o), (slope_i, slope_o) = _pressed(balance, np.array([room - outer, outer]), beyond)
         change = (load_o - load_i - centrifugal) / (slope_o + slope_i)
         outer = np.minimum(np.maximum(outer - change, lowest), highest)
@@ -70,7 +70,7 @@ def settled(balance: BearingBalance, unknowns: Unknowns, shaped: bool = False) -
     return unknowns._replace(approach=outer)
 
 
-def between_raceways(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
+def tilts_between_raceways(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
     """Give no roller a tilt beyond those of its two raceways, and those off the inner one that of the outer.
 
     A roller that hardly anything presses has no moment that holds its tilt: a linearised step sends it
@@ -83,7 +83,7 @@ def between_raceways(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
     return unknowns._replace(tilt=np.clip(unknowns.tilt, low, high))
 
 
-def axial_shape(balance: BearingBalance, unknowns: Unknowns) -> NDArray:
+def axial_variation(balance: BearingBalance, unknowns: Unknowns) -> NDArray:
     """Approaches (K, 2, C, Z) [m] of the slices beyond that of mid-roller, by tilt and uneven raceways."""
     higher = balance.roller.raceways.slices.modes[:, 1:]
     return np.einsum("km,rmcz->krcz", higher, balance.inputs(unknowns).approach[:, 1:])

@@ -69,7 +69,7 @@ def _largest_approach(balance: BearingBalance, scaled: NDArray) -> NDArray:
     centre = scaled[:, layout.field(0)]
     if layout.axial_modes == 1:
         return centre
-    if not layout.yielding and balance.deviation is None:
+    if not layout.elastic_raceways and balance.deviation is None:
         return centre + np.abs(scaled[:, layout.field(1)])
     beyond = balance.inputs(balance.unpack(scaled)).approach[OUTER, 1:] / LENGTH
     shape = balance.roller.raceways.slices.modes[:, 1:]

@@ -10,8 +10,8 @@ from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.contact_search import contact_search
 from quasidynamic.solve.rollers.load_continuation import from_heavier_load
-from quasidynamic.solve.rollers.newton import Sweep, newton
-from quasidynamic.solve.rollers.pseudo_time import Pace, pseudo_time
+from quasidynamic.solve.rollers.newton import Iterate, newton
+from quasidynamic.solve.rollers.pseudo_time import StepLimits, pseudo_time
 
 # Rounds of pseudo-time, each followed by Newton's method: before a heavier load, after it, at restarts.
 ROUNDS = (3, 9, 3)
@@ -32,7 +32,7 @@ class Solved:
         done = (SolverOutcome.CONVERGED, SolverOutcome.UNDETERMINED)
         return np.array([case for case, outcome in enumerate(self.outcomes) if outcome not in done], int)
 
-    def follow(self, sweeps: Iterator[Sweep], cases: NDArray) -> None:
+    def follow(self, sweeps: Iterator[Iterate], cases: NDArray) -> None:
         """Take over how some cases end."""
         for sweep in sweeps:
             here = cases[sweep.cases]
@@ -79,7 +79,7 @@ def solve(balance: BearingBalance, start: NDArray, better: Sequence[Start]) -> S
 
 def _lead(balance: BearingBalance, solved: Solved, led: NDArray, rounds: int) -> None:
     """Move `led` (C, N) through pseudo-time, trying Newton's method after every round."""
-    pace = Pace.first(len(led))
+    pace = StepLimits.first(len(led))
     for _ in range(rounds):
         left = solved.left()
         if not len(left):
@@ -105,7 +105,7 @@ def _some(balance: BearingBalance, cases: NDArray) -> BearingBalance:
     return balance if len(cases) == len(balance.points) else balance.take(cases)
 
 
-def iterate(balance: BearingBalance, unknowns: NDArray) -> Iterator[Sweep]:
+def iterate(balance: BearingBalance, unknowns: NDArray) -> Iterator[Iterate]:
     """Yield the accepted iterates of one case whose raceways yield: contact first, then Newton's method."""
     last = None
     for last in contact_search(balance, unknowns):

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.balance.rollers.unknowns import Unknowns
 from quasidynamic.solve.rollers.bordered_system import around
-from quasidynamic.solve.rollers.static_equilibrium import resting_loads
+from quasidynamic.solve.rollers.static_equilibrium import frictionless_loads
 from quasidynamic.solve.start.lumped import LumpedRollers
 
 STEPS = 12
@@ -68,7 +68,7 @@ class _Friction:
     @classmethod
     def of(cls, balance, static: Unknowns, cage_drift: NDArray, spin_drift: NDArray) -> "_Friction":
         rollers, raceways = LumpedRollers(balance), balance.roller.raceways
-        load = resting_loads(balance, static)
+        load = frictionless_loads(balance, static)
         sliding, entrainment, _ = rollers.surfaces(cage_drift, spin_drift)
         return cls(
             rollers,

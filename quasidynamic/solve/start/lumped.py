@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.contact.cage.land import land_torque
-from quasidynamic.solve.rollers.static_equilibrium import resting_loads
-from quasidynamic.solve.start.resting import static_unknowns
+from quasidynamic.solve.rollers.static_equilibrium import frictionless_loads
+from quasidynamic.solve.start.frictionless import static_unknowns
 
 NEAREST = np.log(1e-13)  # to rolling on one raceway, over the distance to rolling on the other
 SPIN_HALVINGS = 20  # of the logarithm of that distance
@@ -29,7 +29,7 @@ class LumpedRollers:
         balance = self.balance
         cage_drift = -slip[:, None] * balance.rolling_cage
         state = static_unknowns(balance, cage_drift)
-        line_load = resting_loads(balance, state) / balance.roller.raceways.slices.length
+        line_load = frictionless_loads(balance, state) / balance.roller.raceways.slices.length
         drift, forces = self._drifts(line_load, cage_drift)
         t_i, _, r_i, _ = forces
         tangential = (t_i + (1 - 2 * balance.roller.bearing.diameter_ratio) * r_i).sum(-1)

@@ -6,40 +6,40 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance
-from quasidynamic.solve.rollers.static_equilibrium import film_at, resting_loads, settled
+from quasidynamic.solve.rollers.static_equilibrium import film_at, frictionless_loads, static_equilibrium
+from quasidynamic.solve.start.frictionless import frictionless_ring, static_unknowns
 from quasidynamic.solve.start.lumped import LumpedRollers
-from quasidynamic.solve.start.resting import resting_ring, static_unknowns
 
-SLIPS = np.array([0.003, 0.01, 0.03, 0.08, 0.2, 0.35, 0.5, 0.65, 0.8, 0.9, 0.96, 0.99])
+TRIAL_SLIPS = np.array([0.003, 0.01, 0.03, 0.08, 0.2, 0.35, 0.5, 0.65, 0.8, 0.9, 0.96, 0.99])
 SMALLEST_SLIP = 1e-10
-SLIP_HALVINGS = 12  # of the logarithm between two of `SLIPS`
+SLIP_HALVINGS = 12  # of the logarithm between two of `TRIAL_SLIPS`
 
 
-def slipping_start(balance: BearingBalance, astray: float = 0.0) -> NDArray:
+def slipping_start(balance: BearingBalance, logit_offset: float = 0.0) -> NDArray:
     """Scaled unknowns (C, N) with the cage slip at which lumped rollers drive the cage just enough.
 
     For light loads at high speed, where the slip is not small, and for a ring that friction pushes
     aside. Rollers have one slice; the spins follow from the tractions at each slip, the slip from
     the torque on the cage, the place of the ring from the loads with their friction.
 
-    `astray` moves the slip away from that, by so much on the scale of ln(slip / (1 - slip)).
+    `logit_offset` moves the slip away from that, by so much on the scale of ln(slip / (1 - slip)).
     """
     slip = driven_slip(balance)
-    return _start_at(balance, slip / (slip + (1 - slip) * np.exp(-astray)))
+    return _start_at(balance, slip / (slip + (1 - slip) * np.exp(-logit_offset)))
 
 
-RESTARTS = tuple(partial(slipping_start, astray=astray) for astray in (1.5, -1.5, 4.0))
+RESTARTS = tuple(partial(slipping_start, logit_offset=logit_offset) for logit_offset in (1.5, -1.5, 4.0))
 
 
 def driven_slip(balance: BearingBalance) -> NDArray:
     """Least slip (C) at which lumped rollers drive the cage against its resistance."""
     cases = len(balance.points)
-    every = np.tile(np.arange(cases), len(SLIPS))
-    many, slips = LumpedRollers(balance.take(every)), np.repeat(SLIPS, cases)
-    drives = (many.at(slips)[2] > 0).reshape(len(SLIPS), cases)
+    every = np.tile(np.arange(cases), len(TRIAL_SLIPS))
+    many, slips = LumpedRollers(balance.take(every)), np.repeat(TRIAL_SLIPS, cases)
+    drives = (many.at(slips)[2] > 0).reshape(len(TRIAL_SLIPS), cases)
     # The least slip at which the rollers drive the cage, and the one before it, where it lags.
-    first = np.where(drives.any(0), drives.argmax(0), len(SLIPS) - 1)
-    low, high = np.where(first > 0, SLIPS[first - 1], SMALLEST_SLIP), SLIPS[first]
+    first = np.where(drives.any(0), drives.argmax(0), len(TRIAL_SLIPS) - 1)
+    low, high = np.where(first > 0, TRIAL_SLIPS[first - 1], SMALLEST_SLIP), TRIAL_SLIPS[first]
     lumped = LumpedRollers(balance)
     for _ in range(SLIP_HALVINGS):
         middle = np.sqrt(low * high)
@@ -55,6 +55,8 @@ def _start_at(balance: BearingBalance, slip: NDArray) -> NDArray:
     turned = np.arctan2(points.load_y, points.load_z) - friction[:, None]
     cage_drift = -balance.rolling_cage * slip[:, None]
     unknowns = static_unknowns(balance, cage_drift)._replace(spin_drift=drift)
-    unknowns = unknowns._replace(film=film_at(balance, unknowns, resting_loads(balance, unknowns)))
+    unknowns = unknowns._replace(film=film_at(balance, unknowns, frictionless_loads(balance, unknowns)))
     load = points.load * np.sin(turned), points.load * np.cos(turned)
-    return balance.pack(settled(balance, resting_ring(balance, unknowns, np.array(load)[..., 0])))
+    return balance.pack(
+        static_equilibrium(balance, frictionless_ring(balance, unknowns, np.array(load)[..., 0]))
+    )

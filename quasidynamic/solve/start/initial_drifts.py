@@ -5,13 +5,13 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.balance.rollers.unknowns import Unknowns
-from quasidynamic.solve.rollers.static_equilibrium import resting_loads
+from quasidynamic.solve.rollers.static_equilibrium import frictionless_loads
 from quasidynamic.solve.start.friction import balanced_drifts
+from quasidynamic.solve.start.frictionless import static_unknowns
 from quasidynamic.solve.start.lumped import LumpedRollers
-from quasidynamic.solve.start.resting import static_unknowns
 
-LITTLE = 0.1  # slip up to which the centrifugal force and the spins of unloaded rollers change little
-GUESSES = np.geomspace(1e-5, 0.98, 9)  # slips that are looked at for a start
+SMALL_SLIP = 0.1  # slip up to which the centrifugal force and the spins of unloaded rollers change little
+TRIAL_SLIPS = np.geomspace(1e-5, 0.98, 9)  # slips that are looked at for a start
 
 
 def static_start(balance: BearingBalance) -> NDArray:
@@ -21,7 +21,7 @@ def static_start(balance: BearingBalance) -> NDArray:
     """
     start = static_unknowns(balance, np.zeros_like(balance.rolling_cage))
     cage_drift, spin_drift = guessed_drifts(balance, start)
-    much = np.flatnonzero(np.abs(cage_drift) > LITTLE * np.abs(balance.rolling_cage))
+    much = np.flatnonzero(np.abs(cage_drift) > SMALL_SLIP * np.abs(balance.rolling_cage))
     begin = balance.pack(start._replace(cage_drift=cage_drift, spin_drift=spin_drift))
     if len(much):
         begin[much] = _slowed(balance.take(much), cage_drift[much], spin_drift[much])
@@ -42,17 +42,17 @@ def guessed_drifts(balance: BearingBalance, static: Unknowns) -> tuple[NDArray, 
     between the slips that are looked at, the torque on the cage is interpolated over their logarithm.
     """
     cases, bearing = len(balance.points), balance.roller.bearing
-    load = resting_loads(balance, static)
+    load = frictionless_loads(balance, static)
     inner_share = load[1] / load.sum(0)
     r_i, r_o = bearing.inner_radius, bearing.outer_radius
     spin_per_cage = (inner_share * (r_i + r_o) - r_i) / (bearing.roller.diameter / 2)
-    every = np.arange(len(GUESSES) * cases) % cases  # each case, guess by guess
+    every = np.arange(len(TRIAL_SLIPS) * cases) % cases  # each case, guess by guess
     many = LumpedRollers(balance.take(every))
-    cage_drift = -np.repeat(GUESSES, cases)[:, None] * many.balance.rolling_cage
+    cage_drift = -np.repeat(TRIAL_SLIPS, cases)[:, None] * many.balance.rolling_cage
     line_load = load[:, every] / bearing.roller.length
     forces = many.forces(line_load, cage_drift, cage_drift * spin_per_cage[every])
-    torque = many.driving_torque(forces, cage_drift).reshape(len(GUESSES), cases)
-    slip = _sign_change(np.log(GUESSES), torque)
+    torque = many.driving_torque(forces, cage_drift).reshape(len(TRIAL_SLIPS), cases)
+    slip = _sign_change(np.log(TRIAL_SLIPS), torque)
     cage_drift = -np.exp(slip)[:, None] * balance.rolling_cage
     return cage_drift, cage_drift * spin_per_cage
 

@@ -14,7 +14,7 @@ from quasidynamic.balance.rollers.unknowns import (
     OUTER,
     TILT_Y,
     TILT_Z,
-    Layout,
+    UnknownLayout,
     Unknowns,
     Y,
     Z,
@@ -22,10 +22,10 @@ from quasidynamic.balance.rollers.unknowns import (
 
 
 @dataclass(frozen=True, kw_only=True)
-class Levers:
-    """Levers of the rollers at their places, for all cases alike."""
+class ApproachKinematics:
+    """ApproachKinematics of the rollers at their places, for all cases alike."""
 
-    layout: Layout
+    layout: UnknownLayout
     azimuths: NDArray  # (Z) [rad] from axis z towards axis y
     half: float  # [m] half of the length that the axial modes are made for
 
@@ -67,8 +67,8 @@ class Levers:
 
     def columns(self, gradient: NDArray) -> NDArray:
         """Derivatives by the unknowns (rows, columns, C, Z) from those by a roller's inputs."""
-        m, own = self.layout.axial_modes, self.layout.own
-        columns = own + BORDER + m * len(self.layout.yielding)
+        m, own = self.layout.axial_modes, self.layout.per_roller
+        columns = own + BORDER + m * len(self.layout.elastic_raceways)
         table = np.zeros((len(gradient), columns, *gradient.shape[2:]))
         inner, outer = gradient[:, :m], gradient[:, m : 2 * m]
         spin, cage, film = gradient[:, SPIN], gradient[:, CAGE_SPEED], gradient[:, FILM_I:VALUE]
@@ -82,7 +82,7 @@ class Levers:
             table[:, 1] = outer[:, 1] - inner[:, 1]
             table[:, own + TILT_Z] = half * cos * inner[:, 1]
             table[:, own + TILT_Y] = half * sin * inner[:, 1]
-        for place, race in enumerate(self.layout.yielding):
+        for place, race in enumerate(self.layout.elastic_raceways):
             here = table[:, own + BORDER + place * m : own + BORDER + (place + 1) * m]
             here[:] = inner if race == INNER else -np.concatenate([inner[:, :2], outer[:, 2:]], axis=1)
         return table
@@ -92,11 +92,11 @@ class Levers:
 
         `free_tilt` (C, 1) tells whether a ring may tilt: no moment reaches one that may not.
         """
-        m, own = self.layout.axial_modes, self.layout.own
+        m, own = self.layout.axial_modes, self.layout.per_roller
         cage, tangential = response[own], response[own + 1]
         first = len(response) - 2 * m  # row of the forces conjugate to the axial modes
         inner = response[first : first + m]
-        rows = np.zeros((own + BORDER + m * len(self.layout.yielding), *response.shape[1:]))
+        rows = np.zeros((own + BORDER + m * len(self.layout.elastic_raceways), *response.shape[1:]))
         rows[:own] = response[:own]
         rows[own + Y : own + Z + 1] = self.pushed(tangential, inner[0])
         if m > 1:
@@ -104,7 +104,7 @@ class Levers:
             moment = -self.half * inner[1]
             rows[own + TILT_Z], rows[own + TILT_Y] = free_tilt * (moment * cos), free_tilt * (moment * sin)
         rows[own + CAGE] = cage
-        for place, race in enumerate(self.layout.yielding):
+        for place, race in enumerate(self.layout.elastic_raceways):
             start = first + race * m
             rows[own + BORDER + place * m : own + BORDER + (place + 1) * m] = response[start : start + m]
         return rows

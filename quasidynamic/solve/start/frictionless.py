@@ -9,10 +9,10 @@ from quasidynamic.contact.line.load_law import EXPONENT
 from quasidynamic.solve.rollers.static_equilibrium import (
     centrifugal_force,
     film_at,
+    frictionless_loads,
     outer_approach,
-    resting_loads,
     series_stiffness,
-    settled,
+    static_equilibrium,
 )
 
 STRIBECK = 5.0  # largest roller load times their number over the load, about
@@ -46,7 +46,7 @@ def static_unknowns(balance: BearingBalance, cage_drift: NDArray) -> Unknowns:
     gap = balance.clearance / 2 - film.sum(0).mean(-1, keepdims=True) + outer_approach(balance, cage_speed)
     shift = ring_shift(balance, direction, gap)
     unknowns.ring[:2] = shift * np.sin(direction), shift * np.cos(direction)
-    return settled(balance, unknowns._replace(film=film))
+    return static_equilibrium(balance, unknowns._replace(film=film))
 
 
 def ring_shift(balance: BearingBalance, direction: NDArray, gap: NDArray) -> NDArray:
@@ -77,7 +77,7 @@ def ring_shift(balance: BearingBalance, direction: NDArray, gap: NDArray) -> NDA
     return np.where(load > 0, shift, 0.0)
 
 
-def resting_ring(balance: BearingBalance, unknowns: Unknowns, load: NDArray) -> Unknowns:
+def frictionless_ring(balance: BearingBalance, unknowns: Unknowns, load: NDArray) -> Unknowns:
     """Put the ring where frictionless rollers hold a load (2, C) [N] in any direction.
 
     Newton's method on a convex energy, in limited steps; a direction in which nothing resists, such
@@ -87,8 +87,10 @@ def resting_ring(balance: BearingBalance, unknowns: Unknowns, load: NDArray) -> 
     normal = np.array([np.sin(azimuth), np.cos(azimuth)])
     position = unknowns.ring[:2]
     for _ in range(RING_STEPS):
-        unknowns = settled(balance, unknowns._replace(ring=np.concatenate([position, unknowns.ring[2:]])))
-        force, stiffness = resting_loads(balance, unknowns)[0], series_stiffness(balance, unknowns)
+        unknowns = static_equilibrium(
+            balance, unknowns._replace(ring=np.concatenate([position, unknowns.ring[2:]]))
+        )
+        force, stiffness = frictionless_loads(balance, unknowns)[0], series_stiffness(balance, unknowns)
         excess = load - np.einsum("iz,cz->ic", normal, force)
         matrix = np.einsum("iz,cz,kz->cik", normal, stiffness, normal)
         floor = RING_FLOOR * np.trace(matrix, axis1=1, axis2=2) + SMALLEST_STIFFNESS
