@@ -7,12 +7,12 @@ import numpy as np
 from threadpoolctl import threadpool_limits
 
 from benchmarks.machine import describe, median_seconds
-from quasidynamic.balance.balls.four_point import ball_loads
-from quasidynamic.balance.balls.sliding_motion import attitude
 from quasidynamic.four_point import FourPointBallBearing, RingLoad
 from quasidynamic.parts.ball import Ball, FourPointBearing, Groove
 from quasidynamic.parts.ball_friction import constant_friction
 from quasidynamic.parts.material import Material
+from quasidynamic.solve.balls.load_distribution import ball_loads
+from quasidynamic.solve.balls.sliding_motion import sliding_motion
 
 STEEL = Material(youngs_modulus=210e9, poisson_ratio=0.3, density=7850)
 LOAD = RingLoad(radial_z=36_200, radial_y=-31_400, moment_z=328_601, moment_y=378_833)
@@ -38,8 +38,8 @@ def main() -> None:
 def single(slewing: FourPointBallBearing, name: str, loads: list[list[float]]) -> None:
     load = np.array([loads])
     balls = slewing.slide(np.full(load.shape, np.radians(45)), load)
-    seconds = median_seconds(lambda: attitude(balls.contacts, balls.ellipse), RUNS)
-    report(f"one ball, {name}", seconds, f"{balls.attitude.evaluations} evaluations")
+    seconds = median_seconds(lambda: sliding_motion(balls.contacts, balls.ellipse), RUNS)
+    report(f"one ball, {name}", seconds, f"{balls.sliding.evaluations} evaluations")
 
 
 def whole(slewing: FourPointBallBearing) -> None:
@@ -48,7 +48,7 @@ def whole(slewing: FourPointBallBearing) -> None:
     report("load distribution, 156 balls", seconds, f"{found.iterations} evaluations")
     state = slewing.solve(LOAD)
     seconds = median_seconds(lambda: slewing.solve(LOAD), 11)
-    evaluations = state.balls.attitude.evaluations
+    evaluations = state.balls.sliding.evaluations
     report("loads and torque, 156 balls", seconds, f"{evaluations} evaluations, {state.torque:.1f} N m")
 
 

@@ -9,12 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.balls.angular_contact import AngularBalance, BallBalance, race_contacts
-from quasidynamic.balance.balls.coulomb_control import CoulombControl
-from quasidynamic.balance.balls.race_control import Guide, RaceControl
+from quasidynamic.balance.balls.race_control import PrescribedControl, RaceControl
 from quasidynamic.contact.ellipse.point_contact import PointContact
 from quasidynamic.errors import ImpossiblePart, NotSolved, require_positive
 from quasidynamic.outcome.angular_contact_state import AngularContactState
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
+from quasidynamic.solve.balls.coulomb_control import CoulombControl
 from quasidynamic.solve.balls.ring_on_balls import solve
 from quasidynamic.solve.outcome import SolverOutcome
 
@@ -71,7 +71,7 @@ class AngularContactBallBearing:
         balance = self._balance(operations)
         found = solve(balance)
         balls, ring = found.forces(balance)
-        guidance, scale, heat = balls.guidance, self._scale, self._heat(balance, balls)
+        kinematics, scale, heat = balls.kinematics, self._scale, self._heat(balance, balls)
         states: list[AngularContactState | NotSolved] = []
         for case, operation in enumerate(operations):
             if found.outcomes[case] is not SolverOutcome.CONVERGED:
@@ -90,13 +90,13 @@ class AngularContactBallBearing:
                     stiffness=ring.stiffness[case] * np.outer(scale, scale),
                     contact_angles=balls.contacts.angles[:, case],
                     loads=balls.contacts.loads[:, case],
-                    tractions=guidance.tractions[:, case],
-                    orbital_speed=guidance.orbit[case],
-                    ball_speed=guidance.spin[case],
-                    attitude=guidance.attitude[case],
-                    yaw=guidance.yaw[case],
-                    centrifugal_force=guidance.centrifugal[case],
-                    gyroscopic_moment=guidance.gyroscopic[case],
+                    tractions=kinematics.tractions[:, case],
+                    orbital_speed=kinematics.orbit[case],
+                    ball_speed=kinematics.spin[case],
+                    attitude=kinematics.attitude[case],
+                    yaw=kinematics.yaw[case],
+                    centrifugal_force=kinematics.centrifugal[case],
+                    gyroscopic_moment=kinematics.gyroscopic[case],
                     evaluations=int(found.evaluations[case]),
                     friction=self.friction,
                     friction_heat=None if heat is None else heat[case],
@@ -109,22 +109,22 @@ class AngularContactBallBearing:
         return race_contacts(self.bearing)
 
     @cached_property
-    def _guide(self) -> Guide:
+    def _race_control(self) -> RaceControl:
         if self.control == "coulomb":
             return CoulombControl(self.bearing, self._contacts, cast(float, self.friction))
-        return RaceControl(self.bearing, self.control)
+        return PrescribedControl(self.bearing, self.control)
 
     def _too_wide(self, loads: NDArray) -> bool:
         """Whether friction is asked of contacts (2, Z) nearly as wide as the ball."""
-        if not isinstance(self._guide, CoulombControl):
+        if not isinstance(self._race_control, CoulombControl):
             return False
         pairs = zip(self._contacts, loads, strict=True)
-        return max(contact.semi_axes(load)[0].max() for contact, load in pairs) > self._guide.widest
+        return max(contact.semi_axes(load)[0].max() for contact, load in pairs) > self._race_control.widest
 
     def _heat(self, balance: AngularBalance, balls: BallBalance) -> NDArray | None:
-        """Heat of friction (C, Z) [W], where the guide knows it."""
-        if isinstance(self._guide, CoulombControl):
-            return self._guide.heat(balls.contacts, balance.speeds, balance.free_centrifugal)
+        """Heat of friction (C, Z) [W], where the race control knows it."""
+        if isinstance(self._race_control, CoulombControl):
+            return self._race_control.heat(balls.contacts, balance.speeds, balance.free_centrifugal)
         return None
 
     @property
@@ -141,7 +141,7 @@ class AngularContactBallBearing:
         return AngularBalance(
             bearing=self.bearing,
             contacts=self._contacts,
-            guide=self._guide,
+            control=self._race_control,
             load=np.array([operation.load for operation in operations]) / self._scale,
             held=held,
             place=place * self._scale,

@@ -5,9 +5,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.balls.four_point import BallLoads, ball_loads
-from quasidynamic.balance.balls.four_point_elastic import yielding_ball_loads
-from quasidynamic.balance.balls.sliding_motion import Attitude, attitude
 from quasidynamic.contact.ellipse.full_sliding import Ellipse, slip_field
 from quasidynamic.contact.ellipse.point_contact import PointContact, point_contact, race_curvatures
 from quasidynamic.errors import ImpossiblePart, OutOfRange
@@ -15,6 +12,9 @@ from quasidynamic.motion.ball_slip import SIDE, BallContacts, pressed_height, pr
 from quasidynamic.outcome.ball_torque import RaceTorques, hysteresis_torque, race_torques
 from quasidynamic.parts.ball import FourPointBearing
 from quasidynamic.parts.ball_friction import FrictionCurve
+from quasidynamic.solve.balls.elastic_load_distribution import elastic_ball_loads
+from quasidynamic.solve.balls.load_distribution import BallLoads, ball_loads
+from quasidynamic.solve.balls.sliding_motion import SlidingMotion, sliding_motion
 
 STEEPEST = np.pi / 2  # [rad] a contact angle stays below
 
@@ -46,7 +46,7 @@ class SlidingBalls:
     ellipse: Ellipse
     peak_pressure: NDArray  # (N, G, 2) [Pa]
     friction: NDArray  # (N, G, 2) [-] coefficient
-    attitude: Attitude
+    sliding: SlidingMotion
     torques: RaceTorques
     hysteresis: NDArray  # (N) [N m]
     notes: tuple[str, ...]  # what a user must know
@@ -54,7 +54,7 @@ class SlidingBalls:
     @property
     def ball_torques(self) -> NDArray:
         """Torque of each ball (N) [N m], the heat of its sliding and hysteresis per speed of the ring."""
-        return self.attitude.power + self.hysteresis
+        return self.sliding.power + self.hysteresis
 
     @property
     def torque(self) -> float:
@@ -64,26 +64,26 @@ class SlidingBalls:
     @property
     def ball_speed(self) -> NDArray:
         """Speed of each ball over that of the inner ring, both seen from the orbiting ball centre (N) [-]."""
-        outer, axial, radial = self.attitude.motion.T
+        outer, axial, radial = self.sliding.motion.T
         return np.hypot(axial, radial) / (1.0 + outer)
 
     @property
     def axis_angle(self) -> NDArray:
         """Angle of the ball speed from that of the inner ring (N) [rad], pi where the axes are parallel."""
-        _, axial, radial = self.attitude.motion.T
+        _, axial, radial = self.sliding.motion.T
         return np.mod(np.arctan2(radial, axial), 2 * np.pi)
 
     def field(self, ball: int, diagonal: int, race: int, points: int = 41) -> dict[str, NDArray]:
         """Places [m], slip [m/s] and shear stress on the ball [Pa] over one contact, (points, points)."""
-        one = (np.array([ball]), diagonal, race)
-        chosen = Ellipse(
-            *(getattr(self.ellipse, name)[one] for name in ("across", "along", "radius", "traction"))
+        contact = (np.array([ball]), diagonal, race)
+        ellipse = Ellipse(
+            *(getattr(self.ellipse, name)[contact] for name in ("across", "along", "radius", "traction"))
         )
         unit = np.linspace(-1.0, 1.0, points)
-        x, y = np.meshgrid(unit * chosen.across, unit * chosen.along, indexing="ij")
+        x, y = np.meshgrid(unit * ellipse.across, unit * ellipse.along, indexing="ij")
         names = ("slip_along", "slip_across", "shear_along", "shear_across")
-        found = slip_field(self.attitude.slip[one], chosen, x, y)
-        return {"x": x, "y": y} | dict(zip(names, found, strict=True))
+        fields = slip_field(self.sliding.slip[contact], ellipse, x, y)
+        return {"x": x, "y": y} | dict(zip(names, fields, strict=True))
 
 
 @dataclass(frozen=True)
@@ -119,24 +119,23 @@ class FourPointBallBearing:
         load : RingLoad
             on the inner ring
         compliance : array (Z, 2, 2, 2, 2), optional
-            of rings that yield to the balls, see `yielding_ball_loads` [m/N]; rigid rings without it
+            of elastic rings, see `elastic_ball_loads` [m/N]; rigid rings without it
 
         Raises
         ------
         ImpossiblePart, NotSolved, OutOfRange
-            see `ball_loads`, `yielding_ball_loads`, `attitude` and `slide`
+            see `ball_loads`, `elastic_ball_loads`, `sliding_motion` and `slide`
         """
         if compliance is None:
-            found = ball_loads(self.bearing, load.vector())
+            distribution = ball_loads(self.bearing, load.vector())
         else:
-            found = yielding_ball_loads(self.bearing, load.vector(), compliance)
-        both = (len(found.loads), 2, 2)
-        return FourPointEquilibrium(
-            found,
-            self.slide(
-                np.broadcast_to(found.angles[..., None], both), np.broadcast_to(found.loads[..., None], both)
-            ),
+            distribution = elastic_ball_loads(self.bearing, load.vector(), compliance)
+        both_ends = (len(distribution.loads), 2, 2)
+        angles, loads = (
+            np.broadcast_to(values[..., None], both_ends)
+            for values in (distribution.angles, distribution.loads)
         )
+        return FourPointEquilibrium(distribution, self.slide(angles, loads))
 
     def slide(self, angle: NDArray, load: NDArray) -> SlidingBalls:
         """Motion and torque of balls whose contact angles and loads are known.
@@ -176,23 +175,25 @@ class FourPointBallBearing:
             angle=angle,
             height=pressed_height(np.asarray(radius), self._surface(angle), across),
         )
-        found = attitude(contacts, ellipse)
+        sliding = sliding_motion(contacts, ellipse)
         return SlidingBalls(
             load=load,
             contacts=contacts,
             ellipse=ellipse,
             peak_pressure=pressure,
             friction=coefficient,
-            attitude=found,
-            torques=race_torques(contacts, found.slip, ellipse),
-            hysteresis=hysteresis_torque(found.slip, load, along, self.hysteresis_loss),
+            sliding=sliding,
+            torques=race_torques(contacts, sliding.slip, ellipse),
+            hysteresis=hysteresis_torque(sliding.slip, load, along, self.hysteresis_loss),
             notes=self._notes(pressure, coefficient * load),
         )
 
     def _contact(self, angle: NDArray) -> PointContact:
-        own = self.bearing
-        curvatures = race_curvatures(own.ball.diameter, own.groove_radii, own.pitch_diameter, angle, SIDE)
-        return point_contact(curvatures, own.moduli)
+        bearing = self.bearing
+        curvatures = race_curvatures(
+            bearing.ball.diameter, bearing.groove_radii, bearing.pitch_diameter, angle, SIDE
+        )
+        return point_contact(curvatures, bearing.moduli)
 
     def _surface(self, angle: NDArray) -> NDArray:
         """Radii of the pressed surfaces (N, G, 2) [m]."""

@@ -30,7 +30,7 @@ def compliance(case: FourPointCase, report: Report) -> NDArray:
     Returns
     -------
     array (Z, 2, 2, 2, 2)
-        as `quasidynamic.balance.balls.four_point_elastic` takes it [m/N]
+        as `quasidynamic.solve.balls.elastic_load_distribution` takes it [m/N]
 
     Raises
     ------

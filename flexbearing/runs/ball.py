@@ -37,7 +37,7 @@ def solve_four_point(case: FourPointCase, file: ResultFile, report: Report) -> d
         return _not_solved(failure)
     except (ImpossiblePart, OutOfRange) as problem:
         raise BadCase(f"{case.source.path}: {problem}") from problem
-    worst = found.balls.attitude.imbalance.max()
+    worst = found.balls.sliding.imbalance.max()
     message = f"friction of every ball in balance to {worst:.1e} of its power"
     if found.distribution is not None:
         message += f", the ring to {found.distribution.imbalance:.1e} of the largest force"

@@ -9,8 +9,8 @@ import quasidynamic as qd
 from flexbearing.build.ball_parts import ball, groove
 from flexbearing.case import FourPointCase
 from flexbearing.rings import bolted
-from quasidynamic.balance.balls.four_point import BallLoads
-from quasidynamic.balance.balls.four_point_elastic import YieldingBallLoads
+from quasidynamic.solve.balls.elastic_load_distribution import ElasticBallLoads
+from quasidynamic.solve.balls.load_distribution import BallLoads
 
 FEWEST = 3  # balls of a ring; a single one has the same pitch circle
 SIGN = np.array([1.0, -1.0])  # of the torques on inner and outer ring
@@ -94,11 +94,11 @@ def arrays(case: FourPointCase, solution: Solution) -> dict[str, ArrayLike]:
             "semi_axis_across": balls.ellipse.across,
             "semi_axis_along": balls.ellipse.along,
             "friction_coefficient": balls.friction,
-            "ball_motion": -balls.attitude.motion * speed,  # a positive speed is right-handed about -x
+            "ball_motion": -balls.sliding.motion * speed,  # a positive speed is right-handed about -x
             "ball_speed_ratio": balls.ball_speed,
             "ball_attitude": balls.axis_angle,
             "power_loss": balls.torque * speed,
-            "ball_imbalance": balls.attitude.imbalance,
+            "ball_imbalance": balls.sliding.imbalance,
         }
         | _torques(case, balls)
         | _ring(case, solution.distribution)
@@ -129,8 +129,8 @@ def _ring(case: FourPointCase, found: BallLoads | None) -> dict[str, ArrayLike]:
         "stiffness_matrix": found.stiffness,
         "ring_imbalance": found.imbalance,
     }
-    if isinstance(found, YieldingBallLoads):
-        own["ring_yield"] = found.yielded
+    if isinstance(found, ElasticBallLoads):
+        own["ring_yield"] = found.deflection
     return own
 
 
@@ -149,7 +149,7 @@ def _fields(case: FourPointCase, balls: qd.SlidingBalls) -> dict[str, ArrayLike]
     fields = {name: np.zeros((len(chosen), diagonals, 2, points, points)) for name in names}
     for place in np.ndindex(len(chosen), diagonals, 2):
         one = (chosen[place[0]], place[1], place[2])
-        if balls.load[one] > 0 and balls.attitude.driven[one[0]]:
+        if balls.load[one] > 0 and balls.sliding.driven[one[0]]:
             found = balls.field(*one, points)
             for name, value in names.items():
                 scale = case.operation.speed if name.startswith("slip") else 1.0
@@ -164,7 +164,7 @@ def notes(case: FourPointCase, solution: Solution) -> tuple[str, ...]:
     if solution.distribution is None:
         told += ("contact loads are given: every ball carries them, at the contact angle without load",)
     told += _on_shoulders(case, balls)
-    idle = int((~balls.attitude.driven).sum())
+    idle = int((~balls.sliding.driven).sum())
     if idle:
         told += (f"{idle} of {len(balls.load)} balls are not pressed on both rings: they make no torque",)
     if case.friction.torque == "circumferential":

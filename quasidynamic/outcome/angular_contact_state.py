@@ -6,7 +6,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.balls.light_ball import GRIP, LED
+from quasidynamic.balance.balls.light_ball import GRIP, SEEN_WHOLE
 from quasidynamic.contact.ellipse.point_contact import INNER, OUTER, PointContact
 from quasidynamic.motion.ball_speeds import Control, ball_attitude, spin_to_roll
 from quasidynamic.motion.rolling_lines import (
@@ -142,8 +142,8 @@ class AngularContactState:
         """Balls whose motion both races set (Z), bool.
 
         The others are pressed too lightly, stand too far round a race or lack friction for their gyroscopic
-        moment, see `RaceControl`: orbit, spin and tractions of these are estimates. Where friction decides,
-        see `CoulombControl`, they are pressed too lightly.
+        moment, see `PrescribedControl`: orbit, spin and tractions of these are estimates. Where friction
+        decides, see `CoulombControl`, they are pressed too lightly.
         """
         apart = np.abs(self.contact_angles[0] - self.contact_angles[1])
         pressed = self.loads[0] > GRIP * self.centrifugal_force
@@ -151,7 +151,7 @@ class AngularContactState:
             return pressed
         wanted = 2 * np.abs(self.gyroscopic_moment) / self.bearing.ball.diameter
         held = np.abs(self.tractions.sum(0)) >= (1 - 1e-9) * wanted
-        return (apart <= LED) & pressed & held
+        return (apart <= SEEN_WHOLE) & pressed & held
 
     @property
     def upright(self) -> NDArray:

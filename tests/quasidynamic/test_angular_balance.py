@@ -8,15 +8,15 @@ from pytest import approx
 from quasidynamic.balance.balls.angular_contact import AngularBalance, race_contacts
 from quasidynamic.balance.balls.ball_position import groove_arm
 from quasidynamic.balance.balls.light_ball import (
-    LED,
+    SEEN_WHOLE,
     STEADY,
     STRONGEST,
     WIDEST,
     grip,
     held_traction,
-    led_angle,
+    limited_angle,
 )
-from quasidynamic.balance.balls.race_control import RaceControl
+from quasidynamic.balance.balls.race_control import PrescribedControl
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing
 from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.parts.material import Material
@@ -37,7 +37,7 @@ def balance(control, speed=1000.0):
     return AngularBalance(
         bearing=BEARING,
         contacts=race_contacts(BEARING),
-        guide=RaceControl(BEARING, control),
+        control=PrescribedControl(BEARING, control),
         load=np.zeros((1, 5)),
         held=np.zeros((1, 5), bool),
         place=np.zeros((1, 5)),
@@ -96,11 +96,11 @@ def test_distance_from_a_groove_is_convex(one, other, part):
 
 @given(st.floats(-3.1, 3.1))
 def test_angle_of_the_kinematics_is_exact_then_bounded(apart):
-    (seen, slope), step = led_angle(np.array([apart])), 1e-6
+    (seen, slope), step = limited_angle(np.array([apart])), 1e-6
     assert abs(seen[0]) <= min(abs(apart), WIDEST)
-    if abs(apart) <= LED:
+    if abs(apart) <= SEEN_WHOLE:
         assert seen[0] == apart
-    ahead, behind = (led_angle(np.array([apart + s]))[0] for s in (step, -step))
+    ahead, behind = (limited_angle(np.array([apart + s]))[0] for s in (step, -step))
     assert slope == approx((ahead - behind) / (2 * step), abs=1e-5)
 
 

@@ -9,17 +9,17 @@ from pytest import approx
 from benchmarks.angular_contact import drawn_sliding, unbalanced
 from quasidynamic.angular_contact import AngularContactBallBearing
 from quasidynamic.balance.balls.angular_contact import AngularBalance, race_contacts
-from quasidynamic.balance.balls.coulomb_control import NOISE, CoulombControl
-from quasidynamic.balance.balls.race_control import Pressed
-from quasidynamic.balance.balls.sliding_motion import attitude
+from quasidynamic.balance.balls.race_control import LoadedContacts
 from quasidynamic.contact.ellipse.full_sliding import Ellipse, sagitta
 from quasidynamic.errors import ImpossiblePart, NotSolved
 from quasidynamic.motion.ball_slip import BallContacts, pressed_height, pressed_radius
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
 from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.parts.material import Material
-from quasidynamic.solve.balls.ball_equilibrium import settle
+from quasidynamic.solve.balls.ball_equilibrium import balance_balls
+from quasidynamic.solve.balls.coulomb_control import NOISE, CoulombControl
 from quasidynamic.solve.balls.ring_on_balls import _at, start
+from quasidynamic.solve.balls.sliding_motion import sliding_motion
 
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
 BEARING = AngularContactBearing(
@@ -39,14 +39,14 @@ def pressed(inner, outer, inner_load, outer_load):
     angles = np.broadcast_arrays(*np.atleast_1d(inner, outer))
     loads = np.broadcast_arrays(*np.atleast_1d(inner_load, outer_load))
     stiffness = [1.5 * c.coefficient ** (2 / 3) * np.cbrt(q) for c, q in zip(CONTACTS, loads, strict=True)]
-    return Pressed(*(np.array(pair, float)[:, None] for pair in (angles, loads, stiffness)))
+    return LoadedContacts(*(np.array(pair, float)[:, None] for pair in (angles, loads, stiffness)))
 
 
-def guided(contacts, speed=1000.0, outer_speed=0.0, friction=0.06, centrifugal=300.0):
-    """Guidance of one ball, and the same control."""
+def kinematics(contacts, speed=1000.0, outer_speed=0.0, friction=0.06, centrifugal=300.0):
+    """BallKinematics of one ball, and the same control."""
     control = CoulombControl(BEARING, CONTACTS, friction)
     speeds = np.array([speed, outer_speed]).reshape(2, 1, 1)
-    return control.guided(contacts, speeds, np.full((1, 1), centrifugal)), control
+    return control.kinematics(contacts, speeds, np.full((1, 1), centrifugal)), control
 
 
 def friction_on_ball(contacts, found, friction, speeds, points=500):
@@ -86,7 +86,7 @@ def friction_on_ball(contacts, found, friction, speeds, points=500):
 def test_friction_turns_the_spin_with_the_orbit_and_drives_nothing_along_it(friction, outer_speed):
     """Euler's equations: the moment of friction is J orbit x spin; by sums over the contacts in space."""
     contacts = pressed(0.8, 0.6, 900.0, 1150.0)
-    found, control = guided(contacts, outer_speed=outer_speed, friction=friction)
+    found, control = kinematics(contacts, outer_speed=outer_speed, friction=friction)
     force, moment, heat, ball = friction_on_ball(contacts, found, friction, (1000.0, outer_speed))
     needed = BEARING.ball.inertia * np.cross(found.orbit[0, 0] * np.array([1.0, 0.0, 0.0]), ball)
     grip = friction * 2000.0
@@ -106,7 +106,7 @@ def test_friction_turns_the_spin_with_the_orbit_and_drives_nothing_along_it(fric
 )
 @pytest.mark.parametrize("friction", [0.02, 0.1])
 def test_slopes_by_loads_and_angles(friction, where):
-    here, _ = guided(pressed(*where), friction=friction)
+    here, _ = kinematics(pressed(*where), friction=friction)
     contacts, places = pressed(*where), np.array(where)
     for slot, column in enumerate([2, 0, 3, 1]):  # L_i, alpha_i, L_o, alpha_o
         stiffness = contacts.stiffness[slot // 2, 0, 0] if column > 1 else 1.0
@@ -114,7 +114,8 @@ def test_slopes_by_loads_and_angles(friction, where):
         if step == 0.0:
             continue
         moved = [
-            guided(pressed(*(places + s * step * np.eye(4)[column])), friction=friction)[0] for s in (1, -1)
+            kinematics(pressed(*(places + s * step * np.eye(4)[column])), friction=friction)[0]
+            for s in (1, -1)
         ]
         by_force = (moved[0].centrifugal - moved[1].centrifugal) / (2 * step) * stiffness
         by_traction = (moved[0].tractions - moved[1].tractions) / (2 * step) * stiffness
@@ -125,7 +126,7 @@ def test_slopes_by_loads_and_angles(friction, where):
 
 def test_slow_balls_move_as_friction_without_inertia_has_it():
     contacts = pressed([0.7, 0.75, 0.8], [0.7, 0.65, 0.6], 1000.0, [1000.0, 1010.0, 1050.0])
-    found, _ = guided(contacts, speed=1e-3, centrifugal=0.0)
+    found, _ = kinematics(contacts, speed=1e-3, centrifugal=0.0)
     radius, count = np.full(3, BEARING.ball.diameter / 2), 3
     grooves = BEARING.ball.diameter * np.array([BEARING.inner.conformity, BEARING.outer.conformity])
     surface = pressed_radius(radius[:, None], grooves)
@@ -138,7 +139,7 @@ def test_slow_balls_move_as_friction_without_inertia_has_it():
     )
     ellipse = Ellipse(axes[:, 0].T, axes[:, 1].T, surface, 0.06 * contacts.loads[:, 0].T)
     one = Ellipse(*(array[:, None] for array in (ellipse.across, ellipse.along, surface, ellipse.traction)))
-    known = attitude(places, one)
+    known = sliding_motion(places, one)
     assert found.orbit[0] == approx(-1e-3 * known.motion[:, 0], rel=1e-6)
     spin = 1e-3 * known.motion[:, 1:]
     assert -found.spin[0] * np.cos(found.attitude[0]) == approx(spin[:, 0], rel=1e-6)
@@ -149,7 +150,7 @@ def test_slow_balls_move_as_friction_without_inertia_has_it():
 def test_strong_friction_leaves_control_to_the_race_that_presses_harder():
     """Much friction: the gyroscopic moment is a trifle, and the spin is that of the least heat."""
     light, heavy = (
-        guided(pressed(0.5, 0.4, 50.0, q), speed=100.0, friction=0.3, centrifugal=3.0)[0]
+        kinematics(pressed(0.5, 0.4, 50.0, q), speed=100.0, friction=0.3, centrifugal=3.0)[0]
         for q in (50.0, 2000.0)
     )
     outer = np.arctan2(np.sin(0.4), np.cos(0.4) + BEARING.diameter_ratio)
@@ -161,7 +162,7 @@ def test_strong_friction_leaves_control_to_the_race_that_presses_harder():
 def test_weak_friction_lets_the_axis_lie_down():
     """Where friction cannot hold the gyroscopic moment the axis turns until it can."""
     contacts = pressed(0.7, 0.6, 300.0, 600.0)
-    axes = [guided(contacts, speed=3000.0, friction=mu)[0] for mu in (0.005, 0.02, 0.2)]
+    axes = [kinematics(contacts, speed=3000.0, friction=mu)[0] for mu in (0.005, 0.02, 0.2)]
     tilt = [found.attitude[0, 0] for found in axes]
     assert tilt[0] < 0.1 * tilt[2]
     assert tilt[0] < tilt[1] < tilt[2]
@@ -173,7 +174,7 @@ def test_weak_friction_lets_the_axis_lie_down():
 @pytest.mark.parametrize("outer_speed", [0.0, 300.0])
 def test_both_senses_of_rotation_are_alike(outer_speed):
     contacts = pressed(0.8, 0.6, 900.0, 1150.0)
-    one, other = (guided(contacts, s * 1000.0, s * outer_speed)[0] for s in (1, -1))
+    one, other = (kinematics(contacts, s * 1000.0, s * outer_speed)[0] for s in (1, -1))
     assert other.tractions == approx(one.tractions, rel=1e-9)
     assert other.centrifugal == approx(one.centrifugal, rel=1e-9)
     assert other.orbit == approx(-one.orbit, rel=1e-9)
@@ -182,7 +183,7 @@ def test_both_senses_of_rotation_are_alike(outer_speed):
 
 
 def test_rings_that_do_not_turn_against_each_other_carry_the_balls_along():
-    found, _ = guided(pressed(0.8, 0.6, 900.0, 1150.0), speed=500.0, outer_speed=500.0)
+    found, _ = kinematics(pressed(0.8, 0.6, 900.0, 1150.0), speed=500.0, outer_speed=500.0)
     assert found.orbit[0, 0] == 500.0
     assert (found.tractions == 0).all()
     assert (found.spin == 0).all()
@@ -190,7 +191,7 @@ def test_rings_that_do_not_turn_against_each_other_carry_the_balls_along():
 
 def test_a_ball_that_the_inner_race_lets_go_rolls_on_at_the_bottom_of_the_outer_one():
     """No load, no traction there; the orbit is that of rolling at no contact angle, but for some slip."""
-    found, _ = guided(pressed(1.2, 0.0, 0.0, 340.0), friction=0.05)
+    found, _ = kinematics(pressed(1.2, 0.0, 0.0, 340.0), friction=0.05)
     assert found.tractions[0, 0, 0] == 0.0
     assert found.tractions[1, 0, 0] == approx(0.0, abs=1e-6)
     assert found.orbit[0, 0] == approx(500.0 * (1 - BEARING.diameter_ratio), rel=0.02)
@@ -290,7 +291,7 @@ def test_derivatives_by_the_places_of_ball_and_groove(where):
     own = AngularBalance(
         bearing=BEARING,
         contacts=CONTACTS,
-        guide=CoulombControl(BEARING, CONTACTS, 0.05),
+        control=CoulombControl(BEARING, CONTACTS, 0.05),
         load=np.zeros((1, 5)),
         held=np.zeros((1, 5), bool),
         place=np.zeros((1, 5)),
@@ -322,7 +323,7 @@ def test_imbalance_is_told_over_the_largest_force():
     model = AngularContactBallBearing(bearing=BEARING, control="coulomb", friction=0.06)
     balance = model._balance([operation])
     ring, centres = start(replace(balance, load=1.1 * balance.load))
-    found = settle(balance, balance.grooves(ring), centres)
+    found = balance_balls(balance, balance.grooves(ring), centres)
     state = _at(balance, ring, found)
     assert state.imbalance[0] == approx(np.abs(state.balance.excess).max() / found.sizes.largest[0], rel=1e-6)
     assert 0.01 < state.imbalance[0] < 0.2

@@ -7,12 +7,12 @@ from pytest import approx
 
 from quasidynamic.balance.balls.driving_load import driving_load
 from quasidynamic.contact.ellipse.full_sliding import Ellipse, sagitta, sliding_friction
-from quasidynamic.contact.ellipse.general_sliding import Points, sliding_ellipse, strip_points
+from quasidynamic.contact.ellipse.general_sliding import EllipsePoints, sliding_ellipse, strip_points
 
 ACROSS, ALONG, RADIUS, TRACTION = 0.6e-3, 0.12e-3, 5e-3, 100.0  # [m] [m] [m] [N]
 FALL = ACROSS**2 / (2 * RADIUS)  # [m] of the surface to the edge
 SIZES = TRACTION * np.array([1.0, FALL, ACROSS, 1.0, FALL])  # of the forces
-MANY = Points(60, 40, 1e-5)
+MANY = EllipsePoints(60, 40, 1e-5)
 
 
 def ellipse(growth=0.0):

@@ -5,11 +5,11 @@ import pytest
 from hypothesis import given, settings, strategies as st
 from pytest import approx
 
-from quasidynamic.balance.balls.four_point import ball_loads
-from quasidynamic.balance.balls.four_point_diagonals import diagonal_coefficient
+from quasidynamic.balance.balls.diagonals import diagonal_coefficient
 from quasidynamic.errors import ImpossiblePart, NotSolved
 from quasidynamic.four_point import RingLoad
 from quasidynamic.parts.ball import Groove
+from quasidynamic.solve.balls.load_distribution import ball_loads
 from tests.ball_bearings import slow_bearing
 
 TIGHT = slow_bearing(clearance=-10e-6, balls=24, ball=30e-3, pitch=0.5)
@@ -116,8 +116,8 @@ def test_both_rings_feel_the_torque_of_the_bearing():
 
 def test_loose_bearing_leaves_balls_idle():
     state = LOOSE.solve(RingLoad(radial_z=2e3))
-    assert 0 < state.balls.attitude.driven.sum() < 24
-    assert (state.balls.ball_torques > 0).sum() == state.balls.attitude.driven.sum()
+    assert 0 < state.balls.sliding.driven.sum() < 24
+    assert (state.balls.ball_torques > 0).sum() == state.balls.sliding.driven.sum()
 
 
 def test_nothing_holds_an_unloaded_loose_ring():

@@ -7,15 +7,15 @@ import pytest
 from pytest import approx
 
 from quasidynamic.balance.balls.angular_contact import AngularBalance, race_contacts
-from quasidynamic.balance.balls.race_control import RaceControl
+from quasidynamic.balance.balls.race_control import PrescribedControl
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing
 from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.parts.material import Material
 from quasidynamic.solve.arclength import LinearisedEquations, follow
-from quasidynamic.solve.balls.ball_equilibrium import balanced, resolved, sizes_of
-from quasidynamic.solve.balls.frozen_forces import hung
-from quasidynamic.solve.balls.inertia_homotopy import InertiaFamily, led
-from quasidynamic.solve.balls.ring_on_balls import Solved, newton, solve, start
+from quasidynamic.solve.balls.ball_equilibrium import balanced, force_scales, resolved
+from quasidynamic.solve.balls.frozen_solve import frozen_solve
+from quasidynamic.solve.balls.inertia_homotopy import InertiaFamily, inertia_homotopy
+from quasidynamic.solve.balls.ring_on_balls import RingSolution, newton, solve, start
 from quasidynamic.solve.balls.ring_on_springs import LONGEST, newton_step
 from quasidynamic.solve.corners import followed_through
 from quasidynamic.solve.outcome import SolverOutcome
@@ -41,7 +41,7 @@ def balance(load, control, speed=SPEED):
     own = AngularBalance(
         bearing=BEARING,
         contacts=race_contacts(BEARING),
-        guide=RaceControl(BEARING, control),
+        control=PrescribedControl(BEARING, control),
         load=np.array([load]),
         held=np.zeros((1, 5), bool),
         place=np.zeros((1, 5)),
@@ -55,7 +55,7 @@ def balance(load, control, speed=SPEED):
 @pytest.mark.parametrize("load", LOADS.values(), ids=LOADS.keys())
 def test_path_of_growing_inertia_ends_in_balance(load, control):
     own = balance(load, control)
-    found = led(own)
+    found = inertia_homotopy(own)
     assert found is not None
     ring, centres, _ = found
     balls = own.balls(own.grooves(ring), centres)
@@ -67,7 +67,7 @@ def test_path_of_growing_inertia_ends_in_balance(load, control):
 
 def test_path_ends_where_newtons_method_does_when_all_balls_are_pressed():
     own = balance((60.0, 2.0, 5.0, 2.0, -1.0), "outer")
-    ring, centres, _ = led(own) or (None, None, 0)
+    ring, centres, _ = inertia_homotopy(own) or (None, None, 0)
     direct = newton(own, *start(own))
     assert direct.outcomes == [SolverOutcome.CONVERGED]
     assert ring == approx(direct.ring, rel=1e-7, abs=1e-13)
@@ -76,7 +76,7 @@ def test_path_ends_where_newtons_method_does_when_all_balls_are_pressed():
 
 def test_derivatives_of_the_path():
     own = balance(LOADS["heavier"], "inner")
-    ring, centres, _ = led(own) or (None, None, 0)
+    ring, centres, _ = inertia_homotopy(own) or (None, None, 0)
     assert ring is not None
     assert centres is not None
     family = InertiaFamily(own, 1j * own.free_centrifugal + np.zeros_like(centres))
@@ -106,12 +106,12 @@ def test_case_that_stalls_newtons_method_is_solved_along_the_path():
 
 def test_path_and_balls_call_the_same_forces_balance():
     own = balance((0.05, -8e-3, 2e-3, 0.0, 0.0), "outer")
-    ring, centres, _ = led(own) or (None, None, 0)
+    ring, centres, _ = inertia_homotopy(own) or (None, None, 0)
     assert ring is not None
     assert centres is not None
     family = InertiaFamily(own, 1j * own.free_centrifugal + np.zeros_like(centres))
     balls = own.balls(own.grooves(ring), centres)
-    limit = sizes_of(own, balls, own.grooves(ring)).noise[0]
+    limit = force_scales(own, balls, own.grooves(ring)).noise[0]
     for share, holds in (
         (0.5, True),
         (0.85, False),
@@ -126,7 +126,7 @@ def test_path_and_balls_call_the_same_forces_balance():
 def test_case_that_ended_not_finite_has_no_forces():
     own, nothing = balance(LOADS["heavier"], "outer"), np.full((1, 1), np.nan)
     places = nothing * np.ones(5), nothing * np.ones(BEARING.balls, complex)
-    lost = Solved(*places, [SolverOutcome.NOT_FINITE], nothing[0], np.array([1]))
+    lost = RingSolution(*places, [SolverOutcome.NOT_FINITE], nothing[0], np.array([1]))
     balls, ring = lost.forces(own)  # without a warning
     assert np.isnan(balls.excess).all()
     assert np.isnan(ring.excess).all()
@@ -146,8 +146,8 @@ def test_balls_off_both_races_fall_back_on_them():
     ring[0, 0] = -own.unloaded_groove.real
     assert (np.abs(own.grooves(ring) - inside) < BEARING.inner_reach).all()
     pull = 1j * own.free_centrifugal + np.zeros_like(inside)
-    found, centres = hung(own, (ring, inside), (pull, np.zeros((1, 5))), 1e-9, 400)
-    expected, _ = hung(own, start(own), (pull, np.zeros((1, 5))), 1e-9, 400)
+    found, centres = frozen_solve(own, (ring, inside), (pull, np.zeros((1, 5))), 1e-9, 400)
+    expected, _ = frozen_solve(own, start(own), (pull, np.zeros((1, 5))), 1e-9, 400)
     assert found == approx(expected, rel=1e-6, abs=1e-12)
     assert (np.abs(centres) >= BEARING.outer_reach).all()
 

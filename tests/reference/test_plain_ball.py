@@ -27,7 +27,7 @@ def both(name):
 @pytest.mark.parametrize("name", CASES)
 def test_motion_of_production_balances_the_plain_model(name):
     balls, case = both(name)
-    mesh, motion = contacts(case), balls.attitude.motion[0]
+    mesh, motion = contacts(case), balls.sliding.motion[0]
     assert heat(case, mesh, motion) == approx(balls.torque, rel=5e-4)
     force, axial, radial = joshi(case, mesh, motion)
     friction, arm = 0.1 * sum(case["load"]), 2 * 1e-3
@@ -38,7 +38,7 @@ def test_motion_of_production_balances_the_plain_model(name):
 def test_plain_model_sees_a_motion_that_is_not_in_balance():
     """A thousandth more ball speed unbalances the moments far more than the check above allows."""
     balls, case = both("two contacts")
-    mesh, motion = contacts(case), balls.attitude.motion[0] * [1, 1.001, 1.001]
+    mesh, motion = contacts(case), balls.sliding.motion[0] * [1, 1.001, 1.001]
     assert heat(case, mesh, motion) > 1.01 * balls.torque
     assert abs(joshi(case, mesh, motion)[1]) > 5e-2 * 0.1 * sum(case["load"]) * 2e-3
 
@@ -49,4 +49,4 @@ def test_plain_search_finds_the_same_motion(name):
     balls, case = both(name)
     motion, torque = solve(case)
     assert torque == approx(balls.torque, rel=1e-3)
-    assert motion == approx(balls.attitude.motion[0], rel=5e-3, abs=5e-3)
+    assert motion == approx(balls.sliding.motion[0], rel=5e-3, abs=5e-3)

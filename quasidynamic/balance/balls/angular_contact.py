@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.balls.ball_position import BallPlaces, Vectors, groove_arm, turning
-from quasidynamic.balance.balls.race_control import Guidance, Guide, Pressed
+from quasidynamic.balance.balls.race_control import BallKinematics, LoadedContacts, RaceControl
 from quasidynamic.contact.ellipse.point_contact import (
     INNER,
     OUTER,
@@ -31,8 +31,8 @@ class BallBalance(NamedTuple):
     forces: Vectors  # (3, C, Z) [N]
     by_ball: Vectors  # (2, 3, C, Z) [N/m] by the place of the ball
     by_groove: Vectors  # (2, 3, C, Z) [N/m] by the place of the inner groove
-    contacts: Pressed
-    guidance: Guidance
+    contacts: LoadedContacts
+    kinematics: BallKinematics
 
     @property
     def excess(self) -> Vectors:
@@ -42,8 +42,8 @@ class BallBalance(NamedTuple):
     @property
     def pull(self) -> Vectors:
         """Centrifugal force and tractions on each ball (C, Z) [N]."""
-        inner, outer = self.guidance.tractions * np.exp(-1j * self.contacts.angles)
-        return inner - outer + 1j * self.guidance.centrifugal
+        inner, outer = self.kinematics.tractions * np.exp(-1j * self.contacts.angles)
+        return inner - outer + 1j * self.kinematics.centrifugal
 
     @property
     def loads(self) -> NDArray:
@@ -67,7 +67,7 @@ class AngularBalance:
               Q_i \cos\alpha_i - Q_o \cos\alpha_o - T_i \sin\alpha_i + T_o \sin\alpha_o + F_c &= 0
 
     in complex numbers, axial + i radial, with n = sin(alpha) + i cos(alpha):
-    (Q_i - i T_i) n_i - (Q_o - i T_o) n_o + i F_c = 0. The guide says what F_c, T_i and T_o are.
+    (Q_i - i T_i) n_i - (Q_o - i T_o) n_o + i F_c = 0. The race control says what F_c, T_i and T_o are.
 
     Grooves are half circles that go on as straight walls, see `groove_arm`.
     The ring carries T_i with its lever to the groove centre.
@@ -80,7 +80,7 @@ class AngularBalance:
 
     bearing: AngularContactBearing
     contacts: tuple[PointContact, PointContact]  # with the inner and with the outer race
-    guide: Guide
+    control: RaceControl
     load: NDArray  # (C, 5) [N] moments over R_i
     held: NDArray  # (C, 5) bool, where the displacement is given
     place: NDArray  # (C, 5) [m] the given displacements, rotations times R_i
@@ -150,14 +150,14 @@ class AngularBalance:
         arms = groove_arm(np.array([grooves - centres, centres]))
         lengths = np.abs(arms)
         normals = arms / lengths
-        contacts = Pressed(np.arctan2(normals.real, normals.imag), *self.pressed(lengths))
-        guidance = self.guide.guided(contacts, self.speeds, self.free_centrifugal)
-        tractions, held = guidance.tractions, guidance.traction_slopes
+        contacts = LoadedContacts(np.arctan2(normals.real, normals.imag), *self.pressed(lengths))
+        kinematics = self.control.kinematics(contacts, self.speeds, self.free_centrifugal)
+        tractions, held = kinematics.tractions, kinematics.traction_slopes
         turns = -1j * normals  # along the groove sections
         pushes = contacts.loads - 1j * tractions
         forces = np.empty((3, *grooves.shape), complex)
         on_inner, on_outer = pushes * normals
-        forces[0] = on_inner - on_outer + 1j * guidance.centrifugal
+        forces[0] = on_inner - on_outer + 1j * kinematics.centrifugal
         forces[1], forces[2] = on_inner, tractions[0]
         slopes = np.empty((4, *forces.shape), complex)  # by L_i, alpha_i, L_o, alpha_o
         stiffer, turned = contacts.stiffness * normals, pushes * turns
@@ -166,10 +166,10 @@ class AngularBalance:
         inner[1] += turned[0]
         outer[2] += stiffer[1]
         outer[3] += turned[1]
-        slopes[:, 0] = inner - outer + 1j * guidance.centrifugal_slopes
+        slopes[:, 0] = inner - outer + 1j * kinematics.centrifugal_slopes
         slopes[:, 1], slopes[:, 2] = inner, held[0]
         by_inner, by_outer = _by_place(slopes.reshape(2, 2, *forces.shape), normals, turning(arms) / lengths)
-        return BallBalance(forces, by_outer - by_inner, by_inner, contacts, guidance)
+        return BallBalance(forces, by_outer - by_inner, by_inner, contacts, kinematics)
 
     def pressed(self, lengths: NDArray) -> tuple[NDArray, NDArray]:
         """Loads and stiffnesses (2, C, Z) of the contacts from the lengths between the centres."""
@@ -202,7 +202,7 @@ class AngularBalance:
 
     def dragged(self, balls: BallBalance) -> NDArray:
         """Load (C, 5) [N] that the tractions of the inner race take up."""
-        traction = balls.guidance.tractions[0]
+        traction = balls.kinematics.tractions[0]
         return self.on_ring(traction * np.exp(-1j * balls.contacts.angles[0]), traction)
 
     @cached_property

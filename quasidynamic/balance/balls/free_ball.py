@@ -10,8 +10,8 @@ from quasidynamic.contact.ellipse.full_sliding import Ellipse
 from quasidynamic.contact.ellipse.general_sliding import (
     CENTRE,
     FINE,
-    Points,
-    Sliding,
+    EllipsePoints,
+    GeneralSliding,
     sliding_ellipse,
 )
 from quasidynamic.motion.ball_slip import (
@@ -28,16 +28,16 @@ from quasidynamic.motion.ball_slip import (
 _RIDGE = 1e-12  # of `above`: keeps slopes of saturated friction regular
 
 
-class Local(NamedTuple):
+class FreeBallBalance(NamedTuple):
     """Balance of balls near one motion."""
 
     left: NDArray  # (n, 4) moments that are not balanced, by unknown
     slopes: NDArray  # (n, 4, 4) of these by the unknowns
     above: NDArray  # (n, 4) roughly what the slopes of friction nowhere exceed
 
-    def taken(self, keep: NDArray) -> "Local":
+    def taken(self, keep: NDArray) -> "FreeBallBalance":
         """Return that of some of the balls."""
-        return Local(*(array[keep] for array in self))
+        return FreeBallBalance(*(array[keep] for array in self))
 
     def resolved(self, moments: NDArray, caution: NDArray | float = 0.0) -> NDArray:
         """Changes (n, 4, k) of the unknowns that make moments (n, 4, k); a share of `above` resists."""
@@ -46,10 +46,12 @@ class Local(NamedTuple):
         scaled = self.slopes / (size * np.swapaxes(size, -1, -2)) + ridge
         return np.linalg.solve(scaled, moments / size) / size
 
-    def or_else(self, other: "Local", better: NDArray) -> "Local":
+    def or_else(self, other: "FreeBallBalance", better: NDArray) -> "FreeBallBalance":
         """Return this one where it is better (n), else the other one."""
         shapes = (better.reshape(-1, *[1] * (array.ndim - 1)) for array in self)
-        return Local(*(np.where(where, *pair) for where, *pair in zip(shapes, self, other, strict=True)))
+        return FreeBallBalance(
+            *(np.where(where, *pair) for where, *pair in zip(shapes, self, other, strict=True))
+        )
 
 
 @dataclass(frozen=True)
@@ -71,7 +73,7 @@ class FreeBalls:
     Source
     ------
     Jones, J. Basic Eng. 81 (1959); Harris, Rolling Bearing Analysis, 4th ed. (2001), ch. 8, for the speeds;
-    the heat as a function of the motion is convex as that of `attitude`.
+    the heat as a function of the motion is convex as that of slow balls, `sliding_balls`.
     """
 
     contacts: BallContacts  # N balls, one diagonal
@@ -100,15 +102,15 @@ class FreeBalls:
         """Outer ring seen from the orbit, spin in axial, radial and rolling direction (N, 4) [-]."""
         return self.rolling + np.einsum("nij,nj->ni", self.unknowns, unknowns)
 
-    def friction(self, unknowns: NDArray, points: Points = FINE) -> Sliding:
+    def friction(self, unknowns: NDArray, points: EllipsePoints = FINE) -> GeneralSliding:
         """Friction (N, 2) at unknowns (N, 4)."""
         return sliding_ellipse(self.slip(unknowns), self.ellipse, points)
 
-    def balance(self, unknowns: NDArray, friction: Sliding, part: float = 1.0) -> Local:
+    def balance(self, unknowns: NDArray, friction: GeneralSliding, part: float = 1.0) -> FreeBallBalance:
         """Balance at unknowns (N, 4), of the friction there with a part of the gyroscopic moments."""
         moments, slopes = self._gyroscopic(self.motion(unknowns), part)
         turned = np.swapaxes(self.by_unknown, -1, -2)
-        return Local(
+        return FreeBallBalance(
             left=np.einsum("ngij,ngi->nj", self.by_unknown, friction.by_slip) - moments,
             slopes=(turned @ friction.curvature @ self.by_unknown).sum(1) - slopes,
             above=np.einsum("ngij,ngi->nj", self.by_unknown**2, friction.majorant),

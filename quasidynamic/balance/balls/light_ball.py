@@ -6,7 +6,10 @@ from numpy.typing import NDArray
 RELEASE = 0.2  # of the nominal centrifugal force: inner load over which a ball is let go by the inner race
 GRIP = 0.5  # of the centrifugal force: inner load above which h is one but for a hundredth
 LEAST_RELEASE = 1e-100  # [N] the same at rest, where it no longer matters
-LED, WIDEST = np.radians(60.0), np.radians(75.0)  # angle between the contacts: up to which, bound beyond
+SEEN_WHOLE, WIDEST = (
+    np.radians(60.0),
+    np.radians(75.0),
+)  # angle between the contacts: up to which, bound beyond
 STEADY, STRONGEST = 0.4, 0.6  # of the load: traction up to which a contact holds all, bound beyond
 LEAST_LOAD, MOST_WANTED = 1e-200, 1e3  # [N], over the load: no traction without a load
 
@@ -41,7 +44,7 @@ def grip(load: NDArray, stiffness: NDArray, centrifugal: NDArray) -> tuple[NDArr
     return hold, (1 - hold**2) / width * stiffness
 
 
-def led_angle(apart: NDArray) -> tuple[NDArray, NDArray | float]:
+def limited_angle(apart: NDArray) -> tuple[NDArray, NDArray | float]:
     r"""Angle between the contacts that the kinematics see, and its slope.
 
     .. math:: s(\Delta) = \Delta\ \text{up to}\ \Delta_1,\quad
@@ -63,13 +66,13 @@ def led_angle(apart: NDArray) -> tuple[NDArray, NDArray | float]:
 
     Valid
     -----
-    Exact up to Delta_1 = `LED`; beyond, orbit and spin of the ball are estimates.
+    Exact up to Delta_1 = `SEEN_WHOLE`; beyond, orbit and spin of the ball are estimates.
     """
-    beyond = np.abs(apart) - LED
+    beyond = np.abs(apart) - SEEN_WHOLE
     if beyond.max() <= 0:
         return apart, 1.0
-    part = np.tanh(beyond / (WIDEST - LED))
-    bent = np.sign(apart) * (LED + (WIDEST - LED) * part)
+    part = np.tanh(beyond / (WIDEST - SEEN_WHOLE))
+    bent = np.sign(apart) * (SEEN_WHOLE + (WIDEST - SEEN_WHOLE) * part)
     return np.where(beyond > 0, bent, apart), np.where(beyond > 0, 1 - part**2, 1.0)
 
 

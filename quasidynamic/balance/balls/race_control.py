@@ -6,14 +6,14 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.balls.light_ball import grip, held_traction, led_angle
+from quasidynamic.balance.balls.light_ball import grip, held_traction, limited_angle
 from quasidynamic.motion.ball_speeds import Control, ball_motion, centrifugal_force, gyroscopic_moment
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing
 
 INNER_SHARE = {"outer": 0.0, "inner": 2.0, "equal": 1.0}  # lambda_i, part of 2 M_g/D held by the inner race
 
 
-class Pressed(NamedTuple):
+class LoadedContacts(NamedTuple):
     """Contacts of balls with the inner and with the outer race (2, C, Z); C cases, Z balls."""
 
     angles: NDArray  # [rad] contact angles
@@ -21,7 +21,7 @@ class Pressed(NamedTuple):
     stiffness: NDArray  # [N/m] of the loads by the distances L_i, L_o of ball and groove centres
 
 
-class Guidance(NamedTuple):
+class BallKinematics(NamedTuple):
     """Motion of balls and what it asks of the races; slopes (4, C, Z) by L_i, alpha_i, L_o, alpha_o."""
 
     orbit: NDArray  # (C, Z) [rad/s]
@@ -35,12 +35,12 @@ class Guidance(NamedTuple):
     traction_slopes: NDArray  # (2, 4, C, Z)
 
 
-class Guide(Protocol):
+class RaceControl(Protocol):
     """How motion and tractions of balls follow from their contacts."""
 
     @property
-    def simpler(self) -> "Guide | None":
-        """A guide that costs less and balances ring and balls near the same place, to begin there."""
+    def simpler(self) -> "RaceControl | None":
+        """A race control that costs less and balances ring and balls near the same place, to begin there."""
         ...
 
     @property
@@ -48,12 +48,12 @@ class Guide(Protocol):
         """Part of the largest force by which its forces are uncertain, beyond rounding of places [-]."""
         ...
 
-    def guided(self, contacts: Pressed, speeds: NDArray, centrifugal: NDArray) -> Guidance:
+    def kinematics(self, contacts: LoadedContacts, speeds: NDArray, centrifugal: NDArray) -> BallKinematics:
         """Motion of balls and what it asks of the races.
 
         Parameters
         ----------
-        contacts : Pressed
+        contacts : LoadedContacts
             of C cases, Z balls
         speeds : array (2, C, 1)
             of the inner and of the outer ring [rad/s]
@@ -64,7 +64,7 @@ class Guide(Protocol):
 
 
 @dataclass(frozen=True)
-class RaceControl:
+class PrescribedControl:
     r"""Balls roll on both races; one of these, or both alike, control the attitude of their spin.
 
     .. math:: T_i = \lambda_i M_g / D,\quad T_o = \lambda_o M_g / D,\quad \lambda_i + \lambda_o = 2
@@ -74,7 +74,7 @@ class RaceControl:
     h = tanh(Q_i/(RELEASE F_c)). No traction comes near its load, see `held_traction`; what the inner race
     cannot hold the outer one takes. A ball that its centrifugal force wedges between grooves far apart
     touches the inner race near its pole, where rolling alone would whirl it away: in the kinematics
-    the angle between the contacts grows no more from `LED` on, smoothly, and stays below `WIDEST`.
+    the angle between the contacts grows no more from `SEEN_WHOLE` on, smoothly, and stays below `WIDEST`.
 
     Source
     ------
@@ -95,11 +95,11 @@ class RaceControl:
         """Zero: closed forms."""
         return 0.0
 
-    def guided(self, contacts: Pressed, speeds: NDArray, centrifugal: NDArray) -> Guidance:
-        """Motion of balls and what it asks of the races, see `Guide`."""
+    def kinematics(self, contacts: LoadedContacts, speeds: NDArray, centrifugal: NDArray) -> BallKinematics:
+        """Motion of balls and what it asks of the races, see `RaceControl`."""
         own, (inner, outer) = self.bearing, contacts.angles
         hold, hold_slope = grip(contacts.loads[0], contacts.stiffness[0], centrifugal)
-        apart, slope = led_angle(inner - outer)
+        apart, slope = limited_angle(inner - outer)
         seen = np.array([outer + hold * apart, outer])
         motion = ball_motion(seen, own.diameter_ratio, tuple(speeds), self.control)
         force = centrifugal_force(motion.orbit, own.ball.mass, own.pitch_diameter)
@@ -110,7 +110,7 @@ class RaceControl:
         slopes[:, 1] = by_seen[:, 0] * (hold * slope)
         slopes[:, 3] = by_seen[:, 0] + by_seen[:, 1] - slopes[:, 1]
         tractions, held = self._tractions(moment.value, slopes[1], contacts)
-        return Guidance(
+        return BallKinematics(
             orbit=motion.orbit.value,
             spin=motion.spin.value,
             attitude=motion.attitude.value,
@@ -122,7 +122,9 @@ class RaceControl:
             traction_slopes=held,
         )
 
-    def _tractions(self, moment: NDArray, slopes: NDArray, contacts: Pressed) -> tuple[NDArray, NDArray]:
+    def _tractions(
+        self, moment: NDArray, slopes: NDArray, contacts: LoadedContacts
+    ) -> tuple[NDArray, NDArray]:
         """T_i, T_o (2, C, Z) [N] and their slopes (2, 4, C, Z)."""
         wanted, slopes = (2 / self.bearing.ball.diameter) * moment, (2 / self.bearing.ball.diameter) * slopes
         share, (loads, stiffness) = 0.5 * INNER_SHARE[self.control], contacts[1:]

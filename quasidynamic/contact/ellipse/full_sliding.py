@@ -10,7 +10,7 @@ import numpy as np
 from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
 
-from quasidynamic.contact.ellipse.sliding_strip import SMALLEST, Strip, sliding_strip
+from quasidynamic.contact.ellipse.sliding_strip import SMALLEST, SlidingStrip, sliding_strip
 from quasidynamic.errors import OutOfRange
 
 POINTS = 32  # Gauss points in each of three panels
@@ -46,7 +46,7 @@ class Ellipse:
 
 
 @dataclass(frozen=True)
-class Friction:
+class SlidingFriction:
     """Friction of sliding contacts; the first derivative is minus the force on the ball."""
 
     power: NDArray  # (...) [W] heat
@@ -113,7 +113,7 @@ def no_slip_positions(slip: NDArray, radius: NDArray) -> tuple[NDArray, NDArray]
     return np.minimum(far, near) / square, np.maximum(far, near) / square
 
 
-def sliding_friction(slip: NDArray, ellipse: Ellipse) -> Friction:
+def sliding_friction(slip: NDArray, ellipse: Ellipse) -> SlidingFriction:
     r"""Heat of full sliding with its first two derivatives by the slip.
 
     .. math:: \Phi = \int \mu p\, |v|\, dA,\quad p = \frac{3 Q}{2 \pi a b} \sqrt{1 - x^2/a^2 - y^2/b^2},\\
@@ -132,7 +132,7 @@ def sliding_friction(slip: NDArray, ellipse: Ellipse) -> Friction:
 
     Returns
     -------
-    Friction
+    SlidingFriction
         homogeneous of degree one in the slip and convex
 
     Source
@@ -159,15 +159,15 @@ def sliding_friction(slip: NDArray, ellipse: Ellipse) -> Friction:
     moments[..., CENTRE] = cross.sum(-1)
     moments[..., ROLL] = (cross * rise).sum(-1)
     moments[..., SPIN] = (cross * x).sum(-1) + lateral
-    return Friction(
+    return SlidingFriction(
         power=(slip * moments).sum(-1),
         by_slip=moments,
         lateral=lateral,
-        curvatures=lambda: _curvatures(slip, ellipse, _Points(x, rise, half, along, weight), strip),
+        curvatures=lambda: _curvatures(slip, ellipse, _StripPoints(x, rise, half, along, weight), strip),
     )
 
 
-class _Points(NamedTuple):
+class _StripPoints(NamedTuple):
     """Strips of the ellipse (..., n)."""
 
     x: NDArray  # [m]
@@ -200,7 +200,9 @@ def _graded() -> tuple[NDArray, NDArray]:
 _GRADED_POINTS, _GRADED_WEIGHTS = _graded()
 
 
-def _curvatures(slip: NDArray, ellipse: Ellipse, points: _Points, strip: Strip) -> tuple[NDArray, NDArray]:
+def _curvatures(
+    slip: NDArray, ellipse: Ellipse, points: _StripPoints, strip: SlidingStrip
+) -> tuple[NDArray, NDArray]:
     """Second derivatives of the heat (..., 3, 3), and those of the parabola that touches it and lies above.
 
     Where the lateral slip nearly vanishes the heat has a kink along a line, which would fall between the

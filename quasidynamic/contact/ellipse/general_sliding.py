@@ -17,7 +17,7 @@ NEAREST = 1e-9  # of the slip of a strip: least slip along the rolling direction
 SMALLEST = 1e-200  # stands for the square of a slip of zero: a kink of |v|, met by rounding alone
 
 
-class Points(NamedTuple):
+class EllipsePoints(NamedTuple):
     """How many points an ellipse is resolved with."""
 
     across: int  # in each of four panels
@@ -25,8 +25,10 @@ class Points(NamedTuple):
     narrowest: float  # of the semi-axis across: width next to a line without slip that they resolve
 
 
-FINE = Points(24, 16, 5e-4)  # error of 1e-9 of the heat, of 1e-7 of the forces at worst, mostly far less
-COARSE = Points(8, 10, 0.1)  # of 1e-3
+FINE = EllipsePoints(
+    24, 16, 5e-4
+)  # error of 1e-9 of the heat, of 1e-7 of the forces at worst, mostly far less
+COARSE = EllipsePoints(8, 10, 0.1)  # of 1e-3
 _FAN = np.array([-1.0, 1.0, -1.0, 1.0])
 
 
@@ -56,13 +58,13 @@ class _Bends(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Sliding:
+class GeneralSliding:
     """Friction of sliding contacts; the first derivative of the heat is minus the force on the ball."""
 
     slip: NDArray  # (..., 5)
     by_slip: NDArray  # (..., 5) [N, N m, N m, N, N m] derivative of the heat by the slip
     ellipse: Ellipse
-    points: Points
+    points: EllipsePoints
     strips: _Strips
 
     @property
@@ -156,7 +158,7 @@ class Sliding:
         return least, (np.abs(across) + np.abs(spin) * own.along < least) & (own.traction > 0.0)
 
 
-def sliding_ellipse(slip: NDArray, ellipse: Ellipse, points: Points = FINE) -> Sliding:
+def sliding_ellipse(slip: NDArray, ellipse: Ellipse, points: EllipsePoints = FINE) -> GeneralSliding:
     r"""Friction of full sliding under slip in both directions.
 
     .. math:: \Phi = \int \mu p\, |v|\, dA,\quad p = \frac{3 Q}{2 \pi a b} \sqrt{1 - x^2/a^2 - y^2/b^2},\\
@@ -170,12 +172,12 @@ def sliding_ellipse(slip: NDArray, ellipse: Ellipse, points: Points = FINE) -> S
         rolling direction [rad/s]
     ellipse : Ellipse
         a, b, R and mu Q
-    points : Points
+    points : EllipsePoints
         panels between the lines v_t = 0, see `strip_points` for those of a strip
 
     Returns
     -------
-    Sliding
+    GeneralSliding
         homogeneous of degree one in the slip and convex
 
     Source
@@ -206,7 +208,7 @@ def sliding_ellipse(slip: NDArray, ellipse: Ellipse, points: Points = FINE) -> S
     by_slip = np.concatenate([sums[..., 0], sums[..., :2, 1]], -1)
     by_slip[..., SPIN] -= (turning * half).sum(-1)
     strips = _Strips(basis, half, along, whole, sideward, place, lateral, square, share)
-    return Sliding(slip, by_slip, ellipse, points, strips)
+    return GeneralSliding(slip, by_slip, ellipse, points, strips)
 
 
 def strip_points(along: NDArray, middle: NDArray, turn: NDArray, points: int) -> tuple[NDArray, NDArray]:
@@ -264,7 +266,7 @@ def _graded(points: int) -> tuple[NDArray, NDArray]:
     return s**2, 2 * s * weight
 
 
-def _panels(slip: NDArray, ellipse: Ellipse, points: Points) -> tuple[NDArray, NDArray]:
+def _panels(slip: NDArray, ellipse: Ellipse, points: EllipsePoints) -> tuple[NDArray, NDArray]:
     """Points (..., n) and weights [m] of four panels that fan out from where the slip along is least."""
     place, weight = _graded(points.across)
     half = ellipse.width[..., None]

@@ -12,7 +12,7 @@ TERMS = 9  # of that series
 SMALLEST = 1e-200  # stands for the square of a slip of zero: a kink of |v|, met by rounding alone
 
 
-class Strip(NamedTuple):
+class SlidingStrip(NamedTuple):
     """Derivatives of the heat of a strip."""
 
     by_along: NDArray  # F_v
@@ -22,7 +22,7 @@ class Strip(NamedTuple):
     bend: NDArray  # F_vv / s^2 = F_ss / v^2
 
 
-def sliding_strip(along: NDArray, across: NDArray) -> Strip:
+def sliding_strip(along: NDArray, across: NDArray) -> SlidingStrip:
     r"""Heat of a strip across which the slip grows from its middle.
 
     .. math:: F(v, s) = \int_{-1}^{1} \sqrt{1 - t^2} \sqrt{v^2 + s^2 t^2}\, dt
@@ -43,7 +43,7 @@ def sliding_strip(along: NDArray, across: NDArray) -> Strip:
 
     Returns
     -------
-    Strip
+    SlidingStrip
         [-], [-], [s/m], [s/m], [s3/m3]; at v = s = 0, where the heat has a kink, the first two are zero
 
     Source
@@ -59,7 +59,7 @@ def sliding_strip(along: NDArray, across: NDArray) -> Strip:
     size = np.sqrt(square)
     third, bend = _elliptic(across**2 / square, np.maximum(along**2 / square, SMALLEST))
     secant_along, secant_across = 2 * third / size, 2 * (third - bend) / (3 * size)
-    return Strip(
+    return SlidingStrip(
         secant_along * along, secant_across * across, secant_along, secant_across, 2 * bend / (square * size)
     )
 

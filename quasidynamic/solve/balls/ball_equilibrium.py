@@ -18,23 +18,23 @@ LONGEST = 0.3  # of the smaller reach: step of a ball
 SHORTEST = 2.0**-12  # part of a Newton step
 
 
-class Sizes(NamedTuple):
+class ForceScales(NamedTuple):
     """Forces (C) [N] that unbalanced ones are measured with."""
 
     largest: NDArray  # load on ring or balls
-    noise: NDArray  # force by which rounding of lengths, or the guide, unbalances a ball
+    noise: NDArray  # force by which rounding of lengths, or the race control, unbalances a ball
 
     def allowed(self, share: NDArray | float = 0.0) -> NDArray:
         """Force (C, 1) on a ball that counts as balance, up to a `share` (C) of the largest force."""
         return np.maximum(np.maximum(TOLERANCE, share) * self.largest, self.noise)[:, None]
 
 
-class Settled(NamedTuple):
+class BallsInBalance(NamedTuple):
     """Balls at their places, and what is left to balance there."""
 
     centres: Vectors  # (C, Z) [m]
     balls: BallBalance
-    sizes: Sizes
+    sizes: ForceScales
     left: NDArray  # (C, Z) [N] size of the unbalanced force on a ball
     moving: NDArray  # (C, Z) balls that are not balanced as well as was asked for
     evaluations: int
@@ -51,23 +51,23 @@ def at_places(
     centres: Vectors,
     share: NDArray | float = 0.0,
     evaluations: int = 1,
-) -> Settled:
-    """Balls where they are, see `settle` for the share."""
+) -> BallsInBalance:
+    """Balls where they are, see `balance_balls` for the share."""
     balls = balance.balls(grooves, centres)
-    left, sizes = np.abs(balls.excess), sizes_of(balance, balls, grooves)
-    return Settled(centres, balls, sizes, left, ~(left <= sizes.allowed(share)), evaluations)
+    left, sizes = np.abs(balls.excess), force_scales(balance, balls, grooves)
+    return BallsInBalance(centres, balls, sizes, left, ~(left <= sizes.allowed(share)), evaluations)
 
 
-def sizes_of(balance: AngularBalance, balls: BallBalance, grooves: Vectors) -> Sizes:
+def force_scales(balance: AngularBalance, balls: BallBalance, grooves: Vectors) -> ForceScales:
     """Forces that unbalanced ones on these balls are measured with."""
     largest = np.maximum(balance.largest_load, balls.loads.max((0, 2)))
     rounding = ROUNDING * np.abs(balls.by_ball[:, 0]).max((0, 2)) * np.abs(grooves).max(1)
-    return Sizes(largest, np.maximum(rounding, balance.guide.noise * largest))
+    return ForceScales(largest, np.maximum(rounding, balance.control.noise * largest))
 
 
-def settle(
+def balance_balls(
     balance: AngularBalance, grooves: Vectors, centres: Vectors, share: NDArray | float = 0.0
-) -> Settled:
+) -> BallsInBalance:
     """Balance of every ball for itself, the groove centres given.
 
     Balls may stay out of balance by a `share` (C) of the largest force.
@@ -82,7 +82,7 @@ def settle(
 
 def _newton_of_balls(
     balance: AngularBalance, grooves: Vectors, centres: Vectors, share: NDArray | float
-) -> Settled:
+) -> BallsInBalance:
     """Damped Newton for each ball."""
     here = at_places(balance, grooves, centres, share)
     far = (here.left > balance.free_centrifugal) & balance.pulled
@@ -158,4 +158,4 @@ def resolved(balls: BallBalance, force: Vectors, stiffer: NDArray | float = 0.0)
 
 def balanced(balance: AngularBalance, balls: BallBalance, grooves: Vectors) -> NDArray:
     """Balls (C, Z) that are in balance where they are."""
-    return np.less_equal(np.abs(balls.excess), sizes_of(balance, balls, grooves).allowed())
+    return np.less_equal(np.abs(balls.excess), force_scales(balance, balls, grooves).allowed())

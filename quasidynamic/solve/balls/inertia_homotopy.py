@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 from quasidynamic.balance.balls.angular_contact import AngularBalance
 from quasidynamic.balance.balls.ball_position import Vectors
 from quasidynamic.solve.arclength import LinearisedEquations
-from quasidynamic.solve.balls.ball_equilibrium import sizes_of
-from quasidynamic.solve.balls.frozen_forces import hung
+from quasidynamic.solve.balls.ball_equilibrium import force_scales
+from quasidynamic.solve.balls.frozen_solve import frozen_solve
 from quasidynamic.solve.balls.ring_on_springs import first_place
 from quasidynamic.solve.corners import followed_through
 
@@ -20,7 +20,7 @@ SCALES = (1.0, 0.5, 2.0)  # s, of the constant centrifugal forces at the beginni
 FLOATING = 1e-15  # of the largest derivative, given to balls that touch nothing
 
 
-def led(balance: AngularBalance) -> tuple[NDArray, Vectors, int] | None:
+def inertia_homotopy(balance: AngularBalance) -> tuple[NDArray, Vectors, int] | None:
     r"""Balance of one case at the end of a path that begins where there is one balance only.
 
     .. math:: (1 - p)\,[R_0(x) + s F_{c0}] + p\, R(x) = 0, \qquad 0 \le p \le 1
@@ -50,7 +50,7 @@ def led(balance: AngularBalance) -> tuple[NDArray, Vectors, int] | None:
     resting, evaluations = balance.places.resting(balance.grooves(first)), 0
     for scale in SCALES:
         pull = scale * 1j * balance.free_centrifugal + np.zeros_like(resting)
-        start = hung(balance, (first, resting), (pull, np.zeros_like(first)), CLOSE, PATIENCE)
+        start = frozen_solve(balance, (first, resting), (pull, np.zeros_like(first)), CLOSE, PATIENCE)
         family = InertiaFamily(balance, pull)
         end = followed_through(family, family.packed(*start))
         evaluations += family.evaluations
@@ -110,7 +110,7 @@ class InertiaFamily:
         self.evaluations += 2
         begin = rest.forces.copy()
         begin[0] += self.pull
-        sizes = sizes_of(self.balance, full, grooves)
+        sizes = force_scales(self.balance, full, grooves)
         largest, noise = float(sizes.largest[0]), float(sizes.noise[0])
 
         def blended(start: NDArray, end: NDArray) -> NDArray:

@@ -7,9 +7,15 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.balls.angular_contact import AngularBalance, BallBalance, RingBalance, moved
 from quasidynamic.balance.balls.ball_position import Vectors
-from quasidynamic.solve.balls.ball_equilibrium import Settled, along_arc, at_places, resolved, settle
-from quasidynamic.solve.balls.frozen_forces import hung
-from quasidynamic.solve.balls.inertia_homotopy import led
+from quasidynamic.solve.balls.ball_equilibrium import (
+    BallsInBalance,
+    along_arc,
+    at_places,
+    balance_balls,
+    resolved,
+)
+from quasidynamic.solve.balls.frozen_solve import frozen_solve
+from quasidynamic.solve.balls.inertia_homotopy import inertia_homotopy
 from quasidynamic.solve.balls.ring_on_springs import first_place, newton_step
 from quasidynamic.solve.outcome import SolverOutcome
 
@@ -23,7 +29,7 @@ SINGULAR = 1e-12  # of the whole stiffness: a direction that nothing holds
 
 
 @dataclass(frozen=True)
-class Solved:
+class RingSolution:
     """Places of ring and balls, and how the search ended; C cases, Z balls."""
 
     ring: NDArray  # (C, 5) [m] rotations times R_i
@@ -58,13 +64,13 @@ class _State:
     evaluations: int
 
 
-def solve(balance: AngularBalance) -> Solved:
+def solve(balance: AngularBalance) -> RingSolution:
     """Balance of all cases: in one go, else along a path of growing inertia."""
     with np.errstate(all="ignore"):  # places tried on the way may overflow: such a step is not taken
         return _solve(balance)
 
 
-def _solve(balance: AngularBalance) -> Solved:
+def _solve(balance: AngularBalance) -> RingSolution:
     found = newton(balance, *start(balance))
     failed = np.flatnonzero(
         [outcome not in (SolverOutcome.CONVERGED, SolverOutcome.UNDETERMINED) for outcome in found.outcomes]
@@ -81,22 +87,22 @@ def _solve(balance: AngularBalance) -> Solved:
         new = [piece.ring, piece.centres, piece.imbalance, found.evaluations[case] + piece.evaluations]
         for array, value in zip(arrays, new, strict=True):
             array[case] = value[0]
-    return Solved(found.ring, found.centres, outcomes, found.imbalance, found.evaluations)
+    return RingSolution(found.ring, found.centres, outcomes, found.imbalance, found.evaluations)
 
 
 def start(balance: AngularBalance) -> tuple[NDArray, Vectors]:
     """First places of ring and balls: on springs, then under the forces that inertia has there.
 
-    Or the balance under a simpler guide, where there is one.
+    Or the balance under a simpler race control, where there is one.
     """
-    if balance.guide.simpler is not None:
-        found = _solve(replace(balance, guide=balance.guide.simpler))
+    if balance.control.simpler is not None:
+        found = _solve(replace(balance, control=balance.control.simpler))
         return found.ring, found.centres
     ring = first_place(balance)
     grooves = balance.grooves(ring)
     centres = balance.places.resting(grooves)
     if (balance.free_centrifugal > 0).any():
-        ring, centres = hung(balance, (ring, centres), inertia_forces(balance, ring, centres))
+        ring, centres = frozen_solve(balance, (ring, centres), inertia_forces(balance, ring, centres))
     return ring, centres
 
 
@@ -106,18 +112,18 @@ def inertia_forces(balance: AngularBalance, ring: NDArray, centres: Vectors) -> 
     return balls.pull, balance.dragged(balls)
 
 
-def along_path(balance: AngularBalance) -> Solved | None:
+def along_path(balance: AngularBalance) -> RingSolution | None:
     """Balance of one case at the end of a path of growing inertia; None where the path was lost."""
-    found = led(balance)
+    found = inertia_homotopy(balance)
     if found is None:
         return None
     ring, centres, count = found
     state = _at(balance, ring, at_places(balance, balance.grooves(ring), centres, evaluations=count + 1))
     outcome = _outcome(balance, state, 0, 1.0, last=True)
-    return Solved(ring, centres, [outcome], state.imbalance, np.array([state.evaluations]))
+    return RingSolution(ring, centres, [outcome], state.imbalance, np.array([state.evaluations]))
 
 
-def newton(balance: AngularBalance, ring: NDArray, centres: NDArray | None = None) -> Solved:
+def newton(balance: AngularBalance, ring: NDArray, centres: NDArray | None = None) -> RingSolution:
     """Damped Newton on the ring, all cases side by side; a case leaves as soon as it ends."""
     if centres is None:
         centres = balance.places.resting(balance.grooves(ring))
@@ -139,7 +145,7 @@ def newton(balance: AngularBalance, ring: NDArray, centres: NDArray | None = Non
         running = np.array([outcome is SolverOutcome.RUNNING for outcome in ended])
         if not running.any():
             together = (here.balls, here.balance) if len(cases) == size else None
-            return Solved(out_ring, out_centres, outcomes, imbalance, evaluations, together)
+            return RingSolution(out_ring, out_centres, outcomes, imbalance, evaluations, together)
         if not running.all():
             cases, balance, damping = cases[running], balance.take(running), damping[running]
             here = _taken(here, running)
@@ -159,8 +165,8 @@ def _outcome(balance: AngularBalance, here: _State, case: int, damping: float, l
 
 
 def _tolerance(balance: AngularBalance) -> float:
-    """Part of the largest force that may be left: a guide may know its forces less surely than balances."""
-    return max(TOLERANCE, balance.guide.noise)
+    """Part of the largest force that may be left: forces of a race control may be less certain."""
+    return max(TOLERANCE, balance.control.noise)
 
 
 def _held(balance: AngularBalance, here: _State, case: int) -> bool:
@@ -226,10 +232,10 @@ def _taken(state: _State, cases: NDArray) -> _State:
 def _state(balance: AngularBalance, ring: NDArray, centres: NDArray, share: NDArray | float) -> _State:
     """Ring at a place, balls in balance up to a share of the largest force."""
     grooves = balance.grooves(ring)
-    return _at(balance, ring, settle(balance, grooves, centres, share))
+    return _at(balance, ring, balance_balls(balance, grooves, centres, share))
 
 
-def _at(balance: AngularBalance, ring: NDArray, found: Settled) -> _State:
+def _at(balance: AngularBalance, ring: NDArray, found: BallsInBalance) -> _State:
     """Ring and balls as they are."""
     balls, sizes = found.balls, found.sizes
     moves = -resolved(balls, np.concatenate([balls.excess[None], balls.by_groove[:, 0]]))

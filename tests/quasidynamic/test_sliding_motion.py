@@ -5,7 +5,6 @@ import pytest
 from hypothesis import given, settings, strategies as st
 from pytest import approx
 
-from quasidynamic.balance.balls.sliding_motion import attitude
 from quasidynamic.contact.ellipse.full_sliding import (
     SPIN,
     Ellipse,
@@ -26,6 +25,7 @@ from quasidynamic.motion.ball_slip import (
 )
 from quasidynamic.outcome.ball_torque import race_torques
 from quasidynamic.parts.ball_friction import FrictionCurve
+from quasidynamic.solve.balls.sliding_motion import sliding_motion
 from tests.ball_bearings import one_ball, slow_bearing
 
 RADIUS = 5e-3  # [m] R
@@ -137,7 +137,7 @@ angles = st.tuples(st.floats(5.0, 75.0), st.floats(5.0, 75.0)).map(list)
 def test_torque_is_the_same_on_both_rings_and_the_heat_per_speed(angle, load):
     balls = one_ball(BEARING, angle, load)
     inner, outer = balls.torques.total[0]
-    assert inner == approx(balls.attitude.power[0], rel=1e-8)
+    assert inner == approx(balls.sliding.power[0], rel=1e-8)
     assert outer == approx(-inner, rel=1e-8)
 
 
@@ -161,7 +161,7 @@ def test_torque_is_linear_in_the_friction_coefficient(angle, load, power):
 @given(angles, loads, st.integers(0, 2**31))
 def test_no_other_motion_makes_less_heat(angle, load, seed):
     balls = one_ball(BEARING, angle, load)
-    best = balls.attitude
+    best = balls.sliding
     change = np.random.default_rng(seed).normal(size=(1, 3)) * 10 ** np.linspace(-6, 0, 3)
     moved = slip_of(best.motion + change * best.motion, slip_by_motion(balls.contacts))
     assert sliding_friction(moved, balls.ellipse).power.sum() >= best.power[0] * (1 - 1e-9)
@@ -177,7 +177,7 @@ def test_a_diagonal_without_load_is_none():
 def test_ball_without_load_does_nothing():
     angle = np.full((2, 1, 2), 0.7)
     balls = BEARING.slide(angle, np.array([[[500.0, 500.0]], [[0.0, 0.0]]]))
-    assert balls.attitude.driven.tolist() == [True, False]
+    assert balls.sliding.driven.tolist() == [True, False]
     assert np.isnan(balls.ball_speed[1])
     assert balls.ball_torques[1] == 0.0
     assert balls.torque == balls.ball_torques[0] > 0.0
@@ -211,7 +211,7 @@ def test_circumferential_traction_alone_misses_what_lateral_slip_adds():
 def test_hysteresis_adds_three_sixteenths_of_the_loss_per_rolling_contact():
     plain, lossy = (one_ball(slow_bearing(loss=loss), [45.0], [1000.0]) for loss in (0.0, 0.01))
     b = lossy.ellipse.along[0, 0]
-    rolling = np.abs(lossy.attitude.slip[0, 0, :, 1])
+    rolling = np.abs(lossy.sliding.slip[0, 0, :, 1])
     assert lossy.torque - plain.torque == approx(3 / 16 * 0.01 * 1000.0 * (b * rolling).sum(), rel=1e-9)
 
 
@@ -275,7 +275,7 @@ def random_balls(number, seed):
 @pytest.mark.parametrize("number", [150, pytest.param(1000, marks=pytest.mark.slow)])
 def test_random_balls_find_their_balance(number):
     contacts, contact = random_balls(number, seed=number)
-    found = attitude(contacts, contact)
+    found = sliding_motion(contacts, contact)
     total = race_torques(contacts, found.slip, contact).total
     assert found.driven.all()
     assert found.imbalance.max() < 1e-9

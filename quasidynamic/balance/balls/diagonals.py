@@ -13,7 +13,7 @@ from quasidynamic.parts.ball import FourPointBearing
 SIGN = np.array([1.0, -1.0])  # of the axial direction in which the diagonals lean outwards
 
 
-class Pressed(NamedTuple):
+class LoadedDiagonals(NamedTuple):
     """What the diagonals do at one place of the inner ring; components are (outward, along x)."""
 
     loads: NDArray  # (Z, 2) [N]
@@ -48,7 +48,7 @@ class Diagonals:
             moves=np.stack([outward, along], 1),
         )
 
-    def at(self, place: NDArray, yielded: NDArray | float = 0.0) -> Pressed:
+    def at(self, place: NDArray, deflection: NDArray | float = 0.0) -> LoadedDiagonals:
         r"""Evaluate every diagonal.
 
         .. math:: Q = K [L - A]_+^{3/2},\quad F = Q e,\quad
@@ -59,22 +59,22 @@ class Diagonals:
         ----------
         place : array (5)
             x, y, z of the inner ring and its tilts about y and z, times the pitch radius [m]
-        yielded : array (Z, 2, 2)
+        deflection : array (Z, 2, 2)
             by how much elastic rings let the groove centres come closer: of each ball and diagonal, radial
             and axial part of v that is lost [m]
 
         Returns
         -------
-        Pressed
+        LoadedDiagonals
         """
-        v = self.start + (self.moves @ place)[:, None] - yielded
+        v = self.start + (self.moves @ place)[:, None] - deflection
         length = np.hypot(v[..., 0], v[..., 1])
         approach = np.maximum(length - self.touching, 0.0)
         loads = self.coefficient * approach**1.5
         e = v / length[..., None]
         normal, turning = 1.5 * self.coefficient * np.sqrt(approach), loads / length
         along = e[..., :, None] * e[..., None, :]
-        return Pressed(
+        return LoadedDiagonals(
             loads=loads,
             angles=np.arctan2(v[..., 1] * SIGN, v[..., 0]),
             force=loads[..., None] * e,

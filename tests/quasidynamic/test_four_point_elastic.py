@@ -1,17 +1,17 @@
-"""Load distribution of four-point contact ball bearings whose rings yield."""
+"""Load distribution of four-point contact ball bearings with elastic rings."""
 
 import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 from pytest import approx
 
-from quasidynamic.balance.balls.four_point import ball_loads
-from quasidynamic.balance.balls.four_point_diagonals import Diagonals, diagonal_coefficient
-from quasidynamic.balance.balls.four_point_elastic import yielding_ball_loads
+from quasidynamic.balance.balls.diagonals import Diagonals, diagonal_coefficient
 from quasidynamic.errors import ImpossiblePart, NotSolved
 from quasidynamic.four_point import RingLoad
+from quasidynamic.solve.balls.elastic_load_distribution import elastic_ball_loads
+from quasidynamic.solve.balls.load_distribution import ball_loads
 from tests.ball_bearings import slow_bearing
-from tests.reference import plain_yielding_rings as plain
+from tests.reference import plain_elastic_rings as plain
 
 BALLS = 24
 TIGHT = slow_bearing(clearance=-10e-6, balls=BALLS, ball=30e-3, pitch=0.5)
@@ -35,9 +35,9 @@ def soft(balls=BALLS, size=4e-10, reach=2.0):
 @settings(max_examples=20)
 @given(bearings, cases)
 def test_balls_carry_the_load_and_shape_the_rings(bearing, load):
-    found = yielding_ball_loads(bearing, load, soft())
+    found = elastic_ball_loads(bearing, load, soft())
     lever = np.array([1, 1, 1, 0.25, 0.25])
-    pressed = Diagonals.of(bearing).at(found.displacement * lever, found.yielded)
+    pressed = Diagonals.of(bearing).at(found.displacement * lever, found.deflection)
     largest = max(np.abs(load).max(), found.loads.max())
     cosine, sine = np.cos(bearing.azimuths), np.sin(bearing.azimuths)
     outward, along = (
@@ -49,14 +49,14 @@ def test_balls_carry_the_load_and_shape_the_rings(bearing, load):
     assert carried == approx(load, abs=1e-9 * largest)
     apart = np.arange(BALLS)[:, None] - np.arange(BALLS)
     made = np.einsum("jkacbd,kbd->jac", soft()[apart % BALLS], pressed.force)
-    assert found.yielded == approx(made, abs=1e-9 * np.abs(made).max())
+    assert found.deflection == approx(made, abs=1e-9 * np.abs(made).max())
     assert pressed.loads == approx(found.loads, abs=1e-9 * largest)
 
 
 @settings(max_examples=15)
 @given(bearings, cases)
-def test_rings_that_do_not_yield_are_rigid(bearing, load):
-    found, rigid = yielding_ball_loads(bearing, load, 0 * soft()), ball_loads(bearing, load)
+def test_rings_without_compliance_are_rigid(bearing, load):
+    found, rigid = elastic_ball_loads(bearing, load, 0 * soft()), ball_loads(bearing, load)
     assert found.loads == approx(rigid.loads, rel=1e-13, abs=1e-13 * rigid.loads.max())
     assert found.displacement == approx(rigid.displacement, rel=1e-13)
     assert found.stiffness == approx(rigid.stiffness, rel=1e-12, abs=1e-12 * np.abs(rigid.stiffness).max())
@@ -66,7 +66,7 @@ def test_nearly_rigid_rings_change_loads_in_proportion_to_their_compliance():
     load = np.array([2e4, 1e4, 3e4, 1e3, -2e3])
     rigid = ball_loads(TIGHT.bearing, load).loads
     small, smaller = (
-        yielding_ball_loads(TIGHT.bearing, load, soft(size=size)).loads - rigid for size in (1e-13, 1e-14)
+        elastic_ball_loads(TIGHT.bearing, load, soft(size=size)).loads - rigid for size in (1e-13, 1e-14)
     )
     assert smaller == approx(small / 10, rel=1e-2, abs=1e-4 * np.abs(smaller).max())
     assert np.abs(small).max() > 1e-6 * rigid.max()
@@ -75,7 +75,7 @@ def test_nearly_rigid_rings_change_loads_in_proportion_to_their_compliance():
 def test_work_of_the_load_is_kept_in_contacts_and_rings():
     """Clapeyron along a path: the energy that a little more load brings is its work."""
     load, more = np.array([2e4, 1e4, 3e4, 1e3, -2e3]), 1e-4
-    states = [yielding_ball_loads(LOOSE.bearing, load * (1 + k * more), soft()) for k in (-1, 1)]
+    states = [elastic_ball_loads(LOOSE.bearing, load * (1 + k * more), soft()) for k in (-1, 1)]
     stored = [energy(LOOSE.bearing, state) for state in states]
     moved = states[1].displacement - states[0].displacement
     assert stored[1] - stored[0] == approx(load @ moved, rel=1e-6)
@@ -86,25 +86,25 @@ def energy(bearing, state):
     K = diagonal_coefficient(bearing)
     sign = np.array([1.0, -1.0])
     force = np.stack([state.loads * np.cos(state.angles), state.loads * np.sin(state.angles) * sign], -1)
-    return 0.4 * K * ((state.loads / K) ** (5 / 3)).sum() + 0.5 * (force * state.yielded).sum()
+    return 0.4 * K * ((state.loads / K) ** (5 / 3)).sum() + 0.5 * (force * state.deflection).sum()
 
 
 @settings(max_examples=8)
 @given(cases)
 def test_stiffness_is_that_of_small_further_loads(load):
     bearing = TIGHT.bearing
-    found = yielding_ball_loads(bearing, load, soft())
+    found = elastic_ball_loads(bearing, load, soft())
     lever = np.array([1, 1, 1, 0.25, 0.25])
     further = 1e-4 * max(np.abs(load).max(), found.loads.max()) * lever
     for direction in np.diag(further):
-        up, down = (yielding_ball_loads(bearing, load + sign * direction, soft()) for sign in (1, -1))
+        up, down = (elastic_ball_loads(bearing, load + sign * direction, soft()) for sign in (1, -1))
         change = (up.displacement - down.displacement) / 2
         assert found.stiffness @ change / further == approx(direction / further, abs=1e-4)
 
 
-def test_yielding_rings_are_softer_and_lose_interference():
+def test_elastic_rings_are_softer_and_lose_interference():
     load = np.zeros(5)
-    rigid, found = ball_loads(TIGHT.bearing, load), yielding_ball_loads(TIGHT.bearing, load, soft())
+    rigid, found = ball_loads(TIGHT.bearing, load), elastic_ball_loads(TIGHT.bearing, load, soft())
     assert (found.loads < 0.95 * rigid.loads).all()
     assert (np.linalg.eigvalsh(rigid.stiffness - found.stiffness) > 0).all()
 
@@ -115,7 +115,7 @@ def test_load_turned_by_some_balls_turns_the_distribution():
     load = np.array([2e4, 1e4, 3e4, 1e3, -2e3])
     turned = load.copy()
     turned[[2, 1]], turned[[4, 3]] = turn @ load[[2, 1]], turn @ load[[4, 3]]  # azimuths grow from z to y
-    before, after = (yielding_ball_loads(LOOSE.bearing, given, soft()) for given in (load, turned))
+    before, after = (elastic_ball_loads(LOOSE.bearing, given, soft()) for given in (load, turned))
     assert after.loads == approx(np.roll(before.loads, 5, axis=0), abs=1e-8 * before.loads.max())
 
 
@@ -124,7 +124,7 @@ def test_distribution_is_that_of_the_plain_model(clearance):
     """A bearing of six balls on one page, its energy lowered by SciPy."""
     bearing = slow_bearing(clearance=clearance, balls=6, ball=30e-3, pitch=0.2).bearing
     load = np.array([1e4, 5e3, 2e4, 400.0, -300.0])
-    found = yielding_ball_loads(bearing, load, soft(6, 4e-9))
+    found = elastic_ball_loads(bearing, load, soft(6, 4e-9))
     loads, place = plain.solve(
         balls=6, pitch=0.2, angle=np.radians(45), touching=1.5e-3, clearance=clearance,
         coefficient=diagonal_coefficient(bearing), compliance=soft(6, 4e-9), load=load,
@@ -138,18 +138,18 @@ def test_distribution_is_that_of_the_plain_model(clearance):
 def test_ring_that_a_single_ball_carries_is_not_pushed_aside(load):
     """Nothing resists along y and about some axes, and nothing pushes there."""
     bearing = slow_bearing(clearance=200e-6, balls=6, ball=30e-3, pitch=0.5).bearing
-    found, rigid = yielding_ball_loads(bearing, np.array(load), soft(6)), ball_loads(bearing, np.array(load))
+    found, rigid = elastic_ball_loads(bearing, np.array(load), soft(6)), ball_loads(bearing, np.array(load))
     assert (found.loads > 0).sum(axis=1).tolist() == [2, 0, 0, 0, 0, 0]
     assert found.loads == approx(rigid.loads, rel=0.02)
     assert found.displacement[1] == approx(0.0, abs=1e-9)
     assert found.displacement[2] > rigid.displacement[2]
 
 
-def test_torque_follows_the_loads_of_yielding_rings():
+def test_torque_follows_the_loads_of_elastic_rings():
     load = RingLoad(radial_z=2e4, axial=1e4, moment_y=-1e3)
     state = TIGHT.solve(load, soft())
     assert state.distribution.loads == approx(
-        yielding_ball_loads(TIGHT.bearing, load.vector(), soft()).loads, rel=1e-12
+        elastic_ball_loads(TIGHT.bearing, load.vector(), soft()).loads, rel=1e-12
     )
     assert state.balls.load[:, :, 0] == approx(state.distribution.loads, rel=1e-12)
     assert state.torque < TIGHT.solve(load).torque
@@ -159,11 +159,11 @@ def test_compliance_that_cannot_be_is_refused():
     load = np.array([1e4, 0, 0, 0, 0])
     for broken in (soft(12), soft() * np.nan):
         with pytest.raises(ImpossiblePart, match="must be finite, of shape"):
-            yielding_ball_loads(TIGHT.bearing, load, broken)
+            elastic_ball_loads(TIGHT.bearing, load, broken)
     with pytest.raises(ImpossiblePart, match="not symmetric"):
-        yielding_ball_loads(TIGHT.bearing, load, soft() + np.arange(16.0).reshape(2, 2, 2, 2) * 1e-11)
+        elastic_ball_loads(TIGHT.bearing, load, soft() + np.arange(16.0).reshape(2, 2, 2, 2) * 1e-11)
     with pytest.raises(NotSolved):
-        yielding_ball_loads(TIGHT.bearing, load, -20 * soft())
+        elastic_ball_loads(TIGHT.bearing, load, -20 * soft())
 
 
 @pytest.mark.parametrize("number", [30, pytest.param(600, marks=pytest.mark.slow)])
@@ -187,5 +187,5 @@ def test_random_bearings_find_their_balance(number):
         load *= 8e6 * ball**2 * balls * 10 ** rng.uniform(-5, 0)
         load[3:] *= pitch / 2
         size = 10 ** rng.uniform(-1.5, 1.5) / (210e9 * ball)
-        found = yielding_ball_loads(bearing, load, soft(balls, size, 10 ** rng.uniform(-1, 1)))
+        found = elastic_ball_loads(bearing, load, soft(balls, size, 10 ** rng.uniform(-1, 1)))
         assert found.imbalance < 1e-9

@@ -6,14 +6,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.balls.free_ball import FreeBalls
-from quasidynamic.balance.balls.free_ball_search import NEAR, nearly_balanced, searched_again
-from quasidynamic.contact.ellipse.general_sliding import ACROSS, CENTRE, PIVOT, ROLL, Sliding
+from quasidynamic.contact.ellipse.general_sliding import ACROSS, CENTRE, PIVOT, ROLL, GeneralSliding
 from quasidynamic.motion.ball_slip import INNER, ORBIT, OUTER, TURN, BallContacts, turning_slip_by_motion
+from quasidynamic.solve.balls.free_ball_search import NEAR, nearly_balanced, searched_again
 
 LOAD, ANGLE = 0, 1  # what a contact is given by
 
 
-class Settled(NamedTuple):
+class FreeBallMotion(NamedTuple):
     """N balls in balance; slopes by ln N_i, alpha_i, ln N_o and alpha_o. Not a number where none is found."""
 
     motion: NDArray  # (N, 4) over the speed of the inner against the outer ring
@@ -30,16 +30,16 @@ class _Contact(NamedTuple):
     force: NDArray  # (N, 2, 5) derivative of the heat by the slip
 
 
-def settled(balls: FreeBalls) -> Settled:
+def free_ball_motion(balls: FreeBalls) -> FreeBallMotion:
     """Balance of balls with its slopes, by implicit differentiation."""
     unknowns = nearly_balanced(balls)
-    found, left, unknowns = _settled_at(balls, unknowns)
+    found, left, unknowns = _motion_at(balls, unknowns)
     for search in (None, None, searched_again):
         lost = ~(left <= NEAR)
         if not lost.any():
             break
         some, start = balls.taken(lost), unknowns[lost]
-        again, left[lost], unknowns[lost] = _settled_at(some, search(some, start) if search else start)
+        again, left[lost], unknowns[lost] = _motion_at(some, search(some, start) if search else start)
         for array, new in zip(found, again, strict=True):
             array[lost] = new
     for array in found:
@@ -47,7 +47,7 @@ def settled(balls: FreeBalls) -> Settled:
     return found
 
 
-def _settled_at(balls: FreeBalls, unknowns: NDArray) -> tuple[Settled, NDArray, NDArray]:
+def _motion_at(balls: FreeBalls, unknowns: NDArray) -> tuple[FreeBallMotion, NDArray, NDArray]:
     """Balls after a last Newton step from unknowns (N, 4), what was left before it, and its end."""
     friction = balls.friction(unknowns)
     here = balls.balance(unknowns, friction)
@@ -60,7 +60,7 @@ def _settled_at(balls: FreeBalls, unknowns: NDArray) -> tuple[Settled, NDArray, 
     across = -(by_unknown @ slopes[:, None])[:, :, 0]
     for race, one in enumerate(given):
         across[:, race, 2 * race : 2 * race + 2] -= one.force[..., ACROSS]
-    found = Settled(
+    found = FreeBallMotion(
         motion=motion + (balls.unknowns @ last)[..., 0],
         motion_slopes=balls.unknowns @ slopes,
         across=-friction.by_slip[..., ACROSS] - (by_unknown @ last[:, None])[..., 0, 0],
@@ -70,7 +70,7 @@ def _settled_at(balls: FreeBalls, unknowns: NDArray) -> tuple[Settled, NDArray, 
     return found, (np.abs(here.left) / balls.scale).max(1), unknowns + last[..., 0]
 
 
-def _given(balls: FreeBalls, race: int, motion: NDArray, friction: Sliding) -> _Contact:
+def _given(balls: FreeBalls, race: int, motion: NDArray, friction: GeneralSliding) -> _Contact:
     """What changes at the contacts with one race, the motion (N, 4) given."""
     seen = motion.copy()
     if race == INNER:

@@ -3,9 +3,17 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.balls.free_ball import FreeBalls, Local, gyroscopic
-from quasidynamic.contact.ellipse.general_sliding import COARSE, FINE, ROLL, SPIN, Points, sliding_ellipse
+from quasidynamic.balance.balls.free_ball import FreeBallBalance, FreeBalls, gyroscopic
+from quasidynamic.contact.ellipse.general_sliding import (
+    COARSE,
+    FINE,
+    ROLL,
+    SPIN,
+    EllipsePoints,
+    sliding_ellipse,
+)
 from quasidynamic.motion.ball_slip import TURN
+from quasidynamic.solve.step_length import shortened
 
 NEAR = 1e-7  # of the largest friction: moments left from which one more Newton step ends in rounding
 ROUGH = 1e-4  # the same for the search with few points
@@ -73,7 +81,7 @@ def _starts(balls: FreeBalls) -> NDArray:
 
 
 def _searched(
-    balls: FreeBalls, start: NDArray, part: float, wanted: tuple[Points, float]
+    balls: FreeBalls, start: NDArray, part: float, wanted: tuple[EllipsePoints, float]
 ) -> tuple[NDArray, NDArray]:
     """Unknowns (N, 4) and what is left (N) with a part of the gyroscopic moments.
 
@@ -82,7 +90,7 @@ def _searched(
     """
     points, tolerance = wanted
 
-    def at(some: FreeBalls, unknowns: NDArray) -> tuple[Local, NDArray]:
+    def at(some: FreeBalls, unknowns: NDArray) -> tuple[FreeBallBalance, NDArray]:
         here = some.balance(unknowns, some.friction(unknowns, points), part)
         return here, np.abs(here.left) / some.scale
 
@@ -107,18 +115,12 @@ def _searched(
         found[running[better]] = trial[better]
         here, size = there.or_else(here, better), np.where(better[:, None], new, size)
         tries = np.where(better, np.maximum(tries - 2, 0), tries + 1)
-        shorter = np.where(better | (tries != 1), 1.0, _shorter(ahead, past))
+        shorter = np.where(better | (tries != 1), 1.0, shortened(ahead, past))
 
 
-def _step(balls: FreeBalls, here: Local, caution: NDArray) -> NDArray:
+def _step(balls: FreeBalls, here: FreeBallBalance, caution: NDArray) -> NDArray:
     """Newton step (n, 4), held back by a share of the majorant."""
     step = -here.resolved(here.left[..., None], caution)[..., 0]
     speed = np.linalg.norm(balls.rolling, axis=1)
     long = np.linalg.norm((balls.unknowns @ step[..., None])[..., 0], axis=1) / (LONGEST * speed)
     return step / np.maximum(long, 1.0)[:, None]
-
-
-def _shorter(ahead: NDArray, past: NDArray) -> NDArray:
-    """Part of a step that went too far to try next: where the work along it would vanish if straight."""
-    straight = ahead / np.where(past > ahead, ahead - past, -1.0)
-    return np.clip(np.where(past > 0.0, straight, 0.5), 0.1, 0.7)

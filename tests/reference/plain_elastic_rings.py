@@ -1,4 +1,4 @@
-"""Balls between two yielding rings on one page: slow, plain, with nothing from the package.
+"""Balls between two elastic rings on one page: slow, plain, with nothing from the package.
 
 The forces of the diagonals are those of the lowest complementary energy among all that carry the load,
 found by SciPy: contacts 3/5 K^(-2/3) Q^(5/3) + A Q, rings F C F/2, less the distance that is there, v0 F.

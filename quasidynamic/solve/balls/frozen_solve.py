@@ -30,7 +30,7 @@ class _Here(NamedTuple):
     imbalance: NDArray  # (C) over the largest force
 
 
-def hung(
+def frozen_solve(
     balance: AngularBalance,
     place: tuple[NDArray, Vectors],
     frozen: tuple[Vectors, NDArray],

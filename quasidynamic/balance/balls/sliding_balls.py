@@ -1,0 +1,98 @@
+"""Heat of friction of slow balls by their motion: where it is least, forces and moments are in balance."""
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.contact.ellipse.full_sliding import CENTRE, SPIN, Ellipse, sliding_friction
+from quasidynamic.motion.ball_slip import INNER, OUTER, BallContacts, slip_by_motion, slip_of
+
+
+class FrictionHeat(NamedTuple):
+    """Heat of friction of balls near one motion."""
+
+    power: NDArray  # (n)
+    slope: NDArray  # (n, 3)
+    curvature: NDArray  # (n, 3, 3)
+    majorant: NDArray  # (n, 3, 3) curvature of the parabola that touches the heat and lies above everywhere
+
+    def taken(self, keep: NDArray) -> "FrictionHeat":
+        """Return that of some of the balls."""
+        return FrictionHeat(*(array[keep] for array in self))
+
+    def or_else(self, other: "FrictionHeat", better: NDArray) -> "FrictionHeat":
+        """Return that of this motion where it is better (n), else of the other."""
+        shapes = (better.reshape(-1, *[1] * (array.ndim - 1)) for array in self)
+        return FrictionHeat(
+            *(np.where(where, *pair) for where, *pair in zip(shapes, self, other, strict=True))
+        )
+
+
+@dataclass(frozen=True)
+class SlidingBallBalance:
+    """Balls in unknowns that no rounding spoils: slip on their stronger diagonal.
+
+    The unknowns are both centre slips there and the spin, as differences from rolling on that diagonal.
+    """
+
+    base: NDArray  # (n, G, 2, 3) slip when rolling on the stronger diagonal
+    by_unknown: NDArray  # (n, G, 2, 3, 3) slip by the unknowns
+    ellipse: Ellipse
+    by_motion: NDArray  # (n, 3, 3) unknowns by the components of the motion
+    scale: NDArray  # (n, 3, 3) the same, each component in parts of its speed
+
+    def taken(self, keep: NDArray) -> "SlidingBallBalance":
+        """Return some of the balls."""
+        return SlidingBallBalance(
+            self.base[keep],
+            self.by_unknown[keep],
+            self.ellipse.taken(keep),
+            self.by_motion[keep],
+            self.scale[keep],
+        )
+
+    def slip(self, unknowns: NDArray) -> NDArray:
+        """Slip (n, G, 2, 3) at unknowns (n, 3)."""
+        return self.base + np.einsum("ngsij,nj->ngsi", self.by_unknown, unknowns)
+
+    def imbalance(self, heat: FrictionHeat) -> NDArray:
+        """Unbalanced power of each component of the motion over the power of friction, the largest (n)."""
+        return np.abs(np.einsum("nij,ni->nj", self.scale, heat.slope)).max(axis=1) / heat.power
+
+    def at(self, unknowns: NDArray) -> FrictionHeat:
+        """Heat at unknowns (n, 3)."""
+        friction = sliding_friction(self.slip(unknowns), self.ellipse)
+        slope = np.einsum("ngsij,ngsi->nj", self.by_unknown, friction.by_slip)
+        turned = np.swapaxes(self.by_unknown, -1, -2)
+        curvature, majorant = (
+            (turned @ matrix @ self.by_unknown).sum((1, 2)) for matrix in friction.curvatures()
+        )
+        return FrictionHeat(friction.power.sum((1, 2)), slope, curvature, majorant)
+
+
+def sliding_ball_balance(contacts: BallContacts, ellipse: Ellipse, rolling: NDArray) -> SlidingBallBalance:
+    """Balance of balls about rolling (N, 3) on their stronger diagonal."""
+    by_motion = slip_by_motion(contacts)
+    ball, strong = np.arange(len(by_motion)), stronger_diagonal(ellipse)
+    on_strong = by_motion[ball, strong]
+    unknowns = np.concatenate(
+        [on_strong[:, :, CENTRE], on_strong[:, [OUTER], SPIN] - on_strong[:, [INNER], SPIN]], axis=1
+    )
+    base = slip_of(rolling, by_motion)
+    by_unknown = by_motion @ np.linalg.inv(unknowns)[:, None, None]
+    base[ball, strong, :, CENTRE] = 0.0  # as rolling is made and the unknowns are chosen: exactly so
+    by_unknown[ball, strong, :, CENTRE] = np.eye(3)[:2]
+    return SlidingBallBalance(base, by_unknown, ellipse, unknowns, unknowns * motion_scale(rolling)[:, None])
+
+
+def stronger_diagonal(ellipse: Ellipse) -> NDArray:
+    """Diagonal (N) with more friction."""
+    return ellipse.traction.sum(axis=2).argmax(axis=1)
+
+
+def motion_scale(motion: NDArray) -> NDArray:
+    """Speeds (N, 3) that changes of a motion are measured with."""
+    ball = np.hypot(motion[:, 1], motion[:, 2])
+    return np.stack([np.ones_like(ball), ball, ball], -1)

@@ -1,0 +1,137 @@
+"""Load distribution of a four-point contact ball bearing with elastic rings."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.balls.elastic_rings import ElasticRings, ElasticRingState, dense_compliance
+from quasidynamic.balance.balls.rigid_rings import RigidRings, ring_levers
+from quasidynamic.errors import NotSolved
+from quasidynamic.parts.ball import FourPointBearing
+from quasidynamic.solve.balls.load_distribution import ROUNDED, STIFFENING, TOLERANCE, BallLoads, balanced
+
+STEPS = 100  # rarely more than ten from the rigid rings
+HALVINGS = 30
+DESCENT = 1e-3  # part of the linear fall of the forces out of balance that a step must bring
+
+
+@dataclass(frozen=True)
+class ElasticBallLoads(BallLoads):
+    """How the balls share a load between elastic rings."""
+
+    deflection: (
+        NDArray  # (Z, 2, 2) [m] by how much the groove centres of each diagonal came closer: outward, x
+    )
+
+
+def elastic_ball_loads(bearing: FourPointBearing, load: NDArray, compliance: NDArray) -> ElasticBallLoads:
+    r"""Load of every diagonal under five loads on the inner ring, between elastic rings.
+
+    .. math:: v = v_0 + B a - s,\quad s = C F(v),\quad B^T F(v) = P
+
+    with the distance v of opposite groove centres, the place a of the inner ring, the load P and the forces
+    F of `Diagonals`. It is the stationary point of the energy of contacts and rings, which is convex as
+    long as contacts and rings together give way to every force. Newton's method from the rigid rings.
+
+    Parameters
+    ----------
+    bearing : FourPointBearing
+        as for `ball_loads`
+    load : array (5)
+        P on the face of the inner ring, which moves as a rigid body: axial x, radial y and z [N], moments
+        about y and z [N m]
+    compliance : array (Z, 2, 2, 2, 2)
+        C by which the groove centres of a diagonal come closer (diagonal, component) for a force of
+        another diagonal so many balls before it (diagonal, component), both rings together, the contacts' own
+        indentation left out [m/N]; diagonals as in `BallLoads`, components outward and along x; symmetric
+
+    Returns
+    -------
+    ElasticBallLoads
+        the displacement is that of the face of the inner ring against that of the outer one
+
+    Raises
+    ------
+    ImpossiblePart
+        when a load or a compliance is not finite, or a compliance does not fit or is not symmetric
+    NotSolved
+        when nothing holds the ring, no balance is found, or it may not be the only one
+
+    Source
+    ------
+    Daidie, Chaib and Ghosn (2008), J. Mech. Des. 130, 082601, in the idea that groove centres follow the
+    elastic rings; the equations are those of `ball_loads` with the shape of the rings as further unknowns.
+
+    Valid
+    -----
+    As `ball_loads`; rings of revolution with small displacement, balls at equal pitches.
+    """
+    rigid_rings = RigidRings.of(bearing, load)
+    matrix = dense_compliance(np.asarray(compliance, dtype=float), bearing.balls)
+    rigid, count = balanced(rigid_rings)
+    rings = ElasticRings(rigid_rings, matrix, _contact_stiffness(rigid_rings, rigid.diagonals.loads.max()))
+    state, more = _balanced(rings, rings.at(rigid.place, np.zeros(len(matrix))))
+    lowest = rings.lowest_eigenvalue(state)
+    if not lowest > 0:
+        raise NotSolved(
+            "contacts and rings together do not give way to every force: the balance that was found may be "
+            f"one of several; the lowest eigenvalue is {lowest:.2g}; is the compliance that of these rings?",
+            "not unique",
+        )
+    lever = ring_levers(bearing)
+    return ElasticBallLoads(
+        loads=state.diagonals.loads,
+        angles=state.diagonals.angles,
+        displacement=state.place / lever,
+        stiffness=rings.stiffness(state) * np.outer(lever, lever),
+        imbalance=rings.imbalance(state),
+        iterations=count + more,
+        deflection=state.shape.reshape(-1, 2, 2),
+    )
+
+
+def _contact_stiffness(rings: RigidRings, largest: float) -> float:
+    """Stiffness of a diagonal under the largest force [N/m]."""
+    force = max(largest, float(np.abs(rings.load).max()))
+    return 1.5 * rings.diagonals.coefficient ** (2 / 3) * force ** (1 / 3)
+
+
+def _balanced(rings: ElasticRings, state: ElasticRingState) -> tuple[ElasticRingState, int]:
+    """State in which balls, rings and load are in balance, and the number of evaluations."""
+    evaluations, previous = 1, np.inf
+    for _ in range(STEPS):
+        imbalance = rings.imbalance(state)
+        if imbalance < TOLERANCE or previous / 2 < imbalance < ROUNDED:
+            return state, evaluations
+        state, trials = _next_state(rings, state)
+        evaluations, previous = evaluations + trials, imbalance
+    raise NotSolved(
+        f"the elastic rings found no balance in {evaluations} evaluations: {rings.imbalance(state):.1e} of "
+        f"the largest force is left, allowed {ROUNDED:.0e}; loads over the pitch radius {rings.rigid.load} N",
+        "iteration limit",
+    )
+
+
+def _next_state(rings: ElasticRings, state: ElasticRingState) -> tuple[ElasticRingState, int]:
+    """A step of Newton's method, halved until less is out of balance."""
+    place, shape = _newton_step(rings, state)
+    size = rings.size(state)
+    for halvings in range(HALVINGS):
+        part = 0.5**halvings
+        trial = rings.at(state.place + part * place, state.shape + part * shape)
+        if rings.size(trial) <= (1 - DESCENT * part) * size:
+            break
+    return trial, halvings + 1
+
+
+def _newton_step(rings: ElasticRings, state: ElasticRingState) -> tuple[NDArray, NDArray]:
+    """Newton's changes of place (5) and shape (4 Z) [m].
+
+    A direction in which hardly anything resists is stiffened as long as forces are out of balance.
+    """
+    by_misfit, by_place = rings.responses(state)
+    tangent = rings.carried(by_place)
+    stiffer = STIFFENING * min(rings.imbalance(state), 1.0) * max(tangent.trace(), rings.usual_stiffness)
+    place = np.linalg.solve(tangent + stiffer * np.eye(5), state.excess - rings.carried(by_misfit))
+    return place, rings.compliance @ (by_misfit + by_place @ place) - state.misfit

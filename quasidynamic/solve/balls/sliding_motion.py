@@ -1,0 +1,169 @@
+"""Motion of slow balls that slide on all their contacts."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.balls.sliding_balls import (
+    FrictionHeat,
+    SlidingBallBalance,
+    motion_scale,
+    sliding_ball_balance,
+    stronger_diagonal,
+)
+from quasidynamic.contact.ellipse.full_sliding import ROLL, SPIN, Ellipse, sliding_friction
+from quasidynamic.errors import NotSolved
+from quasidynamic.motion.ball_slip import BallContacts, rolling_motion, spinning_motion
+from quasidynamic.solve.step_length import shortened
+
+TOLERANCE = 1e-10  # unbalanced power over the power of friction
+ROUNDED = 1e-7  # the same, where rounding keeps a step from lowering it any more
+LIMIT = 300  # evaluations; half of all balls need six, one in a hundred fifty
+SLOPE_LEFT = 0.5  # of the slope at the start of a step that may be left at its end
+ROUNDING = 1e-13  # of the power: too small to tell two powers apart
+LINES = 0.347**2 / 2  # of A a^2/R: slip of the centre of a contact that rolls on two lines, without spin
+CAUTION = np.array([0.0, 0.0, 0.0, 0.0, 0.01, 0.1, 1.0])  # share of the majorant in one try after the other
+_RIDGE = 1e-13 * np.eye(3)  # added to the curvature, whose diagonal is scaled to one
+
+
+@dataclass(frozen=True)
+class SlidingMotion:
+    """How balls move when the inner ring turns by one rad/s against the outer ring. N balls, G diagonals.
+
+    Balls that are not pressed on both rings take part in nothing: their motion is not a number.
+    """
+
+    motion: NDArray  # (N, 3) [rad/s] outer ring, ball axial, ball radial, from the orbiting ball centre
+    slip: NDArray  # (N, G, 2, 3) centre slip [m/s], roll and spin [rad/s], ball minus race
+    power: NDArray  # (N) [W] heat of friction, the torque of the ball [N m]
+    driven: NDArray  # (N) whether the ball is pressed on both rings
+    imbalance: NDArray  # (N) [-] unbalanced power over the power of friction
+    evaluations: int
+
+
+def sliding_motion(contacts: BallContacts, ellipse: Ellipse) -> SlidingMotion:
+    r"""Motion in which the friction of slow balls is in balance, without inertia.
+
+    .. math:: \min_{\Omega_o, \omega_x, \omega_r} \Phi,\quad
+              \Phi = \sum_{contacts} \int \mu p\, |v|\, dA,\quad \Omega_i - \Omega_o = 1
+
+    The heat Phi is convex in the motion: its stationarity is the balance of forces along the orbit and of
+    both moments, its minimum is the torque, and there is no other balance. Newton's method for all balls
+    side by side from the best of these motions: rolling on either diagonal, spinning on both, or rolling on
+    two lines of each contact of the stronger diagonal, without spin on one race or with as much on both.
+
+    Parameters
+    ----------
+    contacts : BallContacts
+        N balls, G diagonals
+    ellipse : Ellipse
+        (N, G, 2) semi-axes and friction forces
+
+    Returns
+    -------
+    SlidingMotion
+
+    Raises
+    ------
+    NotSolved
+        when a ball is not in balance; the message names the first one
+
+    Source
+    ------
+    Joshi et al. (2015), Lubricants 3, 181-196, Eqs (1) to (3); their last terms must read -M_ril sin(a_il)
+    and +M_ril cos(a_il). Starts: Heras et al. (2017), Eqs (1) to (3).
+
+    Valid
+    -----
+    Slow: no inertia, no oil film, no cage; sliding everywhere in the contacts.
+    """
+    driven = np.all(ellipse.traction.max(axis=1) > 0.0, axis=1)
+    motions = [rolling_motion(contacts, diagonal) for diagonal in range(contacts.angle.shape[1])]
+    rolling = np.array(motions)[stronger_diagonal(ellipse), np.arange(len(driven))]
+    balls = sliding_ball_balance(contacts, ellipse, rolling)
+    unknowns = np.full_like(rolling, np.nan)
+    (power, imbalance), evaluations = np.zeros((2, len(rolling))), 0
+    if driven.any():
+        if len(motions) == 2:
+            motions.append(spinning_motion(contacts))
+        starts = _starts(balls, np.array(motions) - rolling)
+        moving = balls.taken(driven)
+        minimum = _least_power(moving, _best(moving, starts[:, driven]))
+        unknowns[driven], power[driven], imbalance[driven], evaluations = minimum
+    _require_balance(imbalance, evaluations)
+    change = np.linalg.solve(balls.scale, unknowns[..., None])[..., 0]
+    motion = rolling + motion_scale(rolling) * change
+    return SlidingMotion(motion, balls.slip(unknowns), power, driven, imbalance, evaluations)
+
+
+def _require_balance(imbalance: NDArray, evaluations: int) -> None:
+    bad = np.flatnonzero(~(imbalance <= ROUNDED))
+    if len(bad):
+        raise NotSolved(
+            f"{len(bad)} of {len(imbalance)} balls found no balance of friction in {evaluations} "
+            f"evaluations, the first is ball {bad[0]}: {imbalance[bad[0]]:.1e} of its power is unbalanced, "
+            f"allowed {ROUNDED:.0e}",
+            "iteration limit" if evaluations >= LIMIT else "stalled",
+        )
+
+
+def _starts(balls: SlidingBallBalance, changes: NDArray) -> NDArray:
+    """Unknowns (S, N, 3) of motions that differ from rolling by `changes`, then of three kinds of spin."""
+    ellipse = balls.ellipse
+    ball, strong = np.arange(len(balls.base)), stronger_diagonal(ellipse)
+    control = np.zeros((3, len(ball), 3))  # no spin on the inner, on the outer race, as much on both
+    control[:2, :, 2] = (-balls.base[ball, strong, :, SPIN] / balls.by_unknown[ball, strong, :, SPIN, 2]).T
+    control[2, :, 2] = control[:2, :, 2].mean(0)
+    control[:, :, :2] = (LINES * balls.base[..., ROLL] * ellipse.across**2 / ellipse.radius)[ball, strong]
+    return np.concatenate([np.einsum("nij,snj->sni", balls.by_motion, changes), control])
+
+
+def _best(balls: SlidingBallBalance, starts: NDArray) -> NDArray:
+    """Unknowns (n, 3) of the start (S, n, 3) with the least power."""
+    slip = balls.base + np.einsum("ngsij,tnj->tngsi", balls.by_unknown, starts)
+    powers = sliding_friction(slip, balls.ellipse).power.sum((2, 3))
+    return starts[np.argmin(powers, axis=0), np.arange(len(balls.base))]
+
+
+def _least_power(balls: SlidingBallBalance, start: NDArray) -> tuple[NDArray, NDArray, NDArray, int]:
+    """Unknowns (n, 3) with the least power, that power, what is unbalanced there (n), and evaluations.
+
+    Newton steps, shortened when they go too far; where that does not help, steps towards the minimum of the
+    majorant, which always lower the power but creep along its valleys.
+    """
+    unknowns, least, imbalance = start.copy(), np.empty(len(start)), np.empty(len(start))
+    running, moving, heat = np.arange(len(start)), balls, balls.at(start)
+    tries, part = np.zeros(len(start), int), np.ones(len(start))
+    evaluations = 1
+    while True:
+        least[running], imbalance[running] = heat.power, moving.imbalance(heat)
+        going = (imbalance[running] > TOLERANCE) & (tries < len(CAUTION))
+        if not going.any() or evaluations >= LIMIT:
+            return unknowns, least, imbalance, evaluations
+        if not going.all():
+            running, moving, heat = running[going], moving.taken(going), heat.taken(going)
+            tries, part = tries[going], part[going]
+        step = part[:, None] * _step(heat, CAUTION[tries])
+        trial = unknowns[running] + step
+        new_heat, evaluations = moving.at(trial), evaluations + 1
+        before, after = (heat.slope * step).sum(axis=1), (new_heat.slope * step).sum(axis=1)
+        better = (after <= -SLOPE_LEFT * before) | (CAUTION[tries] == 1.0)
+        better &= new_heat.power <= heat.power * (1 + ROUNDING)
+        unknowns[running[better]] = trial[better]
+        if better.all():  # all that follows would change nothing
+            heat, tries, part = new_heat, np.zeros_like(tries), np.ones_like(part)
+            continue
+        heat = new_heat.or_else(heat, better)
+        tries = np.where(better, 0, tries + 1)
+        whole = better | (CAUTION.take(tries, mode="clip") > 0.0)
+        part = np.where(whole, 1.0, part * shortened(before, after))
+
+
+def _step(heat: FrictionHeat, caution: NDArray) -> NDArray:
+    """Step (n, 3) to the minimum of a parabola between the tangent one and the majorant."""
+    share = caution[:, None, None]
+    matrix = (1 - share) * heat.curvature + share * heat.majorant
+    size = np.sqrt(np.einsum("nii->ni", heat.majorant))
+    scaled = matrix / (size[:, :, None] * size[:, None, :]) + _RIDGE
+    return -np.linalg.solve(scaled, (heat.slope / size)[..., None])[..., 0] / size
