@@ -1,7 +1,8 @@
 """The whole cylindrical roller bearing on one page: slow loops, every equation as printed.
 
-Written independently of the package; SI units. `unbalanced(...)` returns what must vanish at
-equilibrium. Azimuth from the load line z towards y, index i inner and o outer raceway.
+Written independently of the package; SI units. `evaluate(...)` returns what must vanish at equilibrium and
+what follows from it. Azimuth from z towards y, index i inner and o outer raceway; slopes are dz/dx and dy/dx
+of the inner ring, moments those that hold it there, in the same two planes.
 """
 
 from itertools import pairwise
@@ -11,7 +12,7 @@ PAPER = {
     "Z": 30, "D": 5e-3, "l": 5e-3, "outer_race": 75e-3, "clearance": 75.5e-6, "slices": 20,
     "E_roller": 209e9, "nu_roller": 0.3, "density": 7860.0, "E_ring": 203e9, "nu_ring": 0.28,
     "load": 19621.1, "inner_speed": 38000 * 2 * pi / 60, "mu_pocket": 0.05, "t_cage": 2.5e-3,
-    "land": (37.3e-3, 3e-3, 0.2e-3), "oil_fraction": 0.16, "traction": "4109",
+    "land": (37.3e-3, 3e-3, 0.2e-3), "oil_fraction": 0.16, "traction": "4109", "direction": 0.0,
 }  # fmt: skip
 
 DRAG = [(0.1, 60), (1, 10), (10, 3), (100, 1.8), (1e3, 1.0), (1e4, 1.2), (1e5, 1.2), (2e5, 1.2),
@@ -81,15 +82,15 @@ def raceway(p, oil, approach, tilt, u, U, h, R, E):
     return Q, M, T, rolling_shear(p, oil, Q, U, R, E)
 
 
-def unbalanced(p, oil, y, z, omega_c, e, tilt, spin, films):
-    """Residuals: ring (N), cage (N m), and per roller radial (N), tilt (N m), spin (N m)."""
+def evaluate(p, oil, y, z, slopes, omega_c, e, tilt, spin, films):
+    """Residuals of ring, cage and rollers, and outputs; pairs are inner and outer, lists run over rollers."""
     Z, D, dm = p["Z"], p["D"], p["outer_race"] - p["D"]
-    g, r_m, r_w = D / dm, dm / 2, D / 2
-    r_i, r_o = r_m - r_w, r_m + r_w
+    g, r_m, r_w, r_i, r_o = D / dm, dm / 2, D / 2, p["outer_race"] / 2 - D, p["outer_race"] / 2
     mass = p["density"] * pi / 4 * D**2 * p["l"]
     E = 2 / ((1 - p["nu_roller"] ** 2) / p["E_roller"] + (1 - p["nu_ring"] ** 2) / p["E_ring"])
     R_i, R_o = r_w * r_i / (r_i + r_w), r_w * r_o / (r_o - r_w)
-    ring_y, ring_z, cage, rollers, new_films = 0.0, p["load"], 0.0, [], []
+    ring_y, ring_z = p["load"] * sin(p["direction"]), p["load"] * cos(p["direction"])
+    cage, moment_z, moment_y, rollers = 0.0, 0.0, 0.0, []
     for j in range(Z):
         phi = 2 * pi * j / Z
         u_i, u_o = (p["inner_speed"] - omega_c) * r_i - spin[j] * r_w, spin[j] * r_w - omega_c * r_o
@@ -97,19 +98,41 @@ def unbalanced(p, oil, y, z, omega_c, e, tilt, spin, films):
         U_o = (spin[j] * r_w + omega_c * r_o) / 2
         h_i, h_o = films[0][j], films[1][j]
         approach_i = z * cos(phi) + y * sin(phi) - p["clearance"] / 2 - e[j] + h_i + h_o
-        Q_i, M_i, T_i, F_i = raceway(p, oil, approach_i, -tilt[j], u_i, U_i, h_i, R_i, E)
+        slope = slopes[0] * cos(phi) + slopes[1] * sin(phi)
+        Q_i, M_i, T_i, F_i = raceway(p, oil, approach_i, slope - tilt[j], u_i, U_i, h_i, R_i, E)
         Q_o, M_o, T_o, F_o = raceway(p, oil, e[j], tilt[j], u_o, U_o, h_o, R_o, E)
         F_g = drag(p, oil, omega_c * r_m)
         F_c = -(T_i + T_o + (1 - 2 * g) * F_i - (1 + 2 * g) * F_o - F_g)
         friction = p["mu_pocket"] * (sqrt(F_c**2 + 0.25) - 0.5)
         radial = Q_i - Q_o + mass * (r_m * omega_c**2 + 9.81) + p["mu_pocket"] * F_c
         inertia = mass * D**2 / 8 * omega_c * (spin[j] - spin[j - 1]) / (2 * pi / Z)
-        rollers.append((radial, M_o - M_i, r_w * (T_i - T_o - F_i - F_o - friction) - inertia))
+        rollers.append({
+            "radial": radial, "tilting": M_o - M_i,
+            "spinning": r_w * (T_i - T_o - F_i - F_o - friction) - inertia,
+            "load": (Q_i, Q_o), "moment": (M_i, M_o), "traction": (T_i, T_o), "rolling": (F_i, F_o),
+            "sliding": (u_i, u_o), "entrainment": (U_i, U_o), "drag": F_g, "cage_force": F_c,
+            "pocket_friction": (p["mu_pocket"] * F_c, friction), "inertia": inertia,
+            "film": (film(p, oil, Q_i, u_i, U_i, R_i, E), film(p, oil, Q_o, u_o, U_o, R_o, E)),
+        })  # fmt: skip
         tangential = T_i + F_i * (1 - 2 * g)
         ring_y -= Q_i * sin(phi) + tangential * cos(phi)
         ring_z -= Q_i * cos(phi) - tangential * sin(phi)
+        moment_z, moment_y = moment_z + M_i * cos(phi), moment_y + M_i * sin(phi)
         cage -= F_c * r_m + friction * D / 2
-        new_films.append((film(p, oil, Q_i, u_i, U_i, R_i, E), film(p, oil, Q_o, u_o, U_o, R_o, E)))
+    outputs = {name: [roller[name] for roller in rollers] for name in rollers[0]}
+    outputs |= {"ring_moment": (moment_z, moment_y), **torques(p, oil, rollers, omega_c)}
+    return outputs | {"ring": (ring_y, ring_z), "cage": cage + outputs["land_torque"]}
+
+
+def torques(p, oil, rollers, omega_c):
+    """Of the outer ring's land on the cage, of the drive of the inner ring, of the hold of the outer one."""
     R_l, width, c = p["land"]
-    cage -= 2 * pi * oil["eta"] * R_l**3 * width / c * omega_c
-    return (ring_y, ring_z), cage, rollers, new_films
+    land = -2 * pi * oil["eta"] * R_l**3 * width / c * omega_c
+    inner = sum(roller["traction"][0] + roller["rolling"][0] for roller in rollers)
+    outer = sum(roller["traction"][1] - roller["rolling"][1] for roller in rollers)
+    r_o = p["outer_race"] / 2
+    return {
+        "land_torque": land,
+        "driving_torque": inner * (r_o - p["D"]),
+        "outer_torque": outer * r_o + land,
+    }
