@@ -31,8 +31,8 @@ benchmark: $(READY)
 	$(BIN)/python -m benchmarks.main_job
 
 docs: $(READY)
-	$(BIN)/python -m flexbearing.case.explain > docs/reference/case.md
-	$(BIN)/python -m flexbearing.results.reference > docs/reference/results.md
+	$(BIN)/python -m flexbearing.reference case > docs/reference/case.md
+	$(BIN)/python -m flexbearing.reference results > docs/reference/results.md
 
 $(READY): pyproject.toml requirements.lock
 	$(PYTHON) -m venv $(VENV)

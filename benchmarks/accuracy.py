@@ -19,9 +19,11 @@ from benchmarks.machine import describe
 from flexbearing.accuracy.adaptive import JUDGED, AdaptiveResolution, adaptive_resolution
 from flexbearing.accuracy.trials import Trial, changes, finer
 from flexbearing.build import expansion
-from flexbearing.case import Case, understood
+from flexbearing.case import understood
+from flexbearing.case.roller import Case
 from flexbearing.coupled.coupled import BearingPartner
 from flexbearing.coupling import StoppingCriterion, newton
+from flexbearing.families import FAMILIES
 from flexbearing.progress import Logged
 from flexbearing.rings import condensed
 from flexbearing.rings.raceways import CondensedRings
@@ -133,7 +135,7 @@ def drawn(number: int, seed: int) -> Cases:
 def case_of(file: str, settings: dict[str, object], target: str) -> Case:
     """A case that leaves all its levels open."""
     text = Path(file).read_text(encoding="utf-8").partition("[accuracy]")[0]
-    found = understood(text, Path(file), {**settings, "accuracy.target": target})
+    found = understood(text, Path(file), {**settings, "accuracy.target": target}, FAMILIES)
     assert isinstance(found, Case)
     return found
 

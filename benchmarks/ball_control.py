@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 from scipy.special import ellipe
 
 from benchmarks.machine import describe
-from flexbearing.case import AngularCase, read
+from flexbearing import read
+from flexbearing.case.balls.angular_contact import AngularCase
 from flexbearing.report.figures import BLUE, ORANGE
 from flexbearing.runs.angular_contact import bearing, operation
 from quasidynamic import AngularContactState

@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from flexbearing import read
 from flexbearing.build import roller_bearing
-from flexbearing.case import read
 from quasidynamic import RollerBearing, Straight
 
 RPM = 2 * np.pi / 60

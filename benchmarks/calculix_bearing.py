@@ -30,10 +30,10 @@ import fem
 from benchmarks.calculix import Hexahedra, printed
 from benchmarks.calculix_springs import MOVED, SLICES, Springs, deck, found, meshed
 from benchmarks.machine import describe
-from flexbearing import run
+from flexbearing import read, run
 from flexbearing.build import ring_parts, roller_bearing
 from flexbearing.cache.store import VARIABLE
-from flexbearing.case import Case, read
+from flexbearing.case.roller import Case
 
 CASE = "configs/nu209.toml"
 SETTINGS = [

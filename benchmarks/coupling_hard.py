@@ -16,8 +16,8 @@ from threadpoolctl import threadpool_limits
 
 from benchmarks.bearings import CASE
 from benchmarks.machine import describe
+from flexbearing import read
 from flexbearing.build import roller_bearing
-from flexbearing.case import read
 from flexbearing.coupled.coupled import BearingPartner
 from flexbearing.coupling import RULES, StoppingCriterion, fixed_point, newton, relaxed
 from flexbearing.progress import Logged

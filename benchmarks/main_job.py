@@ -16,9 +16,9 @@ from pathlib import Path
 from threadpoolctl import threadpool_limits
 
 from benchmarks.machine import describe
+from flexbearing import run as compute
 from flexbearing.cache.store import VARIABLE
 from flexbearing.progress import Report
-from flexbearing.runs.run_case import run as compute
 
 CASE = "configs/mao2016.toml"
 RUNS = 3

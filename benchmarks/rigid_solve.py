@@ -11,8 +11,8 @@ from threadpoolctl import threadpool_limits
 
 from benchmarks.bearings import CASE, RPM
 from benchmarks.machine import describe, median_seconds
+from flexbearing import read
 from flexbearing.build import roller_bearing
-from flexbearing.case import read
 
 
 def main() -> None:

@@ -10,7 +10,7 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import numpy as np
 
-from flexbearing.case import read
+from flexbearing import read
 from flexbearing.report.figures import BLUE, ORANGE
 from flexbearing.runs.angular_contact import bearing, operation
 from quasidynamic import AngularContactState

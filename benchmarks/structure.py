@@ -16,8 +16,8 @@ import fem
 from benchmarks.alone import Cost, measured
 from benchmarks.bearings import CASE
 from benchmarks.machine import describe
+from flexbearing import read
 from flexbearing.build import expansion, ring_parts
-from flexbearing.case import read
 from flexbearing.rings.condensed import IN_SPACE, ON_A_SECTION
 
 SHAPES = 3

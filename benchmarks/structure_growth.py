@@ -17,8 +17,8 @@ import fem
 from benchmarks.alone import measured
 from benchmarks.bearings import CASE
 from benchmarks.machine import describe
+from flexbearing import read
 from flexbearing.build import expansion, ring_parts
-from flexbearing.case import read
 
 SIZES = (4.0, 3.0, 2.2, 1.6, 1.2, 1.0, 0.9)  # [mm]
 ORDER = 3

@@ -9,7 +9,8 @@ from typing import Annotated, NoReturn
 import typer
 from rich.console import Console
 
-from flexbearing.case import BadCase, explain, read
+from flexbearing import api
+from flexbearing.case import BadCase
 
 CONVERGED, NOT_CONVERGED, BAD_INPUT, INTERNAL = range(4)
 
@@ -31,11 +32,8 @@ Settings = Annotated[
 @app.command()
 def check(case: CaseFile, settings: Settings = None) -> None:
     """Say whether a case can be computed, without computing it."""
-    from flexbearing.runs.validate import require_possible
-
-    found = read(case, settings or [])
-    require_possible(found)
-    sys.stdout.write(f"{case}: {found.title}: nothing wrong with it\n")
+    title = api.check(case, settings or []).title
+    sys.stdout.write(f"{case}: {title}: nothing wrong with it\n")
 
 
 @app.command()
@@ -52,13 +50,12 @@ def run(
     """Compute a case and store every iteration; prints a summary."""
     from flexbearing.progress import Logged, OnTerminal
     from flexbearing.report import text
-    from flexbearing.runs.run_case import run as compute
 
     console = Console()
     if not quiet and not console.is_terminal:
         logging.basicConfig(level=logging.INFO, stream=sys.stdout, format="%(message)s")
     with OnTerminal(console) if console.is_terminal and not quiet else Logged() as report:
-        result = compute(case, output, settings or [], report, start)
+        result = api.run(case, output, settings or [], report=report, start=start)
     if not quiet:
         sys.stdout.write(text(result, console if console.is_terminal else None))
         sys.stdout.write(f"\nresults: {result.path}\n")
@@ -73,13 +70,12 @@ def summary(
     as_json: Annotated[bool, typer.Option("--json", help="one JSON object instead of text")] = False,
 ) -> None:
     """Print the numbers of a result."""
-    from flexbearing.report import summary as table, text
-    from flexbearing.results import read as read_result
+    from flexbearing.report import text
 
-    found = read_result(result)
+    found = api.read_result(result)
     console = Console()
     if as_json:
-        sys.stdout.write(json.dumps(table(found), indent=2, allow_nan=False) + "\n")
+        sys.stdout.write(json.dumps(api.summary(found), indent=2, allow_nan=False) + "\n")
     else:
         sys.stdout.write(text(found, console if console.is_terminal else None))
 
@@ -91,9 +87,8 @@ def plot(
 ) -> None:
     """Draw the pictures of a result as PNG files, with deformed rings where they are flexible."""
     from flexbearing.report import deformed, write_figures
-    from flexbearing.results import read as read_result
 
-    found, directory = read_result(result), output or result.parent
+    found, directory = api.read_result(result), output or result.parent
     pictures = write_figures(found, directory)
     for picture in pictures:
         sys.stdout.write(f"picture: {picture}\n")
@@ -116,12 +111,11 @@ def fields(
     from rich.console import Group
 
     from flexbearing.report.sections import stresses
-    from flexbearing.results import read as read_result
     from flexbearing.runs import fields as compute
 
     if part not in ("inner", "outer", None):
         raise BadCase(f'--part {part}: it is "inner" or "outer"')
-    found = read_result(result)
+    found = api.read_result(result)
     try:
         computed = compute.of_result(found, state, part)
     except compute.NoFields as problem:
@@ -221,7 +215,7 @@ def cache_path() -> None:
 @app.command(name="explain")
 def explain_key(key: Annotated[str | None, typer.Argument(metavar="[KEY]")] = None) -> None:
     """Explain a key of the case file: unit, default, allowed values, meaning."""
-    sys.stdout.write(explain(key).rstrip() + "\n")
+    sys.stdout.write(api.explain(key).rstrip() + "\n")
 
 
 def main() -> None:

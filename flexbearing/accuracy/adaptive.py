@@ -10,7 +10,7 @@ import numpy as np
 from flexbearing.accuracy import Found, Unusable, Verdict, climb
 from flexbearing.accuracy.levels import ladders
 from flexbearing.accuracy.trials import Trial, Trials, changes
-from flexbearing.case import Case
+from flexbearing.case.roller import Case
 from flexbearing.progress import Report
 from flexbearing.rings.condensed import Rings
 from quasidynamic import Equilibrium, RollerBearing

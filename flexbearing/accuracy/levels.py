@@ -8,7 +8,7 @@ import fem
 from fem.parts.step_solid import StepSolid
 from flexbearing.accuracy import Choice
 from flexbearing.build import expansion, ring_parts
-from flexbearing.case import Case
+from flexbearing.case.roller import Case
 from flexbearing.case.roller.life import FEWEST_SLICES
 from flexbearing.rings.condensed import IN_SPACE, ON_A_SECTION
 

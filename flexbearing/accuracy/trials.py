@@ -12,7 +12,8 @@ from flexbearing.accuracy import Unusable
 from flexbearing.accuracy.ladder import Place
 from flexbearing.accuracy.levels import APART, SHAPES, Ladder, Race, in_a_fit, of_place
 from flexbearing.build import roller_bearing
-from flexbearing.case import BadCase, Case
+from flexbearing.case import BadCase
+from flexbearing.case.roller import Case
 from flexbearing.coupled import states
 from flexbearing.coupled.coupled import BearingPartner
 from flexbearing.coupling import RULES, PartnerFailed, StoppingCriterion, fixed_point, newton

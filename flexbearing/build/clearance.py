@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from flexbearing.case import Case
+from flexbearing.case.roller import Case
 from quasidynamic.clearance import (
     Annulus,
     Mounting,

@@ -1,6 +1,6 @@
 """Parts at their temperature: how much they expand, and what they are made of."""
 
-from flexbearing.case import Case
+from flexbearing.case.roller import Case
 from flexbearing.case.roller.surroundings import Material
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import quasidynamic as qd
-from flexbearing.case import Case
+from flexbearing.case.roller import Case
 from quasidynamic.contact.film.roughness import composite_roughness
 from quasidynamic.contact.traction.adore import ADORE_OILS
 from quasidynamic.contact.traction.inlet_shear import LAWS

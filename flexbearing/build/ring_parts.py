@@ -8,7 +8,7 @@ import fem
 from fem.parts.step_solid import Coloured, Named, StepSolid, drawing
 from flexbearing.build import clearance
 from flexbearing.build.expansion import hot_over_cold, material, outer_raceway_diameter, roller_length
-from flexbearing.case import Case
+from flexbearing.case.roller import Case
 
 Part = fem.SquirrelCage | fem.OuterRing | fem.RingOnShaft | StepSolid
 

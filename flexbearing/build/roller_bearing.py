@@ -6,7 +6,7 @@ import quasidynamic as qd
 from flexbearing.build import clearance
 from flexbearing.build.expansion import hot_over_cold, material, outer_raceway_diameter, roller_length
 from flexbearing.build.lubrication import lubrication
-from flexbearing.case import Case
+from flexbearing.case.roller import Case
 from quasidynamic.parts.flange import Flange
 
 

@@ -10,7 +10,7 @@ from typing import Annotated, Any, Literal, get_args, get_origin
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
-from flexbearing.case.kinds import KINDS
+from flexbearing.case.family import Families
 from flexbearing.case.quantity import Kind, Section
 
 _LIMITS = {"gt": "above", "ge": "at least", "lt": "below", "le": "at most"}
@@ -24,6 +24,7 @@ class Declaration:
     path: str  # dotted
     field: FieldInfo
     table: str = ""  # the innermost table above it that a case may leave out
+    names: tuple[str, ...] = ()  # that may stand there, the default first, where the model does not list them
 
     @property
     def meaning(self) -> str:
@@ -47,7 +48,7 @@ class Declaration:
     @property
     def required(self) -> bool:
         """Whether every case that has its table must give it."""
-        return self.field.is_required()
+        return self.field.is_required() and not self.names
 
     @property
     def need(self) -> str:
@@ -59,7 +60,7 @@ class Declaration:
     @property
     def default(self) -> str:
         """Default in the words of a case file; empty when there is none."""
-        value = self.field.default
+        value = self.names[0] if self.names else self.field.default
         if value is PydanticUndefined or value is None or self.section:
             return ""
         return toml(value)
@@ -67,7 +68,9 @@ class Declaration:
     @property
     def choices(self) -> list[Any]:
         """The values that may stand there; empty when they are not a few."""
-        return [choice for part in _parts(self.field.annotation) for choice in _choices(part)]
+        return list(self.names) or [
+            choice for part in _parts(self.field.annotation) for choice in _choices(part)
+        ]
 
     @property
     def allowed(self) -> str:
@@ -135,10 +138,10 @@ def toml(value: Any) -> str:
     return str(value)
 
 
-def declarations() -> Iterator[Declaration]:
+def declarations(families: Families) -> Iterator[Declaration]:
     """Every key and table of every kind of case; those that several kinds have come several times."""
-    for model in KINDS.values():
-        yield from declared(model)
+    for family in families.values():
+        yield from declared(family.case())
 
 
 def declared(model: type[Section], prefix: str = "", table: str = "") -> Iterator[Declaration]:
@@ -160,9 +163,9 @@ def _by_path(model: type[Section]) -> dict[str, Declaration]:
     return {item.path: item for item in declared(model)}
 
 
-def kinds_with(path: str) -> list[str]:
+def kinds_with(path: str, families: Families) -> list[str]:
     """Kinds of case that have a dotted key."""
-    return [kind for kind, model in KINDS.items() if find(path, model)]
+    return [kind for kind, family in families.items() if find(path, family.case())]
 
 
 def _parts(annotation: Any) -> Iterator[Any]:

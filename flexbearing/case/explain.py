@@ -1,22 +1,30 @@
 """Keys of the case file, explained from their declarations."""
 
-import sys
+from collections.abc import Iterator
+from dataclasses import replace
 from difflib import get_close_matches
 
 from flexbearing.case.declarations import Declaration, declarations, declared, find
+from flexbearing.case.family import Families
 from flexbearing.case.head import Head
-from flexbearing.case.kinds import DEFAULT, KINDS
 from flexbearing.case.problems import BadCase
 from flexbearing.case.quantity import Section
 
 
-def explain(path: str | None = None) -> str:
+def explain(path: str | None, families: Families) -> str:
     """Explain a key, a table, or the whole case file.
 
     Parameters
     ----------
-    path : str, optional
-        dotted key; without it every key is listed
+    path : str or None
+        dotted key; None lists every key
+    families : mapping
+        kind to family
+
+    Returns
+    -------
+    str
+        lines of text
 
     Raises
     ------
@@ -24,33 +32,46 @@ def explain(path: str | None = None) -> str:
         for an unknown key, naming the nearest one
     """
     if path is None:
-        return "\n\n".join(f"{title}\n{_lines(items)}" for title, items in _chapters())
+        return "\n\n".join(f"{title}\n{_lines(items)}" for title, items in _chapters(families))
+    for item in _of_every_case(families):
+        if item.path == path:
+            return _explained(item, Head)
     texts: dict[str, list[str]] = {}  # explanation to the kinds that share it
-    for kind, model in KINDS.items():
-        if item := find(path, model):
+    for kind, family in families.items():
+        if item := find(path, model := family.case()):
             texts.setdefault(_explained(item, model), []).append(kind)
     if not texts:
-        raise BadCase(f"{path} is not a key of a case file.{_near(path)}")
-    return "\n\n".join(_of_kinds(kinds) + text for text, kinds in texts.items())
+        raise BadCase(f"{path} is not a key of a case file.{_near(path, families)}")
+    return "\n\n".join(_of_kinds(kinds, families) + text for text, kinds in texts.items())
 
 
-def reference_page() -> str:
+def reference_page(families: Families) -> str:
     """Reference page of the case file, in Markdown."""
-    lines = ["# Keys of a case file", "", "Printed by `python -m flexbearing.case.explain`."]
-    for title, items in _chapters():
+    lines = ["# Keys of a case file", "", "Printed by `python -m flexbearing.reference case`."]
+    for title, items in _chapters(families):
         lines += ["", f"## {title}", "", "| key | allowed | default | meaning |", "|---|---|---|---|"]
         lines += [row for item in items for row in _rows(item)]
     return "\n".join(lines) + "\n"
 
 
-def _chapters() -> list[tuple[str, list[Declaration]]]:
+def _chapters(families: Families) -> list[tuple[str, list[Declaration]]]:
     """Keys of every case, then those of each kind."""
     head = list(Head.model_fields)
-    chapters = [("every case", list(declared(Head)))]
-    for kind, model in KINDS.items():
-        title = f'kind = "{kind}"' + (", when kind is left out" if kind == DEFAULT else "")
-        chapters.append((title, [item for item in declared(model) if item.path not in head]))
+    chapters = [("every case", list(_of_every_case(families)))]
+    default = next(iter(families))
+    for kind, family in families.items():
+        title = f'kind = "{kind}"' + (", when kind is left out" if kind == default else "")
+        chapters.append((title, [item for item in declared(family.case()) if item.path not in head]))
     return chapters
+
+
+def _of_every_case(families: Families) -> Iterator[Declaration]:
+    """Keys of every case; `kind` names the families."""
+    for item in declared(Head):
+        if item.path == "kind":
+            yield replace(item, names=tuple(families))
+        else:
+            yield item
 
 
 def _rows(item: Declaration) -> list[str]:
@@ -69,9 +90,9 @@ def _explained(item: Declaration, model: type[Section]) -> str:
     return "\n".join(f"{name:<9}{text}" for name, text in _entries(item) if text)
 
 
-def _of_kinds(kinds: list[str]) -> str:
+def _of_kinds(kinds: list[str], families: Families) -> str:
     """Whose key it is, where not every kind has it."""
-    return "" if len(kinds) == len(KINDS) else f"kind     {', '.join(kinds)}\n"
+    return "" if len(kinds) == len(families) else f"kind     {', '.join(kinds)}\n"
 
 
 def _lines(items: list[Declaration]) -> str:
@@ -100,8 +121,8 @@ def _need(item: Declaration) -> str:
     return f": {item.need}" if item.table else ": every case must give it"
 
 
-def _near(path: str) -> str:
-    known = [item.path for item in declarations()]
+def _near(path: str, families: Families) -> str:
+    known = [item.path for item in declarations(families)]
     ends = {name.rpartition(".")[2]: name for name in known}
     close = get_close_matches(path, known, n=1, cutoff=0.7) or [
         ends[name] for name in get_close_matches(path.rpartition(".")[2], ends, n=1, cutoff=0.7)
@@ -111,7 +132,3 @@ def _near(path: str) -> str:
 
 def _cell(text: str) -> str:
     return text.replace("|", "\\|")
-
-
-if __name__ == "__main__":
-    sys.stdout.write(reference_page())

@@ -2,13 +2,13 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any
 
 from pydantic import PrivateAttr
 
 from flexbearing.case.quantity import Section, key
 
-Family = Literal["cylindrical_roller", "four_point_ball", "angular_contact_ball"]
+KIND = "family of the bearing; it decides which other keys there are"
 
 
 @dataclass(frozen=True)
@@ -23,7 +23,7 @@ class Source:
 class Head(Section):
     """Keys of every case."""
 
-    kind: Family = key("family of the bearing; it decides which other keys there are", "cylindrical_roller")
+    kind: str = key(KIND)
     title: str = key("what the case is, for people", example="A bearing between two rings")
     assumed: tuple[str, ...] = key(
         "keys whose values the source of the case does not give", (), example=["outer.bars"], strict=False

@@ -8,6 +8,7 @@ from pydantic import ValidationError
 
 from flexbearing.case.balls.renamed import AXES_CHANGED, RENAMED
 from flexbearing.case.declarations import Declaration, declared, find, kinds_with, toml
+from flexbearing.case.family import Families
 from flexbearing.case.quantity import Section
 
 
@@ -15,17 +16,23 @@ class BadCase(ValueError):
     """A case that cannot be computed; one line for each problem."""
 
 
-def messages(error: ValidationError, raw: Mapping[str, Any], file: str, model: type[Section]) -> list[str]:
+def messages(
+    error: ValidationError, raw: Mapping[str, Any], file: str, model: type[Section], families: Families
+) -> list[str]:
     """One line per problem: file, key, value found, what is allowed, nearest valid name."""
     details = error.errors(include_url=False)
-    lines = [f"{file}: {_message(detail, path, raw, model)}" for detail in details for path in _paths(detail)]
+    lines = [
+        f"{file}: {_message(detail, path, raw, model, families)}"
+        for detail in details
+        for path in _paths(detail)
+    ]
     return list(dict.fromkeys(lines))
 
 
-def _message(detail: Any, path: str, raw: Mapping[str, Any], model: type[Section]) -> str:
+def _message(detail: Any, path: str, raw: Mapping[str, Any], model: type[Section], families: Families) -> str:
     context, kind = detail.get("ctx", {}), detail["type"]
     if kind == "extra_forbidden":
-        return f"{shown(path)}{_found(raw, path)} is not a key here.{nearest(path, model)}"
+        return f"{shown(path)}{_found(raw, path)} is not a key here.{nearest(path, model, families)}"
     if kind == "missing":
         return f"{shown(path)} is missing; it is {_allowed(path, model)}."
     if kind == "needed":
@@ -65,12 +72,12 @@ def _allowed(path: str, model: type[Section]) -> str:
     return declaration.allowed if declaration else "something else"
 
 
-def nearest(path: str, model: type[Section]) -> str:
+def nearest(path: str, model: type[Section], families: Families) -> str:
     """Suggest the key that was probably meant, else list the keys of that table."""
     section, _, name = path.rpartition(".")
     if path in RENAMED and find(RENAMED[path].partition(",")[0], model):
         return f" {path} is now {RENAMED[path]}; {AXES_CHANGED}."
-    if kinds := kinds_with(path):
+    if kinds := kinds_with(path, families):
         return f" It belongs to kind = {' or '.join(map(toml, kinds))}, which stands first in a file."
     siblings = [item.path.rpartition(".")[2] for item in _children(section, model)]
     if close := get_close_matches(name, siblings, n=1):
@@ -79,7 +86,7 @@ def nearest(path: str, model: type[Section]) -> str:
     if close := get_close_matches(name, elsewhere, n=1, cutoff=0.8):
         return f" Did you mean {shown(elsewhere[close[0]])}?"
     if section and find(section, model) is None:
-        return nearest(section, model)
+        return nearest(section, model, families)
     if not siblings:
         return f" {section} has no keys beneath it."
     return f" Keys here: {', '.join(siblings)}."

@@ -8,13 +8,15 @@ from typing import Any
 from pydantic import ValidationError
 
 from flexbearing.case.declarations import Declaration, find, toml
-from flexbearing.case.head import Source
-from flexbearing.case.kinds import DEFAULT, KINDS, AnyCase
+from flexbearing.case.family import Families
+from flexbearing.case.head import Head, Source
 from flexbearing.case.problems import BadCase, messages, nearest, shown
 from flexbearing.case.quantity import Section
 
+Overrides = Sequence[str] | Mapping[str, object]
 
-def read(path: str | Path, overrides: Sequence[str] | Mapping[str, object] = ()) -> AnyCase:
+
+def read(path: str | Path, overrides: Overrides, families: Families) -> Head:
     """Read a case file.
 
     Parameters
@@ -23,11 +25,13 @@ def read(path: str | Path, overrides: Sequence[str] | Mapping[str, object] = ())
         TOML file
     overrides : sequence of str or mapping
         settings that replace or add keys: "bearing.clearance=50 um", or {"bearing.clearance": "50 um"}
+    families : mapping
+        kind to family, the first that of a file which names none
 
     Returns
     -------
-    Case, FourPointCase or AngularCase
-        by its kind, in SI units
+    Head
+        the case model of its family, in SI units
 
     Raises
     ------
@@ -35,10 +39,10 @@ def read(path: str | Path, overrides: Sequence[str] | Mapping[str, object] = ())
         one line for each problem: file, key, value found, what is allowed, nearest valid name
     """
     file = Path(path)
-    return understood(_text(file), file, overrides)
+    return understood(_text(file), file, overrides, families)
 
 
-def understood(text: str, file: Path, overrides: Sequence[str] | Mapping[str, object] = ()) -> AnyCase:
+def understood(text: str, file: Path, overrides: Overrides, families: Families) -> Head:
     """Read the text of a case file, also where only that is left of it.
 
     Parameters
@@ -49,10 +53,12 @@ def understood(text: str, file: Path, overrides: Sequence[str] | Mapping[str, ob
         where it stands, for messages
     overrides : sequence of str or mapping
         as for `read`
+    families : mapping
+        as for `read`
 
     Returns
     -------
-    Case, FourPointCase or AngularCase
+    Head
         as `read`
 
     Raises
@@ -62,14 +68,14 @@ def understood(text: str, file: Path, overrides: Sequence[str] | Mapping[str, ob
     """
     raw = _parsed(file, text)
     settings = _settings(overrides)
-    model = _model(raw, settings, file.name)
+    model = _model(raw, settings, file.name, families)
     for setting in settings:
-        _override(raw, setting, model)
+        _override(raw, setting, model, families)
     try:
         case = model.model_validate(raw)
     except ValidationError as error:
-        raise BadCase("\n".join(messages(error, raw, file.name, model))) from None
-    _require_given(case, raw, file.name)
+        raise BadCase("\n".join(messages(error, raw, file.name, model, families))) from None
+    _require_given(case, raw, file.name, families)
     case._source = Source(str(file), text, settings)
     return case
 
@@ -96,33 +102,35 @@ def _settings(overrides: Sequence[str] | Mapping[str, object]) -> tuple[str, ...
     return tuple(overrides)
 
 
-def _model(raw: Mapping[str, Any], settings: Sequence[str], file: str) -> type[AnyCase]:
+def _model(raw: Mapping[str, Any], settings: Sequence[str], file: str, families: Families) -> type[Head]:
     """Schema of the kind that the file or a setting names."""
-    kind = raw.get("kind", DEFAULT)
+    kind = raw.get("kind", next(iter(families)))
     for setting in settings:
         key, _, value = setting.partition("=")
         if key.strip() == "kind":
             kind = value.strip().strip('"')
     inside = raw.get("bearing")
-    if "kind" not in raw and isinstance(inside, Mapping) and inside.get("kind") in set(KINDS) - {kind}:
+    if "kind" not in raw and isinstance(inside, Mapping) and inside.get("kind") in set(families) - {kind}:
         raise BadCase(
             f"{file}: [bearing] kind = {toml(inside['kind'])} stands in the wrong place: write it "
             "first in the file, above every [section]."
         )
-    if isinstance(kind, str) and kind in KINDS:
-        return KINDS[kind]
-    allowed = find("kind", KINDS[DEFAULT])
-    raise BadCase(f"{file}: kind = {toml(kind)} is not allowed; it must be {allowed and allowed.allowed}.")
+    if isinstance(kind, str) and kind in families:
+        return families[kind].case()
+    allowed = " or ".join(map(toml, families))
+    raise BadCase(f"{file}: kind = {toml(kind)} is not allowed; it must be {allowed}.")
 
 
-def _override(raw: dict[str, Any], setting: str, model: type[Section]) -> None:
+def _override(raw: dict[str, Any], setting: str, model: type[Section], families: Families) -> None:
     """Put a "key=value" setting into the raw case; what a user sets is no longer assumed."""
     key, separator, value = setting.partition("=")
     key = key.strip()
     if not separator or not key:
         raise BadCase(f"--set {setting}: a setting is KEY=VALUE, such as bearing.clearance=50 um")
     if find(key, model) is None and not key.startswith("calibrated."):
-        raise BadCase(f"--set {setting}: {shown(key)} is not a key of this case.{nearest(key, model)}")
+        raise BadCase(
+            f"--set {setting}: {shown(key)} is not a key of this case.{nearest(key, model, families)}"
+        )
     table = raw
     *sections, name = _place(key)
     for section in sections:
@@ -153,13 +161,13 @@ def _value(text: str, declaration: Declaration | None) -> Any:
         return text
 
 
-def _require_given(case: AnyCase, raw: Mapping[str, Any], file: str) -> None:
+def _require_given(case: Head, raw: Mapping[str, Any], file: str, families: Families) -> None:
     """Raise when `assumed` or `calibrated` names a key that the file does not give."""
     problems = []
     for table, keys in (("assumed", case.assumed), ("calibrated", case.calibrated)):
         for key in keys:
             if find(key, type(case)) is None:
-                near = nearest(key, type(case))
+                near = nearest(key, type(case), families)
                 problems.append(f'{file}: {table} names "{key}", which is not a key.{near}')
             elif not _given(raw, key):
                 problems.append(f'{file}: {table} names "{key}", which this case does not give.')

@@ -8,7 +8,7 @@ from time import perf_counter
 import numpy as np
 from numpy.typing import NDArray
 
-from flexbearing.case import Case
+from flexbearing.case.roller import Case
 from flexbearing.coupled import states
 from flexbearing.coupled.initial_state import InitialState
 from flexbearing.coupling import (

@@ -3,16 +3,16 @@
 from dataclasses import dataclass, replace
 from functools import reduce
 from operator import getitem
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from flexbearing.case import AnyCase, BadCase, Case
+from flexbearing.case import BadCase
 from flexbearing.case.declarations import toml
+from flexbearing.case.roller import Case
 from flexbearing.coupling import Bearing, Condensed
-from flexbearing.results import Result, read
+from flexbearing.results import Result
 from quasidynamic import Equilibrium
 from quasidynamic.balance.rollers.unknowns import BORDER, CAGE, Unknowns
 
@@ -91,12 +91,12 @@ def _put(state: Equilibrium, x: Unknowns) -> Equilibrium:
     return replace(state, scaled=state.balance.pack(x)[0])
 
 
-def initial_state(start: str | Path | Result, case: AnyCase) -> InitialState:
+def initial_state(start: Result, case: Case) -> InitialState:
     """The end state that a case shall start from.
 
     Parameters
     ----------
-    start : path or Result
+    start : Result
         what the run of another case left behind
     case : Case
         the case that starts there
@@ -109,20 +109,15 @@ def initial_state(start: str | Path | Result, case: AnyCase) -> InitialState:
     ------
     BadCase
         where the case cannot start from another one, or not from this one; it says what differs
-    BadResult
-        if the file is no complete result
     """
-    result = start if isinstance(start, Result) else read(start)
-    if problem := _of_case(case) or _of_result(result) or _differing(result, case):
-        raise BadCase(f"start {result.path}: {problem}")
-    values = result.flexible["unknowns"]
-    return InitialState(str(result.path), unknowns(values, result.flexible["roller_azimuth"].size))
+    if problem := _of_case(case) or _of_result(start, case) or _differing(start, case):
+        raise BadCase(f"start {start.path}: {problem}")
+    values = start.flexible["unknowns"]
+    return InitialState(str(start.path), unknowns(values, start.flexible["roller_azimuth"].size))
 
 
-def _of_case(case: AnyCase) -> str:
+def _of_case(case: Case) -> str:
     """Why a case starts nowhere but between rigid raceways; empty where it can."""
-    if not isinstance(case, Case):
-        return f"only roller bearings start from another case, this is a {case.kind}"
     if case.coupling.method != "newton":
         return (
             f'coupling.method = "{case.coupling.method}" begins between rigid raceways; allowed is "newton"'
@@ -134,10 +129,10 @@ def _of_case(case: AnyCase) -> str:
     return ""
 
 
-def _of_result(result: Result) -> str:
+def _of_result(result: Result, case: Case) -> str:
     """Why no case can start from a result; empty where one can."""
-    if result.kind != "cylindrical_roller":
-        return f"it is of a {result.kind} bearing; allowed is one of a cylindrical_roller bearing"
+    if result.kind != case.kind:
+        return f"it is of a {result.kind} bearing; allowed is one of a {case.kind} bearing"
     if result.attributes["status"] != "converged":
         return f"it did not converge ({result.attributes['status']}); allowed is a converged result"
     if not np.isfinite(result.flexible["unknowns"]).all():
@@ -145,9 +140,8 @@ def _of_result(result: Result) -> str:
     return ""
 
 
-def _differing(result: Result, case: AnyCase) -> str:
+def _differing(result: Result, case: Case) -> str:
     """What makes the unknowns of a result other ones than those of a case; empty where nothing does."""
-    assert isinstance(case, Case)
     block, this, other = result.flexible, case.model_dump(), result.attributes["case_si"]
     rollers = block["roller_azimuth"].size
     shapes = (block["unknowns"].size - BORDER - FIELDS * rollers) // (2 * rollers)

@@ -5,7 +5,6 @@ from pathlib import Path
 
 from flexbearing.report.deformed_figure import deformed
 from flexbearing.results import Result
-from flexbearing.results.kinds import ROLLER
 from flexbearing.runs import fields
 
 
@@ -25,7 +24,7 @@ def pictures(result: Result, directory: Path) -> Iterator[str]:
         a line for each part: its file, or why there is none; nothing without flexible parts or end state,
         nor of ball bearings, whose rings are known at the balls only
     """
-    if not result.flexible or result.kind != ROLLER:
+    if not result.flexible or not result.family.look().deformed:
         return
     case = fields.case_of(result)
     try:

@@ -3,7 +3,6 @@
 from flexbearing.results.checks import NotInLayout
 from flexbearing.results.layout import FORMAT, TABLE, Dataset
 from flexbearing.results.read import BadResult, Result, read
-from flexbearing.results.reference import reference_page
 from flexbearing.results.write import ResultFile
 
 __all__ = [
@@ -15,5 +14,4 @@ __all__ = [
     "Result",
     "ResultFile",
     "read",
-    "reference_page",
 ]

@@ -13,7 +13,6 @@ import h5py
 import numpy as np
 
 from flexbearing.results.checks import NotInLayout
-from flexbearing.results.kinds import ROLLER
 from flexbearing.results.layout import FORMAT
 
 STATUSES = ("converged", "iteration limit", "diverging", "stagnating", "not finite", "not solved")
@@ -106,6 +105,9 @@ ATTRIBUTES = (
 )
 
 BY_NAME = {entry.name: entry for entry in ATTRIBUTES}
+
+
+ROLLER = "cylindrical_roller"
 
 
 def attributes_of(kind: str) -> dict[str, Attribute]:

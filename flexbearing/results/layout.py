@@ -153,6 +153,20 @@ TABLE = (
 # fmt: on
 
 
+@dataclass(frozen=True)
+class Layout:
+    """Datasets and blocks in the result file of one bearing family."""
+
+    table: tuple[Dataset, ...]
+    blocks: tuple[str, ...]  # that a converged run has
+    axes: str  # what the symbols of the axes and the directions mean
+    further: tuple[str, ...] = ()  # blocks that only some cases have
+
+    def datasets(self, place: Literal["iteration", "block"]) -> dict[str, Dataset]:
+        """Datasets of an iteration or of a block, by name."""
+        return datasets(place, self.table)
+
+
 def datasets(place: Literal["iteration", "block"], table: tuple[Dataset, ...] = TABLE) -> dict[str, Dataset]:
     """Datasets of an iteration or of a block, by name.
 
@@ -169,3 +183,14 @@ def datasets(place: Literal["iteration", "block"], table: tuple[Dataset, ...] = 
         name to :class:`Dataset`, in the order of the table
     """
     return {entry.name: entry for entry in table if entry.place in ("state", place)}
+
+
+ROLLER = Layout(
+    TABLE,
+    ("rigid", "flexible"),
+    """\
+Axes: Z rollers, K slices along a roller, N unknowns. Directions: x axial, z along the load unless
+`operation.load_direction` turns the load; azimuth from z towards y, which is the way a positive speed turns.
+A pair is (inner, outer) or (y, z) as stated.
+""",
+)

@@ -9,10 +9,10 @@ from typing import Any
 import h5py
 import numpy as np
 
+from flexbearing.case.family import Families, Family
 from flexbearing.results.attributes import attributes_of, decoded
 from flexbearing.results.checks import Sizes, fitted, require_same_names
-from flexbearing.results.kinds import LAYOUTS, ROLLER
-from flexbearing.results.layout import FORMAT, Dataset
+from flexbearing.results.layout import FORMAT, Dataset, Layout
 from flexbearing.results.write import UNFINISHED
 
 Arrays = Mapping[str, np.ndarray]
@@ -38,7 +38,12 @@ class Result:
     rigid: Arrays  # empty when the run ended before it was solved
     flexible: Arrays  # likewise; of ball bearings also between rigid rings
     iterations: tuple[Arrays, ...]  # from the first to the last
-    kind: str = ROLLER  # family of the bearing
+    family: Family  # of the bearing
+
+    @property
+    def kind(self) -> str:
+        """Name of the family."""
+        return self.family.kind
 
     def history(self, name: str) -> np.ndarray:
         """Stack a dataset over the iterations.
@@ -58,7 +63,7 @@ class Result:
         NotInLayout
             for a name that iterations do not have
         """
-        known = LAYOUTS[self.kind].datasets("iteration")
+        known = self.family.layout().datasets("iteration")
         if name not in known:
             require_same_names({**dict.fromkeys(known), name: None}, known, "history")
         if not self.iterations:
@@ -66,13 +71,15 @@ class Result:
         return np.stack([state[name] for state in self.iterations])
 
 
-def read(path: str | Path) -> Result:
+def read(path: str | Path, families: Families) -> Result:
     """Read a complete result file.
 
     Parameters
     ----------
     path : path
         a file written by :class:`ResultFile`
+    families : mapping
+        kind to family
 
     Returns
     -------
@@ -88,7 +95,7 @@ def read(path: str | Path) -> Result:
     try:
         with h5py.File(path, "r") as file:
             _require_format(file, path)
-            return _result(file, path)
+            return _result(file, path, _family(file, path, families))
     except OSError as reason:
         raise BadResult(f"{path}: not an HDF5 file, or damaged ({reason}). Run the case again.") from reason
     except BadResult:
@@ -124,22 +131,22 @@ def _require_format(file: h5py.File, path: Path) -> None:
         )
 
 
-def _result(file: h5py.File, path: Path) -> Result:
-    kind = _kind(file, path)
-    layout = LAYOUTS[kind]
+def _result(file: h5py.File, path: Path, family: Family) -> Result:
+    layout: Layout = family.layout()
     sizes: Sizes = {}
     blocks: dict[str, Arrays] = {"rigid": _NOTHING, "flexible": _NOTHING}
     for name in layout.blocks + layout.further:
         blocks[name], sizes = _arrays(file.get(name), layout.datasets("block"), sizes, name)
     iterations = _iterations(file, layout.datasets("iteration"), sizes)
-    return Result(path=path, attributes=_attributes(file, kind), iterations=iterations, kind=kind, **blocks)
+    attributes = _attributes(file, family.kind)
+    return Result(path=path, attributes=attributes, iterations=iterations, family=family, **blocks)
 
 
-def _kind(file: h5py.File, path: Path) -> str:
+def _family(file: h5py.File, path: Path, families: Families) -> Family:
     kind = str(file.attrs.get("kind"))
-    if kind not in LAYOUTS:
-        raise BadResult(f"{path}: kind {kind!r} is none of {', '.join(LAYOUTS)}. Run the case again.")
-    return kind
+    if kind not in families:
+        raise BadResult(f"{path}: kind {kind!r} is none of {', '.join(families)}. Run the case again.")
+    return families[kind]
 
 
 def _iterations(file: h5py.File, known: Mapping[str, Dataset], sizes: Sizes) -> tuple[Arrays, ...]:

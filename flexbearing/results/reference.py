@@ -1,10 +1,8 @@
 """The reference page of the result file, from the tables that write it."""
 
-import sys
-
+from flexbearing.case.family import Families, Family
 from flexbearing.results.attributes import ATTRIBUTES, Attribute
-from flexbearing.results.kinds import LAYOUTS
-from flexbearing.results.layout import Dataset, Place
+from flexbearing.results.layout import Dataset, Layout, Place
 
 _BEGINNING = """\
 # The result file
@@ -35,22 +33,6 @@ The root attribute `kind` says which of the tables below a file follows. Iterati
 A block that was never solved is absent, and so is a dataset whose meaning says when.
 """
 
-_AXES = {
-    "cylindrical_roller": """\
-Axes: Z rollers, K slices along a roller, N unknowns. Directions: x axial, z along the load unless
-`operation.load_direction` turns the load; azimuth from z towards y, which is the way a positive speed turns.
-A pair is (inner, outer) or (y, z) as stated.
-""",
-    "four_point_ball": """\
-Axes: Z balls, G diagonals (one or two; the first leans outwards to positive z), 2 races (inner, outer),
-F balls and P points of the fields. Directions: z axial, azimuth from x towards y.
-Torques are what must be put in so that the inner ring runs ahead: positive there, negative at the outer ring.
-""",
-    "angular_contact_ball": """\
-Axes: 2 races (inner, outer), Z balls, P points of the slip profile. Directions: z axial, towards the side to
-which the inner ring pushes the balls; azimuth from x towards y, which is the way a positive speed turns.
-""",
-}
 _PLACES: dict[Place, str] = {
     "state": "Datasets of iterations and blocks",
     "iteration": "Datasets of iterations only",
@@ -58,24 +40,30 @@ _PLACES: dict[Place, str] = {
 }
 
 
-def reference_page() -> str:
+def reference_page(families: Families) -> str:
     """Page that documents every dataset and root attribute.
+
+    Parameters
+    ----------
+    families : mapping
+        kind to family
 
     Returns
     -------
     str
         Markdown
     """
-    return "\n".join([_BEGINNING, *(_kind(kind) for kind in LAYOUTS), _attributes()])
+    return "\n".join([_BEGINNING, *(_family(family) for family in families.values()), _attributes()])
 
 
-def _kind(kind: str) -> str:
-    sections = [_section(kind, place) for place in _PLACES]
-    return "\n".join([f'## kind = "{kind}"\n', _AXES[kind], *filter(None, sections)])
+def _family(family: Family) -> str:
+    layout: Layout = family.layout()
+    sections = [_section(layout, place) for place in _PLACES]
+    return "\n".join([f'## kind = "{family.kind}"\n', layout.axes, *filter(None, sections)])
 
 
-def _section(kind: str, place: Place) -> str:
-    rows = [_row(entry) for entry in LAYOUTS[kind].table if entry.place == place]
+def _section(layout: Layout, place: Place) -> str:
+    rows = [_row(entry) for entry in layout.table if entry.place == place]
     head = [f"### {_PLACES[place]}\n", "| name | axes | unit | meaning |", "|---|---|---|---|"]
     return "\n".join([*head, *rows, ""]) if rows else ""
 
@@ -91,7 +79,3 @@ def _attributes() -> str:
 
 def _whose(entry: Attribute) -> str:
     return "; of rollers only" if entry.rollers else ""
-
-
-if __name__ == "__main__":
-    sys.stdout.write(reference_page())

@@ -8,10 +8,10 @@ import h5py
 import numpy as np
 from numpy.typing import ArrayLike
 
+from flexbearing.case.family import Family
 from flexbearing.results.attributes import attributes_of, encoded, stamp
 from flexbearing.results.checks import NotInLayout, Sizes, fitted, require_finite, require_same_names
-from flexbearing.results.kinds import LAYOUTS, ROLLER
-from flexbearing.results.layout import Dataset
+from flexbearing.results.layout import Dataset, Layout
 
 UNFINISHED = ".part"
 
@@ -29,8 +29,8 @@ class ResultFile:
         the final name; a file that is already there stays until the new one is complete
     attributes : mapping
         root attributes that are known when the run begins, such as ``title`` and ``case_text``
-    kind : str
-        family of the bearing, which decides the layout
+    family : Family
+        of the bearing; it decides the layout
 
     Raises
     ------
@@ -41,7 +41,7 @@ class ResultFile:
     --------
     ::
 
-        with ResultFile("case.h5", {"title": "squirrel cage"}) as file:
+        with ResultFile("case.h5", {"title": "squirrel cage"}, family) as file:
             for number, state in enumerate(states, start=1):
                 file.iteration(number, state)
             file.block("rigid", rigid)
@@ -49,11 +49,12 @@ class ResultFile:
             file.finish(status="converged", ...)
     """
 
-    def __init__(self, path: str | Path, attributes: Mapping[str, Any], kind: str = ROLLER):
+    def __init__(self, path: str | Path, attributes: Mapping[str, Any], family: Family):
         self.path = _final_name(Path(path))
         self.part = self.path.with_name(self.path.name + UNFINISHED)
-        self._layout, self._known = LAYOUTS[kind], attributes_of(kind)
-        self._attributes = {**stamp(), "kind": kind, **attributes}
+        self._layout: Layout = family.layout()
+        self._known = attributes_of(family.kind)
+        self._attributes = {**stamp(), "kind": family.kind, **attributes}
         self._stored = self._encoded(self._attributes)
         self._file: h5py.File | None = None
         self._sizes: Sizes = {}

@@ -8,8 +8,9 @@ from numpy.typing import NDArray
 import fem
 from fem.parts.bolted_ring import BoltedGrooveRing
 from flexbearing.cache import configured
-from flexbearing.case import BadCase, FourPointCase
+from flexbearing.case import BadCase
 from flexbearing.case.balls.bolted_rings import BoltedRing
+from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.case.balls.parts import Elastic
 from flexbearing.progress import Report
 

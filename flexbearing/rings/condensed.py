@@ -12,7 +12,8 @@ from fem.errors import NotSolved
 from fem.parts.step_solid import StepSolid
 from flexbearing.build import expansion, ring_parts
 from flexbearing.cache import configured
-from flexbearing.case import BadCase, Case
+from flexbearing.case import BadCase
+from flexbearing.case.roller import Case
 from flexbearing.coupling import PartnerFailed
 from flexbearing.progress import Report
 from flexbearing.rings.fitted import FittedRings, fit_of

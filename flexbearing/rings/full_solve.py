@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.build import ring_parts
-from flexbearing.case import Case
+from flexbearing.case.roller import Case
 from flexbearing.coupling import PartnerFailed
 from flexbearing.progress import Report
 from flexbearing.rings.condensed import IN_SPACE, patches, told, wishes

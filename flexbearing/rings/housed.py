@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 import fem
 from flexbearing.build.expansion import hot_over_cold, material
-from flexbearing.case import Case
+from flexbearing.case.roller import Case
 from flexbearing.rings.fitted import INNER, OUTER, FittedRings, raceway_near, variations
 from flexbearing.rings.raceways import CondensedRings
 

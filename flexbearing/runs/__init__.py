@@ -1,1 +1,1 @@
-"""One case from its file to its result file; `flexbearing.runs.run_case.run` is the way in."""
+"""One case given its family, from what was read to its result file; `run_case` is the way in."""

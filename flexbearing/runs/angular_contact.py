@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 import quasidynamic as qd
 from flexbearing.build.ball_parts import ball, groove
-from flexbearing.case import AngularCase
+from flexbearing.case.balls.angular_contact import AngularCase
 from quasidynamic.outcome.rolling_contact import RollingContact
 
 USUAL_SHOULDER = 0.25  # of the ball diameter, assumed: races of catalogue bearings are rarely higher
@@ -49,6 +49,11 @@ def operation(case: AngularCase) -> qd.RingOperation:
         inner_speed=given.inner_speed,
         outer_speed=given.outer_speed,
     )
+
+
+def build(case: AngularCase) -> tuple[qd.AngularContactBallBearing, qd.RingOperation]:
+    """Bearing and operation of a case; raises `ImpossiblePart` or `OutOfRange` where they cannot be."""
+    return bearing(case), operation(case)
 
 
 def solved(case: AngularCase) -> Solution:

@@ -6,7 +6,9 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from fem.errors import NotSolved as RingNotSolved
-from flexbearing.case import AngularCase, AnyCase, BadCase, FourPointCase
+from flexbearing.case import BadCase, Head
+from flexbearing.case.balls.angular_contact import AngularCase
+from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.progress import Report
 from flexbearing.results import ResultFile
 from flexbearing.rings import bolted
@@ -14,7 +16,7 @@ from flexbearing.runs import angular_contact, four_point
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
 
 
-def opening(case: AnyCase) -> dict[str, object]:
+def opening(case: Head) -> dict[str, object]:
     """Root attributes that are known before anything is solved."""
     return {"notes": []}
 

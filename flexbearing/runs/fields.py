@@ -14,7 +14,8 @@ from threadpoolctl import threadpool_limits
 
 import fem
 from flexbearing.build import expansion, ring_parts, roller_bearing
-from flexbearing.case import BadCase, Case, understood
+from flexbearing.case import BadCase, understood
+from flexbearing.case.roller import Case
 from flexbearing.results import BadResult, Result
 from flexbearing.rings.condensed import IN_SPACE, PATCH, wishes
 from quasidynamic.contact.line.slices import Slices
@@ -89,12 +90,12 @@ def case_of(result: Result) -> Case:
     BadCase
         if it is about balls, whose rings are rigid, or known at the balls only
     """
-    attributes = result.attributes
+    attributes, families = result.attributes, {result.kind: result.family}
     file = Path(attributes.get("case_file", result.path))
-    case = understood(attributes["case_text"], file, attributes["case_overrides"])
+    case = understood(attributes["case_text"], file, attributes["case_overrides"], families)
     drawn = case.outer.file if isinstance(case, Case) and case.outer.kind == "step" else None
     if drawn and not (file.parent / drawn).exists():  # carried elsewhere: the drawing may have come along
-        case = understood(attributes["case_text"], result.path, attributes["case_overrides"])
+        case = understood(attributes["case_text"], result.path, attributes["case_overrides"], families)
     if not isinstance(case, Case):
         raise BadCase(f"{result.path}: the rings of a {case.kind} bearing have no fields; only rollers have")
     return case

@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 import quasidynamic as qd
 from flexbearing.build.ball_parts import ball, groove
-from flexbearing.case import FourPointCase
+from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.rings import bolted
 from quasidynamic.solve.balls.elastic_load_distribution import ElasticBallLoads
 from quasidynamic.solve.balls.load_distribution import BallLoads

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.build.lubrication import oil, roughness
-from flexbearing.case import Case
+from flexbearing.case.roller import Case
 from quasidynamic import CylindricalRollerBearing, Equilibrium
 from quasidynamic.outcome.capacity import (
     dynamic_rating,

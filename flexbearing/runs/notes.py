@@ -4,7 +4,7 @@ import numpy as np
 
 from flexbearing.build import clearance
 from flexbearing.build.lubrication import oil, oil_name
-from flexbearing.case import Case
+from flexbearing.case.roller import Case
 from quasidynamic import Equilibrium, RollerBearing
 from quasidynamic.contact.cage.land import land_notes
 from quasidynamic.contact.drag.orbit_drag import drag_notes

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 
 from flexbearing.build import clearance
 from flexbearing.build.lubrication import roughness
-from flexbearing.case import Case
+from flexbearing.case.roller import Case
 from flexbearing.coupled import states
 from flexbearing.results import ResultFile
 from flexbearing.rings.raceways import CondensedRings

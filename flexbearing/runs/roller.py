@@ -7,7 +7,7 @@ from typing import Any
 from flexbearing.accuracy import Unusable
 from flexbearing.accuracy.adaptive import adaptive_resolution
 from flexbearing.build import clearance, roller_bearing
-from flexbearing.case import Case
+from flexbearing.case.roller import Case
 from flexbearing.coupled.coupled import WARM, BearingPartner, Coupled
 from flexbearing.coupled.initial_state import InitialState
 from flexbearing.coupling import PartnerFailed

@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from flexbearing.build import roller_bearing
-from flexbearing.case import Case
+from flexbearing.case.roller import Case
 from quasidynamic import Equilibrium
 from quasidynamic.balance.rollers.skew import RunningRollers
 from quasidynamic.outcome.skew import Skew, skewed

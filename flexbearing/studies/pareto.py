@@ -12,13 +12,13 @@ import numpy as np
 import quasidynamic as qd
 from fem.errors import NotSolved
 from fem.parts.material import ImpossiblePart
+from flexbearing.api import check, run
 from flexbearing.cache.store import VARIABLE
-from flexbearing.case import AnyCase, BadCase, Case, read
+from flexbearing.case import BadCase, Head
+from flexbearing.case.roller import Case
 from flexbearing.coupling import PartnerFailed
 from flexbearing.report.pareto import OUTPUTS, Measured, Study
 from flexbearing.results import Result
-from flexbearing.runs.run_case import run
-from flexbearing.runs.validate import require_possible
 from flexbearing.studies.pareto_levels import Level, ladder, left_out, richest
 
 CACHED_RUNS, SHORT = 3, 1.0  # [s] whatever else the machine does disturbs short runs most: they are repeated
@@ -60,8 +60,7 @@ def pareto(
     NoReference
         when the richest level fails or does not converge
     """
-    wanted = _rollers(read(case, overrides))
-    require_possible(wanted)
+    wanted = _rollers(check(case, overrides))
     tell = tell or (lambda measured: None)
     _load(wanted)
     best = richest(wanted)
@@ -117,7 +116,7 @@ def _off(found: float, exact: float) -> float:
     return 0.0 if found == exact else abs(found / exact - 1)
 
 
-def _rollers(case: AnyCase) -> Case:
+def _rollers(case: Head) -> Case:
     if not isinstance(case, Case):
         raise BadCase(
             f"{case.source.path}: only roller bearings have a ladder of levels, this is a {case.kind}"

@@ -2,7 +2,7 @@
 
 from typing import Any, NamedTuple
 
-from flexbearing.case import Case
+from flexbearing.case.roller import Case
 
 SLICES = (5, 10, 20, 40, 80)
 SHAPES = (2, 3, 4)

@@ -9,9 +9,11 @@ from pathlib import Path
 import numpy as np
 from threadpoolctl import threadpool_limits
 
+from flexbearing.api import check, read
 from flexbearing.build import roller_bearing
-from flexbearing.case import AnyCase, BadCase, Case, read
-from flexbearing.runs import notes, validate
+from flexbearing.case import BadCase, Head
+from flexbearing.case.roller import Case
+from flexbearing.runs import notes
 from quasidynamic import ImpossiblePart, OutOfRange
 from quasidynamic.trace import Branch, BranchEnd, trace as follow
 
@@ -115,8 +117,8 @@ def trace(
     if path.suffix != ".csv":
         raise BadCase(f"--output {path}: the table is written as CSV; name it {path.with_suffix('.csv')}")
     key = f"operation.{axis.name}"
-    first, last = (_rollers(read(case, [*overrides, f"{key}={end}"])) for end in ends)
-    validate.require_possible(first)
+    settings = [[*overrides, f"{key}={end}"] for end in ends]
+    first, last = _rollers(check(case, settings[0])), _rollers(read(case, settings[1]))
     span = getattr(first.operation, axis.name), getattr(last.operation, axis.name)
     try:
         with threadpool_limits(limits=1, user_api="blas"):
@@ -130,7 +132,7 @@ def trace(
     return traced
 
 
-def _rollers(case: AnyCase) -> Case:
+def _rollers(case: Head) -> Case:
     if isinstance(case, Case):
         return case
     raise BadCase(f"{case.source.path}: only roller bearings are traced, this is a {case.kind}")

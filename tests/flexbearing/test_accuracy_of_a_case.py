@@ -7,13 +7,14 @@ import numpy as np
 import pytest
 from pytest import approx
 
+import flexbearing
+from flexbearing import read
 from flexbearing.accuracy.levels import ladders
 from flexbearing.accuracy.trials import finer, first_shapes
-from flexbearing.case import BadCase, read
+from flexbearing.case import BadCase
 from flexbearing.progress import Logged
 from flexbearing.report import summary, text
 from flexbearing.rings import condensed
-from flexbearing.runs import run_case
 
 PLAIN = Path(__file__).parents[2] / "configs" / "nu209.toml"
 RING = ["outer.kind=ring", "outer.thickness=5 mm", "outer.width=19 mm", "outer.support=seat"]
@@ -27,7 +28,7 @@ def folder(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def ordered(folder):
-    return run_case.run(PLAIN, folder / "ordered.h5", [*RING, "accuracy.target=1 %"])
+    return flexbearing.run(PLAIN, folder / "ordered.h5", [*RING, "accuracy.target=1 %"])
 
 
 def test_a_target_is_a_fraction_or_percent():
@@ -39,7 +40,7 @@ def test_a_target_is_a_fraction_or_percent():
 
 
 def test_without_a_target_nothing_is_chosen_or_estimated(folder):
-    result = run_case.run(PLAIN, folder / "plain.h5", ["outer.kind=rigid"])
+    result = flexbearing.run(PLAIN, folder / "plain.h5", ["outer.kind=rigid"])
     assert "choices" not in result.attributes
     assert "error_estimate" not in result.attributes
     assert result.flexible["slice_position"].size == 20
@@ -48,7 +49,7 @@ def test_without_a_target_nothing_is_chosen_or_estimated(folder):
 
 
 def test_true_errors_are_below_the_estimates(ordered, folder):
-    fine = run_case.run(PLAIN, folder / "fine.h5", [*RING, *FINE])
+    fine = flexbearing.run(PLAIN, folder / "fine.h5", [*RING, *FINE])
     estimate = ordered.attributes["error_estimate"]
     found, better = ordered.flexible, fine.flexible
     load = np.abs(found["inner_load"] - better["inner_load"]).max() / better["inner_load"].max()
@@ -82,7 +83,7 @@ def test_summary_shows_values_with_their_errors(ordered):
 
 def test_what_the_case_gives_stays_and_is_estimated(folder):
     given = ["accuracy.slices=12", "accuracy.axial_shapes=3", "accuracy.element_order=3"]
-    result = run_case.run(PLAIN, folder / "fixed.h5", [*RING, *given, "accuracy.target=0.01 %"])
+    result = flexbearing.run(PLAIN, folder / "fixed.h5", [*RING, *given, "accuracy.target=0.01 %"])
     choices = result.attributes["choices"]
     assert result.flexible["slice_position"].size == 12
     assert choices["slices"]["level"] == "12"
@@ -97,15 +98,15 @@ def test_what_the_case_gives_stays_and_is_estimated(folder):
 @pytest.mark.slow
 def test_the_answer_is_that_of_the_same_levels_by_hand(folder):
     given = ["accuracy.slices=12", "accuracy.axial_shapes=3", "accuracy.element_order=3"]
-    by_hand = run_case.run(PLAIN, folder / "hand.h5", [*RING, *given])
-    result = run_case.run(PLAIN, folder / "again.h5", [*RING, *given, "accuracy.target=1 %"])
+    by_hand = flexbearing.run(PLAIN, folder / "hand.h5", [*RING, *given])
+    result = flexbearing.run(PLAIN, folder / "again.h5", [*RING, *given, "accuracy.target=1 %"])
     assert result.attributes["choices"]["outer ring"]["level"] == "as given"
     assert result.flexible["inner_load"] == approx(by_hand.flexible["inner_load"], rel=1e-6)
 
 
 @pytest.mark.slow
 def test_a_tighter_target_is_never_resolved_coarser(ordered, folder):
-    tight = run_case.run(PLAIN, folder / "tight.h5", [*RING, "accuracy.target=0.2 %"])
+    tight = flexbearing.run(PLAIN, folder / "tight.h5", [*RING, "accuracy.target=0.2 %"])
     loose, fine = (
         max(result.attributes["error_estimate"][output] for output in ("roller_load", "life"))
         for result in (ordered, tight)
@@ -116,8 +117,8 @@ def test_a_tighter_target_is_never_resolved_coarser(ordered, folder):
 
 
 def test_a_part_that_changes_nothing_is_left_rigid_and_told(folder):
-    result = run_case.run(PLAIN, folder / "rock.h5", [*RING, "materials.outer_ring.youngs_modulus=2070e6 GPa",
-                                                 "accuracy.target=1 %"])  # fmt: skip
+    hard = "materials.outer_ring.youngs_modulus=2070e6 GPa"
+    result = flexbearing.run(PLAIN, folder / "rock.h5", [*RING, hard, "accuracy.target=1 %"])
     assert result.attributes["choices"]["outer ring"]["level"] == "rigid"
     assert result.attributes["structure"] == {}
     assert any(note.startswith("outer ring: left rigid") for note in result.attributes["notes"])
@@ -139,7 +140,7 @@ def test_edge_stress_keeps_its_thirty_slices():
 
 def test_a_case_without_an_answer_is_told_and_solved_as_usual(folder):
     broken = ["accuracy.harmonics=900", "accuracy.target=1 %"]
-    result = run_case.run(PLAIN, folder / "broken.h5", [*RING, *broken])
+    result = flexbearing.run(PLAIN, folder / "broken.h5", [*RING, *broken])
     assert result.attributes["status"] == "not solved"
     assert any("nothing could be chosen or estimated" in note for note in result.attributes["notes"])
     assert result.attributes["error_estimate"] == {}

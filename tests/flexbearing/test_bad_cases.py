@@ -4,7 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from flexbearing.case import BadCase, read
+from flexbearing import read
+from flexbearing.case import BadCase
 
 GOOD = (Path(__file__).parents[2] / "configs" / "mao2016.toml").read_text()
 

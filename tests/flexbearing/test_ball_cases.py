@@ -9,11 +9,9 @@ import pytest
 from pytest import approx
 
 import flexbearing
-from flexbearing.case import read
+from flexbearing import read, read_result
+from flexbearing.families import FAMILIES
 from flexbearing.report import summary, text, write_figures
-from flexbearing.report.kinds import LOOKS
-from flexbearing.results import read as read_result
-from flexbearing.results.kinds import LAYOUTS
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 BALLS = sorted(
@@ -47,7 +45,7 @@ def test_every_case_that_comes_along_is_solved(run, name):
     numbers = summary(result)
     assert numbers["status"] == "converged"
     assert result.kind == numbers["kind"] == read(CONFIGS / f"{name}.toml").kind
-    assert set(result.rigid) <= set(LAYOUTS[result.kind].datasets("block"))
+    assert set(result.rigid) <= set(result.family.layout().datasets("block"))
     assert json.loads(json.dumps(numbers, allow_nan=False)) == numbers
     assert numbers["title"] in text(result)
     assert "converged: " in text(result)
@@ -208,7 +206,7 @@ def test_held_ring_reports_the_load_it_takes(run):
 def test_lines_that_do_not_exist_are_left_out_with_a_reason(run, control):
     result = run(RIVERA, f"operation.control={control}", "operation.load.radial_z=300 N")
     assert result.attributes["status"] == "converged"
-    lines = {name for name, entry in LAYOUTS[result.kind].datasets("block").items() if entry.optional}
+    lines = {name for name, entry in result.family.layout().datasets("block").items() if entry.optional}
     told = [note for note in result.attributes["notes"] if note.startswith("no pure rolling lines: ")]
     assert bool(told) is not bool(lines & result.rigid.keys())
     if told:
@@ -312,7 +310,7 @@ def test_load_beyond_small_contacts_is_bad_input(tmp_path):
 @pytest.mark.parametrize("name", ["joshi2015_fourpoint", RIVERA])
 def test_file_says_what_it_holds(run, name):
     result = run(name)
-    table = LAYOUTS[result.kind].datasets("block")
+    table = result.family.layout().datasets("block")
     with h5py.File(result.path) as file:
         assert file.attrs["kind"] == result.kind
         assert list(file) == ["rigid"]
@@ -334,19 +332,19 @@ PICTURES = {
 @pytest.mark.parametrize("name", PICTURES)
 def test_pictures_of_a_result(run, name):
     result = run(name)
-    drawn = LOOKS[result.kind].pictures(result)
+    drawn = result.family.look().pictures(result)
     assert drawn.keys() == PICTURES[name]
     assert all(result.attributes["title"] in figure.get_suptitle() for figure in drawn.values())
 
 
 def test_one_panel_for_each_loaded_contact(run):
-    (figure,) = LOOKS["four_point_ball"].pictures(run("heras2017_a3")).values()
+    (figure,) = FAMILIES["four_point_ball"].look().pictures(run("heras2017_a3")).values()
     titles = [axes.get_title() for axes in figure.axes if axes.get_title()]
     assert [title.split(":")[0] for title in titles] == [
         "diagonal 1, inner race", "diagonal 1, outer race",
         "diagonal 2, inner race", "diagonal 2, outer race",
     ]  # fmt: skip
-    (figure,) = LOOKS["four_point_ball"].pictures(run("heras2017_a1")).values()
+    (figure,) = FAMILIES["four_point_ball"].look().pictures(run("heras2017_a1")).values()
     assert sum("race" in axes.get_title() for axes in figure.axes) == 2
 
 

@@ -9,10 +9,9 @@ from pytest import approx
 
 import flexbearing
 from fem.errors import NotSolved
+from flexbearing.families import FAMILIES
 from flexbearing.report import summary, text
-from flexbearing.report.kinds import LOOKS
 from flexbearing.results import NotInLayout, ResultFile
-from flexbearing.results.kinds import LAYOUTS
 from flexbearing.rings import bolted
 
 SLEWING = Path(__file__).parents[2] / "configs" / "slewing_bolted.toml"
@@ -50,7 +49,7 @@ def test_both_blocks_carry_the_load(run):
         assert outward[..., 0].sum(1) @ np.cos(azimuth) == approx(20e3, rel=1e-9)
         assert 0.15 * along[..., 0].sum(1) @ np.cos(azimuth) == approx(-2e3, rel=1e-9)
     assert set(result.flexible) - set(result.rigid) == {"ring_yield"}
-    assert set(result.flexible) <= set(LAYOUTS[result.kind].datasets("block"))
+    assert set(result.flexible) <= set(result.family.layout().datasets("block"))
 
 
 def test_bolted_rings_soften_the_bearing_and_lower_its_largest_load(run):
@@ -129,7 +128,7 @@ def test_summary_and_page_show_both(run):
 def test_pictures_put_rigid_beside_yielding(run, tmp_path):
     from flexbearing.report.deformed import pictures
 
-    drawn = LOOKS["four_point_ball"].pictures(run())
+    drawn = FAMILIES["four_point_ball"].look().pictures(run())
     assert "rigid_and_yielding_rings" in drawn
     upper = drawn["rigid_and_yielding_rings"].axes[0]
     heights = {line.get_label(): line.get_ydata().max() for line in upper.lines}
@@ -167,7 +166,7 @@ def test_finite_elements_without_answer_leave_the_rigid_block(tmp_path, monkeypa
 
 def test_block_that_no_case_of_a_kind_has_is_refused(tmp_path):
     with (
-        ResultFile(tmp_path / "r.h5", {}, "angular_contact_ball") as file,
+        ResultFile(tmp_path / "r.h5", {}, FAMILIES["angular_contact_ball"]) as file,
         pytest.raises(NotInLayout, match="one of: rigid"),
     ):
         file.block("flexible", {})

@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from flexbearing.case import BadCase, read
+import flexbearing
+from flexbearing import read
+from flexbearing.case import BadCase
 from flexbearing.report.tables import summary
-from flexbearing.runs import run_case
 from tests.flexbearing.test_trace import FALLING
 
 PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
@@ -22,7 +23,7 @@ FREE = [
 
 
 def test_free_cage_reaches_the_summary(tmp_path):
-    result = run_case.run(PAPER, tmp_path / "r.h5", RIGID + FREE)
+    result = flexbearing.run(PAPER, tmp_path / "r.h5", RIGID + FREE)
     block = summary(result)["rigid"]
     assert block["cage_offset_um"] == approx(200, rel=0.01)  # pressed through nearly all of its clearance
     values = result.rigid
@@ -47,8 +48,8 @@ def test_cages_that_make_no_sense(settings, told):
 
 
 def test_several_equilibria_are_told(tmp_path):
-    result = run_case.run(PAPER, tmp_path / "r.h5", [*RIGID, *FALLING, "operation.radial_load=2870 N"])
+    result = flexbearing.run(PAPER, tmp_path / "r.h5", [*RIGID, *FALLING, "operation.radial_load=2870 N"])
     (note,) = [note for note in summary(result)["notes"] if "several equilibria" in note]
     assert note.count(",") >= 3  # three slips
-    alone = run_case.run(PAPER, tmp_path / "s.h5", [*RIGID, *FALLING, "operation.radial_load=20 kN"])
+    alone = flexbearing.run(PAPER, tmp_path / "s.h5", [*RIGID, *FALLING, "operation.radial_load=20 kN"])
     assert not any("several equilibria" in note for note in summary(alone)["notes"])

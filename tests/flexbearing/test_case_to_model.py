@@ -8,8 +8,9 @@ import pytest
 from pytest import approx
 
 import quasidynamic as qd
+from flexbearing import check, read
 from flexbearing.build import lubrication, roller_bearing
-from flexbearing.case import BadCase, read
+from flexbearing.case import BadCase
 from flexbearing.case.roller.life import CleanlinessName
 from flexbearing.case.roller.lubricant import (
     AdoreOilName,
@@ -19,7 +20,7 @@ from flexbearing.case.roller.lubricant import (
     ShareName,
     TractionName,
 )
-from flexbearing.runs import notes, validate
+from flexbearing.runs import notes
 from quasidynamic.contact.traction.adore import ADORE_OILS
 from quasidynamic.contact.traction.inlet_shear import LAWS
 from quasidynamic.contact.traction.mixed import FILM_SHARE_1_8, ZHOU_HOEPRICH
@@ -120,7 +121,7 @@ def test_notes_call_the_oil_of_a_data_sheet_by_its_name(sheet_case):
 
 def test_oil_of_a_data_sheet_too_hot_is_bad_input(sheet_case):
     with pytest.raises(BadCase, match=r"oil 46 at 573\.1 K is outside 273 to 473 K"):
-        validate.require_possible(read(sheet_case, {**SHEET, "lubricant.inlet_temperature": "300 degC"}))
+        check(sheet_case, {**SHEET, "lubricant.inlet_temperature": "300 degC"})
 
 
 # -- the laws --------------------------------------------------------------------------------------

@@ -8,7 +8,8 @@ from pytest import approx
 
 import fem
 import flexbearing
-from flexbearing.case import BadCase, read
+from flexbearing import read
+from flexbearing.case import BadCase
 from flexbearing.coupled.coupled import BearingPartner
 from flexbearing.coupling import RULES, Condensed, PartnerFailed, StoppingCriterion, fixed_point, newton
 from flexbearing.rings.full_solve import WholeRings

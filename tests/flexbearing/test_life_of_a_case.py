@@ -7,10 +7,11 @@ import numpy as np
 import pytest
 from pytest import approx
 
+from flexbearing import check, read
 from flexbearing.build import roller_bearing
-from flexbearing.case import BadCase, read
+from flexbearing.case import BadCase
 from flexbearing.coupled import states
-from flexbearing.runs import life, validate
+from flexbearing.runs import life
 from quasidynamic.outcome.capacity import raceway_capacity, roller_capacity
 from quasidynamic.outcome.life import RollerBody, edge_stress_factor, slice_life
 from quasidynamic.outcome.life_factors import film_factor, material_factor, reliability_factor
@@ -161,6 +162,6 @@ REFUSED = {
 @pytest.mark.parametrize(("settings", "expected"), REFUSED.values(), ids=REFUSED.keys())
 def test_factor_that_cannot_be_is_refused_before_anything_is_solved(settings, expected):
     with pytest.raises(BadCase) as problem:
-        validate.require_possible(read(PLAIN, settings))
+        check(PLAIN, settings)
     for part in expected:
         assert part in str(problem.value)

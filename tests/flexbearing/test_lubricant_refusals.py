@@ -4,7 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from flexbearing.case import BadCase, read
+from flexbearing import read
+from flexbearing.case import BadCase
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 PLAIN, FITS = CONFIGS / "nu209.toml", CONFIGS / "nu209_fits.toml"

@@ -14,9 +14,9 @@ from pytest import approx
 
 import fem.errors
 import quasidynamic as qd
-from flexbearing import cli
+from flexbearing import cli, read
 from flexbearing.cache.key import digest
-from flexbearing.case import BadCase, read
+from flexbearing.case import BadCase
 from flexbearing.coupling import PartnerFailed
 from flexbearing.progress import Logged
 from flexbearing.report.pareto import Measured, Study, cheapest, front, text

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from flexbearing.families import FAMILIES
 from flexbearing.report import convergence, deviations, polar_loads, summary, text, write_figures
 from flexbearing.report.tables import loaded_arc, loaded_rollers
 from flexbearing.results import Result
@@ -78,6 +79,7 @@ def result(**changes):
     return Result(
         **{
             "path": Path("case.h5"),
+            "family": FAMILIES["cylindrical_roller"],
             "attributes": attributes,
             "rigid": block(),
             "flexible": block(3035.0, 0.27, bending=14e-6),

@@ -5,10 +5,14 @@ import h5py
 import numpy as np
 import pytest
 
-from flexbearing.results import BadResult, NotInLayout, ResultFile, read, reference_page
+from flexbearing import read_result as read
+from flexbearing.families import FAMILIES
+from flexbearing.reference import page
+from flexbearing.results import BadResult, NotInLayout, ResultFile
 from flexbearing.results.attributes import ATTRIBUTES
 from flexbearing.results.layout import FORMAT, TABLE, datasets
 
+ROLLERS = FAMILIES["cylindrical_roller"]
 SIZE = {"Z": 5, "K": 3, "N": 7, "2": 2, "5": 5}
 PAGE = Path(__file__).parents[2] / "docs" / "reference" / "results.md"
 BEGINNING = {
@@ -46,7 +50,7 @@ def values(place, seed=1):
 
 
 def written(path, ending=ENDING, **blocks):
-    with ResultFile(path, BEGINNING) as file:
+    with ResultFile(path, BEGINNING, ROLLERS) as file:
         for number in range(1, ending["iterations"] + 1):
             file.iteration(number, values("iteration", seed=number))
         for name in ("rigid", "flexible"):
@@ -149,7 +153,7 @@ def test_plain_h5py_reads_the_root_attributes_as_texts_and_numbers(path):
 
 
 def test_interrupted_run_leaves_what_it_reached_in_the_part_file(path):
-    file = ResultFile(path, BEGINNING)
+    file = ResultFile(path, BEGINNING, ROLLERS)
 
     def interrupted():
         with file:
@@ -167,7 +171,7 @@ def test_interrupted_run_leaves_what_it_reached_in_the_part_file(path):
 
 
 def test_forgotten_finish_leaves_the_part_file(path):
-    with ResultFile(path, BEGINNING):
+    with ResultFile(path, BEGINNING, ROLLERS):
         pass
     assert [file.name for file in path.parent.iterdir()] == ["case.h5.part"]
 
@@ -179,7 +183,7 @@ def test_finished_run_leaves_only_the_final_file(path):
 
 def test_earlier_result_stays_until_the_new_one_is_complete(path):
     path.write_text("earlier")
-    with ResultFile(path, BEGINNING) as file:
+    with ResultFile(path, BEGINNING, ROLLERS) as file:
         file.iteration(1, values("iteration"))
         file.block("rigid", values("block"))
         assert path.read_text() == "earlier"
@@ -188,7 +192,7 @@ def test_earlier_result_stays_until_the_new_one_is_complete(path):
 
 
 def test_each_iteration_reaches_the_disk_at_once(path):
-    with ResultFile(path, BEGINNING) as file:
+    with ResultFile(path, BEGINNING, ROLLERS) as file:
         file.iteration(1, values("iteration"))
         copy = path.with_name("copy.h5")  # what a power failure would leave
         copy.write_bytes(file.part.read_bytes())
@@ -204,7 +208,7 @@ def test_directory_of_the_result_is_made(path):
 @pytest.mark.parametrize("name", ["case.h5.part", ""], ids=["part", "directory"])
 def test_impossible_names_are_refused_before_the_run(tmp_path, name):
     with pytest.raises(NotInLayout, match=r"unfinished runs|is a directory"):
-        ResultFile(tmp_path / name, BEGINNING)
+        ResultFile(tmp_path / name, BEGINNING, ROLLERS)
 
 
 # -- only what stands in the table ---------------------------------------------------------------
@@ -226,7 +230,7 @@ def test_impossible_names_are_refused_before_the_run(tmp_path, name):
     ids=["misspelt", "of iterations", "rollers", "transposed", "pair", "scalar", "lost axis", "nan", "inf"],
 )
 def test_block_refuses_what_the_table_does_not_hold(path, change, words):
-    with ResultFile(path, BEGINNING) as file:
+    with ResultFile(path, BEGINNING, ROLLERS) as file:
         with pytest.raises(NotInLayout, match=words):
             file.block("rigid", values("block") | change)
         file.block("rigid", values("block"))  # nothing was written by halves
@@ -236,7 +240,7 @@ def test_missing_datasets_are_named(path):
     incomplete = values("block")
     del incomplete["roller_tilt"], incomplete["life_L10"]
     with (
-        ResultFile(path, BEGINNING) as file,
+        ResultFile(path, BEGINNING, ROLLERS) as file,
         pytest.raises(NotInLayout, match="roller_tilt, life_L10 missing"),
     ):
         file.block("flexible", incomplete)
@@ -259,7 +263,7 @@ def test_only_the_compliance_may_be_infinite_in_a_solution(path):
     result = read(written(path, rigid=values("block") | {"compliance_matrix": compliance}))
     assert result.rigid["compliance_matrix"][0, 0] == np.inf
     with (
-        ResultFile(path, BEGINNING) as file,
+        ResultFile(path, BEGINNING, ROLLERS) as file,
         pytest.raises(NotInLayout, match="compliance_matrix holds 1 of 25"),
     ):
         file.block("rigid", values("block") | {"compliance_matrix": np.where(compliance > 1, np.nan, 0.0)})
@@ -270,7 +274,7 @@ def test_sizes_hold_for_the_whole_file(path):
         name: np.zeros([SIZE[axis] + (axis == "K") for axis in entry.shape])
         for name, entry in datasets("block").items()
     }
-    with ResultFile(path, BEGINNING) as file:
+    with ResultFile(path, BEGINNING, ROLLERS) as file:
         file.iteration(1, values("iteration"))
         with pytest.raises(NotInLayout, match="with Z = 5, K = 3"):
             file.block("rigid", one_more)
@@ -278,14 +282,14 @@ def test_sizes_hold_for_the_whole_file(path):
 
 def test_iterations_come_without_gaps(path):
     with (
-        ResultFile(path, BEGINNING) as file,
+        ResultFile(path, BEGINNING, ROLLERS) as file,
         pytest.raises(NotInLayout, match="iteration 2 after iteration 0"),
     ):
         file.iteration(2, values("iteration"))
 
 
 def test_a_block_is_written_once(path):
-    with ResultFile(path, BEGINNING) as file:
+    with ResultFile(path, BEGINNING, ROLLERS) as file:
         file.block("rigid", values("block"))
         with pytest.raises(NotInLayout, match="rigid was written before"):
             file.block("rigid", values("block"))
@@ -293,7 +297,7 @@ def test_a_block_is_written_once(path):
 
 def test_diverged_iterations_and_blocks_are_kept_as_they_are(path):
     lost = values("block") | {"inner_load": np.full(5, np.nan)}
-    with ResultFile(path, BEGINNING) as file:
+    with ResultFile(path, BEGINNING, ROLLERS) as file:
         file.iteration(1, values("iteration") | {"residual": np.inf})
         file.block("rigid", values("block"))
         file.block("flexible", lost, converged=False)
@@ -304,7 +308,7 @@ def test_diverged_iterations_and_blocks_are_kept_as_they_are(path):
 
 
 def test_a_run_that_never_solved_has_empty_blocks(path):
-    with ResultFile(path, BEGINNING) as file:
+    with ResultFile(path, BEGINNING, ROLLERS) as file:
         file.finish(**ENDING | {"iterations": 0, "status": "not solved"})
     assert dict(read(path).rigid) == dict(read(path).flexible) == {}
 
@@ -323,18 +327,21 @@ def test_a_run_that_never_solved_has_empty_blocks(path):
     ids=["misspelt", "status", "count", "list", "nan", "json text", "nan in json"],
 )
 def test_ending_refuses_untrue_and_unknown_attributes(path, change, words):
-    with ResultFile(path, BEGINNING) as file, pytest.raises(NotInLayout, match=words):
+    with ResultFile(path, BEGINNING, ROLLERS) as file, pytest.raises(NotInLayout, match=words):
         file.finish(**ENDING | {"status": "not solved", "iterations": 0} | change)
     assert not path.exists()
 
 
 def test_missing_attributes_are_named(path):
-    with ResultFile(path, {"title": "x"}) as file, pytest.raises(NotInLayout, match=r"case_text.*missing"):
+    with (
+        ResultFile(path, {"title": "x"}, ROLLERS) as file,
+        pytest.raises(NotInLayout, match=r"case_text.*missing"),
+    ):
         file.finish(**ENDING)
 
 
 def test_a_finished_file_takes_nothing_more(path):
-    with ResultFile(path, BEGINNING) as file:
+    with ResultFile(path, BEGINNING, ROLLERS) as file:
         file.finish(**ENDING | {"iterations": 0, "status": "not solved"})
         with pytest.raises(NotInLayout, match="not open"):
             file.block("rigid", values("block"))
@@ -344,7 +351,7 @@ def test_a_finished_file_takes_nothing_more(path):
 
 
 def test_part_file_is_not_a_result(path):
-    with ResultFile(path, BEGINNING) as file:
+    with ResultFile(path, BEGINNING, ROLLERS) as file:
         file.iteration(1, values("iteration"))
     with pytest.raises(BadResult, match=r"case\.h5\.part: the run has not finished"):
         read(f"{path}.part")
@@ -403,5 +410,4 @@ def test_result_with_a_lost_dataset_is_refused(path, lost):
 
 
 def test_reference_page_is_the_table():
-    how = "from flexbearing.results import reference_page; reference_page() is the text of this page"
-    assert PAGE.read_text(encoding="utf-8") == reference_page(), how
+    assert PAGE.read_text(encoding="utf-8") == page("results"), "run make docs"

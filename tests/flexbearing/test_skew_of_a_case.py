@@ -8,8 +8,9 @@ import pytest
 from pytest import approx
 
 import flexbearing
+from flexbearing import read
 from flexbearing.build import roller_bearing
-from flexbearing.case import BadCase, read
+from flexbearing.case import BadCase
 from flexbearing.report import summary, text
 from flexbearing.runs import skew
 

@@ -6,11 +6,13 @@ import numpy as np
 import pytest
 from pytest import approx
 
+import flexbearing
+from flexbearing import read
 from flexbearing.build import expansion, ring_parts
-from flexbearing.case import BadCase, read
+from flexbearing.case import BadCase
 from flexbearing.rings.condensed import wishes
 from flexbearing.rings.fitted import FittedRings, fit_of, variations
-from flexbearing.runs import fields, run_case
+from flexbearing.runs import fields
 
 PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
 RING = ["inner.kind=rigid", "outer.kind=ring", "accuracy.element_order=3"]
@@ -41,7 +43,7 @@ def with_support(name):
 
 @pytest.mark.parametrize("name", SUPPORTS)
 def test_every_support_is_computed(name, tmp_path):
-    result = run_case.run(PAPER, tmp_path / "r.h5", with_support(name))
+    result = flexbearing.run(PAPER, tmp_path / "r.h5", with_support(name))
     assert result.attributes["status"] == "converged"
     assert np.abs(result.flexible["outer_deviation"]).max() > 1e-7
     carried = result.flexible["inner_load"] @ np.cos(result.flexible["roller_azimuth"])
@@ -50,7 +52,7 @@ def test_every_support_is_computed(name, tmp_path):
 
 def test_tooth_forces_bend_a_planet_before_rollers_do(tmp_path):
     """The rim ovalises: it opens between the teeth, which spreads the load over more rollers."""
-    result = run_case.run(PAPER, tmp_path / "r.h5", with_support("planet"))
+    result = flexbearing.run(PAPER, tmp_path / "r.h5", with_support("planet"))
     assert (result.flexible["inner_load"] > 1).sum() > (result.rigid["inner_load"] > 1).sum()
     assert result.attributes["structure"]["outer"]["support_stiffness_N_per_m"] is None
 
@@ -75,11 +77,11 @@ def test_supports_that_hold_nothing_are_refused(settings, told):
 def test_ring_that_can_roll_between_two_lines_is_refused_before_it_is_solved(tmp_path):
     lines = ["outer.support=lines", 'outer.line_azimuths=["0 deg", "180 deg"]']
     with pytest.raises(BadCase, match="can still move along"):
-        run_case.run(PAPER, tmp_path / "r.h5", [*RING, *lines])
+        flexbearing.run(PAPER, tmp_path / "r.h5", [*RING, *lines])
 
 
 def test_ring_with_clearance_in_its_housing_touches_it_below_the_load(tmp_path):
-    result = run_case.run(PAPER, tmp_path / "r.h5", [*HOUSED, "outer.housing_clearance=60 um"])
+    result = flexbearing.run(PAPER, tmp_path / "r.h5", [*HOUSED, "outer.housing_clearance=60 um"])
     assert result.attributes["status"] == "converged"
     told = result.attributes["structure"]["outer"]["housing"]
     assert 60 < told["touching_angle_deg"] < 120
@@ -101,7 +103,7 @@ def test_ring_with_clearance_in_its_housing_touches_it_below_the_load(tmp_path):
 )
 def test_ring_that_no_load_holds_in_its_housing_is_refused(settings, told, tmp_path):
     with pytest.raises(BadCase, match=told):
-        run_case.run(PAPER, tmp_path / "r.h5", [*HOUSED, *settings])
+        flexbearing.run(PAPER, tmp_path / "r.h5", [*HOUSED, *settings])
 
 
 def test_clearance_needs_the_temperature_of_the_housing():
@@ -161,19 +163,19 @@ def test_temperatures_along_the_axis_that_nothing_follows_are_refused(settings, 
 def test_temperatures_that_end_inside_the_shaft_are_refused(tmp_path):
     short = ['operation.temperatures.shaft_along.at=["-10 mm", "10 mm"]', along("shaft", 225, 235)[1]]
     with pytest.raises(BadCase, match="covers the body"):
-        run_case.run(PAPER, tmp_path / "r.h5", [*FITTED, *short])
+        flexbearing.run(PAPER, tmp_path / "r.h5", [*FITTED, *short])
 
 
 @pytest.mark.slow
 def test_inner_ring_in_its_fit_yields_more_than_a_bonded_one(tmp_path):
     loads = {}
     for fit in ("bonded", "friction", "frictionless"):
-        result = run_case.run(PAPER, tmp_path / f"{fit}.h5", ["outer.kind=rigid", f"inner.fit={fit}"])
+        result = flexbearing.run(PAPER, tmp_path / f"{fit}.h5", ["outer.kind=rigid", f"inner.fit={fit}"])
         assert result.attributes["status"] == "converged"
         loads[fit] = result.flexible
     stiffness = {fit: float(block["total_stiffness"]) for fit, block in loads.items()}
     assert stiffness["bonded"] > stiffness["friction"] > stiffness["frictionless"]
-    stuck = run_case.run(
+    stuck = flexbearing.run(
         PAPER, tmp_path / "stuck.h5",
         ["outer.kind=rigid", "inner.fit=friction", "inner.fit_friction=10", "inner.interference=40 um"],
     )  # fmt: skip

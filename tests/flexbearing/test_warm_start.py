@@ -14,7 +14,7 @@ import flexbearing
 from flexbearing.case import BadCase
 from flexbearing.cli import app
 from flexbearing.coupled.initial_state import unknowns
-from flexbearing.results import BadResult, read
+from flexbearing.results import BadResult
 
 PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
 BALLS = PAPER.with_name("joshi2015_fag.toml")
@@ -160,7 +160,7 @@ def test_only_converged_runs_of_rollers_are_starts(other, tmp_path):
     stopped = flexbearing.run(PAPER, tmp_path / "stopped.h5", [*NEAR, "coupling.max_iterations=1"])
     with pytest.raises(BadCase, match=r"stopped.h5: it did not converge \(iteration limit\)"):
         flexbearing.run(PAPER, tmp_path / "out.h5", HERE, start=stopped)
-    with pytest.raises(BadCase, match="only roller bearings start from another case"):
+    with pytest.raises(BadCase, match="starts from no other result"):
         flexbearing.run(BALLS, tmp_path / "out.h5", start=other)
     with pytest.raises(BadResult, match="no such file"):
         flexbearing.run(PAPER, tmp_path / "out.h5", HERE, start=tmp_path / "none.h5")
@@ -170,4 +170,4 @@ def test_command_line_takes_a_start(other, tmp_path):
     words = ["run", str(PAPER), "-o", str(tmp_path / "out.h5"), "--start", str(other.path), "--quiet"]
     settings = [word for setting in HERE for word in ("--set", setting)]
     assert CliRunner().invoke(app, [*words, *settings]).exit_code == 0
-    assert read(tmp_path / "out.h5").attributes["started_from"] == str(other.path)
+    assert flexbearing.read_result(tmp_path / "out.h5").attributes["started_from"] == str(other.path)

@@ -6,7 +6,7 @@ from typing import Literal, Self
 from pydantic import model_validator
 
 from flexbearing.case.balls.parts import BallBearing, Elastic, Groove, HeavyElastic, RingLoad
-from flexbearing.case.head import Head
+from flexbearing.case.head import KIND, Head
 from flexbearing.case.quantity import Angle, Length, Section, Speed, impossible, key, require
 
 RIGHT_ANGLE = pi / 2  # [rad]
@@ -138,6 +138,7 @@ class RollingLines(Section):
 class AngularCase(Head):
     """A fast angular-contact ball bearing."""
 
+    kind: Literal["angular_contact_ball"] = key(KIND)
     bearing: AngularBearing = key("the bearing")
     materials: FastMaterials = key("the materials")
     operation: FastOperation = key("load and speed")

@@ -7,7 +7,7 @@ from pydantic import model_validator
 
 from flexbearing.case.balls import bolted_rings
 from flexbearing.case.balls.parts import BallBearing, Elastic, Number, RingLoad, Whole
-from flexbearing.case.head import Head
+from flexbearing.case.head import KIND, Head
 from flexbearing.case.quantity import (
     Angle,
     Force,
@@ -152,6 +152,7 @@ class Fields(Section):
 class FourPointCase(Head):
     """A slow ball bearing of two or four contact points."""
 
+    kind: Literal["four_point_ball"] = key(KIND)
     bearing: FourPointBearing = key("the bearing")
     materials: SlowMaterials = key("the materials")
     friction: SlowFriction = key("friction of the contacts")

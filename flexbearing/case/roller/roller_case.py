@@ -1,12 +1,12 @@
 """A cylindrical roller bearing between its rings, as a case."""
 
 from collections.abc import Callable
-from typing import Self
+from typing import Literal, Self
 
 from pydantic import model_validator
 from pydantic_core import PydanticCustomError
 
-from flexbearing.case.head import Head
+from flexbearing.case.head import KIND, Head
 from flexbearing.case.quantity import impossible, key, needed
 from flexbearing.case.roller.bearing import Bearing
 from flexbearing.case.roller.full_solids import require_solids
@@ -22,6 +22,7 @@ from flexbearing.case.roller.surroundings import Materials, Operation
 class Case(Head):
     """A cylindrical roller bearing."""
 
+    kind: Literal["cylindrical_roller"] = key(KIND, "cylindrical_roller")
     bearing: Bearing = key("the bearing")
     materials: Materials = key("the materials")
     lubricant: Lubricant = key("the oil")

@@ -1,52 +1,22 @@
-"""What is shown of a result, by the kind of bearing."""
+"""Summary, text and pictures of a result, by the record of its family."""
 
-from __future__ import annotations
-
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from io import StringIO
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from rich.console import Console, Group, RenderableType
+from rich.console import Console, Group
 
-from flexbearing.report import (
-    angular_figures,
-    angular_tables,
-    ball_page,
-    figures,
-    four_point_figures,
-    four_point_tables,
-    page,
-    tables,
-)
+from flexbearing.report.look import Look
 from flexbearing.results import Result
 
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
-
-@dataclass(frozen=True)
-class Look:
-    """How results of one kind are shown."""
-
-    summary: Callable[[Result], dict[str, Any]]
-    page: Callable[[dict[str, Any]], Iterator[RenderableType]]  # of the summary
-    pictures: Callable[[Result], dict[str, Figure]]  # by the names of their files
-
-
-LOOKS = {
-    "cylindrical_roller": Look(tables.summary, page.page, figures.pictures),
-    "four_point_ball": Look(
-        four_point_tables.summary, ball_page.four_point_page, four_point_figures.pictures
-    ),
-    "angular_contact_ball": Look(angular_tables.summary, ball_page.angular_page, angular_figures.pictures),
-}
+def _look(result: Result) -> Look:
+    return result.family.look()
 
 
 def summary(result: Result) -> dict[str, Any]:
     """Numbers of a run as one object that JSON can hold; a name carries its unit."""
-    return LOOKS[result.kind].summary(result)
+    return _look(result).summary(result)
 
 
 def text(result: Result, console: Console | None = None) -> str:
@@ -65,7 +35,7 @@ def text(result: Result, console: Console | None = None) -> str:
         tables, the assumed and calibrated keys, the notes, and how the run ended; nothing is printed
     """
     console = console or Console(width=80, file=StringIO(), force_terminal=False, color_system=None)
-    look = LOOKS[result.kind]
+    look = _look(result)
     with console.capture() as capture:
         console.print(Group(*look.page(look.summary(result))))
     return "\n".join(line.rstrip() for line in capture.get().splitlines()) + "\n"
@@ -89,7 +59,7 @@ def write_figures(result: Result, directory: str | Path) -> list[Path]:
     directory = Path(directory)
     directory.mkdir(parents=True, exist_ok=True)
     paths = []
-    for name, figure in LOOKS[result.kind].pictures(result).items():
+    for name, figure in _look(result).pictures(result).items():
         paths.append(directory / f"{name}.png")
         figure.savefig(paths[-1], dpi=150)
     return paths

@@ -1,0 +1,168 @@
+"""What Python programs call: read, check, run, summary.
+
+Every function binds the registered bearing families to a room below; what a call does not need is not loaded.
+"""
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from flexbearing.progress import Report
+    from flexbearing.results import Result
+
+Overrides = Sequence[str] | Mapping[str, object]
+
+
+def read(case: str | Path, overrides: Overrides = ()) -> Any:
+    """Read a case file into SI units.
+
+    Parameters
+    ----------
+    case : path
+        TOML file
+    overrides : sequence of str or mapping
+        settings that replace or add keys: "bearing.clearance=50 um", or {"bearing.clearance": "50 um"}
+
+    Returns
+    -------
+    flexbearing.case.Head
+        the case model of its family
+
+    Raises
+    ------
+    BadCase
+        one line for each problem: file, key, value found, what is allowed, nearest valid name
+    """
+    from flexbearing.case import read as read_case
+    from flexbearing.families import FAMILIES
+
+    return read_case(case, overrides, FAMILIES)
+
+
+def check(case: str | Path, overrides: Overrides = ()) -> Any:
+    """Read a case and build everything that needs no mesh.
+
+    Parameters
+    ----------
+    case : path
+        case file
+    overrides : sequence of str or mapping
+        as for `read`
+
+    Returns
+    -------
+    flexbearing.case.Head
+        the case, when it can be computed
+
+    Raises
+    ------
+    BadCase
+        where the file is wrong, or physics or geometry forbid the case
+    """
+    from flexbearing.families import FAMILIES
+    from flexbearing.runs.validate import require_possible
+
+    wanted = read(case, overrides)
+    require_possible(wanted, FAMILIES[wanted.kind])
+    return wanted
+
+
+def run(
+    case: str | Path,
+    output: str | Path | None = None,
+    overrides: Overrides = (),
+    *,
+    report: "Report | None" = None,
+    start: "str | Path | Result | None" = None,
+) -> "Result":
+    """Compute a case file and store its result.
+
+    Parameters
+    ----------
+    case : path
+        case file
+    output : path, optional
+        result file, written as `<output>.part` until complete; default `results/<case>.h5`
+    overrides : sequence of str or mapping
+        as for `read`
+    report : Report, optional
+        hears of stages and iterations; default is the log
+    start : path or Result, optional
+        of a neighbouring case, at whose flexible end state newton begins; by default between rigid raceways
+
+    Returns
+    -------
+    Result
+        also when the iteration did not converge: `result.attributes["status"]` says so
+
+    Raises
+    ------
+    BadCase
+        when the case cannot be computed as it stands, or cannot start there
+    BadResult
+        when there is no complete result to start from
+
+    >>> result = run("case.toml")                                    # doctest: +SKIP
+    >>> result.flexible["inner_load"].max()                          # doctest: +SKIP
+    """
+    from flexbearing.families import FAMILIES
+    from flexbearing.runs.run_case import run_case
+
+    wanted = read(case, overrides)
+    near = read_result(start) if isinstance(start, str | Path) else start
+    return run_case(wanted, FAMILIES[wanted.kind], output, report, near)
+
+
+def read_result(path: str | Path) -> "Result":
+    """Read a complete result file.
+
+    Parameters
+    ----------
+    path : path
+        as `run` wrote it
+
+    Returns
+    -------
+    Result
+
+    Raises
+    ------
+    BadResult
+        naming the file and what to do, when it is missing, unfinished, damaged or of another format
+    """
+    from flexbearing.families import FAMILIES
+    from flexbearing.results import read as read_file
+
+    return read_file(path, FAMILIES)
+
+
+def summary(result: "Result") -> dict[str, Any]:
+    """Return the numbers of a run as one object that JSON can hold; a name carries its unit."""
+    from flexbearing.report import summary as numbers
+
+    return numbers(result)
+
+
+def explain(key: str | None = None) -> str:
+    """Explain a key of the case file, a table, or all of them.
+
+    Parameters
+    ----------
+    key : str, optional
+        dotted; without it every key is listed
+
+    Returns
+    -------
+    str
+        lines of text
+
+    Raises
+    ------
+    BadCase
+        for an unknown key, naming the nearest one
+    """
+    from flexbearing.case import explain as explained
+    from flexbearing.families import FAMILIES
+
+    return explained(key, FAMILIES)

@@ -1,0 +1,41 @@
+"""What differs from one bearing family to the next, as one record that case, runs and report receive."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from importlib import import_module
+from typing import Any
+
+from flexbearing.case.head import Head
+
+
+def entry(place: str) -> Callable[[], Any]:
+    """Return a function that imports an object when it is called.
+
+    Parameters
+    ----------
+    place : str
+        module and name, "flexbearing.case.roller:Case"
+    """
+
+    def imported() -> Any:
+        module, _, name = place.partition(":")
+        return getattr(import_module(module), name)
+
+    return imported
+
+
+@dataclass(frozen=True, kw_only=True)
+class Family:
+    """A bearing family; its entries are functions without arguments: unused families are not loaded."""
+
+    kind: str  # as the first key of a case file names it
+    case: Callable[[], type[Head]]  # model of the case file
+    build: Callable[[], Callable[[Any], object]]  # all that needs no mesh
+    opening: Callable[[], Callable[[Any], dict[str, Any]]]  # root attributes known before anything is solved
+    solve: Callable[[], Callable[..., dict[str, Any]]]  # case, result file, progress report: the ending
+    layout: Callable[[], Any]  # a `flexbearing.results.layout.Layout`
+    look: Callable[[], Any]  # a `flexbearing.report.look.Look`
+    initial_state: Callable[[], Callable[..., Any]] | None = None  # from another result; None: it has no such
+
+
+Families = Mapping[str, Family]  # by kind; the first is that of a file which names none

@@ -1,0 +1,125 @@
+"""A bearing family is one record: a toy, registered in one line, is read, checked, run and shown."""
+
+import json
+import sys
+from typing import Literal
+
+import numpy as np
+import pytest
+from rich.text import Text
+
+import flexbearing
+from flexbearing.case import BadCase
+from flexbearing.case.family import Family
+from flexbearing.case.head import KIND, Head
+from flexbearing.case.quantity import Force, Length, Section, key
+from flexbearing.cli import main
+from flexbearing.families import FAMILIES
+from flexbearing.report import text, write_figures
+from flexbearing.report.look import Look
+from flexbearing.results.layout import Dataset, Layout
+from quasidynamic import ImpossiblePart
+
+
+class Bushing(Section):
+    """The bushing."""
+
+    diameter: Length = key("bore", gt=0)
+    width: Length = key("axial width", gt=0)
+
+
+class ToyCase(Head):
+    """A plain bushing under a load."""
+
+    kind: Literal["bushing"] = key(KIND)
+    bushing: Bushing = key("the bushing")
+    load: Force = key("radial load", ge=0)
+
+
+def build(case):
+    if case.bushing.width > 10 * case.bushing.diameter:
+        raise ImpossiblePart("a bushing this long is a pipe")
+
+
+def solve(case, file, report):
+    report.stage("the bushing", None)
+    file.block("rigid", {"pressure": case.load / (case.bushing.diameter * case.bushing.width)})
+    return {
+        "status": "converged",
+        "ending": "converged",
+        "message": "one division",
+        "iterations": 0,
+        "notes": [],
+    }
+
+
+def summary(result):
+    return {"kind": result.kind, "pressure_MPa": 1e-6 * float(result.rigid["pressure"])}
+
+
+TOY = Family(
+    kind="bushing",
+    case=lambda: ToyCase,
+    build=lambda: build,
+    opening=lambda: lambda case: {},
+    solve=lambda: solve,
+    layout=lambda: Layout(
+        (Dataset("pressure", "", "Pa", "block", "load over projected area"),), ("rigid",), "No axes.\n"
+    ),
+    look=lambda: Look(
+        summary, lambda numbers: iter([Text(f"{numbers['pressure_MPa']:g} MPa")]), lambda result: {}
+    ),
+)
+FILE = """
+kind = "bushing"
+title = "a toy"
+load = "2 kN"
+
+[bushing]
+diameter = "20 mm"
+width = "10 mm"
+"""
+
+
+@pytest.fixture
+def file(tmp_path, monkeypatch):
+    monkeypatch.setitem(FAMILIES, TOY.kind, TOY)  # the registry line
+    monkeypatch.chdir(tmp_path)
+    path = tmp_path / "toy.toml"
+    path.write_text(FILE)
+    return path
+
+
+def test_new_family_is_read_checked_run_and_shown(file):
+    assert flexbearing.read(file, ["load=3 kN"]).load == 3000.0
+    assert flexbearing.check(file).bushing.width == 0.01
+    result = flexbearing.run(file)
+    assert result.attributes["status"] == "converged"
+    assert flexbearing.read_result(result.path).rigid["pressure"] == pytest.approx(1e7, rel=1e-15)
+    assert flexbearing.summary(result) == {"kind": "bushing", "pressure_MPa": pytest.approx(10.0, rel=1e-12)}
+    assert text(result) == "10 MPa\n"
+    assert write_figures(result, file.parent) == []
+
+
+def test_new_family_is_explained_and_named_where_keys_are_refused(file):
+    assert "bore" in flexbearing.explain("bushing.diameter")
+    assert '"bushing"' in flexbearing.explain("kind")
+    with pytest.raises(BadCase, match=r"Did you mean width"):
+        flexbearing.read(file, ["bushing.widht=1 mm"])
+    with pytest.raises(BadCase, match='belongs to kind = "cylindrical_roller"'):
+        flexbearing.read(file, ["bearing.rollers=5"])
+    with pytest.raises(BadCase, match="is a pipe"):
+        flexbearing.check(file, ["bushing.width=1 m"])
+    with pytest.raises(BadCase, match="starts from no other result"):
+        flexbearing.run(file, start=flexbearing.run(file))
+
+
+def test_command_line_knows_a_new_family(file, capsys, monkeypatch):
+    for words in (["check", file], ["run", file, "-o", "out.h5"], ["summary", "--json", "out.h5"]):
+        monkeypatch.setattr(sys, "argv", ["flexbearing", *map(str, words)])
+        with pytest.raises(SystemExit) as end:
+            main()
+        assert end.value.code == 0
+    assert json.loads(capsys.readouterr().out.partition("results: out.h5")[2])[
+        "pressure_MPa"
+    ] == pytest.approx(np.float64(10.0), rel=1e-12)
