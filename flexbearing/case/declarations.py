@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from types import NoneType, UnionType
 from typing import Annotated, Any, Literal, get_args, get_origin
@@ -11,6 +11,7 @@ from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
 from flexbearing.case.family import Families
+from flexbearing.case.head import Head
 from flexbearing.case.quantity import Kind, Section
 
 _LIMITS = {"gt": "above", "ge": "at least", "lt": "below", "le": "at most"}
@@ -140,8 +141,15 @@ def toml(value: Any) -> str:
 
 def declarations(families: Families) -> Iterator[Declaration]:
     """Every key and table of every kind of case; those that several kinds have come several times."""
+    yield from of_every_case(families)
     for family in families.values():
-        yield from declared(family.case())
+        yield from (item for item in declared(family.case()) if item.path not in Head.model_fields)
+
+
+def of_every_case(families: Families) -> Iterator[Declaration]:
+    """Keys of every case; `kind` names the families."""
+    for item in declared(Head):
+        yield replace(item, names=tuple(families)) if item.path == "kind" else item
 
 
 def declared(model: type[Section], prefix: str = "", table: str = "") -> Iterator[Declaration]:

@@ -1,10 +1,8 @@
 """Keys of the case file, explained from their declarations."""
 
-from collections.abc import Iterator
-from dataclasses import replace
 from difflib import get_close_matches
 
-from flexbearing.case.declarations import Declaration, declarations, declared, find
+from flexbearing.case.declarations import Declaration, declarations, declared, find, of_every_case
 from flexbearing.case.family import Families
 from flexbearing.case.head import Head
 from flexbearing.case.problems import BadCase
@@ -33,7 +31,7 @@ def explain(path: str | None, families: Families) -> str:
     """
     if path is None:
         return "\n\n".join(f"{title}\n{_lines(items)}" for title, items in _chapters(families))
-    for item in _of_every_case(families):
+    for item in of_every_case(families):
         if item.path == path:
             return _explained(item, Head)
     texts: dict[str, list[str]] = {}  # explanation to the kinds that share it
@@ -56,22 +54,14 @@ def reference_page(families: Families) -> str:
 
 def _chapters(families: Families) -> list[tuple[str, list[Declaration]]]:
     """Keys of every case, then those of each kind."""
-    head = list(Head.model_fields)
-    chapters = [("every case", list(_of_every_case(families)))]
+    chapters = [("every case", list(of_every_case(families)))]
     default = next(iter(families))
     for kind, family in families.items():
         title = f'kind = "{kind}"' + (", when kind is left out" if kind == default else "")
-        chapters.append((title, [item for item in declared(family.case()) if item.path not in head]))
+        chapters.append(
+            (title, [item for item in declared(family.case()) if item.path not in Head.model_fields])
+        )
     return chapters
-
-
-def _of_every_case(families: Families) -> Iterator[Declaration]:
-    """Keys of every case; `kind` names the families."""
-    for item in declared(Head):
-        if item.path == "kind":
-            yield replace(item, names=tuple(families))
-        else:
-            yield item
 
 
 def _rows(item: Declaration) -> list[str]:
