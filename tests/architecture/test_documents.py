@@ -1,0 +1,45 @@
+"""Documents name modules, commands and benchmarks that exist."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
+PACKAGES = ("quasidynamic", "fem", "flexbearing")
+SOURCES = {path.relative_to(ROOT).as_posix() for path in ROOT.glob("*/**/*.py")}
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_modules_and_benchmarks_of_a_page_exist(page):
+    text = page.read_text()
+    files = re.findall(r"`((?:\w+/)*\w+\.py)`", text)
+    benchmarks = [f"benchmarks/{name}.py" for name in re.findall(r"python -m benchmarks\.(\w+)", text)]
+    missing = [
+        name
+        for name in files + benchmarks
+        if not any(f"/{source}".endswith(f"/{name}") for source in SOURCES)
+    ]
+    assert not missing
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_dotted_names_of_a_page_can_be_found(page):
+    for name in re.findall(rf"`((?:{'|'.join(PACKAGES)})(?:\.\w+)+)`", page.read_text()):
+        parts = name.split(".")
+        while parts and not any(
+            (ROOT / path).exists() for path in (Path(*parts), Path(*parts).with_suffix(".py"))
+        ):
+            parts.pop()
+        assert len(parts) > 1 or hasattr(__import__(name.split(".")[0]), name.split(".")[1]), name
+
+
+def test_every_benchmark_is_named_in_a_document():
+    text = "".join(page.read_text() for page in PAGES)
+    runnable = [
+        path.stem
+        for path in (ROOT / "benchmarks").glob("*.py")
+        if '__name__ == "__main__"' in path.read_text()
+    ]
+    assert [name for name in runnable if f"benchmarks.{name}" not in text] == []
