@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from benchmarks.angular_contact import drawn_sliding, unbalanced
 from quasidynamic.angular_contact import AngularContactBallBearing
 from quasidynamic.balance.balls.angular_contact import AngularBalance, race_contacts
 from quasidynamic.balance.balls.race_control import LoadedContacts
@@ -20,6 +19,7 @@ from quasidynamic.solve.balls.ball_equilibrium import balance_balls
 from quasidynamic.solve.balls.coulomb_control import NOISE, CoulombControl
 from quasidynamic.solve.balls.ring_on_balls import _at, start
 from quasidynamic.solve.balls.sliding_motion import sliding_motion
+from tests.random_balls import drawn_sliding, unbalanced
 
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
 BEARING = AngularContactBearing(

@@ -13,13 +13,13 @@ import numpy as np
 from hypothesis import assume, example, given, settings, strategies as st
 from pytest import approx
 
-from benchmarks.random_designs import design, imbalance
 from quasidynamic import NotSolved, SolverOutcome
 from quasidynamic.balance.rollers.roller import STANDSTILL
 from quasidynamic.solve.rollers import bordered_system
 from quasidynamic.static import static_loads
 from tests.bearings import RPM
 from tests.quasidynamic.test_identities import torque_on_rollers_and_cage
+from tests.random_rollers import design, imbalance
 
 SEEDS, INERTIA = st.integers(0, 9999), st.booleans()
 FEW = settings(max_examples=20, deadline=None)

@@ -1,0 +1,77 @@
+"""Random angular-contact bearings, and a check of their forces that the solver does not use."""
+
+import numpy as np
+
+from quasidynamic.angular_contact import AngularContactBallBearing as Model
+from quasidynamic.outcome.angular_contact_state import AngularContactState
+from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
+from quasidynamic.parts.ball import Ball, Groove
+from quasidynamic.parts.material import Material
+
+RPM = np.pi / 30
+STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800.0)
+CERAMIC = Material(youngs_modulus=310e9, poisson_ratio=0.26, density=3200.0)
+
+
+def unbalanced(state: AngularContactState) -> float:
+    """Force left on ring or balls over the largest force, from the contact forces anew."""
+    load, traction = state.loads, state.tractions
+    axial = load * np.sin(state.contact_angles) + traction * np.cos(state.contact_angles)
+    radial = load * np.cos(state.contact_angles) - traction * np.sin(state.contact_angles)
+    ball = np.abs([axial[0] - axial[1], radial[0] - radial[1] + state.centrifugal_force])
+    azimuth, own = state.bearing.azimuths, state.bearing
+    lever = own.inner.conformity * own.ball.diameter / own.inner_groove_radius
+    moment = axial[0] - lever * traction[0]
+    arms = [axial[0], radial[0] * np.sin(azimuth), radial[0] * np.cos(azimuth)]
+    arms += [moment * np.cos(azimuth), -moment * np.sin(azimuth)]
+    scale = np.array([1.0, 1.0, 1.0, own.inner_groove_radius, own.inner_groove_radius])
+    free = [place is None for place in state.operation.displacement]
+    ring = np.abs(np.sum(arms, axis=1) - np.array(state.operation.load) / scale)[free]
+    largest = max(load.max(), np.abs(state.operation.load / scale).max())
+    return float(max(ball.max(), ring.max(initial=0.0)) / largest)
+
+
+def drawn_sliding(seed: int) -> tuple[Model, RingOperation]:
+    """The same bearing, its balls moved by Coulomb friction of 0.03 to 0.12."""
+    model, operation = drawn(seed)
+    friction = np.exp(np.random.default_rng([seed, 1]).uniform(np.log(0.03), np.log(0.12)))
+    return Model(bearing=model.bearing, control="coulomb", friction=float(friction)), operation
+
+
+def drawn(seed: int) -> tuple[Model, RingOperation]:
+    random = np.random.default_rng(seed)
+    balls_of = STEEL if random.random() < 0.7 else CERAMIC
+    diameter, ratio = np.exp(random.uniform(np.log(3e-3), np.log(40e-3))), random.uniform(0.08, 0.3)
+    pitch = diameter / ratio
+    most = int(np.pi / np.arcsin(ratio) * 0.98)
+    bearing = AngularContactBearing(
+        ball=Ball(diameter=diameter, material=balls_of),
+        inner=Groove(conformity=random.uniform(0.505, 0.55), material=STEEL),
+        outer=Groove(conformity=random.uniform(0.505, 0.55), material=STEEL),
+        balls=int(random.integers(max(3, most // 2), most + 1)),
+        pitch_diameter=pitch,
+        contact_angle=np.radians(random.uniform(5.0, 45.0)),
+    )
+    speed = 10 ** random.uniform(1.0, np.log10(5e5)) / (pitch * 1e3) * RPM
+    lean, azimuth = np.radians(random.uniform(0.0, 90.0)), random.uniform(0.0, 2 * np.pi)
+    size = bearing.balls * diameter**2 * 5e7 * 10 ** random.uniform(-5.0, 0.0)
+    load = size * np.array([np.cos(lean), np.sin(lean) * np.sin(azimuth), np.sin(lean) * np.cos(azimuth)])
+    moment = np.zeros(2)
+    holding = ("free", "straight", "preloaded")[int(random.choice(3, p=[0.4, 0.3, 0.3]))]
+    if holding == "free":
+        about = random.uniform(0.0, 2 * np.pi)
+        moment = random.uniform(0.0, 1.0) * size * pitch / 2 * -np.array([np.sin(about), np.cos(about)])
+    if holding == "preloaded":
+        load[0] = 0.0
+    preload = random.uniform(0.0, 0.3) * min(bearing.inner_reach, bearing.outer_reach)
+    operation = RingOperation(
+        load=(float(load[0]), float(load[1]), float(load[2]), float(moment[0]), float(moment[1])),
+        displacement={
+            "free": (None,) * 5,
+            "straight": (None, None, None, 0.0, 0.0),
+            "preloaded": (float(preload), None, None, 0.0, 0.0),
+        }[holding],
+        inner_speed=speed,
+    )
+    control = ("outer", "inner", "equal")[int(random.integers(3))]
+    return Model(bearing=bearing, control=control), operation
