@@ -15,42 +15,43 @@ from fem.solid.stress import von_mises
 class Skin:
     """Triangles on the outside of a solid; vertices are repeated, stress may differ between neighbours."""
 
-    places: NDArray  # (triangles, 3, 3) [m] corners x, y, z before the load, outside when counter-clockwise
+    points: NDArray  # (triangles, 3, 3) [m] corners x, y, z before the load, outside when counter-clockwise
     displacement: NDArray  # (triangles, 3, 3) [m]
     von_mises: NDArray  # (triangles, 3) [Pa]
 
 
-def skin(state: LoadedSolid, parts: int = 3) -> Skin:
+def skin(state: LoadedSolid, subdivisions: int = 6) -> Skin:
     """Triangulate the outside.
 
     Parameters
     ----------
     state : LoadedSolid
         a solid under its rollers
-    parts : int
-        an element's edge is cut into, >= 1
+    subdivisions : int
+        parts of an element's edge, >= 1
 
     Returns
     -------
     Skin
     """
-    mesh = state.mesh
-    outside = _outside(mesh)
-    places, corners = _triangles(parts)
-    points = mesh.MapToAllElements(ngs.IntegrationRule(points=places, weights=[1.0] * len(places)), outside)
-    mises = ngs.BoundaryFromVolumeCF(von_mises(state.smooth_stress)).Compile()
+    reference, corners = _triangles(subdivisions)
+    rule = ngs.IntegrationRule(points=reference, weights=[1.0] * len(reference))
+    mapped = state.mesh.MapToAllElements(rule, _outside(state.mesh))
 
-    def read(field):  # (triangles, 3, ...)
-        values = field(points)
-        return values.reshape(-1, len(places), values.shape[-1])[:, corners].reshape(-1, 3, values.shape[-1])
+    def at_corners(field):  # (triangles, 3, components)
+        values = field(mapped)
+        return values.reshape(-1, len(reference), values.shape[-1])[:, corners].reshape(
+            -1, 3, values.shape[-1]
+        )
 
-    place = read(ngs.CF((ngs.x, ngs.y, ngs.z))) / MILLIMETRES
-    shift, normal, stress = read(state.displacement), read(ngs.specialcf.normal(3)), read(mises)[..., 0]
-    turned = np.cross(place[:, 1] - place[:, 0], place[:, 2] - place[:, 0])
-    wrong = np.einsum("ti,ti->t", turned, normal.mean(axis=1)) < 0
-    for values in (place, shift, stress):
-        values[wrong] = values[wrong][:, ::-1]
-    return Skin(places=place, displacement=shift, von_mises=stress)
+    points = at_corners(ngs.CF((ngs.x, ngs.y, ngs.z))) / MILLIMETRES
+    displacement, normal = at_corners(state.displacement), at_corners(ngs.specialcf.normal(3))
+    stress = at_corners(ngs.BoundaryFromVolumeCF(von_mises(state.smooth_stress)).Compile())[..., 0]
+    orientation = np.cross(points[:, 1] - points[:, 0], points[:, 2] - points[:, 0])
+    clockwise = np.einsum("ti,ti->t", orientation, normal.mean(axis=1)) < 0
+    for values in (points, displacement, stress):
+        values[clockwise] = values[clockwise][:, ::-1]
+    return Skin(points=points, displacement=displacement, von_mises=stress)
 
 
 def _outside(mesh: ngs.Mesh) -> ngs.Region:
@@ -63,11 +64,12 @@ def _outside(mesh: ngs.Mesh) -> ngs.Region:
     return region
 
 
-def _triangles(parts: int) -> tuple[list[tuple[float, float]], NDArray]:
-    """Places on the unit triangle, and the small triangles between them (n, 3)."""
-    grid = [(i, j) for i in range(parts + 1) for j in range(parts + 1 - i)]
-    number = {place: k for k, place in enumerate(grid)}
-    up = [((i, j), (i + 1, j), (i, j + 1)) for i, j in grid if i + j < parts]
-    down = [((i + 1, j), (i + 1, j + 1), (i, j + 1)) for i, j in grid if i + j < parts - 1]
-    corners = np.array([[number[place] for place in triangle] for triangle in [*up, *down]])
-    return [(i / parts, j / parts) for i, j in grid], corners
+def _triangles(subdivisions: int) -> tuple[list[tuple[float, float]], NDArray]:
+    """Points of a grid on the unit triangle, and the small triangles between them (n, 3)."""
+    count = subdivisions
+    grid = [(i, j) for i in range(count + 1) for j in range(count + 1 - i)]
+    number = {point: k for k, point in enumerate(grid)}
+    upright = [((i, j), (i + 1, j), (i, j + 1)) for i, j in grid if i + j < count]
+    inverted = [((i + 1, j), (i + 1, j + 1), (i, j + 1)) for i, j in grid if i + j < count - 1]
+    corners = np.array([[number[point] for point in triangle] for triangle in [*upright, *inverted]])
+    return [(i / count, j / count) for i, j in grid], corners

@@ -34,18 +34,18 @@ def pictures(result: Result, directory: Path) -> Iterator[str]:
         return
     for race in flexible:
         try:
-            found = fields.fields(case, race, "flexible", result.flexible)
+            part = fields.fields(case, race, "flexible", result.flexible)
         except fields.NoFields as problem:
             yield f"no picture of a deformed part: {problem}"
         else:
-            yield f"picture: {_draw(found, result, directory)}"
+            yield f"picture: {_draw(part, result, directory)}"
 
 
-def _draw(found: fields.PartFields, result: Result, directory: Path) -> Path:
+def _draw(part: fields.PartFields, result: Result, directory: Path) -> Path:
     from fem.solid.skin import skin  # NGSolve takes a second to load
 
-    limit = max(most.von_mises for most in found.fields.largest().values())
-    path = directory / f"{found.race}_deformed.png"
-    title = f"{result.attributes['title']}: {fields.NAMES[found.race]}"
-    deformed(title, skin(found.fields), limit).savefig(path, dpi=150)
+    limit = max(body.von_mises for body in part.fields.largest().values())
+    path = directory / f"{part.race}_deformed.png"
+    title = f"{result.attributes['title']}: {fields.NAMES[part.race]}"
+    deformed(title, skin(part.fields), limit).savefig(path, dpi=150)
     return path

@@ -204,7 +204,7 @@ def test_support_is_that_of_the_harmonics(cage):
 
 def test_skin_is_closed_around_the_solid(pulled):
     """Volume by the divergence theorem; faces between ring, bars and flange are inside."""
-    corners = skin(pulled, 2).places
+    corners = skin(pulled, 2).points
     volume = np.einsum("ti,ti->", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])) / 6
     assert 1e9 * volume == approx(ngs.Integrate(ngs.CF(1), pulled.mesh), rel=0.01)
 
