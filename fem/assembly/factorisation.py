@@ -1,11 +1,11 @@
-"""Factorisation once, solve many: the only place that calls solvers of NGSolve.
+"""Factor once, solve many: the only place that calls solvers of NGSolve.
 
-A direct solver hands back numbers also for a body that floats, so the true residual of every solve
+A direct solver returns numbers also for a body that nothing holds, so the true residual of every solve
 is measured, on the full system and not on the condensed one.
 """
 
 import logging
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
@@ -62,39 +62,28 @@ class Factorisation:
         NotSolved
             if the residual of K u = f exceeds `RESIDUAL`
         """
-        f = self.form.mat.CreateColVector()
-        f.FV().NumPy()[:] = np.where(self.free, load, 0.0)
-        u = self._direct(f)
-        left, size = self._residual(u, f)
-        if size > RESIDUAL:
-            # Bodies of very different stiffness cost digits, which one refinement brings back.
-            correction = self._direct(left)
-            u.data += correction
-            size = max(self._residual(u, f)[1], RESIDUAL * correction.Norm() / (REFINABLE * u.Norm()))
-        _log.debug("relative residual %.1e", size)
-        if not size <= RESIDUAL:
-            raise NotSolved(
-                f"relative residual {size:.2g}, allowed {RESIDUAL:g}; is the body held everywhere?"
-            )
-        return u.FV().NumPy().copy()
+        return refined(self._direct, self._residual, np.where(self.free, load, 0.0))
 
-    def _direct(self, f):
+    def _direct(self, load: NDArray) -> NDArray:
         """Answer of the factored, condensed system."""
-        K = self.form
+        K, f = self.form, self._vector(load)
         u = (self.inverse @ (ngs.IdentityMatrix(f.size) + K.harmonic_extension_trans) * f).Evaluate()
         u.data += K.inner_solve * f
         u.data += K.harmonic_extension * u
-        return u
+        return u.FV().NumPy().copy()
 
-    def _residual(self, u, f):
-        """Residual f - (I - H^T) (S + K_ii) (I - H) u on the free unknowns; its size over that of f."""
-        K = self.form
+    def _residual(self, displacement: NDArray, load: NDArray) -> NDArray:
+        """Residual f - (I - H^T) (S + K_ii) (I - H) u on the free unknowns."""
+        K, u = self.form, self._vector(displacement)
         w = (u - K.harmonic_extension * u).Evaluate()
         r = (K.mat * w + K.inner_matrix * w).Evaluate()
         r.data -= K.harmonic_extension_trans * r
-        left = (f - r).Evaluate()  # a vector of its own: r.data = f - r would overwrite r first
-        left.FV().NumPy()[~self.free] = 0.0
-        return left, left.Norm() / (f.Norm() or 1.0)
+        return np.where(self.free, load - r.FV().NumPy(), 0.0)
+
+    def _vector(self, values: NDArray):
+        vector = self.form.mat.CreateColVector()
+        vector.FV().NumPy()[:] = values
+        return vector
 
 
 def factorised(space, energy) -> Factorisation:
@@ -120,9 +109,84 @@ def factorised(space, energy) -> Factorisation:
     form = ngs.BilinearForm(space, symmetric=True, condense=True, store_inner=True)
     form += energy(u, v)
     form.Assemble()
-    free = np.array(list(space.FreeDofs()))
+    inverse = cholesky(form.mat, space.FreeDofs(coupling=True))
+    return Factorisation(form=form, inverse=inverse, free=np.array(list(space.FreeDofs())))
+
+
+def cholesky(matrix, free):
+    """Sparse factorisation of a symmetric, positive definite matrix.
+
+    Parameters
+    ----------
+    matrix : ngsolve.BaseMatrix
+        K
+    free : ngsolve.BitArray
+        unset where clamped
+
+    Returns
+    -------
+    ngsolve.BaseMatrix
+        which applies the inverse
+
+    Raises
+    ------
+    NotSolved
+        if the solver refuses the matrix
+    """
     try:
-        inverse = form.mat.Inverse(space.FreeDofs(coupling=True), inverse="sparsecholesky")
+        return matrix.Inverse(free, inverse="sparsecholesky")
     except NgException as refusal:
         raise NotSolved(f"the stiffness could not be factored: {refusal}") from refusal
-    return Factorisation(form=form, inverse=inverse, free=free)
+
+
+def refined(
+    direct: Callable[[NDArray], NDArray], residual: Callable[[NDArray, NDArray], NDArray], loads: NDArray
+) -> NDArray:
+    r"""Solve K u = f directly, with one step of iterative refinement where its residual is too large.
+
+    .. math:: r = f - K u, \quad u \leftarrow u + K^{-1} r
+
+    Bodies of very different stiffness cost digits, which one step restores.
+
+    Parameters
+    ----------
+    direct : callable (loads)
+        displacements by the factored stiffness
+    residual : callable (displacements, loads)
+        r on the unknowns that are free
+    loads : array (unknowns,) or (unknowns, L)
+        f, zero where clamped [N]
+
+    Returns
+    -------
+    array as `loads`
+        u [m]
+
+    Raises
+    ------
+    NotSolved
+        if the residual exceeds `RESIDUAL` all the same, or if the step changed u by more than `REFINABLE`
+
+    Source
+    ------
+    Higham, Accuracy and Stability of Numerical Algorithms (2002), ch. 12.
+    """
+    u = direct(loads)
+    r = residual(u, loads)
+    size = relative_size(r, loads)
+    if size > RESIDUAL:
+        correction = direct(r)
+        u += correction
+        size = max(
+            relative_size(residual(u, loads), loads), RESIDUAL / REFINABLE * relative_size(correction, u)
+        )
+    _log.debug("relative residual %.1e", size)
+    if not size <= RESIDUAL:
+        raise NotSolved(f"relative residual {size:.2g}, allowed {RESIDUAL:g}; is the body held everywhere?")
+    return u
+
+
+def relative_size(residual: NDArray, loads: NDArray) -> float:
+    """Largest norm of a residual over that of its load, column by column; loads of zero count as one."""
+    size = np.linalg.norm(loads, axis=0)
+    return float(np.max(np.linalg.norm(residual, axis=0) / np.where(size > 0, size, 1.0)))

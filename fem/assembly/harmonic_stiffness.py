@@ -1,4 +1,4 @@
-r"""A stiffness that is quadratic in the harmonic, :math:`K(n) = K_0 + n K_1 + n^2 K_2`, answering loads.
+r"""A stiffness that is quadratic in the harmonic, :math:`K(n) = K_0 + n K_1 + n^2 K_2`, and its answers.
 
 Displacements vary slowly with n. So the answers at a few harmonics span a small space which holds those
 of all others; as the work of a load on its answer is stationary there, its relative error is about the
@@ -12,11 +12,11 @@ from typing import Any
 
 import ngsolve as ngs
 import numpy as np
-from netgen.meshing import NgException  # pyright: ignore[reportAttributeAccessIssue]  # made at import
 from numpy.typing import NDArray
 from scipy import sparse
 
-from fem.assembly.factorisation import REFINABLE, RESIDUAL, NotSolved
+from fem.assembly.factorisation import cholesky, refined, relative_size
+from fem.errors import NotSolved
 
 FIRST_STEP = 1.5  # ratio of the harmonics that are solved at first
 SMALL_SPACE_RESIDUAL = 3e-3  # allowed |f - K u| / |f| of what the small space answers
@@ -30,8 +30,7 @@ class HarmonicStiffness:
 
     matrix: Any  # ngsolve.BaseMatrix, whose pattern all three share
     parts: tuple[sparse.csr_array, ...]  # K_0, K_1, K_2 (unknowns, unknowns) [N/m]
-    free: Any  # ngsolve.BitArray, unset where clamped
-    held: NDArray  # (unknowns,) of bool, True where clamped
+    clamped: NDArray  # (unknowns,) of bool
 
     @property
     def unknowns(self) -> int:
@@ -59,32 +58,20 @@ class HarmonicStiffness:
             if the matrix cannot be factored, or if the residual stays above
             `fem.assembly.factorisation.RESIDUAL`
         """
-        f = np.where(self.held[:, None], 0.0, loads)
-        K = self.matrix.CreateMatrix()
-        K.AsVector().FV().NumPy()[:] = values = _at(harmonic, [part.data for part in self.parts])
+        matrix, pattern = self.matrix.CreateMatrix(), self.parts[0]
+        matrix.AsVector().FV().NumPy()[:] = values = _at(harmonic, [part.data for part in self.parts])
+        K = sparse.csr_array((values, pattern.indices, pattern.indptr), shape=pattern.shape)
         try:
-            inverse = K.Inverse(self.free, inverse="sparsecholesky")
-        except NgException as refusal:
-            raise NotSolved(f"harmonic {harmonic} could not be factored: {refusal}") from refusal
-        pattern = self.parts[0]
-        rows = sparse.csr_array((values, pattern.indices, pattern.indptr), shape=pattern.shape)
-
-        def left(u):
-            return np.where(self.held[:, None], 0.0, f - rows @ u)
-
-        u = _answers(inverse, f)
-        size = _relative(left(u), f)
-        if size > RESIDUAL:
-            # Parts of very different stiffness cost digits, which one refinement brings back.
-            correction = _answers(inverse, left(u))
-            u += correction
-            size = max(_relative(left(u), f), RESIDUAL / REFINABLE * _relative(correction, u))
-        if not size <= RESIDUAL:
-            raise NotSolved(
-                f"relative residual {size:.2g} of harmonic {harmonic}, allowed {RESIDUAL:g}; "
-                "is the body held everywhere?"
+            inverse = cholesky(matrix, ngs.BitArray((~self.clamped).tolist()))
+            return refined(
+                lambda f: _product(inverse, f), lambda u, f: self.on_free(f - K @ u), self.on_free(loads)
             )
-        return u
+        except NotSolved as problem:
+            raise NotSolved(f"harmonic {harmonic}: {problem}") from problem
+
+    def on_free(self, values: NDArray) -> NDArray:
+        """Values (unknowns, L) with zeros on the clamped unknowns."""
+        return np.where(self.clamped[:, None], 0.0, values)
 
 
 def harmonic_stiffness(space, *forms) -> HarmonicStiffness:
@@ -107,11 +94,13 @@ def harmonic_stiffness(space, *forms) -> HarmonicStiffness:
         if the parts do not couple the same unknowns
     """
     matrices = [ngs.BilinearForm(form, symmetric=True).Assemble().mat for form in forms]
-    parts = tuple(_as_sparse(matrix) for matrix in matrices)
+    parts = tuple(
+        sparse.csr_array(tuple(np.array(column) for column in matrix.CSR()), shape=matrix.shape)
+        for matrix in matrices
+    )
     if not all(np.array_equal(part.indices, parts[0].indices) for part in parts):
         raise NotSolved("the parts of the stiffness have different patterns and cannot be added")
-    free = space.FreeDofs()
-    return HarmonicStiffness(matrix=matrices[0], parts=parts, free=free, held=~np.array(list(free)))
+    return HarmonicStiffness(matrix=matrices[0], parts=parts, clamped=~np.array(list(space.FreeDofs())))
 
 
 def compliances(stiffness: HarmonicStiffness, loads: NDArray, last: int) -> NDArray:
@@ -138,35 +127,31 @@ def compliances(stiffness: HarmonicStiffness, loads: NDArray, last: int) -> NDAr
     NotSolved
         if a solve fails
     """
-    G = np.where(stiffness.held[:, None], 0.0, loads)
+    G = stiffness.on_free(loads)
     answers: dict[int, NDArray] = {}
-    wanted = _geometric(last)
-    while wanted:
-        answers |= {n: stiffness.solve(n, G) for n in wanted}
+    unsolved = _geometric(last)
+    while unsolved:
+        answers |= {n: stiffness.solve(n, G) for n in unsolved}
         basis = np.linalg.qr(np.hstack([u / np.linalg.norm(u, axis=0) for u in answers.values()]))[0]
-        moved = [np.where(stiffness.held[:, None], 0.0, part @ basis) for part in stiffness.parts]
-        left = {n: _small_residual(n, basis, moved, G) for n in _between(sorted(answers))}
+        forces = [stiffness.on_free(part @ basis) for part in stiffness.parts]
+        residuals = {n: _small_residual(n, basis, forces, G) for n in _between(sorted(answers))}
         _log.debug(
-            "%d of %d harmonics solved, residual %.1e", len(answers), last + 1, max(left.values(), default=0)
-        )
-        wanted = [n for n, size in left.items() if not size <= SMALL_SPACE_RESIDUAL]
-    small, g = [basis.T @ part for part in moved], basis.T @ G
+            "%d of %d harmonics solved, residual %.1e",
+            len(answers), last + 1, max(residuals.values(), default=0),
+        )  # fmt: skip
+        unsolved = [n for n, size in residuals.items() if not size <= SMALL_SPACE_RESIDUAL]
+    small, g = [basis.T @ part for part in forces], basis.T @ G
     return np.array([g.T @ np.linalg.solve(_at(n, small), g) for n in range(last + 1)])
 
 
-def _small_residual(harmonic: int, basis: NDArray, moved: list[NDArray], loads: NDArray) -> float:
+def _small_residual(harmonic: int, basis: NDArray, forces: list[NDArray], loads: NDArray) -> float:
     """Largest relative residual that the best answer in the small space leaves."""
-    K = _at(harmonic, moved)
-    return _relative(loads - K @ np.linalg.solve(basis.T @ K, basis.T @ loads), loads)
-
-
-def _relative(left: NDArray, loads: NDArray) -> float:
-    """Largest norm of a residual over that of its load."""
-    size = np.linalg.norm(loads, axis=0)
-    return float(np.max(np.linalg.norm(left, axis=0) / np.where(size > 0, size, 1.0)))
+    K = _at(harmonic, forces)
+    return relative_size(loads - K @ np.linalg.solve(basis.T @ K, basis.T @ loads), loads)
 
 
 def _at(harmonic: int, parts):
+    """Sum of the parts without n, with n, with n^2."""
     return parts[0] + harmonic * parts[1] + harmonic**2 * parts[2]
 
 
@@ -182,16 +167,12 @@ def _between(solved: list[int]) -> list[int]:
     return [n for n in middle if n not in solved]
 
 
-def _as_sparse(matrix) -> sparse.csr_array:
-    values, columns, starts = (np.array(part) for part in matrix.CSR())
-    return sparse.csr_array((values, columns, starts), shape=(matrix.height, matrix.width))
-
-
-def _answers(inverse, loads: NDArray) -> NDArray:
+def _product(inverse, loads: NDArray) -> NDArray:
+    """An inverse of NGSolve times columns (unknowns, L)."""
     f, u = inverse.CreateColVector(), inverse.CreateRowVector()
-    answers = np.empty_like(loads)
+    displacements = np.empty_like(loads)
     for k, load in enumerate(loads.T):
         f.FV().NumPy()[:] = load
         u.data = inverse * f
-        answers[:, k] = u.FV().NumPy()
-    return answers
+        displacements[:, k] = u.FV().NumPy()
+    return displacements

@@ -116,7 +116,7 @@ def condense_body(
     points = FacePoints(*(np.concatenate(column) for column in zip(*(p for p, _ in parts), strict=True)))
     race = edge_shapes(body, "raceway", shapes) if shapes else np.empty((body.stiffness.unknowns, 0))
     G = np.hstack([*(columns for _, columns in parts), race])
-    held = body.stiffness.held.any()
+    held = body.stiffness.clamped.any()
     free_motions = FreeMotions(axial=not held, turning=not held, across=not held)
     beyond = np.empty((0, shapes, shapes))
     if highest > last:
@@ -204,7 +204,5 @@ def _rigid_motions(body: Body) -> tuple[NDArray, NDArray]:
 
 
 def _unclamped(body: Body) -> Body:
-    free = ngs.BitArray(body.stiffness.unknowns)
-    free.Set()
-    held = np.zeros_like(body.stiffness.held)
-    return replace(body, stiffness=replace(body.stiffness, free=free, held=held))
+    clamped = np.zeros_like(body.stiffness.clamped)
+    return replace(body, stiffness=replace(body.stiffness, clamped=clamped))

@@ -10,7 +10,7 @@ Corner = tuple[float, float, str | None]
 
 
 def section(ring: BoltedGrooveRing, length: float) -> AxialSection:
-    """AxialSection of a ring; the loaded lines on both arches are named "raceway".
+    """Section of a ring; the loaded lines on both arches are named "raceway".
 
     Parameters
     ----------

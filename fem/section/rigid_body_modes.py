@@ -102,13 +102,11 @@ def held_on_points(body: Body, free_motions: FreeMotions, harmonic: int) -> Harm
         ]
     elif harmonic == 1 and free_motions.across:
         wanted = [(1, end) for end in ends]
-    held = body.stiffness.held.copy()
-    free = ngs.BitArray(body.stiffness.free)
+    clamped = body.stiffness.clamped.copy()
     for component, node in wanted:
         number = body.space.Range(component).start + body.space.components[component].GetDofNrs(node)[0]
-        held[number] = True
-        free.Clear(number)
-    return replace(body.stiffness, free=free, held=held)
+        clamped[number] = True
+    return replace(body.stiffness, clamped=clamped)
 
 
 def _from(stiffness: HarmonicStiffness, first: int) -> HarmonicStiffness:
