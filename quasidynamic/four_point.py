@@ -10,6 +10,7 @@ from quasidynamic.contact.ellipse.point_contact import PointContact, point_conta
 from quasidynamic.errors import ImpossiblePart, OutOfRange
 from quasidynamic.motion.ball_slip import SIDE, BallContacts, pressed_height, pressed_radius
 from quasidynamic.outcome.ball_torque import RaceTorques, hysteresis_torque, race_torques
+from quasidynamic.outcome.truncation import edge_angle
 from quasidynamic.parts.ball import FourPointBearing
 from quasidynamic.parts.ball_friction import FrictionCurve
 from quasidynamic.solve.balls.elastic_load_distribution import elastic_ball_loads
@@ -72,6 +73,13 @@ class SlidingBalls:
         """Angle of the ball speed from that of the inner ring (N) [rad], pi where the axes are parallel."""
         _, axial, radial = self.sliding.motion.T
         return np.mod(np.arctan2(radial, axial), 2 * np.pi)
+
+    def truncated(self, race: int, groove_radius: float, groove_end: float) -> NDArray:
+        """Whether shoulders at an angle [rad] cut off contacts with a race (N, G), see `truncation`."""
+        edge = edge_angle(
+            self.contacts.angle[..., race], self.ellipse.across[..., race], groove_radius, "arc"
+        )
+        return (edge > groove_end) & (self.load[..., race] > 0)
 
     def field(self, ball: int, diagonal: int, race: int, points: int = 41) -> dict[str, NDArray]:
         """Places [m], slip [m/s] and shear stress on the ball [Pa] over one contact, (points, points)."""

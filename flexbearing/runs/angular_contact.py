@@ -9,8 +9,7 @@ import quasidynamic as qd
 from flexbearing.build.ball_parts import ball, groove
 from flexbearing.case.balls.angular_contact import AngularCase
 from quasidynamic.outcome.rolling_contact import RollingContact
-
-USUAL_SHOULDER = 0.25  # of the ball diameter, assumed: races of catalogue bearings are rarely higher
+from quasidynamic.outcome.truncation import USUAL_SHOULDER
 
 
 @dataclass(frozen=True)
@@ -174,7 +173,7 @@ def _beyond(state: qd.AngularContactState, index: int, shoulder: float | None) -
     """What is left out of contacts above a shoulder [m], one of usual height unless given; empty for none."""
     race, needed = ("inner", "outer")[index], state.needed_shoulders[index]
     diameter = state.bearing.ball.diameter
-    over = needed > (USUAL_SHOULDER * diameter if shoulder is None else shoulder)
+    over = state.truncated(index, shoulder)
     if not over.any():
         return ""
     steepest = np.degrees(np.abs(state.contact_angles[index, over]).max())

@@ -176,15 +176,17 @@ def _on_shoulders(case: FourPointCase, balls: qd.SlidingBalls) -> tuple[str, ...
     """Contacts that reach over the arches of rings whose shoulders are known."""
     told: tuple[str, ...] = ()
     for race, name in enumerate(("inner", "outer")):
-        ring = bolted.ring(case, name)
-        if ring is not None:
-            reach = balls.contacts.angle[..., race] + balls.ellipse.across[..., race] / ring.groove_radius
-            over = int((reach[balls.load[..., race] > 0] > ring.groove_end).sum())
-            if over:
-                told += (
-                    f"{over} contacts of the {name} ring reach over its shoulders at "
-                    f"{np.degrees(ring.groove_end):.1f} deg; they are computed as if the arches went on",
-                )
+        ring = getattr(case.rings, name)
+        if ring.kind == "rigid":
+            continue
+        diameter = case.bearing.ball.diameter
+        radius = getattr(case.bearing, name).over(diameter) * diameter
+        over = int(balls.truncated(race, radius, ring.groove_end).sum())
+        if over:
+            told += (
+                f"{over} contacts of the {name} ring reach over its shoulders at "
+                f"{np.degrees(ring.groove_end):.1f} deg; they are computed as if the arches went on",
+            )
     return told
 
 

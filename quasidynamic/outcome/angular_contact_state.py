@@ -16,6 +16,7 @@ from quasidynamic.motion.rolling_lines import (
     spin_parameter,
 )
 from quasidynamic.outcome.rolling_contact import RollingContact
+from quasidynamic.outcome.truncation import USUAL_SHOULDER, edge_angle, height_above_bottom
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
 
 CONTROLS: tuple[Control, ...] = ("outer", "inner")
@@ -63,14 +64,18 @@ class AngularContactState:
     def needed_shoulders(self) -> NDArray:
         """Height of the races above the bottoms of their grooves up to which contacts reach (2, Z) [m].
 
-        r (1 - cos(|alpha| + asin(2a/D))) with the groove radius r; zero without a load. The grooves of the
-        balance have no end: on a lower shoulder contacts are cut off, and balls climb it.
+        Zero without a load. The grooves of the balance have no end: on a lower shoulder contacts are cut off,
+        and balls climb it. See `truncation`.
         """
-        own = self.bearing
-        half = np.arcsin(np.minimum(2 * self.semi_axes[0] / own.ball.diameter, 1.0))
-        reach = np.minimum(np.abs(self.contact_angles) + half, np.pi / 2)
-        radius = own.ball.diameter * np.array([[own.inner.conformity], [own.outer.conformity]])
-        return np.where(self.loads > 0, radius * (1 - np.cos(reach)), 0.0)
+        diameter = self.bearing.ball.diameter
+        radii = diameter * np.array([[self.bearing.inner.conformity], [self.bearing.outer.conformity]])
+        edge = edge_angle(np.abs(self.contact_angles), self.semi_axes[0], diameter / 2, "chord")
+        return np.where(self.loads > 0, height_above_bottom(edge, radii), 0.0)
+
+    def truncated(self, race: int, shoulder: float | None) -> NDArray:
+        """Whether a shoulder of a height [m], a usual one without it, cuts off contacts with a race (Z)."""
+        usual = USUAL_SHOULDER * self.bearing.ball.diameter
+        return self.needed_shoulders[race] > (usual if shoulder is None else shoulder)
 
     @property
     def peak_pressures(self) -> NDArray:
