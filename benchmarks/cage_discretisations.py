@@ -26,11 +26,11 @@ SHARP = fem.SquirrelCage(
 )  # fmt: skip
 ROUND = replace(SHARP, fillet=0.4e-3)
 LAYERS = 2
-HALF_PITCH = fem.Mesh(order=4, size=2e-3, raceway_size=0.35e-3)
-WHOLE = fem.Mesh(order=4, size=2e-3, raceway_size=0.65e-3)
+HALF_PITCH = fem.MeshSize(order=4, size=2e-3, raceway_size=0.35e-3)
+WHOLE = fem.MeshSize(order=4, size=2e-3, raceway_size=0.65e-3)
 
 
-def by_half_a_pitch(cage: fem.SquirrelCage, mesh: fem.Mesh) -> tuple[NDArray, float, int]:
+def by_half_a_pitch(cage: fem.SquirrelCage, mesh: fem.MeshSize) -> tuple[NDArray, float, int]:
     """Compliance (Z, M, Z, M), support stiffness, unknowns."""
     from fem.cage import cyclic_symmetry
     from fem.half_space.load_patch import half_space
@@ -48,7 +48,7 @@ def by_half_a_pitch(cage: fem.SquirrelCage, mesh: fem.Mesh) -> tuple[NDArray, fl
     return full, support, raceway.unknowns
 
 
-def by_the_whole(cage: fem.SquirrelCage, mesh: fem.Mesh, layered: bool) -> tuple[NDArray, float, int]:
+def by_the_whole(cage: fem.SquirrelCage, mesh: fem.MeshSize, layered: bool) -> tuple[NDArray, float, int]:
     """The same from a solid without any symmetry but that of rollers and bars."""
     from fem.solid import condensation
 
@@ -56,14 +56,14 @@ def by_the_whole(cage: fem.SquirrelCage, mesh: fem.Mesh, layered: bool) -> tuple
         condensation.meshed = refined
     with threadpool_limits(limits=1, user_api="blas"):
         raceway = condensation.condense(cage, patches(), mesh, thread_number=1)
-    return raceway.full, raceway.support_stiffness, raceway.unknowns
+    return raceway.absolute, raceway.support_stiffness, raceway.unknowns
 
 
 def patches() -> fem.Patches:
-    return fem.Patches(azimuths=tuple(AZIMUTHS), length=LENGTH, shapes=SHAPES, width=WIDTH)
+    return fem.Patches(azimuths=tuple(AZIMUTHS), length=LENGTH, axial_modes=SHAPES, width=WIDTH)
 
 
-def refined(cage: fem.SquirrelCage, length: float, wishes: fem.Mesh):
+def refined(cage: fem.SquirrelCage, length: float, wishes: fem.MeshSize):
     """The whole solid, with layers along the sharp edges as half a pitch has them."""
     import ngsolve as ngs
     from netgen import occ

@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
 from benchmarks.machine import describe
-from fem import ClampedFace, Elastic, Mesh, OuterRing
+from fem import ClampedFace, Elastic, MeshSize, OuterRing
 
 LINES = 30
 WIDTH, INNER, THICKNESS = 10.0, 37.5, 3.6  # [mm]
@@ -31,13 +31,13 @@ E, NU = 203e3, 0.28  # [MPa]
 LOAD = 1000.0  # [N]
 HEXAHEDRA = ((2, 4, 60), (2, 6, 90), (4, 6, 90), (4, 8, 120), (4, 12, 180))  # radial, axial, around
 OURS = (
-    (Mesh(order=3, size=10e-3, raceway_size=4e-3), 16),
-    (Mesh(order=3, size=8e-3, raceway_size=3e-3), 22),
-    (Mesh(order=4, size=8e-3, raceway_size=3e-3), 30),
-    (Mesh(order=5, size=6e-3, raceway_size=2e-3), 40),
-    (Mesh(order=5, size=6e-3, raceway_size=1.25e-3), 80),
+    (MeshSize(order=3, size=10e-3, raceway_size=4e-3), 16),
+    (MeshSize(order=3, size=8e-3, raceway_size=3e-3), 22),
+    (MeshSize(order=4, size=8e-3, raceway_size=3e-3), 30),
+    (MeshSize(order=5, size=6e-3, raceway_size=2e-3), 40),
+    (MeshSize(order=5, size=6e-3, raceway_size=1.25e-3), 80),
 )
-REFERENCE = Mesh(order=8, size=3e-3, raceway_size=0.8e-3), 200
+REFERENCE = MeshSize(order=8, size=3e-3, raceway_size=0.8e-3), 200
 # Corners of C3D20 in (axial, radial, around), then the middles of its edges, as CalculiX counts them.
 CORNERS = np.array([(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0), (0, 0, 2), (2, 0, 2), (2, 2, 2), (0, 2, 2)])
 EDGES = [(0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7)]
@@ -163,7 +163,7 @@ def calculix(program: str, mesh: Hexahedra, loaded: range) -> tuple[NDArray, flo
     return 1e-3 * radial @ mesh.along_a_line / LOAD, seconds
 
 
-def ours(mesh: Mesh, harmonics: int) -> tuple[NDArray, float]:
+def ours(mesh: MeshSize, harmonics: int) -> tuple[NDArray, float]:
     """Compliance [m/N] between all lines, the row of the first one; and seconds of the processor."""
     from fem.section import revolved
 
@@ -174,7 +174,7 @@ def ours(mesh: Mesh, harmonics: int) -> tuple[NDArray, float]:
     )  # fmt: skip
     began = time.process_time()
     raceway = revolved.condense(ring, 1e-3 * WIDTH, 1, mesh, harmonics)
-    full = raceway.at(2 * np.pi * np.arange(LINES) / LINES).full
+    full = raceway.at(2 * np.pi * np.arange(LINES) / LINES).absolute
     return full[0, 0, :, 0], time.process_time() - began
 
 
@@ -207,7 +207,7 @@ def main() -> None:
     )
 
 
-def fastest(mesh: Mesh, harmonics: int) -> tuple[NDArray, float]:
+def fastest(mesh: MeshSize, harmonics: int) -> tuple[NDArray, float]:
     """The fastest of three runs; the first one of all still loads modules."""
     runs = [ours(mesh, harmonics) for _ in range(3)]
     return runs[0][0], min(seconds for _, seconds in runs)

@@ -164,7 +164,7 @@ def softened() -> list[Row]:
     cage = condensed(case, bearing.model.bearing.azimuths, Logged()).raceways[1]
     rows = []
     for factor in SOFTNESS:
-        softer = replace(cage, full=factor * cage.full, translation=factor * cage.translation)
+        softer = replace(cage, absolute=factor * cage.absolute, translation=factor * cage.translation)
         pair = Pair(bearing, CondensedRings((None, softer)), bearing.solve())
         rows.append(compared(f"24 bars, {factor:g} times as soft", pair))
     return rows

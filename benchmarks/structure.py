@@ -67,12 +67,12 @@ def condensed(part, length: float, wish: Wish):
     from fem.section import revolved
 
     half_pitch.LAYERS = axial_section.GRADED_LAYERS = wish.layers
-    mesh = fem.Mesh(order=wish.order, size=wish.size * length, raceway_size=wish.raceway_size * length)
+    mesh = fem.MeshSize(order=wish.order, size=wish.size * length, raceway_size=wish.raceway_size * length)
     room = cyclic_symmetry if isinstance(part, fem.SquirrelCage) else revolved
     with threadpool_limits(limits=1, user_api="blas"):
         raceway = room.condense(part, length, SHAPES, mesh, wish.harmonics)
         found = raceway.at(2 * np.pi * np.arange(30) / 30)
-    return found.full, found.support_stiffness, found.unknowns
+    return found.absolute, found.support_stiffness, found.unknowns
 
 
 def table(name: str, part, length: float, wishes: tuple[Wish, ...]) -> list[tuple[Wish, float, Cost]]:

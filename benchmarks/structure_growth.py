@@ -36,7 +36,7 @@ def solved(part, length: float, size: float) -> tuple[int, list[float]]:
 
     with threadpool_limits(limits=1, user_api="blas"), threads(1):
         clock = [time.process_time()]
-        mesh = meshed(part, length, fem.Mesh(order=ORDER, size=size * 1e-3, raceway_size=size * 1e-3))
+        mesh = meshed(part, length, fem.MeshSize(order=ORDER, size=size * 1e-3, raceway_size=size * 1e-3))
         clock.append(time.process_time())
         space = ngs.VectorH1(mesh, order=ORDER, dirichlet="clamped")
         stiffness = factorised(space, elastic_energy(mesh, part.materials))

@@ -13,7 +13,16 @@ from fem.parts.boundary_conditions import (
     PlanetGear,
     RigidSeat,
 )
-from fem.parts.rings import Elastic, ImpossiblePart, Mesh, OuterRing, Part, Patches, RingOnShaft, SquirrelCage
+from fem.parts.rings import (
+    Elastic,
+    ImpossiblePart,
+    MeshSize,
+    OuterRing,
+    Part,
+    Patches,
+    RingOnShaft,
+    SquirrelCage,
+)
 
 __all__ = [
     "ClampedFace",
@@ -23,7 +32,7 @@ __all__ = [
     "ImpossiblePart",
     "LineForce",
     "LineSupports",
-    "Mesh",
+    "MeshSize",
     "OuterRing",
     "Part",
     "Patches",

@@ -17,7 +17,7 @@ from threading import Event, Thread, Timer
 from typing import TYPE_CHECKING, Any, BinaryIO
 
 from fem.parts.material import ImpossiblePart
-from fem.parts.rings import Mesh, Part, Patches, SquirrelCage
+from fem.parts.rings import MeshSize, Part, Patches, SquirrelCage
 from fem.parts.step_solid import StepSolid
 
 if TYPE_CHECKING:
@@ -32,10 +32,10 @@ _START = "import sys; sys.path[:] = {path!r}; from fem.subprocess import _work; 
 _ONE_THREAD = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
 
 
-def condense_apart(
+def condense_in_subprocess(
     part: Part | StepSolid,
     patches: Patches,
-    mesh: Mesh,
+    mesh: MeshSize,
     report: Report | None = None,
     thread_number: int = 2,
     wait: float = WAIT,
@@ -60,7 +60,7 @@ def condense_apart(
     NotSolved
         likewise; or if the process ends without an answer, or is silent for too long
     """
-    return apart(_condense, part, patches, mesh, thread_number, report=report, wait=wait)
+    return in_subprocess(_condense, part, patches, mesh, thread_number, report=report, wait=wait)
 
 
 def _condense(part, patches, mesh, thread_number, report):
@@ -69,25 +69,27 @@ def _condense(part, patches, mesh, thread_number, report):
     return condense(part, patches, mesh, report, thread_number)
 
 
-def condense_sector_apart(
+def condense_sector_in_subprocess(
     cage: SquirrelCage,
     length: float,
-    shapes: int,
-    mesh: Mesh,
+    axial_modes: int,
+    mesh: MeshSize,
     harmonics: int | None = None,
     report: Report | None = None,
 ) -> "HarmonicCompliance":
     """Condense a squirrel cage as `fem.cage.cyclic_symmetry.condense` does, in a process of its own."""
-    return apart(_condense_sector, cage, length, shapes, mesh, harmonics, report=report)
+    return in_subprocess(_condense_sector, cage, length, axial_modes, mesh, harmonics, report=report)
 
 
-def _condense_sector(cage, length, shapes, mesh, harmonics, report):
+def _condense_sector(cage, length, axial_modes, mesh, harmonics, report):
     from fem.cage.cyclic_symmetry import condense
 
-    return condense(cage, length, shapes, mesh, harmonics)
+    return condense(cage, length, axial_modes, mesh, harmonics)
 
 
-def apart(function: Callable, *arguments: Any, report: Report | None = None, wait: float = WAIT) -> Any:
+def in_subprocess(
+    function: Callable, *arguments: Any, report: Report | None = None, wait: float = WAIT
+) -> Any:
     """Call a function in a process of its own.
 
     Parameters

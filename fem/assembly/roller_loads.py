@@ -19,7 +19,7 @@ from scipy import sparse
 
 from fem.assembly.factorisation import NotSolved
 from fem.mesh.solid import MILLIMETRES
-from fem.parts.rings import Mesh, Patches
+from fem.parts.rings import MeshSize, Patches
 
 REACH = 8.0  # standard deviations; a Gaussian has 1e-14 of its peak there
 HIGHEST_ORDER = 15  # above it NGSolve 6.2.2608 pairs points and shape functions wrongly, in silence
@@ -94,7 +94,7 @@ def band(space, raceway: str, order: int) -> Band:
     )  # fmt: skip
 
 
-def quadrature_order(patches: Patches, mesh: Mesh) -> int:
+def quadrature_order(patches: Patches, mesh: MeshSize) -> int:
     """Order that resolves a Gaussian on elements of the raceway, as far as `HIGHEST_ORDER` allows."""
     return min(2 * mesh.order + ceil(5 * mesh.raceway_size / patches.width), HIGHEST_ORDER)
 
@@ -107,7 +107,7 @@ def roller_forces(band: Band, patches: Patches) -> sparse.csc_array:
     band : Band
         quadrature on the raceway
     patches : Patches
-        rollers and axial shapes
+        rollers and axial modes
 
     Returns
     -------
@@ -121,7 +121,7 @@ def roller_forces(band: Band, patches: Patches) -> sparse.csc_array:
     """
     columns = [_pressure(band, patches, phi) for phi in patches.azimuths]
     pressure = sparse.hstack(columns, format="csr")
-    phi = np.repeat(patches.azimuths, patches.shapes)
+    phi = np.repeat(patches.azimuths, patches.axial_modes)
     return sparse.csc_array(band.forces(pressure * np.sin(phi), pressure * np.cos(phi)))
 
 
@@ -130,12 +130,12 @@ def _pressure(band: Band, patches: Patches, azimuth: float) -> sparse.csr_array:
     arc = band.radius * np.angle(np.exp(1j * (band.azimuth - azimuth)))
     near = np.flatnonzero(np.abs(arc) < REACH * patches.width)
     gauss = np.exp(-((arc[near] / patches.width) ** 2) / 2) / (patches.width * np.sqrt(2 * np.pi))
-    shapes = legendre.legvander(2 * band.x[near] / patches.length, patches.shapes - 1)
+    shapes = legendre.legvander(2 * band.x[near] / patches.length, patches.axial_modes - 1)
     unit = _normalised(shapes, gauss * band.area[near], patches)
-    row = np.repeat(near, patches.shapes)
-    column = np.tile(np.arange(patches.shapes), near.size)
+    row = np.repeat(near, patches.axial_modes)
+    column = np.tile(np.arange(patches.axial_modes), near.size)
     values = gauss[:, None] * unit
-    return sparse.csr_array((values.ravel(), (row, column)), shape=(band.x.size, patches.shapes))
+    return sparse.csr_array((values.ravel(), (row, column)), shape=(band.x.size, patches.axial_modes))
 
 
 def _normalised(shapes: NDArray, weight: NDArray, patches: Patches) -> NDArray:
@@ -144,7 +144,7 @@ def _normalised(shapes: NDArray, weight: NDArray, patches: Patches) -> NDArray:
     On an exact quadrature the result is (2m + 1)/l L_m; the difference measures the quadrature.
     """
     gram = shapes.T @ (weight[:, None] * shapes)
-    exact = patches.length / (2 * np.arange(patches.shapes) + 1)
+    exact = patches.length / (2 * np.arange(patches.axial_modes) + 1)
     error = np.abs(gram - np.diag(exact)).max() / patches.length
     if not error <= UNRESOLVED:
         raise NotSolved(

@@ -36,7 +36,10 @@ U, W, V, THETA, CHI, PSI = range(len(MOTIONS))
 
 
 def condense(
-    part: OuterRing | SquirrelCage | RingOnShaft, length: float, shapes: int, harmonics: int | None = None
+    part: OuterRing | SquirrelCage | RingOnShaft,
+    length: float,
+    axial_modes: int,
+    harmonics: int | None = None,
 ) -> HarmonicCompliance:
     r"""Compliance of a raceway for rollers anywhere, its ring as a curved beam.
 
@@ -47,8 +50,8 @@ def condense(
         hollow shaft, both together one section
     length : float
         l of the loaded band [m]
-    shapes : int
-        M, number of axial shapes, 1 or more; under all but the first two the section keeps its place
+    axial_modes : int
+        M, number of axial modes, 1 or more; under all but the first two the section keeps its place
     harmonics : int
         N, the highest; by default what band and thickness ask for
 
@@ -74,10 +77,10 @@ def condense(
     start = time.perf_counter()
     beam = beam_of(part)
     raceway = part.raceway_diameter / 2
-    last = _last_harmonic(raceway, length / shapes, beam.thickness, harmonics)
+    last = _last_harmonic(raceway, length / axial_modes, beam.thickness, harmonics)
     n = np.arange(last + 1)
-    answer = _section_answers(stiffness_of(part, n), length, shapes) + _wall_answers(
-        part.materials["ring"], beam.thickness, raceway, n, length, shapes
+    answer = _section_answers(stiffness_of(part, n), length, axial_modes) + _wall_answers(
+        part.materials["ring"], beam.thickness, raceway, n, length, axial_modes
     )
     return HarmonicCompliance(
         harmonics=np.arange(-last, last + 1),
@@ -217,22 +220,22 @@ def _last_harmonic(radius: float, detail: float, thickness: float, wish: int | N
     return wish or ceil(radius * max(FINENESS / detail, WAVES / thickness))
 
 
-def _section_answers(K: NDArray, length: float, shapes: int) -> NDArray:
+def _section_answers(K: NDArray, length: float, axial_modes: int) -> NDArray:
     """Answers (N + 1, M, M) [m/N] of the rigid section to the first two shapes."""
     # No load on the raceway turns the ring or, where nothing holds it axially, moves it along its axis.
     K[0, V, V] += np.abs(K[0]).max()
     if K[0, U, U] == 0:
         K[0, U, U] = 1.0
-    loads = np.zeros((len(MOTIONS), shapes))
+    loads = np.zeros((len(MOTIONS), axial_modes))
     loads[W, 0] = 1.0
     loads[THETA, 1:2] = length / 2
     return loads.T @ np.linalg.solve(K, np.broadcast_to(loads, (len(K), *loads.shape))) / (2 * np.pi)
 
 
 def _wall_answers(
-    elastic: Elastic, thickness: float, radius: float, n: NDArray, length: float, shapes: int
+    elastic: Elastic, thickness: float, radius: float, n: NDArray, length: float, axial_modes: int
 ) -> NDArray:
     """Answers (N + 1, M, M) [m/N] of the wall below the rollers."""
-    waves = thickness * np.hypot(n[:, None] / radius, np.pi / length * np.arange(shapes))
+    waves = thickness * np.hypot(n[:, None] / radius, np.pi / length * np.arange(axial_modes))
     share = np.sqrt([layer_share(wave, shape) for shape, wave in enumerate(waves.T)]).T
-    return indentation_harmonics(n, radius, length, shapes, elastic) * share[:, :, None] * share[:, None]
+    return indentation_harmonics(n, radius, length, axial_modes, elastic) * share[:, :, None] * share[:, None]

@@ -23,14 +23,14 @@ from fem.assembly import roller_loads
 from fem.assembly.factorisation import RESIDUAL, NotSolved, threads
 from fem.cage.half_pitch_stiffness import Face, Half, face, half, imbalance
 from fem.mesh.half_pitch import half_pitch
-from fem.parts.rings import Mesh, SquirrelCage
+from fem.parts.rings import MeshSize, SquirrelCage
 from fem.raceway.harmonics import HarmonicCompliance, highest_harmonic
 
 _log = logging.getLogger(__name__)
 
 
 def condense(
-    cage: SquirrelCage, length: float, shapes: int, mesh: Mesh, harmonics: int | None = None
+    cage: SquirrelCage, length: float, axial_modes: int, mesh: MeshSize, harmonics: int | None = None
 ) -> HarmonicCompliance:
     r"""Compliance of the raceway of a squirrel cage, for rollers anywhere.
 
@@ -45,9 +45,9 @@ def condense(
         ring, bars and flange
     length : float
         l of the loaded band [m]
-    shapes : int
-        M, number of axial shapes, 1 or more
-    mesh : Mesh
+    axial_modes : int
+        M, number of axial modes, 1 or more
+    mesh : MeshSize
         wishes for the finite elements; order 3 pays
     harmonics : int
         N, the highest; by default 6 M R/l or what the mesh resolves
@@ -69,14 +69,14 @@ def condense(
     Small displacement, perfect bonds, a clamp that does not yield; no load outside the band.
     """
     radius = cage.raceway_diameter / 2
-    last = highest_harmonic(radius, length / shapes, mesh, harmonics)
+    last = highest_harmonic(radius, length / axial_modes, mesh, harmonics)
     start = time.perf_counter()
     with threads(1):  # half a pitch is small: a second thread would only wait
         solid = half_pitch(cage, length, mesh)
         ready = time.perf_counter()
         part = half(cage, solid, mesh.order)
         band = roller_loads.band(part.space, "raceway", roller_loads.HIGHEST_ORDER)
-        faces = [face(part, band, length, shapes, last, symmetric) for symmetric in (True, False)]
+        faces = [face(part, band, length, axial_modes, last, symmetric) for symmetric in (True, False)]
     reduced = time.perf_counter()
     response = _response(part, faces, cage.bars, last)
     done = time.perf_counter()

@@ -86,7 +86,7 @@ def half(cage: SquirrelCage, mesh: ngs.Mesh, order: int) -> Half:
 
 
 def face(
-    half: Half, band: roller_loads.Band, length: float, shapes: int, highest: int, symmetric: bool
+    half: Half, band: roller_loads.Band, length: float, axial_modes: int, highest: int, symmetric: bool
 ) -> Face:
     """Reduce half a pitch to its face in the slot.
 
@@ -98,8 +98,8 @@ def face(
         quadrature on its part of the raceway
     length : float
         l, axial length of the loaded band [m]
-    shapes : int
-        M, number of axial shapes
+    axial_modes : int
+        M, number of axial modes
     highest : int
         N, the highest harmonic
     symmetric : bool
@@ -114,7 +114,7 @@ def face(
     NotSolved
         if half a pitch floats
     """
-    patterns, share = _patterns(half, band, length, (highest + 1, shapes), symmetric)
+    patterns, share = _patterns(half, band, length, (highest + 1, axial_modes), symmetric)
     size, count = patterns.shape
     owner = half.owner.copy()
     owner[half.cut] = 0

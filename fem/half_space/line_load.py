@@ -18,7 +18,7 @@ PANEL_POINTS = 16  # Gauss points on each period of a harmonic
 FAR_POINTS = 20  # Gauss points along a line that is seen from further away than its length
 
 
-def indentation(azimuth, radius: float, length: float, shapes: int, elastic: Elastic) -> NDArray:
+def indentation(azimuth, radius: float, length: float, axial_modes: int, elastic: Elastic) -> NDArray:
     r"""Generalised displacement of a half-space beside a line load.
 
     .. math:: H_{mm'}(\varphi) = \frac{1-\nu^2}{\pi E}\,k_{mm'}(2R\,|\sin(\varphi/2)|)
@@ -31,8 +31,8 @@ def indentation(azimuth, radius: float, length: float, shapes: int, elastic: Ela
         R of the raceway [m]
     length : float
         l of the line [m]
-    shapes : int
-        M, number of axial shapes
+    axial_modes : int
+        M, number of axial modes
     elastic : Elastic
         material below the raceway
 
@@ -48,14 +48,14 @@ def indentation(azimuth, radius: float, length: float, shapes: int, elastic: Ela
     chord = 2 * radius * np.abs(np.sin(np.asarray(azimuth) / 2))
     unit = (1 - elastic.poisson_ratio**2) / (np.pi * elastic.youngs_modulus)
     near = chord < length
-    H = np.empty((*chord.shape, shapes, shapes))
-    H[near] = kernel(chord[near], length, shapes)
-    H[~near] = _far_kernel(chord[~near], length, shapes)
+    H = np.empty((*chord.shape, axial_modes, axial_modes))
+    H[near] = kernel(chord[near], length, axial_modes)
+    H[~near] = _far_kernel(chord[~near], length, axial_modes)
     return unit * H
 
 
 def indentation_harmonics(
-    harmonics: NDArray, radius: float, length: float, shapes: int, elastic: Elastic
+    harmonics: NDArray, radius: float, length: float, axial_modes: int, elastic: Elastic
 ) -> NDArray:
     r"""Fourier coefficients of `indentation`.
 
@@ -65,7 +65,7 @@ def indentation_harmonics(
     ----------
     harmonics : array (K,) of int
         n
-    radius, length, shapes, elastic
+    radius, length, axial_modes, elastic
         as for `indentation`
 
     Returns
@@ -73,7 +73,7 @@ def indentation_harmonics(
     array (K, M, M)
         h [m/N]; for large n it is (1 - nu^2)/(pi E) (2m + 1)/l |n|^-1 on the diagonal
     """
-    return fourier(harmonics, lambda phi: indentation(phi, radius, length, shapes, elastic))
+    return fourier(harmonics, lambda phi: indentation(phi, radius, length, axial_modes, elastic))
 
 
 def fourier(harmonics: NDArray, answer: Callable[[NDArray], NDArray]) -> NDArray:
@@ -143,10 +143,10 @@ def cubic_tail(azimuth, last: int) -> NDArray:
     return np.cos(np.multiply.outer(np.asarray(azimuth), n)) @ (2.0 / n**3)
 
 
-def _far_kernel(arc: NDArray, length: float, shapes: int) -> NDArray:
+def _far_kernel(arc: NDArray, length: float, axial_modes: int) -> NDArray:
     """The kernel of `load_patch` further away than a length, where its recurrence loses digits."""
     x, weights = legendre.leggauss(FAR_POINTS)
-    patterns = weights[:, None] * legendre.legvander(x, shapes - 1) * (np.arange(shapes) + 0.5)
+    patterns = weights[:, None] * legendre.legvander(x, axial_modes - 1) * (np.arange(axial_modes) + 0.5)
     inverse = 1 / np.hypot(arc[:, None, None], (x[:, None] - x) * length / 2)
     return patterns.T @ inverse @ patterns
 

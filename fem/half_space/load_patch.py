@@ -6,7 +6,7 @@ a half-space. The flexible ring must not count it twice, so it is subtracted fro
 .. math:: H_{mm'} = \frac{1-\nu^2}{\pi E} \iint \frac{p_m(s,x)\,p_{m'}(s',x')}{r}\,dA\,dA'
 
 with the patterns p_m of `fem.assembly.roller_loads` on a plane. The difference of two Gaussian arcs is
-Gaussian with sqrt(2) of the width, that of two axial shapes is a polynomial, so that two integrals remain.
+Gaussian with sqrt(2) of the width, that of two axial modes is a polynomial, so that two integrals remain.
 """
 
 import numpy as np
@@ -22,7 +22,7 @@ def half_space(patches: Patches, elastic: Elastic) -> NDArray:
     Parameters
     ----------
     patches : Patches
-        length l, width and number M of shapes are used
+        length l, width and number M of axial modes are used
     elastic : Elastic
         material of the ring that carries the raceway
 
@@ -41,12 +41,12 @@ def half_space(patches: Patches, elastic: Elastic) -> NDArray:
     """
     s, ds = _half_line(np.sqrt(2) * patches.width)
     gauss = np.exp(-((s / patches.width) ** 2) / 4) / (2 * patches.width * np.sqrt(np.pi))
-    H = np.einsum("s,smn->mn", gauss * ds, kernel(s, patches.length, patches.shapes))
+    H = np.einsum("s,smn->mn", gauss * ds, kernel(s, patches.length, patches.axial_modes))
     return (1 - elastic.poisson_ratio**2) / (np.pi * elastic.youngs_modulus) * H
 
 
-def kernel(arc, length: float, shapes: int) -> NDArray:
-    r"""Axial double integral of 1/r between two parallel lines, for every pair of shapes.
+def kernel(arc, length: float, axial_modes: int) -> NDArray:
+    r"""Axial double integral of 1/r between two parallel lines, for every pair of axial modes.
 
     .. math:: k_{mm'}(s) = \iint \frac{a_m(x)\,a_{m'}(x')}{\sqrt{s^2+(x-x')^2}}\,dx\,dx',
               \quad a_m = \frac{2m+1}{l} L_m(2x/l)
@@ -57,7 +57,7 @@ def kernel(arc, length: float, shapes: int) -> NDArray:
         s, distance of the lines [m], > 0; logarithmically singular at 0
     length : float
         l [m]
-    shapes : int
+    axial_modes : int
         M
 
     Returns
@@ -65,20 +65,20 @@ def kernel(arc, length: float, shapes: int) -> NDArray:
     array (..., M, M)
         [1/m]; for m = m' = 0 it is 2 (l asinh(l/s) - sqrt(l^2 + s^2) + s) / l^2
     """
-    coefficients = autocorrelation(shapes)
+    coefficients = autocorrelation(axial_modes)
     powers = _moments(2 * np.asarray(arc) / length, coefficients.shape[-1])
     return np.einsum("...k,mnk->...mn", powers, coefficients) * 2 / length
 
 
-def autocorrelation(shapes: int) -> NDArray:
-    r"""How often two points of two axial shapes lie a distance apart.
+def autocorrelation(axial_modes: int) -> NDArray:
+    r"""How often two points of two axial modes lie a distance apart.
 
     .. math:: A_{mm'}(\rho) = \int a_m(\xi)\,[a_{m'}(\xi+\rho) + a_{m'}(\xi-\rho)]\,d\xi,
               \quad a_m = \tfrac{2m+1}{2} L_m
 
     Parameters
     ----------
-    shapes : int
+    axial_modes : int
         M
 
     Returns
@@ -87,12 +87,12 @@ def autocorrelation(shapes: int) -> NDArray:
         coefficients of A in powers of rho = 2 r/l in [0, 2], symmetric
     """
     # a polynomial of degree m + m' + 1, so it is known from its values at 2 M points
-    rho = 1 + np.cos(np.pi * (np.arange(2 * shapes) + 0.5) / (2 * shapes))
-    nodes, weights = legendre.leggauss(shapes + 1)
+    rho = 1 + np.cos(np.pi * (np.arange(2 * axial_modes) + 0.5) / (2 * axial_modes))
+    nodes, weights = legendre.leggauss(axial_modes + 1)
     half = 1 - rho / 2  # half length of the overlap, whose middle is -rho/2
     left = -rho[:, None] / 2 + half[:, None] * nodes
-    a = legendre.legvander(left, shapes - 1) * (np.arange(shapes) + 0.5)
-    b = legendre.legvander(left + rho[:, None], shapes - 1) * (np.arange(shapes) + 0.5)
+    a = legendre.legvander(left, axial_modes - 1) * (np.arange(axial_modes) + 0.5)
+    b = legendre.legvander(left + rho[:, None], axial_modes - 1) * (np.arange(axial_modes) + 0.5)
     values = np.einsum("r,q,rqm,rqn->rmn", half, weights, a, b)
     values = values + values.swapaxes(1, 2)
     powers = np.linalg.inv(np.vander(rho, increasing=True))

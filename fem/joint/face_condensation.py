@@ -17,7 +17,7 @@ from fem.mesh.solid import MILLIMETRES
 from fem.parts.boundary_conditions import FreeMotions
 from fem.parts.material import ImpossiblePart
 from fem.section.expansion import Along, heating, rotation
-from fem.section.revolved_body import Body, edge_shapes, legendre_shapes
+from fem.section.revolved_body import Body, edge_modes, legendre_polynomials
 from fem.section.rigid_body_modes import held_on_points, responses
 
 FREE = FreeMotions(axial=True, turning=True, across=True)
@@ -50,7 +50,7 @@ class FacePoints:
 
 @dataclass(frozen=True)
 class CondensedBody:
-    """What a body answers at L = 3 A face directions and M raceway shapes.
+    """What a body answers at L = 3 A face directions and M raceway modes.
 
     At every point, pressure comes first, then the tangents along meridian and circumference.
     The last goes with the sine where the others go with the cosine.
@@ -90,7 +90,7 @@ def condense_body(
     last : int
         N, highest harmonic of the tractions, >= 3
     raceway : tuple (2,) of int
-        M, number of shapes on the edge "raceway", and the highest harmonic there
+        M, number of axial modes on the edge "raceway", and the highest harmonic there
     pushed : str
         edge over which an axial push along +x is evenly spread
     variations : mapping
@@ -111,14 +111,14 @@ def condense_body(
     -----
     Small displacement; the body of one material.
     """
-    shapes, highest = raceway
+    axial_modes, highest = raceway
     parts = [_face_basis(body, k, face) for k, face in enumerate(faces)]
     points = FacePoints(*(np.concatenate(column) for column in zip(*(p for p, _ in parts), strict=True)))
-    race = edge_shapes(body, "raceway", shapes) if shapes else np.empty((body.stiffness.unknowns, 0))
+    race = edge_modes(body, "raceway", axial_modes) if axial_modes else np.empty((body.stiffness.unknowns, 0))
     G = np.hstack([*(columns for _, columns in parts), race])
     held = body.stiffness.clamped.any()
     free_motions = FreeMotions(axial=not held, turning=not held, across=not held)
-    beyond = np.empty((0, shapes, shapes))
+    beyond = np.empty((0, axial_modes, axial_modes))
     if highest > last:
         beyond = responses(body, free_motions, race, highest)[last + 1 :]
     growth = held_on_points(_unclamped(body), FREE, 0).solve(0, _axisymmetric(body, pushed, variations or {}))
@@ -161,7 +161,7 @@ def _face_basis(body: Body, number: int, face: ContactFace) -> tuple[tuple[NDArr
     lagrange = legendre.legvander(xi, face.points - 1) * (np.arange(face.points) + 0.5) * gauss[:, None]
     weight = gauss * length / MILLIMETRES / 2 * r
     v = body.space.TestFunction()
-    shapes = legendre_shapes(2 * (along - middle) / length, face.points)
+    shapes = legendre_polynomials(2 * (along - middle) / length, face.points)
     directions = ((face.component, face.sign), (1 - face.component, 1.0), (2, 1.0))
     loads = [
         np.stack([body.load(sign * L * v[k] * ngs.y / MILLIMETRES**2 * where) for L in shapes], axis=1)

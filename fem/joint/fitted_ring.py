@@ -14,7 +14,7 @@ from fem.joint.face_condensation import CondensedBody, ContactFace, condense_bod
 from fem.mesh.axial_section import AxialSection, sections
 from fem.parts.boundary_conditions import ClampedFace, Housing, RigidSeat
 from fem.parts.material import ImpossiblePart
-from fem.parts.rings import SLENDEREST_SLOT, Mesh, OuterRing, RingOnShaft, require_on_track
+from fem.parts.rings import SLENDEREST_SLOT, MeshSize, OuterRing, RingOnShaft, require_on_track
 from fem.raceway.harmonics import highest_harmonic
 from fem.section.expansion import Along
 from fem.section.revolved_body import assembled
@@ -111,8 +111,8 @@ class FittedBodies:
 def condense_fitted(
     part: FittedRing | HousedRing,
     length: float,
-    shapes: int,
-    mesh: Mesh,
+    axial_modes: int,
+    mesh: MeshSize,
     grid: FitGrid | None = None,
     variations: Mapping[str, Along] | None = None,
 ) -> FittedBodies:
@@ -122,7 +122,7 @@ def condense_fitted(
     ----------
     part : FittedRing, HousedRing
         ring with what it sits on or in
-    length, shapes, mesh
+    length, axial_modes, mesh
         as for `fem.section.revolved.condense`
     grid : FitGrid
         resolution of the fit
@@ -148,7 +148,7 @@ def condense_fitted(
     """
     seat, grid = part.seat, grid or FitGrid()
     require_on_track(length, seat.track)
-    last = highest_harmonic(seat.raceway_diameter / 2, length / shapes, mesh)
+    last = highest_harmonic(seat.raceway_diameter / 2, length / axial_modes, mesh)
     if last < grid.harmonics:
         raise NotSolved(
             f"{grid.harmonics} harmonics of the fit are more than the {last} of the raceway: "
@@ -159,7 +159,7 @@ def condense_fitted(
     with threads(1):  # sections are small: a second thread would only wait
         bodies = [assembled([section], seat.materials, mesh) for section in part.sections(length)]
         ready = time.perf_counter()
-        ring = condense_body(bodies[0], faces, grid.harmonics, (shapes, last), pushed, variations)
+        ring = condense_body(bodies[0], faces, grid.harmonics, (axial_modes, last), pushed, variations)
         mate = condense_body(bodies[1], faces, grid.harmonics, variations=variations)
     done = time.perf_counter()
     _log.info("%s: %d unknowns, %.1f s", type(part).__name__, ring.unknowns + mate.unknowns, done - start)

@@ -20,7 +20,7 @@ MOVES = 1e-9  # of the largest trace: below it a rigid motion does not show in t
 
 @dataclass(frozen=True)
 class InterfaceStiffness:
-    """A ring with its mate: A points on each of P azimuths, D directions of force, M raceway shapes."""
+    """A ring with its mate: A points on each of P azimuths, D directions of force, M raceway modes."""
 
     carries: NDArray  # of bool, which points of the bodies are meant: A of them
     points: FacePoints

@@ -24,7 +24,7 @@ BALANCED = 1e-9  # resultant of the rollers over the sum of their forces, below 
 
 @dataclass(frozen=True, kw_only=True)
 class LoadedFit:
-    """Raceway and fit under Z rollers of M shapes; P azimuths of A points along the faces.
+    """Raceway and fit under Z rollers of M axial modes; P azimuths of A points along the faces.
 
     A bonded fit tells by the same names where it would open or slip first.
     """
@@ -54,7 +54,7 @@ class LoadedFit:
         own = _at_rollers(moved, self.turn).reshape(Z, M, Z, M).transpose(2, 3, 0, 1)
         return replace(
             self.closed,
-            full=self.closed.full + own,
+            absolute=self.closed.absolute + own,
             translation=self.closed.translation + _translation(moved).reshape(2, Z, M),
             support_stiffness=float(2 / (2 / self.closed.support_stiffness + support)),
         )
@@ -159,7 +159,7 @@ def loaded(fit: PreloadedFit, azimuths, forces, start: NDArray | None = None) ->
     state, steps = _touching(fit, contact, loads, start)
     moved = joint.raceway_harmonics(_flat(state.jump - fit.rest(joint)))
     return LoadedFit(
-        deviation=np.tensordot(closed.full, F, 2) + _at_rollers(moved, turn),
+        deviation=np.tensordot(closed.absolute, F, 2) + _at_rollers(moved, turn),
         translation=np.tensordot(closed.translation, F, 2) + _translation(moved),
         contact=state,
         steps=steps,

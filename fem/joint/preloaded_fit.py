@@ -27,7 +27,7 @@ class Fit:
     clamping: float = (
         0.0  # [N] with which a nut presses the far face of the ring, so that the shoulder holds it
     )
-    expansions: tuple[float, float] = (0.0, 0.0)  # alpha (T - T0) of ring, mate [-]
+    thermal_strains: tuple[float, float] = (0.0, 0.0)  # alpha (T - T0) of ring, mate [-]
     densities: tuple[float, float] = (0.0, 0.0)  # rho of ring, mate [kg/m^3]
     speed: float = 0.0  # [rad/s]
 
@@ -66,7 +66,7 @@ class PreloadedFit:
         """Expansion of the raceway (M,) [m] outward by heat, rotation and fit; see `section.expansion`."""
         ring, fit = self.bodies.ring, self.fit
         L = 3 * self.force.size
-        loads = np.array([fit.expansions[0], fit.densities[0] * fit.speed**2, fit.clamping, 1.0])
+        loads = np.array([fit.thermal_strains[0], fit.densities[0] * fit.speed**2, fit.clamping, 1.0])
         return ring.axisymmetric[L:] @ loads + ring.compliance[0, L:, :L:3] @ self.force
 
     @cached_property
@@ -165,7 +165,7 @@ def _growth_apart(bodies: FittedBodies, fit: Fit) -> NDArray:
         body.axisymmetric[: 3 * body.points.x.size : 3]
         @ np.array([expansion, density * fit.speed**2, 0.0, 1.0])
         for body, expansion, density in zip(
-            (bodies.ring, bodies.mate), fit.expansions, fit.densities, strict=True
+            (bodies.ring, bodies.mate), fit.thermal_strains, fit.densities, strict=True
         )
     ]
     return grown[0] - grown[1]

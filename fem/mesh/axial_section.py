@@ -16,7 +16,7 @@ from netgen import occ
 
 from fem.mesh.solid import MILLIMETRES
 from fem.parts.boundary_conditions import Housing, edge_names
-from fem.parts.rings import ImpossiblePart, Mesh, OuterRing, RingOnShaft
+from fem.parts.rings import ImpossiblePart, MeshSize, OuterRing, RingOnShaft
 
 GRADED_LAYERS = 2  # layers of ever smaller elements around each corner, where stress may be singular
 GRADED_RATIO = 0.2  # size of a layer to that of the one around it
@@ -94,14 +94,14 @@ def _(part: RingOnShaft, length):
     return [ring, shaft]
 
 
-def meshed(bodies: list[AxialSection], wishes: Mesh) -> ngs.Mesh:
+def meshed(bodies: list[AxialSection], wishes: MeshSize) -> ngs.Mesh:
     """Triangles that fill sections, with quadrilaterals in the layers around corners.
 
     Parameters
     ----------
     bodies : list of AxialSection
         which touch along whole edges
-    wishes : Mesh
+    wishes : MeshSize
         element sizes
 
     Returns

@@ -12,7 +12,7 @@ from dataclasses import replace
 import ngsolve as ngs
 import numpy as np
 
-from fem.parts.rings import ImpossiblePart, Mesh
+from fem.parts.rings import ImpossiblePart, MeshSize
 
 LEAST = 0.02  # of the volume of a straight element that is left where it does not count as folded
 FOLDED = 1e-3  # share of a volume that may fold beside fillets; that changes compliances by 1e-3 at most
@@ -21,14 +21,14 @@ FINER = (1.0, 0.85, 0.7)  # sizes over those asked for, one after the other
 _log = logging.getLogger(__name__)
 
 
-def curved(generate: Callable[[Mesh], ngs.Mesh], wishes: Mesh, allowed: float = 0.0) -> ngs.Mesh:
+def curved(generate: Callable[[MeshSize], ngs.Mesh], wishes: MeshSize, allowed: float = 0.0) -> ngs.Mesh:
     """Curve a mesh; where that turns elements inside out, take a finer one.
 
     Parameters
     ----------
-    generate : callable (Mesh)
+    generate : callable (MeshSize)
         straight mesh by its wishes
-    wishes : Mesh
+    wishes : MeshSize
         order of the geometry and element sizes
     allowed : float
         share of the volume that may fold [-]

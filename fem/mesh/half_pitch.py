@@ -14,7 +14,7 @@ from netgen import occ
 
 from fem.mesh.curved import FOLDED, curved
 from fem.mesh.solid import ARC, MILLIMETRES, require_kept, size_raceway, solids
-from fem.parts.rings import Mesh, SquirrelCage, require_on_track
+from fem.parts.rings import MeshSize, SquirrelCage, require_on_track
 
 NEAR = 1e-6  # [mm], [rad] geometric tolerance
 LAYERS = 1  # of elements refined geometrically towards a sharp edge
@@ -23,7 +23,7 @@ LAYER_RATIO = 0.15  # close to 0.17, the best for a singular edge (Gui and Babus
 _AXIS = occ.Axis(occ.Pnt(0, 0, 0), occ.X)
 
 
-def half_pitch(part: SquirrelCage, length: float, wishes: Mesh) -> ngs.Mesh:
+def half_pitch(part: SquirrelCage, length: float, wishes: MeshSize) -> ngs.Mesh:
     """Curved elements that fill half a pitch of a squirrel cage.
 
     Where bars meet ring and flange at a sharp edge the stress is singular: layers of thinner and
@@ -55,7 +55,7 @@ def half_pitch(part: SquirrelCage, length: float, wishes: Mesh) -> ngs.Mesh:
         elif abs(azimuth - pi / part.bars) < NEAR:
             face.name = "cut"
 
-    def straight(sizes: Mesh) -> ngs.Mesh:
+    def straight(sizes: MeshSize) -> ngs.Mesh:
         size_raceway(body, sizes)
         tetrahedra = occ.OCCGeometry(body).GenerateMesh(
             maxh=sizes.size * MILLIMETRES, parallel_meshing=False, curvaturesafety=ARC

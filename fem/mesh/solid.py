@@ -16,7 +16,15 @@ from fem.mesh import step_import
 from fem.mesh.curved import FOLDED, curved
 from fem.parts.boundary_conditions import ClampedFace, Housing, RigidSeat, edge_names
 from fem.parts.material import require
-from fem.parts.rings import ImpossiblePart, Mesh, OuterRing, Part, RingOnShaft, SquirrelCage, require_on_track
+from fem.parts.rings import (
+    ImpossiblePart,
+    MeshSize,
+    OuterRing,
+    Part,
+    RingOnShaft,
+    SquirrelCage,
+    require_on_track,
+)
 from fem.parts.step_solid import StepSolid
 
 MILLIMETRES = 1e3  # per metre
@@ -26,7 +34,7 @@ ARC = 0.6  # elements on the radius of a fillet; curved elements need no more
 _AXIS = occ.Axis(occ.Pnt(0, 0, 0), occ.X)
 
 
-def meshed(part: Part | StepSolid, length: float, wishes: Mesh) -> ngs.Mesh:
+def meshed(part: Part | StepSolid, length: float, wishes: MeshSize) -> ngs.Mesh:
     """Curved tetrahedra that fill a part, with the loaded band as faces of their own.
 
     Parameters
@@ -35,7 +43,7 @@ def meshed(part: Part | StepSolid, length: float, wishes: Mesh) -> ngs.Mesh:
         the ring with its seat
     length : float
         axial length of the loaded band, centred on x = 0 [m], at most the track of the part
-    wishes : Mesh
+    wishes : MeshSize
         order of the geometry and element sizes
 
     Returns
@@ -52,7 +60,7 @@ def meshed(part: Part | StepSolid, length: float, wishes: Mesh) -> ngs.Mesh:
     body, rounded = occ.Glue(solids(part, length)), isinstance(part, SquirrelCage) and part.fillet > 0
     finer = {"curvaturesafety": ARC} if rounded else {}
 
-    def straight(sizes: Mesh) -> ngs.Mesh:
+    def straight(sizes: MeshSize) -> ngs.Mesh:
         size_raceway(body, sizes)
         # bodies meshed in parallel were seen to crash, at random, on a busy machine; and to take longer
         return ngs.Mesh(
@@ -62,7 +70,7 @@ def meshed(part: Part | StepSolid, length: float, wishes: Mesh) -> ngs.Mesh:
     return curved(straight, wishes, FOLDED if rounded else 0.0)
 
 
-def size_raceway(body, sizes: Mesh) -> None:
+def size_raceway(body, sizes: MeshSize) -> None:
     """Wish for the size of elements on the loaded band of a shape."""
     for face in body.faces:
         if face.name == "raceway":

@@ -196,7 +196,7 @@ def require_on_track(length: float, track: float) -> None:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Mesh:
+class MeshSize:
     """Wishes for the finite elements; geometry wins where a feature is finer than the size."""
 
     order: int  # polynomial order of displacement and of curved geometry
@@ -213,12 +213,12 @@ class Patches:
     """Where and how rollers load a raceway, and in which shapes their forces are resolved.
 
     Every roller presses on |x| <= length/2 with a Gaussian along the arc; along its length the
-    pressure is a sum of Legendre polynomials L_m(2 x / length), m = 0 .. shapes - 1.
+    pressure is a sum of Legendre polynomials L_m(2 x / length), m = 0 .. axial_modes - 1.
     """
 
     azimuths: Sequence[float]  # (Z,) [rad] of the rollers
     length: float  # [m] of the loaded band
-    shapes: int  # M, number of axial shapes; 2 are load and moment
+    axial_modes: int  # M, number of axial modes; 2 are load and moment
     width: float  # [m] standard deviation of the Gaussian along the arc
 
     def __post_init__(self):
@@ -226,4 +226,4 @@ class Patches:
         require_positive(self, "length", "width")
         require(all(map(isfinite, self.azimuths)) and len(self.azimuths) > 0,
                  "azimuths", self.azimuths, "one or more finite angles")  # fmt: skip
-        require(2 <= self.shapes <= 8, "shapes", self.shapes, "2 to 8")
+        require(2 <= self.axial_modes <= 8, "axial_modes", self.axial_modes, "2 to 8")

@@ -11,20 +11,20 @@ class RacewayCompliance:
     """How a raceway deflects under Z rollers with M forces each; symbols as in `assembly.roller_loads`."""
 
     azimuths: NDArray  # (Z,) [rad]
-    full: NDArray  # (Z, M, Z, M) [m/N] outward displacement per outward force, symmetric, half-space removed
+    absolute: NDArray  # (Z, M, Z, M) [m/N] outward displacement per outward force; half-space removed
     translation: NDArray  # (2, Z, M) [m/N] mean rigid translation (y, z) of the band per generalised force
     support_stiffness: float  # [N/m] resultant over mean translation under a load like cos(phi)
     unknowns: int
     elements: int
     seconds: dict[str, float] = field(compare=False)  # by stage: mesh, factor, condense
-    deviation_without_load: NDArray = field(default_factory=lambda: np.zeros((0, 0)))  # (Z, M) [m] outward
+    initial_deviation: NDArray = field(default_factory=lambda: np.zeros((0, 0)))  # (Z, M) [m] outward
 
     def __post_init__(self):
-        if self.deviation_without_load.size == 0:
-            object.__setattr__(self, "deviation_without_load", np.zeros(self.full.shape[:2]))
+        if self.initial_deviation.size == 0:
+            object.__setattr__(self, "initial_deviation", np.zeros(self.absolute.shape[:2]))
 
     @property
-    def matrix(self) -> NDArray:
+    def relative(self) -> NDArray:
         r"""Outward deviation from the translated raceway per outward force.
 
         .. math:: \bar C_{jm,j'm'} = C_{jm,j'm'} - \delta_{m0}\,(t_y \sin\varphi_j + t_z \cos\varphi_j)_{j'm'}
@@ -36,6 +36,6 @@ class RacewayCompliance:
             of the raceway is still in it.
         """
         direction = np.stack([np.sin(self.azimuths), np.cos(self.azimuths)], axis=1)
-        reduced = self.full.copy()
+        reduced = self.absolute.copy()
         reduced[:, 0] -= np.tensordot(direction, self.translation, 1)
         return reduced

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from fem.errors import NotSolved
 from fem.half_space.line_load import cubic_tail, curvature_tail, indentation, indentation_harmonics
-from fem.parts.rings import Elastic, ImpossiblePart, Mesh
+from fem.parts.rings import Elastic, ImpossiblePart, MeshSize
 from fem.raceway.compliance import RacewayCompliance
 
 TRUNCATED = 0.05  # allowed part of the own terms that comes from beyond the last harmonic
@@ -27,7 +27,7 @@ FINENESS = 6.0  # highest harmonic over M R/l, unless one is asked for
 RESOLVED = 0.6  # highest harmonic over order times R/h on raceway elements of size h: beyond, errors grow
 
 
-def highest_harmonic(radius: float, detail: float, mesh: Mesh, wish: int | None = None) -> int:
+def highest_harmonic(radius: float, detail: float, mesh: MeshSize, wish: int | None = None) -> int:
     """Choose the last harmonic: one that the elements of the raceway still resolve.
 
     Parameters
@@ -36,7 +36,7 @@ def highest_harmonic(radius: float, detail: float, mesh: Mesh, wish: int | None 
         R of the raceway [m]
     detail : float
         length l/M that an axial shape resolves [m]
-    mesh : Mesh
+    mesh : MeshSize
         order and raceway size of the elements
     wish : int, optional
         N that is asked for
@@ -114,7 +114,7 @@ class HarmonicCompliance:
         translation, support = self._translation(phi)
         return RacewayCompliance(
             azimuths=phi,
-            full=self.full(phi),
+            absolute=self.absolute(phi),
             translation=translation,
             support_stiffness=float(2 / np.trace(support)),
             unknowns=self.unknowns,
@@ -122,7 +122,7 @@ class HarmonicCompliance:
             seconds=self.seconds,
         )
 
-    def full(self, azimuths: NDArray) -> NDArray:
+    def absolute(self, azimuths: NDArray) -> NDArray:
         """The matrix of `at` alone, also for a raceway without a hold of its own.
 
         Parameters
@@ -147,8 +147,8 @@ class HarmonicCompliance:
                 f"{self.truncation:.2g} of the own compliance lies beyond harmonic {self.harmonics[-1]}, "
                 f"allowed {TRUNCATED:g}: take more harmonics"
             )
-        full = self._series(azimuths) + self._beyond(azimuths) + self._neighbours(azimuths)
-        return (full + full.transpose(2, 3, 0, 1)) / 2
+        absolute = self._series(azimuths) + self._beyond(azimuths) + self._neighbours(azimuths)
+        return (absolute + absolute.transpose(2, 3, 0, 1)) / 2
 
     @property
     def truncation(self) -> float:

@@ -1,7 +1,7 @@
 """Which rollers need a solve, and how the others follow from them.
 
 A rotation or a mirror image that maps bars on bars and rollers on rollers leaves the compliance as
-it is, with the rollers renumbered. Axial shapes and radial directions are not changed by either.
+it is, with the rollers renumbered. Axial modes and radial directions are not changed by either.
 """
 
 import numpy as np
@@ -90,5 +90,5 @@ def completed(columns: NDArray, solved: NDArray, renumbered: NDArray) -> NDArray
             # row maps j on row[j]: C[row[i], row[j]] = C[i, j]
             total[row, :, row[roller]] += columns[:, :, number]
             count[row[roller]] += 1
-    full = total / count[:, None]
-    return (full + full.transpose(2, 3, 0, 1)) / 2
+    absolute = total / count[:, None]
+    return (absolute + absolute.transpose(2, 3, 0, 1)) / 2

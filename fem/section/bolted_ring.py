@@ -26,7 +26,7 @@ from fem.mesh.bolted_ring_section import section
 from fem.mesh.solid import MILLIMETRES
 from fem.parts.bolted_ring import BoltedGrooveRing
 from fem.parts.boundary_conditions import FreeMotions
-from fem.parts.rings import Mesh
+from fem.parts.rings import MeshSize
 from fem.raceway.harmonics import TRUNCATED, highest_harmonic
 from fem.section.revolved_body import Body, Springs, assembled
 from fem.section.rigid_body_modes import responses
@@ -35,7 +35,7 @@ _log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True, kw_only=True)
-class ArchCompliance:
+class GrooveCompliance:
     """What the arches of a ring yield to the balls, the ball's own half-space left out."""
 
     row: NDArray  # (Z, 2, 2, 2, 2) [m/N] arch and component by those of the force, so many pitches apart
@@ -46,8 +46,8 @@ class ArchCompliance:
 
 
 def condense(
-    ring: BoltedGrooveRing, balls: int, length: float, mesh: Mesh, harmonics: int | None = None
-) -> ArchCompliance:  # fmt: skip
+    ring: BoltedGrooveRing, balls: int, length: float, mesh: MeshSize, harmonics: int | None = None
+) -> GrooveCompliance:  # fmt: skip
     r"""Compliance of both arches under balls at equal pitches.
 
     .. math:: C(d) = \sum_{|n| \le N} (W_n - h_n) \cos n\varphi_d + T_N(\varphi_d)
@@ -64,14 +64,14 @@ def condense(
         Z, 3 or more
     length : float
         l of the loaded lines [m]; a fifth of the ball is near a heavily loaded contact
-    mesh : Mesh
+    mesh : MeshSize
         wishes for the finite elements; order 5 or 6 pays
     harmonics : int
         N, the highest; by default 6 R/l or what the mesh resolves
 
     Returns
     -------
-    ArchCompliance
+    GrooveCompliance
         arches in the order (+x, -x), components (outward, +x); symmetric
 
     Raises
@@ -104,7 +104,7 @@ def condense(
             f"{beyond:.2g} of the own compliance lies beyond harmonic {last}, allowed {TRUNCATED:g}: "
             "take more harmonics or a finer mesh of the lines"
         )
-    return ArchCompliance(
+    return GrooveCompliance(
         row=row.reshape(balls, 2, 2, 2, 2),
         beyond=beyond,
         harmonics=last,
@@ -113,7 +113,7 @@ def condense(
     )
 
 
-def body_of(ring: BoltedGrooveRing, length: float, mesh: Mesh) -> Body:
+def body_of(ring: BoltedGrooveRing, length: float, mesh: MeshSize) -> Body:
     """Assemble the section of a ring on its bolted face."""
     polygon = section(ring, length)
     named = {name for *_, name in polygon.corners}

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from fem.assembly import harmonic_elasticity as forms
 from fem.mesh.solid import MILLIMETRES
 from fem.parts.material import ImpossiblePart, require
-from fem.section.revolved_body import Body, edge_shapes
+from fem.section.revolved_body import Body, edge_modes
 
 ENDS = 1e-9  # of its length, by which a body may reach beyond the places of its expansion
 
@@ -58,14 +58,14 @@ def rotation(body: Body, densities: Mapping[str, float], speed: float) -> NDArra
     return body.load(forms.centrifugal(body.space.TestFunction(), density, speed))
 
 
-def heating(body: Body, expansions: Mapping[str, float | Along]) -> NDArray:
-    """Load vector of free thermal expansions.
+def heating(body: Body, thermal_strains: Mapping[str, float | Along]) -> NDArray:
+    """Load vector of free thermal strains.
 
     Parameters
     ----------
     body : Body
         assembled sections
-    expansions : mapping
+    thermal_strains : mapping
         alpha (T - T0) of every body by its name [-], positive when it grows; even, or `Along` the axis
 
     Returns
@@ -82,11 +82,13 @@ def heating(body: Body, expansions: Mapping[str, float | Along]) -> NDArray:
     -----
     Elements through which a kink of the expansion passes integrate it only nearly.
     """
-    expansion = body.space.mesh.MaterialCF({name: _field(body, name, e) for name, e in expansions.items()})
+    expansion = body.space.mesh.MaterialCF(
+        {name: _field(body, name, e) for name, e in thermal_strains.items()}
+    )
     return body.load(forms.thermal(body.space.TestFunction(), body.bulk, expansion))
 
 
-def growth(body: Body, load: NDArray, edge: str, shapes: int = 1) -> NDArray:
+def radial_expansion(body: Body, load: NDArray, edge: str, axial_modes: int = 1) -> NDArray:
     """Radial displacement of a cylindrical edge under an axisymmetric load.
 
     Parameters
@@ -97,13 +99,13 @@ def growth(body: Body, load: NDArray, edge: str, shapes: int = 1) -> NDArray:
         sum of vectors of `rotation`, `heating`
     edge : str
         name of the edge
-    shapes : int
+    axial_modes : int
         M
 
     Returns
     -------
     array (M,)
-        w_m [m] outward as in `edge_shapes`; the displacement along the edge is the sum of w_m L_m
+        w_m [m] outward as in `edge_modes`; the displacement along the edge is the sum of w_m L_m
 
     Raises
     ------
@@ -111,7 +113,7 @@ def growth(body: Body, load: NDArray, edge: str, shapes: int = 1) -> NDArray:
         if the body is not held
     """
     u = body.stiffness.solve(0, load[:, None])
-    return edge_shapes(body, edge, shapes).T @ u[:, 0]
+    return edge_modes(body, edge, axial_modes).T @ u[:, 0]
 
 
 def _field(body: Body, name: str, expansion: float | Along):

@@ -14,22 +14,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fem.assembly.factorisation import NotSolved, threads
-from fem.parts.rings import Mesh, OuterRing, require_on_track
+from fem.parts.rings import MeshSize, OuterRing, require_on_track
 from fem.raceway.harmonics import FINENESS, HarmonicCompliance, highest_harmonic
-from fem.section.revolved_body import Body, edge_shapes
+from fem.section.revolved_body import Body, edge_modes
 from fem.section.rigid_body_modes import body_of, responses
 
 DEPTH = 10.0  # highest harmonic over R/thickness: through the ring less than exp(-10) of it is felt
 MARGIN = 1.5  # highest harmonic over that of a band whose ends are far from the ends of its ring
 REST = 1e-3  # allowed part of the answers through the ring that lies beyond the last harmonic
-LINE_SHAPES = 2  # mean and moment of a line load
+LINE_MODES = 2  # mean and moment of a line load
 
 
 @dataclass(frozen=True, kw_only=True)
 class FreeRing:
     """Answers of a free ring, its raceway neither translated nor tilted in the mean."""
 
-    raceway: HarmonicCompliance  # M shapes
+    raceway: HarmonicCompliance  # M axial modes
     lines: HarmonicCompliance  # radial loads on the outer surface, 2 shapes over the full width
     radial: NDArray  # (N + 1, M, 2) [m/N] w_nm of the raceway per radial line load
     tangential: NDArray  # (N + 1, M) [m/N] per tangential load like sin, where w is like cos
@@ -75,7 +75,7 @@ class FreeRing:
         return np.einsum("ikn,nm->imk", waves, self.tangential)
 
 
-def rigid_motions(azimuths: NDArray, length: float, shapes: int) -> NDArray:
+def rigid_motions(azimuths: NDArray, length: float, axial_modes: int) -> NDArray:
     """Generalised radial displacement by rigid motions of a ring.
 
     Parameters
@@ -84,7 +84,7 @@ def rigid_motions(azimuths: NDArray, length: float, shapes: int) -> NDArray:
         of lines on it [rad]
     length : float
         l of the lines [m]
-    shapes : int
+    axial_modes : int
         M
 
     Returns
@@ -93,13 +93,13 @@ def rigid_motions(azimuths: NDArray, length: float, shapes: int) -> NDArray:
         by translations along y and z [-], and by tilts u_y = x, u_z = x [m]
     """
     normals = np.stack([np.sin(azimuths), np.cos(azimuths)], axis=-1)
-    motions = np.zeros((len(normals), shapes, 4))
+    motions = np.zeros((len(normals), axial_modes, 4))
     motions[:, 0, :2] = normals
     motions[:, 1:2, 2:] = normals[:, None] * length / 2
     return motions
 
 
-def last_harmonic(part: OuterRing, detail: float, mesh: Mesh, wish: int | None) -> int:
+def last_harmonic(part: OuterRing, detail: float, mesh: MeshSize, wish: int | None) -> int:
     """Choose the last harmonic: fine enough for bands up to the ends of a ring, also of a thin one.
 
     Parameters
@@ -124,7 +124,7 @@ def last_harmonic(part: OuterRing, detail: float, mesh: Mesh, wish: int | None) 
 
 
 def condense(
-    part: OuterRing, length: float, shapes: int, mesh: Mesh, harmonics: int | None = None
+    part: OuterRing, length: float, axial_modes: int, mesh: MeshSize, harmonics: int | None = None
 ) -> FreeRing:
     """Condense a ring with loads on its raceway and on lines along its outer surface.
 
@@ -134,9 +134,9 @@ def condense(
         on `LineSupports` or as a `PlanetGear`, whose lines may be anywhere
     length : float
         l of the loaded band [m]
-    shapes : int
-        M, number of axial shapes, 1 or more
-    mesh : Mesh
+    axial_modes : int
+        M, number of axial modes, 1 or more
+    mesh : MeshSize
         wishes for the finite elements; the raceway size holds on the outer surface, too
     harmonics : int
         N, the highest; by default what the raceway and the thickness of the ring need
@@ -154,12 +154,12 @@ def condense(
     """
     require_on_track(length, part.track)
     radius, outer = part.raceway_diameter / 2, part.raceway_diameter / 2 + part.thickness
-    last = last_harmonic(part, length / shapes, mesh, harmonics)
+    last = last_harmonic(part, length / axial_modes, mesh, harmonics)
     start = time.perf_counter()
     with threads(1):  # sections are small: a second thread would only wait
         body = body_of(part, length, mesh)
         ready = time.perf_counter()
-        W = _free_responses(body, part, length, max(shapes, 2), last)
+        W = _free_responses(body, part, length, max(axial_modes, 2), last)
     figures = {
         "harmonics": np.arange(-last, last + 1),
         "elastic": part.elastic,
@@ -169,7 +169,7 @@ def condense(
         "seconds": {"factor": ready - start, "condense": time.perf_counter() - ready},
     }
     both_ways = np.concatenate([W[:0:-1], W])
-    own = slice(shapes), slice(-LINE_SHAPES - 1, -1)
+    own = slice(axial_modes), slice(-LINE_MODES - 1, -1)
     ring = FreeRing(
         raceway=HarmonicCompliance(
             response=both_ways[:, own[0], own[0]], radius=radius, length=length, **figures
@@ -184,21 +184,21 @@ def condense(
     return ring
 
 
-def _free_responses(body: Body, part: OuterRing, length: float, shapes: int, last: int) -> NDArray:
-    """Answers (N + 1, L, L) [m/N] of raceway shapes, two radial line shapes and a tangential one."""
+def _free_responses(body: Body, part: OuterRing, length: float, axial_modes: int, last: int) -> NDArray:
+    """Answers (N + 1, L, L) [m/N] of raceway modes, two radial line shapes and a tangential one."""
     v, section = body.space.TestFunction(), body.space.mesh
     where = section.Boundaries("lines")
     along = body.load(v[2] * ngs.ds(definedon=where)) / ngs.Integrate(
         ngs.CF(1), section, ngs.BND, definedon=where
     )
     G = np.column_stack(
-        [edge_shapes(body, "raceway", shapes), edge_shapes(body, "lines", LINE_SHAPES), along]
+        [edge_modes(body, "raceway", axial_modes), edge_modes(body, "lines", LINE_MODES), along]
     )
     W = responses(body, part.free_motions, G, last) / (2 * np.pi)
     # by the rigid motions (u_x, u_r, u_t) = (0, 1, -1) and (-r, x, -x)
     rigid = np.zeros((G.shape[1], 2))
-    rigid[[0, shapes, -1], 0] = 1, 1, -1
-    rigid[[1, shapes + 1], 1] = length / 2, part.width / 2
+    rigid[[0, axial_modes, -1], 0] = 1, 1, -1
+    rigid[[1, axial_modes + 1], 1] = length / 2, part.width / 2
     W[1] = _referred(W[1], rigid)
     return W
 

@@ -6,16 +6,20 @@ import time
 import numpy as np
 
 from fem.assembly.factorisation import threads
-from fem.parts.rings import ImpossiblePart, Mesh, OuterRing, RingOnShaft, require_on_track
+from fem.parts.rings import ImpossiblePart, MeshSize, OuterRing, RingOnShaft, require_on_track
 from fem.raceway.harmonics import HarmonicCompliance, highest_harmonic
-from fem.section.revolved_body import edge_shapes
+from fem.section.revolved_body import edge_modes
 from fem.section.rigid_body_modes import body_of, responses
 
 _log = logging.getLogger(__name__)
 
 
 def condense(
-    part: OuterRing | RingOnShaft, length: float, shapes: int, mesh: Mesh, harmonics: int | None = None
+    part: OuterRing | RingOnShaft,
+    length: float,
+    axial_modes: int,
+    mesh: MeshSize,
+    harmonics: int | None = None,
 ) -> HarmonicCompliance:
     r"""Compliance of the raceway of a body of revolution, for rollers anywhere.
 
@@ -27,9 +31,9 @@ def condense(
         body of revolution with its seat
     length : float
         l of the loaded band [m]
-    shapes : int
-        M, number of axial shapes, 1 or more
-    mesh : Mesh
+    axial_modes : int
+        M, number of axial modes, 1 or more
+    mesh : MeshSize
         wishes for the finite elements; order 5 or 6 pays
     harmonics : int
         N, the highest; by default 6 M R/l or what the mesh resolves
@@ -55,12 +59,12 @@ def condense(
             "a ring that nothing holds has no compliance; `fem.section.supported_ring` adds the lines"
         )
     radius = part.raceway_diameter / 2
-    last = highest_harmonic(radius, length / shapes, mesh, harmonics)
+    last = highest_harmonic(radius, length / axial_modes, mesh, harmonics)
     start = time.perf_counter()
     with threads(1):  # sections are small: a second thread would only wait
         body = body_of(part, length, mesh)
         ready = time.perf_counter()
-        W = responses(body, part.free_motions, edge_shapes(body, "raceway", shapes), last) / (2 * np.pi)
+        W = responses(body, part.free_motions, edge_modes(body, "raceway", axial_modes), last) / (2 * np.pi)
     done = time.perf_counter()
     _log.info("%s: %d unknowns, %.1f s", type(part).__name__, body.stiffness.unknowns, done - start)
     return HarmonicCompliance(

@@ -12,7 +12,7 @@ from fem.assembly import harmonic_elasticity as forms
 from fem.assembly.elasticity import lame_constants
 from fem.assembly.harmonic_stiffness import HarmonicStiffness, harmonic_stiffness
 from fem.mesh.axial_section import AxialSection, meshed
-from fem.parts.rings import Elastic, ImpossiblePart, Mesh
+from fem.parts.rings import Elastic, ImpossiblePart, MeshSize
 
 FLAT = 1e-12  # mean square deviation of an edge from its radius, over the square of that
 
@@ -40,7 +40,7 @@ class Body:
 
 
 def assembled(
-    bodies: list[AxialSection], materials: Mapping[str, Elastic], mesh: Mesh,
+    bodies: list[AxialSection], materials: Mapping[str, Elastic], mesh: MeshSize,
     foundations: Mapping[str, Springs] | None = None,
 ) -> Body:  # fmt: skip
     """Mesh sections and assemble their stiffness.
@@ -51,7 +51,7 @@ def assembled(
         bonded where they touch, held on the edges named "clamped"
     materials : mapping
         `Elastic` of every body by its name
-    mesh : Mesh
+    mesh : MeshSize
         wishes for the finite elements
     foundations : mapping
         `Springs` to ground by the name of the edge
@@ -79,7 +79,7 @@ def assembled(
     )
 
 
-def edge_shapes(body: Body, edge: str, shapes: int) -> NDArray:
+def edge_modes(body: Body, edge: str, axial_modes: int) -> NDArray:
     r"""Load vectors of Legendre pressures on a cylindrical edge, which also read its displacement.
 
     .. math:: g_m(v) = \int \frac{2m+1}{l} L_m(2(x - x_0)/l)\,v_r\,dx
@@ -90,7 +90,7 @@ def edge_shapes(body: Body, edge: str, shapes: int) -> NDArray:
         assembled sections
     edge : str
         name of an edge of length l centred on x_0, along x
-    shapes : int
+    axial_modes : int
         M
 
     Returns
@@ -113,7 +113,7 @@ def edge_shapes(body: Body, edge: str, shapes: int) -> NDArray:
         raise ImpossiblePart(f"the edge {edge!r} is not one cylinder, its radius varies")
     xi = 2 * (ngs.x - middle / length) / length
     v = body.space.TestFunction()
-    patterns = ((2 * m + 1) / length * L for m, L in enumerate(legendre_shapes(xi, shapes)))
+    patterns = ((2 * m + 1) / length * L for m, L in enumerate(legendre_polynomials(xi, axial_modes)))
     return np.stack([body.load(forms.radial_pressure(v, where, a)) for a in patterns], axis=1)
 
 
@@ -123,7 +123,7 @@ def _edge(section, name: str):
     return section.Boundaries(name)
 
 
-def legendre_shapes(xi, count: int) -> list:
+def legendre_polynomials(xi, count: int) -> list:
     """Polynomials L_0 .. L_(count - 1) of a coefficient function, by their recurrence."""
     L = [ngs.CF(1), xi]
     for k in range(1, count - 1):

@@ -14,11 +14,11 @@ from scipy import sparse
 from fem.assembly.harmonic_stiffness import HarmonicStiffness, compliances
 from fem.mesh.axial_section import sections
 from fem.parts.boundary_conditions import Foundation, FreeMotions, Housing
-from fem.parts.rings import Mesh, OuterRing, RingOnShaft
+from fem.parts.rings import MeshSize, OuterRing, RingOnShaft
 from fem.section.revolved_body import Body, Springs, assembled
 
 
-def body_of(part: OuterRing | RingOnShaft, length: float, mesh: Mesh) -> Body:
+def body_of(part: OuterRing | RingOnShaft, length: float, mesh: MeshSize) -> Body:
     """Assemble the sections of a part with the springs that it stands on.
 
     Parameters
@@ -27,7 +27,7 @@ def body_of(part: OuterRing | RingOnShaft, length: float, mesh: Mesh) -> Body:
         body of revolution
     length : float
         of the loaded band [m]
-    mesh : Mesh
+    mesh : MeshSize
         wishes for the finite elements
 
     Returns

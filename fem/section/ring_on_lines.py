@@ -66,13 +66,13 @@ class RingOnLines:
         Z, M = phi.size, self.ring.raceway.response.shape[1]
         X = np.concatenate([points.loads[touching], points.load_motions.T])
         inverse = bordered_inverse(points, touching)
-        full = self.ring.raceway.full(phi).reshape(Z * M, Z * M) - X.T @ inverse @ X
+        absolute = self.ring.raceway.absolute(phi).reshape(Z * M, Z * M) - X.T @ inverse @ X
         first = np.count_nonzero(touching)
         motion = -inverse[first:] @ X
         support = -inverse[first : first + 2, first : first + 2]
         return RacewayCompliance(
             azimuths=phi,
-            full=((full + full.T) / 2).reshape(Z, M, Z, M),
+            absolute=((absolute + absolute.T) / 2).reshape(Z, M, Z, M),
             translation=motion[:2].reshape(2, Z, M),
             support_stiffness=float(2 / np.trace(support)),
             unknowns=self.ring.raceway.unknowns,
@@ -109,7 +109,7 @@ class RingOnLines:
         basis, moves = (MIDDLE, 2) if self.support.tilting else (ENDS, 4)
         S = basis.shape[1]
         length, width = self.ring.raceway.length, self.ring.lines.length
-        own = self.ring.lines.full(psi)
+        own = self.ring.lines.absolute(psi)
         yielding = np.diag([1.0, 3.0]) / self.support.stiffness
         own[np.arange(psi.size), :, np.arange(psi.size)] += yielding
         through = self.ring.under_radial(phi, psi)
@@ -134,7 +134,7 @@ class RingOnLines:
         return pushing_points(points, np.ravel(forces))
 
 
-def require_held(support: LineSupports, shapes: int) -> None:
+def require_held(support: LineSupports, axial_modes: int) -> None:
     """Refuse lines that leave a motion which the raceway can cause.
 
     Raises
@@ -142,7 +142,7 @@ def require_held(support: LineSupports, shapes: int) -> None:
     ImpossiblePart
         if rollers can tilt the ring
     """
-    if support.tilting and shapes > 1:
+    if support.tilting and axial_modes > 1:
         raise ImpossiblePart(
             "tilting = True: the ring can still tilt about y and z, as its lines hold only the mean "
             "displacement along them; let them hold the tilt, or take one axial shape"

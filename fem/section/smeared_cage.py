@@ -23,15 +23,15 @@ from fem.assembly.harmonic_stiffness import compliances, harmonic_stiffness
 from fem.beam.curved_beam import shear_modulus
 from fem.beam.support_springs import tangential_slide
 from fem.mesh.axial_section import AxialSection, meshed
-from fem.parts.rings import Mesh, SquirrelCage, require_on_track
+from fem.parts.rings import MeshSize, SquirrelCage, require_on_track
 from fem.raceway.harmonics import HarmonicCompliance, highest_harmonic
-from fem.section.revolved_body import Body, edge_shapes
+from fem.section.revolved_body import Body, edge_modes
 
 _log = logging.getLogger(__name__)
 
 
 def condense(
-    cage: SquirrelCage, length: float, shapes: int, mesh: Mesh, harmonics: int | None = None
+    cage: SquirrelCage, length: float, axial_modes: int, mesh: MeshSize, harmonics: int | None = None
 ) -> HarmonicCompliance:
     """Compliance of the raceway of a squirrel cage with smeared bars, for rollers anywhere.
 
@@ -41,9 +41,9 @@ def condense(
         ring, bars and flange; fillets are left out
     length : float
         l of the loaded band [m]
-    shapes : int
-        M, number of axial shapes, 1 or more
-    mesh : Mesh
+    axial_modes : int
+        M, number of axial modes, 1 or more
+    mesh : MeshSize
         wishes for the finite elements; order 5 or 6 pays
     harmonics : int
         N, the highest; by default 6 M R/l or what the mesh resolves
@@ -66,12 +66,12 @@ def condense(
     """
     require_on_track(length, cage.track)
     radius = cage.raceway_diameter / 2
-    last = highest_harmonic(radius, length / shapes, mesh, harmonics)
+    last = highest_harmonic(radius, length / axial_modes, mesh, harmonics)
     start = time.perf_counter()
     with threads(1):  # sections are small: a second thread would only wait
         body = _assembled(cage, length, mesh)
         ready = time.perf_counter()
-        W = compliances(body.stiffness, edge_shapes(body, "raceway", shapes), last) / (2 * np.pi)
+        W = compliances(body.stiffness, edge_modes(body, "raceway", axial_modes), last) / (2 * np.pi)
     done = time.perf_counter()
     _log.info("smeared cage: %d unknowns, %.1f s", body.stiffness.unknowns, done - start)
     return HarmonicCompliance(
@@ -107,7 +107,7 @@ def _sections(cage: SquirrelCage, length: float) -> list[AxialSection]:
     return [ring, sleeve, flange]
 
 
-def _assembled(cage: SquirrelCage, length: float, mesh: Mesh) -> Body:
+def _assembled(cage: SquirrelCage, length: float, mesh: MeshSize) -> Body:
     """Sections with their stiffness; the sleeve has no isotropic one."""
     section = meshed(_sections(cage, length), mesh)
     space = ngs.H1(section, order=mesh.order, dirichlet="clamped") ** 3

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from fem.assembly.factorisation import threads
 from fem.parts.boundary_conditions import LineSupports, PlanetGear
-from fem.parts.rings import ImpossiblePart, Mesh, OuterRing, RingOnShaft
+from fem.parts.rings import ImpossiblePart, MeshSize, OuterRing, RingOnShaft
 from fem.raceway.harmonics import HarmonicCompliance
 from fem.section import expansion, free_ring, revolved
 from fem.section.free_ring import FreeRing
@@ -50,7 +50,7 @@ class PlanetRim:
             if the harmonics end too early for the own terms
         """
         phi = np.asarray(azimuths, dtype=float)
-        full = self.ring.raceway.full(phi)
+        absolute = self.ring.raceway.absolute(phi)
         psi, radial, tangential = np.array(
             [(force.azimuth, force.radial, force.tangential) for force in self.gear.forces]
         ).reshape(-1, 3).T  # fmt: skip
@@ -58,13 +58,13 @@ class PlanetRim:
         deviation += self.ring.under_tangential(phi, psi) @ tangential
         return RacewayCompliance(
             azimuths=phi,
-            full=full,
+            absolute=absolute,
             translation=np.zeros((2, *deviation.shape)),
             support_stiffness=inf,
             unknowns=self.ring.raceway.unknowns,
             elements=self.ring.raceway.elements,
             seconds=self.ring.raceway.seconds,
-            deviation_without_load=deviation,
+            initial_deviation=deviation,
         )
 
 
@@ -72,13 +72,13 @@ class PlanetRim:
 class AxisymmetricLoad:
     """Heat and rotation of a part, by the names of its bodies."""
 
-    expansions: Mapping[str, float | expansion.Along] = field(default_factory=dict)  # alpha (T - T0) [-]
+    thermal_strains: Mapping[str, float | expansion.Along] = field(default_factory=dict)  # alpha (T - T0) [-]
     densities: Mapping[str, float] = field(default_factory=dict)  # [kg/m^3], needed if it turns
     speed: float = 0.0  # [rad/s]
 
 
 def condense(
-    part: OuterRing, length: float, shapes: int, mesh: Mesh, harmonics: int | None = None
+    part: OuterRing, length: float, axial_modes: int, mesh: MeshSize, harmonics: int | None = None
 ) -> HarmonicCompliance | RingOnLines | PlanetRim:
     """Compliance of the raceway of a plain outer ring, for rollers anywhere.
 
@@ -86,7 +86,7 @@ def condense(
     ----------
     part : OuterRing
         with its support
-    length, shapes, mesh
+    length, axial_modes, mesh
         as for `fem.section.revolved.condense`
     harmonics : int
         N, the highest; by default what the band needs, and line supports and tooth forces
@@ -110,16 +110,16 @@ def condense(
     """
     support = part.support
     if isinstance(support, LineSupports):
-        require_held(support, shapes)
-        return RingOnLines(free_ring.condense(part, length, shapes, mesh, harmonics), support)
+        require_held(support, axial_modes)
+        return RingOnLines(free_ring.condense(part, length, axial_modes, mesh, harmonics), support)
     if isinstance(support, PlanetGear):
-        return PlanetRim(free_ring.condense(part, length, shapes, mesh, harmonics), support)
-    last = free_ring.last_harmonic(part, length / shapes, mesh, harmonics)
-    return revolved.condense(part, length, shapes, mesh, last)
+        return PlanetRim(free_ring.condense(part, length, axial_modes, mesh, harmonics), support)
+    last = free_ring.last_harmonic(part, length / axial_modes, mesh, harmonics)
+    return revolved.condense(part, length, axial_modes, mesh, last)
 
 
-def growth_of(
-    part: OuterRing | RingOnShaft, length: float, shapes: int, mesh: Mesh, load: AxisymmetricLoad
+def raceway_expansion(
+    part: OuterRing | RingOnShaft, length: float, axial_modes: int, mesh: MeshSize, load: AxisymmetricLoad
 ) -> NDArray:
     """Growth of a raceway by heat and rotation, as it is supported.
 
@@ -127,7 +127,7 @@ def growth_of(
     ----------
     part : OuterRing, RingOnShaft
         body of revolution; a planet gear grows freely
-    length, shapes, mesh
+    length, axial_modes, mesh
         as for `condense`
     load : AxisymmetricLoad
         of all bodies of the part; clamps, springs and what they stand on stay as they are
@@ -145,13 +145,13 @@ def growth_of(
         if the solve fails
     """
     if isinstance(part, OuterRing) and isinstance(part.support, LineSupports):
-        raise ImpossiblePart("growth on line supports is impossible; allowed are supports of revolution")
+        raise ImpossiblePart("expansion on line supports is impossible; allowed are supports of revolution")
     with threads(1):
         body = body_of(part, length, mesh)
         f = np.zeros(body.stiffness.unknowns)
-        if any(load.expansions.values()):
-            f += expansion.heating(body, load.expansions)
+        if any(load.thermal_strains.values()):
+            f += expansion.heating(body, load.thermal_strains)
         if load.speed != 0:
             f += expansion.rotation(body, load.densities, load.speed)
         held = replace(body, stiffness=held_on_points(body, part.free_motions, 0))
-        return expansion.growth(held, f, "raceway", shapes)
+        return expansion.radial_expansion(held, f, "raceway", axial_modes)

@@ -14,7 +14,7 @@ from fem.assembly import elasticity, roller_loads as load
 from fem.assembly.factorisation import Factorisation, factorised, threads
 from fem.half_space.load_patch import half_space
 from fem.mesh.solid import MILLIMETRES, meshed
-from fem.parts.rings import Elastic, Mesh, Part, Patches
+from fem.parts.rings import Elastic, MeshSize, Part, Patches
 from fem.parts.step_solid import StepSolid
 from fem.raceway import symmetry
 from fem.raceway.compliance import RacewayCompliance
@@ -27,7 +27,7 @@ _log = logging.getLogger(__name__)
 def condense(
     part: Part | StepSolid,
     patches: Patches,
-    mesh: Mesh,
+    mesh: MeshSize,
     report: Report | None = None,
     thread_number: int = 2,
 ) -> RacewayCompliance:
@@ -39,7 +39,7 @@ def condense(
         ring with its seat
     patches : Patches
         rollers, and how finely their forces are resolved
-    mesh : Mesh
+    mesh : MeshSize
         wishes for the finite elements
     report : callable (stage, fraction)
         told "mesh", "factor" and "condense" with the finished fraction of the stage, None if unknown
@@ -107,12 +107,12 @@ def condensed(
     NotSolved
         if a residual is too large, or the mesh too coarse for the patches
     """
-    full, translation, support = _answers(stiffness, band, _renumbered(part, patches), patches, progress)
+    absolute, translation, support = _answers(stiffness, band, _renumbered(part, patches), patches, progress)
     own = np.arange(len(patches.azimuths))
-    full[own, :, own] -= half_space(patches, part.materials["ring"])
+    absolute[own, :, own] -= half_space(patches, part.materials["ring"])
     return RacewayCompliance(
         azimuths=np.array(patches.azimuths),
-        full=full,
+        absolute=absolute,
         translation=translation,
         support_stiffness=2 / np.trace(support),
         unknowns=stiffness.unknowns,
@@ -154,7 +154,7 @@ def _renumbered(part: Part | StepSolid, patches: Patches) -> NDArray:
 
 def _answers(stiffness: Factorisation, band: load.Band, renumbered: NDArray, patches: Patches, progress):
     """Full compliance (Z, M, Z, M), translations (2, Z, M) and support compliance (2, 2) [m/N]."""
-    Z, M = len(patches.azimuths), patches.shapes
+    Z, M = len(patches.azimuths), patches.axial_modes
     rollers, translations = load.roller_forces(band, patches), load.translation_forces(band)
     solved = symmetry.representatives(renumbered)
     needed = (solved[:, None] * M + np.arange(M)).ravel()
@@ -164,8 +164,8 @@ def _answers(stiffness: Factorisation, band: load.Band, renumbered: NDArray, pat
         shifts[:, k] = stiffness.solve(side)
         progress((k + 1) / sides.shape[1])
     read = rollers.T @ shifts
-    full = symmetry.completed(read[:, 2:].reshape(Z, M, solved.size, M), solved, renumbered)
-    return full, read[:, :2].T.reshape(2, Z, M), translations.T @ shifts[:, :2]
+    absolute = symmetry.completed(read[:, 2:].reshape(Z, M, solved.size, M), solved, renumbered)
+    return absolute, read[:, :2].T.reshape(2, Z, M), translations.T @ shifts[:, :2]
 
 
 def _stages(report: Report):

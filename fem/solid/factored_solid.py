@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from fem.assembly import roller_loads
 from fem.assembly.factorisation import Factorisation, factorised, threads
 from fem.mesh.solid import meshed
-from fem.parts.rings import ImpossiblePart, Mesh, Part, Patches
+from fem.parts.rings import ImpossiblePart, MeshSize, Part, Patches
 from fem.parts.step_solid import StepSolid
 from fem.solid.condensation import elastic_energy
 from fem.solid.fields import LoadedSolid
@@ -53,7 +53,7 @@ class FactoredSolid:
         -----
         Small displacement, perfect bonds, clamps that do not yield; no load outside the band.
         """
-        wanted = len(self.patches.azimuths), self.patches.shapes
+        wanted = len(self.patches.azimuths), self.patches.axial_modes
         if np.shape(forces) != wanted or not np.isfinite(forces).all():
             found = f"forces of shape {np.shape(forces)}"
             raise ImpossiblePart(f"{found}; allowed are finite ones of shape {wanted}")
@@ -67,7 +67,9 @@ class FactoredSolid:
         )  # fmt: skip
 
 
-def factored(part: Part | StepSolid, patches: Patches, mesh: Mesh, thread_number: int = 2) -> FactoredSolid:
+def factored(
+    part: Part | StepSolid, patches: Patches, mesh: MeshSize, thread_number: int = 2
+) -> FactoredSolid:
     """Mesh and factor a part.
 
     Parameters
@@ -76,7 +78,7 @@ def factored(part: Part | StepSolid, patches: Patches, mesh: Mesh, thread_number
         ring with its seat
     patches : Patches
         rollers, and how their forces are resolved
-    mesh : Mesh
+    mesh : MeshSize
         wishes for the finite elements; order 3 pays
     thread_number : int
         threads of NGSolve

@@ -214,7 +214,7 @@ def first_shapes(raceway: "RacewayCompliance", shapes: int) -> "RacewayComplianc
     """The same raceway for rollers that exchange fewer axial shapes with it: a part of every array."""
     return replace(
         raceway,
-        full=raceway.full[:, :shapes, :, :shapes],
+        absolute=raceway.absolute[:, :shapes, :, :shapes],
         translation=raceway.translation[..., :shapes],
-        deviation_without_load=raceway.deviation_without_load[:, :shapes],
+        initial_deviation=raceway.initial_deviation[:, :shapes],
     )

@@ -107,7 +107,7 @@ def supported(found: Equilibrium, rings: CondensedRings) -> Equilibrium:
     deviation, ring = unknowns.deviation.copy(), unknowns.ring.copy()
     deviation[:, 0, 0] += moved @ direction
     ring[:2, 0, 0] += moved[1] - moved[0]
-    compliance = [None if raceway is None else raceway.full for raceway in rings.raceways]
+    compliance = [None if raceway is None else raceway.absolute for raceway in rings.raceways]
     return _yielding(found, compliance, unknowns._replace(ring=ring, deviation=deviation))
 
 
@@ -115,7 +115,7 @@ def between_raceways(found: Equilibrium, rings: CondensedRings) -> Equilibrium:
     """The same state between raceways that yield, also where it was found between those of a given shape."""
     if rings.rigid or found.balance.layout.elastic_raceways:
         return found
-    compliance = [None if raceway is None else raceway.matrix for raceway in rings.raceways]
+    compliance = [None if raceway is None else raceway.relative for raceway in rings.raceways]
     return _yielding(found, compliance, found.unknowns)
 
 

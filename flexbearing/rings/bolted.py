@@ -89,7 +89,7 @@ def _row(case: FourPointCase, name: str, part: BoltedGrooveRing, report: Report)
     given, ball = case.rings, case.bearing.ball.diameter
     line = given.line or LINE * ball
     order, size, on_line = USUAL
-    mesh = fem.Mesh(
+    mesh = fem.MeshSize(
         order=given.element_order or order,
         size=given.mesh_size or size * ball,
         raceway_size=given.line_mesh_size or on_line * line,

@@ -71,10 +71,10 @@ def side_by_side(
     azimuths: NDArray,
 ) -> Rings:
     """Both parts as one partner of the coupling."""
-    if outer is not None and not hasattr(outer, "full"):
+    if outer is not None and not hasattr(outer, "absolute"):
         beside = side_by_side(inner, None, azimuths)
         return HousedRings(outer, azimuths, beside)  # pyright: ignore[reportArgumentType]
-    if inner is None or hasattr(inner, "full"):
+    if inner is None or hasattr(inner, "absolute"):
         return CondensedRings((inner, outer))  # pyright: ignore[reportArgumentType]
     return FittedRings(inner, azimuths, outer)  # pyright: ignore[reportArgumentType]
 
@@ -140,7 +140,7 @@ def _condenser(part: ring_parts.Part, smeared: bool) -> Any:
     if smeared:
         from fem.section.smeared_cage import condense
     elif isinstance(part, fem.SquirrelCage):
-        from fem.subprocess import condense_sector_apart as condense
+        from fem.subprocess import condense_sector_in_subprocess as condense
     elif isinstance(part, fem.OuterRing):
         from fem.section.supported_ring import condense
     else:
@@ -150,12 +150,12 @@ def _condenser(part: ring_parts.Part, smeared: bool) -> Any:
 
 def _solid(name: str, part: ring_parts.Part, case: Case, azimuths: NDArray, report: Report):
     """Raceway compliance of the whole solid for rollers where they are."""
-    from fem.subprocess import condense_apart
+    from fem.subprocess import condense_in_subprocess
 
     wanted = part, patches(case, azimuths), wishes(case, IN_SPACE)
 
     def computed():
-        return condense_apart(
+        return condense_in_subprocess(
             *wanted,
             thread_number=case.accuracy.threads,
             report=lambda stage, fraction=None: report.stage(f"{name}: {stage}", fraction),
@@ -170,16 +170,16 @@ def patches(case: Case, azimuths: NDArray) -> fem.Patches:
     return fem.Patches(
         azimuths=tuple(azimuths),
         length=length,
-        shapes=case.accuracy.axial_shapes,
+        axial_modes=case.accuracy.axial_shapes,
         width=case.accuracy.patch_width or PATCH * length,
     )
 
 
-def wishes(case: Case, usual: tuple[int, float, float]) -> fem.Mesh:
+def wishes(case: Case, usual: tuple[int, float, float]) -> fem.MeshSize:
     """Order and sizes of elements: those of the case, else the usual ones in roller lengths."""
     order, size, raceway_size = usual
     given, length = case.accuracy, expansion.roller_length(case)
-    return fem.Mesh(
+    return fem.MeshSize(
         order=given.element_order or order,
         size=given.mesh_size or size * length,
         raceway_size=given.raceway_mesh_size or raceway_size * length,

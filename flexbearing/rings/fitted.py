@@ -93,9 +93,9 @@ def raceway_near(
     shape = found.deviation.copy()
     shape[:, 0] -= direction @ found.translation
     shape[:, 1:] += fit.expansion[1:]
-    unloaded = shape - np.tensordot(tangent.matrix, outward, axes=2)
+    unloaded = shape - np.tensordot(tangent.relative, outward, axes=2)
     shift = found.translation - np.tensordot(tangent.translation, outward, axes=2)
-    return found, replace(tangent, deviation_without_load=unloaded), shift
+    return found, replace(tangent, initial_deviation=unloaded), shift
 
 
 def variations(case: Case, **bodies: str) -> "dict[str, Along]":
@@ -127,7 +127,7 @@ def variations(case: Case, **bodies: str) -> "dict[str, Along]":
     return found
 
 
-def fit_of(case: Case, part: fem.RingOnShaft, length: float, mesh: fem.Mesh) -> "PreloadedFit":
+def fit_of(case: Case, part: fem.RingOnShaft, length: float, mesh: fem.MeshSize) -> "PreloadedFit":
     """Settle the ring of a case on its shaft, hot and turning, before rollers load it."""
     from fem.joint.fitted_ring import FittedRing, condense_fitted
     from fem.joint.preloaded_fit import Fit, preloaded
@@ -145,7 +145,7 @@ def fit_of(case: Case, part: fem.RingOnShaft, length: float, mesh: fem.Mesh) -> 
             interference=inner.interference,
             friction=0.0 if inner.fit == "frictionless" else inner.fit_friction,
             clamping=inner.clamping,
-            expansions=(hot_over_cold(case, "inner_ring") - 1, hot_over_cold(case, "shaft") - 1),
+            thermal_strains=(hot_over_cold(case, "inner_ring") - 1, hot_over_cold(case, "shaft") - 1),
             densities=(materials.inner_ring.density, materials.shaft.density),
             speed=case.operation.inner_speed,
         ),

@@ -68,7 +68,7 @@ class HousedRings:
         return rings
 
 
-def housing_fit(case: Case, part: fem.OuterRing, length: float, mesh: fem.Mesh) -> "PreloadedFit":
+def housing_fit(case: Case, part: fem.OuterRing, length: float, mesh: fem.MeshSize) -> "PreloadedFit":
     """Ring of a case in its housing, hot and turning, before rollers load it."""
     from fem.joint.fitted_ring import HousedRing, condense_fitted
     from fem.joint.preloaded_fit import Fit, preloaded
@@ -84,7 +84,7 @@ def housing_fit(case: Case, part: fem.OuterRing, length: float, mesh: fem.Mesh) 
         Fit(
             interference=-clearance,
             friction=0.0,
-            expansions=(hot_over_cold(case, "outer_ring") - 1, hot_over_cold(case, "housing") - 1),
+            thermal_strains=(hot_over_cold(case, "outer_ring") - 1, hot_over_cold(case, "housing") - 1),
             densities=(case.materials.outer_ring.density, material(case, "housing").density),
             speed=case.operation.outer_speed,
         ),

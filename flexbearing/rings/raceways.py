@@ -29,7 +29,7 @@ class CondensedRings:
     @property
     def unloaded(self) -> NDArray | None:
         """Outward deviations (2, Z, M) [m] without roller loads, such as those of tooth forces."""
-        given = [None if raceway is None else raceway.deviation_without_load for raceway in self.raceways]
+        given = [None if raceway is None else raceway.initial_deviation for raceway in self.raceways]
         known = [shape for shape in given if shape is not None]
         if not any(shape.any() for shape in known):
             return None
@@ -38,7 +38,7 @@ class CondensedRings:
     @property
     def compliance(self) -> tuple[NDArray | None, NDArray | None]:
         """Outward deviation per outward force (Z, M, Z, M) [m/N]."""
-        inner, outer = (None if raceway is None else raceway.matrix for raceway in self.raceways)
+        inner, outer = (None if raceway is None else raceway.relative for raceway in self.raceways)
         return inner, outer
 
     def deviation(self, forces: NDArray) -> NDArray:
@@ -46,8 +46,8 @@ class CondensedRings:
         shapes = np.zeros_like(forces)
         for race, (raceway, sign) in enumerate(zip(self.raceways, (-1.0, 1.0), strict=True)):
             if raceway is not None:
-                shapes[race] = raceway.deviation_without_load
-                shapes[race] += sign * np.tensordot(raceway.matrix, forces[race], axes=2)
+                shapes[race] = raceway.initial_deviation
+                shapes[race] += sign * np.tensordot(raceway.relative, forces[race], axes=2)
         return shapes
 
     def translation(self, forces: NDArray) -> NDArray:

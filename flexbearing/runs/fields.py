@@ -195,7 +195,7 @@ def fields(case: Case, race: Race, state: str, values: Arrays) -> PartFields:
     patches = fem.Patches(
         azimuths=tuple(roller_bearing.bearing(case).bearing.azimuths),
         length=length,
-        shapes=case.accuracy.axial_shapes,
+        axial_modes=case.accuracy.axial_shapes,
         width=case.accuracy.patch_width or PATCH * length,
     )
     _require_solid(case, race)
@@ -205,7 +205,7 @@ def fields(case: Case, race: Race, state: str, values: Arrays) -> PartFields:
         # threads of the linear algebra would fight with those of the finite elements
         with threadpool_limits(limits=1, user_api="blas"):
             solid = factored(part, patches, wishes(case, sizes), case.accuracy.threads)
-            loaded = solid.under(forces(values[f"{race}_slice_load"], race, length, patches.shapes))
+            loaded = solid.under(forces(values[f"{race}_slice_load"], race, length, patches.axial_modes))
             bars = bar_forces(loaded) if isinstance(part, fem.SquirrelCage) else None
             return PartFields(
                 race=race, state=state, fields=loaded, support=support_stiffness(solid), bars=bars

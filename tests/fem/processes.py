@@ -1,4 +1,4 @@
-"""What processes of `test_apart` do; they load nothing else, and so start fast."""
+"""What processes of `test_subprocess` do; they load nothing else, and so start fast."""
 
 import os
 import signal

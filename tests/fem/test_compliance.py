@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from fem import Elastic, Mesh, Patches
+from fem import Elastic, MeshSize, Patches
 from fem.assembly import roller_loads
 from fem.assembly.factorisation import NotSolved, factorised, threads
 from fem.mesh.solid import meshed
@@ -17,8 +17,8 @@ from tests.fem.test_parts import CAGE, SHAFT, STEEL
 pytestmark = pytest.mark.slow  # whole solids; those on half a pitch and on sections are checked against them
 
 Z, M = 30, 3
-ROLLERS = Patches(azimuths=2 * np.pi * np.arange(Z) / Z, length=5e-3, shapes=M, width=1e-3)
-COARSE = Mesh(order=2, size=4e-3, raceway_size=2.5e-3)
+ROLLERS = Patches(azimuths=2 * np.pi * np.arange(Z) / Z, length=5e-3, axial_modes=M, width=1e-3)
+COARSE = MeshSize(order=2, size=4e-3, raceway_size=2.5e-3)
 
 
 @pytest.fixture(scope="module")
@@ -28,13 +28,13 @@ def cage():
 
 @pytest.fixture(scope="module")
 def shaft():
-    return condense(SHAFT, ROLLERS, Mesh(order=2, size=6e-3, raceway_size=3e-3))
+    return condense(SHAFT, ROLLERS, MeshSize(order=2, size=6e-3, raceway_size=3e-3))
 
 
 @pytest.fixture(scope="module")
 def band():
     with threads(2):
-        mesh = meshed(CAGE, 5e-3, Mesh(order=3, size=4e-3, raceway_size=2e-3))
+        mesh = meshed(CAGE, 5e-3, MeshSize(order=3, size=4e-3, raceway_size=2e-3))
         space = ngs.VectorH1(mesh, order=3, dirichlet="clamped")
         return space, roller_loads.band(space, "raceway", roller_loads.HIGHEST_ORDER)
 
@@ -85,7 +85,7 @@ def test_translation_of_a_rigid_band_is_read_exactly(band):
 
 def test_compliance_is_symmetric(cage, shaft):
     for raceway in (cage, shaft):
-        assert raceway.full == approx(raceway.full.transpose(2, 3, 0, 1), abs=1e-15)
+        assert raceway.absolute == approx(raceway.absolute.transpose(2, 3, 0, 1), abs=1e-15)
 
 
 def test_deviation_has_no_rigid_translation(cage):
@@ -93,7 +93,7 @@ def test_deviation_has_no_rigid_translation(cage):
     phi = cage.azimuths
     loads = np.zeros((Z, M))
     loads[:, 0] = np.cos(phi)
-    deviation = np.tensordot(cage.matrix, loads, 2)[:, 0]
+    deviation = np.tensordot(cage.relative, loads, 2)[:, 0]
     moved = np.tensordot(cage.translation, loads, 2)
     assert moved[0] == approx(0.0, abs=1e-3 * moved[1])
     assert abs(2 / Z * deviation @ np.cos(phi)) < 0.05 * moved[1]
@@ -107,20 +107,22 @@ def test_support_stiffness_is_load_over_translation(cage):
 def test_compliance_is_inverse_to_the_modulus(cage):
     soft = Elastic(youngs_modulus=STEEL.youngs_modulus / 10, poisson_ratio=0.28)
     softer = condense(replace(CAGE, elastic=soft), ROLLERS, COARSE)
-    assert softer.full == approx(10 * cage.full, rel=1e-8, abs=1e-8 * np.abs(softer.full).max())
+    assert softer.absolute == approx(10 * cage.absolute, rel=1e-8, abs=1e-8 * np.abs(softer.absolute).max())
 
 
 def test_symmetry_changes_nothing_but_the_noise_of_the_mesh(cage):
     """Rollers at odd azimuths have no symmetry: every one is solved, the common ones must agree."""
     some = condense(CAGE, replace(ROLLERS, azimuths=tuple(cage.azimuths[[0, 1, 4, 13]])), COARSE)
     here = np.ix_([0, 1, 4, 13], range(M), [0, 1, 4, 13], range(M))
-    assert some.full == approx(cage.full[here], abs=0.01 * cage.full.max())
+    assert some.absolute == approx(cage.absolute[here], abs=0.01 * cage.absolute.max())
 
 
 def test_own_term_does_not_depend_on_the_width_of_the_patch():
     """The half-space takes the indentation out again, whatever patch made it: 1 % for a factor of two."""
-    mesh = Mesh(order=3, size=4e-3, raceway_size=2e-3)
-    wide, narrow = (condense(CAGE, replace(ROLLERS, width=w), mesh).full[0, 0, 0, 0] for w in (1e-3, 0.5e-3))
+    mesh = MeshSize(order=3, size=4e-3, raceway_size=2e-3)
+    wide, narrow = (
+        condense(CAGE, replace(ROLLERS, width=w), mesh).absolute[0, 0, 0, 0] for w in (1e-3, 0.5e-3)
+    )
     assert wide == approx(narrow, rel=0.01)
 
 

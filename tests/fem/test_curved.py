@@ -7,13 +7,13 @@ import pytest
 from netgen import occ
 from pytest import approx
 
-from fem import ImpossiblePart, Mesh
+from fem import ImpossiblePart, MeshSize
 from fem.mesh.curved import curved
 from fem.mesh.half_pitch import half_pitch
 from fem.mesh.solid import MILLIMETRES
 from tests.fem.test_parts import CAGE
 
-COARSE = Mesh(order=3, size=10e-3, raceway_size=10e-3)
+COARSE = MeshSize(order=3, size=10e-3, raceway_size=10e-3)
 
 
 def plate(sizes):
@@ -48,8 +48,8 @@ def test_elements_that_fold_at_any_size_are_refused():
 
 def test_few_elements_fold_beside_fillets():
     rounded = replace(CAGE, fillet=0.3e-3)
-    mesh = half_pitch(rounded, 5e-3, Mesh(order=3, size=3e-3, raceway_size=2e-3))
-    plain = half_pitch(CAGE, 5e-3, Mesh(order=3, size=3e-3, raceway_size=2e-3))
+    mesh = half_pitch(rounded, 5e-3, MeshSize(order=3, size=3e-3, raceway_size=2e-3))
+    plain = half_pitch(CAGE, 5e-3, MeshSize(order=3, size=3e-3, raceway_size=2e-3))
     more = ngs.Integrate(ngs.CF(1), mesh) - ngs.Integrate(ngs.CF(1), plain)
     around = 2 * (4 + 2.6)  # both ends of half a bar, along its edges; (1 - pi/4) r^2 is the section
     assert more == approx((1 - 3.14159265 / 4) * 0.3**2 * around, rel=0.1)
@@ -58,4 +58,4 @@ def test_few_elements_fold_beside_fillets():
 def test_fillet_that_loses_the_bar_is_named():
     """The geometry kernel was seen to return nothing at 0.44 mm, and a bar at 0.42 and 0.45 mm."""
     with pytest.raises(ImpossiblePart, match="fillet"):
-        half_pitch(replace(CAGE, fillet=0.44e-3), 5e-3, Mesh(order=2, size=3e-3, raceway_size=2e-3))
+        half_pitch(replace(CAGE, fillet=0.44e-3), 5e-3, MeshSize(order=2, size=3e-3, raceway_size=2e-3))

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from fem import ClampedFace, Elastic, Housing, ImpossiblePart, Mesh, OuterRing, Patches, SquirrelCage
+from fem import ClampedFace, Elastic, Housing, ImpossiblePart, MeshSize, OuterRing, Patches, SquirrelCage
 from fem.cage import cyclic_symmetry
 from fem.cage.bar_forces import bar_forces
 from fem.mesh.notches import notches
@@ -28,12 +28,12 @@ BARS = SquirrelCage(
     bar_length=24e-3, flange_length=6e-3, elastic=STEEL,
 )  # fmt: skip
 AROUND = 2 * np.pi * np.arange(8) / 8
-ON_BARS = Patches(azimuths=AROUND, length=6e-3, shapes=2, width=3e-3)
+ON_BARS = Patches(azimuths=AROUND, length=6e-3, axial_modes=2, width=3e-3)
 
 
 @pytest.fixture(scope="module")
 def cage():
-    return factored(BARS, ON_BARS, Mesh(order=3, size=8e-3, raceway_size=8e-3), thread_number=1)
+    return factored(BARS, ON_BARS, MeshSize(order=3, size=8e-3, raceway_size=8e-3), thread_number=1)
 
 
 @pytest.fixture(scope="module")
@@ -51,8 +51,8 @@ def tube():
         raceway_diameter=40e-3, thickness=8e-3, width=80e-3, elastic=STEEL, support=ClampedFace()
     )
     azimuths = 2 * np.pi * np.arange(24) / 24
-    patches = Patches(azimuths=azimuths, length=80e-3, shapes=2, width=6e-3)
-    return factored(part, patches, Mesh(order=3, size=14e-3, raceway_size=14e-3), thread_number=1)
+    patches = Patches(azimuths=azimuths, length=80e-3, axial_modes=2, width=6e-3)
+    return factored(part, patches, MeshSize(order=3, size=14e-3, raceway_size=14e-3), thread_number=1)
 
 
 @pytest.fixture(scope="module")
@@ -196,7 +196,9 @@ def test_support_is_nearly_as_stiff_as_its_bars(cage):
 @pytest.mark.slow
 def test_support_is_that_of_the_harmonics(cage):
     """The whole solid against half a pitch."""
-    half = cyclic_symmetry.condense(BARS, ON_BARS.length, 1, Mesh(order=3, size=8e-3, raceway_size=3.6e-3), 8)
+    half = cyclic_symmetry.condense(
+        BARS, ON_BARS.length, 1, MeshSize(order=3, size=8e-3, raceway_size=3.6e-3), 8
+    )
     last = half.harmonics[-1]
     first = half.response[[last + 1, last - 1], 0, last + 1, 0]
     assert 1 / support_stiffness(cage).radial == approx(2 * first.sum(), rel=0.05)

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 from pytest import approx
 
-from fem import Elastic, ImpossiblePart, Mesh
+from fem import Elastic, ImpossiblePart, MeshSize
 from fem.assembly.factorisation import NotSolved
 from fem.joint.face_condensation import ContactFace, condense_body
 from fem.joint.fitted_ring import BORE, SHOULDER, FitGrid, FittedBodies, FittedRing, condense_fitted
@@ -24,7 +24,7 @@ SEAT = replace(SHAFT, shaft=HOT)
 PLAIN = FittedRing(seat=SEAT)
 STEPPED = FittedRing(seat=SEAT, shoulder_diameter=64e-3)
 L, M = 5e-3, 3
-COARSE = Mesh(order=3, size=8e-3, raceway_size=2e-3)
+COARSE = MeshSize(order=3, size=8e-3, raceway_size=2e-3)
 SMALL = FitGrid(bore_points=5, shoulder_points=3, harmonics=12)
 SPEED = 38000 * 2 * np.pi / 60
 ROLLERS = 0.05 + 2 * np.pi * np.arange(30) / 30
@@ -68,7 +68,7 @@ def stepped():
 def thin():
     """Tubes 25.8/29.8/32.5 mm of 1 mm width, nearly in plane stress, on nothing."""
     faces = (ContactFace(edge="seat", component=1, sign=1.0, points=4),)
-    mesh = Mesh(order=3, size=2e-3, raceway_size=2e-3)
+    mesh = MeshSize(order=3, size=2e-3, raceway_size=2e-3)
     ring = assembled([tube(29.8e-3, 32.5e-3, 1e-3, "ring", "inside")], {"ring": STEEL}, mesh)
     shaft = assembled([tube(25.8e-3, 29.8e-3, 1e-3, "shaft", "outside")], {"shaft": HOT}, mesh)
     return FittedBodies(
@@ -86,7 +86,7 @@ def test_hot_shaft_presses_as_lame_says(thin, speed, pressure, growth):
     """Closed form in plane stress: shaft at 230, ring at 220 from 20 degC; radial interference 19.6084 um."""
     fit = preloaded(thin, Fit(
         interference=0.0, friction=0.1, speed=speed, densities=(7850.0, 8240.0),
-        expansions=(11.2e-6 * 200, 13.8e-6 * 210),
+        thermal_strains=(11.2e-6 * 200, 13.8e-6 * 210),
     ))  # fmt: skip
     assert fit.mean_pressure == approx(pressure, rel=1e-3)
     assert fit.expansion[0] == approx(growth, rel=1e-4)
@@ -98,7 +98,7 @@ def test_loose_ring_grows_alone(thin):
     assert not fit.force.any()
     assert fit.gap == approx(3.394e-6, rel=1e-3)
     assert fit.expansion[0] == approx(18.27572e-6, rel=1e-4)
-    warm = preloaded(thin, Fit(interference=-1e-3, friction=0.1, expansions=(11.2e-6 * 200, 0.0)))
+    warm = preloaded(thin, Fit(interference=-1e-3, friction=0.1, thermal_strains=(11.2e-6 * 200, 0.0)))
     assert warm.expansion[0] == approx(72.8e-6, rel=1e-9)
 
 
@@ -171,15 +171,15 @@ def test_bonded_raceway_is_that_of_the_bonded_part(bodies):
 @pytest.mark.slow
 def test_sticking_fit_is_the_bonded_part():
     """The same elements; large interference, so that no point opens."""
-    mesh = Mesh(order=5, size=6e-3, raceway_size=1.25e-3)
+    mesh = MeshSize(order=5, size=6e-3, raceway_size=1.25e-3)
     fine = condense_fitted(PLAIN, L, M, mesh, FitGrid(bore_points=16, harmonics=64))
     exact = revolved.condense(SEAT, L, M, mesh).at(ROLLERS)
     forces = loads(1e3)
     found = loaded(preloaded(fine, Fit(interference=50e-6, friction=1e3)), ROLLERS, forces)
     assert found.opened == found.slipping == 0
-    deviation = np.tensordot(exact.full, forces, 2)
+    deviation = np.tensordot(exact.absolute, forces, 2)
     assert found.deviation == approx(deviation, rel=0, abs=1e-3 * np.abs(deviation).max())
-    assert found.tangent.full == approx(exact.full, rel=0, abs=1e-3 * exact.full.max())
+    assert found.tangent.absolute == approx(exact.absolute, rel=0, abs=1e-3 * exact.absolute.max())
     assert found.tangent.support_stiffness == approx(exact.support_stiffness, rel=1e-3)
 
 
@@ -216,7 +216,7 @@ def test_tangent_is_the_slope(bodies, interference):
     here = loaded(fit, ROLLERS, forces)
     change = np.random.default_rng(2).normal(size=forces.shape)  # [N]
     up, down = (loaded(fit, ROLLERS, forces + s * change, here.contact.jump) for s in (1e-2, -1e-2))
-    slope = np.tensordot(here.tangent.full, change, 2)
+    slope = np.tensordot(here.tangent.absolute, change, 2)
     assert (up.deviation - down.deviation) / 2e-2 == approx(slope, rel=0, abs=1e-6 * np.abs(slope).max())
     slope = np.tensordot(here.tangent.translation, change, 2)
     assert (up.translation - down.translation) / 2e-2 == approx(slope, rel=0, abs=1e-6 * np.abs(slope).max())

@@ -57,7 +57,7 @@ def test_sum_is_remainder_beside_a_line_and_half_space_between_lines(gaps):
     plain = np.einsum("ijk,kmp->imjp", np.cos(difference[..., None] * n), falling())
     for i, j in zip(*np.nonzero(difference), strict=True):
         plain[i, :, j] += indentation(difference[i, j], R, L, M, STEEL)
-    assert raceway(falling()).at(phi).full == approx(plain, rel=0, abs=1e-7 * SMOOTH.max())
+    assert raceway(falling()).at(phi).absolute == approx(plain, rel=0, abs=1e-7 * SMOOTH.max())
 
 
 def test_curvature_needs_no_more_harmonics():
@@ -66,10 +66,12 @@ def test_curvature_needs_no_more_harmonics():
     away = np.where(n > 1, n, 2.0)
     law = np.where(n > 1, 1 / (away**2 - 1), 0.0)
     flat = raceway(law[:, None, None] * SMOOTH)
-    assert flat.at([0.3]).full[0, :, 0] == approx(1.5 * SMOOTH, rel=0, abs=1e-9 * SMOOTH.max())
+    assert flat.at([0.3]).absolute[0, :, 0] == approx(1.5 * SMOOTH, rel=0, abs=1e-9 * SMOOTH.max())
     steep = raceway((law + np.where(n > 1, away**-3, 0.0))[:, None, None] * SMOOTH)
     zeta = 2 * (1.2020569031595942 - 1)
-    assert steep.at([0.3]).full[0, :, 0] == approx((1.5 + zeta) * SMOOTH, rel=1e-5, abs=1e-9 * SMOOTH.max())
+    assert steep.at([0.3]).absolute[0, :, 0] == approx(
+        (1.5 + zeta) * SMOOTH, rel=1e-5, abs=1e-9 * SMOOTH.max()
+    )
 
 
 @pytest.mark.parametrize("phi", [0.0, 0.3, -2.0])
@@ -107,7 +109,7 @@ def test_full_matrix_of_harmonics_is_the_same_body_of_revolution():
     own = np.arange(2 * N + 1)
     diagonal[own, :, own] = falling()
     compact, full = raceway(falling()).at(phi), raceway(diagonal).at(phi)
-    assert full.full == approx(compact.full, rel=0, abs=1e-13 * SMOOTH.max())
+    assert full.absolute == approx(compact.absolute, rel=0, abs=1e-13 * SMOOTH.max())
     assert full.translation == approx(compact.translation, rel=0, abs=1e-13 * SMOOTH.max())
     assert full.support_stiffness == approx(compact.support_stiffness, rel=1e-12)
 
@@ -116,16 +118,16 @@ def test_rotation_by_one_bar_changes_nothing_but_half_a_bar_does():
     bars, phi = 12, np.array([0.03, 0.5, 2.0])
     cage = raceway(coupled(bars), bars)
     here, there = cage.at(phi), cage.at(phi + 2 * np.pi / bars)
-    assert there.full == approx(here.full, rel=0, abs=1e-12 * SMOOTH.max())
+    assert there.absolute == approx(here.absolute, rel=0, abs=1e-12 * SMOOTH.max())
     between = cage.at(phi + np.pi / bars)
-    assert np.abs(between.full - here.full).max() > 1e-3 * SMOOTH.max()
+    assert np.abs(between.absolute - here.absolute).max() > 1e-3 * SMOOTH.max()
 
 
 def test_bars_are_where_they_are():
     """The modulation of the own term is 2 Re(sum of 0.2 i e^{i bars phi}): minus a sine, not plus."""
     bars = 12
-    own = raceway(coupled(bars), bars).at([np.pi / 2 / bars]).full[0, 0, 0, 0]
-    mean = raceway(coupled(bars), bars).at([0.0]).full[0, 0, 0, 0]
+    own = raceway(coupled(bars), bars).at([np.pi / 2 / bars]).absolute[0, 0, 0, 0]
+    mean = raceway(coupled(bars), bars).at([0.0]).absolute[0, 0, 0, 0]
     n = np.arange(-N, N - bars + 1)
     overlap = np.sum(np.sqrt(0.3 ** np.abs(n) * 0.3 ** np.abs(n + bars))) * SMOOTH[0, 0]
     assert own - mean == approx(-0.4 * overlap, rel=1e-9)
@@ -136,12 +138,12 @@ def test_translation_is_the_first_harmonic_of_the_answer():
     cage = raceway(coupled(12), 12)
     around = 0.37 + 2 * np.pi * np.arange(97) / 97
     found = cage.at(around)
-    loaded = found.full[:, 0, 5].copy()  # the answer at all others; the own one is not on the same curve
+    loaded = found.absolute[:, 0, 5].copy()  # the answer at all others; the own one is not on the same curve
     n = np.arange(-N, N + 1)
     loaded[5] += np.sum(indentation_harmonics(n, R, L, M, STEEL)[:, 0], axis=0)
     half_space = np.array([indentation(phi - around[5], R, L, M, STEEL)[0] for phi in np.delete(around, 5)])
     smooth = np.delete(loaded, 5, axis=0) - half_space
-    first = np.array([found.full[5, 0, 5], *smooth])
+    first = np.array([found.absolute[5, 0, 5], *smooth])
     order = np.concatenate([[around[5]], np.delete(around, 5)])
     h1 = indentation_harmonics(np.array([1]), R, L, M, STEEL)[0, 0]
     for row, wave in enumerate((np.sin, np.cos)):

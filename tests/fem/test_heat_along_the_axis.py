@@ -9,15 +9,15 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from fem import ClampedFace, Elastic, ImpossiblePart, Mesh, OuterRing, PlanetGear
+from fem import ClampedFace, Elastic, ImpossiblePart, MeshSize, OuterRing, PlanetGear
 from fem.joint.fitted_ring import FitGrid, FittedRing, condense_fitted
 from fem.joint.preloaded_fit import Fit, preloaded
 from fem.section.expansion import Along
-from fem.section.supported_ring import AxisymmetricLoad, growth_of
+from fem.section.supported_ring import AxisymmetricLoad, raceway_expansion
 from tests.fem.test_parts import SHAFT, STEEL
 
 L, M = 5e-3, 3
-COARSE = Mesh(order=3, size=8e-3, raceway_size=2e-3)
+COARSE = MeshSize(order=3, size=8e-3, raceway_size=2e-3)
 SMALL = FitGrid(bore_points=5, harmonics=8)
 TUBE = OuterRing(
     raceway_diameter=75e-3, thickness=3.6e-3, width=60e-3, elastic=STEEL, support=PlanetGear(forces=())
@@ -26,7 +26,7 @@ RISE = Along(at=(-40e-3, 40e-3), values=(0.0, 4e-3))  # 2e-3 in the middle, 0.05
 
 
 def grown(part, expansion, mesh=COARSE):
-    return growth_of(part, L, M, mesh, AxisymmetricLoad(expansions={"ring": expansion}))
+    return raceway_expansion(part, L, M, mesh, AxisymmetricLoad(thermal_strains={"ring": expansion}))
 
 
 def test_tube_with_a_linear_temperature_becomes_a_cone():

@@ -14,7 +14,7 @@ from fem import (
     ImpossiblePart,
     LineForce,
     LineSupports,
-    Mesh,
+    MeshSize,
     OuterRing,
     PlanetGear,
 )
@@ -27,8 +27,8 @@ from fem.section.supported_ring import PlanetRim
 from tests.fem.test_parts import STEEL
 
 L, M = 5e-3, 3
-COARSE = Mesh(order=3, size=8e-3, raceway_size=2e-3)
-FAIR = Mesh(order=4, size=8e-3, raceway_size=2e-3)
+COARSE = MeshSize(order=3, size=8e-3, raceway_size=2e-3)
+FAIR = MeshSize(order=4, size=8e-3, raceway_size=2e-3)
 SMALL = FitGrid(bore_points=5, harmonics=18)
 RIGID = Elastic(youngs_modulus=1e17, poisson_ratio=0.28)
 ROLLERS = 0.05 + 2 * np.pi * np.arange(24) / 24
@@ -83,7 +83,7 @@ def test_contact_that_never_opens_is_linear(bodies):
     fit, F = preloaded(bodies, loose(-20e-6)), loads(100.0)
     found = loaded(fit, ROLLERS, F)
     assert found.opened == 0
-    assert found.deviation == approx(np.tensordot(fit.closed.at(ROLLERS).full, F, 2), rel=1e-9, abs=1e-15)
+    assert found.deviation == approx(np.tensordot(fit.closed.at(ROLLERS).absolute, F, 2), rel=1e-9, abs=1e-15)
 
 
 def test_ring_in_a_very_wide_bore_rests_on_one_line():
@@ -93,7 +93,7 @@ def test_ring_in_a_very_wide_bore_rests_on_one_line():
     foot = LineForce(azimuth=float(np.angle(push)), radial=-float(np.abs(push)), tangential=0.0)
     free = free_ring.condense(ring(LineSupports(azimuths=(0.0, 2.0, 4.0))), L, M, FAIR)
     rim = PlanetRim(free, PlanetGear(forces=(foot,))).at(ROLLERS)
-    exact = rim.deviation_without_load + np.tensordot(rim.full, even, 2)
+    exact = rim.initial_deviation + np.tensordot(rim.absolute, even, 2)
     bodies = condense_fitted(BORE, L, M, FAIR, FitGrid(bore_points=4, harmonics=24))
     found = loaded(preloaded(bodies, loose(5e-3)), ROLLERS, even)
     shape = found.deviation[:, 0] - np.stack([np.sin(ROLLERS), np.cos(ROLLERS)], axis=1) @ found.translation
@@ -144,7 +144,7 @@ def test_loose_ring_without_a_resultant_has_no_place(bodies):
 def test_hot_ring_fills_its_housing(bodies):
     """0.02 mm of clearance on 82.2 mm close at an expansion of 2.43e-4."""
     for expansion, presses in ((2.3e-4, False), (2.6e-4, True)):
-        fit = preloaded(bodies, replace(loose(20e-6), expansions=(expansion, 0.0)))
+        fit = preloaded(bodies, replace(loose(20e-6), thermal_strains=(expansion, 0.0)))
         assert fit.force.any() == presses
 
 

@@ -13,7 +13,7 @@ L = 5e-3
 
 
 def patches(width, shapes=3):
-    return Patches(azimuths=(0.0,), length=L, shapes=shapes, width=width)
+    return Patches(azimuths=(0.0,), length=L, axial_modes=shapes, width=width)
 
 
 @pytest.mark.parametrize("s", [1e-6, 1e-4, 3e-3])

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from fem import ClampedFace, Elastic, ImpossiblePart, Mesh, OuterRing, Patches, RingOnShaft, SquirrelCage
+from fem import ClampedFace, Elastic, ImpossiblePart, MeshSize, OuterRing, Patches, RingOnShaft, SquirrelCage
 from fem.mesh.solid import meshed
 
 STEEL = Elastic(youngs_modulus=203e9, poisson_ratio=0.28)
@@ -30,7 +30,7 @@ BAD = [
     (SHAFT, "shaft_bore", 60e-3),
     (SHAFT, "width", 50e-3),
     (STEEL, "poisson_ratio", 0.5),
-    (Mesh(order=3, size=1e-3, raceway_size=1e-3), "order", 0),
+    (MeshSize(order=3, size=1e-3, raceway_size=1e-3), "order", 0),
 ]
 
 
@@ -47,9 +47,9 @@ def test_band_longer_than_the_track():
         raceway_diameter=75e-3, thickness=3.6e-3, width=10e-3, elastic=STEEL, support=ClampedFace()
     )
     with pytest.raises(ImpossiblePart, match="track"):
-        meshed(ring, 11e-3, Mesh(order=1, size=5e-3, raceway_size=5e-3))
+        meshed(ring, 11e-3, MeshSize(order=1, size=5e-3, raceway_size=5e-3))
 
 
 def test_patches_need_load_and_moment():
-    with pytest.raises(ImpossiblePart, match="shapes"):
-        Patches(azimuths=(0.0,), length=5e-3, shapes=1, width=1e-3)
+    with pytest.raises(ImpossiblePart, match="axial_modes"):
+        Patches(azimuths=(0.0,), length=5e-3, axial_modes=1, width=1e-3)

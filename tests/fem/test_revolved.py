@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from fem import ClampedFace, Elastic, ImpossiblePart, Mesh, OuterRing, Patches
+from fem import ClampedFace, Elastic, ImpossiblePart, MeshSize, OuterRing, Patches
 from fem.assembly.factorisation import NotSolved
 from fem.assembly.harmonic_stiffness import compliances
 from fem.half_space.load_patch import half_space
@@ -19,8 +19,8 @@ from tests.fem.test_parts import CAGE, SHAFT, STEEL
 RING = OuterRing(raceway_diameter=75e-3, thickness=3.6e-3, width=10e-3, elastic=STEEL, support=ClampedFace())
 L = 5e-3
 ROLLERS = 2 * np.pi * np.arange(30) / 30
-FAIR = Mesh(order=5, size=6e-3, raceway_size=1.25e-3)
-COARSE = Mesh(order=4, size=4e-3, raceway_size=2e-3)
+FAIR = MeshSize(order=5, size=6e-3, raceway_size=1.25e-3)
+COARSE = MeshSize(order=4, size=4e-3, raceway_size=2e-3)
 GLIDING = Springs(axial=1e20, radial=0.0, tangential=0.0)  # [N/m^3], as good as plane strain
 
 
@@ -42,7 +42,7 @@ def ring():
 
 @pytest.fixture(scope="module")
 def shaft():
-    return revolved.condense(SHAFT, L, 3, Mesh(order=4, size=8e-3, raceway_size=1.25e-3))
+    return revolved.condense(SHAFT, L, 3, MeshSize(order=4, size=8e-3, raceway_size=1.25e-3))
 
 
 @pytest.mark.parametrize(
@@ -52,12 +52,12 @@ def shaft():
 def test_ring_in_plane_strain_is_the_exact_one(n, inner, outer_plane_stress):
     """Michell's solution: 37.5/41.1 mm, inward pressure 0.1 cos(n phi) MPa outside, E 203 GPa, nu 0.28."""
     body = held([tube(37.5e-3, 41.1e-3, 2e-3)], RING.materials, FAIR, left=GLIDING, right=GLIDING)
-    pressure = revolved_body.edge_shapes(body, "outside", 1)
+    pressure = revolved_body.edge_modes(body, "outside", 1)
     u = body.stiffness.solve(n, -0.1e6 * 2e-3 * 41.1e-3 * pressure)
-    assert (revolved_body.edge_shapes(body, "inside", 1).T @ u).item() == approx(inner, rel=1e-6)
+    assert (revolved_body.edge_modes(body, "inside", 1).T @ u).item() == approx(inner, rel=1e-6)
     # a free ring of small width is nearly in plane stress
     thin = held([tube(37.5e-3, 41.1e-3, 0.5e-3)], RING.materials, FAIR, left=Springs(1.0, 0.0, 0.0))
-    pressure = revolved_body.edge_shapes(thin, "outside", 1)
+    pressure = revolved_body.edge_modes(thin, "outside", 1)
     u = thin.stiffness.solve(n, -0.1e6 * 0.5e-3 * 41.1e-3 * pressure)
     assert (pressure.T @ u).item() == approx(outer_plane_stress, rel=1e-4)
 
@@ -77,7 +77,7 @@ def test_short_ring_grows_with_speed_as_in_plane_stress(inner, outer, elastic, d
     load = expansion.rotation(body, {"ring": density}, 38000 * 2 * np.pi / 60)
     for edge, expected in zip(("inside", "outside"), grown, strict=True):
         if expected is not None:
-            assert expansion.growth(body, load, edge)[0] == approx(expected, rel=5e-4)
+            assert expansion.radial_expansion(body, load, edge)[0] == approx(expected, rel=5e-4)
 
 
 def lame_fit(a, b, c, inner, outer, strains):
@@ -103,7 +103,9 @@ def test_hot_shaft_widens_its_ring_as_lame_says():
     )  # fmt: skip
     load = expansion.heating(body, {"shaft": strains[0], "ring": strains[1]})
     expected = lame_fit(25.8e-3, 29.8e-3, 32.5e-3, inner, STEEL, strains)
-    assert expansion.growth(body, load, "outside", 3) == approx([expected, 0, 0], abs=1e-6 * expected)
+    assert expansion.radial_expansion(body, load, "outside", 3) == approx(
+        [expected, 0, 0], abs=1e-6 * expected
+    )
 
 
 def test_stiff_ring_on_springs_only_translates():
@@ -111,7 +113,7 @@ def test_stiff_ring_on_springs_only_translates():
     stiff = Elastic(youngs_modulus=1e15, poisson_ratio=0.28)
     springs = Springs(axial=1e12, radial=1e12, tangential=1e12)
     body = held([tube(37.5e-3, 41.1e-3, 5e-3)], {"ring": stiff}, COARSE, outside=springs)
-    inside = revolved_body.edge_shapes(body, "inside", 1)
+    inside = revolved_body.edge_modes(body, "inside", 1)
     W = inside.T @ body.stiffness.solve(1, inside) / (2 * np.pi)
     assert 2 * W.item() == approx(1 / (1e12 * 2 * np.pi * 41.1e-3 * 5e-3), rel=3e-4)
 
@@ -119,7 +121,7 @@ def test_stiff_ring_on_springs_only_translates():
 def test_floating_ring_is_noticed():
     body = held([tube(37.5e-3, 41.1e-3, 5e-3)], RING.materials, COARSE)
     with pytest.raises(NotSolved, match="held"):
-        body.stiffness.solve(1, revolved_body.edge_shapes(body, "inside", 2))
+        body.stiffness.solve(1, revolved_body.edge_modes(body, "inside", 2))
 
 
 def test_pinched_free_ring_is_that_of_two_other_codes():
@@ -127,8 +129,8 @@ def test_pinched_free_ring_is_that_of_two_other_codes():
     springs = Springs(axial=1.0, radial=0.0, tangential=1.0)
     body = held([tube(37.5e-3, 41.1e-3, 10e-3)], RING.materials, FAIR, left=springs)
     outside, inside = (
-        revolved_body.edge_shapes(body, "outside", 1),
-        revolved_body.edge_shapes(body, "inside", 7),
+        revolved_body.edge_modes(body, "outside", 1),
+        revolved_body.edge_modes(body, "inside", 7),
     )
     middle = np.array([1, 0, -1 / 2, 0, 3 / 8, 0, -5 / 16])  # L_m(0)
     n = np.arange(0, 50, 2)
@@ -142,7 +144,7 @@ def test_pinched_free_ring_is_that_of_two_other_codes():
 
 def test_small_space_holds_all_harmonics():
     body = held(sections(RING, L), RING.materials, COARSE)
-    loads = revolved_body.edge_shapes(body, "raceway", 3)
+    loads = revolved_body.edge_modes(body, "raceway", 3)
     found, some = compliances(body.stiffness, loads, 60), [4, 6, 9, 14, 22, 33, 50, 55]
     exact = np.array([loads.T @ body.stiffness.solve(n, loads) for n in some])
     assert found[some] == approx(exact, rel=0, abs=1e-6 * found[0].max())
@@ -158,10 +160,10 @@ def test_response_is_symmetric_and_positive(ring, shaft):
 
 def test_rollers_may_stand_anywhere(ring):
     here, turned = ring.at(ROLLERS), ring.at(ROLLERS + 0.1)
-    assert turned.full == approx(here.full, rel=0, abs=1e-12 * here.full.max())
+    assert turned.absolute == approx(here.absolute, rel=0, abs=1e-12 * here.absolute.max())
     some = ring.at(ROLLERS[[3, 7, 8]])
     picked = np.ix_([3, 7, 8], range(3), [3, 7, 8], range(3))
-    assert some.full == approx(here.full[picked], rel=0, abs=1e-12 * here.full.max())
+    assert some.absolute == approx(here.absolute[picked], rel=0, abs=1e-12 * here.absolute.max())
 
 
 def test_neighbours_of_a_ring_with_one_clamped_face(ring):
@@ -171,18 +173,18 @@ def test_neighbours_of_a_ring_with_one_clamped_face(ring):
     damped by the same Gaussian give 2.8558, 1.2204, 0.0968, -0.0887.
     """
     found = ring.at(ROLLERS)
-    assert 1e9 * found.full[0, 0, :4, 0] == approx([2.8903, 1.2120, 0.0933, -0.0894], rel=0, abs=1e-3)
+    assert 1e9 * found.absolute[0, 0, :4, 0] == approx([2.8903, 1.2120, 0.0933, -0.0894], rel=0, abs=1e-3)
     assert found.support_stiffness == approx(2.54928e9, rel=1e-4)
 
 
-FEW, MANY = (FAIR, 75), (Mesh(order=6, size=4e-3, raceway_size=0.8e-3), 140)
+FEW, MANY = (FAIR, 75), (MeshSize(order=6, size=4e-3, raceway_size=0.8e-3), 140)
 
 
 @pytest.mark.parametrize("part", [RING, pytest.param(SHAFT, marks=pytest.mark.slow)], ids=["ring", "shaft"])
 def test_own_compliance_does_not_depend_on_mesh_or_harmonics(part):
     few, many = (revolved.condense(part, L, 3, *wishes).at(ROLLERS) for wishes in (FEW, MANY))
-    assert few.full == approx(many.full, rel=0, abs=1.5e-3 * many.full.max())
-    assert few.full[0, 0, 0, 0] == approx(many.full[0, 0, 0, 0], rel=7e-4)
+    assert few.absolute == approx(many.absolute, rel=0, abs=1.5e-3 * many.absolute.max())
+    assert few.absolute[0, 0, 0, 0] == approx(many.absolute[0, 0, 0, 0], rel=7e-4)
     assert few.support_stiffness == approx(many.support_stiffness, rel=2e-4)
 
 
@@ -190,23 +192,23 @@ def test_own_compliance_does_not_depend_on_mesh_or_harmonics(part):
 @pytest.mark.parametrize(
     ("part", "solid"),
     [
-        (RING, Mesh(order=3, size=4e-3, raceway_size=1e-3)),
-        (SHAFT, Mesh(order=3, size=4e-3, raceway_size=1e-3)),
+        (RING, MeshSize(order=3, size=4e-3, raceway_size=1e-3)),
+        (SHAFT, MeshSize(order=3, size=4e-3, raceway_size=1e-3)),
     ],
     ids=["ring", "shaft"],
 )
 def test_tetrahedra_agree(part, solid):
     """The same Gaussian on both; its fixed direction costs (width/R)^2, sharp edges 1 % of the stiffness."""
-    width, patches = 0.7e-3, Patches(azimuths=tuple(ROLLERS), length=L, shapes=3, width=0.7e-3)
+    width, patches = 0.7e-3, Patches(azimuths=tuple(ROLLERS), length=L, axial_modes=3, width=0.7e-3)
     tetrahedra = condense(part, patches, solid)
-    raceway = revolved.condense(part, L, 3, Mesh(order=6, size=3e-3, raceway_size=0.8e-3), 140)
+    raceway = revolved.condense(part, L, 3, MeshSize(order=6, size=3e-3, raceway_size=0.8e-3), 140)
     n = raceway.harmonics
     damped = raceway.response * np.exp(-((n * width / raceway.radius) ** 2))[:, None, None]
     turn = np.exp(1j * np.outer(ROLLERS, n))
     full = np.einsum("ik,kmp,jk->imjp", turn, damped, turn.conj(), optimize=True).real
     own = np.arange(ROLLERS.size)
     full[own, :, own] -= half_space(patches, part.materials["ring"])
-    error = np.abs(full - tetrahedra.full) / full.max()
+    error = np.abs(full - tetrahedra.absolute) / full.max()
     # their own terms are the small rest of raw ones ten times as large, which the solid mesh holds to 0.2 %
     assert error[own, :, own].max() < 0.025
     error[own, :, own] = 0.0
@@ -239,4 +241,4 @@ def test_unknown_edge_is_named():
 def test_edge_that_is_no_cylinder_is_refused():
     body = held([tube(37.5e-3, 41.1e-3, 5e-3)], RING.materials, COARSE)
     with pytest.raises(ImpossiblePart, match="cylinder"):
-        revolved_body.edge_shapes(body, "left", 1)
+        revolved_body.edge_modes(body, "left", 1)

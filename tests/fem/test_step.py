@@ -8,7 +8,7 @@ import pytest
 from netgen import occ
 from pytest import approx
 
-from fem import ClampedFace, ImpossiblePart, Mesh, OuterRing, Patches
+from fem import ClampedFace, ImpossiblePart, MeshSize, OuterRing, Patches
 from fem.mesh.solid import meshed
 from fem.mesh.step_import import solid
 from fem.parts.step_solid import Coloured, Named, Near, StepSolid, drawing
@@ -92,7 +92,7 @@ def test_raceway_drawn_in_halves_is_found_whole():
 
 
 def test_mesh_has_the_band_and_the_clamp():
-    mesh = meshed(part(plain()), 6e-3, Mesh(order=3, size=8e-3, raceway_size=6e-3))
+    mesh = meshed(part(plain()), 6e-3, MeshSize(order=3, size=8e-3, raceway_size=6e-3))
     area = ngs.Integrate(1, mesh, ngs.BND, definedon=mesh.Boundaries("raceway"))
     assert area == approx(2 * np.pi * R * 6, rel=1e-4)
     ends = ngs.Integrate(ngs.x, mesh, ngs.BND, definedon=mesh.Boundaries("clamped"))
@@ -105,12 +105,12 @@ def test_drawn_ring_answers_as_the_one_built_in():
         raceway_diameter=2e-3 * R, thickness=THICKNESS * 1e-3, width=WIDTH * 1e-3, elastic=STEEL,
         support=ClampedFace(),
     )  # fmt: skip
-    patches = Patches(azimuths=(0.0, 0.4), length=6e-3, shapes=2, width=4e-3)
+    patches = Patches(azimuths=(0.0, 0.4), length=6e-3, axial_modes=2, width=4e-3)
     built, drawn = (
-        condense(solid, patches, Mesh(order=3, size=8e-3, raceway_size=5e-3), thread_number=1)
+        condense(solid, patches, MeshSize(order=3, size=8e-3, raceway_size=5e-3), thread_number=1)
         for solid in (ring, part(ELSEWHERE(plain()), **FRAME))
     )
-    assert drawn.full == approx(built.full, abs=0.01 * np.abs(built.full).max())
+    assert drawn.absolute == approx(built.absolute, abs=0.01 * np.abs(built.absolute).max())
     assert drawn.support_stiffness == approx(built.support_stiffness, rel=0.01)
 
 
@@ -119,8 +119,8 @@ def test_azimuth_turns_from_the_zenith_and_no_symmetry_is_assumed():
     ring = tube(-WIDTH / 2, WIDTH / 2, R, R + THICKNESS)
     pad = occ.Box(occ.Pnt(-WIDTH / 2, R + 1, -4), occ.Pnt(WIDTH / 2, R + 9, 4)) - tube(-6, 6, 0.1, R + 1)
     drawn = part(ELSEWHERE(ring + pad), clamps=(Near(10e-3, 20e-3 - (R + 9) * 1e-3, 30e-3),), **FRAME)
-    rollers = Patches(azimuths=(1.0, -1.0), length=6e-3, shapes=2, width=4e-3)
-    own = condense(drawn, rollers, Mesh(order=1, size=8e-3, raceway_size=6e-3), thread_number=1).full
+    rollers = Patches(azimuths=(1.0, -1.0), length=6e-3, axial_modes=2, width=4e-3)
+    own = condense(drawn, rollers, MeshSize(order=1, size=8e-3, raceway_size=6e-3), thread_number=1).absolute
     assert own[1, 0, 1, 0] > 2 * own[0, 0, 0, 0]
 
 
@@ -213,10 +213,10 @@ def test_what_is_wrong_is_said(case):
 
 def test_condensing_reports_a_wrong_drawing_before_meshing():
     told = []
-    rollers = Patches(azimuths=(0.0,), length=12e-3, shapes=2, width=1e-3)
+    rollers = Patches(azimuths=(0.0,), length=12e-3, axial_modes=2, width=1e-3)
     with pytest.raises(ImpossiblePart, match="allowed is the raceway"):
         condense(
-            part(plain()), rollers, Mesh(order=1, size=8e-3, raceway_size=6e-3), lambda *a: told.append(a)
+            part(plain()), rollers, MeshSize(order=1, size=8e-3, raceway_size=6e-3), lambda *a: told.append(a)
         )
     assert told == [("mesh", None)]
 

@@ -17,7 +17,7 @@ from fem import (
     ImpossiblePart,
     LineForce,
     LineSupports,
-    Mesh,
+    MeshSize,
     OuterRing,
     PlanetGear,
     RigidSeat,
@@ -25,17 +25,17 @@ from fem import (
 from fem.assembly.factorisation import NotSolved, factorised, threads
 from fem.mesh.solid import meshed
 from fem.section import free_ring, revolved, supported_ring
-from fem.section.revolved_body import edge_shapes
+from fem.section.revolved_body import edge_modes
 from fem.section.rigid_body_modes import body_of
 from fem.section.ring_on_lines import RingOnLines
-from fem.section.supported_ring import AxisymmetricLoad, PlanetRim, growth_of
+from fem.section.supported_ring import AxisymmetricLoad, PlanetRim, raceway_expansion
 from fem.section.unilateral_points import SupportPoints, bordered_inverse, pushing_points
 from fem.solid.condensation import elastic_energy
 from tests.fem.test_parts import STEEL
 
 L, M = 5e-3, 2
-FAIR = Mesh(order=5, size=4e-3, raceway_size=1.5e-3)
-COARSE = Mesh(order=4, size=4e-3, raceway_size=2e-3)
+FAIR = MeshSize(order=5, size=4e-3, raceway_size=1.5e-3)
+COARSE = MeshSize(order=4, size=4e-3, raceway_size=2e-3)
 ROLLERS = 0.1 + 2 * np.pi * np.arange(11) / 11
 THREE = LineSupports(azimuths=tuple(np.radians([0, 120, 240])))
 RADIAL = Foundation(axial=0.0, radial=1e12, tangential=0.0)
@@ -110,7 +110,7 @@ def test_free_ring_is_one_on_soft_springs_without_its_rigid_motion(free):
     soft = body_of(ring(Foundation(axial=1e8, radial=1e8, tangential=1e8)), L, FAIR)
     where = ngs.ds(definedon=soft.space.mesh.Boundaries("foundation"))
     G = np.column_stack([
-        edge_shapes(soft, "raceway", 3), edge_shapes(soft, "foundation", 2),
+        edge_modes(soft, "raceway", 3), edge_modes(soft, "foundation", 2),
         soft.load(soft.space.TestFunction()[2] * where) / 10.0,
     ])  # fmt: skip
     held = G.T @ soft.stiffness.solve(1, G) / (2 * np.pi)
@@ -142,7 +142,7 @@ def test_soft_lines_carry_a_ring_that_hardly_bends(free):
     found = RingOnLines(free, LineSupports(azimuths=lines, stiffness=1e4)).at(ROLLERS)
     assert found.support_stiffness == approx(3e4, rel=1e-3)
     assert found.translation[1, :, 0] == approx(np.cos(ROLLERS) / 3e4, rel=0, abs=1e-3 / 3e4)
-    tilt = found.full[0, 1, 0, 1] / (L / 2) ** 2
+    tilt = found.absolute[0, 1, 0, 1] / (L / 2) ** 2
     assert 1 / tilt == approx(6 * 1e4 * 10e-3**2 / 24, rel=1e-3)
 
 
@@ -153,12 +153,12 @@ def test_many_soft_lines_are_an_elastic_foundation(free):
     some = ROLLERS[:4]
     found = RingOnLines(free, lines).at(some)
     springs = supported_ring.condense(ring(replace(RADIAL, radial=per_area)), L, 3, FAIR).at(some)
-    assert found.full == approx(springs.full, rel=0, abs=5e-4 * springs.full.max())
+    assert found.absolute == approx(springs.absolute, rel=0, abs=5e-4 * springs.absolute.max())
     assert found.translation == approx(springs.translation, rel=0, abs=5e-4 * springs.translation.max())
 
 
 def test_compliance_on_lines_is_symmetric_and_stiff_lines_are_rigid(free):
-    rigid, stiff = (RingOnLines(free, replace(THREE, stiffness=k)).at(ROLLERS).full for k in (inf, 1e15))
+    rigid, stiff = (RingOnLines(free, replace(THREE, stiffness=k)).at(ROLLERS).absolute for k in (inf, 1e15))
     assert rigid == approx(rigid.transpose(2, 3, 0, 1), rel=0, abs=1e-12 * rigid.max())
     assert stiff == approx(rigid, rel=0, abs=1e-5 * rigid.max())
 
@@ -230,7 +230,7 @@ def test_lines_that_only_push_let_go(free):
     assert np.all(p[2:] == 0)
     two = RingOnLines(free, LineSupports(azimuths=around[:2]))
     assert p[:2] == approx(two.line_forces(phi, F), rel=1e-9)
-    assert pushing.at(phi, F).full == approx(two.at(phi).full, rel=1e-9)
+    assert pushing.at(phi, F).absolute == approx(two.at(phi).absolute, rel=1e-9)
 
 
 def test_lines_that_only_push_may_touch_at_one_end(free):
@@ -249,7 +249,7 @@ def test_lines_that_cannot_hold_a_load_by_pushing_are_refused(free):
         pushing.at([3.0], np.array([[100.0, 0.0, 0.0]]))
     with pytest.raises(ImpossiblePart, match="roller forces"):
         pushing.at([3.0])
-    assert np.isfinite(pushing.at([3.0], np.zeros((1, 3))).full).all()
+    assert np.isfinite(pushing.at([3.0], np.zeros((1, 3))).absolute).all()
 
 
 PULLED = PlanetGear(
@@ -263,7 +263,7 @@ PULLED = PlanetGear(
 def test_tooth_forces_bend_the_rim_but_do_not_move_it(free):
     around = 2 * np.pi * np.arange(720) / 720
     bent = PlanetRim(free, PULLED).at(around[::180])
-    assert bent.deviation_without_load.shape == (4, 3)
+    assert bent.initial_deviation.shape == (4, 3)
     assert not bent.translation.any()
     assert bent.support_stiffness == inf
     psi, radial, tangential = np.array([(f.azimuth, f.radial, f.tangential) for f in PULLED.forces]).T
@@ -271,7 +271,7 @@ def test_tooth_forces_bend_the_rim_but_do_not_move_it(free):
     assert np.abs(w).max() > 1e-6
     for wave in (np.sin, np.cos):
         assert np.abs(wave(around) @ w[:, :2]).max() < 1e-9 * np.abs(w).max() * 720
-    assert w[::180] == approx(bent.deviation_without_load, rel=1e-12, abs=1e-18)
+    assert w[::180] == approx(bent.initial_deviation, rel=1e-12, abs=1e-18)
     mirrored = w[(-np.arange(720)) % 720]  # left to right
     assert mirrored == approx(w, rel=0, abs=1e-9 * np.abs(w).max())
 
@@ -280,15 +280,17 @@ def test_cold_and_warm_free_rings_differ_by_their_size():
     soft = Foundation(axial=0.0, radial=1e3, tangential=0.0)
     housing = Housing(thickness=3e-3, width=8e-3, elastic=STEEL, support=soft)
     for support in (PlanetGear(forces=()), soft, housing):
-        load = AxisymmetricLoad(expansions=dict.fromkeys(ring(support).materials, 1e-3))
-        assert growth_of(ring(support), L, 2, COARSE, load) == approx([37.5e-6, 0], rel=1e-6, abs=1e-12)
+        load = AxisymmetricLoad(thermal_strains=dict.fromkeys(ring(support).materials, 1e-3))
+        assert raceway_expansion(ring(support), L, 2, COARSE, load) == approx(
+            [37.5e-6, 0], rel=1e-6, abs=1e-12
+        )
 
 
 def test_free_ring_grows_with_speed_as_in_plane_stress():
     """29.8/32.5 mm at 38000 rpm: 18.72190 um inside."""
     fast = AxisymmetricLoad(densities={"ring": 7850.0}, speed=38000 * 2 * np.pi / 60)
     narrow = ring(PlanetGear(forces=()), raceway_diameter=59.6e-3, thickness=2.7e-3, width=1e-3)
-    assert growth_of(narrow, 1e-3, 1, COARSE, fast) == approx([18.72190e-6], rel=5e-4)
+    assert raceway_expansion(narrow, 1e-3, 1, COARSE, fast) == approx([18.72190e-6], rel=5e-4)
 
 
 def test_warm_ring_in_a_stiff_cold_bore_grows_inwards():
@@ -296,14 +298,16 @@ def test_warm_ring_in_a_stiff_cold_bore_grows_inwards():
     a, b, nu, e = 37.5e-3, 41.1e-3, 0.28, 1e-3
     B = -(1 + nu) * e / ((1 + nu) / b**2 + (1 - nu) / a**2)
     bore = Foundation(axial=0.0, radial=1e19, tangential=0.0)
-    found = growth_of(ring(bore, width=0.5e-3), 0.5e-3, 1, COARSE, AxisymmetricLoad(expansions={"ring": e}))
+    found = raceway_expansion(
+        ring(bore, width=0.5e-3), 0.5e-3, 1, COARSE, AxisymmetricLoad(thermal_strains={"ring": e})
+    )
     assert found == approx([B * (1 / a - a / b**2)], rel=1e-3)
     assert found < 0
 
 
 def test_growth_against_lines_is_refused():
     with pytest.raises(ImpossiblePart, match="line supports"):
-        growth_of(ring(THREE), L, 1, COARSE, AxisymmetricLoad(expansions={"ring": 1e-3}))
+        raceway_expansion(ring(THREE), L, 1, COARSE, AxisymmetricLoad(thermal_strains={"ring": 1e-3}))
 
 
 def solid_response(part, harmonics, mesh, length):
@@ -341,8 +345,8 @@ def solid_response(part, harmonics, mesh, length):
 )  # fmt: skip
 def test_tetrahedra_agree(support):
     part, harmonics = ring(support), [1, 2, 5]
-    mesh = Mesh(order=4, size=5e-3, raceway_size=2e-3)
+    mesh = MeshSize(order=4, size=5e-3, raceway_size=2e-3)
     solid = solid_response(part, harmonics, mesh, part.width)
-    raceway = revolved.condense(part, part.width, 2, Mesh(order=6, size=3e-3, raceway_size=1e-3), 80)
+    raceway = revolved.condense(part, part.width, 2, MeshSize(order=6, size=3e-3, raceway_size=1e-3), 80)
     found = np.real(np.einsum("nmm->nm", raceway.response[80 + np.array(harmonics)]))
     assert solid == approx(found, rel=3e-3)

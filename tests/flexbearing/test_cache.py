@@ -23,8 +23,8 @@ CAGE = fem.SquirrelCage(
     raceway_diameter=75e-3, thickness=3.6e-3, width=10e-3, bars=24, bar_width=4e-3, bar_thickness=2.6e-3,
     bar_length=10.25e-3, flange_length=5e-3, elastic=STEEL,
 )  # fmt: skip
-PATCHES = fem.Patches(azimuths=(0.0, 0.5), length=9e-3, shapes=2, width=1e-3)
-MESH = fem.Mesh(order=3, size=3e-3, raceway_size=2e-3)
+PATCHES = fem.Patches(azimuths=(0.0, 0.5), length=9e-3, axial_modes=2, width=1e-3)
+MESH = fem.MeshSize(order=3, size=3e-3, raceway_size=2e-3)
 PARTS = ("condense", CAGE, PATCHES, MESH)
 SOLID = StepSolid(
     drawing=b"ISO-10303-21;a",
@@ -38,7 +38,7 @@ SOLID = StepSolid(
 def raceway(seed=0):
     draw = np.random.default_rng(seed).normal
     return RacewayCompliance(
-        azimuths=draw(size=3), full=draw(size=(3, 2, 3, 2)), translation=draw(size=(2, 3, 2)),
+        azimuths=draw(size=3), absolute=draw(size=(3, 2, 3, 2)), translation=draw(size=(2, 3, 2)),
         support_stiffness=np.float64(1.5e8), unknowns=np.int64(7), elements=5, seconds={"mesh": 0.25},
     )  # fmt: skip
 

@@ -27,7 +27,7 @@ COARSE = [
 
 STEEL = fem.Elastic(youngs_modulus=203e9, poisson_ratio=0.28)
 BEARING = paper_bearing(rollers=11, slices=4, axial_modes=2, load=6000.0, azimuth=0.1)
-MESH = fem.Mesh(order=2, size=12e-3, raceway_size=4e-3)
+MESH = fem.MeshSize(order=2, size=12e-3, raceway_size=4e-3)
 # Three bars and eleven rollers, or a ring and uneven ones, share no symmetry that condensing could even out.
 CAGE = fem.SquirrelCage(
     raceway_diameter=75e-3, elastic=STEEL, thickness=3.6e-3, width=10e-3, bars=3, bar_width=20e-3,
@@ -49,7 +49,7 @@ def solids():
     uneven = azimuths + 0.1 * np.random.default_rng(5).random(azimuths.size)
     found = []
     for part, places in ((PLAIN, uneven), (CAGE, azimuths)):
-        patches = fem.Patches(azimuths=tuple(places), length=5e-3, shapes=2, width=1.5e-3)
+        patches = fem.Patches(azimuths=tuple(places), length=5e-3, axial_modes=2, width=1.5e-3)
         solved = FullSolve(solid=factored(part, patches, MESH, 1))
         found.append((solved, condense(part, patches, MESH, thread_number=1)))
     inner, outer = found
@@ -69,7 +69,7 @@ def test_full_solve_answers_as_the_condensed_operator(solids):
 def test_solids_condensed_at_the_end_are_those_condensed_at_once(solids):
     for solved, once in solids:
         again = solved.condensed()
-        assert again.full == approx(once.full, rel=0, abs=1e-12 * np.abs(once.full).max())
+        assert again.absolute == approx(once.absolute, rel=0, abs=1e-12 * np.abs(once.absolute).max())
         assert again.support_stiffness == approx(once.support_stiffness, rel=1e-12)
         assert (again.unknowns, again.elements) == (once.unknowns, once.elements)
 
@@ -177,12 +177,12 @@ def test_condensing_evens_out_what_the_mesh_breaks_of_a_symmetry():
     from fem.solid.full_solve import FullSolve
 
     azimuths = 2 * np.pi * np.arange(10) / 10
-    patches = fem.Patches(azimuths=tuple(azimuths), length=5e-3, shapes=2, width=1.2e-3)
+    patches = fem.Patches(azimuths=tuple(azimuths), length=5e-3, axial_modes=2, width=1.2e-3)
     forces, gaps = np.random.default_rng(1).normal(size=(10, 2)), []
     for order, size, raceway_size in ((2, 5e-3, 3e-3), (3, 3e-3, 2e-3)):
-        mesh = fem.Mesh(order=order, size=size, raceway_size=raceway_size)
+        mesh = fem.MeshSize(order=order, size=size, raceway_size=raceway_size)
         solved = FullSolve(solid=factored(PLAIN, patches, mesh, 1))
-        expected = np.tensordot(solved.condensed().matrix, forces, axes=2)
+        expected = np.tensordot(solved.condensed().relative, forces, axes=2)
         gaps.append(np.abs(solved.answer(forces)[0] - expected).max() / np.abs(expected).max())
     assert 0.01 < gaps[0] < 0.1
     assert gaps[1] < 0.1 * gaps[0]

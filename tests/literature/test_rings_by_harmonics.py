@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from fem import Elastic, LineForce, LineSupports, Mesh, OuterRing, PlanetGear
+from fem import Elastic, LineForce, LineSupports, MeshSize, OuterRing, PlanetGear
 from fem.mesh.axial_section import AxialSection
 from fem.section import free_ring, supported_ring
 from fem.section.revolved_body import assembled
@@ -15,7 +15,7 @@ from fem.section.ring_on_lines import RingOnLines
 from tests.literature.test_rings import MICHELL, OUTSIDE, plane_ring, polar, solved
 
 STEEL = Elastic(youngs_modulus=203e9, poisson_ratio=0.28)
-FAIR = Mesh(order=5, size=4e-3, raceway_size=1.25e-3)
+FAIR = MeshSize(order=5, size=4e-3, raceway_size=1.25e-3)
 MIDDLE = np.array([1, 0, -1 / 2, 0, 3 / 8, 0, -5 / 16])  # L_m(0): from the shapes to mid-width
 PINCHED = PlanetGear(
     forces=tuple(LineForce(azimuth=phi, radial=-1.0, tangential=0.0) for phi in (0.0, np.pi))
@@ -31,7 +31,7 @@ def ring(support, width, inner=37.5e-3, thickness=3.6e-3, elastic=STEEL):
 def inner_diameters(pinched):
     """Change along the two forces and across them, at mid-width."""
     rim = supported_ring.condense(pinched, pinched.width, MIDDLE.size, FAIR)
-    return 2 * rim.at([0.0, np.pi / 2]).deviation_without_load @ MIDDLE
+    return 2 * rim.at([0.0, np.pi / 2]).initial_deviation @ MIDDLE
 
 
 @pytest.fixture(scope="module")

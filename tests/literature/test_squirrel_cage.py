@@ -8,7 +8,7 @@ import ngsolve as ngs
 import pytest
 from pytest import approx
 
-from fem import Elastic, Mesh, SquirrelCage
+from fem import Elastic, MeshSize, SquirrelCage
 from fem.assembly.factorisation import factor, threads
 from fem.mesh.solid import meshed
 from fem.solid.condensation import elastic_energy
@@ -32,7 +32,7 @@ CAGE = SquirrelCage(
 @pytest.mark.slow
 def test_radial_stiffness_of_slender_bars():
     with threads(2):
-        mesh = meshed(CAGE, 4e-3, Mesh(order=3, size=4e-3, raceway_size=4e-3))
+        mesh = meshed(CAGE, 4e-3, MeshSize(order=3, size=4e-3, raceway_size=4e-3))
         space = ngs.VectorH1(mesh, order=3, dirichlet="clamped")
         materials = {"ring": RIGID, "bars": STEEL, "flange": RIGID}
         stiffness = factor(space, elastic_energy(mesh, materials))

@@ -31,7 +31,7 @@ import pytest
 from netgen import occ
 from pytest import approx
 
-from fem import Elastic, Mesh
+from fem import Elastic, MeshSize
 from fem.assembly import elasticity
 from fem.assembly.factorisation import factorised, threads
 from fem.mesh.axial_section import AxialSection
@@ -164,19 +164,19 @@ def structure(name, length):
         (half, outer, "right"),
         (-half, outer, outside),
     )
-    mesh, last = Mesh(order=5, size=6e-3, raceway_size=1.25e-3), 80
+    mesh, last = MeshSize(order=5, size=6e-3, raceway_size=1.25e-3), 80
     springs, free = (
         {"left": GLIDING, "right": GLIDING},
         FreeMotions(turning=not ring.seat, across=not ring.seat),
     )
     with threads(1):
         body = revolved_body.assembled([AxialSection("ring", corners)], {"ring": STEEL}, mesh, springs)
-        W = responses(body, free, revolved_body.edge_shapes(body, "raceway", 1), last) / (2 * pi)
+        W = responses(body, free, revolved_body.edge_modes(body, "raceway", 1), last) / (2 * pi)
     raceway = HarmonicCompliance(
         harmonics=np.arange(-last, last + 1), response=np.concatenate([W[:0:-1], W]), radius=inner,
         length=length / 1e3, elastic=STEEL, bars=None, unknowns=0, elements=0, seconds={},
     )  # fmt: skip
-    full = raceway.full(2 * pi * np.arange(ring.rollers) / ring.rollers)
+    full = raceway.absolute(2 * pi * np.arange(ring.rollers) / ring.rollers)
     return 1e3 * full[0, 0, :, 0].sum() * LOAD * length
 
 

@@ -12,7 +12,7 @@ from numpy.polynomial import legendre
 from pytest import approx
 
 from benchmarks.cage_discretisations import LAYERS, refined
-from fem import Elastic, ImpossiblePart, Mesh, Patches, SquirrelCage
+from fem import Elastic, ImpossiblePart, MeshSize, Patches, SquirrelCage
 from fem.assembly import roller_loads
 from fem.assembly.factorisation import NotSolved, factorised, threads
 from fem.cage import cyclic_symmetry
@@ -23,8 +23,8 @@ from fem.solid import condensation
 from tests.fem.test_parts import CAGE, STEEL
 
 L, M = 5e-3, 3
-COARSE = Mesh(order=2, size=4e-3, raceway_size=2.5e-3)
-USUAL = Mesh(order=3, size=3e-3, raceway_size=2e-3)
+COARSE = MeshSize(order=2, size=4e-3, raceway_size=2.5e-3)
+USUAL = MeshSize(order=3, size=3e-3, raceway_size=2e-3)
 STUMPS = SquirrelCage(
     raceway_diameter=20e-3, thickness=3e-3, width=6e-3, bars=3, bar_width=5e-3, bar_thickness=2e-3,
     bar_length=4e-3, flange_length=3e-3, elastic=STEEL,
@@ -79,7 +79,7 @@ def test_half_a_pitch_answers_like_the_whole_cage(bars, monkeypatch):
     monkeypatch.setattr(half_pitch, "LAYERS", 0)  # layers have prisms, which are tedious to mirror
     cage, highest, shapes = replace(STUMPS, bars=bars), 3, 2
     with threads(1):
-        piece = half_pitch.half_pitch(cage, L, Mesh(order=1, size=5e-3, raceway_size=5e-3))
+        piece = half_pitch.half_pitch(cage, L, MeshSize(order=1, size=5e-3, raceway_size=5e-3))
         part = half(cage, piece, 2)
         band = roller_loads.band(part.space, "raceway", 10)
         faces = [face(part, band, L, shapes, highest, symmetric) for symmetric in (True, False)]
@@ -115,21 +115,21 @@ def test_harmonics_meet_only_across_the_number_of_bars(cage):
 
 
 def test_cage_is_the_same_one_pitch_further(cage):
-    here, there = (cage.at(ROLLERS + turn).full for turn in (0.02, 0.02 + 2 * np.pi / CAGE.bars))
+    here, there = (cage.at(ROLLERS + turn).absolute for turn in (0.02, 0.02 + 2 * np.pi / CAGE.bars))
     assert there == approx(here, rel=0, abs=1e-10 * here.max())
     # half a pitch further a roller stands over a slot; the ring is whole there, so it is little softer
-    between = cage.at(ROLLERS + 0.02 + np.pi / CAGE.bars).full
+    between = cage.at(ROLLERS + 0.02 + np.pi / CAGE.bars).absolute
     assert np.abs(between - here).max() > 1e-6 * here.max()
 
 
 def test_mirror_image_of_the_rollers(cage):
-    here, there = (cage.at(side * np.array([0.1, 0.5, 2.0])).full for side in (1, -1))
+    here, there = (cage.at(side * np.array([0.1, 0.5, 2.0])).absolute for side in (1, -1))
     assert there == approx(here, rel=0, abs=1e-10 * here.max())
 
 
 def test_thirty_rollers_over_twenty_four_bars(cage):
     """Rollers that stand alike over their bars feel the same."""
-    full = cage.at(ROLLERS).full
+    full = cage.at(ROLLERS).absolute
     assert full[0, :, 0] == approx(full[5, :, 5], rel=1e-9)
     assert full[1, 0, 1, 0] == approx(full[4, 0, 4, 0], rel=1e-9)  # 12 and 48 degrees: mirror images
 
@@ -149,7 +149,7 @@ def test_slender_bars_under_a_rigid_ring():
         raceway_diameter=96e-3, thickness=4e-3, width=6e-3, bars=24, bar_width=4e-3, bar_thickness=3e-3,
         bar_length=40e-3, flange_length=2e-3, elastic=Elastic(youngs_modulus=200e9, poisson_ratio=0.3),
     )  # fmt: skip
-    ring = cyclic_symmetry.condense(slender, 6e-3, 2, Mesh(order=2, size=6e-3, raceway_size=6e-3))
+    ring = cyclic_symmetry.condense(slender, 6e-3, 2, MeshSize(order=2, size=6e-3, raceway_size=6e-3))
     one = np.flatnonzero(ring.harmonics == 1)[0]
     # 1 N spread like 2 cos(phi) has F_1 = F_-1 = 1, and moves the ring by 2 w_1 cos(phi)
     support = 1 / (2 * ring.response[one, 0, one, 0])
@@ -160,7 +160,7 @@ def test_support_and_own_compliance_of_the_main_case():
     """Order 5 with two layers, 107 000 unknowns of half a pitch: 154.00 kN/mm and 4.513e-8 m/N."""
     ring = cyclic_symmetry.condense(CAGE, L, M, USUAL).at(ROLLERS)
     assert ring.support_stiffness == approx(154.00e6, rel=5e-3)
-    assert ring.full[0, 0, 0, 0] == approx(4.513e-8, rel=5e-3)
+    assert ring.absolute[0, 0, 0, 0] == approx(4.513e-8, rel=5e-3)
 
 
 def test_unbalanced_solution_is_noticed():
@@ -222,7 +222,7 @@ def test_fillets_fill_the_corners_of_the_bars():
 
 def test_fillet_stiffens_the_support():
     """The feet of the bars shorten them: more than the mesh changes, less than by their whole length."""
-    wishes = Mesh(order=2, size=4e-3, raceway_size=1.5e-3)
+    wishes = MeshSize(order=2, size=4e-3, raceway_size=1.5e-3)
     sharp, round_ = (
         cyclic_symmetry.condense(replace(STUMPS, fillet=f), L, 2, wishes).at(ROLLERS).support_stiffness
         for f in (0.0, 0.4e-3)
@@ -245,10 +245,11 @@ def test_limits_of_the_geometry_can_be_meshed(change):
     program = (
         "import ngsolve as ngs\n"
         "from dataclasses import replace\n"
-        "from fem import Mesh\n"
+        "from fem import MeshSize\n"
         "from fem.mesh.half_pitch import half_pitch\n"
         "from tests.fem.test_parts import CAGE\n"
-        f"mesh = half_pitch(replace(CAGE, **{change!r}), {L}, Mesh(order=2, size=3e-3, raceway_size=2e-3))\n"
+        "size = MeshSize(order=2, size=3e-3, raceway_size=2e-3)\n"
+        f"mesh = half_pitch(replace(CAGE, **{change!r}), {L}, size)\n"
         "assert {'cut', 'middle', 'raceway', 'clamped'} <= set(mesh.GetBoundaries())\n"
         "print(ngs.Integrate(ngs.CF(1), mesh))\n"
     )
@@ -262,11 +263,11 @@ def test_agrees_with_gaussian_patches_on_the_whole_solid(monkeypatch):
     """The whole has coarser elements: finer ones take the support from 0.24 to 0.12 % apart."""
     monkeypatch.setattr(condensation, "meshed", refined)
     monkeypatch.setattr(half_pitch, "LAYERS", LAYERS)
-    wishes = Mesh(order=3, size=3e-3, raceway_size=1.2e-3)
+    wishes = MeshSize(order=3, size=3e-3, raceway_size=1.2e-3)
     azimuths = 2 * np.pi * np.arange(10) / 10
-    patches = Patches(azimuths=tuple(azimuths), length=L, shapes=M, width=0.3e-3)
+    patches = Patches(azimuths=tuple(azimuths), length=L, axial_modes=M, width=0.3e-3)
     solid = condensation.condense(STUMPS, patches, wishes)
     ring = cyclic_symmetry.condense(STUMPS, L, M, wishes).at(azimuths)
     assert ring.support_stiffness == approx(solid.support_stiffness, rel=4e-3)
-    assert ring.full == approx(solid.full, rel=0, abs=5e-3 * solid.full.max())
+    assert ring.absolute == approx(solid.absolute, rel=0, abs=5e-3 * solid.absolute.max())
     assert ring.translation == approx(solid.translation, rel=0, abs=4e-3 * np.abs(solid.translation).max())

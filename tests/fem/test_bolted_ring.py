@@ -10,7 +10,7 @@ from netgen import occ
 from pytest import approx
 from scipy.integrate import dblquad
 
-from fem import Elastic, ImpossiblePart, Mesh, Patches
+from fem import Elastic, ImpossiblePart, MeshSize, Patches
 from fem.half_space.groove_line import line_answers, line_harmonics
 from fem.half_space.load_patch import half_space
 from fem.mesh.bolted_ring_section import section
@@ -35,8 +35,8 @@ RING = BoltedGrooveRing(
     elastic=STEEL,
 )
 INNER = replace(RING, race="inner", far_diameter=100e-3)
-FAIR = Mesh(order=4, size=10e-3, raceway_size=2e-3)
-USUAL = Mesh(order=5, size=10e-3, raceway_size=2e-3)
+FAIR = MeshSize(order=4, size=10e-3, raceway_size=2e-3)
+USUAL = MeshSize(order=5, size=10e-3, raceway_size=2e-3)
 MIRROR = np.diag([1.0, -1.0])  # of (outward, axial)
 
 
@@ -72,7 +72,7 @@ def test_ring_bolted_on_its_other_face_is_the_mirror_image():
 
 def test_ring_with_the_indentation_of_its_contacts_yields_to_every_force():
     """Without the indentation it does not: a half-space that ends at a bolted face yields less."""
-    patch = Patches(azimuths=(0.0,), length=LENGTH, shapes=2, width=0.5e-3)
+    patch = Patches(azimuths=(0.0,), length=LENGTH, axial_modes=2, width=0.5e-3)
     lowest = np.linalg.eigvalsh(np.fft.fft(yields(), axis=0).real).min()
     assert -half_space(patch, STEEL)[0, 0] < lowest < 0
 
@@ -188,7 +188,7 @@ def test_arches_touch_the_ball_where_they_are_loaded():
 @pytest.mark.parametrize(
     ("mesh", "harmonics", "allowed"),
     [
-        pytest.param(Mesh(order=6, size=5e-3, raceway_size=1e-3), 123, 2e-3, marks=pytest.mark.slow),
+        pytest.param(MeshSize(order=6, size=5e-3, raceway_size=1e-3), 123, 2e-3, marks=pytest.mark.slow),
         pytest.param(FAIR, 65, 1e-2, marks=pytest.mark.slow),
     ],
     ids=["finer mesh", "fewer harmonics"],
@@ -204,7 +204,7 @@ def test_length_of_the_line_matters_little_along_the_normals():
     rows = [axes @ yields(length=length)[0] @ axes.T for length in (3e-3, LENGTH)]
     normal = np.array([row[::2, ::2] for row in rows])
     assert np.abs(normal[1] - normal[0]).max() < 0.02 * np.abs(normal).max()
-    local = half_space(Patches(azimuths=(0.0,), length=3e-3, shapes=2, width=0.3e-3), STEEL)[0, 0]
+    local = half_space(Patches(azimuths=(0.0,), length=3e-3, axial_modes=2, width=0.3e-3), STEEL)[0, 0]
     assert np.abs(normal[1] - normal[0]).max() < 0.02 * local
 
 
@@ -254,7 +254,7 @@ def test_line_longer_than_its_arch_is_refused():
 @pytest.mark.slow
 def test_all_balls_together_are_one_pitch_of_the_solid():
     """Half a pitch in space between its mirror planes; the ball presses on a patch of finite width."""
-    patch = Patches(azimuths=(0.0,), length=LENGTH, shapes=2, width=0.8e-3)
+    patch = Patches(azimuths=(0.0,), length=LENGTH, axial_modes=2, width=0.8e-3)
     axes = along_normals(RING)
     found = (axes @ yields(mesh=USUAL).sum(axis=0) @ axes.T)[[0, 0], [0, 2]]
     (own, other), local = half_pitch(patch), half_space(patch, STEEL)[0, 0]

@@ -11,21 +11,21 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from fem import ClampedFace, ImpossiblePart, Mesh, OuterRing, Patches
+from fem import ClampedFace, ImpossiblePart, MeshSize, OuterRing, Patches
 from fem.assembly.factorisation import NotSolved
-from fem.subprocess import apart, condense_apart
+from fem.subprocess import condense_in_subprocess, in_subprocess
 from tests.fem.processes import Lost, aborting, answering, killed, leaving, silent, strange, wrong
 from tests.fem.test_parts import STEEL
 
 RING = OuterRing(raceway_diameter=75e-3, thickness=8e-3, width=10e-3, elastic=STEEL, support=ClampedFace())
 
-ROLLERS = Patches(azimuths=(0.0, 0.5), length=9e-3, shapes=2, width=4e-3)
-COARSE = Mesh(order=1, size=9e-3, raceway_size=7e-3)
+ROLLERS = Patches(azimuths=(0.0, 0.5), length=9e-3, axial_modes=2, width=4e-3)
+COARSE = MeshSize(order=1, size=9e-3, raceway_size=7e-3)
 
 
 def test_answer_and_reports_come_from_another_process():
     reports = []
-    found = apart(answering, np.arange(3.0), report=lambda *told: reports.append(told))
+    found = in_subprocess(answering, np.arange(3.0), report=lambda *told: reports.append(told))
     assert found.value == approx([0.0, 2.0, 4.0], abs=0)
     assert found.process != os.getpid()
     assert found.threads == "1"
@@ -43,18 +43,18 @@ def test_answer_and_reports_come_from_another_process():
 )
 def test_ending_is_told(function, message):
     with pytest.raises(NotSolved, match=message):
-        apart(function)
+        in_subprocess(function)
 
 
 def test_own_errors_stay_what_they_are():
     with pytest.raises(ImpossiblePart, match="bar_width = 1 is impossible"):
-        apart(wrong)
+        in_subprocess(wrong)
 
 
 def test_a_process_that_ends_before_it_takes_its_task_is_told():
     """More data than a pipe holds, for a function that cannot be unpacked."""
     with pytest.raises(NotSolved, match=r"(?s)exit code 1; its last words: .*nowhere"):
-        apart(Lost(), bytes(10**6))
+        in_subprocess(Lost(), bytes(10**6))
 
 
 def gone(process):
@@ -70,7 +70,7 @@ def gone(process):
 
 def test_silence_ends_the_process():
     with pytest.raises(NotSolved, match=r"silent for 0\.3 s and was ended"):
-        apart(silent, wait=0.3)
+        in_subprocess(silent, wait=0.3)
 
 
 def test_interrupt_ends_the_process():
@@ -81,14 +81,15 @@ def test_interrupt_ends_the_process():
         raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        apart(silent, report=interrupted)
+        in_subprocess(silent, report=interrupted)
     assert gone(found[0])
 
 
 def test_process_ends_with_its_parent():
     program = (
         f"import sys; sys.path[:] = {sys.path!r}; from tests.fem.processes import silent; "
-        "from fem.subprocess import apart; apart(silent, report=lambda stage, _: print(stage, flush=True))"
+        "from fem.subprocess import in_subprocess; "
+        "in_subprocess(silent, report=lambda stage, _: print(stage, flush=True))"
     )
     with subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, text=True) as parent:
         assert parent.stdout is not None
@@ -104,7 +105,9 @@ def test_condensing_apart_is_condensing():
     from fem.solid.condensation import condense
 
     stages = []
-    found = condense_apart(RING, ROLLERS, COARSE, lambda stage, _: stages.append(stage), thread_number=1)
+    found = condense_in_subprocess(
+        RING, ROLLERS, COARSE, lambda stage, _: stages.append(stage), thread_number=1
+    )
     here = condense(RING, ROLLERS, COARSE, thread_number=1)
-    assert found.full == approx(here.full, rel=1e-6, abs=1e-15)
+    assert found.absolute == approx(here.absolute, rel=1e-6, abs=1e-15)
     assert list(dict.fromkeys(stages)) == ["mesh", "factor", "condense"]
