@@ -30,8 +30,7 @@ from scipy import sparse
 import fem
 import quasidynamic as qd
 from benchmarks.calculix import Hexahedra, between, clamped, rows
-from quasidynamic.contact.line.load_law import palmgren
-from quasidynamic.contact.line.slices import Slices
+from quasidynamic.contact.line import Slices, palmgren
 
 SLICES = 10
 MOVED = 0.045  # [mm] inner ring

@@ -12,7 +12,7 @@ from threadpoolctl import threadpool_limits
 from benchmarks.bearings import RPM, changed, paper_bearing
 from benchmarks.machine import describe
 from quasidynamic import FourPointCurve, NotSolved, RollerBearing, SolverOutcome
-from quasidynamic.contact.traction.traction_law import Traction
+from quasidynamic.contact.traction import Traction
 
 LOADED = 1.0  # [N]
 

@@ -17,7 +17,7 @@ from threadpoolctl import threadpool_limits
 
 from benchmarks.machine import describe, median_seconds
 from quasidynamic import Cage, CylindricalRollerBearing, Logarithmic, Material, Roller, Straight
-from quasidynamic.contact.line.slices import Slices
+from quasidynamic.contact.line import Slices
 from quasidynamic.static import static_loads
 
 INSTALL = "pip install --no-deps tribology==0.5.16 numexpr opencv-python-headless"

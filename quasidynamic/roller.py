@@ -10,10 +10,8 @@ from numpy.typing import NDArray
 from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.balance.rollers.operating_points import OperatingPoints
 from quasidynamic.balance.rollers.roller import RollerBalance
-from quasidynamic.contact.film.thickness import FilmLaw
-from quasidynamic.contact.line.hertz import reduced_radius
-from quasidynamic.contact.line.load_law import LoadLaw, iso16281, palmgren
-from quasidynamic.contact.line.slices import Slices
+from quasidynamic.contact.film import FilmLaw
+from quasidynamic.contact.line import LoadLaw, Slices, iso16281, palmgren, reduced_radius
 from quasidynamic.contact.lubrication import Lubrication
 from quasidynamic.contact.raceways import Raceways
 from quasidynamic.errors import NotSolved

@@ -8,8 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.contact.line.load_law import EXPONENT, LoadLaw, iso16281, palmgren
-from quasidynamic.contact.line.slices import Slices
+from quasidynamic.contact.line import EXPONENT, LoadLaw, Slices, iso16281, palmgren
 from quasidynamic.errors import ImpossiblePart, NotSolved
 from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
 

@@ -10,16 +10,16 @@ from numpy.typing import NDArray
 
 import quasidynamic as qd
 from flexbearing.case.roller import Case
-from quasidynamic.contact.film.roughness import composite_roughness
-from quasidynamic.contact.traction.adore import ADORE_OILS
-from quasidynamic.contact.traction.inlet_shear import LAWS
-from quasidynamic.contact.traction.mixed import (
+from quasidynamic.contact.film import composite_roughness
+from quasidynamic.contact.traction import (
+    ADORE_OILS,
     FILM_SHARE_1_8,
+    ROLLING_LAWS,
     ZHOU_HOEPRICH,
     AsperityShare,
     ErrorFunctionShare,
+    TractionLaw,
 )
-from quasidynamic.contact.traction.traction_law import TractionLaw
 from quasidynamic.parts.oil_properties import two_point_oil
 
 SHARES: dict[str, AsperityShare] = {
@@ -37,7 +37,7 @@ def lubrication(case: Case) -> qd.Lubrication:
         oil_fraction=given.oil_fraction,
         traction=_traction(case),
         film=qd.FORMULAS[given.film],
-        rolling=LAWS[given.rolling],
+        rolling=ROLLING_LAWS[given.rolling],
         inlet_heating=given.inlet_heating,
         inlet_length=given.inlet_length,
         drag_coefficient=given.drag_coefficient,

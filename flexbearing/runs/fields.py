@@ -18,7 +18,7 @@ from flexbearing.case import BadCase, understood
 from flexbearing.case.roller import Case
 from flexbearing.results import BadResult, Result
 from flexbearing.rings.condensed import IN_SPACE, PATCH, wishes
-from quasidynamic.contact.line.slices import Slices
+from quasidynamic.contact.line import Slices
 
 if TYPE_CHECKING:
     from fem.cage.bar_forces import BarForces

@@ -6,9 +6,9 @@ from flexbearing.build import clearance
 from flexbearing.build.lubrication import oil, oil_name
 from flexbearing.case.roller import Case
 from quasidynamic import Equilibrium, RollerBearing
-from quasidynamic.contact.cage.land import land_notes
-from quasidynamic.contact.drag.orbit_drag import drag_notes
-from quasidynamic.contact.traction.adore import ADORE_OILS
+from quasidynamic.contact.cage import land_notes
+from quasidynamic.contact.drag import drag_notes
+from quasidynamic.contact.traction import ADORE_OILS
 from quasidynamic.trace import equilibria_at, several_likely
 
 

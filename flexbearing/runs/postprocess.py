@@ -14,7 +14,7 @@ from flexbearing.results import ResultFile
 from flexbearing.rings.raceways import CondensedRings
 from flexbearing.runs import fields, life, notes, skew
 from quasidynamic import Equilibrium
-from quasidynamic.contact.film.roughness import lambda_ratio, regime
+from quasidynamic.contact.film import lambda_ratio, regime
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,7 @@
-"""Rings pressed, heated, spun: the clearance they leave."""
+"""From the cold clearance to that in operation: fits, temperatures and speeds of round bodies.
+
+Plane stress in closed form; fits that vary around or along the ring are finite elements.
+"""
 
 from quasidynamic.clearance.annulus import Annulus
 from quasidynamic.clearance.operating_clearance import (

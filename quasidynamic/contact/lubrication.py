@@ -3,9 +3,8 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from quasidynamic.contact.film.thickness import FORMULAS, FilmFormula
-from quasidynamic.contact.traction.inlet_shear import RollingShear, biboulet_houpert
-from quasidynamic.contact.traction.traction_law import Regression4109, TractionLaw
+from quasidynamic.contact.film import FORMULAS, FilmFormula
+from quasidynamic.contact.traction import Regression4109, RollingShear, TractionLaw, biboulet_houpert
 from quasidynamic.errors import ImpossiblePart, require_positive
 from quasidynamic.parts.lubricant import Lubricant
 

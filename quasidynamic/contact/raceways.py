@@ -7,13 +7,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.contact.film.starvation import starved_film
-from quasidynamic.contact.film.thickness import Film, FilmLaw
-from quasidynamic.contact.line.load_law import EXPONENT, LoadLaw
-from quasidynamic.contact.line.slices import Slices
+from quasidynamic.contact.film import Film, FilmLaw, starved_film
+from quasidynamic.contact.line import EXPONENT, LoadLaw, Slices
 from quasidynamic.contact.lubrication import Lubrication
-from quasidynamic.contact.traction.inlet_shear import RollingShear
-from quasidynamic.contact.traction.traction_law import TractionLaw
+from quasidynamic.contact.traction import RollingShear, TractionLaw
 from quasidynamic.parts.lubricant import Lubricant
 
 FILM_LOAD_FLOOR = 30.0  # [N] keeps the film of a grazing roller from depending on its own load
@@ -61,7 +58,7 @@ class Raceways:
         return self.lubrication.oil
 
     def state(self, approach: NDArray, sliding: NDArray, entrainment: NDArray, film: NDArray) -> RacewayState:
-        """Evaluate the contacts.
+        """Load, traction, inlet shear and film of all rollers at both raceways.
 
         Parameters
         ----------
@@ -77,6 +74,11 @@ class Raceways:
         Returns
         -------
         RacewayState
+            forces [N] and films [m] of all rollers, with their derivatives
+
+        Source
+        ------
+        The laws named in `law`, `traction`, `film_law` and `lubrication`, summed over slices.
         """
         slices = self.slices  # first axis from here on: what is the same for all of them broadcasts
         q, stiffness = self.law(slices.spread(approach.swapaxes(0, 1)) - self.drop[:, None, None, None])

@@ -11,10 +11,8 @@ from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
 from quasidynamic.balance.rollers.cage import FloatingCage
 from quasidynamic.balance.rollers.roller import RollerState
 from quasidynamic.balance.rollers.unknowns import BORDER, CAGE, INNER, OUTER, TILT_Z, Unknowns, Y, Z
-from quasidynamic.contact.cage.land import land_torque
-from quasidynamic.contact.cage.pocket import displacement_in_pocket
-from quasidynamic.contact.line.hertz import peak_pressure
-from quasidynamic.contact.line.load_law import palmgren
+from quasidynamic.contact.cage import displacement_in_pocket, land_torque
+from quasidynamic.contact.line import palmgren, peak_pressure
 from quasidynamic.outcome.life import basic_life
 from quasidynamic.outcome.losses import Losses
 from quasidynamic.outcome.ring_stiffness import Tangent

@@ -21,9 +21,7 @@ from flexbearing.case.roller.lubricant import (
     TractionName,
 )
 from flexbearing.runs import notes
-from quasidynamic.contact.traction.adore import ADORE_OILS
-from quasidynamic.contact.traction.inlet_shear import LAWS
-from quasidynamic.contact.traction.mixed import FILM_SHARE_1_8, ZHOU_HOEPRICH
+from quasidynamic.contact.traction import ADORE_OILS, FILM_SHARE_1_8, ROLLING_LAWS, ZHOU_HOEPRICH
 from quasidynamic.outcome.life_factors import CLEANLINESS
 from quasidynamic.parts.oil_properties import OILS
 
@@ -60,7 +58,7 @@ def law(settings, file=PLAIN):
         (OilName, OILS),
         (AdoreOilName, ADORE_OILS),
         (FilmName, qd.FORMULAS),
-        (RollingName, LAWS),
+        (RollingName, ROLLING_LAWS),
         (CleanlinessName, CLEANLINESS),
         (TractionName, lubrication._FLUIDS),
         (ShareName, lubrication.SHARES),
@@ -134,7 +132,7 @@ def test_film_formula_reaches_the_model(name):
 
 @pytest.mark.parametrize("name", get_args(RollingName))
 def test_rolling_law_reaches_the_model(name):
-    assert built(PLAIN, {"lubricant.rolling": name}).lubrication.rolling is LAWS[name]
+    assert built(PLAIN, {"lubricant.rolling": name}).lubrication.rolling is ROLLING_LAWS[name]
 
 
 def test_defaults_are_those_of_the_model():

@@ -30,9 +30,8 @@ from quasidynamic import (
     Roller,
     RollerBearing,
 )
-from quasidynamic.contact.cage.land import land_drag
-from quasidynamic.contact.traction.inlet_shear import RollingShear
-from quasidynamic.contact.traction.traction_law import Traction
+from quasidynamic.contact.cage import land_drag
+from quasidynamic.contact.traction import RollingShear, Traction
 from quasidynamic.motion.roller_speeds import rolling_cage_speed, rolling_roller_speed
 from tests.bearings import RPM
 

@@ -15,7 +15,7 @@ from netgen import occ
 from pytest import approx
 
 from fem.assembly import elasticity
-from fem.assembly.factorisation import factor, threads
+from fem.assembly.factorisation import factorised, threads
 
 SIZE, LAYER_RATIO = 4.0, 0.15  # [mm], [-]
 AXIS = occ.Axis(occ.Pnt(0, 0, 0), occ.X)
@@ -98,7 +98,7 @@ def under_elastic_ring(cage, order, layers):
     loaded = mesh.Materials("ring")
     volume = ngs.Integrate(ngs.CF(1), mesh, definedon=loaded)
     with threads(1):
-        stiffness = factor(space, lambda u, v: elasticity.elasticity(u, v, *steel))
+        stiffness = factorised(space, lambda u, v: elasticity.elasticity(u, v, *steel))
         form = ngs.LinearForm(space.TestFunction()[2] / volume * ngs.dx(definedon=loaded)).Assemble()
         load = form.vec.FV().NumPy().copy()
         return 4 / (load @ stiffness.solve(load))
@@ -125,7 +125,7 @@ def under_rigid_ring(cage, order, layers):
 
     strains = [strain(g) for g in motions]
     with threads(1):
-        stiffness = factor(space, lambda u, v: elasticity.elasticity(u, v, lame, shear))
+        stiffness = factorised(space, lambda u, v: elasticity.elasticity(u, v, lame, shear))
         v = space.TestFunction()
         sides = [ngs.LinearForm(-work(e, elasticity.strain(v)) * ngs.dx).Assemble().vec for e in strains]
         sides = np.stack([side.FV().NumPy().copy() for side in sides], axis=1)

@@ -13,7 +13,7 @@ import pytest
 from pytest import approx
 
 from quasidynamic import FORMULAS, Lubricant
-from quasidynamic.contact.film.thickness import FilmLaw
+from quasidynamic.contact.film import FilmLaw
 
 PUBLISHED = {  # c and the exponents of G, U and W
     "dowson_higginson": (1.6, 0.6, 0.7, -0.13),

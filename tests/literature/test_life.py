@@ -9,7 +9,7 @@ from pytest import approx
 from scipy.optimize import brentq
 
 from quasidynamic import Logarithmic, OutOfRange
-from quasidynamic.contact.line.hertz import peak_pressure
+from quasidynamic.contact.line import peak_pressure
 from quasidynamic.outcome.capacity import (
     dynamic_rating,
     fatigue_load_limit,

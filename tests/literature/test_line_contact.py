@@ -16,8 +16,8 @@ import pytest
 from pytest import approx
 
 from quasidynamic import FORMULAS, Lubricant, Material
-from quasidynamic.contact.film.thickness import FilmLaw
-from quasidynamic.contact.line.hertz import half_width, peak_pressure, reduced_radius
+from quasidynamic.contact.film import FilmLaw
+from quasidynamic.contact.line import half_width, peak_pressure, reduced_radius
 from quasidynamic.motion.roller_speeds import rolling_cage_speed
 from quasidynamic.parts.material import contact_modulus
 

@@ -10,7 +10,7 @@ from netgen import occ
 from pytest import approx
 
 from fem.assembly import elasticity
-from fem.assembly.factorisation import factor, threads
+from fem.assembly.factorisation import factorised, threads
 
 INSIDE, OUTSIDE = 37.5, 41.1  # [mm]
 E, NU = 203e3, 0.28  # [MPa]
@@ -67,7 +67,7 @@ def solved(mesh, order, load):
     space = ngs.VectorH1(mesh, order=order, dirichletx="side_x", dirichlety="side_y")
     lame, shear = elasticity.plane_stress(E, NU)
     hold = 0.0 if "side_x" in mesh.GetBoundaries() else FLOATING
-    stiffness = factor(
+    stiffness = factorised(
         space, lambda u, v: elasticity.elasticity(u, v, lame, shear) + hold * ngs.InnerProduct(u, v) * ngs.dx
     )
     force = ngs.LinearForm(load(space.TestFunction())).Assemble()
@@ -139,7 +139,9 @@ def test_ring_pinched_by_two_lines_in_space():
     mesh.Curve(4)
     space = ngs.VectorH1(mesh, order=4, dirichletx="middle", dirichlety="side_y", dirichletz="side_z")
     with threads(2):
-        stiffness = factor(space, lambda u, v: elasticity.elasticity(u, v, *elasticity.lame_constants(E, NU)))
+        stiffness = factorised(
+            space, lambda u, v: elasticity.elasticity(u, v, *elasticity.lame_constants(E, NU))
+        )
         v = space.TestFunction()
         along_line = ngs.comp.DifferentialSymbol(ngs.BBND)
         # 100 N/mm over the width; the plane of symmetry leaves half of it
@@ -171,7 +173,9 @@ def test_neighbours_of_a_loaded_roller_on_a_clamped_ring():
     mesh.Curve(4)
     space = ngs.VectorH1(mesh, order=4, dirichlet="clamped", dirichletz="side_z")
     with threads(2):
-        stiffness = factor(space, lambda u, v: elasticity.elasticity(u, v, *elasticity.lame_constants(E, NU)))
+        stiffness = factorised(
+            space, lambda u, v: elasticity.elasticity(u, v, *elasticity.lame_constants(E, NU))
+        )
         v = space.TestFunction()
         form = ngs.LinearForm(50.0 * v.Trace()[1] * ngs.comp.DifferentialSymbol(ngs.BBND)("line")).Assemble()
         shift = ngs.GridFunction(space)

@@ -14,7 +14,7 @@ import pytest
 from pytest import approx
 from scipy.integrate import quad
 
-from quasidynamic.contact.line.load_law import EXPONENT, iso16281
+from quasidynamic.contact.line import EXPONENT, iso16281
 from quasidynamic.static import static_loads
 from tests.literature.steel_bearings import steel_bearing
 

@@ -9,7 +9,7 @@ import pytest
 from pytest import approx
 
 from fem import Elastic, MeshSize, SquirrelCage
-from fem.assembly.factorisation import factor, threads
+from fem.assembly.factorisation import factorised, threads
 from fem.mesh.solid import meshed
 from fem.solid.condensation import elastic_energy
 
@@ -35,7 +35,7 @@ def test_radial_stiffness_of_slender_bars():
         mesh = meshed(CAGE, 4e-3, MeshSize(order=3, size=4e-3, raceway_size=4e-3))
         space = ngs.VectorH1(mesh, order=3, dirichlet="clamped")
         materials = {"ring": RIGID, "bars": STEEL, "flange": RIGID}
-        stiffness = factor(space, elastic_energy(mesh, materials))
+        stiffness = factorised(space, elastic_energy(mesh, materials))
         ring = mesh.Materials("ring")
         volume = ngs.Integrate(ngs.CF(1), mesh, definedon=ring)
         v = space.TestFunction()

@@ -7,17 +7,15 @@ from pytest import approx
 
 from quasidynamic import Crowned, Logarithmic, Material, OutOfRange, Straight, oil_at
 from quasidynamic.contact.film.thickness import FORMULAS, FilmLaw, inlet_heating_factor
-from quasidynamic.contact.line.hertz import half_width, peak_pressure, reduced_radius
+from quasidynamic.contact.line import half_width, peak_pressure, reduced_radius
 from quasidynamic.contact.line.load_law import iso16281, palmgren, smooth_positive
-from quasidynamic.contact.traction.inlet_shear import biboulet_houpert
-from quasidynamic.contact.traction.rheology import Eyring
-from quasidynamic.contact.traction.traction_law import Regression4109
+from quasidynamic.contact.traction import Eyring, Regression4109, biboulet_houpert
 from quasidynamic.parts.lubricant import Lubricant
 
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7850)
 OIL = oil_at("MIL-PRF-23699", 493.15)
 PAIR = {"radius": 2.32e-3, "modulus": 2.2487e11, "length": 5e-3, "oil": OIL}
-LAWS = [Regression4109(**PAIR), Eyring(**PAIR, limiting_ratio=0.05, eyring_stress=11.4e6)]
+ROLLING_LAWS = [Regression4109(**PAIR), Eyring(**PAIR, limiting_ratio=0.05, eyring_stress=11.4e6)]
 
 loads = st.floats(1.0, 2e6)  # [N/m]
 slides = st.floats(-30.0, 30.0).filter(lambda u: abs(u) > 1e-6)  # [m/s]
@@ -51,7 +49,7 @@ def test_iso_law_shares_the_approach_between_both_raceways():
     assert load * 8e-3 == approx(35948 * 8 ** (8 / 9) * 0.030 ** (10 / 9), rel=1e-3)
 
 
-@pytest.mark.parametrize("law", LAWS, ids=["regression", "eyring"])
+@pytest.mark.parametrize("law", ROLLING_LAWS, ids=["regression", "eyring"])
 @given(load=loads, slide=slides, speed=speeds)
 def test_traction_follows_the_sliding_and_is_odd(law, load, slide, speed):
     film = np.array(0.12e-6)
@@ -63,7 +61,7 @@ def test_traction_follows_the_sliding_and_is_odd(law, load, slide, speed):
 
 @given(load=loads, slide=slides, speed=speeds)
 def test_eyring_traction_stays_below_the_limiting_stress(load, slide, speed):
-    force = LAWS[1](np.array(load), np.array(slide), np.array(speed), np.array(0.12e-6)).force
+    force = ROLLING_LAWS[1](np.array(load), np.array(slide), np.array(speed), np.array(0.12e-6)).force
     assert abs(force) <= 0.05 * load * (1 + 1e-12)
 
 
@@ -125,7 +123,7 @@ def test_film_derivatives_against_differences(formula, load, slide, speed):
 
 
 def test_regression_derivatives_against_differences():
-    law, film = LAWS[0], np.array(1e-7)
+    law, film = ROLLING_LAWS[0], np.array(1e-7)
     rng = np.random.default_rng(4109)
     for _ in range(200):
         point = np.array(

@@ -7,15 +7,15 @@ import pytest
 from hypothesis import given, strategies as st
 from pytest import approx
 
-from quasidynamic.contact.cage.couette import couette_factor
+from quasidynamic.contact.cage import couette_factor
 from quasidynamic.contact.cage.land import ECCENTRICITY_LIMIT, land_drag, land_force, land_notes, land_torque
-from quasidynamic.contact.drag.churning import churning, cylinder_churning, end_face_churning
+from quasidynamic.contact.drag.churning import churning_torque, cylinder_churning, end_face_churning
 from quasidynamic.contact.drag.orbit_drag import (
     AIR_DENSITY,
     cylinder_drag,
     drag_notes,
     mixture_density,
-    orbit_drag,
+    orbit_drag_force,
 )
 from quasidynamic.parts.cage import Cage
 from quasidynamic.parts.lubricant import Lubricant
@@ -77,7 +77,7 @@ def test_drag_of_a_roller_at_engine_speed():
     """0.015 rho_oil C_d V^2 l D/2 = 0.70 N, a mixture of 3 percent of the oil's density."""
     fraction = (0.03 * OIL.density - AIR_DENSITY) / (OIL.density - AIR_DENSITY)
     assert mixture_density(OIL, fraction) == approx(0.03 * OIL.density, rel=1e-12)
-    assert orbit_drag(CAGE_SPEED, BEARING, OIL, fraction)[0] == approx(0.70, abs=5e-3)
+    assert orbit_drag_force(CAGE_SPEED, BEARING, OIL, fraction)[0] == approx(0.70, abs=5e-3)
 
 
 def test_mixture_lies_between_air_and_oil():
@@ -87,10 +87,10 @@ def test_mixture_lies_between_air_and_oil():
 
 def test_drag_of_several_cage_speeds_at_once():
     speeds = np.array([[-1847.5], [0.0], [1e-3], [50.0], [1847.5]])
-    force, slope = orbit_drag(speeds, BEARING, OIL, 0.03)
+    force, slope = orbit_drag_force(speeds, BEARING, OIL, 0.03)
     assert force.shape == slope.shape == (5, 1)
     for each, one, its_slope in zip(speeds[:, 0], force[:, 0], slope[:, 0], strict=True):
-        assert orbit_drag(float(each), BEARING, OIL, 0.03) == approx((one, its_slope), rel=1e-14)
+        assert orbit_drag_force(float(each), BEARING, OIL, 0.03) == approx((one, its_slope), rel=1e-14)
     assert force[1] == slope[1] == 0.0
     assert force[0] == -force[4]
 
@@ -101,8 +101,8 @@ def test_slope_of_the_roller_drag(speed):
     per_speed = OIL.density * ROLLER.diameter / OIL.viscosity * BEARING.pitch_diameter / 2
     if np.abs(np.log(abs(speed) * per_speed / knots)).min() < 1e-4:
         return  # the slope jumps there, and the docstring says so
-    value, slope = orbit_drag(speed, BEARING, OIL, 0.03)
-    numeric = difference(lambda w: orbit_drag(w, BEARING, OIL, 0.03)[0], speed, 1e-5 * abs(speed))
+    value, slope = orbit_drag_force(speed, BEARING, OIL, 0.03)
+    numeric = difference(lambda w: orbit_drag_force(w, BEARING, OIL, 0.03)[0], speed, 1e-5 * abs(speed))
     assert slope * speed == approx(numeric * speed, rel=1e-6, abs=1e-6 * abs(float(value)))
 
 
@@ -281,7 +281,7 @@ def test_end_faces_are_free_discs(reynolds, coefficient):
 
 def test_churning_is_that_of_the_mixture():
     whole, thin = (
-        churning(np.array(SPIN), ROLLER, OIL, oil_fraction=x, gap=0.2e-3).torque for x in (1.0, 0.0)
+        churning_torque(np.array(SPIN), ROLLER, OIL, oil_fraction=x, gap=0.2e-3).torque for x in (1.0, 0.0)
     )
     assert thin / whole == approx(AIR_DENSITY / OIL.density, rel=1e-12)
     parts = (
@@ -293,20 +293,22 @@ def test_churning_is_that_of_the_mixture():
 
 def test_churning_at_engine_speed_is_small():
     """At 3 percent of oil some hundredths of a newton at the roller's surface."""
-    assert churning(np.array(SPIN), ROLLER, OIL, **MIX).torque / 2.5e-3 == approx(0.016, abs=0.004)
+    assert churning_torque(np.array(SPIN), ROLLER, OIL, **MIX).torque / 2.5e-3 == approx(0.016, abs=0.004)
 
 
 @given(spin=signed)
 def test_slope_and_oddness_of_churning(spin):
-    state, opposite = (churning(np.array(w), ROLLER, OIL, **MIX) for w in (spin, -spin))
+    state, opposite = (churning_torque(np.array(w), ROLLER, OIL, **MIX) for w in (spin, -spin))
     assert opposite.torque == -state.torque
     assert opposite.by_spin == state.by_spin > 0
-    numeric = difference(lambda w: churning(np.array(w), ROLLER, OIL, **MIX).torque, spin, 1e-5 * abs(spin))
+    numeric = difference(
+        lambda w: churning_torque(np.array(w), ROLLER, OIL, **MIX).torque, spin, 1e-5 * abs(spin)
+    )
     assert state.by_spin == approx(numeric, rel=1e-7)
 
 
 def test_churning_starts_smoothly():
-    rest, creep = (churning(np.array(w), ROLLER, OIL, **MIX) for w in (0.0, 1e-9))
+    rest, creep = (churning_torque(np.array(w), ROLLER, OIL, **MIX) for w in (0.0, 1e-9))
     assert rest.torque == 0.0
     assert creep.by_spin == approx(rest.by_spin, rel=1e-3)
-    assert churning(np.zeros((4, 30)), ROLLER, OIL, **MIX).by_spin.shape == (4, 30)
+    assert churning_torque(np.zeros((4, 30)), ROLLER, OIL, **MIX).by_spin.shape == (4, 30)

@@ -8,8 +8,7 @@ from hypothesis import given, strategies as st
 from pytest import approx
 
 from quasidynamic import Cage, ImpossiblePart, NotSolved
-from quasidynamic.contact.cage.land import land_force, land_offset
-from quasidynamic.contact.cage.pocket import displacement_in_pocket, roller_on_pocket_force
+from quasidynamic.contact.cage import displacement_in_pocket, land_force, land_offset, roller_on_pocket_force
 from tests.bearings import paper_bearing
 
 MODEL = paper_bearing()

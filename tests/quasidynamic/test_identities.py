@@ -7,7 +7,7 @@ import pytest
 from pytest import approx
 
 from quasidynamic import Crowned, NotSolved, SolverOutcome
-from quasidynamic.contact.traction.inlet_shear import RollingShear
+from quasidynamic.contact.traction import RollingShear
 from tests.bearings import RPM, paper_bearing
 
 CASES = {

@@ -4,8 +4,8 @@ import numpy as np
 from hypothesis import given, strategies as st
 from pytest import approx
 
-from quasidynamic.contact.cage.pocket import roller_on_pocket_force
-from quasidynamic.contact.line.load_law import palmgren
+from quasidynamic.contact.cage import roller_on_pocket_force
+from quasidynamic.contact.line import palmgren
 from quasidynamic.parts.material import Material
 
 CLEARANCE = 0.1e-3  # [m]

@@ -9,8 +9,8 @@ from pytest import approx
 
 from quasidynamic.contact.traction.inlet_shear import (
     ELASTIC,
-    LAWS,
     RIGID,
+    ROLLING_LAWS,
     dowson_higginson,
     goksem_hargreaves,
 )
@@ -27,7 +27,7 @@ PAIR = (2.3213e-3, 2.2487e11, 5e-3)
 UNIT = 2.3213e-3 * 2.2487e11 * 5e-3
 SPEED = 69.26
 
-every_law = pytest.mark.parametrize("law", LAWS.values(), ids=LAWS)
+every_law = pytest.mark.parametrize("law", ROLLING_LAWS.values(), ids=ROLLING_LAWS)
 loads = st.floats(-3, 5).map(lambda power: 10.0**power)  # [N]
 speeds = st.floats(-3, 2.5).map(lambda power: 10.0**power)  # [m/s]
 
@@ -48,7 +48,7 @@ def force(law, load, oil=OIL, speed=SPEED):
 )
 def test_shear_of_a_loaded_roller(name, oil, heavy, tolerance):
     """F_t at 3537 N, inner and outer raceway: evaluation of the printed formulas, three digits."""
-    shear = LAWS[name](np.full((2, 1), 3537.0), np.full((2, 1), SPEED), (RADII, 2.2487e11, 5e-3), oil)
+    shear = ROLLING_LAWS[name](np.full((2, 1), 3537.0), np.full((2, 1), SPEED), (RADII, 2.2487e11, 5e-3), oil)
     assert shear.force[:, 0] == approx(heavy, rel=tolerance)
 
 
@@ -63,7 +63,7 @@ def test_shear_of_a_loaded_roller(name, oil, heavy, tolerance):
 )
 def test_shear_of_an_unloaded_roller(name, oil, light, tolerance):
     """F_t at the 92 N of the centrifugal force, where M is 2."""
-    shear = LAWS[name](np.full((2, 1), 92.0), np.full((2, 1), SPEED), (RADII, 2.2487e11, 5e-3), oil)
+    shear = ROLLING_LAWS[name](np.full((2, 1), 92.0), np.full((2, 1), SPEED), (RADII, 2.2487e11, 5e-3), oil)
     assert shear.force[:, 0] == approx(light, rel=tolerance)
 
 
@@ -112,7 +112,7 @@ def test_limits_of_the_source():
     speed = 2 * OIL.viscosity * SPEED / (PAIR[0] * PAIR[1])
     blend = 1.4 / 0.985 / (1 + (1.4 / 1.45) ** 10) ** 0.1
     load = np.sqrt(speed) * UNIT
-    assert force(LAWS["biboulet-houpert"], load) == approx(UNIT * speed**0.75 * blend, rel=1e-3)
+    assert force(ROLLING_LAWS["biboulet-houpert"], load) == approx(UNIT * speed**0.75 * blend, rel=1e-3)
 
 
 @every_law

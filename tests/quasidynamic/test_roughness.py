@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, strategies as st
 from pytest import approx
 
-from quasidynamic.contact.film.roughness import composite_roughness, lambda_ratio, regime
+from quasidynamic.contact.film import composite_roughness, lambda_ratio, regime
 from quasidynamic.errors import OutOfRange
 
 heights = st.floats(1e-9, 1e-5)  # [m]

@@ -5,12 +5,12 @@ import pytest
 from hypothesis import given, strategies as st
 from pytest import approx
 
+from quasidynamic.contact.film import Film
 from quasidynamic.contact.film.starvation import (
     FLOODED_FROM,
     meniscus_factor,
     starved_film,
 )
-from quasidynamic.contact.film.thickness import Film
 
 RADIUS, MODULUS = 2.32e-3, 2.2487e11  # [m], [Pa]
 

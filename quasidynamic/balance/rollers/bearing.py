@@ -32,7 +32,7 @@ from quasidynamic.balance.rollers.unknowns import (
     Y,
     Z,
 )
-from quasidynamic.contact.cage.land import land_torque
+from quasidynamic.contact.cage import land_torque
 
 
 class Linearisation(NamedTuple):

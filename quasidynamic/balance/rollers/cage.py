@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.operating_points import OperatingPoints
-from quasidynamic.contact.cage.land import land_offset, land_torque
+from quasidynamic.contact.cage import land_offset, land_torque
 from quasidynamic.parts.cage import Cage
 from quasidynamic.parts.lubricant import Lubricant
 

@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.operating_points import OperatingPoints
-from quasidynamic.contact.drag.churning import churning
-from quasidynamic.contact.drag.orbit_drag import orbit_drag
+from quasidynamic.contact.drag import churning_torque, orbit_drag_force
 from quasidynamic.contact.lubrication import Lubrication
 from quasidynamic.contact.raceways import Raceways, RacewayState
 from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
@@ -221,7 +220,7 @@ class RollerBalance:
         found[CENTRIFUGAL, VALUE], found[CENTRIFUGAL, CAGE_SPEED] = self.centrifugal(motion.cage_speed)
         found[DRAG, VALUE], found[DRAG, CAGE_SPEED] = self.drag(motion.cage_speed)
         if self.lubrication.churning_gap is not None:
-            found[CHURNING, VALUE], found[CHURNING, SPIN] = churning(
+            found[CHURNING, VALUE], found[CHURNING, SPIN] = churning_torque(
                 motion.spin,
                 self.bearing.roller,
                 self.lubrication.oil,
@@ -242,7 +241,9 @@ class RollerBalance:
     def drag(self, cage_speed: NDArray) -> tuple[NDArray, NDArray]:
         """Force of the mixture on an orbiting roller [N], its derivative by the cage speed [N s]."""
         choice = self.lubrication
-        return orbit_drag(cage_speed, self.bearing, choice.oil, choice.oil_fraction, choice.drag_coefficient)
+        return orbit_drag_force(
+            cage_speed, self.bearing, choice.oil, choice.oil_fraction, choice.drag_coefficient
+        )
 
     def _add_pocket(self, forces: NDArray, motion: Motion) -> NDArray:
         """Fill in the pocket's friction: lifts or presses the roller, brakes its spin; returns F_c (C, Z)."""

@@ -1,1 +1,19 @@
-"""What touches the cage: roller pockets, the guiding land and the fluid sheared between them."""
+"""Forces between the cage and what touches it: roller pockets, the guiding land, the oil between them.
+
+Where the cage goes under these forces is a balance.
+"""
+
+from quasidynamic.contact.cage.couette import couette_factor
+from quasidynamic.contact.cage.land import land_drag, land_force, land_notes, land_offset, land_torque
+from quasidynamic.contact.cage.pocket import displacement_in_pocket, roller_on_pocket_force
+
+__all__ = [
+    "couette_factor",
+    "displacement_in_pocket",
+    "land_drag",
+    "land_force",
+    "land_notes",
+    "land_offset",
+    "land_torque",
+    "roller_on_pocket_force",
+]

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.contact.line.load_law import EXPONENT
+from quasidynamic.contact.line import EXPONENT
 from quasidynamic.errors import NotSolved
 
 STEPS = 60  # about ten are needed

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.contact.cage.couette import couette_factor
+from quasidynamic.contact.cage import couette_factor
 from quasidynamic.contact.drag.orbit_drag import mixture_density
 from quasidynamic.parts.lubricant import Lubricant
 from quasidynamic.parts.roller import Roller
@@ -20,7 +20,9 @@ class Churning(NamedTuple):
     by_spin: NDArray  # [N m s] >= 0
 
 
-def churning(spin: NDArray, roller: Roller, oil: Lubricant, *, oil_fraction: float, gap: float) -> Churning:
+def churning_torque(
+    spin: NDArray, roller: Roller, oil: Lubricant, *, oil_fraction: float, gap: float
+) -> Churning:
     r"""Torque that brakes the spin of a roller: its cylinder in the gap, its two end faces as free discs.
 
     .. math:: T = \frac{\rho}{\rho_{oil}} (T_{cylinder} + T_{ends}),\quad
@@ -50,7 +52,7 @@ def churning(spin: NDArray, roller: Roller, oil: Lubricant, *, oil_fraction: flo
 
     Valid
     -----
-    A mixture with the kinematic viscosity of the oil, as in `orbit_drag`; no rib near the end faces.
+    A mixture with the kinematic viscosity of the oil, as in `orbit_drag_force`; no rib near the end faces.
     """
     share = mixture_density(oil, oil_fraction) / oil.density
     cylinder, ends = cylinder_churning(spin, roller, oil, gap), end_face_churning(spin, roller, oil)

@@ -82,7 +82,7 @@ def mixture_density(oil: Lubricant, oil_fraction: float) -> float:
     return oil_fraction * oil.density + (1 - oil_fraction) * AIR_DENSITY
 
 
-def orbit_drag(
+def orbit_drag_force(
     cage_speed: NDArray | float,
     bearing: CylindricalRollerBearing,
     oil: Lubricant,

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.contact.film.thickness import Film
-from quasidynamic.contact.line.hertz import half_width as hertz_half_width
+from quasidynamic.contact.line import half_width as hertz_half_width
 
 FLOODED_FROM = 8.0  # [-] xi at which the meniscus formula is switched off
 FIT = ((-1.68005, 0.8315), (0.260137, 1.558), (-0.016146, 2.296))  # (coefficient, exponent) of xi

@@ -1,1 +1,20 @@
-"""The dry line contact of a roller: pressure, load law and slices; no film, no friction."""
+"""The dry line contact of a roller: Hertz pressure and width, load laws, slices along the roller.
+
+No film and no friction; the profile of a roller is data and stands in `parts`.
+"""
+
+from quasidynamic.contact.line.hertz import half_width, peak_pressure, reduced_radius
+from quasidynamic.contact.line.load_law import EXPONENT, GAP_ROUNDING, LoadLaw, iso16281, palmgren
+from quasidynamic.contact.line.slices import Slices
+
+__all__ = [
+    "EXPONENT",
+    "GAP_ROUNDING",
+    "LoadLaw",
+    "Slices",
+    "half_width",
+    "iso16281",
+    "palmgren",
+    "peak_pressure",
+    "reduced_radius",
+]

@@ -5,7 +5,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.contact.line.hertz import half_width
+from quasidynamic.contact.line import half_width
 from quasidynamic.contact.traction.traction_law import Traction
 
 

@@ -219,7 +219,7 @@ def goksem_hargreaves(
     return _below_rigid_limit(groups, ceiling, load, entrainment)
 
 
-LAWS: dict[str, RollingLaw] = {
+ROLLING_LAWS: dict[str, RollingLaw] = {
     "biboulet-houpert": biboulet_houpert,
     "dowson-higginson": dowson_higginson,
     "zhou-hoeprich": zhou_hoeprich,

@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.balance.rollers.unknowns import Unknowns
-from quasidynamic.contact.line.load_law import EXPONENT
+from quasidynamic.contact.line import EXPONENT
 
 MAX_STEPS = 8  # Newton on a nearly linear law inside a bracket
 NEAR_ENOUGH = 1e-8  # [m] of the last step; what is left after it is far less

@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.balance.rollers.scales import LENGTH
 from quasidynamic.balance.rollers.unknowns import OUTER
-from quasidynamic.contact.line.load_law import GAP_ROUNDING
+from quasidynamic.contact.line import GAP_ROUNDING
 
 SPIN_CHANGE = 0.5  # of the spin in pure rolling in a step
 KEPT = 0.1  # of an approach or a film in a step

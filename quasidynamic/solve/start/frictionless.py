@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.balance.rollers.unknowns import Unknowns
-from quasidynamic.contact.line.load_law import EXPONENT
+from quasidynamic.contact.line import EXPONENT
 from quasidynamic.solve.rollers.static_equilibrium import (
     centrifugal_force,
     film_at,

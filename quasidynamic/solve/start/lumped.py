@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance
-from quasidynamic.contact.cage.land import land_torque
+from quasidynamic.contact.cage import land_torque
 from quasidynamic.solve.rollers.static_equilibrium import frictionless_loads
 from quasidynamic.solve.start.frictionless import static_unknowns
 
