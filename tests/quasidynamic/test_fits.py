@@ -326,7 +326,7 @@ def test_rollers_fit_between_the_raceways():
 
 
 def test_housing_comes_with_its_temperature():
-    with pytest.raises(ImpossiblePart, match=r"running\.housing is missing"):
+    with pytest.raises(ImpossiblePart, match=r"operating.housing is missing"):
         operating_clearance(mounting(outer=HOUSING_FIT), COLD)
     with pytest.raises(ImpossiblePart, match="outer ring is free"):
         operating_clearance(mounting(), replace(COLD, housing=REFERENCE))
