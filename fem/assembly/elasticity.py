@@ -17,6 +17,11 @@ def strain(u):
     -------
     ngsolve.CoefficientFunction (d, d)
         strain [-] for coordinates in metres
+
+    Source
+    ------
+    Definition of the small strain tensor; any text on elasticity, e.g. Braess, Finite Elements (2007), ch.
+    VI.
     """
     return ngs.Sym(ngs.Grad(u))
 
@@ -60,6 +65,10 @@ def lame_constants(youngs_modulus, poisson_ratio):
     -------
     tuple of float
         lambda, mu [Pa]
+
+    Source
+    ------
+    Any text on elasticity, e.g. Braess, Finite Elements (2007), ch. VI.
     """
     E, nu = youngs_modulus, poisson_ratio
     return E * nu / ((1 + nu) * (1 - 2 * nu)), E / (2 * (1 + nu))
@@ -81,6 +90,10 @@ def plane_stress(youngs_modulus, poisson_ratio):
     -------
     tuple of float
         reduced lambda, mu [Pa]
+
+    Source
+    ------
+    Lame constants with the thickness free of stress, lambda replaced by 2 lambda mu/(lambda + 2 mu).
     """
     E, nu = youngs_modulus, poisson_ratio
     return E * nu / (1 - nu**2), E / (2 * (1 + nu))

@@ -59,6 +59,10 @@ def elasticity(u, v, lame, shear):
     -------
     tuple of ngsolve.SumOfIntegrals
         three forms, symmetric
+
+    Source
+    ------
+    Zienkiewicz, Taylor, The Finite Element Method, vol. 2, semi-analytical methods.
     """
     (e, f), (g, h) = strain(u), strain(v)
 
@@ -93,6 +97,10 @@ def foundation(u, v, edge, springs):
     -------
     ngsolve.SumOfIntegrals
         the same for all harmonics
+
+    Source
+    ------
+    Virtual work in cylindrical coordinates; derived here.
     """
     work = sum(k * u[i] * v[i] for i, k in enumerate(springs))
     return work * radius / MILLIMETRES**2 * ngs.ds(definedon=edge)
@@ -115,6 +123,10 @@ def radial_pressure(v, edge, pressure):
     Returns
     -------
     ngsolve.SumOfIntegrals
+
+    Source
+    ------
+    Virtual work in cylindrical coordinates; derived here.
     """
     return pressure * v[1] * ngs.ds(definedon=edge)
 
@@ -136,6 +148,10 @@ def centrifugal(v, density, speed):
     Returns
     -------
     ngsolve.SumOfIntegrals
+
+    Source
+    ------
+    Virtual work in cylindrical coordinates; derived here.
     """
     return density * speed**2 / MILLIMETRES**4 * radius**2 * v[1] * ngs.dx
 

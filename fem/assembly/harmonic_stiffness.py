@@ -126,6 +126,10 @@ def compliances(stiffness: HarmonicStiffness, loads: NDArray, last: int) -> NDAr
     ------
     NotSolved
         if a solve fails
+
+    Source
+    ------
+    Linear algebra: work of unit loads on the displacements they cause.
     """
     G = stiffness.on_free(loads)
     answers: dict[int, NDArray] = {}

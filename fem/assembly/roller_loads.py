@@ -170,6 +170,10 @@ def translation_forces(band: Band) -> NDArray:
     -------
     array (unknowns, 2)
         [N/N] for y and z; as loads they are radial pressures of unit resultant, like cos(phi)
+
+    Source
+    ------
+    Least-squares fit of a rigid motion to the displacement of the band; derived here.
     """
     e = np.stack([np.sin(band.azimuth), np.cos(band.azimuth)], axis=1)
     G = e.T @ (band.area[:, None] * e)

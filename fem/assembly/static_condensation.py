@@ -44,6 +44,11 @@ class Substructure:
         -------
         array (size, columns)
             zero for unknowns that were left out
+
+        Source
+        ------
+        Static condensation, exact without inertia; order of elimination after Duff and Reid (1983), George
+        (1973).
         """
         u = np.zeros((self.order.size, kept.shape[1]))
         u[self.order.size - len(kept) :] = kept
@@ -106,6 +111,11 @@ def eliminate(stiffness: sparse.csr_array, owner: NDArray, kept: NDArray) -> Sub
     ------
     NotSolved
         if the body floats once the kept unknowns are held
+
+    Source
+    ------
+    Static condensation, exact without inertia; order of elimination after Duff and Reid (1983), George
+    (1973).
     """
     gone = np.flatnonzero(owner)
     gone = gone[np.argsort(-owner[gone], kind="stable")]  # children have higher numbers than their parents

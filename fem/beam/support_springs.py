@@ -115,6 +115,10 @@ def strip(radius: float, height: float, span: tuple[float, float], offset: float
     -------
     Link
 
+    Source
+    ------
+    Beams with guided ends in bending and shear around the circumference; derived here.
+
     Valid
     -----
     A tube so short that it carries more by bending along x than by its hoops, :math:`L < \sqrt{r h}`.
@@ -164,6 +168,10 @@ def foundation(springs: tuple[float, float, float], radius: float, width: float,
     -------
     array (6, 6)
         stiffness per radian
+
+    Source
+    ------
+    Virtual work of springs on a rigid section; derived here.
     """
     axial, radial, tangential = (k * radius * width for k in springs)
     lever = width**2 / 12

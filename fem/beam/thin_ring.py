@@ -10,6 +10,11 @@ with h the harmonics of the half-space (`fem.half_space.line_load`), t the thick
 a layer
 yields over what a half-space does, less what the beam does already. Short waves leave g = 1: there ring and
 half-space agree, so that the remainder has a sum.
+
+Source
+------
+Curved beam as in `fem.beam.curved_beam`; layer after Timoshenko, Goodier, Theory of Elasticity, sec. 24;
+their sum is derived here.
 """
 
 import time

@@ -9,6 +9,10 @@ cos(theta/2), s = sin(theta/2):
 
 So one mesh is reduced to its face in the slot twice, symmetric and antisymmetric, and small real
 symmetric systems for z answer every harmonic of every phase.
+
+Source
+------
+Cyclic symmetry with a plane of symmetry in each sector; derived here.
 """
 
 import logging

@@ -7,6 +7,10 @@ slot keeps its displacements u in the directions x, r, t; with generalised force
 .. math:: S u - G q = f, \quad w = G^T u + C q
 
 gives the force f on that face and the generalised displacement w.
+
+Source
+------
+Cyclic symmetry with a plane of symmetry in each sector; derived here.
 """
 
 from dataclasses import dataclass

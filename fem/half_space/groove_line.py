@@ -6,6 +6,10 @@ A force along the line moves it along itself by
 
 while the answer to a force into the surface is that of `fem.half_space.line_load`. By symmetry, none of both
 moves the line, on average, in the direction of the other.
+
+Source
+------
+Johnson, Contact Mechanics (1985), sec. 3.2 and 3.6, averaged along lines.
 """
 
 import numpy as np

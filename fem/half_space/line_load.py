@@ -72,6 +72,10 @@ def indentation_harmonics(
     -------
     array (K, M, M)
         h [m/N]; for large n it is (1 - nu^2)/(pi E) (2m + 1)/l |n|^-1 on the diagonal
+
+    Source
+    ------
+    Fourier series of the half-space answer in this module; derived here.
     """
     return fourier(harmonics, lambda phi: indentation(phi, radius, length, axial_modes, elastic))
 
@@ -92,6 +96,10 @@ def fourier(harmonics: NDArray, answer: Callable[[NDArray], NDArray]) -> NDArray
     -------
     array (K, ...)
         in the unit of H
+
+    Source
+    ------
+    Fourier series of the half-space answer in this module; derived here.
     """
     phi, weight = _half_turn(int(np.abs(harmonics).max()))
     return np.tensordot(np.cos(np.outer(harmonics, phi)) * weight / np.pi, answer(phi), axes=1)
@@ -115,6 +123,10 @@ def curvature_tail(azimuth, last: int) -> NDArray:
     -------
     array (...)
         [-], about 2/N at phi = 0
+
+    Source
+    ------
+    Fourier series of the half-space answer in this module; derived here.
     """
     phi = np.mod(azimuth, 2 * np.pi)
     n = np.arange(2, last + 1)
@@ -138,6 +150,10 @@ def cubic_tail(azimuth, last: int) -> NDArray:
     -------
     array (...)
         [-], about 1/N^2 at phi = 0, where all beyond 16 N is 0.4 % of it and left out
+
+    Source
+    ------
+    Fourier series of the half-space answer in this module; derived here.
     """
     n = np.arange(last + 1, 16 * last + 1)
     return np.cos(np.multiply.outer(np.asarray(azimuth), n)) @ (2.0 / n**3)

@@ -7,6 +7,10 @@ a half-space. The flexible ring must not count it twice, so it is subtracted fro
 
 with the patterns p_m of `fem.assembly.roller_loads` on a plane. The difference of two Gaussian arcs is
 Gaussian with sqrt(2) of the width, that of two axial modes is a polynomial, so that two integrals remain.
+
+Source
+------
+Johnson, Contact Mechanics (1985), sec. 3.2: u = (1 - nu^2)/(pi E) times the integral of p/r.
 """
 
 import numpy as np

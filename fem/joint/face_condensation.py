@@ -107,6 +107,10 @@ def condense_body(
     NotSolved
         if a solve fails
 
+    Source
+    ------
+    Flexibility method: compliances in harmonics, joined by equilibrium and compatibility; derived here.
+
     Valid
     -----
     Small displacement; the body of one material.
@@ -189,6 +193,10 @@ def _rigid_motions(body: Body) -> tuple[NDArray, NDArray]:
     r"""Unknowns of rigid motions (unknowns, 2) each for n = 0 and n = 1.
 
     .. math:: (1, 0, 0),\ (0, 0, r);\quad (0, 1, -1),\ (-r, x, -x)
+
+    Source
+    ------
+    Flexibility method: compliances in harmonics, joined by equilibrium and compatibility; derived here.
     """
     x, r = np.array([v.point for v in body.space.mesh.vertices]).T / MILLIMETRES
     one, nil = np.ones_like(x), np.zeros_like(x)

@@ -5,6 +5,10 @@ motions R a of the ring, loads f on its raceway and a jump d beyond that of free
 
 .. math:: \begin{pmatrix} C & R \\ R^T & 0 \end{pmatrix} \begin{pmatrix} q \\ a \end{pmatrix} =
           \begin{pmatrix} d \\ 0 \end{pmatrix} - X f, \quad X = \begin{pmatrix} C_f \\ R_f^T \end{pmatrix}
+
+Source
+------
+Flexibility method: compliances in harmonics, joined by equilibrium and compatibility; derived here.
 """
 
 from dataclasses import dataclass

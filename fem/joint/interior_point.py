@@ -5,6 +5,10 @@ Without friction, contact is a convex problem: of all gaps :math:`d \ge 0`, thos
 cycle for a loose ring, whose few points of contact are unknown. Here the kinks are smooth,
 
 .. math:: S d + b = p, \quad p_i d_i = \tau, \quad \tau \to 0
+
+Source
+------
+Mehrotra (1992), SIAM J. Optim. 2, 575.
 """
 
 import numpy as np

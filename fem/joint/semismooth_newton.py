@@ -6,6 +6,10 @@ With the gap g and the force of pressure p, the slip s and the force of friction
 
 The law holds for the whole slip, not for its rate: one load step away from a known state. Points switch
 between open, stick and slip. There the equations have kinks; between them they are smooth.
+
+Source
+------
+Signorini's and Coulomb's laws as projections with a parameter c (augmented Lagrangian); derived here.
 """
 
 import logging

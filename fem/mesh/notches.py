@@ -62,6 +62,11 @@ def notches(part) -> Notches:
     -------
     Notches
         none for a drawn solid, of which no edges are known
+
+    Raises
+    ------
+    TypeError
+        for a part of which no notches are known
     """
     raise TypeError(f"no notches are known for {type(part).__name__}")
 

@@ -92,6 +92,11 @@ def solids(part, length: float) -> list:
     -------
     list of netgen.occ.Solid
         to be glued, so that the faces between them stay (a fuse would merge the band away)
+
+    Raises
+    ------
+    TypeError
+        for a part of which no geometry is known
     """
     raise TypeError(f"no geometry is known for {type(part).__name__}")
 

@@ -34,6 +34,10 @@ class RacewayCompliance:
         array (Z, M, Z, M)
             [m/N]; not symmetric, because a translation was taken from the answers only. The mean tilt
             of the raceway is still in it.
+
+        Source
+        ------
+        The mean translation belongs to the balance of the bearing; derived here.
         """
         direction = np.stack([np.sin(self.azimuths), np.cos(self.azimuths)], axis=1)
         reduced = self.absolute.copy()

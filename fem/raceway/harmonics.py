@@ -109,6 +109,10 @@ class HarmonicCompliance:
             if two rollers stand at one azimuth
         NotSolved
             if the harmonics end too early for the own terms
+
+        Source
+        ------
+        Fourier series of the answer less that of a half-space; derived here.
         """
         phi = np.asarray(azimuths, dtype=float)
         translation, support = self._translation(phi)
@@ -187,6 +191,10 @@ class HarmonicCompliance:
         .. math:: S_n = \frac{c}{n^2-1} + \frac{d}{|n|^3}
 
         The curvature of the raceway makes c, the ends of the band make d.
+
+        Source
+        ------
+        Fourier series of the answer less that of a half-space; derived here.
         """
         last = self.harmonics[-1]
         n = np.arange(last - last // 4, last + 1)
@@ -230,6 +238,10 @@ class HarmonicCompliance:
         r"""Mean translation along y and z per force (2, Z, M), and per load like cos or sin (2, 2) [m/N].
 
         .. math:: t_y = i(w_{1,0} - w_{-1,0}), \quad t_z = w_{1,0} + w_{-1,0}
+
+        Source
+        ------
+        Fourier series of the answer less that of a half-space; derived here.
         """
         first = self.harmonics[-1] + np.array([1, -1])
         read = np.array([[1j, -1j], [1.0, 1.0]])

@@ -8,6 +8,10 @@ of the contact has it. The body is one of revolution: harmonics of the force mov
 .. math:: W_n = \frac{1}{2\pi}\,G^T K(n)^{-1} G
 
 and equal pitches leave one matrix for each distance between balls.
+
+Source
+------
+Body of revolution in harmonics; derived here.
 """
 
 import logging

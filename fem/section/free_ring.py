@@ -50,6 +50,10 @@ class FreeRing:
         -------
         array (Z, M, K, 2)
             [m/N] outward per outward force
+
+        Source
+        ------
+        Fourier series of the answer of a body of revolution; derived here.
         """
         n = np.arange(len(self.radial))
         waves = np.where(n > 0, 2, 1) * np.cos(np.multiply.outer(azimuths[:, None] - lines, n))
@@ -69,6 +73,10 @@ class FreeRing:
         -------
         array (Z, M, K)
             [m/N] outward per force towards growing azimuth
+
+        Source
+        ------
+        Fourier series of the answer of a body of revolution; derived here.
         """
         n = np.arange(len(self.tangential))
         waves = -2 * np.sin(np.multiply.outer(azimuths[:, None] - lines, n))
@@ -207,6 +215,10 @@ def _referred(W: NDArray, rigid: NDArray) -> NDArray:
     r"""Answer with no rigid motion in the first two displacements, which react to loads out of balance.
 
     .. math:: \bar W = \Pi^T W \Pi, \quad \Pi = I - E (E^T R)^{-T} R^T
+
+    Source
+    ------
+    Fourier series of the answer of a body of revolution; derived here.
     """
     projection = np.eye(len(W))
     projection[:2] -= np.linalg.solve(rigid[:2].T, rigid.T)

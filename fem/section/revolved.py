@@ -49,6 +49,10 @@ def condense(
     NotSolved
         if a solve fails, or if the mesh is too coarse for the harmonics
 
+    Source
+    ------
+    Body of revolution in harmonics, virtual work per radian; derived here.
+
     Valid
     -----
     Small displacement, perfect bonds, clamps that do not yield; no load outside the band.

@@ -102,6 +102,10 @@ def edge_modes(body: Body, edge: str, axial_modes: int) -> NDArray:
     ------
     ImpossiblePart
         if no edge has this name, or if it is not one cylinder
+
+    Source
+    ------
+    Body of revolution in harmonics, virtual work per radian; derived here.
     """
     where = _edge(body.space.mesh, edge)
 

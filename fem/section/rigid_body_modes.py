@@ -68,6 +68,10 @@ def responses(body: Body, free_motions: FreeMotions, loads: NDArray, last: int) 
     ------
     NotSolved
         if a solve fails
+
+    Source
+    ------
+    Linear algebra: work of unit loads on the displacements they cause.
     """
     first = 2 if free_motions.across else 1 if free_motions.axial or free_motions.turning else 0
     low = [loads.T @ held_on_points(body, free_motions, n).solve(n, loads) for n in range(first)]

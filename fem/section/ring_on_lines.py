@@ -9,6 +9,10 @@ rigid motions a of the ring follow from the loads F on the raceway,
 
 Under a line the displacement of an elastic body has no bound. C_ss has at the lines what differs from
 a half-space, as the raceway under rollers: the indentation at the support is left out.
+
+Source
+------
+Flexibility method: forces of the supports from compatibility, rigid motions from balance; derived here.
 """
 
 from dataclasses import dataclass

@@ -8,6 +8,10 @@ stress at all, and against tangential shear what bars do that bend,
           dx\,dr, \quad G_t = \frac{L}{b h\,c_t}
 
 with c_t the tangential offset of the ends of a bar per force (`fem.beam.support_springs`).
+
+Source
+------
+Work of a bar spread over its pitch; derived here.
 """
 
 import logging

@@ -47,6 +47,10 @@ def bordered_inverse(points: SupportPoints, touching: NDArray) -> NDArray:
     ------
     NotSolved
         if these points let the body go
+
+    Source
+    ------
+    Flexibility method: forces of the supports from compatibility, rigid motions from balance; derived here.
     """
     C, R = points.compliance[np.ix_(touching, touching)], points.motions[touching]
     _require_hold(points, touching)
@@ -81,6 +85,10 @@ def pushing_points(points: SupportPoints, load: NDArray) -> NDArray:
     ------
     NotSolved
         if pushing cannot hold the load, or lets the body go
+
+    Source
+    ------
+    Signorini's conditions at points; complementary energy.
     """
     if not load.any():
         return np.ones(len(points.compliance), dtype=bool)

@@ -133,6 +133,11 @@ class LoadedSolid:
             the file: places [mm], "displacement" [mm], "von_mises" and "principal" [MPa], largest first,
             "stress" [MPa] as xx, yy, zz, xy, yz, xz, and the number of the "body" in the order of
             `materials`
+
+        Raises
+        ------
+        ImpossiblePart
+            for a name that does not end in .vtu
         """
         path = Path(path)
         if path.suffix != ".vtu":

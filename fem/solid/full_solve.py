@@ -45,6 +45,10 @@ class FullSolve:
         NotSolved
             if the residual of the solve is too large, or the mesh too coarse for the patches
 
+        Source
+        ------
+        Finite elements under the forces of all rollers, the half-space taken out; derived here.
+
         Valid
         -----
         Small displacement, perfect bonds, clamps that do not yield; no load outside the band.

@@ -27,6 +27,10 @@ def stress(displacement, materials: dict[str, Elastic]):
     -------
     ngsolve.CoefficientFunction (3, 3)
         sigma [Pa] in x, y, z, tension positive
+
+    Source
+    ------
+    Hooke's law; any text on elasticity, e.g. Braess, Finite Elements (2007), ch. VI.
     """
     constants = {
         name: elasticity.lame_constants(m.youngs_modulus, m.poisson_ratio) for name, m in materials.items()

@@ -61,6 +61,10 @@ def support_stiffness(solid: FactoredSolid) -> SupportStiffness:
     ------
     NotSolved
         if a residual is too large
+
+    Source
+    ------
+    Linear algebra: work of unit loads on the displacements they cause.
     """
     with threads(solid.thread_number):
         patterns = motion_forces(solid.space, solid.band)
@@ -93,6 +97,10 @@ def motion_forces(space, band: roller_loads.Band) -> NDArray:
     array (unknowns, 5)
         [N/N, N/(N m)] in the order of `AXES`; exact for rigid motions as far as the
         curved mesh is round
+
+    Source
+    ------
+    Least-squares fit of a rigid motion to the displacement of the band; derived here.
     """
     x, y, z = ngs.x / MILLIMETRES, ngs.y / MILLIMETRES, ngs.z / MILLIMETRES
     axial, about_y, about_z = ((1, 0, 0), (z, 0, -x), (-y, x, 0))

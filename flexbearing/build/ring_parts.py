@@ -115,7 +115,13 @@ def inner_part(case: Case) -> fem.RingOnShaft | None:
 
 
 def require_held_in_housing(case: Case) -> None:
-    """Refuse a loose ring that no load presses on its housing."""
+    """Refuse a loose ring that no load presses on its housing.
+
+    Raises
+    ------
+    ImpossiblePart
+        when neither an interference nor a load holds the ring
+    """
     outer: Any = case.outer
     if not outer.lifts_off or case.operation.radial_load > 0:
         return

@@ -39,7 +39,13 @@ class BearingPartner:
     model: RollerBearing
 
     def solve(self, start=None, deviation=None) -> Equilibrium:
-        """Equilibrium between raceways of a given shape."""
+        """Equilibrium between raceways of a given shape.
+
+        Raises
+        ------
+        PartnerFailed
+            when the bearing found no equilibrium
+        """
         try:
             return self.model.solve(start, deviation)
         except NotSolved as failure:
@@ -50,7 +56,13 @@ class BearingPartner:
         return series_stiffness(state.balance, state.unknowns)[0]
 
     def iterate(self, compliance, start, deviation) -> Iterator[Equilibrium]:
-        """Newton iterates between raceways that yield."""
+        """Newton iterates between raceways that yield.
+
+        Raises
+        ------
+        PartnerFailed
+            when the bearing found no equilibrium
+        """
         try:
             yield from self.model.iterate(compliance, start, deviation)
         except NotSolved as failure:

@@ -50,7 +50,13 @@ def compliance(case: FourPointCase, report: Report) -> NDArray:
 
 
 def ring(case: FourPointCase, name: str) -> BoltedGrooveRing | None:
-    """Part of a case, "outer" or "inner"; None when it is rigid; raises `BadCase` when it cannot be."""
+    """Part of a case, "outer" or "inner"; None when it is rigid.
+
+    Raises
+    ------
+    BadCase
+        when no such ring can exist
+    """
     own, given = case.bearing, getattr(case.rings, name)
     if given.kind == "rigid":
         return None

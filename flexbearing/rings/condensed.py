@@ -97,7 +97,15 @@ def _condensed(name: str, part: ring_parts.Part | None, case: Case, azimuths: ND
 
 @contextmanager
 def told(case: Case, name: str) -> Iterator[None]:
-    """Give failures of the finite elements the names that users and coupling know."""
+    """Give failures of the finite elements the names that users and coupling know.
+
+    Raises
+    ------
+    BadCase
+        when no such part can exist
+    PartnerFailed
+        when the finite elements found no solution
+    """
     try:
         yield
     except fem.ImpossiblePart as problem:

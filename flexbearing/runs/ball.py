@@ -25,6 +25,11 @@ def solve_four_point(case: FourPointCase, file: ResultFile, report: Report) -> d
     """Write the solution of a slow bearing; returns the root attributes that say how it ended.
 
     Rings that yield come beside the rigid ones.
+
+    Raises
+    ------
+    BadCase
+        when no such bearing can exist
     """
     try:
         report.stage("slow balls between rigid rings", None)
@@ -47,7 +52,13 @@ def solve_four_point(case: FourPointCase, file: ResultFile, report: Report) -> d
 
 
 def solve_angular(case: AngularCase, file: ResultFile, report: Report) -> dict[str, object]:
-    """Write the solution of a fast bearing; returns the root attributes that say how it ended."""
+    """Write the solution of a fast bearing; returns the root attributes that say how it ended.
+
+    Raises
+    ------
+    BadCase
+        when no such bearing can exist
+    """
     report.stage("fast balls between rigid rings", None)
     try:
         found = angular_contact.solved(case)

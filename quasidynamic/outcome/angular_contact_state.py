@@ -99,7 +99,7 @@ class AngularContactState:
         Parameters
         ----------
         spin : {"slip field", "contact angle"}
-            S of the ball's motion, or gamma sin(alpha) alone as in Rivera, Tong and Hong (2021), Eq. (15)
+            S [-] of the ball's motion, or gamma sin(alpha) alone as in Rivera, Tong and Hong (2021), Eq. (15)
         friction : {"none", "balanced"}
             no net friction in the rolling direction (e = 0), or as much as balances the friction moments
             about the spin axis, see `ball_friction`
@@ -108,6 +108,10 @@ class AngularContactState:
         ------
         OutOfRange
             where E is negative: spin against the contact angle, as on a race next to a controlling one
+
+        Source
+        ------
+        Rivera, Tong and Hong (2021); see `quasidynamic.motion.rolling_lines`.
         """
         touching, own = np.flatnonzero((self.loads > 0).all(0)), self.bearing
         loads, angles, attitude = (

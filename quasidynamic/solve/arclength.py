@@ -221,6 +221,10 @@ def corrected(
 
     Every step is taken `across` a direction: the tangent, or that of the parameter, which then keeps
     its value. A step is halved as long as the residual grows.
+
+    Source
+    ------
+    Keller (1977); Allgower and Georg, Introduction to Numerical Continuation Methods (2003).
     """
     equations, damping, step = problem.at(state, parameter), 1.0, (np.zeros_like(state), 0.0)
     start, smallest = (state, parameter), np.inf

@@ -66,6 +66,11 @@ class Diagonals:
         Returns
         -------
         LoadedDiagonals
+
+        Source
+        ------
+        Derivative of a spring force along its own direction; Hertz stiffness K of the two contacts in
+        series.
         """
         v = self.start + (self.moves @ place)[:, None] - deflection
         length = np.hypot(v[..., 0], v[..., 1])

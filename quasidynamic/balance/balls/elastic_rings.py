@@ -83,7 +83,10 @@ class ElasticRings:
 def dense_compliance(row: NDArray, balls: int) -> NDArray:
     """Compliance of all balls (4 Z, 4 Z) [m/N] by that of balls so many pitches apart.
 
-    Raises `ImpossiblePart` when it is not finite, of another shape or not symmetric.
+    Raises
+    ------
+    ImpossiblePart
+        when it is not finite, of another shape or not symmetric
     """
     if row.shape != (balls, 2, 2, 2, 2) or not np.isfinite(row).all():
         raise ImpossiblePart(

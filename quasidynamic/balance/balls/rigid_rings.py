@@ -35,7 +35,15 @@ class RigidRings:
 
     @classmethod
     def of(cls, bearing: FourPointBearing, load: NDArray) -> "RigidRings":
-        """Build from a bearing and a load [N, N m]; raises `ImpossiblePart` or `NotSolved`."""
+        """Build from a bearing and a load [N, N m].
+
+        Raises
+        ------
+        ImpossiblePart
+            for a load that is not five finite numbers
+        NotSolved
+            when neither load nor interference holds the ring
+        """
         load = np.asarray(load, dtype=float)
         if load.shape != (5,) or not np.isfinite(load).all():
             raise ImpossiblePart(f"load = {load} must be five finite numbers: Fx, Fy, Fz, My, Mz")

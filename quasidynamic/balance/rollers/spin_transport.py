@@ -45,6 +45,10 @@ def spin_transport(
     -------
     SpinTransport
 
+    Source
+    ------
+    Change of angular momentum along the path of the rollers, upwind differences; derived here.
+
     Valid
     -----
     First order in the pitch: spins are smeared over about a pitch at the ends of the loaded zone.

@@ -133,6 +133,11 @@ def point_contact(curvatures: Curvatures, modulus: ArrayLike) -> PointContact:
     -------
     PointContact
 
+    Raises
+    ------
+    OutOfRange
+        for relative curvatures that are not above zero
+
     Source
     ------
     Johnson, Contact Mechanics (1985), sec. 4.2 (there E* = E'/2).

@@ -79,7 +79,13 @@ def ball_loads(bearing: FourPointBearing, load: NDArray) -> BallLoads:
 
 
 def balanced(rings: RigidRings) -> tuple[RigidRingState, int]:
-    """State in which the balls carry the load, and the number of evaluations; raises `NotSolved`."""
+    """State in which the balls carry the load, and the number of evaluations.
+
+    Raises
+    ------
+    NotSolved
+        when the iteration limit is reached
+    """
     state, evaluations, previous = rings.at(rings.first_place()), 1, np.inf
     for _ in range(STEPS):
         imbalance = rings.imbalance(state)

@@ -32,6 +32,10 @@ def growth_rates(balance: BearingBalance, system: Linearisation) -> NDArray:
     array (Z + 1), complex
         growth rates [1/s], negative real parts decay; not a number where the Jacobian is singular
 
+    Source
+    ------
+    Linearised motion about an equilibrium; derived here.
+
     Valid
     -----
     For the state that stands still as seen from the cage: rollers pass from azimuth to azimuth, and
