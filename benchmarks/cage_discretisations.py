@@ -16,6 +16,7 @@ from threadpoolctl import threadpool_limits
 import fem
 from benchmarks.alone import measured
 from benchmarks.machine import describe
+from tests.fem.edge_layers import LAYERS, refined
 
 LENGTH, SHAPES, WIDTH = 5e-3, 3, 0.4e-3  # [m], [-], [m]
 AZIMUTHS = 2 * np.pi * np.arange(10) / 10
@@ -25,7 +26,6 @@ SHARP = fem.SquirrelCage(
     bar_length=4e-3, flange_length=3e-3, elastic=STEEL,
 )  # fmt: skip
 ROUND = replace(SHARP, fillet=0.4e-3)
-LAYERS = 2
 HALF_PITCH = fem.MeshSize(order=4, size=2e-3, raceway_size=0.35e-3)
 WHOLE = fem.MeshSize(order=4, size=2e-3, raceway_size=0.65e-3)
 
@@ -61,30 +61,6 @@ def by_the_whole(cage: fem.SquirrelCage, mesh: fem.MeshSize, layered: bool) -> t
 
 def patches() -> fem.Patches:
     return fem.Patches(azimuths=tuple(AZIMUTHS), length=LENGTH, axial_modes=SHAPES, width=WIDTH)
-
-
-def refined(cage: fem.SquirrelCage, length: float, wishes: fem.MeshSize):
-    """The whole solid, with layers along the sharp edges as half a pitch has them."""
-    import ngsolve as ngs
-    from netgen import occ
-
-    from fem.mesh.half_pitch import LAYER_RATIO, NEAR
-    from fem.mesh.solid import MILLIMETRES, solids
-
-    bodies = solids(cage, length)
-    for body in bodies[1:-1]:
-        for edge in body.edges:
-            if abs(edge.start.x - edge.end.x) < NEAR:
-                edge.hpref = 1
-    glued = occ.Glue(bodies)
-    for face in glued.faces:
-        if face.name == "raceway":
-            face.maxh = wishes.raceway_size * MILLIMETRES
-    solid = occ.OCCGeometry(glued).GenerateMesh(maxh=wishes.size * MILLIMETRES, parallel_meshing=False)
-    mesh = ngs.Mesh(solid)
-    mesh.RefineHP(LAYERS, LAYER_RATIO)
-    mesh.Curve(wishes.order)
-    return mesh
 
 
 def main() -> None:

@@ -43,3 +43,10 @@ def test_every_benchmark_is_named_in_a_document():
         if '__name__ == "__main__"' in path.read_text()
     ]
     assert [name for name in runnable if f"benchmarks.{name}" not in text] == []
+
+
+def test_tests_stand_without_benchmarks():
+    tests = (ROOT / "tests").rglob("*.py")
+    assert [
+        path.name for path in tests if re.search(r"^(from|import) benchmarks", path.read_text(), re.M)
+    ] == []

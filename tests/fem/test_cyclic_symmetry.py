@@ -11,7 +11,6 @@ import pytest
 from numpy.polynomial import legendre
 from pytest import approx
 
-from benchmarks.cage_discretisations import LAYERS, refined
 from fem import Elastic, ImpossiblePart, MeshSize, Patches, SquirrelCage
 from fem.assembly import roller_loads
 from fem.assembly.factorisation import NotSolved, factorised, threads
@@ -20,6 +19,7 @@ from fem.cage.half_pitch_stiffness import face, half
 from fem.mesh import half_pitch
 from fem.mesh.solid import MILLIMETRES, solids
 from fem.solid import condensation
+from tests.fem.edge_layers import LAYERS, refined
 from tests.fem.test_parts import CAGE, STEEL
 
 L, M = 5e-3, 3
