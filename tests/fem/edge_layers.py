@@ -1,4 +1,4 @@
-"""A squirrel cage as a whole solid with layers of elements along its sharp edges, as half a pitch has them."""
+"""A squirrel cage as a whole solid with layers along its sharp edges, as half a pitch has them."""
 
 import fem
 
