@@ -11,7 +11,7 @@ _ROLLER = Family(
     build=entry("flexbearing.runs.validate_roller:build"),
     opening=entry("flexbearing.runs.roller:opening"),
     solve=entry("flexbearing.runs.roller:solve"),
-    layout=entry("flexbearing.results.layout:ROLLER"),
+    layout=entry("flexbearing.quantities.roller:LAYOUT"),
     look=entry("flexbearing.report.roller_look:LOOK"),
     initial_state=entry("flexbearing.coupled.initial_state:initial_state"),
 )

@@ -33,7 +33,7 @@ class Family:
     build: Callable[[], Callable[[Any], object]]  # all that needs no mesh
     opening: Callable[[], Callable[[Any], dict[str, Any]]]  # root attributes known before anything is solved
     solve: Callable[[], Callable[..., dict[str, Any]]]  # case, result file, progress report: the ending
-    layout: Callable[[], Any]  # a `flexbearing.results.layout.Layout`
+    layout: Callable[[], Any]  # a `flexbearing.quantities.layout.Layout`
     look: Callable[[], Any]  # a `flexbearing.report.look.Look`
     initial_state: Callable[[], Callable[..., Any]] | None = None  # from another result; None: it has no such
 

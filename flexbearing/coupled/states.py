@@ -1,147 +1,105 @@
-"""States of the bearing as the arrays of a result file."""
+"""States of the bearing as the quantities of a result file."""
 
-from dataclasses import asdict, replace
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from flexbearing.coupled.initial_state import flat
 from flexbearing.coupling import Iteration
+from flexbearing.quantities.quantity import taken
+from flexbearing.quantities.roller import LAYOUT
 from flexbearing.rings.raceways import CondensedRings
 from quasidynamic import Equilibrium
 from quasidynamic.balance.rollers.unknowns import Unknowns
+from quasidynamic.outcome.ring_stiffness import Tangent
 
 MREV = 1e6  # revolutions
-UNLOADED = 1e-3  # [N] below it no film is reported
 
 
-def state(found: Equilibrium) -> dict[str, ArrayLike]:
-    """Datasets of any state."""
-    inner, outer = found.forces[..., 0]
-    films = np.where(found.forces[..., 0] > UNLOADED, found.film, 0.0)
-    deviation = found.deviation_along_rollers
-    return {
-        "inner_load": inner,
-        "outer_load": outer,
-        "inner_slice_load": found.slice_loads[0],
-        "outer_slice_load": found.slice_loads[1],
-        "inner_deviation": deviation[0],
-        "outer_deviation": deviation[1],
-        "roller_tilt": found.roller_tilt,
-        "roller_speed": found.roller_speed,
-        "inner_film": films[0],
-        "outer_film": films[1],
-        "inner_sliding": found.sliding[0],
-        "outer_sliding": found.sliding[1],
-        "inner_traction": found.traction[0],
-        "outer_traction": found.traction[1],
-        "cage_force": found.cage_force,
-        "cage_speed": found.cage_speed,
-        "cage_slip": found.cage_slip,
-        "ring_displacement": found.ring_displacement,
-        "ring_tilt": found.ring_tilt,
-    }
+@dataclass(frozen=True)
+class EndState:
+    """An equilibrium with what its rings and the roughness of its surfaces add; inner first, outer second."""
+
+    equilibrium: Equilibrium
+    rings: CondensedRings
+    roughness: NDArray | None = None  # (2) composite [m]
+
+    @property
+    def life(self) -> float:
+        """Basic rating life [rev]."""
+        return self.equilibrium.life * MREV
+
+    @cached_property
+    def between_raceways(self) -> Tangent:
+        """Stiffness between raceways freed of their translation."""
+        return between_raceways(self.equilibrium, self.rings).tangent
+
+    @cached_property
+    def with_supports(self) -> Tangent:
+        """Stiffness from base to shaft ends."""
+        return supported(self.equilibrium, self.rings).tangent
+
+    @property
+    def support_translation(self) -> NDArray:
+        """Rigid translation (2, 2) of the raceways on their supports, by (y, z) [m]."""
+        return self.rings.translation(self.equilibrium.forces)
+
+    @property
+    def film_ratio(self) -> NDArray | None:
+        """Film over roughness (2, Z), 0 without load; None where the roughness is not known."""
+        return None if self.roughness is None else self.equilibrium.loaded_film / self.roughness[:, None]
+
+    @property
+    def unknowns(self) -> NDArray:
+        """Where a neighbouring case may start (N)."""
+        return flat(self.equilibrium)
 
 
-def iteration(step: Iteration[Equilibrium], seconds: float) -> dict[str, ArrayLike]:
-    """Datasets of an iteration of the coupling."""
-    return state(step.state) | {
-        "load_change": step.load_change,
-        "mismatch": step.mismatch,
-        "residual": step.state.residual,
-        "seconds": seconds,
-    }
+def iteration(step: Iteration[Equilibrium], seconds: float) -> dict[str, NDArray]:
+    """Quantities of an iteration of the coupling, which took some seconds."""
+    solved = {"state": step.state, "step": step, "seconds": seconds}
+    return taken(LAYOUT.datasets("iteration").values(), solved)
 
 
-def block(
-    found: Equilibrium, rings: CondensedRings, roughness: NDArray | None = None
-) -> dict[str, ArrayLike]:
-    """Datasets of an end state; film ratios where the composite roughness (2) [m] is known."""
-    bearing, whole = found.balance.roller.bearing, supported(found, rings).tangent
-    return (
-        state(found)
-        | {
-            "roller_azimuth": bearing.azimuths,
-            "slice_position": found.slice_positions,
-            "life_L10": found.life * MREV,
-            "load_direction": _load_direction(found),
-            "stiffness": between_raceways(found, rings).tangent.radial_stiffness,
-            "stiffness_matrix": whole.stiffness,
-            "compliance_matrix": whole.compliance,
-            "total_stiffness": whole.radial_stiffness,
-            "support_translation": rings.translation(found.forces),
-            "driving_torque": found.driving_torque,
-            "driving_power": found.driving_power,
-            "ring_moment": found.ring_moment,
-            "peak_pressure": found.peak_pressure,
-            "minimum_film": smallest_film(found),
-            "unknowns": flat(found),
-        }
-        | _cage(found)
-        | {f"loss_{cause}": power for cause, power in asdict(found.losses).items()}
-        | ({} if roughness is None else _film_ratios(found, roughness))
-    )
+def block(end: EndState, **further: Any) -> dict[str, NDArray]:
+    """Quantities of an end state, with those of its `skew` and modified `life` where these are given."""
+    state = end.equilibrium
+    solved = {"state": state, "end": end, "bearing": state.balance.roller.bearing, "losses": state.losses}
+    return taken(LAYOUT.datasets("block").values(), solved | further)
 
 
-def _cage(found: Equilibrium) -> dict[str, ArrayLike]:
-    """Place of a cage that floats, and of the rollers in pockets of known clearance."""
-    places: dict[str, ArrayLike] = {}
-    if found.floating is not None:
-        places["cage_offset"] = found.floating.offset[0]
-    if found.pocket_displacement is not None:
-        places["pocket_displacement"] = found.pocket_displacement
-    return places
-
-
-def supported(found: Equilibrium, rings: CondensedRings) -> Equilibrium:
-    """The same state, its ring displacement counted from shaft ends to base: supports yield with the rest.
+def supported(state: Equilibrium, rings: CondensedRings) -> Equilibrium:
+    """The same state, its ring displacement counted from shaft ends to base: with the elastic supports.
 
     Between raceways freed of their translation, answers and loads are not of one kind, and the tangent
     is not symmetric; from base to shaft ends it is.
     """
     if rings.rigid:
-        return found
-    balance, unknowns = found.balance, found.unknowns
-    moved = rings.translation(found.forces)  # (inner and outer raceway, y and z)
+        return state
+    balance, unknowns = state.balance, state.unknowns
+    moved = rings.translation(state.forces)  # (inner and outer raceway, y and z)
     direction = np.array([np.sin(balance.roller.bearing.azimuths), np.cos(balance.roller.bearing.azimuths)])
     deviation, ring = unknowns.deviation.copy(), unknowns.ring.copy()
     deviation[:, 0, 0] += moved @ direction
     ring[:2, 0, 0] += moved[1] - moved[0]
     compliance = [None if raceway is None else raceway.absolute for raceway in rings.raceways]
-    return _yielding(found, compliance, unknowns._replace(ring=ring, deviation=deviation))
+    return _elastic(state, compliance, unknowns._replace(ring=ring, deviation=deviation))
 
 
-def between_raceways(found: Equilibrium, rings: CondensedRings) -> Equilibrium:
-    """The same state between raceways that yield, also where it was found between those of a given shape."""
-    if rings.rigid or found.balance.layout.elastic_raceways:
-        return found
+def between_raceways(state: Equilibrium, rings: CondensedRings) -> Equilibrium:
+    """The same state between elastic raceways, also where it was found between those of a given shape."""
+    if rings.rigid or state.balance.layout.elastic_raceways:
+        return state
     compliance = [None if raceway is None else raceway.relative for raceway in rings.raceways]
-    return _yielding(found, compliance, found.unknowns)
+    return _elastic(state, compliance, state.unknowns)
 
 
-def _yielding(found: Equilibrium, compliance: list[NDArray | None], unknowns: Unknowns) -> Equilibrium:
-    """A state with other unknowns in equations that know how raceways (Z, M, Z, M) yield."""
-    balance = found.balance
-    size = balance.layout.rollers * balance.roller.axial_modes
-    square = [None if matrix is None else matrix.reshape(size, size) for matrix in compliance]
-    whole = replace(balance, compliance=(square[0], square[1]))
-    return replace(found, balance=whole, scaled=whole.pack(unknowns)[0])
-
-
-def smallest_film(found: Equilibrium) -> NDArray:
-    """Smallest film (2) of the loaded contacts of each raceway [m]; 0 where none is loaded."""
-    loaded = found.forces[..., 0] > UNLOADED
-    smallest = np.where(loaded, found.film, np.inf).min(axis=1)
-    return np.where(np.isfinite(smallest), smallest, 0.0)
-
-
-def _film_ratios(found: Equilibrium, roughness: NDArray) -> dict[str, ArrayLike]:
-    films = np.where(found.forces[..., 0] > UNLOADED, found.film, 0.0)
-    inner, outer = films / roughness[:, None]
-    return {"inner_film_ratio": inner, "outer_film_ratio": outer}
-
-
-def _load_direction(found: Equilibrium) -> float:
-    """Azimuth of the radial load, 0 when there is none [rad]."""
-    points = found.balance.points
-    return float(np.arctan2(points.load_y[0, 0], points.load_z[0, 0]))
+def _elastic(state: Equilibrium, compliance: list[NDArray | None], unknowns: Unknowns) -> Equilibrium:
+    """A state with other unknowns in equations that hold the compliance (Z, M, Z, M) of the raceways."""
+    size = state.balance.layout.rollers * state.balance.roller.axial_modes
+    inner, outer = (None if matrix is None else matrix.reshape(size, size) for matrix in compliance)
+    balance = replace(state.balance, compliance=(inner, outer))
+    return replace(state, balance=balance, scaled=balance.pack(unknowns)[0])

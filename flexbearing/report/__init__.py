@@ -1,6 +1,6 @@
-"""A result for people: numbers, text, pictures."""
+"""A result for people: summary, page, pictures; what is shown of a quantity is declared in `quantities`."""
 
-from flexbearing.report.figures import convergence, deviations, polar_loads
+from flexbearing.report.roller_figures import convergence, deviations, polar_loads
 from flexbearing.report.shown import summary, text, write_figures
 
 __all__ = ["convergence", "deviations", "polar_loads", "summary", "text", "write_figures"]

@@ -4,7 +4,8 @@ from typing import Any
 
 import numpy as np
 
-from flexbearing.report.tables import HEAD, both_races, plain
+from flexbearing.quantities.attributes import HEAD
+from flexbearing.report.summary_values import both_races, plain
 from flexbearing.results import Result
 
 _RPM = 30.0 / np.pi  # rad/s to rpm

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from flexbearing.report.figures import BLUE, ORANGE
+from flexbearing.report.roller_figures import BLUE, ORANGE
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

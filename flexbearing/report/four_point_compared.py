@@ -8,9 +8,9 @@ import numpy as np
 from rich.table import Table
 from rich.text import Text
 
+from flexbearing.quantities.reductions import LOADED
 from flexbearing.report.ball_axes import STYLES, around, close_ring, stacked
 from flexbearing.report.sections import right_aligned
-from flexbearing.report.tables import LOADED
 from flexbearing.results import Result
 
 if TYPE_CHECKING:

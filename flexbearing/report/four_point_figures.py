@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from flexbearing.quantities.reductions import LOADED
 from flexbearing.report.ball_axes import STYLES, around, close_ring, stacked
 from flexbearing.report.four_point_compared import compared_loads
-from flexbearing.report.tables import LOADED
 from flexbearing.results import Result
 
 if TYPE_CHECKING:

@@ -4,7 +4,9 @@ from typing import Any
 
 import numpy as np
 
-from flexbearing.report.tables import HEAD, LOADED, both_races, plain
+from flexbearing.quantities.attributes import HEAD
+from flexbearing.quantities.reductions import LOADED
+from flexbearing.report.summary_values import both_races, plain
 from flexbearing.results import Result
 
 PARTS = ("spin", "roll", "hysteresis", "total")  # of the torque

@@ -6,8 +6,8 @@ from pathlib import Path
 from textwrap import fill
 from typing import TYPE_CHECKING
 
-from flexbearing.report.figures import BLUE, ORANGE
 from flexbearing.report.pareto import OUTPUTS, TARGETS, TIMES, Study, cheapest, front, percent
+from flexbearing.report.roller_figures import BLUE, ORANGE
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

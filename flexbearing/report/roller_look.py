@@ -1,6 +1,10 @@
 """How results of a cylindrical roller bearing are shown."""
 
-from flexbearing.report import figures, page, tables
-from flexbearing.report.look import Look
+from functools import partial
 
-LOOK = Look(tables.summary, page.page, figures.pictures, deformed=True)
+from flexbearing.quantities.roller import LAYOUT
+from flexbearing.report import roller_figures, roller_page
+from flexbearing.report.look import Look
+from flexbearing.report.summary_values import summary
+
+LOOK = Look(partial(summary, layout=LAYOUT), roller_page.page, roller_figures.pictures, deformed=True)

@@ -9,17 +9,9 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-_SKEW = (  # label, name, format
-    ("largest skew [mrad]", "max_skew_mrad", ".4f"),
-    ("skew that touches both flanges [mrad]", "touching_skew_mrad", ".4f"),
-    ("rollers on both flanges", "rollers_on_both_flanges", "d"),
-    ("largest flange force [N]", "max_flange_force_N", ".4g"),
-    ("friction at the flanges [W]", "flange_power_W", ".4g"),
-    ("axial sliding on the raceways [W]", "sideways_power_W", ".4g"),
-    ("left out: gap at the roller ends [um]", "end_gap_um", ".4f"),
-    ("left out: shift of the loads [mm]", "load_shift_mm", ".4f"),
-    ("left out: change of tractions [%]", "traction_change_percent", ".3g"),
-)
+from flexbearing.quantities.roller import LAYOUT, SKEW
+from flexbearing.report.rows import label, rows, shown, value
+
 _STRESSES = (  # column, name, format
     ("Mises", "von_mises_MPa", ",.0f"),
     ("x", "x_mm", ".2f"),
@@ -96,12 +88,12 @@ def ordered_levels(choices: dict[str, Any], errors: dict[str, Any]) -> Iterator[
     table = right_aligned("", "load +- [%]", "life +- [%]", "allowed [%]")
     table.add_column("level")
     for name, choice in choices.items():
-        shares = [choice["changes"].get(output) for output in ("roller_load", "life")]
-        percent = ["-" if one is None else f"{100 * one * choice['factor']:.2g}" for one in shares]
+        changes = [choice["changes"].get(output) for output in ("roller_load", "life")]
+        percent = ["-" if change is None else f"{100 * change * choice['factor']:.2g}" for change in changes]
         level = choice["level"] + (" (fixed by the case)" if choice["fixed"] else "")
         table.add_row(Text(name), *percent, f"{100 * choice['allowed']:.2g}", Text(level))
     yield table
-    unusable = [f"{level}: {why}" for one in choices.values() for level, why in one["unusable"].items()]
+    unusable = [f"{level}: {why}" for choice in choices.values() for level, why in choice["unusable"].items()]
     yield from listed("levels without an answer", unusable)
 
 
@@ -124,24 +116,24 @@ def matrix(
     yield table
 
 
-def regimes(found: dict[str, Any]) -> Iterator[RenderableType]:
+def regimes(by_block: dict[str, Any]) -> Iterator[RenderableType]:
     """Lubrication regime of each raceway; nothing when the roughness is not known."""
     lines = [
         f"{name}: inner raceway {words['inner']}, outer raceway {words['outer']}"
-        for name, words in found.items()
+        for name, words in by_block.items()
     ]
     return listed("lubrication regime, at the smallest film ratio", lines)
 
 
 def skew(blocks: dict[str, Any]) -> Iterator[RenderableType]:
     """Skew of the rollers between flanges; nothing for a case without them."""
-    found = {name: block["skew"] for name, block in blocks.items() if block and block["skew"]}
-    if not found:
+    skewed = {name: block for name, block in blocks.items() if block and block["skew"]}
+    if not skewed:
         return
     yield Text("roller skew between guide flanges; not fed back into loads and speeds", style="bold")
-    table = right_aligned("", *found)
-    for label, name, form in _SKEW:
-        table.add_row(Text(label), *(format(values[name], form) for values in found.values()))
+    table = right_aligned("", *skewed)
+    for entry in rows(LAYOUT, SKEW):
+        table.add_row(Text(label(entry)), *(shown(entry, value(entry, block)) for block in skewed.values()))
     yield table
 
 

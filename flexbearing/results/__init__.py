@@ -1,17 +1,10 @@
-"""The file of a run: its layout, writing it, reading it."""
+"""The file of a run: writing it, reading it, and the reference page of its content.
+
+What stands in it is declared in `quantities`; only this room loads h5py.
+"""
 
 from flexbearing.results.checks import NotInLayout
-from flexbearing.results.layout import FORMAT, TABLE, Dataset
-from flexbearing.results.read import BadResult, Result, read
+from flexbearing.results.read import Arrays, BadResult, Result, read
 from flexbearing.results.write import ResultFile
 
-__all__ = [
-    "FORMAT",
-    "TABLE",
-    "BadResult",
-    "Dataset",
-    "NotInLayout",
-    "Result",
-    "ResultFile",
-    "read",
-]
+__all__ = ["Arrays", "BadResult", "NotInLayout", "Result", "ResultFile", "read"]

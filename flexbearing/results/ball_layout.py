@@ -1,6 +1,7 @@
 """The tables of what stands in the result file of a ball bearing."""
 
-from flexbearing.results.layout import Dataset, Layout
+from flexbearing.quantities.layout import Layout
+from flexbearing.results.layout import Dataset
 
 _UNDRIVEN = "NaN for a ball that is not pressed on both rings"
 _APART = "NaN for a ball that does not touch both races"
@@ -133,20 +134,21 @@ ANGULAR = (
 # fmt: on
 
 FOUR_POINT_LAYOUT = Layout(
-    FOUR_POINT,
-    ("rigid",),
-    """\
-Axes: Z balls, G diagonals (one or two; the first leans outwards to positive z), 2 races (inner, outer),
-F balls and P points of the fields. Directions: z axial, azimuth from x towards y.
+    conventions="""\
+Axes: Z balls, G diagonals (one or two; the first leans outwards to positive x), 2 races (inner, outer),
+F balls and P points of the fields. Directions: x axial, z along the load, azimuth from z towards y.
 Torques are what must be put in so that the inner ring runs ahead: positive there, negative at the outer ring.
 """,
-    further=("flexible",),
+    quantities=FOUR_POINT,
+    blocks=("rigid",),
+    further_blocks=("flexible",),
 )
 ANGULAR_LAYOUT = Layout(
-    ANGULAR,
-    ("rigid",),
-    """\
-Axes: 2 races (inner, outer), Z balls, P points of the slip profile. Directions: z axial, towards the side to
-which the inner ring pushes the balls; azimuth from x towards y, which is the way a positive speed turns.
+    conventions="""\
+Axes: 2 races (inner, outer), Z balls, P points of the slip profile. Directions: x axial, towards the side to
+which the inner ring pushes the balls, z along the load; azimuth from z towards y, which is the way a positive
+speed turns.
 """,
+    quantities=ANGULAR,
+    blocks=("rigid",),
 )

@@ -1,11 +1,11 @@
 """What must hold of names and numbers before they are part of a result file."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from difflib import get_close_matches
 
 import numpy as np
 
-from flexbearing.results.layout import Dataset
+from flexbearing.quantities import Quantity
 
 Sizes = Mapping[str, int]  # symbol of an axis to its size
 
@@ -14,12 +14,12 @@ class NotInLayout(ValueError):
     """Something was to be written, or asked for, that the layout does not know."""
 
 
-def require_same_names(found: Mapping[str, object], known: Mapping[str, object], where: str) -> None:
-    """Raise unless `found` holds exactly the names of the layout; optional ones may be missing.
+def require_same_names(names: Mapping[str, object], known: Mapping[str, object], where: str) -> None:
+    """Raise unless `names` holds exactly the names of the layout; optional ones may be missing.
 
     Parameters
     ----------
-    found : mapping
+    names : mapping
         what is to be written, or was read
     known : mapping
         what the layout asks for
@@ -31,12 +31,12 @@ def require_same_names(found: Mapping[str, object], known: Mapping[str, object],
     NotInLayout
         naming what is unknown, with the nearest known name, or what is missing
     """
-    for name in found:
+    for name in names:
         if name not in known:
             near = get_close_matches(name, known, n=1)
             hint = f" Did you mean {near[0]!r}?" if near else ""
             raise NotInLayout(f"{where}: {name!r} is not in the layout of a result file.{hint}")
-    if missing := [name for name, entry in known.items() if name not in found and _needed(entry)]:
+    if missing := [name for name, entry in known.items() if name not in names and _needed(entry)]:
         raise NotInLayout(f"{where}: {', '.join(missing)} missing; the layout asks for every name.")
 
 
@@ -44,7 +44,7 @@ def _needed(entry: object) -> bool:
     return not getattr(entry, "optional", False)
 
 
-def fitted(entry: Dataset, array: np.ndarray, sizes: Sizes, where: str) -> Sizes:
+def fitted(entry: Quantity, array: np.ndarray, sizes: Sizes, where: str) -> Sizes:
     """Sizes of the axes after `array` took its place; the first array of a file decides.
 
     Parameters
@@ -68,10 +68,10 @@ def fitted(entry: Dataset, array: np.ndarray, sizes: Sizes, where: str) -> Sizes
     NotInLayout
         for a shape that does not fit
     """
-    known = {**dict(_numbers(entry)), **sizes}
     new = dict(zip(entry.shape, array.shape, strict=False))
-    wanted = tuple(known.get(axis, new.get(axis)) for axis in entry.shape)
-    if array.shape != wanted:
+    numbers = {axis: int(axis) for axis in entry.shape if axis.isdigit()}
+    allowed = tuple({**new, **numbers, **sizes}.get(axis) for axis in entry.shape)
+    if array.shape != allowed:
         settled = ", ".join(f"{axis} = {size}" for axis, size in sizes.items())
         raise NotInLayout(
             f"{where}: {entry.name} has shape {array.shape}; "
@@ -80,11 +80,7 @@ def fitted(entry: Dataset, array: np.ndarray, sizes: Sizes, where: str) -> Sizes
     return {**sizes, **{axis: size for axis, size in new.items() if not axis.isdigit()}}
 
 
-def _numbers(entry: Dataset) -> Iterator[tuple[str, int]]:
-    return ((axis, int(axis)) for axis in entry.shape if axis.isdigit())
-
-
-def require_finite(entry: Dataset, array: np.ndarray, where: str) -> None:
+def require_finite(entry: Quantity, array: np.ndarray, where: str) -> None:
     """Raise when an array that claims to be a solution holds infinities or NaN.
 
     Parameters

@@ -1,5 +1,6 @@
 """A result file as arrays that cannot change."""
 
+import json
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -10,19 +11,15 @@ import h5py
 import numpy as np
 
 from flexbearing.case.family import Families, Family
-from flexbearing.results.attributes import attributes_of, decoded
+from flexbearing.quantities import Quantity
+from flexbearing.quantities.attributes import FORMAT, OLDER, Attribute
+from flexbearing.quantities.layout import Layout
+from flexbearing.results.attributes import decoded
 from flexbearing.results.checks import Sizes, fitted, require_same_names
-from flexbearing.results.layout import FORMAT, Dataset, Layout
 from flexbearing.results.write import UNFINISHED
 
 Arrays = Mapping[str, np.ndarray]
 _NOTHING: Arrays = MappingProxyType({})
-
-
-OLDER = {  # what the files of an older format are
-    4: "its axes are older: of balls z axial and x along the load, tilts in stiffness_matrix of rollers as "
-    "slopes; see docs/reference/axes.md",
-}
 
 
 class BadResult(ValueError):
@@ -120,14 +117,15 @@ def _require_finished(path: Path) -> None:
 
 
 def _require_format(file: h5py.File, path: Path) -> None:
-    found = file.attrs.get("format")
-    if found is None:
+    number = file.attrs.get("format")
+    if number is None:
         raise BadResult(f"{path}: an HDF5 file, but not a result of flexbearing: it has no format number.")
-    if not np.array_equal(found, FORMAT):
-        older = f"; {OLDER[found]}" if found in OLDER else ""
+    if not np.array_equal(number, FORMAT):
+        writer = json.loads(str(file.attrs.get("versions", "{}"))).get("flexbearing", "of unknown version")
+        older = f"; {OLDER[number]}" if number in OLDER else ""
         raise BadResult(
-            f"{path}: format {found}, this version reads format {FORMAT}{older}. "
-            "Run the case again, or read the file with the version that wrote it."
+            f"{path}: this file has format {number}, written by flexbearing {writer}{older}. This version "
+            f"reads format {FORMAT}: run the case again, or read the file with the version that wrote it."
         )
 
 
@@ -135,10 +133,10 @@ def _result(file: h5py.File, path: Path, family: Family) -> Result:
     layout: Layout = family.layout()
     sizes: Sizes = {}
     blocks: dict[str, Arrays] = {"rigid": _NOTHING, "flexible": _NOTHING}
-    for name in layout.blocks + layout.further:
+    for name in layout.blocks + layout.further_blocks:
         blocks[name], sizes = _arrays(file.get(name), layout.datasets("block"), sizes, name)
     iterations = _iterations(file, layout.datasets("iteration"), sizes)
-    attributes = _attributes(file, family.kind)
+    attributes = _attributes(file, layout.attributes)
     return Result(path=path, attributes=attributes, iterations=iterations, family=family, **blocks)
 
 
@@ -149,7 +147,7 @@ def _family(file: h5py.File, path: Path, families: Families) -> Family:
     return families[kind]
 
 
-def _iterations(file: h5py.File, known: Mapping[str, Dataset], sizes: Sizes) -> tuple[Arrays, ...]:
+def _iterations(file: h5py.File, known: Mapping[str, Quantity], sizes: Sizes) -> tuple[Arrays, ...]:
     if "iterations" not in file:
         return ()
     rows = {name: replace(entry, axes=f"iteration {entry.axes}") for name, entry in known.items()}
@@ -160,12 +158,13 @@ def _iterations(file: h5py.File, known: Mapping[str, Dataset], sizes: Sizes) -> 
     )
 
 
-def _attributes(file: h5py.File, kind: str) -> Mapping[str, Any]:
-    require_same_names(dict(file.attrs), attributes_of(kind), "root attributes")
-    return MappingProxyType({name: decoded(name, stored) for name, stored in file.attrs.items()})
+def _attributes(file: h5py.File, known: Mapping[str, Attribute]) -> Mapping[str, Any]:
+    require_same_names(dict(file.attrs), known, "root attributes")
+    values = {name: decoded(known[name].kind, stored) for name, stored in file.attrs.items()}
+    return MappingProxyType(values)
 
 
-def _arrays(group: Any, known: Mapping[str, Dataset], sizes: Sizes, where: str) -> tuple[Arrays, Sizes]:
+def _arrays(group: Any, known: Mapping[str, Quantity], sizes: Sizes, where: str) -> tuple[Arrays, Sizes]:
     if group is None:
         return _NOTHING, sizes
     arrays = {}

@@ -1,8 +1,10 @@
 """The reference page of the result file, from the tables that write it."""
 
 from flexbearing.case.family import Families, Family
-from flexbearing.results.attributes import ATTRIBUTES, Attribute
-from flexbearing.results.layout import Dataset, Layout, Place
+from flexbearing.quantities import Quantity
+from flexbearing.quantities.attributes import COMMON, Attribute
+from flexbearing.quantities.layout import Layout
+from flexbearing.quantities.quantity import Place
 
 _BEGINNING = """\
 # The result file
@@ -53,29 +55,32 @@ def reference_page(families: Families) -> str:
     str
         Markdown
     """
-    return "\n".join([_BEGINNING, *(_family(family) for family in families.values()), _attributes()])
+    common = ["## Root attributes of every file\n", *_attribute_table(COMMON)]
+    return "\n".join([_BEGINNING, *map(_family, families.values()), *common])
 
 
 def _family(family: Family) -> str:
     layout: Layout = family.layout()
-    sections = [_section(layout, place) for place in _PLACES]
-    return "\n".join([f'## kind = "{family.kind}"\n', layout.axes, *filter(None, sections)])
+    sections = [f'## kind = "{family.kind}"\n', layout.conventions]
+    for place, title in _PLACES.items():
+        if rows := [_row(entry) for entry in layout.quantities if entry.place == place]:
+            sections += [
+                f"### {title}\n",
+                "| name | symbol | axes | unit | meaning |",
+                "|---|---|---|---|---|",
+                *rows,
+                "",
+            ]
+    if layout.further_attributes:
+        sections += ["### Further root attributes\n", *_attribute_table(layout.further_attributes)]
+    return "\n".join(sections)
 
 
-def _section(layout: Layout, place: Place) -> str:
-    rows = [_row(entry) for entry in layout.table if entry.place == place]
-    head = [f"### {_PLACES[place]}\n", "| name | axes | unit | meaning |", "|---|---|---|---|"]
-    return "\n".join([*head, *rows, ""]) if rows else ""
+def _row(entry: Quantity) -> str:
+    cells = (f"`{entry.name}`", entry.symbol, " × ".join(entry.shape) or "scalar", entry.unit, entry.meaning)
+    return f"| {' | '.join(cells)} |"
 
 
-def _row(entry: Dataset) -> str:
-    return f"| `{entry.name}` | {' × '.join(entry.shape) or 'scalar'} | {entry.unit} | {entry.meaning} |"
-
-
-def _attributes() -> str:
-    rows = [f"| `{entry.name}` | {entry.kind} | {entry.meaning}{_whose(entry)} |" for entry in ATTRIBUTES]
-    return "\n".join(["## Root attributes\n", "| name | stored as | meaning |", "|---|---|---|", *rows, ""])
-
-
-def _whose(entry: Attribute) -> str:
-    return "; of rollers only" if entry.rollers else ""
+def _attribute_table(attributes: tuple[Attribute, ...]) -> list[str]:
+    rows = [f"| `{entry.name}` | {entry.kind} | {entry.meaning} |" for entry in attributes]
+    return ["| name | stored as | meaning |", "|---|---|---|", *rows, ""]

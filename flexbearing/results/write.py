@@ -9,9 +9,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from flexbearing.case.family import Family
-from flexbearing.results.attributes import attributes_of, encoded, stamp
+from flexbearing.quantities import Quantity
+from flexbearing.quantities.layout import Layout
+from flexbearing.results.attributes import encoded, stamp
 from flexbearing.results.checks import NotInLayout, Sizes, fitted, require_finite, require_same_names
-from flexbearing.results.layout import Dataset, Layout
 
 UNFINISHED = ".part"
 
@@ -53,7 +54,6 @@ class ResultFile:
         self.path = _final_name(Path(path))
         self.part = self.path.with_name(self.path.name + UNFINISHED)
         self._layout: Layout = family.layout()
-        self._known = attributes_of(family.kind)
         self._attributes = {**stamp(), "kind": family.kind, **attributes}
         self._stored = self._encoded(self._attributes)
         self._file: h5py.File | None = None
@@ -117,7 +117,7 @@ class ResultFile:
         NotInLayout
             for an unknown or missing name, a wrong shape, or a solution that is not finite
         """
-        possible = self._layout.blocks + self._layout.further
+        possible = self._layout.blocks + self._layout.further_blocks
         if name not in possible:
             known = ", ".join(possible)
             raise NotInLayout(f"block {name!r} does not exist; it is one of: {known}.")
@@ -143,7 +143,7 @@ class ResultFile:
             for an unknown or missing attribute, or one that contradicts what was written
         """
         together = {**self._attributes, **attributes}
-        require_same_names(together, self._known, "root attributes")
+        require_same_names(together, self._layout.attributes, "root attributes")
         self._require_true_ending(together)
         file = self._open_file()
         file.attrs.update(self._encoded(attributes))
@@ -164,7 +164,7 @@ class ResultFile:
             )
 
     def _checked(
-        self, where: str, known: Mapping[str, Dataset], values: Mapping[str, ArrayLike], must_be_finite: bool
+        self, where: str, known: Mapping[str, Quantity], values: Mapping[str, ArrayLike], must_be_finite: bool
     ) -> dict[str, np.ndarray]:
         # everything is checked before anything is written: no group is ever half there
         self._open_file()
@@ -178,7 +178,7 @@ class ResultFile:
         self._sizes = sizes
         return arrays
 
-    def _append(self, known: Mapping[str, Dataset], arrays: Mapping[str, np.ndarray]) -> None:
+    def _append(self, known: Mapping[str, Quantity], arrays: Mapping[str, np.ndarray]) -> None:
         file = self._open_file()
         for name, array in arrays.items():
             if name not in self._rows:
@@ -191,8 +191,15 @@ class ResultFile:
 
     def _encoded(self, attributes: Mapping[str, Any]) -> dict[str, Any]:
         # only strangers matter here: what is still missing comes with finish
-        require_same_names({**dict.fromkeys(self._known), **attributes}, self._known, "root attributes")
-        return {name: encoded(name, value) for name, value in attributes.items()}
+        require_same_names(
+            {**dict.fromkeys(self._layout.attributes), **attributes},
+            self._layout.attributes,
+            "root attributes",
+        )
+        return {
+            name: encoded(name, self._layout.attributes[name].kind, value)
+            for name, value in attributes.items()
+        }
 
     def _open_file(self) -> h5py.File:
         if self._file is None:
@@ -200,7 +207,7 @@ class ResultFile:
         return self._file
 
 
-def described(stored: h5py.Dataset, entry: Dataset, leading: str = "") -> h5py.Dataset:
+def described(stored: h5py.Dataset, entry: Quantity, leading: str = "") -> h5py.Dataset:
     """Give a dataset its unit, axes and meaning; returns it."""
     texts = {"unit": entry.unit, "axes": f"{leading}{entry.axes}".strip(), "meaning": entry.meaning}
     stored.attrs.update(texts)

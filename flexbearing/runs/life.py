@@ -1,7 +1,7 @@
 """The life of a case after everything that modifies it."""
 
 from collections.abc import Iterator
-from dataclasses import asdict, replace
+from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -36,6 +36,8 @@ from quasidynamic.outcome.life_factors import (
     viscosity_ratio,
 )
 
+MREV = 1e6  # revolutions
+
 
 def require_possible(case: Case, bearing: CylindricalRollerBearing) -> None:
     """Raise where a factor does not hold for this bearing, speed and oil; loads are not needed."""
@@ -47,69 +49,92 @@ def require_possible(case: Case, bearing: CylindricalRollerBearing) -> None:
     _fixed_factors(case)
 
 
-def modified(case: Case, found: Equilibrium, smallest_film: NDArray) -> dict[str, Any]:
-    """Basic life, every factor and the modified life [10^6 revolutions]; empty when nothing modifies it.
+@dataclass(frozen=True)
+class LifeOfState:
+    """The life at one state of the bearing, from the basic one over every factor."""
+
+    basic: float  # [10^6 revolutions]
+    factors: tuple[dict[str, Any], ...]  # name, value, effect and note
+    modified: float  # [revolutions]
+
+    def record(self) -> dict[str, Any]:
+        """The same as JSON can hold it, lives in 10^6 revolutions."""
+        return {
+            "basic_Mrev": self.basic,
+            "factors": list(self.factors),
+            "modified_Mrev": self.modified / MREV,
+        }
+
+
+def modified(case: Case, state: Equilibrium) -> LifeOfState | None:
+    """Life after every factor of a case; None when nothing modifies it or nothing carries load.
 
     Parameters
     ----------
     case : Case
         with its section [life]
-    found : Equilibrium
-        the loads
-    smallest_film : array (2)
-        of the loaded contacts, inner and outer [m]
+    state : Equilibrium
+        with its loads and films
+
+    Returns
+    -------
+    LifeOfState or None
+
+    Raises
+    ------
+    OutOfRange
+        where a factor does not hold for this bearing, speed and oil
     """
     asked = case.life.model_dump(exclude_defaults=True)
-    if not asked or not np.isfinite(found.life):
-        return {}
-    slices = list(_slice_factors(case, found))
-    rated = found.life * float(np.prod([factor["value"] for factor in slices]))
-    lubricated = _lubrication_factors(case, found, smallest_film)
-    life = ModifiedLife(basic=rated, factors=(*lubricated, *_fixed_factors(case)))
-    factors = [{**asdict(factor), "value": float(factor.value)} for factor in life.factors]
-    return {"basic_Mrev": found.life, "factors": [*slices, *factors], "modified_Mrev": float(life.life)}
+    if not asked or not np.isfinite(state.life):
+        return None
+    by_slices = tuple(_slice_factors(case, state))
+    rated = state.life * float(np.prod([factor["value"] for factor in by_slices]))
+    life = ModifiedLife(basic=rated, factors=(*_lubrication_factors(case, state), *_fixed_factors(case)))
+    factors = tuple({**asdict(factor), "value": float(factor.value)} for factor in life.factors)
+    return LifeOfState(state.life, by_slices + factors, float(life.life) * MREV)
 
 
-def _slice_factors(case: Case, found: Equilibrium) -> Iterator[dict[str, Any]]:
+def _slice_factors(case: Case, state: Equilibrium) -> Iterator[dict[str, Any]]:
     """What capacity, edge stress and rollers make of the basic life, one after the other."""
-    bearing = found.balance.roller.bearing
-    inner, outer = _slice_loads(found)
-    before, edge, capacity = found.life, None, raceway_capacity(bearing)
+    bearing = state.balance.roller.bearing
+    inner, outer = _slice_loads(state)
+    before, edge, capacity = state.life, None, raceway_capacity(bearing)
 
-    def lived(rollers: RollerBody | None = None) -> float:
-        return float(slice_life(inner, outer, capacity, found.turning, edge=edge, rollers=rollers))
+    def life(rollers: RollerBody | None = None) -> float:
+        return float(slice_life(inner, outer, capacity, state.turning, edge=edge, rollers=rollers))
 
     if case.life.capacity == "iso281":
         rating = _rating(case, bearing)
         capacity = reference_raceway_capacity(bearing, rating)
-        after = lived()
+        after = life()
         origin = "formula of ISO 281" if case.life.dynamic_rating is None else "given"
         note = f"ISO/TS 16281 by C_r = {rating:.5g} N, {origin}"
         yield {"name": "capacity", "value": after / before, "effect": "load", "note": note}
         before = after
     if case.life.edge_stress:
         edge = edge_stress_factor(inner.shape[-1])
-        after = lived()
+        after = life()
         note = f"ISO/TS 16281, {inner.shape[-1]} slices"
         yield {"name": "edge stress", "value": after / before, "effect": "load", "note": note}
         before = after
     if case.life.roller_body:
         ratio = bearing.diameter_ratio
         turns = (1 - ratio**2) / (2 * ratio)
-        after = lived(rollers=RollerBody(capacity=roller_capacity(bearing), speed_ratio=turns))
+        after = life(rollers=RollerBody(capacity=roller_capacity(bearing), speed_ratio=turns))
         note = f"rollers fail too; {turns:.3g} turns of a roller in one of the ring"
         yield {"name": "roller body", "value": after / before, "effect": "load", "note": note}
 
 
-def _lubrication_factors(case: Case, found: Equilibrium, smallest_film: NDArray) -> Iterator[LifeFactor]:
+def _lubrication_factors(case: Case, state: Equilibrium) -> Iterator[LifeFactor]:
     if case.life.lubrication == "film":
-        ratio = float((smallest_film / roughness(case)).min())
+        ratio = float((state.minimum_film / roughness(case)).min())
         yield _explained(film_factor(ratio), f"smallest film ratio {ratio:.3g}")
     elif case.life.lubrication == "a_ISO":
-        bearing, (inner, outer) = found.balance.roller.bearing, _slice_loads(found)
+        bearing, (inner, outer) = state.balance.roller.bearing, _slice_loads(state)
         rating, kappa = _rating(case, bearing), _kappa(case, bearing)
         edge = case.life.edge_stress
-        life = reference_life(inner, outer, bearing, found.turning, edge_stress=edge, rating=rating)
+        life = reference_life(inner, outer, bearing, state.turning, edge_stress=edge, rating=rating)
         load = float(reference_load(life, rating))
         ratio = _fatigue_share(case, bearing) / load
         words = f"kappa {kappa:.3g}, e_C C_u/P {ratio:.3g}, equivalent load {load:.4g} N"
@@ -118,19 +143,19 @@ def _lubrication_factors(case: Case, found: Equilibrium, smallest_film: NDArray)
 
 def _fixed_factors(case: Case) -> list[LifeFactor]:
     """Factors that the loads do not change."""
-    life, found = case.life, []
+    life, factors = case.life, []
     if life.steel and life.melting:
         factor = material_factor(life.steel, life.melting)
         beside = "ISO 281 has no such factor beside a_ISO" if life.lubrication == "a_ISO" else ""
-        found.append(_explained(factor, beside))
+        factors.append(_explained(factor, beside))
     if life.reliability is not None:
-        found.append(_explained(reliability_factor(life.reliability), f"reliability {life.reliability:g}"))
-    return found
+        factors.append(_explained(reliability_factor(life.reliability), f"reliability {life.reliability:g}"))
+    return factors
 
 
-def _slice_loads(found: Equilibrium) -> NDArray:
+def _slice_loads(state: Equilibrium) -> NDArray:
     """Load (2, Z, K) of each slice [N]."""
-    return found.slice_loads * found.balance.roller.raceways.slices.width
+    return state.slice_loads * state.balance.roller.raceways.slices.width
 
 
 def _rating(case: Case, bearing: CylindricalRollerBearing) -> float:

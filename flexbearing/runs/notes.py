@@ -14,13 +14,13 @@ from quasidynamic.trace import equilibria_at, several_likely
 
 def of_case(case: Case) -> tuple[str, ...]:
     """What can be said before anything is solved."""
-    found = oil(case).notes
+    notes = oil(case).notes
     if case.lubricant.traction == "4109":
-        found += (
+        notes += (
             "traction: the 4109 regression was measured on point contacts; line contacts are outside it",
             f"traction: the 4109 regression is used with {oil_name(case)}",
         )
-    return found + clearance.notes(case)
+    return notes + clearance.notes(case)
 
 
 def of_choice(model: RollerBearing) -> tuple[str, ...]:
@@ -36,32 +36,32 @@ def of_choice(model: RollerBearing) -> tuple[str, ...]:
     )
 
 
-def of_state(case: Case, found: Equilibrium) -> tuple[str, ...]:
+def of_state(case: Case, state: Equilibrium) -> tuple[str, ...]:
     """What a solved state adds: drag at its cage speed, traction at its pressures."""
-    return _drag(case, found) + _traction(case, found) + _cage(case, found)
+    return _drag(case, state) + _traction(case, state) + _cage(case, state)
 
 
-def _drag(case: Case, found: Equilibrium) -> tuple[str, ...]:
+def _drag(case: Case, state: Equilibrium) -> tuple[str, ...]:
     if case.lubricant.drag_coefficient is not None:
         return ()
-    bearing, lubricant = found.balance.roller.bearing, found.balance.roller.lubrication.oil
-    speed = abs(found.cage_speed) * bearing.pitch_diameter / 2
+    bearing, lubricant = state.balance.roller.bearing, state.balance.roller.lubrication.oil
+    speed = abs(state.cage_speed) * bearing.pitch_diameter / 2
     return drag_notes(lubricant.density * bearing.roller.diameter / lubricant.viscosity * speed)
 
 
-def _cage(case: Case, found: Equilibrium) -> tuple[str, ...]:
-    told: tuple[str, ...] = ()
-    cage = found.balance.roller.bearing.cage
-    if found.floating is not None:
-        told += land_notes(np.hypot(*found.floating.offset[0]) / (cage.land_clearance / 2))
-    if found.pocket_displacement is not None:
-        touching = int((np.abs(found.pocket_displacement) > cage.pocket_clearance).sum())
-        told += (f"cage pockets: {touching} rollers touch the wall of their pocket",) if touching else ()
-    return told
+def _cage(case: Case, state: Equilibrium) -> tuple[str, ...]:
+    notes: tuple[str, ...] = ()
+    cage = state.balance.roller.bearing.cage
+    if state.floating is not None:
+        notes += land_notes(np.hypot(*state.floating.offset[0]) / (cage.land_clearance / 2))
+    if state.pocket_displacement is not None:
+        touching = int((np.abs(state.pocket_displacement) > cage.pocket_clearance).sum())
+        notes += (f"cage pockets: {touching} rollers touch the wall of their pocket",) if touching else ()
+    return notes
 
 
-def _traction(case: Case, found: Equilibrium) -> tuple[str, ...]:
-    given = case.lubricant
-    if given.traction != "adore" or given.adore_oil is None:
+def _traction(case: Case, state: Equilibrium) -> tuple[str, ...]:
+    lubricant = case.lubricant
+    if lubricant.traction != "adore" or lubricant.adore_oil is None:
         return ()
-    return ADORE_OILS[given.adore_oil].notes(given.inlet_temperature, found.peak_pressure)
+    return ADORE_OILS[lubricant.adore_oil].notes(lubricant.inlet_temperature, state.peak_pressure)

@@ -1,16 +1,14 @@
-"""What follows from the end states of a run: datasets, lives, regimes, notes."""
+"""What follows from the end states of a run: quantities, lives, regimes, stresses, notes."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal
-
-from numpy.typing import ArrayLike
 
 from flexbearing.build import clearance
 from flexbearing.build.lubrication import roughness
 from flexbearing.case.roller import Case
 from flexbearing.coupled import states
-from flexbearing.results import ResultFile
+from flexbearing.coupled.states import EndState
+from flexbearing.results import Arrays, ResultFile
 from flexbearing.rings.raceways import CondensedRings
 from flexbearing.runs import fields, life, notes, skew
 from quasidynamic import Equilibrium
@@ -18,8 +16,8 @@ from quasidynamic.contact.film import lambda_ratio, regime
 
 
 @dataclass(frozen=True)
-class Outcome:
-    """Writes end states into a result file and keeps what its root attributes will say of them."""
+class Postprocessing:
+    """Writes end states into a result file and collects what its root attributes say of them."""
 
     case: Case
     file: ResultFile
@@ -31,47 +29,50 @@ class Outcome:
     def store(
         self,
         name: Literal["rigid", "flexible"],
-        found: Equilibrium,
+        state: Equilibrium,
         rings: CondensedRings,
         *,
         converged: bool = True,
     ) -> None:
-        """Write a block; lives, regimes and notes are those of solutions only."""
-        sigma = roughness(self.case)
-        arrays = states.block(found, rings, sigma)
-        if converged:
-            smallest = states.smallest_film(found)
-            if lived := life.modified(self.case, found, smallest):
-                self.lives[name] = lived
-                arrays["modified_life"] = lived["modified_Mrev"] * states.MREV
-            if sigma is not None:
-                words = (str(word) for word in regime(lambda_ratio(smallest, sigma)))
-                self.regimes[name] = dict(zip(("inner", "outer"), words, strict=True))
-            self.notes.extend(notes.of_state(self.case, found))
-            if skewed := skew.at(self.case, found):
-                arrays.update(skew.arrays(skewed))
-                self.notes.extend(skew.notes(skewed, found, smallest))
-            if name == "flexible" and self.case.outputs.stresses:
-                self._add_stresses(arrays)
-        self.file.block(name, arrays, converged=converged)
+        """Write a block; lives, regimes, skew, stresses and notes are those of solutions only."""
+        end = EndState(state, rings, roughness(self.case))
+        block = states.block(end, **self._of_solution(name, end)) if converged else states.block(end)
+        if converged and name == "flexible" and self.case.outputs.stresses:
+            self._add_stresses(block)
+        self.file.block(name, block, converged=converged)
 
-    def _add_stresses(self, arrays: Mapping[str, ArrayLike]) -> None:
+    def _of_solution(self, name: str, end: EndState) -> dict[str, Any]:
+        """Modified life and skew of a solution; its records and notes are collected."""
+        state = end.equilibrium
+        modified = life.modified(self.case, state)
+        skewed = skew.at(self.case, state)
+        if modified:
+            self.lives[name] = modified.record()
+        if end.roughness is not None:
+            words = (str(word) for word in regime(lambda_ratio(state.minimum_film, end.roughness)))
+            self.regimes[name] = dict(zip(("inner", "outer"), words, strict=True))
+        self.notes.extend(notes.of_state(self.case, state))
+        if skewed:
+            self.notes.extend(skew.notes(skewed, state, state.minimum_film))
+        return {"life": modified, "skew": skewed}
+
+    def _add_stresses(self, block: Arrays) -> None:
         """Stresses come on top of a solution: what keeps them away is a note, and the solution stays."""
         for race in fields.parts(self.case):
             try:
-                found = fields.fields(self.case, race, "flexible", arrays)
+                part = fields.fields(self.case, race, "flexible", block)
             except fields.NoFields as problem:
                 self.notes.append(f"no stresses: {problem}")
             else:
-                self.stresses[race] = found.record()
+                self.stresses[race] = part.record()
 
     def attributes(self) -> dict[str, Any]:
         """Root attributes that the end states decide."""
-        known = [*notes.of_case(self.case), *self.notes]
-        asked = {"stresses": self.stresses} if self.case.outputs.stresses else {}
-        return asked | {
+        every_note = [*notes.of_case(self.case), *self.notes]
+        stresses = {"stresses": self.stresses} if self.case.outputs.stresses else {}
+        return stresses | {
             "clearance": clearance.record(self.case),
             "life": self.lives,
             "regimes": self.regimes,
-            "notes": list(dict.fromkeys(known)),
+            "notes": list(dict.fromkeys(every_note)),
         }

@@ -17,7 +17,7 @@ from flexbearing.rings.condensed import Rings, condensed
 from flexbearing.rings.full_solve import WholeRings, whole
 from flexbearing.rings.raceways import CondensedRings
 from flexbearing.runs import notes
-from flexbearing.runs.postprocess import Outcome
+from flexbearing.runs.postprocess import Postprocessing
 from quasidynamic import Equilibrium, RollerBearing
 
 
@@ -44,15 +44,15 @@ def solve(
     case: Case, file: ResultFile, report: Report, near: InitialState | None = None
 ) -> dict[str, object]:
     """Write iterations and blocks; returns the root attributes that say how it ended."""
-    outcome = Outcome(case, file)
-    resolved = _resolved(case, outcome, report)
-    ending = _solve(case, resolved, file, outcome, report, near)
+    postprocessing = Postprocessing(case, file)
+    resolved = _resolved(case, postprocessing, report)
+    ending = _solve(case, resolved, file, postprocessing, report, near)
     if near is not None:
-        ending |= _start(near, ending["attempts"], outcome)
-    return ending | dict(resolved.attributes) | outcome.attributes()
+        ending |= _start(near, ending["attempts"], postprocessing)
+    return ending | dict(resolved.attributes) | postprocessing.attributes()
 
 
-def _resolved(case: Case, outcome: Outcome, report: Report) -> Resolved:
+def _resolved(case: Case, postprocessing: Postprocessing, report: Report) -> Resolved:
     """At the levels of the case, or at those that its target asks for."""
     model = roller_bearing.bearing(case)
     solved = whole if case.coupling.structure == "full" else condensed
@@ -62,7 +62,7 @@ def _resolved(case: Case, outcome: Outcome, report: Report) -> Resolved:
     try:
         found = adaptive_resolution(case, report)
     except Unusable as problem:
-        outcome.notes.append(
+        postprocessing.notes.append(
             f"accuracy.target: nothing could be chosen or estimated, so the usual levels are used: {problem}"
         )
         return Resolved(model, usual.rings, {"choices": {}, "error_estimate": {}})
@@ -73,7 +73,7 @@ def _solve(
     case: Case,
     resolved: Resolved,
     file: ResultFile,
-    outcome: Outcome,
+    postprocessing: Postprocessing,
     report: Report,
     near: InitialState | None,
 ) -> dict[str, object]:
@@ -86,15 +86,15 @@ def _solve(
     except PartnerFailed as failure:
         ending = _ending("not solved", f"rigid raceways: {failure}", 0, rigid_rings)
         return ending | {"ending": failure.ending}
-    outcome.store("rigid", rigid, rigid_rings)
-    outcome.notes.extend(notes.of_choice(resolved.model))
+    postprocessing.store("rigid", rigid, rigid_rings)
+    postprocessing.notes.extend(notes.of_choice(resolved.model))
     try:
         rings = resolved.rings()
     except PartnerFailed as failure:
         return _ending("not solved", str(failure), 0, rigid_rings) | {"ending": failure.ending}
     if rings.rigid:
-        outcome.store("flexible", rigid, rigid_rings)
-        outcome.notes.extend(resolved.notes(rigid))
+        postprocessing.store("flexible", rigid, rigid_rings)
+        postprocessing.notes.extend(resolved.notes(rigid))
         ending = _ending("converged", "every part is rigid: nothing to iterate", 0, rings)
         return ending | {"ending": str(rigid.status)}
     report.stage("bearing and rings together", None)
@@ -102,19 +102,19 @@ def _solve(
     last = attempts[-1]
     final = rings.condensed if isinstance(rings, WholeRings) else rings.linearised(last.state.forces)
     converged = last.status == "converged"
-    outcome.store("flexible", last.state, final, converged=converged)
+    postprocessing.store("flexible", last.state, final, converged=converged)
     if converged:
-        outcome.notes.extend(resolved.notes(last.state))
+        postprocessing.notes.extend(resolved.notes(last.state))
     ending = _ending(last.status, last.message, last.iterations, rings)
     return ending | {"ending": last.ending, "attempts": {one.method: one.record() for one in attempts}}
 
 
-def _start(near: InitialState, attempts: Any, outcome: Outcome) -> dict[str, object]:
+def _start(near: InitialState, attempts: Any, postprocessing: Postprocessing) -> dict[str, object]:
     """Where the coupling started; a note where that is not the neighbour."""
     tried = attempts.get(WARM, {"status": "not reached", "message": "nothing was iterated"})
     if tried["status"] == "converged":
         return {"started_from": near.name}
-    outcome.notes.append(f"start {near.name}: not used: {tried['message']}")
+    postprocessing.notes.append(f"start {near.name}: not used: {tried['message']}")
     return {"started_from": "rigid raceways"}
 
 

@@ -15,59 +15,44 @@ SHARE = 0.1  # of the tractions
 POWER = 0.01  # of the driving power
 
 
-def at(case: Case, found: Equilibrium) -> Skew | None:
+def at(case: Case, state: Equilibrium) -> Skew | None:
     """Skew of the rollers at an equilibrium; None for a case without flanges."""
     flange = roller_bearing.flange(case)
     if flange is None:
         return None
-    balance, points = found.balance.roller, found.balance.points
+    balance, points = state.balance.roller, state.balance.points
     ring = points.inner_speed if flange.ring == "inner" else points.outer_speed
     running = RunningRollers(
-        slice_load=found.rollers.contact.slice_load[:, 0],
-        sliding=found.sliding,
-        entrainment=found.entrainment,
-        film=found.film,
-        rolling_shear=found.rolling_shear,
-        spin=found.roller_speed,
-        ring_speed=float(ring[0, 0]) - found.cage_speed,
+        slice_load=state.rollers.contact.slice_load[:, 0],
+        sliding=state.sliding,
+        entrainment=state.entrainment,
+        film=state.film,
+        rolling_shear=state.rolling_shear,
+        spin=state.roller_speed,
+        ring_speed=float(ring[0, 0]) - state.cage_speed,
     )
     return skewed(running, balance.raceways, balance.bearing, flange)
 
 
-def arrays(skew: Skew) -> dict[str, ArrayLike]:
-    """Datasets of a skew."""
-    return {
-        "roller_skew": skew.angle,
-        "skew_moment": skew.moments.traction,
-        "roller_thrust": skew.axial_traction.thrust,
-        "flange_force": skew.flange_forces,
-        "flange_power": skew.flange_power.sum(),
-        "skew_power": skew.axial_sliding_power.sum(),
-        "touching_skew": skew.balance.touching,
-        "skew_gap": skew.end_gap,
-        "skew_load_shift": skew.load_shift,
-        "skew_traction_change": skew.traction_change,
-    }
-
-
-def notes(skew: Skew, found: Equilibrium, smallest_film: ArrayLike) -> tuple[str, ...]:
-    """What the equilibrium would have to know of the skew, where it is more than a trifle."""
-    films = np.asarray(smallest_film)
-    gap = min(GAP, *films[films > 0])
+def notes(skew: Skew, state: Equilibrium, minimum_film: ArrayLike) -> tuple[str, ...]:
+    """What the equilibrium would have to know of the skew, where not negligible beside films (2) [m]."""
+    films = np.asarray(minimum_film)
+    smallest_gap = min(GAP, *films[films > 0])
     length = skew.balance.bearing.roller.length
     power = float(skew.flange_power.sum() + skew.axial_sliding_power.sum())
     left_out = {
-        f"changes the gap at the ends of the rollers by up to {skew.end_gap * 1e6:.3f} um": skew.end_gap
-        > gap,
+        f"changes the gap at the ends of the rollers by up to {skew.end_gap * 1e6:.3f} um": (
+            skew.end_gap > smallest_gap
+        ),
         f"asks for loads shifted by up to {skew.load_shift * 1e3:.3f} mm along the rollers": (
             skew.load_shift > SHIFT * length
         ),
         f"changes tractions by up to {100 * skew.traction_change:.0f} % of the largest": (
             skew.traction_change > SHARE
         ),
-        f"costs {power:.3g} W at flanges and raceways beside {found.driving_power:.4g} W": (
-            power > POWER * abs(found.driving_power)
+        f"costs {power:.3g} W at flanges and raceways beside {state.driving_power:.4g} W": (
+            power > POWER * abs(state.driving_power)
         ),
     }
-    words = "skew: not fed back into loads and speeds, though it"
-    return tuple(f"{words} {what}" for what, tells in left_out.items() if tells)
+    beginning = "skew: not fed back into loads and speeds, though it"
+    return tuple(f"{beginning} {effect}" for effect, worth_telling in left_out.items() if worth_telling)

@@ -18,6 +18,8 @@ from quasidynamic.outcome.losses import Losses
 from quasidynamic.outcome.ring_stiffness import Tangent
 from quasidynamic.solve.outcome import SolverOutcome
 
+UNLOADED = 1e-3  # [N] below it a contact has no film worth telling
+
 
 @dataclass(frozen=True)
 class Equilibrium:
@@ -121,6 +123,17 @@ class Equilibrium:
         """Film (2, Z) [m]."""
         return self.unknowns.film[:, 0]
 
+    @property
+    def loaded_film(self) -> NDArray:
+        """Film (2, Z) [m] of the contacts that carry load, 0 elsewhere."""
+        return np.where(self.loads > UNLOADED, self.film, 0.0)
+
+    @property
+    def minimum_film(self) -> NDArray:
+        """Smallest film (2) of the loaded contacts of each raceway [m]; 0 where none is loaded."""
+        smallest = np.where(self.loads > UNLOADED, self.film, np.inf).min(axis=1)
+        return np.where(np.isfinite(smallest), smallest, 0.0)
+
     # -- motion --------------------------------------------------------------------------------
 
     @property
@@ -156,6 +169,12 @@ class Equilibrium:
     def ring_tilt(self) -> NDArray:
         """Slopes (dz/dx, dy/dx) of the inner ring [rad]."""
         return self.unknowns.ring[TILT_Z:CAGE, 0, 0]
+
+    @property
+    def load_direction(self) -> float:
+        """Azimuth of the radial load [rad], 0 when there is none."""
+        points = self.balance.points
+        return float(np.arctan2(points.load_y[0, 0], points.load_z[0, 0]))
 
     # -- forces --------------------------------------------------------------------------------
 

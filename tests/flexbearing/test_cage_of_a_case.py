@@ -9,7 +9,7 @@ from pytest import approx
 import flexbearing
 from flexbearing import read
 from flexbearing.case import BadCase
-from flexbearing.report.tables import summary
+from flexbearing.report import summary
 from tests.flexbearing.test_trace import FALLING
 
 PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"

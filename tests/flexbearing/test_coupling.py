@@ -19,7 +19,7 @@ from flexbearing.coupling import (
 from flexbearing.coupling.acceleration import Seen
 from flexbearing.coupling.history import History, change_per_residual
 from flexbearing.coupling.loop import STAGNATION_LIMIT, Status
-from flexbearing.results.attributes import STATUSES
+from flexbearing.quantities.attributes import STATUSES
 
 
 @dataclass(frozen=True)

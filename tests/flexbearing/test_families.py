@@ -15,9 +15,10 @@ from flexbearing.case.head import KIND, Head
 from flexbearing.case.quantity import Force, Length, Section, key
 from flexbearing.cli import main
 from flexbearing.families import FAMILIES
+from flexbearing.quantities import Quantity
+from flexbearing.quantities.layout import Layout
 from flexbearing.report import text, write_figures
 from flexbearing.report.look import Look
-from flexbearing.results.layout import Dataset, Layout
 from quasidynamic import ImpossiblePart
 
 
@@ -64,7 +65,9 @@ TOY = Family(
     opening=lambda: lambda case: {},
     solve=lambda: solve,
     layout=lambda: Layout(
-        (Dataset("pressure", "", "Pa", "block", "load over projected area"),), ("rigid",), "No axes.\n"
+        conventions="No axes.\n",
+        quantities=(Quantity("pressure", "p", "", "Pa", "block", "load over projected area"),),
+        blocks=("rigid",),
     ),
     look=lambda: Look(
         summary, lambda numbers: iter([Text(f"{numbers['pressure_MPa']:g} MPa")]), lambda result: {}

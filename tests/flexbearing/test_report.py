@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from flexbearing.families import FAMILIES
+from flexbearing.quantities.reductions import loaded_arc, loaded_rollers
 from flexbearing.report import convergence, deviations, polar_loads, summary, text, write_figures
-from flexbearing.report.tables import loaded_arc, loaded_rollers
 from flexbearing.results import Result
 
 ROLLERS, SLICES = 30, 4
@@ -182,7 +182,7 @@ def test_losses_are_told_by_cause_and_add_up():
     assert flexible["driving_power_W"] == 77.0
     page = text(result())
     assert row(page, "power lost by sliding [W]") == ["10.00", "10.00", "+0.0"]
-    assert row(page, "discretisation, no heat [W]") == ["-1.00", "-1.00", "+0.0"]
+    assert row(page, "discretisation residual [W]") == ["-1.00", "-1.00", "+0.0"]
     assert row(page, "together [W]") == row(page, "driving power [W]") == ["77.00", "77.00", "+0.0"]
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from flexbearing.report.tables import LOADED
+from flexbearing.quantities.reductions import LOADED
 from flexbearing.results import Result
 
 if TYPE_CHECKING:

@@ -1,0 +1,55 @@
+"""The root attributes of a result file: texts and records that are no quantities."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+FORMAT = 5
+OLDER = {  # what the files of an older format are
+    4: "its axes are older: of balls z axial and x along the load, tilts in stiffness_matrix of rollers as "
+    "slopes; see docs/reference/axes.md",
+}
+STATUSES = ("converged", "iteration limit", "diverging", "stagnating", "not finite", "not solved")
+
+Kind = Literal["text", "texts", "integer", "number", "json"]
+
+
+@dataclass(frozen=True)
+class Attribute:
+    """One root attribute of the file."""
+
+    name: str
+    kind: Kind
+    meaning: str
+    optional: bool = False  # absent where the case does not ask for it
+
+
+COMMON = (
+    Attribute("format", "integer", f"number of this layout, {FORMAT}"),
+    Attribute("kind", "text", "family of the bearing, as in the case"),
+    Attribute("title", "text", "title of the case"),
+    Attribute("status", "text", f"how the run ended: {', '.join(STATUSES)}"),
+    Attribute("ending", "text", "how the last solve of the bearing itself ended; empty while it still ran"),
+    Attribute("message", "text", "the ending in a sentence"),
+    Attribute("iterations", "integer", "iterations of the coupling, 0 when no ring is flexible"),
+    Attribute("wall_time_s", "number", "time from case to result [s]"),
+    Attribute("case_text", "text", "the case file, letter by letter"),
+    Attribute("case_file", "text", "where the case file was; drawings lie beside it", optional=True),
+    Attribute("case_overrides", "texts", "keys set on the command line, key=value"),
+    Attribute("case_si", "json", "the whole case with its defaults, in SI units"),
+    Attribute("versions", "json", "versions of the program and of what it stands on"),
+    Attribute("assumed", "texts", "keys whose values are assumed, not known"),
+    Attribute("calibrated", "json", "keys whose values were fitted, each to what"),
+    Attribute("notes", "texts", "warnings: what left its range of validity"),
+    Attribute("created", "text", "time the run began, ISO 8601"),
+)
+HEAD = (  # root attributes that the summary of every family repeats
+    "status",
+    "iterations",
+    "wall_time_s",
+    "title",
+    "ending",
+    "message",
+    "assumed",
+    "calibrated",
+    "notes",
+)

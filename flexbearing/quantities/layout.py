@@ -1,0 +1,49 @@
+"""What the result file of one bearing family holds, and what its summary repeats."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+from flexbearing.quantities.attributes import COMMON, HEAD, Attribute
+from flexbearing.quantities.quantity import Quantity, SummaryValue, with_defaults
+
+
+@dataclass(frozen=True, kw_only=True)
+class Layout:
+    """Quantities, blocks and root attributes of one family of bearings."""
+
+    conventions: str  # axes of the arrays and directions, for the reference
+    quantities: tuple[Quantity, ...]
+    blocks: tuple[str, ...]  # that a converged run has
+    further_blocks: tuple[str, ...] = ()  # that only some cases have
+    further_attributes: tuple[Attribute, ...] = ()  # beside the common ones
+    head: tuple[str, ...] = HEAD  # root attributes that the summary repeats
+    case_keys: tuple[tuple[str, str, str], ...] = ()  # key in the block, section and key of the case
+
+    def datasets(self, place: Literal["iteration", "block"]) -> dict[str, Quantity]:
+        """Quantities of an iteration or of a block, by name.
+
+        Parameters
+        ----------
+        place : "iteration" or "block"
+            the group that is asked for
+
+        Returns
+        -------
+        dict
+            name to :class:`Quantity`, in the order of declaration
+        """
+        return {entry.name: entry for entry in self.quantities if entry.place in ("state", place)}
+
+    @property
+    def attributes(self) -> dict[str, Attribute]:
+        """Root attributes, by name."""
+        return {entry.name: entry for entry in (*COMMON, *self.further_attributes)}
+
+    @cached_property
+    def summary(self) -> tuple[SummaryValue, ...]:
+        """Values of the summary, with their quantities and units."""
+        return with_defaults(self.quantities)
+
+    def __getitem__(self, name: str) -> Quantity:
+        return self.datasets("block").get(name) or self.datasets("iteration")[name]

@@ -1,0 +1,118 @@
+"""An output quantity: what it is, where the solved model holds it, and how people see it."""
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import KW_ONLY, dataclass, replace
+from typing import Any, Literal
+
+import numpy as np
+
+Place = Literal["state", "iteration", "block"]
+
+
+@dataclass(frozen=True)
+class Unit:
+    """A unit that people read."""
+
+    name: str  # empty for plain numbers
+    scale: float = 1.0  # of a value in SI units to this unit
+
+
+def unchanged(values: np.ndarray) -> np.ndarray:
+    """The values themselves."""
+    return values
+
+
+@dataclass(frozen=True)
+class SummaryValue:
+    """A number or a list of the summary, and its row on the page if it has one."""
+
+    key: str  # in the block of the summary, with its unit; "losses_W.drag" is drag in the object losses_W
+    reduction: Callable[..., Any] = unchanged  # of the arrays of the quantities named in `of`
+    label: str = ""  # of its row on the page; empty: in the JSON summary only
+    digits: str = ""  # format specification of its row
+    _: KW_ONLY
+    of: tuple[str, ...] = ()  # quantities it is computed from; empty: the one it is declared with
+    unit: Unit | None = None  # None: that of the quantity
+    in_si: bool = False  # the summary holds it in SI units, its row in the unit for people
+    parts: tuple[str, ...] = ()  # names of its entries, such as inner and outer
+    section: str = ""  # of the page
+    error: str = ""  # name of its estimated numerical error in the attribute error_estimate
+    error_relative: bool = True  # the estimate is over the value
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """An output quantity of the model, and a dataset of the result file."""
+
+    name: str
+    symbol: str  # as in the theory pages; empty where those have none
+    axes: str  # Z rollers or balls, K slices, N unknowns, or a number, by spaces; empty for a scalar
+    unit: str  # SI
+    place: Place  # "state": in iterations and blocks; else only there
+    meaning: str  # with its sign
+    _: KW_ONLY
+    source: str = ""  # solved part and attribute that hold it, "state.loads.0"; empty: "state.<name>"
+    people: Unit | None = None  # the unit for people; None: the SI unit
+    summary: tuple[SummaryValue, ...] = ()
+    optional: bool = False  # absent where the case does not give what it needs
+    infinite: bool = False  # may hold infinities also in a solution
+    gaps: bool = False  # may hold NaN also in a solution, where its meaning says so
+
+    @property
+    def shape(self) -> tuple[str, ...]:
+        """Axes one by one, ``("Z", "K")``."""
+        return tuple(self.axes.split())
+
+    @property
+    def unit_for_people(self) -> Unit:
+        """Unit of tables and pictures."""
+        return self.people or Unit("" if self.unit == "1" else self.unit)
+
+    def for_people(self, values: Any) -> Any:
+        """Values in the unit for people, from SI units."""
+        return values * self.unit_for_people.scale
+
+
+def with_defaults(quantities: Iterable[Quantity]) -> tuple[SummaryValue, ...]:
+    """Every value of the summary in the order of declaration, its quantity's name and unit filled in."""
+    return tuple(
+        replace(value, of=value.of or (entry.name,), unit=value.unit or entry.unit_for_people)
+        for entry in quantities
+        for value in entry.summary
+    )
+
+
+def taken(quantities: Iterable[Quantity], solved: Mapping[str, Any]) -> dict[str, np.ndarray]:
+    """Take quantities from the solved parts of a model, as their `source` says.
+
+    Parameters
+    ----------
+    quantities : iterable of Quantity
+        what is wanted
+    solved : mapping
+        parts of the solution by the first word of `source`; None or missing where the case has no such part
+
+    Returns
+    -------
+    dict
+        name to array; without optional quantities of parts that are missing
+
+    Raises
+    ------
+    AttributeError
+        if a part does not have the attribute that a source names
+    """
+    values = {entry.name: _followed(entry.source or f"state.{entry.name}", solved) for entry in quantities}
+    return {name: np.asarray(value, dtype=float) for name, value in values.items() if value is not None}
+
+
+def _followed(source: str, solved: Mapping[str, Any]) -> Any:
+    """The value at a source: attributes, numbers as indices, and methods without arguments."""
+    part, *words = source.split(".")
+    value: Any = solved.get(part)
+    for word in words:
+        if value is None:
+            return None
+        value = value[int(word)] if word.isdigit() else getattr(value, word)
+        value = value() if callable(value) else value
+    return value

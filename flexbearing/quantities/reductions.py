@@ -1,0 +1,109 @@
+"""From the arrays of a result to the numbers of its summary."""
+
+import numpy as np
+
+LOADED = 1.0  # [N] a roller or ball carries load above this
+RACES = ("inner", "outer")
+
+
+def largest(values: np.ndarray) -> np.ndarray:
+    """Largest of all."""
+    return values.max()
+
+
+def largest_size(*values: np.ndarray) -> np.ndarray:
+    """Largest of all, without their signs."""
+    return np.abs(values).max()
+
+
+def length(values: np.ndarray) -> np.ndarray:
+    """Length of a vector (2)."""
+    return np.hypot(*values)
+
+
+def finite_range(values: np.ndarray) -> np.ndarray:
+    """Smallest and largest of the finite values (2); NaN without any."""
+    finite = values[np.isfinite(values)]
+    return np.array([finite.min(), finite.max()]) if finite.size else np.full(2, np.nan)
+
+
+def smallest_above_zero(*rows: np.ndarray) -> np.ndarray:
+    """Smallest of each row without the unloaded contacts, which are zero; NaN without any other."""
+    values = np.array(rows)
+    smallest = np.where(values == 0.0, np.inf, values).min(axis=1)
+    return np.where(np.isinf(smallest), np.nan, smallest)
+
+
+def loaded_rollers(load: np.ndarray) -> float:
+    """Count the rollers that carry load.
+
+    Parameters
+    ----------
+    load : array (Z)
+        load of the inner contacts [N], >= 0
+
+    Returns
+    -------
+    int
+        rollers above 1 N; NaN when a load is not finite
+    """
+    return int(np.count_nonzero(load > LOADED)) if np.isfinite(load).all() else np.nan
+
+
+def loaded_arc(azimuth: np.ndarray, load: np.ndarray) -> float:
+    """Span the smallest arc that holds every loaded roller, from the first to the last.
+
+    Parameters
+    ----------
+    azimuth : array (Z)
+        places of the rollers [rad], in any order and on any branch
+    load : array (Z)
+        load of the inner contacts [N], >= 0
+
+    Returns
+    -------
+    float
+        arc [rad]; 2 pi when every roller is loaded, 0 for fewer than two; NaN when a load is not finite
+    """
+    if not np.isfinite(load).all():
+        return np.nan
+    loaded = np.sort(azimuth[load > LOADED] % (2 * np.pi))
+    if loaded.size == load.size:
+        return 2 * np.pi
+    if loaded.size < 2:
+        return 0.0
+    # the arc is what the widest gap between neighbours leaves of the circle
+    gaps = np.diff(loaded, append=loaded[0] + 2 * np.pi)
+    return 2 * np.pi - float(gaps.max())
+
+
+def loaded_arc_in_degrees(azimuth: np.ndarray, load: np.ndarray) -> float:
+    """The loaded arc [deg], without digits that come from rounding."""
+    return np.degrees(loaded_arc(azimuth, load)).round(9)
+
+
+def along(displacement: np.ndarray, azimuth: np.ndarray) -> np.ndarray:
+    """Component of a displacement (y, z) towards an azimuth."""
+    y, z = displacement
+    return y * np.sin(azimuth) + z * np.cos(azimuth)
+
+
+def across(displacement: np.ndarray, azimuth: np.ndarray) -> np.ndarray:
+    """Component of a displacement (y, z) a quarter turn ahead of an azimuth."""
+    y, z = displacement
+    return y * np.cos(azimuth) - z * np.sin(azimuth)
+
+
+def total(*values: np.ndarray) -> np.ndarray:
+    """Sum of all."""
+    return np.sum(values)
+
+
+def stacked(*rows: np.ndarray) -> np.ndarray:
+    """Arrays of one shape as rows of one array."""
+    return np.array(rows)
+
+
+def touching_both(forces: np.ndarray) -> int:
+    """Count the rollers with a force at both ends, from the forces (2, Z) at either end."""
+    return int(np.count_nonzero((forces > 0).all(axis=0)))

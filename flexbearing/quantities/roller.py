@@ -1,0 +1,323 @@
+"""Output quantities of a cylindrical roller bearing.
+
+The page of a result shows its rows in the order of declaration.
+"""
+
+from flexbearing.quantities.attributes import HEAD, Attribute
+from flexbearing.quantities.layout import Layout
+from flexbearing.quantities.quantity import Quantity, SummaryValue, Unit
+from flexbearing.quantities.reductions import (
+    RACES,
+    across,
+    along,
+    largest,
+    largest_size,
+    length,
+    loaded_arc_in_degrees,
+    loaded_rollers,
+    smallest_above_zero,
+    stacked,
+    total,
+    touching_both,
+)
+from flexbearing.quantities.units import COUNT, DEG, KN_PER_MM, MM, MPA, MRAD, MREV, PERCENT, RPM, UM
+
+_DEVIATION = "positive outward, without local indentation and rigid translation"
+_FLANGED = "absent without [bearing.flange]"
+_NO_ROUGHNESS = "absent without roughness"
+LOSSES = ("sliding", "rolling", "drag", "pocket", "land", "churning", "transport")
+SKEW = "skew"  # section of the page
+
+CAGE_SLIP = Quantity(
+    "cage_slip", "s", "", "1", "state",
+    "1 - cage speed / cage speed in pure rolling, positive: the cage lags behind", people=PERCENT,
+    summary=(SummaryValue("cage_slip_percent", label="cage slip", digits=".2f",
+                          error="cage_slip", error_relative=False),),
+)  # fmt: skip
+
+# declarations read best as a table:
+# fmt: off
+QUANTITIES = (
+    # loads
+    Quantity("inner_load", "Q_i", "Z", "N", "state", "load of the inner contact, >= 0",
+        source="state.loads.0", summary=(
+            SummaryValue("max_roller_load_N", largest, "largest inner load", ",.1f", error="roller_load"),
+            SummaryValue("roller_loads_N"),
+        )),
+    Quantity("outer_load", "Q_o", "Z", "N", "state", "load of the outer contact, >= 0",
+        source="state.loads.1", summary=(
+            SummaryValue("max_outer_load_N", largest, "largest outer load", ",.1f", error="roller_load"),
+            SummaryValue("outer_loads_N"),
+        )),
+    Quantity("inner_slice_load", "q_i", "Z K", "N/m", "state",
+        "load per length of the inner contact, >= 0", source="state.slice_loads.0"),
+    Quantity("outer_slice_load", "q_o", "Z K", "N/m", "state",
+        "load per length of the outer contact, >= 0", source="state.slice_loads.1"),
+    Quantity("roller_azimuth", "phi", "Z", "rad", "block",
+        "place of the roller, 0 on the z axis, positive towards y", source="bearing.azimuths", people=DEG,
+        summary=(
+            SummaryValue("loaded_rollers", loaded_rollers, "loaded rollers", "d", of=("inner_load",),
+                         unit=COUNT),
+            SummaryValue("loaded_arc_deg", loaded_arc_in_degrees, "loaded arc", ".0f",
+                         of=("roller_azimuth", "inner_load"), unit=Unit("deg")),
+            SummaryValue("roller_azimuths_deg"),
+        )),
+    Quantity("slice_position", "x", "K", "m", "block",
+        "axial place of the slice's middle, 0 at mid-roller", source="state.slice_positions", people=MM),
+
+    # life
+    Quantity("life_L10", "L_10", "", "rev", "block",
+        "rating life of both raceways together, 90 % survival", source="end.life", people=MREV,
+        summary=(SummaryValue("life_L10_Mrev", label="life L10", digits=",.2f", error="life"),)),
+    Quantity("modified_life", "L_nm", "", "rev", "block",
+        "life after every factor of [life], see the attribute life; absent when nothing modifies it",
+        source="life.modified", people=MREV, optional=True,
+        summary=(SummaryValue("modified_life_Mrev", label="modified life", digits=",.2f"),)),
+
+    # stiffness and place of the ring
+    Quantity("stiffness", "k", "", "N/m", "block",
+        "radial tangent stiffness between raceways freed of their translation",
+        source="end.between_raceways.radial_stiffness", people=KN_PER_MM,
+        summary=(SummaryValue("stiffness_N_per_m", label="stiffness of the bearing", digits=",.1f",
+                              in_si=True, error="stiffness"),)),
+    Quantity("total_stiffness", "k_t", "", "N/m", "block",
+        "radial tangent stiffness from base to shaft ends, supports included",
+        source="end.with_supports.radial_stiffness", people=KN_PER_MM,
+        summary=(SummaryValue("total_stiffness_N_per_m", label="stiffness with supports", digits=",.1f",
+                              in_si=True, error="total_stiffness"),)),
+    Quantity("stiffness_matrix", "K", "5 5", "N/m, N/rad, N m/m, N m/rad", "block",
+        "tangent stiffness from base to shaft ends, supports included, x, y, z, about y, about z "
+        "(right-handed: about y is -dz/dx, about z is dy/dx); zero along x",
+        source="end.with_supports.stiffness",
+        summary=(SummaryValue("stiffness_matrix_SI"),)),
+    Quantity("compliance_matrix", "K^-1", "5 5", "m/N, m/(N m), rad/N, rad/(N m)", "block",
+        "its inverse; infinite along x, where a bearing without flanges carries nothing", infinite=True,
+        source="end.with_supports.compliance", summary=(SummaryValue("compliance_matrix_SI"),)),
+    Quantity("load_direction", "", "", "rad", "block", "azimuth that the radial load points to", people=DEG),
+    Quantity("ring_displacement", "delta", "2", "m", "state", "displacement of the inner ring (y, z)",
+        people=UM, summary=(
+            SummaryValue("displacement_along_load_um", along, "ring displacement along load", ".2f",
+                         of=("ring_displacement", "load_direction")),
+            SummaryValue("displacement_across_load_um", across, "ring displacement across load", ".2f",
+                         of=("ring_displacement", "load_direction")),
+            SummaryValue("ring_displacement_um"),
+        )),
+    Quantity("ring_tilt", "", "2", "rad", "state", "slopes of the inner ring axis (dz/dx, dy/dx)",
+        people=MRAD),
+    Quantity("ring_moment", "", "2", "N m", "block",
+        "moment on the inner ring, one for each slope of ring_tilt: applied (free) or reaction (held)"),
+    Quantity("support_translation", "", "2 2", "m", "block",
+        "rigid translation of the raceway on its support, (inner, outer) by (y, z)",
+        source="end.support_translation", people=UM),
+    Quantity("inner_deviation", "w_i", "Z K", "m", "state",
+        f"radial displacement of the inner raceway at the roller, {_DEVIATION}",
+        source="state.deviation_along_rollers.0", people=UM,
+        summary=(SummaryValue("max_raceway_deviation_um", largest_size, "largest raceway deviation", ".2f",
+                              of=("inner_deviation", "outer_deviation")),)),
+    Quantity("outer_deviation", "w_o", "Z K", "m", "state",
+        f"radial displacement of the outer raceway at the roller, {_DEVIATION}",
+        source="state.deviation_along_rollers.1", people=UM),
+    Quantity("roller_tilt", "", "Z", "rad", "state",
+        "slope of the roller axis, positive: +x end further out", people=MRAD),
+
+    # motion
+    CAGE_SLIP,
+    Quantity("cage_speed", "omega_c", "", "rad/s", "state", "speed of the cage, positive to +azimuth",
+        people=RPM, summary=(SummaryValue("cage_speed_rpm", label="cage speed", digits=",.0f"),)),
+    Quantity("cage_force", "F_c", "Z", "N", "state", "force of the cage on the roller, positive to +azimuth",
+        summary=(SummaryValue("max_pocket_force_N", largest_size, "largest pocket force", ",.2f"),)),
+    Quantity("cage_offset", "", "2", "m", "block",
+        "centre of a free cage from that of its guiding ring (y, z); absent when it is held",
+        source="state.floating.offset.0", people=UM, optional=True,
+        summary=(SummaryValue("cage_offset_um", length, "offset of the cage centre", ",.1f"),)),
+    Quantity("pocket_displacement", "", "Z", "m", "block",
+        "roller from the centre of its pocket, positive to +azimuth; absent without pocket clearance",
+        people=UM, optional=True,
+        summary=(SummaryValue("max_pocket_displacement_um", largest_size, "largest pocket displacement",
+                              ",.1f"),)),
+    Quantity("roller_speed", "w", "Z", "rad/s", "state",
+        "spin relative to the cage frame, positive when it rolls forwards on the inner ring", people=RPM),
+    Quantity("inner_sliding", "u_i", "Z", "m/s", "state",
+        "speed of the inner raceway over the roller surface, positive to +azimuth", source="state.sliding.0"),
+    Quantity("outer_sliding", "u_o", "Z", "m/s", "state",
+        "speed of the outer raceway over the roller surface, positive to +azimuth", source="state.sliding.1"),
+    Quantity("inner_traction", "T_i", "Z", "N", "state",
+        "traction of the inner raceway on the roller, positive to +azimuth", source="state.traction.0"),
+    Quantity("outer_traction", "T_o", "Z", "N", "state",
+        "traction of the outer raceway on the roller, positive to +azimuth", source="state.traction.1"),
+    Quantity("driving_torque", "", "", "N m", "block",
+        "torque that keeps the inner ring turning, positive to +azimuth",
+        summary=(SummaryValue("driving_torque_Nm", label="driving torque", digits=".4f"),)),
+
+    # contacts
+    Quantity("peak_pressure", "p", "2", "Pa", "block", "largest contact pressure (inner, outer)", people=MPA,
+        summary=(SummaryValue("peak_pressure_MPa", label="peak pressure", digits=",.0f", parts=RACES),)),
+    Quantity("inner_film", "h_i", "Z", "m", "state", "film thickness of the inner contact, 0 without load",
+        source="state.loaded_film.0", people=UM),
+    Quantity("outer_film", "h_o", "Z", "m", "state", "film thickness of the outer contact, 0 without load",
+        source="state.loaded_film.1", people=UM),
+    Quantity("minimum_film", "h", "2", "m", "block", "smallest film of a loaded contact (inner, outer)",
+        people=UM,
+        summary=(SummaryValue("minimum_film_um", label="smallest film", digits=".3f", parts=RACES),)),
+    Quantity("inner_film_ratio", "Lambda_i", "Z", "1", "block",
+        f"film over composite roughness of the inner contact, 0 without load; {_NO_ROUGHNESS}",
+        source="end.film_ratio.0", optional=True,
+        summary=(
+            SummaryValue("minimum_lambda", smallest_above_zero, "smallest film ratio", ".2f", parts=RACES,
+                         of=("inner_film_ratio", "outer_film_ratio")),
+            SummaryValue("lambda_ratios", stacked, parts=RACES, of=("inner_film_ratio", "outer_film_ratio")),
+        )),
+    Quantity("outer_film_ratio", "Lambda_o", "Z", "1", "block",
+        f"film over composite roughness of the outer contact, 0 without load; {_NO_ROUGHNESS}",
+        source="end.film_ratio.1", optional=True),
+
+    # power
+    Quantity("loss_sliding", "", "", "W", "block", "power lost by sliding of the raceways on the rollers",
+        source="losses.sliding",
+        summary=(SummaryValue("power_loss_W.sliding", label="power lost by sliding", digits=",.2f"),)),
+    Quantity("loss_rolling", "", "", "W", "block", "power lost by the shear of the inlets",
+        source="losses.rolling",
+        summary=(SummaryValue("power_loss_W.rolling", label="  rolling shear", digits=",.2f"),)),
+    Quantity("loss_drag", "", "", "W", "block", "power lost by drag of the mixture on the orbiting rollers",
+        source="losses.drag",
+        summary=(SummaryValue("power_loss_W.drag", label="  drag of the mixture", digits=",.2f"),)),
+    Quantity("loss_pocket", "", "", "W", "block", "power lost by friction of the rollers in the pockets",
+        source="losses.pocket",
+        summary=(SummaryValue("power_loss_W.pocket", label="  pocket friction", digits=",.2f"),)),
+    Quantity("loss_land", "", "", "W", "block", "power lost at the guiding land of the cage",
+        source="losses.land",
+        summary=(SummaryValue("power_loss_W.land", label="  cage land", digits=",.2f"),)),
+    Quantity("loss_churning", "", "", "W", "block", "power lost by churning around the spinning rollers",
+        source="losses.churning",
+        summary=(SummaryValue("power_loss_W.churning", label="  churning", digits=",.2f"),)),
+    Quantity("loss_transport", "", "", "W", "block",
+        "discretisation residual, no loss: what the differences of the roller spins from azimuth to azimuth "
+        "leave; may be negative", source="losses.transport",
+        summary=(
+            SummaryValue("power_loss_W.transport", label="  discretisation residual", digits=",.2f"),
+            SummaryValue("power_loss_W.total", total, "  together", ",.2f",
+                         of=tuple(f"loss_{cause}" for cause in LOSSES)),
+        )),
+    Quantity("driving_power", "", "", "W", "block", "power that the rings put in, the sum of all losses",
+        summary=(SummaryValue("driving_power_W", label="driving power", digits=",.2f"),)),
+
+    # skew between guide flanges
+    Quantity("roller_skew", "psi", "Z", "rad", "block",
+        "turn of the roller about its radial axis, positive: +x end leads towards +azimuth; "
+        f"{_FLANGED}", source="skew.angle", people=MRAD, optional=True,
+        summary=(
+            SummaryValue("skew.max_skew_mrad", largest_size, "largest skew", ".4f", section=SKEW),
+            SummaryValue("skew.roller_skew_mrad"),
+        )),
+    Quantity("touching_skew", "psi_0", "", "rad", "block",
+        f"skew at which a roller meets both flanges; {_FLANGED}", source="skew.balance.touching",
+        people=MRAD, optional=True,
+        summary=(SummaryValue("skew.touching_skew_mrad", label="skew that touches both flanges",
+                              digits=".4f", section=SKEW),)),
+    Quantity("skew_moment", "M_T", "Z", "N m", "block",
+        f"moment of tractions and inlet shears towards positive skew; {_FLANGED}",
+        source="skew.moments.traction", optional=True, summary=(SummaryValue("skew.skew_moments_Nm"),)),
+    Quantity("roller_thrust", "F_x", "Z", "N", "block",
+        f"axial traction of both raceways on the skewed roller, positive to +x; {_FLANGED}",
+        source="skew.axial_traction.thrust", optional=True, summary=(SummaryValue("skew.roller_thrusts_N"),)),
+    Quantity("flange_force", "N", "2 Z", "N", "block",
+        f"force of the flange at the -x and at the +x end on the roller, >= 0; {_FLANGED}",
+        source="skew.flange_forces", optional=True,
+        summary=(
+            SummaryValue("skew.rollers_on_both_flanges", touching_both, "rollers on both flanges", "d",
+                         unit=COUNT, section=SKEW),
+            SummaryValue("skew.max_flange_force_N", largest, "largest flange force", ".4g", section=SKEW),
+            SummaryValue("skew.flange_forces_N"),
+        )),
+    Quantity("flange_power", "", "", "W", "block",
+        f"heat of the friction at the flanges, comes on top of the driving power; {_FLANGED}",
+        source="skew.flange_power.sum", optional=True,
+        summary=(SummaryValue("skew.flange_power_W", label="friction at the flanges", digits=".4g",
+                              section=SKEW),)),
+    Quantity("skew_power", "", "", "W", "block",
+        "heat of the axial sliding of skewed rollers on the raceways, comes on top of the driving power; "
+        f"{_FLANGED}", source="skew.axial_sliding_power.sum", optional=True,
+        summary=(SummaryValue("skew.sideways_power_W", label="axial sliding on the raceways", digits=".4g",
+                              section=SKEW),)),
+    Quantity("skew_gap", "", "", "m", "block",
+        f"largest change of the gap at a roller's end by skew, which the loads do not know of; {_FLANGED}",
+        source="skew.end_gap", people=UM, optional=True,
+        summary=(SummaryValue("skew.end_gap_um", label="left out: gap at the roller ends", digits=".4f",
+                              section=SKEW),)),
+    Quantity("skew_load_shift", "", "", "m", "block",
+        "largest shift between outer and inner load of a roller that axial tractions and flange forces "
+        f"ask for, which the tilt does not know of; {_FLANGED}", source="skew.load_shift", people=MM,
+        optional=True,
+        summary=(SummaryValue("skew.load_shift_mm", label="left out: shift of the loads", digits=".4f",
+                              section=SKEW),)),
+    Quantity("skew_traction_change", "", "", "1", "block",
+        "largest change of a traction by skew at the same sliding / largest traction, which the speeds "
+        f"do not know of; {_FLANGED}", source="skew.traction_change", people=PERCENT, optional=True,
+        summary=(SummaryValue("skew.traction_change_percent", label="left out: change of tractions",
+                              digits=".3g", section=SKEW),)),
+
+    # iterations of the coupling
+    Quantity("load_change", "", "", "1", "iteration", "largest change of a roller load / largest load",
+        source="step.load_change"),
+    Quantity("mismatch", "", "", "1", "iteration",
+        "what the structure answers less the deviation that the bearing was given / largest deviation; "
+        "0 where both are one system", source="step.mismatch"),
+    Quantity("residual", "", "", "1", "iteration", "largest unbalanced force / applied load"),
+    Quantity("seconds", "", "", "s", "iteration", "time that the iteration took", source="seconds"),
+    Quantity("unknowns", "", "N", "m, rad, rad/s", "block",
+        "where a neighbouring case may start: ring displacement (y, z) and slopes, cage speed less that "
+        "of pure rolling; then, Z each, approach and tilt approach of the rollers at the outer raceway, "
+        "inner film, outer film, spin less that of pure rolling; then Legendre coefficients of the "
+        "outward deviations of the inner and the outer raceway, roller by roller", source="end.unknowns"),
+)
+# fmt: on
+
+_ATTRIBUTES = (
+    Attribute("method", "text", "method of the coupling"),
+    Attribute("attempts", "json", "methods of the coupling in the order they were tried, with their ends"),
+    Attribute(
+        "started_from",
+        "text",
+        "result of a neighbouring case whose flexible end state the coupling started from, or rigid raceways "
+        "where that failed; absent where none was asked for",
+        optional=True,
+    ),
+    Attribute("clearance", "json", "operating clearance, with the steps that led to it when it was computed"),
+    Attribute("life", "json", "factors of [life] with value and note, and the modified life; by block"),
+    Attribute("regimes", "json", "lubrication regime of inner and outer raceway; by block"),
+    Attribute("structure", "json", "figures of the finite elements: unknowns, seconds per stage"),
+    Attribute(
+        "stresses",
+        "json",
+        "largest stresses of the flexible parts at the end state, and the stiffness of their supports; "
+        "absent without outputs.stresses",
+        optional=True,
+    ),
+    Attribute(
+        "choices",
+        "json",
+        "levels that accuracy.target led to, by choice: the level, whether the case fixes it, the level it "
+        "was compared with, the changes found, the error over a change, and the error allowed; absent "
+        "without a target",
+        optional=True,
+    ),
+    Attribute(
+        "error_estimate",
+        "json",
+        "estimated numerical errors of the flexible block, over the values but for the cage slip; the "
+        "target, and whether it is met; absent without a target, empty where nothing could be estimated",
+        optional=True,
+    ),
+)
+
+LAYOUT = Layout(
+    conventions="""\
+Axes: Z rollers, K slices along a roller, N unknowns. Directions: x axial, z along the load unless
+`operation.load_direction` turns the load; azimuth from z towards y, which is the way a positive speed turns.
+A pair is (inner, outer) or (y, z) as stated.
+""",
+    quantities=QUANTITIES,
+    blocks=("rigid", "flexible"),
+    further_attributes=_ATTRIBUTES,
+    head=(*HEAD, "method", "clearance", "life", "regimes", "stresses", "choices", "error_estimate"),
+)

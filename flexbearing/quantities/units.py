@@ -1,0 +1,16 @@
+"""Units that people read in tables and pictures, from values in SI units."""
+
+import numpy as np
+
+from flexbearing.quantities.quantity import Unit
+
+COUNT = Unit("")
+PERCENT = Unit("%", 100)
+DEG = Unit("deg", 180 / np.pi)
+MRAD = Unit("mrad", 1e3)
+UM = Unit("um", 1e6)
+MM = Unit("mm", 1e3)
+RPM = Unit("rpm", 30 / np.pi)
+MPA = Unit("MPa", 1e-6)
+KN_PER_MM = Unit("kN/mm", 1e-6)
+MREV = Unit("Mrev", 1e-6)

@@ -1,0 +1,36 @@
+"""Rows of a page: labels and numbers of summary values, as their declarations say."""
+
+from typing import Any
+
+from flexbearing.quantities import SummaryValue, Unit
+from flexbearing.quantities.layout import Layout
+
+
+def rows(layout: Layout, section: str = "") -> list[SummaryValue]:
+    """Values of the summary with a row in a section of the page, in the order of declaration."""
+    return [entry for entry in layout.summary if entry.label and entry.section == section]
+
+
+def label(entry: SummaryValue, part: str = "") -> str:
+    """Label of a row with its unit: "peak pressure, inner [MPa]"."""
+    unit = unit_of(entry).name
+    return entry.label + (f", {part}" if part else "") + (f" [{unit}]" if unit else "")
+
+
+def value(entry: SummaryValue, block: dict[str, Any] | None, part: str = "") -> Any:
+    """Value of a row in the unit of its label, from a block of the summary; None if it is not known."""
+    number: Any = block
+    for key in (*entry.key.split("."), *([part] if part else [])):
+        number = None if number is None else number[key]
+    return number * unit_of(entry).scale if entry.in_si and number is not None else number
+
+
+def shown(entry: SummaryValue, number: Any) -> str:
+    """A number as its declaration formats it; a dash if it is not known."""
+    return "-" if number is None else format(number, entry.digits)
+
+
+def unit_of(entry: SummaryValue) -> Unit:
+    """The unit of a value, which every layout fills in."""
+    assert entry.unit is not None
+    return entry.unit

@@ -1,0 +1,77 @@
+"""The numbers of a result in the units people use, as its quantities declare them."""
+
+from typing import Any
+
+import numpy as np
+
+from flexbearing.quantities import SummaryValue
+from flexbearing.quantities.layout import Layout
+from flexbearing.results import Arrays, Result
+
+
+def summary(result: Result, layout: Layout) -> dict[str, Any]:
+    """Numbers of a run as one object that JSON can hold.
+
+    Parameters
+    ----------
+    result : Result
+        what the run left behind
+    layout : Layout
+        of its family
+
+    Returns
+    -------
+    dict
+        root attributes, and the blocks ``rigid`` and ``flexible``; a name carries its unit. None stands for
+        a number that is not finite, for one that the case does not ask for, and for a block that was never
+        solved.
+    """
+    head = {name: plain(result.attributes.get(name)) for name in layout.head}
+    blocks = {"rigid": result.rigid, "flexible": result.flexible}
+    settings = {key: result.attributes["case_si"][table][name] for key, table, name in layout.case_keys}
+    return head | {
+        name: settings | block(values, layout) if values else None for name, values in blocks.items()
+    }
+
+
+def block(values: Arrays, layout: Layout) -> dict[str, Any]:
+    """Summary of an end state; a key with a dot is in an object, which is None where all in it is."""
+    numbers: dict[str, Any] = {}
+    for entry in layout.summary:
+        group, _, key = entry.key.rpartition(".")
+        (numbers.setdefault(group, {}) if group else numbers)[key] = plain(number(entry, values))
+    return {key: None if _is_empty(value) else value for key, value in numbers.items()}
+
+
+def number(entry: SummaryValue, values: Arrays) -> Any:
+    """A value of the summary, from the arrays of a block; None if one it needs is absent."""
+    if any(name not in values for name in entry.of):
+        return None
+    value = entry.reduction(*(values[name] for name in entry.of))
+    assert entry.unit is not None  # a layout fills it in
+    if entry.unit.scale != 1 and not entry.in_si:
+        value = value * entry.unit.scale
+    return dict(zip(entry.parts, value, strict=True)) if entry.parts else value
+
+
+def plain(value: Any) -> Any:
+    """Python's own lists and numbers, None for what JSON cannot hold."""
+    if isinstance(value, np.ndarray | np.generic):
+        value = value.tolist()
+    if isinstance(value, dict) or hasattr(value, "items"):
+        return {str(key): plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [plain(item) for item in value]
+    if isinstance(value, float) and not np.isfinite(value):
+        return None
+    return value
+
+
+def _is_empty(value: Any) -> bool:
+    return isinstance(value, dict) and all(item is None for item in value.values())
+
+
+def both_races(pair: Any) -> dict[str, Any]:
+    """Name the values of both races."""
+    inner, outer = pair
+    return {"inner": inner, "outer": outer}
