@@ -61,21 +61,21 @@ class AngularContactBallBearing:
         NotSolved
             with the outcome: nothing holds the ring, or no balance found
         """
-        found = self.solve_many([operation])[0]
-        if isinstance(found, NotSolved):
-            raise found
-        return found
+        state = self.solve_many([operation])[0]
+        if isinstance(state, NotSolved):
+            raise state
+        return state
 
     def solve_many(self, operations: Sequence[RingOperation]) -> list[AngularContactState | NotSolved]:
         """Balance at several operating points side by side; an error stands in its place."""
         balance = self._balance(operations)
-        found = solve(balance)
-        balls, ring = found.forces(balance)
+        solution = solve(balance)
+        balls, ring = solution.forces(balance)
         kinematics, scale, heat = balls.kinematics, self._scale, self._heat(balance, balls)
         states: list[AngularContactState | NotSolved] = []
         for case, operation in enumerate(operations):
-            if found.outcomes[case] is not SolverOutcome.CONVERGED:
-                states.append(_not_solved(operation, found.outcomes[case], found.imbalance[case]))
+            if solution.outcomes[case] is not SolverOutcome.CONVERGED:
+                states.append(_not_solved(operation, solution.outcomes[case], solution.imbalance[case]))
                 continue
             if self._too_wide(balls.contacts.loads[:, case]):
                 states.append(_too_heavy(operation))
@@ -85,7 +85,7 @@ class AngularContactBallBearing:
                     bearing=self.bearing,
                     operation=operation,
                     contacts=balance.contacts,
-                    ring_displacement=found.ring[case] / scale,
+                    ring_displacement=solution.ring[case] / scale,
                     ring_load=ring.carried[case] * scale,
                     stiffness=ring.stiffness[case] * np.outer(scale, scale),
                     contact_angles=balls.contacts.angles[:, case],
@@ -97,7 +97,7 @@ class AngularContactBallBearing:
                     yaw=kinematics.yaw[case],
                     centrifugal_force=kinematics.centrifugal[case],
                     gyroscopic_moment=kinematics.gyroscopic[case],
-                    evaluations=int(found.evaluations[case]),
+                    evaluations=int(solution.evaluations[case]),
                     friction=self.friction,
                     friction_heat=None if heat is None else heat[case],
                 )
@@ -134,9 +134,9 @@ class AngularContactBallBearing:
         return np.array([1.0, 1.0, 1.0, radius, radius])
 
     def _balance(self, operations: Sequence[RingOperation]) -> AngularBalance:
-        given = [operation.displacement for operation in operations]
-        held = np.array([[value is not None for value in values] for values in given])
-        place = np.array([[value or 0.0 for value in values] for values in given])
+        displacements = [operation.displacement for operation in operations]
+        held = np.array([[value is not None for value in values] for values in displacements])
+        place = np.array([[value or 0.0 for value in values] for values in displacements])
         speeds = np.array([[operation.inner_speed, operation.outer_speed] for operation in operations])
         return AngularBalance(
             bearing=self.bearing,

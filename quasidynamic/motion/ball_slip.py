@@ -238,7 +238,7 @@ def turning_slip_by_motion(contacts: BallContacts) -> NDArray:
     ------
     Rigid bodies: (omega - Omega e_x) x p across the rolling direction.
     """
-    found = np.zeros((*contacts.angle.shape, 5, 4))
-    found[..., :3, :TURN] = slip_by_motion(contacts)
-    found[..., 3, TURN], found[..., 4, TURN] = contacts.height, 1.0
-    return found
+    slip = np.zeros((*contacts.angle.shape, 5, 4))
+    slip[..., :3, :TURN] = slip_by_motion(contacts)
+    slip[..., 3, TURN], slip[..., 4, TURN] = contacts.height, 1.0
+    return slip

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 Control = Literal["outer", "inner", "equal"]  # race on which the ball does not spin, or as much on both
 
 
-class Rated(NamedTuple):
+class WithSlopes(NamedTuple):
     """A quantity with its derivatives by the inner and by the outer contact angle."""
 
     value: NDArray  # (...)
@@ -18,12 +18,14 @@ class Rated(NamedTuple):
 class BallMotion(NamedTuple):
     """Orbit, spin and attitude of a ball."""
 
-    orbit: Rated  # [rad/s] positive like the rings
-    spin: Rated  # [rad/s] in the orbiting frame; positive where the inner ring runs ahead of the outer one
-    attitude: Rated  # [rad] of the spin axis to the shaft, positive like the contact angles
+    orbit: WithSlopes  # [rad/s] positive like the rings
+    spin: (
+        WithSlopes  # [rad/s] in the orbiting frame; positive where the inner ring runs ahead of the outer one
+    )
+    attitude: WithSlopes  # [rad] of the spin axis to the shaft, positive like the contact angles
 
 
-def ball_attitude(angles: NDArray, ratio: float, control: Control) -> Rated:
+def ball_attitude(angles: NDArray, ratio: float, control: Control) -> WithSlopes:
     r"""Angle between spin axis and shaft under raceway control.
 
     .. math:: \tan\beta = \frac{\sin\alpha_o}{\cos\alpha_o + \gamma}\ \text{(outer)},\quad
@@ -41,7 +43,7 @@ def ball_attitude(angles: NDArray, ratio: float, control: Control) -> Rated:
 
     Returns
     -------
-    Rated
+    WithSlopes
         beta [rad]
 
     Source
@@ -54,11 +56,11 @@ def ball_attitude(angles: NDArray, ratio: float, control: Control) -> Rated:
     An assumption about friction, not a balance: good for loaded balls in thin films.
     """
     if control == "equal":
-        return Rated(0.5 * (angles[0] + angles[1]), np.full(np.shape(angles), 0.5))
+        return WithSlopes(0.5 * (angles[0] + angles[1]), np.full(np.shape(angles), 0.5))
     race, side = (1, ratio) if control == "outer" else (0, -ratio)
     cosine, slopes = np.cos(angles[race]), np.zeros(np.shape(angles))
     slopes[race] = (1 + side * cosine) / ((1 + ratio**2) + 2 * side * cosine)
-    return Rated(np.arctan2(np.sin(angles[race]), cosine + side), slopes)
+    return WithSlopes(np.arctan2(np.sin(angles[race]), cosine + side), slopes)
 
 
 def ball_motion(
@@ -106,28 +108,29 @@ def ball_motion(
     side = np.array([-ratio, ratio]).reshape(2, *[1] * (np.ndim(angles) - 1))
     reach, ahead = 1 + side * np.cos(angles), angles - attitude.value
     share, turn = np.cos(ahead) / reach, np.sin(ahead) / reach  # p and its slope by beta
-    own = side * np.sin(angles) / reach * share - turn  # slope of p by its own angle
+    by_angle = side * np.sin(angles) / reach * share - turn  # slope of p by its own angle
     inner, outer = share
     apart, total = inner_speed - outer_speed, inner + outer
     spin, lead = apart / (ratio * total), apart / total**2
-    by_own = own * share[::-1]
-    by_own[0] *= -1
-    orbit = Rated(
+    orbit_by_angle = by_angle * share[::-1]
+    orbit_by_angle[0] *= -1
+    orbit = WithSlopes(
         outer_speed + apart * outer / total,
-        lead * ((turn[1] * inner - turn[0] * outer) * attitude.slopes + by_own),
+        lead * ((turn[1] * inner - turn[0] * outer) * attitude.slopes + orbit_by_angle),
     )
     slower = -spin / total
-    return BallMotion(orbit, Rated(spin, slower * ((turn[0] + turn[1]) * attitude.slopes + own)), attitude)
+    spin_slopes = slower * ((turn[0] + turn[1]) * attitude.slopes + by_angle)
+    return BallMotion(orbit, WithSlopes(spin, spin_slopes), attitude)
 
 
-def centrifugal_force(orbit: Rated, mass: float, pitch_diameter: float) -> Rated:
+def centrifugal_force(orbit: WithSlopes, mass: float, pitch_diameter: float) -> WithSlopes:
     r"""Force that a ball on its orbit exerts outwards.
 
     .. math:: F_c = \tfrac12 m d_m \omega_m^2
 
     Parameters
     ----------
-    orbit : Rated
+    orbit : WithSlopes
         omega_m, orbital speed (...) [rad/s]
     mass : float
         m of the ball [kg]
@@ -136,7 +139,7 @@ def centrifugal_force(orbit: Rated, mass: float, pitch_diameter: float) -> Rated
 
     Returns
     -------
-    Rated
+    WithSlopes
         F_c [N]
 
     Source
@@ -148,10 +151,10 @@ def centrifugal_force(orbit: Rated, mass: float, pitch_diameter: float) -> Rated
     Ball centres on the pitch circle; their displacement under load is left out.
     """
     inertia = mass * pitch_diameter
-    return Rated(0.5 * inertia * orbit.value**2, inertia * orbit.value * orbit.slopes)
+    return WithSlopes(0.5 * inertia * orbit.value**2, inertia * orbit.value * orbit.slopes)
 
 
-def gyroscopic_moment(motion: BallMotion, inertia: float) -> Rated:
+def gyroscopic_moment(motion: BallMotion, inertia: float) -> WithSlopes:
     r"""Moment that turns the spin axis of a ball once per orbit.
 
     .. math:: M_g = J\, \omega_m\, \omega_R \sin\beta
@@ -167,7 +170,7 @@ def gyroscopic_moment(motion: BallMotion, inertia: float) -> Rated:
 
     Returns
     -------
-    Rated
+    WithSlopes
         M_g [N m], positive where the inner ring alone turns and beta is positive
 
     Source
@@ -178,7 +181,7 @@ def gyroscopic_moment(motion: BallMotion, inertia: float) -> Rated:
     (orbit, orbit_slopes), (spin, spin_slopes), (attitude, attitude_slopes) = motion
     sine, momentum = np.sin(attitude), inertia * orbit * spin
     slopes = inertia * sine * (orbit_slopes * spin + orbit * spin_slopes)
-    return Rated(momentum * sine, slopes + momentum * np.cos(attitude) * attitude_slopes)
+    return WithSlopes(momentum * sine, slopes + momentum * np.cos(attitude) * attitude_slopes)
 
 
 def spin_to_roll(

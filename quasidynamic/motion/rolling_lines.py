@@ -163,11 +163,9 @@ def slip_velocity(
     ------
     Jones, J. Basic Eng. 81 (1959); Rivera, Tong and Hong (2021), Eqs (1) and (2), with their spin (7), (8).
     """
-    here, there = np.asarray(position) * semi_axis, lines.second * semi_axis
-    height = (there**2 - here**2) / (
-        np.sqrt(section_radius**2 - here**2) + np.sqrt(section_radius**2 - there**2)
-    )
-    return rolling * (height - spin_to_roll * (here - there))
+    x, line = np.asarray(position) * semi_axis, lines.second * semi_axis
+    height = (line**2 - x**2) / (np.sqrt(section_radius**2 - x**2) + np.sqrt(section_radius**2 - line**2))
+    return rolling * (height - spin_to_roll * (x - line))
 
 
 def spin_torque_factor(lines: RollingLines) -> NDArray:

@@ -6,7 +6,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.balls.light_ball import GRIP, SEEN_WHOLE
+from quasidynamic.balance.balls.light_ball import FULL_ANGLE, FULL_GRIP
 from quasidynamic.contact.ellipse.point_contact import INNER, OUTER, PointContact
 from quasidynamic.motion.ball_speeds import Control, ball_attitude, spin_to_roll
 from quasidynamic.motion.rolling_lines import (
@@ -113,7 +113,7 @@ class AngularContactState:
         ------
         Rivera, Tong and Hong (2021); see `quasidynamic.motion.rolling_lines`.
         """
-        touching, own = np.flatnonzero((self.loads > 0).all(0)), self.bearing
+        touching, bearing = np.flatnonzero((self.loads > 0).all(0)), self.bearing
         loads, angles, attitude = (
             self.loads[:, touching],
             self.contact_angles[:, touching],
@@ -121,13 +121,14 @@ class AngularContactState:
         )
         side = np.array([[INNER], [OUTER]])
         across, along = (axis[:, touching] for axis in self.semi_axes)
-        ratio = own.diameter_ratio
+        ratio = bearing.diameter_ratio
         ratios = spin_to_roll(angles, angles if spin == "contact angle" else attitude, ratio, side)
-        radius = hertz_section_radius(own.ball.diameter, [[own.inner.conformity], [own.outer.conformity]])
+        conformity = [[bearing.inner.conformity], [bearing.outer.conformity]]
+        radius = hertz_section_radius(bearing.ball.diameter, conformity)
         parameter = spin_parameter(ratios, radius, across)
         net = np.zeros_like(loads)
         if friction == "balanced":
-            net = ball_friction(parameter, loads, across, angles - attitude, own.ball.diameter)
+            net = ball_friction(parameter, loads, across, angles - attitude, bearing.ball.diameter)
         rings = np.array([[self.operation.inner_speed], [self.operation.outer_speed]])
         return RollingContact(
             balls=touching,
@@ -155,12 +156,12 @@ class AngularContactState:
         decides, see `CoulombControl`, they are pressed too lightly.
         """
         apart = np.abs(self.contact_angles[0] - self.contact_angles[1])
-        pressed = self.loads[0] > GRIP * self.centrifugal_force
+        pressed = self.loads[0] > FULL_GRIP * self.centrifugal_force
         if self.friction is not None:
             return pressed
-        wanted = 2 * np.abs(self.gyroscopic_moment) / self.bearing.ball.diameter
-        held = np.abs(self.tractions.sum(0)) >= (1 - 1e-9) * wanted
-        return (apart <= SEEN_WHOLE) & pressed & held
+        needed = 2 * np.abs(self.gyroscopic_moment) / self.bearing.ball.diameter
+        held = np.abs(self.tractions.sum(0)) >= (1 - 1e-9) * needed
+        return (apart <= FULL_ANGLE) & pressed & held
 
     @property
     def upright(self) -> NDArray:

@@ -8,10 +8,10 @@ from pytest import approx
 from quasidynamic.balance.balls.angular_contact import AngularBalance, race_contacts
 from quasidynamic.balance.balls.ball_position import groove_arm
 from quasidynamic.balance.balls.light_ball import (
-    SEEN_WHOLE,
-    STEADY,
-    STRONGEST,
-    WIDEST,
+    FULL_ANGLE,
+    FULL_TRACTION,
+    LARGEST_ANGLE,
+    LARGEST_TRACTION,
     grip,
     held_traction,
     limited_angle,
@@ -97,8 +97,8 @@ def test_distance_from_a_groove_is_convex(one, other, part):
 @given(st.floats(-3.1, 3.1))
 def test_angle_of_the_kinematics_is_exact_then_bounded(apart):
     (seen, slope), step = limited_angle(np.array([apart])), 1e-6
-    assert abs(seen[0]) <= min(abs(apart), WIDEST)
-    if abs(apart) <= SEEN_WHOLE:
+    assert abs(seen[0]) <= min(abs(apart), LARGEST_ANGLE)
+    if abs(apart) <= FULL_ANGLE:
         assert seen[0] == apart
     ahead, behind = (limited_angle(np.array([apart + s]))[0] for s in (step, -step))
     assert slope == approx((ahead - behind) / (2 * step), abs=1e-5)
@@ -110,8 +110,8 @@ def test_traction_is_all_that_is_wanted_then_bounded(wanted, load):
         return held_traction(np.array([wanted]), np.array([load]))
 
     (held, by_wanted, by_load), step = traction(wanted, load), 1e-6
-    assert abs(held[0]) <= STRONGEST * load * (1 + 1e-12)
-    if abs(wanted) <= STEADY * load:
+    assert abs(held[0]) <= LARGEST_TRACTION * load * (1 + 1e-12)
+    if abs(wanted) <= FULL_TRACTION * load:
         assert held[0] == wanted
     slope = (traction(wanted + step, load)[0] - traction(wanted - step, load)[0]) / (2 * step)
     assert by_wanted == approx(slope, abs=1e-4)

@@ -325,5 +325,7 @@ def test_imbalance_is_told_over_the_largest_force():
     ring, centres = start(replace(balance, load=1.1 * balance.load))
     found = balance_balls(balance, balance.grooves(ring), centres)
     state = _at(balance, ring, found)
-    assert state.imbalance[0] == approx(np.abs(state.balance.excess).max() / found.sizes.largest[0], rel=1e-6)
+    assert state.imbalance[0] == approx(
+        np.abs(state.balance.excess).max() / found.scales.largest[0], rel=1e-6
+    )
     assert 0.01 < state.imbalance[0] < 0.2

@@ -112,15 +112,15 @@ class AngularBalance:
     @cached_property
     def unloaded_groove(self) -> complex:
         """Inner groove centre from the outer one where a ball just touches both races [m]."""
-        own, angle = self.bearing, self.bearing.contact_angle
-        return (own.inner_reach + own.outer_reach) * complex(np.sin(angle), np.cos(angle))
+        bearing, angle = self.bearing, self.bearing.contact_angle
+        return (bearing.inner_reach + bearing.outer_reach) * complex(np.sin(angle), np.cos(angle))
 
     @cached_property
     def free_centrifugal(self) -> NDArray:
         """F_c of balls that lie on the outer race alone, at its bottom (C, 1) [N]."""
-        own = self.bearing
-        orbit = rolling_cage_speed(self.speeds[0], self.speeds[1], own.diameter_ratio)
-        return 0.5 * own.ball.mass * own.pitch_diameter * orbit**2
+        bearing = self.bearing
+        orbit = rolling_cage_speed(self.speeds[0], self.speeds[1], bearing.diameter_ratio)
+        return 0.5 * bearing.ball.mass * bearing.pitch_diameter * orbit**2
 
     @cached_property
     def pulled(self) -> NDArray:
@@ -140,8 +140,8 @@ class AngularBalance:
     @cached_property
     def places(self) -> BallPlaces:
         """Where balls lie, wedge or are pressed."""
-        own = self.bearing
-        return BallPlaces(own.inner_reach, own.outer_reach, *self.contacts, self.free_centrifugal)
+        bearing = self.bearing
+        return BallPlaces(bearing.inner_reach, bearing.outer_reach, *self.contacts, self.free_centrifugal)
 
     # -- balance -------------------------------------------------------------------------------
 
@@ -181,10 +181,9 @@ class AngularBalance:
     @cached_property
     def _reach_and_coefficient(self) -> NDArray:
         """Lengths [m] from which contacts carry, and their K [N/m^1.5]; (2, 2, 1, 1)."""
-        own, (inner, outer) = self.bearing, self.contacts
-        return np.array([own.inner_reach, own.outer_reach, inner.coefficient, outer.coefficient]).reshape(
-            2, 2, 1, 1
-        )
+        bearing, (inner, outer) = self.bearing, self.contacts
+        reach = bearing.inner_reach, bearing.outer_reach
+        return np.array([*reach, inner.coefficient, outer.coefficient]).reshape(2, 2, 1, 1)
 
     def ring(self, balls: BallBalance, follow: Vectors) -> RingBalance:
         """Balance of the inner ring; `follow` (2, C, Z) is the move of a ball per move of its groove."""
@@ -213,26 +212,25 @@ class AngularBalance:
     @cached_property
     def ring_to_lever(self) -> NDArray:
         """Move of the inner contacts against the balls by the tilt of the section (Z, 5)."""
-        own = self.bearing
-        lever = own.inner.conformity * own.ball.diameter / own.inner_groove_radius
+        bearing = self.bearing
+        lever = bearing.inner.conformity * bearing.ball.diameter / bearing.inner_groove_radius
         return lever * self.ring_to_groove.real * [0.0, 0.0, 0.0, 1.0, 1.0]
 
 
 def race_contacts(bearing: AngularContactBearing) -> tuple[PointContact, PointContact]:
     """Hertz contacts with the inner and with the outer race, at the unloaded contact angle."""
-    own = bearing
     inner, outer = (
         point_contact(
             race_curvatures(
-                own.ball.diameter,
-                groove.conformity * own.ball.diameter,
-                own.pitch_diameter,
-                own.contact_angle,
+                bearing.ball.diameter,
+                groove.conformity * bearing.ball.diameter,
+                bearing.pitch_diameter,
+                bearing.contact_angle,
                 side,
             ),
-            contact_modulus(own.ball.material, groove.material),
+            contact_modulus(bearing.ball.material, groove.material),
         )
-        for groove, side in ((own.inner, INNER), (own.outer, OUTER))
+        for groove, side in ((bearing.inner, INNER), (bearing.outer, OUTER))
     )
     return inner, outer
 
@@ -250,7 +248,7 @@ def _by_place(slopes: Vectors, normals: Vectors, turning: NDArray) -> Vectors:
     along = slopes[:, 0, None]
     across = slopes[:, 1, None] * turning[:, None, None]
     sine, cosine = normals.real[:, None], normals.imag[:, None]
-    found = np.empty_like(slopes)
-    found[:, 0] = along[:, 0] * sine + across[:, 0] * cosine
-    found[:, 1] = along[:, 0] * cosine - across[:, 0] * sine
-    return found
+    by_place = np.empty_like(slopes)
+    by_place[:, 0] = along[:, 0] * sine + across[:, 0] * cosine
+    by_place[:, 1] = along[:, 0] * cosine - across[:, 0] * sine
+    return by_place

@@ -148,11 +148,11 @@ def _unknowns(centre: NDArray, ball_radius: NDArray) -> NDArray:
     """Motion (N, 4, 4) by the unknowns, from the slip (N, 2, 3) of contact middles by the motion."""
     turned = np.swapaxes(centre, -1, -2)
     spinning = np.cross(centre[:, INNER], centre[:, OUTER])
-    found = np.zeros((len(centre), 4, 4))
-    found[:, :TURN, :2] = turned @ np.linalg.inv(centre @ turned)
-    found[:, :TURN, 2] = spinning / np.linalg.norm(spinning, axis=-1, keepdims=True)
-    found[:, TURN, 3] = 1 / ball_radius
-    return found
+    motion = np.zeros((len(centre), 4, 4))
+    motion[:, :TURN, :2] = turned @ np.linalg.inv(centre @ turned)
+    motion[:, :TURN, 2] = spinning / np.linalg.norm(spinning, axis=-1, keepdims=True)
+    motion[:, TURN, 3] = 1 / ball_radius
+    return motion
 
 
 def gyroscopic(motion: NDArray, gyration: NDArray, outer_speed: NDArray) -> tuple[NDArray, NDArray]:

@@ -4,14 +4,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 RELEASE = 0.2  # of the nominal centrifugal force: inner load over which a ball is let go by the inner race
-GRIP = 0.5  # of the centrifugal force: inner load above which h is one but for a hundredth
+FULL_GRIP = 0.5  # of the centrifugal force: inner load above which h is one but for a hundredth
 LEAST_RELEASE = 1e-100  # [N] the same at rest, where it no longer matters
-SEEN_WHOLE, WIDEST = (
+FULL_ANGLE, LARGEST_ANGLE = (
     np.radians(60.0),
     np.radians(75.0),
 )  # angle between the contacts: up to which, bound beyond
-STEADY, STRONGEST = 0.4, 0.6  # of the load: traction up to which a contact holds all, bound beyond
-LEAST_LOAD, MOST_WANTED = 1e-200, 1e3  # [N], over the load: no traction without a load
+FULL_TRACTION, LARGEST_TRACTION = (
+    0.4,
+    0.6,
+)  # of the load: traction up to which a contact holds all, bound beyond
+LEAST_LOAD, LARGEST_RATIO = 1e-200, 1e3  # [N], over the load: no traction without a load
 
 
 def grip(load: NDArray, stiffness: NDArray, centrifugal: NDArray) -> tuple[NDArray, NDArray]:
@@ -37,7 +40,7 @@ def grip(load: NDArray, stiffness: NDArray, centrifugal: NDArray) -> tuple[NDArr
 
     Valid
     -----
-    One, but for a hundredth, from Q_i = `GRIP` F_c on; below, orbit and spin of the ball are estimates.
+    One, but for a hundredth, from Q_i = `FULL_GRIP` F_c on; below, orbit and spin of the ball are estimates.
     """
     width = np.maximum(RELEASE * centrifugal, LEAST_RELEASE)
     hold = np.tanh(load / width)
@@ -58,7 +61,7 @@ def limited_angle(apart: NDArray) -> tuple[NDArray, NDArray | float]:
     Returns
     -------
     pair of arrays (...), the second may be one number
-        s [rad], below `WIDEST` = Delta_1 + w in size, and ds/dDelta [-], both without a kink
+        s [rad], below `LARGEST_ANGLE` = Delta_1 + w in size, and ds/dDelta [-], both without a kink
 
     Source
     ------
@@ -66,25 +69,25 @@ def limited_angle(apart: NDArray) -> tuple[NDArray, NDArray | float]:
 
     Valid
     -----
-    Exact up to Delta_1 = `SEEN_WHOLE`; beyond, orbit and spin of the ball are estimates.
+    Exact up to Delta_1 = `FULL_ANGLE`; beyond, orbit and spin of the ball are estimates.
     """
-    beyond = np.abs(apart) - SEEN_WHOLE
+    beyond = np.abs(apart) - FULL_ANGLE
     if beyond.max() <= 0:
         return apart, 1.0
-    part = np.tanh(beyond / (WIDEST - SEEN_WHOLE))
-    bent = np.sign(apart) * (SEEN_WHOLE + (WIDEST - SEEN_WHOLE) * part)
+    part = np.tanh(beyond / (LARGEST_ANGLE - FULL_ANGLE))
+    bent = np.sign(apart) * (FULL_ANGLE + (LARGEST_ANGLE - FULL_ANGLE) * part)
     return np.where(beyond > 0, bent, apart), np.where(beyond > 0, 1 - part**2, 1.0)
 
 
-def held_traction(wanted: NDArray, load: NDArray) -> tuple[NDArray, NDArray | float, NDArray | float]:
-    r"""Traction that a contact provides where another one is wanted.
+def held_traction(needed: NDArray, load: NDArray) -> tuple[NDArray, NDArray | float, NDArray | float]:
+    r"""Traction that a contact provides where another one is needed.
 
     .. math:: T = P\ \text{up to}\ |P| = \kappa Q,\quad
               \pm Q \left(\kappa + w \tanh\frac{|P|/Q - \kappa}{w}\right)\ \text{beyond}
 
     Parameters
     ----------
-    wanted : array (...)
+    needed : array (...)
         P [N], of either sign
     load : array (...)
         Q [N], >= 0
@@ -92,7 +95,7 @@ def held_traction(wanted: NDArray, load: NDArray) -> tuple[NDArray, NDArray | fl
     Returns
     -------
     three arrays (...), the second and the third may be one number
-        T [N], below `STRONGEST` = kappa + w of Q, its slope by P and its slope by Q [-], without a kink
+        T [N], below `LARGEST_TRACTION` = kappa + w of Q, its slopes by P and by Q [-], without a kink
 
     Source
     ------
@@ -101,14 +104,14 @@ def held_traction(wanted: NDArray, load: NDArray) -> tuple[NDArray, NDArray | fl
 
     Valid
     -----
-    Exact up to kappa = `STEADY`, far above friction of lubricated contacts.
+    Exact up to kappa = `FULL_TRACTION`, far above friction of lubricated contacts.
     """
-    if (np.abs(wanted) <= STEADY * load).all():
-        return wanted, 1.0, 0.0
-    ratio = np.minimum(np.abs(wanted) / np.maximum(load, LEAST_LOAD), MOST_WANTED)
-    beyond = ratio - STEADY
-    part = np.tanh(beyond / (STRONGEST - STEADY))
-    share, growth = STEADY + (STRONGEST - STEADY) * part, 1 - part**2
-    traction = np.where(beyond > 0, np.sign(wanted) * load * share, wanted)
-    by_load = np.where(beyond > 0, np.sign(wanted) * (share - ratio * growth), 0.0)
+    if (np.abs(needed) <= FULL_TRACTION * load).all():
+        return needed, 1.0, 0.0
+    ratio = np.minimum(np.abs(needed) / np.maximum(load, LEAST_LOAD), LARGEST_RATIO)
+    beyond = ratio - FULL_TRACTION
+    part = np.tanh(beyond / (LARGEST_TRACTION - FULL_TRACTION))
+    share, growth = FULL_TRACTION + (LARGEST_TRACTION - FULL_TRACTION) * part, 1 - part**2
+    traction = np.where(beyond > 0, np.sign(needed) * load * share, needed)
+    by_load = np.where(beyond > 0, np.sign(needed) * (share - ratio * growth), 0.0)
     return traction, np.where(beyond > 0, growth, 1.0), by_load

@@ -74,7 +74,7 @@ class PrescribedControl:
     h = tanh(Q_i/(RELEASE F_c)). No traction comes near its load, see `held_traction`; what the inner race
     cannot hold the outer one takes. A ball that its centrifugal force wedges between grooves far apart
     touches the inner race near its pole, where rolling alone would whirl it away: in the kinematics
-    the angle between the contacts grows no more from `SEEN_WHOLE` on, smoothly, and stays below `WIDEST`.
+    the angle between the contacts grows less from `FULL_ANGLE` on and stays below `LARGEST_ANGLE`.
 
     Source
     ------
@@ -97,13 +97,13 @@ class PrescribedControl:
 
     def kinematics(self, contacts: LoadedContacts, speeds: NDArray, centrifugal: NDArray) -> BallKinematics:
         """Motion of balls and what it asks of the races, see `RaceControl`."""
-        own, (inner, outer) = self.bearing, contacts.angles
+        bearing, (inner, outer) = self.bearing, contacts.angles
         hold, hold_slope = grip(contacts.loads[0], contacts.stiffness[0], centrifugal)
         apart, slope = limited_angle(inner - outer)
         seen = np.array([outer + hold * apart, outer])
-        motion = ball_motion(seen, own.diameter_ratio, tuple(speeds), self.control)
-        force = centrifugal_force(motion.orbit, own.ball.mass, own.pitch_diameter)
-        moment = gyroscopic_moment(motion, own.ball.inertia)
+        motion = ball_motion(seen, bearing.diameter_ratio, tuple(speeds), self.control)
+        force = centrifugal_force(motion.orbit, bearing.ball.mass, bearing.pitch_diameter)
+        moment = gyroscopic_moment(motion, bearing.ball.inertia)
         by_seen = np.array([force.slopes, moment.slopes])  # (2, 2, C, Z)
         slopes = np.zeros((2, 4, *inner.shape))
         slopes[:, 0] = by_seen[:, 0] * (hold_slope * apart)
@@ -126,14 +126,14 @@ class PrescribedControl:
         self, moment: NDArray, slopes: NDArray, contacts: LoadedContacts
     ) -> tuple[NDArray, NDArray]:
         """T_i, T_o (2, C, Z) [N] and their slopes (2, 4, C, Z)."""
-        wanted, slopes = (2 / self.bearing.ball.diameter) * moment, (2 / self.bearing.ball.diameter) * slopes
+        needed, slopes = (2 / self.bearing.ball.diameter) * moment, (2 / self.bearing.ball.diameter) * slopes
         share, (loads, stiffness) = 0.5 * INNER_SHARE[self.control], contacts[1:]
         tractions, held = np.zeros((2, *moment.shape)), np.zeros((2, *slopes.shape))
         if share:
-            tractions[0], by_wanted, by_load = held_traction(share * wanted, loads[0])
-            held[0] = by_wanted * share * slopes
+            tractions[0], by_needed, by_load = held_traction(share * needed, loads[0])
+            held[0] = by_needed * share * slopes
             held[0, 0] += by_load * stiffness[0]
-        tractions[1], by_wanted, by_load = held_traction(wanted - tractions[0], loads[1])
-        held[1] = by_wanted * (slopes - held[0])
+        tractions[1], by_needed, by_load = held_traction(needed - tractions[0], loads[1])
+        held[1] = by_needed * (slopes - held[0])
         held[1, 2] += by_load * stiffness[1]
         return tractions, held

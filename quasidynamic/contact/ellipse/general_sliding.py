@@ -76,23 +76,23 @@ class GeneralSliding:
     def curvature(self) -> NDArray:
         """Second derivatives of the heat by the slip (..., 5, 5)."""
         (basis, half), bends = self.strips[:2], self._bends
-        one, rise, x = (basis[..., i, :] for i in range(3))
+        ones, rise, x = (basis[..., i, :] for i in range(3))
         turned, leaned = half * bends.along_turn, half * bends.across_turn
-        right = [weight * bends.along for weight in (one, rise, x)]
+        right = [weight * bends.along for weight in (ones, rise, x)]
         right += [bends.along_across, rise * bends.along_across, bends.across, rise * bends.across]
-        found = np.empty((*self.slip.shape, 5))
+        matrix = np.empty((*self.slip.shape, 5))
         sums = basis @ np.stack([*right, turned, leaned], -1)  # (..., 3, 9)
-        found[..., :3, :3], found[..., :3, 3:], found[..., 3:, 3:] = (
+        matrix[..., :3, :3], matrix[..., :3, 3:], matrix[..., 3:, 3:] = (
             sums[..., :3],
             sums[..., 3:5],
             sums[..., :2, 5:7],
         )
-        found[..., :3, SPIN] -= sums[..., 7]
-        found[..., SPIN, :2] -= sums[..., :2, 7]
-        found[..., SPIN, SPIN] += (half**2 * bends.turn).sum(-1) - sums[..., 2, 7]
-        found[..., SPIN, 3:] -= sums[..., :2, 8]
-        found[..., 3:, :3] = np.swapaxes(found[..., :3, 3:], -1, -2)
-        return found
+        matrix[..., :3, SPIN] -= sums[..., 7]
+        matrix[..., SPIN, :2] -= sums[..., :2, 7]
+        matrix[..., SPIN, SPIN] += (half**2 * bends.turn).sum(-1) - sums[..., 2, 7]
+        matrix[..., SPIN, 3:] -= sums[..., :2, 8]
+        matrix[..., 3:, :3] = np.swapaxes(matrix[..., :3, 3:], -1, -2)
+        return matrix
 
     @property
     def majorant(self) -> NDArray:
@@ -109,19 +109,19 @@ class GeneralSliding:
 
         Friction grows with the load, the semi-axes with its cube root.
         """
-        own, bends = self.strips, self._bends
-        x = own.basis[..., 2, :]
+        strips, bends = self.strips, self._bends
+        x = strips.basis[..., 2, :]
         steep = -(x**2) / np.sqrt(self.ellipse.radius[..., None] ** 2 - x**2)  # x sigma'
         roll, spin, pivot = (self.slip[..., i, None] for i in (ROLL, SPIN, PIVOT))
-        along, across, turn = roll * steep + spin * x, pivot * steep, -spin * own.half
+        along, across, turn = roll * steep + spin * x, pivot * steep, -spin * strips.half
         forward = bends.along * along + bends.along_across * across + bends.along_turn * turn
         sideward = bends.along_across * along + bends.across * across + bends.across_turn * turn
         turning = bends.along_turn * along + bends.across_turn * across + bends.turn * turn
-        sums = own.basis @ np.stack([forward, sideward], -1)
+        sums = strips.basis @ np.stack([forward, sideward], -1)
         grown = np.concatenate([sums[..., 0], sums[..., :2, 1]], -1)
-        grown[..., SPIN] += self.by_slip[..., SPIN] - (own.half * turning).sum(-1)
-        grown[..., ROLL] += (own.along * own.whole * steep).sum(-1)
-        grown[..., PIVOT] += (own.sideward * steep).sum(-1)
+        grown[..., SPIN] += self.by_slip[..., SPIN] - (strips.half * turning).sum(-1)
+        grown[..., ROLL] += (strips.along * strips.whole * steep).sum(-1)
+        grown[..., PIVOT] += (strips.sideward * steep).sum(-1)
         return grown / 3 + self.by_slip
 
     @cached_property
@@ -131,21 +131,21 @@ class GeneralSliding:
         Where the slip across nearly vanishes the heat has a kink along a line, which would fall between the
         points: the derivative by v_t is taken at a slip across that the points still resolve.
         """
-        own = self.strips
-        cubed, along = own.share / own.square, own.along
-        turned, leaned = cubed * own.across, cubed * own.place
+        strips = self.strips
+        cubed, along = strips.share / strips.square, strips.along
+        turned, leaned = cubed * strips.across, cubed * strips.place
         bends = _Bends(
-            along=np.einsum("...m,...m", turned, own.across),
+            along=np.einsum("...m,...m", turned, strips.across),
             along_across=-along * turned.sum(-1),
-            along_turn=-along * np.einsum("...m,...m", turned, own.place),
+            along_turn=-along * np.einsum("...m,...m", turned, strips.place),
             across=along**2 * cubed.sum(-1),
             across_turn=along**2 * leaned.sum(-1),
-            turn=along**2 * np.einsum("...m,...m", leaned, own.place),
+            turn=along**2 * np.einsum("...m,...m", leaned, strips.place),
         )
         least, narrow = self._narrow
         if narrow.any():
-            shares, squares = own.share[narrow], own.square[narrow]
-            lateral = least[narrow][..., None, None] + np.abs(own.across[narrow])
+            shares, squares = strips.share[narrow], strips.square[narrow]
+            lateral = least[narrow][..., None, None] + np.abs(strips.across[narrow])
             wider = along[narrow][..., None] ** 2 + lateral**2
             bends.along[narrow] = (shares * np.sqrt(squares) * lateral**2 / wider**1.5).sum(-1)
         return bends
@@ -153,9 +153,9 @@ class GeneralSliding:
     @property
     def _narrow(self) -> tuple[NDArray, NDArray]:
         """Least slip across that the points resolve, and the contacts with less (...)."""
-        own, (_, roll, spin, across, _) = self.ellipse, np.moveaxis(self.slip, -1, 0)
-        least = 2 * self.points.narrowest * np.abs(roll) * own.across**2 / (2 * own.radius)
-        return least, (np.abs(across) + np.abs(spin) * own.along < least) & (own.traction > 0.0)
+        ellipse, (_, roll, spin, across, _) = self.ellipse, np.moveaxis(self.slip, -1, 0)
+        least = 2 * self.points.narrowest * np.abs(roll) * ellipse.across**2 / (2 * ellipse.radius)
+        return least, (np.abs(across) + np.abs(spin) * ellipse.along < least) & (ellipse.traction > 0.0)
 
 
 def sliding_ellipse(slip: NDArray, ellipse: Ellipse, points: EllipsePoints = FINE) -> GeneralSliding:

@@ -210,21 +210,21 @@ def log_axis_ratio(curvature_ratio: ArrayLike) -> NDArray:
     >>> round(float(log_axis_ratio(0.3)), 6)
     0.797565
     """
-    wanted = np.log(curvature_ratio)
-    size = np.abs(wanted)  # odd in ln(rho_a/rho_b): the circle is the middle
+    target = np.log(curvature_ratio)
+    size = np.abs(target)  # odd in ln(rho_a/rho_b): the circle is the middle
     low, high = size / 2, size * 2 / 3  # slopes of ln ratio between 3/2 at the circle and 2 far away
-    here = 0.5 * (low + high)
+    log_ratio = 0.5 * (low + high)
     for _ in range(LIMIT):
-        value, slope = _log_curvature_ratio(here)
+        value, slope = _log_curvature_ratio(log_ratio)
         step = (size - value) / slope
-        low, high = np.where(step > 0, here, low), np.where(step < 0, here, high)
-        there = here + step
-        outside = (there < low) | (there > high)
-        there = np.where(outside, 0.5 * (low + high), there)
-        done = np.abs(there - here) <= TOLERANCE * np.maximum(1.0, here)
-        here = there
+        low, high = np.where(step > 0, log_ratio, low), np.where(step < 0, log_ratio, high)
+        trial = log_ratio + step
+        outside = (trial < low) | (trial > high)
+        trial = np.where(outside, 0.5 * (low + high), trial)
+        done = np.abs(trial - log_ratio) <= TOLERANCE * np.maximum(1.0, log_ratio)
+        log_ratio = trial
         if np.all(done):
-            return -np.sign(wanted) * here
+            return -np.sign(target) * log_ratio
     raise NotSolved(f"ratio of the semi-axes not settled in {LIMIT} steps: {np.max(np.abs(step)):.1e} left")
 
 

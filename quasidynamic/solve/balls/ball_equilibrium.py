@@ -34,7 +34,7 @@ class BallsInBalance(NamedTuple):
 
     centres: Vectors  # (C, Z) [m]
     balls: BallBalance
-    sizes: ForceScales
+    scales: ForceScales
     left: NDArray  # (C, Z) [N] size of the unbalanced force on a ball
     moving: NDArray  # (C, Z) balls that are not balanced as well as was asked for
     evaluations: int
@@ -54,8 +54,8 @@ def at_places(
 ) -> BallsInBalance:
     """Balls where they are, see `balance_balls` for the share."""
     balls = balance.balls(grooves, centres)
-    left, sizes = np.abs(balls.excess), force_scales(balance, balls, grooves)
-    return BallsInBalance(centres, balls, sizes, left, ~(left <= sizes.allowed(share)), evaluations)
+    left, scales = np.abs(balls.excess), force_scales(balance, balls, grooves)
+    return BallsInBalance(centres, balls, scales, left, ~(left <= scales.allowed(share)), evaluations)
 
 
 def force_scales(balance: AngularBalance, balls: BallBalance, grooves: Vectors) -> ForceScales:
@@ -72,43 +72,43 @@ def balance_balls(
 
     Balls may stay out of balance by a `share` (C) of the largest force.
     """
-    found = _newton_of_balls(balance, grooves, _start(balance, grooves, centres), share)
-    if found.moving.any() and balance.pulled.any():  # again from the places without friction
-        centres = np.where(found.moving, balance.places.resting(grooves), found.centres)
+    result = _newton_of_balls(balance, grooves, _start(balance, grooves, centres), share)
+    if result.moving.any() and balance.pulled.any():  # again from the places without friction
+        centres = np.where(result.moving, balance.places.resting(grooves), result.centres)
         again = _newton_of_balls(balance, grooves, centres, share)
-        return again._replace(evaluations=found.evaluations + again.evaluations)
-    return found
+        return again._replace(evaluations=result.evaluations + again.evaluations)
+    return result
 
 
 def _newton_of_balls(
     balance: AngularBalance, grooves: Vectors, centres: Vectors, share: NDArray | float
 ) -> BallsInBalance:
     """Damped Newton for each ball."""
-    here = at_places(balance, grooves, centres, share)
-    far = (here.left > balance.free_centrifugal) & balance.pulled
+    state = at_places(balance, grooves, centres, share)
+    far = (state.left > balance.free_centrifugal) & balance.pulled
     if far.any():  # where they were is no better than a closed form
         centres = np.where(far, balance.places.resting(grooves), centres)
-        here = at_places(balance, grooves, centres, share, 2)
-    moving, good, size, count = here.moving, np.True_, here.left, here.evaluations
+        state = at_places(balance, grooves, centres, share, 2)
+    moving, good, size, count = state.moving, np.True_, state.left, state.evaluations
     if not moving.any():
-        return here
-    step, damping = _ball_step(balance, here.balls), np.ones(centres.shape)
-    ahead = _along(here.balls.excess, step)
+        return state
+    step, damping = _ball_step(balance, state.balls), np.ones(centres.shape)
+    ahead = _along(state.balls.excess, step)
     while moving.any() and count < LIMIT and not (damping < SHORTEST).any():
         trial = along_arc(centres, np.where(moving, damping, 0.0) * step)
-        here, count = at_places(balance, grooves, trial, share), count + 1
-        there = here.balls
-        left = _along(there.excess, step)
-        good = (left >= -0.5 * np.abs(ahead)) | (here.left < 0.5 * size)
+        state, count = at_places(balance, grooves, trial, share), count + 1
+        trial_balls = state.balls
+        left = _along(trial_balls.excess, step)
+        good = (left >= -0.5 * np.abs(ahead)) | (state.left < 0.5 * size)
         centres = np.where(good, trial, centres)
-        step = np.where(good, _ball_step(balance, there), step)
-        ahead = np.where(good, _along(there.excess, step), ahead)
-        size = np.where(good, here.left, size)
+        step = np.where(good, _ball_step(balance, trial_balls), step)
+        ahead = np.where(good, _along(trial_balls.excess, step), ahead)
+        size = np.where(good, state.left, size)
         damping = np.where(good, 1.0, damping / 2)
-        moving = ~good | here.moving
+        moving = ~good | state.moving
     if not good.all():
-        here, count = at_places(balance, grooves, centres, share), count + 1
-    return here._replace(moving=moving, evaluations=count)
+        state, count = at_places(balance, grooves, centres, share), count + 1
+    return state._replace(moving=moving, evaluations=count)
 
 
 def along_arc(centres: Vectors, step: Vectors) -> Vectors:
@@ -132,14 +132,14 @@ def _start(balance: AngularBalance, grooves: Vectors, centres: Vectors) -> NDArr
     return np.where(free, balance.places.bottom, centres) if free.any() else centres
 
 
-def _ball_step(balance: AngularBalance, here: BallBalance) -> Vectors:
+def _ball_step(balance: AngularBalance, balls: BallBalance) -> Vectors:
     """Newton step of every ball; where its balance is unstable, one that forces do work on."""
-    axial, radial = here.by_ball[:, 0]
+    axial, radial = balls.by_ball[:, 0]
     half, product = (axial.real - radial.imag) / 2, axial.imag * radial.real
     loosest = (axial.real + radial.imag) / 2 + np.sqrt(np.maximum(half**2 + product, 0.0))  # eigenvalue
     hanging = balance.free_centrifugal / balance.bearing.outer_reach
     stiffer = np.maximum(loosest + STABLE * hanging, 0.0)
-    step = -resolved(here, here.excess, stiffer)
+    step = -resolved(balls, balls.excess, stiffer)
     longest = LONGEST * min(balance.bearing.inner_reach, balance.bearing.outer_reach)
     return step / np.maximum(np.abs(step) / longest, 1.0)
 

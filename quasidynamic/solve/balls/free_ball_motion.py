@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from quasidynamic.balance.balls.free_ball import FreeBalls
 from quasidynamic.contact.ellipse.general_sliding import ACROSS, CENTRE, PIVOT, ROLL, GeneralSliding
 from quasidynamic.motion.ball_slip import INNER, ORBIT, OUTER, TURN, BallContacts, turning_slip_by_motion
-from quasidynamic.solve.balls.free_ball_search import NEAR, nearly_balanced, searched_again
+from quasidynamic.solve.balls.free_ball_search import ONE_STEP_AWAY, nearly_balanced, searched_again
 
 LOAD, ANGLE = 0, 1  # what a contact is given by
 
@@ -33,41 +33,41 @@ class _Contact(NamedTuple):
 def free_ball_motion(balls: FreeBalls) -> FreeBallMotion:
     """Balance of balls with its slopes, by implicit differentiation."""
     unknowns = nearly_balanced(balls)
-    found, left, unknowns = _motion_at(balls, unknowns)
+    solution, left, unknowns = _motion_at(balls, unknowns)
     for search in (None, None, searched_again):
-        lost = ~(left <= NEAR)
+        lost = ~(left <= ONE_STEP_AWAY)
         if not lost.any():
             break
         some, start = balls.taken(lost), unknowns[lost]
         again, left[lost], unknowns[lost] = _motion_at(some, search(some, start) if search else start)
-        for array, new in zip(found, again, strict=True):
+        for array, new in zip(solution, again, strict=True):
             array[lost] = new
-    for array in found:
-        array[~(left <= NEAR)] = np.nan
-    return found
+    for array in solution:
+        array[~(left <= ONE_STEP_AWAY)] = np.nan
+    return solution
 
 
 def _motion_at(balls: FreeBalls, unknowns: NDArray) -> tuple[FreeBallMotion, NDArray, NDArray]:
     """Balls after a last Newton step from unknowns (N, 4), what was left before it, and its end."""
     friction = balls.friction(unknowns)
-    here = balls.balance(unknowns, friction)
+    near_balance = balls.balance(unknowns, friction)
     motion = balls.motion(unknowns)
-    given = [_given(balls, race, motion, friction) for race in (INNER, OUTER)]
-    changed = np.concatenate([one.left for one in given], axis=1) @ balls.unknowns  # (N, 4, 4)
-    moments = np.concatenate([np.swapaxes(changed, -1, -2), here.left[..., None]], axis=-1)
-    slopes, last = np.split(-here.resolved(moments), [4], axis=-1)  # by what the contacts are, Newton step
+    by_contact = [_given(balls, race, motion, friction) for race in (INNER, OUTER)]
+    changed = np.concatenate([change.left for change in by_contact], axis=1) @ balls.unknowns  # (N, 4, 4)
+    moments = np.concatenate([np.swapaxes(changed, -1, -2), near_balance.left[..., None]], axis=-1)
+    slopes, last = np.split(-near_balance.resolved(moments), [4], axis=-1)  # by contact, Newton step
     by_unknown = friction.curvature[:, :, [ACROSS]] @ balls.by_unknown  # (N, 2, 1, 4)
     across = -(by_unknown @ slopes[:, None])[:, :, 0]
-    for race, one in enumerate(given):
-        across[:, race, 2 * race : 2 * race + 2] -= one.force[..., ACROSS]
-    found = FreeBallMotion(
+    for race, change in enumerate(by_contact):
+        across[:, race, 2 * race : 2 * race + 2] -= change.force[..., ACROSS]
+    solution = FreeBallMotion(
         motion=motion + (balls.unknowns @ last)[..., 0],
         motion_slopes=balls.unknowns @ slopes,
         across=-friction.by_slip[..., ACROSS] - (by_unknown @ last[:, None])[..., 0, 0],
         across_slopes=across,
         power=friction.power,
     )
-    return found, (np.abs(here.left) / balls.scale).max(1), unknowns + last[..., 0]
+    return solution, (np.abs(near_balance.left) / balls.scale).max(1), unknowns + last[..., 0]
 
 
 def _given(balls: FreeBalls, race: int, motion: NDArray, friction: GeneralSliding) -> _Contact:
@@ -87,12 +87,12 @@ def _given(balls: FreeBalls, race: int, motion: NDArray, friction: GeneralSlidin
 
 def _higher(balls: FreeBalls, race: int) -> NDArray:
     """Slip (N, 5, 4) by motion that the height of the contact makes, by the logarithm of the load."""
-    own, ball = balls.ellipse, balls.contacts.ball_radius
-    across, radius = own.across[:, race], own.radius[:, race]
+    ellipse, ball = balls.ellipse, balls.contacts.ball_radius
+    across, radius = ellipse.across[:, race], ellipse.radius[:, race]
     grown = across**2 / 3 * (1 / np.sqrt(radius**2 - across**2) - 1 / np.sqrt(ball**2 - across**2))
-    found = np.zeros_like(balls.by_motion[:, race])
-    found[:, CENTRE], found[:, ACROSS] = balls.by_motion[:, race, ROLL], balls.by_motion[:, race, PIVOT]
-    return grown[:, None, None] * found
+    slip = np.zeros_like(balls.by_motion[:, race])
+    slip[:, CENTRE], slip[:, ACROSS] = balls.by_motion[:, race, ROLL], balls.by_motion[:, race, PIVOT]
+    return grown[:, None, None] * slip
 
 
 def _turned(contacts: BallContacts) -> NDArray:
@@ -100,6 +100,6 @@ def _turned(contacts: BallContacts) -> NDArray:
     further = BallContacts(
         contacts.ball_radius, 0.0 * contacts.pitch_radius, contacts.angle + np.pi / 2, contacts.height
     )
-    found = turning_slip_by_motion(further)[:, 0]
-    found[..., TURN] = 0.0
-    return found
+    slip = turning_slip_by_motion(further)[:, 0]
+    slip[..., TURN] = 0.0
+    return slip

@@ -10,13 +10,13 @@ from quasidynamic.balance.balls.ball_position import Vectors, groove_arm, turnin
 from quasidynamic.solve.balls.ball_equilibrium import LEAST_STIFFNESS, along_arc
 from quasidynamic.solve.balls.ring_on_springs import newton_step
 
-ENOUGH = 0.02  # of the largest force: what may be left for the search with all forces
+TOLERANCE = 0.02  # of the largest force: what may be left for the search with all forces
 LIMIT = 40  # Newton steps; stopping early costs time later, not the answer
 SHORTEST = 2.0**-40  # part of a Newton step
 FLOATING = 1e-9  # of the stiffness of a ball, given to balls that touch nothing
 
 
-class _Here(NamedTuple):
+class _FrozenState(NamedTuple):
     """Forces at one place; vectors are complex numbers, axial + i radial."""
 
     ring: NDArray  # (C, 5) [N] load that is not carried
@@ -34,7 +34,7 @@ def frozen_solve(
     balance: AngularBalance,
     place: tuple[NDArray, Vectors],
     frozen: tuple[Vectors, NDArray],
-    enough: float = ENOUGH,
+    tolerance: float = TOLERANCE,
     limit: int = LIMIT,
 ) -> tuple[NDArray, Vectors]:
     """Ring (C, 5) and centres (C, Z) near the balance under constant forces on balls (C, Z), ring (C, 5).
@@ -43,36 +43,36 @@ def frozen_solve(
     Newton's method finds when no step runs past the minimum. The balls are eliminated one by one.
     """
     ring, centres = place
-    here = _forces(balance, (ring, centres), frozen)
+    state = _forces(balance, (ring, centres), frozen)
     for _ in range(limit):
-        if (here.imbalance <= enough).all():
+        if (state.imbalance <= tolerance).all():
             break
-        step = newton_step(balance, here.carried_late, here.stiffness, here.imbalance)
-        shift, (along, across) = step @ balance.ring_to_groove.T, here.follow
-        moves = here.late + along * shift + across * shift.conj()
-        ahead = _work(here, step, moves)
-        damping = np.where(here.imbalance > enough, 1.0, 0.0)
+        step = newton_step(balance, state.carried_late, state.stiffness, state.imbalance)
+        shift, (along, across) = step @ balance.ring_to_groove.T, state.follow
+        moves = state.late + along * shift + across * shift.conj()
+        ahead = _work(state, step, moves)
+        damping = np.where(state.imbalance > tolerance, 1.0, 0.0)
         while True:
             trial_ring = ring + damping[:, None] * step
             trial = along_arc(centres, damping[:, None] * moves)
-            there = _forces(balance, (trial_ring, trial), frozen)
-            past = ~(_work(there, step, moves) >= -0.5 * np.abs(ahead))  # also not a number
+            trial_state = _forces(balance, (trial_ring, trial), frozen)
+            past = ~(_work(trial_state, step, moves) >= -0.5 * np.abs(ahead))  # also not a number
             past &= damping > SHORTEST
             if not past.any():
                 break
             damping = np.where(past, damping / 2, damping)
-        ring, centres, here = trial_ring, trial, there
+        ring, centres, state = trial_ring, trial, trial_state
     return ring, centres
 
 
-def _work(here: _Here, step: NDArray, moves: Vectors) -> NDArray:
+def _work(state: _FrozenState, step: NDArray, moves: Vectors) -> NDArray:
     """Work (C) [N m] of the unbalanced forces on a step."""
-    return (here.ring * step).sum(1) + (here.ball.conj() * moves).real.sum(1)
+    return (state.ring * step).sum(1) + (state.ball.conj() * moves).real.sum(1)
 
 
 def _forces(
     balance: AngularBalance, place: tuple[NDArray, Vectors], frozen: tuple[Vectors, NDArray]
-) -> _Here:
+) -> _FrozenState:
     """Forces at a place.
 
     A symmetric matrix acts on a complex vector v as m v + d conj(v), m real; the stiffness of a contact,
@@ -102,4 +102,4 @@ def _forces(
     excess_late = np.where(balance.held, 0.0, excess + missed)
     largest = np.maximum(balance.largest_load, loads.max((0, 2)))
     worst = np.maximum(np.abs(excess_late).max(1), np.abs(ball).max(1))
-    return _Here(excess, ball, excess_late, late, (p, q), (to_ring.T @ resisted).real, worst / largest)
+    return _FrozenState(excess, ball, excess_late, late, (p, q), (to_ring.T @ resisted).real, worst / largest)

@@ -15,7 +15,10 @@ from quasidynamic.solve.balls.ring_on_springs import first_place
 from quasidynamic.solve.corners import followed_through
 
 TOLERANCE = 5e-13  # of the largest force: unbalanced force
-CLOSE, PATIENCE = 1e-6, 1000  # of the largest force, what the start may leave; Newton steps it may take
+START_TOLERANCE, START_STEPS = (
+    1e-6,
+    1000,
+)  # of the largest force, what the start may leave; Newton steps it may take
 SCALES = (1.0, 0.5, 2.0)  # s, of the constant centrifugal forces at the beginning of a path
 FLOATING = 1e-15  # of the largest derivative, given to balls that touch nothing
 
@@ -50,7 +53,9 @@ def inertia_homotopy(balance: AngularBalance) -> tuple[NDArray, Vectors, int] | 
     resting, evaluations = balance.places.resting(balance.grooves(first)), 0
     for scale in SCALES:
         pull = scale * 1j * balance.free_centrifugal + np.zeros_like(resting)
-        start = frozen_solve(balance, (first, resting), (pull, np.zeros_like(first)), CLOSE, PATIENCE)
+        start = frozen_solve(
+            balance, (first, resting), (pull, np.zeros_like(first)), START_TOLERANCE, START_STEPS
+        )
         family = InertiaFamily(balance, pull)
         end = followed_through(family, family.packed(*start))
         evaluations += family.evaluations
@@ -106,7 +111,7 @@ class InertiaFamily:
         """Forces over the largest one, derivatives by parameter and unknowns, size that counts as none."""
         ring, centres = self.unpacked(state)
         grooves = self.balance.grooves(ring)
-        rest, full = (own.balls(grooves, centres) for own in (self._at_rest, self.balance))
+        rest, full = (system.balls(grooves, centres) for system in (self._at_rest, self.balance))
         self.evaluations += 2
         begin = rest.forces.copy()
         begin[0] += self.pull
@@ -140,20 +145,20 @@ class InertiaFamily:
 
     def _matrix(self, by_ball: Vectors, by_groove: Vectors) -> NDArray:
         """Derivatives (N, N) of the unbalanced forces by the places, from (2, 3, 1, Z)."""
-        own, free, count = self.balance, self._free, self.balance.bearing.balls
+        balance, free, count = self.balance, self._free, self.balance.bearing.balls
         matrix = np.zeros((len(free) + 2 * count,) * 2)
-        to_groove = own.ring_to_groove[:, free].T  # (F, Z)
+        to_groove = balance.ring_to_groove[:, free].T  # (F, Z)
         by_ring = by_groove[0, :, 0, None] * to_groove.real + by_groove[1, :, 0, None] * to_groove.imag
         excess, force, traction = by_ring  # (F, Z)
-        matrix[: len(free), : len(free)] = -own.on_ring(force, traction)[:, free].T
+        matrix[: len(free), : len(free)] = -balance.on_ring(force, traction)[:, free].T
         parts = np.stack([excess.real, excess.imag], axis=-1).reshape(len(free), -1)
         matrix[len(free) :, : len(free)] = parts.T
         for way in range(2):
             excess, force, traction = by_ball[way, :, 0]
             columns = len(free) + way + 2 * np.arange(count)
             matrix[columns - way, columns], matrix[columns - way + 1, columns] = excess.real, excess.imag
-            each = own.on_ring(np.diag(force), np.diag(traction))  # (Z, 5)
-            matrix[: len(free), columns] = -each[:, free].T
+            on_ring = balance.on_ring(np.diag(force), np.diag(traction))  # (Z, 5)
+            matrix[: len(free), columns] = -on_ring[:, free].T
         return matrix
 
     @cached_property

@@ -21,10 +21,11 @@ from quasidynamic.solve.outcome import SolverOutcome
 
 TOLERANCE = 1e-11  # of the largest force: unbalanced force on the ring
 LIMIT = 60  # Newton steps of the ring, rarely more than ten
-LOOSE = 0.1  # of the imbalance before a step: what the balls may leave to the next one
+BALL_SHARE = 0.1  # of the imbalance before a step: what the balls may leave to the next one
 SHORTEST = 2.0**-6  # part of a Newton step; a path of growing inertia is quicker than shorter ones
 TOUCHING = 10  # times what may be left: least load that counts as contact of the ring
 TINY = float(np.finfo(float).tiny)
+ANSWERED = (SolverOutcome.CONVERGED, SolverOutcome.UNDETERMINED)  # that no other path would change
 SINGULAR = 1e-12  # of the whole stiffness: a direction that nothing holds
 
 
@@ -49,7 +50,7 @@ class RingSolution:
 
 
 @dataclass
-class _State:
+class _RingState:
     """One place of the ring with balls in balance."""
 
     ring: NDArray
@@ -58,7 +59,7 @@ class _State:
     balls: BallBalance
     follow: NDArray  # (2, C, Z) see `followed`
     balance: RingBalance
-    settled: NDArray  # (C) bool
+    balls_done: NDArray  # (C) bool, whether all balls are balanced as well as was asked for
     imbalance: NDArray  # (C)
     pressing: NDArray  # (C) largest load on the inner race over the largest force
     evaluations: int
@@ -71,23 +72,21 @@ def solve(balance: AngularBalance) -> RingSolution:
 
 
 def _solve(balance: AngularBalance) -> RingSolution:
-    found = newton(balance, *start(balance))
-    failed = np.flatnonzero(
-        [outcome not in (SolverOutcome.CONVERGED, SolverOutcome.UNDETERMINED) for outcome in found.outcomes]
-    )
+    solution = newton(balance, *start(balance))
+    failed = np.flatnonzero([outcome not in ANSWERED for outcome in solution.outcomes])
     if not len(failed):
-        return found
-    outcomes, pieces = list(found.outcomes), {}
+        return solution
+    outcomes, pieces = list(solution.outcomes), {}
     for case in failed:
         piece = along_path(balance.take(np.array([case])))
         if piece is not None:
             pieces[case], outcomes[case] = piece, piece.outcomes[0]
-    arrays = [found.ring, found.centres, found.imbalance, found.evaluations]
+    arrays = [solution.ring, solution.centres, solution.imbalance, solution.evaluations]
     for case, piece in pieces.items():
-        new = [piece.ring, piece.centres, piece.imbalance, found.evaluations[case] + piece.evaluations]
+        new = [piece.ring, piece.centres, piece.imbalance, solution.evaluations[case] + piece.evaluations]
         for array, value in zip(arrays, new, strict=True):
             array[case] = value[0]
-    return RingSolution(found.ring, found.centres, outcomes, found.imbalance, found.evaluations)
+    return RingSolution(solution.ring, solution.centres, outcomes, solution.imbalance, solution.evaluations)
 
 
 def start(balance: AngularBalance) -> tuple[NDArray, Vectors]:
@@ -96,8 +95,8 @@ def start(balance: AngularBalance) -> tuple[NDArray, Vectors]:
     Or the balance under a simpler race control, where there is one.
     """
     if balance.control.simpler is not None:
-        found = _solve(replace(balance, control=balance.control.simpler))
-        return found.ring, found.centres
+        solution = _solve(replace(balance, control=balance.control.simpler))
+        return solution.ring, solution.centres
     ring = first_place(balance)
     grooves = balance.grooves(ring)
     centres = balance.places.resting(grooves)
@@ -114,10 +113,10 @@ def inertia_forces(balance: AngularBalance, ring: NDArray, centres: Vectors) -> 
 
 def along_path(balance: AngularBalance) -> RingSolution | None:
     """Balance of one case at the end of a path of growing inertia; None where the path was lost."""
-    found = inertia_homotopy(balance)
-    if found is None:
+    end = inertia_homotopy(balance)
+    if end is None:
         return None
-    ring, centres, count = found
+    ring, centres, count = end
     state = _at(balance, ring, at_places(balance, balance.grooves(ring), centres, evaluations=count + 1))
     outcome = _outcome(balance, state, 0, 1.0, last=True)
     return RingSolution(ring, centres, [outcome], state.imbalance, np.array([state.evaluations]))
@@ -134,32 +133,34 @@ def newton(balance: AngularBalance, ring: NDArray, centres: NDArray | None = Non
         np.full(size, np.inf),
         np.zeros(size, int),
     )
-    cases, here = np.arange(size), _state(balance, ring, centres, LOOSE)
-    evaluations += here.evaluations
+    cases, state = np.arange(size), _state(balance, ring, centres, BALL_SHARE)
+    evaluations += state.evaluations
     damping, number = np.ones(size), 0
     while True:
-        ended = [_outcome(balance, here, k, damping[k], number == LIMIT) for k in range(len(cases))]
+        ended = [_outcome(balance, state, k, damping[k], number == LIMIT) for k in range(len(cases))]
         for k, case in enumerate(cases):
-            out_ring[case], out_centres[case] = here.ring[k], here.centres[k]
-            outcomes[case], imbalance[case] = ended[k], here.imbalance[k]
+            out_ring[case], out_centres[case] = state.ring[k], state.centres[k]
+            outcomes[case], imbalance[case] = ended[k], state.imbalance[k]
         running = np.array([outcome is SolverOutcome.RUNNING for outcome in ended])
         if not running.any():
-            together = (here.balls, here.balance) if len(cases) == size else None
+            together = (state.balls, state.balance) if len(cases) == size else None
             return RingSolution(out_ring, out_centres, outcomes, imbalance, evaluations, together)
         if not running.all():
             cases, balance, damping = cases[running], balance.take(running), damping[running]
-            here = _taken(here, running)
-        here, damping, count = _moved(balance, here)
+            state = _taken(state, running)
+        state, damping, count = _moved(balance, state)
         evaluations[cases] += count
         number += 1
 
 
-def _outcome(balance: AngularBalance, here: _State, case: int, damping: float, last: bool) -> SolverOutcome:
-    if not np.isfinite(here.imbalance[case]):
+def _outcome(
+    balance: AngularBalance, state: _RingState, case: int, damping: float, last: bool
+) -> SolverOutcome:
+    if not np.isfinite(state.imbalance[case]):
         return SolverOutcome.NOT_FINITE
-    if here.settled[case] and here.imbalance[case] <= _tolerance(balance):
-        return SolverOutcome.CONVERGED if _held(balance, here, case) else SolverOutcome.UNDETERMINED
-    if damping < SHORTEST or not here.settled[case]:
+    if state.balls_done[case] and state.imbalance[case] <= _tolerance(balance):
+        return SolverOutcome.CONVERGED if _held(balance, state, case) else SolverOutcome.UNDETERMINED
+    if damping < SHORTEST or not state.balls_done[case]:
         return SolverOutcome.STALLED
     return SolverOutcome.LIMIT if last else SolverOutcome.RUNNING
 
@@ -169,51 +170,51 @@ def _tolerance(balance: AngularBalance) -> float:
     return max(TOLERANCE, balance.control.noise)
 
 
-def _held(balance: AngularBalance, here: _State, case: int) -> bool:
+def _held(balance: AngularBalance, state: _RingState, case: int) -> bool:
     """Whether balls hold the ring in every direction in which it is free."""
     free = ~balance.held[case]
     if not free.any():
         return True
-    sizes = np.linalg.svd(here.balance.stiffness[case][np.ix_(free, free)], compute_uv=False)
-    touching = here.pressing[case] > TOUCHING * _tolerance(balance)
-    return bool(touching and sizes.min() > SINGULAR * sizes.max())
+    scales = np.linalg.svd(state.balance.stiffness[case][np.ix_(free, free)], compute_uv=False)
+    touching = state.pressing[case] > TOUCHING * _tolerance(balance)
+    return bool(touching and scales.min() > SINGULAR * scales.max())
 
 
-def _moved(balance: AngularBalance, here: _State) -> tuple[_State, NDArray, int]:
+def _moved(balance: AngularBalance, state: _RingState) -> tuple[_RingState, NDArray, int]:
     """State after a Newton step; where it fails, balls are brought into balance and the step is halved."""
     step, damping = (
-        newton_step(balance, here.balance.excess, here.balance.stiffness, here.imbalance),
-        np.ones(len(here.ring)),
+        newton_step(balance, state.balance.excess, state.balance.stiffness, state.imbalance),
+        np.ones(len(state.ring)),
     )
-    there, good = _tried(balance, here, step, damping, LOOSE * here.imbalance)
-    count = there.evaluations
+    trial, good = _tried(balance, state, step, damping, BALL_SHARE * state.imbalance)
+    count = trial.evaluations
     if not good.all():
-        here = _state(balance, here.ring, here.centres, 0.0)
+        state = _state(balance, state.ring, state.centres, 0.0)
         step, count = (
-            newton_step(balance, here.balance.excess, here.balance.stiffness, here.imbalance),
-            count + here.evaluations,
+            newton_step(balance, state.balance.excess, state.balance.stiffness, state.imbalance),
+            count + state.evaluations,
         )
     while not good.all() and (damping[~good] >= SHORTEST).any():
-        there, good = _tried(balance, here, step, damping, 0.0)
-        count += there.evaluations
+        trial, good = _tried(balance, state, step, damping, 0.0)
+        count += trial.evaluations
         damping = np.where(good, damping, damping / 2)
-    return there, damping, count
+    return trial, damping, count
 
 
 def _tried(
-    balance: AngularBalance, here: _State, step: NDArray, damping: NDArray, share: NDArray | float
-) -> tuple[_State, NDArray]:
+    balance: AngularBalance, state: _RingState, step: NDArray, damping: NDArray, share: NDArray | float
+) -> tuple[_RingState, NDArray]:
     """State after a damped step, and the cases in which it does not run far past the balance on its way."""
-    ring = here.ring + damping[:, None] * step
-    shift = balance.grooves(ring) - balance.grooves(here.ring)
-    move = damping[:, None] * here.late + moved(here.follow, shift)
-    there = _state(balance, ring, along_arc(here.centres, move), share)
-    ahead, left = (here.balance.excess * step).sum(1), (there.balance.excess * step).sum(1)
-    good = (left >= -0.5 * np.abs(ahead)) | (there.imbalance < 0.5 * here.imbalance)
-    return there, good & there.settled
+    ring = state.ring + damping[:, None] * step
+    shift = balance.grooves(ring) - balance.grooves(state.ring)
+    move = damping[:, None] * state.late + moved(state.follow, shift)
+    trial = _state(balance, ring, along_arc(state.centres, move), share)
+    ahead, left = (state.balance.excess * step).sum(1), (trial.balance.excess * step).sum(1)
+    good = (left >= -0.5 * np.abs(ahead)) | (trial.imbalance < 0.5 * state.imbalance)
+    return trial, good & trial.balls_done
 
 
-def _taken(state: _State, cases: NDArray) -> _State:
+def _taken(state: _RingState, cases: NDArray) -> _RingState:
     """Part of the cases; of the forces only what the next step needs."""
     ring = RingBalance(*(array[cases] for array in state.balance))
     return replace(
@@ -223,43 +224,43 @@ def _taken(state: _State, cases: NDArray) -> _State:
         late=state.late[cases],
         follow=state.follow[:, cases],
         balance=ring,
-        settled=state.settled[cases],
+        balls_done=state.balls_done[cases],
         imbalance=state.imbalance[cases],
         pressing=state.pressing[cases],
     )
 
 
-def _state(balance: AngularBalance, ring: NDArray, centres: NDArray, share: NDArray | float) -> _State:
+def _state(balance: AngularBalance, ring: NDArray, centres: NDArray, share: NDArray | float) -> _RingState:
     """Ring at a place, balls in balance up to a share of the largest force."""
     grooves = balance.grooves(ring)
     return _at(balance, ring, balance_balls(balance, grooves, centres, share))
 
 
-def _at(balance: AngularBalance, ring: NDArray, found: BallsInBalance) -> _State:
+def _at(balance: AngularBalance, ring: NDArray, result: BallsInBalance) -> _RingState:
     """Ring and balls as they are."""
-    balls, sizes = found.balls, found.sizes
+    balls, scales = result.balls, result.scales
     moves = -resolved(balls, np.concatenate([balls.excess[None], balls.by_groove[:, 0]]))
     late, follow = moves[0], moves[1:]
-    late[found.left <= sizes.allowed()] = 0.0  # slopes of light balls do not reach far
+    late[result.left <= scales.allowed()] = 0.0  # slopes of light balls do not reach far
     forces = balance.ring(balls, follow)
     _, force, traction = moved(balls.by_ball, late)
     excess = np.where(balance.held, 0.0, forces.excess - balance.on_ring(force, traction))
     tolerance = _tolerance(balance)
-    largest = np.maximum(np.maximum(sizes.largest, sizes.noise / tolerance), TINY)
-    left = found.left.max(1)
-    near = left[:, None] <= sizes.allowed(tolerance)
+    largest = np.maximum(np.maximum(scales.largest, scales.noise / tolerance), TINY)
+    left = result.left.max(1)
+    near = left[:, None] <= scales.allowed(tolerance)
     counted = np.where(near, forces.excess, excess)  # no balance by what balls would do
-    return _State(
+    return _RingState(
         ring=ring,
-        centres=found.centres,
+        centres=result.centres,
         late=late,
         balls=balls,
         follow=follow,
         balance=forces._replace(excess=excess),
-        settled=found.done,
+        balls_done=result.done,
         imbalance=np.maximum(np.abs(counted).max(1), left) / largest,
         pressing=balls.loads[0].max(1) / largest,
-        evaluations=found.evaluations,
+        evaluations=result.evaluations,
     )
 
 

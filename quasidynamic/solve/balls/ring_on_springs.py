@@ -7,7 +7,7 @@ from quasidynamic.balance.balls.angular_contact import AngularBalance
 from quasidynamic.balance.balls.ball_position import groove_arm, turning
 from quasidynamic.solve.balls.ball_equilibrium import LEAST_STIFFNESS
 
-ENOUGH = 1e-3  # of the largest load: what a first place may leave
+TOLERANCE = 1e-3  # of the largest load: what a first place may leave
 LIMIT = 300  # Newton steps, rarely more than ten; a first place far off costs time, not the answer
 STIFFENING = 1e-2  # of the whole stiffness over the relative imbalance, where no spring resists a direction
 LONGEST = 0.3  # of the smaller reach: step of the ring
@@ -26,7 +26,7 @@ def first_place(balance: AngularBalance) -> NDArray:
     size = np.maximum(balance.largest_load, np.finfo(float).tiny)
     for _ in range(LIMIT):
         left = np.abs(excess).max(1) / size
-        if (left <= ENOUGH).all():
+        if (left <= TOLERANCE).all():
             break
         step = newton_step(balance, excess, stiffness, left)
         damping = np.ones(len(ring))
@@ -57,11 +57,11 @@ def newton_step(balance: AngularBalance, excess: NDArray, stiffness: NDArray, im
 
 def _forces(balance: AngularBalance, ring: NDArray) -> tuple[NDArray, NDArray]:
     """What the springs do not carry of the load (C, 5) [N], and their stiffness (C, 5, 5) [N/m]."""
-    own, matrix = balance.bearing, balance.ring_to_groove
+    bearing, matrix = balance.bearing, balance.ring_to_groove
     arm = groove_arm(balance.grooves(ring))
     apart = np.abs(arm)
     normal, coefficient = arm / apart, balance.places.in_series
-    approach = np.maximum(apart - own.inner_reach - own.outer_reach, 0.0)
+    approach = np.maximum(apart - bearing.inner_reach - bearing.outer_reach, 0.0)
     root = coefficient * np.sqrt(approach)
     load = root * approach
     along = normal.conj()[..., None] * matrix  # (C, Z, 5) along the spring + i across it
@@ -75,18 +75,18 @@ def _forces(balance: AngularBalance, ring: NDArray) -> tuple[NDArray, NDArray]:
 
 def single_loads(balance: AngularBalance) -> NDArray:
     """Ring displacements (C, 5) at which each load acts alone on the nearest balls."""
-    own = balance.bearing
-    apart, sine = own.inner_reach + own.outer_reach, max(np.sin(own.contact_angle), 0.3)
-    cosine = np.cos(own.contact_angle)
+    bearing = balance.bearing
+    apart, sine = bearing.inner_reach + bearing.outer_reach, max(np.sin(bearing.contact_angle), 0.3)
+    cosine = np.cos(bearing.contact_angle)
 
     def approach(load: NDArray) -> NDArray:
-        return (np.abs(load) / own.balls / balance.places.in_series) ** (2 / 3)
+        return (np.abs(load) / bearing.balls / balance.places.in_series) ** (2 / 3)
 
     load, place = balance.load, np.zeros_like(balance.load)
     radial = np.sqrt((load[:, 1:3] ** 2).sum(1, keepdims=True))
     place[:, 1:3] = approach(4.4 * radial / cosine) / cosine * load[:, 1:3] / np.maximum(radial, 1e-300)
     axial = apart + approach(load[:, 0] / sine)
-    stretch = np.sqrt(axial**2 - (apart * cosine) ** 2) - apart * np.sin(own.contact_angle)
+    stretch = np.sqrt(axial**2 - (apart * cosine) ** 2) - apart * np.sin(bearing.contact_angle)
     place[:, 0] = np.sign(load[:, 0]) * stretch
     place[:, 3:] = np.sign(load[:, 3:]) * approach(4.4 * load[:, 3:] / sine) / sine
     return np.where(balance.held, balance.place, place)
