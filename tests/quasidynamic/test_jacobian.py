@@ -111,7 +111,7 @@ def rings(own):
 
 def test_ring_of_spins_is_solved_case_by_case():
     given, matrix = rings([-3.0, -2.0, -4.0, -2.0, -3.0])
-    assert np.einsum("cij,rcj->rci", matrix, bordered_system.around(*given)) == approx(
+    assert np.einsum("cij,rcj->rci", matrix, bordered_system.cyclic_tridiagonal(*given)) == approx(
         given[-1], rel=0, abs=1e-13
     )
 
@@ -122,7 +122,7 @@ def test_ring_of_spins_is_solved_case_by_case():
 def test_singular_ring_of_spins_is_no_number_and_spoils_no_other(own):
     """The first only hands on its spin, so that it solves to any; warnings are errors here."""
     given, matrix = rings(own)
-    found = bordered_system.around(*given)
+    found = bordered_system.cyclic_tridiagonal(*given)
     assert np.isnan(found[:, 1]).all()
     kept = [0, 2]
     back = np.einsum("cij,rcj->rci", matrix[kept], found[:, kept])

@@ -1,4 +1,4 @@
-"""Balance of the whole bearing: rollers, ring, cage, and raceways that yield."""
+"""Balance of the whole bearing: rollers, ring, cage, and elastic raceways."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -23,8 +23,8 @@ from quasidynamic.balance.rollers.spin_transport import SpinTransport, spin_tran
 from quasidynamic.balance.rollers.unknowns import (
     BORDER,
     CAGE,
-    INNER,
     OUTER,
+    OUTWARD,
     TILT_Y,
     TILT_Z,
     UnknownLayout,
@@ -36,20 +36,20 @@ from quasidynamic.contact.cage import land_torque
 
 
 class Linearisation(NamedTuple):
-    """Scaled residual of C cases and its derivatives, sorted by who feels whom.
+    """Scaled residual of C cases and its derivatives, block by block.
 
-    `table[row, column]` (.., C, Z) holds what a roller's unknowns, and then the unknowns of the
-    border and the deviations at this roller, do to its own balances, the last of them its spin;
-    then its part in the balances of the border (five rows) and in the forces on yielding raceways.
+    Columns of `table[row, column]` (.., C, Z) are the unknowns of a roller, the last of them its spin, then
+    those of the border, which are ring and cage, and the deviations at this roller. Rows are the balances of
+    the roller, its part in the five balances of the border, and its forces on elastic raceways.
     """
 
     residual: NDArray  # (C, N)
     table: NDArray  # (rows, columns, C, Z)
-    border: NDArray  # (C, 5, 5) what border unknowns do to border balances without any roller
-    before: NDArray  # (C, 1) what the spin of the roller before does to the balance of spin
+    border: NDArray  # (C, 5, 5) border balances by border unknowns, without any roller
+    before: NDArray  # (C, 1) balance of spin by the spin of the roller before
     after: NDArray  # (C, 1) the same for the roller after
     loading: NDArray  # (C) largest roller load over the reference force, at least 1
-    cage_speed: NDArray  # (C) over its size, without sign
+    cage_speed: NDArray  # (C) over its scale, without sign
     state: RollerState
 
 
@@ -57,8 +57,8 @@ class Linearisation(NamedTuple):
 class BearingBalance:
     """Residuals that vanish at equilibrium, as a function of scaled unknowns (C, N).
 
-    Speeds of the cage and of the rollers are known by what they differ from pure rolling, so that small
-    slips keep their digits; `UnknownLayout` tells the order of the unknowns.
+    Speeds of the cage and of the rollers are unknown as differences from pure rolling, so that small slips
+    keep their digits; `UnknownLayout` has the order of the unknowns.
     """
 
     roller: RollerBalance
@@ -82,14 +82,16 @@ class BearingBalance:
 
     @cached_property
     def scales(self) -> Scales:
-        """What unknowns and residuals are scaled by."""
+        """Scales of unknowns and residuals."""
         return Scales(layout=self.layout, roller=self.roller, points=self.points)
 
     @cached_property
     def kinematics(self) -> ApproachKinematics:
-        """How the rollers feel ring and raceways."""
-        half = self.roller.raceways.slices.length / 2
-        return ApproachKinematics(layout=self.layout, azimuths=self.roller.bearing.azimuths, half=half)
+        """Approaches of the rollers by ring and raceways."""
+        half_length = self.roller.raceways.slices.length / 2
+        return ApproachKinematics(
+            layout=self.layout, azimuths=self.roller.bearing.azimuths, half_length=half_length
+        )
 
     @property
     def rolling_cage(self) -> NDArray:
@@ -125,8 +127,10 @@ class BearingBalance:
         """What the rollers are given; outward deviations move the raceways towards (inner) or away."""
         approach = self.kinematics.approach(x, self.clearance)
         if self.layout.elastic_raceways or self.deviation is not None:
-            given = x.deviation if self.deviation is None else x.deviation + self._given
-            self.kinematics.deviate(approach, given)
+            deviation = x.deviation
+            if self.deviation is not None:
+                deviation = deviation + np.moveaxis(self.deviation, -1, 1)[:, :, None]
+            self.kinematics.deviate(approach, deviation)
         return RollerInputs(approach, x.film, self.motion(x.cage_drift, x.spin_drift))
 
     def speeds(self, x: Unknowns) -> tuple[NDArray, NDArray]:
@@ -159,27 +163,30 @@ class BearingBalance:
             return self._evaluated(scaled)
 
     def _evaluated(self, scaled: NDArray) -> Linearisation:
-        own, sizes, x = self.layout.per_roller, self.scales, self.unpack(scaled)
+        ring, scales, x = self.layout.per_roller, self.scales, self.unpack(scaled)
         inputs = self.inputs(x)
         response = self.roller.respond(inputs, self.points)
-        graded, floating = self.kinematics.rows(response.table, self.points.free_tilt), None
+        balances, floating = self.kinematics.rows(response.table, self.points.free_tilt), None
         if self.roller.bearing.cage.free:
-            floating = self._float(x, response.table, graded)
-        rows, table = graded[:, VALUE], self.kinematics.columns(graded)
-        transport = self._add_spin_transport(x, rows, table)
+            floating = self._add_floating_cage(x, response.table, balances)
+        values, table = balances[:, VALUE], self.kinematics.columns(balances)
+        transport = self.spin_transport(x.cage_drift, x.spin_drift)
+        values[ring - 1] -= transport.torque
+        table[ring - 1, ring - 1] -= transport.by_spin
+        table[ring - 1, ring + CAGE] -= transport.by_cage
         border, border_by = self._border(x.ring[TILT_Z:CAGE, :, 0], inputs.motion.cage_speed, floating)
-        border += rows[own : own + BORDER].sum(-1)
-        residual = [border.T, rows[:own].transpose(1, 0, 2).reshape(len(scaled), -1)]
-        residual += self._yield(x, rows[own + BORDER :])
-        table *= sizes.table
+        border += values[ring : ring + BORDER].sum(-1)
+        residual = [border.T, values[:ring].transpose(1, 0, 2).reshape(len(scaled), -1)]
+        residual += self._misfits(x, values[ring + BORDER :])
+        table *= scales.table
         return Linearisation(
-            residual=np.concatenate(residual, axis=1) / sizes.residual,
+            residual=np.concatenate(residual, axis=1) / scales.residual,
             table=table,
-            border=border_by * sizes.border,
-            before=transport.by_before * sizes.spin,
-            after=transport.by_after * sizes.spin,
-            loading=np.maximum(1.0, response.state.contact.force[OUTER, 0].max(-1) / sizes.force[:, 0]),
-            cage_speed=np.abs(inputs.motion.cage_speed / sizes.unknown[:, CAGE:BORDER])[:, 0],
+            border=border_by * scales.border,
+            before=transport.by_before * scales.spin,
+            after=transport.by_after * scales.spin,
+            loading=np.maximum(1.0, response.state.contact.force[OUTER, 0].max(-1) / scales.force[:, 0]),
+            cage_speed=np.abs(inputs.motion.cage_speed / scales.unknown[:, CAGE:BORDER])[:, 0],
             state=response.state,
         )
 
@@ -188,14 +195,6 @@ class BearingBalance:
         inertia = self.roller.bearing.roller.inertia if self.spin_inertia else 0.0
         return spin_transport(spin_drift, self.rolling_cage + cage_drift, self.rolling_spin, inertia)
 
-    def _add_spin_transport(self, x: Unknowns, rows: NDArray, table: NDArray) -> SpinTransport:
-        """Add the transport of spin to its balance, but for what the neighbours' spins do there."""
-        taken, row = self.spin_transport(x.cage_drift, x.spin_drift), self.layout.per_roller - 1
-        rows[row] -= taken.torque
-        table[row, row] -= taken.by_spin
-        table[row, self.layout.per_roller + CAGE] -= taken.by_cage
-        return taken
-
     def floating(self, x: Unknowns, pockets: NDArray) -> FloatingCage:
         """Cage in its land; `pockets` (2, C, Z) [N] push rollers along the motion and outwards."""
         push = self.kinematics.pushed(*pockets[:, None])[:, 0].sum(-1).T
@@ -203,17 +202,17 @@ class BearingBalance:
         cage_speed = self.speeds(x)[1][:, 0]
         return floating_cage(push, cage_speed, self.points, bearing.cage, self.roller.lubrication.oil)
 
-    def _float(self, x: Unknowns, response: NDArray, graded: NDArray) -> FloatingCage:
-        """Let the land's torque follow from the pockets' push; a guiding inner ring bears that push."""
-        own = self.layout.per_roller
-        pockets = response[own + 2 : own + 4]
-        found, push = self.floating(x, pockets[:, VALUE]), self.kinematics.pushed(*pockets)
-        value = graded[own + CAGE, VALUE].copy()
-        graded[own + CAGE] += np.einsum("ci,i...cz->...cz", found.by_push, push)
-        graded[own + CAGE, VALUE] = value  # the torque itself is one of the border
+    def _add_floating_cage(self, x: Unknowns, response: NDArray, balances: NDArray) -> FloatingCage:
+        """Add the land's torque by the pockets' push; a guiding inner ring carries that push."""
+        ring = self.layout.per_roller
+        pockets = response[ring + 2 : ring + 4]
+        floating, push = self.floating(x, pockets[:, VALUE]), self.kinematics.pushed(*pockets)
+        torque = balances[ring + CAGE, VALUE].copy()
+        balances[ring + CAGE] += np.einsum("ci,i...cz->...cz", floating.by_push, push)
+        balances[ring + CAGE, VALUE] = torque  # that of the land is one of the border
         if self.roller.bearing.cage.guidance == "inner":
-            graded[[own + Y, own + Z]] += push
-        return found
+            balances[[ring + Y, ring + Z]] += push
+        return floating
 
     def _border(
         self, slopes: NDArray, cage_speed: NDArray, floating: FloatingCage | None
@@ -223,12 +222,12 @@ class BearingBalance:
         The ring has slopes (2, C), the cage its speed (C, 1).
         """
         points, cage = self.points, self.roller.bearing.cage
-        hold, push = self._outside
-        value, by = push.copy(), hold.copy()
-        value[TILT_Z:CAGE] += hold[:, TILT_Z, TILT_Z] * slopes  # both tilts are held alike
+        stiffness, load = self._outside
+        value, by = load.copy(), stiffness.copy()
+        value[TILT_Z:CAGE] += stiffness[:, TILT_Z, TILT_Z] * slopes  # both tilts are held alike
         if floating is None:
-            ring = points.outer_speed if cage.guidance == "outer" else points.inner_speed
-            land = land_torque(ring - cage_speed, cage, self.roller.lubrication.oil)
+            ring_speed = points.guiding_speed(cage.guidance)
+            land = land_torque(ring_speed - cage_speed, cage, self.roller.lubrication.oil)
             value[CAGE], by[:, CAGE, CAGE] = land.torque[:, 0], -land.by_speed[:, 0]
             return value, by
         value[CAGE], by[:, CAGE, CAGE] = floating.torque, floating.by_speed
@@ -240,25 +239,28 @@ class BearingBalance:
     @cached_property
     def _outside(self) -> tuple[NDArray, NDArray]:
         """Stiffness that holds the tilts (C, 5, 5), and the loads on the ring (5, C)."""
-        points = self.points
-        push, hold = np.zeros((BORDER, len(points))), np.zeros((len(points), BORDER, BORDER))
-        push[Y], push[Z] = points.load_y[:, 0], points.load_z[:, 0]
-        free = points.free_tilt[:, 0]
-        # Any stiffness holds a tilt where it shall be; this one has the size of the other rows.
-        stiffness = np.where(free, 0.0, self.scales.row[self.layout.per_roller + TILT_Z] / ANGLE)
-        hold[:, TILT_Z, TILT_Z] = hold[:, TILT_Y, TILT_Y] = stiffness
+        points, ring = self.points, self.layout.per_roller
+        load, stiffness = np.zeros((BORDER, len(points))), np.zeros((len(points), BORDER, BORDER))
+        # Any stiffness holds a tilt at its given value; this one has the size of the other rows.
+        held = np.where(points.free_tilt[:, 0], 0.0, self.scales.row[ring + TILT_Z] / ANGLE)
+        stiffness[:, TILT_Z, TILT_Z] = stiffness[:, TILT_Y, TILT_Y] = held
+        load[Y], load[Z] = points.load_y[:, 0], points.load_z[:, 0]
         # A ring that tilts freely has no given slope, one that is held no moment.
-        push[TILT_Z] = points.moment_z[:, 0] - stiffness * points.slope_z[:, 0]
-        push[TILT_Y] = points.moment_y[:, 0] - stiffness * points.slope_y[:, 0]
-        return hold, push
+        load[TILT_Z] = points.moment_z[:, 0] - held * points.slope_z[:, 0]
+        load[TILT_Y] = points.moment_y[:, 0] - held * points.slope_y[:, 0]
+        return stiffness, load
 
-    def _yield(self, x: Unknowns, forces: NDArray) -> list[NDArray]:
-        """Deviation minus compliance times load (C, Z M) [m]; rollers push the inner raceway inwards."""
-        m, residuals = self.roller.axial_modes, []
+    def _misfits(self, x: Unknowns, forces: NDArray) -> list[NDArray]:
+        """Deviations of elastic raceways less their deflections (C, Z M) [m] under contact forces."""
+        m, misfits = self.roller.axial_modes, []
         for place, race in enumerate(self.layout.elastic_raceways):
-            matrix = self.compliance[race]
-            assert matrix is not None  # or it would not yield
             load = np.moveaxis(forces[place * m : (place + 1) * m], 0, -1).reshape(len(self.points), -1)
             deviation = np.moveaxis(x.deviation[race], 0, -1).reshape(load.shape)
-            residuals.append(deviation - (-1.0 if race == INNER else 1.0) * load @ matrix.T)
-        return residuals
+            misfits.append(deviation - self.deflection(race, load.T).T)
+        return misfits
+
+    def deflection(self, race: int, forces: NDArray) -> NDArray:
+        """Outward deflection (Z M, ...) [m] of an elastic raceway under contact forces (Z M, ...) [N]."""
+        compliance = self.compliance[race]
+        assert compliance is not None  # or the raceway would not be elastic
+        return OUTWARD[race] * (compliance @ forces)

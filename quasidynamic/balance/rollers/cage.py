@@ -60,16 +60,16 @@ def floating_cage(
     One moment with the centre at rest: no squeeze of the film. Rollers run at cage speed, wherever
     the pockets are.
     """
-    ring = (points.outer_speed if cage.guidance == "outer" else points.inner_speed)[:, 0]
+    ring_speed = points.guiding_speed(cage.guidance)[:, 0]
     azimuth = cage.unbalance_azimuth
     unit = cage.mass * cage.unbalance * np.array([np.sin(azimuth), np.cos(azimuth)])
     thrown, thrown_by_speed = unit * cage_speed[:, None] ** 2, 2 * unit * cage_speed[:, None]
-    together, least = ring + cage_speed, CREEP * np.abs(points.inner_speed - points.outer_speed)[:, 0]
-    turning = np.abs(together) > least
-    place = land_offset(-push - thrown, np.where(turning, together, least), cage, oil)
+    speed_sum, smallest_sum = ring_speed + cage_speed, CREEP * np.abs(points.relative_speed)[:, 0]
+    turning = np.abs(speed_sum) > smallest_sum
+    place = land_offset(-push - thrown, np.where(turning, speed_sum, smallest_sum), cage, oil)
     clearance = cage.land_clearance / 2
     size = np.hypot(*place.offset.T)
-    land = land_torque(ring - cage_speed, cage, oil, size / clearance)
+    land = land_torque(ring_speed - cage_speed, cage, oil, size / clearance)
     by_offset = land.by_eccentricity[:, None] * place.offset / (size * clearance)[:, None]
     by_push = -np.einsum("ci,cij->cj", by_offset, place.by_force)
     return FloatingCage(

@@ -1,4 +1,4 @@
-"""How ring and raceways move the approaches of the rollers; by the same levers the rollers push them."""
+"""How ring and raceways change the approaches of the rollers; by the same levers the rollers load them."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -23,25 +23,19 @@ from quasidynamic.balance.rollers.unknowns import (
 
 @dataclass(frozen=True, kw_only=True)
 class ApproachKinematics:
-    """ApproachKinematics of the rollers at their places, for all cases alike."""
+    """Approaches by the displacements of ring and raceways, and its transpose: loads by contact forces."""
 
     layout: UnknownLayout
     azimuths: NDArray  # (Z) [rad] from axis z towards axis y
-    half: float  # [m] half of the length that the axial modes are made for
+    half_length: float  # [m] of the rollers
 
     @cached_property
     def _radial(self) -> NDArray:
         """Sine and cosine of the roller azimuths (2, Z): components y and z of what points outwards."""
         return np.array([np.sin(self.azimuths), np.cos(self.azimuths)])
 
-    @cached_property
-    def _reactions(self) -> NDArray:
-        """Directions y and z against the motion of the rollers and inwards (2, 2, 1, 1, Z)."""
-        sin, cos = self._radial
-        return np.array([[-cos, sin], [-sin, -cos]])[:, :, None, None]
-
     def approach(self, x: Unknowns, clearance: float) -> NDArray:
-        """Shape coefficients (2, M, C, Z) of the approaches between even raceways [m]."""
+        """Coefficients (2, M, C, Z) of the axial modes of the approaches between even raceways [m]."""
         m, (y, z) = self.layout.axial_modes, x.ring[:TILT_Z]
         sin, cos = self._radial
         approach = np.zeros((2, m, *x.spin_drift.shape))
@@ -49,7 +43,7 @@ class ApproachKinematics:
         approach[OUTER, 0] = x.approach
         if m > 1:
             slope_z, slope_y = x.ring[TILT_Z:]
-            approach[INNER, 1] = self.half * (slope_z * cos + slope_y * sin) - x.tilt
+            approach[INNER, 1] = self.half_length * (slope_z * cos + slope_y * sin) - x.tilt
             approach[OUTER, 1] = x.tilt
         return approach
 
@@ -67,24 +61,24 @@ class ApproachKinematics:
 
     def columns(self, gradient: NDArray) -> NDArray:
         """Derivatives by the unknowns (rows, columns, C, Z) from those by a roller's inputs."""
-        m, own = self.layout.axial_modes, self.layout.per_roller
-        columns = own + BORDER + m * len(self.layout.elastic_raceways)
+        m, ring = self.layout.axial_modes, self.layout.per_roller  # where ring and cage begin in the table
+        columns = ring + BORDER + m * len(self.layout.elastic_raceways)
         table = np.zeros((len(gradient), columns, *gradient.shape[2:]))
         inner, outer = gradient[:, :m], gradient[:, m : 2 * m]
         spin, cage, film = gradient[:, SPIN], gradient[:, CAGE_SPEED], gradient[:, FILM_I:VALUE]
         np.subtract(outer[:, 0], inner[:, 0], out=table[:, 0])
-        np.add(film, inner[:, :1], out=table[:, own - 3 : own - 1])
-        table[:, own - 1] = spin
-        np.multiply(self._radial[:, None], inner[:, :1], out=table[:, own + Y : own + Z + 1])
-        table[:, own + CAGE] = cage
+        np.add(film, inner[:, :1], out=table[:, ring - 3 : ring - 1])
+        table[:, ring - 1] = spin
+        np.multiply(self._radial[:, None], inner[:, :1], out=table[:, ring + Y : ring + Z + 1])
+        table[:, ring + CAGE] = cage
         if m > 1:
-            (sin, cos), half = self._radial, self.half
+            sin, cos = self._radial
             table[:, 1] = outer[:, 1] - inner[:, 1]
-            table[:, own + TILT_Z] = half * cos * inner[:, 1]
-            table[:, own + TILT_Y] = half * sin * inner[:, 1]
+            table[:, ring + TILT_Z] = self.half_length * cos * inner[:, 1]
+            table[:, ring + TILT_Y] = self.half_length * sin * inner[:, 1]
         for place, race in enumerate(self.layout.elastic_raceways):
-            here = table[:, own + BORDER + place * m : own + BORDER + (place + 1) * m]
-            here[:] = inner if race == INNER else -np.concatenate([inner[:, :2], outer[:, 2:]], axis=1)
+            by_deviation = inner if race == INNER else -np.concatenate([inner[:, :2], outer[:, 2:]], axis=1)
+            table[:, ring + BORDER + place * m : ring + BORDER + (place + 1) * m] = by_deviation
         return table
 
     def rows(self, response: NDArray, free_tilt: NDArray) -> NDArray:
@@ -92,24 +86,25 @@ class ApproachKinematics:
 
         `free_tilt` (C, 1) tells whether a ring may tilt: no moment reaches one that may not.
         """
-        m, own = self.layout.axial_modes, self.layout.per_roller
-        cage, tangential = response[own], response[own + 1]
+        m, ring = self.layout.axial_modes, self.layout.per_roller  # where ring and cage begin in the table
+        cage, tangential = response[ring], response[ring + 1]
         first = len(response) - 2 * m  # row of the forces conjugate to the axial modes
         inner = response[first : first + m]
-        rows = np.zeros((own + BORDER + m * len(self.layout.elastic_raceways), *response.shape[1:]))
-        rows[:own] = response[:own]
-        rows[own + Y : own + Z + 1] = self.pushed(tangential, inner[0])
+        rows = np.zeros((ring + BORDER + m * len(self.layout.elastic_raceways), *response.shape[1:]))
+        rows[:ring] = response[:ring]
+        rows[ring + Y : ring + Z + 1] = self.pushed(tangential, inner[0])
         if m > 1:
             sin, cos = self._radial
-            moment = -self.half * inner[1]
-            rows[own + TILT_Z], rows[own + TILT_Y] = free_tilt * (moment * cos), free_tilt * (moment * sin)
-        rows[own + CAGE] = cage
+            moment = -self.half_length * inner[1]
+            rows[ring + TILT_Z], rows[ring + TILT_Y] = free_tilt * (moment * cos), free_tilt * (moment * sin)
+        rows[ring + CAGE] = cage
         for place, race in enumerate(self.layout.elastic_raceways):
             start = first + race * m
-            rows[own + BORDER + place * m : own + BORDER + (place + 1) * m] = response[start : start + m]
+            rows[ring + BORDER + place * m : ring + BORDER + (place + 1) * m] = response[start : start + m]
         return rows
 
     def pushed(self, along: NDArray, outward: NDArray) -> NDArray:
         """Force (2, n, C, Z) [N], y and z, on what pushes rollers (n, C, Z) along the motion and outwards."""
-        backwards, inwards = self._reactions
-        return backwards * along + inwards * outward
+        sin, cos = self._radial
+        against_motion, inwards = np.array([[-cos, sin], [-sin, -cos]])[:, :, None, None]
+        return against_motion * along + inwards * outward

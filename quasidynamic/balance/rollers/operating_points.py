@@ -60,6 +60,10 @@ class OperatingPoints:
         """Speeds of inner and outer ring (2, C, 1) [rad/s]."""
         return np.array([self.inner_speed, self.outer_speed])
 
+    def guiding_speed(self, guidance: str) -> NDArray:
+        """Speed of the ring that guides the cage, or of the inner one (C, 1) [rad/s]."""
+        return self.outer_speed if guidance == "outer" else self.inner_speed
+
     @cached_property
     def direction(self) -> NDArray:
         """Sense in which the rollers spin (C, 1): +1 when the inner ring turns ahead of the outer one."""

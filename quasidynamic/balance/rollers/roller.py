@@ -35,7 +35,7 @@ class Motion(NamedTuple):
 class RollerInputs(NamedTuple):
     """What the rollers of C cases are given; M axial modes."""
 
-    approach: NDArray  # (2, M, C, Z) shape coefficients at inner and outer raceway [m]
+    approach: NDArray  # (2, M, C, Z) by axial modes, at inner and outer raceway [m]
     film: NDArray  # (2, C, Z) [m]
     motion: Motion
 
@@ -57,8 +57,8 @@ class RollerState(NamedTuple):
 class Response(NamedTuple):
     """Rows of the roller's table: derivatives by its 2 M + 4 inputs, then the value itself.
 
-    The inputs are the M shape coefficients at the inner and at the outer raceway, spin, cage speed,
-    inner and outer film. Keeping value and derivatives side by side lets every equation be written
+    The inputs are the M approaches at the inner and at the outer raceway, spin, cage speed, inner and
+    outer film. Keeping value and derivatives side by side lets every equation be written
     once: what is a sum of forces is also the sum of their derivatives.
 
     Rows: radial force [N], tilt moment [N m] (with two axial modes or more), film at the inner and the
@@ -92,10 +92,9 @@ class RollerBalance:
     @cached_property
     def forces(self) -> list[str]:
         """Names of the forces, in the order of the columns of `levers`; films stand among them."""
-        axial_modes = range(self.axial_modes)
         return (
-            [f"inner {m}" for m in axial_modes]
-            + [f"outer {m}" for m in axial_modes]
+            [f"inner {m}" for m in range(self.axial_modes)]
+            + [f"outer {m}" for m in range(self.axial_modes)]
             + ["T_i", "T_o", "R_i", "R_o", "film_i", "film_o"]
             + ["centrifugal", "drag", "churning", "pocket up", "pocket brake"]
         )
@@ -114,13 +113,13 @@ class RollerBalance:
         radial = self._row(**{"inner 0": 1, "outer 0": -1, "centrifugal": 1, "pocket up": 1})
         tilt = [self._row(**{"outer 1": half, "inner 1": -half})] if self.axial_modes > 1 else []
         alone, m = np.eye(len(self.forces)), self.axial_modes
-        films, axial_modes = alone[2 * m + 4 : 2 * m + 6], alone[: 2 * m]
+        films, contact_forces = alone[2 * m + 4 : 2 * m + 6], alone[: 2 * m]
         spin = r_w * self._row(**{"T_i": 1, "T_o": -1, "R_i": -1, "R_o": -1, "pocket brake": -1})
         spin += self._row(churning=-1)
         cage = -r_m * self.cage_force + self._row(**{"pocket brake": -r_w})
         tangential = self._row(T_i=1, R_i=1 - 2 * g)
         pocket = [self.cage_force, self._row(**{"pocket up": 1})] if self.bearing.cage.free else []
-        return np.array([radial, *tilt, *films, spin, cage, tangential, *pocket, *axial_modes])
+        return np.array([radial, *tilt, *films, spin, cage, tangential, *pocket, *contact_forces])
 
     def _row(self, **weights: float) -> NDArray:
         row = np.zeros(len(self.forces))
@@ -135,7 +134,9 @@ class RollerBalance:
         forces = self._forces(contact, inputs.motion)
         friction = forces[2 * self.axial_modes : CENTRIFUGAL].reshape(3, 2, *forces.shape[1:])
         self._fill_friction(friction, contact, entrainment, sense)
-        self._compare_films(friction[2], inputs.film)
+        films = friction[2]  # what the speeds ask for, less what was assumed
+        films[0, FILM_I] = films[1, FILM_O] = -1.0
+        films[:, VALUE] -= inputs.film
         cage_force = self._add_pocket(forces, inputs.motion)
         return Response(
             _combined(self.levers, forces),
@@ -155,24 +156,18 @@ class RollerBalance:
     # -- surfaces ------------------------------------------------------------------------------
 
     def surfaces(self, motion: Motion, points: OperatingPoints) -> tuple[NDArray, NDArray, NDArray]:
-        """Sliding and entrainment speed (2, C, Z) [m/s], sense of rolling [-]."""
-        sliding, rolling = self._surface_speeds(motion, points)
+        """Sliding and entrainment speed (2, C, Z) [m/s], sense of rolling [-].
+
+        The sliding of raceway over roller is that of the drifts from pure rolling: nothing large cancels.
+        """
+        (slide_by_spin, slide_by_cage), (roll_by_spin, roll_by_cage) = self.speed_slopes
+        sliding = slide_by_spin * motion.spin_drift + slide_by_cage * motion.cage_drift
+        rolling = roll_by_spin * motion.spin + roll_by_cage * (motion.cage_speed - points.ring_speeds)
         # The size of the mean surface speed, kept above zero.
         entrainment = np.sqrt(
             rolling * rolling + (STANDSTILL * self.bearing.inner_radius * points.relative_speed) ** 2
         )
         return sliding, entrainment, rolling / entrainment
-
-    def _surface_speeds(self, motion: Motion, points: OperatingPoints) -> tuple[NDArray, NDArray]:
-        """Sliding of raceway over roller and mean surface speed (2, C, Z) [m/s], both signed.
-
-        The sliding is that of the drifts from pure rolling: nothing large cancels.
-        """
-        (slide_by_spin, slide_by_cage), (roll_by_spin, roll_by_cage) = self.speed_slopes
-        return (
-            slide_by_spin * motion.spin_drift + slide_by_cage * motion.cage_drift,
-            roll_by_spin * motion.spin + roll_by_cage * (motion.cage_speed - points.ring_speeds),
-        )
 
     @cached_property
     def speed_slopes(self) -> tuple[NDArray, NDArray]:
@@ -183,51 +178,45 @@ class RollerBalance:
         return sliding[..., None, None], rolling[..., None, None]
 
     def _fill_friction(
-        self, found: NDArray, contact: RacewayState, entrainment: NDArray, sense: NDArray
+        self, friction: NDArray, contact: RacewayState, entrainment: NDArray, sense: NDArray
     ) -> None:
         """Traction, rolling shear along the rolling, and film of both raceways (3, 2, inputs + 1, C, Z)."""
         m, (rolling, film) = self.axial_modes, (contact.rolling, contact.film)
         by_load = np.array([sense * rolling.by_load, film.by_line_load])
         by_approach = by_load[:, :, None] * contact.force_by_approach[:, 0]
-        found[0, 0, :m], found[0, 1, m : 2 * m] = contact.traction_by_approach
-        found[1:, 0, :m], found[1:, 1, m : 2 * m] = by_approach[:, 0], by_approach[:, 1]
+        friction[0, 0, :m], friction[0, 1, m : 2 * m] = contact.traction_by_approach
+        friction[1:, 0, :m], friction[1:, 1, m : 2 * m] = by_approach[:, 0], by_approach[:, 1]
         by_sliding, by_speed = (slopes.swapaxes(0, 1) for slopes in self.speed_slopes)
         by_rolling = sense * np.array(
             [contact.traction_by_entrainment, sense * rolling.by_entrainment, film.by_entrainment]
         )
         by_rolling[1] += (1 - sense * sense) / entrainment * rolling.force  # the sense changes with the speed
-        by_speeds = found[:, :, 2 * m : 2 * m + 2]
+        by_speeds = friction[:, :, 2 * m : 2 * m + 2]
         np.multiply(by_rolling[:, :, None], by_speed, out=by_speeds)
         sliders = by_speeds[::2]  # traction and film
         sliders += np.array([contact.traction_by_sliding, film.by_sliding])[:, :, None] * by_sliding
-        found[0, 0, FILM_I], found[0, 1, FILM_O] = contact.traction_by_film
-        found[:, :, VALUE] = contact.traction, sense * rolling.force, film.thickness
-
-    @staticmethod
-    def _compare_films(films: NDArray, assumed: NDArray) -> None:
-        """Turn films (2, inputs + 1, C, Z) into their excess over those that were assumed (2, C, Z)."""
-        films[0, FILM_I] = films[1, FILM_O] = -1.0
-        films[:, VALUE] -= assumed
+        friction[0, 0, FILM_I], friction[0, 1, FILM_O] = contact.traction_by_film
+        friction[:, :, VALUE] = contact.traction, sense * rolling.force, film.thickness
 
     # -- forces --------------------------------------------------------------------------------
 
     def _forces(self, contact: RacewayState, motion: Motion) -> NDArray:
         """Begin `forces` (forces, inputs + 1, C, Z): all but raceway friction, films and the pocket's."""
         m, shape = self.axial_modes, motion.spin.shape
-        found = np.zeros((len(self.forces), 2 * m + 5, *shape))
-        found[: 2 * m, VALUE] = contact.force.reshape(2 * m, *shape)
-        found[:m, :m], found[m : 2 * m, m : 2 * m] = contact.force_by_approach
-        found[CENTRIFUGAL, VALUE], found[CENTRIFUGAL, CAGE_SPEED] = self.centrifugal(motion.cage_speed)
-        found[DRAG, VALUE], found[DRAG, CAGE_SPEED] = self.drag(motion.cage_speed)
+        forces = np.zeros((len(self.forces), 2 * m + 5, *shape))
+        forces[: 2 * m, VALUE] = contact.force.reshape(2 * m, *shape)
+        forces[:m, :m], forces[m : 2 * m, m : 2 * m] = contact.force_by_approach
+        forces[CENTRIFUGAL, VALUE], forces[CENTRIFUGAL, CAGE_SPEED] = self.centrifugal(motion.cage_speed)
+        forces[DRAG, VALUE], forces[DRAG, CAGE_SPEED] = self.drag(motion.cage_speed)
         if self.lubrication.churning_gap is not None:
-            found[CHURNING, VALUE], found[CHURNING, SPIN] = churning_torque(
+            forces[CHURNING, VALUE], forces[CHURNING, SPIN] = churning_torque(
                 motion.spin,
                 self.bearing.roller,
                 self.lubrication.oil,
                 oil_fraction=self.lubrication.oil_fraction,
                 gap=self.lubrication.churning_gap,
             )
-        return found
+        return forces
 
     def centrifugal(self, cage_speed: NDArray) -> tuple[NDArray, NDArray]:
         """Centrifugal force of a roller [N], its derivative by the cage speed [N s].
@@ -240,9 +229,9 @@ class RollerBalance:
 
     def drag(self, cage_speed: NDArray) -> tuple[NDArray, NDArray]:
         """Force of the mixture on an orbiting roller [N], its derivative by the cage speed [N s]."""
-        choice = self.lubrication
+        lubrication = self.lubrication
         return orbit_drag_force(
-            cage_speed, self.bearing, choice.oil, choice.oil_fraction, choice.drag_coefficient
+            cage_speed, self.bearing, lubrication.oil, lubrication.oil_fraction, lubrication.drag_coefficient
         )
 
     def _add_pocket(self, forces: NDArray, motion: Motion) -> NDArray:
@@ -250,14 +239,14 @@ class RollerBalance:
         coefficient = self.bearing.cage.pocket_friction
         speed = np.sqrt(motion.spin**2 + motion.standstill_spin**2)
         sense = motion.spin / speed
-        graded = _combined(self.cage_force, forces)
-        force = graded[VALUE]
+        cage_force = _combined(self.cage_force, forces)
+        force = cage_force[VALUE]
         rounded = np.sqrt(force * force + CAGE_FORCE_ROUNDING**2)
         size = rounded - CAGE_FORCE_ROUNDING  # of the force, smooth through zero
         friction = coefficient * sense
         by_spin = (coefficient - friction * sense) / speed
         up, brake = forces[POCKET_UP], forces[POCKET_BRAKE]
-        np.multiply(friction, graded, out=up)
+        np.multiply(friction, cage_force, out=up)
         np.multiply(force / rounded, up, out=brake)
         np.multiply(friction, size, out=brake[VALUE])
         up[SPIN] += by_spin * force

@@ -1,4 +1,4 @@
-"""Usual size of every unknown against that of every residual: what makes a bearing's matrix scaled."""
+"""Typical size of every unknown and of every residual, by which the matrix of a bearing is scaled."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -14,7 +14,7 @@ from quasidynamic.motion.roller_speeds import rolling_cage_speed, rolling_roller
 FRICTION = 1e-2  # usual size of friction over load
 LENGTH = 1e-6  # [m] size of approaches and displacements
 ANGLE = 1e-3  # [rad]
-CENTRIFUGAL_SHARE = 1e-3  # share of the centrifugal force that stands for a load
+CENTRIFUGAL_SHARE = 1e-3  # of the centrifugal force, which stands for a load where there is none
 FILM_SCALE = 1e-4  # [m] far above any film: a step is judged by its forces, not by how far films lag behind
 LARGE_DEVIATION = 1e-4  # [m] of a thin ring
 
@@ -23,7 +23,7 @@ LARGE_DEVIATION = 1e-4  # [m] of a thin ring
 class Scales:
     """Scales of C cases; columns stand for unknowns, rows for residuals.
 
-    A table's rows and columns are those of `Linearisation`: a roller's own, the border's, deviations.
+    A table's rows and columns are as in `Linearisation`: roller, border, deviations.
     """
 
     layout: UnknownLayout
@@ -66,36 +66,36 @@ class Scales:
     @cached_property
     def residual(self) -> NDArray:
         """Size of each residual (C, N)."""
-        layout, own = self.layout, self.layout.per_roller
+        layout, ring = self.layout, self.layout.per_roller
         scale = np.full((len(self.points), layout.size), LARGE_DEVIATION)
-        scale[:, :BORDER] = self.row[own : own + BORDER].T
-        scale[:, BORDER : layout.fields_end] = self.row[:own].T.repeat(layout.rollers, axis=1)
+        scale[:, :BORDER] = self.row[ring : ring + BORDER].T
+        scale[:, BORDER : layout.fields_end] = self.row[:ring].T.repeat(layout.rollers, axis=1)
         return scale
 
     @cached_property
     def row(self) -> NDArray:
-        """Size of each kind of balance (rows, C).
+        """Scale of each kind of balance (rows, C).
 
         Friction is about a hundredth of the load that causes it, and so is the size of its balances.
         """
-        bearing, layout, own = self.roller.bearing, self.layout, self.layout.per_roller
+        bearing, layout, ring = self.roller.bearing, self.layout, self.layout.per_roller
         half = bearing.roller.length / 2
         tilt = [half] if layout.axial_modes > 1 else []
         levers = [1.0, *tilt, 0.0, 0.0, FRICTION * bearing.roller.diameter / 2]
         levers += [1.0, 1.0, half, half, FRICTION * bearing.pitch_diameter / 2]
-        rows = own + BORDER + layout.axial_modes * len(layout.elastic_raceways)
+        rows = ring + BORDER + layout.axial_modes * len(layout.elastic_raceways)
         scale = np.full((rows, len(self.points)), LARGE_DEVIATION)
-        scale[: own + BORDER] = np.array(levers)[:, None] * self.force[:, 0]
-        scale[own - 3 : own - 1] = FILM_SCALE
+        scale[: ring + BORDER] = np.array(levers)[:, None] * self.force[:, 0]
+        scale[ring - 3 : ring - 1] = FILM_SCALE
         return scale
 
     @cached_property
     def column(self) -> NDArray:
         """Size of the unknowns in the columns of the table (columns, C, 1)."""
         layout = self.layout
-        own = self.unknown[:, BORDER : layout.fields_end : layout.rollers].T
-        yields = np.full((len(layout.elastic_raceways) * layout.axial_modes, len(self.points)), LENGTH)
-        return np.concatenate([own, self.unknown[:, :BORDER].T, yields])[..., None]
+        of_roller = self.unknown[:, BORDER : layout.fields_end : layout.rollers].T
+        deviations = np.full((len(layout.elastic_raceways) * layout.axial_modes, len(self.points)), LENGTH)
+        return np.concatenate([of_roller, self.unknown[:, :BORDER].T, deviations])[..., None]
 
     @cached_property
     def table(self) -> NDArray:
@@ -111,5 +111,5 @@ class Scales:
     @cached_property
     def border(self) -> NDArray:
         """Unknowns of the border over its balances (C, 5, 5)."""
-        own = self.layout.per_roller
-        return self.unknown[:, None, :BORDER] / self.row[own : own + BORDER].T[..., None]
+        ring = self.layout.per_roller
+        return self.unknown[:, None, :BORDER] / self.row[ring : ring + BORDER].T[..., None]

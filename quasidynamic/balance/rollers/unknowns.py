@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 INNER, OUTER = 0, 1
+OUTWARD = (-1.0, 1.0)  # sense of the contact force on a raceway: rollers press the inner one inwards
 Y, Z, TILT_Z, TILT_Y, CAGE = range(5)
 BORDER = 5  # unknowns of ring and cage, before those of the rollers
 
@@ -21,7 +22,7 @@ class Unknowns(NamedTuple):
     tilt: NDArray  # (C, Z) tilt approach at the outer raceway [m], zero when rollers are aligned
     film: NDArray  # (2, C, Z) [m]
     spin_drift: NDArray  # (C, Z) spin less that of pure rolling [rad/s]
-    deviation: NDArray  # (2, M, C, Z) outward, of raceways that yield [m]
+    deviation: NDArray  # (2, M, C, Z) outward, of elastic raceways [m]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -30,13 +31,13 @@ class UnknownLayout:
 
     Ring displacement y, z; ring slopes dz/dx, dy/dx; cage drift; then field by field over the rollers
     the approach at the outer raceway, the tilt approach there unless rollers are aligned, inner and
-    outer film and the spin drift; then the shape coefficients of every yielding raceway's deviation,
-    roller by roller.
+    outer film and the spin drift; then the axial modes of every elastic raceway's deviation, roller by
+    roller.
     """
 
     rollers: int
     axial_modes: int  # M, axial modes
-    elastic_raceways: tuple[int, ...] = ()  # raceways that yield, by index
+    elastic_raceways: tuple[int, ...] = ()  # by index
 
     @cached_property
     def per_roller(self) -> int:
@@ -72,8 +73,8 @@ class UnknownLayout:
         )
         deviation = np.zeros((2, m, cases, self.rollers))
         if self.elastic_raceways:
-            given = x[:, self.fields_end :].reshape(cases, len(self.elastic_raceways), self.rollers, m)
-            deviation[list(self.elastic_raceways)] = given.transpose(1, 3, 0, 2)
+            modes = x[:, self.fields_end :].reshape(cases, len(self.elastic_raceways), self.rollers, m)
+            deviation[list(self.elastic_raceways)] = modes.transpose(1, 3, 0, 2)
         return Unknowns(
             ring=x[:, :CAGE].T[..., None],
             cage_drift=x[:, CAGE:BORDER],
@@ -91,8 +92,8 @@ class UnknownLayout:
         fields = [unknowns.approach, *tilt, *unknowns.film, unknowns.spin_drift]
         x = [unknowns.ring[..., 0].T, unknowns.cage_drift, *fields]
         if self.elastic_raceways:
-            axial_modes = np.zeros((2, m, cases, self.rollers))
+            modes = np.zeros((2, m, cases, self.rollers))
             common = min(m, unknowns.deviation.shape[1])
-            axial_modes[:, :common] = unknowns.deviation[:, :common]
-            x.append(axial_modes[list(self.elastic_raceways)].transpose(2, 0, 3, 1).reshape(cases, -1))
+            modes[:, :common] = unknowns.deviation[:, :common]
+            x.append(modes[list(self.elastic_raceways)].transpose(2, 0, 3, 1).reshape(cases, -1))
         return np.concatenate(x, axis=1)

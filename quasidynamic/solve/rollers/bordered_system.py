@@ -1,4 +1,4 @@
-"""Linear solve that knows who feels whom: each roller by itself, a ring of spins, a border."""
+"""Linear solve of the sparse Jacobian: each roller by itself, a cyclic chain of spins, a border."""
 
 from typing import NamedTuple
 
@@ -8,7 +8,7 @@ from scipy.linalg.lapack import dgtsv  # pyright: ignore[reportAttributeAccessIs
 
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
 from quasidynamic.balance.rollers.scales import LARGE_DEVIATION, LENGTH
-from quasidynamic.balance.rollers.unknowns import BORDER, CAGE, INNER, UnknownLayout, Y, Z
+from quasidynamic.balance.rollers.unknowns import BORDER, CAGE, Y, Z
 
 
 class Shift(NamedTuple):
@@ -25,13 +25,13 @@ NO_SHIFT = Shift()
 def solve(balance: BearingBalance, system: Linearisation, right: NDArray, shift: Shift = NO_SHIFT) -> NDArray:
     """Solve the linearised balance for several right-hand sides.
 
-    Every roller is eliminated on its own, then the ring of spins, then the border: the cost grows
-    linearly with the number of rollers. Deviations of yielding raceways are solved densely.
+    Every roller is eliminated on its own, then the cyclic chain of spins, then the border: the cost grows
+    linearly with the number of rollers. Deviations of elastic raceways are solved densely.
 
     Parameters
     ----------
     balance : BearingBalance
-        tells sizes and compliances
+        scales and compliances
     system : Linearisation
         matrix of C cases
     right : array (C, N, R)
@@ -45,38 +45,34 @@ def solve(balance: BearingBalance, system: Linearisation, right: NDArray, shift:
         not a number for cases whose matrix is singular
     """
     layout, (cases, _, count) = balance.layout, right.shape
-    own, split = layout.per_roller, layout.fields_end
+    ring, fields_end = layout.per_roller, layout.fields_end
+    spin = ring - 1
     rows, columns = system.table.shape[:2]
     table = np.zeros((rows, columns + count, cases, layout.rollers))
     table[:, :-count] = system.table
-    table[:own, -count:] = (
-        right[:, BORDER:split].reshape(cases, own, layout.rollers, count).transpose(1, 3, 0, 2)
+    table[:ring, -count:] = (
+        right[:, BORDER:fields_end].reshape(cases, ring, layout.rollers, count).transpose(1, 3, 0, 2)
     )
     border = system.border
     if shift is not NO_SHIFT:
-        table[own - 1, own - 1] -= shift.spin
-        border = _shifted(border, shift)
+        table[spin, spin] -= shift.spin
+        border = border.copy()
+        border[:, CAGE, CAGE] -= shift.cage
+        border[:, Y, Y] -= shift.ring
+        border[:, Z, Z] -= shift.ring
     with np.errstate(all="ignore"):
-        eliminate(table, own - 1)
-        rest = _dense if layout.elastic_raceways else _chained
-        edge, spin, shared = rest(balance, system, table[own - 1 :, own - 1 :], border, right)
-        found = np.empty((columns, count, cases, layout.rollers))
-        found[own - 1], found[own : own + BORDER], found[own + BORDER :] = spin, edge[..., None], shared
-        substitute(table, found, own - 1)
-    fields = found[:own].transpose(2, 0, 3, 1).reshape(cases, -1, count)
-    solved = [edge.transpose(2, 0, 1), fields]
+        eliminate(table, spin)
+        reduced = _with_elastic_raceways if layout.elastic_raceways else _with_rigid_raceways
+        of_border, spins, deviations = reduced(balance, system, table[spin:, spin:], border, right)
+        unknowns = np.empty((columns, count, cases, layout.rollers))
+        unknowns[spin], unknowns[ring : ring + BORDER] = spins, of_border[..., None]
+        unknowns[ring + BORDER :] = deviations
+        substitute(table, unknowns, spin)
+    solution = [of_border.transpose(2, 0, 1), unknowns[:ring].transpose(2, 0, 3, 1).reshape(cases, -1, count)]
     if layout.elastic_raceways:
-        solved.append(_deviations(layout, shared))
-    return np.concatenate(solved, axis=1)
-
-
-def _shifted(border: NDArray, shift: Shift) -> NDArray:
-    """Border (C, 5, 5) with its part of the shift."""
-    border = border.copy()
-    border[:, CAGE, CAGE] -= shift.cage
-    border[:, Y, Y] -= shift.ring
-    border[:, Z, Z] -= shift.ring
-    return border
+        by_race = deviations.reshape(len(layout.elastic_raceways), layout.axial_modes, *deviations.shape[1:])
+        solution.append(by_race.transpose(3, 0, 4, 1, 2).reshape(cases, -1, count))
+    return np.concatenate(solution, axis=1)
 
 
 def eliminate(table: NDArray, pivots: int) -> None:
@@ -86,59 +82,56 @@ def eliminate(table: NDArray, pivots: int) -> None:
         below -= factor[:, None] * table[i, i + 1 :]
 
 
-def substitute(table: NDArray, found: NDArray, pivots: int) -> None:
+def substitute(table: NDArray, unknowns: NDArray, pivots: int) -> None:
     """Fill in the first unknowns (columns, R, C, Z) from those that come later in the table."""
-    count = found.shape[1]
+    count = unknowns.shape[1]
     for i in reversed(range(pivots)):
-        known = np.einsum("kcz,krcz->rcz", table[i, i + 1 : -count], found[i + 1 :])
-        found[i] = (table[i, -count:] - known) / table[i, i]
+        known = np.einsum("kcz,krcz->rcz", table[i, i + 1 : -count], unknowns[i + 1 :])
+        unknowns[i] = (table[i, -count:] - known) / table[i, i]
 
 
-def _chained(balance, system, table, border, right) -> tuple[NDArray, NDArray, NDArray]:
-    """Border (5, R, C), spins (R, C, Z) and no deviations, with the spins as a cyclic tridiagonal ring."""
-    # Whatever the spins answer is linear in the right-hand sides and in the border unknowns.
-    spin = around(table[0, 0], system.before, system.after, table[0, 1:])
-    by_border, by_side = spin[:BORDER], spin[BORDER:]
-    reduced = (table[1:, 1:] - table[1:, :1] * spin).sum(-1)
+def _with_rigid_raceways(balance, system, table, border, right) -> tuple[NDArray, NDArray, NDArray]:
+    """Border (5, R, C), spins (R, C, Z) and no deviations, with the spins as a cyclic tridiagonal system."""
+    # The spins are linear in the border unknowns and in the right-hand sides.
+    spins = cyclic_tridiagonal(table[0, 0], system.before, system.after, table[0, 1:])
+    by_border, by_right = spins[:BORDER], spins[BORDER:]
+    reduced = (table[1:, 1:] - table[1:, :1] * spins).sum(-1)
     reduced = reduced.transpose(2, 0, 1)
-    edge = _solved(border + reduced[..., :BORDER], right[:, :BORDER] + reduced[..., BORDER:])
-    edge = edge.transpose(1, 2, 0)
-    return edge, by_side - np.einsum("brc,bcz->rcz", edge, by_border), np.zeros((0, *by_side.shape))
+    of_border = _solved(border + reduced[..., :BORDER], right[:, :BORDER] + reduced[..., BORDER:])
+    of_border = of_border.transpose(1, 2, 0)
+    spins = by_right - np.einsum("brc,bcz->rcz", of_border, by_border)
+    return of_border, spins, np.zeros((0, *spins.shape))
 
 
-def around(middle: NDArray, before: NDArray, after: NDArray, sides: NDArray) -> NDArray:
-    """Solve the ring middle s_j + before s_(j-1) + after s_(j+1) = sides (R, C, Z), for all cases at once.
+def cyclic_tridiagonal(middle: NDArray, before: NDArray, after: NDArray, sides: NDArray) -> NDArray:
+    """Solve middle s_j + before s_(j-1) + after s_(j+1) = sides (R, C, Z), cyclic in j, for all cases.
 
-    Not a number for cases whose ring is singular, closed or cut open: such as that of rollers which only
-    hand on their spin, where nothing tells how fast all of them turn.
+    Not a number for cases whose system is singular, closed or cut open: such as that of rollers which only
+    hand on their spin, where the speed of all of them together is undetermined.
     """
     count, cases, rollers = sides.shape
-    corners = np.zeros((2, cases, rollers))  # what the last spin does to the first one, and the reverse
+    corners = np.zeros((2, cases, rollers))  # the last spin in the first equation, and the reverse
     corners[0, :, 0], corners[1, :, -1] = before[:, 0], after[:, 0]
     lower, upper = before.repeat(rollers, axis=1), after.repeat(rollers, axis=1)
     lower[:, 0] = upper[:, -1] = 0.0
     columns = np.concatenate([sides, corners]).reshape(count + 2, -1).T
     bands = lower.ravel()[1:], middle.ravel(), upper.ravel()[:-1]
     *_, solved, fault = dgtsv(*bands, columns, overwrite_dl=True, overwrite_du=True, overwrite_b=True)
-    if fault:  # of one case, and the columns are spent
-        return _one_by_one(middle, before, after, sides)
+    if fault:  # of one case; the columns of all are overwritten
+        if cases == 1:
+            return np.full(sides.shape, np.nan)
+        each = (slice(case, case + 1) for case in range(cases))
+        alone = [cyclic_tridiagonal(middle[c], before[c], after[c], sides[:, c]) for c in each]
+        return np.concatenate(alone, axis=1)
     solved = solved.T.reshape(count + 2, cases, rollers)
-    open_ring, (first, last) = solved[:count], solved[count:]
-    # The two ends of the ring from each other: s_last = open_last - first s_last - last s_first, ...
+    opened, (first, last) = solved[:count], solved[count:]
+    # Both ends of the chain from each other: s_last = opened_last - first s_last - last s_first, ...
     a, b, c, d = 1 + first[:, -1], last[:, -1], first[:, 0], 1 + last[:, 0]
-    end, begin = open_ring[:, :, -1], open_ring[:, :, 0]
+    end, begin = opened[:, :, -1], opened[:, :, 0]
     determinant = a * d - b * c
     determinant[determinant == 0] = np.nan
     end, begin = (d * end - b * begin) / determinant, (a * begin - c * end) / determinant
-    return open_ring - first * end[..., None] - last * begin[..., None]
-
-
-def _one_by_one(middle: NDArray, before: NDArray, after: NDArray, sides: NDArray) -> NDArray:
-    """Like `around`, so that a case whose ring cannot be cut open spoils no other."""
-    if len(middle) == 1:
-        return np.full(sides.shape, np.nan)
-    each = (slice(case, case + 1) for case in range(len(middle)))
-    return np.concatenate([around(middle[c], before[c], after[c], sides[:, c]) for c in each], axis=1)
+    return opened - first * end[..., None] - last * begin[..., None]
 
 
 def _solved(matrix: NDArray, side: NDArray) -> NDArray:
@@ -151,30 +144,27 @@ def _solved(matrix: NDArray, side: NDArray) -> NDArray:
         return np.concatenate([_solved(m[None], s[None]) for m, s in zip(matrix, side, strict=True)])
 
 
-def _dense(balance, system, table, border, right) -> tuple[NDArray, NDArray, NDArray]:
+def _with_elastic_raceways(balance, system, table, border, right) -> tuple[NDArray, NDArray, NDArray]:
     """Border (5, R, C), spins (R, C, Z), deviations (races M, R, C, Z), one dense system for each case."""
     layout, count = balance.layout, right.shape[2]
-    rollers, yields = layout.rollers, len(layout.elastic_raceways) * layout.axial_modes
-    found = []
+    rollers, modes = layout.rollers, len(layout.elastic_raceways) * layout.axial_modes
+    solutions = []
     for case in range(len(right)):
-        here = table[:, :, case]
-        matrix = _assembled(balance, system, here[:, : 1 + BORDER + yields], border[case], case)
+        of_case = table[:, :, case]
+        matrix = _assembled(balance, system, of_case[:, : 1 + BORDER + modes], border[case], case)
         side = np.zeros((len(matrix), count))
-        columns = here[:, 1 + BORDER + yields :]
+        columns = of_case[:, 1 + BORDER + modes :]
         side[:BORDER] = right[case, :BORDER] + columns[1 : 1 + BORDER].sum(-1)
         side[BORDER : BORDER + rollers] = columns[0].T
         forces = columns[1 + BORDER :]
-        side[BORDER + rollers :] = right[case, layout.fields_end :] - _pressed(balance, forces)
-        found.append(_solved(matrix[None], side[None])[0])
-    solved = np.array(found)
-    edge, spin = solved[:, :BORDER], solved[:, BORDER : BORDER + rollers]
-    axial_modes = solved[:, BORDER + rollers :].reshape(
-        len(right), len(layout.elastic_raceways), rollers, layout.axial_modes, count
-    )
+        side[BORDER + rollers :] = right[case, layout.fields_end :] - _deflections(balance, forces)
+        solutions.append(_solved(matrix[None], side[None])[0])
+    of_border, spins, deviations = np.split(np.array(solutions), [BORDER, BORDER + rollers], axis=1)
+    deviations = deviations.reshape(len(right), -1, rollers, layout.axial_modes, count)
     return (
-        edge.transpose(1, 2, 0),
-        spin.transpose(2, 0, 1),
-        axial_modes.transpose(1, 3, 4, 0, 2).reshape(yields, count, len(right), rollers),
+        of_border.transpose(1, 2, 0),
+        spins.transpose(2, 0, 1),
+        deviations.transpose(1, 3, 4, 0, 2).reshape(modes, count, len(right), rollers),
     )
 
 
@@ -195,30 +185,23 @@ def _assembled(balance, system, table: NDArray, border: NDArray, case: int) -> N
     for column, place in enumerate(places, start=1 + BORDER):
         matrix[:BORDER, place] = table[1 : 1 + BORDER, column]
         matrix[spins, place] = table[0, column]
-    felt = np.zeros((races * m, z, size))  # what the forces on yielding raceways feel
+    contact_forces = np.zeros((races * m, z, size))  # on elastic raceways
     forces = table[1 + BORDER :]
-    felt[:, :, :BORDER] = forces[:, 1 : 1 + BORDER].transpose(0, 2, 1)
-    felt[:, each, spins] = forces[:, 0]
+    contact_forces[:, :, :BORDER] = forces[:, 1 : 1 + BORDER].transpose(0, 2, 1)
+    contact_forces[:, each, spins] = forces[:, 0]
     for column, place in enumerate(places, start=1 + BORDER):
-        felt[:, each, place] = forces[:, column]
-    matrix[BORDER + z :] = -_pressed(balance, felt.transpose(0, 2, 1))
+        contact_forces[:, each, place] = forces[:, column]
+    matrix[BORDER + z :] = -_deflections(balance, contact_forces.transpose(0, 2, 1))
     rows = np.arange(BORDER + z, size)
     matrix[rows, rows] += LENGTH / LARGE_DEVIATION
     return matrix
 
 
-def _pressed(balance, forces: NDArray) -> NDArray:
+def _deflections(balance, forces: NDArray) -> NDArray:
     """Deviations (races Z M, R) under forces (races M, R, Z), scaled alike."""
-    layout, m, answers = balance.layout, balance.layout.axial_modes, []
-    for place, race in enumerate(layout.elastic_raceways):
-        here = forces[place * m : (place + 1) * m].transpose(2, 0, 1).reshape(layout.rollers * m, -1)
-        answers.append((-1.0 if race == INNER else 1.0) * balance.compliance[race] @ here)
-    return np.concatenate(answers)
-
-
-def _deviations(layout: UnknownLayout, axial_modes: NDArray) -> NDArray:
-    """Deviation unknowns (C, races Z M, R) from axial_modes (races M, R, C, Z)."""
-    m, races = layout.axial_modes, len(layout.elastic_raceways)
-    _, count, cases, rollers = axial_modes.shape
-    split = axial_modes.reshape(races, m, count, cases, rollers)
-    return split.transpose(3, 0, 4, 1, 2).reshape(cases, -1, count)
+    m, size = balance.layout.axial_modes, balance.layout.rollers * balance.layout.axial_modes
+    each = [
+        balance.deflection(race, forces[place * m : (place + 1) * m].transpose(2, 0, 1).reshape(size, -1))
+        for place, race in enumerate(balance.layout.elastic_raceways)
+    ]
+    return np.concatenate(each)

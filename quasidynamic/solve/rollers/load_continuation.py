@@ -36,10 +36,10 @@ def from_heavier_load(balance: BearingBalance, start: Callable[[BearingBalance],
         unknowns, used = _newton(heavy, start(heavy))
         evaluations += used
         if unknowns is not None:
-            walk = _down(balance, np.log(factor), unknowns)
-            evaluations += walk.evaluations
-            if walk.unknowns is not None:
-                return Continuation(walk.unknowns, evaluations)
+            lighter = _down(balance, np.log(factor), unknowns)
+            evaluations += lighter.evaluations
+            if lighter.unknowns is not None:
+                return Continuation(lighter.unknowns, evaluations)
     return Continuation(None, evaluations)
 
 
@@ -52,20 +52,22 @@ def loaded(balance: BearingBalance, factor: float) -> BearingBalance:
     )
 
 
-def _down(balance: BearingBalance, place: float, unknowns: NDArray) -> Continuation:
-    """Continuation from log(load factor) `place` to zero."""
+def _down(balance: BearingBalance, log_factor: float, unknowns: NDArray) -> Continuation:
+    """From the logarithm of a load factor down to zero."""
     step, slope, evaluations = FIRST_STEP, np.zeros_like(unknowns), 0
     for _ in range(MAX_LOADS):
-        target = max(place - step, 0.0)
-        found, used = _newton(loaded(balance, np.exp(target)), unknowns + slope * (target - place))
+        target = max(log_factor - step, 0.0)
+        guess = unknowns + slope * (target - log_factor)
+        solution, used = _newton(loaded(balance, np.exp(target)), guess)
         evaluations += used
-        if found is None:
+        if solution is None:
             step /= 2
             if step < SHORTEST_STEP:
                 break
             continue
-        slope, place, unknowns = (found - unknowns) / (target - place), target, found
-        if place == 0.0:
+        slope = (solution - unknowns) / (target - log_factor)
+        log_factor, unknowns = target, solution
+        if log_factor == 0.0:
             return Continuation(unknowns, evaluations)
         step *= 1.5
     return Continuation(None, evaluations)
@@ -74,5 +76,5 @@ def _down(balance: BearingBalance, place: float, unknowns: NDArray) -> Continuat
 def _newton(balance: BearingBalance, unknowns: NDArray) -> tuple[NDArray | None, int]:
     """Equilibrium (1, N) or None, and evaluations."""
     *_, last = newton(balance, unknowns)
-    found = last.unknowns if last.outcomes[0] is SolverOutcome.CONVERGED else None
-    return found, last.number + 1
+    converged = last.outcomes[0] is SolverOutcome.CONVERGED
+    return last.unknowns if converged else None, last.number + 1

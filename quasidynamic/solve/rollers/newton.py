@@ -24,7 +24,7 @@ SMALLEST_DAMPING = 2.0**-10  # part of a Newton step
 
 @dataclass(frozen=True)
 class Iterate:
-    """One evaluation of the cases that were still running."""
+    """One evaluation of the cases that are still running."""
 
     number: int
     cases: NDArray  # which cases these are
@@ -34,7 +34,7 @@ class Iterate:
     accepted: NDArray  # (cases) whether the step lowered the residual
 
     def numbered(self, number: int) -> "Iterate":
-        """Return the same sweep under another number."""
+        """Return the same iterate under another number."""
         return replace(self, number=number)
 
     @property
@@ -46,49 +46,44 @@ class Iterate:
 def newton(balance: BearingBalance, unknowns: NDArray) -> Iterator[Iterate]:
     """Yield Newton iterates of all cases; a case leaves when its residual is below `TOLERANCE`.
 
-    A step is halved until the residual falls; one too short to help ends as `STALLED`. Every
-    sweep evaluates each running case once, whether it tries a full step or a shorter one. `unknowns`
-    of a sweep are the best so far, `system` belongs to what was tried.
+    A step is halved until the residual falls; one too short to help ends as `STALLED`. Every iterate
+    evaluates each running case once, whether it tries a full step or a shorter one. Its
+    `unknowns` are the best so far, `system` belongs to what was tried.
     """
-    cases, here = np.arange(len(unknowns)), balance
-    system, accepted = here.evaluate(unknowns), np.ones(len(unknowns), bool)
+    cases = np.arange(len(unknowns))
+    system, accepted = balance.evaluate(unknowns), np.ones(len(unknowns), bool)
     yield Iterate(0, cases, unknowns, system, [SolverOutcome.RUNNING] * len(cases), accepted)
     # Types are declared where a checker would follow them around the loop for minutes.
-    direction: NDArray = step(here, system)
+    direction: NDArray = step(balance, system)
     size, worst, damping = norm(system), _worst(system), np.ones(len(cases))
     for number in range(1, MAX_EVALUATIONS + 1):
-        trial = bounded(here, unknowns, unknowns + damping[:, None] * direction)
-        system = here.evaluate(trial)
-        new = norm(system)
-        better: NDArray = new <= np.maximum((1 - 1e-4 * damping) * size, ROUNDING * system.loading)
-        better &= (new < size) | (worst > ROUNDING_TOLERANCE)
+        trial = bounded(balance, unknowns, unknowns + damping[:, None] * direction)
+        system = balance.evaluate(trial)
+        trial_size = norm(system)
+        better: NDArray = trial_size <= np.maximum((1 - 1e-4 * damping) * size, ROUNDING * system.loading)
+        better &= (trial_size < size) | (worst > ROUNDING_TOLERANCE)
         everywhere = bool(better.all())
         if everywhere:  # as nearly always: nothing to choose
-            unknowns, size, worst, damping = trial, new, _worst(system), np.ones(len(cases))
+            unknowns, size, worst, damping = trial, trial_size, _worst(system), np.ones(len(cases))
         else:
             unknowns = np.where(better[:, None], trial, unknowns)
-            size, worst = np.where(better, new, size), np.where(better, _worst(system), worst)
+            size, worst = np.where(better, trial_size, size), np.where(better, _worst(system), worst)
             damping = np.where(better, 1.0, damping / 2)
-        outcomes = _outcomes(better, worst, damping, number == MAX_EVALUATIONS)
+        each_case = zip(better.tolist(), worst.tolist(), damping.tolist(), strict=True)
+        outcomes = [_outcome(*case, last=number == MAX_EVALUATIONS) for case in each_case]
         yield Iterate(number, cases, unknowns, system, outcomes, better)
-        running = [outcome is SolverOutcome.RUNNING for outcome in outcomes]
-        if not any(running):
+        left = np.flatnonzero([outcome is SolverOutcome.RUNNING for outcome in outcomes])
+        if not len(left):
             return
         if everywhere:
-            direction = step(here, system)
+            direction = step(balance, system)
         elif better.any():
-            direction = np.where(better[:, None], step(here, system), direction)
-        if not all(running):
-            left = np.flatnonzero(running)
-            cases, here = cases[left], here.take(left)
+            direction = np.where(better[:, None], step(balance, system), direction)
+        if len(left) < len(cases):
+            cases, balance = cases[left], balance.take(left)
             unknowns, direction, damping, size, worst = (
                 array[left] for array in (unknowns, direction, damping, size, worst)
             )
-
-
-def _outcomes(better: NDArray, worst: NDArray, damping: NDArray, last: bool) -> list[SolverOutcome]:
-    each = zip(better.tolist(), worst.tolist(), damping.tolist(), strict=True)
-    return [_outcome(*case, last) for case in each]
 
 
 def _outcome(better: bool, worst: float, damping: float, last: bool) -> SolverOutcome:
@@ -118,17 +113,16 @@ def step(
     share `speed_change` at most, rollers are `bounded` one by one.
     """
     right = -system.residual[..., None]
-    found = bordered_system.solve(balance, system, right, shift)[..., 0]
-    far = _largest(found[:, Y : Z + 1])
-    if (far > longest).any():
+    change = bordered_system.solve(balance, system, right, shift)[..., 0]
+    ring_step = _largest(change[:, Y : Z + 1])
+    if (ring_step > longest).any():
         stiffness = _largest(system.residual[:, Y : Z + 1]) / longest
-        held = shift._replace(ring=np.where(far > longest, stiffness, 0.0))
-        found = bordered_system.solve(balance, system, right, held)[..., 0]
-        far = _largest(found[:, Y : Z + 1])
-    long = np.maximum(
-        far / longest, np.abs(found[:, CAGE]) / (speed_change * (system.cage_speed + SLOW_CAGE))
-    )
-    return found if (long <= 1.0).all() else found / np.maximum(long, 1.0)[:, None]
+        held = shift._replace(ring=np.where(ring_step > longest, stiffness, 0.0))
+        change = bordered_system.solve(balance, system, right, held)[..., 0]
+        ring_step = _largest(change[:, Y : Z + 1])
+    cage_step = np.abs(change[:, CAGE]) / (speed_change * (system.cage_speed + SLOW_CAGE))
+    excess = np.maximum(ring_step / longest, cage_step)
+    return change if (excess <= 1.0).all() else change / np.maximum(excess, 1.0)[:, None]
 
 
 def norm(system: Linearisation) -> NDArray:

@@ -1,4 +1,4 @@
-"""Implicit Euler steps of cage and spins with their inertias, where Newton's method finds no way down."""
+"""Implicit Euler steps of cage and spins with their inertias, where Newton's method fails."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -26,10 +26,10 @@ LARGEST_GROWTH = 3.0  # growth of the residual that is still taken
 
 @dataclass(frozen=True)
 class StepLimits:
-    """How far the next step of each case may go."""
+    """Largest next step of each case."""
 
     time: NDArray  # (C) [s]
-    shift: NDArray  # (C) scaled ring displacement
+    ring_step: NDArray  # (C) scaled ring displacement
 
     @classmethod
     def first(cls, cases: int) -> "StepLimits":
@@ -37,87 +37,92 @@ class StepLimits:
         return cls(np.full(cases, FIRST_STEP), np.full(cases, LARGEST_RING_STEP))
 
     def after(self, refused: NDArray, growth: NDArray) -> "StepLimits":
-        """Slower where a step was refused, otherwise faster, the more so the more the residual fell."""
+        """Smaller where a step was refused, otherwise larger by the growth (C) of the time step."""
         return StepLimits(
             np.where(refused, self.time / 4, self.time * growth),
-            np.where(refused, self.shift / 4, np.minimum(2 * self.shift, LARGEST_RING_STEP)),
+            np.where(refused, self.ring_step / 4, np.minimum(2 * self.ring_step, LARGEST_RING_STEP)),
         )
 
     def take(self, cases: NDArray) -> "StepLimits":
         """StepLimits of some cases."""
-        return StepLimits(self.time[cases], self.shift[cases])
+        return StepLimits(self.time[cases], self.ring_step[cases])
 
 
 def pseudo_time(
-    balance: BearingBalance, unknowns: NDArray, pace: StepLimits
+    balance: BearingBalance, unknowns: NDArray, limits: StepLimits
 ) -> Iterator[tuple[Iterate, StepLimits]]:
-    """Yield each sweep over the running cases, with their pace.
+    """Yield each evaluation of the running cases, with the limits of their next steps.
 
     Ring and rollers follow at once. The time step grows as the residual falls (switched evolution
-    relaxation), and a ring that wants to run far, such as one balanced on a single roller, is led
-    in short steps. `CONVERGED` means near enough for Newton's method, `LIMIT` that it may be tried.
+    relaxation), and a ring that would move far, such as one balanced on a single roller, takes short
+    steps. `CONVERGED` means near enough for Newton's method, `LIMIT` that it may be tried.
     """
-    cases, here = np.arange(len(unknowns)), balance
+    cases = np.arange(len(unknowns))
     before, size = unknowns, np.full(len(unknowns), np.inf)
-    pull, turned = np.zeros(len(unknowns)), np.zeros(len(unknowns), bool)
-    enough = None
+    cage_change, turned = np.zeros(len(unknowns)), np.zeros(len(unknowns), bool)
+    near = None
     for number in range(MAX_EVALUATIONS + 1):
-        system = here.evaluate(unknowns)
-        new = norm(system)
-        enough = np.minimum(NEWTON_RESIDUAL, NEWTON_REDUCTION * new) if enough is None else enough
-        refused = ~(new < LARGEST_GROWTH * size) & (pace.time > SHORTEST_STEP)
-        pace = pace.after(refused, _growth(size, new, turned))
-        # A refused state is left for the one before it; the next sweep starts there with a shorter step.
-        here_now = np.where(refused[:, None], before, unknowns)
-        outcomes = [
-            _outcome(*case, last=number == MAX_EVALUATIONS) for case in zip(new, enough, refused, strict=True)
-        ]
-        left = np.array([outcome is SolverOutcome.RUNNING for outcome in outcomes])
-        yield Iterate(number, cases, here_now, system, outcomes, ~refused), pace
-        if not left.any():
+        system = balance.evaluate(unknowns)
+        trial_size = norm(system)
+        near = np.minimum(NEWTON_RESIDUAL, NEWTON_REDUCTION * trial_size) if near is None else near
+        refused = ~(trial_size < LARGEST_GROWTH * size) & (limits.time > SHORTEST_STEP)
+        limits = limits.after(refused, _growth(size, trial_size, turned))
+        # A refused state is left for the one before it, from where the next step is shorter.
+        accepted = np.where(refused[:, None], before, unknowns)
+        each_case = zip(trial_size, near, refused, strict=True)
+        outcomes = [_outcome(*case, last=number == MAX_EVALUATIONS) for case in each_case]
+        running = np.array([outcome is SolverOutcome.RUNNING for outcome in outcomes])
+        yield Iterate(number, cases, accepted, system, outcomes, ~refused), limits
+        if not running.any():
             return
-        change = _step(here, system, pace)
-        tilted = np.abs(change[:, TILT_Z:CAGE]).max(1) / TILT_SHARE
-        hurry = tilted / pace.shift
-        turned, pull = change[:, CAGE] * pull < 0, np.where(refused, pull, change[:, CAGE])
-        following = np.where(
-            refused[:, None],
-            before,
-            bounded(here, unknowns, unknowns + change / np.maximum(hurry, 1.0)[:, None]),
-        )
-        size = np.where(refused, np.inf, new)
-        before, unknowns = here_now, following
-        if not left.all():
-            cases, here, pace = cases[left], here.take(left), pace.take(left)
-            before, unknowns, size = before[left], unknowns[left], size[left]
-            pull, turned, enough = pull[left], turned[left], enough[left]
+        change = _step(balance, system, limits)
+        tilt = np.abs(change[:, TILT_Z:CAGE]).max(1) / TILT_SHARE
+        change_in_limits = change / np.maximum(tilt / limits.ring_step, 1.0)[:, None]
+        turned = change[:, CAGE] * cage_change < 0
+        cage_change = np.where(refused, cage_change, change[:, CAGE])
+        trial = bounded(balance, unknowns, unknowns + change_in_limits)
+        unknowns = np.where(refused[:, None], before, trial)
+        size = np.where(refused, np.inf, trial_size)
+        before = accepted
+        if not running.all():
+            cases, balance, limits = cases[running], balance.take(running), limits.take(running)
+            before, unknowns, size, cage_change, turned, near = (
+                array[running] for array in (before, unknowns, size, cage_change, turned, near)
+            )
 
 
-def _growth(before: NDArray, now: NDArray, turned: NDArray) -> NDArray:
+def _growth(size: NDArray, trial_size: NDArray, turned: NDArray) -> NDArray:
     """Factor of the next time step: a quarter where the cage turned back, else the more the residual fell."""
     with np.errstate(invalid="ignore"):
-        fall = np.where(np.isfinite(before), before / now, 1.0)
+        fall = np.where(np.isfinite(size), size / trial_size, 1.0)
     return np.where(turned, 0.25, np.clip(1.3 * fall, 1.3, 4.0))
 
 
-def _outcome(size: float, enough: float, refused: bool, last: bool) -> SolverOutcome:
-    if size <= enough:
+def _outcome(size: float, near: float, refused: bool, last: bool) -> SolverOutcome:
+    if size <= near:
         return SolverOutcome.CONVERGED
     if not np.isfinite(size) and not refused:
         return SolverOutcome.NOT_FINITE
     return SolverOutcome.LIMIT if last else SolverOutcome.RUNNING
 
 
-def _step(balance: BearingBalance, system: Linearisation, pace: StepLimits) -> NDArray:
-    bearing = balance.roller.bearing
-    orbiting = bearing.cage.mass + bearing.rollers * bearing.roller.mass
-    columns, rows = balance.scales.unknown, balance.scales.residual
-    spin, cage = balance.layout.field(-1).start, CAGE
-    own = system.table[balance.layout.per_roller - 1, balance.layout.per_roller - 1]
-    inertia = bearing.roller.inertia * columns[:, spin] / rows[:, spin] / pace.time
+def _step(balance: BearingBalance, system: Linearisation, limits: StepLimits) -> NDArray:
+    """Implicit Euler step (C, N) of cage and spins, scaled."""
+    inertia = scaled_inertia(balance) / limits.time[:, None]
+    spin = balance.layout.per_roller - 1
     shift = bordered_system.Shift(
-        # A spin that runs away, as on a traction curve that falls, is led the way it runs.
-        spin=inertia[:, None] + np.maximum(2 * own, 0.0),
-        cage=orbiting * (bearing.pitch_diameter / 2) ** 2 * columns[:, cage] / rows[:, cage] / pace.time,
+        # A spin that diverges, as on a traction curve that falls, is moved the way it diverges.
+        spin=inertia[:, balance.layout.field(-1)] + np.maximum(2 * system.table[spin, spin], 0.0),
+        cage=inertia[:, CAGE],
     )
-    return step(balance, system, pace.shift, LARGEST_SPEED_CHANGE, shift)
+    return step(balance, system, limits.ring_step, LARGEST_SPEED_CHANGE, shift)
+
+
+def scaled_inertia(balance: BearingBalance) -> NDArray:
+    """Inertia (C, N) [s] of each scaled unknown in its scaled residual, zero but for cage and spins."""
+    bearing, spins = balance.roller.bearing, balance.layout.field(-1)
+    inertia = np.zeros(balance.layout.size)
+    inertia[spins] = bearing.roller.inertia
+    orbiting = bearing.cage.mass + bearing.rollers * bearing.roller.mass
+    inertia[CAGE] = orbiting * (bearing.pitch_diameter / 2) ** 2
+    return inertia * balance.scales.unknown / balance.scales.residual

@@ -1,4 +1,4 @@
-"""Whether an equilibrium keeps: growth rates of small disturbances of cage and spins."""
+"""Stability of an equilibrium: growth rates of small disturbances of cage and spins."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -6,6 +6,7 @@ from numpy.typing import NDArray
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
 from quasidynamic.balance.rollers.unknowns import CAGE
 from quasidynamic.solve.rollers import bordered_system
+from quasidynamic.solve.rollers.pseudo_time import scaled_inertia
 
 
 def growth_rates(balance: BearingBalance, system: Linearisation) -> NDArray:
@@ -38,8 +39,8 @@ def growth_rates(balance: BearingBalance, system: Linearisation) -> NDArray:
 
     Valid
     -----
-    For the state that stands still as seen from the cage: rollers pass from azimuth to azimuth, and
-    the spin at an azimuth changes. The ring has no mass here: whirling is not looked at.
+    Steady state seen from the cage: rollers pass from azimuth to azimuth, and the spin at an azimuth
+    changes. The ring has no mass here: whirling is left out.
     """
     moving = np.concatenate([[CAGE], np.arange(balance.layout.size)[balance.layout.field(-1)]])
     unit = np.zeros((1, balance.layout.size, len(moving)))
@@ -47,14 +48,4 @@ def growth_rates(balance: BearingBalance, system: Linearisation) -> NDArray:
     inverse = bordered_system.solve(balance, system, unit)[0, moving]
     if not np.isfinite(inverse).all():
         return np.full(len(moving), np.nan, complex)
-    return 1.0 / np.linalg.eigvals(inverse * _inertia(balance)[moving]).astype(complex)
-
-
-def _inertia(balance: BearingBalance) -> NDArray:
-    """Inertia (N) [s] of each scaled unknown in its scaled residual, zero but for cage and spins."""
-    bearing = balance.roller.bearing
-    orbiting = bearing.cage.mass + bearing.rollers * bearing.roller.mass
-    inertia, spins = np.zeros(balance.layout.size), balance.layout.field(-1)
-    inertia[spins] = bearing.roller.inertia
-    inertia[CAGE] = orbiting * (bearing.pitch_diameter / 2) ** 2
-    return inertia * balance.scales.unknown[0] / balance.scales.residual[0]
+    return 1.0 / np.linalg.eigvals(inverse * scaled_inertia(balance)[0, moving]).astype(complex)

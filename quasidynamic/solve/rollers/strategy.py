@@ -20,30 +20,30 @@ Start = Callable[[BearingBalance], NDArray]
 
 
 @dataclass(frozen=True)
-class Solved:
-    """Where C cases ended; filled while they are solved."""
+class SolvedCases:
+    """How the solves of C cases ended; filled while they are solved."""
 
     unknowns: NDArray  # (C, N) scaled
     outcomes: list[SolverOutcome]
     evaluations: NDArray  # (C)
 
-    def left(self) -> NDArray:
+    def unsolved(self) -> NDArray:
         """Cases that may still be solved."""
         done = (SolverOutcome.CONVERGED, SolverOutcome.UNDETERMINED)
         return np.array([case for case, outcome in enumerate(self.outcomes) if outcome not in done], int)
 
-    def follow(self, sweeps: Iterator[Iterate], cases: NDArray) -> None:
-        """Take over how some cases end."""
-        for sweep in sweeps:
-            here = cases[sweep.cases]
-            self.evaluations[here] += 1
-            for place, outcome in enumerate(sweep.outcomes):
+    def follow(self, iterates: Iterator[Iterate], cases: NDArray) -> None:
+        """Store how the solves of some cases end."""
+        for iterate in iterates:
+            running = cases[iterate.cases]
+            self.evaluations[running] += 1
+            for case, unknowns, outcome in zip(running, iterate.unknowns, iterate.outcomes, strict=True):
                 if outcome is not SolverOutcome.RUNNING:
-                    self.unknowns[here[place]], self.outcomes[here[place]] = sweep.unknowns[place], outcome
+                    self.unknowns[case], self.outcomes[case] = unknowns, outcome
 
 
-def solve(balance: BearingBalance, start: NDArray, better: Sequence[Start]) -> Solved:
-    """Solve all cases, those that one method leaves over by the next one.
+def solve(balance: BearingBalance, start: NDArray, restarts: Sequence[Start]) -> SolvedCases:
+    """Solve all cases, those that one method leaves unsolved by the next one.
 
     Parameters
     ----------
@@ -51,68 +51,66 @@ def solve(balance: BearingBalance, start: NDArray, better: Sequence[Start]) -> S
         C cases
     start : array (C, N)
         scaled unknowns to begin with
-    better : sequence of callables
-        starts that cost more, tried one after the other for what is left
+    restarts : sequence of callables
+        starts that cost more, tried one after the other for what is unsolved
     """
     outcomes = [
         SolverOutcome.UNDETERMINED if free else SolverOutcome.RUNNING for free in balance.undetermined
     ]
-    solved = Solved(start.copy(), outcomes, np.zeros(len(start), int))
-    left = solved.left()
+    solved = SolvedCases(start.copy(), outcomes, np.zeros(len(start), int))
+    left = solved.unsolved()
     if len(left):
-        solved.follow(newton(_some(balance, left), start[left]), left)
-    for number, restart in enumerate(better):
-        left = solved.left()
+        solved.follow(newton(_cases_of(balance, left), start[left]), left)
+    for number, restart in enumerate(restarts):
+        left = solved.unsolved()
         if not len(left):
             break
-        led = start.copy()
-        led[left] = restart(_some(balance, left))
-        solved.follow(newton(_some(balance, left), led[left]), left)
+        unknowns = start.copy()
+        unknowns[left] = restart(_cases_of(balance, left))
+        solved.follow(newton(_cases_of(balance, left), unknowns[left]), left)
         if number:
-            _lead(balance, solved, led, ROUNDS[2])
+            _through_pseudo_time(balance, solved, unknowns, ROUNDS[2])
             continue
-        _lead(balance, solved, led, ROUNDS[0])
-        _unload(balance, solved, restart)
-        _lead(balance, solved, led, ROUNDS[1])
+        _through_pseudo_time(balance, solved, unknowns, ROUNDS[0])
+        for case in solved.unsolved():
+            lighter = from_heavier_load(balance.take(np.array([case])), restart)
+            solved.evaluations[case] += lighter.evaluations
+            if lighter.unknowns is not None:
+                solved.unknowns[case], solved.outcomes[case] = lighter.unknowns[0], SolverOutcome.CONVERGED
+        _through_pseudo_time(balance, solved, unknowns, ROUNDS[1])
     return solved
 
 
-def _lead(balance: BearingBalance, solved: Solved, led: NDArray, rounds: int) -> None:
-    """Move `led` (C, N) through pseudo-time, trying Newton's method after every round."""
-    pace = StepLimits.first(len(led))
+def _through_pseudo_time(
+    balance: BearingBalance, solved: SolvedCases, unknowns: NDArray, rounds: int
+) -> None:
+    """Move `unknowns` (C, N) through pseudo-time, trying Newton's method after every round."""
+    limits = StepLimits.first(len(unknowns))
     for _ in range(rounds):
-        left = solved.left()
+        left = solved.unsolved()
         if not len(left):
             return
-        here = _some(balance, left)
-        for sweep, now in pseudo_time(here, led[left], pace.take(left)):
-            cases = left[sweep.cases]
+        balance_left = _cases_of(balance, left)
+        for iterate, limits_now in pseudo_time(balance_left, unknowns[left], limits.take(left)):
+            cases = left[iterate.cases]
             solved.evaluations[cases] += 1
-            led[cases], pace.time[cases], pace.shift[cases] = sweep.unknowns, now.time, now.shift
-        solved.follow(newton(here, led[left]), left)
+            unknowns[cases] = iterate.unknowns
+            limits.time[cases], limits.ring_step[cases] = limits_now.time, limits_now.ring_step
+        solved.follow(newton(balance_left, unknowns[left]), left)
 
 
-def _unload(balance: BearingBalance, solved: Solved, better: Start) -> None:
-    """Come down from a heavier load, one case after the other."""
-    for case in solved.left():
-        walk = from_heavier_load(balance.take(np.array([case])), better)
-        solved.evaluations[case] += walk.evaluations
-        if walk.unknowns is not None:
-            solved.unknowns[case], solved.outcomes[case] = walk.unknowns[0], SolverOutcome.CONVERGED
-
-
-def _some(balance: BearingBalance, cases: NDArray) -> BearingBalance:
+def _cases_of(balance: BearingBalance, cases: NDArray) -> BearingBalance:
     return balance if len(cases) == len(balance.points) else balance.take(cases)
 
 
 def iterate(balance: BearingBalance, unknowns: NDArray) -> Iterator[Iterate]:
-    """Yield the accepted iterates of one case whose raceways yield: contact first, then Newton's method."""
+    """Yield the accepted iterates of one case with elastic raceways: contact first, then Newton's method."""
     last = None
     for last in contact_search(balance, unknowns):
         yield last
     assert last is not None  # the search yields its start
     if last.outcomes[0] is not SolverOutcome.RUNNING:
         return
-    for sweep in newton(balance, last.unknowns):
-        if sweep.number and (sweep.accepted[0] or sweep.outcomes[0] is not SolverOutcome.RUNNING):
-            yield sweep.numbered(last.number + sweep.number)
+    for step in newton(balance, last.unknowns):
+        if step.number and (step.accepted[0] or step.outcomes[0] is not SolverOutcome.RUNNING):
+            yield step.numbered(last.number + step.number)

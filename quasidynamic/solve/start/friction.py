@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.balance.rollers.unknowns import Unknowns
-from quasidynamic.solve.rollers.bordered_system import around
+from quasidynamic.solve.rollers.bordered_system import cyclic_tridiagonal
 from quasidynamic.solve.rollers.static_equilibrium import frictionless_loads
 from quasidynamic.solve.start.lumped import LumpedRollers
 
@@ -88,7 +88,7 @@ class _Friction:
         spin = r_w * (traction[0] - traction[1] - shear[0] - shear[1]) - taken.torque
         by_spin, by_cage = r_w * (by_speed[:, 0] - by_speed[:, 1])
         sides = np.array([-spin, by_cage - taken.by_cage])
-        alone, pushed = around(by_spin - taken.by_spin, taken.by_before, taken.by_after, sides)
+        alone, pushed = cyclic_tridiagonal(by_spin - taken.by_spin, taken.by_before, taken.by_after, sides)
         torque, slope = self.rollers.cage_torque(np.concatenate([traction, shear]), cage_drift)
         row, corner = r_m * by_speed[0].sum(0), slope + r_m * by_speed[1].sum((0, 2))
         cage_step = -(torque + (row * alone).sum(-1)) / (corner - (row * pushed).sum(-1))
