@@ -69,12 +69,12 @@ _RING = (
 def four_point_page(numbers: dict[str, Any]) -> Iterator[RenderableType]:
     """Loads, torque in parts, ring, assumed keys, notes, and how the run ended.
 
-    Rings that yield are compared with rigid ones; then everything is said of them.
+    Elastic rings are compared with rigid ones; then come the numbers of the elastic ones.
     """
     yield Text(numbers["title"], style="bold")
     if numbers["flexible"]:
         yield beside(numbers)
-        yield Text("between the rings that yield", "bold")
+        yield Text("between the elastic rings", "bold")
     if block := numbers["flexible"] or numbers["rigid"]:
         yield _values(block, _ROWS_FOUR_POINT)
         yield _races(block, _RACES_FOUR_POINT)

@@ -1,4 +1,4 @@
-"""Rigid rings beside rings that yield, of a slow ball bearing."""
+"""Rigid rings beside elastic ones, of a slow ball bearing."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ _ROWS = (  # label, key in the block, format
     ("largest contact load [N]", "max_contact_load_N", ",.1f"),
     ("contact angle [deg]", "contact_angle_range_deg", ".2f"),
     ("torque of the bearing [N m]", "torque_Nm", ".5g"),
-    ("largest yield of the rings [um]", "largest_ring_yield_um", ".2f"),
+    ("largest deflection of the rings [um]", "largest_ring_yield_um", ".2f"),
 )
 
 
 def beside(numbers: dict[str, Any]) -> Table:
     """Compare the blocks of a summary that has both: loads, angles, torque, displacement, stiffness."""
-    table = right_aligned("", "rigid rings", "rings that yield")
+    table = right_aligned("", "rigid rings", "elastic rings")
     both = numbers["rigid"], numbers["flexible"]
     for label, key, form in _ROWS:
         table.add_row(Text(label), *(_shown(block[key], form) for block in both))
@@ -61,7 +61,7 @@ def compared_loads(result: Result) -> Figure:
     figure, (upper, lower) = stacked(result, "Contact loads and angles at the inner race", 2)
     for values, look, rings in (
         (result.rigid, {"linestyle": "--", "marker": "", "alpha": 0.6}, "rigid"),
-        (result.flexible, {}, "yielding"),
+        (result.flexible, {}, "elastic"),
     ):
         for diagonal in range(2):
             load = values["contact_load"][:, diagonal, 0]

@@ -31,7 +31,7 @@ def pictures(result: Result) -> dict[str, Figure]:
     -------
     dict
         loads and torques around the ring when the ring is loaded, and the contacts of each chosen ball,
-        between rings that yield where there are such; then also their loads beside those of rigid rings;
+        between elastic rings where there are such; then also their loads beside those of rigid rings;
         empty when nothing was solved
     """
     if not result.rigid:
@@ -40,14 +40,14 @@ def pictures(result: Result) -> dict[str, Figure]:
     if "ring_load" in result.rigid:
         found |= {"ball_loads": ball_loads(result), "ball_torques": ball_torques(result)}
     if result.flexible:
-        found["rigid_and_yielding_rings"] = compared_loads(result)
+        found["rigid_and_elastic_rings"] = compared_loads(result)
     for place, ball in enumerate(_last(result)["field_ball"].astype(int)):
         found[f"contacts_of_ball_{ball}"] = contact_fields(result, place)
     return found
 
 
 def _last(result: Result) -> Any:
-    """The block of rings that yield, else of rigid ones."""
+    """The block of elastic rings, else of rigid ones."""
     return result.flexible or result.rigid
 
 

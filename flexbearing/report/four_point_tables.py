@@ -91,9 +91,9 @@ def _ring(values: Any) -> dict[str, Any]:
     if "ring_displacement" not in values:
         names = ("ring_displacement_um", "ring_tilt_mrad", "stiffness_matrix_SI", "largest_ring_yield_um")
         return dict.fromkeys(names)
-    yielded = values.get("ring_yield")
+    deflection = values.get("ring_yield")
     return {
-        "largest_ring_yield_um": None if yielded is None else 1e6 * np.hypot(*yielded.T).max(),
+        "largest_ring_yield_um": None if deflection is None else 1e6 * np.hypot(*deflection.T).max(),
         "ring_displacement_um": 1e6 * values["ring_displacement"][:3],
         "ring_tilt_mrad": 1e3 * values["ring_displacement"][3:],
         "stiffness_matrix_SI": values["stiffness_matrix"],

@@ -47,7 +47,7 @@ FOUR_POINT = (
     Dataset("ring_load", "5", "N, N m", "block",
             f"load on the inner ring ({_RING}); absent when contact loads are given", optional=True),
     Dataset("ring_displacement", "5", "m, rad", "block",
-            f"displacement of the inner ring ({_RING}), of its bolted face when it yields; absent when "
+            f"displacement of the inner ring ({_RING}), of its bolted face when it is elastic; absent when "
             "contact loads are given", optional=True),
     Dataset("ring_yield", "Z G 2", "m", "block",
             "by how much both rings let opposite groove centres come closer, (outward, along x), the "

@@ -24,7 +24,7 @@ def compliance(case: FourPointCase, report: Report) -> NDArray:
     Parameters
     ----------
     case : FourPointCase
-        with a ring that yields
+        with an elastic ring
     report : Report
         hears of what is condensed
 

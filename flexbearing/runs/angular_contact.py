@@ -23,16 +23,16 @@ class Solution:
 
 def bearing(case: AngularCase) -> qd.AngularContactBallBearing:
     """The bearing of a case."""
-    own, materials = case.bearing, case.materials
+    parts, materials = case.bearing, case.materials
     return qd.AngularContactBallBearing(
         bearing=qd.AngularContactBearing(
-            ball=ball(own, materials.ball),
-            inner=groove(own, "inner", materials.inner_ring or materials.ball),
-            outer=groove(own, "outer", materials.outer_ring or materials.ball),
-            balls=own.balls,
-            pitch_diameter=own.pitch_diameter,
-            contact_angle=own.contact_angle,
-            first_ball_azimuth=own.first_ball_azimuth,
+            ball=ball(parts, materials.ball),
+            inner=groove(parts, "inner", materials.inner_ring or materials.ball),
+            outer=groove(parts, "outer", materials.outer_ring or materials.ball),
+            balls=parts.balls,
+            pitch_diameter=parts.pitch_diameter,
+            contact_angle=parts.contact_angle,
+            first_ball_azimuth=parts.first_ball_azimuth,
         ),
         control=case.operation.control,
         friction=case.operation.friction,
@@ -41,12 +41,11 @@ def bearing(case: AngularCase) -> qd.AngularContactBallBearing:
 
 def operation(case: AngularCase) -> qd.RingOperation:
     """Load, displacement and speeds of a case."""
-    given = case.operation
     return qd.RingOperation(
-        load=given.load.values,
-        displacement=given.displacement.values,
-        inner_speed=given.inner_speed,
-        outer_speed=given.outer_speed,
+        load=case.operation.load.values,
+        displacement=case.operation.displacement.values,
+        inner_speed=case.operation.inner_speed,
+        outer_speed=case.operation.outer_speed,
     )
 
 
@@ -58,11 +57,11 @@ def build(case: AngularCase) -> tuple[qd.AngularContactBallBearing, qd.RingOpera
 def solved(case: AngularCase) -> Solution:
     """Balance and pure rolling lines; raises `NotSolved`, `OutOfRange` or `ImpossiblePart`."""
     state = bearing(case).solve(operation(case))
-    wanted = case.rolling_lines
+    lines = case.rolling_lines
     if not (state.loads > 0).all(0).any():
         return Solution(state, None, "no ball touches both races")
     try:
-        return Solution(state, state.rolling_contact(spin=wanted.spin, friction=wanted.net_force))
+        return Solution(state, state.rolling_contact(spin=lines.spin, friction=lines.net_force))
     except (qd.OutOfRange, qd.NotSolved) as problem:
         return Solution(state, None, str(problem))
 
@@ -71,7 +70,7 @@ def arrays(case: AngularCase, solution: Solution) -> dict[str, ArrayLike]:
     """Datasets of the solution."""
     state = solution.state
     across, along = state.semi_axes
-    found: dict[str, ArrayLike] = {
+    datasets: dict[str, ArrayLike] = {
         "ball_azimuth": state.bearing.azimuths,
         "contact_load": state.loads,
         "contact_angle": state.contact_angles,
@@ -92,8 +91,8 @@ def arrays(case: AngularCase, solution: Solution) -> dict[str, ArrayLike]:
     }
     heat, torque = state.friction_heat, state.friction_torque
     if heat is not None and torque is not None:
-        found |= {"friction_heat": heat, "friction_torque": torque}
-    return found if solution.contact is None else found | _lines(case, state, solution.contact)
+        datasets |= {"friction_heat": heat, "friction_torque": torque}
+    return datasets if solution.contact is None else datasets | _lines(case, state, solution.contact)
 
 
 def _lines(case: AngularCase, state: qd.AngularContactState, contact: RollingContact) -> dict[str, ArrayLike]:
@@ -125,22 +124,24 @@ def _lines(case: AngularCase, state: qd.AngularContactState, contact: RollingCon
 
 def notes(case: AngularCase, solution: Solution) -> tuple[str, ...]:
     """What a user must know of the solution."""
-    state, told = solution.state, ()
-    off = int((~state.on_inner).sum())
-    if off:
-        told += (f"{off} of {len(state.on_inner)} balls do not touch the inner race",)
-    told += _beyond_shoulders(case, state)
-    led = int((state.on_inner & ~state.guided).sum())
-    if led:
+    state, lines = solution.state, ()
+    lifted = int((~state.on_inner).sum())
+    if lifted:
+        lines += (f"{lifted} of {len(state.on_inner)} balls do not touch the inner race",)
+    shoulders = case.bearing.inner.shoulder, case.bearing.outer.shoulder
+    beyond = (_beyond(state, race, shoulder) for race, shoulder in enumerate(shoulders))
+    lines += tuple(note for note in beyond if note)
+    unguided = int((state.on_inner & ~state.guided).sum())
+    if unguided:
         far = "" if case.operation.control == "coulomb" else " or too far round"
-        told += (
-            f"{led} balls touch the inner race too lightly{far} for both races to guide them: "
+        lines += (
+            f"{unguided} balls touch the inner race too lightly{far} for both races to guide them: "
             "their orbit, spin and tractions are estimates",
         )
     if solution.contact is None:
         near = "; next to a controlling race the spin may be against the contact angle"
-        told += (f"no pure rolling lines: {solution.reason}{near * (case.operation.control != 'equal')}",)
-    return told + _gyroscopic(case, state)
+        lines += (f"no pure rolling lines: {solution.reason}{near * (case.operation.control != 'equal')}",)
+    return lines + _gyroscopic(case, state)
 
 
 def _gyroscopic(case: AngularCase, state: qd.AngularContactState) -> tuple[str, ...]:
@@ -153,38 +154,32 @@ def _gyroscopic(case: AngularCase, state: qd.AngularContactState) -> tuple[str, 
             f"gyroscopic moment: friction does not hold the axes of {int(lying.sum())} balls, which turn "
             f"towards the shaft, down to {np.degrees(np.abs(state.attitude[lying]).min()):.1f} deg",
         )
-    needed, given = state.needed_friction.max(), case.rolling_lines.coefficient
-    if needed <= given:
+    needed, coefficient = state.needed_friction.max(), case.rolling_lines.coefficient
+    if needed <= coefficient:
         return ()
     return (
         f"gyroscopic moment: held by friction with a coefficient of up to {needed:.3g}, more than "
-        f"rolling_lines.coefficient = {given:g}: in reality balls would turn about the rolling direction",
+        f"rolling_lines.coefficient = {coefficient:g}: in reality balls would turn about the rolling "
+        "direction",
     )
 
 
-def _beyond_shoulders(case: AngularCase, state: qd.AngularContactState) -> tuple[str, ...]:
-    """Races that contacts would leave over their shoulders."""
-    own = case.bearing
-    told = (_beyond(state, 0, own.inner.shoulder), _beyond(state, 1, own.outer.shoulder))
-    return tuple(note for note in told if note)
-
-
-def _beyond(state: qd.AngularContactState, index: int, shoulder: float | None) -> str:
+def _beyond(state: qd.AngularContactState, race: int, shoulder: float | None) -> str:
     """What is left out of contacts above a shoulder [m], one of usual height unless given; empty for none."""
-    race, needed = ("inner", "outer")[index], state.needed_shoulders[index]
+    name, needed = ("inner", "outer")[race], state.needed_shoulders[race]
     diameter = state.bearing.ball.diameter
-    over = state.truncated(index, shoulder)
+    over = state.truncated(race, shoulder)
     if not over.any():
         return ""
-    steepest = np.degrees(np.abs(state.contact_angles[index, over]).max())
+    steepest = np.degrees(np.abs(state.contact_angles[race, over]).max())
     at = f"at contact angles of up to {steepest:.1f} deg"
     if shoulder is None:
         return (
-            f"contacts reach {needed.max() / diameter:.3g} ball diameters up the {race} race, {at}; "
+            f"contacts reach {needed.max() / diameter:.3g} ball diameters up the {name} race, {at}; "
             f"shoulders end at some {USUAL_SHOULDER:g}, and beyond theirs contacts are cut off, "
             "which is left out"
         )
     return (
-        f"{int(over.sum())} contacts are cut off on the shoulder of the {race} race, {1e3 * shoulder:.4g} mm "
+        f"{int(over.sum())} contacts are cut off on the shoulder of the {name} race, {1e3 * shoulder:.4g} mm "
         f"high: they reach up to {1e3 * needed.max():.4g} mm, {at}; that is left out, as if the race went on"
     )

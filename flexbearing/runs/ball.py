@@ -24,7 +24,7 @@ def opening(case: Head) -> dict[str, object]:
 def solve_four_point(case: FourPointCase, file: ResultFile, report: Report) -> dict[str, object]:
     """Write the solution of a slow bearing; returns the root attributes that say how it ended.
 
-    Rings that yield come beside the rigid ones.
+    Elastic rings come beside the rigid ones.
 
     Raises
     ------
@@ -37,7 +37,7 @@ def solve_four_point(case: FourPointCase, file: ResultFile, report: Report) -> d
         file.block("rigid", four_point.arrays(case, found))
         if not case.rings.rigid:
             compliance = bolted.compliance(case, report)
-            report.stage("slow balls between rings that yield", None)
+            report.stage("slow balls between elastic rings", None)
             found = four_point.solved(case, compliance)
             file.block("flexible", four_point.arrays(case, found))
     except (NotSolved, RingNotSolved) as failure:

@@ -26,18 +26,18 @@ class Solution:
 
 def bearing(case: FourPointCase) -> qd.FourPointBallBearing:
     """The bearing of a case; raises `BadCase` when one of its rings cannot be."""
-    own, materials = case.bearing, case.materials
+    parts, materials = case.bearing, case.materials
     for name in ("inner", "outer"):
         bolted.ring(case, name)
     return qd.FourPointBallBearing(
         bearing=qd.FourPointBearing(
-            ball=ball(own, materials.ball),
-            inner=groove(own, "inner", materials.inner_ring or materials.ball),
-            outer=groove(own, "outer", materials.outer_ring or materials.ball),
-            balls=own.balls or FEWEST,
-            pitch_diameter=own.pitch_diameter,
-            contact_angle=own.contact_angle,
-            clearance=own.clearance,
+            ball=ball(parts, materials.ball),
+            inner=groove(parts, "inner", materials.inner_ring or materials.ball),
+            outer=groove(parts, "outer", materials.outer_ring or materials.ball),
+            balls=parts.balls or FEWEST,
+            pitch_diameter=parts.pitch_diameter,
+            contact_angle=parts.contact_angle,
+            clearance=parts.clearance,
         ),
         friction=_friction(case),
         hysteresis_loss=case.friction.hysteresis_loss,
@@ -45,12 +45,12 @@ def bearing(case: FourPointCase) -> qd.FourPointBallBearing:
 
 
 def _friction(case: FourPointCase) -> qd.FrictionCurve:
-    given = case.friction
-    if given.coefficient is not None:
-        return qd.constant_friction(given.coefficient)
-    assert given.pressures is not None  # checked on reading
-    assert given.coefficients is not None
-    return qd.FrictionCurve(pressures=given.pressures, coefficients=given.coefficients)
+    friction = case.friction
+    if friction.coefficient is not None:
+        return qd.constant_friction(friction.coefficient)
+    assert friction.pressures is not None  # checked on reading
+    assert friction.coefficients is not None
+    return qd.FrictionCurve(pressures=friction.pressures, coefficients=friction.coefficients)
 
 
 def solved(case: FourPointCase, compliance: NDArray | None = None) -> Solution:
@@ -64,7 +64,7 @@ def solved(case: FourPointCase, compliance: NDArray | None = None) -> Solution:
     model = bearing(case)
     if case.operation.mode == "ring_load":
         load = case.operation.load
-        found = model.solve(
+        equilibrium = model.solve(
             qd.RingLoad(
                 axial=load.axial,
                 radial_y=load.radial_y,
@@ -74,11 +74,11 @@ def solved(case: FourPointCase, compliance: NDArray | None = None) -> Solution:
             ),
             compliance,
         )
-        return Solution(found.balls, found.distribution)
-    given = np.array(case.operation.contact_loads)
-    shape = (case.balls, len(given), 2)
+        return Solution(equilibrium.balls, equilibrium.distribution)
+    loads = np.array(case.operation.contact_loads)
+    shape = (case.balls, len(loads), 2)
     angle = np.full(shape, case.bearing.contact_angle)
-    return Solution(model.slide(angle, np.broadcast_to(given[:, None], shape)), None)
+    return Solution(model.slide(angle, np.broadcast_to(loads[:, None], shape)), None)
 
 
 def arrays(case: FourPointCase, solution: Solution) -> dict[str, ArrayLike]:
@@ -109,29 +109,29 @@ def arrays(case: FourPointCase, solution: Solution) -> dict[str, ArrayLike]:
 def _torques(case: FourPointCase, balls: qd.SlidingBalls) -> dict[str, ArrayLike]:
     parts = balls.torques
     sliding = parts.total if case.friction.torque == "exact" else parts.circumferential
-    each = sliding + SIGN * balls.hysteresis[:, None]
+    ball_torque = sliding + SIGN * balls.hysteresis[:, None]
     return {
         "spin_torque": parts.spin,
         "roll_torque": parts.roll,
         "circumferential_torque": parts.circumferential,
         "hysteresis_torque": balls.hysteresis,
-        "ball_torque": each,
-        "torque": each.sum(0),
+        "ball_torque": ball_torque,
+        "torque": ball_torque.sum(0),
     }
 
 
-def _ring(case: FourPointCase, found: BallLoads | None) -> dict[str, ArrayLike]:
-    if found is None:
+def _ring(case: FourPointCase, distribution: BallLoads | None) -> dict[str, ArrayLike]:
+    if distribution is None:
         return {}
-    own: dict[str, ArrayLike] = {
+    arrays: dict[str, ArrayLike] = {
         "ring_load": case.operation.load.values,
-        "ring_displacement": found.displacement,
-        "stiffness_matrix": found.stiffness,
-        "ring_imbalance": found.imbalance,
+        "ring_displacement": distribution.displacement,
+        "stiffness_matrix": distribution.stiffness,
+        "ring_imbalance": distribution.imbalance,
     }
-    if isinstance(found, ElasticBallLoads):
-        own["ring_yield"] = found.deflection
-    return own
+    if isinstance(distribution, ElasticBallLoads):
+        arrays["ring_yield"] = distribution.deflection
+    return arrays
 
 
 def _fields(case: FourPointCase, balls: qd.SlidingBalls) -> dict[str, ArrayLike]:
@@ -148,33 +148,33 @@ def _fields(case: FourPointCase, balls: qd.SlidingBalls) -> dict[str, ArrayLike]
     }
     fields = {name: np.zeros((len(chosen), diagonals, 2, points, points)) for name in names}
     for place in np.ndindex(len(chosen), diagonals, 2):
-        one = (chosen[place[0]], place[1], place[2])
-        if balls.load[one] > 0 and balls.sliding.driven[one[0]]:
-            found = balls.field(*one, points)
+        contact = (chosen[place[0]], place[1], place[2])
+        if balls.load[contact] > 0 and balls.sliding.driven[contact[0]]:
+            field = balls.field(*contact, points)
             for name, value in names.items():
                 scale = case.operation.speed if name.startswith("slip") else 1.0
-                fields[name][place] = scale * found[value]
+                fields[name][place] = scale * field[value]
     return {"field_ball": chosen, **fields}
 
 
 def notes(case: FourPointCase, solution: Solution) -> tuple[str, ...]:
     """What a user must know of the solution."""
     balls = solution.balls
-    told = balls.notes
+    lines = balls.notes
     if solution.distribution is None:
-        told += ("contact loads are given: every ball carries them, at the contact angle without load",)
-    told += _on_shoulders(case, balls)
+        lines += ("contact loads are given: every ball carries them, at the contact angle without load",)
+    lines += _on_shoulders(case, balls)
     idle = int((~balls.sliding.driven).sum())
     if idle:
-        told += (f"{idle} of {len(balls.load)} balls are not pressed on both rings: they make no torque",)
+        lines += (f"{idle} of {len(balls.load)} balls are not pressed on both rings: they make no torque",)
     if case.friction.torque == "circumferential":
-        told += (_apart(balls.torques.circumferential.sum(0), balls.torques.total.sum(0)),)
-    return told
+        lines += (_apart(balls.torques.circumferential.sum(0), balls.torques.total.sum(0)),)
+    return lines
 
 
 def _on_shoulders(case: FourPointCase, balls: qd.SlidingBalls) -> tuple[str, ...]:
     """Contacts that reach over the arches of rings whose shoulders are known."""
-    told: tuple[str, ...] = ()
+    lines: tuple[str, ...] = ()
     for race, name in enumerate(("inner", "outer")):
         ring = getattr(case.rings, name)
         if ring.kind == "rigid":
@@ -183,15 +183,15 @@ def _on_shoulders(case: FourPointCase, balls: qd.SlidingBalls) -> tuple[str, ...
         radius = getattr(case.bearing, name).over(diameter) * diameter
         over = int(balls.truncated(race, radius, ring.groove_end).sum())
         if over:
-            told += (
+            lines += (
                 f"{over} contacts of the {name} ring reach over its shoulders at "
                 f"{np.degrees(ring.groove_end):.1f} deg; they are computed as if the arches went on",
             )
-    return told
+    return lines
 
 
-def _apart(found: NDArray, exact: NDArray) -> str:
-    share = 100 * (found / exact - 1)
+def _apart(circumferential: NDArray, exact: NDArray) -> str:
+    share = 100 * (circumferential / exact - 1)
     return (
         "torque: the circumferential formula leaves out the moment of lateral slip: "
         f"{share[0]:+.2f} % at the inner and {share[1]:+.2f} % at the outer ring against the exact one"

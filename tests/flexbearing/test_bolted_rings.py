@@ -125,12 +125,12 @@ def test_summary_and_page_show_both(run):
     assert numbers["rigid"]["largest_ring_yield_um"] is None
 
 
-def test_pictures_put_rigid_beside_yielding(run, tmp_path):
+def test_pictures_put_rigid_beside_elastic_rings(run, tmp_path):
     from flexbearing.report.deformed import pictures
 
     drawn = FAMILIES["four_point_ball"].look().pictures(run())
-    assert "rigid_and_yielding_rings" in drawn
-    upper = drawn["rigid_and_yielding_rings"].axes[0]
+    assert "rigid_and_elastic_rings" in drawn
+    upper = drawn["rigid_and_elastic_rings"].axes[0]
     heights = {line.get_label(): line.get_ydata().max() for line in upper.lines}
     assert len(heights) == 4
     assert max(heights.values()) == approx(
