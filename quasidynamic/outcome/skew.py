@@ -86,7 +86,7 @@ class Skew:
 def skewed(
     running: RunningRollers, raceways: Raceways, bearing: CylindricalRollerBearing, flange: Flange
 ) -> Skew:
-    """Skew of all rollers, each for itself, at an equilibrium that does not know of it.
+    """Skew of every roller at an equilibrium that was found without skew.
 
     Parameters
     ----------

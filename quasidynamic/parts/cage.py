@@ -8,11 +8,11 @@ from quasidynamic.errors import ImpossiblePart, require_positive
 
 @dataclass(frozen=True, kw_only=True)
 class Cage:
-    """A cage that keeps its rollers in step and is carried by a land or by the rollers."""
+    """A cage that spaces the rollers and is guided by the land of a ring or by the rollers."""
 
     guidance: Literal["outer", "inner", "rollers"]
     pocket_friction: float  # [-] Coulomb coefficient between roller and pocket
-    thickness: float  # [m] radial; the part of a roller that it hides from the oil-air mixture
+    thickness: float  # [m] radial; the part of a roller that it shields from the oil-air mixture
     mass: float  # [kg]
     land_diameter: float = 0.0  # [m] unused when the rollers guide
     land_width: float = 0.0  # [m] total over both lands

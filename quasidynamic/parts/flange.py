@@ -26,5 +26,5 @@ class Flange:
         if self.height <= self.roller_chamfer:
             raise ImpossiblePart(
                 f"flange.height = {self.height:.4g} m must be above the chamfer of the roller, "
-                f"{self.roller_chamfer:.4g} m, or the end of the roller meets nothing"
+                f"{self.roller_chamfer:.4g} m, or the end of the roller touches nothing"
             )

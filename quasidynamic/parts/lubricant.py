@@ -1,4 +1,4 @@
-"""The oil as the contacts meet it."""
+"""The oil at the inlet of the contacts."""
 
 from dataclasses import dataclass
 

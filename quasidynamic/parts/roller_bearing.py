@@ -15,7 +15,7 @@ from quasidynamic.parts.roller import Roller
 
 @dataclass(frozen=True, kw_only=True)
 class CylindricalRollerBearing:
-    """Rollers between two raceways, kept apart by a cage."""
+    """Rollers between two raceways, spaced by a cage."""
 
     rollers: int
     outer_raceway_diameter: float  # [m]

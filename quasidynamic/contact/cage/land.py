@@ -10,9 +10,9 @@ from quasidynamic.parts.cage import Cage
 from quasidynamic.parts.lubricant import Lubricant
 
 ECCENTRICITY_LIMIT = 0.995  # beyond it the film functions go on along their tangent, see `land_notes`
-OFFSET_STEPS = 60  # Newton's method on a convex function from above: a light land takes about twenty
-OFFSET_DIGITS = 1e-14  # of the clearance
-LEAST_OFFSET = 1e-9  # of the clearance: a centred cage has no direction
+OFFSET_ITERATIONS = 60  # Newton's method on a convex function from above: a light land takes about twenty
+OFFSET_TOLERANCE = 1e-14  # of the clearance
+SMALLEST_OFFSET = 1e-9  # of the clearance: a centred cage has no direction
 
 
 class LandTorque(NamedTuple):
@@ -206,7 +206,7 @@ def land_offset(force: NDArray, speed_sum: NDArray | float, cage: Cage, oil: Lub
 
     Valid
     -----
-    As `land_force`. A centred cage has no direction: its offset is at least `LEAST_OFFSET` c.
+    As `land_force`. A centred cage has no direction: its offset is at least `SMALLEST_OFFSET` c.
     """
     clearance = cage.land_clearance / 2
     unit = _force_unit(cage, oil, lands=2) * np.abs(speed_sum)
@@ -231,13 +231,13 @@ def _eccentricity(force: NDArray) -> NDArray:
     limit = _film_force(np.array(ECCENTRICITY_LIMIT))
     # Beyond the limit the force grows at least along the tangent of its value there.
     ratio = np.maximum(ECCENTRICITY_LIMIT, force / limit[0])
-    for _ in range(OFFSET_STEPS):
+    for _ in range(OFFSET_ITERATIONS):
         value, slope = _film_force(ratio)
         change = (value - force) / slope
-        ratio = np.maximum(ratio - change, LEAST_OFFSET)
-        if not (np.abs(change) > OFFSET_DIGITS * ratio).any():
+        ratio = np.maximum(ratio - change, SMALLEST_OFFSET)
+        if not (np.abs(change) > OFFSET_TOLERANCE * ratio).any():
             return ratio
-    return np.where(np.abs(change) > OFFSET_DIGITS * ratio, np.nan, ratio)
+    return np.where(np.abs(change) > OFFSET_TOLERANCE * ratio, np.nan, ratio)
 
 
 def _film_force(ratio: NDArray) -> tuple[NDArray, NDArray]:

@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 from quasidynamic.contact.line import EXPONENT
 from quasidynamic.errors import NotSolved
 
-STEPS = 60  # about ten are needed
-DIGITS = 1e-12  # of the clearance
+ITERATION_LIMIT = 60  # about ten are needed
+TOLERANCE = 1e-12  # of the clearance
 FILM_LOAD = 11 / 3  # [N] carried by the film when the roller has crossed the whole clearance
 
 
@@ -89,10 +89,10 @@ def displacement_in_pocket(force: NDArray, clearance: float, stop: NDArray | flo
     size = np.abs(force)
     # The film alone, or the wall alone, would have to go further.
     depth = np.minimum(size * clearance / FILM_LOAD, clearance + (size / stop) ** (1 / EXPONENT))
-    for _ in range(STEPS):
+    for _ in range(ITERATION_LIMIT):
         law = roller_on_pocket_force(depth, clearance, stop)
         change = (law.force - size) / law.by_displacement
         depth = depth - change
-        if (np.abs(change) <= DIGITS * clearance).all():
+        if (np.abs(change) <= TOLERANCE * clearance).all():
             return np.sign(force) * depth
     raise NotSolved(f"no displacement in the pocket for forces up to {size.max()!r} N", "not finite")

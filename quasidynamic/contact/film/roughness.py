@@ -6,7 +6,7 @@ from numpy.typing import ArrayLike, NDArray
 from quasidynamic.errors import OutOfRange
 
 MIXED_FROM = 1.0  # [-] lambda; below it asperities carry most of the load
-FULL_FILM_FROM = 3.0  # [-] lambda; from here on the peaks of two Gaussian surfaces hardly ever meet
+FULL_FILM_FROM = 3.0  # [-] lambda; from here on the peaks of two Gaussian surfaces hardly ever touch
 
 
 def composite_roughness(first: ArrayLike, second: ArrayLike) -> NDArray:

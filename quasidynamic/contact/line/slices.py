@@ -17,8 +17,8 @@ class Slices:
     A displacement along the roller is sum_m a_m L_m(2x/l); the force conjugate to a_m is
     F_m = sum_k q_k L_m(2 x_k/l) l/K. F_0 is the load, F_1 l/2 the moment about mid-roller.
 
-    With one axial mode a roller can neither tilt nor meet a raceway that does: its two halves do the
-    same, and only one of them is computed.
+    With one axial mode neither roller nor raceway tilts: both halves of the roller carry the same load, and
+    only one of them is computed.
     """
 
     count: int

@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 from quasidynamic.balance.rollers.skew import SkewBalance
 from quasidynamic.errors import NotSolved
 
-LARGEST = 0.5  # [rad] a roller that skews further is not held
-BALANCED = 1e-12  # of the moments that balance
-STEPS = 200
+LARGEST_SKEW = 0.5  # [rad] a roller that skews further is not held
+TOLERANCE = 1e-12  # of the moments that balance
+ITERATION_LIMIT = 200
 
 Residual = Callable[[NDArray], tuple[NDArray, NDArray, NDArray]]  # value, slope and scale at an unknown
 
@@ -59,9 +59,9 @@ def _falling_root(residual: Residual, expected: NDArray) -> NDArray:
     """
     low, high = np.zeros_like(expected), _beyond_root(residual, expected)
     z, last_size = high, np.full_like(expected, np.inf)
-    for _ in range(STEPS):
+    for _ in range(ITERATION_LIMIT):
         value, slope, scale = residual(z)
-        done = np.abs(value) <= BALANCED * scale
+        done = np.abs(value) <= TOLERANCE * scale
         if done.all():
             return z
         low, high = np.where(value > 0, z, low), np.where(value > 0, high, z)
@@ -70,7 +70,9 @@ def _falling_root(residual: Residual, expected: NDArray) -> NDArray:
         last_size = np.abs(value)
         z = np.where(done, z, np.where(refused, 0.5 * (low + high), newton))
     worst = float((np.abs(value) / scale).max())
-    raise NotSolved(f"skew: {worst:.1e} of the moments on a roller are unbalanced after {STEPS} steps")
+    raise NotSolved(
+        f"skew: {worst:.1e} of the moments on a roller are unbalanced after {ITERATION_LIMIT} steps"
+    )
 
 
 def _beyond_root(residual: Residual, expected: NDArray) -> NDArray:
@@ -83,9 +85,9 @@ def _beyond_root(residual: Residual, expected: NDArray) -> NDArray:
         too_low = value > 0
         if not too_low.any():
             return high
-        if (high[too_low] > LARGEST).any():
+        if (high[too_low] > LARGEST_SKEW).any():
             raise NotSolved(
-                f"skew: nothing holds {np.count_nonzero(too_low)} rollers below {LARGEST:g} rad; "
+                f"skew: nothing holds {np.count_nonzero(too_low)} rollers below {LARGEST_SKEW:g} rad; "
                 "is the stiffness of the flange right?"
             )
         high = np.where(too_low, 2 * high, high)
