@@ -3,6 +3,10 @@
 Tractions on a face are polynomials along its meridian, given at Gauss points. A face has its own
 directions: pressure, the tangent along the meridian, the tangent along the circumference. A free body
 keeps its rigid motions as such, see `fem.section.rigid_body_modes`.
+
+Source
+------
+Derived here: virtual work of harmonic loads on a body of revolution; rigid motions from their definition.
 """
 
 from collections.abc import Mapping
@@ -26,7 +30,7 @@ FLAT = 1e-12  # mean square deviation of an edge from its place, over the square
 
 @dataclass(frozen=True, kw_only=True)
 class ContactFace:
-    """An edge along which bodies can touch."""
+    """An edge along which two bodies can touch."""
 
     edge: str
     component: int  # that pressure has: 0 axial, 1 radial
@@ -78,8 +82,8 @@ def condense_body(
     .. math:: C_n = G^T K(n)^{-1} G, \quad g_a(v) = \frac{1}{w_a} \int \ell_a v_k\,r\,ds, \quad
               w_a = \int \ell_a\,r\,ds
 
-    Clamps hold the body against these loads. They follow its growth by heat or rotation, as a shaft that
-    goes on beyond them.
+    Clamps hold the body against these loads. They follow its expansion by heat or rotation, as a shaft
+    that goes on beyond them.
 
     Parameters
     ----------
@@ -116,24 +120,26 @@ def condense_body(
     Small displacement; the body of one material.
     """
     axial_modes, highest = raceway
-    parts = [_face_basis(body, k, face) for k, face in enumerate(faces)]
-    points = FacePoints(*(np.concatenate(column) for column in zip(*(p for p, _ in parts), strict=True)))
-    race = edge_modes(body, "raceway", axial_modes) if axial_modes else np.empty((body.stiffness.unknowns, 0))
-    G = np.hstack([*(columns for _, columns in parts), race])
-    held = body.stiffness.clamped.any()
-    free_motions = FreeMotions(axial=not held, turning=not held, across=not held)
+    points, face_loads = zip(*(_face_basis(body, k, face) for k, face in enumerate(faces)), strict=True)
+    unknowns, stiffness = body.stiffness.unknowns, body.stiffness
+    raceway_loads = edge_modes(body, "raceway", axial_modes) if axial_modes else np.empty((unknowns, 0))
+    G = np.hstack([*face_loads, raceway_loads])
+    clamped = stiffness.clamped.any()
+    free_motions = FreeMotions() if clamped else FREE
     beyond = np.empty((0, axial_modes, axial_modes))
     if highest > last:
-        beyond = responses(body, free_motions, race, highest)[last + 1 :]
-    growth = held_on_points(_unclamped(body), FREE, 0).solve(0, _axisymmetric(body, pushed, variations or {}))
+        beyond = responses(body, free_motions, raceway_loads, highest)[last + 1 :]
+    unclamped = replace(body, stiffness=replace(stiffness, clamped=np.zeros_like(stiffness.clamped)))
+    loads = _axisymmetric_loads(body, pushed, variations or {})
+    expanded = held_on_points(unclamped, FREE, 0).solve(0, loads)
     motions = np.array([G.T @ rigid for rigid in _rigid_motions(body)])
     return CondensedBody(
-        points=points,
+        points=FacePoints(*(np.concatenate(column) for column in zip(*points, strict=True))),
         compliance=responses(body, free_motions, G, last),
         beyond=beyond,
-        axisymmetric=G.T @ growth,
-        motions=motions[:, :, : 0 if held else 2],
-        unknowns=body.stiffness.unknowns,
+        axisymmetric=G.T @ expanded,
+        motions=motions[:, :, : 0 if clamped else 2],
+        unknowns=unknowns,
         elements=body.space.mesh.ne,
     )
 
@@ -146,21 +152,19 @@ def _face_basis(body: Body, number: int, face: ContactFace) -> tuple[tuple[NDArr
             f"no edge is named {face.edge!r}; there are {sorted(set(section.GetBoundaries()))}"
         )
     where = ngs.ds(definedon=section.Boundaries(face.edge), bonus_intorder=face.points)
-    along, across = (ngs.x, ngs.y) if face.component == 1 else (ngs.y, ngs.x)
-
-    def mean(f):
-        return ngs.Integrate(f * where, section) / ngs.Integrate(ngs.CF(1) * where, section)
-
-    length, middle, place = ngs.Integrate(ngs.CF(1) * where, section), mean(along), mean(across)
-    if mean((across - place) ** 2) > FLAT * length**2:
-        raise ImpossiblePart(f"the face {face.edge!r} is neither a cylinder nor a plane")
+    cylinder = face.component == 1
+    along, across = (ngs.x, ngs.y) if cylinder else (ngs.y, ngs.x)
+    length = ngs.Integrate(ngs.CF(1) * where, section)
+    middle, level = (ngs.Integrate(c * where, section) / length for c in (along, across))
+    if ngs.Integrate((across - level) ** 2 * where, section) > FLAT * length**3:
+        raise ImpossiblePart(
+            f"the face {face.edge!r} bends or is inclined; allowed is a cylinder about the axis or a plane "
+            "at right angles to it"
+        )
     xi, gauss = legendre.leggauss(face.points)
     s = (middle + xi * length / 2) / MILLIMETRES
-    x, r = (
-        (s, np.full_like(s, place / MILLIMETRES))
-        if face.component == 1
-        else (np.full_like(s, place / MILLIMETRES), s)
-    )
+    constant = np.full_like(s, level / MILLIMETRES)
+    x, r = (s, constant) if cylinder else (constant, s)
     # l_a(xi) = sum over m of (m + 1/2) gauss_a L_m(xi_a) L_m(xi), by their discrete orthogonality
     lagrange = legendre.legvander(xi, face.points - 1) * (np.arange(face.points) + 0.5) * gauss[:, None]
     weight = gauss * length / MILLIMETRES / 2 * r
@@ -175,13 +179,13 @@ def _face_basis(body: Body, number: int, face: ContactFace) -> tuple[tuple[NDArr
     return (np.full(face.points, number), x, r, weight), np.stack(loads, axis=2).reshape(len(loads[0]), -1)
 
 
-def _axisymmetric(body: Body, pushed: str | None, variations: Mapping[str, Along]) -> NDArray:
+def _axisymmetric_loads(body: Body, pushed: str | None, variations: Mapping[str, Along]) -> NDArray:
     """Load vectors per radian of unit expansion, density and speed, push; of the variation (unknowns, 4)."""
     names = body.space.mesh.GetMaterials()
-    unit, own = dict.fromkeys(names, 1.0), {name: variations[name] for name in names if name in variations}
+    unit = dict.fromkeys(names, 1.0)
     push, varied = np.zeros((2, body.stiffness.unknowns))
-    if own:
-        varied = heating(body, own)
+    if varying := {name: variations[name] for name in names if name in variations}:
+        varied = heating(body, varying)
     if pushed is not None:
         where = ngs.ds(definedon=body.space.mesh.Boundaries(pushed))
         push = body.load(body.space.TestFunction()[0] * ngs.y * where)
@@ -199,18 +203,13 @@ def _rigid_motions(body: Body) -> tuple[NDArray, NDArray]:
     Flexibility method: compliances in harmonics, joined by equilibrium and compatibility; derived here.
     """
     x, r = np.array([v.point for v in body.space.mesh.vertices]).T / MILLIMETRES
-    one, nil = np.ones_like(x), np.zeros_like(x)
+    unit, zero = np.ones_like(x), np.zeros_like(x)
     # linear functions have no part in the hierarchical shapes beyond those of the vertices
-    places = np.array([[c.GetDofNrs(v)[0] for v in body.space.mesh.vertices] for c in body.space.components])
-    places += np.array([body.space.Range(k).start for k in range(3)])[:, None]
-    even, once = np.zeros((2, body.stiffness.unknowns, 2))
-    for k, values in enumerate([(one, nil), (nil, nil), (nil, r)]):
-        even[places[k]] = np.stack(values, axis=1)
-    for k, values in enumerate([(nil, -r), (one, x), (-one, -x)]):
-        once[places[k]] = np.stack(values, axis=1)
-    return even, once
-
-
-def _unclamped(body: Body) -> Body:
-    clamped = np.zeros_like(body.stiffness.clamped)
-    return replace(body, stiffness=replace(body.stiffness, clamped=clamped))
+    numbers = np.array([[c.GetDofNrs(v)[0] for v in body.space.mesh.vertices] for c in body.space.components])
+    numbers += np.array([body.space.Range(k).start for k in range(3)])[:, None]
+    axisymmetric, first = np.zeros((2, body.stiffness.unknowns, 2))
+    for k, values in enumerate([(unit, zero), (zero, zero), (zero, r)]):
+        axisymmetric[numbers[k]] = np.stack(values, axis=1)
+    for k, values in enumerate([(zero, -r), (unit, x), (-unit, -x)]):
+        first[numbers[k]] = np.stack(values, axis=1)
+    return axisymmetric, first

@@ -9,7 +9,8 @@ import time
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from fem.assembly.factorisation import NotSolved, threads
+from fem.assembly.factorisation import threads
+from fem.errors import NotSolved
 from fem.joint.face_condensation import CondensedBody, ContactFace, condense_body
 from fem.mesh.axial_section import AxialSection, sections
 from fem.parts.boundary_conditions import ClampedFace, Housing, RigidSeat
@@ -51,14 +52,17 @@ class FittedRing:
     def sections(self, length: float) -> tuple[AxialSection, AxialSection]:
         """Ring, whose face away from the shoulder is "far", with the shaft, which is cut to the shoulder."""
         ring, shaft = sections(self.seat, length)
-        around = [(*ring.corners[0][:2], "far"), *ring.corners[1:]]
-        along = list(shaft.corners)
+        ring_corners = [(*ring.corners[0][:2], "far"), *ring.corners[1:]]
+        shaft_corners = list(shaft.corners)
         if self.shoulder_diameter is not None:
-            top = self.shoulder_diameter / 2
-            side, bore = along[3][:2]
-            around.insert(2, (side, top, "shoulder"))
-            along[2:4] = [(along[2][0], top, "clamped"), (side, top, None), (side, bore, "shoulder")]
-        return AxialSection(ring.material, tuple(around)), AxialSection(shaft.material, tuple(along))
+            top, end = self.shoulder_diameter / 2, shaft_corners[2][0]
+            side, bore = shaft_corners[3][:2]
+            ring_corners.insert(2, (side, top, "shoulder"))
+            shaft_corners[2:4] = [(end, top, "clamped"), (side, top, None), (side, bore, "shoulder")]
+        return (
+            AxialSection(ring.material, tuple(ring_corners)),
+            AxialSection(shaft.material, tuple(shaft_corners)),
+        )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -71,7 +75,8 @@ class HousedRing:
         housing = self.seat.support
         if not isinstance(housing, Housing) or not isinstance(housing.support, ClampedFace | RigidSeat):
             raise ImpossiblePart(
-                f"support = {housing!r} is impossible; allowed is a Housing that is clamped or seated itself"
+                f"support = {housing!r} is impossible; allowed is a Housing whose support is a ClampedFace "
+                "or a RigidSeat"
             )
 
     def faces(self, grid: "FitGrid") -> tuple[ContactFace, ...]:
@@ -143,7 +148,7 @@ def condense_fitted(
 
     Valid
     -----
-    Small displacement, clamps that do not yield to loads but follow heat and rotation freely; no load
+    Small displacement, clamps that are rigid to loads but follow heat and rotation freely; no load
     outside the band.
     """
     seat, grid = part.seat, grid or FitGrid()

@@ -1,14 +1,14 @@
 r"""Two condensed bodies joined at their faces: the forces there that go with a jump between them.
 
-Both bodies yield; the ring moves as it must to be in balance. With the compliance C of both, the rigid
-motions R a of the ring, loads f on its raceway and a jump d beyond that of free growth,
+Both bodies are elastic; the ring moves as it must to be in balance. With the compliance C of both, the rigid
+motions R a of the ring, loads f on its raceway and a jump d beyond that of free expansion,
 
 .. math:: \begin{pmatrix} C & R \\ R^T & 0 \end{pmatrix} \begin{pmatrix} q \\ a \end{pmatrix} =
           \begin{pmatrix} d \\ 0 \end{pmatrix} - X f, \quad X = \begin{pmatrix} C_f \\ R_f^T \end{pmatrix}
 
 Source
 ------
-Flexibility method: compliances in harmonics, joined by equilibrium and compatibility; derived here.
+Derived here: compatibility of both bodies at every point of the faces and balance of the ring.
 """
 
 from dataclasses import dataclass
@@ -90,18 +90,20 @@ def interface_stiffness(
     turn = np.where(kept % 3 == 2, -1j, 1.0)  # the circumferential direction goes with the sine
     stiffness, raceway, bonded = [], [], []
     push = np.zeros(kept.size)
-    for n, (mine, other) in enumerate(zip(ring.compliance, mate.compliance, strict=True)):
-        C = mine[np.ix_(kept, kept)] + other[np.ix_(kept, kept)]
-        R = ring.motions[n] if n < 2 else np.empty((len(mine), 0))
+    for n, (of_ring, of_mate) in enumerate(zip(ring.compliance, mate.compliance, strict=True)):
+        C = of_ring[np.ix_(kept, kept)] + of_mate[np.ix_(kept, kept)]
+        R = ring.motions[n] if n < 2 else np.empty((len(of_ring), 0))
         shown = np.abs(R[kept]).max(axis=0, initial=0) > MOVES * np.abs(R).max(initial=0)
         R = R[:, shown]
         scale = np.abs(C).max() / (np.abs(R).max(initial=0) or 1.0)
-        X = np.concatenate([mine[kept, L:], scale * R[L:].T])
-        inverse = _bordered_inverse(C, scale * R[kept])
+        X = np.concatenate([of_ring[kept, L:], scale * R[L:].T])
+        border = scale * R[kept]
+        inverse = np.linalg.inv(np.block([[C, border], [border.T, np.zeros((R.shape[1], R.shape[1]))]]))
+        inverse = (inverse + inverse.T) / 2
         answer = inverse @ X
         stiffness.append(turn[:, None] * inverse[: kept.size, : kept.size] * turn.conj())
         raceway.append(answer[: kept.size].T * turn.conj())
-        bonded.append(mine[L:, L:] - X.T @ answer)
+        bonded.append(of_ring[L:, L:] - X.T @ answer)
         if n == 0 and shown[0]:
             load = np.append(ring.axisymmetric[kept, 2], np.eye(R.shape[1])[0] * scale / (2 * np.pi))
             push = -(inverse @ load)[: kept.size]
@@ -116,9 +118,3 @@ def interface_stiffness(
         bonded=np.concatenate([bonded, ring.beyond]),
         push=push,
     )
-
-
-def _bordered_inverse(C: NDArray, R: NDArray) -> NDArray:
-    k = R.shape[1]
-    inverse = np.linalg.inv(np.block([[C, R], [R.T, np.zeros((k, k))]]))
-    return (inverse + inverse.T) / 2

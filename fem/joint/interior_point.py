@@ -8,14 +8,14 @@ cycle for a loose ring, whose few points of contact are unknown. Here the kinks 
 
 Source
 ------
-Mehrotra (1992), SIAM J. Optim. 2, 575.
+Mehrotra (1992), SIAM J. Optim. 2, 575: predictor and corrector with one factorisation.
 """
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import LinAlgError, cho_factor, cho_solve
 
-from fem.assembly.factorisation import NotSolved
+from fem.errors import NotSolved
 from fem.joint.semismooth_newton import ContactEquations
 
 CLOSE = 1e-10  # p d over that of the start, from which Newton's method goes on
@@ -33,7 +33,7 @@ def frictionless_start(contact: ContactEquations, rest: NDArray, loads: NDArray)
     rest : array (P, A, 1)
         gaps without loads [m]
     loads : array (P, A)
-        forces per radian on the closed joint by rollers [N], which give the size of pressure
+        forces per radian on the closed interface by rollers [N], which give the size of pressure
 
     Returns
     -------
@@ -43,41 +43,36 @@ def frictionless_start(contact: ContactEquations, rest: NDArray, loads: NDArray)
     Raises
     ------
     NotSolved
-        if gaps grow without end, as those of a ring that nothing holds
-
-    Source
-    ------
-    Mehrotra (1992), SIAM J. Optim. 2, 575: predictor and corrector with one factorisation.
+        if a matrix is singular or `LIMIT` steps do not suffice, as with a ring that nothing holds
     """
     P, n = rest.shape[0], rest.shape[1]
-    place = np.arange(P)
-    S = contact.joint.blocks[(place[:, None] - place) % P].transpose(0, 2, 1, 3).reshape(P * n, P * n)
+    azimuth = np.arange(P)
+    S = contact.interface.blocks[(azimuth[:, None] - azimuth) % P].transpose(0, 2, 1, 3).reshape(P * n, P * n)
     b = contact.offset.ravel()
     size = np.abs(loads).max()
     d, p = np.maximum(rest.ravel(), size / contact.weight.max()), np.full_like(b, size)
     first = np.mean(d * p)
     for _ in range(LIMIT):
-        left, product = S @ d + b - p, np.mean(d * p)
+        residual, product = S @ d + b - p, np.mean(d * p)
         if product <= CLOSE * first:
             return d.reshape(rest.shape)
         try:
-            factor = cho_factor(S + np.diag(p / d), check_finite=False)
+            triangle = cho_factor(S + np.diag(p / d), check_finite=False)
         except LinAlgError as problem:
             raise NotSolved(f"nothing holds the ring in its fit: {problem}") from problem
-
-        ahead = _step(factor, left, d, p, -d * p)
-        reach = min(_reach(d, ahead[0]), _reach(p, ahead[1]))
-        centred = np.mean((d + reach * ahead[0]) * (p + reach * ahead[1]))
-        target = (centred / product) ** 3 * product - d * p - ahead[0] * ahead[1]
-        dd, dp = _step(factor, left, d, p, target)
+        dd, dp = _step(triangle, residual, d, p, -d * p)
+        reach = min(_reach(d, dd), _reach(p, dp))
+        predicted = np.mean((d + reach * dd) * (p + reach * dp))
+        target = (predicted / product) ** 3 * product - d * p - dd * dp
+        dd, dp = _step(triangle, residual, d, p, target)
         reach = BOUNDARY * min(_reach(d, dd), _reach(p, dp))
         d, p = d + reach * dd, p + reach * dp
     raise NotSolved(f"contact without friction is not found in {LIMIT} steps: is the ring held?")
 
 
-def _step(factor, left: NDArray, d: NDArray, p: NDArray, target: NDArray) -> tuple[NDArray, NDArray]:
+def _step(triangle, residual: NDArray, d: NDArray, p: NDArray, target: NDArray) -> tuple[NDArray, NDArray]:
     """Changes of gaps and forces towards a balance in which their products change by a target."""
-    change = cho_solve(factor, target / d - left, check_finite=False)
+    change = cho_solve(triangle, target / d - residual, check_finite=False)
     return change, (target - p * change) / d
 
 

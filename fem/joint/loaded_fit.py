@@ -1,6 +1,6 @@
-"""A fit under rollers: how the raceway yields, with the forces between ring and mate.
+"""A fit under rollers: how the raceway deflects, with the forces between ring and mate.
 
-Rollers load the settled fit in one step: Coulomb's law holds for the whole slip since then.
+Rollers load the preloaded fit in one step: Coulomb's law holds for the whole slip since then.
 """
 
 from contextlib import suppress
@@ -10,7 +10,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from fem.assembly.factorisation import NotSolved
+from fem.errors import NotSolved
 from fem.joint.fitted_ring import BORE
 from fem.joint.interface_stiffness import InterfaceStiffness
 from fem.joint.interior_point import frictionless_start
@@ -18,7 +18,7 @@ from fem.joint.preloaded_fit import PreloadedFit
 from fem.joint.semismooth_newton import ContactEquations, InterfaceState, solve_contact
 from fem.solid.condensation import RacewayCompliance
 
-LEAST_CLIMB = 1e-3  # part of the friction added at once
+LEAST_INCREMENT = 1e-3  # part of the friction added at once
 BALANCED = 1e-9  # resultant of the rollers over the sum of their forces, below which it has no direction
 
 
@@ -26,22 +26,22 @@ BALANCED = 1e-9  # resultant of the rollers over the sum of their forces, below 
 class LoadedFit:
     """Raceway and fit under Z rollers of M axial modes; P azimuths of A points along the faces.
 
-    A bonded fit tells by the same names where it would open or slip first.
+    In a bonded fit the same names say where it would open or slip first.
     """
 
-    deviation: NDArray  # (Z, M) [m] of the raceway, outward, beyond growth; the half-space removed
+    deviation: NDArray  # (Z, M) [m] of the raceway, outward, beyond expansion; the half-space removed
     translation: NDArray  # (2,) [m] mean of the raceway along y, z
     contact: InterfaceState  # its `jump` is a start for similar cases
     steps: int  # of Newton's method
     preloaded: PreloadedFit
     equations: ContactEquations
     closed: RacewayCompliance  # where no point opens or slips
-    turn: NDArray  # (Z, N + 1) exp(-i n phi) / 2 pi of the rollers
+    phases: NDArray  # (Z, N + 1) exp(-i n phi) / 2 pi of the rollers
 
     @property
-    def joint(self) -> InterfaceStiffness:
-        """Whose `azimuths` and `points` are those of the arrays here."""
-        return self.equations.joint
+    def interface(self) -> InterfaceStiffness:
+        """Its `azimuths` and `points` are those of the arrays here."""
+        return self.equations.interface
 
     @cached_property
     def tangent(self) -> RacewayCompliance:
@@ -51,36 +51,36 @@ class LoadedFit:
         """
         moved, support = self._moved_by_rollers()
         Z, M = self.deviation.shape
-        own = _at_rollers(moved, self.turn).reshape(Z, M, Z, M).transpose(2, 3, 0, 1)
+        by_contact = _at_rollers(moved, self.phases).reshape(Z, M, Z, M).transpose(2, 3, 0, 1)
         return replace(
             self.closed,
-            absolute=self.closed.absolute + own,
+            absolute=self.closed.absolute + by_contact,
             translation=self.closed.translation + _translation(moved).reshape(2, Z, M),
             support_stiffness=float(2 / (2 / self.closed.support_stiffness + support)),
         )
 
     def _moved_by_rollers(self) -> tuple[NDArray, float]:
         """Raceway harmonics (Z M, N + 1, M) [m/N] by opening and slip per force; trace for resultants."""
-        N, (Z, M) = self.turn.shape[1], self.deviation.shape
-        rollers = np.einsum("jn,mp->jmnp", self.turn, np.eye(M)).reshape(Z * M, N, M)
+        N, (Z, M) = self.phases.shape[1], self.deviation.shape
+        rollers = np.einsum("jn,mp->jmnp", self.phases, np.eye(M)).reshape(Z * M, N, M)
         if self.preloaded.fit.bonded:
             return np.zeros_like(rollers), 0.0
         resultants = np.zeros((2, N, M), dtype=complex)
         resultants[:, 1, 0] = np.array([-1j, 1.0]) / (2 * np.pi)  # like sin, cos
-        forces = self.joint.forces_of_raceway(np.concatenate([rollers, resultants]))
+        forces = self.interface.forces_of_raceway(np.concatenate([rollers, resultants]))
         jumps = self.equations.tangent(self.contact, forces.reshape(-1, *self.contact.jump.shape))
-        moved = self.joint.raceway_harmonics(_flat(jumps))
+        moved = self.interface.raceway_harmonics(_flat(jumps))
         return moved[:-2], float(np.trace(_translation(moved[-2:])))
 
     @property
     def pressure(self) -> NDArray:
         """Pressure (P, A) [Pa]."""
-        return self.contact.forces[..., 0] / self.joint.points.weight
+        return self.contact.forces[..., 0] / self.interface.points.weight
 
     @property
     def traction(self) -> NDArray:
         """Traction on the ring (P, A, 2) [Pa] along meridian (x in the bore) and circumference."""
-        return self._two(self.contact.forces) / self.joint.points.weight[:, None]
+        return _tangential(self.contact.forces) / self.interface.points.weight[:, None]
 
     @property
     def gap(self) -> NDArray:
@@ -89,41 +89,38 @@ class LoadedFit:
 
     @property
     def slip(self) -> NDArray:
-        """Way of the ring on its mate since the fit settled (P, A, 2) [m]; zeros without friction."""
-        return self._two(self.contact.jump)
+        """Slip of the ring on its mate since the preload (P, A, 2) [m]; zeros without friction."""
+        return _tangential(self.contact.jump)
 
     @property
     def opened(self) -> float:
         """Part of the area without pressure [-]."""
-        return self._share(self.contact.open)
+        return self._area_share(self.contact.open)
 
     @property
     def touching_angle(self) -> float:
         """Around the axis, where any point of the bore presses [rad]; the azimuths set its resolution."""
-        bore = self.joint.points.face == BORE
+        bore = self.interface.points.face == BORE
         return 2 * np.pi * float(np.mean(np.any(~self.contact.open[:, bore], axis=1)))
 
     @property
     def slipping(self) -> float:
         """Part of the area under pressure that slips [-]."""
         pressed = 1 - self.opened
-        return self._share(self.contact.slip) / pressed if pressed else 0.0
+        return self._area_share(self.contact.slip) / pressed if pressed else 0.0
 
     @property
     def mean_pressure(self) -> float:
         """Mean over the bore [Pa]."""
-        bore = self.joint.points.face == BORE
-        return float(np.average(self.pressure.mean(axis=0)[bore], weights=self.joint.points.weight[bore]))
+        bore = self.interface.points.face == BORE
+        return float(np.average(self.pressure.mean(axis=0)[bore], weights=self.interface.points.weight[bore]))
 
-    def _share(self, which: NDArray) -> float:
-        return float(np.average(which.mean(axis=0), weights=self.joint.points.weight))
-
-    def _two(self, values: NDArray) -> NDArray:
-        return values[..., 1:] if values.shape[-1] == 3 else np.zeros((*values.shape[:-1], 2))
+    def _area_share(self, which: NDArray) -> float:
+        return float(np.average(which.mean(axis=0), weights=self.interface.points.weight))
 
 
 def loaded(fit: PreloadedFit, azimuths, forces, start: NDArray | None = None) -> LoadedFit:
-    """Load a settled fit with rollers.
+    """Load a preloaded fit with rollers.
 
     Parameters
     ----------
@@ -152,21 +149,21 @@ def loaded(fit: PreloadedFit, azimuths, forces, start: NDArray | None = None) ->
     """
     phi, F = np.asarray(azimuths, dtype=float), np.asarray(forces, dtype=float)
     _require_held(fit, phi, F[:, 0])
-    joint, closed = fit.joint, fit.closed.at(phi)
-    turn = np.exp(-1j * np.outer(phi, np.arange(len(joint.stiffness)))) / (2 * np.pi)
-    loads = np.einsum("jn,jm->nm", turn, F)
-    contact = fit.contact(joint, loads)
-    state, steps = _touching(fit, contact, loads, start)
-    moved = joint.raceway_harmonics(_flat(state.jump - fit.rest(joint)))
+    interface, closed = fit.interface, fit.closed.at(phi)
+    phases = np.exp(-1j * np.outer(phi, np.arange(len(interface.stiffness)))) / (2 * np.pi)
+    loads = np.einsum("jn,jm->nm", phases, F)
+    contact = fit.contact(interface, loads)
+    state, steps = _contact_state(fit, contact, loads, start)
+    moved = interface.raceway_harmonics(_flat(state.jump - fit.unloaded_jump(interface)))
     return LoadedFit(
-        deviation=np.tensordot(closed.absolute, F, 2) + _at_rollers(moved, turn),
+        deviation=np.tensordot(closed.absolute, F, 2) + _at_rollers(moved, phases),
         translation=np.tensordot(closed.translation, F, 2) + _translation(moved),
         contact=state,
         steps=steps,
         preloaded=fit,
         equations=contact,
         closed=closed,
-        turn=turn,
+        phases=phases,
     )
 
 
@@ -180,56 +177,61 @@ def _require_held(fit: PreloadedFit, phi: NDArray, forces: NDArray) -> None:
         )
 
 
-def _touching(
+def _contact_state(
     fit: PreloadedFit, contact: ContactEquations, loads: NDArray, start: NDArray | None
 ) -> tuple[InterfaceState, int]:
     """Contact, by way of the one without friction unless there is a start."""
     if fit.fit.bonded:
-        return contact.at(fit.rest(contact.joint)), 0
+        return contact.at(fit.unloaded_jump(contact.interface)), 0
     if start is not None:
         with suppress(NotSolved):  # points of a loose ring change too much: from the beginning
             return solve_contact(contact, start)
-    first, steps = _frictionless(fit, loads)
-    if contact.joint.directions == 1:
-        return first, steps
-    jump, pressure = fit.rest(contact.joint), np.zeros(contact.offset.shape[:2])
-    both = fit.sliding.carries[contact.joint.carries]
-    jump[:, both, 0], pressure[:, both] = first.jump[..., 0], np.where(first.open, 0.0, first.forces[..., 0])
+    frictionless, steps = _frictionless(fit, loads)
+    if contact.interface.directions == 1:
+        return frictionless, steps
+    jump, pressure = fit.unloaded_jump(contact.interface), np.zeros(contact.offset.shape[:2])
+    pressed = fit.frictionless.carries[contact.interface.carries]
+    jump[:, pressed, 0] = frictionless.jump[..., 0]
+    pressure[:, pressed] = np.where(frictionless.open, 0.0, frictionless.forces[..., 0])
     if not fit.force.any():
-        jump = contact.slid(jump[..., 0], pressure, ~both)
-    state, more = _climbed(contact, jump)
+        jump = contact.slid(jump[..., 0], pressure, ~pressed)
+    state, more = _by_growing_friction(contact, jump)
     return state, steps + more
 
 
-def _climbed(contact: ContactEquations, jump: NDArray) -> tuple[InterfaceState, int]:
+def _by_growing_friction(contact: ContactEquations, jump: NDArray) -> tuple[InterfaceState, int]:
     """Contact with friction, if need be by way of less of it."""
-    done, part, steps = 0.0, 1.0, 0
+    reached, increment, steps = 0.0, 1.0, 0
     while True:
         try:
-            state, more = solve_contact(replace(contact, friction=contact.friction * (done + part)), jump)
+            state, more = solve_contact(
+                replace(contact, friction=contact.friction * (reached + increment)), jump
+            )
         except NotSolved:
-            if not (part > LEAST_CLIMB and np.isfinite(contact.friction)):
+            if not (increment > LEAST_INCREMENT and np.isfinite(contact.friction)):
                 raise
-            part /= 4
+            increment /= 4
             continue
-        done, jump, steps = done + part, state.jump, steps + more
-        if done >= 1:
+        reached, jump, steps = reached + increment, state.jump, steps + more
+        if reached >= 1:
             return state, steps
-        part = min(2 * part, 1 - done)
+        increment = min(2 * increment, 1 - reached)
 
 
 def _frictionless(fit: PreloadedFit, loads: NDArray) -> tuple[InterfaceState, int]:
     """Contact by pressure alone; a loose ring needs a start that knows where it touches."""
-    contact, rest = fit.contact(fit.sliding, loads), fit.rest(fit.sliding)
+    interface = fit.frictionless
+    contact, unloaded = fit.contact(interface, loads), fit.unloaded_jump(interface)
     if fit.force.any():
-        return solve_contact(contact, rest)
-    return solve_contact(contact, frictionless_start(contact, rest, fit.sliding.forces_of_raceway(loads)))
+        return solve_contact(contact, unloaded)
+    start = frictionless_start(contact, unloaded, interface.forces_of_raceway(loads))
+    return solve_contact(contact, start)
 
 
-def _at_rollers(harmonics: NDArray, turn: NDArray) -> NDArray:
+def _at_rollers(harmonics: NDArray, phases: NDArray) -> NDArray:
     """Sum of harmonics 0 .. N (..., N + 1, M) at the rollers (..., Z, M); those below 0 are conjugate."""
-    twice = np.where(np.arange(turn.shape[1]) == 0, 1.0, 2.0)
-    return np.real(np.einsum("jn,...nm->...jm", 2 * np.pi * turn.conj() * twice, harmonics, optimize=True))
+    weight = np.where(np.arange(phases.shape[1]) == 0, 1.0, 2.0)
+    return np.real(np.einsum("jn,...nm->...jm", 2 * np.pi * phases.conj() * weight, harmonics, optimize=True))
 
 
 def _translation(harmonics: NDArray) -> NDArray:
@@ -241,3 +243,8 @@ def _translation(harmonics: NDArray) -> NDArray:
 def _flat(jump: NDArray) -> NDArray:
     """Points with their directions in one row (..., P, A D)."""
     return jump.reshape(*jump.shape[:-2], -1)
+
+
+def _tangential(values: NDArray) -> NDArray:
+    """Both tangential components (..., 2); zeros where only pressure acts."""
+    return values[..., 1:] if values.shape[-1] == 3 else np.zeros((*values.shape[:-1], 2))

@@ -1,6 +1,6 @@
-"""A ring settled in its fit by interference, heat, speed and a nut, before rollers load it.
+"""A fit preloaded by interference, heat, speed and a nut, before rollers load it.
 
-The fit settles without friction, so that Coulomb's law starts from there.
+It is preloaded without friction; Coulomb's law starts from there.
 """
 
 from dataclasses import dataclass, replace
@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from fem.joint.fitted_ring import BORE, SHOULDER, FittedBodies
 from fem.joint.interface_stiffness import InterfaceStiffness, interface_stiffness
 from fem.joint.semismooth_newton import ContactEquations, solve_contact
-from fem.parts.material import ImpossiblePart
+from fem.parts.material import ImpossiblePart, require
 from fem.raceway.harmonics import HarmonicCompliance
 
 
@@ -23,21 +23,17 @@ class Fit:
 
     interference: float  # [m] diametral, cold and at rest; negative is a clearance
     friction: float  # mu [-] in bore and shoulder; infinite where nothing may slip
-    bonded: bool = False  # as if glued once settled: nothing opens or slips any more
-    clamping: float = (
-        0.0  # [N] with which a nut presses the far face of the ring, so that the shoulder holds it
-    )
+    bonded: bool = False  # glued once preloaded: nothing opens or slips any more
+    clamping: float = 0.0  # [N] of a nut on the far face of the ring, which presses it on the shoulder
     thermal_strains: tuple[float, float] = (0.0, 0.0)  # alpha (T - T0) of ring, mate [-]
     densities: tuple[float, float] = (0.0, 0.0)  # rho of ring, mate [kg/m^3]
     speed: float = 0.0  # [rad/s]
 
     def __post_init__(self):
-        if not self.friction >= 0:
-            raise ImpossiblePart(f"friction = {self.friction!r} is impossible; allowed is 0 or more")
-        if not (isfinite(self.clamping) and self.clamping >= 0):
-            raise ImpossiblePart(f"clamping = {self.clamping!r} N is impossible; allowed is a finite push")
-        if not isfinite(self.interference):
-            raise ImpossiblePart(f"interference = {self.interference!r} m is impossible; allowed is finite")
+        require(self.friction >= 0, "friction", self.friction, "zero or above")
+        require(isfinite(self.clamping) and self.clamping >= 0, "clamping", self.clamping,
+                "a finite force [N], zero or above")  # fmt: skip
+        require(isfinite(self.interference), "interference", self.interference, "finite [m]")
 
 
 @dataclass(frozen=True)
@@ -70,25 +66,27 @@ class PreloadedFit:
         return ring.axisymmetric[L:] @ loads + ring.compliance[0, L:, :L:3] @ self.force
 
     @cached_property
-    def joint(self) -> InterfaceStiffness:
+    def interface(self) -> InterfaceStiffness:
         """Ring and mate joined where they can carry forces.
 
         Without friction or a nut nothing balances pressure on the shoulder.
         """
         fit, shoulder = self.fit, self.bodies.ring.points.face == SHOULDER
         tangential = bool(fit.friction or fit.bonded)
-        return self._joined(~shoulder | tangential | bool(fit.clamping), tangential)
+        carries = ~shoulder | tangential | bool(fit.clamping)
+        return interface_stiffness(self.bodies.ring, self.bodies.mate, carries, tangential)
 
     @cached_property
-    def sliding(self) -> InterfaceStiffness:
+    def frictionless(self) -> InterfaceStiffness:
         """Ring and mate joined by pressure alone."""
-        shoulder = self.bodies.ring.points.face == SHOULDER
-        return self._joined(~shoulder | bool(self.fit.clamping), False)
+        return interface_stiffness(
+            self.bodies.ring, self.bodies.mate, _carries_pressure(self.bodies, self.fit), tangential=False
+        )
 
     @cached_property
     def closed(self) -> HarmonicCompliance:
         """Compliance of the raceway where no point opens or slips."""
-        W = self.joint.bonded / (2 * np.pi)
+        W = self.interface.bonded / (2 * np.pi)
         last, bodies, seat = len(W) - 1, self.bodies, self.bodies.part.seat
         return HarmonicCompliance(
             harmonics=np.arange(-last, last + 1),
@@ -102,26 +100,23 @@ class PreloadedFit:
             seconds=bodies.seconds,
         )
 
-    def rest(self, joint: InterfaceStiffness) -> NDArray:
-        """Jump of a joint without rollers (P, A, D) [m]: gaps, no slip."""
-        jump = np.zeros((joint.azimuths.size, joint.points.x.size, joint.directions))
-        jump[..., 0] = self.gap[joint.carries]
+    def unloaded_jump(self, interface: InterfaceStiffness) -> NDArray:
+        """Jump without rollers (P, A, D) [m]: gaps, no slip."""
+        jump = np.zeros((interface.azimuths.size, interface.points.x.size, interface.directions))
+        jump[..., 0] = self.gap[interface.carries]
         return jump
 
-    def contact(self, joint: InterfaceStiffness, loads: NDArray) -> ContactEquations:
-        """Contact of a joint under harmonics of raceway loads (N + 1, M) [N/rad]."""
-        rest = self.rest(joint)
-        offset = joint.forces_of_raceway(loads) - joint.forces(rest.reshape(len(rest), -1))
-        offset = offset.reshape(rest.shape)
-        offset[..., 0] += self.force[joint.carries]
-        return ContactEquations(joint, self.fit.friction, offset)
-
-    def _joined(self, carries: NDArray, tangential: bool) -> InterfaceStiffness:
-        return interface_stiffness(self.bodies.ring, self.bodies.mate, carries, tangential)
+    def contact(self, interface: InterfaceStiffness, loads: NDArray) -> ContactEquations:
+        """Contact at an interface under harmonics of raceway loads (N + 1, M) [N/rad]."""
+        unloaded = self.unloaded_jump(interface)
+        offset = interface.forces_of_raceway(loads) - interface.forces(unloaded.reshape(len(unloaded), -1))
+        offset = offset.reshape(unloaded.shape)
+        offset[..., 0] += self.force[interface.carries]
+        return ContactEquations(interface, self.fit.friction, offset)
 
 
 def preloaded(bodies: FittedBodies, fit: Fit) -> PreloadedFit:
-    """Let a ring settle on its shaft or in its housing.
+    """Put a ring on its shaft or in its housing, without rollers and without friction.
 
     Parameters
     ----------
@@ -144,34 +139,35 @@ def preloaded(bodies: FittedBodies, fit: Fit) -> PreloadedFit:
     shoulder = bodies.ring.points.face == SHOULDER
     if fit.clamping and not shoulder.any():
         raise ImpossiblePart(f"clamping = {fit.clamping!r} N needs a shoulder, and shoulder_diameter is None")
-    apart = _growth_apart(bodies, fit) - np.where(shoulder, 0.0, fit.interference / 2)
-    joint = interface_stiffness(bodies.ring, bodies.mate, ~shoulder | bool(fit.clamping), tangential=False)
-    even = replace(joint, stiffness=joint.stiffness[:1])  # harmonic 0, on one azimuth
-    offset = fit.clamping * joint.push - even.forces(apart[None, joint.carries])[0]
-    contact = ContactEquations(even, 0.0, offset[None, :, None])
+    clearance = _clearance_by_expansion(bodies, fit) - np.where(shoulder, 0.0, fit.interference / 2)
+    carries = _carries_pressure(bodies, fit)
+    interface = interface_stiffness(bodies.ring, bodies.mate, carries, tangential=False)
+    axisymmetric = replace(interface, stiffness=interface.stiffness[:1])  # harmonic 0, on one azimuth
+    offset = fit.clamping * interface.push - axisymmetric.forces(clearance[None, carries])[0]
+    contact = ContactEquations(axisymmetric, 0.0, offset[None, :, None])
     state, _ = solve_contact(contact, np.zeros_like(contact.offset))
-    force, gap = np.zeros_like(apart), np.zeros_like(apart)
-    force[joint.carries] = np.where(state.open, 0.0, state.forces[..., 0])[0]
-    gap[joint.carries] = state.jump[0, :, 0]
-    if not joint.carries.all():
-        away = (apart + _yield_apart(bodies, force))[shoulder]
-        gap[shoulder] = away - away.min()  # put against the shoulder, without force
+    force, gap = np.zeros_like(clearance), np.zeros_like(clearance)
+    force[carries] = np.where(state.open, 0.0, state.forces[..., 0])[0]
+    gap[carries] = state.jump[0, :, 0]
+    if not carries.all():
+        normal = slice(0, 3 * force.size, 3)
+        compliance = bodies.ring.compliance[0, normal, normal] + bodies.mate.compliance[0, normal, normal]
+        distance = (clearance + compliance @ force)[shoulder]
+        gap[shoulder] = distance - distance.min()  # put against the shoulder, without force
     return PreloadedFit(bodies, fit, force, gap)
 
 
-def _growth_apart(bodies: FittedBodies, fit: Fit) -> NDArray:
-    """How far free growth takes ring and mate apart (A,) [m]."""
-    grown = [
-        body.axisymmetric[: 3 * body.points.x.size : 3]
-        @ np.array([expansion, density * fit.speed**2, 0.0, 1.0])
-        for body, expansion, density in zip(
+def _carries_pressure(bodies: FittedBodies, fit: Fit) -> NDArray:
+    """Points (A,) that can be pressed without friction: the shoulder only where a nut holds the ring."""
+    return (bodies.ring.points.face != SHOULDER) | bool(fit.clamping)
+
+
+def _clearance_by_expansion(bodies: FittedBodies, fit: Fit) -> NDArray:
+    """Clearance (A,) [m] that free expansion of ring and mate by heat and rotation opens."""
+    of_ring, of_mate = (
+        body.axisymmetric[: 3 * body.points.x.size : 3] @ np.array([strain, density * fit.speed**2, 0.0, 1.0])
+        for body, strain, density in zip(
             (bodies.ring, bodies.mate), fit.thermal_strains, fit.densities, strict=True
         )
-    ]
-    return grown[0] - grown[1]
-
-
-def _yield_apart(bodies: FittedBodies, force: NDArray) -> NDArray:
-    """How far pressure takes ring and mate apart (A,) [m], besides motions of the ring."""
-    normal = slice(0, 3 * force.size, 3)
-    return (bodies.ring.compliance[0, normal, normal] + bodies.mate.compliance[0, normal, normal]) @ force
+    )
+    return of_ring - of_mate

@@ -1,4 +1,4 @@
-r"""Contact with Coulomb friction at the faces of a joint, by a semismooth Newton method.
+r"""Contact with Coulomb friction at the faces of a fit, by a semismooth Newton method.
 
 With the gap g and the force of pressure p, the slip s and the force of friction t at every point,
 
@@ -9,7 +9,8 @@ between open, stick and slip. There the equations have kinks; between them they 
 
 Source
 ------
-Signorini's and Coulomb's laws as projections with a parameter c (augmented Lagrangian); derived here.
+Alart, Curnier (1991), Comput. Methods Appl. Mech. Eng. 92, 353: contact and friction as one equation
+without inequalities, solved by a generalised Newton method.
 """
 
 import logging
@@ -19,7 +20,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from fem.assembly.factorisation import NotSolved
+from fem.errors import NotSolved
 from fem.joint.interface_stiffness import InterfaceStiffness
 
 TOLERANCE = 1e-11  # residual over the largest force at a point, with jumps or without
@@ -65,25 +66,24 @@ class InterfaceState:
         with the projection on the disc of radius :math:`\mu \max(0, p - c g)`.
         """
         shrink = np.where(self.slip, np.where(self.slip, self.limit, 0.0) / self.drag_size, ~self.open)
-        left = self.forces.copy()
-        left[..., 0] -= np.maximum(self.pull, 0.0)
-        left[..., 1:] -= shrink[..., None] * self.drag
-        return left
+        residual = self.forces.copy()
+        residual[..., 0] -= np.maximum(self.pull, 0.0)
+        residual[..., 1:] -= shrink[..., None] * self.drag
+        return residual
 
 
 @dataclass(frozen=True)
 class ContactEquations:
-    """The equations of a joint with friction."""
+    """Equations of contact with friction at an interface."""
 
-    joint: InterfaceStiffness
+    interface: InterfaceStiffness
     friction: float  # mu, >= 0; infinite where nothing slips
     offset: NDArray  # (P, A, D) forces per radian on the ring without gaps or slip [N]
 
     @cached_property
     def weight(self) -> NDArray:
         """Stiffness c (A,) [N/m] of a point against its own motion, which weighs jumps against forces."""
-        own = np.diagonal(self.joint.blocks[0]).reshape(-1, self.joint.directions)
-        return own.mean(axis=1)
+        return np.diagonal(self.interface.blocks[0]).reshape(-1, self.interface.directions).mean(axis=1)
 
     def at(self, jump: NDArray) -> InterfaceState:
         """Forces that go with gaps and slips (P, A, D) [m]."""
@@ -109,13 +109,13 @@ class ContactEquations:
         Motions that this leaves free make the mean slip zero, weighed by pressure, or bring the nearest of
         the points that are away in touch.
         """
-        S, slides = self.joint.stiffness, np.repeat(away, 3) | (np.arange(3 * away.size) % 3 > 0)
-        yields = np.linalg.pinv(S[:, slides][:, :, slides], rcond=RIGID, hermitian=True)
+        S, slides = self.interface.stiffness, np.repeat(away, 3) | (np.arange(3 * away.size) % 3 > 0)
+        compliance = np.linalg.pinv(S[:, slides][:, :, slides], rcond=RIGID, hermitian=True)
         jump = np.zeros((*gap.shape, 3))
         jump[..., 0] = np.where(away, 0.0, gap)
         pull = np.fft.rfft((self._linear(jump) + self.offset).reshape(len(gap), -1)[:, slides], axis=0)
         jump.reshape(len(gap), -1)[:, slides] = np.fft.irfft(
-            -np.einsum("nkl,nl->nk", yields, pull), n=len(gap), axis=0
+            -np.einsum("nkl,nl->nk", compliance, pull), n=len(gap), axis=0
         )
         common = np.einsum("pa,pat->t", pressure / pressure.sum(), jump[..., 1:])
         jump[..., 2] -= common[1]
@@ -133,44 +133,44 @@ class ContactEquations:
         return self._answer(state, -_each(of_force, forces), np.zeros_like(forces))
 
     def _linear(self, jump: NDArray) -> NDArray:
-        return self.joint.forces(jump.reshape(*jump.shape[:-2], -1)).reshape(jump.shape)
+        return self.interface.forces(jump.reshape(*jump.shape[:-2], -1)).reshape(jump.shape)
 
     def _unknown(self, state: InterfaceState) -> NDArray:
         """Jumps left to the balance (P, A, D): all at open points, slip at slipping ones."""
-        free = np.repeat(state.open[..., None], self.joint.directions, axis=-1)
+        free = np.repeat(state.open[..., None], self.interface.directions, axis=-1)
         free[..., 1:] |= state.slip[..., None]
         return free
 
     def _slopes(self, state: InterfaceState) -> tuple[NDArray, NDArray]:
-        r"""Slopes (P, A, D, D) of the residual by the own force and, beyond that, by the own jump.
+        r"""Slopes (P, A, D, D) of the residual at a point by its force and, beyond that, by its jump.
 
         Where a point slips along e, from :math:`t - \mu (p - c g) e` with e the direction of t - c s:
 
         .. math:: \delta t - \mu e (\delta p - c\,\delta g)
                   - \frac{\mu (p - c g)}{|t - c s|} (1 - e e^T)(\delta t - c\,\delta s)
         """
-        D = self.joint.directions
+        D = self.interface.directions
         slip = state.slip[..., None, None]
         along = np.where(slip[..., 0], state.drag / state.drag_size[..., None], 0.0)
         ratio = np.where(state.slip, state.limit, 0.0) / state.drag_size
         across = ratio[..., None, None] * (np.eye(D - 1) - along[..., :, None] * along[..., None, :])
-        pressed = np.where(slip[..., 0], self.friction, 0.0) * along
+        by_pressure = np.where(slip[..., 0], self.friction, 0.0) * along
         of_force = np.zeros((*state.open.shape, D, D)) + np.eye(D)
-        of_force[..., 1:, 0] = -pressed
+        of_force[..., 1:, 0] = -by_pressure
         of_force[..., 1:, 1:] -= across
         of_jump = np.zeros_like(of_force)
-        of_jump[..., 1:, 0] = self.weight[:, None] * pressed
+        of_jump[..., 1:, 0] = self.weight[:, None] * by_pressure
         of_jump[..., 1:, 1:] = self.weight[:, None, None] * across
         return of_force, of_jump
 
     def _answer(self, state: InterfaceState, residual: NDArray, known: NDArray) -> NDArray:
-        """Changes of the jumps, some known, that change the residual as wished (..., P, A, D)."""
+        """Changes of the jumps, some known, that change the residual by a given amount (..., P, A, D)."""
         unknown = self._unknown(state).ravel()
         if not unknown.any():
             return known
         of_force, of_jump = self._slopes(state)
-        wished = residual - _each(of_force, self._linear(known)) - _each(of_jump, known)
-        sides = wished.reshape(-1, unknown.size)[:, unknown]
+        target = residual - _each(of_force, self._linear(known)) - _each(of_jump, known)
+        sides = target.reshape(-1, unknown.size)[:, unknown]
         change = known.reshape(-1, unknown.size).copy()
         change[:, unknown] = np.linalg.solve(self._matrix(unknown, of_force, of_jump), sides.T).T
         return change.reshape(known.shape)
@@ -181,16 +181,16 @@ class ContactEquations:
         column = np.flatnonzero(unknown)
         point = np.unique(column // D)
         row = (point[:, None] * D + np.arange(D)).ravel()
-        stiffness = self.joint.blocks[
+        stiffness = self.interface.blocks[
             (row[:, None] // (A * D) - column // (A * D)) % P, row[:, None] % (A * D), column % (A * D)
         ]
-        own = of_force.reshape(-1, D, D)[point] @ stiffness.reshape(point.size, D, column.size)
-        place = np.searchsorted(point, column // D)
-        same = place[:, None] * D + np.arange(D)  # rows of the own point of every column
-        own.reshape(row.size, -1)[same, np.arange(column.size)[:, None]] += of_jump.reshape(-1, D, D)[
+        slopes = of_force.reshape(-1, D, D)[point] @ stiffness.reshape(point.size, D, column.size)
+        slopes = slopes.reshape(row.size, -1)
+        same_point = np.searchsorted(point, column // D)[:, None] * D + np.arange(D)  # rows by column
+        slopes[same_point, np.arange(column.size)[:, None]] += of_jump.reshape(-1, D, D)[
             column // D, :, column % D
         ]
-        return own.reshape(row.size, -1)[unknown[row]]
+        return slopes[unknown[row]]
 
 
 def solve_contact(contact: ContactEquations, start: NDArray) -> tuple[InterfaceState, int]:
@@ -229,14 +229,14 @@ def solve_contact(contact: ContactEquations, start: NDArray) -> tuple[InterfaceS
             step = contact.step(state)
         except np.linalg.LinAlgError as problem:
             raise NotSolved(f"nothing holds the ring in its fit: {problem} after {steps} steps") from problem
-        state = _searched(contact, state, step)
+        state = _line_search(contact, state, step)
     raise NotSolved(
         f"contact of ring and mate: residual {contact.error(state):.2g} after {LIMIT} Newton steps, "
         f"allowed {TOLERANCE:g}; {state.open.mean():.0%} open, {state.slip.mean():.0%} slip"
     )
 
 
-def _searched(contact: ContactEquations, state: InterfaceState, step: NDArray) -> InterfaceState:
+def _line_search(contact: ContactEquations, state: InterfaceState, step: NDArray) -> InterfaceState:
     """The first halved step that lowers the residual, else the shortest: Newton steps cross kinks."""
     size, part = np.linalg.norm(state.residual), 1.0
     while True:

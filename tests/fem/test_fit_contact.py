@@ -110,10 +110,10 @@ def test_cold_interference_is_diametral(thin):
 
 def resultants(found, forces):
     """Forces (x, y, z) and moments (x, y, z) on the ring, with the largest of what adds up."""
-    joint, w = found.joint, 2 * np.pi / found.joint.azimuths.size
-    phi, x, r = joint.azimuths[:, None], joint.points.x, joint.points.radius
-    p, t = found.pressure * joint.points.weight * w, found.traction * joint.points.weight[:, None] * w
-    bore = joint.points.face == BORE
+    interface, w = found.interface, 2 * np.pi / found.interface.azimuths.size
+    phi, x, r = interface.azimuths[:, None], interface.points.x, interface.points.radius
+    p, t = found.pressure * interface.points.weight * w, found.traction * interface.points.weight[:, None] * w
+    bore = interface.points.face == BORE
     axial, radial = np.where(bore, t[..., 0], -p), np.where(bore, p, t[..., 0])
     radius = SEAT.raceway_diameter / 2
     push = forces[:, 0]

@@ -103,11 +103,11 @@ def test_ring_in_a_very_wide_bore_rests_on_one_line():
 
 def imbalance(found, forces):
     """Force along y, z and moment about them on the ring, over the sum of the roller forces."""
-    joint = found.joint
-    inward = found.contact.forces[..., 0] * 2 * np.pi / joint.azimuths.size
-    turn, around = np.exp(1j * ROLLERS), np.exp(1j * joint.azimuths)
+    interface = found.interface
+    inward = found.contact.forces[..., 0] * 2 * np.pi / interface.azimuths.size
+    turn, around = np.exp(1j * ROLLERS), np.exp(1j * interface.azimuths)
     force = forces[:, 0] @ turn - inward.sum(axis=1) @ around
-    moment = L / 2 * forces[:, 1] @ turn - inward @ joint.points.x @ around
+    moment = L / 2 * forces[:, 1] @ turn - inward @ interface.points.x @ around
     size = np.abs(forces[:, 0]).sum()
     return abs(force) / size, abs(moment) / (size * L)
 
@@ -150,7 +150,7 @@ def test_hot_ring_fills_its_housing(bodies):
 
 def test_housing_that_floats_is_refused():
     soft = Foundation(axial=1e9, radial=1e9, tangential=1e9)
-    with pytest.raises(ImpossiblePart, match="clamped or seated"):
+    with pytest.raises(ImpossiblePart, match="ClampedFace or a RigidSeat"):
         HousedRing(seat=ring(Housing(thickness=10e-3, width=12e-3, elastic=STEEL, support=soft)))
     with pytest.raises(ImpossiblePart, match="Housing"):
         HousedRing(seat=ring(soft))
