@@ -80,7 +80,7 @@ def _draw(axes: Axes, skin: Skin, factor: float, view: NDArray, colours: Any) ->
     filling[:, :3] *= light[:, None]
     # edges in the colour of their triangle hide the seams that smoothing leaves between neighbours
     axes.add_collection(
-        PolyCollection(corners[facing, :, :2], facecolors=filling, edgecolors="face", linewidths=SEAM)
+        PolyCollection(list(corners[facing, :, :2]), facecolors=filling, edgecolors="face", linewidths=SEAM)
     )
     axes.autoscale_view()
     axes.set_aspect("equal")
