@@ -3,10 +3,6 @@
 Tractions on a face are polynomials along its meridian, given at Gauss points. A face has its own
 directions: pressure, the tangent along the meridian, the tangent along the circumference. A free body
 keeps its rigid motions as such, see `fem.section.rigid_body_modes`.
-
-Source
-------
-Derived here: virtual work of harmonic loads on a body of revolution; rigid motions from their definition.
 """
 
 from collections.abc import Mapping
