@@ -8,7 +8,7 @@ from typing import Literal, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.balls.angular_contact import AngularBalance, BallBalance, race_contacts
+from quasidynamic.balance.balls.angular_contact import AngularBalance, race_contacts
 from quasidynamic.balance.balls.race_control import PrescribedControl, RaceControl
 from quasidynamic.contact.ellipse.point_contact import PointContact
 from quasidynamic.errors import ImpossiblePart, NotSolved, require_positive
@@ -71,14 +71,22 @@ class AngularContactBallBearing:
         balance = self._balance(operations)
         solution = solve(balance)
         balls, ring = solution.forces(balance)
-        kinematics, scale, heat = balls.kinematics, self._scale, self._heat(balance, balls)
+        kinematics, scale, control, heat = balls.kinematics, self._scale, self._race_control, None
+        if isinstance(control, CoulombControl):
+            heat = control.heat(balls.contacts, balance.speeds, balance.free_centrifugal)
         states: list[AngularContactState | NotSolved] = []
         for case, operation in enumerate(operations):
             if solution.outcomes[case] is not SolverOutcome.CONVERGED:
                 states.append(_not_solved(operation, solution.outcomes[case], solution.imbalance[case]))
                 continue
             if self._too_wide(balls.contacts.loads[:, case]):
-                states.append(_too_heavy(operation))
+                states.append(
+                    NotSolved(
+                        f"load {operation.load}: contact ellipses would be nearly as wide as the ball and "
+                        "have no friction that is known; the load is far too high",
+                        SolverOutcome.NOT_FINITE,
+                    )
+                )
                 continue
             states.append(
                 AngularContactState(
@@ -121,12 +129,6 @@ class AngularContactBallBearing:
         pairs = zip(self._contacts, loads, strict=True)
         return max(contact.semi_axes(load)[0].max() for contact, load in pairs) > self._race_control.widest
 
-    def _heat(self, balance: AngularBalance, balls: BallBalance) -> NDArray | None:
-        """Heat of friction (C, Z) [W], where the race control knows it."""
-        if isinstance(self._race_control, CoulombControl):
-            return self._race_control.heat(balls.contacts, balance.speeds, balance.free_centrifugal)
-        return None
-
     @property
     def _scale(self) -> NDArray:
         """Lever that makes rotations lengths and moments forces (5)."""
@@ -159,12 +161,4 @@ def _not_solved(operation: RingOperation, outcome: SolverOutcome, imbalance: flo
         )
     return NotSolved(
         f"{where}: no balance of ring and balls, {imbalance:.1e} of the largest force left", outcome
-    )
-
-
-def _too_heavy(operation: RingOperation) -> NotSolved:
-    return NotSolved(
-        f"load {operation.load}: contact ellipses would be nearly as wide as the ball, and have no friction "
-        "that is known; the load is far too high",
-        SolverOutcome.NOT_FINITE,
     )

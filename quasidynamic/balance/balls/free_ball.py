@@ -108,19 +108,15 @@ class FreeBalls:
 
     def balance(self, unknowns: NDArray, friction: GeneralSliding, part: float = 1.0) -> FreeBallBalance:
         """Balance at unknowns (N, 4), of the friction there with a part of the gyroscopic moments."""
-        moments, slopes = self._gyroscopic(self.motion(unknowns), part)
+        by_motion, slopes = gyroscopic(self.motion(unknowns), part * self.gyration, self.outer_speed)
+        back = np.swapaxes(self.unknowns, -1, -2)
         turned = np.swapaxes(self.by_unknown, -1, -2)
         return FreeBallBalance(
-            left=np.einsum("ngij,ngi->nj", self.by_unknown, friction.by_slip) - moments,
-            slopes=(turned @ friction.curvature @ self.by_unknown).sum(1) - slopes,
+            left=np.einsum("ngij,ngi->nj", self.by_unknown, friction.by_slip)
+            - (back @ by_motion[..., None])[..., 0],
+            slopes=(turned @ friction.curvature @ self.by_unknown).sum(1) - back @ slopes @ self.unknowns,
             above=np.einsum("ngij,ngi->nj", self.by_unknown**2, friction.majorant),
         )
-
-    def _gyroscopic(self, motion: NDArray, part: float) -> tuple[NDArray, NDArray]:
-        """Gyroscopic moments (N, 4) and their slopes (N, 4, 4), by unknown."""
-        moments, slopes = gyroscopic(motion, part * self.gyration, self.outer_speed)
-        turned = np.swapaxes(self.unknowns, -1, -2)
-        return (turned @ moments[..., None])[..., 0], turned @ slopes @ self.unknowns
 
 
 def free_balls(

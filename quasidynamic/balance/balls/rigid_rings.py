@@ -65,9 +65,10 @@ class RigidRings:
         """Largest unbalanced force over the largest force [-]."""
         return float(np.abs(state.excess).max() / max(np.abs(self.load).max(), state.diagonals.loads.max()))
 
-    def usual_stiffness(self) -> float:
-        """Stiffness of a diagonal that carries the largest load alone [N/m]."""
-        return 1.5 * self.diagonals.coefficient ** (2 / 3) * float(np.abs(self.load).max()) ** (1 / 3)
+    def usual_stiffness(self, largest: float = 0.0) -> float:
+        """Stiffness of a diagonal under the largest load, or the largest force [N] on a diagonal [N/m]."""
+        force = max(largest, float(np.abs(self.load).max()))
+        return 1.5 * self.diagonals.coefficient ** (2 / 3) * force ** (1 / 3)
 
     def first_place(self) -> NDArray:
         """Ring (5) pushed along its load to where about one ball would carry it: rather too far."""

@@ -70,7 +70,7 @@ def elastic_ball_loads(bearing: FourPointBearing, load: NDArray, compliance: NDA
     rigid_rings = RigidRings.of(bearing, load)
     matrix = dense_compliance(np.asarray(compliance, dtype=float), bearing.balls)
     rigid, count = balanced(rigid_rings)
-    rings = ElasticRings(rigid_rings, matrix, _contact_stiffness(rigid_rings, rigid.diagonals.loads.max()))
+    rings = ElasticRings(rigid_rings, matrix, rigid_rings.usual_stiffness(rigid.diagonals.loads.max()))
     state, more = _balanced(rings, rings.at(rigid.place, np.zeros(len(matrix))))
     lowest = rings.lowest_eigenvalue(state)
     if not lowest > 0:
@@ -89,12 +89,6 @@ def elastic_ball_loads(bearing: FourPointBearing, load: NDArray, compliance: NDA
         iterations=count + more,
         deflection=state.shape.reshape(-1, 2, 2),
     )
-
-
-def _contact_stiffness(rings: RigidRings, largest: float) -> float:
-    """Stiffness of a diagonal under the largest force [N/m]."""
-    force = max(largest, float(np.abs(rings.load).max()))
-    return 1.5 * rings.diagonals.coefficient ** (2 / 3) * force ** (1 / 3)
 
 
 def _balanced(rings: ElasticRings, state: ElasticRingState) -> tuple[ElasticRingState, int]:

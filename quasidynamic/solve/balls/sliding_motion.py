@@ -87,9 +87,10 @@ def sliding_motion(contacts: BallContacts, ellipse: Ellipse) -> SlidingMotion:
     if driven.any():
         if len(motions) == 2:
             motions.append(spinning_motion(contacts))
-        starts = _starts(balls, np.array(motions) - rolling)
-        moving = balls.taken(driven)
-        minimum = _least_power(moving, _best(moving, starts[:, driven]))
+        moving, starts = balls.taken(driven), _starts(balls, np.array(motions) - rolling)[:, driven]
+        slip = moving.base + np.einsum("ngsij,tnj->tngsi", moving.by_unknown, starts)
+        best = sliding_friction(slip, moving.ellipse).power.sum((2, 3)).argmin(axis=0)
+        minimum = _least_power(moving, starts[best, np.arange(len(best))])
         unknowns[driven], power[driven], imbalance[driven], evaluations = minimum
     _require_balance(imbalance, evaluations)
     change = np.linalg.solve(balls.scale, unknowns[..., None])[..., 0]
@@ -117,13 +118,6 @@ def _starts(balls: SlidingBallBalance, changes: NDArray) -> NDArray:
     control[2, :, 2] = control[:2, :, 2].mean(0)
     control[:, :, :2] = (LINES * balls.base[..., ROLL] * ellipse.across**2 / ellipse.radius)[ball, strong]
     return np.concatenate([np.einsum("nij,snj->sni", balls.by_motion, changes), control])
-
-
-def _best(balls: SlidingBallBalance, starts: NDArray) -> NDArray:
-    """Unknowns (n, 3) of the start (S, n, 3) with the least power."""
-    slip = balls.base + np.einsum("ngsij,tnj->tngsi", balls.by_unknown, starts)
-    powers = sliding_friction(slip, balls.ellipse).power.sum((2, 3))
-    return starts[np.argmin(powers, axis=0), np.arange(len(balls.base))]
 
 
 def _least_power(balls: SlidingBallBalance, start: NDArray) -> tuple[NDArray, NDArray, NDArray, int]:
