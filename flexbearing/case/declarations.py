@@ -1,7 +1,7 @@
 """What the schema says of a key: the one declaration behind messages, `explain` and the reference page."""
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
 from types import NoneType, UnionType
@@ -45,6 +45,12 @@ class Declaration:
         """The physical quantity; None for a plain value."""
         candidates = [*self.field.metadata, *_parts(self.field.annotation)]
         return next((item for item in candidates if isinstance(item, Kind)), None)
+
+    @property
+    def only(self) -> list[Mapping[str, tuple]]:
+        """Choices the key belongs to, see `key`; empty for a key of every choice."""
+        extra: Any = self.field.json_schema_extra
+        return extra["only"] if extra else []
 
     @property
     def required(self) -> bool:

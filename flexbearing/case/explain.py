@@ -2,6 +2,7 @@
 
 from difflib import get_close_matches
 
+from flexbearing.case.belonging import belonging
 from flexbearing.case.declarations import Declaration, declarations, declared, find, of_every_case
 from flexbearing.case.family import Families
 from flexbearing.case.head import Head
@@ -68,9 +69,14 @@ def _rows(item: Declaration) -> list[str]:
     if item.section and item.required:
         return []
     if item.section:
-        return [f"| `[{item.path}]` | a table | left out | {_cell(item.meaning)} |"]
+        return [f"| `[{item.path}]` | a table | left out | {_cell(_full(item))} |"]
     default = item.default or item.need
-    return [f"| `{item.path}` | {_cell(item.allowed)} | {_cell(default)} | {_cell(item.meaning)} |"]
+    return [f"| `{item.path}` | {_cell(item.allowed)} | {_cell(default)} | {_cell(_full(item))} |"]
+
+
+def _full(item: Declaration) -> str:
+    """Meaning, and the choices that the key belongs to."""
+    return f"{item.meaning}; only with {belonging(item)}" if item.only else item.meaning
 
 
 def _explained(item: Declaration, model: type[Section]) -> str:
@@ -98,6 +104,7 @@ def _entries(item: Declaration) -> list[tuple[str, str]]:
     return [
         ("key", item.path),
         ("meaning", item.meaning),
+        ("only", f"with {belonging(item)}" if item.only else ""),
         ("unit", f"{item.kind.unit} (any unit of {item.kind.name} is converted)" if item.kind else ""),
         ("allowed", item.allowed),
         ("default", item.default or f"none{_need(item)}"),

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 from pydantic import PrivateAttr
 
@@ -22,6 +22,8 @@ class Source:
 
 class Head(Section):
     """Keys of every case."""
+
+    former: ClassVar[Mapping[str, str]] = {}  # keys of older versions to what has taken their place
 
     kind: str = key(KIND)
     title: str = key("what the case is, for people", example="A bearing between two rings")

@@ -6,9 +6,9 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from flexbearing.case.balls.renamed import AXES_CHANGED, RENAMED
 from flexbearing.case.declarations import Declaration, declared, find, kinds_with, toml
 from flexbearing.case.family import Families
+from flexbearing.case.head import Head
 from flexbearing.case.quantity import Section
 
 
@@ -17,7 +17,7 @@ class BadCase(ValueError):
 
 
 def messages(
-    error: ValidationError, raw: Mapping[str, Any], file: str, model: type[Section], families: Families
+    error: ValidationError, raw: Mapping[str, Any], file: str, model: type[Head], families: Families
 ) -> list[str]:
     """One line per problem: file, key, value found, what is allowed, nearest valid name."""
     details = error.errors(include_url=False)
@@ -29,7 +29,7 @@ def messages(
     return list(dict.fromkeys(lines))
 
 
-def _message(detail: Any, path: str, raw: Mapping[str, Any], model: type[Section], families: Families) -> str:
+def _message(detail: Any, path: str, raw: Mapping[str, Any], model: type[Head], families: Families) -> str:
     context, kind = detail.get("ctx", {}), detail["type"]
     if kind == "extra_forbidden":
         return f"{shown(path)}{_found(raw, path)} is not a key here.{nearest(path, model, families)}"
@@ -52,6 +52,11 @@ def _paths(detail: Any) -> list[str]:
     return [".".join([*place, name]) for name in names] or [".".join(place)]
 
 
+def refused(raw: Mapping[str, Any], path: str, why: str) -> str:
+    """Message for a key that belongs to another choice."""
+    return f"{shown(path)}{_found(raw, path)} is not used: {why}."
+
+
 def shown(path: str) -> str:
     """Write a dotted key as its place in the file, `[bearing.roller] diameter`."""
     section, _, name = path.rpartition(".")
@@ -72,11 +77,11 @@ def _allowed(path: str, model: type[Section]) -> str:
     return declaration.allowed if declaration else "something else"
 
 
-def nearest(path: str, model: type[Section], families: Families) -> str:
+def nearest(path: str, model: type[Head], families: Families) -> str:
     """Suggest the key that was probably meant, else list the keys of that table."""
     section, _, name = path.rpartition(".")
-    if path in RENAMED and find(RENAMED[path].partition(",")[0], model):
-        return f" {path} is now {RENAMED[path]}; {AXES_CHANGED}."
+    if former := model.former.get(path):
+        return f" {path} is now {former}."
     if kinds := kinds_with(path, families):
         return f" It belongs to kind = {' or '.join(map(toml, kinds))}, which stands first in a file."
     siblings = [item.path.rpartition(".")[2] for item in _children(section, model)]

@@ -1,12 +1,14 @@
 """Quantities with units: text in the case file, a float in SI inside."""
 
 import re
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
 from typing import Annotated, Any
 
 from pydantic import BaseModel, ConfigDict, Field, GetCoreSchemaHandler
 from pydantic_core import CoreSchema, PydanticCustomError, core_schema
+
+from flexbearing.case.units import BadUnit, UnknownUnit, unit
 
 _NUMBER_UNIT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(\S.*?)?\s*")
 
@@ -16,7 +18,7 @@ class Kind:
     """A physical quantity."""
 
     name: str  # with its article, "a length"
-    unit: str  # SI, as pint writes it
+    unit: str  # SI
     example: str
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
@@ -37,35 +39,19 @@ class Kind:
             raise self._refused("has no unit")
         return self._converted(float(number), f"1 {unit}" if unit.startswith("/") else unit)
 
-    def _converted(self, number: float, unit: str) -> float:
-        import pint  # a tenth of a second that only case reading pays
-
-        registry = _registry()
+    def _converted(self, number: float, text: str) -> float:
         try:
-            found = registry.parse_units(unit)
-        except pint.UndefinedUnitError as problem:
-            raise self._refused(f"has an unknown unit, {problem.unit_names[0]}") from None
-        except Exception:  # pint's parser lets many kinds of errors through
-            raise self._refused(f"has a unit that cannot be read, {unit}") from None
-        if not self._measured_in(found):
+            given = unit(text)
+        except UnknownUnit as problem:
+            raise self._refused(f"has an unknown unit, {problem}") from None
+        except BadUnit:
+            raise self._refused(f"has a unit that cannot be read, {text}") from None
+        if given.powers != unit(self.unit).powers:
             raise self._refused(f"is not {self.name}")
-        return float(registry.Quantity(number, found).to(self.unit).magnitude)
-
-    def _measured_in(self, unit: Any) -> bool:
-        """Compare roots, as dimensions would let Hz pass for rad/s; a difference is no temperature."""
-        roots = _registry().get_root_units
-        difference = self.unit == "K" and "delta_" in str(unit)
-        return roots(unit)[1] == roots(self.unit)[1] and not difference
+        return given.to_si(number)
 
     def _refused(self, why: str) -> PydanticCustomError:
         return PydanticCustomError("quantity", "{why}", {"why": why})
-
-
-@cache
-def _registry():
-    import pint
-
-    return pint.UnitRegistry()
 
 
 Length = Annotated[float, Kind("a length", "m", "5 mm")]
@@ -96,9 +82,46 @@ class Section(BaseModel):
     )
 
 
-def key(meaning: str, default: Any = ..., *, example: Any = None, **limits: Any) -> Any:
-    """Declare a key: its meaning, default and example (in the words of a case file), its limits in SI."""
-    return Field(default, description=meaning, examples=None if example is None else [example], **limits)
+GIVEN = ("given",)  # stands for any value of a key that another one needs
+
+
+def key(
+    meaning: str,
+    default: Any = ...,
+    *,
+    example: Any = None,
+    only: Mapping[str, tuple] | Sequence[Mapping[str, tuple]] = (),
+    **limits: Any,
+) -> Any:
+    """Declare a key.
+
+    Parameters
+    ----------
+    meaning : str
+        what the key says
+    default : any
+        in the words of a case file; without it the key is required
+    example : any
+        a value in the words of a case file
+    only : mapping or sequence of mappings
+        choices the key belongs to, all of a mapping, any of a sequence: key to allowed values or `GIVEN`;
+        a name with a dot counts from the top of the case. With other choices the key is refused
+    **limits
+        `gt`, `ge`, `lt`, `le` in SI and other arguments of a pydantic field
+
+    Returns
+    -------
+    FieldInfo
+        of pydantic
+    """
+    choices: list[Any] = [only] if isinstance(only, Mapping) else list(only)
+    return Field(
+        default,
+        description=meaning,
+        examples=None if example is None else [example],
+        json_schema_extra={"only": choices} if choices else None,
+        **limits,
+    )
 
 
 def impossible(name: str, allowed: str) -> PydanticCustomError:

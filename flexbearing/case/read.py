@@ -1,5 +1,6 @@
 """From a TOML file and settings to a case in SI units."""
 
+import logging
 import tomllib
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -7,11 +8,14 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from flexbearing.case.belonging import foreign, without
 from flexbearing.case.declarations import Declaration, find, toml
 from flexbearing.case.family import Families
 from flexbearing.case.head import Head, Source
-from flexbearing.case.problems import BadCase, messages, nearest, shown
+from flexbearing.case.problems import BadCase, messages, nearest, refused, shown
 from flexbearing.case.quantity import Section
+
+log = logging.getLogger(__name__)
 
 Overrides = Sequence[str] | Mapping[str, object]
 
@@ -69,8 +73,12 @@ def understood(text: str, file: Path, overrides: Overrides, families: Families) 
     raw = _parsed(file, text)
     settings = _settings(overrides)
     model = _model(raw, settings, file.name, families)
+    before = foreign(raw, model)
     for setting in settings:
         _override(raw, setting, model, families)
+    _leave_out_former_kinds(raw, before, {setting.partition("=")[0].strip() for setting in settings}, model)
+    if strangers := foreign(raw, model):
+        raise BadCase("\n".join(f"{file.name}: {refused(raw, *stranger)}" for stranger in strangers.items()))
     try:
         case = model.model_validate(raw)
     except ValidationError as error:
@@ -78,6 +86,16 @@ def understood(text: str, file: Path, overrides: Overrides, families: Families) 
     _require_given(case, raw, file.name, families)
     case._source = Source(str(file), text, settings)
     return case
+
+
+def _leave_out_former_kinds(
+    raw: dict[str, Any], before: Mapping[str, str], given: set[str], model: type[Section]
+) -> None:
+    """Leave out keys of the file that a setting made strangers, as `outer.kind=ring` does with bars."""
+    for path, why in foreign(raw, model).items():
+        if path not in before and not any(key == path or key.startswith(f"{path}.") for key in given):
+            without(raw, path)
+            log.info("%s of the file is left out: %s", shown(path), why)
 
 
 def _text(file: Path) -> str:
@@ -121,7 +139,7 @@ def _model(raw: Mapping[str, Any], settings: Sequence[str], file: str, families:
     raise BadCase(f"{file}: kind = {toml(kind)} is not allowed; it must be {allowed}.")
 
 
-def _override(raw: dict[str, Any], setting: str, model: type[Section], families: Families) -> None:
+def _override(raw: dict[str, Any], setting: str, model: type[Head], families: Families) -> None:
     """Put a "key=value" setting into the raw case; what a user sets is no longer assumed."""
     key, separator, value = setting.partition("=")
     key = key.strip()

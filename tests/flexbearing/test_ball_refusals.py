@@ -87,7 +87,7 @@ IMPOSSIBLE = {
         'control = "coulomb" needs it',
     ),
     "friction beside an assumption on control": (
-        ANGULAR, ["operation.friction=0.06"], "[operation] friction = 0.06", 'or control = "coulomb"',
+        ANGULAR, ["operation.friction=0.06"], "[operation] friction = 0.06", 'operation.control = "coulomb"',
     ),
     "friction of nothing": (
         ANGULAR, ["operation.control=coulomb", "operation.friction=0"], "[operation] friction", "above 0",

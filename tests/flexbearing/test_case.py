@@ -79,9 +79,48 @@ def test_bad_setting(setting):
         read(PAPER, [setting])
 
 
-def test_rigid_parts_ignore_what_belongs_to_flexible_ones():
-    case = read(PAPER, ["outer.kind=rigid", "inner.kind=rigid"])
-    assert case.outer.bars == 24  # kept, so that the case can be made flexible again
+def test_keys_of_the_file_that_a_setting_makes_strangers_are_left_out(caplog):
+    with caplog.at_level("INFO", logger="flexbearing.case"):
+        case = read(PAPER, ["outer.kind=rigid", "inner.kind=rigid"])
+    assert case.outer.bars is None
+    assert case.materials.shaft is None
+    assert not [key for key in case.assumed if key.startswith(("outer.", "inner."))]
+    assert '[outer] bars of the file is left out: it belongs to outer.kind = "squirrel_cage"' in caplog.text
+    assert read(PAPER, ["outer.kind=ring"]).outer.thickness == approx(3.6e-3, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("settings", "told"),
+    [
+        (["outer.kind=ring", "outer.bar_width=900 mm"],
+         '[outer] bar_width = "900 mm" is not used: it belongs to '
+         'outer.kind = "squirrel_cage"; this case has outer.kind = "ring"'),
+        (["outer.support=seat"], '[outer] support = "seat" is not used'),
+        (["outer.kind=ring", "outer.housing_width=9 mm"], 'this case has outer.support = "side"'),
+        (["inner.interference=5 um"], '"frictionless" or "friction"; this case has inner.fit = "bonded"'),
+        (["lubricant.eyring_stress=5 MPa"], 'this case has lubricant.traction = "4109"'),
+        (["bearing.roller.crown_radius=1 m"], 'it belongs to bearing.roller.profile = "crowned"'),
+        (["coupling.fallback=false", "coupling.relaxation=0.2"], "[coupling] relaxation = 0.2 is not used"),
+        (["materials.housing.density=1 g/mm^3"], "[materials] housing is not used"),
+    ],
+)  # fmt: skip
+def test_key_of_another_kind_is_refused(settings, told):
+    with pytest.raises(BadCase) as problem:
+        read(PAPER, settings)
+    assert told in str(problem.value)
+
+
+def test_key_of_another_kind_in_the_file_itself_is_refused(tmp_path):
+    file = tmp_path / "case.toml"
+    file.write_text(PAPER.read_text().replace('kind = "squirrel_cage"', 'kind = "ring"'))
+    with pytest.raises(BadCase, match="bars = 24 is not used"):
+        read(file)
+
+
+def test_explain_says_to_which_choice_a_key_belongs():
+    assert 'only     with outer.kind = "ring" with outer.support = "housing"' in explain(
+        "outer.housing_width"
+    )
 
 
 def test_every_key_is_explained():

@@ -10,7 +10,7 @@ from pytest import approx
 from flexbearing import explain, read
 from flexbearing.case import BadCase
 from flexbearing.case.declarations import declarations
-from flexbearing.case.quantity import Angle, Moment, PerTemperature, Speed, Temperature
+from flexbearing.case.quantity import Angle, Length, Moment, PerTemperature, Speed, Temperature
 from flexbearing.families import FAMILIES
 
 PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
@@ -29,7 +29,11 @@ def refusal(*settings):
         (Speed, "600 1/s", "is not a rotational speed"),
         (Angle, "50 percent", "is not an angle"),
         (Moment, "3 N m/rad", "is not a moment"),  # a stiffness
-        (Temperature, "220 delta_degC", "is not a temperature"),  # a difference
+        (Temperature, "220 delta_degC", "an unknown unit, delta_degC"),  # a difference
+        (Length, "5 um^9^9^9", "a unit that cannot be read"),  # would take pages to write out
+        (Length, "5 m^5/m^4", "a unit that cannot be read"),
+        (Length, "5 (m", "a unit that cannot be read"),
+        (Length, "5 furlong", "an unknown unit, furlong"),
         (Temperature, "75,5 degC", "a unit that cannot be read, ,5 degC"),
         (Temperature, "75.5 )(", "a unit that cannot be read, )("),
     ],

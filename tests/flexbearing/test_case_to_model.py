@@ -111,7 +111,7 @@ def test_oil_of_a_data_sheet_goes_through_its_points(sheet_case):
 
 
 def test_notes_call_the_oil_of_a_data_sheet_by_its_name(sheet_case):
-    settings = {**SHEET, "lubricant.traction": "4109", "lubricant.film_heating": False}
+    settings = {**SHEET, "lubricant.traction": "4109"}
     found = notes.of_case(read(sheet_case, settings))
     assert "oil 46: pressure-viscosity is that of 313 K at any temperature" in found
     assert "traction: the 4109 regression is used with oil 46" in found

@@ -244,4 +244,4 @@ def test_dimension_that_a_flexible_part_gives_is_not_given_again(tmp_path):
 def test_temperature_of_a_housing_that_is_not_there_is_refused():
     message = refusal(PAPER, {"operation.temperatures.housing": "60 degC"})
     assert "[operation.temperatures] housing" in message
-    assert "there is no [bearing.fits.housing]" in message
+    assert "belongs to outer.kind" in message

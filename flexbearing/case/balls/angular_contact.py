@@ -6,6 +6,7 @@ from typing import Literal, Self
 from pydantic import model_validator
 
 from flexbearing.case.balls.parts import BallBearing, Elastic, Groove, HeavyElastic, RingLoad
+from flexbearing.case.balls.renamed import DISPLACEMENT, LOAD
 from flexbearing.case.head import KIND, Head
 from flexbearing.case.quantity import Angle, Length, Section, Speed, impossible, key, require
 
@@ -95,6 +96,7 @@ class FastOperation(Section):
         example=0.06,
         gt=0,
         le=1,
+        only={"control": ("coulomb",)},
     )
     load: RingLoad = key("load on the inner ring; axial pushes the balls against their shoulders", {})
     displacement: Displacement = key("where the inner ring is held instead of loaded", {})
@@ -103,8 +105,6 @@ class FastOperation(Section):
     def _friction_decides(self) -> Self:
         if self.control == "coulomb":
             require(self, ("friction",), 'control = "coulomb"')
-        elif self.friction is not None:
-            raise impossible("friction", f'left out with control = "{self.control}", or control = "coulomb"')
         return self
 
     @model_validator(mode="after")
@@ -137,6 +137,8 @@ class RollingLines(Section):
 
 class AngularCase(Head):
     """A fast angular-contact ball bearing."""
+
+    former = LOAD | DISPLACEMENT
 
     kind: Literal["angular_contact_ball"] = key(KIND)
     bearing: AngularBearing = key("the bearing")

@@ -9,6 +9,9 @@ from pydantic_core import PydanticCustomError
 from flexbearing.case.balls.renamed import AXES_CHANGED
 from flexbearing.case.quantity import Angle, Foundation, Length, Section, impossible, key, require
 
+_BOLTED = {"kind": ("bolted",)}
+_ANY_BOLTED = ({"rings.outer.kind": ("bolted",)}, {"rings.inner.kind": ("bolted",)})
+
 
 class Groove(NamedTuple):
     """A groove of two arches."""
@@ -33,7 +36,7 @@ class Groove(NamedTuple):
 
 
 class BoltedRing(Section):
-    """A ring of rectangular section; its keys are ignored when it is rigid."""
+    """A ring, rigid or of rectangular section."""
 
     far: ClassVar[str]  # key of the diameter opposite the groove
     outward: ClassVar[int]  # sign of the radial direction from the balls into the ring
@@ -43,21 +46,28 @@ class BoltedRing(Section):
         "whole on something rigid or on springs",
         "rigid",
     )
-    width: Length | None = key("axial width of the ring", None, example="80 mm", gt=0)
+    width: Length | None = key("axial width of the ring", None, example="80 mm", gt=0, only=_BOLTED)
     face_distance: Length | None = key(
-        "distance of the bolted face from the plane of the ball centres", None, example="45 mm", gt=0
+        "distance of the bolted face from the plane of the ball centres",
+        None,
+        example="45 mm",
+        gt=0,
+        only=_BOLTED,
     )
-    face: Literal["+x", "-x"] | None = key("end face that is bolted", None)
+    face: Literal["+x", "-x"] | None = key("end face that is bolted", None, only=_BOLTED)
     face_stiffness: Foundation | None = key(
         "springs per area under the bolted face, along x; without this key the face is rigid",
         None,
         example="500 N/mm^3",
         gt=0,
+        only=_BOLTED,
     )
     face_shear_stiffness: Foundation | None = key(
-        "the same along the face, both ways", None, example="200 N/mm^3", gt=0
+        "the same along the face, both ways", None, example="200 N/mm^3", gt=0, only=_BOLTED
     )
-    groove_end: Angle = key("contact angle at which the shoulders cut the arches", "75 deg", gt=0, lt=pi / 2)
+    groove_end: Angle = key(
+        "contact angle at which the shoulders cut the arches", "75 deg", gt=0, lt=pi / 2, only=_BOLTED
+    )
 
     @field_validator("face", mode="before")
     @classmethod
@@ -102,7 +112,9 @@ class BoltedOuter(BoltedRing):
     far = "outside_diameter"
     outward = 1
 
-    outside_diameter: Length | None = key("outside diameter of the ring", None, example="2060 mm", gt=0)
+    outside_diameter: Length | None = key(
+        "outside diameter of the ring", None, example="2060 mm", gt=0, only=_BOLTED
+    )
 
 
 class BoltedInner(BoltedRing):
@@ -111,7 +123,7 @@ class BoltedInner(BoltedRing):
     far = "bore"
     outward = -1
 
-    bore: Length | None = key("bore of the ring", None, example="1740 mm", gt=0)
+    bore: Length | None = key("bore of the ring", None, example="1740 mm", gt=0, only=_BOLTED)
 
 
 class Rings(Section):
@@ -126,21 +138,30 @@ class Rings(Section):
         None,
         example="7 mm",
         gt=0,
+        only=_ANY_BOLTED,
     )
     element_order: int | None = key(
-        "order of the finite elements; without this key 5", None, example=5, ge=2, le=8
+        "order of the finite elements; without this key 5", None, example=5, ge=2, le=8, only=_ANY_BOLTED
     )
     mesh_size: Length | None = key(
-        "largest element; without this key half a ball diameter", None, example="15 mm", gt=0
+        "largest element; without this key half a ball diameter",
+        None,
+        example="15 mm",
+        gt=0,
+        only=_ANY_BOLTED,
     )
     line_mesh_size: Length | None = key(
-        "largest element on the loaded lines; without this key half of rings.line", None, gt=0
+        "largest element on the loaded lines; without this key half of rings.line",
+        None,
+        gt=0,
+        only=_ANY_BOLTED,
     )
     harmonics: int | None = key(
         "azimuthal harmonics, or what the mesh resolves; without this key 6 times radius over rings.line",
         None,
         example=800,
         ge=8,
+        only=_ANY_BOLTED,
     )
 
     @property

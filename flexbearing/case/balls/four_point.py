@@ -7,6 +7,7 @@ from pydantic import model_validator
 
 from flexbearing.case.balls import bolted_rings
 from flexbearing.case.balls.parts import BallBearing, Elastic, Number, RingLoad, Whole
+from flexbearing.case.balls.renamed import LOAD
 from flexbearing.case.head import KIND, Head
 from flexbearing.case.quantity import (
     Angle,
@@ -114,12 +115,15 @@ class SlowOperation(Section):
         "loads of the contacts of every ball, at the contact angle without load",
         "ring_load",
     )
-    load: RingLoad = key('load on the inner ring, for operation.mode = "ring_load"', {})
+    load: RingLoad = key(
+        'load on the inner ring, for operation.mode = "ring_load"', {}, only={"mode": ("ring_load",)}
+    )
     contact_loads: tuple[Force, ...] | None = key(
         "load of the first and of the second diagonal of every ball; the first leans outwards to positive x",
         None,
         example=["26 kN", "0 N"],
         strict=False,
+        only={"mode": ("contact_loads",)},
     )
     speed: Speed = key(
         "speed of the inner ring against the outer one; slip and power are in proportion, torque is not",
@@ -151,6 +155,8 @@ class Fields(Section):
 
 class FourPointCase(Head):
     """A slow ball bearing of two or four contact points."""
+
+    former = LOAD
 
     kind: Literal["four_point_ball"] = key(KIND)
     bearing: FourPointBearing = key("the bearing")

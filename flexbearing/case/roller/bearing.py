@@ -9,6 +9,8 @@ from flexbearing.case.quantity import Angle, Length, Mass, Section, impossible, 
 from flexbearing.case.roller.fits import Fits
 from flexbearing.case.roller.flange import Flange
 
+_LAND = {"guidance": ("outer", "inner")}
+
 
 class Roller(Section):
     """One roller."""
@@ -16,15 +18,22 @@ class Roller(Section):
     diameter: Length = key("diameter of the rollers", gt=0)
     length: Length = key("effective length, without end chamfers", gt=0)
     profile: Literal["straight", "crowned", "logarithmic"] = key("shape of the generatrix", "straight")
-    straight_length: Length | None = key("length of the straight middle of a crowned roller", None, ge=0)
+    straight_length: Length | None = key(
+        "length of the straight middle of a crowned roller", None, ge=0, only={"profile": ("crowned",)}
+    )
     crown_radius: Length | None = key(
-        "radius of the ends' generatrix of a crowned roller", None, example="600 mm", gt=0
+        "radius of the ends' generatrix of a crowned roller",
+        None,
+        example="600 mm",
+        gt=0,
+        only={"profile": ("crowned",)},
     )
     drop: Length | None = key(
         "amplitude A of the logarithmic profile A ln 1/(1 - (2x/l)^2); ISO/TS 16281 takes 0.00035 D",
         None,
         example="1.75 um",
         gt=0,
+        only={"profile": ("logarithmic",)},
     )
 
     @model_validator(mode="after")
@@ -51,13 +60,15 @@ class Cage(Section):
         "radial thickness; that part of each roller is hidden from the oil-air mixture", ge=0
     )
     mass: Mass = key("mass, used when a start from rest is followed in time", gt=0)
-    land_diameter: Length | None = key("diameter of the guiding land", None, example="74.6 mm", gt=0)
-    land_width: Length | None = key("width of the guiding land, both sides together", None, gt=0)
+    land_diameter: Length | None = key(
+        "diameter of the guiding land", None, example="74.6 mm", gt=0, only=_LAND
+    )
+    land_width: Length | None = key("width of the guiding land, both sides together", None, gt=0, only=_LAND)
     land_clearance: Length | None = key(
-        "diametral clearance at the guiding land", None, example="0.4 mm", gt=0
+        "diametral clearance at the guiding land", None, example="0.4 mm", gt=0, only=_LAND
     )
     land_flow: Literal["laminar", "vortices"] = key(
-        "flow of the oil in the land: laminar, or with Taylor vortices and turbulence", "laminar"
+        "flow of the oil in the land: laminar, or with Taylor vortices and turbulence", "laminar", only=_LAND
     )
 
     centre: Literal["held", "free"] = key(
@@ -65,8 +76,12 @@ class Cage(Section):
         "carries the push of its pockets",
         "held",
     )
-    unbalance: Length = key("distance of the mass centre of a free cage from its axis", "0 um", ge=0)
-    unbalance_azimuth: Angle = key("where that mass centre is, from z towards y", "0 deg")
+    unbalance: Length = key(
+        "distance of the mass centre of a free cage from its axis", "0 um", ge=0, only={"centre": ("free",)}
+    )
+    unbalance_azimuth: Angle = key(
+        "where that mass centre is, from z towards y", "0 deg", only={"centre": ("free",)}
+    )
     pocket_clearance: Length | None = key(
         "from a centred roller to either wall of its pocket; shows how far rollers run ahead or lag",
         None,
@@ -81,8 +96,6 @@ class Cage(Section):
             require(self, names, f'guidance = "{self.guidance}"')
         elif self.centre == "free":
             raise impossible("centre", '"held" where rollers guide the cage: only a land carries a free one')
-        if self.unbalance and self.centre == "held":
-            raise impossible("unbalance", 'zero, or centre = "free": a held cage does not feel it')
         return self
 
 

@@ -95,10 +95,7 @@ class Mixed(Section):
 
 
 class Lubricant(Section):
-    """The oil: by name, by its data sheet, or by its data at the inlet temperature.
-
-    Numbers of a traction law that is not chosen are ignored, so that laws can be exchanged.
-    """
+    """The oil: by name, by its data sheet, or by its data at the inlet temperature."""
 
     oil: OilName | None = key("oil by name, instead of its data", None)
     data_sheet: DataSheet | None = key("an oil from two viscosities, instead of its name", None)
@@ -130,13 +127,26 @@ class Lubricant(Section):
         example=0.05,
         gt=0,
         le=1,
+        only={"traction": ("eyring", "bair-winer", "adore")},
     )
     eyring_stress: Pressure | None = key(
-        "Eyring stress; without it 2 limiting_ratio / pressure_viscosity", None, example="9 MPa", gt=0
+        "Eyring stress; without it 2 limiting_ratio / pressure_viscosity",
+        None,
+        example="9 MPa",
+        gt=0,
+        only={"traction": ("eyring",)},
     )
-    film_heating: bool = key("whether the film warms by its own shear; laws eyring and bair-winer", False)
-    adore_oil: AdoreOilName | None = key("oil whose traction was fitted; law adore", None)
-    traction_curve: TractionCurve | None = key("points of a measured curve; law four-point", None)
+    film_heating: bool = key(
+        "whether the film warms by its own shear; laws eyring and bair-winer",
+        False,
+        only={"traction": HEATED},
+    )
+    adore_oil: AdoreOilName | None = key(
+        "oil whose traction was fitted; law adore", None, only={"traction": ("adore",)}
+    )
+    traction_curve: TractionCurve | None = key(
+        "points of a measured curve; law four-point", None, only={"traction": ("four-point",)}
+    )
     mixed: Mixed | None = key("boundary friction of rough surfaces around the traction law", None)
     rolling: RollingName = key("law of the rolling shear in the inlets", "biboulet-houpert")
     oil_fraction: float = key(
@@ -167,8 +177,6 @@ class Lubricant(Section):
     @model_validator(mode="after")
     def _law_is_complete(self) -> Self:
         require(self, NEEDS[self.traction], f'traction = "{self.traction}"')
-        if self.film_heating and self.traction not in HEATED:
-            raise impossible("film_heating", 'false for a traction law other than "eyring" or "bair-winer"')
         return self
 
     def require_rough_surfaces(self, given: bool) -> None:

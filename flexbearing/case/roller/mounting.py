@@ -13,12 +13,8 @@ def require_mounting(case: "Case") -> None:
     """Raise unless every dimension, material and temperature of a mounting is given exactly once."""
     temperatures, fits = case.operation.temperatures, case.bearing.fits
     housing = fits.housing if fits else None
-    _require_fit_for_temperatures(case)
-    if case.outer.lifts_off:
-        if temperatures and temperatures.housing is None:
-            raise needed(["operation.temperatures.housing"], "outer.housing_clearance")
-    elif temperatures and temperatures.housing is not None and housing is None:
-        raise impossible("operation.temperatures.housing", "left out: there is no [bearing.fits.housing]")
+    if case.outer.lifts_off and temperatures and temperatures.housing is None:
+        raise needed(["operation.temperatures.housing"], "outer.housing_clearance")
     if fits is None:
         return
     _require_dimensions(case)
@@ -28,18 +24,6 @@ def require_mounting(case: "Case") -> None:
         raise needed(["materials.housing"], "[bearing.fits.housing]")
     if housing and temperatures and temperatures.housing is None:
         raise needed(["operation.temperatures.housing"], "[bearing.fits.housing]")
-
-
-def _require_fit_for_temperatures(case: "Case") -> None:
-    """Temperatures that vary along the axis are felt by fits; a bonded ring has only its even growth."""
-    fitted = case.inner.kind == "ring_on_shaft" and case.inner.fit != "bonded"
-    for parts, felt, what in (
-        (("shaft", "inner_ring"), fitted, 'inner.fit = "friction" or "frictionless"'),
-        (("outer_ring", "housing"), case.outer.lifts_off, "outer.housing_clearance"),
-    ):
-        for name in (f"{part}_along" for part in parts):
-            if not felt and getattr(case.operation.temperatures, name, None) is not None:
-                raise impossible(f"operation.temperatures.{name}", f"left out: it is felt only with {what}")
 
 
 def _require_dimensions(case: "Case") -> None:

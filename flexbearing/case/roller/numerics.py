@@ -29,7 +29,13 @@ class Coupling(Section):
         lt=1,
     )
     max_iterations: int = key("limit of the iterations", 200, ge=1)
-    relaxation: float = key('fraction of the change taken over, method = "relaxed"', 0.1, gt=0, le=1)
+    relaxation: float = key(
+        'fraction of the change taken over, method = "relaxed"',
+        0.1,
+        gt=0,
+        le=1,
+        only=({"method": ("relaxed",)}, {"fallback": (True,)}),
+    )
 
     @model_validator(mode="after")
     def _newton_knows_how_rings_yield(self) -> Self:

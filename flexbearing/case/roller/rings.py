@@ -9,29 +9,51 @@ from flexbearing.case.quantity import Angle, Force, Foundation, Length, Section,
 
 Direction = Literal["x", "y", "z", "-x", "-y", "-z"]
 NARROWEST_SLOT = 0.3e-3  # [m] between bars: below it the mesh generator may give up
+_RING, _CAGE, _STEP = ({"kind": (kind,)} for kind in ("ring", "squirrel_cage", "step"))
+_ON_SHAFT = {"kind": ("ring_on_shaft",)}
 
 
 class Outer(Section):
-    """What carries the outer raceway; keys of another kind are ignored."""
+    """What carries the outer raceway."""
 
     kind: Literal["rigid", "ring", "squirrel_cage", "step"] = key(
         "rigid; a plain ring; a ring on bars whose flange is clamped; or a solid drawn in a STEP file"
     )
-    thickness: Length | None = key("radial thickness of the ring", None, gt=0)
-    width: Length | None = key("axial width of the ring", None, gt=0)
+    thickness: Length | None = key(
+        "radial thickness of the ring", None, gt=0, only={"kind": ("ring", "squirrel_cage")}
+    )
+    width: Length | None = key(
+        "axial width of the ring", None, gt=0, only={"kind": ("ring", "squirrel_cage")}
+    )
     support: Literal["side", "seat", "foundation", "housing", "lines", "planet"] = key(
         "what holds a plain ring: its side face at the end of x; a rigid seat or springs per area on its "
         "outer surface; a housing; frictionless lines on that surface; or nothing, as rim of "
         "a planet gear between its tooth forces",
         "side",
+        only=_RING,
     )
-    foundation_radial: Foundation = key("springs per area on the outer surface, radial", "0 N/mm^3", ge=0)
-    foundation_axial: Foundation = key("the same, axial", "0 N/mm^3", ge=0)
-    foundation_tangential: Foundation = key("the same, tangential", "0 N/mm^3", ge=0)
-    housing_thickness: Length | None = key("radial thickness of the housing", None, gt=0)
-    housing_width: Length | None = key("axial width of the housing", None, gt=0)
+    foundation_radial: Foundation = key(
+        "springs per area on the outer surface, radial",
+        "0 N/mm^3",
+        ge=0,
+        only={**_RING, "support": ("foundation",)},
+    )
+    foundation_axial: Foundation = key(
+        "the same, axial", "0 N/mm^3", ge=0, only={**_RING, "support": ("foundation",)}
+    )
+    foundation_tangential: Foundation = key(
+        "the same, tangential", "0 N/mm^3", ge=0, only={**_RING, "support": ("foundation",)}
+    )
+    housing_thickness: Length | None = key(
+        "radial thickness of the housing", None, gt=0, only={**_RING, "support": ("housing",)}
+    )
+    housing_width: Length | None = key(
+        "axial width of the housing", None, gt=0, only={**_RING, "support": ("housing",)}
+    )
     housing_support: Literal["seat", "side"] = key(
-        "what holds the housing: a rigid seat on its outer surface, or its side face", "seat"
+        "what holds the housing: a rigid seat on its outer surface, or its side face",
+        "seat",
+        only={**_RING, "support": ("housing",)},
     )
     housing_clearance: Length | None = key(
         "diametral clearance of ring and housing, cold and at rest: they touch where the ring is pressed on "
@@ -39,46 +61,62 @@ class Outer(Section):
         None,
         example="20 um",
         ge=0,
+        only={**_RING, "support": ("housing",)},
     )
     line_azimuths: tuple[Angle, ...] = key(
         "azimuths of supporting lines, from z towards y",
         (),
         example=["0 deg", "120 deg", "240 deg"],
         strict=False,
+        only={**_RING, "support": ("lines",)},
     )
     tooth_azimuths: tuple[Angle, ...] = key(
-        "azimuths of the tooth forces of a planet gear", (), example=["90 deg", "270 deg"], strict=False
+        "azimuths of the tooth forces of a planet gear",
+        (),
+        example=["90 deg", "270 deg"],
+        strict=False,
+        only={**_RING, "support": ("planet",)},
     )
     tooth_radial: tuple[Force, ...] = key(
-        "their radial parts, outward", (), example=["-2 kN", "-2 kN"], strict=False
+        "their radial parts, outward",
+        (),
+        example=["-2 kN", "-2 kN"],
+        strict=False,
+        only={**_RING, "support": ("planet",)},
     )
     tooth_tangential: tuple[Force, ...] = key(
-        "their tangential parts, towards growing azimuth", (), example=["5 kN", "-5 kN"], strict=False
+        "their tangential parts, towards growing azimuth",
+        (),
+        example=["5 kN", "-5 kN"],
+        strict=False,
+        only={**_RING, "support": ("planet",)},
     )
-    bars: int | None = key("number of bars", None, example=24, ge=1, le=200)
-    bar_width: Length | None = key("tangential width of a bar", None, gt=0)
-    bar_thickness: Length | None = key("radial thickness of a bar", None, gt=0)
-    bar_length: Length | None = key("axial length of the bars", None, gt=0)
-    fillet: Length = key("fillet radius where bars meet ring and flange", "0 mm", ge=0)
-    flange_length: Length | None = key("axial length of the flange behind the bars", None, gt=0)
+    bars: int | None = key("number of bars", None, example=24, ge=1, le=200, only=_CAGE)
+    bar_width: Length | None = key("tangential width of a bar", None, gt=0, only=_CAGE)
+    bar_thickness: Length | None = key("radial thickness of a bar", None, gt=0, only=_CAGE)
+    bar_length: Length | None = key("axial length of the bars", None, gt=0, only=_CAGE)
+    fillet: Length = key("fillet radius where bars meet ring and flange", "0 mm", ge=0, only=_CAGE)
+    flange_length: Length | None = key("axial length of the flange behind the bars", None, gt=0, only=_CAGE)
 
-    file: str | None = key("STEP file, next to the case file", None, example="ring.step")
+    file: str | None = key("STEP file, next to the case file", None, example="ring.step", only=_STEP)
     clamps: tuple[str, ...] = key(
         'faces of the drawing that do not move: names, or colours such as "#e75959"',
         (),
         example=["foot"],
         strict=False,
+        only=_STEP,
     )
     raceway: str | None = key(
         "name or colour of the raceway, where two cylinders of about its diameter are drawn",
         None,
         example="race",
+        only=_STEP,
     )
-    axis: Direction = key("direction of the bearing's axis in the drawing", "x")
-    zenith: Direction = key("direction of azimuth 0 in the drawing", "z")
-    centre_x: Length = key("middle of the rollers in the drawing, along its x", "0 mm")
-    centre_y: Length = key("the same along y", "0 mm")
-    centre_z: Length = key("the same along z", "0 mm")
+    axis: Direction = key("direction of the bearing's axis in the drawing", "x", only=_STEP)
+    zenith: Direction = key("direction of azimuth 0 in the drawing", "z", only=_STEP)
+    centre_x: Length = key("middle of the rollers in the drawing, along its x", "0 mm", only=_STEP)
+    centre_y: Length = key("the same along y", "0 mm", only=_STEP)
+    centre_z: Length = key("the same along z", "0 mm", only=_STEP)
 
     @property
     def lifts_off(self) -> bool:
@@ -136,34 +174,54 @@ class Outer(Section):
 
 
 class Inner(Section):
-    """What carries the inner raceway; keys of another kind are ignored."""
+    """What carries the inner raceway."""
 
     kind: Literal["rigid", "ring_on_shaft"] = key(
         "rigid; or a ring bonded on a hollow shaft with both ends clamped"
     )
-    bore: Length | None = key("bore of the ring, outside of the shaft", None, example="60 mm", gt=0)
-    thickness: Length | None = key("radial thickness of the ring over its ribs", None, gt=0)
-    width: Length | None = key("axial width of the ring", None, gt=0)
-    track_width: Length | None = key("axial width of the raceway between the ribs", None, gt=0)
-    shaft_thickness: Length | None = key("radial thickness of the hollow shaft", None, gt=0)
+    bore: Length | None = key(
+        "bore of the ring, outside of the shaft", None, example="60 mm", gt=0, only=_ON_SHAFT
+    )
+    thickness: Length | None = key("radial thickness of the ring over its ribs", None, gt=0, only=_ON_SHAFT)
+    width: Length | None = key("axial width of the ring", None, gt=0, only=_ON_SHAFT)
+    track_width: Length | None = key(
+        "axial width of the raceway between the ribs", None, gt=0, only=_ON_SHAFT
+    )
+    shaft_thickness: Length | None = key("radial thickness of the hollow shaft", None, gt=0, only=_ON_SHAFT)
     shaft_length: Length | None = key(
-        "length of the shaft between its clamped ends", None, example="40 mm", gt=0
+        "length of the shaft between its clamped ends", None, example="40 mm", gt=0, only=_ON_SHAFT
     )
 
     fit: Literal["bonded", "frictionless", "friction"] = key(
         "how ring and shaft hold each other: as one piece; by pressure alone; or by pressure and friction",
         "bonded",
+        only=_ON_SHAFT,
     )
-    fit_friction: float = key('Coulomb friction in the fit, fit = "friction"', 0.1, ge=0, le=10)
+    fit_friction: float = key(
+        'Coulomb friction in the fit, fit = "friction"',
+        0.1,
+        ge=0,
+        le=10,
+        only={**_ON_SHAFT, "fit": ("friction",)},
+    )
     interference: Length = key(
         "diametral interference of the fit, cold and at rest; negative is a clearance",
         "0 um",
         example="10 um",
+        only={**_ON_SHAFT, "fit": ("frictionless", "friction")},
     )
     shoulder_diameter: Length | None = key(
-        "diameter of the shaft's shoulder beyond the ring; without it there is none", None, gt=0
+        "diameter of the shaft's shoulder beyond the ring; without it there is none",
+        None,
+        gt=0,
+        only={**_ON_SHAFT, "fit": ("frictionless", "friction")},
     )
-    clamping: Force = key("force with which a nut presses the ring on the shoulder", "0 N", ge=0)
+    clamping: Force = key(
+        "force with which a nut presses the ring on the shoulder",
+        "0 N",
+        ge=0,
+        only={**_ON_SHAFT, "fit": ("frictionless", "friction")},
+    )
 
     _dimensions: ClassVar = ("bore", "thickness", "width", "track_width", "shaft_thickness", "shaft_length")
 

@@ -6,6 +6,7 @@ from typing import Literal, Self
 from pydantic import model_validator
 
 from flexbearing.case.quantity import (
+    GIVEN,
     Angle,
     Density,
     Force,
@@ -21,6 +22,10 @@ from flexbearing.case.quantity import (
 )
 
 SAME = 1e-3  # [K] by which two statements of a temperature may differ
+
+IN_HOUSING = {"outer.kind": ("ring",), "outer.support": ("housing",)}
+LIFTING_OFF = {**IN_HOUSING, "outer.housing_clearance": GIVEN}
+_FITTED = {"inner.kind": ("ring_on_shaft",), "inner.fit": ("frictionless", "friction")}
 
 
 class Material(Section):
@@ -39,12 +44,15 @@ class Materials(Section):
     inner_ring: Material = key("of the inner ring")
     outer_ring: Material = key("of the outer ring, and of the squirrel cage that is one piece with it")
     shaft: Material | None = key(
-        'of the shaft; needed for inner.kind = "ring_on_shaft" and for [bearing.fits]', None
+        'of the shaft; needed for inner.kind = "ring_on_shaft" and for [bearing.fits]',
+        None,
+        only=({"inner.kind": ("ring_on_shaft",)}, {"bearing.fits": GIVEN}),
     )
     housing: Material | None = key(
         'of the housing; needed for [bearing.fits.housing]; without it that of outer.support = "housing" is '
         "made of the material of the outer ring",
         None,
+        only=(IN_HOUSING, {"bearing.fits.housing": GIVEN}),
     )
 
 
@@ -90,13 +98,20 @@ class Temperatures(Section):
     roller: Temperature = key("of the rollers", gt=0)
     outer_ring: Temperature = key("of the outer ring and its support", gt=0)
     housing: Temperature | None = key(
-        "of the housing; needed for [bearing.fits.housing] and outer.housing_clearance", None, gt=0
+        "of the housing; needed for [bearing.fits.housing] and outer.housing_clearance",
+        None,
+        gt=0,
+        only=(LIFTING_OFF, {"bearing.fits.housing": GIVEN}),
     )
     reference: Temperature = key("at which the dimensions are given", gt=0)
-    shaft_along: Along | None = key("how that of the shaft varies along the axis", None)
-    inner_ring_along: Along | None = key("how that of the inner ring varies along the axis", None)
-    outer_ring_along: Along | None = key("how that of the outer ring varies along the axis", None)
-    housing_along: Along | None = key("how that of the housing varies along the axis", None)
+    shaft_along: Along | None = key("how that of the shaft varies along the axis", None, only=_FITTED)
+    inner_ring_along: Along | None = key(
+        "how that of the inner ring varies along the axis", None, only=_FITTED
+    )
+    outer_ring_along: Along | None = key(
+        "how that of the outer ring varies along the axis", None, only=LIFTING_OFF
+    )
+    housing_along: Along | None = key("how that of the housing varies along the axis", None, only=LIFTING_OFF)
 
     @model_validator(mode="after")
     def _agree_in_the_middle(self) -> Self:

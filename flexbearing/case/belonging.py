@@ -1,0 +1,94 @@
+"""Which keys belong to the choices of a case: keys of another kind of part are refused, not ignored."""
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from flexbearing.case.declarations import Declaration, declared, find, toml
+from flexbearing.case.quantity import GIVEN, Section
+
+Raw = Mapping[str, Any]
+
+
+def foreign(raw: Raw, model: type[Section]) -> dict[str, str]:
+    """Keys of a raw case that belong to another choice than the one made.
+
+    Parameters
+    ----------
+    raw : mapping
+        tables and values as the file writes them
+    model : type
+        the case model
+
+    Returns
+    -------
+    dict
+        dotted key or table to what it belongs to and what the case says instead
+    """
+    strangers: dict[str, str] = {}
+    for item in declared(model):
+        inside = any(item.path.startswith(f"{table}.") for table in strangers)
+        if item.only and not inside and _value(raw, item.path) is not None:
+            broken = [_broken(choices, item, raw, model) for choices in item.only]
+            if all(broken):
+                strangers[item.path] = f"it belongs to {belonging(item)}; this case has {broken[0]}"
+    return strangers
+
+
+def belonging(item: Declaration) -> str:
+    """Choices that a key belongs to, such as `outer.kind = "ring"`; empty for a key of every choice."""
+    return ", or to ".join(
+        " with ".join(_named(key, values) for key, values in _absolute(choices, item))
+        for choices in item.only
+    )
+
+
+def _named(key: str, values: tuple) -> str:
+    return f"a given {key}" if values == GIVEN else f"{key} = {' or '.join(map(toml, values))}"
+
+
+def _absolute(choices: Mapping[str, tuple], item: Declaration) -> Iterator[tuple[str, tuple]]:
+    """Choices by dotted keys; a name without a dot is a key of the same table."""
+    table = item.path.rpartition(".")[0]
+    for key, values in choices.items():
+        yield (key if "." in key or not table else f"{table}.{key}"), values
+
+
+def _broken(choices: Mapping[str, tuple], item: Declaration, raw: Raw, model: type[Section]) -> str:
+    """What the case says instead of the first choice that is not met; empty where all are met."""
+    for key, values in _absolute(choices, item):
+        declaration, value = find(key, model), _value(raw, key)
+        assert declaration is not None
+        if values == GIVEN:
+            if value is None:
+                return f"no {key}"
+            continue
+        value = declaration.field.get_default() if value is None else value
+        # a value that is no choice at all is told elsewhere
+        if value not in values and value in (declaration.choices or (True, False)):
+            return f"{key} = {toml(value)}"
+    return ""
+
+
+def _value(raw: Any, path: str) -> Any:
+    for part in path.split("."):
+        if not isinstance(raw, Mapping) or part not in raw:
+            return None
+        raw = raw[part]
+    return raw
+
+
+def without(raw: dict[str, Any], path: str) -> None:
+    """Take a key or table out of a raw case, also from what is assumed or calibrated."""
+    *tables, name = path.split(".")
+    inside = raw
+    for table in tables:
+        inside = inside[table]
+    del inside[name]
+
+    def kept(key: object) -> bool:
+        return key != path and not str(key).startswith(f"{path}.")
+
+    if isinstance(raw.get("assumed"), list):
+        raw["assumed"] = [key for key in raw["assumed"] if kept(key)]
+    if isinstance(raw.get("calibrated"), dict):
+        raw["calibrated"] = {key: what for key, what in raw["calibrated"].items() if kept(key)}
