@@ -17,7 +17,7 @@ from numpy.polynomial import legendre
 from numpy.typing import NDArray
 from scipy import sparse
 
-from fem.assembly.factorisation import NotSolved
+from fem.errors import NotSolved
 from fem.mesh.solid import MILLIMETRES
 from fem.parts.rings import MeshSize, Patches
 

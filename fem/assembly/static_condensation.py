@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from scipy import sparse
 from scipy.linalg import LinAlgError, cholesky, solve_triangular
 
-from fem.assembly.factorisation import NotSolved
+from fem.errors import NotSolved
 
 SMALLEST = 16  # elements in a group that is not halved any more; speed only
 UNEVEN = 0.2  # least part of a group that is split off
@@ -28,7 +28,7 @@ class Substructure:
     schur: NDArray  # (kept, kept) symmetric
     size: int  # order of the whole matrix
     order: NDArray  # (unknowns,) in the order of elimination, kept ones last
-    fronts: list[tuple[slice, NDArray, NDArray, NDArray]]  # eliminated, left over, their triangle and rest
+    fronts: list[tuple[slice, NDArray, NDArray, NDArray]]  # eliminated, remaining, triangle, coupling
 
     def interior(self, kept: NDArray) -> NDArray:
         r"""All unknowns from the kept ones, no load on the eliminated ones.
@@ -52,11 +52,11 @@ class Substructure:
         """
         u = np.zeros((self.order.size, kept.shape[1]))
         u[self.order.size - len(kept) :] = kept
-        for own, rest, triangle, coupling in reversed(self.fronts):
-            u[own] = -solve_triangular(triangle, coupling @ u[rest], check_finite=False)
-        spread = np.zeros((self.size, kept.shape[1]))
-        spread[self.order] = u
-        return spread
+        for eliminated, remaining, triangle, coupling in reversed(self.fronts):
+            u[eliminated] = -solve_triangular(triangle, coupling @ u[remaining], check_finite=False)
+        displacement = np.zeros((self.size, kept.shape[1]))
+        displacement[self.order] = u
+        return displacement
 
 
 def owners(elements: Sequence[NDArray], centres: NDArray, unknowns: int) -> NDArray:
@@ -110,27 +110,29 @@ def eliminate(stiffness: sparse.csr_array, owner: NDArray, kept: NDArray) -> Sub
     Raises
     ------
     NotSolved
-        if the body floats once the kept unknowns are held
+        if nothing holds the body once the kept unknowns are held
 
     Source
     ------
     Static condensation, exact without inertia; order of elimination after Duff and Reid (1983), George
     (1973).
     """
-    gone = np.flatnonzero(owner)
-    gone = gone[np.argsort(-owner[gone], kind="stable")]  # children have higher numbers than their parents
-    order = np.concatenate([gone, kept])
+    eliminated = np.flatnonzero(owner)
+    eliminated = eliminated[
+        np.argsort(-owner[eliminated], kind="stable")
+    ]  # children have higher numbers than their parents
+    order = np.concatenate([eliminated, kept])
     upper = sparse.csr_array(sparse.triu(sparse.csr_array(stiffness[order][:, order])))
-    groups, starts = np.unique(-owner[gone], return_index=True)
-    stops = np.append(starts, gone.size)[1:]
-    waiting, fronts, place = defaultdict(list), [], np.zeros(order.size, dtype=int)
+    groups, starts = np.unique(-owner[eliminated], return_index=True)
+    stops = np.append(starts, eliminated.size)[1:]
+    updates, fronts, position = defaultdict(list), [], np.zeros(order.size, dtype=int)
     for group, start, stop in zip(-groups, starts, stops, strict=True):
-        front = _assembled(upper[start:stop], start, waiting.pop(group, []), place)
-        fronts.append((slice(start, stop), *_reduced(*front, stop - start, waiting, owner[gone])))
-    schur = np.triu(upper[gone.size :, gone.size :].toarray())
+        front = _assembled(upper[start:stop], start, updates.pop(group, []), position)
+        fronts.append((slice(start, stop), *_reduced(*front, stop - start, updates, owner[eliminated])))
+    schur = np.triu(upper[eliminated.size :, eliminated.size :].toarray())
     schur += np.triu(schur, 1).T
-    for unknowns, part in waiting.pop(0, []):
-        schur[np.ix_(unknowns - gone.size, unknowns - gone.size)] += part
+    for unknowns, part in updates.pop(0, []):
+        schur[np.ix_(unknowns - eliminated.size, unknowns - eliminated.size)] += part
     return Substructure(schur=schur, size=owner.size, order=order, fronts=fronts)
 
 
@@ -176,30 +178,28 @@ def _depth(number):
     return np.frexp(np.asarray(number, dtype=float))[1] - 1
 
 
-def _assembled(rows, start, children, place):
-    """Unknowns of a front, its own first, and its dense matrix; rows of the left-over are without K."""
-    size = rows.shape[0]
-    own = np.arange(start, start + size)
-    front = np.unique(np.concatenate([own, rows.indices, *(unknowns for unknowns, _ in children)]))
-    place[front] = np.arange(front.size)
+def _assembled(rows, start, children, position):
+    """Unknowns of a front, first those to eliminate, and its dense matrix; other rows are without K."""
+    pivots = np.arange(start, start + rows.shape[0])
+    front = np.unique(np.concatenate([pivots, rows.indices, *(unknowns for unknowns, _ in children)]))
+    position[front] = np.arange(front.size)
     matrix = np.zeros((front.size, front.size))
     entries = rows.tocoo()
-    matrix[entries.row, place[entries.col]] = entries.data
+    matrix[entries.row, position[entries.col]] = entries.data
     for unknowns, part in children:
-        here = place[unknowns]
-        matrix[np.ix_(here, here)] += part
+        matrix[np.ix_(position[unknowns], position[unknowns])] += part
     return front, matrix
 
 
-def _reduced(front, matrix, size, waiting, owner):
-    """Eliminate the first unknowns of a front; what is left waits for the group that goes next."""
+def _reduced(front, matrix, size, updates, owner):
+    """Eliminate the first unknowns of a front; the group that goes next gets the update of the others."""
     try:
         triangle = cholesky(matrix[:size, :size], check_finite=False)
     except LinAlgError as refusal:
-        raise NotSolved(f"the body floats, or its stiffness is not finite: {refusal}") from refusal
+        raise NotSolved(f"nothing holds the body, or its stiffness is not finite: {refusal}") from refusal
     coupling = solve_triangular(triangle, matrix[:size, size:], trans=1, check_finite=False)
-    rest = front[size:]
-    if rest.size:
-        next_group = owner[rest[0]] if rest[0] < owner.size else 0
-        waiting[next_group].append((rest, matrix[size:, size:] - coupling.T @ coupling))
-    return rest, triangle, coupling
+    remaining = front[size:]
+    if remaining.size:
+        next_group = owner[remaining[0]] if remaining[0] < owner.size else 0
+        updates[next_group].append((remaining, matrix[size:, size:] - coupling.T @ coupling))
+    return remaining, triangle, coupling

@@ -1,10 +1,10 @@
-r"""What a half-space yields along a short line across a groove, by forces across and along its surface.
+r"""Deflection of a half-space along a short line across a groove, by forces across and along its surface.
 
 A force along the line moves it along itself by
 
 .. math:: H_t(\varphi) = \frac{1+\nu}{\pi E}\,\left[(1-\nu)\,k + \nu\,k_t\right](2R\,|\sin(\varphi/2)|)
 
-while the answer to a force into the surface is that of `fem.half_space.line_load`. By symmetry, none of both
+while the answer to a force into the surface is that of `fem.half_space.line_load`. By symmetry, neither force
 moves the line, on average, in the direction of the other.
 
 Source
@@ -47,8 +47,8 @@ def line_answers(azimuth: NDArray, radius: float, length: float, elastic: Elasti
     normal = indentation(phi, radius, length, 1, elastic)[..., 0, 0]
     nu = elastic.poisson_ratio
     unit = nu * (1 + nu) / (np.pi * elastic.youngs_modulus)
-    more = unit * _along(2 * radius * np.abs(np.sin(phi / 2)), length)
-    return np.stack([normal, normal + more], axis=-1)
+    difference = unit * _along(2 * radius * np.abs(np.sin(phi / 2)), length)
+    return np.stack([normal, normal + difference], axis=-1)
 
 
 def line_harmonics(harmonics: NDArray, radius: float, length: float, elastic: Elastic) -> NDArray:

@@ -1,4 +1,4 @@
-r"""What a half-space yields beside a line load, wrapped around a raceway.
+r"""Deflection of a half-space beside a line load, wrapped around a raceway.
 
 The distance from the line is the chord :math:`d = 2R\,|\sin(\varphi/2)|`: near the line it is the arc,
 and it goes on smoothly around the raceway, so that the harmonics of the indentation fall as 1/n

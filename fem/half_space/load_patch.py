@@ -1,4 +1,4 @@
-r"""What an elastic half-space yields under the load patch of one roller.
+r"""Deflection of an elastic half-space under the load patch of one roller.
 
 A contact law already holds the indentation of the raceway under the roller's own load, as that of
 a half-space. The flexible ring must not count it twice, so it is subtracted from the self term:
@@ -94,9 +94,9 @@ def autocorrelation(axial_modes: int) -> NDArray:
     rho = 1 + np.cos(np.pi * (np.arange(2 * axial_modes) + 0.5) / (2 * axial_modes))
     nodes, weights = legendre.leggauss(axial_modes + 1)
     half = 1 - rho / 2  # half length of the overlap, whose middle is -rho/2
-    left = -rho[:, None] / 2 + half[:, None] * nodes
-    a = legendre.legvander(left, axial_modes - 1) * (np.arange(axial_modes) + 0.5)
-    b = legendre.legvander(left + rho[:, None], axial_modes - 1) * (np.arange(axial_modes) + 0.5)
+    start = -rho[:, None] / 2 + half[:, None] * nodes
+    a = legendre.legvander(start, axial_modes - 1) * (np.arange(axial_modes) + 0.5)
+    b = legendre.legvander(start + rho[:, None], axial_modes - 1) * (np.arange(axial_modes) + 0.5)
     values = np.einsum("r,q,rqm,rqn->rmn", half, weights, a, b)
     values = values + values.swapaxes(1, 2)
     powers = np.linalg.inv(np.vander(rho, increasing=True))

@@ -94,14 +94,14 @@ def _(part: RingOnShaft, length):
     return [ring, shaft]
 
 
-def meshed(bodies: list[AxialSection], wishes: MeshSize) -> ngs.Mesh:
+def meshed(bodies: list[AxialSection], mesh_size: MeshSize) -> ngs.Mesh:
     """Triangles that fill sections, with quadrilaterals in the layers around corners.
 
     Parameters
     ----------
     bodies : list of AxialSection
         which touch along whole edges
-    wishes : MeshSize
+    mesh_size : MeshSize
         element sizes
 
     Returns
@@ -113,11 +113,11 @@ def meshed(bodies: list[AxialSection], wishes: MeshSize) -> ngs.Mesh:
     plane.vertices.hpref = 1
     for edge in plane.edges:
         if edge.name in ("raceway", "lines"):
-            edge.maxh = wishes.raceway_size * MILLIMETRES
-    mesh = ngs.Mesh(occ.OCCGeometry(plane, dim=2).GenerateMesh(maxh=wishes.size * MILLIMETRES))
+            edge.maxh = mesh_size.raceway_size * MILLIMETRES
+    mesh = ngs.Mesh(occ.OCCGeometry(plane, dim=2).GenerateMesh(maxh=mesh_size.size * MILLIMETRES))
     mesh.RefineHP(GRADED_LAYERS, GRADED_RATIO)
     if any(body.bends for body in bodies):
-        mesh.Curve(wishes.order)
+        mesh.Curve(mesh_size.order)
     return mesh
 
 

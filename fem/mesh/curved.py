@@ -21,14 +21,14 @@ FINER = (1.0, 0.85, 0.7)  # sizes over those asked for, one after the other
 _log = logging.getLogger(__name__)
 
 
-def curved(generate: Callable[[MeshSize], ngs.Mesh], wishes: MeshSize, allowed: float = 0.0) -> ngs.Mesh:
+def curved(generate: Callable[[MeshSize], ngs.Mesh], mesh_size: MeshSize, allowed: float = 0.0) -> ngs.Mesh:
     """Curve a mesh; where that turns elements inside out, take a finer one.
 
     Parameters
     ----------
     generate : callable (MeshSize)
-        straight mesh by its wishes
-    wishes : MeshSize
+        straight mesh of element sizes
+    mesh_size : MeshSize
         order of the geometry and element sizes
     allowed : float
         share of the volume that may fold [-]
@@ -43,15 +43,18 @@ def curved(generate: Callable[[MeshSize], ngs.Mesh], wishes: MeshSize, allowed: 
         if elements are inside out on the finest mesh, too
     """
     for share in FINER:
-        mesh = generate(replace(wishes, size=share * wishes.size, raceway_size=share * wishes.raceway_size))
-        folded = _curve(mesh, wishes.order)
-        _log.debug("%d elements of order %d, %.2g of the volume folded", mesh.ne, wishes.order, folded)
+        mesh = generate(
+            replace(mesh_size, size=share * mesh_size.size, raceway_size=share * mesh_size.raceway_size)
+        )
+        folded = _curve(mesh, mesh_size.order)
+        _log.debug("%d elements of order %d, %.2g of the volume folded", mesh.ne, mesh_size.order, folded)
         if folded <= allowed:
             return mesh
     raise ImpossiblePart(
-        f"raceway_size = {wishes.raceway_size!r} m with size = {wishes.size!r} m and order = {wishes.order} "
-        f"is impossible: curved edges turn {folded:.2g} of the volume inside out, also on elements "
-        f"{FINER[-1]:g} times as large; allowed is {allowed:g}, by other sizes or a lower order"
+        f"raceway_size = {mesh_size.raceway_size!r} m with size = {mesh_size.size!r} m and "
+        f"order = {mesh_size.order} is impossible: curved edges turn {folded:.2g} of the volume inside "
+        f"out, also on elements {FINER[-1]:g} times as large; allowed is {allowed:g}, by other sizes or a "
+        "lower order"
     )
 
 
@@ -65,5 +68,5 @@ def _curve(mesh: ngs.Mesh, order: int) -> float:
     ratio = ngs.Det(ngs.specialcf.JacobianMatrix(3))
     straight = ratio(mesh.MapToAllElements(rules, ngs.VOL))[:, 0]
     mesh.Curve(order)
-    left = ratio(mesh.MapToAllElements(rules, ngs.VOL))[:, 0] / straight
-    return float(np.sum(np.abs(straight), where=left <= LEAST) / np.sum(np.abs(straight)))
+    change = ratio(mesh.MapToAllElements(rules, ngs.VOL))[:, 0] / straight
+    return float(np.sum(np.abs(straight), where=change <= LEAST) / np.sum(np.abs(straight)))

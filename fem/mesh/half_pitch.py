@@ -23,7 +23,7 @@ LAYER_RATIO = 0.15  # close to 0.17, the best for a singular edge (Gui and Babus
 _AXIS = occ.Axis(occ.Pnt(0, 0, 0), occ.X)
 
 
-def half_pitch(part: SquirrelCage, length: float, wishes: MeshSize) -> ngs.Mesh:
+def half_pitch(part: SquirrelCage, length: float, mesh_size: MeshSize) -> ngs.Mesh:
     """Curved elements that fill half a pitch of a squirrel cage.
 
     Where bars meet ring and flange at a sharp edge the stress is singular: layers of thinner and
@@ -33,7 +33,7 @@ def half_pitch(part: SquirrelCage, length: float, wishes: MeshSize) -> ngs.Mesh:
     ----------
     part : SquirrelCage
         ring, bars and flange
-    length, wishes
+    length, mesh_size
         as for `fem.mesh.solid.meshed`
 
     Returns
@@ -65,7 +65,7 @@ def half_pitch(part: SquirrelCage, length: float, wishes: MeshSize) -> ngs.Mesh:
             mesh.RefineHP(LAYERS, LAYER_RATIO)
         return mesh
 
-    return curved(straight, wishes, FOLDED if part.fillet else 0.0)
+    return curved(straight, mesh_size, FOLDED if part.fillet else 0.0)
 
 
 def _pieces(part: SquirrelCage, length: float) -> list:

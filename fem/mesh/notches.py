@@ -29,23 +29,23 @@ class Notches:
         return REACH * self.wall
 
     def clear(self, x: NDArray, radius: NDArray) -> NDArray:
-        """Whether places lie further away than the reach.
+        """Whether points lie further away than the reach.
 
         Parameters
         ----------
         x, radius : array (n,)
-            places in the axial section [m]
+            points in the axial section [m]
 
         Returns
         -------
         array of bool (n,)
         """
-        place = np.stack([x, radius], axis=1)
-        far = np.ones(len(place), dtype=bool)
+        points = np.stack([x, radius], axis=1)
+        far = np.ones(len(points), dtype=bool)
         for start, end in self.lines:
             along = end - start
-            t = np.clip((place - start) @ along / (along @ along or 1.0), 0, 1)
-            far &= np.linalg.norm(place - start - t[:, None] * along, axis=1) > self.reach
+            t = np.clip((points - start) @ along / (along @ along or 1.0), 0, 1)
+            far &= np.linalg.norm(points - start - t[:, None] * along, axis=1) > self.reach
         return far
 
 

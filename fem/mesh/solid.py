@@ -34,7 +34,7 @@ ARC = 0.6  # elements on the radius of a fillet; curved elements need no more
 _AXIS = occ.Axis(occ.Pnt(0, 0, 0), occ.X)
 
 
-def meshed(part: Part | StepSolid, length: float, wishes: MeshSize) -> ngs.Mesh:
+def meshed(part: Part | StepSolid, length: float, mesh_size: MeshSize) -> ngs.Mesh:
     """Curved tetrahedra that fill a part, with the loaded band as faces of their own.
 
     Parameters
@@ -43,7 +43,7 @@ def meshed(part: Part | StepSolid, length: float, wishes: MeshSize) -> ngs.Mesh:
         the ring with its seat
     length : float
         axial length of the loaded band, centred on x = 0 [m], at most the track of the part
-    wishes : MeshSize
+    mesh_size : MeshSize
         order of the geometry and element sizes
 
     Returns
@@ -67,11 +67,11 @@ def meshed(part: Part | StepSolid, length: float, wishes: MeshSize) -> ngs.Mesh:
             occ.OCCGeometry(body).GenerateMesh(maxh=sizes.size * MILLIMETRES, parallel_meshing=False, **finer)
         )
 
-    return curved(straight, wishes, FOLDED if rounded else 0.0)
+    return curved(straight, mesh_size, FOLDED if rounded else 0.0)
 
 
 def size_raceway(body, sizes: MeshSize) -> None:
-    """Wish for the size of elements on the loaded band of a shape."""
+    """Set the size of elements on the loaded band of a shape."""
     for face in body.faces:
         if face.name == "raceway":
             face.maxh = sizes.raceway_size * MILLIMETRES

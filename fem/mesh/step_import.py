@@ -103,17 +103,17 @@ def _picked(body, pick: Pick, part: StepSolid, purpose: str) -> list:
     """Faces that a pick means."""
     if isinstance(pick, Near):
         return [_nearest(body, pick, purpose)]
-    found = [face for face in body.faces if _fits(face, pick)]
-    if not found:
+    faces = [face for face in body.faces if _fits(face, pick)]
+    if not faces:
         raise ImpossiblePart(f"{purpose}: {part.source} has no face {pick}; {_offered(body)}")
-    return found
+    return faces
 
 
 def _offered(body) -> str:
     """Names and colours that a user can pick."""
     names = {f'"{face.name}"' for face in body.faces if face.name}
-    shown = [_shown(face) for face in body.faces]
-    colours = {"#" + bytes(colour.round().astype(np.uint8)).hex() for colour in shown if colour is not None}
+    screen = [_screen_colour(face) for face in body.faces]
+    colours = {"#" + bytes(colour.round().astype(np.uint8)).hex() for colour in screen if colour is not None}
     named, coloured = (", ".join(sorted(some)) or "none" for some in (names, colours))
     return f"its names are {named}, its colours {coloured}"
 
@@ -121,11 +121,11 @@ def _offered(body) -> str:
 def _fits(face, pick: Named | Coloured) -> bool:
     if isinstance(pick, Named):
         return face.name == pick.name
-    shown = _shown(face)
-    return shown is not None and np.abs(shown - (pick.red, pick.green, pick.blue)).max() < COLOUR
+    colour = _screen_colour(face)
+    return colour is not None and np.abs(colour - (pick.red, pick.green, pick.blue)).max() < COLOUR
 
 
-def _shown(face) -> NDArray | None:
+def _screen_colour(face) -> NDArray | None:
     """Colour of a face on a screen, 0 to 255 (IEC 61966-2-1); the kernel holds the intensity of light."""
     if not face.col:
         return None
@@ -151,7 +151,7 @@ def _nearest(body, pick: Near, purpose: str):
 
 
 def _placed(body, part: StepSolid):
-    """The solid in the bearing's frame, grown."""
+    """The solid in the bearing's frame, scaled."""
     frame = occ.Axes(
         occ.Pnt(*(c * MILLIMETRES for c in part.centre)), n=occ.Dir(*part.zenith), h=occ.Dir(*part.axis)
     )
@@ -163,14 +163,14 @@ def _raceway(body, part: StepSolid) -> tuple[float, float, float]:
     marked = [face for face in body.faces if face.name == "raceway"]
     rims = [_rim(face) for face in marked or body.faces]
     cylinders = [(radius, rim) for rim in rims if (radius := _radius(rim)) is not None]
-    wanted = part.raceway_diameter / 2 * MILLIMETRES
-    fitting = [(radius, rim) for radius, rim in cylinders if abs(radius - wanted) < AGREEMENT * wanted]
+    nominal = part.raceway_diameter / 2 * MILLIMETRES
+    fitting = [(radius, rim) for radius, rim in cylinders if abs(radius - nominal) < AGREEMENT * nominal]
     if not fitting or (marked and len(fitting) < len(marked)):
-        found = ", ".join(sorted({f"{2 * radius:.6g} mm" for radius, _ in cylinders})) or "none"
+        drawn = ", ".join(sorted({f"{2 * radius:.6g} mm" for radius, _ in cylinders})) or "none"
         which = f"the face {part.raceway}" if marked else "one face or more"
         raise ImpossiblePart(
-            f"raceway: allowed is {which} on a straight cylinder of {2 * wanted:.6g} mm about the axis "
-            f"{part.axis} through {part.centre} m; the diameters of those that are drawn: {found}"
+            f"raceway: allowed is {which} on a straight cylinder of {2 * nominal:.6g} mm about the axis "
+            f"{part.axis} through {part.centre} m; the diameters of those that are drawn: {drawn}"
         )
     radii = [radius for radius, _ in fitting]
     if max(radii) - min(radii) > EXACT:
@@ -184,13 +184,9 @@ def _raceway(body, part: StepSolid) -> tuple[float, float, float]:
 
 def _rim(face) -> NDArray:
     """Points on the edges of a face (points, 3) [mm]."""
-    points = [p for edge in face.edges if edge.mass > EXACT for p in _along(edge)]
+    edges = [edge for edge in face.edges if edge.mass > EXACT]
+    points = [edge.Value(s) for edge in edges for s in np.linspace(*edge.parameter_interval, 5)]
     return np.array([(p.x, p.y, p.z) for p in points]).reshape(-1, 3)
-
-
-def _along(edge) -> list:
-    first, last = edge.parameter_interval
-    return [edge.Value(s) for s in np.linspace(first, last, 5)]
 
 
 def _radius(rim: NDArray) -> float | None:
@@ -234,5 +230,7 @@ def _name_band(body, radius: float, half: float) -> None:
 
 
 def _within(rim: NDArray, radius: float, half: float) -> bool:
-    own = _radius(rim)
-    return own is not None and abs(own - radius) < EXACT and np.abs(rim[:, 0]).max() < half + EXACT
+    rim_radius = _radius(rim)
+    return (
+        rim_radius is not None and abs(rim_radius - radius) < EXACT and np.abs(rim[:, 0]).max() < half + EXACT
+    )

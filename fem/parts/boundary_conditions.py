@@ -68,7 +68,7 @@ class LineSupports:
     azimuths: Sequence[float]  # (K,) [rad], all different
     stiffness: float = inf  # [N/m] of each line to ground, evenly spread along it; inf is rigid
     tilting: bool = False  # lines hold only the mean displacement along them, as a crowned one does
-    pushing: bool = False  # lines only push, and let go where they would pull
+    pushing: bool = False  # lines only push, and lift off where they would pull
 
     def __post_init__(self):
         object.__setattr__(self, "azimuths", tuple(float(phi) for phi in self.azimuths))
@@ -109,7 +109,7 @@ class PlanetGear:
         if abs(sum(tangential)) > BALANCED * max(map(abs, tangential), default=0.0):
             raise ImpossiblePart(
                 f"tangential forces add up to {sum(tangential):.6g} N: the ring can still turn about its "
-                "axis, as rollers cannot hold it; they have to add up to zero"
+                "axis, as rollers cannot hold it; allowed is a sum of zero"
             )
 
 
@@ -117,7 +117,7 @@ Support = ClampedFace | RigidSeat | Foundation | Housing | LineSupports | Planet
 
 
 def free_translations(azimuths) -> str:
-    """Directions in which radial lines let a ring go.
+    """Directions in which radial lines do not hold a ring.
 
     Parameters
     ----------

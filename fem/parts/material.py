@@ -5,7 +5,7 @@ from math import isfinite
 
 
 class ImpossiblePart(ValueError):
-    """A part or a wish that cannot exist; the message says what, found and allowed."""
+    """A part or a resolution that cannot exist; the message says what, found and allowed."""
 
 
 def require(holds: bool, name: str, value: object, allowed: str) -> None:

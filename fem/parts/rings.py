@@ -1,4 +1,4 @@
-"""Rings, their seats and the wishes for a computation, as frozen data.
+"""Rings, their seats, rollers' load patches and mesh sizes, as frozen data.
 
 Everything is in SI units. The axial coordinate x starts in the middle of the raceway, the azimuth
 phi turns from z towards y, so that the outward normal of a raceway is (0, sin phi, cos phi).
@@ -81,10 +81,10 @@ class SquirrelCage:
             "flange_length",
         )  # fmt: skip
         require(self.bars >= 1, "bars", self.bars, "1 or more")
-        most = self.thickness - 2 * SLENDEREST_SLOT / 3
+        thickest = self.thickness - 2 * SLENDEREST_SLOT / 3
         require(
-            self.bar_thickness <= most, "bar_thickness", self.bar_thickness,
-            f"at most {most:.3g} m: less than the thickness of the ring, so that the raceway stays whole",
+            self.bar_thickness <= thickest, "bar_thickness", self.bar_thickness,
+            f"at most {thickest:.3g} m: less than the thickness of the ring, so that the raceway stays whole",
         )  # fmt: skip
         require(
             self.slot >= SLENDEREST_SLOT, "bar_width", self.bar_width,
@@ -97,17 +97,17 @@ class SquirrelCage:
 
     def _require_room_for_fillets(self):
         step, gap = (self.thickness - self.bar_thickness) / 2, self.bar_length / 2
-        most = min(step - SMALLEST_FILLET / 2, gap - SLENDEREST_SLOT / 2)
+        largest = min(step - SMALLEST_FILLET / 2, gap - SLENDEREST_SLOT / 2)
         require(
-            SMALLEST_FILLET <= self.fillet <= most, "fillet", self.fillet,
-            f"zero, or {SMALLEST_FILLET:.1g} m to {most:.3g} m: inside the faces that the bars stand on, "
+            SMALLEST_FILLET <= self.fillet <= largest, "fillet", self.fillet,
+            f"zero, or {SMALLEST_FILLET:.1g} m to {largest:.3g} m: inside the faces that the bars stand on, "
             f"{step:.3g} m wide beside the bars, and short of half the bars, {gap:.3g} m",
         )  # fmt: skip
-        left = self._gap(self.bar_width + 2 * self.fillet, self.bar_thickness + 2 * self.fillet)
+        slot = self._gap(self.bar_width + 2 * self.fillet, self.bar_thickness + 2 * self.fillet)
         require(
-            left >= SLENDEREST_SLOT, "fillet", self.fillet,
+            slot >= SLENDEREST_SLOT, "fillet", self.fillet,
             f"what leaves slots of {SLENDEREST_SLOT:.1g} m or more between the feet of {self.bars} bars, "
-            f"this leaves {left:.3g} m",
+            f"this leaves {slot:.3g} m",
         )  # fmt: skip
 
     @property
@@ -156,9 +156,8 @@ class RingOnShaft:
             ("track_width", "width"),
             ("width", "shaft_length"),
         ):
-            most = getattr(self, outside) - wall
-            value = getattr(self, inside)
-            require(value <= most, inside, value, f"at most {most:.6g} m, inside {outside}")
+            limit, value = getattr(self, outside) - wall, getattr(self, inside)
+            require(value <= limit, inside, value, f"at most {limit:.6g} m, inside {outside}")
 
     @property
     def track(self) -> float:

@@ -85,7 +85,7 @@ class StepSolid:
             raise ImpossiblePart(f'{self.source} is no STEP file: it does not begin with "ISO-10303-21"')
         require_positive(self, "raceway_diameter", "scale")
         require(len(self.clamps) > 0, "clamps", self.clamps,
-                "one face or more: the structure can still move freely, no load finds a hold")  # fmt: skip
+                "one face or more: nothing holds the structure against any load")  # fmt: skip
         self._require_frame()
 
     def _require_frame(self):

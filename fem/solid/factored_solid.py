@@ -51,12 +51,13 @@ class FactoredSolid:
 
         Valid
         -----
-        Small displacement, perfect bonds, clamps that do not yield; no load outside the band.
+        Small displacement, perfect bonds, rigid clamps; no load outside the band.
         """
-        wanted = len(self.patches.azimuths), self.patches.axial_modes
-        if np.shape(forces) != wanted or not np.isfinite(forces).all():
-            found = f"forces of shape {np.shape(forces)}"
-            raise ImpossiblePart(f"{found}; allowed are finite ones of shape {wanted}")
+        shape = len(self.patches.azimuths), self.patches.axial_modes
+        if np.shape(forces) != shape or not np.isfinite(forces).all():
+            raise ImpossiblePart(
+                f"forces of shape {np.shape(forces)}; allowed are finite ones of shape {shape}"
+            )
         displacement = ngs.GridFunction(self.space)
         with threads(self.thread_number):
             loads = roller_loads.roller_forces(self.band, self.patches) @ np.ravel(forces)
@@ -79,7 +80,7 @@ def factored(
     patches : Patches
         rollers, and how their forces are resolved
     mesh : MeshSize
-        wishes for the finite elements; order 3 pays
+        order and sizes of the elements; order 3 pays
     thread_number : int
         threads of NGSolve
 

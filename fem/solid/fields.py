@@ -94,18 +94,18 @@ class LoadedSolid:
         far = self._clear(x, y, z)
         if not far.any():
             raise ImpossiblePart(f"every place of {body!r} is close to a loaded roller or to a sharp edge")
-        shift = ngs.Norm(self.displacement)(points)
+        displacement = ngs.Norm(self.displacement)(points)
         averaged = self._averaged(body)
-        mises, *values = ngs.CF((von_mises(averaged), principal(averaged))).Compile()(points).T
-        top = np.flatnonzero(far)[mises[far].argmax()]
+        mises, first, _, third = ngs.CF((von_mises(averaged), principal(averaged))).Compile()(points).T
+        peak = np.flatnonzero(far)[mises[far].argmax()]
         return BodyExtremes(
-            displacement=float(shift.max()),
-            von_mises=float(mises[top]),
-            tension=float(values[0][far].max()),
-            compression=float(values[2][far].min()),
-            x=float(x[top]),
-            radius=float(np.hypot(y[top], z[top])),
-            azimuth=float(np.arctan2(y[top], z[top])),
+            displacement=float(displacement.max()),
+            von_mises=float(mises[peak]),
+            tension=float(first[far].max()),
+            compression=float(third[far].min()),
+            x=float(x[peak]),
+            radius=float(np.hypot(y[peak], z[peak])),
+            azimuth=float(np.arctan2(y[peak], z[peak])),
         )
 
     def _clear(self, x: NDArray, y: NDArray, z: NDArray) -> NDArray:

@@ -25,7 +25,7 @@ class FullSolve:
         .. math:: w = B^T u - H F - e\,t,\quad t = T^T u,\quad K u = B F
 
         with K the stiffness, B the load vectors of unit forces, T those that read the mean translation,
-        H what a half-space yields under a roller's own load, which the contact law holds, and
+        H the deflection of a half-space under a roller's own load, which the contact law holds, and
         :math:`e_j = (\sin\varphi_j, \cos\varphi_j)`, of the first shape only.
 
         Parameters
@@ -51,12 +51,12 @@ class FullSolve:
 
         Valid
         -----
-        Small displacement, perfect bonds, clamps that do not yield; no load outside the band.
+        Small displacement, perfect bonds, rigid clamps; no load outside the band.
         """
         with threads(self.solid.thread_number):
-            shift = self.solid.stiffness.solve(self._rollers @ forces.ravel())
-        translation = self._translations.T @ shift
-        deviation = (self._rollers.T @ shift).reshape(forces.shape) - forces @ self._own
+            displacement = self.solid.stiffness.solve(self._rollers @ forces.ravel())
+        translation = self._translations.T @ displacement
+        deviation = (self._rollers.T @ displacement).reshape(forces.shape) - forces @ self._half_space
         azimuths = np.array(self.solid.patches.azimuths)
         deviation[:, 0] -= np.stack([np.sin(azimuths), np.cos(azimuths)], axis=1) @ translation
         return deviation, translation
@@ -76,5 +76,5 @@ class FullSolve:
         return roller_loads.translation_forces(self.solid.band)
 
     @cached_property
-    def _own(self) -> NDArray:
+    def _half_space(self) -> NDArray:
         return half_space(self.solid.patches, self.solid.part.materials["ring"])

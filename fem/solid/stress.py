@@ -1,4 +1,4 @@
-"""Stress of a displacement, with what is told of it: von Mises and principal values."""
+"""Stress of a displacement, with its von Mises and principal values."""
 
 from math import pi
 

@@ -1,4 +1,4 @@
-"""How stiff a part holds its raceway, taken as one rigid band."""
+"""Stiffness with which a part holds its raceway, taken as one rigid band."""
 
 from dataclasses import dataclass
 
@@ -27,12 +27,12 @@ class SupportStiffness:
 
     @property
     def radial(self) -> float:
-        """Radial force over translation, mean of y and z; the raceway tilts as it likes [N/m]."""
+        """Radial force over translation, mean of y and z; free to tilt [N/m]."""
         return float(2 / (self.compliance[1, 1] + self.compliance[2, 2]))
 
     @property
     def tilting(self) -> float:
-        """Moment over tilt, mean of both directions; the raceway moves as it likes [N m/rad]."""
+        """Moment over tilt, mean of both directions; free to move [N m/rad]."""
         return float(2 / (self.compliance[3, 3] + self.compliance[4, 4]))
 
     @property

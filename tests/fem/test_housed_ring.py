@@ -148,7 +148,7 @@ def test_hot_ring_fills_its_housing(bodies):
         assert fit.force.any() == presses
 
 
-def test_housing_that_floats_is_refused():
+def test_housing_that_nothing_rigid_holds_is_refused():
     soft = Foundation(axial=1e9, radial=1e9, tangential=1e9)
     with pytest.raises(ImpossiblePart, match="ClampedFace or a RigidSeat"):
         HousedRing(seat=ring(Housing(thickness=10e-3, width=12e-3, elastic=STEEL, support=soft)))

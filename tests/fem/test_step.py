@@ -196,7 +196,7 @@ BAD = {
     "crowned": (lambda: solid(part(CROWNED, clamps=AT_END), 10e-3), "are drawn: 83 mm"),
     "clamped raceway": (spoilt(plain, clamps=INSIDE), "the loaded band is clamped"),
     "picked twice": (spoilt(plain, raceway=Named("other"), clamps=(Named("other"),)), "is clamped"),
-    "no clamp": (lambda: part(plain(), clamps=()), "can still move freely"),
+    "no clamp": (lambda: part(plain(), clamps=()), "nothing holds the structure"),
     "skew zenith": (lambda: part(plain(), zenith=(0.1, 0, 1.0)), "right angles"),
     "no axis": (lambda: part(plain(), axis=(0, 0, 0)), "longer than zero"),
     "scale": (lambda: part(plain(), scale=0.0), "scale = 0.0"),

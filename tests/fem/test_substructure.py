@@ -51,7 +51,7 @@ def test_floating_body_is_noticed():
     K[0, 0] = -1.0
     owner = owners(elements, centres, len(K))
     owner[-1] = 0
-    with pytest.raises(NotSolved, match="floats"):
+    with pytest.raises(NotSolved, match="nothing holds the body"):
         eliminate(sparse.csr_array(K), owner, np.array([len(K) - 1]))
 
 
