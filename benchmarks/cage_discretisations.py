@@ -16,6 +16,7 @@ from threadpoolctl import threadpool_limits
 import fem
 from benchmarks.alone import measured
 from benchmarks.machine import describe
+from fem.condense import HARMONICS, SOLID, condense_in_process
 from tests.fem.edge_layers import LAYERS, refined
 
 LENGTH, SHAPES, WIDTH = 5e-3, 3, 0.4e-3  # [m], [-], [m]
@@ -32,13 +33,12 @@ WHOLE = fem.MeshSize(order=4, size=2e-3, raceway_size=0.65e-3)
 
 def by_half_a_pitch(cage: fem.SquirrelCage, mesh: fem.MeshSize) -> tuple[NDArray, float, int]:
     """Compliance (Z, M, Z, M), support stiffness, unknowns."""
-    from fem.cage import cyclic_symmetry
     from fem.half_space.load_patch import half_space
     from fem.mesh import half_pitch
 
     half_pitch.LAYERS = LAYERS
     with threadpool_limits(limits=1, user_api="blas"):
-        raceway = cyclic_symmetry.condense(cage, LENGTH, SHAPES, mesh)
+        raceway = condense_in_process(cage, HARMONICS, resolution(mesh))
         support = raceway.at(AZIMUTHS).support_stiffness
     n = raceway.harmonics
     wave = np.exp(1j * np.outer(AZIMUTHS, n) - (n * WIDTH / raceway.radius) ** 2 / 2)
@@ -55,8 +55,15 @@ def by_the_whole(cage: fem.SquirrelCage, mesh: fem.MeshSize, layered: bool) -> t
     if layered:
         condensation.meshed = refined
     with threadpool_limits(limits=1, user_api="blas"):
-        raceway = condensation.condense(cage, patches(), mesh, thread_number=1)
+        raceway = condense_in_process(cage, SOLID, resolution(mesh))
     return raceway.absolute, raceway.support_stiffness, raceway.unknowns
+
+
+def resolution(mesh: fem.MeshSize) -> fem.Resolution:
+    return fem.Resolution(
+        length=LENGTH, axial_modes=SHAPES, mesh_size=mesh, azimuths=tuple(AZIMUTHS), patch_width=WIDTH,
+        threads=1,
+    )  # fmt: skip
 
 
 def patches() -> fem.Patches:

@@ -23,7 +23,8 @@ from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
 from benchmarks.machine import describe
-from fem import ClampedFace, Elastic, MeshSize, OuterRing
+from fem import ClampedFace, Elastic, MeshSize, OuterRing, Resolution
+from fem.condense import HARMONICS, condense
 
 LINES = 30
 WIDTH, INNER, THICKNESS = 10.0, 37.5, 3.6  # [mm]
@@ -165,15 +166,14 @@ def calculix(program: str, mesh: Hexahedra, loaded: range) -> tuple[NDArray, flo
 
 def ours(mesh: MeshSize, harmonics: int) -> tuple[NDArray, float]:
     """Compliance [m/N] between all lines, the row of the first one; and seconds of the processor."""
-    from fem.section import revolved
-
     steel = Elastic(youngs_modulus=E * 1e6, poisson_ratio=NU)
     ring = OuterRing(
         raceway_diameter=2e-3 * INNER, thickness=1e-3 * THICKNESS, width=1e-3 * WIDTH, elastic=steel,
         support=ClampedFace(),
     )  # fmt: skip
+    resolution = Resolution(length=1e-3 * WIDTH, mesh_size=mesh, harmonics=harmonics)
     began = time.process_time()
-    raceway = revolved.condense(ring, 1e-3 * WIDTH, 1, mesh, harmonics)
+    raceway = condense(ring, HARMONICS, resolution)
     full = raceway.at(2 * np.pi * np.arange(LINES) / LINES).absolute
     return full[0, 0, :, 0], time.process_time() - began
 

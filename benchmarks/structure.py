@@ -16,6 +16,7 @@ import fem
 from benchmarks.alone import Cost, measured
 from benchmarks.bearings import CASE
 from benchmarks.machine import describe
+from fem.condense import HARMONICS, condense_in_process
 from flexbearing import read
 from flexbearing.build import expansion, ring_parts
 from flexbearing.rings.condensed import IN_SPACE, ON_A_SECTION
@@ -62,15 +63,13 @@ SHAFT = (
 
 def condensed(part, length: float, wish: Wish):
     """Compliance (Z, M, Z, M), support stiffness, unknowns; layers are a constant of the mesher."""
-    from fem.cage import cyclic_symmetry
     from fem.mesh import axial_section, half_pitch
-    from fem.section import revolved
 
     half_pitch.LAYERS = axial_section.GRADED_LAYERS = wish.layers
     mesh = fem.MeshSize(order=wish.order, size=wish.size * length, raceway_size=wish.raceway_size * length)
-    room = cyclic_symmetry if isinstance(part, fem.SquirrelCage) else revolved
+    resolution = fem.Resolution(length=length, axial_modes=SHAPES, mesh_size=mesh, harmonics=wish.harmonics)
     with threadpool_limits(limits=1, user_api="blas"):
-        raceway = room.condense(part, length, SHAPES, mesh, wish.harmonics)
+        raceway = condense_in_process(part, HARMONICS, resolution)
         found = raceway.at(2 * np.pi * np.arange(30) / 30)
     return found.absolute, found.support_stiffness, found.unknowns
 

@@ -1,9 +1,10 @@
-"""Flexible rings as finite elements; `fem.solid.condensation.condense` is the way in.
+"""Flexible rings as finite elements; `fem.condense.condense` is the way in.
 
 Only the parts are re-exported here: describing a ring costs nothing, NGSolve is loaded by the
 modules that compute.
 """
 
+from fem.parts.bolted_ring import BoltedGrooveRing
 from fem.parts.boundary_conditions import (
     ClampedFace,
     Foundation,
@@ -13,6 +14,7 @@ from fem.parts.boundary_conditions import (
     PlanetGear,
     RigidSeat,
 )
+from fem.parts.resolution import Discretisation, Resolution
 from fem.parts.rings import (
     Elastic,
     ImpossiblePart,
@@ -25,7 +27,9 @@ from fem.parts.rings import (
 )
 
 __all__ = [
+    "BoltedGrooveRing",
     "ClampedFace",
+    "Discretisation",
     "Elastic",
     "Foundation",
     "Housing",
@@ -37,6 +41,7 @@ __all__ = [
     "Part",
     "Patches",
     "PlanetGear",
+    "Resolution",
     "RigidSeat",
     "RingOnShaft",
     "SquirrelCage",

@@ -14,17 +14,10 @@ import tempfile
 from collections.abc import Callable
 from contextlib import suppress
 from threading import Event, Thread, Timer
-from typing import TYPE_CHECKING, Any, BinaryIO
+from typing import Any, BinaryIO
 
 from fem.parts.material import ImpossiblePart
-from fem.parts.rings import MeshSize, Part, Patches, SquirrelCage
-from fem.parts.step_solid import StepSolid
-
-if TYPE_CHECKING:
-    from fem.raceway.harmonics import HarmonicCompliance
-    from fem.solid.condensation import RacewayCompliance
-
-Report = Callable[[str, float | None], None]
+from fem.stages import Report, unheard
 
 WAIT = 3600.0  # [s] without a word from the process before it is given up; factoring is one silence
 LAST_WORDS = 400  # bytes of its error output that are quoted
@@ -32,64 +25,7 @@ _START = "import sys; sys.path[:] = {path!r}; from fem.subprocess import _work; 
 _ONE_THREAD = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
 
 
-def condense_in_subprocess(
-    part: Part | StepSolid,
-    patches: Patches,
-    mesh: MeshSize,
-    report: Report | None = None,
-    thread_number: int = 2,
-    wait: float = WAIT,
-) -> "RacewayCompliance":
-    """Mesh and condense a part in a process of its own.
-
-    Parameters
-    ----------
-    part, patches, mesh, report, thread_number
-        as for `fem.solid.condensation.condense`
-    wait : float
-        longest silence, between two reports or before the end [s]
-
-    Returns
-    -------
-    RacewayCompliance
-
-    Raises
-    ------
-    ImpossiblePart
-        as `fem.solid.condensation.condense`
-    NotSolved
-        likewise; or if the process ends without an answer, or is silent for too long
-    """
-    return in_subprocess(_condense, part, patches, mesh, thread_number, report=report, wait=wait)
-
-
-def _condense(part, patches, mesh, thread_number, report):
-    from fem.solid.condensation import condense
-
-    return condense(part, patches, mesh, report, thread_number)
-
-
-def condense_sector_in_subprocess(
-    cage: SquirrelCage,
-    length: float,
-    axial_modes: int,
-    mesh: MeshSize,
-    harmonics: int | None = None,
-    report: Report | None = None,
-) -> "HarmonicCompliance":
-    """Condense a squirrel cage as `fem.cage.cyclic_symmetry.condense` does, in a process of its own."""
-    return in_subprocess(_condense_sector, cage, length, axial_modes, mesh, harmonics, report=report)
-
-
-def _condense_sector(cage, length, axial_modes, mesh, harmonics, report):
-    from fem.cage.cyclic_symmetry import condense
-
-    return condense(cage, length, axial_modes, mesh, harmonics)
-
-
-def in_subprocess(
-    function: Callable, *arguments: Any, report: Report | None = None, wait: float = WAIT
-) -> Any:
+def in_subprocess(function: Callable, *arguments: Any, report: Report = unheard, wait: float = WAIT) -> Any:
     """Call a function in a process of its own.
 
     Parameters
@@ -122,15 +58,11 @@ def in_subprocess(
         assert process.stdin
         with process:
             try:
-                return _answer(process, (function, arguments), report or _ignore, wait, errors)
+                return _answer(process, (function, arguments), report, wait, errors)
             finally:  # also after Ctrl-C; a process that has ended is not harmed
                 process.kill()
                 with suppress(BrokenPipeError):  # of a task that was not taken
                     process.stdin.close()
-
-
-def _ignore(stage: str, fraction: float | None) -> None:
-    """Nobody wants to know."""
 
 
 def _answer(process: subprocess.Popen, task: tuple, report: Report, wait: float, errors: BinaryIO) -> Any:

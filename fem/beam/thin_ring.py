@@ -1,15 +1,14 @@
 r"""A raceway as a closed curved beam: compliance in azimuthal harmonics without a mesh.
 
-The section moves as a rigid one (`fem.beam.curved_beam`); on top of it, the wall yields below the rollers
+The section moves as a rigid one (`fem.beam.curved_beam`); on top of it, the wall deflects below the rollers
 like an elastic layer with a free back,
 
 .. math:: W_n = \frac{1}{2\pi} G^T (K_n + K_s)^{-1} G + g_m(k t)\,h_n, \quad
           k^2 = \left(\frac{n}{R}\right)^2 + \left(\frac{m\pi}{l}\right)^2
 
-with h the harmonics of the half-space (`fem.half_space.line_load`), t the thickness of the wall, and g what
-a layer
-yields over what a half-space does, less what the beam does already. Short waves leave g = 1: there ring and
-half-space agree, so that the remainder has a sum.
+with h the harmonics of the half-space (`fem.half_space.line_load`), t the thickness of the wall, and g the
+deflection of a layer over that of a half-space, less what the beam does already. Short waves leave g = 1:
+there ring and half-space agree, so that the remainder has a sum.
 
 Source
 ------
@@ -17,60 +16,54 @@ Curved beam as in `fem.beam.curved_beam`; layer after Timoshenko, Goodier, Theor
 their sum is derived here.
 """
 
-import time
 from functools import singledispatch
 from math import ceil
 
 import numpy as np
 from numpy.typing import NDArray
 
-from fem.assembly.factorisation import NotSolved
 from fem.beam.curved_beam import MOTIONS, CurvedBeam
 from fem.beam.support_springs import alone, bars, carried, chained, foundation, strip
+from fem.errors import NotSolved
 from fem.half_space.line_load import indentation_harmonics
 from fem.parts.boundary_conditions import ClampedFace, Foundation
-from fem.parts.rings import Elastic, ImpossiblePart, OuterRing, RingOnShaft, SquirrelCage, require_on_track
-from fem.raceway.harmonics import FEWEST, FINENESS, HarmonicCompliance
+from fem.parts.resolution import Resolution
+from fem.parts.rings import Elastic, ImpossiblePart, OuterRing, Part, RingOnShaft, SquirrelCage
+from fem.raceway.harmonics import FEWEST, FINENESS, Responses
+from fem.stages import Stage
 
 SMALL = 0.1  # wave number times thickness below which g is its series: digits cancel
 SERIES = 32 / 175, -2 / 7875  # of g, in s and s^3
 FOLLOWS = 13 / 35  # mean square of a cubic from ring to clamp: part of a tube's length whose hoops count
-WAVES = 10.0  # highest harmonic over R/thickness: there the wall has long yielded like a half-space
+WAVES = 10.0  # highest harmonic over R/thickness: there the wall deflects like a half-space
 LARGE = 300.0  # beyond, sinh overflows; the quotient has been 1 since 20
 U, W, V, THETA, CHI, PSI = range(len(MOTIONS))
 
 
-def condense(
-    part: OuterRing | SquirrelCage | RingOnShaft,
-    length: float,
-    axial_modes: int,
-    harmonics: int | None = None,
-) -> HarmonicCompliance:
-    r"""Compliance of a raceway for rollers anywhere, its ring as a curved beam.
+def beam_responses(part: Part, resolution: Resolution, last: int, stage: Stage) -> Responses:
+    r"""Answers of a raceway, its ring as a curved beam.
 
     Parameters
     ----------
     part : OuterRing, SquirrelCage, RingOnShaft
         an outer ring on a foundation or with a clamped face, a ring on bars and flange, or a ring on a
         hollow shaft, both together one section
-    length : float
-        l of the loaded band [m]
-    axial_modes : int
-        M, number of axial modes, 1 or more; under all but the first two the section keeps its place
-    harmonics : int
-        N, the highest; by default what band and thickness ask for
+    resolution : Resolution
+        of the band; under all but the first two axial modes the section keeps its place
+    last : int
+        N, the highest harmonic
+    stage : callable (name)
+        around "condense"
 
     Returns
     -------
-    HarmonicCompliance
+    Responses
         of revolution: bars are spread evenly
 
     Raises
     ------
     ImpossiblePart
-        if the band is longer than the track, or what holds the ring is no spring to ground
-    NotSolved
-        if fewer harmonics are asked for than any ring needs
+        if what holds the ring is no spring to ground
 
     Valid
     -----
@@ -78,26 +71,38 @@ def condense(
     face is taken as a wall that bends along x only, bars as spread Timoshenko beams, a shaft as walls that
     bend along x with hoops that fade like a clamped beam.
     """
-    require_on_track(length, part.track)
-    start = time.perf_counter()
-    beam = beam_of(part)
-    raceway = part.raceway_diameter / 2
-    last = _last_harmonic(raceway, length / axial_modes, beam.thickness, harmonics)
-    n = np.arange(last + 1)
-    answer = _section_answers(stiffness_of(part, n), length, axial_modes) + _wall_answers(
-        part.materials["ring"], beam.thickness, raceway, n, length, axial_modes
-    )
-    return HarmonicCompliance(
-        harmonics=np.arange(-last, last + 1),
-        response=np.concatenate([answer[:0:-1], answer]),
-        radius=raceway,
-        length=length,
-        elastic=part.materials["ring"],
-        bars=None,
-        unknowns=len(MOTIONS),
-        elements=1,
-        seconds={"condense": time.perf_counter() - start},
-    )
+    n, length, axial_modes = np.arange(last + 1), resolution.length, resolution.axial_modes
+    with stage("condense"):
+        section = _section_responses(stiffness_of(part, n), length, axial_modes)
+        wall = _wall_responses(part, n, length, axial_modes)
+    return Responses(section + wall, len(MOTIONS), 1)
+
+
+def last_harmonic(part: Part, resolution: Resolution) -> int:
+    """Choose the last harmonic: fine for the band, and beyond it the wall deflects like a half-space.
+
+    Parameters
+    ----------
+    part : OuterRing, SquirrelCage, RingOnShaft
+        as for `beam_responses`
+    resolution : Resolution
+        of the band, with the harmonic that is asked for
+
+    Returns
+    -------
+    int
+        N
+
+    Raises
+    ------
+    NotSolved
+        if fewer harmonics are asked for than any ring needs
+    """
+    wish = resolution.harmonics
+    if wish is not None and wish < FEWEST:
+        raise NotSolved(f"{wish} harmonics are impossible, allowed are {FEWEST} or more")
+    detail, thickness = resolution.length / resolution.axial_modes, beam_of(part).thickness
+    return wish or ceil(part.raceway_diameter / 2 * max(FINENESS / detail, WAVES / thickness))
 
 
 @singledispatch
@@ -184,8 +189,8 @@ def _(part: RingOnShaft, harmonics):
     return beam.stiffness(harmonics) + held + carried(tube.stiffness(harmonics), offset)
 
 
-def layer_share(wave, shape: int = 0) -> NDArray:
-    r"""What a layer with a free back yields over what a half-space does, less the motion of a beam.
+def layer_share(wave, mode: int = 0) -> NDArray:
+    r"""Deflection of a layer with a free back over that of a half-space, less the motion of a beam.
 
     .. math:: g_0 = f - \frac{6}{s^3} - \frac{6}{5s}, \quad g_1 = f - \frac{6}{s^3}, \quad g_2 = f, \quad
               f(s) = \frac{\sinh s \cosh s + s}{\sinh^2 s - s^2}
@@ -196,14 +201,14 @@ def layer_share(wave, shape: int = 0) -> NDArray:
     Parameters
     ----------
     wave : array (...)
-        s = k t, wave number times thickness, above 0 for all but the first shape
-    shape : int
+        s = k t, wave number times thickness, above 0 for all but the first axial mode
+    mode : int
         m of the load along the roller
 
     Returns
     -------
     array (...)
-        g [-]; that of the first shape is 32 s/175 for small s
+        g [-]; that of the first axial mode is 32 s/175 for small s
 
     Source
     ------
@@ -214,19 +219,12 @@ def layer_share(wave, shape: int = 0) -> NDArray:
     whole = (np.sinh(p) * np.cosh(p) + p) / (np.sinh(p) ** 2 - p**2)
     bending, shear = 6 / p**3, 6 / (5 * np.maximum(s, SMALL))
     above = np.where(s < SMALL, SERIES[0] * s + SERIES[1] * s**3, whole - bending - shear)
-    sheared = 6 / (5 * s) if shape > 0 else 0.0
-    return above + sheared + (6 / s**3 if shape > 1 else 0.0)
+    sheared = 6 / (5 * s) if mode > 0 else 0.0
+    return above + sheared + (6 / s**3 if mode > 1 else 0.0)
 
 
-def _last_harmonic(radius: float, detail: float, thickness: float, wish: int | None) -> int:
-    """The last harmonic: fine for the band, and beyond it the wall yields like a half-space."""
-    if wish is not None and wish < FEWEST:
-        raise NotSolved(f"{wish} harmonics are impossible, allowed are {FEWEST} or more")
-    return wish or ceil(radius * max(FINENESS / detail, WAVES / thickness))
-
-
-def _section_answers(K: NDArray, length: float, axial_modes: int) -> NDArray:
-    """Answers (N + 1, M, M) [m/N] of the rigid section to the first two shapes."""
+def _section_responses(K: NDArray, length: float, axial_modes: int) -> NDArray:
+    """Answers (N + 1, M, M) [m/N] of the rigid section to the first two axial modes."""
     # No load on the raceway turns the ring or, where nothing holds it axially, moves it along its axis.
     K[0, V, V] += np.abs(K[0]).max()
     if K[0, U, U] == 0:
@@ -237,10 +235,10 @@ def _section_answers(K: NDArray, length: float, axial_modes: int) -> NDArray:
     return loads.T @ np.linalg.solve(K, np.broadcast_to(loads, (len(K), *loads.shape))) / (2 * np.pi)
 
 
-def _wall_answers(
-    elastic: Elastic, thickness: float, radius: float, n: NDArray, length: float, axial_modes: int
-) -> NDArray:
-    """Answers (N + 1, M, M) [m/N] of the wall below the rollers."""
+def _wall_responses(part: Part, n: NDArray, length: float, axial_modes: int) -> NDArray:
+    """Responses (N + 1, M, M) [m/N] of the wall below the rollers."""
+    thickness, radius = beam_of(part).thickness, part.raceway_diameter / 2
     waves = thickness * np.hypot(n[:, None] / radius, np.pi / length * np.arange(axial_modes))
-    share = np.sqrt([layer_share(wave, shape) for shape, wave in enumerate(waves.T)]).T
-    return indentation_harmonics(n, radius, length, axial_modes, elastic) * share[:, :, None] * share[:, None]
+    share = np.sqrt([layer_share(wave, mode) for mode, wave in enumerate(waves.T)]).T
+    half_space = indentation_harmonics(n, radius, length, axial_modes, part.materials["ring"])
+    return half_space * share[:, :, None] * share[:, None]

@@ -7,7 +7,7 @@ cos(theta/2), s = sin(theta/2):
 
 .. math:: a_{x,r} = c\,z_{x,r}, \quad b_{x,r} = s\,z_{x,r}, \quad a_t = -s\,z_t, \quad b_t = c\,z_t
 
-So one mesh is reduced to its face in the slot twice, symmetric and antisymmetric, and small real
+So one mesh is reduced to its cut through the slot twice, symmetric and antisymmetric, and small real
 symmetric systems for z answer every harmonic of every phase.
 
 Source
@@ -16,7 +16,6 @@ Cyclic symmetry with a plane of symmetry in each sector; derived here.
 """
 
 import logging
-import time
 from math import pi
 
 import numpy as np
@@ -25,18 +24,24 @@ from scipy.linalg import LinAlgError, cho_factor, cho_solve
 
 from fem.assembly import roller_loads
 from fem.assembly.factorisation import RESIDUAL, NotSolved, threads
-from fem.cage.half_pitch_stiffness import Face, Half, face, half, imbalance
+from fem.cage.half_pitch_stiffness import (
+    CutStiffness,
+    HalfPitch,
+    assembled_half_pitch,
+    imbalance,
+    reduced_to_cut,
+)
 from fem.mesh.half_pitch import half_pitch
-from fem.parts.rings import MeshSize, SquirrelCage
-from fem.raceway.harmonics import HarmonicCompliance, highest_harmonic
+from fem.parts.resolution import Resolution
+from fem.parts.rings import SquirrelCage
+from fem.raceway.harmonics import Responses
+from fem.stages import Stage
 
 _log = logging.getLogger(__name__)
 
 
-def condense(
-    cage: SquirrelCage, length: float, axial_modes: int, mesh: MeshSize, harmonics: int | None = None
-) -> HarmonicCompliance:
-    r"""Compliance of the raceway of a squirrel cage, for rollers anywhere.
+def cage_responses(cage: SquirrelCage, resolution: Resolution, last: int, stage: Stage) -> Responses:
+    r"""Answers of the raceway of a squirrel cage, with those harmonics that bars couple.
 
     .. math:: w_{n'} = 2\,\mathrm{bars}\,(g_{n'}^a \cdot a + g_{n'}^b \cdot b), \quad
               g_n^{a,b} = \frac{1}{2\pi R} \int a_m v_r\,(\cos n\varphi, \sin n\varphi)\,dA
@@ -47,87 +52,69 @@ def condense(
     ----------
     cage : SquirrelCage
         ring, bars and flange
-    length : float
-        l of the loaded band [m]
-    axial_modes : int
-        M, number of axial modes, 1 or more
-    mesh : MeshSize
-        wishes for the finite elements; order 3 pays
-    harmonics : int
-        N, the highest; by default 6 M R/l or what the mesh resolves
+    resolution : Resolution
+        of band and mesh; order 3 pays
+    last : int
+        N, the highest harmonic
+    stage : callable (name)
+        around "mesh", "factor" and "condense"
 
     Returns
     -------
-    HarmonicCompliance
-        with a real response, as azimuth 0 is a plane of symmetry
+    Responses
+        real, as azimuth 0 is a plane of symmetry
 
     Raises
     ------
-    ImpossiblePart
-        if the band is longer than the track
     NotSolved
-        if a residual is too large, or the mesh too coarse for the harmonics
-
-    Valid
-    -----
-    Small displacement, perfect bonds, a clamp that does not yield; no load outside the band.
+        if a residual is too large
     """
-    radius = cage.raceway_diameter / 2
-    last = highest_harmonic(radius, length / axial_modes, mesh, harmonics)
-    start = time.perf_counter()
+    length, mesh = resolution.length, resolution.mesh
     with threads(1):  # half a pitch is small: a second thread would only wait
-        solid = half_pitch(cage, length, mesh)
-        ready = time.perf_counter()
-        part = half(cage, solid, mesh.order)
-        band = roller_loads.band(part.space, "raceway", roller_loads.HIGHEST_ORDER)
-        faces = [face(part, band, length, axial_modes, last, symmetric) for symmetric in (True, False)]
-    reduced = time.perf_counter()
-    response = _response(part, faces, cage.bars, last)
-    done = time.perf_counter()
-    _log.info("SquirrelCage: %d unknowns of half a pitch, %.1f s", part.space.ndof, done - start)
-    return HarmonicCompliance(
-        harmonics=np.arange(-last, last + 1),
-        response=response,
-        radius=radius,
-        length=length,
-        elastic=cage.materials["ring"],
-        bars=cage.bars,
-        unknowns=part.space.ndof,
-        elements=solid.ne,
-        seconds={"mesh": ready - start, "factor": reduced - ready, "condense": done - reduced},
-    )
+        with stage("mesh"):
+            elements = half_pitch(cage, length, mesh)
+        with stage("factor"):
+            half = assembled_half_pitch(cage, elements, mesh.order)
+            band = roller_loads.band(half.space, "raceway", roller_loads.HIGHEST_ORDER)
+            cuts = [
+                reduced_to_cut(half, band, length, resolution.axial_modes, last, symmetric)
+                for symmetric in (True, False)
+            ]
+    with stage("condense"):
+        response = _response(half, cuts, cage.bars, last)
+    return Responses(response, half.space.ndof, elements.ne)
 
 
-def _response(part: Half, faces: list[Face], bars: int, highest: int) -> NDArray:
+def _response(half: HalfPitch, cuts: list[CutStiffness], bars: int, highest: int) -> NDArray:
     """Answers of all harmonics to all (K, M, K, M) [m/N]."""
     harmonics = np.arange(-highest, highest + 1)
-    m = np.arange(faces[0].share.shape[2])
+    m = np.arange(cuts[0].share.shape[2])
     response, probes = np.zeros((harmonics.size, m.size) * 2), []
     for phase in range(bars // 2 + 1):
         same = harmonics[(harmonics - phase) % bars == 0]
         if same.size:
-            answer, probe = _phase(faces, 2 * pi * phase / bars, same)
+            answer, probe = _phase(cuts, 2 * pi * phase / bars, same)
             probes.append(probe)
             for n in (same, -same):  # the second is the mirror image
                 response[np.ix_(n + highest, m, n + highest, m)] = 2 * bars * answer
-    _require_balance(part, faces, probes)
+    _require_balance(half, cuts, probes)
     return response
 
 
-def _phase(faces: list[Face], theta: float, harmonics: NDArray):
+def _phase(cuts: list[CutStiffness], theta: float, harmonics: NDArray):
     """Answers (k, M, k, M) of the harmonics of one phase, per half pitch; and one solution as a probe."""
-    even, odd = faces
+    even, odd = cuts
     shares = even.share[:, np.abs(harmonics)], odd.share[:, np.abs(harmonics)] * np.sign(harmonics)[:, None]
     forces = [share.reshape(len(share), -1) for share in shares]
     ties = _ties(theta, len(even.stiffness) // 3)
-    stiffness = np.sum([t[:, None] * f.stiffness * t for f, t in zip(faces, ties, strict=True)], axis=0)
-    pulls = [t[:, None] * (f.coupling @ q) for f, t, q in zip(faces, ties, forces, strict=True)]
+    stiffness = np.sum([t[:, None] * f.stiffness * t for f, t in zip(cuts, ties, strict=True)], axis=0)
+    pulls = [t[:, None] * (f.coupling @ q) for f, t, q in zip(cuts, ties, forces, strict=True)]
     pull = np.sum(pulls, axis=0)
     try:
         z = cho_solve(cho_factor(stiffness), pull)
     except LinAlgError as refusal:
         raise NotSolved(f"phase {theta:.3g} rad could not be solved: {refusal}") from refusal
-    answer = pull.T @ z + sum(q.T @ f.compliance @ q for f, q in zip(faces, forces, strict=True))
+    answer = pull.T @ z + sum(q.T @ f.compliance @ q for f, q in zip(cuts, forces, strict=True))
     shape = harmonics.size, even.share.shape[2]
     weights = np.random.default_rng(0).standard_normal(z.shape[1])
     probe = [(t * (z @ weights), q @ weights, t) for t, q in zip(ties, forces, strict=True)]
@@ -140,15 +127,15 @@ def _ties(theta: float, places: int) -> tuple[NDArray, NDArray]:
     return np.repeat([c, c, -s], places), np.repeat([s, s, c], places)
 
 
-def _require_balance(part: Half, faces: list[Face], probes: list) -> None:
+def _require_balance(half: HalfPitch, cuts: list[CutStiffness], probes: list) -> None:
     """Raise if a phase leaves forces on the unknowns of half a pitch; each was probed with a random load."""
     left, size = np.zeros(len(probes)), np.zeros(len(probes))
-    on_the_cut = np.zeros((part.cut.size, len(probes)))
-    for number, f in enumerate(faces):
+    on_the_cut = np.zeros((half.cut.size, len(probes)))
+    for number, f in enumerate(cuts):
         u, q, tie = (np.stack(columns, axis=1) for columns in zip(*(p[number] for p in probes), strict=True))
-        rest = imbalance(part, f, u, q)
-        on_the_cut += tie * rest[part.cut.ravel()]
-        rest[part.cut] = 0.0
+        rest = imbalance(half, f, u, q)
+        on_the_cut += tie * rest[half.cut.ravel()]
+        rest[half.cut] = 0.0
         left += (rest**2).sum(axis=0)
         size += ((f.patterns @ q) ** 2).sum(axis=0)
     residual = np.sqrt((left + (on_the_cut**2).sum(axis=0)) / size).max()

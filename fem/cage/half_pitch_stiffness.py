@@ -31,7 +31,7 @@ NEGLIGIBLE = 1e-13  # part of the largest load pattern that is rounding
 
 
 @dataclass(frozen=True)
-class Half:
+class HalfPitch:
     """Half a pitch as a sparse matrix, the inner unknowns of the elements condensed."""
 
     space: ngs.FESpace
@@ -43,7 +43,7 @@ class Half:
 
 
 @dataclass(frozen=True)
-class Face:
+class CutStiffness:
     """Half a pitch seen from its face in the slot, for one kind of mirror image."""
 
     stiffness: NDArray  # S (3 places, 3 places) [N/m]
@@ -54,7 +54,7 @@ class Face:
     inside: Substructure
 
 
-def half(cage: SquirrelCage, mesh: ngs.Mesh, order: int) -> Half:
+def assembled_half_pitch(cage: SquirrelCage, mesh: ngs.Mesh, order: int) -> HalfPitch:
     """Assemble half a pitch.
 
     Parameters
@@ -68,7 +68,7 @@ def half(cage: SquirrelCage, mesh: ngs.Mesh, order: int) -> Half:
 
     Returns
     -------
-    Half
+    HalfPitch
     """
     space = ngs.VectorH1(mesh, order=order, dirichlet="clamped")
     u, v = space.TnT()
@@ -83,21 +83,21 @@ def half(cage: SquirrelCage, mesh: ngs.Mesh, order: int) -> Half:
     owner = np.where(free, owners(elements, centres, space.ndof), 0)
     cut = _unknowns(space, "cut", free)
     turn = _turn(cut, pi / cage.bars, space.ndof)
-    return Half(
+    return HalfPitch(
         space=space, stiffness=sparse.csr_array(turn.T @ stiffness @ turn), owner=owner, cut=cut,
         middle=_unknowns(space, "middle", free), turn=turn,
     )  # fmt: skip
 
 
-def face(
-    half: Half, band: roller_loads.Band, length: float, axial_modes: int, highest: int, symmetric: bool
-) -> Face:
+def reduced_to_cut(
+    half: HalfPitch, band: roller_loads.Band, length: float, axial_modes: int, highest: int, symmetric: bool
+) -> CutStiffness:
     """Reduce half a pitch to its face in the slot.
 
     Parameters
     ----------
-    half : Half
-        from `half`
+    half : HalfPitch
+        from `assembled_half_pitch`
     band : fem.assembly.roller_loads.Band
         quadrature on its part of the raceway
     length : float
@@ -111,7 +111,7 @@ def face(
 
     Returns
     -------
-    Face
+    CutStiffness
 
     Raises
     ------
@@ -128,7 +128,7 @@ def face(
     bordered = sparse.csr_array(sparse.block_array([[half.stiffness, -loads], [-loads.T, None]]))
     inside = eliminate(bordered, np.append(owner, np.zeros(count, dtype=int)), kept)
     places = half.cut.size
-    return Face(
+    return CutStiffness(
         stiffness=inside.schur[:places, :places],
         coupling=-inside.schur[:places, places:],
         compliance=-inside.schur[places:, places:],
@@ -138,14 +138,14 @@ def face(
     )
 
 
-def imbalance(half: Half, face: Face, displacement: NDArray, forces: NDArray) -> NDArray:
+def imbalance(half: HalfPitch, cut: CutStiffness, displacement: NDArray, forces: NDArray) -> NDArray:
     """Forces that are left when the whole half pitch follows its face.
 
     Parameters
     ----------
-    half : Half
+    half : HalfPitch
         the sparse matrix
-    face : Face
+    cut : CutStiffness
         its reduction
     displacement : array (3 places, columns)
         u of the face [m]
@@ -157,10 +157,10 @@ def imbalance(half: Half, face: Face, displacement: NDArray, forces: NDArray) ->
     array (unknowns, columns)
         K u - F q [N], zero where a plane or a clamp holds; on the face it is the force f
     """
-    u = face.inside.interior(np.vstack([displacement, forces]))[: half.space.ndof]
-    left = half.stiffness @ u - face.patterns @ forces
+    u = cut.inside.interior(np.vstack([displacement, forces]))[: half.space.ndof]
+    left = half.stiffness @ u - cut.patterns @ forces
     carried = np.zeros(half.space.ndof, dtype=bool)
-    carried[face.inside.order[face.inside.order < half.space.ndof]] = True
+    carried[cut.inside.order[cut.inside.order < half.space.ndof]] = True
     left[~carried] = 0.0
     return left
 
@@ -182,7 +182,9 @@ def _turn(cut: NDArray, azimuth: float, size: int) -> sparse.csr_array:
     return sparse.csr_array(turn)
 
 
-def _patterns(half: Half, band: roller_loads.Band, length: float, count: tuple[int, int], symmetric: bool):
+def _patterns(
+    half: HalfPitch, band: roller_loads.Band, length: float, count: tuple[int, int], symmetric: bool
+):
     """Load vectors (unknowns, patterns) that span those of all harmonics and shapes; their shares.
 
     On one pitch the harmonics are nearly dependent, so that far fewer patterns span them.

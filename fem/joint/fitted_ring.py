@@ -128,7 +128,7 @@ def condense_fitted(
     part : FittedRing, HousedRing
         ring with what it sits on or in
     length, axial_modes, mesh
-        as for `fem.section.revolved.condense`
+        l of the loaded band [m], number of axial modes, element sizes
     grid : FitGrid
         resolution of the fit
     variations : mapping

@@ -16,7 +16,7 @@ from fem.joint.interface_stiffness import InterfaceStiffness
 from fem.joint.interior_point import frictionless_start
 from fem.joint.preloaded_fit import PreloadedFit
 from fem.joint.semismooth_newton import ContactEquations, InterfaceState, solve_contact
-from fem.solid.condensation import RacewayCompliance
+from fem.raceway.compliance import RacewayCompliance
 
 LEAST_INCREMENT = 1e-3  # part of the friction added at once
 BALANCED = 1e-9  # resultant of the rollers over the sum of their forces, below which it has no direction

@@ -106,7 +106,7 @@ def _(part: OuterRing, length):
     tube = part.support if isinstance(part.support, Housing) else None
     support = tube.support if tube else part.support
     if not isinstance(support, ClampedFace | RigidSeat):
-        raise ImpossiblePart(f"a solid has no {type(support).__name__}; `fem.section.supported_ring` has")
+        raise ImpossiblePart(f"a solid has no {type(support).__name__}; harmonics have")
     face, outside = edge_names(support)
     if not tube:
         return [_outer_ring(part, length, face, outside)]

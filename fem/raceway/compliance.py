@@ -5,6 +5,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from fem.parts.material import ImpossiblePart
+
 
 @dataclass(frozen=True, kw_only=True)
 class RacewayCompliance:
@@ -22,6 +24,29 @@ class RacewayCompliance:
     def __post_init__(self):
         if self.initial_deviation.size == 0:
             object.__setattr__(self, "initial_deviation", np.zeros(self.absolute.shape[:2]))
+
+    def at(self, azimuths) -> "RacewayCompliance":
+        """Return this compliance, for the rollers that it was made for.
+
+        Parameters
+        ----------
+        azimuths : array (Z,)
+            phi [rad]
+
+        Returns
+        -------
+        RacewayCompliance
+
+        Raises
+        ------
+        ImpossiblePart
+            for other azimuths
+        """
+        if not np.array_equal(azimuths, self.azimuths):
+            raise ImpossiblePart(
+                f"azimuths = {azimuths!r} are impossible; allowed are those of the solid, {self.azimuths!r}"
+            )
+        return self
 
     @property
     def relative(self) -> NDArray:

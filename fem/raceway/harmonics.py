@@ -10,6 +10,7 @@ a line only what differs from a half-space (`fem.half_space.line_load`) has a su
 from dataclasses import dataclass, field
 from functools import cached_property
 from math import ceil, floor
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,6 +25,8 @@ SAME = 1e-9  # half the difference of azimuths that are taken as one [rad]
 SAME_DIGITS = 12  # of azimuths in radians: equal pitches give equal differences
 FEWEST = 8  # harmonics from which the fall of the rest can be told
 FINENESS = 6.0  # highest harmonic over M R/l, unless one is asked for
+DEPTH = 10.0  # highest harmonic over R/thickness: through the ring less than exp(-10) of it is felt
+MARGIN = 1.5  # highest harmonic over that of a band whose ends are far from the ends of its ring
 RESOLVED = 0.6  # highest harmonic over order times R/h on raceway elements of size h: beyond, errors grow
 
 
@@ -60,6 +63,65 @@ def highest_harmonic(radius: float, detail: float, mesh: MeshSize, wish: int | N
             "a smaller raceway_size or a higher order resolves more"
         )
     return wish
+
+
+def detail_of_ring(band: float, thickness: float) -> float:
+    """Length that harmonics of a plain ring resolve: for a band up to its ends, and for a thin one.
+
+    Parameters
+    ----------
+    band : float
+        length l/M that an axial mode resolves [m]
+    thickness : float
+        of the ring [m]
+
+    Returns
+    -------
+    float
+        [m]
+    """
+    return min(band / MARGIN, FINENESS / DEPTH * thickness)
+
+
+class Responses(NamedTuple):
+    """What unit loads of every harmonic are answered with, as a discretisation finds it."""
+
+    response: NDArray  # (N + 1, M, M) of revolution, n = 0 .. N; or (K, M, K, M), -N .. N [m/N]
+    unknowns: int
+    elements: int
+
+
+def harmonic_compliance(
+    responses: Responses, *, radius: float, length: float, elastic: Elastic, bars: int | None, seconds: dict
+) -> "HarmonicCompliance":
+    """Raceway compliance of a part; a body of revolution answers n and -n alike.
+
+    Parameters
+    ----------
+    responses : Responses
+        of the part
+    radius, length, elastic, bars, seconds
+        as in `HarmonicCompliance`
+
+    Returns
+    -------
+    HarmonicCompliance
+    """
+    response = responses.response
+    if response.ndim == 3:
+        response = np.concatenate([response[:0:-1], response])
+    last = len(response) // 2
+    return HarmonicCompliance(
+        harmonics=np.arange(-last, last + 1),
+        response=response,
+        radius=radius,
+        length=length,
+        elastic=elastic,
+        bars=bars,
+        unknowns=responses.unknowns,
+        elements=responses.elements,
+        seconds=seconds,
+    )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -186,25 +248,8 @@ class HarmonicCompliance:
         return np.real(self._diagonal()) - self._half_space
 
     def _tail(self, azimuth: NDArray) -> NDArray:
-        r"""Sum of the remainders beyond the last harmonic (..., M, M) [m/N], as the last quarter falls.
-
-        .. math:: S_n = \frac{c}{n^2-1} + \frac{d}{|n|^3}
-
-        The curvature of the raceway makes c, the ends of the band make d.
-
-        Source
-        ------
-        Fourier series of the answer less that of a half-space; derived here.
-        """
-        last = self.harmonics[-1]
-        n = np.arange(last - last // 4, last + 1)
-        rest = self._remainder[last + n]
-        law = np.stack([1 / (n**2 - 1.0), 1.0 / n**3], axis=1)
-        weight = n[:, None] ** 2.0
-        M = rest.shape[-1]
-        fitted = np.linalg.lstsq(weight * law, weight * rest.reshape(n.size, -1), rcond=None)[0]
-        tails = np.stack([curvature_tail(azimuth, last), cubic_tail(azimuth, last)], axis=-1)
-        return (tails @ fitted).reshape(*azimuth.shape, M, M)
+        """Sum of the remainders beyond the last harmonic (..., M, M) [m/N]."""
+        return sum_beyond(self._remainder[self.harmonics[-1] :], azimuth)
 
     def _series(self, phi: NDArray) -> NDArray:
         """Sum of the harmonics less the half-space (Z, M, Z, M) [m/N]."""
@@ -253,6 +298,38 @@ class HarmonicCompliance:
             answer = np.einsum("akp,kj->ajp", self.response[first, 0], turn)
             pair = self.response[first[:, None], 0, first, 0]
         return np.real(np.tensordot(read, answer, axes=1)), np.real(read @ pair @ read.conj().T)
+
+
+def sum_beyond(remainders: NDArray, azimuth: NDArray) -> NDArray:
+    r"""Sum of a series beyond its last harmonic, as the last quarter falls.
+
+    .. math:: S_n = \frac{c}{n^2-1} + \frac{d}{|n|^3}
+
+    The curvature of the raceway makes c, the ends of the loaded band make d.
+
+    Parameters
+    ----------
+    remainders : array (N + 1, L, L)
+        S_n, n = 0 .. N, what is left of answers without the half-space [m/N]
+    azimuth : array (...)
+        phi between load and answer [rad]
+
+    Returns
+    -------
+    array (..., L, L)
+        sum of S_n cos(n phi) over |n| > N [m/N]
+
+    Source
+    ------
+    Fourier series of the answer less that of a half-space; derived here.
+    """
+    last = len(remainders) - 1
+    n = np.arange(last - last // 4, last + 1)
+    law = np.stack([1 / (n**2 - 1.0), 1.0 / n**3], axis=1)
+    weight = n[:, None] ** 2.0
+    fitted = np.linalg.lstsq(weight * law, weight * remainders[n].reshape(n.size, -1), rcond=None)[0]
+    tails = np.stack([curvature_tail(azimuth, last), cubic_tail(azimuth, last)], axis=-1)
+    return (tails @ fitted).reshape(*azimuth.shape, *remainders.shape[1:])
 
 
 def _distinct(differences: NDArray) -> tuple[NDArray, NDArray]:

@@ -1,9 +1,10 @@
-r"""How the arches of a bolted ring yield to balls at equal pitches.
+r"""How the raceway arcs of a bolted ring deflect under balls at equal pitches.
 
-A ball presses with a force (F_r, F_x) [N] on a short line across the arch, evenly along it, at the
+A ball presses with a force (F_r, F_x) [N] on a short line across the arc, evenly along it, at the
 contact angle without load; the groove centre follows the mean displacement (u_r, u_x) of that line.
-What a half-space would yield to the ball's own force is left out (`fem.half_space.groove_line`), as the law
-of the contact has it. The body is one of revolution: harmonics of the force move it in the same harmonics,
+The deflection of a half-space under the ball's own force is left out (`fem.half_space.groove_line`), as
+the law of the contact has it. The body is one of revolution: harmonics of the force move it in the same
+harmonics,
 
 .. math:: W_n = \frac{1}{2\pi}\,G^T K(n)^{-1} G
 
@@ -14,9 +15,8 @@ Source
 Body of revolution in harmonics; derived here.
 """
 
-import logging
-import time
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import ngsolve as ngs
 import numpy as np
@@ -25,34 +25,21 @@ from numpy.typing import NDArray
 from fem.assembly.factorisation import threads
 from fem.errors import NotSolved
 from fem.half_space.groove_line import line_answers, line_harmonics
-from fem.half_space.line_load import cubic_tail, curvature_tail
 from fem.mesh.bolted_ring_section import section
 from fem.mesh.solid import MILLIMETRES
 from fem.parts.bolted_ring import BoltedGrooveRing
 from fem.parts.boundary_conditions import FreeMotions
+from fem.parts.resolution import Resolution
 from fem.parts.rings import MeshSize
-from fem.raceway.harmonics import TRUNCATED, highest_harmonic
+from fem.raceway.harmonics import TRUNCATED, highest_harmonic, sum_beyond
 from fem.section.revolved_body import Body, Springs, assembled
 from fem.section.rigid_body_modes import responses
-
-_log = logging.getLogger(__name__)
+from fem.stages import Stage
 
 
 @dataclass(frozen=True, kw_only=True)
 class GrooveCompliance:
-    """What the arches of a ring yield to the balls, the ball's own half-space left out."""
-
-    row: NDArray  # (Z, 2, 2, 2, 2) [m/N] arch and component by those of the force, so many pitches apart
-    beyond: float  # [-] part of the own terms that comes from beyond the last harmonic
-    harmonics: int  # the highest one
-    unknowns: int
-    seconds: dict[str, float] = field(compare=False)  # by stage: factor, condense
-
-
-def condense(
-    ring: BoltedGrooveRing, balls: int, length: float, mesh: MeshSize, harmonics: int | None = None
-) -> GrooveCompliance:  # fmt: skip
-    r"""Compliance of both arches under balls at equal pitches.
+    r"""How the raceway arcs of a groove deflect under balls at equal pitches, their half-space left out.
 
     .. math:: C(d) = \sum_{|n| \le N} (W_n - h_n) \cos n\varphi_d + T_N(\varphi_d)
               + [d \ne 0]\,H(\varphi_d), \quad \varphi_d = 2\pi d/Z
@@ -60,60 +47,120 @@ def condense(
     with H the answer of a half-space at the chord between two balls, h its harmonics and T_N the rest
     of the series, as it falls at its end.
 
-    Parameters
-    ----------
-    ring : BoltedGrooveRing
-        the part
-    balls : int
-        Z, 3 or more
-    length : float
-        l of the loaded lines [m]; a fifth of the ball is near a heavily loaded contact
-    mesh : MeshSize
-        wishes for the finite elements; order 5 or 6 pays
-    harmonics : int
-        N, the highest; by default 6 R/l or what the mesh resolves
-
-    Returns
-    -------
-    GrooveCompliance
-        arches in the order (+x, -x), components (outward, +x); symmetric
-
-    Raises
-    ------
-    ImpossiblePart
-        if the lines leave the arches
-    NotSolved
-        if a solve fails, or if the harmonics end too early
-
     Source
     ------
-    The groove centre that follows its elastic arch is that of Daidie, Chaib and Ghosn (2008), J. Mech.
+    The groove centre that follows its elastic arc is that of Daidie, Chaib and Ghosn (2008), J. Mech.
     Des. 130, 082601; the half-space is left out as docs/decisions/0001 says.
 
     Valid
     -----
-    Small displacement; the turn of an arch, which would move its groove centre aside, is left out.
+    Small displacement; the turn of an arc, which would move its groove centre aside, is left out.
     """
-    last = highest_harmonic(ring.contact_radius, length, mesh, harmonics)
-    start = time.perf_counter()
-    with threads(1):  # sections are small: a second thread would only wait
+
+    ring: BoltedGrooveRing
+    length: float  # l of the loaded lines [m]
+    response: NDArray  # (N + 1, 4, 4) [m/N] W_n: at +x outward, +x; at -x likewise; by forces in that order
+    unknowns: int
+    seconds: dict[str, float] = field(compare=False)  # by stage: factor, condense
+
+    @property
+    def harmonics(self) -> int:
+        """N, the highest harmonic."""
+        return len(self.response) - 1
+
+    def at(self, balls: int) -> NDArray:
+        """Compliance of both arcs.
+
+        Parameters
+        ----------
+        balls : int
+            Z, 3 or more
+
+        Returns
+        -------
+        array (Z, 2, 2, 2, 2)
+            C(d) [m/N]: arc (+x, -x) and component (outward, +x) by those of the force, d pitches apart;
+            symmetric
+
+        Raises
+        ------
+        NotSolved
+            if the harmonics end too early
+        """
+        if not self.truncation <= TRUNCATED:
+            raise NotSolved(
+                f"{self.truncation:.2g} of the own compliance lies beyond harmonic {self.harmonics}, allowed "
+                f"{TRUNCATED:g}: take more harmonics or a finer mesh of the lines"
+            )
+        phi = 2 * np.pi * np.arange(balls) / balls
+        waves = np.cos(np.outer(phi, np.arange(self.harmonics + 1))) * self._weights
+        row = np.tensordot(waves, self._remainder, axes=1) + sum_beyond(self._remainder, phi)
+        place = self.ring.contact_radius, self.length, self.ring.elastic
+        row[1:] += _turned(self.ring, line_answers(phi[1:], *place))
+        return ((row + row.swapaxes(1, 2)) / 2).reshape(balls, 2, 2, 2, 2)
+
+    @property
+    def truncation(self) -> float:
+        """Part of the own terms that is extrapolated beyond the last harmonic [-]."""
+        beyond = sum_beyond(self._remainder, np.zeros(1))[0]
+        own = np.tensordot(self._weights, self._remainder, axes=1) + beyond
+        size = np.abs(np.diag(own)) + np.diag(np.tensordot(self._weights, self._half_space, axes=1))
+        return float(np.abs(beyond).max() / size.max())
+
+    @property
+    def _weights(self) -> NDArray:
+        """How often each harmonic is in the sum over n of both signs (N + 1,) [-]."""
+        return np.where(np.arange(self.harmonics + 1) > 0, 2.0, 1.0)
+
+    @cached_property
+    def _half_space(self) -> NDArray:
+        """Harmonics of the half-space (N + 1, 4, 4) [m/N]."""
+        place = self.ring.contact_radius, self.length, self.ring.elastic
+        return _turned(self.ring, line_harmonics(np.arange(self.harmonics + 1), *place))
+
+    @cached_property
+    def _remainder(self) -> NDArray:
+        """What every harmonic answers beside the half-space (N + 1, 4, 4) [m/N]."""
+        return self.response - self._half_space
+
+
+@threads(1)  # sections are small: a second thread would only wait
+def condense_groove(
+    ring: BoltedGrooveRing, resolution: Resolution, stage: Stage, seconds: dict
+) -> GrooveCompliance:
+    """Compliance of both arcs of a ring on its bolted face.
+
+    Parameters
+    ----------
+    ring : BoltedGrooveRing
+        the part
+    resolution : Resolution
+        l of the loaded lines, a fifth of the ball is near a heavily loaded contact; of mesh order 5 or 6
+        pays; harmonics by default 6 R/l or what the mesh resolves
+    stage : callable (name)
+        around "factor" and "condense"
+    seconds : dict
+        of the stages
+
+    Returns
+    -------
+    GrooveCompliance
+
+    Raises
+    ------
+    ImpossiblePart
+        if the lines leave the arcs
+    NotSolved
+        if a solve fails, or the mesh is too coarse for the harmonics
+    """
+    length, mesh = resolution.length, resolution.mesh
+    last = highest_harmonic(ring.contact_radius, length, mesh, resolution.harmonics)
+    with stage("factor"):
         body = body_of(ring, length, mesh)
-        ready = time.perf_counter()
+    with stage("condense"):
         W = responses(body, FreeMotions(), line_forces(body, length), last) / (2 * np.pi)
-    done = time.perf_counter()
-    _log.info("%s gothic ring: %d unknowns, %.1f s", ring.race, body.stiffness.unknowns, done - start)
-    row, beyond = _row(ring, length, W, balls)
-    if not beyond <= TRUNCATED:
-        raise NotSolved(
-            f"{beyond:.2g} of the own compliance lies beyond harmonic {last}, allowed {TRUNCATED:g}: "
-            "take more harmonics or a finer mesh of the lines"
-        )
     return GrooveCompliance(
-        row=row.reshape(balls, 2, 2, 2, 2),
-        beyond=beyond,
-        harmonics=last,
-        unknowns=body.stiffness.unknowns,
-        seconds={"factor": ready - start, "condense": done - ready},
+        ring=ring, length=length, response=W, unknowns=body.stiffness.unknowns, seconds=seconds
     )
 
 
@@ -128,7 +175,7 @@ def body_of(ring: BoltedGrooveRing, length: float, mesh: MeshSize) -> Body:
 
 
 def line_forces(body: Body, length: float) -> NDArray:
-    """Load vectors (unknowns, 4) of unit forces on the lines: arch at +x outward, +x; arch at -x likewise.
+    """Load vectors (unknowns, 4) of unit forces on the lines: arc at +x outward, +x; arc at -x likewise.
 
     They also read the mean displacement of the lines.
     """
@@ -144,42 +191,12 @@ def line_forces(body: Body, length: float) -> NDArray:
     )
 
 
-def _row(ring: BoltedGrooveRing, length: float, W: NDArray, balls: int) -> tuple[NDArray, float]:
-    """Compliance so many pitches apart (Z, 4, 4) [m/N], and the part of the own one that is extrapolated."""
-    last = len(W) - 1
-    place = ring.contact_radius, length, ring.elastic
-    own = _turned(ring, line_harmonics(np.arange(last + 1), *place))
-    rest = W - own
-    phi = 2 * np.pi * np.arange(balls) / balls
-    twice = np.where(np.arange(last + 1) > 0, 2.0, 1.0)
-    series = np.tensordot(np.cos(np.outer(phi, np.arange(last + 1))) * twice, rest, axes=1)
-    beyond = _tail(rest, phi)
-    row = series + beyond
-    row[1:] += _turned(ring, line_answers(phi[1:], *place))
-    size = np.abs(np.diag(row[0])) + np.diag(np.tensordot(twice, own, axes=1))
-    return (row + row.swapaxes(1, 2)) / 2, float(np.abs(beyond[0]).max() / size.max())
-
-
 def _turned(ring: BoltedGrooveRing, answers: NDArray) -> NDArray:
     """Answers normal and along the lines (..., 2) as those to outward and axial forces (..., 4, 4)."""
     cosine, sine = np.cos(ring.contact_angle), np.sin(ring.contact_angle)
     both = np.zeros((*answers.shape[:-1], 4, 4))
-    for arch, side in enumerate((ring.outward, -ring.outward)):
+    for arc, side in enumerate((ring.outward, -ring.outward)):
         axes = np.array([[cosine, side * sine], [-sine, side * cosine]])  # normal, along; signs cancel
-        own = slice(2 * arch, 2 * arch + 2)
-        both[..., own, own] = np.einsum("...k,ki,kj->...ij", answers, axes, axes)
+        forces = slice(2 * arc, 2 * arc + 2)
+        both[..., forces, forces] = np.einsum("...k,ki,kj->...ij", answers, axes, axes)
     return both
-
-
-def _tail(rest: NDArray, azimuth: NDArray) -> NDArray:
-    r"""Sum of the harmonics beyond the last one (Z, 4, 4) [m/N], as the last quarter falls.
-
-    .. math:: S_n = \frac{c}{n^2-1} + \frac{d}{n^3}
-    """
-    last = len(rest) - 1
-    n = np.arange(last - last // 4, last + 1)
-    weight = n[:, None] ** 2.0
-    law = np.stack([1 / (n**2 - 1.0), 1.0 / n**3], axis=1)
-    fitted = np.linalg.lstsq(weight * law, weight * rest[n].reshape(n.size, -1), rcond=None)[0]
-    tails = np.stack([curvature_tail(azimuth, last), cubic_tail(azimuth, last)], axis=-1)
-    return (tails @ fitted).reshape(azimuth.size, *rest.shape[1:])

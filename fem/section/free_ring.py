@@ -6,21 +6,21 @@ pressure on the raceway like :math:`\cos\varphi` and :math:`x\cos\varphi`, which
 loads together are in balance.
 """
 
-import time
 from dataclasses import dataclass
 
 import ngsolve as ngs
 import numpy as np
 from numpy.typing import NDArray
 
-from fem.assembly.factorisation import NotSolved, threads
-from fem.parts.rings import MeshSize, OuterRing, require_on_track
-from fem.raceway.harmonics import FINENESS, HarmonicCompliance, highest_harmonic
+from fem.assembly.factorisation import threads
+from fem.errors import NotSolved
+from fem.parts.resolution import Resolution
+from fem.parts.rings import OuterRing
+from fem.raceway.harmonics import HarmonicCompliance, Responses, harmonic_compliance
 from fem.section.revolved_body import Body, edge_modes
 from fem.section.rigid_body_modes import body_of, responses
+from fem.stages import Stage
 
-DEPTH = 10.0  # highest harmonic over R/thickness: through the ring less than exp(-10) of it is felt
-MARGIN = 1.5  # highest harmonic over that of a band whose ends are far from the ends of its ring
 REST = 1e-3  # allowed part of the answers through the ring that lies beyond the last harmonic
 LINE_MODES = 2  # mean and moment of a line load
 
@@ -30,7 +30,7 @@ class FreeRing:
     """Answers of a free ring, its raceway neither translated nor tilted in the mean."""
 
     raceway: HarmonicCompliance  # M axial modes
-    lines: HarmonicCompliance  # radial loads on the outer surface, 2 shapes over the full width
+    lines: HarmonicCompliance  # radial loads on the outer surface, mean and moment over the full width
     radial: NDArray  # (N + 1, M, 2) [m/N] w_nm of the raceway per radial line load
     tangential: NDArray  # (N + 1, M) [m/N] per tangential load like sin, where w is like cos
 
@@ -107,47 +107,22 @@ def rigid_motions(azimuths: NDArray, length: float, axial_modes: int) -> NDArray
     return motions
 
 
-def last_harmonic(part: OuterRing, detail: float, mesh: MeshSize, wish: int | None) -> int:
-    """Choose the last harmonic: fine enough for bands up to the ends of a ring, also of a thin one.
-
-    Parameters
-    ----------
-    part : OuterRing
-        of any support
-    detail, mesh, wish
-        as for `fem.raceway.harmonics.highest_harmonic`
-
-    Returns
-    -------
-    int
-        N
-
-    Raises
-    ------
-    NotSolved
-        if the mesh is too coarse for what is asked for
-    """
-    finest = min(detail / MARGIN, FINENESS / DEPTH * part.thickness)
-    return highest_harmonic(part.raceway_diameter / 2, finest, mesh, wish)
-
-
-def condense(
-    part: OuterRing, length: float, axial_modes: int, mesh: MeshSize, harmonics: int | None = None
-) -> FreeRing:
+@threads(1)  # sections are small: a second thread would only wait
+def free_ring(part: OuterRing, resolution: Resolution, last: int, stage: Stage, seconds: dict) -> FreeRing:
     """Condense a ring with loads on its raceway and on lines along its outer surface.
 
     Parameters
     ----------
     part : OuterRing
         on `LineSupports` or as a `PlanetGear`, whose lines may be anywhere
-    length : float
-        l of the loaded band [m]
-    axial_modes : int
-        M, number of axial modes, 1 or more
-    mesh : MeshSize
-        wishes for the finite elements; the raceway size holds on the outer surface, too
-    harmonics : int
-        N, the highest; by default what the raceway and the thickness of the ring need
+    resolution : Resolution
+        of band and mesh; the raceway size holds on the outer surface, too
+    last : int
+        N, the highest harmonic
+    stage : callable (name)
+        around "factor" and "condense"
+    seconds : dict
+        of the stages
 
     Returns
     -------
@@ -155,45 +130,34 @@ def condense(
 
     Raises
     ------
-    ImpossiblePart
-        if the band is longer than the track
     NotSolved
         if a solve fails, or if there are too few harmonics
     """
-    require_on_track(length, part.track)
-    radius, outer = part.raceway_diameter / 2, part.raceway_diameter / 2 + part.thickness
-    last = last_harmonic(part, length / axial_modes, mesh, harmonics)
-    start = time.perf_counter()
-    with threads(1):  # sections are small: a second thread would only wait
-        body = body_of(part, length, mesh)
-        ready = time.perf_counter()
+    radius, length, axial_modes = part.raceway_diameter / 2, resolution.length, resolution.axial_modes
+    with stage("factor"):
+        body = body_of(part, length, resolution.mesh)
+    with stage("condense"):
         W = _free_responses(body, part, length, max(axial_modes, 2), last)
-    figures = {
-        "harmonics": np.arange(-last, last + 1),
-        "elastic": part.elastic,
-        "bars": None,
-        "unknowns": body.stiffness.unknowns,
-        "elements": body.space.mesh.ne,
-        "seconds": {"factor": ready - start, "condense": time.perf_counter() - ready},
-    }
-    both_ways = np.concatenate([W[:0:-1], W])
-    own = slice(axial_modes), slice(-LINE_MODES - 1, -1)
+
+    def compliance(loads: slice, radius: float, length: float) -> HarmonicCompliance:
+        answers = Responses(W[:, loads, loads], body.stiffness.unknowns, body.space.mesh.ne)
+        return harmonic_compliance(
+            answers, radius=radius, length=length, elastic=part.elastic, bars=None, seconds=seconds
+        )
+
+    raceway, lines = slice(axial_modes), slice(-LINE_MODES - 1, -1)
     ring = FreeRing(
-        raceway=HarmonicCompliance(
-            response=both_ways[:, own[0], own[0]], radius=radius, length=length, **figures
-        ),
-        lines=HarmonicCompliance(
-            response=both_ways[:, own[1], own[1]], radius=outer, length=part.width, **figures
-        ),
-        radial=W[:, own[0], own[1]],
-        tangential=W[:, own[0], -1],
+        raceway=compliance(raceway, radius, length),
+        lines=compliance(lines, radius + part.thickness, part.width),
+        radial=W[:, raceway, lines],
+        tangential=W[:, raceway, -1],
     )
-    _require_all_harmonics(ring, outer / part.thickness)
+    _require_all_harmonics(ring, (radius + part.thickness) / part.thickness)
     return ring
 
 
 def _free_responses(body: Body, part: OuterRing, length: float, axial_modes: int, last: int) -> NDArray:
-    """Answers (N + 1, L, L) [m/N] of raceway modes, two radial line shapes and a tangential one."""
+    """Answers (N + 1, L, L) [m/N] of raceway modes, two radial line modes and a tangential one."""
     v, section = body.space.TestFunction(), body.space.mesh
     where = section.Boundaries("lines")
     along = body.load(v[2] * ngs.ds(definedon=where)) / ngs.Integrate(

@@ -1,53 +1,45 @@
-"""A raceway on a body of revolution, condensed harmonic by harmonic on the axial section."""
-
-import logging
-import time
+"""A raceway on a body of revolution, answered harmonic by harmonic on the axial section."""
 
 import numpy as np
 
 from fem.assembly.factorisation import threads
-from fem.parts.rings import ImpossiblePart, MeshSize, OuterRing, RingOnShaft, require_on_track
-from fem.raceway.harmonics import HarmonicCompliance, highest_harmonic
+from fem.parts.resolution import Resolution
+from fem.parts.rings import OuterRing, RingOnShaft
+from fem.raceway.harmonics import Responses
 from fem.section.revolved_body import edge_modes
 from fem.section.rigid_body_modes import body_of, responses
+from fem.stages import Stage
 
-_log = logging.getLogger(__name__)
 
-
-def condense(
-    part: OuterRing | RingOnShaft,
-    length: float,
-    axial_modes: int,
-    mesh: MeshSize,
-    harmonics: int | None = None,
-) -> HarmonicCompliance:
-    r"""Compliance of the raceway of a body of revolution, for rollers anywhere.
+@threads(1)  # sections are small: a second thread would only wait
+def section_responses(
+    part: OuterRing | RingOnShaft, resolution: Resolution, last: int, stage: Stage
+) -> Responses:
+    r"""Answers of the raceway of a body of revolution to loads on it.
 
     .. math:: W_n = \frac{1}{2\pi}\,G^T K(n)^{-1} G, \quad g_m = \int a_m v_r\,dx
 
     Parameters
     ----------
     part : OuterRing, RingOnShaft
-        body of revolution with its seat
-    length : float
-        l of the loaded band [m]
-    axial_modes : int
-        M, number of axial modes, 1 or more
-    mesh : MeshSize
-        wishes for the finite elements; order 5 or 6 pays
-    harmonics : int
-        N, the highest; by default 6 M R/l or what the mesh resolves
+        body of revolution with its seat, held across its axis
+    resolution : Resolution
+        of band and mesh; order 5 or 6 pays
+    last : int
+        N, the highest harmonic
+    stage : callable (name)
+        around "factor" and "condense"
 
     Returns
     -------
-    HarmonicCompliance
+    Responses
 
     Raises
     ------
     ImpossiblePart
-        if the band is longer than the track, or the part not a body of revolution, held as such
+        if the part is not known as a body of revolution
     NotSolved
-        if a solve fails, or if the mesh is too coarse for the harmonics
+        if a solve fails
 
     Source
     ------
@@ -57,28 +49,9 @@ def condense(
     -----
     Small displacement, perfect bonds, clamps that do not yield; no load outside the band.
     """
-    require_on_track(length, part.track)
-    if isinstance(part, OuterRing) and part.free_motions.across:
-        raise ImpossiblePart(
-            "a ring that nothing holds has no compliance; `fem.section.supported_ring` adds the lines"
-        )
-    radius = part.raceway_diameter / 2
-    last = highest_harmonic(radius, length / axial_modes, mesh, harmonics)
-    start = time.perf_counter()
-    with threads(1):  # sections are small: a second thread would only wait
-        body = body_of(part, length, mesh)
-        ready = time.perf_counter()
-        W = responses(body, part.free_motions, edge_modes(body, "raceway", axial_modes), last) / (2 * np.pi)
-    done = time.perf_counter()
-    _log.info("%s: %d unknowns, %.1f s", type(part).__name__, body.stiffness.unknowns, done - start)
-    return HarmonicCompliance(
-        harmonics=np.arange(-last, last + 1),
-        response=np.concatenate([W[:0:-1], W]),
-        radius=radius,
-        length=length,
-        elastic=part.materials["ring"],
-        bars=None,
-        unknowns=body.stiffness.unknowns,
-        elements=body.space.mesh.ne,
-        seconds={"factor": ready - start, "condense": done - ready},
-    )
+    with stage("factor"):
+        body = body_of(part, resolution.length, resolution.mesh)
+    with stage("condense"):
+        modes = edge_modes(body, "raceway", resolution.axial_modes)
+        W = responses(body, part.free_motions, modes, last) / (2 * np.pi)
+    return Responses(W, body.stiffness.unknowns, body.space.mesh.ne)

@@ -22,9 +22,9 @@ from numpy.typing import NDArray
 
 from fem.parts.boundary_conditions import LineSupports
 from fem.parts.rings import ImpossiblePart
+from fem.raceway.compliance import RacewayCompliance
 from fem.section.free_ring import FreeRing, rigid_motions
 from fem.section.unilateral_points import SupportPoints, bordered_inverse, pushing_points
-from fem.solid.condensation import RacewayCompliance
 
 MIDDLE = np.array([[1.0], [0.0]])  # Legendre shapes 0 and 1 of a force evenly spread along a line
 ENDS = np.array([[1.0, 1.0], [-1 / 3, 1 / 3]])  # of forces that grow towards its two ends

@@ -14,9 +14,6 @@ Source
 Work of a bar spread over its pitch; derived here.
 """
 
-import logging
-import time
-
 import ngsolve as ngs
 import numpy as np
 
@@ -27,68 +24,48 @@ from fem.assembly.harmonic_stiffness import compliances, harmonic_stiffness
 from fem.beam.curved_beam import shear_modulus
 from fem.beam.support_springs import tangential_slide
 from fem.mesh.axial_section import AxialSection, meshed
-from fem.parts.rings import MeshSize, SquirrelCage, require_on_track
-from fem.raceway.harmonics import HarmonicCompliance, highest_harmonic
+from fem.parts.resolution import Resolution
+from fem.parts.rings import MeshSize, SquirrelCage
+from fem.raceway.harmonics import Responses
 from fem.section.revolved_body import Body, edge_modes
+from fem.stages import Stage
 
-_log = logging.getLogger(__name__)
 
-
-def condense(
-    cage: SquirrelCage, length: float, axial_modes: int, mesh: MeshSize, harmonics: int | None = None
-) -> HarmonicCompliance:
-    """Compliance of the raceway of a squirrel cage with smeared bars, for rollers anywhere.
+@threads(1)  # sections are small: a second thread would only wait
+def smeared_responses(cage: SquirrelCage, resolution: Resolution, last: int, stage: Stage) -> Responses:
+    """Answers of the raceway of a squirrel cage with smeared bars.
 
     Parameters
     ----------
     cage : SquirrelCage
         ring, bars and flange; fillets are left out
-    length : float
-        l of the loaded band [m]
-    axial_modes : int
-        M, number of axial modes, 1 or more
-    mesh : MeshSize
-        wishes for the finite elements; order 5 or 6 pays
-    harmonics : int
-        N, the highest; by default 6 M R/l or what the mesh resolves
+    resolution : Resolution
+        of band and mesh; order 5 or 6 pays
+    last : int
+        N, the highest harmonic
+    stage : callable (name)
+        around "factor" and "condense"
 
     Returns
     -------
-    HarmonicCompliance
+    Responses
         of revolution: no harmonic couples to those that differ by the number of bars
 
     Raises
     ------
-    ImpossiblePart
-        if the band is longer than the track
     NotSolved
-        if a solve fails, or if the mesh is too coarse for the harmonics
+        if a solve fails
 
     Valid
     -----
     Many bars, with several per wave of the harmonics that reach them, and slots as wide as they are.
     """
-    require_on_track(length, cage.track)
-    radius = cage.raceway_diameter / 2
-    last = highest_harmonic(radius, length / axial_modes, mesh, harmonics)
-    start = time.perf_counter()
-    with threads(1):  # sections are small: a second thread would only wait
-        body = _assembled(cage, length, mesh)
-        ready = time.perf_counter()
-        W = compliances(body.stiffness, edge_modes(body, "raceway", axial_modes), last) / (2 * np.pi)
-    done = time.perf_counter()
-    _log.info("smeared cage: %d unknowns, %.1f s", body.stiffness.unknowns, done - start)
-    return HarmonicCompliance(
-        harmonics=np.arange(-last, last + 1),
-        response=np.concatenate([W[:0:-1], W]),
-        radius=radius,
-        length=length,
-        elastic=cage.elastic,
-        bars=None,
-        unknowns=body.stiffness.unknowns,
-        elements=body.space.mesh.ne,
-        seconds={"factor": ready - start, "condense": done - ready},
-    )
+    with stage("factor"):
+        body = _assembled(cage, resolution.length, resolution.mesh)
+    with stage("condense"):
+        modes = edge_modes(body, "raceway", resolution.axial_modes)
+        W = compliances(body.stiffness, modes, last) / (2 * np.pi)
+    return Responses(W, body.stiffness.unknowns, body.space.mesh.ne)
 
 
 def _sections(cage: SquirrelCage, length: float) -> list[AxialSection]:

@@ -1,10 +1,6 @@
 """The stiffness of a ring condensed to what rollers feel on its raceway."""
 
-import logging
-import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
-from dataclasses import replace
+from collections.abc import Callable
 
 import ngsolve as ngs
 import numpy as np
@@ -14,41 +10,30 @@ from fem.assembly import elasticity, roller_loads as load
 from fem.assembly.factorisation import Factorisation, factorised, threads
 from fem.half_space.load_patch import half_space
 from fem.mesh.solid import MILLIMETRES, meshed
-from fem.parts.rings import Elastic, MeshSize, Part, Patches
+from fem.parts.resolution import Resolution
+from fem.parts.rings import Elastic, Part, Patches
 from fem.parts.step_solid import StepSolid
 from fem.raceway import symmetry
 from fem.raceway.compliance import RacewayCompliance
-
-Report = Callable[[str, float | None], None]
-
-_log = logging.getLogger(__name__)
+from fem.stages import Stage
 
 
-def condense(
-    part: Part | StepSolid,
-    patches: Patches,
-    mesh: MeshSize,
-    report: Report | None = None,
-    thread_number: int = 2,
-) -> RacewayCompliance:
+def condense_solid(part: Part | StepSolid, resolution: Resolution, stage: Stage) -> RacewayCompliance:
     """Compliance of a raceway to its rollers, by as few solves as symmetry leaves.
 
     Parameters
     ----------
     part : Part or StepSolid
         ring with its seat
-    patches : Patches
-        rollers, and how finely their forces are resolved
-    mesh : MeshSize
-        wishes for the finite elements
-    report : callable (stage, fraction)
-        told "mesh", "factor" and "condense" with the finished fraction of the stage, None if unknown
-    thread_number : int
-        threads of NGSolve
+    resolution : Resolution
+        of rollers, patches and mesh
+    stage : callable (name)
+        around "mesh", "factor" and "condense"
 
     Returns
     -------
     RacewayCompliance
+        without times
 
     Raises
     ------
@@ -59,20 +44,18 @@ def condense(
 
     Valid
     -----
-    Small displacement, perfect bonds, clamps that do not yield; no load outside the band.
+    Small displacement, perfect bonds, rigid clamps; no load outside the band.
     """
-    stage, seconds = _stages(report or (lambda name, fraction: None))
+    patches, mesh = resolution.patches, resolution.mesh
     with stage("mesh"):
         solid = meshed(part, patches.length, mesh)
-    with threads(thread_number):
+    with threads(resolution.threads):
         with stage("factor"):
             space = ngs.VectorH1(solid, order=mesh.order, dirichlet="clamped")
             stiffness = factorised(space, elastic_energy(solid, part.materials))
         with stage("condense") as progress:
             band = load.band(space, "raceway", load.quadrature_order(patches, mesh))
-            found = condensed(part, patches, stiffness, band, progress)
-    _log.info("%s: %d unknowns, %.1f s", type(part).__name__, stiffness.unknowns, sum(seconds.values()))
-    return replace(found, seconds=seconds)
+            return condensed(part, patches, stiffness, band, progress)
 
 
 def condensed(
@@ -166,18 +149,3 @@ def _answers(stiffness: Factorisation, band: load.Band, renumbered: NDArray, pat
     read = rollers.T @ shifts
     absolute = symmetry.completed(read[:, 2:].reshape(Z, M, solved.size, M), solved, renumbered)
     return absolute, read[:, :2].T.reshape(2, Z, M), translations.T @ shifts[:, :2]
-
-
-def _stages(report: Report):
-    """A context per stage, which reports and keeps time; and the times."""
-    seconds: dict[str, float] = {}
-
-    @contextmanager
-    def stage(name: str) -> Iterator[Callable[[float], None]]:
-        report(name, None)
-        start = time.perf_counter()
-        yield lambda fraction: report(name, fraction)
-        seconds[name] = time.perf_counter() - start
-        report(name, 1.0)
-
-    return stage, seconds

@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 from fem.assembly import roller_loads
 from fem.assembly.factorisation import threads
 from fem.half_space.load_patch import half_space
-from fem.solid.condensation import RacewayCompliance, condensed
+from fem.raceway.compliance import RacewayCompliance
+from fem.solid.condensation import condensed
 from fem.solid.factored_solid import FactoredSolid
 
 

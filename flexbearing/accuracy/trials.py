@@ -23,7 +23,7 @@ from flexbearing.rings.raceways import CondensedRings
 from quasidynamic import Equilibrium, RollerBearing
 
 if TYPE_CHECKING:
-    from fem.solid.condensation import RacewayCompliance
+    from fem.raceway.compliance import RacewayCompliance
 
 FINEST_SHAPES = SHAPES[-1]  # rings are condensed for so many at once: fewer of them are a part of that
 

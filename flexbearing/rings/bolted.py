@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import fem
+from fem.condense import HARMONICS, condense
 from fem.parts.bolted_ring import BoltedGrooveRing
 from flexbearing.cache import configured
 from flexbearing.case import BadCase
@@ -100,16 +101,12 @@ def _row(case: FourPointCase, name: str, part: BoltedGrooveRing, report: Report)
         size=given.mesh_size or size * ball,
         raceway_size=given.line_mesh_size or on_line * line,
     )
-    wanted = part, case.balls, line, mesh, given.harmonics
-
-    def computed():
-        from fem.section.bolted_ring import condense  # NGSolve: known rings need not wait for it
-
-        return condense(*wanted)
-
+    asked = part, HARMONICS, fem.Resolution(length=line, mesh_size=mesh, harmonics=given.harmonics)
     report.stage(f"{name} ring", None)
     try:
-        found = configured().cached(wanted, computed, lambda note: report.stage(f"{name} ring: {note}", None))
+        found = configured().cached(
+            asked, lambda: condense(*asked), lambda note: report.stage(f"{name} ring: {note}", None)
+        )
     except fem.ImpossiblePart as problem:
         raise BadCase(f"{case.source.path}: {name} ring: {problem}") from problem
-    return found.row
+    return found.at(case.balls)

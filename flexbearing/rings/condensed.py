@@ -3,11 +3,12 @@
 from collections.abc import Iterator
 from contextlib import contextmanager
 from time import perf_counter
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from numpy.typing import NDArray
 
 import fem
+from fem.condense import BEAM, HARMONICS, SMEARED, SOLID, condense
 from fem.errors import NotSolved
 from fem.parts.step_solid import StepSolid
 from flexbearing.build import expansion, ring_parts
@@ -22,7 +23,7 @@ from flexbearing.rings.raceways import CondensedRings
 
 if TYPE_CHECKING:
     from fem.joint.preloaded_fit import PreloadedFit
-    from fem.solid.condensation import RacewayCompliance
+    from fem.raceway.compliance import RacewayCompliance
 
 Rings = CondensedRings | FittedRings | HousedRings
 
@@ -85,12 +86,7 @@ def _condensed(name: str, part: ring_parts.Part | None, case: Case, azimuths: ND
     began = perf_counter()
     report.stage(name, None)
     with told(case, name):
-        if case.accuracy.structure == "solid" or isinstance(part, StepSolid):
-            raceway = _solid(name, part, case, azimuths, report)
-        elif case.accuracy.structure == "beam":
-            raceway = _as_beam(part, case).at(azimuths)
-        else:
-            raceway = _by_harmonics(name, part, case, report).at(azimuths)
+        raceway = _computed_or_kept(name, part, case, azimuths, report).at(azimuths)
     report.stage(f"{name}: {raceway.unknowns} unknowns, {perf_counter() - began:.1f} s", None)
     return raceway
 
@@ -114,62 +110,51 @@ def told(case: Case, name: str) -> Iterator[None]:
         raise PartnerFailed(f"{name}: {problem}", "not solved") from problem
 
 
-def _as_beam(part: fem.Part, case: Case):
-    """Raceway compliance of a curved beam: sooner computed than read from the cache."""
-    from fem.beam import thin_ring
+def _computed_or_kept(name: str, part: ring_parts.Part, case: Case, azimuths: NDArray, report: Report):
+    """Raceway compliance, from the cache where it is kept."""
+    discretisation = _discretisation(part, case)
+    solid = discretisation is SOLID
+    asked = part, discretisation, _resolution(part, discretisation, case, azimuths)
 
-    given = case.accuracy
-    return thin_ring.condense(part, expansion.roller_length(case), given.axial_shapes, given.harmonics)
+    def computed():
+        return condense(*asked, report=lambda stage, fraction: report.stage(f"{name}: {stage}", fraction))
 
-
-def _by_harmonics(name: str, part: ring_parts.Part, case: Case, report: Report):
-    """Raceway compliance for rollers anywhere: on half a pitch of a cage, else on an axial section."""
-    cage = isinstance(part, fem.SquirrelCage)
-    smeared = cage and case.accuracy.structure == "smeared"
-    wanted = (
-        part,
-        expansion.roller_length(case),
-        case.accuracy.axial_shapes,
-        wishes(case, WITH_A_SLEEVE if smeared else IN_SPACE if cage else ON_A_SECTION),
-        case.accuracy.harmonics,
-    )
-    if case.outer.support in ("lines", "planet") and isinstance(part, fem.OuterRing):
-        return _condenser(part, smeared)(*wanted)  # less than a second, and more than the cache can hold
-    key = ("smeared", *wanted) if smeared else wanted
+    on_lines = isinstance(part, fem.OuterRing) and case.outer.support in ("lines", "planet")
+    if discretisation is BEAM or (on_lines and not solid):  # sooner computed than read, or more than is kept
+        return condense(*asked)
     return configured().cached(
-        key,
-        lambda: _condenser(part, smeared)(*wanted),
+        asked,
+        computed if solid else lambda: condense(*asked),
         lambda note: report.stage(f"{name}: {note}", None),
     )
 
 
-def _condenser(part: ring_parts.Part, smeared: bool) -> Any:
-    """What condenses a part; NGSolve takes a second to load, which known rings need not wait for."""
-    if smeared:
-        from fem.section.smeared_cage import condense
-    elif isinstance(part, fem.SquirrelCage):
-        from fem.subprocess import condense_sector_in_subprocess as condense
-    elif isinstance(part, fem.OuterRing):
-        from fem.section.supported_ring import condense
-    else:
-        from fem.section.revolved import condense
-    return condense
+def _discretisation(part: ring_parts.Part, case: Case) -> fem.Discretisation:
+    """Choice of the case, or what suits the part."""
+    if case.accuracy.structure == "solid" or isinstance(part, StepSolid):
+        return SOLID
+    if case.accuracy.structure == "beam":
+        return BEAM
+    if case.accuracy.structure == "smeared" and isinstance(part, fem.SquirrelCage):
+        return SMEARED
+    return HARMONICS
 
 
-def _solid(name: str, part: ring_parts.Part, case: Case, azimuths: NDArray, report: Report):
-    """Raceway compliance of the whole solid for rollers where they are."""
-    from fem.subprocess import condense_in_subprocess
-
-    wanted = part, patches(case, azimuths), wishes(case, IN_SPACE)
-
-    def computed():
-        return condense_in_subprocess(
-            *wanted,
-            thread_number=case.accuracy.threads,
-            report=lambda stage, fraction=None: report.stage(f"{name}: {stage}", fraction),
-        )
-
-    return configured().cached(wanted, computed, lambda note: report.stage(f"{name}: {note}", None))
+def _resolution(
+    part: ring_parts.Part, discretisation: fem.Discretisation, case: Case, azimuths: NDArray
+) -> fem.Resolution:
+    in_space = discretisation is SOLID or isinstance(part, fem.SquirrelCage)
+    sizes = WITH_A_SLEEVE if discretisation is SMEARED else IN_SPACE if in_space else ON_A_SECTION
+    loads = patches(case, azimuths)
+    rollers = {"azimuths": loads.azimuths, "patch_width": loads.width} if discretisation is SOLID else {}
+    return fem.Resolution(
+        length=loads.length,
+        axial_modes=loads.axial_modes,
+        mesh_size=wishes(case, sizes),
+        harmonics=None if discretisation is SOLID else case.accuracy.harmonics,
+        threads=case.accuracy.threads,
+        **rollers,
+    )
 
 
 def patches(case: Case, azimuths: NDArray) -> fem.Patches:

@@ -15,8 +15,8 @@ from flexbearing.rings.raceways import CondensedRings
 if TYPE_CHECKING:
     from fem.joint.loaded_fit import LoadedFit
     from fem.joint.preloaded_fit import PreloadedFit
+    from fem.raceway.compliance import RacewayCompliance
     from fem.section.expansion import Along
-    from fem.solid.condensation import RacewayCompliance
 
 INNER, OUTER = 0, 1
 

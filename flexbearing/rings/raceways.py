@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 if TYPE_CHECKING:
-    from fem.solid.condensation import RacewayCompliance
+    from fem.raceway.compliance import RacewayCompliance
 
 
 @dataclass(frozen=True)

@@ -131,8 +131,7 @@ def _rollers(case: Head) -> Case:
 def _load(case: Case) -> None:
     """Load what every later run finds loaded."""
     if case.outer.kind != "rigid" or case.inner.kind != "rigid":
-        import fem.section.revolved
-        import fem.section.supported_ring  # noqa: F401
+        import fem.section.revolved  # noqa: F401
 
 
 def _measured(case: str | Path, overrides: Sequence[str], level: Level, exact: Result) -> Measured:

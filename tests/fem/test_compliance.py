@@ -11,7 +11,8 @@ from fem import Elastic, MeshSize, Patches
 from fem.assembly import roller_loads
 from fem.assembly.factorisation import NotSolved, factorised, threads
 from fem.mesh.solid import meshed
-from fem.solid.condensation import condense, elastic_energy
+from fem.solid.condensation import elastic_energy
+from tests.fem.condensed import as_solid
 from tests.fem.test_parts import CAGE, SHAFT, STEEL
 
 pytestmark = pytest.mark.slow  # whole solids; those on half a pitch and on sections are checked against them
@@ -23,12 +24,12 @@ COARSE = MeshSize(order=2, size=4e-3, raceway_size=2.5e-3)
 
 @pytest.fixture(scope="module")
 def cage():
-    return condense(CAGE, ROLLERS, COARSE)
+    return as_solid(CAGE, ROLLERS, COARSE)
 
 
 @pytest.fixture(scope="module")
 def shaft():
-    return condense(SHAFT, ROLLERS, MeshSize(order=2, size=6e-3, raceway_size=3e-3))
+    return as_solid(SHAFT, ROLLERS, MeshSize(order=2, size=6e-3, raceway_size=3e-3))
 
 
 @pytest.fixture(scope="module")
@@ -106,13 +107,13 @@ def test_support_stiffness_is_load_over_translation(cage):
 
 def test_compliance_is_inverse_to_the_modulus(cage):
     soft = Elastic(youngs_modulus=STEEL.youngs_modulus / 10, poisson_ratio=0.28)
-    softer = condense(replace(CAGE, elastic=soft), ROLLERS, COARSE)
+    softer = as_solid(replace(CAGE, elastic=soft), ROLLERS, COARSE)
     assert softer.absolute == approx(10 * cage.absolute, rel=1e-8, abs=1e-8 * np.abs(softer.absolute).max())
 
 
 def test_symmetry_changes_nothing_but_the_noise_of_the_mesh(cage):
     """Rollers at odd azimuths have no symmetry: every one is solved, the common ones must agree."""
-    some = condense(CAGE, replace(ROLLERS, azimuths=tuple(cage.azimuths[[0, 1, 4, 13]])), COARSE)
+    some = as_solid(CAGE, replace(ROLLERS, azimuths=tuple(cage.azimuths[[0, 1, 4, 13]])), COARSE)
     here = np.ix_([0, 1, 4, 13], range(M), [0, 1, 4, 13], range(M))
     assert some.absolute == approx(cage.absolute[here], abs=0.01 * cage.absolute.max())
 
@@ -121,7 +122,7 @@ def test_own_term_does_not_depend_on_the_width_of_the_patch():
     """The half-space takes the indentation out again, whatever patch made it: 1 % for a factor of two."""
     mesh = MeshSize(order=3, size=4e-3, raceway_size=2e-3)
     wide, narrow = (
-        condense(CAGE, replace(ROLLERS, width=w), mesh).absolute[0, 0, 0, 0] for w in (1e-3, 0.5e-3)
+        as_solid(CAGE, replace(ROLLERS, width=w), mesh).absolute[0, 0, 0, 0] for w in (1e-3, 0.5e-3)
     )
     assert wide == approx(narrow, rel=0.01)
 
@@ -142,4 +143,4 @@ def test_wrong_answer_of_the_direct_solver_is_noticed():
 
 def test_patch_too_narrow_for_the_mesh_is_refused():
     with pytest.raises(NotSolved, match="width"):
-        condense(CAGE, replace(ROLLERS, width=5e-5), COARSE)
+        as_solid(CAGE, replace(ROLLERS, width=5e-5), COARSE)

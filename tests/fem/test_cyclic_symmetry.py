@@ -19,6 +19,7 @@ from fem.cage.half_pitch_stiffness import face, half
 from fem.mesh import half_pitch
 from fem.mesh.solid import MILLIMETRES, solids
 from fem.solid import condensation
+from tests.fem.condensed import as_solid, by_harmonics
 from tests.fem.edge_layers import LAYERS, refined
 from tests.fem.test_parts import CAGE, STEEL
 
@@ -34,7 +35,7 @@ ROLLERS = 2 * np.pi * np.arange(30) / 30
 
 @pytest.fixture(scope="module")
 def cage():
-    return cyclic_symmetry.condense(CAGE, L, M, COARSE)
+    return by_harmonics(CAGE, L, M, COARSE)
 
 
 def images(points, bars: int):
@@ -149,7 +150,7 @@ def test_slender_bars_under_a_rigid_ring():
         raceway_diameter=96e-3, thickness=4e-3, width=6e-3, bars=24, bar_width=4e-3, bar_thickness=3e-3,
         bar_length=40e-3, flange_length=2e-3, elastic=Elastic(youngs_modulus=200e9, poisson_ratio=0.3),
     )  # fmt: skip
-    ring = cyclic_symmetry.condense(slender, 6e-3, 2, MeshSize(order=2, size=6e-3, raceway_size=6e-3))
+    ring = by_harmonics(slender, 6e-3, 2, MeshSize(order=2, size=6e-3, raceway_size=6e-3))
     one = np.flatnonzero(ring.harmonics == 1)[0]
     # 1 N spread like 2 cos(phi) has F_1 = F_-1 = 1, and moves the ring by 2 w_1 cos(phi)
     support = 1 / (2 * ring.response[one, 0, one, 0])
@@ -158,7 +159,7 @@ def test_slender_bars_under_a_rigid_ring():
 
 def test_support_and_own_compliance_of_the_main_case():
     """Order 5 with two layers, 107 000 unknowns of half a pitch: 154.00 kN/mm and 4.513e-8 m/N."""
-    ring = cyclic_symmetry.condense(CAGE, L, M, USUAL).at(ROLLERS)
+    ring = by_harmonics(CAGE, L, M, USUAL).at(ROLLERS)
     assert ring.support_stiffness == approx(154.00e6, rel=5e-3)
     assert ring.absolute[0, 0, 0, 0] == approx(4.513e-8, rel=5e-3)
 
@@ -175,12 +176,12 @@ def test_unbalanced_solution_is_noticed():
 
 def test_harmonic_too_short_for_the_mesh_is_refused():
     with pytest.raises(NotSolved, match="raceway_size"):
-        cyclic_symmetry.condense(CAGE, L, M, COARSE, harmonics=30)
+        by_harmonics(CAGE, L, M, COARSE, harmonics=30)
 
 
 def test_band_longer_than_the_track_is_refused():
     with pytest.raises(ImpossiblePart, match="track"):
-        cyclic_symmetry.condense(CAGE, 11e-3, M, COARSE)
+        by_harmonics(CAGE, 11e-3, M, COARSE)
 
 
 @pytest.mark.parametrize(
@@ -224,7 +225,7 @@ def test_fillet_stiffens_the_support():
     """The feet of the bars shorten them: more than the mesh changes, less than by their whole length."""
     wishes = MeshSize(order=2, size=4e-3, raceway_size=1.5e-3)
     sharp, round_ = (
-        cyclic_symmetry.condense(replace(STUMPS, fillet=f), L, 2, wishes).at(ROLLERS).support_stiffness
+        by_harmonics(replace(STUMPS, fillet=f), L, 2, wishes).at(ROLLERS).support_stiffness
         for f in (0.0, 0.4e-3)
     )
     assert 1.02 * sharp < round_ < 1.2 * sharp
@@ -266,8 +267,8 @@ def test_agrees_with_gaussian_patches_on_the_whole_solid(monkeypatch):
     wishes = MeshSize(order=3, size=3e-3, raceway_size=1.2e-3)
     azimuths = 2 * np.pi * np.arange(10) / 10
     patches = Patches(azimuths=tuple(azimuths), length=L, axial_modes=M, width=0.3e-3)
-    solid = condensation.condense(STUMPS, patches, wishes)
-    ring = cyclic_symmetry.condense(STUMPS, L, M, wishes).at(azimuths)
+    solid = as_solid(STUMPS, patches, wishes)
+    ring = by_harmonics(STUMPS, L, M, wishes).at(azimuths)
     assert ring.support_stiffness == approx(solid.support_stiffness, rel=4e-3)
     assert ring.absolute == approx(solid.absolute, rel=0, abs=5e-3 * solid.absolute.max())
     assert ring.translation == approx(solid.translation, rel=0, abs=4e-3 * np.abs(solid.translation).max())

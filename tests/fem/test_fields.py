@@ -9,7 +9,6 @@ import pytest
 from pytest import approx
 
 from fem import ClampedFace, Elastic, Housing, ImpossiblePart, MeshSize, OuterRing, Patches, SquirrelCage
-from fem.cage import cyclic_symmetry
 from fem.cage.bar_forces import bar_forces
 from fem.mesh.notches import notches
 from fem.solid.condensation import elastic_energy
@@ -17,6 +16,7 @@ from fem.solid.factored_solid import factored
 from fem.solid.skin import skin
 from fem.solid.stress import principal, von_mises
 from fem.solid.support_stiffness import motion_forces, support_stiffness
+from tests.fem.condensed import by_harmonics
 from tests.fem.test_parts import CAGE, SHAFT
 
 STEEL = Elastic(youngs_modulus=200e9, poisson_ratio=0.3)
@@ -196,9 +196,7 @@ def test_support_is_nearly_as_stiff_as_its_bars(cage):
 @pytest.mark.slow
 def test_support_is_that_of_the_harmonics(cage):
     """The whole solid against half a pitch."""
-    half = cyclic_symmetry.condense(
-        BARS, ON_BARS.length, 1, MeshSize(order=3, size=8e-3, raceway_size=3.6e-3), 8
-    )
+    half = by_harmonics(BARS, ON_BARS.length, 1, MeshSize(order=3, size=8e-3, raceway_size=3.6e-3), 8)
     last = half.harmonics[-1]
     first = half.response[[last + 1, last - 1], 0, last + 1, 0]
     assert 1 / support_stiffness(cage).radial == approx(2 * first.sum(), rel=0.05)

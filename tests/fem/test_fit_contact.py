@@ -15,8 +15,8 @@ from fem.joint.fitted_ring import BORE, SHOULDER, FitGrid, FittedBodies, FittedR
 from fem.joint.loaded_fit import loaded
 from fem.joint.preloaded_fit import Fit, preloaded
 from fem.mesh.axial_section import AxialSection
-from fem.section import revolved
 from fem.section.revolved_body import assembled
+from tests.fem.condensed import by_harmonics
 from tests.fem.test_parts import SHAFT, STEEL
 
 HOT = Elastic(youngs_modulus=179e9, poisson_ratio=0.281)
@@ -160,7 +160,7 @@ def test_nut_pushes_the_ring_on_the_shoulder(stepped):
 
 def test_bonded_raceway_is_that_of_the_bonded_part(bodies):
     """Coarse faces leave 1 %; with finer ones see below."""
-    exact = revolved.condense(SEAT, L, M, COARSE)
+    exact = by_harmonics(SEAT, L, M, COARSE)
     found = preloaded(bodies, replace(TIGHT, bonded=True)).closed
     low = np.abs(exact.harmonics) <= 3
     assert found.response[low] == approx(exact.response[low], rel=0, abs=0.01 * exact.response.max())
@@ -173,7 +173,7 @@ def test_sticking_fit_is_the_bonded_part():
     """The same elements; large interference, so that no point opens."""
     mesh = MeshSize(order=5, size=6e-3, raceway_size=1.25e-3)
     fine = condense_fitted(PLAIN, L, M, mesh, FitGrid(bore_points=16, harmonics=64))
-    exact = revolved.condense(SEAT, L, M, mesh).at(ROLLERS)
+    exact = by_harmonics(SEAT, L, M, mesh).at(ROLLERS)
     forces = loads(1e3)
     found = loaded(preloaded(fine, Fit(interference=50e-6, friction=1e3)), ROLLERS, forces)
     assert found.opened == found.slipping == 0

@@ -12,8 +12,8 @@ from pytest import approx
 from fem import ClampedFace, Elastic, ImpossiblePart, MeshSize, OuterRing, PlanetGear
 from fem.joint.fitted_ring import FitGrid, FittedRing, condense_fitted
 from fem.joint.preloaded_fit import Fit, preloaded
-from fem.section.expansion import Along
-from fem.section.supported_ring import AxisymmetricLoad, raceway_expansion
+from fem.section.expansion import Along, AxisymmetricLoad
+from tests.fem.condensed import expansion_of
 from tests.fem.test_parts import SHAFT, STEEL
 
 L, M = 5e-3, 3
@@ -26,7 +26,7 @@ RISE = Along(at=(-40e-3, 40e-3), values=(0.0, 4e-3))  # 2e-3 in the middle, 0.05
 
 
 def grown(part, expansion, mesh=COARSE):
-    return raceway_expansion(part, L, M, mesh, AxisymmetricLoad(thermal_strains={"ring": expansion}))
+    return expansion_of(part, L, M, mesh, AxisymmetricLoad(thermal_strains={"ring": expansion}))
 
 
 def test_tube_with_a_linear_temperature_becomes_a_cone():

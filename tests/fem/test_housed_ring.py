@@ -22,8 +22,8 @@ from fem.assembly.factorisation import NotSolved
 from fem.joint.fitted_ring import FitGrid, HousedRing, condense_fitted
 from fem.joint.loaded_fit import loaded
 from fem.joint.preloaded_fit import Fit, preloaded
-from fem.section import free_ring, revolved
-from fem.section.supported_ring import PlanetRim
+from fem.section.planet_rim import PlanetRim
+from tests.fem.condensed import by_harmonics
 from tests.fem.test_parts import STEEL
 
 L, M = 5e-3, 3
@@ -72,7 +72,7 @@ def test_ring_that_fills_its_bore_is_held_without_friction():
     part = replace(BORE, seat=replace(BORE.seat, width=6e-3))
     fit = preloaded(condense_fitted(part, L, M, FAIR, FitGrid(bore_points=6, harmonics=24)), loose(0.0))
     springs = Foundation(axial=0.0, radial=1e18, tangential=0.0)
-    exact = revolved.condense(replace(part.seat, support=springs), L, M, FAIR)
+    exact = by_harmonics(replace(part.seat, support=springs), L, M, FAIR)
     low = np.abs(exact.harmonics) <= 24
     found = fit.closed.response[low]
     assert found == approx(exact.response[low], rel=0, abs=3e-4 * np.abs(exact.response).max())
@@ -91,7 +91,7 @@ def test_ring_in_a_very_wide_bore_rests_on_one_line():
     even = loads(200.0, half=1.2) * [1, 0, 0]
     push = even[:, 0] @ np.exp(1j * ROLLERS)
     foot = LineForce(azimuth=float(np.angle(push)), radial=-float(np.abs(push)), tangential=0.0)
-    free = free_ring.condense(ring(LineSupports(azimuths=(0.0, 2.0, 4.0))), L, M, FAIR)
+    free = by_harmonics(ring(LineSupports(azimuths=(0.0, 2.0, 4.0))), L, M, FAIR).ring
     rim = PlanetRim(free, PlanetGear(forces=(foot,))).at(ROLLERS)
     exact = rim.initial_deviation + np.tensordot(rim.absolute, even, 2)
     bodies = condense_fitted(BORE, L, M, FAIR, FitGrid(bore_points=4, harmonics=24))

@@ -11,9 +11,9 @@ from fem.assembly.factorisation import NotSolved
 from fem.assembly.harmonic_stiffness import compliances
 from fem.half_space.load_patch import half_space
 from fem.mesh.axial_section import AxialSection, sections
-from fem.section import expansion, revolved, revolved_body
+from fem.section import expansion, revolved_body
 from fem.section.revolved_body import Springs
-from fem.solid.condensation import condense
+from tests.fem.condensed import as_solid, by_harmonics
 from tests.fem.test_parts import CAGE, SHAFT, STEEL
 
 RING = OuterRing(raceway_diameter=75e-3, thickness=3.6e-3, width=10e-3, elastic=STEEL, support=ClampedFace())
@@ -37,12 +37,12 @@ def held(sections, materials, mesh, **springs):
 
 @pytest.fixture(scope="module")
 def ring():
-    return revolved.condense(RING, L, 3, FAIR)
+    return by_harmonics(RING, L, 3, FAIR)
 
 
 @pytest.fixture(scope="module")
 def shaft():
-    return revolved.condense(SHAFT, L, 3, MeshSize(order=4, size=8e-3, raceway_size=1.25e-3))
+    return by_harmonics(SHAFT, L, 3, MeshSize(order=4, size=8e-3, raceway_size=1.25e-3))
 
 
 @pytest.mark.parametrize(
@@ -182,7 +182,7 @@ FEW, MANY = (FAIR, 75), (MeshSize(order=6, size=4e-3, raceway_size=0.8e-3), 140)
 
 @pytest.mark.parametrize("part", [RING, pytest.param(SHAFT, marks=pytest.mark.slow)], ids=["ring", "shaft"])
 def test_own_compliance_does_not_depend_on_mesh_or_harmonics(part):
-    few, many = (revolved.condense(part, L, 3, *wishes).at(ROLLERS) for wishes in (FEW, MANY))
+    few, many = (by_harmonics(part, L, 3, *wishes).at(ROLLERS) for wishes in (FEW, MANY))
     assert few.absolute == approx(many.absolute, rel=0, abs=1.5e-3 * many.absolute.max())
     assert few.absolute[0, 0, 0, 0] == approx(many.absolute[0, 0, 0, 0], rel=7e-4)
     assert few.support_stiffness == approx(many.support_stiffness, rel=2e-4)
@@ -200,8 +200,8 @@ def test_own_compliance_does_not_depend_on_mesh_or_harmonics(part):
 def test_tetrahedra_agree(part, solid):
     """The same Gaussian on both; its fixed direction costs (width/R)^2, sharp edges 1 % of the stiffness."""
     width, patches = 0.7e-3, Patches(azimuths=tuple(ROLLERS), length=L, axial_modes=3, width=0.7e-3)
-    tetrahedra = condense(part, patches, solid)
-    raceway = revolved.condense(part, L, 3, MeshSize(order=6, size=3e-3, raceway_size=0.8e-3), 140)
+    tetrahedra = as_solid(part, patches, solid)
+    raceway = by_harmonics(part, L, 3, MeshSize(order=6, size=3e-3, raceway_size=0.8e-3), 140)
     n = raceway.harmonics
     damped = raceway.response * np.exp(-((n * width / raceway.radius) ** 2))[:, None, None]
     turn = np.exp(1j * np.outer(ROLLERS, n))
@@ -220,17 +220,17 @@ def test_tetrahedra_agree(part, solid):
 
 def test_more_harmonics_than_the_mesh_holds_are_refused():
     with pytest.raises(NotSolved, match="raceway_size"):
-        revolved.condense(RING, L, 3, COARSE, 200)
+        by_harmonics(RING, L, 3, COARSE, 200)
 
 
 def test_what_is_not_a_body_of_revolution_is_refused():
     with pytest.raises(ImpossiblePart, match="SquirrelCage"):
-        revolved.condense(CAGE, L, 3, COARSE)  # pyright: ignore[reportArgumentType]
+        by_harmonics(CAGE, L, 3, COARSE)  # pyright: ignore[reportArgumentType]
 
 
 def test_band_longer_than_the_track_is_refused():
     with pytest.raises(ImpossiblePart, match="track"):
-        revolved.condense(RING, 11e-3, 3, COARSE)
+        by_harmonics(RING, 11e-3, 3, COARSE)
 
 
 def test_unknown_edge_is_named():

@@ -12,7 +12,7 @@ from fem import ClampedFace, ImpossiblePart, MeshSize, OuterRing, Patches
 from fem.mesh.solid import meshed
 from fem.mesh.step_import import solid
 from fem.parts.step_solid import Coloured, Named, Near, StepSolid, drawing
-from fem.solid.condensation import condense
+from tests.fem.condensed import as_solid
 from tests.fem.test_parts import STEEL
 
 R, THICKNESS, WIDTH = 37.5, 4.5, 10.0  # [mm] of a plain ring, drawn about x
@@ -107,7 +107,7 @@ def test_drawn_ring_answers_as_the_one_built_in():
     )  # fmt: skip
     patches = Patches(azimuths=(0.0, 0.4), length=6e-3, axial_modes=2, width=4e-3)
     built, drawn = (
-        condense(solid, patches, MeshSize(order=3, size=8e-3, raceway_size=5e-3), thread_number=1)
+        as_solid(solid, patches, MeshSize(order=3, size=8e-3, raceway_size=5e-3), threads=1)
         for solid in (ring, part(ELSEWHERE(plain()), **FRAME))
     )
     assert drawn.absolute == approx(built.absolute, abs=0.01 * np.abs(built.absolute).max())
@@ -120,7 +120,7 @@ def test_azimuth_turns_from_the_zenith_and_no_symmetry_is_assumed():
     pad = occ.Box(occ.Pnt(-WIDTH / 2, R + 1, -4), occ.Pnt(WIDTH / 2, R + 9, 4)) - tube(-6, 6, 0.1, R + 1)
     drawn = part(ELSEWHERE(ring + pad), clamps=(Near(10e-3, 20e-3 - (R + 9) * 1e-3, 30e-3),), **FRAME)
     rollers = Patches(azimuths=(1.0, -1.0), length=6e-3, axial_modes=2, width=4e-3)
-    own = condense(drawn, rollers, MeshSize(order=1, size=8e-3, raceway_size=6e-3), thread_number=1).absolute
+    own = as_solid(drawn, rollers, MeshSize(order=1, size=8e-3, raceway_size=6e-3), threads=1).absolute
     assert own[1, 0, 1, 0] > 2 * own[0, 0, 0, 0]
 
 
@@ -215,7 +215,7 @@ def test_condensing_reports_a_wrong_drawing_before_meshing():
     told = []
     rollers = Patches(azimuths=(0.0,), length=12e-3, axial_modes=2, width=1e-3)
     with pytest.raises(ImpossiblePart, match="allowed is the raceway"):
-        condense(
+        as_solid(
             part(plain()), rollers, MeshSize(order=1, size=8e-3, raceway_size=6e-3), lambda *a: told.append(a)
         )
     assert told == [("mesh", None)]

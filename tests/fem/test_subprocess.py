@@ -13,7 +13,9 @@ from pytest import approx
 
 from fem import ClampedFace, ImpossiblePart, MeshSize, OuterRing, Patches
 from fem.assembly.factorisation import NotSolved
-from fem.subprocess import condense_in_subprocess, in_subprocess
+from fem.condense import SOLID, condense, condense_in_process
+from fem.subprocess import in_subprocess
+from tests.fem.condensed import of_a_solid
 from tests.fem.processes import Lost, aborting, answering, killed, leaving, silent, strange, wrong
 from tests.fem.test_parts import STEEL
 
@@ -101,13 +103,9 @@ def test_process_ends_with_its_parent():
     assert ended
 
 
-def test_condensing_apart_is_condensing():
-    from fem.solid.condensation import condense
-
-    stages = []
-    found = condense_in_subprocess(
-        RING, ROLLERS, COARSE, lambda stage, _: stages.append(stage), thread_number=1
-    )
-    here = condense(RING, ROLLERS, COARSE, thread_number=1)
+def test_condensing_in_a_subprocess_is_condensing():
+    stages, asked = [], (RING, SOLID, of_a_solid(ROLLERS, COARSE, 1))
+    found = condense(*asked, report=lambda stage, _: stages.append(stage))
+    here = condense_in_process(*asked)
     assert found.absolute == approx(here.absolute, rel=1e-6, abs=1e-15)
     assert list(dict.fromkeys(stages)) == ["mesh", "factor", "condense"]

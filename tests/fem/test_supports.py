@@ -24,13 +24,14 @@ from fem import (
 )
 from fem.assembly.factorisation import NotSolved, factorised, threads
 from fem.mesh.solid import meshed
-from fem.section import free_ring, revolved, supported_ring
+from fem.section.expansion import AxisymmetricLoad
+from fem.section.planet_rim import PlanetRim
 from fem.section.revolved_body import edge_modes
 from fem.section.rigid_body_modes import body_of
 from fem.section.ring_on_lines import RingOnLines
-from fem.section.supported_ring import AxisymmetricLoad, PlanetRim, raceway_expansion
 from fem.section.unilateral_points import SupportPoints, bordered_inverse, pushing_points
 from fem.solid.condensation import elastic_energy
+from tests.fem.condensed import by_harmonics, expansion_of, with_smeared_bars
 from tests.fem.test_parts import STEEL
 
 L, M = 5e-3, 2
@@ -48,12 +49,12 @@ def ring(support, **changes):
 
 
 def response(part, harmonics=20, mesh=COARSE):
-    return revolved.condense(part, L, M, mesh, harmonics).response[harmonics:]
+    return by_harmonics(part, L, M, mesh, harmonics).response[harmonics:]
 
 
 @pytest.fixture(scope="module")
 def free():
-    return free_ring.condense(ring(THREE), L, 3, FAIR)
+    return by_harmonics(ring(THREE), L, 3, FAIR).ring
 
 
 IMPOSSIBLE = [
@@ -66,9 +67,9 @@ IMPOSSIBLE = [
     (lambda: Housing(thickness=0.0, width=1e-2, elastic=STEEL), "thickness"),
     (lambda: PlanetGear(forces=(LineForce(azimuth=0.0, radial=0.0, tangential=10.0),)), "turn about"),
     (lambda: LineForce(azimuth=nan, radial=0.0, tangential=0.0), "line force"),
-    (lambda: supported_ring.condense(ring(replace(THREE, tilting=True)), L, 2, COARSE), "tilt about y and z"),
-    (lambda: supported_ring.condense(ring(THREE), 11e-3, 2, COARSE), "track"),
-    (lambda: revolved.condense(ring(THREE), L, 2, COARSE), "supported_ring"),
+    (lambda: by_harmonics(ring(replace(THREE, tilting=True)), L, 2, COARSE), "tilt about y and z"),
+    (lambda: by_harmonics(ring(THREE), 11e-3, 2, COARSE), "track"),
+    (lambda: with_smeared_bars(ring(THREE), L, 2, COARSE), "OuterRing is impossible as SMEARED"),
     (lambda: meshed(ring(RADIAL), L, COARSE), "Foundation"),
 ]
 
@@ -152,7 +153,7 @@ def test_many_soft_lines_are_an_elastic_foundation(free):
     lines = LineSupports(azimuths=tuple(2 * np.pi * np.arange(count) / count), stiffness=stiffness)
     some = ROLLERS[:4]
     found = RingOnLines(free, lines).at(some)
-    springs = supported_ring.condense(ring(replace(RADIAL, radial=per_area)), L, 3, FAIR).at(some)
+    springs = by_harmonics(ring(replace(RADIAL, radial=per_area)), L, 3, FAIR).at(some)
     assert found.absolute == approx(springs.absolute, rel=0, abs=5e-4 * springs.absolute.max())
     assert found.translation == approx(springs.translation, rel=0, abs=5e-4 * springs.translation.max())
 
@@ -281,16 +282,14 @@ def test_cold_and_warm_free_rings_differ_by_their_size():
     housing = Housing(thickness=3e-3, width=8e-3, elastic=STEEL, support=soft)
     for support in (PlanetGear(forces=()), soft, housing):
         load = AxisymmetricLoad(thermal_strains=dict.fromkeys(ring(support).materials, 1e-3))
-        assert raceway_expansion(ring(support), L, 2, COARSE, load) == approx(
-            [37.5e-6, 0], rel=1e-6, abs=1e-12
-        )
+        assert expansion_of(ring(support), L, 2, COARSE, load) == approx([37.5e-6, 0], rel=1e-6, abs=1e-12)
 
 
 def test_free_ring_grows_with_speed_as_in_plane_stress():
     """29.8/32.5 mm at 38000 rpm: 18.72190 um inside."""
     fast = AxisymmetricLoad(densities={"ring": 7850.0}, speed=38000 * 2 * np.pi / 60)
     narrow = ring(PlanetGear(forces=()), raceway_diameter=59.6e-3, thickness=2.7e-3, width=1e-3)
-    assert raceway_expansion(narrow, 1e-3, 1, COARSE, fast) == approx([18.72190e-6], rel=5e-4)
+    assert expansion_of(narrow, 1e-3, 1, COARSE, fast) == approx([18.72190e-6], rel=5e-4)
 
 
 def test_warm_ring_in_a_stiff_cold_bore_grows_inwards():
@@ -298,7 +297,7 @@ def test_warm_ring_in_a_stiff_cold_bore_grows_inwards():
     a, b, nu, e = 37.5e-3, 41.1e-3, 0.28, 1e-3
     B = -(1 + nu) * e / ((1 + nu) / b**2 + (1 - nu) / a**2)
     bore = Foundation(axial=0.0, radial=1e19, tangential=0.0)
-    found = raceway_expansion(
+    found = expansion_of(
         ring(bore, width=0.5e-3), 0.5e-3, 1, COARSE, AxisymmetricLoad(thermal_strains={"ring": e})
     )
     assert found == approx([B * (1 / a - a / b**2)], rel=1e-3)
@@ -307,7 +306,7 @@ def test_warm_ring_in_a_stiff_cold_bore_grows_inwards():
 
 def test_growth_against_lines_is_refused():
     with pytest.raises(ImpossiblePart, match="line supports"):
-        raceway_expansion(ring(THREE), L, 1, COARSE, AxisymmetricLoad(thermal_strains={"ring": 1e-3}))
+        expansion_of(ring(THREE), L, 1, COARSE, AxisymmetricLoad(thermal_strains={"ring": 1e-3}))
 
 
 def solid_response(part, harmonics, mesh, length):
@@ -347,6 +346,6 @@ def test_tetrahedra_agree(support):
     part, harmonics = ring(support), [1, 2, 5]
     mesh = MeshSize(order=4, size=5e-3, raceway_size=2e-3)
     solid = solid_response(part, harmonics, mesh, part.width)
-    raceway = revolved.condense(part, part.width, 2, MeshSize(order=6, size=3e-3, raceway_size=1e-3), 80)
+    raceway = by_harmonics(part, part.width, 2, MeshSize(order=6, size=3e-3, raceway_size=1e-3), 80)
     found = np.real(np.einsum("nmm->nm", raceway.response[80 + np.array(harmonics)]))
     assert solid == approx(found, rel=3e-3)

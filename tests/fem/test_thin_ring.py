@@ -11,10 +11,8 @@ from fem import ClampedFace, Foundation, MeshSize, OuterRing, RigidSeat
 from fem.assembly.factorisation import NotSolved
 from fem.beam import thin_ring
 from fem.beam.curved_beam import CurvedBeam
-from fem.cage import cyclic_symmetry
 from fem.parts.rings import ImpossiblePart
-from fem.section import smeared_cage
-from fem.section.revolved import condense
+from tests.fem.condensed import as_beam, by_harmonics, with_smeared_bars
 from tests.fem.test_parts import CAGE as ODD_CAGE, SHAFT, STEEL
 
 L, M = 5e-3, 3
@@ -52,38 +50,35 @@ def error(found, true):
 def test_beam_deviates_like_finite_elements(part, size, allowed):
     """1.9, 0.5 and 5.1 % as measured."""
     fine = MeshSize(order=4, size=6e-3, raceway_size=size)
-    assert error(thin_ring.condense(part, L, M), condense(part, L, M, fine)) < allowed
+    assert error(as_beam(part, L, M), by_harmonics(part, L, M, fine)) < allowed
 
 
 @pytest.mark.slow
 def test_inner_ring_on_its_shaft_is_only_roughly_a_beam():
     """8.8 % as measured: a hollow shaft is a shell."""
     fine = MeshSize(order=5, size=6e-3, raceway_size=1.25e-3)
-    assert error(thin_ring.condense(SHAFT, L, M), condense(SHAFT, L, M, fine)) < 0.15
+    assert error(as_beam(SHAFT, L, M), by_harmonics(SHAFT, L, M, fine)) < 0.15
 
 
 @pytest.mark.slow
 def test_both_models_of_a_cage_deviate_like_half_a_pitch_of_it():
     """Beam 1.1 %, smeared bars 0.3 % as measured."""
-    true = cyclic_symmetry.condense(CAGE, L, M, MeshSize(order=3, size=3e-3, raceway_size=2e-3))
-    assert error(thin_ring.condense(CAGE, L, M), true) < 0.015
-    assert (
-        error(smeared_cage.condense(CAGE, L, M, MeshSize(order=3, size=6e-3, raceway_size=2e-3)), true)
-        < 0.005
-    )
+    true = by_harmonics(CAGE, L, M, MeshSize(order=3, size=3e-3, raceway_size=2e-3))
+    assert error(as_beam(CAGE, L, M), true) < 0.015
+    assert error(with_smeared_bars(CAGE, L, M, MeshSize(order=3, size=6e-3, raceway_size=2e-3)), true) < 0.005
 
 
 def test_two_models_of_a_cage_agree():
     """A beam on springs, and sections with a sleeve: 1.3 % as measured."""
-    sleeve = smeared_cage.condense(CAGE, L, M, MeshSize(order=3, size=6e-3, raceway_size=2e-3))
-    assert error(thin_ring.condense(CAGE, L, M), sleeve) < 0.02
+    sleeve = with_smeared_bars(CAGE, L, M, MeshSize(order=3, size=6e-3, raceway_size=2e-3))
+    assert error(as_beam(CAGE, L, M), sleeve) < 0.02
 
 
 def test_fewer_bars_hold_a_smeared_cage_less():
     """Half as many carry half the translation of a stiff ring, nearly."""
     stiff = replace(CAGE, bar_length=60e-3, thickness=8e-3)
     wishes = L, 1, MeshSize(order=3, size=6e-3, raceway_size=3e-3)
-    many, few = (smeared_cage.condense(replace(stiff, bars=n), *wishes).at(ROLLERS) for n in (24, 12))
+    many, few = (with_smeared_bars(replace(stiff, bars=n), *wishes).at(ROLLERS) for n in (24, 12))
     assert few.support_stiffness == approx(many.support_stiffness / 2, rel=0.03)
 
 
@@ -115,7 +110,7 @@ def test_long_waves_bend_the_wall_and_short_ones_indent_it():
 
 def test_short_waves_are_those_of_a_half_space():
     """So the own terms have a sum, and what is subtracted from them is what they contain."""
-    raceway = thin_ring.condense(THIN, L, M)
+    raceway = as_beam(THIN, L, M)
     last = raceway.harmonics[-1]
     n = np.arange(last - 20, last + 1)
     alone = (1 - STEEL.poisson_ratio**2) / (np.pi * STEEL.youngs_modulus) / (n * L)
@@ -125,26 +120,26 @@ def test_short_waves_are_those_of_a_half_space():
 def test_ring_on_springs_moves_as_a_whole():
     """Radial springs of a circle: K = k pi r w."""
     stiff = replace(THIN, elastic=replace(STEEL, youngs_modulus=1e16))
-    held = thin_ring.condense(stiff, L, M).at(ROLLERS).support_stiffness
+    held = as_beam(stiff, L, M).at(ROLLERS).support_stiffness
     assert held == approx(1e10 * np.pi * 38.5e-3 * 10e-3, rel=1e-3)
 
 
 def test_response_is_symmetric_and_positive():
     for part in (THIN, CAGE, SHAFT):
-        response = thin_ring.condense(part, L, M).response
+        response = as_beam(part, L, M).response
         assert response == approx(response.transpose(0, 2, 1), rel=0, abs=1e-18)
         assert np.linalg.eigvalsh(response).min() > 0
 
 
 def test_seat_is_refused():
     with pytest.raises(ImpossiblePart, match="RigidSeat"):
-        thin_ring.condense(replace(THIN, support=RigidSeat()), L, M)
+        as_beam(replace(THIN, support=RigidSeat()), L, M)
 
 
 def test_band_longer_than_the_track_is_refused():
     for condensed in (
-        thin_ring.condense,
-        lambda *a: smeared_cage.condense(*a, MeshSize(order=3, size=1, raceway_size=1)),
+        as_beam,
+        lambda *a: with_smeared_bars(*a, MeshSize(order=3, size=1, raceway_size=1)),
     ):
         with pytest.raises(ImpossiblePart, match="track"):
             condensed(CAGE, 11e-3, M)
@@ -152,4 +147,4 @@ def test_band_longer_than_the_track_is_refused():
 
 def test_too_few_harmonics_are_refused():
     with pytest.raises(NotSolved, match="8 or more"):
-        thin_ring.condense(THIN, L, M, 7)
+        as_beam(THIN, L, M, 7)

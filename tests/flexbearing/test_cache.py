@@ -13,8 +13,8 @@ from hypothesis import given, settings, strategies as st
 
 import fem
 from fem.parts.step_solid import Named, StepSolid
+from fem.raceway.compliance import RacewayCompliance
 from fem.raceway.harmonics import HarmonicCompliance
-from fem.solid.condensation import RacewayCompliance
 from flexbearing.cache import Cache, configured, key, listing, store
 from flexbearing.cache.archive import Damaged, packed, unpacked
 

@@ -15,6 +15,7 @@ from flexbearing.coupling import RULES, Condensed, PartnerFailed, StoppingCriter
 from flexbearing.rings.full_solve import WholeRings
 from flexbearing.rings.raceways import CondensedRings
 from tests.bearings import paper_bearing
+from tests.fem.condensed import as_solid
 
 PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
 FULL = ["coupling.structure=full", "coupling.method=iqn-ils"]
@@ -41,7 +42,6 @@ PLAIN = fem.OuterRing(
 @pytest.fixture(scope="module")
 def solids():
     """Two raceways as they are solved, and as they are condensed; the first stands for an inner one."""
-    from fem.solid.condensation import condense
     from fem.solid.factored_solid import factored
     from fem.solid.full_solve import FullSolve
 
@@ -51,7 +51,7 @@ def solids():
     for part, places in ((PLAIN, uneven), (CAGE, azimuths)):
         patches = fem.Patches(azimuths=tuple(places), length=5e-3, axial_modes=2, width=1.5e-3)
         solved = FullSolve(solid=factored(part, patches, MESH, 1))
-        found.append((solved, condense(part, patches, MESH, thread_number=1)))
+        found.append((solved, as_solid(part, patches, MESH, 1)))
     inner, outer = found
     return inner, outer
 

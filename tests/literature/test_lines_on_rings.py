@@ -9,7 +9,7 @@ import numpy as np
 from pytest import approx
 
 from fem import ClampedFace, Elastic, MeshSize, OuterRing, PlanetGear
-from fem.section import free_ring, revolved
+from tests.fem.condensed import by_harmonics
 
 WIDTH, SHAPES = 10e-3, 7
 MIDDLE = np.array([1, 0, -1 / 2, 0, 3 / 8, 0, -5 / 16])  # L_m(0): what the shapes add up to at mid-width
@@ -23,7 +23,7 @@ def ring(support):
 
 def test_free_ring_pinched_between_two_lines():
     """Hexahedra and tetrahedra agree to 1e-5 on the change of the bore, along the load or across it."""
-    free = free_ring.condense(ring(PlanetGear(forces=())), WIDTH, SHAPES, WISHES)
+    free = by_harmonics(ring(PlanetGear(forces=())), WIDTH, SHAPES, WISHES).ring
     moved = MIDDLE @ free.under_radial(np.array([0.0, pi / 2]), np.array([0.0, pi])).sum(axis=2)[:, :, 0].T
     assert 2e6 * moved == approx([1.15124, -1.04936], rel=1e-4)
 
@@ -34,7 +34,7 @@ def test_lines_beside_a_loaded_one_on_a_clamped_ring():
     Tetrahedra of order 5 with three layers along the clamped edges, 543 513 unknowns, give four digits; the
     printed values come from elements without layers, which are up to 1.4 % too stiff.
     """
-    raceway = revolved.condense(ring(ClampedFace()), WIDTH, SHAPES, WISHES)
+    raceway = by_harmonics(ring(ClampedFace()), WIDTH, SHAPES, WISHES)
     moved = 1e6 * MIDDLE @ raceway.absolute(2 * pi * np.arange(30) / 30)[1:5, :, 0, 0].T
     assert moved == approx([1.2448e-3, 1.0542e-4, -9.094e-5, -6.036e-5], rel=1e-3)
     assert moved == approx([1.235e-3, 1.04e-4, -9.0e-5, -6.0e-5], rel=0.015)

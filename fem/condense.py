@@ -1,0 +1,177 @@
+"""The one entry: a part condensed to what rollers or balls feel on its raceway.
+
+A discretisation is loaded with NGSolve when it is used: importing this module loads neither.
+"""
+
+import logging
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any, overload
+
+from fem.parts.bolted_ring import BoltedGrooveRing
+from fem.parts.boundary_conditions import LineSupports, PlanetGear
+from fem.parts.material import ImpossiblePart
+from fem.parts.resolution import Discretisation, Resolution
+from fem.parts.rings import OuterRing, Part, RingOnShaft, SquirrelCage, require_on_track
+from fem.parts.step_solid import StepSolid
+from fem.stages import Report, Stage, stages, unheard
+from fem.subprocess import in_subprocess
+
+if TYPE_CHECKING:
+    from fem.raceway.compliance import RacewayCompliance
+    from fem.raceway.harmonics import HarmonicCompliance
+    from fem.section.bolted_ring import GrooveCompliance
+    from fem.section.planet_rim import PlanetRim
+    from fem.section.ring_on_lines import RingOnLines
+
+HARMONICS, SMEARED, BEAM, SOLID = Discretisation
+
+_log = logging.getLogger(__name__)
+
+
+@overload
+def condense(
+    part: BoltedGrooveRing, discretisation: Discretisation, resolution: Resolution, report: Report = ...
+) -> "GrooveCompliance": ...
+@overload
+def condense(
+    part: Part | StepSolid, discretisation: Discretisation, resolution: Resolution, report: Report = ...
+) -> "HarmonicCompliance | RingOnLines | PlanetRim | RacewayCompliance": ...
+def condense(part, discretisation, resolution, report=unheard):
+    """Condense a part to its raceway; what is meshed in space is meshed in a process of its own.
+
+    Parameters
+    ----------
+    part : OuterRing, SquirrelCage, RingOnShaft, StepSolid or BoltedGrooveRing
+        with what holds it
+    discretisation : Discretisation
+        HARMONICS suits all but a StepSolid, which is a SOLID
+    resolution : Resolution
+        loaded band, axial modes, element sizes and harmonics; azimuths and patches of a solid
+    report : callable (stage, fraction)
+        told "mesh", "factor" and "condense" with the finished fraction of the stage, None if unknown
+
+    Returns
+    -------
+    HarmonicCompliance, RingOnLines, PlanetRim, RacewayCompliance or GrooveCompliance
+        whose `at` gives the compliance for rollers at their azimuths, or for balls by their number; that
+        of a solid holds for its azimuths alone
+
+    Raises
+    ------
+    ImpossiblePart
+        if the band is longer than the track, the part can still move freely, or does not go with the
+        discretisation
+    NotSolved
+        if a solve fails, the mesh is too coarse for harmonics or patches, or the process ends without an
+        answer
+
+    Valid
+    -----
+    Small displacement, perfect bonds, rigid clamps, supports without friction; no load outside the band.
+    """
+    in_space = discretisation is SOLID or (isinstance(part, SquirrelCage) and discretisation is HARMONICS)
+    if in_space:
+        return in_subprocess(condense_in_process, part, discretisation, resolution, report=report)
+    return condense_in_process(part, discretisation, resolution, report)
+
+
+def condense_in_process(
+    part: Any, discretisation: Discretisation, resolution: Resolution, report: Report = unheard
+) -> Any:
+    """Condense a part as `condense` does, always in this process.
+
+    Parameters
+    ----------
+    part, discretisation, resolution, report
+        as for `condense`
+
+    Returns
+    -------
+    HarmonicCompliance, RingOnLines, PlanetRim, RacewayCompliance or GrooveCompliance
+
+    Raises
+    ------
+    ImpossiblePart, NotSolved
+        as `condense`
+    """
+    stage, seconds = stages(report)
+    match part, discretisation:
+        case _, Discretisation.SOLID:
+            from fem.solid.condensation import condense_solid
+
+            condensed = replace(condense_solid(part, resolution, stage), seconds=seconds)
+        case BoltedGrooveRing(), Discretisation.HARMONICS:
+            from fem.section.bolted_ring import condense_groove
+
+            condensed = condense_groove(part, resolution, stage, seconds)
+        case OuterRing(support=LineSupports() | PlanetGear()), Discretisation.HARMONICS:
+            require_on_track(resolution.length, part.track)
+            return _free_ring(part, resolution, stage, seconds)
+        case OuterRing() | SquirrelCage() | RingOnShaft(), _:
+            require_on_track(resolution.length, part.track)
+            condensed = _in_harmonics(part, discretisation, resolution, stage, seconds)
+        case _:
+            raise ImpossiblePart(f"{type(part).__name__} is impossible as {discretisation.name}")
+    _log.info("%s: %d unknowns, %.1f s", type(part).__name__, condensed.unknowns, sum(seconds.values()))
+    return condensed
+
+
+def _in_harmonics(
+    part: Part, discretisation: Discretisation, resolution: Resolution, stage: Stage, seconds: dict
+) -> "HarmonicCompliance":
+    """Compliance of a raceway that is held, from what its harmonics are answered with."""
+    from fem.raceway.harmonics import harmonic_compliance
+
+    last = _last_harmonic(part, discretisation, resolution)
+    return harmonic_compliance(
+        _responses_of(part, discretisation)(part, resolution, last, stage),
+        radius=part.raceway_diameter / 2,
+        length=resolution.length,
+        elastic=part.materials["ring"],
+        bars=part.bars if discretisation is HARMONICS else None,
+        seconds=seconds,
+    )
+
+
+def _responses_of(part: Part, discretisation: Discretisation) -> Any:
+    """What answers the harmonics of a part: a function of part, resolution, last harmonic and stage."""
+    match part, discretisation:
+        case _, Discretisation.BEAM:
+            from fem.beam.thin_ring import beam_responses as responses
+        case SquirrelCage(), Discretisation.SMEARED:
+            from fem.section.smeared_cage import smeared_responses as responses
+        case SquirrelCage(), Discretisation.HARMONICS:
+            from fem.cage.cyclic_symmetry import cage_responses as responses
+        case _, Discretisation.HARMONICS:
+            from fem.section.revolved import section_responses as responses
+        case _:
+            raise ImpossiblePart(
+                f"{type(part).__name__} is impossible as {discretisation.name}: it has no bars"
+            )
+    return responses
+
+
+def _last_harmonic(part: Part, discretisation: Discretisation, resolution: Resolution) -> int:
+    from fem.raceway.harmonics import detail_of_ring, highest_harmonic
+
+    if discretisation is BEAM:
+        from fem.beam.thin_ring import last_harmonic
+
+        return last_harmonic(part, resolution)
+    band = resolution.length / resolution.axial_modes
+    detail = detail_of_ring(band, part.thickness) if isinstance(part, OuterRing) else band
+    return highest_harmonic(part.raceway_diameter / 2, detail, resolution.mesh, resolution.harmonics)
+
+
+def _free_ring(part: OuterRing, resolution: Resolution, stage: Stage, seconds: dict) -> Any:
+    """A ring between rollers and lines: on the lines that support it, or under tooth forces."""
+    from fem.section.free_ring import free_ring
+    from fem.section.planet_rim import PlanetRim
+    from fem.section.ring_on_lines import RingOnLines, require_held
+
+    support, last = part.support, _last_harmonic(part, HARMONICS, resolution)
+    if isinstance(support, PlanetGear):
+        return PlanetRim(free_ring(part, resolution, last, stage, seconds), support)
+    assert isinstance(support, LineSupports)
+    require_held(support, resolution.axial_modes)
+    return RingOnLines(free_ring(part, resolution, last, stage, seconds), support)

@@ -1,0 +1,58 @@
+"""How a part is discretised, and how finely, as frozen data."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+from fem.parts.material import ImpossiblePart, require, require_positive
+from fem.parts.rings import MeshSize, Patches
+
+
+class Discretisation(StrEnum):
+    """Which numbers stand for a part and for the loads on its raceway."""
+
+    HARMONICS = "harmonics"  # azimuthal harmonics: on an axial section, or on half a pitch of a squirrel cage
+    SMEARED = "smeared"  # the same of a squirrel cage, its bars spread evenly over an axial section
+    BEAM = "beam"  # harmonics of a curved beam on springs, without a mesh
+    SOLID = "solid"  # the whole solid, for rollers at given azimuths
+
+
+@dataclass(frozen=True, kw_only=True)
+class Resolution:
+    """How finely a raceway and its part are resolved; a beam needs no mesh, a solid needs azimuths."""
+
+    length: float  # l of the loaded band, or of the loaded line across a groove [m]
+    axial_modes: int = 1  # M, Legendre polynomials along a band that carry forces and displacements
+    mesh_size: MeshSize | None = None
+    harmonics: int | None = None  # N, the highest; None: what part and band need, or the mesh resolves
+    azimuths: Sequence[float] | None = None  # (Z,) [rad] of the rollers
+    patch_width: float | None = None  # [m] of a loaded patch, standard deviation along the arc
+    threads: int = field(default=2, compare=False)  # of NGSolve, for a solid
+
+    def __post_init__(self):
+        require_positive(self, "length")
+        require(self.axial_modes >= 1, "axial_modes", self.axial_modes, "1 or more")
+        if self.azimuths is not None:
+            object.__setattr__(self, "azimuths", tuple(float(phi) for phi in self.azimuths))
+
+    @property
+    def mesh(self) -> MeshSize:
+        """Element sizes; raises `ImpossiblePart` where there are none."""
+        if self.mesh_size is None:
+            raise ImpossiblePart("mesh_size = None is impossible; allowed is a MeshSize, but for a beam")
+        return self.mesh_size
+
+    @property
+    def patches(self) -> Patches:
+        """Loaded patches on a solid; raises `ImpossiblePart` where rollers have no azimuth or width."""
+        if self.azimuths is None or self.patch_width is None:
+            raise ImpossiblePart(
+                f"azimuths = {self.azimuths}, patch_width = {self.patch_width} are impossible for a solid; "
+                "allowed are the azimuths of all rollers, and the width of the patches they load"
+            )
+        return Patches(
+            azimuths=self.azimuths,
+            length=self.length,
+            axial_modes=self.axial_modes,
+            width=self.patch_width,
+        )

@@ -1,0 +1,60 @@
+"""The rim of a planet gear between its rollers and the tooth forces."""
+
+from dataclasses import dataclass
+from math import inf
+
+import numpy as np
+
+from fem.parts.boundary_conditions import PlanetGear
+from fem.raceway.compliance import RacewayCompliance
+from fem.section.free_ring import FreeRing
+
+
+@dataclass(frozen=True)
+class PlanetRim:
+    """A condensed planet gear: its raceway deviates from its own mean place and tilt.
+
+    That place is a matter of the rollers, which balance the tooth forces. What they leave out of balance
+    meets a pressure on the raceway like cos(phi).
+    """
+
+    ring: FreeRing
+    gear: PlanetGear
+
+    def at(self, azimuths) -> RacewayCompliance:
+        """Compliance for rollers at given azimuths, and the deviation by the tooth forces.
+
+        Parameters
+        ----------
+        azimuths : array (Z,)
+            phi of the rollers, all different [rad]
+
+        Returns
+        -------
+        RacewayCompliance
+            without translation, its support infinitely stiff
+
+        Raises
+        ------
+        ImpossiblePart
+            if two rollers stand at one azimuth
+        NotSolved
+            if the harmonics end too early for the own terms
+        """
+        phi = np.asarray(azimuths, dtype=float)
+        absolute = self.ring.raceway.absolute(phi)
+        psi, radial, tangential = np.array(
+            [(force.azimuth, force.radial, force.tangential) for force in self.gear.forces]
+        ).reshape(-1, 3).T  # fmt: skip
+        deviation = self.ring.under_radial(phi, psi)[..., 0] @ radial
+        deviation += self.ring.under_tangential(phi, psi) @ tangential
+        return RacewayCompliance(
+            azimuths=phi,
+            absolute=absolute,
+            translation=np.zeros((2, *deviation.shape)),
+            support_stiffness=inf,
+            unknowns=self.ring.raceway.unknowns,
+            elements=self.ring.raceway.elements,
+            seconds=self.ring.raceway.seconds,
+            initial_deviation=deviation,
+        )
