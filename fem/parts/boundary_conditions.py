@@ -147,7 +147,7 @@ class FreeMotions:
 
 
 def free_motions(support: Support) -> FreeMotions:
-    """Rigid motions that a support leaves to the ring; lines take translations, see `section.ring_on_lines`."""
+    """Rigid motions that a support leaves to the ring; lines take some, see `section.ring_on_lines`."""
     match support:
         case LineSupports() | PlanetGear():
             return FreeMotions(axial=True, turning=True, across=True)

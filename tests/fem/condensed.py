@@ -3,6 +3,7 @@
 from fem import Resolution
 from fem.condense import BEAM, HARMONICS, SMEARED, SOLID, condense_in_process
 from fem.section.expansion import raceway_expansion
+from fem.stages import unheard
 
 
 def by_harmonics(part, length, axial_modes, mesh, harmonics=None):
@@ -17,8 +18,8 @@ def as_beam(part, length, axial_modes, harmonics=None):
     return condense_in_process(part, BEAM, _resolution(length, axial_modes, None, harmonics))
 
 
-def as_solid(part, patches, mesh, threads=2):
-    return condense_in_process(part, SOLID, of_a_solid(patches, mesh, threads))
+def as_solid(part, patches, mesh, threads=2, report=unheard):
+    return condense_in_process(part, SOLID, of_a_solid(patches, mesh, threads), report)
 
 
 def expansion_of(part, length, axial_modes, mesh, load):

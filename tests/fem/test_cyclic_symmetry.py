@@ -15,7 +15,7 @@ from fem import Elastic, ImpossiblePart, MeshSize, Patches, SquirrelCage
 from fem.assembly import roller_loads
 from fem.assembly.factorisation import NotSolved, factorised, threads
 from fem.cage import cyclic_symmetry
-from fem.cage.half_pitch_stiffness import face, half
+from fem.cage.half_pitch_stiffness import assembled_half_pitch, reduced_to_cut
 from fem.mesh import half_pitch
 from fem.mesh.solid import MILLIMETRES, solids
 from fem.solid import condensation
@@ -81,9 +81,9 @@ def test_half_a_pitch_answers_like_the_whole_cage(bars, monkeypatch):
     cage, highest, shapes = replace(STUMPS, bars=bars), 3, 2
     with threads(1):
         piece = half_pitch.half_pitch(cage, L, MeshSize(order=1, size=5e-3, raceway_size=5e-3))
-        part = half(cage, piece, 2)
+        part = assembled_half_pitch(cage, piece, 2)
         band = roller_loads.band(part.space, "raceway", 10)
-        faces = [face(part, band, L, shapes, highest, symmetric) for symmetric in (True, False)]
+        faces = [reduced_to_cut(part, band, L, shapes, highest, symmetric) for symmetric in (True, False)]
         found = cyclic_symmetry._response(part, faces, bars, highest)
 
         mesh = whole(piece, bars)
@@ -166,9 +166,9 @@ def test_support_and_own_compliance_of_the_main_case():
 
 def test_unbalanced_solution_is_noticed():
     with threads(1):
-        part = half(STUMPS, half_pitch.half_pitch(STUMPS, L, COARSE), 2)
+        part = assembled_half_pitch(STUMPS, half_pitch.half_pitch(STUMPS, L, COARSE), 2)
         band = roller_loads.band(part.space, "raceway", 10)
-        faces = [face(part, band, L, M, 3, symmetric) for symmetric in (True, False)]
+        faces = [reduced_to_cut(part, band, L, M, 3, symmetric) for symmetric in (True, False)]
     wrong = replace(faces[0], stiffness=faces[0].stiffness * (1 + 1e-6))
     with pytest.raises(NotSolved, match="residual"):
         cyclic_symmetry._response(part, [wrong, faces[1]], STUMPS.bars, 3)

@@ -225,7 +225,7 @@ def test_more_harmonics_than_the_mesh_holds_are_refused():
 
 def test_what_is_not_a_body_of_revolution_is_refused():
     with pytest.raises(ImpossiblePart, match="SquirrelCage"):
-        by_harmonics(CAGE, L, 3, COARSE)  # pyright: ignore[reportArgumentType]
+        sections(CAGE, L)
 
 
 def test_band_longer_than_the_track_is_refused():

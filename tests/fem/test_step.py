@@ -216,7 +216,10 @@ def test_condensing_reports_a_wrong_drawing_before_meshing():
     rollers = Patches(azimuths=(0.0,), length=12e-3, axial_modes=2, width=1e-3)
     with pytest.raises(ImpossiblePart, match="allowed is the raceway"):
         as_solid(
-            part(plain()), rollers, MeshSize(order=1, size=8e-3, raceway_size=6e-3), lambda *a: told.append(a)
+            part(plain()),
+            rollers,
+            MeshSize(order=1, size=8e-3, raceway_size=6e-3),
+            report=lambda *a: told.append(a),
         )
     assert told == [("mesh", None)]
 
