@@ -37,14 +37,26 @@ class Resolution:
 
     @property
     def mesh(self) -> MeshSize:
-        """Element sizes; raises `ImpossiblePart` where there are none."""
+        """Element sizes.
+
+        Raises
+        ------
+        ImpossiblePart
+            if none are given
+        """
         if self.mesh_size is None:
             raise ImpossiblePart("mesh_size = None is impossible; allowed is a MeshSize, but for a beam")
         return self.mesh_size
 
     @property
     def patches(self) -> Patches:
-        """Loaded patches on a solid; raises `ImpossiblePart` where rollers have no azimuth or width."""
+        """Loaded patches on a solid.
+
+        Raises
+        ------
+        ImpossiblePart
+            if the rollers have no azimuths, or the patches no width
+        """
         if self.azimuths is None or self.patch_width is None:
             raise ImpossiblePart(
                 f"azimuths = {self.azimuths}, patch_width = {self.patch_width} are impossible for a solid; "
