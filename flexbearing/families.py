@@ -21,8 +21,8 @@ _FOUR_POINT = Family(
     build=entry("flexbearing.runs.four_point:bearing"),
     opening=entry("flexbearing.runs.ball:opening"),
     solve=entry("flexbearing.runs.ball:solve_four_point"),
-    layout=entry("flexbearing.results.ball_layout:FOUR_POINT_LAYOUT"),
-    look=entry("flexbearing.report.ball_look:FOUR_POINT"),
+    layout=entry("flexbearing.quantities.four_point:LAYOUT"),
+    look=entry("flexbearing.report.four_point_look:LOOK"),
 )
 _ANGULAR = Family(
     kind="angular_contact_ball",
@@ -30,8 +30,8 @@ _ANGULAR = Family(
     build=entry("flexbearing.runs.angular_contact:build"),
     opening=entry("flexbearing.runs.ball:opening"),
     solve=entry("flexbearing.runs.ball:solve_angular"),
-    layout=entry("flexbearing.results.ball_layout:ANGULAR_LAYOUT"),
-    look=entry("flexbearing.report.ball_look:ANGULAR"),
+    layout=entry("flexbearing.quantities.angular_contact:LAYOUT"),
+    look=entry("flexbearing.report.angular_contact_look:LOOK"),
 )
 
 FAMILIES = {family.kind: family for family in (_ROLLER, _FOUR_POINT, _ANGULAR)}

@@ -36,6 +36,7 @@ class SummaryValue:
     in_si: bool = False  # the summary holds it in SI units, its row in the unit for people
     parts: tuple[str, ...] = ()  # names of its entries, such as inner and outer
     section: str = ""  # of the page
+    beside: str = ""  # key without which it has no row: a value that then is zero by assumption
     error: str = ""  # name of its estimated numerical error in the attribute error_estimate
     error_relative: bool = True  # the estimate is over the value
 
@@ -107,12 +108,15 @@ def taken(quantities: Iterable[Quantity], solved: Mapping[str, Any]) -> dict[str
 
 
 def _followed(source: str, solved: Mapping[str, Any]) -> Any:
-    """The value at a source: attributes, numbers as indices, and methods without arguments."""
+    """The value at a source: attributes, names of a mapping, numbers as indices, methods called."""
     part, *words = source.split(".")
     value: Any = solved.get(part)
     for word in words:
         if value is None:
             return None
-        value = value[int(word)] if word.isdigit() else getattr(value, word)
+        if word.isdigit():
+            value = value[int(word)]
+        else:
+            value = value[word] if isinstance(value, Mapping) else getattr(value, word)
         value = value() if callable(value) else value
     return value

@@ -107,3 +107,18 @@ def stacked(*rows: np.ndarray) -> np.ndarray:
 def touching_both(forces: np.ndarray) -> int:
     """Count the rollers with a force at both ends, from the forces (2, Z) at either end."""
     return int(np.count_nonzero((forces > 0).all(axis=0)))
+
+
+def at_inner_race(values: np.ndarray) -> np.ndarray:
+    """Values at the inner race, where races are the last axis."""
+    return values[..., 0]
+
+
+def displacements(values: np.ndarray) -> np.ndarray:
+    """The first three of five: displacements or forces along x, y, z."""
+    return values[:3]
+
+
+def tilts(values: np.ndarray) -> np.ndarray:
+    """The last two of five: tilts or moments about y and z."""
+    return values[3:]

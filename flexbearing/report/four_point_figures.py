@@ -6,16 +6,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from flexbearing.quantities.reductions import LOADED
-from flexbearing.report.ball_axes import STYLES, around, close_ring, stacked
-from flexbearing.report.four_point_compared import compared_loads
+from flexbearing.quantities.reductions import LOADED, RACES
+from flexbearing.report.ball_panels import STYLES, around, close_ring, stacked
 from flexbearing.results import Result
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-RACES = ("inner", "outer")
 ARROWS = (23, 7)  # at most, across and along a contact
 
 
@@ -36,14 +34,14 @@ def pictures(result: Result) -> dict[str, Figure]:
     """
     if not result.rigid:
         return {}
-    found = {}
+    figures = {}
     if "ring_load" in result.rigid:
-        found |= {"ball_loads": ball_loads(result), "ball_torques": ball_torques(result)}
+        figures |= {"ball_loads": ball_loads(result), "ball_torques": ball_torques(result)}
     if result.flexible:
-        found["rigid_and_elastic_rings"] = compared_loads(result)
+        figures["rigid_and_elastic_rings"] = compared_loads(result)
     for place, ball in enumerate(_last(result)["field_ball"].astype(int)):
-        found[f"contacts_of_ball_{ball}"] = contact_fields(result, place)
-    return found
+        figures[f"contacts_of_ball_{ball}"] = contact_fields(result, place)
+    return figures
 
 
 def _last(result: Result) -> Any:
@@ -65,6 +63,27 @@ def ball_loads(result: Result) -> Figure:
     lower.set_ylabel("contact angle [deg]")
     close_ring(lower)
     figure.legend(loc="outside lower center", ncols=2, frameon=False)
+    return figure
+
+
+def compared_loads(result: Result) -> Figure:
+    """Draw loads and contact angles of both diagonals around the ring, rigid in dashes."""
+    figure, (upper, lower) = stacked(result, "Contact loads and angles at the inner race", 2)
+    for values, look, rings in (
+        (result.rigid, {"linestyle": "--", "marker": "", "alpha": 0.6}, "rigid"),
+        (result.flexible, {}, "elastic"),
+    ):
+        for diagonal in range(2):
+            load = values["contact_load"][:, diagonal, 0]
+            angle = np.where(load > LOADED, np.degrees(values["contact_angle"][:, diagonal, 0]), np.nan)
+            style = {**STYLES[diagonal], **look}
+            label = f"diagonal {diagonal + 1}, {rings} rings, largest {load.max():,.0f} N"
+            around(upper, values["ball_azimuth"], load, {**style, "label": label})
+            around(lower, values["ball_azimuth"], angle, style)
+    upper.set_ylabel("contact load [N]")
+    lower.set_ylabel("contact angle [deg]")
+    close_ring(lower)
+    figure.legend(loc="outside lower center", ncols=2, frameon=False, fontsize=8)
     return figure
 
 
@@ -154,12 +173,12 @@ def _panels(result: Result, what: str, heights: list[float]) -> tuple[Figure, li
     return figure, list(grid[:, 0])
 
 
-def _draw_shear(axes: Axes, values: Any, one: tuple[int, ...], largest: float) -> Any:
+def _draw_shear(axes: Axes, values: Any, index: tuple[int, ...], largest: float) -> Any:
     """Size in colours, cut at the edge of the contact, and direction in arrows."""
     from matplotlib.patches import Ellipse
 
-    across, along = 1e3 * values["field_across"][one], 1e3 * values["field_along"][one]
-    shear = np.array([values["shear_across"][one], values["shear_along"][one]])
+    across, along = 1e3 * values["field_across"][index], 1e3 * values["field_along"][index]
+    shear = np.array([values["shear_across"][index], values["shear_along"][index]])
     size = np.hypot(*shear)
     levels = np.linspace(0, 1.0001 * largest, 41)
     field = axes.contourf(across, along, 1e-6 * size, levels, cmap="YlOrRd")

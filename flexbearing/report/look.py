@@ -15,9 +15,8 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Look:
-    """Summary, page and pictures of a result."""
+    """Page and pictures of a result; its summary follows from the quantities of its family."""
 
-    summary: Callable[[Result], dict[str, Any]]
     page: Callable[[dict[str, Any]], Iterator[RenderableType]]  # of the summary
     pictures: Callable[[Result], dict[str, Figure]]  # by the names of their files
     deformed: bool = False  # whether deformed rings can be drawn

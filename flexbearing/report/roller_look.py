@@ -1,10 +1,7 @@
 """How results of a cylindrical roller bearing are shown."""
 
-from functools import partial
-
-from flexbearing.quantities.roller import LAYOUT
-from flexbearing.report import roller_figures, roller_page
 from flexbearing.report.look import Look
-from flexbearing.report.summary_values import summary
+from flexbearing.report.roller_figures import pictures
+from flexbearing.report.roller_page import page
 
-LOOK = Look(partial(summary, layout=LAYOUT), roller_page.page, roller_figures.pictures, deformed=True)
+LOOK = Look(page, pictures, deformed=True)

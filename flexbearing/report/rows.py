@@ -22,7 +22,10 @@ def value(entry: SummaryValue, block: dict[str, Any] | None, part: str = "") -> 
     number: Any = block
     for key in (*entry.key.split("."), *([part] if part else [])):
         number = None if number is None else number[key]
-    return number * unit_of(entry).scale if entry.in_si and number is not None else number
+    if number is None or not entry.in_si:
+        return number
+    scale = unit_of(entry).scale
+    return [scale * end for end in number] if isinstance(number, list) else scale * number
 
 
 def shown(entry: SummaryValue, number: Any) -> str:

@@ -1,22 +1,12 @@
-"""Summary, text and pictures of a result, by the record of its family."""
+"""Text and pictures of a result, by the record of its family."""
 
 from io import StringIO
 from pathlib import Path
-from typing import Any
 
 from rich.console import Console, Group
 
-from flexbearing.report.look import Look
+from flexbearing.report.summary_values import summary
 from flexbearing.results import Result
-
-
-def _look(result: Result) -> Look:
-    return result.family.look()
-
-
-def summary(result: Result) -> dict[str, Any]:
-    """Numbers of a run as one object that JSON can hold; a name carries its unit."""
-    return _look(result).summary(result)
 
 
 def text(result: Result, console: Console | None = None) -> str:
@@ -35,9 +25,8 @@ def text(result: Result, console: Console | None = None) -> str:
         tables, the assumed and calibrated keys, the notes, and how the run ended; nothing is printed
     """
     console = console or Console(width=80, file=StringIO(), force_terminal=False, color_system=None)
-    look = _look(result)
     with console.capture() as capture:
-        console.print(Group(*look.page(look.summary(result))))
+        console.print(Group(*result.family.look().page(summary(result))))
     return "\n".join(line.rstrip() for line in capture.get().splitlines()) + "\n"
 
 
@@ -59,7 +48,7 @@ def write_figures(result: Result, directory: str | Path) -> list[Path]:
     directory = Path(directory)
     directory.mkdir(parents=True, exist_ok=True)
     paths = []
-    for name, figure in _look(result).pictures(result).items():
+    for name, figure in result.family.look().pictures(result).items():
         paths.append(directory / f"{name}.png")
         figure.savefig(paths[-1], dpi=150)
     return paths

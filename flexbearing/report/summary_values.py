@@ -9,15 +9,13 @@ from flexbearing.quantities.layout import Layout
 from flexbearing.results import Arrays, Result
 
 
-def summary(result: Result, layout: Layout) -> dict[str, Any]:
+def summary(result: Result) -> dict[str, Any]:
     """Numbers of a run as one object that JSON can hold.
 
     Parameters
     ----------
     result : Result
         what the run left behind
-    layout : Layout
-        of its family
 
     Returns
     -------
@@ -26,6 +24,7 @@ def summary(result: Result, layout: Layout) -> dict[str, Any]:
         a number that is not finite, for one that the case does not ask for, and for a block that was never
         solved.
     """
+    layout: Layout = result.family.layout()
     head = {name: plain(result.attributes.get(name)) for name in layout.head}
     blocks = {"rigid": result.rigid, "flexible": result.flexible}
     settings = {key: result.attributes["case_si"][table][name] for key, table, name in layout.case_keys}
@@ -69,9 +68,3 @@ def plain(value: Any) -> Any:
 
 def _is_empty(value: Any) -> bool:
     return isinstance(value, dict) and all(item is None for item in value.values())
-
-
-def both_races(pair: Any) -> dict[str, Any]:
-    """Name the values of both races."""
-    inner, outer = pair
-    return {"inner": inner, "outer": outer}

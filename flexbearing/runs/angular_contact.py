@@ -3,11 +3,13 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 import quasidynamic as qd
 from flexbearing.build.ball_parts import ball, groove
 from flexbearing.case.balls.angular_contact import AngularCase
+from flexbearing.quantities.angular_contact import LAYOUT
+from flexbearing.quantities.quantity import taken
 from quasidynamic.outcome.rolling_contact import RollingContact
 from quasidynamic.outcome.truncation import USUAL_SHOULDER
 
@@ -66,36 +68,14 @@ def solved(case: AngularCase) -> Solution:
         return Solution(state, None, str(problem))
 
 
-def arrays(case: AngularCase, solution: Solution) -> dict[str, ArrayLike]:
-    """Datasets of the solution."""
-    state = solution.state
-    across, along = state.semi_axes
-    datasets: dict[str, ArrayLike] = {
-        "ball_azimuth": state.bearing.azimuths,
-        "contact_load": state.loads,
-        "contact_angle": state.contact_angles,
-        "traction": state.tractions,
-        "needed_friction": state.needed_friction,
-        "peak_pressure": state.peak_pressures,
-        "semi_axis_across": across,
-        "semi_axis_along": along,
-        "orbital_speed": state.orbital_speed,
-        "ball_speed": state.ball_speed,
-        "ball_attitude": state.attitude,
-        "ball_yaw": state.yaw,
-        "centrifugal_force": state.centrifugal_force,
-        "gyroscopic_moment": state.gyroscopic_moment,
-        "ring_load": state.ring_load,
-        "ring_displacement": state.ring_displacement,
-        "stiffness_matrix": state.stiffness,
-    }
-    heat, torque = state.friction_heat, state.friction_torque
-    if heat is not None and torque is not None:
-        datasets |= {"friction_heat": heat, "friction_torque": torque}
-    return datasets if solution.contact is None else datasets | _lines(case, state, solution.contact)
+def block(case: AngularCase, solution: Solution) -> dict[str, NDArray]:
+    """Quantities of the solution."""
+    state, contact = solution.state, solution.contact
+    lines = None if contact is None else _lines(case, state, contact)
+    return taken(LAYOUT.quantities, {"state": state, "lines": lines})
 
 
-def _lines(case: AngularCase, state: qd.AngularContactState, contact: RollingContact) -> dict[str, ArrayLike]:
+def _lines(case: AngularCase, state: qd.AngularContactState, contact: RollingContact) -> dict[str, NDArray]:
     """Pure rolling lines; not a number for balls that do not touch both races."""
 
     def spread(values: NDArray) -> NDArray:

@@ -34,12 +34,12 @@ def solve_four_point(case: FourPointCase, file: ResultFile, report: Report) -> d
     try:
         report.stage("slow balls between rigid rings", None)
         found = four_point.solved(case)
-        file.block("rigid", four_point.arrays(case, found))
+        file.block("rigid", four_point.block(found))
         if not case.rings.rigid:
             compliance = bolted.compliance(case, report)
             report.stage("slow balls between elastic rings", None)
             found = four_point.solved(case, compliance)
-            file.block("flexible", four_point.arrays(case, found))
+            file.block("flexible", four_point.block(found))
     except (NotSolved, RingNotSolved) as failure:
         return _not_solved(failure)
     except (ImpossiblePart, OutOfRange) as problem:
@@ -67,7 +67,7 @@ def solve_angular(case: AngularCase, file: ResultFile, report: Report) -> dict[s
     except (ImpossiblePart, OutOfRange) as problem:
         raise BadCase(f"{case.source.path}: {problem}") from problem
     message = f"ring and balls in balance after {found.state.evaluations} evaluations of all balls"
-    return _stored(file, angular_contact.arrays(case, found), message, angular_contact.notes(case, found))
+    return _stored(file, angular_contact.block(case, found), message, angular_contact.notes(case, found))
 
 
 def _stored(

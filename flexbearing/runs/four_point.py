@@ -3,11 +3,13 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 import quasidynamic as qd
 from flexbearing.build.ball_parts import ball, groove
 from flexbearing.case.balls.four_point import FourPointCase
+from flexbearing.quantities.four_point import LAYOUT
+from flexbearing.quantities.quantity import taken
 from flexbearing.rings import bolted
 from quasidynamic.solve.balls.elastic_load_distribution import ElasticBallLoads
 from quasidynamic.solve.balls.load_distribution import BallLoads
@@ -20,8 +22,47 @@ SIGN = np.array([1.0, -1.0])  # of the torques on inner and outer ring
 class Solution:
     """A solved case."""
 
+    case: FourPointCase
     balls: qd.SlidingBalls
     distribution: BallLoads | None  # None when contact loads are given
+
+    @property
+    def azimuths(self) -> NDArray:
+        """Places of the balls (Z) [rad]."""
+        count = len(self.balls.load)
+        return 2 * np.pi * np.arange(count) / count
+
+    @property
+    def ball_motion(self) -> NDArray:
+        """Angular velocities (Z, 3) [rad/s] at the speed of the case, which is right-handed about -x."""
+        return -self.balls.sliding.motion * self.case.operation.speed
+
+    @property
+    def ball_torque(self) -> NDArray:
+        """Torque of each ball on both rings (Z, 2) [N m] by the formula of the case."""
+        torques = self.balls.torques
+        sliding = torques.total if self.case.friction.torque == "exact" else torques.circumferential
+        return sliding + SIGN * self.balls.hysteresis[:, None]
+
+    @property
+    def torque(self) -> NDArray:
+        """Torque of all balls on both rings (2) [N m]."""
+        return self.ball_torque.sum(0)
+
+    @property
+    def power_loss(self) -> float:
+        """Heat of friction and hysteresis at the speed of the case [W]."""
+        return self.balls.torque * self.case.operation.speed
+
+    @property
+    def ring_load(self) -> NDArray | None:
+        """Load on the inner ring (5) [N, N m]; None when contact loads are given."""
+        return None if self.distribution is None else np.array(self.case.operation.load.values)
+
+    @property
+    def ring_deflection(self) -> NDArray | None:
+        """Approach of opposite groove centres by elastic rings (Z, G, 2) [m]; None between rigid ones."""
+        return self.distribution.deflection if isinstance(self.distribution, ElasticBallLoads) else None
 
 
 def bearing(case: FourPointCase) -> qd.FourPointBallBearing:
@@ -74,87 +115,38 @@ def solved(case: FourPointCase, compliance: NDArray | None = None) -> Solution:
             ),
             compliance,
         )
-        return Solution(equilibrium.balls, equilibrium.distribution)
+        return Solution(case, equilibrium.balls, equilibrium.distribution)
     loads = np.array(case.operation.contact_loads)
     shape = (case.balls, len(loads), 2)
     angle = np.full(shape, case.bearing.contact_angle)
-    return Solution(model.slide(angle, np.broadcast_to(loads[:, None], shape)), None)
+    return Solution(case, model.slide(angle, np.broadcast_to(loads[:, None], shape)), None)
 
 
-def arrays(case: FourPointCase, solution: Solution) -> dict[str, ArrayLike]:
-    """Datasets of the solution."""
-    balls, speed = solution.balls, case.operation.speed
-    count = len(balls.load)
-    return (
-        {
-            "ball_azimuth": 2 * np.pi * np.arange(count) / count,
-            "contact_load": balls.load,
-            "contact_angle": balls.contacts.angle,
-            "peak_pressure": balls.peak_pressure,
-            "semi_axis_across": balls.ellipse.across,
-            "semi_axis_along": balls.ellipse.along,
-            "friction_coefficient": balls.friction,
-            "ball_motion": -balls.sliding.motion * speed,  # a positive speed is right-handed about -x
-            "ball_speed_ratio": balls.ball_speed,
-            "ball_attitude": balls.axis_angle,
-            "power_loss": balls.torque * speed,
-            "ball_imbalance": balls.sliding.imbalance,
-        }
-        | _torques(case, balls)
-        | _ring(case, solution.distribution)
-        | _fields(case, balls)
-    )
-
-
-def _torques(case: FourPointCase, balls: qd.SlidingBalls) -> dict[str, ArrayLike]:
-    parts = balls.torques
-    sliding = parts.total if case.friction.torque == "exact" else parts.circumferential
-    ball_torque = sliding + SIGN * balls.hysteresis[:, None]
-    return {
-        "spin_torque": parts.spin,
-        "roll_torque": parts.roll,
-        "circumferential_torque": parts.circumferential,
-        "hysteresis_torque": balls.hysteresis,
-        "ball_torque": ball_torque,
-        "torque": ball_torque.sum(0),
+def block(solution: Solution) -> dict[str, NDArray]:
+    """Quantities of the solution."""
+    solved = {
+        "solution": solution,
+        "balls": solution.balls,
+        "ring": solution.distribution,
+        "fields": _fields(solution.case, solution.balls),
     }
+    return taken(LAYOUT.quantities, solved)
 
 
-def _ring(case: FourPointCase, distribution: BallLoads | None) -> dict[str, ArrayLike]:
-    if distribution is None:
-        return {}
-    arrays: dict[str, ArrayLike] = {
-        "ring_load": case.operation.load.values,
-        "ring_displacement": distribution.displacement,
-        "stiffness_matrix": distribution.stiffness,
-        "ring_imbalance": distribution.imbalance,
-    }
-    if isinstance(distribution, ElasticBallLoads):
-        arrays["ring_yield"] = distribution.deflection
-    return arrays
-
-
-def _fields(case: FourPointCase, balls: qd.SlidingBalls) -> dict[str, ArrayLike]:
+def _fields(case: FourPointCase, balls: qd.SlidingBalls) -> dict[str, NDArray]:
     """Slip and shear over every contact of the chosen balls."""
     chosen = case.fields.balls or (int(balls.load.sum((1, 2)).argmax()),)
-    diagonals, points = balls.load.shape[1], case.fields.points
-    names = {
-        "field_across": "x",
-        "field_along": "y",
-        "slip_along": "slip_along",
-        "slip_across": "slip_across",
-        "shear_along": "shear_along",
-        "shear_across": "shear_across",
-    }
-    fields = {name: np.zeros((len(chosen), diagonals, 2, points, points)) for name in names}
+    diagonals, points, speed = balls.load.shape[1], case.fields.points, case.operation.speed
+    scales = {"x": 1.0, "y": 1.0, "slip_along": speed, "slip_across": speed}
+    scales |= {"shear_along": 1.0, "shear_across": 1.0}
+    fields = {name: np.zeros((len(chosen), diagonals, 2, points, points)) for name in scales}
     for place in np.ndindex(len(chosen), diagonals, 2):
         contact = (chosen[place[0]], place[1], place[2])
         if balls.load[contact] > 0 and balls.sliding.driven[contact[0]]:
             field = balls.field(*contact, points)
-            for name, value in names.items():
-                scale = case.operation.speed if name.startswith("slip") else 1.0
-                fields[name][place] = scale * field[value]
-    return {"field_ball": chosen, **fields}
+            for name, scale in scales.items():
+                fields[name][place] = scale * field[name]
+    return {"balls": np.array(chosen), **fields}
 
 
 def notes(case: FourPointCase, solution: Solution) -> tuple[str, ...]:

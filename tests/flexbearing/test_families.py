@@ -15,8 +15,9 @@ from flexbearing.case.head import KIND, Head
 from flexbearing.case.quantity import Force, Length, Section, key
 from flexbearing.cli import main
 from flexbearing.families import FAMILIES
-from flexbearing.quantities import Quantity
+from flexbearing.quantities import Quantity, SummaryValue
 from flexbearing.quantities.layout import Layout
+from flexbearing.quantities.units import MPA
 from flexbearing.report import text, write_figures
 from flexbearing.report.look import Look
 from quasidynamic import ImpossiblePart
@@ -54,8 +55,16 @@ def solve(case, file, report):
     }
 
 
-def summary(result):
-    return {"kind": result.kind, "pressure_MPa": 1e-6 * float(result.rigid["pressure"])}
+PRESSURE = Quantity(
+    "pressure",
+    "p",
+    "",
+    "Pa",
+    "block",
+    "load over projected area",
+    people=MPA,
+    summary=(SummaryValue("pressure_MPa"),),
+)
 
 
 TOY = Family(
@@ -66,11 +75,11 @@ TOY = Family(
     solve=lambda: solve,
     layout=lambda: Layout(
         conventions="No axes.\n",
-        quantities=(Quantity("pressure", "p", "", "Pa", "block", "load over projected area"),),
+        quantities=(PRESSURE,),
         blocks=("rigid",),
     ),
     look=lambda: Look(
-        summary, lambda numbers: iter([Text(f"{numbers['pressure_MPa']:g} MPa")]), lambda result: {}
+        lambda numbers: iter([Text(f"{numbers['rigid']['pressure_MPa']:g} MPa")]), lambda result: {}
     ),
 )
 FILE = """
@@ -99,7 +108,7 @@ def test_new_family_is_read_checked_run_and_shown(file):
     result = flexbearing.run(file)
     assert result.attributes["status"] == "converged"
     assert flexbearing.read_result(result.path).rigid["pressure"] == pytest.approx(1e7, rel=1e-15)
-    assert flexbearing.summary(result) == {"kind": "bushing", "pressure_MPa": pytest.approx(10.0, rel=1e-12)}
+    assert flexbearing.summary(result)["rigid"] == {"pressure_MPa": pytest.approx(10.0, rel=1e-12)}
     assert text(result) == "10 MPa\n"
     assert write_figures(result, file.parent) == []
 
@@ -123,6 +132,5 @@ def test_command_line_knows_a_new_family(file, capsys, monkeypatch):
         with pytest.raises(SystemExit) as end:
             main()
         assert end.value.code == 0
-    assert json.loads(capsys.readouterr().out.partition("results: out.h5")[2])[
-        "pressure_MPa"
-    ] == pytest.approx(np.float64(10.0), rel=1e-12)
+    block = json.loads(capsys.readouterr().out.partition("results: out.h5")[2])["rigid"]
+    assert block["pressure_MPa"] == pytest.approx(np.float64(10.0), rel=1e-12)

@@ -6,14 +6,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from flexbearing.report.ball_axes import STYLES, around, close_ring, stacked
+from flexbearing.quantities.reductions import RACES
+from flexbearing.report.ball_panels import STYLES, around, close_ring, stacked
 from flexbearing.results import Result
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-
-RACES = ("inner", "outer")
 
 
 def pictures(result: Result) -> dict[str, Figure]:
@@ -31,10 +30,10 @@ def pictures(result: Result) -> dict[str, Figure]:
     """
     if not result.rigid:
         return {}
-    found = {"ball_loads": ball_loads(result)}
+    figures = {"ball_loads": ball_loads(result)}
     if "line_count" in result.rigid:
-        found |= {"rolling_lines": rolling_lines(result), "slip_profiles": slip_profiles(result)}
-    return found
+        figures |= {"rolling_lines": rolling_lines(result), "slip_profiles": slip_profiles(result)}
+    return figures
 
 
 def ball_loads(result: Result) -> Figure:
@@ -90,9 +89,9 @@ def slip_profiles(result: Result) -> Figure:
     return figure
 
 
-def _draw_slip(axes: Axes, values: Any, one: tuple[int, int], color: str, label: str | None) -> None:
-    axes.plot(values["slip_position"], 1e3 * values["slip_profile"][one], color=color, label=label)
-    first, second = values["first_line"][one], values["second_line"][one]
+def _draw_slip(axes: Axes, values: Any, contact: tuple[int, int], color: str, label: str | None) -> None:
+    axes.plot(values["slip_position"], 1e3 * values["slip_profile"][contact], color=color, label=label)
+    first, second = values["first_line"][contact], values["second_line"][contact]
     axes.plot(second, 0, marker="o", markerfacecolor="white", color=color, clip_on=False)
-    if values["line_count"][one] == 2:
+    if values["line_count"][contact] == 2:
         axes.plot(first, 0, marker="s", color=color, clip_on=False)

@@ -1,0 +1,190 @@
+"""Output quantities of a fast angular-contact ball bearing.
+
+The page of a result shows its rows in the order of declaration, those of two races in a table of their own.
+"""
+
+import numpy as np
+
+from flexbearing.quantities.attributes import HEAD
+from flexbearing.quantities.layout import Layout
+from flexbearing.quantities.quantity import Quantity, SummaryValue, Unit
+from flexbearing.quantities.reductions import RACES, displacements, finite_range, tilts
+from flexbearing.quantities.units import COUNT, DEG, MM, MPA, MRAD, RPM, UM
+
+RING = "ring"  # section of the page
+_APART = "NaN for a ball that does not touch both races"
+_COULOMB = "with control coulomb"
+_ORDER = "x, y, z, about y, about z"
+
+
+def _balls(load: np.ndarray) -> int:
+    return load.shape[1]
+
+
+def _balls_on_both_races(load: np.ndarray) -> int:
+    return int((load > 0).all(0).sum())
+
+
+def _range_of_races(values: np.ndarray) -> np.ndarray:
+    return np.array([finite_range(race) for race in values])
+
+
+def _largest_of_races(values: np.ndarray) -> np.ndarray:
+    return values.max(1)
+
+
+def _one_line(count: np.ndarray) -> np.ndarray:
+    return (count == 1).sum(1)
+
+
+def _two_lines(count: np.ndarray) -> np.ndarray:
+    return (count == 2).sum(1)
+
+
+def _largest_slip_of_races(slip: np.ndarray) -> np.ndarray:
+    return np.nanmax(np.abs(slip), axis=(1, 2))
+
+
+# declarations read best as a table:
+# fmt: off
+QUANTITIES = (
+    # contacts
+    Quantity("contact_load", "Q", "2 Z", "N", "block", "normal load, >= 0", source="state.loads", summary=(
+        SummaryValue("balls", _balls, "balls", "d", unit=COUNT),
+        SummaryValue("balls_on_both_races", _balls_on_both_races, "balls on both races", "d", unit=COUNT),
+        SummaryValue("contact_load_range_N", _range_of_races, "contact load", ",.1f", parts=RACES),
+        SummaryValue("contact_loads_N", parts=RACES),
+    )),
+    Quantity("ball_azimuth", "phi", "Z", "rad", "block",
+        "place of the ball, 0 on the z axis, positive towards y", source="state.bearing.azimuths", people=DEG,
+        summary=(SummaryValue("ball_azimuths_deg"),)),
+    Quantity("contact_angle", "alpha", "2 Z", "rad", "block", "contact angle from the radial plane",
+        source="state.contact_angles", people=DEG, summary=(
+            SummaryValue("contact_angle_range_deg", _range_of_races, "contact angle", ".2f", parts=RACES),
+            SummaryValue("contact_angles_deg", parts=RACES),
+        )),
+    Quantity("peak_pressure", "p", "2 Z", "Pa", "block", "largest pressure, 0 without load",
+        source="state.peak_pressures", people=MPA, summary=(
+            SummaryValue("peak_pressure_MPa", _largest_of_races, "peak pressure", ",.0f", parts=RACES),
+        )),
+    Quantity("semi_axis_across", "a", "2 Z", "m", "block",
+        "semi-axis across the rolling direction, 0 without load", source="state.semi_axes.0", people=MM,
+        summary=(SummaryValue("semi_axis_across_mm", _largest_of_races, "largest semi-axis across rolling",
+            ".4f", parts=RACES),)),
+    Quantity("semi_axis_along", "b", "2 Z", "m", "block",
+        "semi-axis along the rolling direction, 0 without load", source="state.semi_axes.1", people=MM,
+        summary=(SummaryValue("semi_axis_along_mm", _largest_of_races, "largest semi-axis along rolling",
+            ".4f", parts=RACES),)),
+    Quantity("traction", "T", "2 Z", "N", "block",
+        "friction along the groove section, which holds the gyroscopic moment", source="state.tractions"),
+    Quantity("needed_friction", "", "2 Z", "1", "block", "that traction over the load, 0 without load",
+        summary=(SummaryValue("needed_friction", _largest_of_races,
+            "friction that holds the gyroscopic moment", ".4f", parts=RACES),)),
+
+    # motion
+    Quantity("orbital_speed", "omega_m", "Z", "rad/s", "block",
+        "speed of the ball centre about the shaft, positive to +azimuth", people=RPM,
+        summary=(SummaryValue("orbital_speed_range_rpm", finite_range, "orbital speed", ",.0f"),)),
+    Quantity("ball_speed", "omega_R", "Z", "rad/s", "block",
+        "speed of the ball about its axis, in the orbiting frame", people=RPM,
+        summary=(SummaryValue("ball_speed_range_rpm", finite_range, "ball speed", ",.0f"),)),
+    Quantity("ball_attitude", "beta", "Z", "rad", "block",
+        "angle of the ball's axis to the shaft, signed like contact angles", source="state.attitude",
+        people=DEG,
+        summary=(SummaryValue("ball_attitude_range_deg", finite_range, "angle of the ball's axis", ".2f"),)),
+    Quantity("ball_yaw", "psi", "Z", "rad", "block",
+        "angle of the ball's axis out of the plane of the section, positive: -x end leads towards "
+        "+azimuth; 0 but with control coulomb", source="state.yaw", people=DEG,
+        summary=(SummaryValue("ball_yaw_range_deg", finite_range, "yaw of the ball's axis", ".3f",
+            beside="friction_torque_Nm"),)),
+    Quantity("centrifugal_force", "F_c", "Z", "N", "block", "force of the orbit, outwards",
+        summary=(SummaryValue("centrifugal_force_range_N", finite_range, "centrifugal force", ".3f"),)),
+    Quantity("gyroscopic_moment", "M_g", "Z", "N m", "block",
+        "moment that turns the ball's axis with the orbit", people=Unit("mN m", 1e3),
+        summary=(SummaryValue("gyroscopic_moment_range_Nm", finite_range, "gyroscopic moment", ".4f",
+            in_si=True),)),
+    Quantity("friction_torque", "", "", "N m", "block", f"torque between the rings by friction; {_COULOMB}",
+        optional=True,
+        summary=(SummaryValue("friction_torque_Nm", label="friction torque", digits=".4g"),)),
+    Quantity("friction_heat", "Phi", "Z", "W", "block", f"heat of friction of both contacts; {_COULOMB}",
+        optional=True,
+        summary=(SummaryValue("friction_heat_range_W", finite_range, "heat of friction of a ball", ".4g"),)),
+
+    # ring
+    Quantity("ring_load", "P", "5", "N, N m", "block",
+        f"what the balls carry for the inner ring ({_ORDER}): load or reaction",
+        summary=(SummaryValue("ring_load_N", displacements), SummaryValue("ring_moment_Nm", tilts))),
+    Quantity("ring_displacement", "delta", "5", "m, rad", "block",
+        f"displacement of the inner ring ({_ORDER})", summary=(
+            SummaryValue("ring_displacement_um", displacements, "displacement x, y, z", ".3f", unit=UM,
+                section=RING),
+            SummaryValue("ring_tilt_mrad", tilts, "turn about y, z", ".4f", unit=MRAD, section=RING),
+        )),
+    Quantity("stiffness_matrix", "K", "5 5", "N/m, N/rad, N m/m, N m/rad", "block",
+        f"load on the inner ring by its displacement ({_ORDER}), balls in balance", source="state.stiffness",
+        summary=(SummaryValue("stiffness_matrix_SI"),)),
+
+    # pure rolling lines
+    Quantity("line_parameter", "E", "2 Z", "1", "block",
+        f"E of the pure rolling lines, c1 + c2 = -E; {_APART}", source="lines.line_parameter",
+        optional=True, gaps=True,
+        summary=(SummaryValue("line_parameter_range", _range_of_races, "E of the pure rolling lines", ".3f",
+            parts=RACES),)),
+    Quantity("net_friction", "e", "2 Z", "1", "block",
+        f"e, friction in the rolling direction over coefficient times load; {_APART}",
+        source="lines.net_friction", optional=True, gaps=True),
+    Quantity("first_line", "c_1", "2 Z", "1", "block",
+        "c1, place over the semi-axis, positive towards the bottom of the grooves; at or below -1 it "
+        f"lies outside the contact; {_APART}", source="lines.first_line", optional=True, gaps=True, summary=(
+            SummaryValue("first_line_range", _range_of_races, "c1, first pure rolling line", ".3f",
+                parts=RACES),
+            SummaryValue("first_lines", parts=RACES),
+        )),
+    Quantity("second_line", "c_2", "2 Z", "1", "block",
+        f"c2, place over the semi-axis, positive towards the bottom of the grooves; {_APART}",
+        source="lines.second_line", optional=True, gaps=True, summary=(
+            SummaryValue("second_line_range", _range_of_races, "c2, second pure rolling line", ".3f",
+                parts=RACES),
+            SummaryValue("second_lines", parts=RACES),
+        )),
+    Quantity("line_count", "", "2 Z", "1", "block", f"lines inside the contact, 1 or 2; {_APART}",
+        source="lines.line_count", optional=True, gaps=True, summary=(
+            SummaryValue("balls_with_one_line", _one_line, "balls with one line", "d", parts=RACES),
+            SummaryValue("balls_with_two_lines", _two_lines, "balls with two lines", "d", parts=RACES),
+            SummaryValue("line_counts", parts=RACES),
+        )),
+    Quantity("spin_torque", "M_s", "2 Z", "N m", "block",
+        f"friction torque about the contact normal, integrated over the contact; {_APART}",
+        source="lines.spin_torque", optional=True, gaps=True),
+    Quantity("spin_torque_by_lines", "", "2 Z", "N m", "block",
+        f"the same from c1 and c2 alone, as for a narrow contact; {_APART}",
+        source="lines.spin_torque_by_lines", optional=True, gaps=True),
+    Quantity("spin_friction", "", "", "N m", "block",
+        "sum of spin_torque times the sine of the contact angle over all contacts, Eq. (24) of Rivera, "
+        "Tong and Hong (2021)", source="lines.spin_friction", optional=True,
+        summary=(SummaryValue("spin_friction_Nm", label="spin torque on the shaft", digits=".4g"),)),
+    Quantity("spin_friction_by_lines", "", "", "N m", "block", "the same of spin_torque_by_lines",
+        source="lines.spin_friction_by_lines", optional=True,
+        summary=(SummaryValue("spin_friction_by_lines_Nm", label="  by the pure rolling lines",
+            digits=".4g"),)),
+    Quantity("slip_position", "x/a", "P", "1", "block",
+        "place across the contact over the semi-axis, positive towards the bottom of the grooves",
+        source="lines.slip_position", optional=True),
+    Quantity("slip_profile", "v_t", "2 Z P", "m/s", "block",
+        f"slip in the rolling direction, ball minus race, across the middle of the contact; {_APART}",
+        source="lines.slip_profile", people=Unit("mm/s", 1e3), optional=True, gaps=True,
+        summary=(SummaryValue("largest_slip_mm_per_s", _largest_slip_of_races,
+            "largest slip across the middle", ",.1f", parts=RACES),)),
+)
+# fmt: on
+
+LAYOUT = Layout(
+    conventions="""\
+Axes: 2 races (inner, outer), Z balls, P points of the slip profile. Directions: x axial, towards the side to
+which the inner ring pushes the balls, z along the load; azimuth from z towards y, which is the way a positive
+speed turns.
+""",
+    quantities=QUANTITIES,
+    blocks=("rigid",),
+    head=("kind", *HEAD),
+)

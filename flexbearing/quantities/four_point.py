@@ -1,0 +1,217 @@
+"""Output quantities of a slow ball bearing of two or four contact points.
+
+The page of a result shows its rows in the order of declaration, those of two races in a table of their own.
+"""
+
+import numpy as np
+
+from flexbearing.quantities.attributes import HEAD
+from flexbearing.quantities.layout import Layout
+from flexbearing.quantities.quantity import Quantity, SummaryValue
+from flexbearing.quantities.reductions import (
+    LOADED,
+    RACES,
+    at_inner_race,
+    displacements,
+    finite_range,
+    largest,
+    tilts,
+)
+from flexbearing.quantities.units import COUNT, DEG, MM, MPA, MRAD, RPM, UM
+
+RING = "ring"  # section of the page
+TORQUE_PARTS = ("spin", "roll", "hysteresis", "total")
+_UNDRIVEN = "NaN for a ball that is not pressed on both rings"
+_GIVEN = "absent when contact loads are given"
+_ORDER = "x, y, z, about y, about z"
+
+
+def _loaded_balls(load: np.ndarray) -> int:
+    return int((load > LOADED).any((1, 2)).sum())
+
+
+def _loaded_contacts(load: np.ndarray) -> int:
+    return int((load > LOADED).sum())
+
+
+def _range_of_loaded(angle: np.ndarray, load: np.ndarray) -> np.ndarray:
+    return finite_range(angle[load > LOADED])
+
+
+def _largest_of_diagonals(values: np.ndarray) -> np.ndarray:
+    return values.max((0, 2))
+
+
+def _largest_of_races(values: np.ndarray) -> np.ndarray:
+    return values.max((0, 1))
+
+
+def _largest_distance(deflection: np.ndarray) -> np.ndarray:
+    return np.hypot(*deflection.T).max()
+
+
+def _torques(spin: np.ndarray, roll: np.ndarray, hysteresis: np.ndarray) -> np.ndarray:
+    """Parts of the torque of each ball on the inner ring (4, Z), in the order of `TORQUE_PARTS`."""
+    return np.array([spin[:, 0], roll[:, 0], hysteresis, spin[:, 0] + roll[:, 0] + hysteresis])
+
+
+def _sum_of_balls(*torques: np.ndarray) -> np.ndarray:
+    return _torques(*torques).sum(1)
+
+
+def _mean_of_balls(*torques: np.ndarray) -> np.ndarray:
+    return _torques(*torques).mean(1)
+
+
+def _ball_of_largest_torque(*torques: np.ndarray) -> np.ndarray:
+    parts = _torques(*torques)
+    return parts[:, parts[-1].argmax()]
+
+
+def _circumferential(torque: np.ndarray, hysteresis: np.ndarray) -> np.ndarray:
+    return torque[:, 0].sum() + hysteresis.sum()
+
+
+_OF_PARTS = ("spin_torque", "roll_torque", "hysteresis_torque")
+
+# declarations read best as a table:
+# fmt: off
+QUANTITIES = (
+    # loads
+    Quantity("contact_load", "Q", "Z G 2", "N", "block", "normal load, >= 0", source="balls.load", summary=(
+        SummaryValue("balls", len, "balls", "d", unit=COUNT),
+        SummaryValue("loaded_balls", _loaded_balls, "balls that carry load", "d", unit=COUNT),
+        SummaryValue("loaded_contacts", _loaded_contacts, "contacts that carry load", "d", unit=COUNT),
+        SummaryValue("max_contact_load_N", largest, "largest contact load", ",.1f"),
+        SummaryValue("max_contact_loads_N", _largest_of_diagonals),
+        SummaryValue("contact_loads_N", at_inner_race),
+    )),
+    Quantity("ball_azimuth", "phi", "Z", "rad", "block",
+        "place of the ball, 0 on the z axis, positive towards y", source="solution.azimuths", people=DEG,
+        summary=(SummaryValue("ball_azimuths_deg"),)),
+    Quantity("contact_angle", "alpha", "Z G 2", "rad", "block", "contact angle from the radial plane",
+        source="balls.contacts.angle", people=DEG, summary=(
+            SummaryValue("contact_angle_range_deg", _range_of_loaded, "contact angle", ".2f",
+                of=("contact_angle", "contact_load")),
+            SummaryValue("contact_angles_deg", at_inner_race),
+        )),
+    Quantity("peak_pressure", "p", "Z G 2", "Pa", "block", "largest pressure, 0 without load",
+        source="balls.peak_pressure", people=MPA, summary=(
+            SummaryValue("peak_pressure_MPa", _largest_of_races, "peak pressure", ",.0f", parts=RACES),
+        )),
+    Quantity("semi_axis_across", "a", "Z G 2", "m", "block",
+        "semi-axis across the rolling direction, 0 without load", source="balls.ellipse.across", people=MM,
+        summary=(SummaryValue("semi_axis_across_mm", _largest_of_races, "largest semi-axis across rolling",
+            ".4f", parts=RACES),)),
+    Quantity("semi_axis_along", "b", "Z G 2", "m", "block",
+        "semi-axis along the rolling direction, 0 without load", source="balls.ellipse.along", people=MM,
+        summary=(SummaryValue("semi_axis_along_mm", _largest_of_races, "largest semi-axis along rolling",
+            ".4f", parts=RACES),)),
+    Quantity("friction_coefficient", "mu", "Z G 2", "1", "block", "Coulomb friction at the peak pressure",
+        source="balls.friction"),
+
+    # motion
+    Quantity("ball_motion", "Omega_o, omega_x, omega_r", "Z 3", "rad/s", "block",
+        "angular velocity of the outer ring about x, of the ball about x and about the radial direction, "
+        "right-handed (rings that turn towards growing azimuth turn about -x), seen from the orbiting "
+        f"ball centre; {_UNDRIVEN}", source="solution.ball_motion", people=RPM, gaps=True),
+    Quantity("ball_speed_ratio", "", "Z", "1", "block",
+        f"speed of the ball over that of the inner ring, seen from the orbiting ball centre; {_UNDRIVEN}",
+        source="balls.ball_speed", gaps=True, summary=(
+            SummaryValue("ball_speed_ratio_range", finite_range, "ball speed over ring speed", ".2f"),
+            SummaryValue("ball_speed_ratios"),
+        )),
+    Quantity("ball_attitude", "", "Z", "rad", "block",
+        f"angle of the ball's speed from that of the inner ring, pi where axes are parallel; {_UNDRIVEN}",
+        source="balls.axis_angle", people=DEG, gaps=True, summary=(
+            SummaryValue("ball_attitude_range_deg", finite_range, "angle of the ball's axis", ".1f"),
+            SummaryValue("ball_attitudes_deg"),
+        )),
+    Quantity("ball_imbalance", "", "Z", "1", "block",
+        "power that is left unbalanced over the power of friction, of each ball",
+        source="balls.sliding.imbalance", summary=(SummaryValue("max_ball_imbalance", largest),)),
+
+    # torque
+    Quantity("torque", "T", "2", "N m", "block", "torque of all balls on the rings, (inner, outer)",
+        source="solution.torque",
+        summary=(SummaryValue("torque_Nm", label="torque of the bearing", digits=".5g", parts=RACES),)),
+    Quantity("spin_torque", "", "Z 2", "N m", "block",
+        "torque on the ring by the moments about the contact normals, (inner, outer)",
+        source="balls.torques.spin", summary=(
+            SummaryValue("torque_parts_Nm", _sum_of_balls, of=_OF_PARTS, parts=TORQUE_PARTS),
+            SummaryValue("mean_ball_torque_parts_Nm", _mean_of_balls, of=_OF_PARTS, parts=TORQUE_PARTS),
+            SummaryValue("largest_ball_torque_parts_Nm", _ball_of_largest_torque, of=_OF_PARTS,
+                parts=TORQUE_PARTS),
+        )),
+    Quantity("roll_torque", "", "Z 2", "N m", "block",
+        "torque on the ring by the forces along the rolling direction, (inner, outer)",
+        source="balls.torques.roll"),
+    Quantity("circumferential_torque", "", "Z 2", "N m", "block",
+        "torque on the ring by the tractions along the rolling direction alone, (inner, outer)",
+        source="balls.torques.circumferential",
+        summary=(SummaryValue("circumferential_torque_Nm", _circumferential,
+            of=("circumferential_torque", "hysteresis_torque")),)),
+    Quantity("hysteresis_torque", "", "Z", "N m", "block",
+        "torque of elastic hysteresis, the same on both rings, >= 0", source="balls.hysteresis"),
+    Quantity("ball_torque", "", "Z 2", "N m", "block",
+        "torque of the ball by the formula of friction.torque, hysteresis included, (inner, outer)",
+        source="solution.ball_torque", summary=(SummaryValue("ball_torques_Nm", at_inner_race),)),
+    Quantity("power_loss", "", "", "W", "block", "heat of friction and hysteresis at the speed of the case",
+        source="solution.power_loss",
+        summary=(SummaryValue("power_loss_W", label="power loss", digits=".4g"),)),
+
+    # rings
+    Quantity("ring_load", "P", "5", "N, N m", "block", f"load on the inner ring ({_ORDER}); {_GIVEN}",
+        source="solution.ring_load", optional=True),
+    Quantity("ring_displacement", "delta", "5", "m, rad", "block",
+        f"displacement of the inner ring ({_ORDER}), of its bolted face when it is elastic; {_GIVEN}",
+        source="ring.displacement", optional=True, summary=(
+            SummaryValue("ring_displacement_um", displacements, "displacement x, y, z", ".3f", unit=UM,
+                section=RING),
+            SummaryValue("ring_tilt_mrad", tilts, "turn about y, z", ".4f", unit=MRAD, section=RING),
+        )),
+    Quantity("ring_yield", "s", "Z G 2", "m", "block",
+        "elastic deflection: by how much both rings let opposite groove centres come closer, (outward, along "
+        "x), the indentation of the contacts left out; absent between rigid rings",
+        source="solution.ring_deflection", people=UM, optional=True,
+        summary=(SummaryValue("largest_ring_yield_um", _largest_distance, "largest deflection of the rings",
+            ".2f", section="compared"),)),
+    Quantity("stiffness_matrix", "K", "5 5", "N/m, N/rad, N m/m, N m/rad", "block",
+        f"tangent stiffness of the rings without friction ({_ORDER}); {_GIVEN}", source="ring.stiffness",
+        optional=True, summary=(SummaryValue("stiffness_matrix_SI"),)),
+    Quantity("ring_imbalance", "", "", "1", "block",
+        f"unbalanced force on the inner ring over the largest force; {_GIVEN}", source="ring.imbalance",
+        optional=True),
+
+    # fields over the contacts of chosen balls
+    Quantity("field_ball", "", "F", "1", "block", "numbers, from 0, of the balls of the fields below",
+        source="fields.balls"),
+    Quantity("field_across", "x", "F G 2 P P", "m", "block",
+        "places in the contact across the rolling direction; 0 without load", source="fields.x", people=MM),
+    Quantity("field_along", "y", "F G 2 P P", "m", "block",
+        "places in the contact along the rolling direction; 0 without load", source="fields.y", people=MM),
+    Quantity("slip_along", "v_t", "F G 2 P P", "m/s", "block",
+        "slip along the rolling direction, ball minus race; 0 without load", source="fields.slip_along"),
+    Quantity("slip_across", "v_1", "F G 2 P P", "m/s", "block",
+        "slip across the rolling direction, ball minus race; 0 without load", source="fields.slip_across"),
+    Quantity("shear_along", "tau_t", "F G 2 P P", "Pa", "block",
+        "shear stress on the ball along the rolling direction; 0 outside the contact",
+        source="fields.shear_along", people=MPA),
+    Quantity("shear_across", "tau_1", "F G 2 P P", "Pa", "block",
+        "shear stress on the ball across the rolling direction; 0 outside the contact",
+        source="fields.shear_across", people=MPA),
+)
+# fmt: on
+
+LAYOUT = Layout(
+    conventions="""\
+Axes: Z balls, G diagonals (one or two; the first leans outwards to positive x), 2 races (inner, outer),
+F balls and P points of the fields. Directions: x axial, z along the load, azimuth from z towards y.
+Torques are what must be put in so that the inner ring runs ahead: positive there, negative at the outer ring.
+""",
+    quantities=QUANTITIES,
+    blocks=("rigid",),
+    further_blocks=("flexible",),
+    head=("kind", *HEAD),
+    case_keys=(("torque_formula", "friction", "torque"),),
+)
