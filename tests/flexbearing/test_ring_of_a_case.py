@@ -1,0 +1,60 @@
+"""What the inner ring of a case may do: tilt freely under a moment, and move with its supports."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from pytest import approx
+
+import flexbearing
+from flexbearing import read
+from flexbearing.build.roller_bearing import bearing
+
+PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
+RIGID = ["inner.kind=rigid", "outer.kind=rigid", "accuracy.slices=8", "accuracy.axial_shapes=2"]
+BEAM = ["inner.kind=rigid", "accuracy.structure=beam", "accuracy.slices=8", "accuracy.axial_shapes=2"]
+
+
+@pytest.mark.parametrize(
+    ("settings", "free"),
+    [
+        (["operation.moment=30 N m"], True),
+        (["operation.tilt=free"], True),
+        ([], False),
+        (["operation.tilt=fixed"], False),
+        (["operation.misalignment=2 arcmin"], False),
+    ],
+    ids=["moment", "free", "auto without moment", "fixed", "misaligned"],
+)
+def test_ring_tilts_freely_where_the_case_says_so(settings, free):
+    assert bearing(read(PAPER, settings)).operation.free_tilt is free
+
+
+@pytest.mark.parametrize("direction", [0.0, 30.0], ids=["along z", "aside"])
+def test_a_moment_tilts_the_ring_until_the_rollers_hold_it(tmp_path, direction):
+    """The ring moment of the result is the applied one, in the plane of the load."""
+    settings = ["operation.moment=30 N m", f"operation.load_direction={direction} deg"]
+    rigid = flexbearing.run(PAPER, tmp_path / "tilted.h5", [*RIGID, *settings]).rigid
+    plane = np.radians(direction)
+    in_plane = np.array([np.cos(plane), np.sin(plane)])
+    assert rigid["ring_moment"] == approx(30.0 * in_plane, rel=0, abs=1e-6)
+    assert in_plane @ rigid["ring_tilt"] > 1e-4
+
+
+def test_total_stiffness_is_the_slope_of_load_over_displacement_from_base_to_shaft(tmp_path):
+    """Supports deflect with the raceways: their translation adds to the displacement between the raceways."""
+
+    def run(load):
+        settings = [*BEAM, f"operation.radial_load={load} N", "coupling.tolerance=1e-10"]
+        block = flexbearing.run(PAPER, tmp_path / f"{load}.h5", settings).flexible
+        inner, outer = block["support_translation"]
+        direction = np.array([np.sin(block["load_direction"]), np.cos(block["load_direction"])])
+        return block, direction @ (block["ring_displacement"] + outer - inner)
+
+    load = read(PAPER).operation.radial_load
+    block, _ = run(load)
+    (below, low), (above, high) = run(0.999 * load), run(1.001 * load)
+    assert block["total_stiffness"] == approx(0.002 * load / (high - low), rel=1e-4)
+    between = (above["ring_displacement"] - below["ring_displacement"])[1]
+    assert block["stiffness"] == approx(0.002 * load / between, rel=1e-4)
+    assert block["total_stiffness"] < 0.9 * block["stiffness"]
