@@ -11,7 +11,7 @@ from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.balance.rollers.operating_points import OperatingPoints
 from quasidynamic.balance.rollers.roller import RollerBalance
 from quasidynamic.contact.film import FilmLaw
-from quasidynamic.contact.line import LoadLaw, Slices, iso16281, palmgren, reduced_radius
+from quasidynamic.contact.line import LoadLaw, Slices, raceway_laws, reduced_radius
 from quasidynamic.contact.lubrication import Lubrication
 from quasidynamic.contact.raceways import Raceways
 from quasidynamic.errors import NotSolved
@@ -152,7 +152,7 @@ class RollerBearing:
         moduli = [contact_modulus(roller.material, ring) for ring in (bearing.inner_ring, bearing.outer_ring)]
         radius, modulus = (np.array(values)[:, None, None] for values in (radii, moduli))
         return Raceways(
-            law=self._load_law(),
+            law=LoadLaw(np.array([law.coefficient for law in raceway_laws(bearing)])[:, None, None]),
             traction=lubrication.traction(
                 radius=radius,
                 modulus=modulus,
@@ -172,11 +172,3 @@ class RollerBearing:
             radius=radius,
             modulus=modulus,
         )
-
-    def _load_law(self) -> LoadLaw:
-        roller, rings = self.bearing.roller, (self.bearing.inner_ring, self.bearing.outer_ring)
-        if self.bearing.contact_law == "iso16281":
-            laws = [iso16281(roller.length)] * 2
-        else:
-            laws = [palmgren(roller.material, ring, roller.length) for ring in rings]
-        return LoadLaw(np.array([law.coefficient for law in laws])[:, None, None])

@@ -1,21 +1,16 @@
 """The static load distribution: rollers between rigid rings without friction, film or centrifugal force."""
 
 from dataclasses import dataclass
-from functools import cached_property
 from math import isfinite
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.contact.line import EXPONENT, LoadLaw, Slices, iso16281, palmgren
+from quasidynamic.balance.rollers.rigid_rings import RigidRings
+from quasidynamic.contact.line.slices import Slices
 from quasidynamic.errors import ImpossiblePart, NotSolved
 from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
-
-TOLERANCE = 1e-11  # of the largest force: unbalanced force on the ring
-STEPS = 60  # rarely more than ten: the energy is convex
-HALVINGS = 40
-STIFFENING = 1e-2  # of the whole stiffness over the relative imbalance, where no roller resists a direction
+from quasidynamic.solve.rollers.load_distribution import balanced
 
 
 @dataclass(frozen=True)
@@ -69,7 +64,7 @@ def static_loads(
     ImpossiblePart
         when the load cannot be
     NotSolved
-        when nothing holds the ring
+        when nothing holds the ring, or no balance is found
 
     Source
     ------
@@ -93,25 +88,18 @@ def static_loads(
     1958.7
     """
     _check(bearing, load, moment)
-    own = Slices(slices, bearing.roller.length, 2 if moment else 1)
-    along, half = np.array([np.sin(direction), np.cos(direction)]), own.length / 2
-    rings = _Rings(
-        law=_series_law(bearing),
-        slices=own,
-        normal=np.array([np.sin(bearing.azimuths), np.cos(bearing.azimuths)]).T,
-        gap=bearing.clearance / 2 + 2 * bearing.roller.profile.drop(own.centres, own.length),
-        load=np.outer(along, [load, moment / half][: own.axial_modes]),
-    )
-    found, steps = _balanced(rings, _first_place(rings))
-    place, loads = found.place, found.slice_load
+    sliced = Slices(slices, bearing.roller.length, 2 if moment else 1)
+    along, half = np.array([np.sin(direction), np.cos(direction)]), sliced.length / 2
+    rings = RigidRings.of(bearing, sliced, np.outer(along, [load, moment / half][: sliced.axial_modes]))
+    state, evaluations = balanced(rings)
     return StaticLoads(
-        loads=loads @ own.widths,
-        slice_loads=own.unfolded(loads),
-        approach=rings.normal @ place[:, 0] - bearing.clearance / 2,
-        ring_displacement=place[:, 0],
-        ring_tilt=place[::-1, 1] / half if own.axial_modes > 1 else np.zeros(2),
-        stiffness=found.stiffness[:, 0, :, 0],
-        iterations=steps,
+        loads=state.slice_load @ sliced.widths,
+        slice_loads=sliced.unfolded(state.slice_load),
+        approach=rings.normal @ state.place[:, 0] - bearing.clearance / 2,
+        ring_displacement=state.place[:, 0],
+        ring_tilt=state.place[::-1, 1] / half if sliced.axial_modes > 1 else np.zeros(2),
+        stiffness=state.stiffness[:, 0, :, 0],
+        iterations=evaluations,
     )
 
 
@@ -124,98 +112,6 @@ def _check(bearing: CylindricalRollerBearing, load: float, moment: float) -> Non
     if load == 0.0 and moment == 0.0 and bearing.clearance >= 0.0:
         raise NotSolved(
             f"neither load nor moment, and a clearance of {bearing.clearance * 1e6:g} um: nothing holds "
-            "the ring, its position is undetermined; give a load or a preload (negative clearance)"
+            "the ring, its position is undetermined; give a load or a preload (negative clearance)",
+            "undetermined",
         )
-
-
-def _series_law(bearing: CylindricalRollerBearing) -> LoadLaw:
-    """Law of both raceways of a roller together: approaches add up, the load is the same."""
-    length, roller = bearing.roller.length, bearing.roller.material
-    if bearing.contact_law == "iso16281":
-        laws = [iso16281(length)] * 2
-    else:
-        laws = [palmgren(roller, ring, length) for ring in (bearing.inner_ring, bearing.outer_ring)]
-    return LoadLaw(sum(law.coefficient ** (-1 / EXPONENT) for law in laws) ** -EXPONENT)
-
-
-class _Balance(NamedTuple):
-    """Forces on the ring at one place of it; M is 1 or 2, with tilt."""
-
-    place: NDArray  # (2, M) y, z and half the length times dy/dx, dz/dx [m]
-    slice_load: NDArray  # (Z, K) [N/m]
-    excess: NDArray  # (2, M) load less what the rollers carry [N]
-    stiffness: NDArray  # (2, M, 2, M) [N/m]
-
-
-@dataclass(frozen=True)
-class _Rings:
-    """Two rigid rings with rollers between them."""
-
-    law: LoadLaw  # of both raceways
-    slices: Slices
-    normal: NDArray  # (Z, 2) y, z of the outward radius at each roller
-    gap: NDArray  # (K) that has to close before a slice carries [m]
-    load: NDArray  # (2, M) [N] force along y, z and moment over half the length
-
-    def at(self, place: NDArray) -> _Balance:
-        """Evaluate every slice."""
-        own, m = self.slices, self.slices.axial_modes
-        load, slope = self.law(self.normal @ (place @ own.modes.T) - self.gap)
-        stiffness = (self._squares @ (slope @ own.products)).reshape(2, 2, m, m).transpose(0, 2, 1, 3)
-        return _Balance(place, load, self.load - self.normal.T @ (load @ own.weights), stiffness)
-
-    @cached_property
-    def _squares(self) -> NDArray:
-        """Products of two components of the normals (4, Z) [-]."""
-        return (self.normal[:, :, None] * self.normal[:, None, :]).reshape(-1, 4).T
-
-    def imbalance(self, found: _Balance) -> float:
-        """Largest unbalanced force over the largest force [-]."""
-        size = max(np.abs(self.load).max(), (found.slice_load @ self.slices.widths).max())
-        return float(np.abs(found.excess).max() / size)
-
-
-def _first_place(rings: _Rings) -> NDArray:
-    """Ring (2, M) where the nearest roller alone would carry the load: too far, but on the safe side."""
-    load = rings.load[:, 0]
-    size = float(np.hypot(*load))
-    if size == 0.0:
-        return np.zeros_like(rings.load)
-    nearest = (rings.normal @ load).max() / size
-    approach = rings.gap.min() + rings.law.approach(np.asarray(size / nearest / rings.slices.length))
-    place = np.zeros_like(rings.load)
-    place[:, 0] = load / size * max(approach, 0.0) / nearest
-    return place
-
-
-def _balanced(rings: _Rings, place: NDArray) -> tuple[_Balance, int]:
-    """Place where the rollers carry the load, and the number of evaluations."""
-    here, count = rings.at(place), 1
-    for _ in range(STEPS):
-        imbalance = rings.imbalance(here)
-        if imbalance < TOLERANCE:
-            return here, count
-        here, tries = _next(rings, here, imbalance)
-        count += tries
-    raise NotSolved(
-        f"the ring found no static balance in {STEPS} steps: {imbalance:.1e} of the largest force is left; "
-        f"load {np.hypot(*rings.load[:, 0]):.4g} N, {len(rings.normal)} rollers"
-    )
-
-
-def _next(rings: _Rings, here: _Balance, imbalance: float) -> tuple[_Balance, int]:
-    """A step of Newton's method, halved while it runs far past the lowest energy on its way.
-
-    A direction in which hardly anything resists, such as sideways on a single roller, is stiffened
-    as long as forces are out of balance; close to balance the step is that of Newton.
-    """
-    n = rings.load.size
-    matrix = here.stiffness.reshape(n, n)
-    stiffer = STIFFENING * min(imbalance, 1.0) * matrix.trace()
-    step = np.linalg.solve(matrix + stiffer * np.eye(n), here.excess.ravel()).reshape(here.excess.shape)
-    uphill = -0.5 * float((here.excess * step).sum())
-    for halvings in range(HALVINGS):
-        there = rings.at(here.place + step * 0.5**halvings)
-        if float((there.excess * step).sum()) >= uphill:
-            break
-    return there, halvings + 1

@@ -1,8 +1,12 @@
 """How long a step towards a minimum is."""
 
+from collections.abc import Callable
+from typing import Protocol, TypeVar
+
 import numpy as np
 from numpy.typing import NDArray
 
+HALVINGS = 50
 SHARES = (0.1, 0.7)  # of the step that went too far: least and most of what is tried next
 
 
@@ -16,3 +20,44 @@ def shortened(before: NDArray, after: NDArray) -> NDArray:
     """
     straight = before / np.where(after > before, before - after, -1.0)
     return np.clip(np.where(after > 0.0, straight, 0.5), *SHARES)
+
+
+class RingState(Protocol):
+    """A ring at a place, with the forces there."""
+
+    @property
+    def place(self) -> NDArray:
+        """Displacements of any shape."""
+        ...
+
+    @property
+    def excess(self) -> NDArray:
+        """Unbalanced forces that belong to them: minus the gradient of the energy."""
+        ...
+
+
+S = TypeVar("S", bound=RingState)
+
+
+def before_the_minimum(at: Callable[[NDArray], S], state: S, step: NDArray) -> tuple[S, int]:
+    """State after a step on a convex energy, halved while it runs far past the lowest energy on its way.
+
+    Parameters
+    ----------
+    at : callable
+        the state at a place
+    state : RingState
+        where the step begins
+    step : array
+        change of the place, along which the energy falls at first
+
+    Returns
+    -------
+    pair
+        the new state, and the number of evaluations
+    """
+    uphill, trials = -0.5 * float((state.excess * step).sum()), 0
+    while True:
+        trial, trials = at(state.place + step * 0.5**trials), trials + 1
+        if float((trial.excess * step).sum()) >= uphill or trials == HALVINGS:
+            return trial, trials

@@ -4,7 +4,14 @@ No film and no friction; the profile of a roller is data and stands in `parts`.
 """
 
 from quasidynamic.contact.line.hertz import half_width, peak_pressure, reduced_radius
-from quasidynamic.contact.line.load_law import EXPONENT, GAP_ROUNDING, LoadLaw, iso16281, palmgren
+from quasidynamic.contact.line.load_law import (
+    EXPONENT,
+    GAP_ROUNDING,
+    LoadLaw,
+    iso16281,
+    palmgren,
+    raceway_laws,
+)
 from quasidynamic.contact.line.slices import Slices
 
 __all__ = [
@@ -16,5 +23,6 @@ __all__ = [
     "iso16281",
     "palmgren",
     "peak_pressure",
+    "raceway_laws",
     "reduced_radius",
 ]

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.parts.material import Material
+from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
 
 EXPONENT = 10 / 9  # of both laws, load ~ approach^(10/9)
 GAP_ROUNDING = 1e-9  # [m] width over which contact begins smoothly; bias below 0.02 N
@@ -114,3 +115,16 @@ def iso16281(length: float) -> LoadLaw:
     millimetre = 1e-3
     roller = 35948 * (length / millimetre) ** (8 / 9) * (2 / millimetre) ** EXPONENT
     return LoadLaw(roller / length)
+
+
+def raceway_laws(bearing: CylindricalRollerBearing) -> tuple[LoadLaw, LoadLaw]:
+    """Load laws [N/m over m^(10/9)] of the inner and the outer raceway that a bearing asks for.
+
+    Source
+    ------
+    `iso16281`, `palmgren`.
+    """
+    length, roller = bearing.roller.length, bearing.roller.material
+    if bearing.contact_law == "iso16281":
+        return iso16281(length), iso16281(length)
+    return palmgren(roller, bearing.inner_ring, length), palmgren(roller, bearing.outer_ring, length)

@@ -8,11 +8,11 @@ from numpy.typing import NDArray
 from quasidynamic.balance.balls.rigid_rings import RigidRings, RigidRingState, ring_levers
 from quasidynamic.errors import NotSolved
 from quasidynamic.parts.ball import FourPointBearing
+from quasidynamic.solve.step_length import before_the_minimum
 
 TOLERANCE = 1e-11  # of the largest force: unbalanced force on the ring, moments over the pitch radius
 ROUNDED = 1e-9  # the same, where rounding keeps a step from lowering it any more
 STEPS = 200  # rarely more than twenty: the energy is convex
-HALVINGS = 50
 STIFFENING = 1e-2  # of the whole stiffness over the relative imbalance, where no ball resists a direction
 
 
@@ -91,25 +91,13 @@ def balanced(rings: RigidRings) -> tuple[RigidRingState, int]:
         imbalance = rings.imbalance(state)
         if imbalance < TOLERANCE or previous / 2 < imbalance < ROUNDED:
             return state, evaluations
-        state, trials = _next_state(rings, state, imbalance)
+        # A direction in which hardly anything resists is stiffened as long as forces are out of balance.
+        stiffer = STIFFENING * min(imbalance, 1.0) * max(state.stiffness.trace(), rings.usual_stiffness())
+        step = np.linalg.solve(state.stiffness + stiffer * np.eye(5), state.excess)
+        state, trials = before_the_minimum(rings.at, state, step)
         evaluations, previous = evaluations + trials, imbalance
     raise NotSolved(
         f"the rings found no balance in {evaluations} evaluations: {rings.imbalance(state):.1e} of the "
         f"largest force is left, allowed {ROUNDED:.0e}; loads over the pitch radius {rings.load} N",
         "iteration limit",
     )
-
-
-def _next_state(rings: RigidRings, state: RigidRingState, imbalance: float) -> tuple[RigidRingState, int]:
-    """A step of Newton's method, halved while it runs far past the lowest energy on its way.
-
-    A direction in which hardly anything resists is stiffened as long as forces are out of balance.
-    """
-    stiffer = STIFFENING * min(imbalance, 1.0) * max(state.stiffness.trace(), rings.usual_stiffness())
-    step = np.linalg.solve(state.stiffness + stiffer * np.eye(5), state.excess)
-    uphill = -0.5 * float(state.excess @ step)
-    for halvings in range(HALVINGS):
-        trial = rings.at(state.place + step * 0.5**halvings)
-        if float(trial.excess @ step) >= uphill:
-            break
-    return trial, halvings + 1

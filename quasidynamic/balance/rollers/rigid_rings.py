@@ -1,0 +1,74 @@
+"""Two rigid rings on rollers without friction, film or centrifugal force: forces and their derivatives."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.contact.line.load_law import EXPONENT, LoadLaw, raceway_laws
+from quasidynamic.contact.line.slices import Slices
+from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
+
+
+class RigidRingState(NamedTuple):
+    """Forces on the ring at one place of it; M is 1 or 2, with tilt."""
+
+    place: NDArray  # (2, M) y, z and half the length times dy/dx, dz/dx [m]
+    slice_load: NDArray  # (Z, K) [N/m]
+    excess: NDArray  # (2, M) load less what the rollers carry [N]
+    stiffness: NDArray  # (2, M, 2, M) [N/m]
+
+
+@dataclass(frozen=True)
+class RigidRings:
+    """Two rigid rings with rollers between them."""
+
+    law: LoadLaw  # of both raceways together
+    slices: Slices
+    normal: NDArray  # (Z, 2) y, z of the outward radius at each roller
+    gap: NDArray  # (K) that has to close before a slice carries [m]
+    load: NDArray  # (2, M) [N] force along y, z and moment over half the length
+
+    @classmethod
+    def of(cls, bearing: CylindricalRollerBearing, slices: Slices, load: NDArray) -> "RigidRings":
+        """Build from a bearing; approaches of both raceways add up under the same load."""
+        softness = sum(law.coefficient ** (-1 / EXPONENT) for law in raceway_laws(bearing))
+        drop = bearing.roller.profile.drop(slices.centres, slices.length)
+        return cls(
+            law=LoadLaw(softness**-EXPONENT),
+            slices=slices,
+            normal=np.array([np.sin(bearing.azimuths), np.cos(bearing.azimuths)]).T,
+            gap=bearing.clearance / 2 + 2 * drop,
+            load=load,
+        )
+
+    def at(self, place: NDArray) -> RigidRingState:
+        """Evaluate every slice."""
+        slices, m = self.slices, self.slices.axial_modes
+        load, slope = self.law(self.normal @ (place @ slices.modes.T) - self.gap)
+        stiffness = (self._squares @ (slope @ slices.products)).reshape(2, 2, m, m).transpose(0, 2, 1, 3)
+        carried = self.normal.T @ (load @ slices.weights)
+        return RigidRingState(place, load, self.load - carried, stiffness)
+
+    @cached_property
+    def _squares(self) -> NDArray:
+        """Products of two components of the normals (4, Z) [-]."""
+        return (self.normal[:, :, None] * self.normal[:, None, :]).reshape(-1, 4).T
+
+    def imbalance(self, state: RigidRingState) -> float:
+        """Largest unbalanced force over the largest force [-]."""
+        largest = max(np.abs(self.load).max(), (state.slice_load @ self.slices.widths).max())
+        return float(np.abs(state.excess).max() / largest)
+
+    def first_place(self) -> NDArray:
+        """Ring (2, M) where the nearest roller alone would carry the load: too far, but on the safe side."""
+        load, place = self.load[:, 0], np.zeros_like(self.load)
+        size = float(np.hypot(*load))
+        if size == 0.0:
+            return place
+        nearest = (self.normal @ load).max() / size
+        approach = self.gap.min() + self.law.approach(np.asarray(size / nearest / self.slices.length))
+        place[:, 0] = load / size * max(approach, 0.0) / nearest
+        return place
