@@ -4,7 +4,6 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.polynomial.legendre import legvander
 from numpy.typing import NDArray
 
 from quasidynamic.errors import ImpossiblePart
@@ -61,8 +60,20 @@ class Slices:
 
     @cached_property
     def modes(self) -> NDArray:
-        """Legendre polynomials at the computed slices (K, M) [-]."""
-        return legvander(2 * self.centres / self.length, self.axial_modes - 1)
+        r"""Legendre polynomials L_m at the computed slices (K, M) [-].
+
+        .. math:: (m + 1)(L_{m+1} - L_m) = (2m + 1)(x - 1) L_m + m (L_m - L_{m-1})
+
+        Source
+        ------
+        Bonnet's recurrence, in differences, which keep their digits at the ends of the roller.
+        """
+        x = 2 * self.centres / self.length
+        difference, modes = x - 1, [np.ones_like(x), x]
+        for m in range(1, self.axial_modes - 1):
+            difference = (2 * m + 1) / (m + 1) * (x - 1) * modes[-1] + m / (m + 1) * difference
+            modes.append(modes[-1] + difference)
+        return np.stack(modes[: self.axial_modes], axis=-1)
 
     def spread(self, coefficients: NDArray) -> NDArray:
         """Values (K, ...) at the computed slices from coefficients (M, ...) of the axial modes."""
