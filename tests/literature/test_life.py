@@ -27,6 +27,7 @@ from quasidynamic.outcome.life import (
     reference_load,
     slice_life,
 )
+from quasidynamic.outcome.life_factors import CLEANLINESS, contamination_factor
 from tests.bearings import paper_bearing
 
 BEARING = paper_bearing().bearing
@@ -205,3 +206,35 @@ def test_reference_load_gives_the_life_back():
 def test_unloaded_bearing_lives_for_ever():
     none = np.zeros((30, 20))
     assert basic_life(none, none, BEARING, TURNING) == float("inf")
+
+
+# ISO 281 (2007), annex A.4 to A.6: c1 and c2 of e_C, entered a second time.
+CONTAMINATION = {
+    "oil, in-line filter, -/13/10": (0.0864, 0.5663),
+    "oil, in-line filter, -/15/12": (0.0432, 0.9987),
+    "oil, in-line filter, -/17/14": (0.0288, 1.6329),
+    "oil, in-line filter, -/19/16": (0.0216, 2.3362),
+    "oil, no or off-line filter, -/13/10": (0.0864, 0.6796),
+    "oil, no or off-line filter, -/15/12": (0.0288, 1.141),
+    "oil, no or off-line filter, -/17/14": (0.0133, 1.67),
+    "oil, no or off-line filter, -/19/16": (0.00864, 2.5164),
+    "oil, no or off-line filter, -/21/18": (0.00411, 3.8974),
+    "grease, high cleanliness": (0.0864, 0.6796),
+    "grease, normal cleanliness": (0.0432, 1.141),
+    "grease, slight to typical contamination": (0.0177, 1.677),
+    "grease, severe contamination": (0.0115, 2.662),
+    "grease, very severe contamination": (0.00617, 4.06),
+}
+
+
+def test_every_degree_of_cleanliness_is_checked():
+    assert set(CLEANLINESS) == set(CONTAMINATION)
+
+
+@pytest.mark.parametrize("name", CONTAMINATION)
+def test_contamination_factor_has_the_constants_of_iso281(name):
+    """At kappa 1 and 100 mm the first factor is below one, at kappa 4 and 1 m above it for clean oil."""
+    rise, loss = CONTAMINATION[name]
+    for kappa, pitch in ((1.0, 100.0), (4.0, 1000.0)):  # [-], [mm]
+        expected = min(rise * kappa**0.68 * pitch**0.55, 1.0) * (1 - loss / pitch ** (1 / 3))
+        assert contamination_factor(kappa, pitch * 1e-3, CLEANLINESS[name]) == approx(expected, rel=1e-12)

@@ -287,3 +287,16 @@ def test_end_gap_is_that_of_crossing_cylinders():
     largest = np.abs(found.angle).max()
     assert found.end_gap == approx(np.hypot(pitch, length / 2 * largest) - pitch, rel=1e-4)
     assert largest < pi / 2
+
+
+def test_load_shift_balances_the_axial_forces_about_the_motion():
+    """Axial forces at the raceways and the corner, with their levers, against the shifted load."""
+    state = equilibrium(8e-4)
+    found = skew(state)
+    radius, level = state.balance.roller.bearing.roller.diameter / 2, found.balance.corner.level
+    assert abs(level) > 0.1 * radius
+    inner, outer = found.axial_traction.force
+    levers = np.array([-radius, radius, level])[:, None]  # outwards from the middle of the roller
+    moment = (levers * np.array([inner, outer, -(inner + outer)])).sum(axis=0)
+    loaded = state.loads[0] > 0.01 * state.loads[0].max()
+    assert found.load_shift == approx(np.abs(moment / state.loads[0])[loaded].max(), rel=1e-9)
