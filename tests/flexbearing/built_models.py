@@ -1,0 +1,141 @@
+"""Everything that a case is built into, without solving: fields of the models by dotted names."""
+
+from contextlib import suppress
+from dataclasses import fields, is_dataclass
+from functools import partial
+from unittest.mock import patch
+
+import numpy as np
+
+import quasidynamic as qd
+from flexbearing.build import expansion, ring_parts, roller_bearing
+from flexbearing.build.lubrication import roughness
+from flexbearing.case.roller import Case
+from flexbearing.families import FAMILIES
+from flexbearing.progress import Logged
+from flexbearing.rings import bolted, condensed
+from flexbearing.runs import angular_contact, four_point
+
+OIL = qd.Lubricant(
+    temperature=300.0, viscosity=0.02, pressure_viscosity=2e-8, temperature_viscosity=0.03, conductivity=0.1,
+    density=900.0,
+)  # fmt: skip
+CONTACT = {"radius": 2e-3, "modulus": 2e11, "length": 5e-3, "oil": OIL}
+DIRECT = (  # tables and keys that are read where they are used, without a model between
+    "title", "life.", "outputs.", "coupling.", "accuracy.target", "accuracy.structure",
+    "accuracy.threads", "accuracy.harmonics", "rolling_lines.", "fields.", "friction.torque",
+    "operation.mode",
+    "operation.contact_loads", "operation.speed", "bearing.inner.shoulder",
+    "bearing.outer.shoulder", "rings.harmonics",
+)  # fmt: skip
+
+
+class Stop(Exception):
+    """The finite elements would begin here."""
+
+
+def built(case):
+    """Fields of everything that the case is built into, by dotted names."""
+    FAMILIES[case.kind].build()(case)
+    makers = {"cylindrical_roller": _roller, "four_point_ball": _four_point}
+    models = makers.get(case.kind, _angular)(case)
+    models["case"] = {path: value for path, value in leaves(case.model_dump()) if path.startswith(DIRECT)}
+    return dict(leaves(models))
+
+
+def leaves(value, path=""):
+    """Values of dataclasses, mappings and tuples by dotted names; `is` names the class."""
+    if isinstance(value, partial):
+        value = {"law": value.func, **value.keywords}
+    if is_dataclass(value) and not isinstance(value, type):
+        inside = {
+            entry.name: getattr(value, entry.name) for entry in fields(value) if entry.name != "drawing"
+        }
+        value = {"is": type(value).__name__, **inside}
+    if isinstance(value, tuple | list):
+        value = dict(enumerate(value))
+    if isinstance(value, dict):
+        for name, inside in value.items():
+            yield from leaves(inside, f"{path}.{name}" if path else str(name))
+    elif callable(value):
+        yield path, getattr(value, "__qualname__", repr(type(value)))
+    else:
+        yield path, str(value.tolist()) if isinstance(value, np.ndarray) else value
+
+
+def _roller(case: Case):
+    model = roller_bearing.bearing(case)
+    outer, inner = ring_parts.outer_part(case), ring_parts.inner_part(case)
+    return {
+        "model": model,
+        "law": model.lubrication.traction(**CONTACT),
+        "roughness": roughness(case),
+        "flange": roller_bearing.flange(case),
+        "outer": outer,
+        "inner": inner,
+        "mesh": condensed.wishes(case, condensed.IN_SPACE),
+        "patches": condensed.patches(case, np.zeros(1)),
+        "inner_fit": _fit(lambda: condensed.inner_ring(case, np.zeros(1), Logged()))
+        if inner and case.inner.fit != "bonded"
+        else None,
+        "outer_fit": _fit(lambda: condensed.outer_ring(case, np.zeros(1), Logged()))
+        if case.outer.lifts_off
+        else None,
+        "running": {"roller_length": expansion.roller_length(case)},
+    }
+
+
+def _fit(condense):
+    """What a fit is built from: its bodies, how their heat varies, and its loads."""
+    seen = {}
+
+    def bodies(part, length, modes, mesh, variations):
+        seen.update(part=part, length=length, modes=modes, mesh=mesh, heat=variations)
+
+    def preloaded(_, fit):
+        seen.update(fit=fit)
+        raise Stop
+
+    with (
+        patch("fem.joint.fitted_ring.condense_fitted", bodies),
+        patch("fem.joint.preloaded_fit.preloaded", preloaded),
+    ):
+        try:
+            condense()
+        except Stop:
+            return seen
+    raise AssertionError("no fit was condensed")
+
+
+def _four_point(case):
+    wanted = {}
+
+    def kept(key, compute, note):
+        wanted[key[0].race] = dict(zip(("part", "balls", "line", "mesh", "harmonics"), key, strict=True))
+        raise Stop
+
+    for name in ("inner", "outer"):
+        part = bolted.ring(case, name)
+        if part is not None:
+            with patch.object(bolted, "configured") as cache:
+                cache.return_value.cached = kept
+                with suppress(Stop):
+                    bolted._row(case, name, part, Logged())
+    return {"model": four_point.bearing(case), "rings": wanted, "load": _given_load(case)}
+
+
+def _given_load(case):
+    """Load that the solution would begin with."""
+    seen = []
+
+    def solve(self, load, compliance):
+        seen.append(load)
+        raise Stop
+
+    with patch.object(qd.FourPointBallBearing, "solve", solve), suppress(Stop):
+        four_point.solved(case)
+    return seen
+
+
+def _angular(case):
+    return {"model": angular_contact.bearing(case), "operation": angular_contact.operation(case)}

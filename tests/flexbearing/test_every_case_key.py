@@ -1,0 +1,192 @@
+"""Every key of a case changes exactly the fields of the built models that it is meant to change."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from flexbearing.case import BadCase, understood
+from flexbearing.case.declarations import declared
+from flexbearing.case.problems import shown
+from flexbearing.families import FAMILIES
+from tests.flexbearing.built_models import built
+from tests.flexbearing.case_key_effects import EFFECTS
+
+CONFIGS = Path(__file__).parents[2] / "configs"
+
+ROLLERS = ("mao2016", "nu209", "nu209_fits", "step_ring")
+SLOW = ("slewing_bolted", "joshi2015_ed20", "heras2017_a1")
+FAST = ("harris218",)
+
+_HEAT = {f"operation.temperatures.{name}": value for name, value in {
+    "shaft": "70 degC", "inner_ring": "75 degC", "roller": "80 degC", "outer_ring": "65 degC",
+    "reference": "20 degC",
+}.items()}  # fmt: skip
+_RING = {"outer.kind": "ring", "outer.width": "12 mm", "outer.thickness": "5 mm"}
+_HOUSED = {
+    **_RING, "outer.support": "housing", "outer.housing_thickness": "10 mm", "outer.housing_width": "14 mm",
+}  # fmt: skip
+_ALONG = {"at": ["-60 mm", "60 mm"]}
+_SHEET = {f"lubricant.data_sheet.{name}": value for name, value in {
+    "name": "oil 46", "cold_temperature": "40 degC", "cold_viscosity": "46 cSt",
+        "hot_temperature": "100 degC",
+    "hot_viscosity": "6.8 mm^2/s", "density": "870 kg/m^3", "cold_pressure_viscosity": "20 1/GPa",
+    "conductivity": "0.137 W/(m K)",
+}.items()}  # fmt: skip
+CONTEXTS = {  # file and settings in which a key belongs to the case
+    "cage": ("mao2016", {}),
+    "rigid": ("nu209", {}),
+    "mounted": ("nu209_fits", {}),
+    "floating cage": ("mao2016", {"bearing.cage.centre": "free"}),
+    "crowned": ("nu209", {"bearing.roller.profile": "crowned", "bearing.roller.straight_length": "4 mm",
+                          "bearing.roller.crown_radius": "600 mm"}),
+    "foundation": ("mao2016", {
+        **_RING, "outer.support": "foundation", "outer.foundation_radial": "100 N/mm^3"}),
+    "seat": ("mao2016", {**_RING, "outer.support": "seat"}),
+    "housing": ("mao2016", {**_HOUSED, "materials.housing": {
+        "youngs_modulus": "110 GPa", "poisson_ratio": 0.26, "density": "7200 kg/m^3",
+        "expansion": "10.5e-6 1/K"}}),
+    "loose housing": ("mao2016", {
+        **_HOUSED, "outer.housing_clearance": "60 um", "operation.temperatures.housing": "218 degC",
+        "operation.outer_speed": "100 rpm", "materials.housing": {
+            "youngs_modulus": "110 GPa", "poisson_ratio": 0.26, "density": "7200 kg/m^3",
+            "expansion": "10.5e-6 1/K"},
+        "operation.temperatures.outer_ring_along": {**_ALONG, "temperatures": ["213 degC", "223 degC"]},
+        "operation.temperatures.housing_along": {**_ALONG, "temperatures": ["213 degC", "223 degC"]}}),
+    "lines": ("mao2016", {
+        **_RING, "outer.support": "lines", "outer.line_azimuths": ["0 deg", "120 deg", "240 deg"]}),
+    "planet": ("mao2016", {
+        **_RING, "outer.support": "planet", "outer.tooth_azimuths": ["90 deg", "270 deg"],
+        "outer.tooth_radial": ["-2 kN", "-2 kN"], "outer.tooth_tangential": ["9 kN", "-9 kN"]}),
+    "shaft fit": ("mao2016", {
+        "inner.fit": "friction", "inner.interference": "40 um", "inner.clamping": "5 kN",
+        "inner.shoulder_diameter": "66 mm",
+        "operation.temperatures.shaft_along": {**_ALONG, "temperatures": ["220 degC", "240 degC"]},
+        "operation.temperatures.inner_ring_along": {**_ALONG, "temperatures": ["215 degC", "225 degC"]}}),
+    "step": ("step_ring", {}),
+    "eyring": ("nu209", {"lubricant.eyring_stress": "9 MPa"}),
+    "adore": ("nu209", {"lubricant.traction": "adore", "lubricant.adore_oil": "MIL-L-7808"}),
+    "traction curve": ("nu209_fits", {
+        "lubricant.traction": "four-point",
+        "lubricant.traction_curve": {"at_rest": 0.01, "peak": 0.05, "peak_slip": 0.02, "far": 0.03}}),
+    "data sheet": ("nu209_fits", {**_SHEET, "lubricant.data_sheet.hot_pressure_viscosity": "15 1/GPa",
+                                  "lubricant.oil": None, "lubricant.inlet_temperature": "70 degC"}),
+    "flange": ("nu209", {**_HEAT, "bearing.flange": {
+        "ring": "outer", "clearance": "30 um", "height": "2 mm", "roller_chamfer": "0.4 mm",
+        "stiffness": "100 N/um", "friction": 0.05}}),
+    "rated": ("nu209", {"life.lubrication": "a_ISO", "life.cleanliness": "grease, high cleanliness",
+                        "life.capacity": "iso281", "bearing.roughness": {
+        "roller": "0.05 um", "inner_raceway": "0.1 um", "outer_raceway": "0.1 um"}}),
+    "plain ring": ("mao2016", _RING),
+    "housing with clearance": ("mao2016", {
+        **_HOUSED, "outer.housing_clearance": "60 um", "operation.temperatures.housing": "218 degC",
+        "operation.outer_speed": "100 rpm"}),
+    "shaft fit, even heat": ("mao2016", {"inner.fit": "friction", "inner.interference": "40 um"}),
+    "pressed housing": ("nu209_fits", {"bearing.fits.housing.interference": "20 um"}),
+    "three balls": ("joshi2015_ed20", {}),
+    "newton alone": ("mao2016", {"coupling.fallback": False, "coupling.relaxation": None}),
+    "relaxed": ("mao2016", {"coupling.method": "relaxed"}),
+    "balls in bolted rings": ("slewing_bolted", {
+        "rings.outer.face_stiffness": "500 N/mm^3", "rings.outer.face_shear_stiffness": "200 N/mm^3",
+        "rings.inner.face_stiffness": "400 N/mm^3", "rings.inner.face_shear_stiffness": "150 N/mm^3"}),
+    "groove radii": ("slewing_bolted", {
+        "bearing.inner": {"radius": "18.4 mm"}, "bearing.outer": {"radius": "18.5 mm"}}),
+    "ball materials": ("slewing_bolted", {
+        "materials.inner_ring": {"youngs_modulus": "205 GPa", "poisson_ratio": 0.29},
+        "materials.outer_ring": {"youngs_modulus": "206 GPa", "poisson_ratio": 0.28}}),
+    "contact loads": ("heras2017_a1", {}),
+    "friction curve": ("heras2017_a1", {
+        "friction": {"pressures": ["1 GPa", "3 GPa"], "coefficients": [0.12, 0.1]}}),
+    "fast balls": ("harris218", {}),
+    "fast, ruled by friction": ("harris218", {"operation.control": "coulomb", "operation.friction": 0.08}),
+    "fast, by conformity": ("harris218", {
+        "bearing.inner": {"conformity": 0.52}, "bearing.outer": {"conformity": 0.53}}),
+    "fast, held": ("harris218", {"operation.load.axial": "0 N", "operation.displacement": {
+        "axial": "20 um", "radial_z": "1 um", "radial_y": "2 um", "tilt_z": "0 deg", "tilt_y": "0 deg"}}),
+    "fast, tilting": ("harris218", {
+        "operation.displacement.tilt_y": None, "operation.displacement.tilt_z": None}),
+    "fast, ring materials": ("harris218", {
+        "materials.inner_ring": {"youngs_modulus": "205 GPa", "poisson_ratio": 0.29},
+        "materials.outer_ring": {"youngs_modulus": "206 GPa", "poisson_ratio": 0.28}}),
+}  # fmt: skip
+
+
+def read_in(context, change=None):
+    """Case of a context, changed; None leaves out a key of the file."""
+    name, settings = CONTEXTS[context]
+    file, merged = CONFIGS / f"{name}.toml", {**settings, **(change or {})}
+    text = file.read_text()
+    for key in (key for key, value in merged.items() if value is None):
+        text = re.sub(rf"^{key.rpartition('.')[2]} = .*\n", "", text, flags=re.MULTILINE)
+        text = text.replace(f'"{key}",', "")
+    return understood(
+        text, file, {key: value for key, value in merged.items() if value is not None}, FAMILIES
+    )
+
+
+NOT_BUILT = {  # keys that no model is built from
+    "kind": "chooses the case model",
+    "bearing.kind": "there is one value",
+    "assumed": "for people",
+    "calibrated": "for people",
+    "lubricant.data_sheet.name": "in notes only, see test_case_to_model",
+    "outer.file": "another drawing, see test_fields_of_a_result",
+}
+BASES = {}
+
+
+def fields_in(context):
+    if context not in BASES:
+        BASES[context] = built(read_in(context))
+    return BASES[context]
+
+
+def spelt_out(names):
+    """Names of the table, "a.{b,c}" as "a.b" and "a.c"; `law.walls` and the like may hold spaces as "_"."""
+    for name in names.split():
+        start, brace, rest = name.partition("{")
+        yield from ([start] if not brace else (f"{start}{end}" for end in rest.rstrip("}").split(",")))
+
+
+def changed(context, key, value):
+    before = fields_in(context)
+    after = built(read_in(context, value if isinstance(value, dict) and key in value else {key: value}))
+    absent = object()
+    return {name for name in before | after if before.get(name, absent) != after.get(name, absent)}
+
+
+@pytest.mark.parametrize(
+    ("context", "key", "value", "names"), EFFECTS, ids=[f"{row[1]} ({row[0]})" for row in EFFECTS]
+)
+def test_key_changes_the_intended_fields_and_no_others(context, key, value, names):
+    assert changed(context, key, value) == set(spelt_out(names))
+
+
+@pytest.mark.parametrize("kind", FAMILIES)
+def test_every_declared_key_is_in_the_table(kind):
+    here = {"cylindrical_roller": ROLLERS, "four_point_ball": SLOW, "angular_contact_ball": FAST}[kind]
+    shown = {key for context, key, *_ in EFFECTS if CONTEXTS[context][0] in here}
+    keys = {item.path for item in declared(FAMILIES[kind].case()) if not item.section}
+    assert keys - shown - set(NOT_BUILT) == set()
+    assert shown - keys == set()
+
+
+@pytest.mark.parametrize("kind", FAMILIES)
+def test_every_key_of_another_choice_is_refused(kind):
+    """Each key that belongs to a choice is refused in some case that made another one."""
+    here = {"cylindrical_roller": ROLLERS, "four_point_ball": SLOW, "angular_contact_ball": FAST}[kind]
+    contexts = [name for name, (file, _) in CONTEXTS.items() if file in here]
+    for item in declared(FAMILIES[kind].case()):
+        if not item.only or item.section:
+            continue
+        values = [value for context, key, value, _ in EFFECTS if key == item.path and context in contexts]
+        value = values[0] if values else item.example
+        assert any(refused(context, item.path, value) for context in contexts), item.path
+
+
+def refused(context, key, value):
+    try:
+        read_in(context, {key: value})
+    except BadCase as problem:
+        return f"{shown(key)} = " in str(problem) and "is not used: it belongs to" in str(problem)
+    return False
