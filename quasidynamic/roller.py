@@ -52,7 +52,7 @@ class RollerBearing:
         start : Equilibrium, optional
             where to begin; without it a static load distribution is computed first
         deviation : array (2, Z, M), optional
-            shape coefficients of the outward raceway deviations [m]
+            outward raceway deviations by axial modes [m]
 
         Raises
         ------
@@ -61,10 +61,10 @@ class RollerBearing:
         """
         balance = self._balance([self.operation], deviation)
         begin = None if start is None else balance.pack(start.unknowns)
-        found = self._solved(balance, begin)[0]
-        if found.status is not SolverOutcome.CONVERGED:
-            raise NotSolved(found.failure(), found.status)
-        return found
+        equilibrium = self._solved(balance, begin)[0]
+        if equilibrium.status is not SolverOutcome.CONVERGED:
+            raise NotSolved(equilibrium.failure(), equilibrium.status)
+        return equilibrium
 
     def solve_many(self, operations: Sequence[Operation]) -> "Equilibria":
         """Equilibria of many operating points between rigid, round raceways.
@@ -76,15 +76,15 @@ class RollerBearing:
         Equilibria
             one for each operation, also where none was reached: its `status` says so
         """
-        found: list[Equilibrium] = []
+        states: list[Equilibrium] = []
         for first in range(0, len(operations), CASES_AT_ONCE):
-            found.extend(self._solved(self._balance(operations[first : first + CASES_AT_ONCE])))
-        return Equilibria(tuple(found))
+            states.extend(self._solved(self._balance(operations[first : first + CASES_AT_ONCE])))
+        return Equilibria(tuple(states))
 
     def iterate(
         self, compliance: Compliance, start: Equilibrium, deviation: NDArray | None = None
     ) -> Iterator[Equilibrium]:
-        """Newton iterates of the bearing between raceways that yield (inner, outer; None is rigid).
+        """Newton iterates of the bearing between elastic raceways (inner, outer; None is rigid).
 
         Parameters
         ----------
@@ -97,10 +97,10 @@ class RollerBearing:
         """
         size = self.bearing.rollers * self.axial_modes
         inner, outer = (None if matrix is None else matrix.reshape(size, size) for matrix in compliance)
-        plain = self._balance([self.operation], deviation, aligned=False)
-        balance = replace(plain, compliance=(inner, outer))
-        for sweep in iterate(balance, balance.pack(start.unknowns)):
-            yield Equilibrium(balance, sweep.unknowns[0], sweep.outcomes[0], sweep.number, self.axial_modes)
+        rigid = self._balance([self.operation], deviation, aligned=False)
+        balance = replace(rigid, compliance=(inner, outer))
+        for step in iterate(balance, balance.pack(start.unknowns)):
+            yield Equilibrium(balance, step.unknowns[0], step.outcomes[0], step.number, self.axial_modes)
 
     def _solved(self, balance: BearingBalance, begin: NDArray | None = None) -> list[Equilibrium]:
         solved = solve(balance, static_start(balance) if begin is None else begin, STARTS)

@@ -159,7 +159,7 @@ def equilibria_at(model: RollerBearing) -> tuple[Equilibrium, ...]:
     """Find the equilibria of a bearing between rigid raceways at its one operating point.
 
     Newton's method starts at every slip where the torque of lumped rollers on the cage changes its
-    sign; the branches through what is found are followed over the load, as they may come back to it.
+    sign; the branches through these solutions are followed over the load, as they may come back to it.
 
     Returns
     -------
@@ -175,23 +175,21 @@ def equilibria_at(model: RollerBearing) -> tuple[Equilibrium, ...]:
         when the bearing has no load
     """
     load = model.operation.radial_load
-    here, _ = _logarithms(model, "radial_load", (load, load * LOAD_RANGE))
+    parameter, _ = _logarithms(model, "radial_load", (load, load * LOAD_RANGE))
     usual = model.solve_many([model.operation])[0]
     problem = _problem(model, "radial_load", load, usual.balance)
     starts = [usual.scaled] if usual.status is SolverOutcome.CONVERGED else []
     starts += _lumped_starts(usual.balance)
     known: list[BranchPoint] = []
     for state in starts:
-        found = solved_at(problem, state, here)
-        if found is None or not _is_new(problem, found, known):
+        solution = solved_at(problem, state, parameter)
+        if solution is None or not _is_new(problem, solution, known):
             continue
-        for step in _through(problem, found):
-            if _is_new(problem, step, known):
-                known.append(step)
+        known += (point for point in _through(problem, solution) if _is_new(problem, point, known))
     if not known:
         raise NotSolved(usual.failure(), usual.status)
-    found = [_equilibrium(problem, step, model.axial_modes) for step in known]
-    return tuple(sorted(found, key=lambda one: one.cage_slip))
+    equilibria = [_equilibrium(problem, point, model.axial_modes) for point in known]
+    return tuple(sorted(equilibria, key=lambda state: state.cage_slip))
 
 
 # -- the branch ------------------------------------------------------------------------------------
@@ -240,14 +238,14 @@ def _is_new(problem: ParametricBalance, step: BranchPoint, known: list[BranchPoi
 def _through(problem: ParametricBalance, begin: BranchPoint) -> Iterator[BranchPoint]:
     """Places at the parameter of a solution on the branch through it, both ways, itself included."""
     yield begin
-    here, reach = begin.parameter, log(LOAD_RANGE)
+    parameter, reach = begin.parameter, log(LOAD_RANGE)
     for upwards in (True, False):
-        branch = follow(problem, begin.state, here, (here - reach, here + reach), upwards)
+        branch = follow(problem, begin.state, parameter, (parameter - reach, parameter + reach), upwards)
         for before, after in pairwise(branch.points[1:]):
-            if (before.parameter - here) * (after.parameter - here) <= 0:
-                found = at_parameter(problem, before, after, here)
-                if found is not None:
-                    yield found
+            if (before.parameter - parameter) * (after.parameter - parameter) <= 0:
+                crossing = at_parameter(problem, before, after, parameter)
+                if crossing is not None:
+                    yield crossing
 
 
 def _lumped_starts(balance: BearingBalance) -> list[NDArray]:
@@ -256,15 +254,15 @@ def _lumped_starts(balance: BearingBalance) -> list[NDArray]:
     if not len(places):
         return []
     low, high, sense = TRIAL_SLIPS[places], TRIAL_SLIPS[places + 1], drives[places]
-    some = balance.take(np.zeros(len(places), int))
-    lumped = LumpedRollers(some)
+    copies = balance.take(np.zeros(len(places), int))
+    lumped = LumpedRollers(copies)
     for _ in range(SLIP_HALVINGS):
         middle = np.sqrt(low * high)
         before = (lumped.at(middle)[2] > 0) == sense
         low, high = np.where(before, middle, low), np.where(before, high, middle)
     slip = np.sqrt(low * high)
-    static = static_unknowns(some, -some.rolling_cage * slip[:, None])
-    return list(some.pack(static._replace(spin_drift=lumped.at(slip)[0])))
+    static = static_unknowns(copies, -copies.rolling_cage * slip[:, None])
+    return list(copies.pack(static._replace(spin_drift=lumped.at(slip)[0])))
 
 
 def _sign_changes(balance: BearingBalance) -> tuple[NDArray, NDArray]:

@@ -81,8 +81,8 @@ class Equilibrium:
     @cached_property
     def slice_loads(self) -> NDArray:
         """Load per length (2, Z, K) [N/m]."""
-        own = self.balance.roller.raceways.slices
-        return own.unfolded(self.rollers.contact.slice_load[:, 0])
+        slices = self.balance.roller.raceways.slices
+        return slices.unfolded(self.rollers.contact.slice_load[:, 0])
 
     @property
     def slice_positions(self) -> NDArray:
@@ -105,12 +105,12 @@ class Equilibrium:
 
     @property
     def deviation(self) -> NDArray:
-        """Shape coefficients (2, Z, M) of the outward raceway deviations [m]."""
-        found = np.moveaxis(self.unknowns.deviation[:, :, 0], 1, -1)
+        """Outward raceway deviations (2, Z, M) by axial modes [m]."""
+        deviation = np.moveaxis(self.unknowns.deviation[:, :, 0], 1, -1)
         if self.balance.deviation is not None:
-            found = found + self.balance.deviation
+            deviation = deviation + self.balance.deviation
         return np.concatenate(
-            [found, np.zeros((*found.shape[:2], self.axial_modes - found.shape[2]))], axis=-1
+            [deviation, np.zeros((*deviation.shape[:2], self.axial_modes - deviation.shape[2]))], axis=-1
         )
 
     @property
@@ -239,8 +239,8 @@ class Equilibrium:
     @property
     def _land(self):
         points, cage = self.balance.points, self.balance.roller.bearing.cage
-        ring = points.outer_speed if cage.guidance == "outer" else points.inner_speed
-        return float(ring[0, 0]) - self.cage_speed, cage, self.balance.roller.lubrication.oil
+        ring_speed = points.guiding_speed(cage.guidance)
+        return float(ring_speed[0, 0]) - self.cage_speed, cage, self.balance.roller.lubrication.oil
 
     @property
     def driving_torque(self) -> float:

@@ -1,4 +1,4 @@
-"""How the ring answers to small changes of its load at an equilibrium."""
+"""Tangent compliance and stiffness of the ring at an equilibrium."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -18,7 +18,7 @@ TILTS = np.array([1.0, 1.0, -1.0, 1.0])  # y, z, tilts about y and z, over y, z,
 class Tangent:
     """Derivatives of an equilibrium, by implicit differentiation: nothing is solved again.
 
-    Rollers, films, cage and raceways that yield follow. The ring is free to tilt here even where a
+    Rollers, films, cage and elastic raceways follow. The ring is free to tilt here even where a
     guide holds it, so that the tilting rows mean something.
     """
 
@@ -31,16 +31,16 @@ class Tangent:
         """Tangent at the unknowns of an equilibrium of one case."""
         raceways = balance.roller.raceways
         slices = replace(raceways.slices, axial_modes=max(raceways.slices.axial_modes, 2))
-        whole = replace(raceways, slices=slices, drop=raceways.slices.unfolded(raceways.drop))
+        whole_rollers = replace(raceways, slices=slices, drop=raceways.slices.unfolded(raceways.drop))
         free = replace(
             balance,
-            roller=replace(balance.roller, raceways=whole),
+            roller=replace(balance.roller, raceways=whole_rollers),
             points=replace(balance.points, free_tilt=np.array([[True]])),
         )
         return cls(free, free.pack(unknowns), not balance.points.free_tilt[0, 0])
 
     @cached_property
-    def answer(self) -> NDArray:
+    def response(self) -> NDArray:
         """Change of all unknowns (N, 4) per newton along y and z, per newton metre on dz/dx and dy/dx."""
         loads = np.zeros((1, self.balance.layout.size, len(RING)))
         loads[0, RING, range(len(RING))] = -1.0 / self.balance.scales.residual[0, RING]
@@ -53,22 +53,22 @@ class Tangent:
 
         Infinite along x, where a bearing without flanges carries nothing.
         """
-        whole = np.zeros((5, 5))
-        whole[0, 0] = np.inf
-        whole[1:, 1:] = self.answer[:CAGE] * np.outer(TILTS, TILTS)
-        return whole
+        matrix = np.zeros((5, 5))
+        matrix[0, 0] = np.inf
+        matrix[1:, 1:] = self.response[:CAGE] * np.outer(TILTS, TILTS)
+        return matrix
 
     @property
     def stiffness(self) -> NDArray:
         """Tangent stiffness (5, 5), the inverse of `compliance`; zero along x."""
-        whole = np.zeros((5, 5))
-        whole[1:, 1:] = np.linalg.inv(self.answer[:CAGE]) * np.outer(TILTS, TILTS)
-        return whole
+        matrix = np.zeros((5, 5))
+        matrix[1:, 1:] = np.linalg.inv(self.response[:CAGE]) * np.outer(TILTS, TILTS)
+        return matrix
 
     @property
     def radial_stiffness(self) -> float:
         """Load along the load direction per displacement there [N/m]; the ring may move aside."""
-        change = self.answer[:CAGE] @ self._load
+        change = self.response[:CAGE] @ self._load
         return float(1.0 / (self._direction @ change[:2]))
 
     @property
@@ -83,6 +83,6 @@ class Tangent:
         """A newton of radial load, with the moments (4) that hold the tilts if a guide does."""
         load = np.concatenate([self._direction, [0.0, 0.0]])
         if self.held:
-            tilts = self.answer[TILT_Z:CAGE]
+            tilts = self.response[TILT_Z:CAGE]
             load[2:] = -np.linalg.solve(tilts[:, 2:], tilts[:, :2] @ load[:2])
         return load

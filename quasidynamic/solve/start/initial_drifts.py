@@ -21,18 +21,14 @@ def static_start(balance: BearingBalance) -> NDArray:
     """
     start = static_unknowns(balance, np.zeros_like(balance.rolling_cage))
     cage_drift, spin_drift = guessed_drifts(balance, start)
-    much = np.flatnonzero(np.abs(cage_drift) > SMALL_SLIP * np.abs(balance.rolling_cage))
-    begin = balance.pack(start._replace(cage_drift=cage_drift, spin_drift=spin_drift))
-    if len(much):
-        begin[much] = _slowed(balance.take(much), cage_drift[much], spin_drift[much])
-    return begin
-
-
-def _slowed(balance: BearingBalance, cage_drift: NDArray, spin_drift: NDArray) -> NDArray:
-    """Scaled unknowns (C, N) with less centrifugal force, and spins that follow from each other."""
-    static = static_unknowns(balance, cage_drift)
-    cage_drift, spin_drift = balanced_drifts(balance, static, cage_drift, spin_drift)
-    return balance.pack(static._replace(cage_drift=cage_drift, spin_drift=spin_drift))
+    scaled = balance.pack(start._replace(cage_drift=cage_drift, spin_drift=spin_drift))
+    slipping = np.flatnonzero(np.abs(cage_drift) > SMALL_SLIP * np.abs(balance.rolling_cage))
+    if len(slipping):  # less centrifugal force, and spins that follow from each other
+        slow = balance.take(slipping)
+        static = static_unknowns(slow, cage_drift[slipping])
+        drifts = balanced_drifts(slow, static, cage_drift[slipping], spin_drift[slipping])
+        scaled[slipping] = slow.pack(static._replace(cage_drift=drifts[0], spin_drift=drifts[1]))
+    return scaled
 
 
 def guessed_drifts(balance: BearingBalance, static: Unknowns) -> tuple[NDArray, NDArray]:
@@ -46,12 +42,12 @@ def guessed_drifts(balance: BearingBalance, static: Unknowns) -> tuple[NDArray, 
     inner_share = load[1] / load.sum(0)
     r_i, r_o = bearing.inner_radius, bearing.outer_radius
     spin_per_cage = (inner_share * (r_i + r_o) - r_i) / (bearing.roller.diameter / 2)
-    every = np.arange(len(TRIAL_SLIPS) * cases) % cases  # each case, guess by guess
-    many = LumpedRollers(balance.take(every))
-    cage_drift = -np.repeat(TRIAL_SLIPS, cases)[:, None] * many.balance.rolling_cage
-    line_load = load[:, every] / bearing.roller.length
-    forces = many.forces(line_load, cage_drift, cage_drift * spin_per_cage[every])
-    torque = many.driving_torque(forces, cage_drift).reshape(len(TRIAL_SLIPS), cases)
+    case = np.arange(len(TRIAL_SLIPS) * cases) % cases  # all cases at each slip
+    lumped = LumpedRollers(balance.take(case))
+    cage_drift = -np.repeat(TRIAL_SLIPS, cases)[:, None] * lumped.balance.rolling_cage
+    line_load = load[:, case] / bearing.roller.length
+    forces = lumped.forces(line_load, cage_drift, cage_drift * spin_per_cage[case])
+    torque = lumped.driving_torque(forces, cage_drift).reshape(len(TRIAL_SLIPS), cases)
     slip = _sign_change(np.log(TRIAL_SLIPS), torque)
     cage_drift = -np.exp(slip)[:, None] * balance.rolling_cage
     return cage_drift, cage_drift * spin_per_cage

@@ -108,6 +108,6 @@ class LumpedRollers:
         bearing, points = self.balance.roller.bearing, self.balance.points
         lever = bearing.pitch_diameter / 2 * bearing.rollers
         drag, drag_slope = self.balance.roller.drag(cage_speed)
-        ring = points.outer_speed if bearing.cage.guidance == "outer" else points.inner_speed
-        land = land_torque(ring - cage_speed, bearing.cage, self.balance.roller.lubrication.oil)
+        ring_speed = points.guiding_speed(bearing.cage.guidance)
+        land = land_torque(ring_speed - cage_speed, bearing.cage, self.balance.roller.lubrication.oil)
         return (land.torque - lever * drag)[:, 0], (-land.by_speed - lever * drag_slope)[:, 0]
