@@ -17,16 +17,16 @@ from threadpoolctl import threadpool_limits
 
 from benchmarks.machine import describe
 from flexbearing.accuracy.adaptive import JUDGED, AdaptiveResolution, adaptive_resolution
-from flexbearing.accuracy.trials import Trial, changes, finer
+from flexbearing.accuracy.trials import Trial, changes, with_accuracy
 from flexbearing.build import expansion
 from flexbearing.case import understood
 from flexbearing.case.roller import Case
 from flexbearing.coupled.coupled import BearingPartner
-from flexbearing.coupling import StoppingCriterion, newton
+from flexbearing.coupling import RacewayPair, StoppingCriterion, newton
 from flexbearing.families import FAMILIES
 from flexbearing.progress import Logged
 from flexbearing.rings import condensed
-from flexbearing.rings.raceways import CondensedRings
+from flexbearing.rings.fits import is_in_fit
 
 PAPER, NU209 = "configs/mao2016.toml", "configs/nu209.toml"
 SLICES, SHAPES = 2560, 10
@@ -140,32 +140,34 @@ def case_of(file: str, settings: dict[str, object], target: str) -> Case:
     return found
 
 
-def reference(case: Case, found: AdaptiveResolution) -> Trial:
+def reference(case: Case, resolution: AdaptiveResolution) -> Trial:
     """The same equilibrium, resolved much more finely."""
-    case = finer(case, axial_shapes=SHAPES)
-    model = replace(found.model, slices=SLICES, axial_modes=SHAPES)
-    azimuths, report = model.bearing.azimuths, Logged()
+    case = with_accuracy(case, axial_shapes=SHAPES)
+    model = replace(resolution.model, slices=SLICES, axial_modes=SHAPES)
     cage = CAGE if case.outer.kind == "squirrel_cage" else SECTION
     shaft = SECTION if case.inner.fit == "bonded" else FITTED
-    outer = condensed.outer_ring(_meshed(case, cage), azimuths, report)
-    both = condensed.side_by_side(
-        condensed.inner_ring(_meshed(case, shaft), azimuths, report), outer, azimuths
+    inner, outer = (
+        condensed.raceway(_meshed(case, mesh), race, model.bearing.azimuths, Logged())
+        for race, mesh in (("inner", shaft), ("outer", cage))
     )
-    partner = BearingPartner(model)
-    if both.rigid:
-        return Trial(partner.solve(found.trial.found), both)
-    # The same branch; but a fit asks the start for forces of all its shapes, which rigid raceways have.
-    start = found.trial.found if isinstance(both, CondensedRings) else partner.solve()
-    *_, last = newton(partner, both, start, StoppingCriterion(tolerance=1e-9, limit=100))
+    partner, rings = BearingPartner(model), RacewayPair(inner, outer)
+    if rings.rigid:
+        return Trial(partner.solve(resolution.trial.state), rings)
+    # The same branch; but a fit asks the start for forces of all its modes, which rigid raceways have.
+    in_fit = is_in_fit(case, "inner") or is_in_fit(case, "outer")
+    start = partner.solve() if in_fit else resolution.trial.state
+    *_, last = newton(partner, rings, start, StoppingCriterion(tolerance=1e-9, limit=100))
     if last.status != "converged":
         raise RuntimeError(f"reference: {last.status} {last.message}")
-    return Trial(last.state, both)
+    return Trial(last.state, rings)
 
 
-def _meshed(case: Case, row: tuple[int, float, float]) -> Case:
-    order, size, raceway = row
+def _meshed(case: Case, mesh: tuple[int, float, float]) -> Case:
+    order, size, raceway = mesh
     length = expansion.roller_length(case)
-    return finer(case, element_order=order, mesh_size=size * length, raceway_mesh_size=raceway * length)
+    return with_accuracy(
+        case, element_order=order, mesh_size=size * length, raceway_mesh_size=raceway * length
+    )
 
 
 def measured(target: str, cases: Cases) -> Iterator[tuple[str, AdaptiveResolution, dict[str, float], float]]:
@@ -189,17 +191,19 @@ def main() -> None:
     kept, ratios, promised = [], [], []
     with threadpool_limits(limits=1, user_api="blas"):
         for name, found, true, seconds in measured(asked.target, cases):
-            estimate, words = found.found.estimate, []
+            estimate, words = found.selection.estimate, []
             for output in JUDGED:
                 error, bound = true[output], estimate[output]
                 kept.append(error <= bound)
                 ratios.append(bound / error if error else np.inf)
                 words.append(f"{output} {100 * error:.4f}/{100 * bound:.4f} x{ratios[-1]:<6.1f}")
             promised.append(
-                not found.found.met or max(true[output] for output in JUDGED) <= found.found.target
+                not found.selection.met or max(true[output] for output in JUDGED) <= found.selection.target
             )
-            levels = ", ".join(one.choice.levels[one.level].partition(",")[0] for one in found.found.verdicts)
-            met = "" if found.found.met else " NOT MET"
+            levels = ", ".join(
+                verdict.choice.levels[verdict.level].partition(",")[0] for verdict in found.selection.verdicts
+            )
+            met = "" if found.selection.met else " NOT MET"
             print(f"{name:33s} {'  '.join(words)} {seconds:5.1f} s  {levels}{met}", flush=True)
     print(
         f"{len(promised)} cases, {len(kept)} outputs: true error below the estimate in "

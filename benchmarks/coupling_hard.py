@@ -19,10 +19,10 @@ from benchmarks.machine import describe
 from flexbearing import read
 from flexbearing.build import roller_bearing
 from flexbearing.coupled.coupled import BearingPartner
-from flexbearing.coupling import RULES, StoppingCriterion, fixed_point, newton, relaxed
+from flexbearing.coupling import RULES, RacewayPair, StoppingCriterion, fixed_point, newton, relaxed
 from flexbearing.progress import Logged
-from flexbearing.rings.condensed import condensed
-from flexbearing.rings.raceways import CondensedRings
+from flexbearing.rings.condensed import condensed_raceways
+from flexbearing.rings.raceways import CondensedRaceway, RigidRaceway
 from quasidynamic.balance.rollers.scales import LARGE_DEVIATION, LENGTH
 from quasidynamic.solve.rollers import bordered_system
 
@@ -89,7 +89,7 @@ class Row:
     """A case with all methods."""
 
     name: str
-    radius: float  # spectral radius of the alternation at newton's solution
+    radius: float  # spectral radius of the exchange at newton's solution
     runs: dict[str, Run]
 
 
@@ -117,7 +117,7 @@ def pairs(words: list[str]) -> Iterator[tuple[str, Pair]]:
             continue
         case = read(CASE, settings)
         bearing = BearingPartner(roller_bearing.bearing(case))
-        rings = condensed(case, bearing.model.bearing.azimuths, Logged())
+        rings = condensed_raceways(case, bearing.model.bearing.azimuths, Logged())
         # Every iteration of a fit solves its contact: too long for a constant relaxation.
         methods = METHODS[:-1] if "fit" in name else METHODS
         yield name, Pair(bearing, rings, bearing.solve(), methods)
@@ -144,7 +144,7 @@ def difference(state, other) -> float:
 
 
 def spectral_radius(state) -> float:
-    r"""Of the alternation at a state that newton found, C dQ/dw.
+    r"""Of the plain exchange at a state that newton found, C dQ/dw.
 
     The bearing's own matrix, solved for residuals of the deviations, answers with (1 - C dQ/dw)^-1.
     """
@@ -161,11 +161,12 @@ def softened() -> list[Row]:
     """The same bearing on cages of growing softness."""
     case = read(CASE, CAGE)
     bearing = BearingPartner(roller_bearing.bearing(case))
-    cage = condensed(case, bearing.model.bearing.azimuths, Logged()).raceways[1]
+    azimuths = bearing.model.bearing.azimuths
+    cage = condensed_raceways(case, azimuths, Logged()).outer.linearised(np.zeros(0))
     rows = []
     for factor in SOFTNESS:
         softer = replace(cage, absolute=factor * cage.absolute, translation=factor * cage.translation)
-        pair = Pair(bearing, CondensedRings((None, softer)), bearing.solve())
+        pair = Pair(bearing, RacewayPair(RigidRaceway(azimuths), CondensedRaceway(softer)), bearing.solve())
         rows.append(compared(f"24 bars, {factor:g} times as soft", pair))
     return rows
 
@@ -235,7 +236,7 @@ def draw(rows: list[Row], path: Path) -> None:
         axes.scatter([row.radius for row in bad], high, color=colour, marker="x", s=30)
     axes.axhline(top * 1.35, color="0.7", lw=0.8)
     axes.text(0.01, 0.985, "not converged", transform=axes.transAxes, va="top", color="0.4")
-    axes.set(xscale="log", yscale="log", xlabel="spectral radius of the alternation", ylabel="iterations")
+    axes.set(xscale="log", yscale="log", xlabel="spectral radius of the exchange", ylabel="iterations")
     axes.legend(loc="center left", bbox_to_anchor=(0.02, 0.52), ncols=2, fontsize=9)
     figure.savefig(path, dpi=130)
 

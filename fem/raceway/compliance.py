@@ -20,6 +20,7 @@ class RacewayCompliance:
     elements: int
     seconds: dict[str, float] = field(compare=False)  # by stage: mesh, factor, condense
     initial_deviation: NDArray = field(default_factory=lambda: np.zeros((0, 0)))  # (Z, M) [m] outward
+    initial_translation: NDArray = field(default_factory=lambda: np.zeros(2))  # (y, z) [m]
 
     def __post_init__(self):
         if self.initial_deviation.size == 0:

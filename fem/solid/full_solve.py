@@ -3,7 +3,6 @@
 from dataclasses import dataclass
 from functools import cached_property
 
-import numpy as np
 from numpy.typing import NDArray
 
 from fem.assembly import roller_loads
@@ -21,13 +20,12 @@ class FullSolve:
     solid: FactoredSolid
 
     def answer(self, forces: NDArray) -> tuple[NDArray, NDArray]:
-        r"""Outward deviations from the translated raceway, and its translation.
+        r"""Outward deviations from the ground, and the mean translation that they contain.
 
-        .. math:: w = B^T u - H F - e\,t,\quad t = T^T u,\quad K u = B F
+        .. math:: w = B^T u - H F,\quad t = T^T u,\quad K u = B F
 
-        with K the stiffness, B the load vectors of unit forces, T those that read the mean translation,
-        H the deflection of a half-space under a roller's own load, which the contact law holds, and
-        :math:`e_j = (\sin\varphi_j, \cos\varphi_j)`, of the first shape only.
+        with K the stiffness, B the load vectors of unit forces, T those that read the mean translation, and
+        H the deflection of a half-space under a roller's own load, which the contact law holds.
 
         Parameters
         ----------
@@ -58,8 +56,6 @@ class FullSolve:
             displacement = self.solid.stiffness.solve(self._rollers @ forces.ravel())
         translation = self._translations.T @ displacement
         deviation = (self._rollers.T @ displacement).reshape(forces.shape) - forces @ self._half_space
-        azimuths = np.array(self.solid.patches.azimuths)
-        deviation[:, 0] -= np.stack([np.sin(azimuths), np.cos(azimuths)], axis=1) @ translation
         return deviation, translation
 
     def condensed(self) -> RacewayCompliance:

@@ -1,5 +1,8 @@
-"""Accuracy on order: levels of discretisation, climbed until the estimated error is small enough."""
+"""Accuracy on request: ladders of levels, climbed until the estimated error is small enough.
 
-from flexbearing.accuracy.ladder import Choice, Found, Unusable, Verdict, climb
+Here belong levels, trials and estimates; what a level computes stands in `build`, `rings` and `coupled`.
+"""
 
-__all__ = ["Choice", "Found", "Unusable", "Verdict", "climb"]
+from flexbearing.accuracy.ladder import Choice, Selection, Unusable, Verdict, climb
+
+__all__ = ["Choice", "Selection", "Unusable", "Verdict", "climb"]

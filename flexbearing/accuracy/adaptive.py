@@ -1,4 +1,4 @@
-"""The levels at which a roller case keeps the accuracy that is ordered."""
+"""The levels at which a roller case keeps the accuracy asked for."""
 
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -7,12 +7,12 @@ from typing import Any
 
 import numpy as np
 
-from flexbearing.accuracy import Found, Unusable, Verdict, climb
+from flexbearing.accuracy.ladder import Selection, Unusable, Verdict, climb
 from flexbearing.accuracy.levels import ladders
 from flexbearing.accuracy.trials import Trial, Trials, changes
 from flexbearing.case.roller import Case
+from flexbearing.coupling import RacewayPair
 from flexbearing.progress import Report
-from flexbearing.rings.condensed import Rings
 from quasidynamic import Equilibrium, RollerBearing
 
 JUDGED = ("roller_load", "life")  # outputs that the target is of
@@ -22,38 +22,38 @@ JUDGED = ("roller_load", "life")  # outputs that the target is of
 class AdaptiveResolution:
     """A case at the levels that its target asks for."""
 
-    found: Found
+    selection: Selection
     trial: Trial  # at these levels
     model: RollerBearing
 
     @property
-    def rings(self) -> Rings:
+    def rings(self) -> RacewayPair:
         """The parts as they are resolved."""
         return self.trial.rings
 
     def attributes(self) -> dict[str, Any]:
         """What the result file says of levels and errors."""
         return {
-            "choices": {verdict.choice.name: _record(verdict) for verdict in self.found.verdicts},
+            "choices": {verdict.choice.name: _record(verdict) for verdict in self.selection.verdicts},
             "error_estimate": {
-                "target": self.found.target,
-                "met": self.found.met,
-                **{name: _finite(error) for name, error in self.found.estimate.items()},
+                "target": self.selection.target,
+                "met": self.selection.met,
+                **{name: _finite(error) for name, error in self.selection.estimate.items()},
             },
         }
 
     def notes(self, end: Equilibrium) -> Iterator[str]:
         """What a reader must know: parts that are left rigid, a target that is not met, another end state."""
-        for verdict in self.found.verdicts:
+        for verdict in self.selection.verdicts:
             if verdict.choice.levels[verdict.level] == "rigid":
                 yield (
-                    f"{verdict.choice.name}: left rigid, as yielding changes loads and life by less than the "
-                    f"target allows it ({_percent(verdict.allowed)})"
+                    f"{verdict.choice.name}: left rigid, as its deflection changes loads and life by "
+                    f"less than the target allows it ({_percent(verdict.allowed)})"
                 )
-        if not self.found.met:
-            yield _unmet(self.found)
+        if not self.selection.met:
+            yield _unmet(self.selection)
         away = np.abs(end.forces[..., 0] - self.trial.loads).max() / self.trial.loads.max()
-        if not away <= self.found.target:
+        if not away <= self.selection.target:
             yield (
                 f"accuracy.target: the loads of this solution differ by {_percent(away)} from those that "
                 "the errors were estimated at: there are several equilibria, and the estimate is of another"
@@ -80,21 +80,22 @@ def adaptive_resolution(case: Case, report: Report) -> AdaptiveResolution:
         if there is no answer at the coarsest levels
     """
     assert case.accuracy.target is not None
-    report.stage("levels for the accuracy that is ordered", None)
-    given = ladders(case)
-    trials = Trials(case, given, report)
+    report.stage("levels for the accuracy asked for", None)
+    choices = ladders(case)
+    trials = Trials(case, choices, report)
     with ThreadPoolExecutor() as pool:
         if case.accuracy.threads > 1:
             trials.foresee(pool)
-        found = climb([one.choice for one in given], trials, changes, case.accuracy.target, JUDGED)
-    for verdict in found.verdicts:
+        selection = climb(
+            [ladder.choice for ladder in choices], trials, changes, case.accuracy.target, JUDGED
+        )
+    for verdict in selection.verdicts:
         name, level = verdict.choice.name, verdict.choice.levels[verdict.level]
         if not verdict.against and verdict.choice.converging > verdict.level:
-            raise Unusable(
-                "; ".join(verdict.unusable.values())
-            )  # a part without any level is not a rigid one
+            # a part without any level is not a rigid one
+            raise Unusable("; ".join(verdict.unusable.values()))
         report.stage(f"{name}: {level}", None)
-    return AdaptiveResolution(found, trials(found.place), trials.model(found.place))
+    return AdaptiveResolution(selection, trials(selection.place), trials.model(selection.place))
 
 
 def _record(verdict: Verdict) -> dict[str, Any]:
@@ -111,19 +112,22 @@ def _record(verdict: Verdict) -> dict[str, Any]:
     }
 
 
-def _unmet(found: Found) -> str:
+def _unmet(selection: Selection) -> str:
     """What the errors are and what makes them."""
     errors = " and ".join(
-        f"{_percent(found.estimate[name])} of the {words}"
+        f"{_percent(selection.estimate[name])} of the {words}"
         for name, words in zip(JUDGED, ("largest load", "life"), strict=True)
-        if name in found.estimate
+        if name in selection.estimate
     )
-    worst = max(found.verdicts, key=lambda one: max(one.estimate.get(name, 0.0) for name in JUDGED))
+    worst = max(
+        selection.verdicts,
+        key=lambda verdict: max(verdict.estimate.get(name, 0.0) for name in JUDGED),
+    )
     choice = worst.choice
     fixed = ", which the case fixes" if worst.level == choice.highest and choice.last is not None else ""
     return (
-        f"accuracy.target of {_percent(found.target)} is not met: the estimated errors are {errors}, most of "
-        f"it from {choice.name} ({choice.levels[worst.level]}{fixed})"
+        f"accuracy.target of {_percent(selection.target)} is not met: the estimated errors are {errors}, "
+        f"most of it from {choice.name} ({choice.levels[worst.level]}{fixed})"
     )
 
 

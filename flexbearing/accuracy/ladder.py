@@ -1,7 +1,7 @@
 r"""Ladders of levels, one for each choice, climbed until what a level leaves out is allowed.
 
-Where each level leaves at most the part r of the error of the one before, the change between two neighbours
-bounds the errors of both,
+Where each level leaves at most the part r of the error of the one before, the change between two
+levels in turn bounds the errors of both,
 
 .. math:: e_k \le \frac{r}{1 - r}\,|y_k - y_{k-1}|, \quad e_k \le \frac{1}{1 - r}\,|y_k - y_{k+1}|
 
@@ -33,7 +33,7 @@ class Choice:
     weight: float  # its part of the target over the sum of all weights
     above: float  # error of a level over its change to the next [-], >= 1
     below: float | None = None  # the same over its change from the one before [-]; None: that is not asked
-    looks: int = 1  # richer levels that one is compared with, the largest change counts
+    compared: int = 1  # richer levels that one is compared with, the largest change counts
     converging: int = 0  # first level of the sequence; those before leave something out altogether
     start: int = 0  # first level that may be taken
     last: int | None = None  # highest level that may be taken, those beyond only measure; None: any
@@ -76,7 +76,7 @@ class Verdict:
 
 
 @dataclass(frozen=True)
-class Found:
+class Selection:
     """The levels that were taken, and why."""
 
     place: Place
@@ -115,11 +115,14 @@ class _Climb(Generic[T]):
         base = self.evaluate(tuple(self.place))
         allowed = self.target * choice.weight / sum(other.weight for other in self.choices)
         others: dict[int, T] = {}
-        for group in _others(choice, level):
-            others = others or dict(islice(self._answers(k, group), choice.looks))
-        found = _largest([self.changes(base, other) for other in others.values()])
+        for levels in _compared(choice, level):
+            others = others or dict(islice(self._answers(k, levels), choice.compared))
+        largest: dict[str, float] = {}
+        for other in others.values():
+            for name, change in self.changes(base, other).items():
+                largest[name] = max(change, largest.get(name, 0.0))
         unusable = {choice.levels[n]: why for (at, n), why in self.unusable.items() if at == k}
-        return Verdict(choice, level, tuple(others), found, allowed, self.judged, unusable)
+        return Verdict(choice, level, tuple(others), largest, allowed, self.judged, unusable)
 
     def _answers(self, k: int, levels: Iterable[int]) -> Iterator[tuple[int, T]]:
         """Levels of a choice that have an answer, with it."""
@@ -139,13 +142,13 @@ class _Climb(Generic[T]):
 
     def rise(self, k: int) -> bool:
         """Climb one choice as far as needed; returns whether it moved."""
-        began = self.place[k]
+        before = self.place[k]
         while self.verdict(k).excess:
             above = self._next(k)
             if above is None:
                 break
             self.place[k] = above
-        return self.place[k] != began
+        return self.place[k] != before
 
     def _next(self, k: int) -> int | None:
         """The next level with an answer; the first of a sequence is only to judge the second by."""
@@ -155,16 +158,11 @@ class _Climb(Generic[T]):
         return next((n for n, _ in self._answers(k, above)), None)
 
 
-def _others(choice: Choice, level: int) -> tuple[Iterable[int], Iterable[int]]:
+def _compared(choice: Choice, level: int) -> tuple[Iterable[int], Iterable[int]]:
     """Levels to compare one with, those first that tell most: the poorer or the richer ones."""
     richer = range(level + 1, len(choice.levels))
     poorer = range(level - 1, choice.converging - 1, -1)
     return (poorer, richer) if choice.below is not None else (richer, poorer)
-
-
-def _largest(changes: Sequence[Changes]) -> Changes:
-    """The largest change of every output."""
-    return {name: max(one.get(name, 0.0) for one in changes) for one in changes for name in one}
 
 
 def climb(
@@ -173,7 +171,7 @@ def climb(
     changes: Callable[[T, T], Changes],
     target: float,
     judged: tuple[str, ...],
-) -> Found:
+) -> Selection:
     """Take the poorest levels whose estimated errors keep their parts of the target.
 
     Parameters
@@ -192,7 +190,7 @@ def climb(
 
     Returns
     -------
-    Found
+    Selection
         also where the richest levels do not keep the target: `met` says so
 
     Raises
@@ -209,4 +207,4 @@ def climb(
     while any([state.rise(k) for k in range(len(choices))]):
         pass
     verdicts = tuple(state.verdict(k) for k in range(len(choices)))
-    return Found(tuple(state.place), verdicts, target)
+    return Selection(tuple(state.place), verdicts, target)

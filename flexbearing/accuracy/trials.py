@@ -1,53 +1,62 @@
 """A roller case solved at any levels of its choices, without a file."""
 
+from collections.abc import Callable, Iterator
 from concurrent.futures import Executor, Future
 from dataclasses import dataclass, field, replace
-from functools import cached_property, partial
-from typing import TYPE_CHECKING, Any
+from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.accuracy import Unusable
 from flexbearing.accuracy.ladder import Place
-from flexbearing.accuracy.levels import APART, SHAPES, Ladder, Race, in_a_fit, of_place
+from flexbearing.accuracy.levels import AXIAL_MODES, Cost, Ladder, case_at
 from flexbearing.build import roller_bearing
+from flexbearing.build.ring_parts import Race
 from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
 from flexbearing.coupled import states
 from flexbearing.coupled.coupled import BearingPartner
-from flexbearing.coupling import RULES, PartnerFailed, StoppingCriterion, fixed_point, newton
+from flexbearing.coupling import (
+    RULES,
+    Iteration,
+    PartnerFailed,
+    Raceway,
+    RacewayPair,
+    StoppingCriterion,
+    fixed_point,
+    newton,
+)
 from flexbearing.progress import Report
 from flexbearing.rings import condensed
-from flexbearing.rings.raceways import CondensedRings
+from flexbearing.rings.fits import RacewayInFit, is_in_fit
+from flexbearing.rings.raceways import CondensedRaceway, RigidRaceway
 from quasidynamic import Equilibrium, RollerBearing
 
-if TYPE_CHECKING:
-    from fem.raceway.compliance import RacewayCompliance
-
-FINEST_SHAPES = SHAPES[-1]  # rings are condensed for so many at once: fewer of them are a part of that
+MOST_MODES = AXIAL_MODES[-1]  # rings are condensed for so many at once: fewer of them are a part of that
 
 
 @dataclass(frozen=True)
 class Trial:
     """The end state of a case at some levels."""
 
-    found: Equilibrium
-    rings: condensed.Rings
+    state: Equilibrium
+    rings: RacewayPair
 
     @cached_property
     def loads(self) -> NDArray:
         """Roller loads (2, Z) [N]."""
-        return self.found.forces[..., 0]
+        return self.state.forces[..., 0]
 
     @cached_property
     def numbers(self) -> dict[str, float]:
         """Life [10^6 revolutions], stiffness of the bearing and of bearing and supports [N/m]."""
-        near = self.rings.linearised(self.found.forces)
+        tangent = self.rings.linearised(self.state.forces)
         return {
-            "life": self.found.life,
-            "stiffness": self.found.tangent.radial_stiffness,
-            "total_stiffness": states.supported(self.found, near).tangent.radial_stiffness,
+            "life": self.state.life,
+            "stiffness": self.state.tangent.radial_stiffness,
+            "total_stiffness": states.supported(self.state, tangent).tangent.radial_stiffness,
         }
 
 
@@ -66,13 +75,12 @@ def changes(trial: Trial, other: Trial) -> dict[str, float]:
         and `total_stiffness`, changes over the value; `cage_slip`, the change itself. What is not finite
         in a trial, such as the life of a bearing without load, is left out.
     """
-    found = {
+    shares = {
         "roller_load": np.abs(other.loads - trial.loads).max() / trial.loads.max(),
-        "cage_slip": abs(other.found.cage_slip - trial.found.cage_slip),
+        "cage_slip": abs(other.state.cage_slip - trial.state.cage_slip),
+        **{name: abs(other.numbers[name] / value - 1) for name, value in trial.numbers.items()},
     }
-    for name, value in trial.numbers.items():
-        found[name] = abs(other.numbers[name] / value - 1)
-    return {name: float(value) for name, value in found.items() if np.isfinite(value)}
+    return {name: float(share) for name, share in shares.items() if np.isfinite(share)}
 
 
 @dataclass
@@ -82,9 +90,9 @@ class Trials:
     case: Case
     ladders: tuple[Ladder, ...]
     report: Report
-    _known: dict[Place, Trial] = field(default_factory=dict)
-    _parts: dict[Any, Any] = field(default_factory=dict)  # condensed, by name and settings
-    _begun: dict[Any, "Future[Any]"] = field(default_factory=dict)  # the same, on their way
+    _solved: dict[Place, Trial] = field(default_factory=dict)
+    _raceways: dict[Any, Raceway] = field(default_factory=dict)  # by race and settings
+    _begun: dict[Any, "Future[Raceway]"] = field(default_factory=dict)  # the same, on their way
 
     def __call__(self, place: Place) -> Trial:
         """End state at a level of each choice.
@@ -103,16 +111,16 @@ class Trials:
         Unusable
             if a part could not be condensed there, or no equilibrium was found
         """
-        if place not in self._known:
+        if place not in self._solved:
             try:
-                self._known[place] = self._solved(place)
+                self._solved[place] = self._solve(place)
             except (PartnerFailed, BadCase) as problem:
                 raise Unusable(str(problem)) from problem
-        return self._known[place]
+        return self._solved[place]
 
     def model(self, place: Place) -> RollerBearing:
         """The bearing at these levels."""
-        case = of_place(self.case, self.ladders, place, None)
+        case = case_at(self.case, self.ladders, place, None)
         assert case is not None  # only parts are left rigid
         return replace(self._bearing, slices=case.accuracy.slices, axial_modes=case.accuracy.axial_shapes)
 
@@ -120,67 +128,61 @@ class Trials:
     def _bearing(self) -> RollerBearing:
         return roller_bearing.bearing(self.case)
 
-    def _solved(self, place: Place) -> Trial:
-        partner, both = BearingPartner(self.model(place)), self._rings(place)
-        if both.rigid:
-            return Trial(partner.solve(self._near(place)), both)
-        for start, iterate in self._ways(place, partner, isinstance(both, CondensedRings)):
-            *_, last = iterate(partner, both, start(), self._ending)
+    def _solve(self, place: Place) -> Trial:
+        partner = BearingPartner(self.model(place))
+        rings = RacewayPair(self._raceway(place, "inner"), self._raceway(place, "outer"))
+        if rings.rigid:
+            return Trial(partner.solve(self._nearest(place)), rings)
+        for iterations in self._attempts(place, partner, rings):
+            *_, last = iterations()
             if last.status == "converged":
-                return Trial(last.state, both)
+                return Trial(last.state, rings)
         raise PartnerFailed(last.message or last.status, last.ending)
 
-    def _ways(self, place: Place, partner: BearingPartner, linear: bool):
-        """Where to begin and how to iterate, the fastest first: from a trial nearby, or from rigid ones."""
-        near = self._near(place)
-        if near is not None and (
-            linear or near.axial_modes == partner.model.axial_modes
-        ):  # a fit asks for the forces
-            yield lambda: near, newton
-        yield partner.solve, newton
-        yield partner.solve, partial(fixed_point, rule=RULES["iqn-ils"])
+    def _attempts(
+        self, place: Place, partner: BearingPartner, rings: RacewayPair
+    ) -> Iterator[Callable[[], Iterator[Iteration[Equilibrium]]]]:
+        """Ways to couple, the fastest first: from a trial nearby, or from rigid raceways."""
+        coupling, nearest = self.case.coupling, self._nearest(place)
+        criterion = StoppingCriterion(tolerance=coupling.tolerance, limit=coupling.max_iterations)
+        in_fit = isinstance(rings.inner, RacewayInFit) or isinstance(rings.outer, RacewayInFit)
+        # A fit is linearised at the forces of the start, which must have its axial modes.
+        if nearest is not None and not (in_fit and nearest.axial_modes != partner.model.axial_modes):
+            yield lambda: newton(partner, rings, nearest, criterion)
+        yield lambda: newton(partner, rings, partner.solve(), criterion)
+        yield lambda: fixed_point(partner, rings, partner.solve(), criterion, RULES["iqn-ils"])
 
-    @property
-    def _ending(self) -> StoppingCriterion:
-        given = self.case.coupling
-        return StoppingCriterion(tolerance=given.tolerance, limit=given.max_iterations)
-
-    def _near(self, place: Place) -> Equilibrium | None:
+    def _nearest(self, place: Place) -> Equilibrium | None:
         """The last trial with the same rigid parts, or else the last one."""
         rigid = self._left_rigid(place)
-        same = [trial for at, trial in self._known.items() if self._left_rigid(at) == rigid]
-        found = [*self._known.values(), *same]
-        return found[-1].found if found else None
+        similar = [trial for at, trial in self._solved.items() if self._left_rigid(at) == rigid]
+        trials = [*self._solved.values(), *similar]
+        return trials[-1].state if trials else None
 
     def _left_rigid(self, place: Place) -> list[bool]:
         return [ladder.settings[level] is None for ladder, level in zip(self.ladders, place, strict=True)]
 
-    def _rings(self, place: Place) -> condensed.Rings:
-        outer = self._raceway(place, "outer")
-        return condensed.side_by_side(self._raceway(place, "inner"), outer, self._bearing.bearing.azimuths)
-
-    def _raceway(self, place: Place, race: Race):
-        """A condensed part for as many axial shapes as the bearing has; None where it is left rigid."""
-        case = of_place(self.case, self.ladders, place, race)
+    def _raceway(self, place: Place, race: Race) -> Raceway:
+        """What carries a raceway, for as many axial modes as the bearing has."""
+        case = case_at(self.case, self.ladders, place, race)
         if case is None:
-            return None
-        if in_a_fit(case, race):
+            return RigidRaceway(self._bearing.bearing.azimuths)
+        if is_in_fit(case, race):
             return self._condensed(case, race)
-        shapes = case.accuracy.axial_shapes
-        found = self._condensed(finer(case, axial_shapes=max(shapes, FINEST_SHAPES)), race)
-        return None if found is None else first_shapes(found, shapes)
+        modes = case.accuracy.axial_shapes
+        raceway = self._condensed(with_accuracy(case, axial_shapes=max(modes, MOST_MODES)), race)
+        return raceway.with_axial_modes(modes) if isinstance(raceway, CondensedRaceway) else raceway
 
-    def _condensed(self, case: Case, race: Race):
-        key = _part_key(case, race)
+    def _condensed(self, case: Case, race: Race) -> Raceway:
+        key = _raceway_key(case, race)
         if key in self._begun:
             return self._begun[key].result()
-        if key not in self._parts:
-            self._parts[key] = self._condense(case, race)
-        return self._parts[key]
+        if key not in self._raceways:
+            self._raceways[key] = self._condense(case, race)
+        return self._raceways[key]
 
-    def _condense(self, case: Case, race: Race):
-        condense = condensed.inner_ring if race == "inner" else condensed.outer_ring
-        return condense(case, self._bearing.bearing.azimuths, self.report)
+    def _condense(self, case: Case, race: Race) -> Raceway:
+        return condensed.raceway(case, race, self._bearing.bearing.azimuths, self.report)
 
     def foresee(self, pool: Executor) -> None:
         """Begin with the first two levels of a squirrel cage, which take longest.
@@ -190,31 +192,21 @@ class Trials:
         """
         place = tuple(ladder.choice.start for ladder in self.ladders)
         for k, ladder in enumerate(self.ladders):
-            if ladder.cost == APART:
+            if ladder.cost is Cost.CYCLIC:
                 for level in (1, 2):
-                    case = of_place(
-                        self.case, self.ladders, (*place[:k], level, *place[k + 1 :]), ladder.race
-                    )
+                    at = (*place[:k], level, *place[k + 1 :])
+                    case = case_at(self.case, self.ladders, at, ladder.race)
                     assert case is not None
-                    wanted = finer(case, axial_shapes=max(case.accuracy.axial_shapes, FINEST_SHAPES))
-                    self._begun[_part_key(wanted, "outer")] = pool.submit(self._condense, wanted, "outer")
+                    finest = with_accuracy(case, axial_shapes=max(case.accuracy.axial_shapes, MOST_MODES))
+                    future = pool.submit(self._condense, finest, "outer")
+                    self._begun[_raceway_key(finest, "outer")] = future
 
 
-def _part_key(case: Case, race: Race) -> tuple[Race, str]:
-    """All of a level that a part has; slices it has none."""
-    return race, repr(finer(case, slices=0).accuracy)
+def _raceway_key(case: Case, race: Race) -> tuple[Race, str]:
+    """All settings of a level that a raceway depends on; it has no slices."""
+    return race, repr(with_accuracy(case, slices=0).accuracy)
 
 
-def finer(case: Case, **settings: Any) -> Case:
+def with_accuracy(case: Case, **settings: Any) -> Case:
     """The case with other settings of [accuracy]."""
     return case.model_copy(update={"accuracy": case.accuracy.model_copy(update=settings)})
-
-
-def first_shapes(raceway: "RacewayCompliance", shapes: int) -> "RacewayCompliance":
-    """The same raceway for rollers that exchange fewer axial shapes with it: a part of every array."""
-    return replace(
-        raceway,
-        absolute=raceway.absolute[:, :shapes, :, :shapes],
-        translation=raceway.translation[..., :shapes],
-        initial_deviation=raceway.initial_deviation[:, :shapes],
-    )

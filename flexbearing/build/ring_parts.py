@@ -2,7 +2,7 @@
 
 import re
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import fem
 from fem.parts.step_solid import Coloured, Named, StepSolid, drawing
@@ -10,7 +10,15 @@ from flexbearing.build import clearance
 from flexbearing.build.expansion import hot_over_cold, material, outer_raceway_diameter, roller_length
 from flexbearing.case.roller import Case
 
+Race = Literal["inner", "outer"]
 Part = fem.SquirrelCage | fem.OuterRing | fem.RingOnShaft | StepSolid
+
+NAMES: dict[Race, str] = {"inner": "inner ring and shaft", "outer": "outer ring"}
+
+
+def part_of(case: Case, race: Race) -> Part | None:
+    """What carries a raceway; None when it is rigid."""
+    return inner_part(case) if race == "inner" else outer_part(case)
 
 
 def outer_part(case: Case) -> fem.SquirrelCage | fem.OuterRing | StepSolid | None:

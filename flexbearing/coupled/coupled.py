@@ -13,9 +13,9 @@ from flexbearing.coupled import states
 from flexbearing.coupled.initial_state import InitialState
 from flexbearing.coupling import (
     RULES,
-    Condensed,
     Iteration,
     PartnerFailed,
+    RacewayPair,
     StoppingCriterion,
     fixed_point,
     newton,
@@ -23,12 +23,10 @@ from flexbearing.coupling import (
 )
 from flexbearing.progress import Report
 from flexbearing.results import ResultFile
-from flexbearing.rings.condensed import Rings
-from flexbearing.rings.full_solve import WholeRings
 from quasidynamic import Equilibrium, NotSolved, RollerBearing
 from quasidynamic.solve.rollers.static_equilibrium import series_stiffness
 
-WARM = "newton from an initial state"
+FROM_INITIAL_STATE = "newton from an initial state"
 FALLBACK = ("newton", "iqn-ils", "aitken", "relaxed")  # after the method of the case, in this order
 
 
@@ -39,7 +37,7 @@ class BearingPartner:
     model: RollerBearing
 
     def solve(self, start=None, deviation=None) -> Equilibrium:
-        """Equilibrium between raceways of a given shape.
+        """Equilibrium between raceways of given deviations.
 
         Raises
         ------
@@ -56,7 +54,7 @@ class BearingPartner:
         return series_stiffness(state.balance, state.unknowns)[0]
 
     def iterate(self, compliance, start, deviation) -> Iterator[Equilibrium]:
-        """Newton iterates between raceways that yield.
+        """Newton iterates between elastic raceways.
 
         Raises
         ------
@@ -90,19 +88,19 @@ class Attempt:
 
 
 @dataclass(frozen=True)
-class Coupled:
+class CoupledBearing:
     """Bearing and rings of a case, from the rigid equilibrium on."""
 
     case: Case
     partner: BearingPartner
-    rings: Rings | WholeRings
+    rings: RacewayPair
     rigid: Equilibrium
-    near: InitialState | None = None  # where newton starts first
+    initial: InitialState | None = None  # where newton starts first
 
-    def together(self, file: ResultFile, report: Report) -> list[Attempt]:
+    def solve(self, file: ResultFile, report: Report) -> list[Attempt]:
         """Iterate by one method after the other, and store every iteration; the last attempt counts."""
         attempts: list[Attempt] = []
-        for method in self._chain():
+        for method in self._methods():
             done = attempts[-1].iterations if attempts else 0
             attempts.append(self._attempt(method, file, report, done))
             if attempts[-1].status == "converged":
@@ -110,46 +108,46 @@ class Coupled:
             report.stage(f"{method}: {attempts[-1].message}", None)
         return attempts
 
-    def _chain(self) -> tuple[str, ...]:
+    def _methods(self) -> tuple[str, ...]:
         """Methods in the order in which they are tried."""
         first = self.case.coupling.method
-        able = FALLBACK if isinstance(self.rings, Condensed) else FALLBACK[1:]  # only newton asks for more
+        able = FALLBACK[1:] if self.rings.solved_in_full else FALLBACK  # newton needs the tangent
         others = tuple(method for method in able if method != first)
-        cold = (first, *others) if self.case.coupling.fallback else (first,)
-        return cold if self.near is None else (WARM, *cold)
+        methods = (first, *others) if self.case.coupling.fallback else (first,)
+        return methods if self.initial is None else (FROM_INITIAL_STATE, *methods)
 
     def _attempt(self, method: str, file: ResultFile, report: Report, done: int) -> Attempt:
-        began, step = perf_counter(), None
-        for step in self._steps(method):
-            file.iteration(done + step.number, states.iteration(step, perf_counter() - began))
-            report.iteration(step)
+        began, last = perf_counter(), None
+        for last in self._iterations(method):
+            file.iteration(done + last.number, states.iteration(last, perf_counter() - began))
+            report.iteration(last)
             began = perf_counter()
-        assert step is not None  # every method yields at least once
-        message = step.message or _sentence(method, step, self.case)
-        return Attempt(method, done + step.number, step.status, message, str(step.ending), step.state)
+        assert last is not None  # every method yields at least once
+        message = last.message or _message(method, last, self.case)
+        return Attempt(method, done + last.number, last.status, message, str(last.ending), last.state)
 
-    def _steps(self, method: str) -> Iterator[Iteration[Equilibrium]]:
-        given = self.case.coupling
-        ending = StoppingCriterion(tolerance=given.tolerance, limit=given.max_iterations)
-        if isinstance(self.rings, Condensed) and method in ("newton", WARM):
-            if self.near is not None and method == WARM:
-                return self._warm(self.near, self.rings, ending)
-            return newton(self.partner, self.rings, self.rigid, ending)
-        rule = partial(relaxed, relaxation=given.relaxation) if method == "relaxed" else RULES[method]
-        return fixed_point(self.partner, self.rings, self.rigid, ending, rule)
+    def _iterations(self, method: str) -> Iterator[Iteration[Equilibrium]]:
+        coupling = self.case.coupling
+        criterion = StoppingCriterion(tolerance=coupling.tolerance, limit=coupling.max_iterations)
+        if method == "newton":
+            return newton(self.partner, self.rings, self.rigid, criterion)
+        if method == FROM_INITIAL_STATE and self.initial is not None:
+            return self._from_initial_state(self.initial, criterion)
+        rule = partial(relaxed, relaxation=coupling.relaxation) if method == "relaxed" else RULES[method]
+        return fixed_point(self.partner, self.rings, self.rigid, criterion, rule)
 
-    def _warm(
-        self, near: InitialState, rings: Condensed, ending: StoppingCriterion
+    def _from_initial_state(
+        self, initial: InitialState, criterion: StoppingCriterion
     ) -> Iterator[Iteration[Equilibrium]]:
         try:
-            start = near.state(self.partner, rings, self.rigid)
+            start = initial.state(self.partner, self.rings, self.rigid)
         except PartnerFailed as failure:
             yield Iteration(1, self.rigid, np.inf, np.inf, "not solved", str(failure), failure.ending)
             return
-        yield from newton(self.partner, rings, start, ending)
+        yield from newton(self.partner, self.rings, start, criterion)
 
 
-def _sentence(method: str, last: Iteration, case: Case) -> str:
+def _message(method: str, last: Iteration, case: Case) -> str:
     if last.status == "converged":
         return (
             f"loads changed by {last.load_change:.1e} of the largest in the last iteration, "

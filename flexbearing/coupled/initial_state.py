@@ -1,4 +1,4 @@
-"""The flexible end state of a neighbouring case as a start."""
+"""The flexible end state of a similar case as the initial state of another."""
 
 from dataclasses import dataclass, replace
 from functools import reduce
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from flexbearing.case import BadCase
 from flexbearing.case.declarations import toml
 from flexbearing.case.roller import Case
-from flexbearing.coupling import Bearing, Condensed
+from flexbearing.coupling import Bearing, Structure
 from flexbearing.results import Result
 from quasidynamic import Equilibrium
 from quasidynamic.balance.rollers.unknowns import BORDER, CAGE, Unknowns
@@ -20,20 +20,20 @@ SAME = ("bearing.cage.guidance", "bearing.cage.centre", "lubricant.film")  # wha
 FIELDS = 5  # unknowns of a roller: approach, tilt, both films, spin
 
 
-def flat(found: Equilibrium) -> NDArray:
+def flat(state: Equilibrium) -> NDArray:
     """Unknowns (N) of a state in SI units, in the order of the result file, however it was solved.
 
     N = 5 + 5 Z + 2 Z M: ring and cage, fields over the rollers, deviations of both raceways, given or not.
     """
-    x = found.unknowns
+    x = state.unknowns
     fields = (x.approach, x.tilt, *x.film, x.spin_drift)
     return np.concatenate(
-        [x.ring.ravel(), x.cage_drift.ravel(), *(field.ravel() for field in fields), found.deviation.ravel()]
+        [x.ring.ravel(), x.cage_drift.ravel(), *(field.ravel() for field in fields), state.deviation.ravel()]
     )
 
 
 def unknowns(values: NDArray, rollers: int) -> Unknowns:
-    """The unknowns that `flat` (N) was made of, all deviations among those of raceways that yield."""
+    """The unknowns that `flat` (N) was made of, all deviations among those of elastic raceways."""
     border, fields, deviation = np.split(values, [BORDER, BORDER + FIELDS * rollers])
     approach, tilt, inner, outer, spin = fields.reshape(FIELDS, 1, rollers)
     return Unknowns(
@@ -49,41 +49,42 @@ def unknowns(values: NDArray, rollers: int) -> Unknowns:
 
 @dataclass(frozen=True)
 class InitialState:
-    """Where a case may start."""
+    """Where the coupling of a case may start."""
 
-    name: str  # of its result
+    source: str  # path of the result that it comes from
     unknowns: Unknowns  # of the flexible end state
 
-    def state(self, bearing: Bearing[Equilibrium], rings: Condensed, rigid: Equilibrium) -> Equilibrium:
-        """The end state of the neighbour in the equations of this case.
+    def state(self, bearing: Bearing[Equilibrium], rings: Structure, rigid: Equilibrium) -> Equilibrium:
+        """The unknowns in the equations of this case.
 
         Parameters
         ----------
         bearing : Bearing
             of this case
-        rings : Condensed
-            its structure
+        rings : Structure
+            of this case
         rigid : Equilibrium
-            its state between rigid raceways
+            state of this case between rigid raceways
 
         Returns
         -------
         Equilibrium
-            with the loads of the neighbour's unknowns, not in balance
+            with the loads of these unknowns, not in balance
 
         Raises
         ------
         PartnerFailed
             where the rings have no answer to these loads
         """
-        even = np.zeros((rigid.balance.layout.rollers, rigid.axial_modes) * 2)
-        found = _put(next(bearing.iterate((even, even), rigid, None)), self.unknowns)
-        linear = rings.linearised(found.forces)
-        if linear.unloaded is None:
-            return found
-        left = np.moveaxis(linear.unloaded, -1, 1)[:, :, None]
-        own = self.unknowns._replace(deviation=self.unknowns.deviation - left)
-        return _put(next(bearing.iterate(linear.compliance, found, linear.unloaded)), own)
+        no_compliance = np.zeros((rigid.balance.layout.rollers, rigid.axial_modes) * 2)
+        start = _put(next(bearing.iterate((no_compliance, no_compliance), rigid, None)), self.unknowns)
+        linear = rings.linearised(start.forces)
+        if linear.initial_deviation is None:
+            return start
+        # deviations among the unknowns are those by the roller forces alone
+        initial = np.moveaxis(linear.initial_deviation, -1, 1)[:, :, None]
+        by_load = self.unknowns._replace(deviation=self.unknowns.deviation - initial)
+        return _put(next(bearing.iterate(linear.compliance, start, linear.initial_deviation)), by_load)
 
 
 def _put(state: Equilibrium, x: Unknowns) -> Equilibrium:
@@ -144,15 +145,19 @@ def _differing(result: Result, case: Case) -> str:
     """What makes the unknowns of a result other ones than those of a case; empty where nothing does."""
     block, this, other = result.flexible, case.model_dump(), result.attributes["case_si"]
     rollers = block["roller_azimuth"].size
-    shapes = (block["unknowns"].size - BORDER - FIELDS * rollers) // (2 * rollers)
+    modes = (block["unknowns"].size - BORDER - FIELDS * rollers) // (2 * rollers)
     pairs = [
         ("bearing.rollers", rollers, case.bearing.rollers),
         ("accuracy.slices", block["slice_position"].size, case.accuracy.slices),
-        ("accuracy.axial_shapes", shapes, case.accuracy.axial_shapes),
+        ("accuracy.axial_shapes", modes, case.accuracy.axial_shapes),
         *((key, _at(other, key), _at(this, key)) for key in SAME),
     ]
-    told = [f"{key} = {toml(there)} there, {toml(here)} here" for key, there, here in pairs if there != here]
-    return "; ".join(told) + "; allowed is the same in both" if told else ""
+    differences = [
+        f"{key} = {toml(other_value)} there, {toml(this_value)} here"
+        for key, other_value, this_value in pairs
+        if other_value != this_value
+    ]
+    return "; ".join([*differences, "allowed is the same in both"]) if differences else ""
 
 
 def _at(case: Any, key: str) -> Any:

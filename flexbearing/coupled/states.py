@@ -4,14 +4,14 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
-import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.coupled.initial_state import flat
-from flexbearing.coupling import Iteration
+from flexbearing.coupling import Iteration, LinearPair
+from flexbearing.coupling.partners import Compliance
+from flexbearing.coupling.raceway_pair import OUTWARD, radial
 from flexbearing.quantities.quantity import taken
 from flexbearing.quantities.roller import LAYOUT
-from flexbearing.rings.raceways import CondensedRings
 from quasidynamic import Equilibrium
 from quasidynamic.balance.rollers.unknowns import Unknowns
 from quasidynamic.outcome.ring_stiffness import Tangent
@@ -24,7 +24,7 @@ class EndState:
     """An equilibrium with what its rings and the roughness of its surfaces add; inner first, outer second."""
 
     equilibrium: Equilibrium
-    rings: CondensedRings
+    rings: LinearPair
     roughness: NDArray | None = None  # (2) composite [m]
 
     @property
@@ -71,7 +71,7 @@ def block(end: EndState, **further: Any) -> dict[str, NDArray]:
     return taken(LAYOUT.datasets("block").values(), solved | further)
 
 
-def supported(state: Equilibrium, rings: CondensedRings) -> Equilibrium:
+def supported(state: Equilibrium, rings: LinearPair) -> Equilibrium:
     """The same state, its ring displacement counted from shaft ends to base: with the elastic supports.
 
     Between raceways freed of their translation, answers and loads are not of one kind, and the tangent
@@ -81,23 +81,20 @@ def supported(state: Equilibrium, rings: CondensedRings) -> Equilibrium:
         return state
     balance, unknowns = state.balance, state.unknowns
     moved = rings.translation(state.forces)  # (inner and outer raceway, y and z)
-    direction = np.array([np.sin(balance.roller.bearing.azimuths), np.cos(balance.roller.bearing.azimuths)])
     deviation, ring = unknowns.deviation.copy(), unknowns.ring.copy()
-    deviation[:, 0, 0] += moved @ direction
-    ring[:2, 0, 0] += moved[1] - moved[0]
-    compliance = [None if raceway is None else raceway.absolute for raceway in rings.raceways]
-    return _elastic(state, compliance, unknowns._replace(ring=ring, deviation=deviation))
+    deviation[:, 0, 0] += radial(balance.roller.bearing.azimuths, moved.T).T
+    ring[:2, 0, 0] += OUTWARD @ moved
+    return _elastic(state, rings.absolute, unknowns._replace(ring=ring, deviation=deviation))
 
 
-def between_raceways(state: Equilibrium, rings: CondensedRings) -> Equilibrium:
+def between_raceways(state: Equilibrium, rings: LinearPair) -> Equilibrium:
     """The same state between elastic raceways, also where it was found between those of a given shape."""
     if rings.rigid or state.balance.layout.elastic_raceways:
         return state
-    compliance = [None if raceway is None else raceway.relative for raceway in rings.raceways]
-    return _elastic(state, compliance, state.unknowns)
+    return _elastic(state, rings.compliance, state.unknowns)
 
 
-def _elastic(state: Equilibrium, compliance: list[NDArray | None], unknowns: Unknowns) -> Equilibrium:
+def _elastic(state: Equilibrium, compliance: Compliance, unknowns: Unknowns) -> Equilibrium:
     """A state with other unknowns in equations that hold the compliance (Z, M, Z, M) of the raceways."""
     size = state.balance.layout.rollers * state.balance.roller.axial_modes
     inner, outer = (None if matrix is None else matrix.reshape(size, size) for matrix in compliance)

@@ -1,4 +1,4 @@
-"""From what an alternation has seen to the deviations that it tries next.
+"""Rules that choose the next deviations of a fixed-point coupling.
 
 All rules look at the deviations x_k that the bearing was given and at the residuals r_k, what the structure
 answers less x_k, measured before anything is accelerated. Q are the loads that the bearing answers with to
@@ -6,59 +6,51 @@ deviations w, C is the compliance of the structure.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
+from flexbearing.coupling.history import CouplingHistory
+from flexbearing.coupling.partners import Compliance
+from flexbearing.coupling.raceway_pair import OUTWARD
+
 FIRST_STEP = 0.03  # fraction of the first residual that is taken over while nothing is known
 SHORTEST_STEP, LONGEST_STEP = 1e-3, 1.0  # of Aitken's relaxation
-PARALLEL = 0.03  # differences of which newer ones leave less than that are left out
+PARALLEL = 0.03  # a difference that is less than this part new beside newer ones is left out
+
+Rule = Callable[[CouplingHistory], NDArray]  # next deviations (N)
 
 
-@dataclass(frozen=True)
-class Seen:
-    """What an alternation knows when it chooses the next deviations."""
-
-    given: NDArray  # (N, k) deviations that the bearing was given, newest last [m]
-    residuals: NDArray  # (N, k) what the structure answered less what was given [m]
-    alike: int  # so many of the newest, at least one, that tell of the present slope
-    # (N, N) estimated change of the root per residual, to be used once; None where that is unknown
-    estimate: Callable[[], NDArray] | None
-
-
-Rule = Callable[[Seen], NDArray]  # next deviations (N)
-
-
-def relaxed(seen: Seen, relaxation: float = FIRST_STEP) -> NDArray:
+def relaxed(history: CouplingHistory, relaxation: float = FIRST_STEP) -> NDArray:
     r"""A constant fraction of the residual.
 
     .. math:: x_{k+1} = x_k + \omega\, r_k
 
     Parameters
     ----------
-    seen : Seen
-        the history
+    history : CouplingHistory
+        at least one iteration
     relaxation : float
-        omega in (0, 1]; above 2/(1 + rho), with rho the spectral radius of the alternation, it diverges
+        omega in (0, 1]; above 2/(1 + rho), with rho the spectral radius of the iteration, it diverges
 
     Returns
     -------
     array (N)
         deviations to try next
     """
-    return seen.given[:, -1] + relaxation * seen.residuals[:, -1]
+    return history.deviations[-1] + relaxation * history.residuals[-1]
 
 
-def aitken(seen: Seen) -> NDArray:
+def aitken(history: CouplingHistory) -> NDArray:
     r"""A fraction that follows from the last two residuals.
 
     .. math:: \omega_k = -\omega_{k-1} \frac{r_{k-1} \cdot (r_k - r_{k-1})}{|r_k - r_{k-1}|^2}
 
     Parameters
     ----------
-    seen : Seen
-        the history
+    history : CouplingHistory
+        at least one iteration
 
     Returns
     -------
@@ -74,14 +66,14 @@ def aitken(seen: Seen) -> NDArray:
     The fraction is kept between `SHORTEST_STEP` and `LONGEST_STEP` in size.
     """
     fraction = FIRST_STEP
-    for before, after in zip(seen.residuals.T[:-1], seen.residuals.T[1:], strict=True):
-        change = after - before
-        fraction *= -(before @ change) / max(change @ change, np.finfo(float).tiny)
+    for previous, residual in pairwise(history.residuals):
+        change = residual - previous
+        fraction *= -(previous @ change) / max(change @ change, np.finfo(float).tiny)
         fraction = np.copysign(np.clip(abs(fraction), SHORTEST_STEP, LONGEST_STEP), fraction)
-    return seen.given[:, -1] + fraction * seen.residuals[:, -1]
+    return history.deviations[-1] + fraction * history.residuals[-1]
 
 
-def anderson(seen: Seen, depth: int = 12) -> NDArray:
+def anderson(history: CouplingHistory, depth: int = 12) -> NDArray:
     r"""The combination of the last residuals that would be least.
 
     .. math:: x_{k+1} = x_k + r_k + (X + V) \alpha,\quad \alpha = -V^+ r_k
@@ -91,8 +83,8 @@ def anderson(seen: Seen, depth: int = 12) -> NDArray:
 
     Parameters
     ----------
-    seen : Seen
-        the history
+    history : CouplingHistory
+        at least one iteration
     depth : int
         how many differences are kept
 
@@ -106,30 +98,30 @@ def anderson(seen: Seen, depth: int = 12) -> NDArray:
     Anderson, J. ACM 12 (1965); with all differences it is the interface quasi-Newton method of Degroote,
     Bathe and Vierendeels, Computers and Structures 87 (2009).
     """
-    if seen.given.shape[1] == 1:
-        return relaxed(seen)
-    X, V = _differences(seen, depth)
-    share = -np.linalg.lstsq(V, seen.residuals[:, -1], rcond=None)[0]
-    return seen.given[:, -1] + seen.residuals[:, -1] + (X + V) @ share
+    if len(history.deviations) == 1:
+        return relaxed(history)
+    X, V = _differences(history, depth)
+    alpha = -np.linalg.lstsq(V, history.residuals[-1], rcond=None)[0]
+    return history.deviations[-1] + history.residuals[-1] + (X + V) @ alpha
 
 
-def least_squares(seen: Seen) -> NDArray:
-    r"""Interface quasi-Newton: differences where they tell something, an estimate for the rest.
+def least_squares(history: CouplingHistory) -> NDArray:
+    r"""Interface quasi-Newton: differences of iterations where they are known, an estimate for the rest.
 
     .. math:: x_{k+1} = x_k + X \alpha + G (r_k + V \alpha),\quad \alpha = -V^+ r_k
 
-    with X and V as in `anderson`, but only of iterates in which the same rollers touch both raceways:
-    those before a contact opened or closed tell of another slope. What is left of the residual moves
+    with X and V as in `anderson`, but only of iterations in which the same rollers touch both raceways:
+    those before a contact opened or closed belong to another slope. What is left of the residual moves
     the deviations by the estimate :math:`G \approx (1 - C\,\partial Q/\partial w)^{-1}`. A step is never
     longer than the residual: rollers push back, so the root is nearer than the answer.
 
-    Of a structure that does not tell how it yields nothing is estimated: G is 1, and all differences count,
-    as with so rough a G what is left of the residual must be small.
+    Where the compliance of the structure is not known, G is 1, and all differences count: with so rough a
+    G what is left of the residual must be small.
 
     Parameters
     ----------
-    seen : Seen
-        the history
+    history : CouplingHistory
+        at least one iteration
 
     Returns
     -------
@@ -141,27 +133,71 @@ def least_squares(seen: Seen) -> NDArray:
     Degroote, Bathe and Vierendeels, Computers and Structures 87 (2009), where G is 1; a starting inverse
     Jacobian as in Lindner et al., VI Coupled Problems (2015).
     """
-    if seen.estimate is None:
-        return anderson(seen, seen.given.shape[1])
-    residual = seen.residuals[:, -1]
-    step, left = np.zeros_like(residual), residual
-    if seen.alike > 1:
-        X, V = _differences(seen, seen.alike - 1)
-        share = -np.linalg.lstsq(V, residual, rcond=None)[0]
-        step, left = X @ share, residual + V @ share
-    step = step + seen.estimate() @ left
+    if history.compliance is None:
+        return anderson(history, len(history.deviations))
+    residual = history.residuals[-1]
+    step, remainder = np.zeros_like(residual), residual
+    if history.same_contacts > 1:
+        X, V = _differences(history, history.same_contacts - 1)
+        alpha = -np.linalg.lstsq(V, residual, rcond=None)[0]
+        step, remainder = X @ alpha, residual + V @ alpha
+    estimate = change_per_residual(history.compliance, history.roller_stiffness[-1], residual.size)
+    step = step + estimate @ remainder
     longest, length = np.linalg.norm(residual), np.linalg.norm(step)
-    return seen.given[:, -1] + step * min(1.0, longest / max(length, np.finfo(float).tiny))
+    return history.deviations[-1] + step * min(1.0, longest / max(length, np.finfo(float).tiny))
 
 
-def _differences(seen: Seen, most: int) -> tuple[NDArray, NDArray]:
-    """Differences of deviations and residuals, newest first, those that tell something new."""
-    X, V = (np.diff(each, axis=1)[:, ::-1][:, :most] for each in (seen.given, seen.residuals))
-    return _independent(X[:, : len(X)], V[:, : len(V)])
+def change_per_residual(compliance: Compliance, stiffness: NDArray, size: int) -> NDArray:
+    r"""Estimate how far deviations are from the root of C Q(w) = w where a residual is left.
+
+    .. math:: G = (1 + s\,s^T\,C K)^{-1},\quad K_{jm} = \frac{k_j}{2m + 1}
+
+    Every roller is a spring over its length between raceways held still; it feels the outer deviation less
+    the inner one and pushes the raceways apart, s = -1 of the inner and 1 of the outer one.
+
+    Parameters
+    ----------
+    compliance : pair of arrays (Z, M, Z, M) or None
+        C, outward deviation of the inner and the outer raceway per outward force [m/N]
+    stiffness : array (Z)
+        k of the rollers [N/m]
+    size : int
+        2 Z M
+
+    Returns
+    -------
+    array (2 Z M, 2 Z M)
+        G [-]
+
+    Source
+    ------
+    The derivative of the alternation with each roller replaced by its tangent spring; Legendre shapes share
+    a uniform stiffness as 1/(2m + 1).
+
+    Valid
+    -----
+    Rollers without tilt and slip; only a step is chosen with it, the root stays the same.
+    """
+    count = size // 2
+    spring = (stiffness[:, None] / (2 * np.arange(count // len(stiffness)) + 1)).ravel()
+    answer = np.zeros((2, count, 2, count))
+    for race, matrix in enumerate(compliance):
+        if matrix is not None:
+            per_approach = matrix.reshape(count, count) * spring
+            answer[race] = per_approach[:, None] * (OUTWARD[race] * OUTWARD)[:, None]
+    return np.linalg.inv(np.eye(size) + answer.reshape(size, size))
 
 
-def _independent(X: NDArray, V: NDArray) -> tuple[NDArray, NDArray]:
-    """Columns of both whose V is no combination of the V before it, by the diagonal of a QR factorisation."""
+def _differences(history: CouplingHistory, most: int) -> tuple[NDArray, NDArray]:
+    """Differences of deviations and residuals as columns, newest first, without dependent ones.
+
+    A column is dependent when its V is nearly a combination of newer ones, by the diagonal of a QR
+    factorisation.
+    """
+    X, V = (
+        np.diff(np.array(vectors), axis=0).T[:, ::-1][:, : min(most, len(vectors[0]))]
+        for vectors in (history.deviations, history.residuals)
+    )
     while V.shape[1] > 1:
         new = np.abs(np.diag(np.linalg.qr(V, mode="r")))
         dependent = np.flatnonzero(new <= PARALLEL * np.linalg.norm(V, axis=0))

@@ -1,4 +1,4 @@
-"""The coupling iteration as a generator, with its ends."""
+"""The coupling iteration as a generator, and when it stops."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -8,16 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.coupling.acceleration import Rule
-from flexbearing.coupling.history import History
-from flexbearing.coupling.partners import (
-    Bearing,
-    Compliance,
-    Condensed,
-    Linear,
-    PartnerFailed,
-    S,
-    Structure,
-)
+from flexbearing.coupling.history import CouplingHistory
+from flexbearing.coupling.partners import Bearing, LinearStructure, PartnerFailed, S, Structure
 
 Status = Literal["", "converged", "iteration limit", "diverging", "stagnating", "not finite", "not solved"]
 
@@ -51,35 +43,37 @@ class Iteration(Generic[S]):
 
 @dataclass(frozen=True, kw_only=True)
 class StoppingCriterion:
-    """When to stop."""
+    """When a coupling has converged, and when it has iterated for long enough."""
 
-    tolerance: float  # on the load change and on the unbalanced force, both over the load
+    tolerance: float  # on the load change, the mismatch and the unbalanced force
     limit: int  # iterations
 
-    def judge(self, number: int, change: float, residual: float = 0.0) -> Status:
-        """Name the end that is reached, or nothing. The limit is never convergence."""
-        if not (np.isfinite(change) and np.isfinite(residual)):
+    def status(self, number: int, *errors: float) -> Status:
+        """Status of an iteration with such errors [-]; empty to go on.
+
+        Reaching the iteration limit is not convergence.
+        """
+        if not np.isfinite(errors).all():
             return "not finite"
-        if max(change, residual) <= self.tolerance:
+        if max(errors) <= self.tolerance:
             return "converged"
         return "iteration limit" if number == self.limit else ""
 
 
 def fixed_point(
-    bearing: Bearing[S], structure: Structure, start: S, ending: StoppingCriterion, rule: Rule
+    bearing: Bearing[S], structure: Structure, start: S, criterion: StoppingCriterion, rule: Rule
 ) -> Iterator[Iteration[S]]:
-    """Alternate: deviations to the bearing, loads to the structure, and back through a rule.
+    """Exchange arrays: deviations to the bearing, loads to the structure, and back through a rule.
 
     The measure is what the structure answers less what the bearing was given, before the rule takes its
-    share of it. An alternation whose residual only grows, or does not fall any more, is ended: more
-    iterations would not help.
+    share of it. Diverging and stagnating iterations are stopped: more of them would not help.
 
     Parameters
     ----------
     bearing, structure : partners
     start : State
         the first loads, those of rigid raceways
-    ending : StoppingCriterion
+    criterion : StoppingCriterion
         tolerance and limit
     rule : callable
         next deviations from those before and their residuals, such as those in `acceleration`
@@ -88,71 +82,61 @@ def fixed_point(
     ------
     Iteration
     """
-    state, history = start, History()
+    state, history = start, CouplingHistory()
     try:
-        deviation = _first(bearing, structure, start, rule)
+        # A root to start from is too far away to be kept: rigid raceways tell the first deviations only.
+        answer, compliance = structure.answer(start.forces)
+        rigid = history.extended(np.zeros_like(answer), answer, bearing.roller_stiffness(start), compliance)
+        deviation = rule(rigid).reshape(answer.shape)
     except PartnerFailed as failure:
         yield _failed(1, start, failure)
         return
-    for number in range(1, ending.limit + 1):
-        forces = state.forces
+    for number in range(1, criterion.limit + 1):
+        previous = state.forces
         try:
             state = bearing.solve(start=state, deviation=deviation)
-            answer, compliance = _asked(structure, state.forces)
+            answer, compliance = structure.answer(state.forces)
         except PartnerFailed as failure:
-            yield _lost(_failed(number, state, failure), history.sizes)
+            yield _failed_after(history.residual_norms, _failed(number, state, failure))
             return
-        history.add(deviation, answer - deviation, bearing.roller_stiffness(state))
-        mismatch = _part(answer - deviation, answer)
-        change = load_change(state.forces - forces, state.forces)
-        status = ending.judge(number, change, mismatch) or _hopeless(history.sizes)
+        history = history.extended(deviation, answer, bearing.roller_stiffness(state), compliance)
+        mismatch = _relative(answer - deviation, answer)
+        change = load_change(state.forces - previous, state.forces)
+        status = criterion.status(number, change, mismatch) or _trend(history.residual_norms)
         yield Iteration(number, state, change, mismatch, status, _REASONS.get(status, ""), state.status)
         if status:
             return
-        deviation = rule(history.seen(compliance)).reshape(answer.shape)
+        deviation = rule(history).reshape(answer.shape)
 
 
-def _first(bearing: Bearing[S], structure: Structure, start: S, rule: Rule) -> NDArray:
-    """First deviations (2, Z, M); what even raceways tell is too far from all that comes to be kept."""
-    (answer, compliance), even = _asked(structure, start.forces), History()
-    even.add(np.zeros_like(answer), answer, bearing.roller_stiffness(start))
-    return rule(even.seen(compliance)).reshape(answer.shape)
-
-
-def _asked(structure: Structure, forces: NDArray) -> tuple[NDArray, Compliance | None]:
-    """What a structure answers, and how it yields there, which not every one tells."""
-    if isinstance(structure, Condensed):
-        linear = structure.linearised(forces)
-        return linear.deviation(forces), linear.compliance
-    return structure.deviation(forces), None
-
-
-def _part(residual: NDArray, answer: NDArray) -> float:
-    """Largest residual over the largest deviation [-]; zero between raceways that do not yield."""
+def _relative(residual: NDArray, answer: NDArray) -> float:
+    """Largest residual over the largest deviation [-]; zero between rigid raceways."""
     largest = np.abs(answer).max()
     return float(np.abs(residual).max() / largest) if largest > 0 else 0.0
 
 
-def _hopeless(sizes: list[float]) -> Status:
-    """Whether the last residuals only grew, and far, or none was less for long."""
-    for growths, before in ((GROWTHS_OVER_FIRST, sizes[0]), (GROWTHS_OVER_LEAST, min(sizes))):
-        last = sizes[-growths - 1 :]
-        if len(last) > growths and (np.diff(last) > 0).all() and last[-1] > DIVERGENCE_RATIO * before:
+def _trend(norms: list[float]) -> Status:
+    """Whether the last residuals grew in a row, and far, or none was smaller for long."""
+    for growths, reference in ((GROWTHS_OVER_FIRST, norms[0]), (GROWTHS_OVER_LEAST, min(norms))):
+        last = norms[-growths - 1 :]
+        if len(last) > growths and (np.diff(last) > 0).all() and last[-1] > DIVERGENCE_RATIO * reference:
             return "diverging"
-    before = sizes[:-STAGNATION_LIMIT]
-    return "stagnating" if before and min(sizes[-STAGNATION_LIMIT:]) > STAGNATION_RATIO * min(before) else ""
+    earlier = norms[:-STAGNATION_LIMIT]
+    if earlier and min(norms[-STAGNATION_LIMIT:]) > STAGNATION_RATIO * min(earlier):
+        return "stagnating"
+    return ""
 
 
-def _lost(failed: Iteration[S], sizes: list[float]) -> Iteration[S]:
-    """A failure of the bearing where residuals had grown far is one of the alternation."""
-    if not sizes or sizes[-1] <= DIVERGENCE_RATIO * min(sizes):
+def _failed_after(norms: list[float], failed: Iteration[S]) -> Iteration[S]:
+    """A failure of the bearing after residuals had grown far is a divergence of the coupling."""
+    if not norms or norms[-1] <= DIVERGENCE_RATIO * min(norms):
         return failed
-    message = f"{_REASONS['diverging']} (at the last shape: {failed.message})"
+    message = f"{_REASONS['diverging']} (at the last deviations: {failed.message})"
     return replace(failed, status="diverging", message=message)
 
 
 def newton(
-    bearing: Bearing[S], structure: Condensed, start: S, ending: StoppingCriterion
+    bearing: Bearing[S], structure: Structure, start: S, criterion: StoppingCriterion
 ) -> Iterator[Iteration[S]]:
     """Solve bearing and structure as one system, the structure linearised where it is not linear.
 
@@ -161,7 +145,7 @@ def newton(
     bearing, structure : partners
     start : State
         where to begin, the equilibrium of rigid raceways
-    ending : StoppingCriterion
+    criterion : StoppingCriterion
         tolerance and limit
 
     Yields
@@ -172,45 +156,46 @@ def newton(
     try:
         linear = structure.linearised(start.forces)
         while True:
-            for step in _in_one_system(bearing, linear, state, ending, number):
-                state, number = step.state, step.number
-                if step.status == "converged":
-                    before, linear = linear, structure.linearised(state.forces)
+            for iteration in _in_one_system(bearing, linear, state, criterion, number):
+                state, number = iteration.state, iteration.number
+                if iteration.status == "converged":
+                    previous, linear = linear, structure.linearised(state.forces)
                     answer = linear.deviation(state.forces)
-                    mismatch = _part(answer - before.deviation(state.forces), answer)
-                    # Of one structure in balance nothing is left to change but what its tangent leaves out.
-                    status = ending.judge(number, mismatch)
-                    step = replace(step, mismatch=mismatch, status=status)
-                yield step
-                if step.status:
+                    mismatch = _relative(answer - previous.deviation(state.forces), answer)
+                    # In balance with one tangent, only what the tangent leaves out can still change.
+                    status = criterion.status(number, mismatch)
+                    iteration = replace(iteration, mismatch=mismatch, status=status)
+                yield iteration
+                if iteration.status:
                     return
     except PartnerFailed as failure:
         yield _failed(number + 1, state, failure)
 
 
 def _in_one_system(
-    bearing: Bearing[S], linear: Linear, start: S, ending: StoppingCriterion, done: int
+    bearing: Bearing[S], linear: LinearStructure, start: S, criterion: StoppingCriterion, done: int
 ) -> Iterator[Iteration[S]]:
-    """Newton iterates between raceways that yield linearly, numbered on from those that are done."""
-    forces = start.forces
+    """Newton iterates between linear elastic raceways, numbered on from those that are done."""
+    previous = start.forces
     # The first state is the start itself, before any step.
-    for count, state in enumerate(bearing.iterate(linear.compliance, start, linear.unloaded)):
+    for count, state in enumerate(bearing.iterate(linear.compliance, start, linear.initial_deviation)):
         if count:
-            step = _newton_step(done + count, state, load_change(state.forces - forces, state.forces), ending)
-            yield step
-            if step.status:
+            change = load_change(state.forces - previous, state.forces)
+            iteration = _newton_iteration(done + count, state, change, criterion)
+            yield iteration
+            if iteration.status:
                 return
-        forces = state.forces
+        previous = state.forces
 
 
-def _newton_step(number: int, state: S, size: float, ending: StoppingCriterion) -> Iteration[S]:
-    status, message = ending.judge(number, size, state.residual), ""
+def _newton_iteration(number: int, state: S, change: float, criterion: StoppingCriterion) -> Iteration[S]:
+    status, message = criterion.status(number, change, state.residual), ""
     if state.status == "converged" or state.residual <= BALANCED:
         # Such a force is tighter than any tolerance on loads, though the last step may still have moved them.
         status = "converged"
     elif not status and state.status:
         status, message = "not solved", state.failure()
-    return Iteration(number, state, size, 0.0, status, message, state.status)
+    return Iteration(number, state, change, 0.0, status, message, state.status)
 
 
 def _failed(number: int, state: S, failure: PartnerFailed) -> Iteration[S]:

@@ -1,7 +1,7 @@
 """What the coupling asks of its partners: plain arrays, inner raceway first, outer second."""
 
 from collections.abc import Iterator
-from typing import Protocol, TypeVar, runtime_checkable
+from typing import Protocol, TypeVar
 
 from numpy.typing import NDArray
 
@@ -43,10 +43,10 @@ S = TypeVar("S", bound=State)
 
 
 class Bearing(Protocol[S]):
-    """Answers with loads to a given raceway shape, or iterates together with a yielding one."""
+    """Answers with loads to given raceway deviations, or iterates between elastic raceways."""
 
     def solve(self, start: S | None = None, deviation: NDArray | None = None) -> S:
-        """Equilibrium between raceways of a given shape (2, Z, M) [m]; raises `PartnerFailed`."""
+        """Equilibrium between raceways of given deviations (2, Z, M) [m]; raises `PartnerFailed`."""
         ...
 
     def roller_stiffness(self, state: S) -> NDArray:
@@ -54,15 +54,81 @@ class Bearing(Protocol[S]):
         ...
 
     def iterate(self, compliance: Compliance, start: S, deviation: NDArray | None) -> Iterator[S]:
-        """Newton iterates between raceways that yield by (Z, M, Z, M) [m/N] on top of a given deviation.
+        """Newton iterates between raceways of compliance (Z, M, Z, M) [m/N] and initial deviation.
 
         Raises `PartnerFailed`.
         """
         ...
 
 
-class Linear(Protocol):
-    """A structure near some loads."""
+class LinearRaceway(Protocol):
+    """A raceway near some forces F of its rollers: outward deviation w = w_0 + C F and mean translation.
+
+    Deviations are from the ground, the mean translation along (y, z) of the raceway included.
+    """
+
+    @property
+    def azimuths(self) -> NDArray:
+        """Of the rollers (Z) [rad]."""
+        ...
+
+    @property
+    def absolute(self) -> NDArray:
+        """Outward deviation per outward force (Z, M, Z, M), C [m/N]."""
+        ...
+
+    @property
+    def translation(self) -> NDArray:
+        """Mean translation along (y, z) per outward force (2, Z, M) [m/N]."""
+        ...
+
+    @property
+    def initial_deviation(self) -> NDArray:
+        """Outward deviation left when the tangent is followed back to no load (Z, M), w_0 [m]."""
+        ...
+
+    @property
+    def initial_translation(self) -> NDArray:
+        """Mean translation along (y, z) at no load (2) [m]."""
+        ...
+
+
+class Raceway(Protocol):
+    """One raceway with what carries it: rigid, condensed, in a fit, or solved in full."""
+
+    @property
+    def rigid(self) -> bool:
+        """Whether it deflects under no force."""
+        ...
+
+    @property
+    def solved_in_full(self) -> bool:
+        """Whether an answer is a solve of a whole solid, so that a tangent costs as much as many answers."""
+        ...
+
+    @property
+    def azimuths(self) -> NDArray:
+        """Of the rollers (Z) [rad]."""
+        ...
+
+    def answer(self, outward: NDArray) -> tuple[NDArray, NDArray]:
+        """Outward deviations (Z, M) and mean translation (2) [m] under outward forces (Z, M) [N].
+
+        Raises `PartnerFailed`.
+        """
+        ...
+
+    def linearised(self, outward: NDArray) -> LinearRaceway | None:
+        """Itself near outward forces (Z, M) [N], None where it is rigid; raises `PartnerFailed`."""
+        ...
+
+    def figures(self) -> dict[str, object]:
+        """What the result file says of it; nothing of a rigid one."""
+        ...
+
+
+class LinearStructure(Protocol):
+    """Both raceways near some loads."""
 
     @property
     def compliance(self) -> Compliance:
@@ -70,8 +136,8 @@ class Linear(Protocol):
         ...
 
     @property
-    def unloaded(self) -> NDArray | None:
-        """Outward deviations (2, Z, M) [m] that are left when the compliance is taken back to no load."""
+    def initial_deviation(self) -> NDArray | None:
+        """Outward deviations (2, Z, M) [m] at no load; None where there are none."""
         ...
 
     def deviation(self, forces: NDArray) -> NDArray:
@@ -82,18 +148,13 @@ class Linear(Protocol):
 class Structure(Protocol):
     """Answers with raceway deviations to roller loads."""
 
-    def deviation(self, forces: NDArray) -> NDArray:
-        """Outward raceway deviations (2, Z, M) [m] under roller forces (2, Z, M) [N].
+    def answer(self, forces: NDArray) -> tuple[NDArray, Compliance | None]:
+        """Outward deviations (2, Z, M) [m] under roller forces (2, Z, M) [N], and the compliance there.
 
-        Raises `PartnerFailed`.
+        The compliance is None where it would cost far more than the answer. Raises `PartnerFailed`.
         """
         ...
 
-
-@runtime_checkable
-class Condensed(Structure, Protocol):
-    """A structure that also tells how it yields, which `newton` asks for."""
-
-    def linearised(self, forces: NDArray) -> Linear:
-        """Itself near these roller forces (2, Z, M) [N]; raises `PartnerFailed`."""
+    def linearised(self, forces: NDArray) -> LinearStructure:
+        """Itself near these roller forces (2, Z, M) [N], which `newton` asks for; raises `PartnerFailed`."""
         ...

@@ -1,4 +1,4 @@
-"""Rings of a case, meshed and condensed, or taken from the cache."""
+"""Parts of a case, condensed to what rollers feel of them, or taken from the cache."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -11,21 +11,18 @@ import fem
 from fem.condense import BEAM, HARMONICS, SMEARED, SOLID, condense
 from fem.errors import NotSolved
 from fem.parts.step_solid import StepSolid
-from flexbearing.build import expansion, ring_parts
+from flexbearing.build.expansion import roller_length
+from flexbearing.build.ring_parts import NAMES, Part, Race, part_of
 from flexbearing.cache import configured
 from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
-from flexbearing.coupling import PartnerFailed
+from flexbearing.coupling import PartnerFailed, RacewayPair
 from flexbearing.progress import Report
-from flexbearing.rings.fitted import FittedRings, fit_of
-from flexbearing.rings.housed import HousedRings, housing_fit
-from flexbearing.rings.raceways import CondensedRings
+from flexbearing.rings.fits import RacewayInFit, inner_ring_in_fit, is_in_fit, outer_ring_in_housing
+from flexbearing.rings.raceways import CondensedRaceway, RigidRaceway
 
 if TYPE_CHECKING:
-    from fem.joint.preloaded_fit import PreloadedFit
     from fem.raceway.compliance import RacewayCompliance
-
-Rings = CondensedRings | FittedRings | HousedRings
 
 # Order, and sizes of elements over the roller length: 0.1 % and 0.5 % of the largest compliance.
 ON_A_SECTION, IN_SPACE = (5, 1.2, 0.25), (3, 0.6, 0.4)
@@ -33,67 +30,64 @@ WITH_A_SLEEVE = (3, 1.2, 0.4)  # smeared bars are worth no more
 PATCH = 0.1  # width of a load patch over the roller length
 
 
-def condensed(case: Case, azimuths: NDArray, report: Report) -> Rings:
-    """Mesh, factor and condense the parts that are not rigid; nothing happens for those that are.
+def condensed_raceways(case: Case, azimuths: NDArray, report: Report) -> RacewayPair:
+    """Both raceways of a case, as `raceway` makes them."""
+    return RacewayPair(raceway(case, "inner", azimuths, report), raceway(case, "outer", azimuths, report))
+
+
+def raceway(
+    case: Case, race: Race, azimuths: NDArray, report: Report
+) -> RigidRaceway | CondensedRaceway | RacewayInFit:
+    """What carries one raceway: rigid, condensed, or a ring in its fit.
+
+    Parameters
+    ----------
+    case : Case
+        how the part is made and discretised
+    race : "inner" or "outer"
+        which raceway
+    azimuths : array (Z)
+        of the rollers [rad]
+    report : Report
+        hears of the part that is condensed
+
+    Returns
+    -------
+    RigidRaceway, CondensedRaceway or RacewayInFit
 
     Raises
     ------
+    BadCase
+        when the part cannot be
     PartnerFailed
-        when a part has no trustworthy answer
+        when the part has no trustworthy answer
     """
-    outer = outer_ring(case, azimuths, report)
-    return side_by_side(inner_ring(case, azimuths, report), outer, azimuths)
-
-
-def outer_ring(case: Case, azimuths: NDArray, report: Report) -> "RacewayCompliance | PreloadedFit | None":
-    """Condense the part around the rollers, or put it in its housing; raises as `condensed`."""
-    part = ring_parts.outer_part(case)
-    if isinstance(part, fem.OuterRing) and case.outer.lifts_off:
-        report.stage("outer ring in its housing", None)
-        with told(case, "outer ring and housing"):
-            return housing_fit(case, part, expansion.roller_length(case), wishes(case, ON_A_SECTION))
-    return _condensed("outer ring", part, case, azimuths, report)
-
-
-def inner_ring(case: Case, azimuths: NDArray, report: Report) -> "RacewayCompliance | PreloadedFit | None":
-    """Condense the part inside the rollers, or settle it in its fit; raises as `condensed`."""
-    shaft = ring_parts.inner_part(case)
-    if shaft is not None and case.inner.fit != "bonded":
-        report.stage("inner ring in its fit", None)
-        with told(case, "inner ring and shaft"):
-            mesh, length = wishes(case, ON_A_SECTION), expansion.roller_length(case)
-            return fit_of(case, shaft, length, mesh)
-    return _condensed("inner ring and shaft", shaft, case, azimuths, report)
-
-
-def side_by_side(
-    inner: "RacewayCompliance | PreloadedFit | None",
-    outer: "RacewayCompliance | PreloadedFit | None",
-    azimuths: NDArray,
-) -> Rings:
-    """Both parts as one partner of the coupling."""
-    if outer is not None and not hasattr(outer, "absolute"):
-        beside = side_by_side(inner, None, azimuths)
-        return HousedRings(outer, azimuths, beside)  # pyright: ignore[reportArgumentType]
-    if inner is None or hasattr(inner, "absolute"):
-        return CondensedRings((inner, outer))  # pyright: ignore[reportArgumentType]
-    return FittedRings(inner, azimuths, outer)  # pyright: ignore[reportArgumentType]
-
-
-def _condensed(name: str, part: ring_parts.Part | None, case: Case, azimuths: NDArray, report: Report):
+    part = part_of(case, race)
     if part is None:
-        return None
-    began = perf_counter()
+        return RigidRaceway(azimuths)
+    if not is_in_fit(case, race):
+        return CondensedRaceway(_compliance(case, race, part, azimuths, report))
+    name = {"inner": "inner ring and shaft", "outer": "outer ring and housing"}[race]
+    report.stage({"inner": "inner ring in its fit", "outer": "outer ring in its housing"}[race], None)
+    with named_failures(case, name):
+        if isinstance(part, fem.RingOnShaft):
+            return inner_ring_in_fit(case, part, azimuths, mesh_size(case, ON_A_SECTION))
+        assert isinstance(part, fem.OuterRing)  # or the case would not have been read
+        return outer_ring_in_housing(case, part, azimuths, mesh_size(case, ON_A_SECTION))
+
+
+def _compliance(case: Case, race: Race, part: Part, azimuths: NDArray, report: Report) -> "RacewayCompliance":
+    began, name = perf_counter(), NAMES[race]
     report.stage(name, None)
-    with told(case, name):
-        raceway = _computed_or_kept(name, part, case, azimuths, report).at(azimuths)
-    report.stage(f"{name}: {raceway.unknowns} unknowns, {perf_counter() - began:.1f} s", None)
-    return raceway
+    with named_failures(case, name):
+        compliance = _condensed(name, part, case, azimuths, report).at(azimuths)
+    report.stage(f"{name}: {compliance.unknowns} unknowns, {perf_counter() - began:.1f} s", None)
+    return compliance
 
 
 @contextmanager
-def told(case: Case, name: str) -> Iterator[None]:
-    """Give failures of the finite elements the names that users and coupling know.
+def named_failures(case: Case, name: str) -> Iterator[None]:
+    """Turn failures of the finite elements into those of a case and of a partner, with the part's name.
 
     Raises
     ------
@@ -110,26 +104,23 @@ def told(case: Case, name: str) -> Iterator[None]:
         raise PartnerFailed(f"{name}: {problem}", "not solved") from problem
 
 
-def _computed_or_kept(name: str, part: ring_parts.Part, case: Case, azimuths: NDArray, report: Report):
+def _condensed(name: str, part: Part, case: Case, azimuths: NDArray, report: Report):
     """Raceway compliance, from the cache where it is kept."""
     discretisation = _discretisation(part, case)
-    solid = discretisation is SOLID
-    asked = part, discretisation, _resolution(part, discretisation, case, azimuths)
+    arguments = part, discretisation, _resolution(part, discretisation, case, azimuths)
+    on_lines = isinstance(part, fem.OuterRing) and case.outer.support in ("lines", "planet")
+    if discretisation is BEAM or (on_lines and discretisation is not SOLID):
+        return condense(*arguments)  # sooner computed than read, or more than is kept
 
     def computed():
-        return condense(*asked, report=lambda stage, fraction: report.stage(f"{name}: {stage}", fraction))
+        if discretisation is not SOLID:
+            return condense(*arguments)
+        return condense(*arguments, report=lambda stage, fraction: report.stage(f"{name}: {stage}", fraction))
 
-    on_lines = isinstance(part, fem.OuterRing) and case.outer.support in ("lines", "planet")
-    if discretisation is BEAM or (on_lines and not solid):  # sooner computed than read, or more than is kept
-        return condense(*asked)
-    return configured().cached(
-        asked,
-        computed if solid else lambda: condense(*asked),
-        lambda note: report.stage(f"{name}: {note}", None),
-    )
+    return configured().cached(arguments, computed, lambda note: report.stage(f"{name}: {note}", None))
 
 
-def _discretisation(part: ring_parts.Part, case: Case) -> fem.Discretisation:
+def _discretisation(part: Part, case: Case) -> fem.Discretisation:
     """Choice of the case, or what suits the part."""
     if case.accuracy.structure == "solid" or isinstance(part, StepSolid):
         return SOLID
@@ -141,16 +132,16 @@ def _discretisation(part: ring_parts.Part, case: Case) -> fem.Discretisation:
 
 
 def _resolution(
-    part: ring_parts.Part, discretisation: fem.Discretisation, case: Case, azimuths: NDArray
+    part: Part, discretisation: fem.Discretisation, case: Case, azimuths: NDArray
 ) -> fem.Resolution:
     in_space = discretisation is SOLID or isinstance(part, fem.SquirrelCage)
-    sizes = WITH_A_SLEEVE if discretisation is SMEARED else IN_SPACE if in_space else ON_A_SECTION
+    usual = WITH_A_SLEEVE if discretisation is SMEARED else IN_SPACE if in_space else ON_A_SECTION
     loads = patches(case, azimuths)
     rollers = {"azimuths": loads.azimuths, "patch_width": loads.width} if discretisation is SOLID else {}
     return fem.Resolution(
         length=loads.length,
         axial_modes=loads.axial_modes,
-        mesh_size=wishes(case, sizes),
+        mesh_size=mesh_size(case, usual),
         harmonics=None if discretisation is SOLID else case.accuracy.harmonics,
         threads=case.accuracy.threads,
         **rollers,
@@ -158,8 +149,8 @@ def _resolution(
 
 
 def patches(case: Case, azimuths: NDArray) -> fem.Patches:
-    """What rollers do to a full solid."""
-    length = expansion.roller_length(case)
+    """What rollers load of a whole solid."""
+    length = roller_length(case)
     return fem.Patches(
         azimuths=tuple(azimuths),
         length=length,
@@ -168,12 +159,12 @@ def patches(case: Case, azimuths: NDArray) -> fem.Patches:
     )
 
 
-def wishes(case: Case, usual: tuple[int, float, float]) -> fem.MeshSize:
+def mesh_size(case: Case, usual: tuple[int, float, float]) -> fem.MeshSize:
     """Order and sizes of elements: those of the case, else the usual ones in roller lengths."""
     order, size, raceway_size = usual
-    given, length = case.accuracy, expansion.roller_length(case)
+    accuracy, length = case.accuracy, roller_length(case)
     return fem.MeshSize(
-        order=given.element_order or order,
-        size=given.mesh_size or size * length,
-        raceway_size=given.raceway_mesh_size or raceway_size * length,
+        order=accuracy.element_order or order,
+        size=accuracy.mesh_size or size * length,
+        raceway_size=accuracy.raceway_mesh_size or raceway_size * length,
     )

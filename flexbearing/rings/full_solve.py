@@ -1,4 +1,4 @@
-"""The rings as whole solids that are solved anew for every load."""
+"""Raceways of whole solids that are solved anew for every load."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -10,88 +10,98 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from flexbearing.build import ring_parts
+from fem.errors import NotSolved
+from flexbearing.build.ring_parts import NAMES, Race, part_of
 from flexbearing.case.roller import Case
-from flexbearing.coupling import PartnerFailed
+from flexbearing.coupling import PartnerFailed, Raceway, RacewayPair
 from flexbearing.progress import Report
-from flexbearing.rings.condensed import IN_SPACE, patches, told, wishes
-from flexbearing.rings.raceways import CondensedRings
+from flexbearing.rings.condensed import IN_SPACE, mesh_size, named_failures, patches
+from flexbearing.rings.raceways import RigidRaceway, compliance_figures
 
 if TYPE_CHECKING:
+    from fem.raceway.compliance import RacewayCompliance
     from fem.solid.full_solve import FullSolve
-
-NAMES = ("inner ring and shaft", "outer ring")
-SIGNS = (-1.0, 1.0)  # rollers push the inner raceway inwards
 
 
 @dataclass(frozen=True)
-class WholeRings:
-    """Factored solids; None where a ring is rigid. Index 0 inner, 1 outer."""
+class FullSolveRaceway:
+    """A raceway whose every answer is one solve of its factored solid."""
 
-    raceways: tuple["FullSolve | None", "FullSolve | None"]
+    name: str  # for messages
+    full_fe: "FullSolve"
+    rigid = False
+    solved_in_full = True
 
     @property
-    def rigid(self) -> bool:
-        """Whether nothing yields."""
-        return all(raceway is None for raceway in self.raceways)
+    def azimuths(self) -> NDArray:
+        """Of the rollers (Z) [rad]."""
+        return np.array(self.full_fe.solid.patches.azimuths)
 
-    def deviation(self, forces: NDArray) -> NDArray:
-        """Outward deviations (2, Z, M) [m], by one solve of every solid; raises `PartnerFailed`."""
-        shapes = np.zeros_like(forces)
-        for race, raceway in enumerate(self.raceways):
-            if raceway is not None:
-                with _answering(NAMES[race]):
-                    shapes[race], _ = raceway.answer(SIGNS[race] * forces[race])
-        return shapes
+    def answer(self, outward: NDArray) -> tuple[NDArray, NDArray]:
+        """Outward deviations (Z, M) and mean translation (2) [m] under outward forces (Z, M) [N].
+
+        Raises `PartnerFailed` when the residual of the solve stays too large.
+        """
+        with self._named_failure(self.name):
+            return self.full_fe.answer(outward)
+
+    def linearised(self, outward: NDArray) -> "RacewayCompliance":
+        """The same for all forces, condensed by many solves: raises `PartnerFailed` as `answer` does."""
+        return self._condensed
+
+    def figures(self) -> dict[str, object]:
+        """What the finite elements cost and how stiff the support is; condenses the solid."""
+        return compliance_figures(self._condensed)
 
     @cached_property
-    def condensed(self) -> CondensedRings:
-        """The same solids condensed: what derivatives, such as the stiffness of the bearing, ask for."""
-        with _answering("rings at the end state"):
-            inner, outer = (None if raceway is None else raceway.condensed() for raceway in self.raceways)
-        return CondensedRings((inner, outer))
+    def _condensed(self) -> "RacewayCompliance":
+        with self._named_failure(f"{self.name} at the end state"):
+            return self.full_fe.condensed()
 
-    def figures(self) -> dict[str, dict]:
-        """What the finite elements cost and how stiff the supports are, for the result file."""
-        return self.condensed.figures()
-
-
-@contextmanager
-def _answering(name: str) -> Iterator[None]:
-    """Give a failure of a solve the name that the coupling knows."""
-    from fem.assembly.factorisation import NotSolved
-
-    try:
-        yield
-    except NotSolved as problem:
-        raise PartnerFailed(f"{name}: {problem}", "not solved") from problem
+    @contextmanager
+    def _named_failure(self, name: str) -> Iterator[None]:
+        try:
+            yield
+        except NotSolved as problem:
+            raise PartnerFailed(f"{name}: {problem}", "not solved") from problem
 
 
-def whole(case: Case, azimuths: NDArray, report: Report) -> WholeRings:
+def full_fe_raceways(case: Case, azimuths: NDArray, report: Report) -> RacewayPair:
     """Mesh and factor the parts that are not rigid.
+
+    Parameters
+    ----------
+    case : Case
+        with `coupling.structure = "full"`
+    azimuths : array (Z)
+        of the rollers [rad]
+    report : Report
+        hears of the parts that are factored
+
+    Returns
+    -------
+    RacewayPair
 
     Raises
     ------
+    BadCase
+        when a part cannot be
     PartnerFailed
         when a part has no trustworthy answer
     """
-    parts = ring_parts.inner_part(case), ring_parts.outer_part(case)
-    inner, outer = (_factored(race, part, case, azimuths, report) for race, part in enumerate(parts))
-    return WholeRings((inner, outer))
+    return RacewayPair(_raceway(case, "inner", azimuths, report), _raceway(case, "outer", azimuths, report))
 
 
-def _factored(
-    race: int, part: ring_parts.Part | None, case: Case, azimuths: NDArray, report: Report
-) -> "FullSolve | None":
+def _raceway(case: Case, race: Race, azimuths: NDArray, report: Report) -> Raceway:
+    name, part = NAMES[race], part_of(case, race)
     if part is None:
-        return None
+        return RigidRaceway(azimuths)
     from fem.solid.factored_solid import factored
     from fem.solid.full_solve import FullSolve
 
     began = perf_counter()
-    report.stage(NAMES[race], None)
-    with told(case, NAMES[race]):
-        solid = factored(part, patches(case, azimuths), wishes(case, IN_SPACE), case.accuracy.threads)
-    seconds = perf_counter() - began
-    report.stage(f"{NAMES[race]}: {solid.stiffness.unknowns} unknowns, {seconds:.1f} s", None)
-    return FullSolve(solid=solid)
+    report.stage(name, None)
+    with named_failures(case, name):
+        solid = factored(part, patches(case, azimuths), mesh_size(case, IN_SPACE), case.accuracy.threads)
+    report.stage(f"{name}: {solid.stiffness.unknowns} unknowns, {perf_counter() - began:.1f} s", None)
+    return FullSolveRaceway(name, FullSolve(solid=solid))

@@ -1,74 +1,81 @@
-"""The rings as one partner of the coupling: condensed, inner and outer side by side."""
+"""Raceways that answer roller forces at once: rigid, or condensed to what rollers feel of them."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
+
+from flexbearing.coupling.raceway_pair import linear_answer
 
 if TYPE_CHECKING:
     from fem.raceway.compliance import RacewayCompliance
 
 
 @dataclass(frozen=True)
-class CondensedRings:
-    """Condensed raceways; None where a ring is rigid. Index 0 inner, 1 outer."""
+class RigidRaceway:
+    """A raceway that no force moves."""
 
-    raceways: tuple["RacewayCompliance | None", "RacewayCompliance | None"]
-    shifts: NDArray | None = None  # (2, 2) translations along (y, z) without roller loads [m]
+    azimuths: NDArray  # (Z) [rad]
+    rigid = True
+    solved_in_full = False
+
+    def answer(self, outward: NDArray) -> tuple[NDArray, NDArray]:
+        """No deviation (Z, M) [m], no translation (2) [m]."""
+        return np.zeros_like(outward), np.zeros(2)
+
+    def linearised(self, outward: NDArray) -> None:
+        """No compliance."""
+
+    def figures(self) -> dict[str, object]:
+        """Nothing was computed."""
+        return {}
+
+
+@dataclass(frozen=True)
+class CondensedRaceway:
+    """A raceway whose stiffness is condensed: linear, whatever the forces."""
+
+    compliance: "RacewayCompliance"
+    rigid = False
+    solved_in_full = False
 
     @property
-    def rigid(self) -> bool:
-        """Whether nothing yields."""
-        return all(raceway is None for raceway in self.raceways)
+    def azimuths(self) -> NDArray:
+        """Of the rollers (Z) [rad]."""
+        return self.compliance.azimuths
 
-    def linearised(self, forces: NDArray) -> "CondensedRings":
-        """Themselves: they are linear."""
-        return self
+    def answer(self, outward: NDArray) -> tuple[NDArray, NDArray]:
+        """Outward deviations (Z, M) and mean translation (2) [m] under outward forces (Z, M) [N]."""
+        return linear_answer(self.compliance, outward)
 
-    @property
-    def unloaded(self) -> NDArray | None:
-        """Outward deviations (2, Z, M) [m] without roller loads, such as those of tooth forces."""
-        given = [None if raceway is None else raceway.initial_deviation for raceway in self.raceways]
-        known = [shape for shape in given if shape is not None]
-        if not any(shape.any() for shape in known):
-            return None
-        return np.array([np.zeros_like(known[0]) if shape is None else shape for shape in given])
+    def linearised(self, outward: NDArray) -> "RacewayCompliance":
+        """The same for all forces."""
+        return self.compliance
 
-    @property
-    def compliance(self) -> tuple[NDArray | None, NDArray | None]:
-        """Outward deviation per outward force (Z, M, Z, M) [m/N]."""
-        inner, outer = (None if raceway is None else raceway.relative for raceway in self.raceways)
-        return inner, outer
+    def figures(self) -> dict[str, object]:
+        """What the finite elements cost and how stiff the support is."""
+        return compliance_figures(self.compliance)
 
-    def deviation(self, forces: NDArray) -> NDArray:
-        """Outward deviations (2, Z, M) [m]; rollers push the inner raceway inwards."""
-        shapes = np.zeros_like(forces)
-        for race, (raceway, sign) in enumerate(zip(self.raceways, (-1.0, 1.0), strict=True)):
-            if raceway is not None:
-                shapes[race] = raceway.initial_deviation
-                shapes[race] += sign * np.tensordot(raceway.relative, forces[race], axes=2)
-        return shapes
+    def with_axial_modes(self, count: int) -> "CondensedRaceway":
+        """The same raceway for rollers that exchange fewer axial modes with it: a part of every array."""
+        compliance = self.compliance
+        return CondensedRaceway(
+            replace(
+                compliance,
+                absolute=compliance.absolute[:, :count, :, :count],
+                translation=compliance.translation[..., :count],
+                initial_deviation=compliance.initial_deviation[:, :count],
+            )
+        )
 
-    def translation(self, forces: NDArray) -> NDArray:
-        """Rigid translations (2, 2) of inner and outer raceway along (y, z) [m]."""
-        moved = np.zeros((2, 2)) if self.shifts is None else self.shifts.copy()
-        for race, (raceway, sign) in enumerate(zip(self.raceways, (-1.0, 1.0), strict=True)):
-            if raceway is not None:
-                moved[race] += sign * np.tensordot(raceway.translation, forces[race], axes=2)
-        return moved
 
-    def figures(self) -> dict[str, dict]:
-        """What the finite elements cost and how stiff the supports are, for the result file."""
-        return {
-            name: {
-                "unknowns": raceway.unknowns,
-                "elements": raceway.elements,
-                "support_stiffness_N_per_m": (
-                    raceway.support_stiffness if np.isfinite(raceway.support_stiffness) else None
-                ),
-                "seconds": raceway.seconds,
-            }
-            for name, raceway in zip(("inner", "outer"), self.raceways, strict=True)
-            if raceway is not None
-        }
+def compliance_figures(compliance: "RacewayCompliance") -> dict[str, object]:
+    """What the finite elements cost and how stiff the support is, for the result file."""
+    stiffness = compliance.support_stiffness
+    return {
+        "unknowns": compliance.unknowns,
+        "elements": compliance.elements,
+        "support_stiffness_N_per_m": stiffness if np.isfinite(stiffness) else None,
+        "seconds": compliance.seconds,
+    }

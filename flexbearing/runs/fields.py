@@ -17,7 +17,7 @@ from flexbearing.build import expansion, ring_parts, roller_bearing
 from flexbearing.case import BadCase, understood
 from flexbearing.case.roller import Case
 from flexbearing.results import BadResult, Result
-from flexbearing.rings.condensed import IN_SPACE, PATCH, wishes
+from flexbearing.rings.condensed import IN_SPACE, PATCH, mesh_size
 from quasidynamic.contact.line import Slices
 
 if TYPE_CHECKING:
@@ -204,7 +204,7 @@ def fields(case: Case, race: Race, state: str, values: Arrays) -> PartFields:
     try:
         # threads of the linear algebra would fight with those of the finite elements
         with threadpool_limits(limits=1, user_api="blas"):
-            solid = factored(part, patches, wishes(case, sizes), case.accuracy.threads)
+            solid = factored(part, patches, mesh_size(case, sizes), case.accuracy.threads)
             loaded = solid.under(forces(values[f"{race}_slice_load"], race, length, patches.axial_modes))
             bars = bar_forces(loaded) if isinstance(part, fem.SquirrelCage) else None
             return PartFields(

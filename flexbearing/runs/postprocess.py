@@ -8,8 +8,8 @@ from flexbearing.build.lubrication import roughness
 from flexbearing.case.roller import Case
 from flexbearing.coupled import states
 from flexbearing.coupled.states import EndState
+from flexbearing.coupling import LinearPair
 from flexbearing.results import Arrays, ResultFile
-from flexbearing.rings.raceways import CondensedRings
 from flexbearing.runs import fields, life, notes, skew
 from quasidynamic import Equilibrium
 from quasidynamic.contact.film import lambda_ratio, regime
@@ -30,7 +30,7 @@ class Postprocessing:
         self,
         name: Literal["rigid", "flexible"],
         state: Equilibrium,
-        rings: CondensedRings,
+        rings: LinearPair,
         *,
         converged: bool = True,
     ) -> None:

@@ -1,4 +1,4 @@
-"""A cylindrical roller bearing: between rigid raceways, then together with its rings."""
+"""A cylindrical roller bearing: between rigid raceways, then coupled with its rings."""
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
@@ -8,17 +8,18 @@ from flexbearing.accuracy import Unusable
 from flexbearing.accuracy.adaptive import adaptive_resolution
 from flexbearing.build import clearance, roller_bearing
 from flexbearing.case.roller import Case
-from flexbearing.coupled.coupled import WARM, BearingPartner, Coupled
+from flexbearing.coupled.coupled import FROM_INITIAL_STATE, BearingPartner, CoupledBearing
 from flexbearing.coupled.initial_state import InitialState
-from flexbearing.coupling import PartnerFailed
+from flexbearing.coupling import LinearPair, PartnerFailed, RacewayPair
 from flexbearing.progress import Report
 from flexbearing.results import ResultFile
-from flexbearing.rings.condensed import Rings, condensed
-from flexbearing.rings.full_solve import WholeRings, whole
-from flexbearing.rings.raceways import CondensedRings
+from flexbearing.rings.condensed import condensed_raceways
+from flexbearing.rings.full_solve import full_fe_raceways
 from flexbearing.runs import notes
 from flexbearing.runs.postprocess import Postprocessing
 from quasidynamic import Equilibrium, RollerBearing
+
+RIGID = LinearPair(None, None)
 
 
 @dataclass(frozen=True)
@@ -26,7 +27,7 @@ class Resolved:
     """A case at definite levels of its resolution."""
 
     model: RollerBearing
-    rings: Callable[[], Rings | WholeRings]
+    rings: Callable[[], RacewayPair]
     attributes: Mapping[str, Any] = field(default_factory=dict)  # of the result file
     notes: Callable[[Equilibrium], Iterable[str]] = lambda end: ()  # on an end state that converged
 
@@ -46,7 +47,7 @@ def solve(
     """Write iterations and blocks; returns the root attributes that say how it ended."""
     postprocessing = Postprocessing(case, file)
     resolved = _resolved(case, postprocessing, report)
-    ending = _solve(case, resolved, file, postprocessing, report, near)
+    ending = _solve(case, resolved, postprocessing, report, near)
     if near is not None:
         ending |= _start(near, ending["attempts"], postprocessing)
     return ending | dict(resolved.attributes) | postprocessing.attributes()
@@ -55,74 +56,73 @@ def solve(
 def _resolved(case: Case, postprocessing: Postprocessing, report: Report) -> Resolved:
     """At the levels of the case, or at those that its target asks for."""
     model = roller_bearing.bearing(case)
-    solved = whole if case.coupling.structure == "full" else condensed
-    usual = Resolved(model, lambda: solved(case, model.bearing.azimuths, report))
+    raceways = full_fe_raceways if case.coupling.structure == "full" else condensed_raceways
+    usual = Resolved(model, lambda: raceways(case, model.bearing.azimuths, report))
     if case.accuracy.target is None:
         return usual
     try:
-        found = adaptive_resolution(case, report)
+        resolution = adaptive_resolution(case, report)
     except Unusable as problem:
         postprocessing.notes.append(
             f"accuracy.target: nothing could be chosen or estimated, so the usual levels are used: {problem}"
         )
         return Resolved(model, usual.rings, {"choices": {}, "error_estimate": {}})
-    return Resolved(found.model, lambda: found.rings, found.attributes(), found.notes)
+    return Resolved(resolution.model, lambda: resolution.rings, resolution.attributes(), resolution.notes)
 
 
 def _solve(
     case: Case,
     resolved: Resolved,
-    file: ResultFile,
     postprocessing: Postprocessing,
     report: Report,
-    near: InitialState | None,
+    initial: InitialState | None,
 ) -> dict[str, object]:
-    """Rigid equilibrium, then the rings, then both together; returns how it ended."""
+    """Rigid equilibrium, then the rings, then both coupled; returns how it ended."""
     partner = BearingPartner(resolved.model)
     report.stage("rigid raceways", None)
-    rigid_rings = CondensedRings((None, None))
     try:
         rigid = partner.solve()
     except PartnerFailed as failure:
-        ending = _ending("not solved", f"rigid raceways: {failure}", 0, rigid_rings)
-        return ending | {"ending": failure.ending}
-    postprocessing.store("rigid", rigid, rigid_rings)
+        return _not_solved(f"rigid raceways: {failure}", failure)
+    postprocessing.store("rigid", rigid, RIGID)
     postprocessing.notes.extend(notes.of_choice(resolved.model))
     try:
         rings = resolved.rings()
     except PartnerFailed as failure:
-        return _ending("not solved", str(failure), 0, rigid_rings) | {"ending": failure.ending}
+        return _not_solved(str(failure), failure)
     if rings.rigid:
-        postprocessing.store("flexible", rigid, rigid_rings)
+        postprocessing.store("flexible", rigid, RIGID)
         postprocessing.notes.extend(resolved.notes(rigid))
-        ending = _ending("converged", "every part is rigid: nothing to iterate", 0, rings)
+        ending = _ending("converged", "every part is rigid: nothing to iterate", 0)
         return ending | {"ending": str(rigid.status)}
-    report.stage("bearing and rings together", None)
-    attempts = Coupled(case, partner, rings, rigid, near).together(file, report)
+    report.stage("bearing and rings coupled", None)
+    attempts = CoupledBearing(case, partner, rings, rigid, initial).solve(postprocessing.file, report)
     last = attempts[-1]
-    final = rings.condensed if isinstance(rings, WholeRings) else rings.linearised(last.state.forces)
     converged = last.status == "converged"
-    postprocessing.store("flexible", last.state, final, converged=converged)
+    postprocessing.store("flexible", last.state, rings.linearised(last.state.forces), converged=converged)
     if converged:
         postprocessing.notes.extend(resolved.notes(last.state))
-    ending = _ending(last.status, last.message, last.iterations, rings)
-    return ending | {"ending": last.ending, "attempts": {one.method: one.record() for one in attempts}}
+    return _ending(last.status, last.message, last.iterations) | {
+        "structure": rings.figures(),
+        "ending": last.ending,
+        "attempts": {attempt.method: attempt.record() for attempt in attempts},
+    }
 
 
-def _start(near: InitialState, attempts: Any, postprocessing: Postprocessing) -> dict[str, object]:
-    """Where the coupling started; a note where that is not the neighbour."""
-    tried = attempts.get(WARM, {"status": "not reached", "message": "nothing was iterated"})
-    if tried["status"] == "converged":
-        return {"started_from": near.name}
-    postprocessing.notes.append(f"start {near.name}: not used: {tried['message']}")
+def _start(initial: InitialState, attempts: Any, postprocessing: Postprocessing) -> dict[str, object]:
+    """Where the coupling started; a note where that is not the initial state."""
+    attempt = attempts.get(FROM_INITIAL_STATE, {"status": "not reached", "message": "nothing was iterated"})
+    if attempt["status"] == "converged":
+        return {"started_from": initial.source}
+    postprocessing.notes.append(f"start {initial.source}: not used: {attempt['message']}")
     return {"started_from": "rigid raceways"}
 
 
-def _ending(status: str, message: str, iterations: int, rings: Rings | WholeRings) -> dict[str, object]:
+def _not_solved(message: str, failure: PartnerFailed) -> dict[str, object]:
+    return _ending("not solved", message, 0) | {"ending": failure.ending}
+
+
+def _ending(status: str, message: str, iterations: int) -> dict[str, object]:
     return {
-        "status": status,
-        "message": message,
-        "iterations": iterations,
-        "structure": rings.figures(),
-        "attempts": {},
-    }
+        "status": status, "message": message, "iterations": iterations, "structure": {}, "attempts": {}
+    }  # fmt: skip

@@ -60,10 +60,10 @@ def pareto(
     NoReference
         when the richest level fails or does not converge
     """
-    wanted = _rollers(check(case, overrides))
+    roller_case = _rollers(check(case, overrides))
     tell = tell or (lambda measured: None)
-    _load(wanted)
-    best = richest(wanted)
+    _load(roller_case)
+    best = richest(roller_case)
     try:
         times, exact = _timed(case, (*overrides, *best.settings))
     except ENDS as problem:
@@ -75,23 +75,23 @@ def pareto(
     )
     tell(reference)
     levels = []
-    for level in ladder(wanted, solid=solid):
+    for level in ladder(roller_case, solid=solid):
         levels.append(_measured(case, overrides, level, exact))
         tell(levels[-1])
     return Study(
-        title=wanted.title,
+        title=roller_case.title,
         reference=reference,
         levels=tuple(levels),
-        left_out=left_out(wanted, solid=solid),
+        left_out=left_out(roller_case, solid=solid),
     )
 
 
-def errors(found: Result, exact: Result) -> dict[str, float]:
+def errors(result: Result, exact: Result) -> dict[str, float]:
     """How wrong a result is, by the names of `flexbearing.report.pareto.OUTPUTS`.
 
     Parameters
     ----------
-    found, exact : Result
+    result, exact : Result
         of the same case, converged
 
     Returns
@@ -99,21 +99,21 @@ def errors(found: Result, exact: Result) -> dict[str, float]:
     dict
         relative errors [-]
     """
-    mine, true = found.flexible, exact.flexible
+    approximate, true = result.flexible, exact.flexible
     loads = ("inner_load", "outer_load")
-    off = max(float(np.abs(mine[name] - true[name]).max()) for name in loads)
-    slip = abs(float(mine["cage_slip"] - true["cage_slip"]))
+    largest = max(float(np.abs(approximate[name] - true[name]).max()) for name in loads)
+    slip = abs(float(approximate["cage_slip"] - true["cage_slip"]))
     return {
-        "load": off / max(float(true[name].max()) for name in loads),
+        "load": largest / max(float(true[name].max()) for name in loads),
         "slip": slip / max(abs(float(true["cage_slip"])), LEAST_SLIP),
-        "life": _off(float(mine["life_L10"]), float(true["life_L10"])),
-        "stiffness": _off(float(mine["total_stiffness"]), float(true["total_stiffness"])),
+        "life": _relative_error(float(approximate["life_L10"]), float(true["life_L10"])),
+        "stiffness": _relative_error(float(approximate["total_stiffness"]), float(true["total_stiffness"])),
     }
 
 
-def _off(found: float, exact: float) -> float:
+def _relative_error(value: float, exact: float) -> float:
     """Relative error, zero where both are infinite."""
-    return 0.0 if found == exact else abs(found / exact - 1)
+    return 0.0 if value == exact else abs(value / exact - 1)
 
 
 def _rollers(case: Head) -> Case:
@@ -136,17 +136,17 @@ def _load(case: Case) -> None:
 
 def _measured(case: str | Path, overrides: Sequence[str], level: Level, exact: Result) -> Measured:
     try:
-        times, found = _timed(case, (*overrides, *level.settings))
+        times, result = _timed(case, (*overrides, *level.settings))
     except (BadCase, *ENDS) as problem:
         return Measured(name=level.name, settings=level.settings, message=str(problem))
-    if problem := _problem(found):
+    if problem := _problem(result):
         return Measured(name=level.name, settings=level.settings, times=times, message=problem)
-    return Measured(name=level.name, settings=level.settings, times=times, errors=errors(found, exact))
+    return Measured(name=level.name, settings=level.settings, times=times, errors=errors(result, exact))
 
 
-def _problem(found: Result) -> str:
+def _problem(result: Result) -> str:
     """Why a result is none, empty if it is one."""
-    return "" if found.attributes["status"] == "converged" else str(found.attributes["message"])
+    return "" if result.attributes["status"] == "converged" else str(result.attributes["message"])
 
 
 def _timed(case: str | Path, settings: Sequence[str]) -> tuple[dict[str, float], Result]:
@@ -155,20 +155,20 @@ def _timed(case: str | Path, settings: Sequence[str]) -> tuple[dict[str, float],
         seconds = []
         while len(seconds) < 2 or (len(seconds) <= CACHED_RUNS and min(seconds) < SHORT):
             began = perf_counter()
-            found = run(case, Path(folder) / "level.h5", settings)
+            result = run(case, Path(folder) / "level.h5", settings)
             seconds.append(perf_counter() - began)
-    return {"cold": seconds[0], "cached": min(seconds[1:])}, found
+    return {"cold": seconds[0], "cached": min(seconds[1:])}, result
 
 
 @contextmanager
 def _cache(folder: str) -> Iterator[None]:
     """Keep condensed rings in a folder of its own."""
-    before = os.environ.get(VARIABLE)
+    previous = os.environ.get(VARIABLE)
     os.environ[VARIABLE] = folder
     try:
         yield
     finally:
-        if before is None:
+        if previous is None:
             del os.environ[VARIABLE]
         else:
-            os.environ[VARIABLE] = before
+            os.environ[VARIABLE] = previous

@@ -1,16 +1,23 @@
-"""Levels of cost that one case of a roller bearing can be computed on."""
+"""Levels of cost that one case of a roller bearing can be computed on.
 
-from typing import Any, NamedTuple
+Slices, axial shapes and orders of the elements are levels that `accuracy.target` climbs, too; structures,
+methods and film heating come beside them.
+"""
 
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from flexbearing.accuracy.levels import AXIAL_MODES, SLICES, mesh_levels
+from flexbearing.build.ring_parts import part_of
 from flexbearing.case.roller import Case
 
-SLICES = (5, 10, 20, 40, 80)
-SHAPES = (2, 3, 4)
 METHODS = ("newton", "iqn-ils", "anderson", "aitken", "relaxed")
-RICHEST = ("accuracy.slices=160", "accuracy.axial_shapes=5")
-CAGE_ORDERS, SECTION_ORDERS = (2, 4), (3, 6)  # below and above the usual one; the higher is the richest
-ORDERED = ("10 %", "1 %", "0.1 %")
+TARGETS = ("10 %", "1 %", "0.1 %")
 HARMONICS = "accuracy.structure=harmonics"
+FEWEST = f"accuracy.slices={SLICES[0]}"
+# The last of each only measures; of the others the richest is the reference.
+*COARSER_SLICES, MOST_SLICES = SLICES[:-1]
+*FEWER_MODES, MOST_MODES = AXIAL_MODES[:-1]
 
 
 class Level(NamedTuple):
@@ -21,7 +28,7 @@ class Level(NamedTuple):
 
 
 def richest(case: Case) -> Level:
-    """What all others are measured against.
+    """What all others are measured against: the highest level of every ladder.
 
     Parameters
     ----------
@@ -31,11 +38,13 @@ def richest(case: Case) -> Level:
     Returns
     -------
     Level
-        its rings by harmonics at the highest order, drawn ones as they are
+        its rings by harmonics, solids from STEP files as they are
     """
+    settings = (f"accuracy.slices={MOST_SLICES}", f"accuracy.axial_shapes={MOST_MODES}")
     if not _flexible(case):
-        return Level("reference", RICHEST)
-    return Level("reference", (*RICHEST, f"accuracy.element_order={_orders(case)[1]}", *_by_harmonics(case)))
+        return Level("reference", settings)
+    by_harmonics = () if _from_step(case) else (HARMONICS,)
+    return Level("reference", (*settings, f"accuracy.element_order={_orders(case)[-1]}", *by_harmonics))
 
 
 def ladder(case: Case, *, solid: bool) -> tuple[Level, ...]:
@@ -57,14 +66,17 @@ def ladder(case: Case, *, solid: bool) -> tuple[Level, ...]:
         levels += _structures(case)
     if solid and _solid_is_new(case):
         levels.append(Level("full solid", ("accuracy.structure=solid",)))
-    levels += _slices_and_shapes(case) + _films(case)
+    levels += _counts("slices", "slices", COARSER_SLICES, case.accuracy.slices)
+    if _flexible(case):
+        levels += _counts("axial shapes", "axial_shapes", FEWER_MODES, case.accuracy.axial_shapes)
+    levels += _films(case)
     if _flexible(case):
         levels += [
             Level(method, (f"coupling.method={method}", "coupling.fallback=false"))
             for method in METHODS
             if method != case.coupling.method
         ]
-    levels += [Level(f"target {wish}", (f"accuracy.target={wish}",)) for wish in ORDERED]
+    levels += [Level(f"target {target}", (f"accuracy.target={target}",)) for target in TARGETS]
     return tuple(levels)
 
 
@@ -73,10 +85,10 @@ def left_out(case: Case, *, solid: bool) -> tuple[str, ...]:
     words = []
     if not _flexible(case):
         words.append("structures, axial shapes, coupling methods: every part is rigid")
-    elif _drawn(case):
-        words.append("beam, smeared, harmonics: the outer ring is a drawn solid")
+    elif _from_step(case):
+        words.append("beam, smeared, harmonics: the outer ring is a solid from a STEP file")
     else:
-        if not _beams(case):
+        if not _can_be_beams(case):
             words.append(f'beam: a curved beam has no support "{case.outer.support}"')
         if case.outer.kind != "squirrel_cage":
             words.append("smeared: there are no bars")
@@ -91,69 +103,64 @@ def _flexible(case: Case) -> bool:
     return case.outer.kind != "rigid" or case.inner.kind != "rigid"
 
 
-def _drawn(case: Case) -> bool:
+def _from_step(case: Case) -> bool:
     return case.outer.kind == "step"
 
 
 def _solid_is_new(case: Case) -> bool:
     """Whether some part could be a full solid and is none yet."""
-    return _flexible(case) and not _drawn(case) and case.accuracy.structure != "solid"
+    return _flexible(case) and not _from_step(case) and case.accuracy.structure != "solid"
 
 
-def _beams(case: Case) -> bool:
+def _can_be_beams(case: Case) -> bool:
     """Whether every flexible part can be a curved beam."""
     return case.outer.kind in ("rigid", "squirrel_cage") or (
         case.outer.kind == "ring" and case.outer.support in ("side", "foundation")
     )
 
 
-def _orders(case: Case) -> tuple[int, int]:
-    return CAGE_ORDERS if case.outer.kind in ("squirrel_cage", "step") else SECTION_ORDERS
-
-
-def _by_harmonics(case: Case) -> tuple[str, ...]:
-    return () if _drawn(case) else (HARMONICS,)
+def _orders(case: Case) -> list[int]:
+    """Orders of the elements on the ladder of the outer part, or else of the inner one."""
+    part = part_of(case, "outer") or part_of(case, "inner")
+    assert part is not None  # one of them is flexible
+    by_harmonics = case.model_copy(
+        update={"accuracy": case.accuracy.model_copy(update={"structure": "harmonics"})}
+    )
+    return [mesh.order for mesh in mesh_levels(by_harmonics, part)]
 
 
 def _structures(case: Case) -> list[Level]:
-    """Structures other than that of the case, each at two orders where it has elements."""
+    """Structures other than that of the case, at all orders where it has elements."""
     rigid = ("outer.kind=rigid", "inner.kind=rigid")
-    levels = [Level("rigid", rigid), Level("rigid, 5 slices", (*rigid, "accuracy.slices=5"))]
-    if _beams(case):
+    levels = [Level("rigid", rigid), Level(f"rigid, {SLICES[0]} slices", (*rigid, FEWEST))]
+    if _can_be_beams(case):
         beam = "accuracy.structure=beam"
-        levels += [Level("beam", (beam,)), Level("beam, 5 slices", (beam, "accuracy.slices=5"))]
+        levels += [Level("beam", (beam,)), Level(f"beam, {SLICES[0]} slices", (beam, FEWEST))]
     if case.outer.kind == "squirrel_cage":
         smeared = "accuracy.structure=smeared"
         levels += [
             Level("smeared", (smeared,)),
             Level("smeared, order 3", (smeared, "accuracy.element_order=3")),
         ]
-    name, structure = ("drawn", ()) if _drawn(case) else ("harmonics", (HARMONICS,))
+    name, structure = ("solid from STEP", ()) if _from_step(case) else ("harmonics", (HARMONICS,))
     if case.accuracy.structure != "harmonics" and structure:
         levels.append(Level(name, structure))
     return levels + [
         Level(f"{name}, order {order}", (*structure, f"accuracy.element_order={order}"))
-        for order in _orders(case)
+        for order in _orders(case)[:-1]
         if order != case.accuracy.element_order
     ]
 
 
-def _slices_and_shapes(case: Case) -> list[Level]:
-    given = case.accuracy
-    levels = [Level(f"{n} slices", (f"accuracy.slices={n}",)) for n in SLICES if n != given.slices]
-    if _flexible(case):
-        levels += [
-            Level(f"{n} axial shapes", (f"accuracy.axial_shapes={n}",))
-            for n in SHAPES
-            if n != given.axial_shapes
-        ]
-    return levels
+def _counts(name: str, key: str, counts: Sequence[int], given: int) -> list[Level]:
+    return [Level(f"{n} {name}", (f"accuracy.{key}={n}",)) for n in counts if n != given]
 
 
 def _films(case: Case) -> list[Level]:
     """Levels without the heating of films, where the case has it."""
-    found: Any = case.lubricant
     names = {"inlet_heating": "inlets not heated", "film_heating": "films not heated"}
     return [
-        Level(words, (f"lubricant.{name}=false",)) for name, words in names.items() if getattr(found, name)
+        Level(words, (f"lubricant.{key}=false",))
+        for key, words in names.items()
+        if getattr(case.lubricant, key)
     ]

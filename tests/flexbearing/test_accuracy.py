@@ -115,7 +115,7 @@ def test_a_level_without_an_answer_is_passed_over_and_told():
 def test_two_levels_that_agree_by_accident_do_not_pass_when_more_are_looked_at():
     passing = [0.4, 0.1, 0.1, 0.03, *series(0.01)[:8]]  # levels 1 and 2 agree
     assert Answers(passing).climb([SLICES], 0.02).place == (1,)
-    found = Answers(passing).climb([replace(SLICES, looks=2)], 0.02)
+    found = Answers(passing).climb([replace(SLICES, compared=2)], 0.02)
     assert found.place[0] > 2
     assert passing[found.place[0]] <= found.estimate["load"] <= 0.02
 

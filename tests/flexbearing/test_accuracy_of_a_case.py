@@ -10,7 +10,7 @@ from pytest import approx
 import flexbearing
 from flexbearing import read
 from flexbearing.accuracy.levels import ladders
-from flexbearing.accuracy.trials import finer, first_shapes
+from flexbearing.accuracy.trials import with_accuracy
 from flexbearing.case import BadCase
 from flexbearing.progress import Logged
 from flexbearing.report import summary, text
@@ -126,8 +126,10 @@ def test_a_part_that_changes_nothing_is_left_rigid_and_told(folder):
 
 def test_fewer_axial_shapes_are_a_part_of_more():
     case, azimuths = read(PLAIN, [*RING, "accuracy.element_order=3"]), np.arange(5) * 2 * np.pi / 5
-    many, few = (condensed.outer_ring(finer(case, axial_shapes=n), azimuths, Logged()) for n in (6, 3))
-    part = first_shapes(many, 3)
+    many, few = (
+        condensed.raceway(with_accuracy(case, axial_shapes=n), "outer", azimuths, Logged()) for n in (6, 3)
+    )
+    part, few = many.with_axial_modes(3).compliance, few.compliance
     assert part.absolute == approx(few.absolute, abs=1e-7 * np.abs(few.absolute).max())
     assert part.translation == approx(few.translation, abs=1e-7 * np.abs(few.translation).max())
     assert part.initial_deviation.shape == (5, 3)

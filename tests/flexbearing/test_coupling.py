@@ -16,8 +16,8 @@ from flexbearing.coupling import (
     newton,
     relaxed as relaxation_rule,
 )
-from flexbearing.coupling.acceleration import Seen
-from flexbearing.coupling.history import History, change_per_residual
+from flexbearing.coupling.acceleration import change_per_residual
+from flexbearing.coupling.history import CouplingHistory
 from flexbearing.coupling.loop import STAGNATION_LIMIT, Status
 from flexbearing.quantities.attributes import STATUSES
 
@@ -58,15 +58,23 @@ class Springs:
         yield ToyState(force, 1e-15, "converged")
 
 
-@dataclass(frozen=True)
-class Plate:
-    """Each roller bends its own place of the outer raceway."""
+class Linear:
+    """A structure whose answer is linear in the loads."""
 
-    softness: float
-    unloaded = None
+    initial_deviation = None
 
     def linearised(self, forces):
         return self
+
+    def answer(self, forces):
+        return self.deviation(forces), self.compliance
+
+
+@dataclass(frozen=True)
+class Plate(Linear):
+    """Each roller bends its own place of the outer raceway."""
+
+    softness: float
 
     @property
     def compliance(self):
@@ -76,36 +84,36 @@ class Plate:
         return np.array([np.zeros((3, 1)), self.softness * forces[1]])
 
 
-def relaxed(bearing, structure, start, ending, relaxation):
-    return fixed_point(bearing, structure, start, ending, partial(relaxation_rule, relaxation=relaxation))
+def relaxed(bearing, structure, start, criterion, relaxation):
+    return fixed_point(bearing, structure, start, criterion, partial(relaxation_rule, relaxation=relaxation))
 
 
 START = ToyState(np.full((2, 3, 1), 100.0))
-ENDING = StoppingCriterion(tolerance=1e-8, limit=200)
+CRITERION = StoppingCriterion(tolerance=1e-8, limit=200)
 
 
 @pytest.mark.parametrize(("product", "relaxation"), [(0.5, 1.0), (0.5, 0.3), (9.0, 0.1)])
 def test_relaxation_ends_at_the_known_loads(product, relaxation):
-    *_, last = relaxed(Springs(1e6), Plate(product * 1e-6), START, ENDING, relaxation)
+    *_, last = relaxed(Springs(1e6), Plate(product * 1e-6), START, CRITERION, relaxation)
     assert last.status == "converged"
     assert last.state.forces[1] == approx(100 / (1 + product), rel=1e-7)
 
 
 def test_relaxation_takes_the_steps_that_theory_says():
     """The change shrinks by 1 - relaxation (1 + product) each time: here by a half."""
-    steps = list(relaxed(Springs(1e6), Plate(4e-6), START, ENDING, 0.1))
+    steps = list(relaxed(Springs(1e6), Plate(4e-6), START, CRITERION, 0.1))
     changes = np.array([step.mismatch for step in steps])
     assert changes[11:] / changes[10:-1] == approx(0.5, rel=1e-3)
 
 
-def test_alternation_that_diverges_never_calls_itself_converged():
-    *_, last = relaxed(Springs(1e6), Plate(3e-6), START, ENDING, 1.0)
+def test_diverging_iteration_never_calls_itself_converged():
+    *_, last = relaxed(Springs(1e6), Plate(3e-6), START, CRITERION, 1.0)
     assert last.status == "diverging"
     assert last.number < 20
     assert "newton can" in last.message
 
 
-def test_the_limit_is_not_convergence():
+def test_reaching_the_iteration_limit_is_not_convergence():
     *_, last = relaxed(Springs(1e6), Plate(0.5e-6), START, StoppingCriterion(tolerance=1e-8, limit=5), 0.3)
     assert last.status == "iteration limit"
     assert last.number == 5
@@ -119,13 +127,13 @@ def test_small_steps_are_not_taken_for_small_residuals():
 
 
 def test_failure_of_a_partner_ends_the_loop_with_its_message():
-    *_, last = relaxed(Springs(1e6, limit=1e-6), Plate(1e-6), START, ENDING, 0.5)
+    *_, last = relaxed(Springs(1e6, limit=1e-6), Plate(1e-6), START, CRITERION, 0.5)
     assert last.status == "not solved"
     assert (last.message, last.ending) == ("too much", "stalled")
 
 
 def test_failure_of_the_bearing_ends_newton_with_its_message():
-    (last,) = newton(Springs(1e6, limit=0.0), Plate(3e-6), START, ENDING)
+    (last,) = newton(Springs(1e6, limit=0.0), Plate(3e-6), START, CRITERION)
     assert (last.number, last.status) == (1, "not solved")
     assert (last.message, last.ending) == ("no film", "not finite")
 
@@ -137,13 +145,13 @@ def test_bearing_that_stalls_under_newton_says_how_far_it_came():
             yield ToyState(np.full((2, 3, 1), 90.0), 1e-3)
             yield ToyState(np.full((2, 3, 1), 80.0), 1e-3, "stalled")
 
-    *_, last = newton(Stalls(1e6), Plate(3e-6), START, ENDING)
+    *_, last = newton(Stalls(1e6), Plate(3e-6), START, CRITERION)
     assert (last.number, last.status, last.ending) == (2, "not solved", "stalled")
     assert last.message == "the toy stalled"
 
 
 def test_newton_counts_steps_not_the_start():
-    steps = list(newton(Springs(1e6), Plate(3e-6), START, ENDING))
+    steps = list(newton(Springs(1e6), Plate(3e-6), START, CRITERION))
     assert [step.number for step in steps] == [1, 2]
     assert steps[-1].status == "converged"
     assert steps[-1].state.forces[1] == approx(25.0)
@@ -151,25 +159,22 @@ def test_newton_counts_steps_not_the_start():
 
 @pytest.mark.parametrize("rule", RULES.values(), ids=RULES.keys())
 @pytest.mark.parametrize("product", [0.5, 3.0, 25.0])
-def test_accelerated_alternations_end_at_the_known_loads(rule, product):
-    *_, last = fixed_point(Springs(1e6), Plate(product * 1e-6), START, ENDING, rule)
+def test_accelerated_iterations_end_at_the_known_loads(rule, product):
+    *_, last = fixed_point(Springs(1e6), Plate(product * 1e-6), START, CRITERION, rule)
     assert last.status == "converged"
     assert last.state.forces[1] == approx(100 / (1 + product), rel=1e-7)
     assert last.number <= 12  # one number is looked for: two residuals tell it
 
 
 @dataclass(frozen=True)
-class Uneven:
-    """Places of the raceway that yield differently, and a little together."""
+class Uneven(Linear):
+    """Places of the raceway that deflect differently, and a little together."""
 
     softness: float
 
     @property
     def matrix(self):
         return self.softness * (np.diag([1.0, 0.3, 0.1]) + 0.05)
-
-    def linearised(self, forces):
-        return self
 
     @property
     def compliance(self):
@@ -182,7 +187,7 @@ class Uneven:
 @pytest.mark.parametrize("rule", [RULES["iqn-ils"], RULES["anderson"]], ids=["iqn-ils", "anderson"])
 def test_least_squares_knows_a_linear_partner_after_as_many_steps_as_it_has_numbers(rule):
     plate = Uneven(20e-6)
-    *_, last = fixed_point(Springs(1e6), plate, START, ENDING, rule)
+    *_, last = fixed_point(Springs(1e6), plate, START, CRITERION, rule)
     exact = np.linalg.solve(np.eye(3) + 1e6 * plate.matrix, np.full(3, 100.0))
     assert last.status == "converged"
     assert last.state.forces[1, :, 0] == approx(exact, rel=1e-7)
@@ -191,7 +196,7 @@ def test_least_squares_knows_a_linear_partner_after_as_many_steps_as_it_has_numb
 
 @dataclass(frozen=True)
 class Stiffening:
-    """A raceway that yields like the root of the load: newton needs its tangent again and again."""
+    """A raceway that deflects like the root of the load: newton needs its tangent again and again."""
 
     softness: float
 
@@ -206,14 +211,14 @@ class Stiffening:
 @dataclass(frozen=True)
 class Tangent:
     slope: np.ndarray
-    unloaded: np.ndarray
+    initial_deviation: np.ndarray
 
     @property
     def compliance(self):
         return None, np.diag(self.slope[:, 0])[:, None, :, None]
 
     def deviation(self, forces):
-        return self.unloaded + np.array([np.zeros((3, 1)), self.slope * forces[1]])
+        return self.initial_deviation + np.array([np.zeros((3, 1)), self.slope * forces[1]])
 
 
 class LinearSprings(Springs):
@@ -228,7 +233,7 @@ class LinearSprings(Springs):
 
 def test_newton_follows_a_structure_that_is_not_linear():
     structure = Stiffening(3e-6)
-    *steps, last = newton(LinearSprings(1e6), structure, START, ENDING)
+    *steps, last = newton(LinearSprings(1e6), structure, START, CRITERION)
     assert last.status == "converged"
     force = last.state.forces[1, 0, 0]
     assert force == approx(100 - 1e6 * structure.deviation(last.state.forces)[1, 0, 0], rel=1e-7)
@@ -251,10 +256,10 @@ def test_estimate_is_exact_for_springs_between_two_raceways():
         load = rng_loads - spring * (deviation[1] - deviation[0])
         return np.array([-np.tensordot(compliance[0], load, 2), np.tensordot(compliance[1], load, 2)])
 
-    rng_loads, given = rng.normal(size=(4, 3)) * 1e3, 1e-6 * rng.normal(size=shape)
-    residual = answer(given) - given
-    step = change_per_residual((compliance[0], compliance[1]), stiffness, given.size) @ residual.ravel()
-    root = given + step.reshape(shape)
+    rng_loads, deviation = rng.normal(size=(4, 3)) * 1e3, 1e-6 * rng.normal(size=shape)
+    residual = answer(deviation) - deviation
+    step = change_per_residual((compliance[0], compliance[1]), stiffness, deviation.size) @ residual.ravel()
+    root = deviation + step.reshape(shape)
     assert answer(root) == approx(root, rel=1e-9, abs=1e-12 * np.abs(root).max())
 
 
@@ -265,49 +270,57 @@ def test_rigid_raceway_is_not_moved_by_the_estimate():
     assert np.diag(expected)[3:] == approx(0.5)
 
 
-def test_trials_with_other_contacts_are_left_out_while_there_is_headway():
-    history, touching = History(), [[1, 1, 1], [1, 1, 0], [1, 1, 0]]
-    for number, stiffness in enumerate(touching):
-        history.add(np.zeros((2, 3, 1)), np.full((2, 3, 1), 1.0 / (1 + number)), np.array(stiffness, float))
-    assert history.seen((None, None)).alike == 2
-    history.add(np.zeros((2, 3, 1)), np.ones((2, 3, 1)), np.array([1.0, 1.0, 0.0]))
-    assert history.seen((None, None)).alike == 4  # a residual that is not the least: no headway
+def test_iterations_with_other_contacts_are_left_out_while_residuals_fall():
+    history, contacts, zero = CouplingHistory(), [[1, 1, 1], [1, 1, 0], [1, 1, 0]], np.zeros((2, 3, 1))
+    for number, stiffness in enumerate(contacts):
+        answer = np.full((2, 3, 1), 1 / (1 + number))
+        history = history.extended(zero, answer, np.array(stiffness, float), None)
+    assert history.same_contacts == 2
+    history = history.extended(zero, np.ones((2, 3, 1)), np.array([1.0, 1.0, 0.0]), None)
+    assert history.same_contacts == 4  # the last residual is not the smallest
 
 
 def test_quasi_newton_step_is_no_longer_than_the_residual():
-    away = Seen(np.zeros((3, 1)), np.ones((3, 1)), 1, lambda: 50 * np.eye(3))
-    assert RULES["iqn-ils"](away) == approx(np.ones(3))
+    """Of a structure that pushes back, the estimate would step fifty times as far."""
+    compliance = None, -0.98 * np.eye(3)[:, None, :, None]
+    residual = np.concatenate([np.zeros((1, 3, 1)), np.ones((1, 3, 1))])
+    history = CouplingHistory().extended(np.zeros((2, 3, 1)), residual, np.ones(3), compliance)
+    assert change_per_residual(compliance, np.ones(3), 6) @ residual.ravel() == approx(50 * residual.ravel())
+    assert RULES["iqn-ils"](history) == approx(residual.ravel())
 
 
 def test_every_end_has_a_word_in_the_result_file():
     assert set(get_args(Status)) - {""} == set(STATUSES)
 
 
-# -- alternations without hope -------------------------------------------------------------------
+# -- diverging and stagnating iterations -------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("product", [3.0, 30.0])
 def test_growth_is_seen_within_a_few_iterations(product):
-    *_, last = relaxed(Springs(1e6), Plate(product * 1e-6), START, ENDING, 1.0)
+    *_, last = relaxed(Springs(1e6), Plate(product * 1e-6), START, CRITERION, 1.0)
     assert (last.status, last.number <= 6) == ("diverging", True)
 
 
 def test_slow_growth_after_a_fall_is_seen():
     """One place diverges slowly, the others converge at first."""
-    steps = list(relaxed(Springs(1e6), Uneven(2.2e-6), START, ENDING, 0.9))
+    steps = list(relaxed(Springs(1e6), Uneven(2.2e-6), START, CRITERION, 0.9))
     assert steps[-1].status == "diverging"
     assert min(step.mismatch for step in steps) < steps[0].mismatch
 
 
-def test_bearing_that_fails_after_growth_is_a_failure_of_the_alternation():
-    *_, last = relaxed(Springs(1e6, limit=1.0), Plate(100e-6), START, ENDING, 1.0)
+def test_bearing_that_fails_after_growth_is_a_divergence_of_the_coupling():
+    *_, last = relaxed(Springs(1e6, limit=1.0), Plate(100e-6), START, CRITERION, 1.0)
     assert (last.status, last.ending) == ("diverging", "stalled")
     assert "newton can" in last.message
     assert "too much" in last.message
 
 
-def test_alternation_that_stands_still_is_ended():
-    *_, last = fixed_point(Springs(1e6), Plate(3e-6), START, ENDING, lambda seen: seen.given[:, -1])
+def test_stagnating_iteration_is_stopped():
+    def rule(history):
+        return history.deviations[-1]
+
+    *_, last = fixed_point(Springs(1e6), Plate(3e-6), START, CRITERION, rule)
     assert last.status == "stagnating"
     assert last.number == STAGNATION_LIMIT + 1
     assert "newton can" in last.message
@@ -315,10 +328,10 @@ def test_alternation_that_stands_still_is_ended():
 
 def test_structure_that_fails_at_once_is_named():
     class Torn(Plate):
-        def linearised(self, forces):
+        def answer(self, forces):
             raise PartnerFailed("the ring is torn", "not solved")
 
-    (last,) = fixed_point(Springs(1e6), Torn(3e-6), START, ENDING, RULES["iqn-ils"])
+    (last,) = fixed_point(Springs(1e6), Torn(3e-6), START, CRITERION, RULES["iqn-ils"])
     assert (last.number, last.status, last.message) == (1, "not solved", "the ring is torn")
 
 
@@ -328,5 +341,5 @@ def test_newton_ends_with_the_force_that_is_left_not_with_the_last_step():
             for residual in (1.0, 1e-6, 0.9e-10, 1e-16):
                 yield ToyState(np.full((2, 3, 1), 100 * (1 + residual**0.5)), residual)
 
-    steps = list(newton(Slow(1e6), Plate(3e-6), START, ENDING))
+    steps = list(newton(Slow(1e6), Plate(3e-6), START, CRITERION))
     assert [step.status for step in steps] == ["", "converged"]

@@ -45,7 +45,7 @@ STUDY = Study(
         measured("quick", 0.1, 0.1, 0.05, 0.08, 0.09, 0.02),
         measured("middle", 1.0, 0.3, 0.005, 0.008, 0.09, 0.002),
         measured("slow", 5.0, 0.2, 0.0005, 0.0008, 0.0, 0.0002),
-        measured("broken", 0.5, 0.5, message="the alternation grows"),
+        measured("broken", 0.5, 0.5, message="the iteration diverges"),
     ),
     left_out=("smeared: there are no bars",),
 )
@@ -75,7 +75,7 @@ def test_cheapest_level_within_a_target_is_the_fastest_that_keeps_it():
 
 def test_failed_level_is_told_and_drawn_nowhere():
     words = text(STUDY)
-    assert "- broken: the alternation grows" in words
+    assert "- broken: the iteration diverges" in words
     assert "| broken" not in words
     assert "- smeared: there are no bars" in words
     assert "| 0.1 % in all | slow, 5 s | slow, 0.2 s |" in words
@@ -110,7 +110,7 @@ def test_levels_that_a_case_does_not_have_are_left_out_with_a_word():
 @pytest.mark.parametrize(("structure", "most"), [("beam", 6), ("smeared", 2000)])
 def test_cheap_structures_have_few_unknowns_and_hold_alike(structure, most):
     case = read(CONFIGS / "mao2016.toml", {"accuracy.structure": structure, "accuracy.element_order": 2})
-    found = condensed.outer_ring(case, np.linspace(0, 6, 5), Logged())
+    found = condensed.raceway(case, "outer", np.linspace(0, 6, 5), Logged()).compliance
     assert found.unknowns <= most
     assert found.support_stiffness == approx(1.5e8, rel=0.1)
 
@@ -124,7 +124,7 @@ def test_smeared_bars_are_kept_apart_from_true_ones(monkeypatch):
     for structure in ("smeared", "harmonics"):
         case = read(CONFIGS / "mao2016.toml", {**same, "accuracy.structure": structure})
         with pytest.raises(AttributeError):  # nothing is computed
-            condensed.outer_ring(case, np.zeros(1), Logged())
+            condensed.raceway(case, "outer", np.zeros(1), Logged())
     assert len(set(asked)) == 2
 
 

@@ -8,10 +8,12 @@ from pytest import approx
 
 import flexbearing
 from flexbearing import read
-from flexbearing.build import expansion, ring_parts
+from flexbearing.build import ring_parts
 from flexbearing.case import BadCase
-from flexbearing.rings.condensed import wishes
-from flexbearing.rings.fitted import FittedRings, fit_of, variations
+from flexbearing.coupling import RacewayPair
+from flexbearing.rings.condensed import mesh_size
+from flexbearing.rings.fits import expansions_along, inner_ring_in_fit, outer_ring_in_housing
+from flexbearing.rings.raceways import RigidRaceway
 from flexbearing.runs import fields
 
 PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
@@ -24,6 +26,10 @@ FITTED = [
     "outer.kind=rigid", "inner.fit=frictionless", "accuracy.element_order=3", "accuracy.slices=8",
     "accuracy.axial_shapes=2",
 ]  # fmt: skip
+HOUSING_STEEL = {
+    "youngs_modulus": "203 GPa", "poisson_ratio": "0.28", "density": "7850 kg/m^3",
+    "expansion": "13.8e-6 1/K",
+}  # fmt: skip
 SUPPORTS = {
     "seat": [],
     "foundation": ["outer.foundation_radial=100 N/mm^3"],
@@ -122,28 +128,74 @@ def along(part, *temperatures):
 
 def test_temperatures_along_the_axis_are_free_expansions_beyond_the_middle():
     case = read(PAPER, [*FITTED, *along("shaft", 210, 250)])
-    (found,) = variations(case, ring="inner_ring", shaft="shaft").items()
-    name, growth = found
+    ((name, growth),) = expansions_along(case, ring="inner_ring", shaft="shaft").items()
     assert name == "shaft"
     assert growth.values == approx((-13.8e-6 * 20, 13.8e-6 * 20), rel=1e-9)
     assert growth.at == approx((-30e-3, 30e-3), rel=3e-3)  # as warm as the ring
 
 
-@pytest.mark.slow
-def test_shaft_that_is_warmer_at_one_end_tapers_the_raceway():
-    cases = [read(PAPER, FITTED), read(PAPER, [*FITTED, *along("shaft", 210, 250)])]
-    even, warm = (
-        fit_of(case, ring_parts.inner_part(case), expansion.roller_length(case), wishes(case, (3, 1.2, 0.3)))
-        for case in cases
-    )
-    change, x = warm.pressure - even.pressure, warm.bodies.ring.points.x
+AZIMUTHS = 2 * np.pi * np.arange(30) / 30
+
+
+def inner_in_fit(*settings):
+    case = read(PAPER, [*FITTED, *settings])
+    mesh = mesh_size(case, (3, 1.2, 0.3))
+    return inner_ring_in_fit(case, ring_parts.inner_part(case), AZIMUTHS, mesh)
+
+
+@pytest.fixture(scope="module")
+def tapered():
+    """An inner ring on a shaft that is as warm everywhere, and on one that is warmer at larger x."""
+    return inner_in_fit(), inner_in_fit(*along("shaft", 210, 250))
+
+
+def test_shaft_that_is_warmer_at_one_end_tapers_the_raceway(tapered):
+    """A raceway of larger radius at larger x stands further outward there, unloaded and loaded."""
+    even, warm = tapered
+    change, x = warm.fit.pressure - even.fit.pressure, warm.fit.bodies.ring.points.x
     assert change[x > 1e-6].min() > 0 > change[x < -1e-6].max()
-    taper = warm.growth[1] - even.growth[1]
+    taper = warm.fit.expansion[1] - even.fit.expansion[1]
     assert 0 < taper < 13.8e-6 * 40 / 60e-3 * 33e-3 * 2.5e-3  # that of a shaft with this temperature
-    azimuths, forces = 2 * np.pi * np.arange(30) / 30, np.zeros((2, 30, 2))
-    forces[:, :, 0] = 1e3 * np.maximum(np.cos(azimuths), 0)
-    first, second = (FittedRings(fit, azimuths, None).deviation(forces)[0, :, 1] for fit in (even, warm))
+    forces = np.zeros((2, 30, 2))
+    forces[:, :, 0] = 1e3 * np.maximum(np.cos(AZIMUTHS), 0)
+    first, second = (
+        RacewayPair(fit, RigidRaceway(AZIMUTHS)).answer(forces)[0][0, :, 1] for fit in (even, warm)
+    )
     assert second - first == approx(taper, rel=0.05)
+
+
+def test_mean_expansion_is_no_deviation(tapered):
+    """It belongs to the operating clearance."""
+    even, _ = tapered
+    assert even.fit.expansion[0] > 1e-6
+    deviation, _ = even.answer(np.zeros((30, 2)))
+    assert np.abs(deviation[:, 0]).max() < 1e-3 * even.fit.expansion[0]
+
+
+TIGHT = ["inner.interference=60 um"]
+TURNING = ["operation.outer_speed=20000 rpm"]
+
+
+def test_each_body_of_a_fit_has_its_own_density():
+    """A heavier body expands more as it turns: a ring opens the fit, a shaft closes it."""
+    light, ring, shaft = (
+        inner_in_fit(*TIGHT, *heavier).fit.mean_pressure
+        for heavier in ([], ["materials.inner_ring.density=16 g/cm^3"], ["materials.shaft.density=16 g/cm^3"])
+    )
+    assert ring < light < shaft
+
+
+def test_each_body_of_a_housing_fit_has_its_own_density():
+    """Outside is the housing: where it is heavier it opens the fit, a heavier ring closes it."""
+    gaps = []
+    housing = [f"materials.housing.{name}={value}" for name, value in HOUSING_STEEL.items()]
+    for heavier in ([], ["materials.outer_ring.density=16 g/cm^3"], ["materials.housing.density=16 g/cm^3"]):
+        case = read(PAPER, [*HOUSED, "outer.housing_clearance=60 um", *TURNING, *housing, *heavier])
+        mesh = mesh_size(case, (3, 1.2, 0.3))
+        raceway = outer_ring_in_housing(case, ring_parts.outer_part(case), AZIMUTHS, mesh)
+        gaps.append(raceway.fit.gap.mean())
+    light, ring, around = gaps
+    assert ring < light < around
 
 
 @pytest.mark.parametrize(
@@ -167,7 +219,7 @@ def test_temperatures_that_end_inside_the_shaft_are_refused(tmp_path):
 
 
 @pytest.mark.slow
-def test_inner_ring_in_its_fit_yields_more_than_a_bonded_one(tmp_path):
+def test_inner_ring_in_its_fit_deflects_more_than_a_bonded_one(tmp_path):
     loads = {}
     for fit in ("bonded", "friction", "frictionless"):
         result = flexbearing.run(PAPER, tmp_path / f"{fit}.h5", ["outer.kind=rigid", f"inner.fit={fit}"])

@@ -1,0 +1,242 @@
+"""Rings that shaft or housing hold by pressure and friction, so that their raceways are not linear."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+import fem
+from fem.errors import NotSolved
+from flexbearing.build.expansion import hot_over_cold, material, roller_length
+from flexbearing.build.ring_parts import Race
+from flexbearing.case.roller import Case
+from flexbearing.coupling import PartnerFailed
+from flexbearing.coupling.raceway_pair import linear_answer
+from flexbearing.rings.raceways import compliance_figures
+
+if TYPE_CHECKING:
+    from fem.joint.loaded_fit import LoadedFit
+    from fem.joint.preloaded_fit import PreloadedFit
+    from fem.raceway.compliance import RacewayCompliance
+    from fem.section.expansion import Along
+
+
+@dataclass
+class RacewayInFit:
+    """The raceway of a ring that shaft or housing holds where it is pressed on them.
+
+    It keeps its last answer, from which the next one starts: the same forces give the same answer, sooner.
+    """
+
+    name: str  # for messages
+    fit: "PreloadedFit"
+    azimuths: NDArray  # (Z) [rad]
+    fit_figures: "Callable[[PreloadedFit, LoadedFit | None], dict[str, object]]"  # for the result file
+    last: "LoadedFit | None" = field(default=None, repr=False)
+    rigid = False
+    solved_in_full = False
+
+    def answer(self, outward: NDArray) -> tuple[NDArray, NDArray]:
+        """Outward deviations (Z, M) and mean translation (2) [m] under outward forces (Z, M) [N].
+
+        Raises `PartnerFailed` when contact in the fit is not found.
+        """
+        return linear_answer(self.linearised(outward), outward)
+
+    def linearised(self, outward: NDArray) -> "RacewayCompliance":
+        """The raceway near outward forces (Z, M) [N].
+
+        The mean expansion of the raceway belongs to the operating clearance; its variation along the
+        rollers is part of the deviation.
+
+        Raises
+        ------
+        PartnerFailed
+            when contact in the fit is not found
+        """
+        from fem.joint.loaded_fit import loaded
+
+        start = None if self.last is None else self.last.contact.jump
+        try:
+            self.last = loaded(self.fit, self.azimuths, outward, start)
+        except NotSolved as problem:
+            raise PartnerFailed(f"{self.name}: {problem}", "not solved") from problem
+        tangent, deviation = self.last.tangent, self.last.deviation.copy()
+        deviation[:, 1:] += self.fit.expansion[1:]
+        by_load, translation = linear_answer(tangent, outward)
+        return replace(
+            tangent,
+            initial_deviation=deviation - by_load,
+            initial_translation=self.last.translation - translation,
+        )
+
+    def figures(self) -> dict[str, object]:
+        """What finite elements and fit say."""
+        closed = compliance_figures(self.fit.closed.at(self.azimuths))
+        return closed | self.fit_figures(self.fit, self.last)
+
+
+def is_in_fit(case: Case, race: Race) -> bool:
+    """Whether a part is held by a contact that may open or slip, so that it is not linear."""
+    return case.inner.fit != "bonded" if race == "inner" else case.outer.lifts_off
+
+
+def inner_ring_in_fit(
+    case: Case, part: fem.RingOnShaft, azimuths: NDArray, mesh: fem.MeshSize
+) -> RacewayInFit:
+    """Put the inner ring of a case on its shaft, hot and turning, before rollers load it.
+
+    Parameters
+    ----------
+    case : Case
+        with an inner ring that is not bonded
+    part : RingOnShaft
+        at its temperature
+    azimuths : array (Z)
+        of the rollers [rad]
+    mesh : MeshSize
+        of both bodies
+
+    Returns
+    -------
+    RacewayInFit
+
+    Raises
+    ------
+    ImpossiblePart
+        if the fit cannot be
+    NotSolved
+        if contact is not found
+    """
+    from fem.joint.fitted_ring import FittedRing, condense_fitted
+    from fem.joint.preloaded_fit import Fit, preloaded
+
+    inner = case.inner
+    bodies = condense_fitted(
+        FittedRing(seat=part, shoulder_diameter=inner.shoulder_diameter),
+        roller_length(case),
+        case.accuracy.axial_shapes,
+        mesh,
+        variations=expansions_along(case, ring="inner_ring", shaft="shaft"),
+    )
+    fit = Fit(
+        interference=inner.interference,
+        friction=0.0 if inner.fit == "frictionless" else inner.fit_friction,
+        clamping=inner.clamping,
+        thermal_strains=(hot_over_cold(case, "inner_ring") - 1, hot_over_cold(case, "shaft") - 1),
+        densities=(material(case, "inner_ring").density, material(case, "shaft").density),
+        speed=case.operation.inner_speed,
+    )
+    return RacewayInFit("fit of the inner ring", preloaded(bodies, fit), azimuths, _shaft_fit_figures)
+
+
+def outer_ring_in_housing(
+    case: Case, part: fem.OuterRing, azimuths: NDArray, mesh: fem.MeshSize
+) -> RacewayInFit:
+    """Put the outer ring of a case in its housing, hot and turning, before rollers load it.
+
+    Parameters
+    ----------
+    case : Case
+        with a clearance or interference of the outer ring in its housing
+    part : OuterRing
+        at its temperature, with the housing as its support
+    azimuths : array (Z)
+        of the rollers [rad]
+    mesh : MeshSize
+        of both bodies
+
+    Returns
+    -------
+    RacewayInFit
+
+    Raises
+    ------
+    ImpossiblePart
+        if the fit cannot be
+    NotSolved
+        if contact is not found
+    """
+    from fem.joint.fitted_ring import HousedRing, condense_fitted
+    from fem.joint.preloaded_fit import Fit, preloaded
+
+    assert case.outer.housing_clearance is not None  # or there would be no fit
+    bodies = condense_fitted(
+        HousedRing(seat=part),
+        roller_length(case),
+        case.accuracy.axial_shapes,
+        mesh,
+        variations=expansions_along(case, ring="outer_ring", housing="housing"),
+    )
+    fit = Fit(
+        interference=-case.outer.housing_clearance,
+        friction=0.0,
+        thermal_strains=(hot_over_cold(case, "outer_ring") - 1, hot_over_cold(case, "housing") - 1),
+        densities=(material(case, "outer_ring").density, material(case, "housing").density),
+        speed=case.operation.outer_speed,
+    )
+    return RacewayInFit("outer ring in its housing", preloaded(bodies, fit), azimuths, _housing_figures)
+
+
+def expansions_along(case: Case, **bodies: str) -> "dict[str, Along]":
+    """Free expansions along the axis beyond those of the middle, where temperatures vary.
+
+    Parameters
+    ----------
+    case : Case
+        with the temperatures
+    bodies : str
+        name of each body in the structure, one of them "ring", and in the case
+
+    Returns
+    -------
+    dict
+        by the name of the body in the structure, only of those that vary
+    """
+    from fem.section.expansion import Along
+
+    temperatures, expansions = case.operation.temperatures, {}
+    if temperatures is None:
+        return {}
+    hot = hot_over_cold(case, bodies["ring"])  # both bodies are meshed as warm as the ring
+    for body, part in bodies.items():
+        along = getattr(temperatures, f"{part}_along")
+        if along is not None:
+            rise = np.array(along.temperatures) - getattr(temperatures, part)
+            strain = material(case, part).expansion * rise
+            expansions[body] = Along(at=np.multiply(along.at, hot), values=strain)
+    return expansions
+
+
+def _shaft_fit_figures(fit: "PreloadedFit", loaded: "LoadedFit | None") -> dict[str, object]:
+    figures: dict[str, object] = {
+        "mean_pressure_unloaded_MPa": 1e-6 * fit.mean_pressure,
+        "raceway_growth_um": 1e6 * float(fit.expansion[0]),
+    }
+    if loaded is not None:
+        figures |= {
+            "mean_pressure_MPa": 1e-6 * loaded.mean_pressure,
+            "largest_pressure_MPa": 1e-6 * float(loaded.pressure.max()),
+            "open_share": loaded.opened,
+            "slipping_share": loaded.slipping,
+        }
+    return {"fit": figures}
+
+
+def _housing_figures(fit: "PreloadedFit", loaded: "LoadedFit | None") -> dict[str, object]:
+    figures: dict[str, object] = {
+        "mean_gap_unloaded_um": 1e6 * float(fit.gap.mean()),
+        "mean_pressure_unloaded_MPa": 1e-6 * fit.mean_pressure,
+        "raceway_growth_um": 1e6 * float(fit.expansion[0]),
+    }
+    if loaded is not None:
+        figures |= {
+            "touching_angle_deg": float(np.degrees(loaded.touching_angle)),
+            "open_share": loaded.opened,
+            "mean_pressure_MPa": 1e-6 * loaded.mean_pressure,
+            "largest_pressure_MPa": 1e-6 * float(loaded.pressure.max()),
+            "largest_gap_um": 1e6 * float(loaded.gap.max()),
+        }
+    return {"housing": figures}
