@@ -2,6 +2,7 @@
 
 import xml.etree.ElementTree as ET
 from dataclasses import replace
+from types import SimpleNamespace
 
 import ngsolve as ngs
 import numpy as np
@@ -113,6 +114,28 @@ def test_symmetric_load_gives_a_symmetric_field(pulled):
     assert left == approx(right * [1, -1, 1], abs=0.005 * np.abs(left).max())
     shear = bar_forces(pulled).radial_moment[:, 0]
     assert shear[1:] == approx(shear[:0:-1], abs=0.01 * np.abs(shear).max())
+
+
+@pytest.mark.parametrize("direction", ["radial", "tangential"])
+def test_nominal_stress_of_a_bar_that_is_not_square_is_that_of_its_own_bending(direction):
+    """A stress that is linear over the section is its own nominal stress, in either direction."""
+    part = replace(BARS, bar_width=4e-3, bar_thickness=2e-3)
+    middle, slope = (part.raceway_diameter + part.thickness) / 2, 1e10  # [m], [Pa/m]
+    pitch = 2 * np.pi / part.bars
+
+    def stress(point):
+        _, y, z = 1e-3 * np.array(point)
+        bar = pitch * np.round(np.arctan2(y, z) / pitch)
+        radial = y * np.sin(bar) + z * np.cos(bar) - middle
+        tangential = y * np.cos(bar) - z * np.sin(bar)
+        return slope * (radial if direction == "radial" else tangential)
+
+    state = SimpleNamespace(part=part, mesh=lambda *point: point, stress={(0, 0): stress})
+    edge = np.array([0.0, part.bar_width / 2])
+    outside, inside = (np.sqrt((middle + side * part.bar_thickness / 2) ** 2 - edge**2) for side in (1, -1))
+    largest = np.abs(np.concatenate([outside, inside]) - middle).max()
+    expected = slope * (largest if direction == "radial" else part.bar_width / 2)
+    assert bar_forces(state).stress == approx(np.full((part.bars, 2), expected), rel=1e-6)
 
 
 def test_clamp_holds_against_the_load(pulled):

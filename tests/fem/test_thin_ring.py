@@ -9,7 +9,7 @@ from pytest import approx
 
 from fem import ClampedFace, Foundation, MeshSize, OuterRing, RigidSeat
 from fem.assembly.factorisation import NotSolved
-from fem.beam import thin_ring
+from fem.beam import support_springs, thin_ring
 from fem.beam.curved_beam import CurvedBeam
 from fem.parts.rings import ImpossiblePart
 from tests.fem.condensed import as_beam, by_harmonics, with_smeared_bars
@@ -148,3 +148,47 @@ def test_band_longer_than_the_track_is_refused():
 def test_too_few_harmonics_are_refused():
     with pytest.raises(NotSolved, match="8 or more"):
         as_beam(THIN, L, M, 7)
+
+
+# -- springs of supports ---------------------------------------------------------------------------
+
+
+def at(x, rho, motion):
+    """Displacement (x, r, t) of a point fixed to the section, as `fem.beam.curved_beam` defines it."""
+    U, W, V, theta, chi, psi = motion
+    return np.array([U - rho * theta, W + x * theta, V + rho * psi + x * chi])
+
+
+def energy(stiffness, motion):
+    return motion @ stiffness @ motion
+
+
+@given(st.lists(st.floats(-1, 1), min_size=6, max_size=6), st.floats(-2e-3, 2e-3))
+def test_foundation_holds_every_point_of_its_cylinder_by_its_own_springs(motion, offset):
+    """Its three springs differ, and so do the places; energy by Gauss points along the cylinder."""
+    springs, radius, width = (1e9, 2e9, 5e9), 40e-3, 10e-3
+    node, weight = np.polynomial.legendre.leggauss(3)
+    points = [at(x, offset, motion) for x in width / 2 * node]
+    expected = sum(
+        w * width / 2 * radius * (np.array(springs) @ u**2) for w, u in zip(weight, points, strict=True)
+    )
+    found = energy(support_springs.foundation(springs, radius, width, offset), np.array(motion))
+    assert found == approx(expected, rel=1e-9, abs=1e-9)
+
+
+@given(st.lists(st.floats(-1, 1), min_size=6, max_size=6), st.floats(-2e-2, 2e-2), st.floats(-2e-3, 2e-3))
+def test_link_to_the_ground_is_stretched_by_the_motion_of_its_middle(motion, middle, offset):
+    compliance = np.array([1.0, 2.0, 3.0, 4.0, 5.0, 6.0]) * 1e-9
+    stretched = np.concatenate([at(middle, offset, motion), motion[3:]])
+    link = support_springs.Link(middle=middle, offset=offset, compliance=compliance)
+    for stiffness in (support_springs.alone(link), support_springs.chained(link)):
+        expected = stretched**2 @ (1 / compliance)
+        assert energy(stiffness, np.array(motion)) == approx(expected, rel=1e-6, abs=1e-9)
+
+
+def test_beam_on_a_foundation_takes_each_spring_where_it_belongs():
+    springs = Foundation(axial=1e9, radial=2e9, tangential=5e9)
+    part = OuterRing(raceway_diameter=75e-3, thickness=1e-3, width=10e-3, elastic=STEEL, support=springs)
+    held = thin_ring.stiffness_of(part, np.array([2])) - thin_ring.beam_of(part).stiffness(np.array([2]))
+    area = (75e-3 / 2 + 1e-3) * 10e-3  # per radian
+    assert np.diag(held[0])[:3] == approx(np.array([1e9, 2e9, 5e9]) * area, rel=1e-9)
