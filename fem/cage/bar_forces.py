@@ -109,8 +109,8 @@ def _section(cage: SquirrelCage) -> tuple[NDArray, NDArray, NDArray]:
 
 def _sides(cage: SquirrelCage, t) -> tuple[NDArray, NDArray]:
     """Where a bar begins and ends radially [m], beside its middle by t [m]."""
-    middle, half = (cage.raceway_diameter + cage.thickness) / 2, cage.bar_thickness / 2
-    return np.sqrt((middle - half) ** 2 - t**2), np.sqrt((middle + half) ** 2 - t**2)
+    inner, outer = cage.bar_radii
+    return np.sqrt(inner**2 - t**2), np.sqrt(outer**2 - t**2)
 
 
 def _corners(cage: SquirrelCage, centre: float) -> tuple[NDArray, NDArray]:

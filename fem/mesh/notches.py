@@ -75,8 +75,8 @@ def notches(part) -> Notches:
 def _(part: SquirrelCage):
     inner = part.raceway_diameter / 2
     outer, start = inner + part.thickness, part.width / 2
-    stop, middle, half = start + part.bar_length, (inner + outer) / 2, part.bar_thickness / 2
-    feet = [((x, middle - half), (x, middle + half)) for x in (start, stop)]
+    stop, (low, high) = start + part.bar_length, part.bar_radii
+    feet = [((x, low), (x, high)) for x in (start, stop)]
     clamp = [_rim(stop + part.flange_length, r) for r in (inner, outer)]
     return Notches(np.array(clamp if part.fillet > 0 else [*feet, *clamp]), part.bar_thickness)
 

@@ -56,6 +56,27 @@ class OuterRing:
         return free_motions(self.support)
 
 
+def slot_between_bars(bars: int, bar_width: float, inner_radius: float) -> float:
+    """Narrowest gap between neighbouring bars with parallel sides, along the arc of their inner radius.
+
+    Parameters
+    ----------
+    bars : int
+        number of bars, equally spaced
+    bar_width : float
+        tangential [m]
+    inner_radius : float
+        of the bars [m]
+
+    Returns
+    -------
+    float
+        [m]; zero or less if they touch
+    """
+    half = asin(bar_width / 2 / inner_radius) if bar_width < 2 * inner_radius else pi
+    return 2 * inner_radius * (pi / bars - half)
+
+
 @dataclass(frozen=True, kw_only=True)
 class SquirrelCage:
     """An outer ring on axial bars, the bars on a flange whose far end face is clamped.
@@ -103,7 +124,7 @@ class SquirrelCage:
             f"zero, or {SMALLEST_FILLET:.1g} m to {largest:.3g} m: inside the faces that the bars stand on, "
             f"{step:.3g} m wide beside the bars, and short of half the bars, {gap:.3g} m",
         )  # fmt: skip
-        slot = self._gap(self.bar_width + 2 * self.fillet, self.bar_thickness + 2 * self.fillet)
+        slot = slot_between_bars(self.bars, self.bar_width + 2 * self.fillet, self.bar_radii[0] - self.fillet)
         require(
             slot >= SLENDEREST_SLOT, "fillet", self.fillet,
             f"what leaves slots of {SLENDEREST_SLOT:.1g} m or more between the feet of {self.bars} bars, "
@@ -113,13 +134,13 @@ class SquirrelCage:
     @property
     def slot(self) -> float:
         """Narrowest gap between two bars, at their inner radius [m]; zero or less if they touch."""
-        return self._gap(self.bar_width, self.bar_thickness)
+        return slot_between_bars(self.bars, self.bar_width, self.bar_radii[0])
 
-    def _gap(self, width: float, thickness: float) -> float:
-        """Gap between bars of another section, at their inner radius [m]."""
-        inner = (self.raceway_diameter + self.thickness - thickness) / 2
-        half = asin(width / 2 / inner) if width < 2 * inner else pi
-        return 2 * inner * (pi / self.bars - half)
+    @property
+    def bar_radii(self) -> tuple[float, float]:
+        """Inner and outer radius of the bars [m]."""
+        middle, half = (self.raceway_diameter + self.thickness) / 2, self.bar_thickness / 2
+        return middle - half, middle + half
 
     @property
     def track(self) -> float:

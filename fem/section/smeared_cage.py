@@ -72,7 +72,7 @@ def _sections(cage: SquirrelCage, length: float) -> list[AxialSection]:
     """Ring, sleeve and flange as polygons that touch along whole edges."""
     inner, side, half = cage.raceway_diameter / 2, cage.width / 2, length / 2
     outer, foot = inner + cage.thickness, side + cage.bar_length
-    low, high = ((inner + outer + sign * cage.bar_thickness) / 2 for sign in (-1, 1))
+    low, high = cage.bar_radii
     end = foot + cage.flange_length
     ring = AxialSection("ring", (
         (-side, inner, None), (-half, inner, None), (half, inner, "raceway"), (side, inner, None),
@@ -103,8 +103,8 @@ def _assembled(cage: SquirrelCage, length: float, mesh: MeshSize) -> Body:
 def _sleeve(u, v, cage: SquirrelCage, where):
     """Virtual work of the bars per radian, as the parts without n, with n, with n^2."""
     E, nu, G = cage.elastic.youngs_modulus, cage.elastic.poisson_ratio, shear_modulus(cage.elastic)
-    yields = tangential_slide(cage.bar_length, cage.bar_width, cage.bar_thickness, cage.elastic)
-    bending = cage.bar_length / (cage.bar_width * cage.bar_thickness * yields)
+    compliance = tangential_slide(cage.bar_length, cage.bar_width, cage.bar_thickness, cage.elastic)
+    bending = cage.bar_length / (cage.bar_width * cage.bar_thickness * compliance)
     plate = E / (1 - nu**2)
     wide = cage.bars * cage.bar_width / (2 * np.pi)  # where a body of revolution has its radius [m]
 

@@ -1,6 +1,5 @@
 """The sections [outer] and [inner]: what carries the raceways."""
 
-from math import pi
 from typing import ClassVar, Literal, Self
 
 from pydantic import model_validator
@@ -8,7 +7,6 @@ from pydantic import model_validator
 from flexbearing.case.quantity import Angle, Force, Foundation, Length, Section, impossible, key, require
 
 Direction = Literal["x", "y", "z", "-x", "-y", "-z"]
-NARROWEST_SLOT = 0.3e-3  # [m] between bars: below it the mesh generator may give up
 _RING, _CAGE, _STEP = ({"kind": (kind,)} for kind in ("ring", "squirrel_cage", "step"))
 _ON_SHAFT = {"kind": ("ring_on_shaft",)}
 
@@ -167,10 +165,15 @@ class Outer(Section):
         if width < roller_length:
             raise impossible("width", "at least bearing.roller.length")
         if self.kind == "squirrel_cage":
+            from fem.parts.rings import SLENDEREST_SLOT, slot_between_bars  # only a cage needs them
+
             bars, bar_width, bar_thickness = require(self, ("bars", "bar_width", "bar_thickness"), self.kind)
-            most = pi * (raceway_diameter + thickness - bar_thickness) / bars - NARROWEST_SLOT
-            if bar_width > most:
-                raise impossible("bar_width", f"at most {most * 1e3:.4g} mm, or the bars touch")
+            slot = slot_between_bars(bars, bar_width, (raceway_diameter + thickness - bar_thickness) / 2)
+            if slot < SLENDEREST_SLOT:
+                least, left = 1e3 * SLENDEREST_SLOT, 1e3 * slot
+                raise impossible(
+                    "bar_width", f"what leaves slots of {least:.1g} mm between the bars, here {left:.2g} mm"
+                )
 
 
 class Inner(Section):
