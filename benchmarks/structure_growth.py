@@ -30,9 +30,9 @@ def solved(part, length: float, size: float) -> tuple[int, list[float]]:
     """Unknowns, and seconds of the processor by stage."""
     import ngsolve as ngs
 
+    from fem.assembly.elasticity import elastic_energy
     from fem.assembly.factorisation import factorised, threads
     from fem.mesh.solid import meshed
-    from fem.solid.condensation import elastic_energy
 
     with threadpool_limits(limits=1, user_api="blas"), threads(1):
         clock = [time.process_time()]

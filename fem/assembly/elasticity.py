@@ -2,6 +2,9 @@
 
 import ngsolve as ngs
 
+from fem.mesh.solid import MILLIMETRES
+from fem.parts.material import Elastic
+
 
 def strain(u):
     r"""Strain of a small displacement.
@@ -47,6 +50,28 @@ def elasticity(u, v, lame, shear):
     Any text on elasticity, e.g. Braess, Finite Elements (2007), ch. VI.
     """
     return (2 * shear * ngs.InnerProduct(strain(u), strain(v)) + lame * ngs.div(u) * ngs.div(v)) * ngs.dx
+
+
+def elastic_energy(mesh, materials: dict[str, Elastic]):
+    """Weak form of a body of several materials on a mesh in millimetres.
+
+    Parameters
+    ----------
+    mesh : ngsolve.Mesh
+        in millimetres, with named bodies
+    materials : dict
+        `Elastic` of every body by its name
+
+    Returns
+    -------
+    callable (u, v)
+        the form whose matrix is in N/m: a modulus in Pa integrated over millimetres is one in mN/m
+    """
+    constants = {name: lame_constants(m.youngs_modulus, m.poisson_ratio) for name, m in materials.items()}
+    lame, shear = (
+        mesh.MaterialCF({name: values[k] / MILLIMETRES for name, values in constants.items()}) for k in (0, 1)
+    )
+    return lambda u, v: elasticity(u, v, lame, shear)
 
 
 def lame_constants(youngs_modulus, poisson_ratio):

@@ -23,9 +23,9 @@ from numpy.typing import NDArray
 from scipy import sparse
 
 from fem.assembly import roller_loads
+from fem.assembly.elasticity import elastic_energy
 from fem.assembly.static_condensation import Substructure, eliminate, owners
 from fem.parts.rings import SquirrelCage
-from fem.solid.condensation import elastic_energy
 
 NEGLIGIBLE = 1e-13  # part of the largest load pattern that is rounding
 

@@ -184,8 +184,11 @@ def _raceway(body, part: StepSolid) -> tuple[float, float, float]:
 
 def _rim(face) -> NDArray:
     """Points on the edges of a face (points, 3) [mm]."""
-    edges = [edge for edge in face.edges if edge.mass > EXACT]
-    points = [edge.Value(s) for edge in edges for s in np.linspace(*edge.parameter_interval, 5)]
+    points = []
+    for edge in face.edges:
+        if edge.mass > EXACT:
+            first, last = edge.parameter_interval
+            points += [edge.Value(s) for s in np.linspace(first, last, 5)]
     return np.array([(p.x, p.y, p.z) for p in points]).reshape(-1, 3)
 
 

@@ -2,19 +2,19 @@
 
 from collections.abc import Callable
 
-import ngsolve as ngs
 import numpy as np
 from numpy.typing import NDArray
 
-from fem.assembly import elasticity, roller_loads as load
-from fem.assembly.factorisation import Factorisation, factorised, threads
+from fem.assembly import roller_loads
+from fem.assembly.factorisation import threads
 from fem.half_space.load_patch import half_space
-from fem.mesh.solid import MILLIMETRES, meshed
+from fem.mesh.solid import meshed
 from fem.parts.resolution import Resolution
-from fem.parts.rings import Elastic, Part, Patches
+from fem.parts.rings import Part, Patches
 from fem.parts.step_solid import StepSolid
 from fem.raceway import symmetry
 from fem.raceway.compliance import RacewayCompliance
+from fem.solid.factored_solid import FactoredSolid, factored_on
 from fem.stages import Stage
 
 
@@ -46,37 +46,24 @@ def condense_solid(part: Part | StepSolid, resolution: Resolution, stage: Stage)
     -----
     Small displacement, perfect bonds, rigid clamps; no load outside the band.
     """
-    patches, mesh = resolution.patches, resolution.mesh
+    patches = resolution.patches
     with stage("mesh"):
-        solid = meshed(part, patches.length, mesh)
-    with threads(resolution.threads):
-        with stage("factor"):
-            space = ngs.VectorH1(solid, order=mesh.order, dirichlet="clamped")
-            stiffness = factorised(space, elastic_energy(solid, part.materials))
-        with stage("condense") as progress:
-            band = load.band(space, "raceway", load.quadrature_order(patches, mesh))
-            return condensed(part, patches, stiffness, band, progress)
+        mesh = meshed(part, patches.length, resolution.mesh)
+    with stage("factor"):
+        solid = factored_on(mesh, part, patches, resolution.mesh, resolution.threads)
+    with stage("condense") as progress:
+        return condensed(solid, progress)
 
 
 def condensed(
-    part: Part | StepSolid,
-    patches: Patches,
-    stiffness: Factorisation,
-    band: load.Band,
-    progress: Callable[[float], None] = lambda fraction: None,
+    solid: FactoredSolid, progress: Callable[[float], None] = lambda fraction: None
 ) -> RacewayCompliance:
-    """Compliance of a raceway whose stiffness is factored.
+    """Compliance of the raceway of a factored solid.
 
     Parameters
     ----------
-    part : Part or StepSolid
-        ring with its seat
-    patches : Patches
-        rollers, and how finely their forces are resolved
-    stiffness : Factorisation
-        of the part
-    band : Band
-        its raceway
+    solid : FactoredSolid
+        with its rollers and patches
     progress : callable (fraction)
         told the finished fraction of the solves
 
@@ -90,42 +77,20 @@ def condensed(
     NotSolved
         if a residual is too large, or the mesh too coarse for the patches
     """
-    absolute, translation, support = _answers(stiffness, band, _renumbered(part, patches), patches, progress)
-    own = np.arange(len(patches.azimuths))
-    absolute[own, :, own] -= half_space(patches, part.materials["ring"])
+    patches = solid.patches
+    with threads(solid.thread_number):
+        absolute, translation, support = _responses(solid, progress)
+    roller = np.arange(len(patches.azimuths))
+    absolute[roller, :, roller] -= half_space(patches, solid.part.materials["ring"])
     return RacewayCompliance(
         azimuths=np.array(patches.azimuths),
         absolute=absolute,
         translation=translation,
         support_stiffness=2 / np.trace(support),
-        unknowns=stiffness.unknowns,
-        elements=stiffness.form.space.mesh.ne,
+        unknowns=solid.stiffness.unknowns,
+        elements=solid.space.mesh.ne,
         seconds={},
     )
-
-
-def elastic_energy(mesh, materials: dict[str, Elastic]):
-    """Weak form of a body of several materials on a mesh in millimetres.
-
-    Parameters
-    ----------
-    mesh : ngsolve.Mesh
-        in millimetres, with named bodies
-    materials : dict
-        `Elastic` of every body by its name
-
-    Returns
-    -------
-    callable (u, v)
-        the form whose matrix is in N/m: a modulus in Pa integrated over millimetres is one in mN/m
-    """
-    constants = {
-        name: elasticity.lame_constants(m.youngs_modulus, m.poisson_ratio) for name, m in materials.items()
-    }
-    lame, shear = (
-        mesh.MaterialCF({name: values[k] / MILLIMETRES for name, values in constants.items()}) for k in (0, 1)
-    )
-    return lambda u, v: elasticity.elasticity(u, v, lame, shear)
 
 
 def _renumbered(part: Part | StepSolid, patches: Patches) -> NDArray:
@@ -135,17 +100,19 @@ def _renumbered(part: Part | StepSolid, patches: Patches) -> NDArray:
     return symmetry.permutations(patches.azimuths, part.bars)
 
 
-def _answers(stiffness: Factorisation, band: load.Band, renumbered: NDArray, patches: Patches, progress):
-    """Full compliance (Z, M, Z, M), translations (2, Z, M) and support compliance (2, 2) [m/N]."""
-    Z, M = len(patches.azimuths), patches.axial_modes
-    rollers, translations = load.roller_forces(band, patches), load.translation_forces(band)
+def _responses(solid: FactoredSolid, progress: Callable[[float], None]) -> tuple[NDArray, NDArray, NDArray]:
+    """Absolute compliance (Z, M, Z, M), translations (2, Z, M) and support compliance (2, 2) [m/N]."""
+    Z, M = len(solid.patches.azimuths), solid.patches.axial_modes
+    rollers = roller_loads.roller_forces(solid.band, solid.patches)
+    translations = roller_loads.translation_forces(solid.band)
+    renumbered = _renumbered(solid.part, solid.patches)
     solved = symmetry.representatives(renumbered)
-    needed = (solved[:, None] * M + np.arange(M)).ravel()
-    sides = np.hstack([translations, rollers[:, needed].toarray()])
-    shifts = np.empty_like(sides)
-    for k, side in enumerate(sides.T):
-        shifts[:, k] = stiffness.solve(side)
-        progress((k + 1) / sides.shape[1])
-    read = rollers.T @ shifts
-    absolute = symmetry.completed(read[:, 2:].reshape(Z, M, solved.size, M), solved, renumbered)
-    return absolute, read[:, :2].T.reshape(2, Z, M), translations.T @ shifts[:, :2]
+    columns = (solved[:, None] * M + np.arange(M)).ravel()
+    loads = np.hstack([translations, rollers[:, columns].toarray()])
+    displacements = np.empty_like(loads)
+    for k, load in enumerate(loads.T):
+        displacements[:, k] = solid.stiffness.solve(load)
+        progress((k + 1) / loads.shape[1])
+    at_rollers = rollers.T @ displacements
+    absolute = symmetry.completed(at_rollers[:, 2:].reshape(Z, M, solved.size, M), solved, renumbered)
+    return absolute, at_rollers[:, :2].T.reshape(2, Z, M), translations.T @ displacements[:, :2]

@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fem.assembly import roller_loads
+from fem.assembly.elasticity import elastic_energy
 from fem.assembly.factorisation import Factorisation, factorised, threads
 from fem.mesh.solid import meshed
 from fem.parts.rings import ImpossiblePart, MeshSize, Part, Patches
 from fem.parts.step_solid import StepSolid
-from fem.solid.condensation import elastic_energy
 from fem.solid.fields import LoadedSolid
 
 _log = logging.getLogger(__name__)
@@ -69,7 +69,7 @@ class FactoredSolid:
 
 
 def factored(
-    part: Part | StepSolid, patches: Patches, mesh: MeshSize, thread_number: int = 2
+    part: Part | StepSolid, patches: Patches, mesh_size: MeshSize, thread_number: int = 2
 ) -> FactoredSolid:
     """Mesh and factor a part.
 
@@ -79,7 +79,7 @@ def factored(
         ring with its seat
     patches : Patches
         rollers, and how their forces are resolved
-    mesh : MeshSize
+    mesh_size : MeshSize
         order and sizes of the elements; order 3 pays
     thread_number : int
         threads of NGSolve
@@ -95,11 +95,34 @@ def factored(
     NotSolved
         if the solver refuses the matrix
     """
-    solid = meshed(part, patches.length, mesh)
+    return factored_on(meshed(part, patches.length, mesh_size), part, patches, mesh_size, thread_number)
+
+
+def factored_on(
+    mesh: ngs.Mesh, part: Part | StepSolid, patches: Patches, mesh_size: MeshSize, thread_number: int
+) -> FactoredSolid:
+    """Assemble and factor a part that is meshed.
+
+    Parameters
+    ----------
+    mesh : ngsolve.Mesh
+        of the part, in millimetres
+    part, patches, mesh_size, thread_number
+        as for `factored`
+
+    Returns
+    -------
+    FactoredSolid
+
+    Raises
+    ------
+    NotSolved
+        if the solver refuses the matrix
+    """
     with threads(thread_number):
-        space = ngs.VectorH1(solid, order=mesh.order, dirichlet="clamped")
-        stiffness = factorised(space, elastic_energy(solid, part.materials))
-        band = roller_loads.band(space, "raceway", roller_loads.quadrature_order(patches, mesh))
+        space = ngs.VectorH1(mesh, order=mesh_size.order, dirichlet="clamped")
+        stiffness = factorised(space, elastic_energy(mesh, part.materials))
+        band = roller_loads.band(space, "raceway", roller_loads.quadrature_order(patches, mesh_size))
     _log.info("%s: %d unknowns in space", type(part).__name__, space.ndof)
     return FactoredSolid(
         part=part, patches=patches, space=space, stiffness=stiffness, band=band, thread_number=thread_number

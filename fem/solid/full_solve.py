@@ -60,9 +60,7 @@ class FullSolve:
 
     def condensed(self) -> RacewayCompliance:
         """All of its answers as one operator, by as few solves as symmetry leaves."""
-        solid = self.solid
-        with threads(solid.thread_number):
-            return condensed(solid.part, solid.patches, solid.stiffness, solid.band)
+        return condensed(self.solid)
 
     @cached_property
     def _rollers(self):

@@ -9,9 +9,9 @@ from pytest import approx
 
 from fem import Elastic, MeshSize, Patches
 from fem.assembly import roller_loads
+from fem.assembly.elasticity import elastic_energy
 from fem.assembly.factorisation import NotSolved, factorised, threads
 from fem.mesh.solid import meshed
-from fem.solid.condensation import elastic_energy
 from tests.fem.condensed import as_solid
 from tests.fem.test_parts import CAGE, SHAFT, STEEL
 

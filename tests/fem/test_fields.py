@@ -10,9 +10,9 @@ import pytest
 from pytest import approx
 
 from fem import ClampedFace, Elastic, Housing, ImpossiblePart, MeshSize, OuterRing, Patches, SquirrelCage
+from fem.assembly.elasticity import elastic_energy
 from fem.cage.bar_forces import bar_forces
 from fem.mesh.notches import notches
-from fem.solid.condensation import elastic_energy
 from fem.solid.factored_solid import factored
 from fem.solid.skin import skin
 from fem.solid.stress import principal, von_mises

@@ -22,6 +22,7 @@ from fem import (
     PlanetGear,
     RigidSeat,
 )
+from fem.assembly.elasticity import elastic_energy
 from fem.assembly.factorisation import NotSolved, factorised, threads
 from fem.mesh.solid import meshed
 from fem.section.expansion import AxisymmetricLoad
@@ -30,7 +31,6 @@ from fem.section.revolved_body import edge_modes
 from fem.section.rigid_body_modes import body_of
 from fem.section.ring_on_lines import RingOnLines
 from fem.section.unilateral_points import SupportPoints, bordered_inverse, pushing_points
-from fem.solid.condensation import elastic_energy
 from tests.fem.condensed import by_harmonics, expansion_of, with_smeared_bars
 from tests.fem.test_parts import STEEL
 

@@ -9,9 +9,9 @@ import pytest
 from pytest import approx
 
 from fem import Elastic, MeshSize, SquirrelCage
+from fem.assembly.elasticity import elastic_energy
 from fem.assembly.factorisation import factorised, threads
 from fem.mesh.solid import meshed
-from fem.solid.condensation import elastic_energy
 
 STEEL = Elastic(youngs_modulus=200e9, poisson_ratio=0.3)
 RIGID = Elastic(youngs_modulus=200e12, poisson_ratio=0.3)
