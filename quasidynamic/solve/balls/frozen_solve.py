@@ -21,11 +21,9 @@ class _FrozenState(NamedTuple):
 
     ring: NDArray  # (C, 5) [N] load that is not carried
     ball: Vectors  # (C, Z) [N] unbalanced force
-    carried_late: NDArray  # (C, 5) [N] load not carried once the balls have moved
-    late: Vectors  # (C, Z) [m] move of the balls, the ring held
-    follow: tuple[
-        Vectors, Vectors
-    ]  # (C, Z) p and q of the move p v + q conj(v) of a ball with its groove's v
+    excess_after: NDArray  # (C, 5) [N] load not carried once the balls have moved
+    ball_moves: Vectors  # (C, Z) [m] move of the balls, the ring held
+    follow: tuple[Vectors, Vectors]  # (C, Z) p, q of the move p v + q conj(v) of a ball by its groove's v
     stiffness: NDArray  # (C, 5, 5) [N/m] balls in balance
     imbalance: NDArray  # (C) over the largest force
 
@@ -47,9 +45,9 @@ def frozen_solve(
     for _ in range(limit):
         if (state.imbalance <= tolerance).all():
             break
-        step = newton_step(balance, state.carried_late, state.stiffness, state.imbalance)
+        step = newton_step(balance, state.excess_after, state.stiffness, state.imbalance)
         shift, (along, across) = step @ balance.ring_to_groove.T, state.follow
-        moves = state.late + along * shift + across * shift.conj()
+        moves = state.ball_moves + along * shift + across * shift.conj()
         ahead = _work(state, step, moves)
         damping = np.where(state.imbalance > tolerance, 1.0, 0.0)
         while True:
@@ -90,16 +88,18 @@ def _forces(
     floating = FLOATING * 2 * even.max() + LEAST_STIFFNESS
     mean, skew = even[0] + even[1] + floating, odd[0] + odd[1]
     size = mean**2 - np.abs(skew) ** 2
-    late = (mean * ball - skew * ball.conj()) / size
+    ball_moves = (mean * ball - skew * ball.conj()) / size
     p = (mean * even[0] - skew * odd[0].conj()) / size
     q = (mean * odd[0] - skew * even[0]) / size
     held_even = even[0] * (1 - p) - odd[0] * q.conj()
     held_odd = odd[0] * (1 - p.conj()) - even[0] * q
     to_ring = balance.groove_to_ring
     resisted = held_even[..., None] * to_groove + held_odd[..., None] * to_ring
-    missed = ((even[0] * late + odd[0] * late.conj()) @ to_ring).real
+    missed = ((even[0] * ball_moves + odd[0] * ball_moves.conj()) @ to_ring).real
     excess = np.where(balance.held, 0.0, balance.load - drag - (on_inner @ to_ring).real)
-    excess_late = np.where(balance.held, 0.0, excess + missed)
+    excess_after = np.where(balance.held, 0.0, excess + missed)
     largest = np.maximum(balance.largest_load, loads.max((0, 2)))
-    worst = np.maximum(np.abs(excess_late).max(1), np.abs(ball).max(1))
-    return _FrozenState(excess, ball, excess_late, late, (p, q), (to_ring.T @ resisted).real, worst / largest)
+    worst = np.maximum(np.abs(excess_after).max(1), np.abs(ball).max(1))
+    return _FrozenState(
+        excess, ball, excess_after, ball_moves, (p, q), (to_ring.T @ resisted).real, worst / largest
+    )

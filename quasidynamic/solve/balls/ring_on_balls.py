@@ -38,12 +38,12 @@ class RingSolution:
     outcomes: list[SolverOutcome]
     imbalance: NDArray  # (C) largest unbalanced force over the largest force
     evaluations: NDArray  # (C) of all balls
-    last: tuple[BallBalance, RingBalance] | None = None  # forces there, where all cases ended together
+    last_forces: tuple[BallBalance, RingBalance] | None = None  # forces there, where all cases ended together
 
     def forces(self, balance: AngularBalance) -> tuple[BallBalance, RingBalance]:
         """Forces on balls and ring at these places."""
-        if self.last is not None:
-            return self.last
+        if self.last_forces is not None:
+            return self.last_forces
         with np.errstate(all="ignore"):  # a case that ended not finite has no forces
             balls = balance.balls(balance.grooves(self.ring), self.centres)
             return balls, balance.ring(balls, followed(balls))
@@ -55,7 +55,7 @@ class _RingState:
 
     ring: NDArray
     centres: NDArray
-    late: NDArray  # (C, Z) [m] what the balls still have to move
+    ball_moves: NDArray  # (C, Z) [m] what the balls still have to move
     balls: BallBalance
     follow: NDArray  # (2, C, Z) see `followed`
     balance: RingBalance
@@ -207,7 +207,7 @@ def _tried(
     """State after a damped step, and the cases in which it does not run far past the balance on its way."""
     ring = state.ring + damping[:, None] * step
     shift = balance.grooves(ring) - balance.grooves(state.ring)
-    move = damping[:, None] * state.late + moved(state.follow, shift)
+    move = damping[:, None] * state.ball_moves + moved(state.follow, shift)
     trial = _state(balance, ring, along_arc(state.centres, move), share)
     ahead, left = (state.balance.excess * step).sum(1), (trial.balance.excess * step).sum(1)
     good = (left >= -0.5 * np.abs(ahead)) | (trial.imbalance < 0.5 * state.imbalance)
@@ -221,7 +221,7 @@ def _taken(state: _RingState, cases: NDArray) -> _RingState:
         state,
         ring=state.ring[cases],
         centres=state.centres[cases],
-        late=state.late[cases],
+        ball_moves=state.ball_moves[cases],
         follow=state.follow[:, cases],
         balance=ring,
         balls_done=state.balls_done[cases],
@@ -240,10 +240,10 @@ def _at(balance: AngularBalance, ring: NDArray, result: BallsInBalance) -> _Ring
     """Ring and balls as they are."""
     balls, scales = result.balls, result.scales
     moves = -resolved(balls, np.concatenate([balls.excess[None], balls.by_groove[:, 0]]))
-    late, follow = moves[0], moves[1:]
-    late[result.left <= scales.allowed()] = 0.0  # slopes of light balls do not reach far
+    ball_moves, follow = moves[0], moves[1:]
+    ball_moves[result.left <= scales.allowed()] = 0.0  # slopes of light balls do not reach far
     forces = balance.ring(balls, follow)
-    _, force, traction = moved(balls.by_ball, late)
+    _, force, traction = moved(balls.by_ball, ball_moves)
     excess = np.where(balance.held, 0.0, forces.excess - balance.on_ring(force, traction))
     tolerance = _tolerance(balance)
     largest = np.maximum(np.maximum(scales.largest, scales.noise / tolerance), TINY)
@@ -253,7 +253,7 @@ def _at(balance: AngularBalance, ring: NDArray, result: BallsInBalance) -> _Ring
     return _RingState(
         ring=ring,
         centres=result.centres,
-        late=late,
+        ball_moves=ball_moves,
         balls=balls,
         follow=follow,
         balance=forces._replace(excess=excess),
