@@ -45,6 +45,10 @@ def unit_vectors(azimuth):
 def test_what_turns_towards_growing_azimuth_turns_about_minus_x():
     axial, radial, along = unit_vectors(np.linspace(0.0, 6.0, 7))
     assert np.cross(-axial, radial, axis=0) == approx(along, abs=1e-15)
+    assert np.cross(radial, axial, axis=0) == approx(along, abs=1e-15)  # skew: +x end leads, about +e_r
+    assert np.cross(-along, axial, axis=0) == approx(
+        radial, abs=1e-15
+    )  # tilt: +x end further out, about -e_phi
 
 
 @pytest.mark.parametrize(
