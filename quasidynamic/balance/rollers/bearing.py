@@ -121,10 +121,10 @@ class BearingBalance:
         reach = np.hypot(points.slope_y, points.slope_z) * self.roller.bearing.roller.length / 2
         return (idle & (2 * reach <= self.clearance))[:, 0]
 
-    # -- what the rollers are given ------------------------------------------------------------
+    # -- approaches and speeds -----------------------------------------------------------------
 
     def inputs(self, x: Unknowns) -> RollerInputs:
-        """What the rollers are given; outward deviations move the raceways towards (inner) or away."""
+        """Inputs of the rollers; outward deviations move the raceways towards (inner) or away from them."""
         approach = self.kinematics.approach(x, self.clearance)
         if self.layout.elastic_raceways or self.deviation is not None:
             deviation = x.deviation
@@ -141,18 +141,7 @@ class BearingBalance:
     def motion(self, cage_drift: NDArray, spin_drift: NDArray) -> Motion:
         """Motion of the rollers with these drifts (C, 1), (C, Z) [rad/s]."""
         spin, cage_speed = self.rolling_spin + spin_drift, self.rolling_cage + cage_drift
-        return Motion(spin_drift, cage_drift, spin, cage_speed, self._still_spin)
-
-    @cached_property
-    def _still_spin(self) -> NDArray:
-        """Spin (C, 1) [rad/s] below which rollers stand still."""
-        return STANDSTILL * self.rolling_spin
-
-    @cached_property
-    def _given(self) -> NDArray:
-        """Given deviation as (2, M, 1, Z) [m]."""
-        assert self.deviation is not None
-        return np.moveaxis(self.deviation, -1, 1)[:, :, None]
+        return Motion(spin_drift, cage_drift, spin, cage_speed, STANDSTILL * self.rolling_spin)
 
     # -- evaluation ----------------------------------------------------------------------------
 

@@ -33,7 +33,7 @@ class Motion(NamedTuple):
 
 
 class RollerInputs(NamedTuple):
-    """What the rollers of C cases are given; M axial modes."""
+    """Approaches, films and motion of the rollers of C cases; M axial modes."""
 
     approach: NDArray  # (2, M, C, Z) by axial modes, at inner and outer raceway [m]
     film: NDArray  # (2, C, Z) [m]

@@ -1,4 +1,4 @@
-"""Rollers put at rest between given raceways, before any friction is known."""
+"""Static equilibrium of every roller between its raceways, the ring held, without friction."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,16 +25,16 @@ def outer_approach(balance: BearingBalance, cage_speed: NDArray) -> NDArray:
 def frictionless_loads(balance: BearingBalance, unknowns: Unknowns, uneven: bool = False) -> NDArray:
     """Loads (2, C, Z) [N] of rollers, untilted on even raceways or, if `uneven`, as they are."""
     beyond = axial_variation(balance, unknowns) if uneven else 0.0
-    return _pressed(balance, balance.inputs(unknowns).approach[:, 0], beyond)[0]
+    return _contact_loads(balance, balance.inputs(unknowns).approach[:, 0], beyond)[0]
 
 
 def series_stiffness(balance: BearingBalance, unknowns: Unknowns) -> NDArray:
     """Stiffness (C, Z) [N/m] of both raceways of an untilted roller in series."""
-    inner, outer = _pressed(balance, balance.inputs(unknowns).approach[:, 0])[1]
+    inner, outer = _contact_loads(balance, balance.inputs(unknowns).approach[:, 0])[1]
     return inner * outer / (inner + outer)
 
 
-def _pressed(
+def _contact_loads(
     balance: BearingBalance, approach: NDArray, beyond: NDArray | float = 0.0
 ) -> tuple[NDArray, NDArray]:
     """Loads [N] and stiffnesses [N/m] (2, C, Z) of rollers at their approaches (2, C, Z) [m].
@@ -47,10 +47,10 @@ def _pressed(
 
 
 def static_equilibrium(balance: BearingBalance, unknowns: Unknowns, uneven: bool = False) -> Unknowns:
-    """Put every roller at rest between its raceways, without friction.
+    """Unknowns with every roller in static equilibrium between its raceways, without friction.
 
-    A step that linearises contact may throw a roller off its outer raceway, from where the load law
-    has no slope to bring it back; this puts it on again. Rollers are untilted on even raceways, or, if
+    A step that linearises contact may move a roller off its outer raceway, where the load law has no
+    slope that leads back; this puts it on again. Rollers are untilted on even raceways, or, if
     `uneven`, tilted as they are on raceways of the shape that they have.
     """
     beyond = axial_variation(balance, unknowns) if uneven else np.zeros((1, 2, 1, 1))
@@ -62,7 +62,9 @@ def static_equilibrium(balance: BearingBalance, unknowns: Unknowns, uneven: bool
     highest = np.maximum(room, pressed + depth.max(0))
     outer = np.maximum(room / 2, lowest)
     for _ in range(MAX_STEPS):
-        (load_i, load_o), (slope_i, slope_o) = _pressed(balance, np.array([room - outer, outer]), beyond)
+        (load_i, load_o), (slope_i, slope_o) = _contact_loads(
+            balance, np.array([room - outer, outer]), beyond
+        )
         change = (load_o - load_i - centrifugal) / (slope_o + slope_i)
         outer = np.minimum(np.maximum(outer - change, lowest), highest)
         if np.abs(change).max() < NEAR_ENOUGH:
@@ -71,10 +73,10 @@ def static_equilibrium(balance: BearingBalance, unknowns: Unknowns, uneven: bool
 
 
 def tilts_between_raceways(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
-    """Give no roller a tilt beyond those of its two raceways, and those off the inner one that of the outer.
+    """Limit the tilt of every roller to those of its two raceways.
 
-    A roller that hardly anything presses has no moment that holds its tilt: a linearised step sends it
-    anywhere, but it cannot rest where its moments at both raceways have one sense.
+    Hardly any moment holds the tilt of a roller without load: a linearised step may tilt it by any amount,
+    but it cannot rest where its moments at both raceways have one sense.
     """
     approach = balance.inputs(unknowns).approach
     whole = approach[0, 1] + approach[1, 1]

@@ -18,7 +18,7 @@ CAGE_CHANGE, SPIN_CHANGE = 0.3, 0.5  # of nominal speeds in a step
 
 
 class _Drifts(NamedTuple):
-    """Drifts from pure rolling and what Newton's method thinks of them."""
+    """Drifts from pure rolling, with their Newton steps and what is unbalanced."""
 
     cage: NDArray  # (C, 1) [rad/s]
     spin: NDArray  # (C, Z) [rad/s]
@@ -84,19 +84,21 @@ class _Friction:
         r_w, r_m = bearing.roller.diameter / 2, bearing.pitch_diameter / 2
         traction, by_speed, sense = self._traction(cage_drift, spin_drift)
         shear = sense * self.shear
-        taken = balance.spin_transport(cage_drift, spin_drift)
-        spin = r_w * (traction[0] - traction[1] - shear[0] - shear[1]) - taken.torque
+        transport = balance.spin_transport(cage_drift, spin_drift)
+        spin = r_w * (traction[0] - traction[1] - shear[0] - shear[1]) - transport.torque
         by_spin, by_cage = r_w * (by_speed[:, 0] - by_speed[:, 1])
-        sides = np.array([-spin, by_cage - taken.by_cage])
-        alone, pushed = cyclic_tridiagonal(by_spin - taken.by_spin, taken.by_before, taken.by_after, sides)
+        sides = np.array([-spin, by_cage - transport.by_cage])
+        alone, per_cage = cyclic_tridiagonal(
+            by_spin - transport.by_spin, transport.by_before, transport.by_after, sides
+        )
         torque, slope = self.rollers.cage_torque(np.concatenate([traction, shear]), cage_drift)
         row, corner = r_m * by_speed[0].sum(0), slope + r_m * by_speed[1].sum((0, 2))
-        cage_step = -(torque + (row * alone).sum(-1)) / (corner - (row * pushed).sum(-1))
+        cage_step = -(torque + (row * alone).sum(-1)) / (corner - (row * per_cage).sum(-1))
         return _Drifts(
             cage_drift,
             spin_drift,
             cage_step[:, None],
-            alone - pushed * cage_step[:, None],
+            alone - per_cage * cage_step[:, None],
             (((spin / r_w) ** 2).sum(-1) + (torque / r_m) ** 2)[:, None],
         )
 

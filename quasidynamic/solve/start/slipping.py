@@ -34,12 +34,12 @@ RESTARTS = tuple(partial(slipping_start, logit_offset=logit_offset) for logit_of
 def driven_slip(balance: BearingBalance) -> NDArray:
     """Least slip (C) at which lumped rollers drive the cage against its resistance."""
     cases = len(balance.points)
-    every = np.tile(np.arange(cases), len(TRIAL_SLIPS))
-    many, slips = LumpedRollers(balance.take(every)), np.repeat(TRIAL_SLIPS, cases)
-    drives = (many.at(slips)[2] > 0).reshape(len(TRIAL_SLIPS), cases)
+    case = np.tile(np.arange(cases), len(TRIAL_SLIPS))
+    lumped, slips = LumpedRollers(balance.take(case)), np.repeat(TRIAL_SLIPS, cases)
+    drives = (lumped.at(slips)[2] > 0).reshape(len(TRIAL_SLIPS), cases)
     # The least slip at which the rollers drive the cage, and the one before it, where it lags.
-    first = np.where(drives.any(0), drives.argmax(0), len(TRIAL_SLIPS) - 1)
-    low, high = np.where(first > 0, TRIAL_SLIPS[first - 1], SMALLEST_SLIP), TRIAL_SLIPS[first]
+    least = np.where(drives.any(0), drives.argmax(0), len(TRIAL_SLIPS) - 1)
+    low, high = np.where(least > 0, TRIAL_SLIPS[least - 1], SMALLEST_SLIP), TRIAL_SLIPS[least]
     lumped = LumpedRollers(balance)
     for _ in range(SLIP_HALVINGS):
         middle = np.sqrt(low * high)
