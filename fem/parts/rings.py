@@ -6,7 +6,7 @@ phi turns from z towards y, so that the outward normal of a raceway is (0, sin p
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import asin, isfinite, pi
+from math import isfinite, pi, sin
 
 from fem.parts.boundary_conditions import FreeMotions, Housing, Support, free_motions
 from fem.parts.material import (
@@ -56,25 +56,28 @@ class OuterRing:
         return free_motions(self.support)
 
 
-def slot_between_bars(bars: int, bar_width: float, inner_radius: float) -> float:
-    """Narrowest gap between neighbouring bars with parallel sides, along the arc of their inner radius.
+def widest_bar(bars: int, inner_radius: float) -> float:
+    r"""Widest bar with parallel sides that leaves slots of `SLENDEREST_SLOT` along the inner radius.
+
+    .. math:: b = 2 r \sin\left(\frac{\pi}{N} - \frac{s}{2 r}\right)
 
     Parameters
     ----------
     bars : int
-        number of bars, equally spaced
-    bar_width : float
-        tangential [m]
+        N, equally spaced
     inner_radius : float
-        of the bars [m]
+        r of the bars [m]
 
     Returns
     -------
     float
-        [m]; zero or less if they touch
+        b, tangential [m]; negative if there are too many bars
+
+    Source
+    ------
+    Chord of a circle.
     """
-    half = asin(bar_width / 2 / inner_radius) if bar_width < 2 * inner_radius else pi
-    return 2 * inner_radius * (pi / bars - half)
+    return 2 * inner_radius * sin(min(pi / bars - SLENDEREST_SLOT / 2 / inner_radius, pi / 2))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -107,12 +110,11 @@ class SquirrelCage:
             self.bar_thickness <= thickest, "bar_thickness", self.bar_thickness,
             f"at most {thickest:.3g} m: less than the thickness of the ring, so that the raceway stays whole",
         )  # fmt: skip
+        widest = widest_bar(self.bars, self.bar_radii[0])
         require(
-            self.slot >= SLENDEREST_SLOT, "bar_width", self.bar_width,
-            f"{self.bars} bars with slots of {SLENDEREST_SLOT:.1g} m or more between them, "
-            f"these leave {self.slot:.3g} m",
+            self.bar_width <= widest, "bar_width", self.bar_width,
+            f"at most {widest:.3g} m: {self.bars} bars leave slots of {SLENDEREST_SLOT:.1g} m or more",
         )  # fmt: skip
-
         if self.fillet != 0:
             self._require_room_for_fillets()
 
@@ -124,17 +126,12 @@ class SquirrelCage:
             f"zero, or {SMALLEST_FILLET:.1g} m to {largest:.3g} m: inside the faces that the bars stand on, "
             f"{step:.3g} m wide beside the bars, and short of half the bars, {gap:.3g} m",
         )  # fmt: skip
-        slot = slot_between_bars(self.bars, self.bar_width + 2 * self.fillet, self.bar_radii[0] - self.fillet)
+        widest = widest_bar(self.bars, self.bar_radii[0] - self.fillet) - self.bar_width
         require(
-            slot >= SLENDEREST_SLOT, "fillet", self.fillet,
-            f"what leaves slots of {SLENDEREST_SLOT:.1g} m or more between the feet of {self.bars} bars, "
-            f"this leaves {slot:.3g} m",
+            2 * self.fillet <= widest, "fillet", self.fillet,
+            f"at most {widest / 2:.3g} m, which leaves slots of {SLENDEREST_SLOT:.1g} m between the feet of "
+            f"{self.bars} bars",
         )  # fmt: skip
-
-    @property
-    def slot(self) -> float:
-        """Narrowest gap between two bars, at their inner radius [m]; zero or less if they touch."""
-        return slot_between_bars(self.bars, self.bar_width, self.bar_radii[0])
 
     @property
     def bar_radii(self) -> tuple[float, float]:

@@ -165,15 +165,12 @@ class Outer(Section):
         if width < roller_length:
             raise impossible("width", "at least bearing.roller.length")
         if self.kind == "squirrel_cage":
-            from fem.parts.rings import SLENDEREST_SLOT, slot_between_bars  # only a cage needs them
+            from fem.parts.rings import widest_bar  # only a cage needs them
 
             bars, bar_width, bar_thickness = require(self, ("bars", "bar_width", "bar_thickness"), self.kind)
-            slot = slot_between_bars(bars, bar_width, (raceway_diameter + thickness - bar_thickness) / 2)
-            if slot < SLENDEREST_SLOT:
-                least, left = 1e3 * SLENDEREST_SLOT, 1e3 * slot
-                raise impossible(
-                    "bar_width", f"what leaves slots of {least:.1g} mm between the bars, here {left:.2g} mm"
-                )
+            widest = widest_bar(bars, (raceway_diameter + thickness - bar_thickness) / 2)
+            if bar_width > widest:
+                raise impossible("bar_width", f"at most {widest * 1e3:.4g} mm, or the bars touch")
 
 
 class Inner(Section):
