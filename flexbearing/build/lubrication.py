@@ -31,41 +31,43 @@ SHARES: dict[str, AsperityShare] = {
 
 def lubrication(case: Case) -> qd.Lubrication:
     """Oil of a case and the laws it follows."""
-    given = case.lubricant
+    lubricant = case.lubricant
     return qd.Lubrication(
         oil=oil(case),
-        oil_fraction=given.oil_fraction,
+        oil_fraction=lubricant.oil_fraction,
         traction=_traction(case),
-        film=qd.FORMULAS[given.film],
-        rolling=ROLLING_LAWS[given.rolling],
-        inlet_heating=given.inlet_heating,
-        inlet_length=given.inlet_length,
-        drag_coefficient=given.drag_coefficient,
-        churning_gap=given.churning_gap,
+        film=qd.FORMULAS[lubricant.film],
+        rolling=ROLLING_LAWS[lubricant.rolling],
+        inlet_heating=lubricant.inlet_heating,
+        inlet_length=lubricant.inlet_length,
+        drag_coefficient=lubricant.drag_coefficient,
+        churning_gap=lubricant.churning_gap,
     )
 
 
 def oil(case: Case) -> qd.Lubricant:
     """The oil at the inlet temperature, with its notes."""
-    given: Any = case.lubricant  # which values are there depends on how it is described, checked on reading
-    if given.oil is not None:
-        return qd.oil_at(given.oil, given.inlet_temperature)
-    if given.data_sheet is not None:
-        return qd.oil_at(_data_sheet_oil(given.data_sheet), given.inlet_temperature)
+    lubricant: Any = (
+        case.lubricant
+    )  # which values are there depends on how it is described, checked on reading
+    if lubricant.oil is not None:
+        return qd.oil_at(lubricant.oil, lubricant.inlet_temperature)
+    if lubricant.data_sheet is not None:
+        return qd.oil_at(_data_sheet_oil(lubricant.data_sheet), lubricant.inlet_temperature)
     return qd.Lubricant(
-        temperature=given.inlet_temperature,
-        viscosity=given.viscosity,
-        pressure_viscosity=given.pressure_viscosity,
-        temperature_viscosity=given.temperature_viscosity,
-        conductivity=given.conductivity,
-        density=given.density,
+        temperature=lubricant.inlet_temperature,
+        viscosity=lubricant.viscosity,
+        pressure_viscosity=lubricant.pressure_viscosity,
+        temperature_viscosity=lubricant.temperature_viscosity,
+        conductivity=lubricant.conductivity,
+        density=lubricant.density,
     )
 
 
 def oil_name(case: Case) -> str:
     """What the oil is called in notes."""
-    given = case.lubricant
-    return given.oil or (given.data_sheet.name if given.data_sheet else "the given oil")
+    lubricant = case.lubricant
+    return lubricant.oil or (lubricant.data_sheet.name if lubricant.data_sheet else "the given oil")
 
 
 def roughness(case: Case) -> NDArray | None:
@@ -100,24 +102,26 @@ def _traction(case: Case) -> Callable[..., TractionLaw]:
 
 
 def _eyring(case: Case) -> Callable[..., TractionLaw]:
-    given: Any = case.lubricant
-    stress = given.eyring_stress or 2 * given.limiting_ratio / oil(case).pressure_viscosity
+    lubricant: Any = case.lubricant
+    stress = lubricant.eyring_stress or 2 * lubricant.limiting_ratio / oil(case).pressure_viscosity
     return partial(
         qd.Eyring,
-        limiting_ratio=given.limiting_ratio,
+        limiting_ratio=lubricant.limiting_ratio,
         eyring_stress=stress,
-        film_heating=given.film_heating,
+        film_heating=lubricant.film_heating,
     )
 
 
 def _bair_winer(case: Case) -> Callable[..., TractionLaw]:
-    given: Any = case.lubricant
-    return partial(qd.BairWiner, limiting_ratio=given.limiting_ratio, film_heating=given.film_heating)
+    lubricant: Any = case.lubricant
+    return partial(qd.BairWiner, limiting_ratio=lubricant.limiting_ratio, film_heating=lubricant.film_heating)
 
 
 def _adore(case: Case) -> Callable[..., TractionLaw]:
-    given: Any = case.lubricant
-    return partial(qd.AdoreType, rheology=ADORE_OILS[given.adore_oil], limiting_ratio=given.limiting_ratio)
+    lubricant: Any = case.lubricant
+    return partial(
+        qd.AdoreType, rheology=ADORE_OILS[lubricant.adore_oil], limiting_ratio=lubricant.limiting_ratio
+    )
 
 
 def _four_point(case: Case) -> Callable[..., TractionLaw]:
@@ -138,17 +142,17 @@ _FLUIDS: dict[str, Callable[[Case], Callable[..., TractionLaw]]] = {
 
 
 def _mixed(case: Case, fluid: Callable[..., TractionLaw], **contact: Any) -> TractionLaw:
-    given, sigma = case.lubricant.mixed, roughness(case)
-    assert given is not None  # checked on reading
+    mixed, sigma = case.lubricant.mixed, roughness(case)
+    assert mixed is not None  # checked on reading
     assert sigma is not None
     inner, outer = sigma
     ratio = np.reshape([1.0, inner / outer], (2, 1, 1))
     return qd.Mixed(
         fluid=fluid(**contact),
-        share=OtherRoughness(SHARES[given.share], ratio),
+        share=OtherRoughness(SHARES[mixed.share], ratio),
         roughness=float(inner),
-        boundary_friction=given.boundary_friction,
-        sign_speed=given.sign_speed,
+        boundary_friction=mixed.boundary_friction,
+        sign_speed=mixed.sign_speed,
     )
 
 
@@ -160,6 +164,6 @@ class OtherRoughness:
     ratio: NDArray  # [-] roughness of the film ratio over that of the contact, inner and outer raceway
 
     def __call__(self, film_ratio: NDArray) -> tuple[NDArray, NDArray]:
-        """Share and its derivative by the film ratio it is given."""
+        """Share and its derivative by the film ratio."""
         share, slope = self.share(film_ratio * self.ratio)
         return share, slope * self.ratio

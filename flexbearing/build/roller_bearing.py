@@ -41,16 +41,16 @@ def bearing(case: Case) -> qd.RollerBearing:
 
 def flange(case: Case) -> Flange | None:
     """Hot guide flanges, their clearance as given; None when the case has none."""
-    given = case.bearing.flange
-    if given is None:
+    flange_case = case.bearing.flange
+    if flange_case is None:
         return None
     return Flange(
-        ring=given.ring,
-        clearance=given.clearance,
-        height=given.height * hot_over_cold(case, f"{given.ring}_ring"),
-        roller_chamfer=given.roller_chamfer * hot_over_cold(case, "roller"),
-        stiffness=given.stiffness,
-        friction=given.friction,
+        ring=flange_case.ring,
+        clearance=flange_case.clearance,
+        height=flange_case.height * hot_over_cold(case, f"{flange_case.ring}_ring"),
+        roller_chamfer=flange_case.roller_chamfer * hot_over_cold(case, "roller"),
+        stiffness=flange_case.stiffness,
+        friction=flange_case.friction,
     )
 
 

@@ -171,7 +171,7 @@ def change_per_residual(compliance: Compliance, stiffness: NDArray, size: int) -
 
     Source
     ------
-    The derivative of the alternation with each roller replaced by its tangent spring; Legendre shapes share
+    The derivative of C Q(w) with each roller replaced by its tangent spring; Legendre shapes share
     a uniform stiffness as 1/(2m + 1).
 
     Valid

@@ -265,7 +265,7 @@ QUANTITIES = (
     Quantity("residual", "", "", "1", "iteration", "largest unbalanced force / applied load"),
     Quantity("seconds", "", "", "s", "iteration", "time that the iteration took", source="seconds"),
     Quantity("unknowns", "", "N", "m, rad, rad/s", "block",
-        "where a neighbouring case may start: ring displacement (y, z) and slopes, cage speed less that "
+        "where a similar case may start: ring displacement (y, z) and slopes, cage speed less that "
         "of pure rolling; then, Z each, approach and tilt approach of the rollers at the outer raceway, "
         "inner film, outer film, spin less that of pure rolling; then Legendre coefficients of the "
         "outward deviations of the inner and the outer raceway, roller by roller", source="end.unknowns"),
@@ -278,7 +278,7 @@ _ATTRIBUTES = (
     Attribute(
         "started_from",
         "text",
-        "result of a neighbouring case whose flexible end state the coupling started from, or rigid raceways "
+        "result of a similar case whose flexible end state the coupling started from, or rigid raceways "
         "where that failed; absent where none was asked for",
         optional=True,
     ),

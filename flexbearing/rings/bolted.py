@@ -58,32 +58,32 @@ def ring(case: FourPointCase, name: str) -> BoltedGrooveRing | None:
     BadCase
         when no such ring can exist
     """
-    own, given = case.bearing, getattr(case.rings, name)
-    if given.kind == "rigid":
+    bearing, ring_case = case.bearing, getattr(case.rings, name)
+    if ring_case.kind == "rigid":
         return None
     try:
         return BoltedGrooveRing(
             race="outer" if name == "outer" else "inner",
-            pitch_diameter=own.pitch_diameter,
-            ball_diameter=own.ball.diameter,
-            groove_radius=getattr(own, name).over(own.ball.diameter) * own.ball.diameter,
-            contact_angle=own.contact_angle,
+            pitch_diameter=bearing.pitch_diameter,
+            ball_diameter=bearing.ball.diameter,
+            groove_radius=getattr(bearing, name).over(bearing.ball.diameter) * bearing.ball.diameter,
+            contact_angle=bearing.contact_angle,
             elastic=_elastic(getattr(case.materials, f"{name}_ring") or case.materials.ball),
-            **_section(given),
+            **_section(ring_case),
         )
     except fem.ImpossiblePart as problem:
         raise BadCase(f"{case.source.path}: {name} ring: {problem}") from problem
 
 
-def _section(given: BoltedRing) -> dict:
+def _section(ring_case: BoltedRing) -> dict:
     return {
-        "groove_end": given.groove_end,
-        "far_diameter": getattr(given, given.far),
-        "width": given.width,
-        "face_distance": given.face_distance,
-        "face_side": 1 if given.face == "+x" else -1,
-        "normal_stiffness": given.face_stiffness or inf,
-        "shear_stiffness": given.face_shear_stiffness or inf,
+        "groove_end": ring_case.groove_end,
+        "far_diameter": getattr(ring_case, ring_case.far),
+        "width": ring_case.width,
+        "face_distance": ring_case.face_distance,
+        "face_side": 1 if ring_case.face == "+x" else -1,
+        "normal_stiffness": ring_case.face_stiffness or inf,
+        "shear_stiffness": ring_case.face_shear_stiffness or inf,
     }
 
 
@@ -93,20 +93,20 @@ def _elastic(material: Elastic) -> fem.Elastic:
 
 def _row(case: FourPointCase, name: str, part: BoltedGrooveRing, report: Report) -> NDArray:
     """Compliance of one ring by arches and components (outward, +x) [m/N]."""
-    given, ball = case.rings, case.bearing.ball.diameter
-    line = given.line or LINE * ball
+    rings, ball = case.rings, case.bearing.ball.diameter
+    line = rings.line or LINE * ball
     order, size, on_line = USUAL
     mesh = fem.MeshSize(
-        order=given.element_order or order,
-        size=given.mesh_size or size * ball,
-        raceway_size=given.line_mesh_size or on_line * line,
+        order=rings.element_order or order,
+        size=rings.mesh_size or size * ball,
+        raceway_size=rings.line_mesh_size or on_line * line,
     )
-    asked = part, HARMONICS, fem.Resolution(length=line, mesh_size=mesh, harmonics=given.harmonics)
+    arguments = part, HARMONICS, fem.Resolution(length=line, mesh_size=mesh, harmonics=rings.harmonics)
     report.stage(f"{name} ring", None)
     try:
-        found = configured().cached(
-            asked, lambda: condense(*asked), lambda note: report.stage(f"{name} ring: {note}", None)
+        compliance = configured().cached(
+            arguments, lambda: condense(*arguments), lambda note: report.stage(f"{name} ring: {note}", None)
         )
     except fem.ImpossiblePart as problem:
         raise BadCase(f"{case.source.path}: {name} ring: {problem}") from problem
-    return found.at(case.balls)
+    return compliance.at(case.balls)

@@ -22,14 +22,14 @@ from flexbearing.results import Result
 from flexbearing.studies.pareto_levels import Level, ladder, left_out, richest
 
 CACHED_RUNS, SHORT = 3, 1.0  # [s] whatever else the machine does disturbs short runs most: they are repeated
-LEAST_SLIP = 0.01  # errors of smaller slips are told as parts of this one
+LEAST_SLIP = 0.01  # errors of smaller slips are relative to this one
 # Ends that a computation has a name for; anything else is a mistake in the program and ends the study.
 ENDS = PartnerFailed, ImpossiblePart, NotSolved, qd.ImpossiblePart, qd.OutOfRange, qd.NotSolved
 Tell = Callable[[Measured], None]
 
 
 class NoReference(RuntimeError):
-    """The richest level has no answer, so that no error can be told."""
+    """The richest level has no answer, so that there are no errors."""
 
 
 def pareto(

@@ -39,7 +39,7 @@ AXES = {
 
 @dataclass(frozen=True)
 class Traced:
-    """What was found, and where it is written."""
+    """The branch that was followed, and where it is written."""
 
     title: str
     axis: Axis
@@ -139,10 +139,10 @@ def _rollers(case: Head) -> Case:
 
 
 def _notes(case: Case) -> tuple[str, ...]:
-    found = notes.of_case(case)
+    words = notes.of_case(case)
     if case.outer.kind != "rigid" or case.inner.kind != "rigid":
-        found += ("the rings of this case yield; the branch is that between rigid raceways",)
-    return found
+        words += ("the rings of this case are elastic; the branch is that between rigid raceways",)
+    return words
 
 
 def _parsed(over: str) -> tuple[Axis, tuple[str, str]]:
