@@ -29,6 +29,7 @@ from flexbearing.coupling import (
     newton,
 )
 from flexbearing.progress import Report
+from flexbearing.quantities.roller import CAGE_SLIP
 from flexbearing.rings import condensed
 from flexbearing.rings.fits import RacewayInFit, is_in_fit
 from flexbearing.rings.raceways import CondensedRaceway, RigidRaceway
@@ -77,7 +78,7 @@ def changes(trial: Trial, other: Trial) -> dict[str, float]:
     """
     shares = {
         "roller_load": np.abs(other.loads - trial.loads).max() / trial.loads.max(),
-        "cage_slip": abs(other.state.cage_slip - trial.state.cage_slip),
+        CAGE_SLIP.name: abs(other.state.cage_slip - trial.state.cage_slip),
         **{name: abs(other.numbers[name] / value - 1) for name, value in trial.numbers.items()},
     }
     return {name: float(share) for name, share in shares.items() if np.isfinite(share)}

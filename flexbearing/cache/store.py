@@ -1,7 +1,7 @@
 """A folder of limited size that keeps condensed rings, shared by all runs of a user.
 
 A file appears complete or not at all, and is only ever replaced by an equal one, so that processes need
-not wait for each other. What cannot be read or written costs time and is told, but stops nobody.
+not wait for each other. What cannot be read or written is noted and computed again.
 """
 
 import os
@@ -68,22 +68,22 @@ class Cache:
         if self.folder is None:
             return compute()
         path = self.folder / f"{digest(parts)}{SUFFIX}"
-        found = _found(path, note)
-        if found is not None:
+        kept = _kept(path, note)
+        if kept is not None:
             note("taken from the cache")
-            return found
+            return kept
         value = compute()
         self._keep(path, packed(value), note)
         return value
 
     def entries(self) -> list[Entry]:
         """Rings in the folder, the one used last first."""
-        found = []
+        entries = []
         for path in self.folder.glob(f"*{SUFFIX}") if self.folder else ():
             with suppress(FileNotFoundError):  # another process has just removed it
                 state = path.stat()
-                found.append(Entry(path, state.st_size, state.st_mtime))
-        return sorted(found, key=lambda entry: entry.used, reverse=True)
+                entries.append(Entry(path, state.st_size, state.st_mtime))
+        return sorted(entries, key=lambda entry: entry.used, reverse=True)
 
     @property
     def size(self) -> int:
@@ -92,11 +92,11 @@ class Cache:
 
     def clear(self) -> int:
         """Remove all rings; returns how many there were."""
-        found = self.entries()
-        for entry in found:
+        entries = self.entries()
+        for entry in entries:
             _remove(entry.path)
         self._remove_abandoned()
-        return len(found)
+        return len(entries)
 
     def _keep(self, path: Path, data: bytes, note: Note) -> None:
         if len(data) > self.limit:
@@ -141,11 +141,11 @@ def configured(folder: str | None = None, limit: int = LIMIT) -> Cache:
     -------
     Cache
     """
-    wanted = folder or os.environ.get(VARIABLE)
-    if wanted == OFF:
+    choice = folder or os.environ.get(VARIABLE)
+    if choice == OFF:
         return Cache(None, limit)
-    if wanted:
-        return Cache(Path(wanted).expanduser(), limit)
+    if choice:
+        return Cache(Path(choice).expanduser(), limit)
     from platformdirs import user_cache_path
 
     return Cache(user_cache_path("flexbearing", appauthor=False) / "rings", limit)
@@ -165,10 +165,10 @@ def listing(cache: Cache) -> str:
     """
     if cache.folder is None:
         return f"the cache is off ({VARIABLE})\n"
-    found = cache.entries()
-    lines = [f"{entry.name}  {entry.size / 1e6:8.3f} MB  used {_date(entry.used)}" for entry in found]
-    total = sum(entry.size for entry in found)
-    whole = f"{len(found)} rings, {total / 1e6:.3f} MB of {cache.limit / 1e6:g} MB in {cache.folder}"
+    entries = cache.entries()
+    lines = [f"{entry.name}  {entry.size / 1e6:8.3f} MB  used {_date(entry.used)}" for entry in entries]
+    total = sum(entry.size for entry in entries)
+    whole = f"{len(entries)} rings, {total / 1e6:.3f} MB of {cache.limit / 1e6:g} MB in {cache.folder}"
     return "\n".join([*lines, whole]) + "\n"
 
 
@@ -176,7 +176,7 @@ def _date(seconds: float) -> str:
     return time.strftime("%Y-%m-%d %H:%M", time.localtime(seconds))
 
 
-def _found(path: Path, note: Note):
+def _kept(path: Path, note: Note):
     """The value in a file, or None; a damaged file is removed."""
     try:
         value = unpacked(path.read_bytes())

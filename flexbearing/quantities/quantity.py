@@ -69,6 +69,12 @@ class Quantity:
         """Unit of tables and pictures."""
         return self.people or Unit("" if self.unit == "1" else self.unit)
 
+    @property
+    def axis_label(self) -> str:
+        """Name and unit for people, "cage slip [%]"."""
+        unit = self.unit_for_people.name
+        return self.name.replace("_", " ") + (f" [{unit}]" if unit else "")
+
     def for_people(self, values: Any) -> Any:
         """Values in the unit for people, from SI units."""
         return values * self.unit_for_people.scale

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from flexbearing.quantities.angular_contact import LAYOUT
 from flexbearing.quantities.reductions import RACES
 from flexbearing.report.ball_panels import STYLES, around, close_ring, stacked
 from flexbearing.results import Result
@@ -90,7 +91,12 @@ def slip_profiles(result: Result) -> Figure:
 
 
 def _draw_slip(axes: Axes, values: Any, contact: tuple[int, int], color: str, label: str | None) -> None:
-    axes.plot(values["slip_position"], 1e3 * values["slip_profile"][contact], color=color, label=label)
+    axes.plot(
+        values["slip_position"],
+        LAYOUT["slip_profile"].for_people(values["slip_profile"][contact]),
+        color=color,
+        label=label,
+    )
     first, second = values["first_line"][contact], values["second_line"][contact]
     axes.plot(second, 0, marker="o", markerfacecolor="white", color=color, clip_on=False)
     if values["line_count"][contact] == 2:

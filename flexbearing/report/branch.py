@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from flexbearing.quantities.roller import CAGE_SLIP
 from flexbearing.report.roller_figures import BLUE, ORANGE
 
 if TYPE_CHECKING:
@@ -24,7 +25,7 @@ def draw_branch(title: str, label: str, table: dict[str, np.ndarray]) -> Figure:
     label : str
         name and unit of the first column
     table : dict of arrays (points)
-        columns by name, load or speed first; then among others `cage_slip` [-], `stable`, `fold`
+        columns by name, load or speed first; then among others the cage slip [-], `stable`, `fold`
 
     Returns
     -------
@@ -34,8 +35,8 @@ def draw_branch(title: str, label: str, table: dict[str, np.ndarray]) -> Figure:
 
     figure = Figure(figsize=(7.0, 4.6), layout="constrained")
     axes = figure.add_subplot()
-    along, slip, fold = next(iter(table.values())), 100 * table["cage_slip"], table["fold"].astype(bool)
-    stable = table["stable"].astype(bool)
+    along, slip = next(iter(table.values())), CAGE_SLIP.for_people(table[CAGE_SLIP.name])
+    stable, fold = table["stable"].astype(bool), table["fold"].astype(bool)
     # A fold belongs to the lines on both of its sides.
     for kept, style, name in ((stable, "-", "stable"), (~stable & ~fold, "--", "unstable")):
         joined = kept | (fold & (np.roll(kept, 1) | np.roll(kept, -1)))
@@ -45,7 +46,7 @@ def draw_branch(title: str, label: str, table: dict[str, np.ndarray]) -> Figure:
             axes.plot(along, shown, style, color=color, linewidth=1.6, label=name)
     if fold.any():
         axes.plot(along[fold], slip[fold], "o", color="0.2", markersize=5, label="fold")
-    axes.set(xlabel=label, ylabel="cage slip [%]")
+    axes.set(xlabel=label, ylabel=CAGE_SLIP.axis_label)
     if (along > 0).all():
         axes.set_xscale("log")
         axes.xaxis.set_minor_formatter(_plain_few)

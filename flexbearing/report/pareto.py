@@ -94,9 +94,9 @@ def text(study: Study) -> str:
     lines += [_row(level) for level in (*study.solved, study.reference)]
     lines += ["", "| cheapest within | " + " | ".join(TIMES) + " |", "|---|" + "---|" * len(TIMES)]
     for target in TARGETS:
-        found = (cheapest(study, when, target, tuple(OUTPUTS)) for when in TIMES)
+        fastest = (cheapest(study, when, target, tuple(OUTPUTS)) for when in TIMES)
         names = (f"{level.name}, {level.times[when]:.2g} s" if level else "none"
-                 for when, level in zip(TIMES, found, strict=True))  # fmt: skip
+                 for when, level in zip(TIMES, fastest, strict=True))  # fmt: skip
         lines.append(f"| {percent(target)} in all | " + " | ".join(names) + " |")
     failed = [f"- {level.name}: {level.message}" for level in study.levels if not level.errors]
     if failed:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from flexbearing.quantities.reductions import LOADED
+from flexbearing.quantities.roller import LAYOUT
 from flexbearing.results import Result
 
 if TYPE_CHECKING:
@@ -189,7 +190,7 @@ def _draw_deviation(axes: Axes, values: Mapping[str, np.ndarray], race: str, sty
     order = np.argsort(azimuth)
     around = np.concatenate([order[-1:], order, order[:1]])  # a roller beyond each edge: no gap at 180
     degrees = azimuth[around] + np.concatenate([[-360], np.zeros(order.size), [360]])
-    along = 1e6 * values[f"{race}_deviation"][around]
+    along = LAYOUT[f"{race}_deviation"].for_people(values[f"{race}_deviation"][around])
     middle = [np.interp(0.0, values["slice_position"], row) for row in along]
     band = {"color": style["color"], "alpha": 0.2, "linewidth": 0}
     axes.fill_between(degrees, along.min(axis=1), along.max(axis=1), **band)

@@ -122,9 +122,9 @@ def state_of(result: Result, name: str) -> Arrays:
         if there is no such state
     """
     count = len(result.iterations)
-    found = re.fullmatch(r"iteration\s+(\d+)", name.strip())
-    if found and 1 <= int(found[1]) <= count:
-        return result.iterations[int(found[1]) - 1]
+    iteration = re.fullmatch(r"iteration\s+(\d+)", name.strip())
+    if iteration and 1 <= int(iteration[1]) <= count:
+        return result.iterations[int(iteration[1]) - 1]
     blocks = {"rigid": result.rigid, "flexible": result.flexible}
     if blocks.get(name):
         return blocks[name]
@@ -281,20 +281,20 @@ def of_result(result: Result, state: str = "flexible", race: Race | None = None)
     """
     case, values = case_of(result), state_of(result, state)
     flexible = parts(case)
-    wanted: list[Race] = [race] if race else list(flexible)
-    if not wanted or any(name not in flexible for name in wanted):
+    races: list[Race] = [race] if race else list(flexible)
+    if not races or any(name not in flexible for name in races):
         what = NAMES[race] if race else "every part"
         raise BadCase(f"{result.path}: {what} is rigid in this case: it has no displacements and stresses")
-    return [fields(case, name, state, values) for name in wanted]
+    return [fields(case, name, state, values) for name in races]
 
 
-def write(found: PartFields, result: Path, directory: Path) -> Path:
+def write(part: PartFields, result: Path, directory: Path) -> Path:
     """Write fields for ParaView, named after result, part and state.
 
     Parameters
     ----------
-    found : PartFields
-        of one part
+    part : PartFields
+        with its fields
     result : Path
         the result file
     directory : Path
@@ -306,4 +306,4 @@ def write(found: PartFields, result: Path, directory: Path) -> Path:
         the file
     """
     directory.mkdir(parents=True, exist_ok=True)
-    return found.fields.write(directory / f"{result.stem}_{found.race}_{found.state.replace(' ', '_')}.vtu")
+    return part.fields.write(directory / f"{result.stem}_{part.race}_{part.state.replace(' ', '_')}.vtu")

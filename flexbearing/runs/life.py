@@ -160,8 +160,8 @@ def _slice_loads(state: Equilibrium) -> NDArray:
 
 def _rating(case: Case, bearing: CylindricalRollerBearing) -> float:
     """C_r of the case or of ISO 281 [N]."""
-    given = case.life.dynamic_rating
-    return dynamic_rating(bearing) if given is None else given
+    rating = case.life.dynamic_rating
+    return dynamic_rating(bearing) if rating is None else rating
 
 
 def _kappa(case: Case, bearing: CylindricalRollerBearing) -> float:

@@ -5,6 +5,7 @@ import numpy as np
 from flexbearing.build import clearance
 from flexbearing.build.lubrication import oil, oil_name
 from flexbearing.case.roller import Case
+from flexbearing.quantities.roller import CAGE_SLIP
 from quasidynamic import Equilibrium, RollerBearing
 from quasidynamic.contact.cage import land_notes
 from quasidynamic.contact.drag import drag_notes
@@ -27,7 +28,7 @@ def of_choice(model: RollerBearing) -> tuple[str, ...]:
     """Other equilibria between rigid raceways, where the friction of lumped rollers hints at them."""
     if not model.operation.radial_load or not several_likely(model):
         return ()
-    slips = ", ".join(f"{100 * state.cage_slip:.3g}" for state in equilibria_at(model))
+    slips = ", ".join(f"{CAGE_SLIP.for_people(state.cage_slip):.3g}" for state in equilibria_at(model))
     if "," not in slips:
         return ()
     return (

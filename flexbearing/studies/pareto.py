@@ -17,6 +17,7 @@ from flexbearing.cache.store import VARIABLE
 from flexbearing.case import BadCase, Head
 from flexbearing.case.roller import Case
 from flexbearing.coupling import PartnerFailed
+from flexbearing.quantities.roller import CAGE_SLIP
 from flexbearing.report.pareto import OUTPUTS, Measured, Study
 from flexbearing.results import Result
 from flexbearing.studies.pareto_levels import Level, ladder, left_out, richest
@@ -102,10 +103,10 @@ def errors(result: Result, exact: Result) -> dict[str, float]:
     approximate, true = result.flexible, exact.flexible
     loads = ("inner_load", "outer_load")
     largest = max(float(np.abs(approximate[name] - true[name]).max()) for name in loads)
-    slip = abs(float(approximate["cage_slip"] - true["cage_slip"]))
+    slip = abs(float(approximate[CAGE_SLIP.name] - true[CAGE_SLIP.name]))
     return {
         "load": largest / max(float(true[name].max()) for name in loads),
-        "slip": slip / max(abs(float(true["cage_slip"])), LEAST_SLIP),
+        "slip": slip / max(abs(float(true[CAGE_SLIP.name])), LEAST_SLIP),
         "life": _relative_error(float(approximate["life_L10"]), float(true["life_L10"])),
         "stiffness": _relative_error(float(approximate["total_stiffness"]), float(true["total_stiffness"])),
     }

@@ -13,6 +13,7 @@ from flexbearing.api import check, read
 from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase, Head
 from flexbearing.case.roller import Case
+from flexbearing.quantities.roller import CAGE_SLIP
 from flexbearing.runs import notes
 from quasidynamic import ImpossiblePart, OutOfRange
 from quasidynamic.trace import Branch, BranchEnd, trace as follow
@@ -58,7 +59,7 @@ class Traced:
         points = self.branch.points
         return {
             self.axis.column: self.branch.values / self.axis.size,
-            "cage_slip": self.branch.slip,
+            CAGE_SLIP.name: self.branch.slip,
             "largest_roller_load_N": self.branch.largest_load,
             "stable": self.branch.stable.astype(int),
             "fold": np.array([point.fold for point in points], int),

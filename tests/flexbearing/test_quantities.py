@@ -1,0 +1,98 @@
+"""Every output quantity is declared once, and everything that shows it follows the declaration."""
+
+import subprocess
+import sys
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+import flexbearing
+from flexbearing.families import FAMILIES
+from flexbearing.quantities import Quantity
+from flexbearing.quantities.quantity import taken
+from flexbearing.quantities.roller import CAGE_SLIP, LAYOUT
+
+PACKAGE = Path(flexbearing.__file__).parent
+EVERY_FAMILY = pytest.mark.parametrize(
+    "layout", [family.layout() for family in FAMILIES.values()], ids=FAMILIES
+)
+
+
+@EVERY_FAMILY
+def test_names_of_quantities_and_keys_of_the_summary_are_unique(layout):
+    for names in ([entry.name for entry in layout.quantities], [value.key for value in layout.summary]):
+        assert len(names) == len(set(names))
+
+
+@EVERY_FAMILY
+def test_summary_is_computed_from_declared_quantities(layout):
+    declared = layout.datasets("block")
+    assert {name for value in layout.summary for name in value.of} <= declared.keys()
+
+
+@EVERY_FAMILY
+def test_a_row_has_a_label_and_a_format(layout):
+    assert all(bool(value.label) == bool(value.digits) for value in layout.summary)
+
+
+def test_inner_comes_first_and_outer_second_in_every_pair():
+    sources = {entry.name: entry.source for entry in LAYOUT.quantities}
+    pairs = [
+        (source, sources[name.replace("inner", "outer")])
+        for name, source in sources.items()
+        if "inner_" in name
+    ]
+    assert len(pairs) == 7
+    for inner, outer in pairs:
+        assert inner.endswith(".0")
+        assert outer == inner.removesuffix("0") + "1"
+
+
+def test_units_for_people_are_those_of_the_keys():
+    ends = {"um": "um", "mm": "mm", "deg": "deg", "mrad": "mrad", "MPa": "MPa", "rpm": "rpm", "percent": "%"}
+    for family in FAMILIES.values():
+        for value in family.layout().summary:
+            unit = ends.get(value.key.rpartition("_")[2])
+            if unit and not value.in_si:
+                assert value.unit.name == unit, value.key
+
+
+def test_quantities_are_taken_by_their_sources():
+    pair = Quantity("a", "", "Z", "m", "block", "", source="part.inside.pair.1")
+    total = Quantity("b", "", "", "m", "block", "", source="part.power.sum")
+    by_name = Quantity("c", "", "", "m", "block", "", source="names.x")
+    of_state = Quantity("d", "", "", "m", "block", "")
+    absent = Quantity("e", "", "", "m", "block", "", source="skew.angle", optional=True)
+    part = SimpleNamespace(
+        inside=SimpleNamespace(pair=np.array([[1.0, 2], [3, 4]])), power=np.array([5.0, 6])
+    )
+    solved = {"part": part, "names": {"x": 7.0}, "state": SimpleNamespace(d=8.0), "skew": None}
+    values = taken((pair, total, by_name, of_state, absent), solved)
+    assert values.keys() == {"a", "b", "c", "d"}
+    assert list(values["a"]) == [3.0, 4.0]
+    assert (values["b"], values["c"], values["d"]) == (11.0, 7.0, 8.0)
+    with pytest.raises(AttributeError, match="d"):
+        taken((of_state,), {"state": SimpleNamespace()})
+
+
+def test_a_quantity_for_people_has_their_unit():
+    assert CAGE_SLIP.axis_label == "cage slip [%]"
+    assert CAGE_SLIP.for_people(0.0628) == pytest.approx(6.28, rel=1e-12)
+
+
+def test_name_and_key_of_the_cage_slip_stand_in_its_declaration_alone():
+    texts = {path: path.read_text() for path in PACKAGE.rglob("*.py")}
+    declaration = [PACKAGE / "quantities" / "roller.py"]
+    assert [path for path, text in texts.items() if "cage_slip_percent" in text] == declaration
+    assert [path for path, text in texts.items() if '"cage_slip"' in text] == declaration
+
+
+@pytest.mark.parametrize("module", ["flexbearing.quantities.roller", "flexbearing.quantities.four_point"])
+def test_declarations_load_no_files_pictures_or_models(module):
+    heavy = ("h5py", "matplotlib", "ngsolve", "rich", "fem", "quasidynamic")
+    code = (
+        f"import sys, {module}; sys.exit(', '.join(name for name in {heavy!r} if name in sys.modules) or 0)"
+    )
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
