@@ -1,25 +1,26 @@
 """The command line: check, run, summary, plot, fields, trace, pareto, explain."""
 
-import json
-import logging
 import sys
+from os import environ
 from pathlib import Path
-from typing import Annotated, NoReturn
+from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
-from rich.console import Console
 
 from flexbearing import api
-from flexbearing.case import BadCase
+
+if TYPE_CHECKING:
+    from rich.console import Console
 
 CONVERGED, NOT_CONVERGED, BAD_INPUT, INTERNAL = range(4)
 
 app = typer.Typer(
     help="Rolling bearings with thin, flexible rings.",
     no_args_is_help=True,
-    add_completion=False,
+    rich_markup_mode=None,  # plain help: rich takes longer to load than everything else
     pretty_exceptions_enable=False,
 )
+DEBUG = "--debug"
 
 CaseFile = Annotated[Path, typer.Argument(help="case file (TOML)", metavar="CASE")]
 ResultPath = Annotated[Path, typer.Argument(help="result file (HDF5)", metavar="OUT.h5")]
@@ -27,6 +28,27 @@ Settings = Annotated[
     list[str] | None,
     typer.Option("--set", metavar="KEY=VALUE", help='replace a key of the case, "bearing.clearance=50 um"'),
 ]
+
+
+def _print_version(wanted: bool) -> None:
+    if wanted:
+        from importlib.metadata import version
+
+        sys.stdout.write(f"flexbearing {version('flexbearing')}\n")
+        raise typer.Exit
+
+
+@app.callback()
+def options(
+    version: Annotated[
+        bool,
+        typer.Option(
+            "--version", callback=_print_version, is_eager=True, help="the version, and nothing else"
+        ),
+    ] = False,
+    debug: Annotated[bool, typer.Option(DEBUG, help="show the traceback of an error")] = False,
+) -> None:
+    """Take note of what holds for every command; `main` looks for --debug itself."""
 
 
 @app.command()
@@ -49,15 +71,18 @@ def run(
 ) -> None:
     """Compute a case and store every iteration; prints a summary."""
     from flexbearing.progress import Logged, OnTerminal
-    from flexbearing.report import text
 
-    console = Console()
-    if not quiet and not console.is_terminal:
+    console = _terminal()
+    if not quiet and console is None:
+        import logging
+
         logging.basicConfig(level=logging.INFO, stream=sys.stdout, format="%(message)s")
-    with OnTerminal(console) if console.is_terminal and not quiet else Logged() as report:
+    with OnTerminal(console) if console and not quiet else Logged() as report:
         result = api.run(case, output, settings or [], report=report, start=start)
     if not quiet:
-        sys.stdout.write(text(result, console if console.is_terminal else None))
+        from flexbearing.report import text
+
+        sys.stdout.write(text(result, console))
         sys.stdout.write(f"\nresults: {result.path}\n")
     elif result.attributes["status"] != "converged":
         sys.stderr.write(f"{case}: not converged: {result.attributes['message']}\n")
@@ -73,11 +98,12 @@ def summary(
     from flexbearing.report import text
 
     found = api.read_result(result)
-    console = Console()
     if as_json:
+        import json
+
         sys.stdout.write(json.dumps(api.summary(found), indent=2, allow_nan=False) + "\n")
     else:
-        sys.stdout.write(text(found, console if console.is_terminal else None))
+        sys.stdout.write(text(found, _terminal()))
 
 
 @app.command()
@@ -108,8 +134,9 @@ def fields(
     output: Annotated[Path | None, typer.Option("-o", "--output", metavar="DIR")] = None,
 ) -> None:
     """Compute displacements and stresses of the flexible rings; writes VTU files for ParaView."""
-    from rich.console import Group
+    from rich.console import Console, Group
 
+    from flexbearing.case import BadCase
     from flexbearing.report.sections import stresses
     from flexbearing.runs import fields as compute
 
@@ -218,18 +245,37 @@ def explain_key(key: Annotated[str | None, typer.Argument(metavar="[KEY]")] = No
     sys.stdout.write(api.explain(key).rstrip() + "\n")
 
 
+def _terminal() -> "Console | None":
+    """The terminal with its width and colours; None where the output goes to a file."""
+    if not (sys.stdout.isatty() or {"FORCE_COLOR", "TTY_COMPATIBLE"} & set(environ)):
+        return None  # rich need not be loaded to know
+    from rich.console import Console
+
+    console = Console()
+    return console if console.is_terminal else None
+
+
 def main() -> None:
-    """Run the command line; no traceback ever reaches a user."""
+    """Run the command line; no traceback reaches a user who does not ask for it by --debug."""
+    environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")  # a search through every installed package
+    debug = DEBUG in sys.argv
+    if debug:  # also behind the command
+        sys.argv.remove(DEBUG)
     try:
         app()
-    except BadCase as problem:
-        _fail(problem, BAD_INPUT)
     except Exception as problem:
+        from flexbearing.case import BadCase
+
+        if debug:
+            import traceback
+
+            traceback.print_exc()
+        if isinstance(problem, BadCase):
+            _fail(problem, BAD_INPUT)
         from flexbearing.results import BadResult, NotInLayout  # checking a case does without
 
         if isinstance(problem, BadResult | NotInLayout):
             _fail(problem, BAD_INPUT)
-        logging.getLogger(__name__).debug("internal error", exc_info=True)
         _fail(f"internal error: {type(problem).__name__}: {problem}", INTERNAL)
 
 

@@ -1,12 +1,13 @@
 """What a person sees while a case runs: stages, iterations, the end."""
 
 import logging
-from typing import Protocol, Self
+from typing import TYPE_CHECKING, Protocol, Self
 
-from rich.console import Console
-from rich.progress import BarColumn, Progress, TaskID, TextColumn, TimeElapsedColumn
+if TYPE_CHECKING:
+    from rich.console import Console
+    from rich.progress import TaskID
 
-from flexbearing.coupling import Iteration
+    from flexbearing.coupling import Iteration
 
 log = logging.getLogger("flexbearing.run")
 
@@ -18,7 +19,7 @@ class Report(Protocol):
         """Take note of a stage that begins, or of how much of it is done (0 to 1)."""
         ...
 
-    def iteration(self, iteration: Iteration) -> None:
+    def iteration(self, iteration: "Iteration") -> None:
         """Take note of an exchange between bearing and rings."""
         ...
 
@@ -41,12 +42,12 @@ class Logged:
             log.info("%s", text)
         self._last = text
 
-    def iteration(self, iteration: Iteration) -> None:
+    def iteration(self, iteration: "Iteration") -> None:
         """Log number, largest load change and largest load of an iteration."""
         log.info("%s", line(iteration))
 
 
-def line(iteration: Iteration) -> str:
+def line(iteration: "Iteration") -> str:
     """One line for one iteration."""
     largest = iteration.state.forces[0, :, 0].max()
     return (
@@ -58,7 +59,14 @@ def line(iteration: Iteration) -> str:
 class OnTerminal:
     """Shows stages as bars and iterations as lines, on a terminal; a context manager."""
 
-    def __init__(self, console: Console):
+    def __init__(self, console: "Console"):
+        from rich.progress import (  # only terminals pay for it
+            BarColumn,
+            Progress,
+            TextColumn,
+            TimeElapsedColumn,
+        )
+
         columns = (TextColumn("{task.description}"), BarColumn(bar_width=20), TimeElapsedColumn())
         self._bars = Progress(*columns, console=console)
         self._task: TaskID | None = None
@@ -80,7 +88,7 @@ class OnTerminal:
         if fraction is not None:
             self._bars.update(self._task, total=1.0, completed=fraction)
 
-    def iteration(self, iteration: Iteration) -> None:
+    def iteration(self, iteration: "Iteration") -> None:
         """Print one line above the bars."""
         self._bars.console.print(line(iteration), highlight=False)
 

@@ -78,7 +78,7 @@ class Section(BaseModel):
     """A table of the case file: frozen, with no key that is not declared."""
 
     model_config = ConfigDict(
-        frozen=True, extra="forbid", strict=True, allow_inf_nan=False, validate_default=True
+        defer_build=True, frozen=True, extra="forbid", strict=True, allow_inf_nan=False, validate_default=True
     )
 
 

@@ -1,6 +1,5 @@
 """From a TOML file and settings to a case in SI units."""
 
-import logging
 import tomllib
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -14,8 +13,6 @@ from flexbearing.case.family import Families
 from flexbearing.case.head import Head, Source
 from flexbearing.case.problems import BadCase, messages, nearest, refused, shown
 from flexbearing.case.quantity import Section
-
-log = logging.getLogger(__name__)
 
 Overrides = Sequence[str] | Mapping[str, object]
 
@@ -95,6 +92,9 @@ def _leave_out_former_kinds(
     for path, why in foreign(raw, model).items():
         if path not in before and not any(key == path or key.startswith(f"{path}.") for key in given):
             without(raw, path)
+            import logging  # most cases need none
+
+            log = logging.getLogger(__name__)
             log.info("%s of the file is left out: %s", shown(path), why)
 
 

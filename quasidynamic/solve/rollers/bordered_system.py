@@ -4,7 +4,6 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg.lapack import dgtsv  # pyright: ignore[reportAttributeAccessIssue]  # made at import
 
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
 from quasidynamic.balance.rollers.scales import LARGE_DEVIATION, LENGTH
@@ -109,6 +108,9 @@ def cyclic_tridiagonal(middle: NDArray, before: NDArray, after: NDArray, sides: 
     Not a number for cases whose system is singular, closed or cut open: such as that of rollers which only
     hand on their spin, where the speed of all of them together is undetermined.
     """
+    # costly to import, and checking a case does without
+    from scipy.linalg.lapack import dgtsv  # pyright: ignore[reportAttributeAccessIssue]  # made at import
+
     count, cases, rollers = sides.shape
     corners = np.zeros((2, cases, rollers))  # the last spin in the first equation, and the reverse
     corners[0, :, 0], corners[1, :, -1] = before[:, 0], after[:, 0]

@@ -1,0 +1,51 @@
+"""Processor time of starting: help, check and a rigid run, over that of importing numpy and pydantic.
+
+Every round measures all commands one after the other in processes of their own; medians of the rounds.
+"""
+
+import os
+import resource
+import subprocess
+import sys
+from pathlib import Path
+from statistics import median
+from tempfile import TemporaryDirectory
+
+from benchmarks.machine import describe
+
+CASE = "configs/mao2016.toml"
+RIGID = ("--set", "outer.kind=rigid", "--set", "inner.kind=rigid")
+COMMAND = ("-c", "from flexbearing.cli import main; main()")
+ROUNDS = 7
+
+
+def seconds(*arguments: str) -> float:
+    """Processor time of a Python process, user and system [s]."""
+    environment = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    subprocess.run([sys.executable, *arguments], check=True, stdout=subprocess.DEVNULL, env=environment)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
+def main() -> None:
+    print(describe())
+    with TemporaryDirectory() as folder:
+        out = str(Path(folder) / "rigid.h5")
+        commands = {
+            "import numpy, pydantic": ("-c", "import numpy, pydantic"),
+            "flexbearing --help": (*COMMAND, "--help"),
+            "flexbearing check": (*COMMAND, "check", CASE),
+            "flexbearing run, rigid rings": (*COMMAND, "run", CASE, *RIGID, "-o", out),
+        }
+        for arguments in commands.values():
+            seconds(*arguments)  # bytecode is written
+        rounds = [{name: seconds(*arguments) for name, arguments in commands.items()} for _ in range(ROUNDS)]
+    imports = "import numpy, pydantic"
+    for name in commands:
+        ratio = median(times[name] / times[imports] for times in rounds)
+        print(f"{name:30s} {median(times[name] for times in rounds):6.3f} s, {ratio:5.2f} times the imports")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,84 @@
+"""What a command loads: only what its case needs. Modules are looked at, not a clock."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+CODE = """
+import json, sys
+from flexbearing.cli import main
+try:
+    main()
+except SystemExit as end:
+    assert not end.code, end.code
+sys.stderr.write(json.dumps(sorted(sys.modules)))
+"""
+HEAVY = ("ngsolve", "netgen", "matplotlib", "pint", "scipy.special", "scipy.sparse")
+BALLS = ("flexbearing.case.balls", "flexbearing.runs.ball", "flexbearing.runs.four_point",
+         "flexbearing.runs.angular_contact", "flexbearing.report.ball_look", "quasidynamic.balance.balls",
+         "quasidynamic.solve.balls", "quasidynamic.four_point", "quasidynamic.angular_contact")  # fmt: skip
+ROLLERS = ("flexbearing.case.roller", "flexbearing.runs.roller", "flexbearing.report.roller_look",
+           "flexbearing.coupled", "quasidynamic.balance.rollers", "quasidynamic.roller")  # fmt: skip
+
+
+def loaded(*words):
+    command = [sys.executable, "-c", CODE, *map(str, words)]
+    done = subprocess.run(command, capture_output=True, text=True, cwd=ROOT, check=True)
+    return json.loads(done.stderr)
+
+
+def among(modules, names):
+    return [
+        module for module in modules if any(module == name or module.startswith(f"{name}.") for name in names)
+    ]
+
+
+@pytest.mark.parametrize("words", [["--help"], ["run", "--help"], ["--version"]], ids=" ".join)
+def test_help_loads_no_physics_and_no_model_of_a_case(words):
+    assert among(loaded(*words), (*HEAVY, "quasidynamic", "fem", "scipy", "h5py", "rich.console",
+                                  "flexbearing.case", "flexbearing.results")) == []  # fmt: skip
+
+
+def test_checking_rollers_loads_no_balls_no_solver_and_no_files():
+    modules = loaded("check", "configs/mao2016.toml")
+    assert among(modules, (*HEAVY, *BALLS, "h5py", "scipy", "rich", "flexbearing.results")) == []
+
+
+@pytest.mark.parametrize("name", ["harris218", "joshi2015_fourpoint"])
+def test_checking_balls_loads_no_rollers_and_no_files(name):
+    modules = loaded("check", f"configs/{name}.toml")
+    heavy = [module for module in HEAVY if not module.startswith("scipy")]  # ellipses take elliptic integrals
+    assert among(modules, (*heavy, *ROLLERS, "h5py", "rich", "flexbearing.results")) == []
+
+
+def test_rigid_run_loads_no_finite_elements_and_no_balls(tmp_path):
+    rigid = ["--set", "outer.kind=rigid", "--set", "inner.kind=rigid"]
+    modules = loaded("run", "configs/mao2016.toml", *rigid, "-o", tmp_path / "r.h5", "--quiet")
+    assert among(modules, (*HEAVY, *BALLS)) == []
+
+
+def command(*words):
+    code = "from flexbearing.cli import main; main()"
+    return subprocess.run([sys.executable, "-c", code, *words], capture_output=True, text=True, cwd=ROOT)
+
+
+def test_version_is_told_and_nothing_else():
+    done = command("--version")
+    assert (done.returncode, done.stdout.split()[0], done.stderr) == (0, "flexbearing", "")
+
+
+@pytest.mark.parametrize("words", [["--debug", "check", "none.toml"], ["check", "none.toml", "--debug"]])
+def test_debug_shows_the_traceback_and_keeps_message_and_exit_code(words):
+    plain, done = command("check", "none.toml"), command(*words)
+    assert plain.returncode == done.returncode == 2
+    assert plain.stderr == "none.toml: there is no such file\n"
+    assert "Traceback" in done.stderr
+    assert done.stderr.endswith(plain.stderr)
+
+
+def test_shell_completion_can_be_installed():
+    assert "--install-completion" in command("--help").stdout
