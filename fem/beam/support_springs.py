@@ -1,9 +1,8 @@
 r"""What holds a curved beam, as springs between its rigid section and the ground.
 
-Motions are those of `fem.beam.curved_beam`. A straight beam along x that is clamped at its far end resists
-its
-near end like springs in its middle: :math:`EA/L` axially, :math:`12EI/L^3(1+\Phi)` across and :math:`EI/L`,
-:math:`GJ/L` against rotation.
+Motions are those of `fem.beam.curved_beam`. A straight beam along x, clamped at its far end, resists
+its near end like springs in its middle: :math:`EA/L` axially, :math:`12EI/L^3(1+\Phi)` across and
+:math:`EI/L`, :math:`GJ/L` against rotation.
 """
 
 from dataclasses import dataclass
@@ -18,17 +17,17 @@ FOOT = 16.67 / np.pi  # rotation of a half-plane below a bar, times E h b^2 / M;
 
 
 @dataclass(frozen=True, kw_only=True)
-class Link:
+class SupportCompliance:
     """Compliances of a straight part along x, in its middle and per radian of the ring."""
 
     middle: float  # [m] x of it
     offset: float  # [m] its radius less that of the middle of the section
-    compliance: NDArray  # (6,) in the order of `MOTIONS` [rad m/N, rad/(N m)]; 0: see `alone` and `chained`
+    compliance: NDArray  # (6,) in the order of `MOTIONS` [rad m/N, rad/(N m)]; 0: `on_ground`, `in_series`
 
 
-def bars(
+def bars_around(
     number: int, section: tuple[float, float], span: tuple[float, float], offset: float, elastic: Elastic
-) -> Link:
+) -> SupportCompliance:
     r"""Equal bars around the ring, spread evenly, which bend tangentially on elastic feet.
 
     .. math:: c_r = \frac{2\pi}{N} \left(\frac{L^3}{12 E I_r} + \frac{L}{\kappa G A}\right), \quad
@@ -52,7 +51,7 @@ def bars(
 
     Returns
     -------
-    Link
+    SupportCompliance
 
     Source
     ------
@@ -67,7 +66,7 @@ def bars(
     breadth, height = section
     L, area = abs(span[1] - span[0]), breadth * height
     E, G = elastic.youngs_modulus, shear_modulus(elastic)
-    one = np.array([
+    per_bar = np.array([
         L / (E * area),
         slide(L, breadth, height, elastic),
         tangential_slide(L, breadth, height, elastic),
@@ -75,7 +74,7 @@ def bars(
         12 * L / (E * area * breadth**2) + 2 * FOOT / (E * height * breadth**2),
         L / (G * twist_constant(breadth, height)),
     ])  # fmt: skip
-    return Link(middle=sum(span) / 2, offset=offset, compliance=one * 2 * np.pi / number)
+    return SupportCompliance(middle=sum(span) / 2, offset=offset, compliance=per_bar * 2 * np.pi / number)
 
 
 def slide(length: float, breadth: float, height: float, elastic: Elastic) -> float:
@@ -91,7 +90,9 @@ def tangential_slide(length: float, breadth: float, height: float, elastic: Elas
     return slide(length, height, breadth, elastic) + foot * length**2 / 2
 
 
-def strip(radius: float, height: float, span: tuple[float, float], offset: float, elastic: Elastic) -> Link:
+def tube_wall(
+    radius: float, height: float, span: tuple[float, float], offset: float, elastic: Elastic
+) -> SupportCompliance:
     r"""A whole tube, its wall bent along x only, which resists turning (V) by its shear.
 
     A wall has no hinge against rotation about the radius: there it follows its own axial motion.
@@ -113,7 +114,7 @@ def strip(radius: float, height: float, span: tuple[float, float], offset: float
 
     Returns
     -------
-    Link
+    SupportCompliance
 
     Source
     ------
@@ -129,22 +130,22 @@ def strip(radius: float, height: float, span: tuple[float, float], offset: float
         L / (E * height), slide(L, 1.0, height, elastic), L / (G * height), L / bending, 0.0,
         3 * L / (G * height**3),
     ])  # fmt: skip
-    return Link(middle=sum(span) / 2, offset=offset, compliance=per_metre / radius)
+    return SupportCompliance(middle=sum(span) / 2, offset=offset, compliance=per_metre / radius)
 
 
-def alone(link: Link) -> NDArray:
-    """Stiffness (6, 6) per radian of a link on the ground; where its compliance is 0 it has no spring."""
-    place = _place(link.middle, link.offset)
-    yields = link.compliance > 0
-    return place.T @ np.diag(np.where(yields, 1 / np.where(yields, link.compliance, 1.0), 0.0)) @ place
+def on_ground(support: SupportCompliance) -> NDArray:
+    """Stiffness (6, 6) per radian of a support on the ground; where its compliance is 0 it has no spring."""
+    place = _place(support.middle, support.offset)
+    springs = support.compliance > 0
+    return place.T @ np.diag(np.where(springs, 1 / np.where(springs, support.compliance, 1.0), 0.0)) @ place
 
 
-def chained(*links: Link) -> NDArray:
-    """Stiffness (6, 6) per radian of links one behind the other; a compliance of 0 adds nothing."""
+def in_series(*supports: SupportCompliance) -> NDArray:
+    """Stiffness (6, 6) per radian of supports one behind the other; a compliance of 0 adds nothing."""
     total = np.zeros((6, 6))
-    for link in links:
-        back = np.linalg.inv(_place(link.middle, link.offset))
-        total += back @ np.diag(link.compliance) @ back.T
+    for support in supports:
+        back = np.linalg.inv(_place(support.middle, support.offset))
+        total += back @ np.diag(support.compliance) @ back.T
     return np.linalg.inv(total)
 
 

@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fem.beam.curved_beam import MOTIONS, CurvedBeam
-from fem.beam.support_springs import alone, bars, carried, chained, foundation, strip
+from fem.beam.support_springs import bars_around, carried, foundation, in_series, on_ground, tube_wall
 from fem.errors import NotSolved
 from fem.half_space.line_load import indentation_harmonics
 from fem.parts.boundary_conditions import ClampedFace, Foundation
@@ -149,9 +149,11 @@ def stiffness_of(part, harmonics: NDArray) -> NDArray:
 @stiffness_of.register
 def _(part: SquirrelCage, harmonics):
     beam, foot = beam_of(part), part.width / 2 + part.bar_length
-    held = chained(
-        bars(part.bars, (part.bar_width, part.bar_thickness), (part.width / 2, foot), 0.0, part.elastic),
-        strip(beam.radius, part.thickness, (foot, foot + part.flange_length), 0.0, part.elastic),
+    held = in_series(
+        bars_around(
+            part.bars, (part.bar_width, part.bar_thickness), (part.width / 2, foot), 0.0, part.elastic
+        ),
+        tube_wall(beam.radius, part.thickness, (foot, foot + part.flange_length), 0.0, part.elastic),
     )
     return beam.stiffness(harmonics) + held
 
@@ -161,7 +163,7 @@ def _(part: OuterRing, harmonics):
     beam = beam_of(part)
     match part.support:
         case ClampedFace():
-            held = alone(strip(beam.radius, beam.thickness, (0.0, part.width / 2), 0.0, part.elastic))
+            held = on_ground(tube_wall(beam.radius, beam.thickness, (0.0, part.width / 2), 0.0, part.elastic))
         case Foundation(axial=axial, radial=radial, tangential=tangential):
             held = foundation((axial, radial, tangential), beam.outside, part.width, beam.thickness / 2)
         case other:
@@ -183,7 +185,7 @@ def _(part: RingOnShaft, harmonics):
     )
     offset = tube.radius - beam.radius
     held = sum(
-        alone(strip(tube.radius, tube.thickness, (sign * side, sign * end), offset, part.shaft))
+        on_ground(tube_wall(tube.radius, tube.thickness, (sign * side, sign * end), offset, part.shaft))
         for sign in (1, -1)
     )
     return beam.stiffness(harmonics) + held + carried(tube.stiffness(harmonics), offset)

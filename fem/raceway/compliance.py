@@ -1,4 +1,4 @@
-"""How a raceway yields to its rollers, whatever computed it."""
+"""How a raceway deflects under its rollers, whatever computed it."""
 
 from dataclasses import dataclass, field
 

@@ -47,7 +47,7 @@ def section_responses(
 
     Valid
     -----
-    Small displacement, perfect bonds, clamps that do not yield; no load outside the band.
+    Small displacement, perfect bonds, rigid clamps; no load outside the band.
     """
     with stage("factor"):
         body = body_of(part, resolution.length, resolution.mesh)

@@ -99,15 +99,15 @@ def held_on_points(body: Body, free_motions: FreeMotions, harmonic: int) -> Harm
     """
     x = np.array([v.point[0] for v in body.space.mesh.vertices])
     ends = [ngs.NodeId(ngs.VERTEX, int(k)) for k in (x.argmin(), x.argmax())]
-    wanted = []
+    held_components = []
     if harmonic == 0:
-        wanted = [
+        held_components = [
             (k, ends[0]) for k, is_free in ((0, free_motions.axial), (2, free_motions.turning)) if is_free
         ]
     elif harmonic == 1 and free_motions.across:
-        wanted = [(1, end) for end in ends]
+        held_components = [(1, end) for end in ends]
     clamped = body.stiffness.clamped.copy()
-    for component, node in wanted:
+    for component, node in held_components:
         number = body.space.Range(component).start + body.space.components[component].GetDofNrs(node)[0]
         clamped[number] = True
     return replace(body.stiffness, clamped=clamped)

@@ -113,15 +113,15 @@ class RingOnLines:
         basis, moves = (MIDDLE, 2) if self.support.tilting else (ENDS, 4)
         S = basis.shape[1]
         length, width = self.ring.raceway.length, self.ring.lines.length
-        own = self.ring.lines.absolute(psi)
-        yielding = np.diag([1.0, 3.0]) / self.support.stiffness
-        own[np.arange(psi.size), :, np.arange(psi.size)] += yielding
+        between_lines = self.ring.lines.absolute(psi)
+        line_compliance = np.diag([1.0, 3.0]) / self.support.stiffness
+        between_lines[np.arange(psi.size), :, np.arange(psi.size)] += line_compliance
         through = self.ring.under_radial(phi, psi)
         size = psi.size * S
         M = through.shape[1]
         return SupportPoints(
             azimuths=np.repeat(psi, S),
-            compliance=np.einsum("sa,kslt,tb->kalb", basis, own, basis).reshape(size, size),
+            compliance=np.einsum("sa,kslt,tb->kalb", basis, between_lines, basis).reshape(size, size),
             motions=np.einsum("sa,ksc->kac", basis, rigid_motions(psi, width, 2)).reshape(size, 4)[:, :moves],
             loads=np.einsum("sa,imks->kaim", basis, through).reshape(size, phi.size * M),
             load_motions=rigid_motions(phi, length, M).reshape(-1, 4)[:, :moves],

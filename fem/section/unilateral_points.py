@@ -101,25 +101,25 @@ def pushing_points(points: SupportPoints, load: NDArray) -> NDArray:
 def _least_energy(points: SupportPoints, load: NDArray) -> NDArray:
     """Inward forces (P,) in balance with the load."""
     size = np.linalg.norm(points.motions, axis=0)
-    balance, wanted = points.motions.T / size[:, None], points.load_motions.T @ load / size
+    balance, required = points.motions.T / size[:, None], points.load_motions.T @ load / size
     stiff = np.trace(points.compliance) / len(points.compliance)
     try:
         root = cholesky(points.compliance + stiff * balance.T @ balance, lower=True)
     except LinAlgError as refusal:
         raise NotSolved(
-            "supports would gain energy by pushing: the body is too thick, it yields less at its supports "
+            "supports would gain energy by pushing: the body is too thick, it deflects less at its supports "
             "than a half-space does"
         ) from refusal
     weight = BALANCE * np.sqrt(stiff)
     matrix = np.vstack([root.T, weight * balance])
-    goal = solve_triangular(root, points.loads @ load + stiff * balance.T @ wanted, lower=True)
-    left = np.zeros_like(wanted)
+    goal = solve_triangular(root, points.loads @ load + stiff * balance.T @ required, lower=True)
+    correction = np.zeros_like(required)
     for _ in range(CORRECTIONS):
-        pushes = nnls(matrix, np.concatenate([goal, weight * (wanted + left)]))[0]
-        missing = wanted - balance @ pushes
-        if np.linalg.norm(missing) <= ROUNDING * max(np.linalg.norm(wanted), pushes.max()):
+        pushes = nnls(matrix, np.concatenate([goal, weight * (required + correction)]))[0]
+        missing = required - balance @ pushes
+        if np.linalg.norm(missing) <= ROUNDING * max(np.linalg.norm(required), pushes.max()):
             return pushes
-        left += missing
+        correction += missing
     resultant = ", ".join(f"{force:.4g}" for force in points.load_motions[:, :2].T @ load)
     raise NotSolved(
         f"supports that only push cannot hold this load of ({resultant}) N along y and z: "

@@ -180,8 +180,8 @@ def test_foundation_holds_every_point_of_its_cylinder_by_its_own_springs(motion,
 def test_link_to_the_ground_is_stretched_by_the_motion_of_its_middle(motion, middle, offset):
     compliance = np.array([1.0, 2.0, 3.0, 4.0, 5.0, 6.0]) * 1e-9
     stretched = np.concatenate([at(middle, offset, motion), motion[3:]])
-    link = support_springs.Link(middle=middle, offset=offset, compliance=compliance)
-    for stiffness in (support_springs.alone(link), support_springs.chained(link)):
+    support = support_springs.SupportCompliance(middle=middle, offset=offset, compliance=compliance)
+    for stiffness in (support_springs.on_ground(support), support_springs.in_series(support)):
         expected = stretched**2 @ (1 / compliance)
         assert energy(stiffness, np.array(motion)) == approx(expected, rel=1e-6, abs=1e-9)
 
