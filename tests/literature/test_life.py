@@ -238,3 +238,14 @@ def test_contamination_factor_has_the_constants_of_iso281(name):
     for kappa, pitch in ((1.0, 100.0), (4.0, 1000.0)):  # [-], [mm]
         expected = min(rise * kappa**0.68 * pitch**0.55, 1.0) * (1 - loss / pitch ** (1 / 3))
         assert contamination_factor(kappa, pitch * 1e-3, CLEANLINESS[name]) == approx(expected, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("place", "logarithm"), [(0.0, 0.0), (0.25, 0.2876820724517809), (0.45, 1.6607312068216509)]
+)
+def test_logarithmic_profile_of_iso16281(place, logarithm):
+    """P(x) = 0.00035 D ln 1/(1 - (2x/l)^2), on either side of mid-roller."""
+    diameter, length = 10e-3, 12e-3
+    profile = Logarithmic(amplitude=0.00035 * diameter)
+    drop = profile.drop(np.array([-place, place]) * length, length)
+    assert drop == approx(0.00035 * diameter * logarithm, rel=1e-12, abs=1e-20)
