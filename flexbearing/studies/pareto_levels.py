@@ -28,7 +28,7 @@ class Level(NamedTuple):
 
 
 def richest(case: Case) -> Level:
-    """What all others are measured against: the highest level of every ladder.
+    """What all others are measured against: the highest level run of every ladder.
 
     Parameters
     ----------
