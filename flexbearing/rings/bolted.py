@@ -99,7 +99,7 @@ def _row(case: FourPointCase, name: str, part: BoltedGrooveRing, report: Report)
     mesh = fem.MeshSize(
         order=rings.element_order or order,
         size=rings.mesh_size or size * ball,
-        raceway_size=rings.line_mesh_size or on_line * line,
+        raceway_size=on_line * line,
     )
     arguments = part, HARMONICS, fem.Resolution(length=line, mesh_size=mesh, harmonics=rings.harmonics)
     report.stage(f"{name} ring", None)

@@ -333,8 +333,6 @@ EFFECTS = (
      "rings.inner.line rings.inner.mesh.raceway_size rings.outer.line rings.outer.mesh.raceway_size"),
     ("balls in bolted rings", "rings.element_order", 6, "rings.inner.mesh.order rings.outer.mesh.order"),
     ("balls in bolted rings", "rings.mesh_size", "15 mm", "rings.inner.mesh.size rings.outer.mesh.size"),
-    ("balls in bolted rings", "rings.line_mesh_size", "5 mm",
-     "rings.inner.mesh.raceway_size rings.outer.mesh.raceway_size"),
     ("balls in bolted rings", "rings.harmonics", 800,
      "case.rings.harmonics rings.inner.harmonics rings.outer.harmonics"),
     ("balls in bolted rings", "fields.balls", [0, 3], "case.fields.balls case.fields.balls.{0,1}"),

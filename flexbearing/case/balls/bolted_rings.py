@@ -150,12 +150,6 @@ class Rings(Section):
         gt=0,
         only=_ANY_BOLTED,
     )
-    line_mesh_size: Length | None = key(
-        "largest element on the loaded lines; without this key half of rings.line",
-        None,
-        gt=0,
-        only=_ANY_BOLTED,
-    )
     harmonics: int | None = key(
         "azimuthal harmonics, or what the mesh resolves; without this key 6 times radius over rings.line",
         None,
