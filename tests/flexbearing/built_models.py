@@ -73,12 +73,12 @@ def _roller(case: Case):
         "flange": roller_bearing.flange(case),
         "outer": outer,
         "inner": inner,
-        "mesh": condensed.wishes(case, condensed.IN_SPACE),
+        "mesh": condensed.mesh_size(case, condensed.IN_SPACE),
         "patches": condensed.patches(case, np.zeros(1)),
-        "inner_fit": _fit(lambda: condensed.inner_ring(case, np.zeros(1), Logged()))
+        "inner_fit": _fit(lambda: condensed.raceway(case, "inner", np.zeros(1), Logged()))
         if inner and case.inner.fit != "bonded"
         else None,
-        "outer_fit": _fit(lambda: condensed.outer_ring(case, np.zeros(1), Logged()))
+        "outer_fit": _fit(lambda: condensed.raceway(case, "outer", np.zeros(1), Logged()))
         if case.outer.lifts_off
         else None,
         "running": {"roller_length": expansion.roller_length(case)},
@@ -111,7 +111,14 @@ def _four_point(case):
     wanted = {}
 
     def kept(key, compute, note):
-        wanted[key[0].race] = dict(zip(("part", "balls", "line", "mesh", "harmonics"), key, strict=True))
+        part, _, resolution = key
+        wanted[part.race] = {
+            "part": part,
+            "balls": case.balls,
+            "line": resolution.length,
+            "mesh": resolution.mesh_size,
+            "harmonics": resolution.harmonics,
+        }
         raise Stop
 
     for name in ("inner", "outer"):
