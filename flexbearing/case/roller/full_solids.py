@@ -1,24 +1,20 @@
 """What `coupling.structure = "full"` asks of the other sections."""
 
-from typing import TYPE_CHECKING
-
 from flexbearing.case.quantity import impossible
-
-if TYPE_CHECKING:
-    from flexbearing.case.roller.roller_case import Case
+from flexbearing.case.roller.numerics import Accuracy
+from flexbearing.case.roller.rings import Inner, Outer
 
 CHOICE = 'for coupling.structure = "full"'
 SOLID_SUPPORTS = ("side", "seat", "housing")
 
 
-def require_solids(case: "Case") -> None:
+def require_solids(accuracy: Accuracy, inner: Inner, outer: Outer) -> None:
     """Raise unless every flexible part is a linear solid, resolved as the case says."""
-    accuracy, outer = case.accuracy, case.outer
     if accuracy.structure != "solid" and "structure" in accuracy.model_fields_set:
         raise impossible("accuracy.structure", f'"solid" or left out {CHOICE}, which uses the whole solids')
     if accuracy.target is not None:
         raise impossible("accuracy.target", f"left out {CHOICE}: levels are chosen among condensed rings")
-    if case.inner.kind != "rigid" and case.inner.fit != "bonded":
+    if inner.kind != "rigid" and inner.fit != "bonded":
         raise impossible("inner.fit", f'"bonded" {CHOICE}: only a bonded ring has a solid')
     if outer.kind == "ring" and outer.support not in SOLID_SUPPORTS:
         allowed = " or ".join(f'"{support}"' for support in SOLID_SUPPORTS)

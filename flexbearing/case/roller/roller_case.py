@@ -68,12 +68,12 @@ class Case(Head):
     @model_validator(mode="after")
     def _full_structures_are_solids(self) -> Self:
         if self.coupling.structure == "full":
-            require_solids(self)
+            require_solids(self.accuracy, self.inner, self.outer)
         return self
 
     @model_validator(mode="after")
     def _mounting_is_complete(self) -> Self:
-        require_mounting(self)
+        require_mounting(self.bearing, self.materials, self.operation.temperatures, self.inner, self.outer)
         return self
 
 
