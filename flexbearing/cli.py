@@ -112,7 +112,8 @@ def plot(
     output: Annotated[Path | None, typer.Option("-o", "--output", metavar="DIR")] = None,
 ) -> None:
     """Draw the pictures of a result as PNG files, with deformed rings where they are flexible."""
-    from flexbearing.report import deformed, write_figures
+    from flexbearing.report import write_figures
+    from flexbearing.report.roller import deformed
 
     found, directory = api.read_result(result), output or result.parent
     pictures = write_figures(found, directory)
@@ -190,8 +191,8 @@ def pareto(
     settings: Settings = None,
 ) -> None:
     """Run a case on every level of accuracy; draws time against error and names the cheapest levels."""
-    from flexbearing.report.pareto import text, write_table
-    from flexbearing.report.pareto_figure import write_pareto
+    from flexbearing.report.studies.pareto_figure import write_pareto
+    from flexbearing.report.studies.pareto_table import text, write_table
     from flexbearing.studies.pareto import NoReference, pareto as study
 
     try:

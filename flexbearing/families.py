@@ -12,7 +12,7 @@ _ROLLER = Family(
     opening=entry("flexbearing.runs.roller:opening"),
     solve=entry("flexbearing.runs.roller:solve"),
     layout=entry("flexbearing.quantities.roller:LAYOUT"),
-    look=entry("flexbearing.report.roller_look:LOOK"),
+    report=entry("flexbearing.report.roller.report:REPORT"),
     initial_state=entry("flexbearing.coupled.initial_state:initial_state"),
 )
 _FOUR_POINT = Family(
@@ -22,7 +22,7 @@ _FOUR_POINT = Family(
     opening=entry("flexbearing.runs.ball:opening"),
     solve=entry("flexbearing.runs.ball:solve_four_point"),
     layout=entry("flexbearing.quantities.four_point:LAYOUT"),
-    look=entry("flexbearing.report.four_point_look:LOOK"),
+    report=entry("flexbearing.report.balls.four_point_report:REPORT"),
 )
 _ANGULAR = Family(
     kind="angular_contact_ball",
@@ -31,7 +31,7 @@ _ANGULAR = Family(
     opening=entry("flexbearing.runs.ball:opening"),
     solve=entry("flexbearing.runs.ball:solve_angular"),
     layout=entry("flexbearing.quantities.angular_contact:LAYOUT"),
-    look=entry("flexbearing.report.angular_contact_look:LOOK"),
+    report=entry("flexbearing.report.balls.angular_contact_report:REPORT"),
 )
 
 FAMILIES = {family.kind: family for family in (_ROLLER, _FOUR_POINT, _ANGULAR)}

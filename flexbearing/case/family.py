@@ -34,7 +34,7 @@ class Family:
     opening: Callable[[], Callable[[Any], dict[str, Any]]]  # root attributes known before anything is solved
     solve: Callable[[], Callable[..., dict[str, Any]]]  # case, result file, progress report: the ending
     layout: Callable[[], Any]  # a `flexbearing.quantities.layout.Layout`
-    look: Callable[[], Any]  # a `flexbearing.report.look.Look`
+    report: Callable[[], Any]  # a `flexbearing.report.family_report.FamilyReport`
     initial_state: Callable[[], Callable[..., Any]] | None = None  # from another result; None: it has no such
 
 

@@ -18,7 +18,7 @@ from flexbearing.case import BadCase, Head
 from flexbearing.case.roller import Case
 from flexbearing.coupling import PartnerFailed
 from flexbearing.quantities.roller import CAGE_SLIP
-from flexbearing.report.pareto import OUTPUTS, Measured, Study
+from flexbearing.report.studies.pareto_table import OUTPUTS, Measured, Study
 from flexbearing.results import Result
 from flexbearing.studies.pareto_levels import Level, ladder, left_out, richest
 
@@ -88,7 +88,7 @@ def pareto(
 
 
 def errors(result: Result, exact: Result) -> dict[str, float]:
-    """How wrong a result is, by the names of `flexbearing.report.pareto.OUTPUTS`.
+    """How wrong a result is, by the names of `flexbearing.report.studies.pareto_table.OUTPUTS`.
 
     Parameters
     ----------

@@ -111,7 +111,7 @@ def trace(
     NotSolved
         when there is no equilibrium to begin with
     """
-    from flexbearing.report.branch import draw_branch, write_branch
+    from flexbearing.report.studies.branch_figure import draw_branch, write_branch
 
     axis, ends = _parsed(over)
     path = Path(output) if output else Path("results") / f"{Path(case).stem}_trace.csv"

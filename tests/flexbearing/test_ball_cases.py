@@ -333,19 +333,19 @@ PICTURES = {
 @pytest.mark.parametrize("name", PICTURES)
 def test_pictures_of_a_result(run, name):
     result = run(name)
-    drawn = result.family.look().pictures(result)
+    drawn = result.family.report().pictures(result)
     assert drawn.keys() == PICTURES[name]
     assert all(result.attributes["title"] in figure.get_suptitle() for figure in drawn.values())
 
 
 def test_one_panel_for_each_loaded_contact(run):
-    (figure,) = FAMILIES["four_point_ball"].look().pictures(run("heras2017_a3")).values()
+    (figure,) = FAMILIES["four_point_ball"].report().pictures(run("heras2017_a3")).values()
     titles = [axes.get_title() for axes in figure.axes if axes.get_title()]
     assert [title.split(":")[0] for title in titles] == [
         "diagonal 1, inner race", "diagonal 1, outer race",
         "diagonal 2, inner race", "diagonal 2, outer race",
     ]  # fmt: skip
-    (figure,) = FAMILIES["four_point_ball"].look().pictures(run("heras2017_a1")).values()
+    (figure,) = FAMILIES["four_point_ball"].report().pictures(run("heras2017_a1")).values()
     assert sum("race" in axes.get_title() for axes in figure.axes) == 2
 
 

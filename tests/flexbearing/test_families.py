@@ -19,7 +19,7 @@ from flexbearing.quantities import Quantity, SummaryValue
 from flexbearing.quantities.layout import Layout
 from flexbearing.quantities.units import MPA
 from flexbearing.report import text, write_figures
-from flexbearing.report.look import Look
+from flexbearing.report.family_report import FamilyReport
 from quasidynamic import ImpossiblePart
 
 
@@ -78,7 +78,7 @@ TOY = Family(
         quantities=(PRESSURE,),
         blocks=("rigid",),
     ),
-    look=lambda: Look(
+    report=lambda: FamilyReport(
         lambda numbers: iter([Text(f"{numbers['rigid']['pressure_MPa']:g} MPa")]), lambda result: {}
     ),
 )

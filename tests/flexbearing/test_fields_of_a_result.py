@@ -14,7 +14,7 @@ import flexbearing
 from flexbearing.case import BadCase
 from flexbearing.cli import app
 from flexbearing.report import summary, text
-from flexbearing.report.deformed import pictures
+from flexbearing.report.roller.deformed import pictures
 from flexbearing.results import BadResult
 from flexbearing.runs import fields
 

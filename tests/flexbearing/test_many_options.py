@@ -106,7 +106,7 @@ def test_everything_is_in_the_text(run):
         "smallest film ratio, outer",
         "lubrication regime",
         "tangent stiffness",
-        "discretisation, no heat [W]",
+        "discretisation residual [W]",
         "largest pocket force [N]",
         "ISO VG 32: all but the grade are typical of mineral oils, recalled",
     ):

@@ -19,8 +19,8 @@ from flexbearing.cache.key import digest
 from flexbearing.case import BadCase
 from flexbearing.coupling import PartnerFailed
 from flexbearing.progress import Logged
-from flexbearing.report.pareto import Measured, Study, cheapest, front, text
-from flexbearing.report.pareto_figure import draw_pareto
+from flexbearing.report.studies.pareto_figure import draw_pareto
+from flexbearing.report.studies.pareto_table import Measured, Study, cheapest, front, text
 from flexbearing.rings import condensed
 from flexbearing.studies import pareto, pareto_levels
 from flexbearing.studies.pareto_levels import Level, ladder, left_out, richest

@@ -9,7 +9,7 @@ import pytest
 from pytest import approx
 
 from flexbearing import cli
-from flexbearing.report.branch import draw_branch
+from flexbearing.report.studies.branch_figure import draw_branch
 
 ROOT = Path(__file__).parents[2]
 PAPER = ROOT / "configs" / "mao2016.toml"

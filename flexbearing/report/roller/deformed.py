@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from pathlib import Path
 
-from flexbearing.report.deformed_figure import deformed
+from flexbearing.report.roller.deformed_figure import deformed
 from flexbearing.results import Result
 from flexbearing.runs import fields
 
@@ -24,7 +24,7 @@ def pictures(result: Result, directory: Path) -> Iterator[str]:
         a line for each part: its file, or why there is none; nothing without flexible parts or end state,
         nor of ball bearings, whose rings are known at the balls only
     """
-    if not result.flexible or not result.family.look().deformed:
+    if not result.flexible or not result.family.report().deformed:
         return
     case = fields.case_of(result)
     try:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from flexbearing.quantities.roller import CAGE_SLIP
-from flexbearing.report.roller_figures import BLUE, ORANGE
+from flexbearing.report.roller.figures import BLUE, ORANGE
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -6,8 +6,8 @@ from pathlib import Path
 from textwrap import fill
 from typing import TYPE_CHECKING
 
-from flexbearing.report.pareto import OUTPUTS, TARGETS, TIMES, Study, cheapest, front, percent
-from flexbearing.report.roller_figures import BLUE, ORANGE
+from flexbearing.report.roller.figures import BLUE, ORANGE
+from flexbearing.report.studies.pareto_table import OUTPUTS, TARGETS, TIMES, Study, cheapest, front, percent
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

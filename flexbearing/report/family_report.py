@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Look:
+class FamilyReport:
     """Page and pictures of a result; its summary follows from the quantities of its family."""
 
     page: Callable[[dict[str, Any]], Iterator[RenderableType]]  # of the summary

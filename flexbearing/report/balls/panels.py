@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from flexbearing.report.roller_figures import BLUE, ORANGE
+from flexbearing.report.roller.figures import BLUE, ORANGE
 from flexbearing.results import Result
 
 if TYPE_CHECKING:

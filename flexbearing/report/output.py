@@ -26,7 +26,7 @@ def text(result: Result, console: Console | None = None) -> str:
     """
     console = console or Console(width=80, file=StringIO(), force_terminal=False, color_system=None)
     with console.capture() as capture:
-        console.print(Group(*result.family.look().page(summary(result))))
+        console.print(Group(*result.family.report().page(summary(result))))
     return "\n".join(line.rstrip() for line in capture.get().splitlines()) + "\n"
 
 
@@ -48,7 +48,7 @@ def write_figures(result: Result, directory: str | Path) -> list[Path]:
     directory = Path(directory)
     directory.mkdir(parents=True, exist_ok=True)
     paths = []
-    for name, figure in result.family.look().pictures(result).items():
+    for name, figure in result.family.report().pictures(result).items():
         paths.append(directory / f"{name}.png")
         figure.savefig(paths[-1], dpi=150)
     return paths

@@ -8,7 +8,7 @@ from rich.table import Table
 from rich.text import Text
 
 from flexbearing.quantities.four_point import LAYOUT, TORQUE_PARTS
-from flexbearing.report.ball_sections import ending, formatted, of_races, ring, shown, single_values
+from flexbearing.report.balls.sections import ending, formatted, of_races, ring, shown, single_values
 from flexbearing.report.rows import label, value
 from flexbearing.report.sections import closing, right_aligned
 

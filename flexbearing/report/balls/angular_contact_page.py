@@ -7,7 +7,7 @@ from rich.console import RenderableType
 from rich.text import Text
 
 from flexbearing.quantities.angular_contact import LAYOUT
-from flexbearing.report.ball_sections import ending, of_races, ring, single_values
+from flexbearing.report.balls.sections import ending, of_races, ring, single_values
 from flexbearing.report.sections import closing
 
 

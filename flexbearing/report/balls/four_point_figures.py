@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from flexbearing.quantities.reductions import LOADED, RACES
-from flexbearing.report.ball_panels import STYLES, around, close_ring, stacked
+from flexbearing.report.balls.panels import STYLES, around, close_ring, stacked
 from flexbearing.results import Result
 
 if TYPE_CHECKING:

@@ -8,7 +8,7 @@ import numpy as np
 
 from flexbearing.quantities.angular_contact import LAYOUT
 from flexbearing.quantities.reductions import RACES
-from flexbearing.report.ball_panels import STYLES, around, close_ring, stacked
+from flexbearing.report.balls.panels import STYLES, around, close_ring, stacked
 from flexbearing.results import Result
 
 if TYPE_CHECKING:

@@ -1,0 +1,1 @@
+"""Pages and pictures of four-point and angular-contact ball bearings."""

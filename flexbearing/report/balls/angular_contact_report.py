@@ -1,0 +1,7 @@
+"""How results of a fast angular-contact ball bearing are shown."""
+
+from flexbearing.report.balls.angular_contact_figures import pictures
+from flexbearing.report.balls.angular_contact_page import page
+from flexbearing.report.family_report import FamilyReport
+
+REPORT = FamilyReport(page, pictures)
