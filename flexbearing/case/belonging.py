@@ -24,14 +24,14 @@ def foreign(raw: Raw, model: type[Section]) -> dict[str, str]:
     dict
         dotted key or table to what it belongs to and what the case says instead
     """
-    strangers: dict[str, str] = {}
+    foreign_keys: dict[str, str] = {}
     for item in declared(model):
-        inside = any(item.path.startswith(f"{table}.") for table in strangers)
+        inside = any(item.path.startswith(f"{table}.") for table in foreign_keys)
         if item.only and not inside and _value(raw, item.path) is not None:
             broken = [_broken(choices, item, raw, model) for choices in item.only]
             if all(broken):
-                strangers[item.path] = f"it belongs to {belonging(item)}; this case has {broken[0]}"
-    return strangers
+                foreign_keys[item.path] = f"it belongs to {belonging(item)}; this case has {broken[0]}"
+    return foreign_keys
 
 
 def belonging(item: Declaration) -> str:

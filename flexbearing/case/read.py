@@ -74,8 +74,8 @@ def understood(text: str, file: Path, overrides: Overrides, families: Families) 
     for setting in settings:
         _override(raw, setting, model, families)
     _leave_out_former_kinds(raw, before, {setting.partition("=")[0].strip() for setting in settings}, model)
-    if strangers := foreign(raw, model):
-        raise BadCase("\n".join(f"{file.name}: {refused(raw, *stranger)}" for stranger in strangers.items()))
+    if foreign_keys := foreign(raw, model):
+        raise BadCase("\n".join(f"{file.name}: {refused(raw, *item)}" for item in foreign_keys.items()))
     try:
         case = model.model_validate(raw)
     except ValidationError as error:
@@ -88,7 +88,7 @@ def understood(text: str, file: Path, overrides: Overrides, families: Families) 
 def _leave_out_former_kinds(
     raw: dict[str, Any], before: Mapping[str, str], given: set[str], model: type[Section]
 ) -> None:
-    """Leave out keys of the file that a setting made strangers, as `outer.kind=ring` does with bars."""
+    """Leave out keys of the file that a setting made foreign_keys, as `outer.kind=ring` does with bars."""
     for path, why in foreign(raw, model).items():
         if path not in before and not any(key == path or key.startswith(f"{path}.") for key in given):
             without(raw, path)

@@ -28,7 +28,7 @@ with h5py.File("OUT.h5") as file:
 | `iterations` | iterations of the coupling, a row each along the first axis; absent without flexible parts |
 | `rigid` | the solution with rigid raceways |
 | `flexible` | the end state with flexible raceways; for rollers, equal to `rigid` when no part \
-is flexible; for four-point ball bearings with `[rings]` that yield |
+is flexible; for four-point ball bearings with elastic `[rings]` |
 
 The root attribute `kind` says which of the tables below a file follows. Iterations of a run that ended as
 `not finite` may hold NaN; a block of a converged run never does, unless the meaning of a dataset says where.

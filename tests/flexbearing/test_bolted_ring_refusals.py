@@ -36,7 +36,7 @@ def test_rings_are_rigid_unless_they_are_described():
         (["rings.outer.bore=2 m"], "[rings.outer] bore", "not a key"),
         (
             ["operation.mode=contact_loads", 'operation.contact_loads=["5 kN"]'],
-            "[operation] mode", '"ring_load" beside rings that yield',
+            "[operation] mode", '"ring_load" beside elastic rings',
         ),
     ],
 )  # fmt: skip

@@ -71,7 +71,7 @@ def test_rigid_block_is_that_of_rigid_rings(run):
 
 
 def test_each_ring_yields_for_itself(run):
-    """Two rings yield about as much as each of them, as far as the loads stay the same."""
+    """Two rings deflect about as much as both of them, as far as the loads stay the same."""
     both, outer, inner = (
         run(*settings).flexible["ring_displacement"][0]
         for settings in ((), ("rings.inner.kind=rigid",), ("rings.outer.kind=rigid",))

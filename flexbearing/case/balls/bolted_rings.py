@@ -160,7 +160,7 @@ class Rings(Section):
 
     @property
     def rigid(self) -> bool:
-        """Whether nothing yields."""
+        """Whether both rings are rigid."""
         return self.outer.kind == self.inner.kind == "rigid"
 
     def require_room(self, inner: Groove, outer: Groove) -> None:

@@ -163,7 +163,7 @@ class FourPointCase(Head):
     materials: SlowMaterials = key("the materials")
     friction: SlowFriction = key("friction of the contacts")
     operation: SlowOperation = key("load and speed", {})
-    rings: bolted_rings.Rings = key("rings that yield to the balls; rigid without it", {})
+    rings: bolted_rings.Rings = key("elastic rings; rigid without it", {})
     fields: Fields = key("contacts whose slip and shear are stored point by point", {})
 
     @property
@@ -177,7 +177,7 @@ class FourPointCase(Head):
             raise needed(["bearing.balls"], 'operation.mode = "ring_load"')
         if self.operation.mode == "contact_loads" and not self.rings.rigid:
             raise impossible(
-                "operation.mode", '"ring_load" beside rings that yield: they change how balls share it'
+                "operation.mode", '"ring_load" beside elastic rings, which change how balls share it'
             )
         chosen = self.fields.balls
         if chosen is not None and (not chosen or not all(0 <= ball < self.balls for ball in chosen)):

@@ -42,8 +42,8 @@ class Coupling(Section):
         if self.structure == "full" and self.method == "newton":
             raise impossible(
                 "method",
-                '"iqn-ils", "anderson", "aitken" or "relaxed" for coupling.structure = "full": newton asks '
-                "how the rings yield, which a solve under given loads does not tell",
+                '"iqn-ils", "anderson", "aitken" or "relaxed" for coupling.structure = "full": newton needs '
+                "the compliance of the rings, which a solve under given loads does not give",
             )
         return self
 
