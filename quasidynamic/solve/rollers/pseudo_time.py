@@ -57,25 +57,26 @@ def pseudo_time(
     relaxation), and a ring that would move far, such as one balanced on a single roller, takes short
     steps. `CONVERGED` means near enough for Newton's method, `LIMIT` that it may be tried.
     """
-    cases = np.arange(len(unknowns))
-    before, size = unknowns, np.full(len(unknowns), np.inf)
-    cage_change, turned = np.zeros(len(unknowns)), np.zeros(len(unknowns), bool)
-    near = None
+    cases, before = np.arange(len(unknowns)), unknowns
+    size: NDArray = np.full(len(unknowns), np.inf)
+    cage_change: NDArray = np.zeros(len(unknowns))
+    turned: NDArray = np.zeros(len(unknowns), bool)
+    near: NDArray | None = None
     for number in range(MAX_EVALUATIONS + 1):
         system = balance.evaluate(unknowns)
         trial_size = norm(system)
         near = np.minimum(NEWTON_RESIDUAL, NEWTON_REDUCTION * trial_size) if near is None else near
-        refused = ~(trial_size < LARGEST_GROWTH * size) & (limits.time > SHORTEST_STEP)
+        refused: NDArray = ~(trial_size < LARGEST_GROWTH * size) & (limits.time > SHORTEST_STEP)
         limits = limits.after(refused, _growth(size, trial_size, turned))
         # A refused state is left for the one before it, from where the next step is shorter.
-        accepted = np.where(refused[:, None], before, unknowns)
+        accepted: NDArray = np.where(refused[:, None], before, unknowns)
         each_case = zip(trial_size, near, refused, strict=True)
         outcomes = [_outcome(*case, last=number == MAX_EVALUATIONS) for case in each_case]
         running = np.array([outcome is SolverOutcome.RUNNING for outcome in outcomes])
         yield Iterate(number, cases, accepted, system, outcomes, ~refused), limits
         if not running.any():
             return
-        change = _step(balance, system, limits)
+        change: NDArray = _step(balance, system, limits)
         tilt = np.abs(change[:, TILT_Z:CAGE]).max(1) / TILT_SHARE
         change_in_limits = change / np.maximum(tilt / limits.ring_step, 1.0)[:, None]
         turned = change[:, CAGE] * cage_change < 0
