@@ -39,7 +39,7 @@ def elasticity(u, v, lame, shear):
     u, v : ngsolve proxies (d,)
         trial and test displacement
     lame, shear : float or ngsolve.CoefficientFunction
-        lambda and mu [Pa]; from `lame_constants`, or `plane_stress` for thin plates
+        lambda and mu [Pa]; from `lame_constants`
 
     Returns
     -------
@@ -97,28 +97,3 @@ def lame_constants(youngs_modulus, poisson_ratio):
     """
     E, nu = youngs_modulus, poisson_ratio
     return E * nu / ((1 + nu) * (1 - 2 * nu)), E / (2 * (1 + nu))
-
-
-def plane_stress(youngs_modulus, poisson_ratio):
-    r"""Constants that make the 2-D form one of plane stress.
-
-    .. math:: \bar\lambda = \frac{E\nu}{1-\nu^2}, \quad \mu = \frac{E}{2(1+\nu)}
-
-    Parameters
-    ----------
-    youngs_modulus : float
-        E [Pa], > 0
-    poisson_ratio : float
-        nu [-], -1 < nu < 1/2
-
-    Returns
-    -------
-    tuple of float
-        reduced lambda, mu [Pa]
-
-    Source
-    ------
-    Lame constants with the thickness free of stress, lambda replaced by 2 lambda mu/(lambda + 2 mu).
-    """
-    E, nu = youngs_modulus, poisson_ratio
-    return E * nu / (1 - nu**2), E / (2 * (1 + nu))

@@ -1,7 +1,7 @@
 """Expansion of raceways by rotation or heat, from harmonic 0 of a body of revolution."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass
 from math import isfinite
 
 import ngsolve as ngs
@@ -9,14 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fem.assembly import harmonic_elasticity as forms
-from fem.assembly.factorisation import threads
 from fem.mesh.solid import MILLIMETRES
-from fem.parts.boundary_conditions import LineSupports
 from fem.parts.material import ImpossiblePart, require
-from fem.parts.resolution import Resolution
-from fem.parts.rings import OuterRing, RingOnShaft
 from fem.section.revolved_body import Body, edge_modes
-from fem.section.rigid_body_modes import body_of, held_on_points
 
 ENDS = 1e-9  # of its length, by which a body may reach beyond the places of its expansion
 
@@ -119,54 +114,6 @@ def radial_expansion(body: Body, load: NDArray, edge: str, axial_modes: int = 1)
     """
     u = body.stiffness.solve(0, load[:, None])
     return edge_modes(body, edge, axial_modes).T @ u[:, 0]
-
-
-@dataclass(frozen=True, kw_only=True)
-class AxisymmetricLoad:
-    """Heat and rotation of a part, by the names of its bodies."""
-
-    thermal_strains: Mapping[str, float | Along] = field(default_factory=dict)  # alpha (T - T0) [-]
-    densities: Mapping[str, float] = field(default_factory=dict)  # [kg/m^3], needed if it turns
-    speed: float = 0.0  # [rad/s]
-
-
-def raceway_expansion(
-    part: OuterRing | RingOnShaft, resolution: Resolution, load: AxisymmetricLoad
-) -> NDArray:
-    """Expansion of a raceway by heat and rotation, as it is supported.
-
-    Parameters
-    ----------
-    part : OuterRing, RingOnShaft
-        body of revolution; a planet gear expands freely
-    resolution : Resolution
-        of band and mesh
-    load : AxisymmetricLoad
-        of all bodies of the part; clamps, springs and what they stand on stay as they are
-
-    Returns
-    -------
-    array (M,)
-        w_m [m] outward, mean displacement first
-
-    Raises
-    ------
-    ImpossiblePart
-        on line supports, against which a ring expands into waves
-    NotSolved
-        if the solve fails
-    """
-    if isinstance(part, OuterRing) and isinstance(part.support, LineSupports):
-        raise ImpossiblePart("expansion on line supports is impossible; allowed are supports of revolution")
-    with threads(1):
-        body = body_of(part, resolution.length, resolution.mesh)
-        f = np.zeros(body.stiffness.unknowns)
-        if any(load.thermal_strains.values()):
-            f += heating(body, load.thermal_strains)
-        if load.speed != 0:
-            f += rotation(body, load.densities, load.speed)
-        held = replace(body, stiffness=held_on_points(body, part.free_motions, 0))
-        return radial_expansion(held, f, "raceway", resolution.axial_modes)
 
 
 def _field(body: Body, name: str, expansion: float | Along):

@@ -12,8 +12,8 @@ from pytest import approx
 from fem import ClampedFace, Elastic, ImpossiblePart, MeshSize, OuterRing, PlanetGear
 from fem.joint.fitted_ring import FitGrid, FittedRing, condense_fitted
 from fem.joint.preloaded_fit import Fit, preloaded
-from fem.section.expansion import Along, AxisymmetricLoad
-from tests.fem.condensed import expansion_of
+from fem.section.expansion import Along
+from tests.fem.condensed import AxisymmetricLoad, expansion_of
 from tests.fem.test_parts import SHAFT, STEEL
 
 L, M = 5e-3, 3

@@ -25,13 +25,12 @@ from fem import (
 from fem.assembly.elasticity import elastic_energy
 from fem.assembly.factorisation import NotSolved, factorised, threads
 from fem.mesh.solid import meshed
-from fem.section.expansion import AxisymmetricLoad
 from fem.section.planet_rim import PlanetRim
 from fem.section.revolved_body import edge_modes
 from fem.section.rigid_body_modes import body_of
 from fem.section.ring_on_lines import RingOnLines
 from fem.section.unilateral_points import SupportPoints, bordered_inverse, pushing_points
-from tests.fem.condensed import by_harmonics, expansion_of, with_smeared_bars
+from tests.fem.condensed import AxisymmetricLoad, by_harmonics, expansion_of, with_smeared_bars
 from tests.fem.test_parts import STEEL
 
 L, M = 5e-3, 2
@@ -302,11 +301,6 @@ def test_warm_ring_in_a_stiff_cold_bore_grows_inwards():
     )
     assert found == approx([B * (1 / a - a / b**2)], rel=1e-3)
     assert found < 0
-
-
-def test_growth_against_lines_is_refused():
-    with pytest.raises(ImpossiblePart, match="line supports"):
-        expansion_of(ring(THREE), L, 1, COARSE, AxisymmetricLoad(thermal_strains={"ring": 1e-3}))
 
 
 def solid_response(part, harmonics, mesh, length):
