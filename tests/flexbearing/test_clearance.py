@@ -105,6 +105,27 @@ def test_flexible_parts_give_the_dimensions_of_the_fits(tmp_path):
     assert gap == approx(chain.clearance, rel=1e-9)
 
 
+def test_cold_rings_and_rollers_leave_the_cold_clearance():
+    mounting = clearance._mounting(read(FITS))
+    assert isinstance(mounting.outer, PressFit)
+    raceways = [2 * mounting.outer.inside.inner_radius, 2 * mounting.shaft_fit.outside.outer_radius]
+    gap = raceways[0] - raceways[1] - 4 * mounting.roller.outer_radius
+    assert gap == approx(mounting.cold_clearance, rel=1e-9)
+
+
+def test_housing_without_a_temperature_follows_the_outer_ring():
+    hot = {
+        "operation.temperatures.reference": "20 degC",
+        **{
+            f"operation.temperatures.{part}": "120 degC"
+            for part in ("shaft", "inner_ring", "roller", "outer_ring")
+        },
+    }
+    case = read(PLAIN, hot)
+    assert expansion.hot_over_cold(case, "outer_ring") > 1.0
+    assert expansion.hot_over_cold(case, "housing") == expansion.hot_over_cold(case, "outer_ring")
+
+
 def test_housing_is_part_of_the_fit():
     outer = clearance._mounting(read(FITS)).outer
     assert isinstance(outer, PressFit)

@@ -13,6 +13,7 @@ from pytest import approx
 
 import flexbearing
 from flexbearing.report import summary
+from flexbearing.rings.raceways import CondensedRaceway
 
 ROOT = Path(__file__).parents[2]
 PAPER = ROOT / "configs" / "mao2016.toml"
@@ -96,6 +97,13 @@ def test_method_that_fails_hands_over_to_one_that_can(flexible, tmp_path):
     assert result.flexible["inner_load"] == approx(flexible.flexible["inner_load"], rel=1e-9)
 
 
+def test_method_that_fails_is_the_last_without_a_fallback(tmp_path):
+    settings = [*COARSE, CAGE_ONLY, "coupling.method=relaxed", "coupling.fallback=false"]
+    result = flexbearing.run(PAPER, tmp_path / "out.h5", [*settings, "coupling.max_iterations=1"])
+    assert list(result.attributes["attempts"]) == ["relaxed"]
+    assert result.attributes["status"] == "iteration limit"
+
+
 @pytest.mark.slow
 def test_rings_as_stiff_as_rock_are_rigid_ones(rigid, tmp_path):
     """Loads tend to the rigid ones as 1/E, linearly: ten times stiffer, ten times closer."""
@@ -158,6 +166,21 @@ def test_every_iteration_is_in_the_file(flexible):
 def test_slices_add_up_to_the_roller_loads(flexible):
     width = np.diff(flexible.flexible["slice_position"])[0]
     assert flexible.flexible["inner_slice_load"].sum(1) * width == approx(flexible.flexible["inner_load"])
+
+
+def test_rings_of_the_end_state_are_those_under_its_loads(tmp_path, monkeypatch):
+    """A ring in a fit has another stiffness and another place under other loads."""
+    asked, tangent = [], CondensedRaceway.linearised
+
+    def linearised(self, outward):
+        asked.append(outward)
+        return tangent(self, outward)
+
+    monkeypatch.setattr(CondensedRaceway, "linearised", linearised)
+    settings = ["inner.kind=rigid", "outer.kind=ring", "accuracy.structure=beam", "accuracy.slices=8"]
+    result = flexbearing.run(PAPER, tmp_path / "out.h5", settings)
+    assert asked[-1][:, 0] == approx(result.flexible["outer_load"], rel=1e-12)
+    assert asked[-1][:, 0] != approx(result.rigid["outer_load"], rel=1e-3)
 
 
 def test_limit_of_iterations_is_not_convergence(tmp_path):
