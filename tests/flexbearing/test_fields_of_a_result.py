@@ -11,6 +11,9 @@ from pytest import approx
 from typer.testing import CliRunner
 
 import flexbearing
+from fem.errors import NotSolved
+from flexbearing import read
+from flexbearing.build.expansion import roller_length
 from flexbearing.case import BadCase
 from flexbearing.cli import app
 from flexbearing.report import summary, text
@@ -76,6 +79,26 @@ def test_forces_of_a_state_are_those_of_its_rollers(result, outer):
     assert outer.fields.forces[:, 0] == approx(values["outer_load"], rel=1e-9, abs=1e-9)
     inwards = fields.forces(values["inner_slice_load"], "inner", 5e-3, 2)
     assert inwards[:, 0] == approx(-values["inner_load"], rel=0.01)
+
+
+def test_each_ring_is_loaded_by_its_own_contacts(monkeypatch):
+    loaded = []
+
+    class Solid:
+        def under(self, forces):
+            loaded.append(forces)
+            raise NotSolved("nothing is solved here")
+
+    monkeypatch.setattr("fem.solid.factored_solid.factored", lambda *_: Solid())
+    case = read(PAPER, [item for item in COARSE if "inner.kind" not in item])
+    line_loads = {"inner_slice_load": np.full((30, 8), 1e3), "outer_slice_load": np.full((30, 8), 2e3)}
+    for race in ("inner", "outer"):
+        with pytest.raises(fields.NoFields, match="nothing is solved"):
+            fields.fields(case, race, "flexible", line_loads)
+    length = roller_length(case)
+    inner, outer = loaded
+    assert inner[:, 0] == approx(-1e3 * length, rel=1e-12)
+    assert outer[:, 0] == approx(2e3 * length, rel=1e-12)
 
 
 def test_every_iteration_can_be_asked_for(result):

@@ -11,8 +11,14 @@ from flexbearing import check, read
 from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase
 from flexbearing.runs import life
-from quasidynamic.outcome.capacity import raceway_capacity, roller_capacity
-from quasidynamic.outcome.life import RollerBody, edge_stress_factor, slice_life
+from quasidynamic.outcome.capacity import dynamic_rating, raceway_capacity, roller_capacity
+from quasidynamic.outcome.life import (
+    RollerBody,
+    edge_stress_factor,
+    reference_life,
+    reference_load,
+    slice_life,
+)
 from quasidynamic.outcome.life_factors import film_factor, material_factor, reliability_factor
 
 CONFIGS = Path(__file__).parents[2] / "configs"
@@ -103,6 +109,21 @@ def test_factor_of_iso_281_by_hand(state):
     assert float(words["e_C C_u/P"]) == approx(left * limit / load, rel=2e-3)
     value = 0.1 * (1 - (1.5859 - 1.2348 / kappa**0.071739) * (left * limit / load) ** 0.4) ** -9.185
     assert factor["value"] == approx(value, rel=5e-3)
+
+
+def test_equivalent_load_counts_each_race_with_its_own_capacity():
+    """Fast rollers load the outer race more, by their inertia."""
+    case = read(PLAIN, {"operation.inner_speed": "15000 rpm", **CLEAN})
+    state = roller_bearing.bearing(case).solve()
+    bearing, (inner, outer) = state.balance.roller.bearing, loads(state)
+    rating = dynamic_rating(bearing)
+    load, swapped = (
+        f"equivalent load {reference_load(reference_life(*pair, bearing, (True, False)), rating):.4g} N"
+        for pair in ((inner, outer), (outer, inner))
+    )
+    assert load != swapped
+    (factor,) = life.modified(case, state).record()["factors"]
+    assert load in factor["note"]
 
 
 def test_all_factors_together_make_the_modified_life(state):

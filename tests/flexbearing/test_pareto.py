@@ -20,7 +20,7 @@ from flexbearing.case import BadCase
 from flexbearing.coupling import PartnerFailed
 from flexbearing.progress import Logged
 from flexbearing.report.studies.pareto_figure import draw_pareto
-from flexbearing.report.studies.pareto_table import Measured, Study, cheapest, front, text
+from flexbearing.report.studies.pareto_table import Measured, Study, cheapest, front, text, write_table
 from flexbearing.rings import condensed
 from flexbearing.studies import pareto, pareto_levels
 from flexbearing.studies.pareto_levels import Level, ladder, left_out, richest
@@ -80,6 +80,30 @@ def test_failed_level_is_told_and_drawn_nowhere():
     assert "- smeared: there are no bars" in words
     assert "| 0.1 % in all | slow, 5 s | slow, 0.2 s |" in words
     assert "without an answer: broken" in draw_pareto(STUDY).get_suptitle()
+
+
+def test_table_holds_times_and_errors_under_their_names(tmp_path):
+    write_table(tmp_path / "study.csv", STUDY)
+    with (tmp_path / "study.csv").open(encoding="utf-8") as file:
+        rows = {row["level"]: row for row in csv.DictReader(file)}
+    for level in STUDY.solved:
+        row = rows[level.name]
+        assert {name: float(row[f"{name}_s"]) for name in ("cold", "cached")} == level.times
+        assert {name: float(row[f"error_{name}"]) for name in level.errors} == level.errors
+
+
+def test_stars_stand_on_the_cheapest_level_for_the_output_of_their_panel():
+    stars = {}
+    for axes, output in zip(draw_pareto(STUDY).axes, ("load", "slip", "life", "stiffness"), strict=True):
+        lines = [line for line in axes.lines if line.get_marker() == "*"]
+        stars[output] = {(float(x), float(y)) for line in lines for x, y in line.get_xydata()}
+    quick, middle, slow = STUDY.solved
+    assert stars["load"] == {
+        (0.1, quick.errors["load"]),  # cold and cached, within 10 %
+        (1.0, middle.errors["load"]), (0.2, slow.errors["load"]),  # 1 %
+        (5.0, slow.errors["load"]),  # 0.1 %
+    }  # fmt: skip
+    assert {time for time, _ in stars["life"]} == {0.1, 5.0, 0.2}  # the middle one has a wrong life
 
 
 @pytest.mark.parametrize("name", ["mao2016", "step_ring"])

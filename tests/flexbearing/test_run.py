@@ -12,6 +12,7 @@ import pytest
 from pytest import approx
 
 import flexbearing
+from flexbearing.progress import Logged
 from flexbearing.report import summary
 from flexbearing.rings.raceways import CondensedRaceway
 
@@ -183,10 +184,45 @@ def test_rings_of_the_end_state_are_those_under_its_loads(tmp_path, monkeypatch)
     assert asked[-1][:, 0] != approx(result.rigid["outer_load"], rel=1e-3)
 
 
+def test_film_ratio_of_each_raceway_is_over_its_own_roughness(tmp_path):
+    rough = {"roller": "0.1 um", "inner_raceway": "0.05 um", "outer_raceway": "0.4 um"}
+    settings = {f"bearing.roughness.{surface}": value for surface, value in rough.items()}
+    result = flexbearing.run(PAPER.with_name("nu209.toml"), tmp_path / "out.h5", settings)
+    for race, raceway in (("inner", 0.05e-6), ("outer", 0.4e-6)):
+        ratio = result.rigid[f"{race}_film"] / np.hypot(0.1e-6, raceway)
+        assert result.rigid[f"{race}_film_ratio"] == approx(ratio, rel=1e-12)
+    assert result.attributes["regimes"]["rigid"] == {"inner": "mixed", "outer": "boundary"}
+
+
 def test_limit_of_iterations_is_not_convergence(tmp_path):
     result = flexbearing.run(PAPER, tmp_path / "out.h5", [*COARSE, CAGE_ONLY, "coupling.max_iterations=2"])
     assert result.attributes["status"] == "iteration limit"
     assert "2 iterations" in result.attributes["message"]
+
+
+def test_only_a_solution_has_a_modified_life_and_a_regime(tmp_path):
+    settings = ["inner.kind=rigid", "outer.kind=ring", "accuracy.structure=beam", "accuracy.slices=8",
+                "life.reliability=0.95", "coupling.max_iterations=1", "coupling.fallback=false"]  # fmt: skip
+    settings += [f"bearing.roughness.{name}=0.1 um" for name in ("roller", "inner_raceway", "outer_raceway")]
+    result = flexbearing.run(PAPER, tmp_path / "out.h5", settings)
+    assert result.attributes["status"] == "iteration limit"
+    assert set(result.attributes["life"]) == set(result.attributes["regimes"]) == {"rigid"}
+    assert "modified_life" in result.rigid
+    assert "modified_life" not in result.flexible
+
+
+def test_stage_is_logged_once_however_often_it_advances(caplog):
+    report = Logged()
+    with caplog.at_level(logging.INFO, logger="flexbearing"):
+        for text, fraction in (
+            ("mesh", None),
+            ("mesh", 0.5),
+            ("factor", 0.1),
+            ("factor", 1.0),
+            ("mesh", None),
+        ):
+            report.stage(text, fraction)
+    assert [record.getMessage() for record in caplog.records] == ["mesh", "factor", "mesh"]
 
 
 def test_progress_is_logged_with_units(tmp_path, caplog):

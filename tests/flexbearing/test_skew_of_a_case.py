@@ -68,6 +68,18 @@ def test_aligned_rollers_do_not_skew():
     assert skew.notes(found, roller_bearing.bearing(case).solve(), [1e-7, 1e-7]) == ()
 
 
+@pytest.mark.parametrize("ring", ["inner", "outer"])
+def test_flanges_turn_with_their_own_ring_past_the_cage(ring, monkeypatch):
+    monkeypatch.setattr(skew, "skewed", lambda running, *_: running)
+    speeds = {"operation.inner_speed": "3000 rpm", "operation.outer_speed": "-1000 rpm"}
+    case = read(PLAIN, FLANGE | TILTED | speeds | {"bearing.flange.ring": ring})
+    state = roller_bearing.bearing(case).solve()
+    turns = {"inner": 100 * np.pi, "outer": -100 / 3 * np.pi}
+    running = skew.at(case, state)
+    assert running.ring_speed == approx(turns[ring] - state.cage_speed, rel=1e-12)
+    assert running.spin == approx(state.roller_speed, rel=1e-12)  # told in the frame of the cage, too
+
+
 def test_case_without_flanges_has_no_skew(tmp_path):
     result = flexbearing.run(PLAIN, tmp_path / "plain.h5")
     assert "roller_skew" not in result.rigid

@@ -3,6 +3,7 @@
 import csv
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -60,6 +61,13 @@ def test_trace_writes_a_table_and_a_picture(command, tmp_path):
     assert all((row["growth_rate_1_per_s"] < 0) == row["stable"] for row in table)
     assert (tmp_path / "there" / "s.png").read_bytes().startswith(b"\x89PNG")
     assert sorted(path.name for path in (tmp_path / "there").iterdir()) == ["s.csv", "s.png"]
+
+
+@pytest.mark.parametrize(("complete", "code"), [(True, 0), (False, 1)])
+def test_branch_that_stops_before_the_end_of_the_range_ends_with_one(complete, code, command, monkeypatch):
+    traced = SimpleNamespace(complete=complete, table="s.csv", picture="s.png", text=lambda: "the branch")
+    monkeypatch.setattr("flexbearing.studies.trace.trace", lambda *_: traced)
+    assert command(LOAD) == (code, "the branch\ntable: s.csv\npicture: s.png\n", "")
 
 
 def test_speed_is_written_in_the_unit_people_use(command, tmp_path):
