@@ -133,6 +133,9 @@ def test_torque_is_proportional_to_friction_and_power_to_speed(run):
     assert more["torque"] == approx(base["torque"] / 2, rel=1e-9)
     assert more["power_loss"] == approx(base["power_loss"] * 1.5, rel=1e-9)
     assert more["slip_along"] == approx(base["slip_along"] * 3, rel=1e-6)
+    across = base["slip_across"]
+    assert more["slip_across"] == approx(across * 3, rel=1e-6, abs=1e-9 * np.abs(across).max())
+    assert np.abs(across).max() > 0.0
     assert more["shear_along"] == approx(base["shear_along"] / 2, rel=1e-6, abs=1.0)
 
 
