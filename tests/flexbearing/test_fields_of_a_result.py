@@ -3,6 +3,7 @@
 import json
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import ngsolve as ngs
 import numpy as np
@@ -56,6 +57,36 @@ def test_largest_stresses_are_stored_and_shown(result, outer):
     computed = outer.record()
     assert computed["bodies"]["bars"] == approx(bars, rel=1e-6)
     assert computed["nominal_bar_stress_MPa"] == approx(stored["outer"]["nominal_bar_stress_MPa"], rel=1e-6)
+
+
+def test_record_holds_every_number_under_its_name_in_its_unit():
+    most = SimpleNamespace(
+        von_mises=5e6,
+        tension=4e6,
+        compression=3e6,
+        displacement=2e-6,
+        x=1e-3,
+        radius=40e-3,
+        azimuth=np.pi / 2,
+    )
+    part = fields.PartFields(
+        race="outer",
+        state="flexible",
+        fields=SimpleNamespace(largest=lambda: {"ring": most}),  # pyright: ignore[reportArgumentType]
+        support=SimpleNamespace(radial=1e8, tilting=2e3, axial=3e7),  # pyright: ignore[reportArgumentType]
+        bars=None,
+    )
+    assert part.record() == {
+        "bodies": {
+            "ring": {
+                "von_mises_MPa": approx(5.0), "tension_MPa": approx(4.0), "compression_MPa": approx(3.0),
+                "displacement_um": approx(2.0), "x_mm": approx(1.0), "radius_mm": approx(40.0),
+                "azimuth_deg": approx(90.0),
+            }
+        },
+        "nominal_bar_stress_MPa": None,
+        "support": {"radial_N_per_m": 1e8, "tilting_Nm_per_rad": 2e3, "axial_N_per_m": 3e7},
+    }  # fmt: skip
 
 
 def test_solid_moves_as_the_condensed_ring_did(result, outer):

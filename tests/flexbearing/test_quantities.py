@@ -12,7 +12,7 @@ import flexbearing
 from flexbearing.families import FAMILIES
 from flexbearing.quantities import Quantity
 from flexbearing.quantities.quantity import taken
-from flexbearing.quantities.roller import CAGE_SLIP, LAYOUT
+from flexbearing.quantities.roller import CAGE_SLIP, LAYOUT, LOSSES
 
 PACKAGE = Path(flexbearing.__file__).parent
 EVERY_FAMILY = pytest.mark.parametrize(
@@ -48,6 +48,13 @@ def test_inner_comes_first_and_outer_second_in_every_pair():
     for inner, outer in pairs:
         assert inner.endswith(".0")
         assert outer == inner.removesuffix("0") + "1"
+
+
+def test_each_loss_is_that_of_its_cause():
+    watts = {cause: float(number) for number, cause in enumerate(LOSSES)}
+    losses = [entry for entry in LAYOUT.quantities if entry.name.startswith("loss_")]
+    values = taken(losses, {"losses": SimpleNamespace(**watts)})
+    assert values == {f"loss_{cause}": number for cause, number in watts.items()}
 
 
 def test_units_for_people_are_those_of_the_keys():

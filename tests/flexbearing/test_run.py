@@ -4,6 +4,7 @@ import json
 import logging
 import subprocess
 import sys
+from itertools import count
 from pathlib import Path
 
 import h5py
@@ -182,6 +183,14 @@ def test_rings_of_the_end_state_are_those_under_its_loads(tmp_path, monkeypatch)
     result = flexbearing.run(PAPER, tmp_path / "out.h5", settings)
     assert asked[-1][:, 0] == approx(result.flexible["outer_load"], rel=1e-12)
     assert asked[-1][:, 0] != approx(result.rigid["outer_load"], rel=1e-3)
+
+
+def test_time_of_an_iteration_is_its_own(tmp_path, monkeypatch):
+    monkeypatch.setattr("flexbearing.coupled.coupled.perf_counter", count().__next__)
+    settings = ["inner.kind=rigid", "outer.kind=ring", "accuracy.structure=beam", "accuracy.slices=8"]
+    result = flexbearing.run(PAPER, tmp_path / "out.h5", settings)
+    assert len(result.iterations) > 2
+    assert (result.history("seconds") == 1.0).all()  # the clock is looked at twice in each
 
 
 def test_film_ratio_of_each_raceway_is_over_its_own_roughness(tmp_path):
