@@ -17,14 +17,6 @@ _COULOMB = "with control coulomb"
 _ORDER = "x, y, z, about y, about z"
 
 
-def _balls(load: np.ndarray) -> int:
-    return load.shape[1]
-
-
-def _balls_on_both_races(load: np.ndarray) -> int:
-    return int((load > 0).all(0).sum())
-
-
 def _range_of_races(values: np.ndarray) -> np.ndarray:
     return np.array([finite_range(race) for race in values])
 
@@ -33,25 +25,14 @@ def _largest_of_races(values: np.ndarray) -> np.ndarray:
     return values.max(1)
 
 
-def _one_line(count: np.ndarray) -> np.ndarray:
-    return (count == 1).sum(1)
-
-
-def _two_lines(count: np.ndarray) -> np.ndarray:
-    return (count == 2).sum(1)
-
-
-def _largest_slip_of_races(slip: np.ndarray) -> np.ndarray:
-    return np.nanmax(np.abs(slip), axis=(1, 2))
-
-
 # declarations read best as a table:
 # fmt: off
 QUANTITIES = (
     # contacts
     Quantity("contact_load", "Q", "2 Z", "N", "block", "normal load, >= 0", source="state.loads", summary=(
-        SummaryValue("balls", _balls, "balls", "d", unit=COUNT),
-        SummaryValue("balls_on_both_races", _balls_on_both_races, "balls on both races", "d", unit=COUNT),
+        SummaryValue("balls", lambda load: load.shape[1], "balls", "d", unit=COUNT),
+        SummaryValue("balls_on_both_races", lambda load: int((load > 0).all(0).sum()),
+            "balls on both races", "d", unit=COUNT),
         SummaryValue("contact_load_range_N", _range_of_races, "contact load", ",.1f", parts=RACES),
         SummaryValue("contact_loads_N", parts=RACES),
     )),
@@ -149,8 +130,10 @@ QUANTITIES = (
         )),
     Quantity("line_count", "", "2 Z", "1", "block", f"lines inside the contact, 1 or 2; {_APART}",
         source="lines.line_count", optional=True, gaps=True, summary=(
-            SummaryValue("balls_with_one_line", _one_line, "balls with one line", "d", parts=RACES),
-            SummaryValue("balls_with_two_lines", _two_lines, "balls with two lines", "d", parts=RACES),
+            SummaryValue("balls_with_one_line", lambda count: (count == 1).sum(1), "balls with one line",
+                "d", parts=RACES),
+            SummaryValue("balls_with_two_lines", lambda count: (count == 2).sum(1), "balls with two lines",
+                "d", parts=RACES),
             SummaryValue("line_counts", parts=RACES),
         )),
     Quantity("spin_torque", "M_s", "2 Z", "N m", "block",
@@ -173,7 +156,7 @@ QUANTITIES = (
     Quantity("slip_profile", "v_t", "2 Z P", "m/s", "block",
         f"slip in the rolling direction, ball minus race, across the middle of the contact; {_APART}",
         source="lines.slip_profile", people=Unit("mm/s", 1e3), optional=True, gaps=True,
-        summary=(SummaryValue("largest_slip_mm_per_s", _largest_slip_of_races,
+        summary=(SummaryValue("largest_slip_mm_per_s", lambda slip: np.nanmax(np.abs(slip), axis=(1, 2)),
             "largest slip across the middle", ",.1f", parts=RACES),)),
 )
 # fmt: on

@@ -26,28 +26,8 @@ _GIVEN = "absent when contact loads are given"
 _ORDER = "x, y, z, about y, about z"
 
 
-def _loaded_balls(load: np.ndarray) -> int:
-    return int((load > LOADED).any((1, 2)).sum())
-
-
-def _loaded_contacts(load: np.ndarray) -> int:
-    return int((load > LOADED).sum())
-
-
-def _range_of_loaded(angle: np.ndarray, load: np.ndarray) -> np.ndarray:
-    return finite_range(angle[load > LOADED])
-
-
-def _largest_of_diagonals(values: np.ndarray) -> np.ndarray:
-    return values.max((0, 2))
-
-
 def _largest_of_races(values: np.ndarray) -> np.ndarray:
     return values.max((0, 1))
-
-
-def _largest_distance(deflection: np.ndarray) -> np.ndarray:
-    return np.hypot(*deflection.T).max()
 
 
 def _torques(spin: np.ndarray, roll: np.ndarray, hysteresis: np.ndarray) -> np.ndarray:
@@ -55,21 +35,9 @@ def _torques(spin: np.ndarray, roll: np.ndarray, hysteresis: np.ndarray) -> np.n
     return np.array([spin[:, 0], roll[:, 0], hysteresis, spin[:, 0] + roll[:, 0] + hysteresis])
 
 
-def _sum_of_balls(*torques: np.ndarray) -> np.ndarray:
-    return _torques(*torques).sum(1)
-
-
-def _mean_of_balls(*torques: np.ndarray) -> np.ndarray:
-    return _torques(*torques).mean(1)
-
-
 def _ball_of_largest_torque(*torques: np.ndarray) -> np.ndarray:
     parts = _torques(*torques)
     return parts[:, parts[-1].argmax()]
-
-
-def _circumferential(torque: np.ndarray, hysteresis: np.ndarray) -> np.ndarray:
-    return torque[:, 0].sum() + hysteresis.sum()
 
 
 _OF_PARTS = ("spin_torque", "roll_torque", "hysteresis_torque")
@@ -80,10 +48,12 @@ QUANTITIES = (
     # loads
     Quantity("contact_load", "Q", "Z G 2", "N", "block", "normal load, >= 0", source="balls.load", summary=(
         SummaryValue("balls", len, "balls", "d", unit=COUNT),
-        SummaryValue("loaded_balls", _loaded_balls, "balls that carry load", "d", unit=COUNT),
-        SummaryValue("loaded_contacts", _loaded_contacts, "contacts that carry load", "d", unit=COUNT),
+        SummaryValue("loaded_balls", lambda load: int((load > LOADED).any((1, 2)).sum()),
+            "balls that carry load", "d", unit=COUNT),
+        SummaryValue("loaded_contacts", lambda load: int((load > LOADED).sum()),
+            "contacts that carry load", "d", unit=COUNT),
         SummaryValue("max_contact_load_N", largest, "largest contact load", ",.1f"),
-        SummaryValue("max_contact_loads_N", _largest_of_diagonals),
+        SummaryValue("max_contact_loads_N", lambda load: load.max((0, 2))),
         SummaryValue("contact_loads_N", at_inner_race),
     )),
     Quantity("ball_azimuth", "phi", "Z", "rad", "block",
@@ -91,8 +61,8 @@ QUANTITIES = (
         summary=(SummaryValue("ball_azimuths_deg"),)),
     Quantity("contact_angle", "alpha", "Z G 2", "rad", "block", "contact angle from the radial plane",
         source="balls.contacts.angle", people=DEG, summary=(
-            SummaryValue("contact_angle_range_deg", _range_of_loaded, "contact angle", ".2f",
-                of=("contact_angle", "contact_load")),
+            SummaryValue("contact_angle_range_deg", lambda angle, load: finite_range(angle[load > LOADED]),
+                "contact angle", ".2f", of=("contact_angle", "contact_load")),
             SummaryValue("contact_angles_deg", at_inner_race),
         )),
     Quantity("peak_pressure", "p", "Z G 2", "Pa", "block", "largest pressure, 0 without load",
@@ -138,8 +108,10 @@ QUANTITIES = (
     Quantity("spin_torque", "", "Z 2", "N m", "block",
         "torque on the ring by the moments about the contact normals, (inner, outer)",
         source="balls.torques.spin", summary=(
-            SummaryValue("torque_parts_Nm", _sum_of_balls, of=_OF_PARTS, parts=TORQUE_PARTS),
-            SummaryValue("mean_ball_torque_parts_Nm", _mean_of_balls, of=_OF_PARTS, parts=TORQUE_PARTS),
+            SummaryValue("torque_parts_Nm", lambda *torques: _torques(*torques).sum(1),
+                of=_OF_PARTS, parts=TORQUE_PARTS),
+            SummaryValue("mean_ball_torque_parts_Nm", lambda *torques: _torques(*torques).mean(1),
+                of=_OF_PARTS, parts=TORQUE_PARTS),
             SummaryValue("largest_ball_torque_parts_Nm", _ball_of_largest_torque, of=_OF_PARTS,
                 parts=TORQUE_PARTS),
         )),
@@ -149,7 +121,8 @@ QUANTITIES = (
     Quantity("circumferential_torque", "", "Z 2", "N m", "block",
         "torque on the ring by the tractions along the rolling direction alone, (inner, outer)",
         source="balls.torques.circumferential",
-        summary=(SummaryValue("circumferential_torque_Nm", _circumferential,
+        summary=(SummaryValue("circumferential_torque_Nm",
+            lambda torque, hysteresis: torque[:, 0].sum() + hysteresis.sum(),
             of=("circumferential_torque", "hysteresis_torque")),)),
     Quantity("hysteresis_torque", "", "Z", "N m", "block",
         "torque of elastic hysteresis, the same on both rings, >= 0", source="balls.hysteresis"),
@@ -174,8 +147,8 @@ QUANTITIES = (
         "elastic deflection: by how much both rings let opposite groove centres come closer, (outward, along "
         "x), the indentation of the contacts left out; absent between rigid rings",
         source="solution.ring_deflection", people=UM, optional=True,
-        summary=(SummaryValue("largest_ring_yield_um", _largest_distance, "largest deflection of the rings",
-            ".2f", section="compared"),)),
+        summary=(SummaryValue("largest_ring_yield_um", lambda approach: np.hypot(*approach.T).max(),
+            "largest deflection of the rings", ".2f", section="compared"),)),
     Quantity("stiffness_matrix", "K", "5 5", "N/m, N/rad, N m/m, N m/rad", "block",
         f"tangent stiffness of the rings without friction ({_ORDER}); {_GIVEN}", source="ring.stiffness",
         optional=True, summary=(SummaryValue("stiffness_matrix_SI"),)),

@@ -51,16 +51,17 @@ def clearance_steps(clearance: dict[str, Any]) -> Iterator[RenderableType]:
     yield Text("operating clearance, diametral, step by step", style="bold")
     table = right_aligned("", "change [um]", "after [um]")
     table.add_column("")
-    table.add_row("cold", "", _micrometres(clearance["cold_m"]), "before mounting")
+    table.add_row("cold", "", f"{clearance['cold_m'] * 1e6:.3f}", "before mounting")
     for step in clearance["steps"]:
         table.add_row(
             Text(step["name"]),
             f"{step['change_m'] * 1e6:+.3f}",
-            _micrometres(step["clearance_m"]),
+            f"{step['clearance_m'] * 1e6:.3f}",
             Text(step["explanation"]),
         )
     yield table
-    yield from listed("in operation", [clearance["verdict"], *_fits(clearance)])
+    fits = [f"{seat}: {clearance[f'{seat}_fit']}" for seat in ("shaft", "housing")]
+    yield from listed("in operation", [clearance["verdict"], *fits])
 
 
 def life_factors(lives: dict[str, Any]) -> Iterator[RenderableType]:
@@ -173,17 +174,9 @@ def right_aligned(*columns: str) -> Table:
     return table
 
 
-def _fits(clearance: dict[str, Any]) -> list[str]:
-    return [f"shaft: {clearance['shaft_fit']}", f"housing: {clearance['housing_fit']}"]
-
-
 def _notes(lives: dict[str, Any], place: int) -> str:
     """What is said of a factor; once when every block says the same."""
     notes = {name: life["factors"][place]["note"] for name, life in lives.items()}
     if len(set(notes.values())) == 1:
         return next(iter(notes.values()))
     return "\n".join(f"{name}: {note}" for name, note in notes.items())
-
-
-def _micrometres(metres: float) -> str:
-    return f"{metres * 1e6:.3f}"

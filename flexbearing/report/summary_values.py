@@ -39,7 +39,10 @@ def block(values: Arrays, layout: Layout) -> dict[str, Any]:
     for entry in layout.summary:
         group, _, key = entry.key.rpartition(".")
         (numbers.setdefault(group, {}) if group else numbers)[key] = plain(number(entry, values))
-    return {key: None if _is_empty(value) else value for key, value in numbers.items()}
+    for key, value in numbers.items():
+        if isinstance(value, dict) and all(item is None for item in value.values()):
+            numbers[key] = None
+    return numbers
 
 
 def number(entry: SummaryValue, values: Arrays) -> Any:
@@ -64,7 +67,3 @@ def plain(value: Any) -> Any:
     if isinstance(value, float) and not np.isfinite(value):
         return None
     return value
-
-
-def _is_empty(value: Any) -> bool:
-    return isinstance(value, dict) and all(item is None for item in value.values())

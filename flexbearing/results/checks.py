@@ -36,12 +36,9 @@ def require_same_names(names: Mapping[str, object], known: Mapping[str, object],
             near = get_close_matches(name, known, n=1)
             hint = f" Did you mean {near[0]!r}?" if near else ""
             raise NotInLayout(f"{where}: {name!r} is not in the layout of a result file.{hint}")
-    if missing := [name for name, entry in known.items() if name not in names and _needed(entry)]:
+    required = [name for name, entry in known.items() if not getattr(entry, "optional", False)]
+    if missing := [name for name in required if name not in names]:
         raise NotInLayout(f"{where}: {', '.join(missing)} missing; the layout asks for every name.")
-
-
-def _needed(entry: object) -> bool:
-    return not getattr(entry, "optional", False)
 
 
 def fitted(entry: Quantity, array: np.ndarray, sizes: Sizes, where: str) -> Sizes:
@@ -49,7 +46,7 @@ def fitted(entry: Quantity, array: np.ndarray, sizes: Sizes, where: str) -> Size
 
     Parameters
     ----------
-    entry : Dataset
+    entry : Quantity
         what the layout asks for
     array : array
         what is to be written, or was read
@@ -85,7 +82,7 @@ def require_finite(entry: Quantity, array: np.ndarray, where: str) -> None:
 
     Parameters
     ----------
-    entry : Dataset
+    entry : Quantity
         what the array is
     array : array
         its numbers

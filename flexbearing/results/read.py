@@ -12,7 +12,7 @@ import numpy as np
 
 from flexbearing.case.family import Families, Family
 from flexbearing.quantities import Quantity
-from flexbearing.quantities.attributes import FORMAT, OLDER, Attribute
+from flexbearing.quantities.attributes import FORMAT, OLDER
 from flexbearing.quantities.layout import Layout
 from flexbearing.results.attributes import decoded
 from flexbearing.results.checks import Sizes, fitted, require_same_names
@@ -92,7 +92,7 @@ def read(path: str | Path, families: Families) -> Result:
     try:
         with h5py.File(path, "r") as file:
             _require_format(file, path)
-            return _result(file, path, _family(file, path, families))
+            return _result(file, path, families)
     except OSError as reason:
         raise BadResult(f"{path}: not an HDF5 file, or damaged ({reason}). Run the case again.") from reason
     except BadResult:
@@ -129,22 +129,21 @@ def _require_format(file: h5py.File, path: Path) -> None:
         )
 
 
-def _result(file: h5py.File, path: Path, family: Family) -> Result:
-    layout: Layout = family.layout()
+def _result(file: h5py.File, path: Path, families: Families) -> Result:
+    kind = str(file.attrs.get("kind"))
+    if kind not in families:
+        raise BadResult(f"{path}: kind {kind!r} is none of {', '.join(families)}. Run the case again.")
+    layout: Layout = families[kind].layout()
     sizes: Sizes = {}
     blocks: dict[str, Arrays] = {"rigid": _NOTHING, "flexible": _NOTHING}
     for name in layout.blocks + layout.further_blocks:
         blocks[name], sizes = _arrays(file.get(name), layout.datasets("block"), sizes, name)
     iterations = _iterations(file, layout.datasets("iteration"), sizes)
-    attributes = _attributes(file, layout.attributes)
-    return Result(path=path, attributes=attributes, iterations=iterations, family=family, **blocks)
-
-
-def _family(file: h5py.File, path: Path, families: Families) -> Family:
-    kind = str(file.attrs.get("kind"))
-    if kind not in families:
-        raise BadResult(f"{path}: kind {kind!r} is none of {', '.join(families)}. Run the case again.")
-    return families[kind]
+    require_same_names(dict(file.attrs), layout.attributes, "root attributes")
+    attributes = MappingProxyType(
+        {name: decoded(layout.attributes[name].kind, stored) for name, stored in file.attrs.items()}
+    )
+    return Result(path=path, attributes=attributes, iterations=iterations, family=families[kind], **blocks)
 
 
 def _iterations(file: h5py.File, known: Mapping[str, Quantity], sizes: Sizes) -> tuple[Arrays, ...]:
@@ -158,17 +157,10 @@ def _iterations(file: h5py.File, known: Mapping[str, Quantity], sizes: Sizes) ->
     )
 
 
-def _attributes(file: h5py.File, known: Mapping[str, Attribute]) -> Mapping[str, Any]:
-    require_same_names(dict(file.attrs), known, "root attributes")
-    values = {name: decoded(known[name].kind, stored) for name, stored in file.attrs.items()}
-    return MappingProxyType(values)
-
-
 def _arrays(group: Any, known: Mapping[str, Quantity], sizes: Sizes, where: str) -> tuple[Arrays, Sizes]:
     if group is None:
         return _NOTHING, sizes
-    arrays = {}
-    stored = dict(group)
+    arrays, stored = {}, dict(group)
     require_same_names(stored, known, where)
     for name, entry in known.items():
         if name not in stored:  # it is optional

@@ -1,9 +1,6 @@
 """A ball bearing, from case to result file."""
 
-from collections.abc import Mapping
 from typing import Any
-
-from numpy.typing import ArrayLike
 
 from fem.errors import NotSolved as RingNotSolved
 from flexbearing.case import BadCase, Head
@@ -33,22 +30,22 @@ def solve_four_point(case: FourPointCase, file: ResultFile, report: Report) -> d
     """
     try:
         report.stage("slow balls between rigid rings", None)
-        found = four_point.solved(case)
-        file.block("rigid", four_point.block(found))
+        solution = four_point.solved(case)
+        file.block("rigid", four_point.block(solution))
         if not case.rings.rigid:
             compliance = bolted.compliance(case, report)
             report.stage("slow balls between elastic rings", None)
-            found = four_point.solved(case, compliance)
-            file.block("flexible", four_point.block(found))
+            solution = four_point.solved(case, compliance)
+            file.block("flexible", four_point.block(solution))
     except (NotSolved, RingNotSolved) as failure:
         return _not_solved(failure)
     except (ImpossiblePart, OutOfRange) as problem:
         raise BadCase(f"{case.source.path}: {problem}") from problem
-    worst = found.balls.sliding.imbalance.max()
+    worst = solution.balls.sliding.imbalance.max()
     message = f"friction of every ball in balance to {worst:.1e} of its power"
-    if found.distribution is not None:
-        message += f", the ring to {found.distribution.imbalance:.1e} of the largest force"
-    return _converged(message, four_point.notes(case, found))
+    if solution.distribution is not None:
+        message += f", the ring to {solution.distribution.imbalance:.1e} of the largest force"
+    return _converged(message, four_point.notes(case, solution))
 
 
 def solve_angular(case: AngularCase, file: ResultFile, report: Report) -> dict[str, object]:
@@ -61,20 +58,14 @@ def solve_angular(case: AngularCase, file: ResultFile, report: Report) -> dict[s
     """
     report.stage("fast balls between rigid rings", None)
     try:
-        found = angular_contact.solved(case)
+        solution = angular_contact.solved(case)
     except NotSolved as failure:
         return _not_solved(failure)
     except (ImpossiblePart, OutOfRange) as problem:
         raise BadCase(f"{case.source.path}: {problem}") from problem
-    message = f"ring and balls in balance after {found.state.evaluations} evaluations of all balls"
-    return _stored(file, angular_contact.block(case, found), message, angular_contact.notes(case, found))
-
-
-def _stored(
-    file: ResultFile, arrays: Mapping[str, ArrayLike], message: str, notes: tuple[str, ...]
-) -> dict[str, Any]:
-    file.block("rigid", arrays)
-    return _converged(message, notes)
+    message = f"ring and balls in balance after {solution.state.evaluations} evaluations of all balls"
+    file.block("rigid", angular_contact.block(case, solution))
+    return _converged(message, angular_contact.notes(case, solution))
 
 
 def _converged(message: str, notes: tuple[str, ...]) -> dict[str, Any]:

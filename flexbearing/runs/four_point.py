@@ -124,13 +124,13 @@ def solved(case: FourPointCase, compliance: NDArray | None = None) -> Solution:
 
 def block(solution: Solution) -> dict[str, NDArray]:
     """Quantities of the solution."""
-    solved = {
+    parts = {
         "solution": solution,
         "balls": solution.balls,
         "ring": solution.distribution,
         "fields": _fields(solution.case, solution.balls),
     }
-    return taken(LAYOUT.quantities, solved)
+    return taken(LAYOUT.quantities, parts)
 
 
 def _fields(case: FourPointCase, balls: qd.SlidingBalls) -> dict[str, NDArray]:
@@ -160,7 +160,11 @@ def notes(case: FourPointCase, solution: Solution) -> tuple[str, ...]:
     if idle:
         lines += (f"{idle} of {len(balls.load)} balls are not pressed on both rings: they make no torque",)
     if case.friction.torque == "circumferential":
-        lines += (_apart(balls.torques.circumferential.sum(0), balls.torques.total.sum(0)),)
+        share = 100 * (balls.torques.circumferential.sum(0) / balls.torques.total.sum(0) - 1)
+        lines += (
+            "torque: the circumferential formula leaves out the moment of lateral slip: "
+            f"{share[0]:+.2f} % at the inner and {share[1]:+.2f} % at the outer ring against the exact one",
+        )
     return lines
 
 
@@ -180,11 +184,3 @@ def _on_shoulders(case: FourPointCase, balls: qd.SlidingBalls) -> tuple[str, ...
                 f"{np.degrees(ring.groove_end):.1f} deg; they are computed as if the arches went on",
             )
     return lines
-
-
-def _apart(circumferential: NDArray, exact: NDArray) -> str:
-    share = 100 * (circumferential / exact - 1)
-    return (
-        "torque: the circumferential formula leaves out the moment of lateral slip: "
-        f"{share[0]:+.2f} % at the inner and {share[1]:+.2f} % at the outer ring against the exact one"
-    )

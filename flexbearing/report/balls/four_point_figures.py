@@ -126,9 +126,12 @@ def contact_fields(result: Result, place: int = 0) -> Figure:
     values = _last(result)
     ball = int(values["field_ball"][place])
     load = values["contact_load"][ball]
-    drawn = [contact for contact in np.ndindex(load.shape) if _is_stored(values, place, contact)]
-    largest = 1e-6 * max(np.abs(_shear(values, place, contact)).max() for contact in drawn) if drawn else 1.0
-    heights = [_flatness(values, ball, contact) for contact in drawn]
+    width = np.ptp(values["field_across"][place], axis=(2, 3))
+    drawn = [contact for contact in np.ndindex(load.shape) if width[contact] > 0]
+    shear = np.hypot(values["shear_along"][place], values["shear_across"][place])
+    largest = 1e-6 * float(shear.max()) if drawn else 1.0
+    along, across = values["semi_axis_along"][ball], values["semi_axis_across"][ball]
+    heights = [float(along[contact] / across[contact]) for contact in drawn]  # over their widths
     figure, panels = _panels(result, f"Shear stress on ball {ball} and its direction", heights)
     field = None
     for axes, contact in zip(panels, drawn, strict=False):
@@ -147,19 +150,6 @@ def contact_fields(result: Result, place: int = 0) -> Figure:
     panels[-1].set_xlabel("across the groove [mm]")
     figure.colorbar(field, ax=panels, label="shear stress [MPa]", fraction=0.03, format="%.0f")
     return figure
-
-
-def _is_stored(values: Any, place: int, contact: tuple[int, ...]) -> bool:
-    return bool(np.ptp(values["field_across"][place][contact]) > 0)
-
-
-def _flatness(values: Any, ball: int, contact: tuple[int, ...]) -> float:
-    """Height of a contact over its width."""
-    return float(values["semi_axis_along"][ball][contact] / values["semi_axis_across"][ball][contact])
-
-
-def _shear(values: Any, place: int, contact: tuple[int, ...]) -> np.ndarray:
-    return np.hypot(values["shear_along"][place][contact], values["shear_across"][place][contact])
 
 
 def _panels(result: Result, what: str, heights: list[float]) -> tuple[Figure, list[Axes]]:

@@ -42,7 +42,8 @@ def polar_loads(result: Result) -> Figure:
     drawn = _blocks(result)
     for name, values in drawn.items():
         _draw_loads(axes, name, values)
-    _shape_load_axes(axes, max([_largest(values["inner_load"]) for values in drawn.values()], default=0.0))
+    loads = np.concatenate([[0.0], *(values["inner_load"] for values in drawn.values())])
+    _shape_load_axes(axes, float(loads[np.isfinite(loads)].max()))
     _title(axes, result, "Inner roller loads [N], azimuth 0 pointing down")
     axes.set_xlabel(_caption(result), labelpad=14)
     if drawn:
@@ -65,7 +66,9 @@ def _draw_loads(axes: PolarAxes, name: str, values: Mapping[str, np.ndarray]) ->
 
 def _shape_load_axes(axes: PolarAxes, largest: float) -> None:
     axes.set_theta_zero_location("S")
-    axes.set_thetagrids(range(0, 360, 30), [f"{_signed(angle)}°" for angle in range(0, 360, 30)])
+    axes.set_thetagrids(
+        range(0, 360, 30), [f"{angle if angle <= 180 else angle - 360}°" for angle in range(0, 360, 30)]
+    )
     top = 1.12 * largest or 1.0
     axes.set_rlim(0, top)
     axes.set_rorigin(-0.3 * top)  # unloaded rollers stand on a ring of their own, not in one point
@@ -89,10 +92,6 @@ def _ticks(top: float) -> list[float]:
     return [step * number for number in range(1, int(0.95 * top / step) + 1)]
 
 
-def _signed(angle: int) -> int:
-    return angle if angle <= 180 else angle - 360
-
-
 def convergence(result: Result) -> Figure:
     """Draw load change and residual over the iterations.
 
@@ -111,10 +110,12 @@ def convergence(result: Result) -> Figure:
         "largest change of a roller load / largest load": (result.history("load_change"), BLUE, "o"),
         "largest unbalanced force / applied load": (result.history("residual"), ORANGE, "s"),
     }
-    floor = _floor([values for values, _, _ in histories.values()])
+    together = np.array([values for values, _, _ in histories.values()])
+    floor = _floor(together)
     for label, (values, color, marker) in histories.items():
         _draw_history(axes, values, floor, {"color": color, "marker": marker, "label": label})
-    _draw_lost(axes, [values for values, _, _ in histories.values()])
+    for number in 1 + np.flatnonzero(~np.isfinite(together).all(axis=0)):
+        axes.axvline(float(number), color="0.3", linestyle=":", label=f"not finite in iteration {number}")
     axes.set(xlabel="iteration", ylabel="relative size [-]")
     _title(axes, result, f"Convergence ({result.attributes['method']}): {result.attributes['status']}")
     if not result.iterations:
@@ -143,16 +144,9 @@ def _draw_history(axes: Axes, values: np.ndarray, floor: float, style: dict[str,
         )
 
 
-def _draw_lost(axes: Axes, histories: list[np.ndarray]) -> None:
-    finite = np.all([np.isfinite(values) for values in histories], axis=0)
-    for number in 1 + np.flatnonzero(~finite):
-        axes.axvline(float(number), color="0.3", linestyle=":", label=f"not finite in iteration {number}")
-
-
-def _floor(histories: list[np.ndarray]) -> float:
-    """Find a place for zeros, a decade below the smallest positive number."""
-    together = np.concatenate(histories)
-    positive = together[np.isfinite(together) & (together > 0)]
+def _floor(histories: np.ndarray) -> float:
+    """A place for zeros, a decade below the smallest positive number."""
+    positive = histories[np.isfinite(histories) & (histories > 0)]
     return 0.1 * float(positive.min()) if positive.size else 1e-16
 
 
@@ -242,7 +236,3 @@ def _title(axes: Axes, result: Result, what: str) -> None:
 
 def _say(axes: Axes, words: str) -> None:
     axes.text(0.5, 0.6, words, transform=axes.transAxes, ha="center", va="center", color="0.3")
-
-
-def _largest(values: np.ndarray) -> float:
-    return float(np.max(values, where=np.isfinite(values), initial=0.0))

@@ -72,17 +72,13 @@ def _table(
     for entry in rows(LAYOUT):
         for part in entry.parts or ("",):
             before, after = (value(entry, block, part) for block in (rigid, flexible))
-            if before is None and after is None and _may_be_absent(entry):
+            if before is None and after is None and any(LAYOUT[name].optional for name in entry.of):
                 continue
             # as Text: rich would take the unit in brackets for a markup tag
             error = [_error(errors, entry, after)] if errors else []
             row = (shown(entry, before), shown(entry, after), *error, _change(before, after))
             table.add_row(Text(label(entry, part)), *row)
     return table
-
-
-def _may_be_absent(entry: SummaryValue) -> bool:
-    return any(LAYOUT[name].optional for name in entry.of)
 
 
 def _error(errors: dict[str, float | None], entry: SummaryValue, number: float | None) -> str:

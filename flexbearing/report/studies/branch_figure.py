@@ -49,12 +49,12 @@ def draw_branch(title: str, label: str, table: dict[str, np.ndarray]) -> Figure:
     axes.set(xlabel=label, ylabel=CAGE_SLIP.axis_label)
     if (along > 0).all():
         axes.set_xscale("log")
-        axes.xaxis.set_minor_formatter(_plain_few)
+        axes.xaxis.set_minor_formatter(_two_and_five)
         axes.tick_params(axis="x", which="minor", pad=5)  # on one line with the major ones
     if (slip > 0).all():
         axes.set_yscale("log")
     for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_formatter(_plain)
+        axis.set_major_formatter(lambda value, _: f"{value:g}")
     axes.grid(color="0.88", linewidth=0.6, which="both")
     axes.spines[["top", "right"]].set_visible(False)
     axes.set_title(f"{fill(title, 70)}\nCage slip, rigid raceways", fontsize=11, pad=12)
@@ -67,11 +67,7 @@ def write_branch(path: str | Path, figure: Figure) -> None:
     figure.savefig(path, dpi=150)
 
 
-def _plain(value: float, _place: object) -> str:
-    return f"{value:g}"
-
-
-def _plain_few(value: float, _place: object) -> str:
+def _two_and_five(value: float, _: object) -> str:
     """Label the minor lines 2 and 5 of a decade."""
     leading = round(value / 10 ** np.floor(np.log10(value)))
     return f"{value:g}" if leading in (2, 5) else ""

@@ -41,8 +41,13 @@ def draw_pareto(study: Study) -> Figure:
     panels = figure.subplots(2, 2, sharex=True, sharey=True)
     for axes, output in zip(panels.ravel(), OUTPUTS, strict=True):
         _draw_panel(axes, study, output)
-    panels[0, 0].set_ylim(*_span(study))
-    figure.suptitle(_caption(study), fontsize=12)
+    errors = [max(error, SMALLEST) for level in study.solved for error in level.errors.values()]
+    panels[0, 0].set_ylim(min(*errors, *TARGETS) / 2, max(*errors, *TARGETS) * 2)
+    lines = [fill(study.title, 90), f"errors against a reference of {study.reference.times['cold']:.2g} s"]
+    failed = [level.name for level in study.levels if not level.errors]
+    if failed:
+        lines.append(fill(f"without an answer: {', '.join(failed)}", 110))
+    figure.suptitle("\n".join(lines), fontsize=12)
     handles, labels = panels[0, 0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncols=len(labels), frameon=False)
     return figure
@@ -89,17 +94,3 @@ def _mark_cheapest(axes: Axes, study: Study, output: str) -> None:
                 )
         lines.append(f"{percent(target)}  –  {';  '.join(names)}")
     axes.set_xlabel("time [s]\n★ cheapest within\n" + "\n".join(lines), fontsize=8.5)
-
-
-def _span(study: Study) -> tuple[float, float]:
-    """Ends of the axis of errors, the targets between them."""
-    errors = [max(error, SMALLEST) for level in study.solved for error in level.errors.values()]
-    return min(*errors, *TARGETS) / 2, max(*errors, *TARGETS) * 2
-
-
-def _caption(study: Study) -> str:
-    lines = [fill(study.title, 90), f"errors against a reference of {study.reference.times['cold']:.2g} s"]
-    failed = [level.name for level in study.levels if not level.errors]
-    if failed:
-        lines.append(fill(f"without an answer: {', '.join(failed)}", 110))
-    return "\n".join(lines)
