@@ -133,7 +133,8 @@ def compliances(stiffness: HarmonicStiffness, loads: NDArray, last: int) -> NDAr
     """
     G = stiffness.on_free(loads)
     answers: dict[int, NDArray] = {}
-    unsolved = _geometric(last)
+    first = np.geomspace(1, last, int(np.ceil(np.log(last) / np.log(FIRST_STEP))) + 1)
+    unsolved = sorted({0, *np.rint(first).astype(int).tolist()})  # 0, 1, 2, 3, 5, 7, ... and the last
     while unsolved:
         answers |= {n: stiffness.solve(n, G) for n in unsolved}
         basis = np.linalg.qr(np.hstack([u / np.linalg.norm(u, axis=0) for u in answers.values()]))[0]
@@ -157,12 +158,6 @@ def _small_residual(harmonic: int, basis: NDArray, forces: list[NDArray], loads:
 def _at(harmonic: int, parts):
     """Sum of the parts without n, with n, with n^2."""
     return parts[0] + harmonic * parts[1] + harmonic**2 * parts[2]
-
-
-def _geometric(last: int) -> list[int]:
-    """0, 1, 2, 3, 5, 7, ... and the last harmonic."""
-    count = int(np.ceil(np.log(last) / np.log(FIRST_STEP))) + 1
-    return sorted({0, *np.rint(np.geomspace(1, last, count)).astype(int).tolist()})
 
 
 def _between(solved: list[int]) -> list[int]:

@@ -84,7 +84,8 @@ def bar_forces(state: LoadedSolid) -> BarForces:
     near, far = (np.array([1.5, -0.5]), np.array([-0.5, 1.5]))
     radial, tangential = (np.stack([m @ near, m @ far], axis=1) for m in moments)
     inertia = (lever[1:] ** 2) @ area
-    corner_n, corner_t = _corners(cage, centre)
+    side = cage.bar_width / 2 * np.array([-1.0, 0.0, 1.0])
+    corner_n, corner_t = np.concatenate(_sides(cage, side)) - centre, np.tile(side, 2)  # largest stress
     stress = (
         axial.mean(axis=1)[:, None, None] / A
         + radial[:, :, None] / inertia[0] * corner_n
@@ -111,12 +112,6 @@ def _sides(cage: SquirrelCage, t) -> tuple[NDArray, NDArray]:
     """Where a bar begins and ends radially [m], beside its middle by t [m]."""
     inner, outer = cage.bar_radii
     return np.sqrt(inner**2 - t**2), np.sqrt(outer**2 - t**2)
-
-
-def _corners(cage: SquirrelCage, centre: float) -> tuple[NDArray, NDArray]:
-    """Places with the largest stress of a section: n from the centre and t (6,) [m]."""
-    t = cage.bar_width / 2 * np.array([-1.0, 0.0, 1.0])
-    return np.concatenate(_sides(cage, t)) - centre, np.tile(t, 2)
 
 
 def _tension(state: LoadedSolid, x: NDArray, azimuths: NDArray, t: NDArray, n: NDArray) -> NDArray:

@@ -106,7 +106,9 @@ def _phase(cuts: list[CutStiffness], theta: float, harmonics: NDArray):
     even, odd = cuts
     shares = even.share[:, np.abs(harmonics)], odd.share[:, np.abs(harmonics)] * np.sign(harmonics)[:, None]
     forces = [share.reshape(len(share), -1) for share in shares]
-    ties = _ties(theta, len(even.stiffness) // 3)
+    # Factors of z in a and in b, for the displacements x, r and t of all places.
+    c, s = np.cos(theta / 2), np.sin(theta / 2)
+    ties = np.repeat([[c, c, -s], [s, s, c]], len(even.stiffness) // 3, axis=1)
     stiffness = np.sum([t[:, None] * f.stiffness * t for f, t in zip(cuts, ties, strict=True)], axis=0)
     pulls = [t[:, None] * (f.coupling @ q) for f, t, q in zip(cuts, ties, forces, strict=True)]
     pull = np.sum(pulls, axis=0)
@@ -119,12 +121,6 @@ def _phase(cuts: list[CutStiffness], theta: float, harmonics: NDArray):
     weights = np.random.default_rng(0).standard_normal(z.shape[1])
     probe = [(t * (z @ weights), q @ weights, t) for t, q in zip(ties, forces, strict=True)]
     return answer.reshape(*shape, *shape), probe
-
-
-def _ties(theta: float, places: int) -> tuple[NDArray, NDArray]:
-    """Factors of z in a and in b, for the displacements x, r and t of all places."""
-    c, s = np.cos(theta / 2), np.sin(theta / 2)
-    return np.repeat([c, c, -s], places), np.repeat([s, s, c], places)
 
 
 def _require_balance(half: HalfPitch, cuts: list[CutStiffness], probes: list) -> None:

@@ -223,17 +223,11 @@ class HarmonicCompliance:
         The indentation up to the last harmonic counts as own: on a stiff seat the rest is near zero.
         """
         beyond = self._tail(np.zeros(1))[0]
-        own = np.abs(self._remainder.sum(axis=0) + beyond) + self._half_space.sum(axis=0)
-        square = 2 * np.arange(own.shape[0]) + 1
+        own_terms = np.abs(self._remainder.sum(axis=0) + beyond) + self._half_space.sum(axis=0)
+        square = 2 * np.arange(own_terms.shape[0]) + 1
         return float(
-            np.max(np.abs(beyond) / np.sqrt(np.outer(square, square))) / np.max(np.diag(own) / square)
+            np.max(np.abs(beyond) / np.sqrt(np.outer(square, square))) / np.max(np.diag(own_terms) / square)
         )
-
-    def _diagonal(self) -> NDArray:
-        """Answer of every harmonic to itself (K, M, M) [m/N]."""
-        if self.response.ndim == 3:
-            return self.response
-        return np.einsum("kmkp->kmp", self.response)
 
     @cached_property
     def _half_space(self) -> NDArray:
@@ -245,7 +239,8 @@ class HarmonicCompliance:
     @cached_property
     def _remainder(self) -> NDArray:
         """What every harmonic answers to itself beside the half-space (K, M, M) [m/N]."""
-        return np.real(self._diagonal()) - self._half_space
+        diagonal = self.response if self.response.ndim == 3 else np.einsum("kmkp->kmp", self.response)
+        return np.real(diagonal) - self._half_space
 
     def _tail(self, azimuth: NDArray) -> NDArray:
         """Sum of the remainders beyond the last harmonic (..., M, M) [m/N]."""
@@ -258,8 +253,8 @@ class HarmonicCompliance:
             answer = np.einsum("ik,jk,kmp->ijmp", turn, turn.conj(), self._remainder, optimize=True)
             return np.real(answer).transpose(0, 2, 1, 3)
         left = self.response.astype(complex)
-        own = np.arange(self.harmonics.size)
-        left[own, :, own] -= self._half_space
+        k = np.arange(self.harmonics.size)
+        left[k, :, k] -= self._half_space
         answer = np.tensordot(turn, np.tensordot(left, turn.conj(), axes=(2, 1)), axes=1)
         return np.real(answer).transpose(0, 1, 3, 2)
 

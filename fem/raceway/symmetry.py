@@ -28,8 +28,8 @@ def permutations(azimuths, bars: int | None) -> NDArray:
     phi = np.asarray(azimuths, dtype=float)
     turned = [phi + angle for angle in phi - phi[0] if _fits(angle, bars)]
     mirrored = [angle - phi for angle in phi + phi[0] if _fits(angle, bars)]
-    found = [_matched(image, phi) for image in turned + mirrored]
-    unique = {tuple(row): None for row in found if row is not None}
+    rows = [_matched(image, phi) for image in turned + mirrored]
+    unique = {tuple(row): None for row in rows if row is not None}
     return np.array(list(unique), dtype=int)
 
 

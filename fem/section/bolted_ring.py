@@ -103,8 +103,8 @@ class GrooveCompliance:
     def truncation(self) -> float:
         """Part of the own terms that is extrapolated beyond the last harmonic [-]."""
         beyond = sum_beyond(self._remainder, np.zeros(1))[0]
-        own = np.tensordot(self._weights, self._remainder, axes=1) + beyond
-        size = np.abs(np.diag(own)) + np.diag(np.tensordot(self._weights, self._half_space, axes=1))
+        own_terms = np.tensordot(self._weights, self._remainder, axes=1) + beyond
+        size = np.abs(np.diag(own_terms)) + np.diag(np.tensordot(self._weights, self._half_space, axes=1))
         return float(np.abs(beyond).max() / size.max())
 
     @property

@@ -10,7 +10,7 @@ from fem.assembly.factorisation import threads
 from fem.half_space.load_patch import half_space
 from fem.mesh.solid import meshed
 from fem.parts.resolution import Resolution
-from fem.parts.rings import Part, Patches
+from fem.parts.rings import Part
 from fem.parts.step_solid import StepSolid
 from fem.raceway import symmetry
 from fem.raceway.compliance import RacewayCompliance
@@ -93,19 +93,16 @@ def condensed(
     )
 
 
-def _renumbered(part: Part | StepSolid, patches: Patches) -> NDArray:
-    """Renumberings of the rollers that change nothing; of a drawn solid no symmetry is known."""
-    if isinstance(part, StepSolid):
-        return np.arange(len(patches.azimuths))[None]
-    return symmetry.permutations(patches.azimuths, part.bars)
-
-
 def _responses(solid: FactoredSolid, progress: Callable[[float], None]) -> tuple[NDArray, NDArray, NDArray]:
     """Absolute compliance (Z, M, Z, M), translations (2, Z, M) and support compliance (2, 2) [m/N]."""
     Z, M = len(solid.patches.azimuths), solid.patches.axial_modes
     rollers = roller_loads.roller_forces(solid.band, solid.patches)
     translations = roller_loads.translation_forces(solid.band)
-    renumbered = _renumbered(solid.part, solid.patches)
+    renumbered = (
+        np.arange(Z)[None]  # no symmetry is known of a drawn solid
+        if isinstance(solid.part, StepSolid)
+        else symmetry.permutations(solid.patches.azimuths, solid.part.bars)
+    )
     solved = symmetry.representatives(renumbered)
     columns = (solved[:, None] * M + np.arange(M)).ravel()
     loads = np.hstack([translations, rollers[:, columns].toarray()])

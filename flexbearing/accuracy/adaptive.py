@@ -38,7 +38,10 @@ class AdaptiveResolution:
             "error_estimate": {
                 "target": self.selection.target,
                 "met": self.selection.met,
-                **{name: _finite(error) for name, error in self.selection.estimate.items()},
+                **{
+                    name: error if np.isfinite(error) else None
+                    for name, error in self.selection.estimate.items()
+                },
             },
         }
 
@@ -133,7 +136,3 @@ def _unmet(selection: Selection) -> str:
 
 def _percent(share: float) -> str:
     return f"{100 * share:.2g} %"
-
-
-def _finite(value: float) -> float | None:
-    return value if np.isfinite(value) else None

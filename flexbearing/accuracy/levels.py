@@ -152,7 +152,8 @@ def _part(case: Case, race: Race, part: Part) -> Ladder:
         fewest = FEWEST_OF_A_FIT if is_in_fit(case, race) else FEWEST
         settings = tuple(_settings(mesh, fewest * MORE**k, case, part) for k, mesh in enumerate(meshes))
         words = tuple(f"order {m.order}, {m.size:g} / {m.raceway_size:g} roller lengths" for m in meshes)
-    cost = _cost(case, race, meshes)
+    of_meshes = {ON_SOLIDS: Cost.SOLID, ON_HALF_A_PITCH: Cost.CYCLIC, ON_SECTIONS: Cost.SECTION}
+    cost = Cost.FIT if is_in_fit(case, race) else of_meshes[meshes]
     choice = Choice(
         name=NAMES[race],
         levels=("rigid", *words),
@@ -163,12 +164,6 @@ def _part(case: Case, race: Race, part: Part) -> Ladder:
         below=BELOW[cost],
     )
     return Ladder(choice, (None, *settings), race, cost)
-
-
-def _cost(case: Case, race: Race, meshes: tuple[MeshLevel, ...]) -> Cost:
-    if is_in_fit(case, race):
-        return Cost.FIT
-    return {ON_SOLIDS: Cost.SOLID, ON_HALF_A_PITCH: Cost.CYCLIC, ON_SECTIONS: Cost.SECTION}[meshes]
 
 
 def _settings(mesh: MeshLevel, harmonics: float, case: Case, part: Part) -> Settings:

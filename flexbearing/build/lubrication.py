@@ -32,10 +32,11 @@ SHARES: dict[str, AsperityShare] = {
 def lubrication(case: Case) -> qd.Lubrication:
     """Oil of a case and the laws it follows."""
     lubricant = case.lubricant
+    fluid = _FLUIDS[lubricant.traction](case)
     return qd.Lubrication(
         oil=oil(case),
         oil_fraction=lubricant.oil_fraction,
-        traction=_traction(case),
+        traction=fluid if lubricant.mixed is None else partial(_mixed, case, fluid),
         film=qd.FORMULAS[lubricant.film],
         rolling=ROLLING_LAWS[lubricant.rolling],
         inlet_heating=lubricant.inlet_heating,
@@ -47,9 +48,8 @@ def lubrication(case: Case) -> qd.Lubrication:
 
 def oil(case: Case) -> qd.Lubricant:
     """The oil at the inlet temperature, with its notes."""
-    lubricant: Any = (
-        case.lubricant
-    )  # which values are there depends on how it is described, checked on reading
+    # Which values are there depends on how the oil is described, checked on reading.
+    lubricant: Any = case.lubricant
     if lubricant.oil is not None:
         return qd.oil_at(lubricant.oil, lubricant.inlet_temperature)
     if lubricant.data_sheet is not None:
@@ -93,12 +93,6 @@ def _data_sheet_oil(sheet):
         conductivity=sheet.conductivity,
         source="data sheet of the case",
     )
-
-
-def _traction(case: Case) -> Callable[..., TractionLaw]:
-    """Law of the film, inside that of rough surfaces when the case asks for it."""
-    fluid = _FLUIDS[case.lubricant.traction](case)
-    return fluid if case.lubricant.mixed is None else partial(_mixed, case, fluid)
 
 
 def _eyring(case: Case) -> Callable[..., TractionLaw]:

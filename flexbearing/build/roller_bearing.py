@@ -17,7 +17,12 @@ def bearing(case: Case) -> qd.RollerBearing:
             rollers=case.bearing.rollers,
             outer_raceway_diameter=outer_raceway_diameter(case),
             clearance=clearance.operating(case),
-            roller=_roller(case),
+            roller=qd.Roller(
+                diameter=case.bearing.roller.diameter * hot_over_cold(case, "roller"),
+                length=roller_length(case),
+                material=_material(case, "roller"),
+                profile=_profile(case),
+            ),
             cage=_cage(case),
             inner_ring=_material(case, "inner_ring"),
             outer_ring=_material(case, "outer_ring"),
@@ -58,15 +63,6 @@ def _material(case: Case, part: str) -> qd.Material:
     solid = material(case, part)
     return qd.Material(
         youngs_modulus=solid.youngs_modulus, poisson_ratio=solid.poisson_ratio, density=solid.density
-    )
-
-
-def _roller(case: Case) -> qd.Roller:
-    return qd.Roller(
-        diameter=case.bearing.roller.diameter * hot_over_cold(case, "roller"),
-        length=roller_length(case),
-        material=_material(case, "roller"),
-        profile=_profile(case),
     )
 
 

@@ -87,18 +87,11 @@ def _tree(value: Any, arrays: dict[str, NDArray]) -> Any:
         return {"mapping": {name: _tree(item, arrays) for name, item in value.items()}}
     if isinstance(value, tuple):
         return {"tuple": [_tree(item, arrays) for item in value]}
-    return {"class": _known(value), "fields": _fields(value, arrays)}
-
-
-def _known(value: Any) -> list[str]:
     module, name = type(value).__module__, type(value).__qualname__
     if not is_dataclass(value) or module.partition(".")[0] != HOME:
         raise TypeError(f"{module}.{name} cannot be kept on disk")
-    return [module, name]
-
-
-def _fields(value: Any, arrays: dict[str, NDArray]) -> dict[str, Any]:
-    return {field.name: _tree(getattr(value, field.name), arrays) for field in fields(value) if field.init}
+    content = {field.name: _tree(getattr(value, field.name), arrays) for field in fields(value) if field.init}
+    return {"class": [module, name], "fields": content}
 
 
 def _value(tree: Any, array: Callable[[str], NDArray]) -> Any:

@@ -12,7 +12,6 @@ from flexbearing.cache import configured
 from flexbearing.case import BadCase
 from flexbearing.case.balls.bolted_rings import BoltedRing
 from flexbearing.case.balls.four_point import FourPointCase
-from flexbearing.case.balls.parts import Elastic
 from flexbearing.progress import Report
 
 LINE = 0.2  # of a ball diameter: near the length of a heavily loaded contact
@@ -61,6 +60,7 @@ def ring(case: FourPointCase, name: str) -> BoltedGrooveRing | None:
     bearing, ring_case = case.bearing, getattr(case.rings, name)
     if ring_case.kind == "rigid":
         return None
+    material = getattr(case.materials, f"{name}_ring") or case.materials.ball
     try:
         return BoltedGrooveRing(
             race="outer" if name == "outer" else "inner",
@@ -68,7 +68,7 @@ def ring(case: FourPointCase, name: str) -> BoltedGrooveRing | None:
             ball_diameter=bearing.ball.diameter,
             groove_radius=getattr(bearing, name).over(bearing.ball.diameter) * bearing.ball.diameter,
             contact_angle=bearing.contact_angle,
-            elastic=_elastic(getattr(case.materials, f"{name}_ring") or case.materials.ball),
+            elastic=fem.Elastic(youngs_modulus=material.youngs_modulus, poisson_ratio=material.poisson_ratio),
             **_section(ring_case),
         )
     except fem.ImpossiblePart as problem:
@@ -85,10 +85,6 @@ def _section(ring_case: BoltedRing) -> dict:
         "normal_stiffness": ring_case.face_stiffness or inf,
         "shear_stiffness": ring_case.face_shear_stiffness or inf,
     }
-
-
-def _elastic(material: Elastic) -> fem.Elastic:
-    return fem.Elastic(youngs_modulus=material.youngs_modulus, poisson_ratio=material.poisson_ratio)
 
 
 def _row(case: FourPointCase, name: str, part: BoltedGrooveRing, report: Report) -> NDArray:

@@ -3,7 +3,6 @@
 from collections.abc import Iterator
 from contextlib import contextmanager
 from time import perf_counter
-from typing import TYPE_CHECKING
 
 from numpy.typing import NDArray
 
@@ -20,9 +19,6 @@ from flexbearing.coupling import PartnerFailed, RacewayPair
 from flexbearing.progress import Report
 from flexbearing.rings.fits import RacewayInFit, inner_ring_in_fit, is_in_fit, outer_ring_in_housing
 from flexbearing.rings.raceways import CondensedRaceway, RigidRaceway
-
-if TYPE_CHECKING:
-    from fem.raceway.compliance import RacewayCompliance
 
 # Order, and sizes of elements over the roller length: 0.1 % and 0.5 % of the largest compliance.
 ON_A_SECTION, IN_SPACE = (5, 1.2, 0.25), (3, 0.6, 0.4)
@@ -66,7 +62,12 @@ def raceway(
     if part is None:
         return RigidRaceway(azimuths)
     if not is_in_fit(case, race):
-        return CondensedRaceway(_compliance(case, race, part, azimuths, report))
+        began, name = perf_counter(), NAMES[race]
+        report.stage(name, None)
+        with named_failures(case, name):
+            compliance = _condensed(name, part, case, azimuths, report).at(azimuths)
+        report.stage(f"{name}: {compliance.unknowns} unknowns, {perf_counter() - began:.1f} s", None)
+        return CondensedRaceway(compliance)
     name = {"inner": "inner ring and shaft", "outer": "outer ring and housing"}[race]
     report.stage({"inner": "inner ring in its fit", "outer": "outer ring in its housing"}[race], None)
     with named_failures(case, name):
@@ -74,15 +75,6 @@ def raceway(
             return inner_ring_in_fit(case, part, azimuths, mesh_size(case, ON_A_SECTION))
         assert isinstance(part, fem.OuterRing)  # or the case would not have been read
         return outer_ring_in_housing(case, part, azimuths, mesh_size(case, ON_A_SECTION))
-
-
-def _compliance(case: Case, race: Race, part: Part, azimuths: NDArray, report: Report) -> "RacewayCompliance":
-    began, name = perf_counter(), NAMES[race]
-    report.stage(name, None)
-    with named_failures(case, name):
-        compliance = _condensed(name, part, case, azimuths, report).at(azimuths)
-    report.stage(f"{name}: {compliance.unknowns} unknowns, {perf_counter() - began:.1f} s", None)
-    return compliance
 
 
 @contextmanager

@@ -63,7 +63,8 @@ def pareto(
     """
     roller_case = _rollers(check(case, overrides))
     tell = tell or (lambda measured: None)
-    _load(roller_case)
+    if roller_case.outer.kind != "rigid" or roller_case.inner.kind != "rigid":
+        import fem.section.revolved  # noqa: F401  # loaded before any run is timed
     best = richest(roller_case)
     try:
         times, exact = _timed(case, (*overrides, *best.settings))
@@ -127,12 +128,6 @@ def _rollers(case: Head) -> Case:
             f"{case.source.path}: accuracy.target chooses levels by itself, here all are run; leave it out"
         )
     return case
-
-
-def _load(case: Case) -> None:
-    """Load what every later run finds loaded."""
-    if case.outer.kind != "rigid" or case.inner.kind != "rigid":
-        import fem.section.revolved  # noqa: F401
 
 
 def _measured(case: str | Path, overrides: Sequence[str], level: Level, exact: Result) -> Measured:

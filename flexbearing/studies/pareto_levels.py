@@ -152,8 +152,8 @@ def _structures(case: Case) -> list[Level]:
     ]
 
 
-def _counts(name: str, key: str, counts: Sequence[int], given: int) -> list[Level]:
-    return [Level(f"{n} {name}", (f"accuracy.{key}={n}",)) for n in counts if n != given]
+def _counts(name: str, key: str, counts: Sequence[int], of_case: int) -> list[Level]:
+    return [Level(f"{n} {name}", (f"accuracy.{key}={n}",)) for n in counts if n != of_case]
 
 
 def _films(case: Case) -> list[Level]:
