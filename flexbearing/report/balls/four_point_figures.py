@@ -51,39 +51,32 @@ def _last(result: Result) -> Any:
 
 def ball_loads(result: Result) -> Figure:
     """Draw loads and contact angles of both diagonals around the ring."""
-    values = _last(result)
-    figure, (upper, lower) = stacked(result, "Contact loads and angles at the inner race", 2)
-    for diagonal in range(values["contact_load"].shape[1]):
-        load = values["contact_load"][:, diagonal, 0]
-        angle = np.where(load > LOADED, np.degrees(values["contact_angle"][:, diagonal, 0]), np.nan)
-        style = {**STYLES[diagonal], "label": f"diagonal {diagonal + 1}, largest {load.max():,.0f} N"}
-        around(upper, values["ball_azimuth"], load, style)
-        around(lower, values["ball_azimuth"], angle, STYLES[diagonal])
-    upper.set_ylabel("contact load [N]")
-    lower.set_ylabel("contact angle [deg]")
-    close_ring(lower)
-    figure.legend(loc="outside lower center", ncols=2, frameon=False)
-    return figure
+    return _load_figure(result, [("", _last(result), {})])
 
 
 def compared_loads(result: Result) -> Figure:
     """Draw loads and contact angles of both diagonals around the ring, rigid in dashes."""
+    dashes = {"linestyle": "--", "marker": "", "alpha": 0.6}
+    return _load_figure(
+        result, [("rigid rings, ", result.rigid, dashes), ("elastic rings, ", result.flexible, {})]
+    )
+
+
+def _load_figure(result: Result, states: list[tuple[str, Any, dict[str, Any]]]) -> Figure:
+    """Loads and contact angles of end states, each with its name, its arrays and its style."""
     figure, (upper, lower) = stacked(result, "Contact loads and angles at the inner race", 2)
-    for values, look, rings in (
-        (result.rigid, {"linestyle": "--", "marker": "", "alpha": 0.6}, "rigid"),
-        (result.flexible, {}, "elastic"),
-    ):
-        for diagonal in range(2):
+    for name, values, look in states:
+        for diagonal in range(values["contact_load"].shape[1]):
             load = values["contact_load"][:, diagonal, 0]
             angle = np.where(load > LOADED, np.degrees(values["contact_angle"][:, diagonal, 0]), np.nan)
             style = {**STYLES[diagonal], **look}
-            label = f"diagonal {diagonal + 1}, {rings} rings, largest {load.max():,.0f} N"
+            label = f"diagonal {diagonal + 1}, {name}largest {load.max():,.0f} N"
             around(upper, values["ball_azimuth"], load, {**style, "label": label})
             around(lower, values["ball_azimuth"], angle, style)
     upper.set_ylabel("contact load [N]")
     lower.set_ylabel("contact angle [deg]")
     close_ring(lower)
-    figure.legend(loc="outside lower center", ncols=2, frameon=False, fontsize=8)
+    figure.legend(loc="outside lower center", ncols=2, frameon=False, fontsize=8 if len(states) > 1 else None)
     return figure
 
 
