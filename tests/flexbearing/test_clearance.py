@@ -105,6 +105,17 @@ def test_flexible_parts_give_the_dimensions_of_the_fits(tmp_path):
     assert gap == approx(chain.clearance, rel=1e-9)
 
 
+def test_record_tells_the_cold_clearance_and_each_fit():
+    case = read(FITS)
+    chain, record = clearance.computed(case), clearance.record(case)
+    assert chain is not None
+    assert record["cold_m"] == case.bearing.fits.cold_clearance != chain.clearance
+    assert record["operating_m"] == chain.clearance
+    assert chain.housing_seat is not None
+    assert record["shaft_fit"] == chain.shaft_seat.words != chain.housing_seat.words
+    assert record["housing_fit"] == chain.housing_seat.words
+
+
 def test_cold_rings_and_rollers_leave_the_cold_clearance():
     mounting = clearance._mounting(read(FITS))
     assert isinstance(mounting.outer, PressFit)

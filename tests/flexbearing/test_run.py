@@ -46,6 +46,13 @@ def test_rigid_parts_are_not_computed(rigid):
     assert rigid.flexible["inner_load"] == approx(rigid.rigid["inner_load"], rel=0, abs=0)
 
 
+def test_result_names_settings_and_what_the_case_assumes_or_fits(rigid):
+    case = flexbearing.read(PAPER, RIGID)
+    assert rigid.attributes["case_overrides"] == tuple(RIGID)
+    assert rigid.attributes["assumed"] == tuple(case.assumed) != ()
+    assert rigid.attributes["calibrated"] == dict(case.calibrated) != {}
+
+
 def test_rigid_run_never_loads_the_finite_elements():
     code = (
         "import sys, flexbearing, tempfile; "
