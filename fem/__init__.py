@@ -1,48 +1,59 @@
 """Flexible rings as finite elements; `fem.condense.condense` is the way in.
 
-Only the parts are re-exported here: describing a ring costs nothing, NGSolve is loaded by the
-modules that compute.
+Only the parts are re-exported here, and loaded when they are asked for: describing a ring costs nothing,
+NGSolve is loaded by the modules that compute.
 """
 
-from fem.parts.bolted_ring import BoltedGrooveRing
-from fem.parts.boundary_conditions import (
-    ClampedFace,
-    Foundation,
-    Housing,
-    LineForce,
-    LineSupports,
-    PlanetGear,
-    RigidSeat,
-)
-from fem.parts.resolution import Discretisation, Resolution
-from fem.parts.rings import (
-    Elastic,
-    ImpossiblePart,
-    MeshSize,
-    OuterRing,
-    Part,
-    Patches,
-    RingOnShaft,
-    SquirrelCage,
-)
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
 
-__all__ = [
-    "BoltedGrooveRing",
-    "ClampedFace",
-    "Discretisation",
-    "Elastic",
-    "Foundation",
-    "Housing",
-    "ImpossiblePart",
-    "LineForce",
-    "LineSupports",
-    "MeshSize",
-    "OuterRing",
-    "Part",
-    "Patches",
-    "PlanetGear",
-    "Resolution",
-    "RigidSeat",
-    "RingOnShaft",
-    "SquirrelCage",
-]
+if TYPE_CHECKING:
+    from fem.parts.bolted_ring import BoltedGrooveRing as BoltedGrooveRing
+    from fem.parts.boundary_conditions import (
+        ClampedFace as ClampedFace,
+        Foundation as Foundation,
+        Housing as Housing,
+        LineForce as LineForce,
+        LineSupports as LineSupports,
+        PlanetGear as PlanetGear,
+        RigidSeat as RigidSeat,
+    )
+    from fem.parts.material import Elastic as Elastic, ImpossiblePart as ImpossiblePart
+    from fem.parts.resolution import Discretisation as Discretisation, Resolution as Resolution
+    from fem.parts.rings import (
+        MeshSize as MeshSize,
+        OuterRing as OuterRing,
+        Part as Part,
+        Patches as Patches,
+        RingOnShaft as RingOnShaft,
+        SquirrelCage as SquirrelCage,
+    )
+
+EXPORTS = {
+    "parts.bolted_ring": ("BoltedGrooveRing",),
+    "parts.boundary_conditions": (
+        "ClampedFace",
+        "Foundation",
+        "Housing",
+        "LineForce",
+        "LineSupports",
+        "PlanetGear",
+        "RigidSeat",
+    ),
+    "parts.material": ("Elastic", "ImpossiblePart"),
+    "parts.resolution": ("Discretisation", "Resolution"),
+    "parts.rings": ("MeshSize", "OuterRing", "Part", "Patches", "RingOnShaft", "SquirrelCage"),
+}
+
+
+def __getattr__(name: str) -> Any:
+    """Load a public name with its module."""
+    for module, names in EXPORTS.items():
+        if name in names:
+            value = globals()[name] = getattr(import_module(f"{__name__}.{module}"), name)
+            return value
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted(name for names in EXPORTS.values() for name in names)

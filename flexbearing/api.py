@@ -162,7 +162,7 @@ def explain(key: str | None = None) -> str:
     BadCase
         for an unknown key, naming the nearest one
     """
-    from flexbearing.case import explain as explained
+    from flexbearing.case.explain import explain as explained
     from flexbearing.families import FAMILIES
 
     return explained(key, FAMILIES)

@@ -7,17 +7,20 @@ case on their levels.
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from enum import IntEnum
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import fem
 from fem.parts.step_solid import StepSolid
 from flexbearing.accuracy.ladder import Choice
 from flexbearing.build.expansion import roller_length
-from flexbearing.build.ring_parts import NAMES, Part, Race, part_of
+from flexbearing.build.ring_parts import NAMES, Race, part_of
 from flexbearing.case.roller import Case
 from flexbearing.case.roller.life import FEWEST_SLICES
 from flexbearing.rings.condensed import IN_SPACE, ON_A_SECTION
 from flexbearing.rings.fits import is_in_fit
+
+if TYPE_CHECKING:
+    from flexbearing.build.ring_parts import Part
 
 Settings = Mapping[str, Any]  # keys of [accuracy]
 
@@ -74,7 +77,7 @@ class Ladder:
     cost: Cost = field(default=Cost.BEARING, compare=False)  # place in the order of the climb
 
 
-def mesh_levels(case: Case, part: Part) -> tuple[MeshLevel, ...]:
+def mesh_levels(case: Case, part: "Part") -> tuple[MeshLevel, ...]:
     """Meshes of a part from coarse to fine, by its discretisation."""
     if case.accuracy.structure == "solid" or isinstance(part, StepSolid):
         return ON_SOLIDS
@@ -102,7 +105,7 @@ def _slices(case: Case) -> Ladder:
     return _counted("slices", "slices", tuple(n for n in SLICES if n >= least), -2)
 
 
-def _axial_modes(case: Case, parts: Mapping[Race, Part]) -> Ladder:
+def _axial_modes(case: Case, parts: "Mapping[Race, Part]") -> Ladder:
     """Axial modes come two at a time. A raceway with few of them has too few harmonics for a fit."""
     if _is_given(case, "axial_shapes"):
         modes = tuple(case.accuracy.axial_shapes + more for more in (0, 2, 4))
@@ -139,7 +142,7 @@ def _harmonics(case: Case) -> Iterator[Ladder]:
         yield Ladder(choice, tuple({"harmonics": n} for n in counts))
 
 
-def _part(case: Case, race: Race, part: Part) -> Ladder:
+def _part(case: Case, race: Race, part: "Part") -> Ladder:
     """Rigid, then finer and finer; a mesh or structure that the case gives is only measured."""
     meshes, last = mesh_levels(case, part), None
     if _is_given(case, *MESH_KEYS) or case.accuracy.structure not in ("harmonics", "solid"):
@@ -166,7 +169,7 @@ def _part(case: Case, race: Race, part: Part) -> Ladder:
     return Ladder(choice, (None, *settings), race, cost)
 
 
-def _settings(mesh: MeshLevel, harmonics: float, case: Case, part: Part) -> Settings:
+def _settings(mesh: MeshLevel, harmonics: float, case: Case, part: "Part") -> Settings:
     """Settings of a level, its raceway so fine that it resolves at least so many harmonics."""
     length, radius = roller_length(case), part.raceway_diameter / 2
     coarsest = PER_ORDER * mesh.order * radius / harmonics

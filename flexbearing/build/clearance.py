@@ -1,18 +1,11 @@
 """The operating clearance of a case: stated, or computed from its fits."""
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from flexbearing.case.roller import Case
-from quasidynamic.clearance import (
-    Annulus,
-    Mounting,
-    OperatingClearance,
-    OperatingConditions,
-    PressFit,
-    operating_clearance,
-)
 
-ROOM = 293.15  # [K] of every part when a case gives no temperatures; only differences matter
+if TYPE_CHECKING:
+    from flexbearing.build.fits import OperatingClearance
 
 
 def operating(case: Case) -> float:
@@ -21,11 +14,13 @@ def operating(case: Case) -> float:
     return case.bearing.stated_clearance if chain is None else chain.clearance
 
 
-def computed(case: Case) -> OperatingClearance | None:
+def computed(case: Case) -> "OperatingClearance | None":
     """Steps from the cold to the operating clearance; None when the case states the latter."""
     if case.bearing.fits is None:
         return None
-    return operating_clearance(_mounting(case), _running(case))
+    from flexbearing.build.fits import from_fits
+
+    return from_fits(case)
 
 
 def record(case: Case) -> dict[str, Any]:
@@ -58,67 +53,4 @@ def notes(case: Case) -> tuple[str, ...]:
         return ()
     return (
         f"clearance: the bearing is preloaded, its rollers interfere by {-clearance * 1e6:.3f} um diametral",
-    )
-
-
-def _mounting(case: Case) -> Mounting:
-    fits: Any = case.bearing.fits  # its companions were checked on reading
-    bore, shaft_bore = _bores(case)
-    raceway = case.bearing.outer_raceway_diameter
-    inner_raceway = raceway - 2 * case.bearing.roller.diameter - fits.cold_clearance
-    outside = fits.outer_diameter or raceway + 2 * (case.outer.thickness or 0.0)
-    ring = _annulus(case, "outer_ring", raceway, outside)
-    outer: PressFit | Annulus = ring
-    if fits.housing:
-        outer = PressFit(
-            inside=ring,
-            outside=_annulus(case, "housing", outside, fits.housing.diameter),
-            interference=fits.housing.interference,
-        )
-    return Mounting(
-        cold_clearance=fits.cold_clearance,
-        shaft_fit=PressFit(
-            inside=_annulus(case, "shaft", shaft_bore, bore),
-            outside=_annulus(case, "inner_ring", bore, inner_raceway),
-            interference=fits.shaft_interference,
-        ),
-        outer=outer,
-        roller=_annulus(case, "roller", 0.0, case.bearing.roller.diameter),
-    )
-
-
-def _bores(case: Case) -> tuple[float, float]:
-    """Bores of inner ring and shaft [m]; zero is a solid shaft."""
-    fits: Any = case.bearing.fits
-    inner: Any = case.inner
-    if inner.kind == "rigid":
-        return fits.bore, fits.shaft_bore or 0.0
-    return inner.bore, inner.bore - 2 * inner.shaft_thickness
-
-
-def _running(case: Case) -> OperatingConditions:
-    temperatures, housed = case.operation.temperatures, case.bearing.fits and case.bearing.fits.housing
-    parts = ("reference", "shaft", "inner_ring", "roller", "outer_ring", "housing")
-    kelvin = {name: getattr(temperatures, name) if temperatures else ROOM for name in parts}
-    return OperatingConditions(
-        reference=kelvin["reference"],
-        shaft=kelvin["shaft"],
-        inner_ring=kelvin["inner_ring"],
-        rollers=kelvin["roller"],
-        outer_ring=kelvin["outer_ring"],
-        housing=kelvin["housing"] if housed else None,
-        inner_speed=case.operation.inner_speed,
-        outer_speed=case.operation.outer_speed,
-    )
-
-
-def _annulus(case: Case, part: str, inside: float, outside: float) -> Annulus:
-    material = getattr(case.materials, part)
-    return Annulus(
-        inner_radius=inside / 2,
-        outer_radius=outside / 2,
-        youngs_modulus=material.youngs_modulus,
-        poisson_ratio=material.poisson_ratio,
-        density=material.density,
-        expansion=material.expansion,
     )

@@ -1,42 +1,27 @@
 """The oil of a case and the laws it follows."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 import quasidynamic as qd
 from flexbearing.case.roller import Case
-from quasidynamic.contact.film import composite_roughness
-from quasidynamic.contact.traction import (
-    ADORE_OILS,
-    FILM_SHARE_1_8,
-    ROLLING_LAWS,
-    ZHOU_HOEPRICH,
-    AsperityShare,
-    ErrorFunctionShare,
-    TractionLaw,
-)
+from quasidynamic.contact.traction import ROLLING_LAWS, TractionLaw
 from quasidynamic.parts.oil_properties import two_point_oil
-
-SHARES: dict[str, AsperityShare] = {
-    "zhou-hoeprich": ZHOU_HOEPRICH,
-    "film-1.8": FILM_SHARE_1_8,
-    "error-function": ErrorFunctionShare(),
-}
 
 
 def lubrication(case: Case) -> qd.Lubrication:
     """Oil of a case and the laws it follows."""
     lubricant = case.lubricant
-    fluid = _FLUIDS[lubricant.traction](case)
+    traction = _FLUIDS[lubricant.traction](case)
+    if lubricant.mixed is not None:
+        from flexbearing.build.rough_surfaces import mixed
+
+        traction = partial(mixed, case, traction)
     return qd.Lubrication(
         oil=oil(case),
         oil_fraction=lubricant.oil_fraction,
-        traction=fluid if lubricant.mixed is None else partial(_mixed, case, fluid),
+        traction=traction,
         film=qd.FORMULAS[lubricant.film],
         rolling=ROLLING_LAWS[lubricant.rolling],
         inlet_heating=lubricant.inlet_heating,
@@ -68,14 +53,6 @@ def oil_name(case: Case) -> str:
     """What the oil is called in notes."""
     lubricant = case.lubricant
     return lubricant.oil or (lubricant.data_sheet.name if lubricant.data_sheet else "the given oil")
-
-
-def roughness(case: Case) -> NDArray | None:
-    """Composite roughness (2) of inner and outer contact [m]; None when the case does not give it."""
-    surfaces = case.bearing.roughness
-    if surfaces is None:
-        return None
-    return composite_roughness(surfaces.roller, [surfaces.inner_raceway, surfaces.outer_raceway])
 
 
 def _data_sheet_oil(sheet):
@@ -112,6 +89,8 @@ def _bair_winer(case: Case) -> Callable[..., TractionLaw]:
 
 
 def _adore(case: Case) -> Callable[..., TractionLaw]:
+    from quasidynamic.contact.traction.adore import ADORE_OILS
+
     lubricant: Any = case.lubricant
     return partial(
         qd.AdoreType, rheology=ADORE_OILS[lubricant.adore_oil], limiting_ratio=lubricant.limiting_ratio
@@ -133,31 +112,3 @@ _FLUIDS: dict[str, Callable[[Case], Callable[..., TractionLaw]]] = {
     "adore": _adore,
     "four-point": _four_point,
 }
-
-
-def _mixed(case: Case, fluid: Callable[..., TractionLaw], **contact: Any) -> TractionLaw:
-    mixed, sigma = case.lubricant.mixed, roughness(case)
-    assert mixed is not None  # checked on reading
-    assert sigma is not None
-    inner, outer = sigma
-    ratio = np.reshape([1.0, inner / outer], (2, 1, 1))
-    return qd.Mixed(
-        fluid=fluid(**contact),
-        share=OtherRoughness(SHARES[mixed.share], ratio),
-        roughness=float(inner),
-        boundary_friction=mixed.boundary_friction,
-        sign_speed=mixed.sign_speed,
-    )
-
-
-@dataclass(frozen=True)
-class OtherRoughness:
-    """Asperity share where a raceway is not as rough as the one the film ratio was formed with."""
-
-    share: AsperityShare
-    ratio: NDArray  # [-] roughness of the film ratio over that of the contact, inner and outer raceway
-
-    def __call__(self, film_ratio: NDArray) -> tuple[NDArray, NDArray]:
-        """Share and its derivative by the film ratio."""
-        share, slope = self.share(film_ratio * self.ratio)
-        return share, slope * self.ratio

@@ -2,26 +2,29 @@
 
 import re
 from pathlib import Path
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import fem
-from fem.parts.step_solid import Coloured, Named, StepSolid, drawing
 from flexbearing.build import clearance
 from flexbearing.build.expansion import hot_over_cold, material, outer_raceway_diameter, roller_length
 from flexbearing.case.roller import Case
 
+if TYPE_CHECKING:
+    from fem.parts.step_solid import Coloured, Named, StepSolid
+
+    Part = fem.SquirrelCage | fem.OuterRing | fem.RingOnShaft | StepSolid
+
 Race = Literal["inner", "outer"]
-Part = fem.SquirrelCage | fem.OuterRing | fem.RingOnShaft | StepSolid
 
 NAMES: dict[Race, str] = {"inner": "inner ring and shaft", "outer": "outer ring"}
 
 
-def part_of(case: Case, race: Race) -> Part | None:
+def part_of(case: Case, race: Race) -> "Part | None":
     """What carries a raceway; None when it is rigid."""
     return inner_part(case) if race == "inner" else outer_part(case)
 
 
-def outer_part(case: Case) -> fem.SquirrelCage | fem.OuterRing | StepSolid | None:
+def outer_part(case: Case) -> "fem.SquirrelCage | fem.OuterRing | StepSolid | None":
     """What carries the outer raceway, at its temperature; None when it is rigid."""
     outer: Any = case.outer  # which values are there depends on the kind, checked on reading
     hot = hot_over_cold(case, "outer_ring")
@@ -71,8 +74,10 @@ def _support(case: Case) -> Any:
             return fem.ClampedFace()
 
 
-def _drawn(case: Case, **ring: Any) -> StepSolid:
+def _drawn(case: Case, **ring: Any) -> "StepSolid":
     """Solid from the STEP file that lies next to the case."""
+    from fem.parts.step_solid import StepSolid, drawing
+
     outer: Any = case.outer
     return StepSolid(
         drawing=drawing(Path(case.source.path).parent / outer.file),
@@ -86,8 +91,10 @@ def _drawn(case: Case, **ring: Any) -> StepSolid:
     )
 
 
-def _pick(face: str) -> Named | Coloured:
+def _pick(face: str) -> "Named | Coloured":
     """Choice of faces by a colour such as #e75959, or by a name."""
+    from fem.parts.step_solid import Coloured, Named
+
     if re.fullmatch(r"#[0-9a-fA-F]{6}", face):
         return Coloured(*bytes.fromhex(face[1:]))
     return Named(face)
@@ -100,7 +107,7 @@ def _direction(name: str) -> tuple[float, float, float]:
     return vector[0], vector[1], vector[2]
 
 
-def inner_part(case: Case) -> fem.RingOnShaft | None:
+def inner_part(case: Case) -> "fem.RingOnShaft | None":
     """Inner ring on its hollow shaft, at the ring's temperature; None when it is rigid."""
     inner: Any = case.inner
     if inner.kind == "rigid":
@@ -144,6 +151,6 @@ def require_held_in_housing(case: Case) -> None:
         )
 
 
-def _elastic(case: Case, part: str) -> fem.Elastic:
+def _elastic(case: Case, part: str) -> "fem.Elastic":
     solid = material(case, part)
     return fem.Elastic(youngs_modulus=solid.youngs_modulus, poisson_ratio=solid.poisson_ratio)

@@ -10,37 +10,47 @@ from flexbearing.case.roller import Case
 from quasidynamic.parts.flange import Flange
 
 
-def bearing(case: Case) -> qd.RollerBearing:
-    """Bearing of a case, its parts at their temperatures, which the operating clearance already knows."""
+def bearing(case: Case) -> "qd.RollerBearing":  # in quotes: checking a case loads no solver
+    """Bearing of a case, ready to be solved."""
     return qd.RollerBearing(
-        bearing=qd.CylindricalRollerBearing(
-            rollers=case.bearing.rollers,
-            outer_raceway_diameter=outer_raceway_diameter(case),
-            clearance=clearance.operating(case),
-            roller=qd.Roller(
-                diameter=case.bearing.roller.diameter * hot_over_cold(case, "roller"),
-                length=roller_length(case),
-                material=_material(case, "roller"),
-                profile=_profile(case),
-            ),
-            cage=_cage(case),
-            inner_ring=_material(case, "inner_ring"),
-            outer_ring=_material(case, "outer_ring"),
-            contact_law=case.bearing.contact_law,
-            first_roller_azimuth=case.bearing.first_roller_azimuth,
-        ),
-        operation=qd.Operation(
-            radial_load=case.operation.radial_load,
-            inner_speed=case.operation.inner_speed,
-            outer_speed=case.operation.outer_speed,
-            load_direction=case.operation.load_direction,
-            moment=case.operation.moment,
-            misalignment=case.operation.misalignment,
-            free_tilt=case.operation.free_tilt,
-        ),
+        bearing=parts(case),
+        operation=operation(case),
         lubrication=lubrication(case),
         slices=case.accuracy.slices,
         axial_modes=case.accuracy.axial_shapes,
+    )
+
+
+def parts(case: Case) -> qd.CylindricalRollerBearing:
+    """Parts of the bearing at their temperatures, which the operating clearance already knows."""
+    return qd.CylindricalRollerBearing(
+        rollers=case.bearing.rollers,
+        outer_raceway_diameter=outer_raceway_diameter(case),
+        clearance=clearance.operating(case),
+        roller=qd.Roller(
+            diameter=case.bearing.roller.diameter * hot_over_cold(case, "roller"),
+            length=roller_length(case),
+            material=_material(case, "roller"),
+            profile=_profile(case),
+        ),
+        cage=_cage(case),
+        inner_ring=_material(case, "inner_ring"),
+        outer_ring=_material(case, "outer_ring"),
+        contact_law=case.bearing.contact_law,
+        first_roller_azimuth=case.bearing.first_roller_azimuth,
+    )
+
+
+def operation(case: Case) -> qd.Operation:
+    """Load, speeds and tilt of the bearing."""
+    return qd.Operation(
+        radial_load=case.operation.radial_load,
+        inner_speed=case.operation.inner_speed,
+        outer_speed=case.operation.outer_speed,
+        load_direction=case.operation.load_direction,
+        moment=case.operation.moment,
+        misalignment=case.operation.misalignment,
+        free_tilt=case.operation.free_tilt,
     )
 
 

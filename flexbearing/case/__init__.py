@@ -3,9 +3,8 @@
 The models of a case stand here, one folder for each kind of rolling element; nothing is computed.
 """
 
-from flexbearing.case.explain import explain
 from flexbearing.case.head import Head
 from flexbearing.case.problems import BadCase
 from flexbearing.case.read import read, understood
 
-__all__ = ["BadCase", "Head", "explain", "read", "understood"]
+__all__ = ["BadCase", "Head", "read", "understood"]

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from flexbearing.case.declarations import Declaration, declared, find, toml
+from flexbearing.case.declarations import Declaration, by_path, find, toml
 from flexbearing.case.quantity import GIVEN, Section
 
 Raw = Mapping[str, Any]
@@ -25,7 +25,7 @@ def foreign(raw: Raw, model: type[Section]) -> dict[str, str]:
         dotted key or table to what it belongs to and what the case says instead
     """
     foreign_keys: dict[str, str] = {}
-    for item in declared(model):
+    for item in by_path(model).values():
         inside = any(item.path.startswith(f"{table}.") for table in foreign_keys)
         if item.only and not inside and _value(raw, item.path) is not None:
             broken = [_broken(choices, item, raw, model) for choices in item.only]

@@ -169,11 +169,12 @@ def declared(model: type[Section], prefix: str = "", table: str = "") -> Iterato
 
 def find(path: str, model: type[Section]) -> Declaration | None:
     """Declaration of a dotted key of one kind of case; None when it has no such key."""
-    return _by_path(model).get(path)
+    return by_path(model).get(path)
 
 
 @cache
-def _by_path(model: type[Section]) -> dict[str, Declaration]:
+def by_path(model: type[Section]) -> dict[str, Declaration]:
+    """Every key and table of a schema by its dotted key, in its order."""
     return {item.path: item for item in declared(model)}
 
 

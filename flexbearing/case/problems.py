@@ -1,7 +1,6 @@
 """What is wrong with a case file, said so that it can be put right."""
 
 from collections.abc import Mapping
-from difflib import get_close_matches
 from typing import Any
 
 from pydantic import ValidationError
@@ -84,6 +83,8 @@ def nearest(path: str, model: type[Head], families: Families) -> str:
         return f" {path} is now {former}."
     if kinds := kinds_with(path, families):
         return f" It belongs to kind = {' or '.join(map(toml, kinds))}, which stands first in a file."
+    from difflib import get_close_matches  # a case without fault does without
+
     siblings = [item.path.rpartition(".")[2] for item in _children(section, model)]
     if close := get_close_matches(name, siblings, n=1):
         return f" Did you mean {close[0]}?"

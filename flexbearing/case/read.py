@@ -70,10 +70,12 @@ def understood(text: str, file: Path, overrides: Overrides, families: Families) 
     raw = _parsed(file, text)
     settings = _settings(overrides)
     model = _model(raw, settings, file.name, families)
-    before = foreign(raw, model)
-    for setting in settings:
-        _override(raw, setting, model, families)
-    _leave_out_former_kinds(raw, before, {setting.partition("=")[0].strip() for setting in settings}, model)
+    if settings:
+        before = foreign(raw, model)
+        for setting in settings:
+            _override(raw, setting, model, families)
+        changed = {setting.partition("=")[0].strip() for setting in settings}
+        _leave_out_former_kinds(raw, before, changed, model)
     if foreign_keys := foreign(raw, model):
         raise BadCase("\n".join(f"{file.name}: {refused(raw, *item)}" for item in foreign_keys.items()))
     try:

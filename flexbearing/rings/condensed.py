@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from contextlib import contextmanager
 from time import perf_counter
+from typing import TYPE_CHECKING
 
 from numpy.typing import NDArray
 
@@ -11,7 +12,7 @@ from fem.condense import BEAM, HARMONICS, SMEARED, SOLID, condense
 from fem.errors import NotSolved
 from fem.parts.step_solid import StepSolid
 from flexbearing.build.expansion import roller_length
-from flexbearing.build.ring_parts import NAMES, Part, Race, part_of
+from flexbearing.build.ring_parts import NAMES, Race, part_of
 from flexbearing.cache import configured
 from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
@@ -19,6 +20,9 @@ from flexbearing.coupling import PartnerFailed, RacewayPair
 from flexbearing.progress import Report
 from flexbearing.rings.fits import RacewayInFit, inner_ring_in_fit, is_in_fit, outer_ring_in_housing
 from flexbearing.rings.raceways import CondensedRaceway, RigidRaceway
+
+if TYPE_CHECKING:
+    from flexbearing.build.ring_parts import Part
 
 # Order, and sizes of elements over the roller length: 0.1 % and 0.5 % of the largest compliance.
 ON_A_SECTION, IN_SPACE = (5, 1.2, 0.25), (3, 0.6, 0.4)
@@ -96,7 +100,7 @@ def named_failures(case: Case, name: str) -> Iterator[None]:
         raise PartnerFailed(f"{name}: {problem}", "not solved") from problem
 
 
-def _condensed(name: str, part: Part, case: Case, azimuths: NDArray, report: Report):
+def _condensed(name: str, part: "Part", case: Case, azimuths: NDArray, report: Report):
     """Raceway compliance, from the cache where it is kept."""
     discretisation = _discretisation(part, case)
     arguments = part, discretisation, _resolution(part, discretisation, case, azimuths)
@@ -112,7 +116,7 @@ def _condensed(name: str, part: Part, case: Case, azimuths: NDArray, report: Rep
     return configured().cached(arguments, computed, lambda note: report.stage(f"{name}: {note}", None))
 
 
-def _discretisation(part: Part, case: Case) -> fem.Discretisation:
+def _discretisation(part: "Part", case: Case) -> fem.Discretisation:
     """Choice of the case, or what suits the part."""
     if case.accuracy.structure == "solid" or isinstance(part, StepSolid):
         return SOLID
@@ -124,7 +128,7 @@ def _discretisation(part: Part, case: Case) -> fem.Discretisation:
 
 
 def _resolution(
-    part: Part, discretisation: fem.Discretisation, case: Case, azimuths: NDArray
+    part: "Part", discretisation: fem.Discretisation, case: Case, azimuths: NDArray
 ) -> fem.Resolution:
     in_space = discretisation is SOLID or isinstance(part, fem.SquirrelCage)
     usual = WITH_A_SLEEVE if discretisation is SMEARED else IN_SPACE if in_space else ON_A_SECTION

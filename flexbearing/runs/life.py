@@ -2,14 +2,15 @@
 
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from flexbearing.build.lubrication import oil, roughness
+from flexbearing.build.lubrication import oil
+from flexbearing.build.rough_surfaces import roughness
 from flexbearing.case.roller import Case
-from quasidynamic import CylindricalRollerBearing, Equilibrium
+from quasidynamic import CylindricalRollerBearing
 from quasidynamic.outcome.capacity import (
     dynamic_rating,
     fatigue_load_limit,
@@ -35,6 +36,9 @@ from quasidynamic.outcome.life_factors import (
     reliability_factor,
     viscosity_ratio,
 )
+
+if TYPE_CHECKING:  # checking a case loads no solver
+    from quasidynamic import Equilibrium
 
 MREV = 1e6  # revolutions
 
@@ -66,7 +70,7 @@ class LifeOfState:
         }
 
 
-def modified(case: Case, state: Equilibrium) -> LifeOfState | None:
+def modified(case: Case, state: "Equilibrium") -> LifeOfState | None:
     """Life after every factor of a case; None when nothing modifies it or nothing carries load.
 
     Parameters
@@ -95,7 +99,7 @@ def modified(case: Case, state: Equilibrium) -> LifeOfState | None:
     return LifeOfState(state.life, by_slices + factors, float(life.life) * MREV)
 
 
-def _slice_factors(case: Case, state: Equilibrium) -> Iterator[dict[str, Any]]:
+def _slice_factors(case: Case, state: "Equilibrium") -> Iterator[dict[str, Any]]:
     """What capacity, edge stress and rollers make of the basic life, one after the other."""
     bearing = state.balance.roller.bearing
     inner, outer = _slice_loads(state)
@@ -126,7 +130,7 @@ def _slice_factors(case: Case, state: Equilibrium) -> Iterator[dict[str, Any]]:
         yield {"name": "roller body", "value": after / before, "effect": "load", "note": note}
 
 
-def _lubrication_factors(case: Case, state: Equilibrium) -> Iterator[LifeFactor]:
+def _lubrication_factors(case: Case, state: "Equilibrium") -> Iterator[LifeFactor]:
     if case.life.lubrication == "film":
         ratio = float((state.minimum_film / roughness(case)).min())
         yield _explained(film_factor(ratio), f"smallest film ratio {ratio:.3g}")
@@ -153,7 +157,7 @@ def _fixed_factors(case: Case) -> list[LifeFactor]:
     return factors
 
 
-def _slice_loads(state: Equilibrium) -> NDArray:
+def _slice_loads(state: "Equilibrium") -> NDArray:
     """Load (2, Z, K) of each slice [N]."""
     return state.slice_loads * state.balance.roller.raceways.slices.width
 

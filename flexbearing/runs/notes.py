@@ -9,7 +9,7 @@ from flexbearing.quantities.roller import CAGE_SLIP
 from quasidynamic import Equilibrium, RollerBearing
 from quasidynamic.contact.cage import land_notes
 from quasidynamic.contact.drag import drag_notes
-from quasidynamic.contact.traction import ADORE_OILS
+from quasidynamic.contact.traction.adore import ADORE_OILS
 from quasidynamic.trace import equilibria_at, several_likely
 
 

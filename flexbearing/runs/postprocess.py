@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 from typing import Any, Literal
 
 from flexbearing.build import clearance
-from flexbearing.build.lubrication import roughness
+from flexbearing.build.rough_surfaces import roughness
 from flexbearing.case.roller import Case
 from flexbearing.coupled import states
 from flexbearing.coupled.states import EndState

@@ -1,16 +1,35 @@
 """The parts of a roller bearing, built without a mesh to see whether they can be."""
 
 from flexbearing.build import ring_parts, roller_bearing
+from flexbearing.build.lubrication import lubrication
 from flexbearing.case.roller import Case
-from flexbearing.runs import life
-from quasidynamic.contact.flange import flange_corner
 
 
 def build(case: Case) -> None:
-    """Build bearing, flange and rings; raises `ImpossiblePart` or `OutOfRange` where they cannot be."""
-    bearing = roller_bearing.bearing(case).bearing
-    life.require_possible(case, bearing)
+    """Build bearing, flange and rings; nothing that solves is loaded.
+
+    Parameters
+    ----------
+    case : Case
+        as it was read
+
+    Raises
+    ------
+    ImpossiblePart
+        where a part cannot be
+    OutOfRange
+        where a law does not hold for it
+    """
+    bearing = roller_bearing.parts(case)
+    roller_bearing.operation(case)
+    lubrication(case)
+    if case.life.model_dump(exclude_defaults=True):
+        from flexbearing.runs import life
+
+        life.require_possible(case, bearing)
     if flange := roller_bearing.flange(case):
+        from quasidynamic.contact.flange import flange_corner
+
         flange_corner(flange, bearing)
     ring_parts.outer_part(case)
     ring_parts.inner_part(case)

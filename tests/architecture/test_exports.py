@@ -1,4 +1,4 @@
-"""What `quasidynamic` offers is told once to the type checker and once to the interpreter: both agree."""
+"""What `quasidynamic` and `fem` offer is told to the type checker and to the interpreter: both agree."""
 
 import ast
 import subprocess
@@ -7,22 +7,28 @@ from pathlib import Path
 
 import pytest
 
+import fem
 import quasidynamic
 
+PACKAGES = (quasidynamic, fem)
 
-def test_lazy_names_are_those_that_the_type_checker_sees():
-    tree = ast.parse(Path(quasidynamic.__file__).read_text())
+
+@pytest.mark.parametrize("package", PACKAGES, ids=lambda package: package.__name__)
+def test_lazy_names_are_those_that_the_type_checker_sees(package):
+    tree, within = ast.parse(Path(package.__file__).read_text()), f"{package.__name__}."
     seen = {
-        node.module.removeprefix("quasidynamic."): tuple(name.name for name in node.names)
+        node.module.removeprefix(within): tuple(name.name for name in node.names)
         for node in ast.walk(tree)
-        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("quasidynamic.")
+        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith(within)
     }
-    assert seen == quasidynamic.EXPORTS
+    assert seen == package.EXPORTS
 
 
-@pytest.mark.parametrize("name", dir(quasidynamic))
-def test_lazy_name_is_there(name):
-    assert getattr(quasidynamic, name) is not None
+@pytest.mark.parametrize(
+    ("package", "name"), [(package, name) for package in PACKAGES for name in dir(package)]
+)
+def test_lazy_name_is_there(package, name):
+    assert getattr(package, name) is not None
 
 
 @pytest.mark.parametrize(

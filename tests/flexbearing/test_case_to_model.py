@@ -9,7 +9,7 @@ from pytest import approx
 
 import quasidynamic as qd
 from flexbearing import check, read
-from flexbearing.build import lubrication, roller_bearing
+from flexbearing.build import lubrication, roller_bearing, rough_surfaces
 from flexbearing.case import BadCase
 from flexbearing.case.roller.life import CleanlinessName
 from flexbearing.case.roller.lubricant import (
@@ -21,7 +21,9 @@ from flexbearing.case.roller.lubricant import (
     TractionName,
 )
 from flexbearing.runs import notes
-from quasidynamic.contact.traction import ADORE_OILS, FILM_SHARE_1_8, ROLLING_LAWS, ZHOU_HOEPRICH
+from quasidynamic.contact.traction import ROLLING_LAWS
+from quasidynamic.contact.traction.adore import ADORE_OILS
+from quasidynamic.contact.traction.mixed import FILM_SHARE_1_8, ZHOU_HOEPRICH
 from quasidynamic.outcome.life_factors import CLEANLINESS
 from quasidynamic.parts.oil_properties import OILS
 
@@ -61,7 +63,7 @@ def law(settings, file=PLAIN):
         (RollingName, ROLLING_LAWS),
         (CleanlinessName, CLEANLINESS),
         (TractionName, lubrication._FLUIDS),
-        (ShareName, lubrication.SHARES),
+        (ShareName, rough_surfaces.SHARES),
     ],
     ids=["oils", "adore oils", "films", "rolling", "cleanliness", "tractions", "shares"],
 )

@@ -7,7 +7,7 @@ from pytest import approx
 
 import flexbearing
 from flexbearing import check, read
-from flexbearing.build import clearance, expansion, ring_parts, roller_bearing
+from flexbearing.build import clearance, expansion, fits, ring_parts, roller_bearing
 from flexbearing.case import BadCase
 from flexbearing.report import text
 from flexbearing.runs import notes
@@ -92,12 +92,12 @@ def test_flexible_parts_give_the_dimensions_of_the_fits(tmp_path):
     file = tmp_path / "case.toml"
     file.write_text("\n".join(line for line in whole.splitlines() if '"bearing.clearance" =' not in line))
     case = read(file)
-    mounting = clearance._mounting(case)
+    mounting = fits._mounting(case)
     assert isinstance(mounting.outer, Annulus)
     assert (2 * mounting.outer.inner_radius, 2 * mounting.outer.outer_radius) == approx((75e-3, 82.2e-3))
     shaft = mounting.shaft_fit.inside
     assert (2 * shaft.inner_radius, 2 * shaft.outer_radius) == approx((51.6e-3, 59.6e-3))
-    chain = operating_clearance(mounting, clearance._running(case))
+    chain = operating_clearance(mounting, fits._running(case))
     part = ring_parts.inner_part(case)
     assert part is not None
     rollers = 2 * case.bearing.roller.diameter * expansion.hot_over_cold(case, "roller")
@@ -138,7 +138,7 @@ def test_housing_without_a_temperature_follows_the_outer_ring():
 
 
 def test_housing_is_part_of_the_fit():
-    outer = clearance._mounting(read(FITS)).outer
+    outer = fits._mounting(read(FITS)).outer
     assert isinstance(outer, PressFit)
     assert 2 * outer.outside.outer_radius == approx(0.12)
     assert outer.interference == approx(-10e-6)

@@ -24,6 +24,13 @@ BALLS = ("flexbearing.case.balls", "flexbearing.runs.ball", "flexbearing.runs.fo
 ROLLERS = ("flexbearing.case.roller", "flexbearing.runs.roller", "flexbearing.report.roller.report",
            "flexbearing.coupled", "quasidynamic.balance.rollers", "quasidynamic.roller")  # fmt: skip
 
+SOLVING = ("quasidynamic.balance", "quasidynamic.solve", "quasidynamic.outcome", "quasidynamic.roller",
+           "quasidynamic.contact.raceways")  # fmt: skip
+NOT_OF_THIS_CASE = ("quasidynamic.clearance", "quasidynamic.contact.traction.mixed",
+                    "quasidynamic.contact.traction.adore", "quasidynamic.contact.traction.rheology",
+                    "quasidynamic.contact.flange", "fem.parts.step_solid", "fem.parts.bolted_ring",
+                    "flexbearing.case.explain", "difflib")  # fmt: skip
+
 
 def loaded(*words):
     command = [sys.executable, "-c", CODE, *map(str, words)]
@@ -45,7 +52,8 @@ def test_help_loads_no_physics_and_no_model_of_a_case(words):
 
 def test_checking_rollers_loads_no_balls_no_solver_and_no_files():
     modules = loaded("check", "configs/mao2016.toml")
-    assert among(modules, (*HEAVY, *BALLS, "h5py", "scipy", "rich", "flexbearing.results")) == []
+    assert among(modules, (*HEAVY, *BALLS, *SOLVING, "h5py", "scipy", "rich", "flexbearing.results")) == []
+    assert among(modules, NOT_OF_THIS_CASE) == []
 
 
 @pytest.mark.parametrize("name", ["harris218", "joshi2015_fourpoint"])

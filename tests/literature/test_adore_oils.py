@@ -9,7 +9,7 @@ from math import exp, log
 import pytest
 from pytest import approx
 
-from quasidynamic.contact.traction import ADORE_OILS
+from quasidynamic.contact.traction.adore import ADORE_OILS
 
 PRINTED = {  # alpha [1/Pa], viscosity [Pa s] and -d ln(viscosity)/dT [1/K] over the temperature [K]
     "MIL-L-7808": (5.2214e-9, lambda T: 0.11431 * exp(0.033723 * (313 - T)), (0.041745, 0.60873)),

@@ -7,7 +7,8 @@ import pytest
 from hypothesis import assume, given, strategies as st
 from pytest import approx
 
-from quasidynamic.contact.traction import FILM_SHARE_1_8, ZHOU_HOEPRICH, BairWiner, ErrorFunctionShare, Mixed
+from quasidynamic.contact.traction.mixed import FILM_SHARE_1_8, ZHOU_HOEPRICH, ErrorFunctionShare, Mixed
+from quasidynamic.contact.traction.rheology import BairWiner
 from quasidynamic.errors import ImpossiblePart
 from quasidynamic.parts.lubricant import Lubricant
 
