@@ -86,9 +86,9 @@ def test_without_temperatures_only_fits_and_speed_change_the_clearance(tmp_path)
 
 def test_flexible_parts_give_the_dimensions_of_the_fits(tmp_path):
     """Squirrel cage and hollow shaft: [inner] and [outer] are their only source."""
-    fits = '[bearing.fits]\ncold_clearance = "100 um"\nshaft_interference = "40 um"\n\n[bearing.roller]'
+    table = '[bearing.fits]\ncold_clearance = "100 um"\nshaft_interference = "40 um"\n\n[bearing.roller]'
     whole = PAPER.read_text()
-    whole = whole.replace("[bearing.roller]", fits, 1).replace('clearance = "75.5 um"', "", 1)
+    whole = whole.replace("[bearing.roller]", table, 1).replace('clearance = "75.5 um"', "", 1)
     file = tmp_path / "case.toml"
     file.write_text("\n".join(line for line in whole.splitlines() if '"bearing.clearance" =' not in line))
     case = read(file)

@@ -29,7 +29,7 @@ SOLVING = ("quasidynamic.balance", "quasidynamic.solve", "quasidynamic.outcome",
 NOT_OF_THIS_CASE = ("quasidynamic.clearance", "quasidynamic.contact.traction.mixed",
                     "quasidynamic.contact.traction.adore", "quasidynamic.contact.traction.rheology",
                     "quasidynamic.contact.flange", "fem.parts.step_solid", "fem.parts.bolted_ring",
-                    "flexbearing.case.explain", "difflib")  # fmt: skip
+                    "flexbearing.case.explain")  # fmt: skip
 
 
 def loaded(*words):

@@ -9,7 +9,8 @@ from quasidynamic import Crowned, Logarithmic, Material, OutOfRange, Straight, o
 from quasidynamic.contact.film.thickness import FORMULAS, FilmLaw, inlet_heating_factor
 from quasidynamic.contact.line import half_width, peak_pressure, reduced_radius
 from quasidynamic.contact.line.load_law import iso16281, palmgren, smooth_positive
-from quasidynamic.contact.traction import Eyring, Regression4109, biboulet_houpert
+from quasidynamic.contact.traction import Regression4109, biboulet_houpert
+from quasidynamic.contact.traction.rheology import Eyring
 from quasidynamic.parts.lubricant import Lubricant
 
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7850)

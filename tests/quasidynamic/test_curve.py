@@ -5,7 +5,7 @@ import pytest
 from hypothesis import assume, given, strategies as st
 from pytest import approx
 
-from quasidynamic.contact.traction import FourPointCurve
+from quasidynamic.contact.traction.measured_curve import FourPointCurve
 from quasidynamic.errors import ImpossiblePart
 
 FLUID = FourPointCurve.through(at_rest=0.0, peak=0.05, peak_slip=0.02, far=0.03)

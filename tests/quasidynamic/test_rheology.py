@@ -8,7 +8,9 @@ import pytest
 from hypothesis import assume, given, strategies as st
 from pytest import approx
 
-from quasidynamic.contact.traction import ADORE_OILS, AdoreType, BairWiner, Eyring, Traction
+from quasidynamic.contact.traction import Traction
+from quasidynamic.contact.traction.adore import ADORE_OILS, AdoreType
+from quasidynamic.contact.traction.rheology import BairWiner, Eyring
 from quasidynamic.contact.traction.thermal_shear import WallProperties, roelands
 from quasidynamic.errors import ImpossiblePart
 from quasidynamic.parts.lubricant import Lubricant
