@@ -117,7 +117,7 @@ def test_record_tells_the_cold_clearance_and_each_fit():
 
 
 def test_cold_rings_and_rollers_leave_the_cold_clearance():
-    mounting = clearance._mounting(read(FITS))
+    mounting = fits._mounting(read(FITS))
     assert isinstance(mounting.outer, PressFit)
     raceways = [2 * mounting.outer.inside.inner_radius, 2 * mounting.shaft_fit.outside.outer_radius]
     gap = raceways[0] - raceways[1] - 4 * mounting.roller.outer_radius
