@@ -1,6 +1,7 @@
 """What holds the rings, from the case file to the loads."""
 
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -12,7 +13,12 @@ from flexbearing.build import ring_parts
 from flexbearing.case import BadCase
 from flexbearing.coupling import RacewayPair
 from flexbearing.rings.condensed import mesh_size
-from flexbearing.rings.fits import expansions_along, inner_ring_in_fit, outer_ring_in_housing
+from flexbearing.rings.fits import (
+    _shaft_fit_figures,
+    expansions_along,
+    inner_ring_in_fit,
+    outer_ring_in_housing,
+)
 from flexbearing.rings.raceways import RigidRaceway
 from flexbearing.runs import fields
 
@@ -124,6 +130,19 @@ def along(part, *temperatures):
         f'operation.temperatures.{part}_along.at=["-30 mm", "30 mm"]',
         f"operation.temperatures.{part}_along.temperatures=[{names}]",
     ]
+
+
+def test_figures_of_a_shaft_fit_hold_each_number_under_its_name():
+    fit = SimpleNamespace(mean_pressure=5e6, expansion=np.array([3e-6, 1e-6]))
+    loaded = SimpleNamespace(mean_pressure=6e6, pressure=np.array([0.0, 9e6]), opened=0.25, slipping=0.5)
+    assert _shaft_fit_figures(fit, loaded)["fit"] == {  # pyright: ignore[reportArgumentType]
+        "mean_pressure_unloaded_MPa": approx(5.0),
+        "raceway_growth_um": approx(3.0),
+        "mean_pressure_MPa": approx(6.0),
+        "largest_pressure_MPa": approx(9.0),
+        "open_share": 0.25,
+        "slipping_share": 0.5,
+    }
 
 
 def test_temperatures_along_the_axis_are_free_expansions_beyond_the_middle():
