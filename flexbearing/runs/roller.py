@@ -4,8 +4,6 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from flexbearing.accuracy import Unusable
-from flexbearing.accuracy.adaptive import adaptive_resolution
 from flexbearing.build import clearance, roller_bearing
 from flexbearing.case.roller import Case
 from flexbearing.coupled.coupled import FROM_INITIAL_STATE, BearingPartner, CoupledBearing
@@ -60,6 +58,9 @@ def _resolved(case: Case, postprocessing: Postprocessing, report: Report) -> Res
     usual = Resolved(model, lambda: raceways(case, model.bearing.azimuths, report))
     if case.accuracy.target is None:
         return usual
+    from flexbearing.accuracy import Unusable
+    from flexbearing.accuracy.adaptive import adaptive_resolution
+
     try:
         resolution = adaptive_resolution(case, report)
     except Unusable as problem:
