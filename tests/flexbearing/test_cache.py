@@ -4,7 +4,7 @@ import os
 import re
 import time
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, make_dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -148,6 +148,11 @@ def test_lookalikes_have_different_names():
 def test_what_could_change_in_secret_has_no_name(value):
     with pytest.raises(TypeError, match="cannot name a condensed ring"):
         key.digest((PARTS, value))
+
+
+def test_fields_alike_of_another_class_have_another_name():
+    clamped, seated = make_dataclass("Clamped", ["width"]), make_dataclass("Seated", ["width"])
+    assert key.digest(clamped(1e-2)) != key.digest(seated(1e-2))
 
 
 @given(place=st.floats(0, 1, exclude_max=True), bit=st.integers(0, 7))

@@ -111,6 +111,15 @@ def test_factor_of_iso_281_by_hand(state):
     assert factor["value"] == approx(value, rel=5e-3)
 
 
+def test_viscosity_ratio_is_that_of_the_speed_of_one_ring_past_the_other():
+    speeds = {"operation.inner_speed": "3000 rpm", "operation.outer_speed": "-1000 rpm"}
+    kappa = []
+    for settings in (speeds, {"operation.inner_speed": "4000 rpm"}):
+        case = read(PLAIN, {**settings, **CLEAN})
+        kappa.append(life._kappa(case, roller_bearing.bearing(case).bearing))
+    assert kappa[0] == approx(kappa[1], rel=1e-12)
+
+
 def test_equivalent_load_counts_each_race_with_its_own_capacity():
     """Fast rollers load the outer race more, by their inertia."""
     case = read(PLAIN, {"operation.inner_speed": "15000 rpm", **CLEAN})

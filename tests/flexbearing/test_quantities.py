@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 
 import flexbearing
+from flexbearing.case.units import unit
 from flexbearing.families import FAMILIES
-from flexbearing.quantities import Quantity
+from flexbearing.quantities import Quantity, Unit, units
 from flexbearing.quantities.quantity import taken
 from flexbearing.quantities.roller import CAGE_SLIP, LAYOUT, LOSSES
 
@@ -48,6 +49,12 @@ def test_inner_comes_first_and_outer_second_in_every_pair():
     for inner, outer in pairs:
         assert inner.endswith(".0")
         assert outer == inner.removesuffix("0") + "1"
+
+
+@pytest.mark.parametrize("name", ["%", "deg", "mrad", "um", "mm", "rpm", "MPa", "kN/mm"])
+def test_a_unit_for_people_is_the_unit_of_that_name_in_a_case(name):
+    shown = {entry.name: entry for entry in vars(units).values() if isinstance(entry, Unit)}
+    assert unit(name).to_si(1.0) * shown[name].scale == pytest.approx(1.0, rel=1e-12)
 
 
 def test_each_loss_is_that_of_its_cause():

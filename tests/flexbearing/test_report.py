@@ -316,6 +316,13 @@ def test_text_sets_rigid_beside_flexible_with_the_change():
     assert row(page, "stiffness of the bearing [kN/mm]") == ["770.0", "770.0", "+0.0"]
 
 
+def test_error_of_the_cage_slip_is_a_slip_and_that_of_a_load_a_share():
+    estimate = {"target": 0.01, "met": True, "cage_slip": 0.001, "roller_load": 0.002}
+    page = text(result(attributes={"choices": {}, "error_estimate": estimate}))
+    assert row(page, "cage slip [%]") == ["6.28", "6.28", "0.1", "+0.0"]
+    assert row(page, "largest inner load [N]") == ["3,537.0", "3,035.0", "6.1", "-14.2"]
+
+
 @EVERY_ENDING
 def test_text_fits_a_log_file(run):
     page = text(run())

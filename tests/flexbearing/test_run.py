@@ -6,6 +6,7 @@ import subprocess
 import sys
 from itertools import count
 from pathlib import Path
+from types import SimpleNamespace
 
 import h5py
 import numpy as np
@@ -13,7 +14,7 @@ import pytest
 from pytest import approx
 
 import flexbearing
-from flexbearing.progress import Logged
+from flexbearing.progress import Logged, line
 from flexbearing.report import summary
 from flexbearing.rings.raceways import CondensedRaceway
 
@@ -239,6 +240,14 @@ def test_stage_is_logged_once_however_often_it_advances(caplog):
         ):
             report.stage(text, fraction)
     assert [record.getMessage() for record in caplog.records] == ["mesh", "factor", "mesh"]
+
+
+def test_line_of_an_iteration_tells_the_largest_load():
+    forces = np.zeros((2, 3, 1))
+    forces[0, :, 0] = 10.0, 70.0, 20.0
+    iteration = SimpleNamespace(number=4, load_change=2e-3, state=SimpleNamespace(forces=forces))
+    told = line(iteration)  # pyright: ignore[reportArgumentType]
+    assert told == "iteration   4: largest load change 2.00e-03, largest roller load     70.0 N"
 
 
 def test_progress_is_logged_with_units(tmp_path, caplog):
