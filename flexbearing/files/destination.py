@@ -1,0 +1,103 @@
+"""Where an output may go: settled before anything is computed."""
+
+import stat
+from collections.abc import Iterable
+from pathlib import Path
+
+from flexbearing.files.whole import UNFINISHED, part_name
+
+
+class BadOutput(ValueError):
+    """A name that an output cannot or must not have."""
+
+
+def require_output(path: str | Path, inputs: Iterable[str | Path] = ()) -> Path:
+    """Settle where an output goes, and that it can be written there.
+
+    Parameters
+    ----------
+    path : path
+        as the user gave it; a link leads to the file it points at
+    inputs : iterable of paths
+        files that are read: the case, a drawing, a result to start from
+
+    Returns
+    -------
+    Path
+        absolute, without links; its folder is there
+
+    Raises
+    ------
+    BadOutput
+        one line with the reason: a folder, an input or a link to it, a name that is kept for unfinished files
+        or too long, a file or folder that cannot be written
+    """
+    try:
+        output = Path(path).resolve()
+        if output.is_dir():
+            raise BadOutput(f"{path}: is a folder; an output needs a name of its own.")
+        if UNFINISHED in (output.suffix, Path(path).suffix):
+            raise BadOutput(
+                f"{path}: names ending in {UNFINISHED} are kept for unfinished files; choose another."
+            )
+        for other in inputs:
+            if _same(output, Path(other)):
+                raise BadOutput(f"{path}: is {other} itself, which is read here; choose another name.")
+        require_folder(output.parent)
+        if output.exists():
+            _require_replaceable(output, path)
+        trial = part_name(output)
+        trial.open("xb").close()
+        trial.unlink()
+    except (OSError, ValueError, RuntimeError) as problem:  # too long, a loop of links, a NUL in the name
+        if isinstance(problem, BadOutput):
+            raise
+        raise BadOutput(f"{path}: cannot be written: {_reason(problem)}.") from problem
+    return output
+
+
+def require_folder(folder: str | Path) -> Path:
+    """Make a folder that outputs go to, where it is not there yet.
+
+    Parameters
+    ----------
+    folder : path
+        with any number of folders above it that are missing, too
+
+    Returns
+    -------
+    Path
+        the folder
+
+    Raises
+    ------
+    BadOutput
+        if it cannot be made, or nothing can be written into it
+    """
+    try:
+        made = Path(folder)
+        made.mkdir(parents=True, exist_ok=True)
+        trial = part_name(made / "trial")
+        trial.open("xb").close()
+        trial.unlink()
+    except (OSError, ValueError) as problem:
+        raise BadOutput(f"{folder}: no folder to write to: {_reason(problem)}.") from problem
+    return made
+
+
+def _same(output: Path, other: Path) -> bool:
+    if output == other.resolve():
+        return True
+    return output.exists() and other.exists() and output.samefile(other)
+
+
+def _require_replaceable(output: Path, path: str | Path) -> None:
+    mode = output.stat().st_mode
+    if not stat.S_ISREG(mode):
+        raise BadOutput(f"{path}: is there and is no file that could be replaced.")
+    if not mode & (stat.S_IWUSR | stat.S_IWGRP | stat.S_IWOTH):  # os.access lets the superuser do all
+        raise BadOutput(f"{path}: is write-protected; choose another name, or permit writing.")
+
+
+def _reason(problem: Exception) -> str:
+    return getattr(problem, "strerror", None) or str(problem)

@@ -1,0 +1,95 @@
+"""Files that appear whole or not at all."""
+
+import os
+import re
+import socket
+from contextlib import suppress
+from pathlib import Path
+
+UNFINISHED = ".part"
+_PART = re.compile(r"\.(?P<host>[\w-]+)-(?P<process>\d+)-[0-9a-f]{8}\.part")
+
+
+class NotStored(RuntimeError):
+    """A file could not be written; what had its name before is unchanged."""
+
+
+def host() -> str:
+    """Name of this host, as names of files can hold it."""
+    return re.sub(r"[^\w-]", "-", socket.gethostname()) or "unknown"
+
+
+def part_name(path: Path) -> Path:
+    """Name beside a file that no other process and no other call uses."""
+    return path.with_name(f"{path.name}.{host()}-{os.getpid()}-{os.urandom(4).hex()}{UNFINISHED}")
+
+
+def parts_of(path: Path) -> list[tuple[Path, str, int]]:
+    """Unfinished files beside a file.
+
+    Parameters
+    ----------
+    path : Path
+        the finished file, there or not
+
+    Returns
+    -------
+    list of (Path, str, int)
+        each with the host and the process that wrote it, the newest first
+    """
+    parts = []
+    with suppress(OSError):  # a folder that is not there has none
+        for other in path.parent.iterdir():
+            named = other.name.startswith(path.name) and _PART.fullmatch(other.name[len(path.name) :])
+            if named:
+                parts.append((other, named["host"], int(named["process"])))
+    return sorted(parts, key=lambda part: _age(part[0]))
+
+
+def write(path: Path, data: bytes) -> None:
+    """Write a file so that nobody ever sees a part of it.
+
+    The bytes go to a name of their own, created exclusively, are brought to the disk and read again before
+    they take the place of what was there.
+
+    Parameters
+    ----------
+    path : Path
+        its folder is there
+    data : bytes
+        the whole content
+
+    Raises
+    ------
+    NotStored
+        naming the file and what to do; no part is left
+    """
+    part = part_name(path)
+    try:
+        with part.open("xb") as file:
+            file.write(data)
+            file.flush()
+            os.fsync(file.fileno())
+        if part.read_bytes() != data:
+            raise NotStored(f"{path}: the disk did not keep what was written; nothing was replaced.")
+        part.replace(path)
+    except OSError as problem:
+        _remove(part)
+        raise NotStored(
+            f"{path}: not written: {problem.strerror or problem}. What had this name before is unchanged; "
+            "free space there, or choose another place with -o."
+        ) from problem
+    except BaseException:  # an interrupt leaves no part behind
+        _remove(part)
+        raise
+
+
+def _remove(part: Path) -> None:
+    with suppress(OSError):  # never made, or gone already
+        part.unlink()
+
+
+def _age(part: Path) -> float:
+    with suppress(OSError):
+        return -part.stat().st_mtime
+    return 0.0

@@ -1,0 +1,48 @@
+"""Texts from elsewhere, made fit for a terminal or a picture."""
+
+import re
+from typing import Any
+
+# Control characters but for the end of a line, and marks that turn the direction of what follows.
+_UNFIT = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u200e\u200f\u202a-\u202e\u2066-\u2069\ud800-\udfff]")
+
+
+def printable(text: str) -> str:
+    r"""Write characters that would control a terminal as their codes, ``\x1b``.
+
+    Parameters
+    ----------
+    text : str
+        such as a title, a note, a name in a drawing
+
+    Returns
+    -------
+    str
+        the same text where nothing in it is unfit; ends of lines stay
+
+    >>> print(printable("Ring \x1b[31mred"))
+    Ring \x1b[31mred
+    """
+    return _UNFIT.sub(lambda found: found[0].encode("unicode_escape").decode(), text)
+
+
+def all_printable(value: Any) -> Any:
+    """Every text within a value made printable.
+
+    Parameters
+    ----------
+    value : any
+        texts, numbers, and lists, tuples and mappings of them
+
+    Returns
+    -------
+    any
+        the same value
+    """
+    if isinstance(value, str):
+        return printable(value)
+    if isinstance(value, dict):
+        return {all_printable(name): all_printable(item) for name, item in value.items()}
+    if isinstance(value, list | tuple):
+        return type(value)(all_printable(item) for item in value)
+    return value
