@@ -1,7 +1,6 @@
 """From a case to what carries the raceways: outer and inner part at their temperatures."""
 
 import re
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 import fem
@@ -79,8 +78,9 @@ def _drawn(case: Case, **ring: Any) -> "StepSolid":
     from fem.parts.step_solid import StepSolid, drawing
 
     outer: Any = case.outer
+    assert case.drawing  # or the ring would not be drawn
     return StepSolid(
-        drawing=drawing(Path(case.source.path).parent / outer.file),
+        drawing=drawing(case.drawing),
         clamps=tuple(_pick(face) for face in outer.clamps),
         raceway=None if outer.raceway is None else _pick(outer.raceway),
         centre=(outer.centre_x, outer.centre_y, outer.centre_z),

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any, ClassVar
 
 from pydantic import PrivateAttr
@@ -42,6 +43,11 @@ class Head(Section):
     def source(self) -> Source:
         """File and settings that the case was read from."""
         return self._source
+
+    @property
+    def input_files(self) -> tuple[Path, ...]:
+        """Files that the case was read from, which no output may replace."""
+        return (Path(self.source.path),) if self.source.path else ()
 
     def to_json(self) -> dict[str, Any]:
         """Values in SI units, as JSON can hold them."""

@@ -93,8 +93,8 @@ def case_of(result: Result) -> Case:
     attributes, families = result.attributes, {result.kind: result.family}
     file = Path(attributes.get("case_file", result.path))
     case = understood(attributes["case_text"], file, attributes["case_overrides"], families)
-    drawn = case.outer.file if isinstance(case, Case) and case.outer.kind == "step" else None
-    if drawn and not (file.parent / drawn).exists():  # carried elsewhere: the drawing may have come along
+    drawing = case.drawing if isinstance(case, Case) else None
+    if drawing and not drawing.exists():  # carried elsewhere: the drawing may have come along
         case = understood(attributes["case_text"], result.path, attributes["case_overrides"], families)
     if not isinstance(case, Case):
         raise BadCase(f"{result.path}: the rings of a {case.kind} bearing have no fields; only rollers have")

@@ -1,6 +1,7 @@
 """A cylindrical roller bearing between its rings, as a case."""
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import Literal, Self
 
 from pydantic import model_validator
@@ -33,6 +34,18 @@ class Case(Head):
     coupling: Coupling = key("how bearing and rings come to agree", {})
     accuracy: Accuracy = key("how finely everything is resolved", {})
     outputs: Outputs = key("what is computed beside the solution", {})
+
+    @property
+    def drawing(self) -> Path | None:
+        """STEP file of the outer ring, next to the case file; None for a ring that is not drawn."""
+        if self.outer.kind != "step" or self.outer.file is None:
+            return None
+        return Path(self.source.path).parent / self.outer.file
+
+    @property
+    def input_files(self) -> tuple[Path, ...]:
+        """The case file and the drawing."""
+        return (*super().input_files, *([self.drawing] if self.drawing else []))
 
     @model_validator(mode="after")
     def _parts_fit(self) -> Self:

@@ -1,0 +1,21 @@
+"""A case knows the files it was read from, so that no output replaces them."""
+
+from pathlib import Path
+
+import pytest
+
+from flexbearing import read
+
+CONFIGS = Path(__file__).parents[2] / "configs"
+
+
+@pytest.mark.parametrize("name", ["mao2016", "joshi2015_qj309", "rivera2021_7008"])
+def test_the_case_file_is_an_input(name):
+    file = CONFIGS / f"{name}.toml"
+    assert read(file).input_files == (file,)
+
+
+def test_the_drawing_is_an_input_as_long_as_it_is_used():
+    file = CONFIGS / "step_ring.toml"
+    assert read(file).input_files == (file, CONFIGS / "step_ring.step")
+    assert read(file, ["outer.kind=rigid"]).input_files == (file,)
