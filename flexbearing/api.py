@@ -83,7 +83,7 @@ def run(
     case : path
         case file
     output : path, optional
-        result file, written as `<output>.part` until complete; default `results/<case>.h5`
+        result file; default `results/<case>.h5`, with the settings in its name
     overrides : sequence of str or mapping
         as for `read`
     report : Report, optional

@@ -273,9 +273,10 @@ def main() -> None:
             traceback.print_exc()
         if isinstance(problem, BadCase):
             _fail(problem, BAD_INPUT)
-        from flexbearing.results import BadResult, NotInLayout  # checking a case does without
+        from flexbearing.files import BadOutput  # checking a case does without
+        from flexbearing.results import BadResult, NotInLayout
 
-        if isinstance(problem, BadResult | NotInLayout):
+        if isinstance(problem, BadResult | NotInLayout | BadOutput):
             _fail(problem, BAD_INPUT)
         _fail(f"internal error: {type(problem).__name__}: {problem}", INTERNAL)
 

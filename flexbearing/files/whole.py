@@ -46,11 +46,11 @@ def parts_of(path: Path) -> list[tuple[Path, str, int]]:
     return sorted(parts, key=lambda part: _age(part[0]))
 
 
-def write(path: Path, data: bytes) -> None:
+def write(path: Path, data: bytes, *, beside: Path | None = None, lasting: bool = True) -> None:
     """Write a file so that nobody ever sees a part of it.
 
-    The bytes go to a name of their own, created exclusively, are brought to the disk and read again before
-    they take the place of what was there.
+    The bytes go to a name of their own, created exclusively, and are read again before they take the place
+    of what was there.
 
     Parameters
     ----------
@@ -58,18 +58,23 @@ def write(path: Path, data: bytes) -> None:
         its folder is there
     data : bytes
         the whole content
+    beside : Path, optional
+        file after which the part is named, where `path` is a part itself
+    lasting : bool
+        whether it must outlive a power cut: then it is brought to the disk before it takes its name
 
     Raises
     ------
     NotStored
         naming the file and what to do; no part is left
     """
-    part = part_name(path)
+    part = part_name(beside or path)
     try:
         with part.open("xb") as file:
             file.write(data)
             file.flush()
-            os.fsync(file.fileno())
+            if lasting:
+                os.fsync(file.fileno())
         if part.read_bytes() != data:
             raise NotStored(f"{path}: the disk did not keep what was written; nothing was replaced.")
         part.replace(path)

@@ -3,12 +3,21 @@
 from dataclasses import dataclass
 from typing import Literal
 
-FORMAT = 5
+FORMAT = 6
 OLDER = {  # what the files of an older format are
     4: "its axes are older: of balls z axial and x along the load, tilts in stiffness_matrix of rollers as "
     "slopes; see docs/reference/axes.md",
+    5: "it has no checksums and no digest",
 }
-STATUSES = ("converged", "iteration limit", "diverging", "stagnating", "not finite", "not solved")
+STATUSES = (
+    "converged",
+    "iteration limit",
+    "diverging",
+    "stagnating",
+    "not finite",
+    "not solved",
+    "unfinished",
+)
 
 Kind = Literal["text", "texts", "integer", "number", "json"]
 

@@ -8,10 +8,9 @@ from importlib.metadata import PackageNotFoundError, version
 from platform import python_version
 from typing import Any
 
-import h5py
 import numpy as np
 
-from flexbearing.quantities.attributes import FORMAT, STATUSES, Kind
+from flexbearing.quantities.attributes import FORMAT, STATUSES, Attribute, Kind
 from flexbearing.results.checks import NotInLayout
 
 
@@ -38,27 +37,26 @@ def _version(package: str) -> str:
         return "not installed"
 
 
-def encoded(name: str, kind: Kind, value: Any) -> Any:
+def encoded(entry: Attribute, value: Any) -> Any:
     """Store form of a value: what HDF5 is given.
 
     Parameters
     ----------
-    name : str
-        name of the attribute
-    kind : "text", "texts", "integer", "number" or "json"
-        how it is stored
+    entry : Attribute
+        what the layout says of it
     value : text, number, list of texts or mapping
         what its kind asks for
 
     Returns
     -------
-    text, number or array of texts
+    text, number or list of texts
 
     Raises
     ------
     NotInLayout
         for a value of another kind, or a status that does not exist
     """
+    name, kind = entry.name, entry.kind
     if name == "status" and value not in STATUSES:
         raise NotInLayout(f"status {value!r} does not exist; it is one of: {', '.join(STATUSES)}.")
     try:
@@ -67,21 +65,48 @@ def encoded(name: str, kind: Kind, value: Any) -> Any:
         raise NotInLayout(f"attribute {name} = {value!r} cannot be stored as {kind}: {reason}.") from reason
 
 
-def decoded(kind: Kind, stored: Any) -> Any:
+def decoded(entry: Attribute, stored: Any) -> Any:
     """Value as the program uses it, from what HDF5 stored.
+
+    Parameters
+    ----------
+    entry : Attribute
+        what the layout says of it
+    stored : any
+        text, number or list of texts, as it stands in the file
+
+    Returns
+    -------
+    text, number, tuple of texts, or mapping
+
+    Raises
+    ------
+    NotInLayout
+        for another kind of value, JSON that is none, or a status that does not exist
+    """
+    if not isinstance(stored, _STORED[entry.kind]):
+        raise NotInLayout(f"attribute {entry.name} is not stored as {entry.kind}.")
+    if entry.name == "status" and stored not in STATUSES:
+        raise NotInLayout(f"status {stored!r} does not exist; it is one of: {', '.join(STATUSES)}.")
+    try:
+        return _DECODE[entry.kind](stored)
+    except (ValueError, RecursionError) as reason:
+        raise NotInLayout(f"attribute {entry.name} holds no JSON ({reason}).") from reason
+
+
+def empty(kind: Kind) -> Any:
+    """Value of an attribute that is not known yet.
 
     Parameters
     ----------
     kind : "text", "texts", "integer", "number" or "json"
         how it is stored
-    stored : any
-        as h5py returns it
 
     Returns
     -------
-    text, number, tuple of texts, or mapping
+    empty text, list or mapping, or zero
     """
-    return _DECODE[kind](stored)
+    return {"text": "", "texts": [], "integer": 0, "number": 0.0, "json": {}}[kind]
 
 
 def _text(value: Any) -> str:
@@ -90,10 +115,10 @@ def _text(value: Any) -> str:
     return value
 
 
-def _texts(value: Sequence[str]) -> np.ndarray:
+def _texts(value: Sequence[str]) -> list[str]:
     if isinstance(value, str):
         raise TypeError("a list of texts is wanted, not a single one")
-    return np.array([_text(item) for item in value], dtype=h5py.string_dtype())
+    return [_text(item) for item in value]
 
 
 def _integer(value: Any) -> int:
@@ -114,6 +139,13 @@ def _json(value: Mapping[str, Any]) -> str:
     return json.dumps(dict(value), allow_nan=False, default=_python_number)
 
 
+def _mapping(stored: str) -> Mapping[str, Any]:
+    value = json.loads(stored)
+    if not isinstance(value, Mapping):
+        raise ValueError("a mapping is wanted")
+    return value
+
+
 def _python_number(value: Any) -> Any:
     if isinstance(value, np.ndarray | np.generic):
         return value.tolist()
@@ -129,8 +161,9 @@ _ENCODE: dict[Kind, Callable[[Any], Any]] = {
 }
 _DECODE: dict[Kind, Callable[[Any], Any]] = {
     "text": str,
-    "texts": lambda stored: tuple(str(item) for item in stored),
+    "texts": tuple,
     "integer": int,
     "number": float,
-    "json": json.loads,
+    "json": _mapping,
 }
+_STORED: dict[Kind, type] = {"text": str, "texts": list, "integer": int, "number": float, "json": str}

@@ -1,11 +1,13 @@
 """What must hold of names and numbers before they are part of a result file."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from difflib import get_close_matches
+from typing import Any
 
 import numpy as np
 
 from flexbearing.quantities import Quantity
+from flexbearing.quantities.layout import Layout
 
 Sizes = Mapping[str, int]  # symbol of an axis to its size
 
@@ -101,3 +103,37 @@ def require_finite(entry: Quantity, array: np.ndarray, where: str) -> None:
             f"{where}: {entry.name} holds {bad} of {array.size} numbers that are not finite; "
             "a converged block holds only finite ones. Store it with converged=False."
         )
+
+
+def require_true_ending(
+    attributes: Mapping[str, Any],
+    layout: Layout,
+    solved: Collection[str],
+    iterations: int,
+    unsolved: Collection[str] = (),
+) -> None:
+    """Raise when what a file says of its ending is not what it holds.
+
+    Parameters
+    ----------
+    attributes : mapping
+        root attributes, among them status and number of iterations
+    layout : Layout
+        of the family
+    solved : collection of str
+        blocks that are there
+    iterations : int
+        how many are there
+    unsolved : collection of str
+        blocks that are there and are no solutions
+
+    Raises
+    ------
+    NotInLayout
+        for another number of iterations, or a converged run without all its solutions
+    """
+    if attributes["iterations"] != iterations:
+        raise NotInLayout(f"iterations = {attributes['iterations']}, but {iterations} were written.")
+    missing = [*(name for name in layout.blocks if name not in (*solved, *unsolved)), *unsolved]
+    if attributes["status"] == "converged" and missing:
+        raise NotInLayout(f"status = 'converged', but no converged block {' or '.join(missing)} was written.")

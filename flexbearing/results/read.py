@@ -2,28 +2,36 @@
 
 import json
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-import h5py
 import numpy as np
 
 from flexbearing.case.family import Families, Family
+from flexbearing.files import parts_of
 from flexbearing.quantities import Quantity
 from flexbearing.quantities.attributes import FORMAT, OLDER
 from flexbearing.quantities.layout import Layout
+from flexbearing.results import hdf5
 from flexbearing.results.attributes import decoded
-from flexbearing.results.checks import Sizes, fitted, require_same_names
-from flexbearing.results.write import UNFINISHED
+from flexbearing.results.checks import (
+    Sizes,
+    fitted,
+    require_finite,
+    require_same_names,
+    require_true_ending,
+)
+from flexbearing.results.content import Content, digest
 
 Arrays = Mapping[str, np.ndarray]
 _NOTHING: Arrays = MappingProxyType({})
 
 
 class BadResult(ValueError):
-    """A file that is no complete result file of this format."""
+    """A file that is no result file of this format."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -69,7 +77,7 @@ class Result:
 
 
 def read(path: str | Path, families: Families) -> Result:
-    """Read a complete result file.
+    """Read a result file, or what a run that is at work or was interrupted has stored so far.
 
     Parameters
     ----------
@@ -81,92 +89,141 @@ def read(path: str | Path, families: Families) -> Result:
     Returns
     -------
     Result
+        with the status "unfinished" for a file ending in ``.part``
 
     Raises
     ------
     BadResult
-        naming the file and what to do, when it is missing, unfinished, damaged or of another format
+        naming the file and what to do, when it is missing, damaged, changed or of another format
     """
     path = Path(path)
-    _require_finished(path)
     try:
-        with h5py.File(path, "r") as file:
-            _require_format(file, path)
-            return _result(file, path, families)
-    except OSError as reason:
-        raise BadResult(f"{path}: not an HDF5 file, or damaged ({reason}). Run the case again.") from reason
+        _require_there(path)
+        return of_content(*hdf5.content(path.read_bytes()), path, families)
+    except hdf5.Foreign as problem:
+        raise BadResult(f"{path}: {_other_format(problem)}") from problem
     except BadResult:
         raise
-    except ValueError as reason:
-        raise BadResult(
-            f"{path}: {reason} The file was changed after it was written; run the case again."
-        ) from reason
+    except (OSError, MemoryError) as problem:
+        raise BadResult(f"{path}: cannot be read: {getattr(problem, 'strerror', problem)}.") from problem
+    except ValueError as problem:  # BadContent, NotInLayout, a NUL in the name
+        raise BadResult(f"{path}: {str(problem).rstrip('.')}. Run the case again.") from problem
 
 
-def _require_finished(path: Path) -> None:
-    part = path.with_name(path.name + UNFINISHED)
-    if path.suffix == UNFINISHED:
-        raise BadResult(
-            f"{path}: the run has not finished: it is still at work, or was interrupted. "
-            "Wait or run the case again; the iterations so far can be read with h5py."
-        )
-    if not path.exists() and part.exists():
-        raise BadResult(f"{path}: not there yet, only {part.name}. Wait for the run, or run the case again.")
-    if not path.is_file():
-        raise BadResult(f"{path}: no such file. `flexbearing run CASE -o {path.name}` would write it.")
+def of_content(content: Content, claimed: str, path: Path, families: Families) -> Result:
+    """Check the content of a file against its digest and the layout of its family.
 
+    Parameters
+    ----------
+    content : Content
+        of the file
+    claimed : str
+        its digest, as the file says
+    path : Path
+        the file
+    families : mapping
+        kind to family
 
-def _require_format(file: h5py.File, path: Path) -> None:
-    number = file.attrs.get("format")
-    if number is None:
-        raise BadResult(f"{path}: an HDF5 file, but not a result of flexbearing: it has no format number.")
-    if not np.array_equal(number, FORMAT):
-        writer = json.loads(str(file.attrs.get("versions", "{}"))).get("flexbearing", "of unknown version")
-        older = f"; {OLDER[number]}" if number in OLDER else ""
-        raise BadResult(
-            f"{path}: this file has format {number}, written by flexbearing {writer}{older}. This version "
-            f"reads format {FORMAT}: run the case again, or read the file with the version that wrote it."
-        )
+    Returns
+    -------
+    Result
 
-
-def _result(file: h5py.File, path: Path, families: Families) -> Result:
-    kind = str(file.attrs.get("kind"))
-    if kind not in families:
+    Raises
+    ------
+    NotInLayout
+        for anything that the layout does not ask for
+    BadResult
+        for another format, another digest or an unknown family
+    """
+    stored = content.attributes
+    if stored.get("format") != FORMAT:
+        raise BadResult(f"{path}: {_format(stored.get('format'), stored.get('versions'))}")
+    if digest(content) != claimed:
+        raise BadResult(f"{path}: changed after it was written, as its digest tells. Run the case again.")
+    kind = stored.get("kind")
+    if not isinstance(kind, str) or kind not in families:
         raise BadResult(f"{path}: kind {kind!r} is none of {', '.join(families)}. Run the case again.")
     layout: Layout = families[kind].layout()
+    require_same_names(stored, layout.attributes, "root attributes")
+    attributes = {name: decoded(layout.attributes[name], value) for name, value in stored.items()}
+    blocks, iterations = _groups(content, layout)
+    rows = len(iterations)
+    require_true_ending(attributes, layout, solved=[name for name in blocks if blocks[name]], iterations=rows)
+    if attributes["status"] == "converged":
+        for name, block in blocks.items():
+            for entry in block:
+                require_finite(layout[entry], block[entry], name)
+    shown = {"rigid": _NOTHING, "flexible": _NOTHING, **blocks}
+    return Result(
+        path=path,
+        attributes=MappingProxyType(attributes),
+        iterations=iterations,
+        family=families[kind],
+        rigid=shown["rigid"],
+        flexible=shown["flexible"],
+    )
+
+
+def _groups(content: Content, layout: Layout) -> tuple[dict[str, Arrays], tuple[Arrays, ...]]:
+    """Blocks and iterations, of names and shapes that the layout asks for."""
+    groups: dict[str, dict[str, np.ndarray]] = {}
+    for place, array in content.arrays.items():
+        group, _, name = place.partition("/")
+        groups.setdefault(group, {})[name] = array
+    possible = (*layout.blocks, *layout.further_blocks)
+    known = {**dict.fromkeys(possible), "iterations": None}
+    require_same_names({**known, **groups}, known, "groups")
     sizes: Sizes = {}
-    blocks: dict[str, Arrays] = {"rigid": _NOTHING, "flexible": _NOTHING}
-    for name in layout.blocks + layout.further_blocks:
-        blocks[name], sizes = _arrays(file.get(name), layout.datasets("block"), sizes, name)
-    iterations = _iterations(file, layout.datasets("iteration"), sizes)
-    require_same_names(dict(file.attrs), layout.attributes, "root attributes")
-    attributes = MappingProxyType(
-        {name: decoded(layout.attributes[name].kind, stored) for name, stored in file.attrs.items()}
+    blocks: dict[str, Arrays] = {}
+    for name in possible:
+        blocks[name], sizes = _fitted(groups.get(name), layout.datasets("block"), sizes, name)
+    datasets = layout.datasets("iteration")
+    rows = {name: replace(entry, axes=f"iteration {entry.axes}") for name, entry in datasets.items()}
+    stacked, sizes = _fitted(groups.get("iterations"), rows, sizes, "iterations")
+    iterations = tuple(
+        MappingProxyType({name: array[number, ...] for name, array in stacked.items()})
+        for number in range(sizes.get("iteration", 0))
     )
-    return Result(path=path, attributes=attributes, iterations=iterations, family=families[kind], **blocks)
+    return blocks, iterations
 
 
-def _iterations(file: h5py.File, known: Mapping[str, Quantity], sizes: Sizes) -> tuple[Arrays, ...]:
-    if "iterations" not in file:
-        return ()
-    rows = {name: replace(entry, axes=f"iteration {entry.axes}") for name, entry in known.items()}
-    arrays, sizes = _arrays(file["iterations"], rows, sizes, "iterations")
-    return tuple(
-        MappingProxyType({name: array[number, ...] for name, array in arrays.items()})
-        for number in range(sizes["iteration"])
-    )
-
-
-def _arrays(group: Any, known: Mapping[str, Quantity], sizes: Sizes, where: str) -> tuple[Arrays, Sizes]:
-    if group is None:
+def _fitted(
+    arrays: Arrays | None, known: Mapping[str, Quantity], sizes: Sizes, where: str
+) -> tuple[Arrays, Sizes]:
+    """The arrays of a group in the order of the layout, and the sizes of axes that they settle."""
+    if arrays is None:
         return _NOTHING, sizes
-    arrays, stored = {}, dict(group)
-    require_same_names(stored, known, where)
-    for name, entry in known.items():
-        if name not in stored:  # it is optional
-            continue
-        array = np.asarray(stored[name][()])
-        array.flags.writeable = False
-        sizes = fitted(entry, array, sizes, where)
-        arrays[name] = array
-    return MappingProxyType(arrays), sizes
+    require_same_names(arrays, known, where)
+    for name, array in arrays.items():
+        sizes = fitted(known[name], array, sizes, where)
+    return MappingProxyType({name: arrays[name] for name in known if name in arrays}), sizes
+
+
+def _require_there(path: Path) -> None:
+    if path.is_file():
+        return
+    if path.exists():
+        raise BadResult(f"{path}: is no file; a result is one.")
+    if parts := parts_of(path):
+        raise BadResult(
+            f"{path}: not there yet, only {parts[0][0].name} of a run at work or interrupted. "
+            "Wait for the run, run the case again, or read that file."
+        )
+    raise BadResult(f"{path}: no such file. `flexbearing run CASE -o {path.name}` would write it.")
+
+
+def _other_format(found: hdf5.Foreign) -> str:
+    if found.number is None:
+        return "an HDF5 file, but not a result of flexbearing: it has no format number."
+    return _format(found.number, found.versions)
+
+
+def _format(number: Any, versions: Any) -> str:
+    writer = "of unknown version"
+    with suppress(ValueError, TypeError, RecursionError, AttributeError):
+        writer = json.loads(versions)["flexbearing"] or writer
+    older = f"; {OLDER[number]}" if isinstance(number, int) and number in OLDER else ""
+    return (
+        f"this file has format {number}, written by flexbearing {writer}{older}. This version "
+        f"reads format {FORMAT}: run the case again, or read the file with the version that wrote it."
+    )

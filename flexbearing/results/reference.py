@@ -9,9 +9,12 @@ from flexbearing.quantities.quantity import Place
 _BEGINNING = """\
 # The result file
 
-One HDF5 file holds one run. It is written as `OUT.h5.part` and renamed when complete: a name without `.part`
-promises a complete file, also when the run did not converge; `status` tells. Everything is in SI units, and
-every dataset carries its `unit`, its `axes` and its `meaning` as attributes.
+One HDF5 file holds one run. A name without `.part` promises a complete file, also when the run did not
+converge; `status` tells. What a run has finished so far stands in `OUT.h5.HOST-PROCESS-NUMBER.part` beside
+it, at most a second old and always whole; `flexbearing summary` reads it, with the status `unfinished`. A
+run that is interrupted leaves it, the next complete result of that name removes it. `OUT.h5.lock` names
+host, process and start of the run that is writing. Everything is in SI units, and every dataset carries its
+`unit`, its `axes` and its `meaning` as attributes.
 
 ```python
 import h5py
@@ -33,6 +36,13 @@ is flexible; for four-point ball bearings with elastic `[rings]` |
 The root attribute `kind` says which of the tables below a file follows. Iterations of a run that ended as
 `not finite` may hold NaN; a block of a converged run never does, unless the meaning of a dataset says where.
 A block that was never solved is absent, and so is a dataset whose meaning says when.
+
+Every dataset that has an axis carries the HDF5 checksum fletcher32, and the root attribute `digest` is a
+SHA-256 over everything else in the file: of a JSON text (keys sorted, no spaces, ASCII alone) that holds
+`attributes` (floats as hexadecimal texts), `shapes` and `texts` (unit, axes, meaning) of all datasets by
+path, followed by the datasets in the order of their paths, each as little-endian 64-bit floats. flexbearing
+refuses a file whose content is another, that links to other files, or that does not follow the tables
+below. The file needs HDF5 1.10.
 """
 
 _PLACES: dict[Place, str] = {

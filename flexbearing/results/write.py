@@ -1,28 +1,44 @@
-"""A result file that grows with the run and gets its name when complete."""
+"""A result file that is stored while the run goes on and gets its name when complete."""
 
+import logging
 from collections.abc import Mapping
+from contextlib import ExitStack, suppress
 from pathlib import Path
+from threading import RLock, Timer
 from typing import Any, Literal, Self
 
-import h5py
 import numpy as np
 from numpy.typing import ArrayLike
 
 from flexbearing.case.family import Family
+from flexbearing.files import NotStored, lock, parts_of, require_output, write
+from flexbearing.files.whole import host, part_name
 from flexbearing.quantities import Quantity
 from flexbearing.quantities.layout import Layout
-from flexbearing.results.attributes import encoded, stamp
-from flexbearing.results.checks import NotInLayout, Sizes, fitted, require_finite, require_same_names
+from flexbearing.results import hdf5
+from flexbearing.results.attributes import empty, encoded, stamp
+from flexbearing.results.checks import (
+    NotInLayout,
+    Sizes,
+    fitted,
+    require_finite,
+    require_same_names,
+    require_true_ending,
+)
+from flexbearing.results.content import Content
+from flexbearing.results.read import Result, of_content
 
-UNFINISHED = ".part"
+LATEST = 0.5  # [s] that anything finished stays in memory only
+log = logging.getLogger(__name__)
 
 
 class ResultFile:
-    """The result file of a run, written while it runs.
+    """The result file of a run; its only writer.
 
-    The file is called ``<path>.part`` until :meth:`finish` gives it its name, so that a name
-    without ``.part`` promises a complete file. A run that breaks off leaves the ``.part`` file,
-    closed, with every iteration it reached.
+    What is finished goes to a ``.part`` file within a second, always as a whole file that can be read, until
+    :meth:`finish` writes the result and gives it its name: a name without ``.part`` promises a complete file.
+    A run that breaks off leaves the ``.part`` file with all that it reached, and says so in a note of the
+    exception.
 
     Parameters
     ----------
@@ -32,11 +48,15 @@ class ResultFile:
         root attributes that are known when the run begins, such as ``title`` and ``case_text``
     family : Family
         of the bearing; it decides the layout
+    inputs : sequence of paths
+        files that are read and that the result must not replace
 
     Raises
     ------
     NotInLayout
         for an attribute that the layout does not know, or cannot store
+    BadOutput
+        for a name that cannot be written, or that another run is writing (on entering)
 
     Examples
     --------
@@ -47,35 +67,49 @@ class ResultFile:
                 file.iteration(number, state)
             file.block("rigid", rigid)
             file.block("flexible", flexible)
-            file.finish(status="converged", ...)
+            result = file.finish(status="converged", ...)
     """
 
-    def __init__(self, path: str | Path, attributes: Mapping[str, Any], family: Family):
-        self.path = _final_name(Path(path))
-        self.part = self.path.with_name(self.path.name + UNFINISHED)
+    def __init__(
+        self, path: str | Path, attributes: Mapping[str, Any], family: Family, inputs: tuple[Path, ...] = ()
+    ):
+        self.path = Path(path)
+        self._place = require_output(path, inputs)  # where a link leads
+        self.part = part_name(self._place)
+        self._family = family
         self._layout: Layout = family.layout()
         self._attributes = {**stamp(), "kind": family.kind, **attributes}
-        self._stored = self._encoded(self._attributes)
-        self._file: h5py.File | None = None
+        self._encoded(self._attributes)
         self._sizes: Sizes = {}
-        self._iterations = 0
-        self._rows: dict[str, h5py.Dataset] = {}  # of the iterations
+        self._blocks: dict[str, np.ndarray] = {}  # by block and name, "rigid/inner_load"
         self._converged: dict[str, bool] = {}  # block to whether it is a solution
+        self._iterations: list[dict[str, np.ndarray]] = []
+        self._open = ExitStack()
+        self._is_open = False
+        self._guard = RLock()  # of all that the timer reads
+        self._timer: Timer | None = None
+        self._problem: NotStored | None = None  # met by the timer
 
     def __enter__(self) -> Self:
-        self.path.parent.mkdir(parents=True, exist_ok=True)
-        self._file = h5py.File(self.part, "w")
-        self._file.attrs.update(self._stored)
-        self._file.flush()
+        self._open.enter_context(lock(self._place))
+        self._is_open = True
         return self
 
-    def __exit__(self, *_: object) -> None:
-        if self._file is not None:
-            self._file.close()
-            self._file = None
+    def __exit__(self, kind: object, problem: BaseException | None, trace: object) -> None:
+        try:
+            if self._is_open:  # not finished
+                with self._guard:
+                    self._is_open = False
+                    if self._timer is not None:
+                        self._timer.cancel()
+                kept = self._kept()
+                if kept and problem is not None:
+                    problem.add_note(kept)
+        finally:
+            self._open.close()
 
     def iteration(self, number: int, values: Mapping[str, ArrayLike]) -> None:
-        """Add an iteration and bring it to the disk; its numbers need not be finite.
+        """Add an iteration; its numbers need not be finite.
 
         Parameters
         ----------
@@ -88,15 +122,18 @@ class ResultFile:
         ------
         NotInLayout
             for a number out of turn, an unknown or missing name, or a wrong shape
+        NotStored
+            if earlier ones could not be stored
         """
-        if number != self._iterations + 1:
+        if number != len(self._iterations) + 1:
             raise NotInLayout(
-                f"iteration {number} after iteration {self._iterations}; they come without gaps."
+                f"iteration {number} after iteration {len(self._iterations)}; they come without gaps."
             )
         known = self._layout.datasets("iteration")
         arrays = self._checked(f"iteration {number}", known, values, must_be_finite=False)
-        self._append(known, arrays)
-        self._iterations = number
+        with self._guard:
+            self._iterations.append(arrays)
+        self._store_soon()
 
     def block(
         self, name: Literal["rigid", "flexible"], values: Mapping[str, ArrayLike], *, converged: bool = True
@@ -116,60 +153,131 @@ class ResultFile:
         ------
         NotInLayout
             for an unknown or missing name, a wrong shape, or a solution that is not finite
+        NotStored
+            if what came before could not be stored
         """
         possible = self._layout.blocks + self._layout.further_blocks
         if name not in possible:
             known = ", ".join(possible)
             raise NotInLayout(f"block {name!r} does not exist; it is one of: {known}.")
-        file, known = self._open_file(), self._layout.datasets("block")
-        if name in file:
+        if name in self._converged:
             raise NotInLayout(f"{name} was written before; a result file is never overwritten in part.")
-        for entry, array in self._checked(name, known, values, must_be_finite=converged).items():
-            described(file.create_dataset(f"{name}/{entry}", data=array), known[entry])
-        file.flush()
-        self._converged[name] = converged
+        known = self._layout.datasets("block")
+        arrays = self._checked(name, known, values, must_be_finite=converged)
+        with self._guard:
+            self._blocks |= {f"{name}/{entry}": array for entry, array in arrays.items()}
+            self._converged[name] = converged
+        self._store_soon()
 
-    def finish(self, **attributes: Any) -> None:
-        """Write the ending, close the file and give it its final name.
+    def finish(self, **attributes: Any) -> Result:
+        """Write the result, read it back and give it its name.
 
         Parameters
         ----------
         **attributes
             every root attribute that was not given at the beginning, such as ``status``
 
+        Returns
+        -------
+        Result
+            as it stands in the file
+
         Raises
         ------
         NotInLayout
             for an unknown or missing attribute, or one that contradicts what was written
+        NotStored
+            if it could not be written; what had its name before is unchanged
         """
+        self._require_open()
         together = {**self._attributes, **attributes}
         require_same_names(together, self._layout.attributes, "root attributes")
-        self._require_true_ending(together)
-        file = self._open_file()
-        file.attrs.update(self._encoded(attributes))
-        file.close()
-        self._file = None
-        self.part.replace(self.path)
+        solved = [name for name, converged in self._converged.items() if converged]
+        unsolved = [name for name, converged in self._converged.items() if not converged]
+        require_true_ending(together, self._layout, solved, len(self._iterations), unsolved)
+        data = hdf5.image(self._content(together))
+        result = of_content(*hdf5.content(data), self.path, {self._family.kind: self._family})
+        write(self._place, data)
+        with self._guard:
+            self._is_open = False
+            if self._timer is not None:
+                self._timer.cancel()
+        self._remove_parts()
+        return result
 
-    def _require_true_ending(self, attributes: Mapping[str, Any]) -> None:
-        if attributes["iterations"] != self._iterations:
-            raise NotInLayout(
-                f"iterations = {attributes['iterations']}, but {self._iterations} were written."
-            )
-        unsolved = [name for name in self._layout.blocks if name not in self._converged]
-        unsolved += [name for name, converged in self._converged.items() if not converged]
-        if attributes["status"] == "converged" and unsolved:
-            raise NotInLayout(
-                f"status = 'converged', but no converged block {' or '.join(unsolved)} was written."
-            )
+    def _content(self, attributes: Mapping[str, Any]) -> Content:
+        """All there is so far, with these root attributes."""
+        known = self._layout.datasets("block")
+        texts = {place: _texts(known[place.partition("/")[2]]) for place in self._blocks}
+        arrays = dict(self._blocks)
+        if self._iterations:
+            for name, entry in self._layout.datasets("iteration").items():
+                if name in self._iterations[0]:
+                    place = f"iterations/{name}"
+                    arrays[place] = np.stack([state[name] for state in self._iterations])
+                    texts[place] = _texts(entry, "iteration ")
+        return Content(self._encoded(attributes), arrays, texts)
+
+    def _store_soon(self) -> None:
+        """Have the timer store what there is; what it could not store before is told now."""
+        with self._guard:
+            if self._problem is not None:
+                raise self._problem
+            if self._timer is None:
+                self._timer = Timer(LATEST, self._store_on_time)
+                self._timer.daemon = True
+                self._timer.start()
+
+    def _store_on_time(self) -> None:
+        with self._guard:
+            self._timer = None
+            if self._is_open:
+                try:
+                    self._store_part()
+                except NotStored as problem:
+                    self._problem = problem
+
+    def _store_part(self) -> None:
+        """Store all there is so far as an unfinished result."""
+        missing = {
+            name: empty(entry.kind)
+            for name, entry in self._layout.attributes.items()
+            if not entry.optional and name not in self._attributes
+        }
+        count = len(self._iterations)
+        so_far = {"status": "unfinished", "message": "at work, or interrupted", "iterations": count}
+        content = self._content({**missing, **self._attributes, **so_far})
+        write(self.part, hdf5.image(content), beside=self._place, lasting=False)
+
+    def _kept(self) -> str:
+        """Store what there is when a run breaks off; says what was kept and where, nothing without it."""
+        if not (self._blocks or self._iterations):
+            return ""
+        try:
+            self._store_part()
+        except NotStored as problem:
+            return f"what was finished could not be kept: {problem}"
+        blocks = [f"the state with {name} raceways" for name in self._converged]
+        count = len(self._iterations)
+        blocks += [f"{count} iteration{'s' if count > 1 else ''}"] if count else []
+        return f"{' and '.join(blocks)} kept in {self.part}"
+
+    def _remove_parts(self) -> None:
+        """Remove parts of runs that ended: whoever holds the lock knows that those of this host did."""
+        for part, where, process in parts_of(self._place):
+            if where == host():
+                with suppress(OSError):  # somebody else removed it
+                    part.unlink()
+            else:
+                log.info("%s is left of process %d on %s; remove it if that has ended", part, process, where)
 
     def _checked(
         self, where: str, known: Mapping[str, Quantity], values: Mapping[str, ArrayLike], must_be_finite: bool
     ) -> dict[str, np.ndarray]:
-        # everything is checked before anything is written: no group is ever half there
-        self._open_file()
+        # everything is checked before anything is kept: no group is ever half there
+        self._require_open()
         require_same_names(values, known, where)
-        arrays = {name: np.asarray(values[name], dtype=float) for name in known if name in values}
+        arrays = {name: np.array(values[name], dtype=float) for name in known if name in values}
         sizes = self._sizes
         for name, array in arrays.items():
             sizes = fitted(known[name], array, sizes, where)
@@ -178,47 +286,17 @@ class ResultFile:
         self._sizes = sizes
         return arrays
 
-    def _append(self, known: Mapping[str, Quantity], arrays: Mapping[str, np.ndarray]) -> None:
-        file = self._open_file()
-        for name, array in arrays.items():
-            if name not in self._rows:
-                rows = {"shape": (0, *array.shape), "maxshape": (None, *array.shape), "dtype": float}
-                made = file.create_dataset(f"iterations/{name}", chunks=(1, *array.shape), **rows)
-                self._rows[name] = described(made, known[name], "iteration ")
-            self._rows[name].resize(self._iterations + 1, axis=0)
-            self._rows[name][self._iterations] = array
-        file.flush()
-
     def _encoded(self, attributes: Mapping[str, Any]) -> dict[str, Any]:
-        # only strangers matter here: what is still missing comes with finish
-        require_same_names(
-            {**dict.fromkeys(self._layout.attributes), **attributes},
-            self._layout.attributes,
-            "root attributes",
-        )
-        return {
-            name: encoded(name, self._layout.attributes[name].kind, value)
-            for name, value in attributes.items()
-        }
+        # what is still missing comes with finish
+        known = self._layout.attributes
+        require_same_names({**dict.fromkeys(known), **attributes}, known, "root attributes")
+        return {name: encoded(known[name], value) for name, value in attributes.items()}
 
-    def _open_file(self) -> h5py.File:
-        if self._file is None:
+    def _require_open(self) -> None:
+        if not self._is_open:
             raise NotInLayout(f"{self.path}: the result file is not open; write inside its with-block.")
-        return self._file
 
 
-def described(stored: h5py.Dataset, entry: Quantity, leading: str = "") -> h5py.Dataset:
-    """Give a dataset its unit, axes and meaning; returns it."""
-    texts = {"unit": entry.unit, "axes": f"{leading}{entry.axes}".strip(), "meaning": entry.meaning}
-    stored.attrs.update(texts)
-    return stored
-
-
-def _final_name(path: Path) -> Path:
-    if path.suffix == UNFINISHED:
-        raise NotInLayout(
-            f"{path}: names ending in {UNFINISHED} are kept for unfinished runs; choose another."
-        )
-    if path.is_dir():
-        raise NotInLayout(f"{path} is a directory; a result file needs a name of its own.")
-    return path
+def _texts(entry: Quantity, leading: str = "") -> dict[str, str]:
+    """What a dataset says of itself."""
+    return {"unit": entry.unit, "axes": f"{leading}{entry.axes}".strip(), "meaning": entry.meaning}

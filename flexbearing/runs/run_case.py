@@ -1,6 +1,8 @@
 """One case, given its family, from what was read to its result file."""
 
+import re
 from functools import partial
+from hashlib import sha256
 from pathlib import Path
 from time import perf_counter
 
@@ -9,8 +11,10 @@ from threadpoolctl import threadpool_limits
 from flexbearing.case import BadCase, Head
 from flexbearing.case.family import Family
 from flexbearing.progress import Logged, Report
-from flexbearing.results import Result, ResultFile, read as read_result
+from flexbearing.results import Result, ResultFile
 from flexbearing.runs.validate import require_possible
+
+LONGEST = 60  # characters of the settings in the name of a result
 
 
 def run_case(
@@ -29,7 +33,7 @@ def run_case(
     family : Family
         its family
     output : path, optional
-        result file, written as `<output>.part` until complete; default `results/<case>.h5`
+        result file; default `results/<case>.h5`, with the settings in its name, see `default_output`
     report : Report, optional
         hears of stages and iterations; default is the log
     start : Result, optional
@@ -44,6 +48,10 @@ def run_case(
     ------
     BadCase
         when the case cannot be computed as it stands, or cannot start there
+    BadOutput
+        for an output that cannot be written, that is an input, or that another run is writing
+    NotStored
+        if the result could not be written, as on a full disk
     """
     began = perf_counter()
     require_possible(case, family)
@@ -52,15 +60,41 @@ def run_case(
         if family.initial_state is None:
             raise BadCase(f"start {start.path}: a {case.kind} bearing starts from no other result")
         solve = partial(solve, near=family.initial_state()(start, case))
-    path = Path(output) if output else Path("results") / f"{Path(case.source.path).stem}.h5"
+    path = Path(output) if output else default_output(case)
+    inputs = (*case.input_files, *([start.path] if start else []))
     # The bearing's matrices are small: threads of the linear algebra would only wait for each other.
     with (
         threadpool_limits(limits=1, user_api="blas"),
-        ResultFile(path, _head(case) | family.opening()(case), family) as file,
+        ResultFile(path, _head(case) | family.opening()(case), family, inputs) as file,
     ):
         ending = solve(case, file, report or Logged())
-        file.finish(**ending, wall_time_s=perf_counter() - began)
-    return read_result(path, {family.kind: family})
+        return file.finish(**ending, wall_time_s=perf_counter() - began)
+
+
+def default_output(case: Head) -> Path:
+    """Name of the result of a case that is given none: another one for other settings.
+
+    Parameters
+    ----------
+    case : Head
+        as it was read
+
+    Returns
+    -------
+    Path
+        `results/<case>.h5`; with settings, `results/<case>_<key>=<value>_<digest of all settings>.h5`
+    """
+    name, settings = Path(case.source.path).stem, case.source.overrides
+    if settings:
+        last_names = "_".join(setting[_last_name(setting) :] for setting in settings)
+        digest = sha256(repr(settings).encode()).hexdigest()[:8]
+        name += f"_{re.sub(r'[^A-Za-z0-9_.+=-]', '', last_names)[:LONGEST]}_{digest}"
+    return Path("results") / f"{name}.h5"
+
+
+def _last_name(setting: str) -> int:
+    """Where the last name of the key of a "key=value" setting begins."""
+    return setting.partition("=")[0].rfind(".") + 1
 
 
 def _head(case: Head) -> dict[str, object]:

@@ -19,7 +19,7 @@ from flexbearing.coupling import (
 from flexbearing.coupling.acceleration import change_per_residual
 from flexbearing.coupling.history import CouplingHistory
 from flexbearing.coupling.loop import STAGNATION_LIMIT, Status
-from flexbearing.quantities.attributes import STATUSES
+from flexbearing.quantities.attributes import ENDS
 
 
 @dataclass(frozen=True)
@@ -290,7 +290,7 @@ def test_quasi_newton_step_is_no_longer_than_the_residual():
 
 
 def test_every_end_has_a_word_in_the_result_file():
-    assert set(get_args(Status)) - {""} == set(STATUSES)
+    assert set(get_args(Status)) - {""} == set(ENDS)
 
 
 # -- diverging and stagnating iterations -------------------------------------------------------------------

@@ -1,5 +1,9 @@
 import json
+import os
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from pathlib import Path
+from time import monotonic, sleep
 
 import h5py
 import numpy as np
@@ -7,10 +11,13 @@ import pytest
 
 from flexbearing import read_result as read
 from flexbearing.families import FAMILIES
+from flexbearing.files import BadOutput, NotStored
+from flexbearing.files.whole import host
 from flexbearing.quantities.attributes import FORMAT
 from flexbearing.quantities.roller import LAYOUT
 from flexbearing.reference import page
-from flexbearing.results import BadResult, NotInLayout, ResultFile
+from flexbearing.results import BadResult, NotInLayout, ResultFile, hdf5, write
+from tests.flexbearing.resealed import digest, resealed
 
 ROLLERS = FAMILIES["cylindrical_roller"]
 SIZE = {"Z": 5, "K": 3, "N": 7, "2": 2, "5": 5}
@@ -154,28 +161,43 @@ def test_plain_h5py_reads_the_root_attributes_as_texts_and_numbers(path):
 # -- a name without .part is a promise -----------------------------------------------------------
 
 
-def test_interrupted_run_leaves_what_it_reached_in_the_part_file(path):
+def test_interrupted_run_leaves_what_it_reached_in_a_part_file(path):
     file = ResultFile(path, BEGINNING, ROLLERS)
 
     def interrupted():
         with file:
             file.iteration(1, values("iteration"))
+            file.block("rigid", values("block"))
             raise KeyboardInterrupt
 
-    with pytest.raises(KeyboardInterrupt):
+    with pytest.raises(KeyboardInterrupt) as problem:
         interrupted()
+    kept = f"the state with rigid raceways and 1 iteration kept in {file.part}"
+    assert problem.value.__notes__ == [kept]
     with pytest.raises(NotInLayout, match="not open"):
         file.iteration(2, values("iteration"))
-    assert not path.exists()
-    with h5py.File(file.part, "r") as part:
-        assert {len(rows) for rows in part["iterations"].values()} == {1}
-        assert "status" not in part.attrs
+    assert {entry.name for entry in path.parent.iterdir()} == {file.part.name}
+    part = read(file.part)
+    assert (part.attributes["status"], len(part.iterations)) == ("unfinished", 1)
+    assert part.attributes["title"] == BEGINNING["title"]
+    np.testing.assert_array_equal(part.rigid["inner_load"], values("block")["inner_load"])
+
+
+def test_run_that_breaks_off_before_anything_is_finished_leaves_nothing(path):
+    def broken():
+        with ResultFile(path, BEGINNING, ROLLERS):
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt) as problem:
+        broken()
+    assert not hasattr(problem.value, "__notes__")
+    assert list(path.parent.iterdir()) == []
 
 
 def test_forgotten_finish_leaves_the_part_file(path):
-    with ResultFile(path, BEGINNING, ROLLERS):
-        pass
-    assert [file.name for file in path.parent.iterdir()] == ["case.h5.part"]
+    with ResultFile(path, BEGINNING, ROLLERS) as file:
+        file.iteration(1, values("iteration"))
+    assert [entry for entry in path.parent.iterdir()] == [file.part]
 
 
 def test_finished_run_leaves_only_the_final_file(path):
@@ -193,13 +215,83 @@ def test_earlier_result_stays_until_the_new_one_is_complete(path):
     assert read(path).attributes["status"] == "not solved"
 
 
-def test_each_iteration_reaches_the_disk_at_once(path):
+def test_iterations_reach_the_disk_while_the_run_goes_on(path, monkeypatch):
+    monkeypatch.setattr("flexbearing.results.write.LATEST", 0.01)
+    with ResultFile(path, BEGINNING, ROLLERS) as file:
+        for number in (1, 2):
+            file.iteration(number, values("iteration", seed=number))
+            assert waited(
+                lambda number=number: file.part.exists() and len(read(file.part).iterations) == number
+            )
+        file.block("rigid", values("block"))
+        assert waited(lambda: read(file.part).rigid)
+        assert not path.exists()
+
+
+def test_nothing_stays_in_memory_for_more_than_a_second():
+    assert write.LATEST <= 1.0
+
+
+def waited(until, seconds=20.0):
+    end = monotonic() + seconds
+    while not until():
+        if monotonic() > end:
+            return False
+        sleep(0.005)
+    return True
+
+
+def test_disk_that_is_full_in_between_ends_the_run_with_a_reason(path, monkeypatch):
+    def full(*_, **__):
+        raise NotStored("no space")
+
+    path.write_text("earlier")
+    monkeypatch.setattr("flexbearing.results.write.LATEST", 0.01)
+    monkeypatch.setattr("flexbearing.results.write.write", full)
+
+    def run():
+        with ResultFile(path, BEGINNING, ROLLERS) as file:
+            for number in range(1, 4000):
+                file.iteration(number, values("iteration"))
+                sleep(0.005)
+
+    with pytest.raises(NotStored, match="no space") as problem:
+        run()
+    assert problem.value.__notes__ == ["what was finished could not be kept: no space"]
+    assert [(entry.name, entry.read_text()) for entry in path.parent.iterdir()] == [("case.h5", "earlier")]
+
+
+def test_second_writer_is_refused_before_it_computes(path):
     with ResultFile(path, BEGINNING, ROLLERS) as file:
         file.iteration(1, values("iteration"))
-        copy = path.with_name("copy.h5")  # what a power failure would leave
-        copy.write_bytes(file.part.read_bytes())
-        with h5py.File(copy, "r") as part:
-            np.testing.assert_array_equal(part["iterations/inner_load"], [values("iteration")["inner_load"]])
+        words = f"is being written by process {os.getpid()} on"
+        with pytest.raises(BadOutput, match=words), ResultFile(path, BEGINNING, ROLLERS):
+            pytest.fail("two writers")
+        file.finish(**ENDING | {"iterations": 1, "status": "not solved"})
+    assert len(read(path).iterations) == 1
+
+
+def test_parts_of_dead_runs_go_when_a_result_is_there_and_others_are_named(path, caplog):
+    dead, elsewhere = (path.with_name(f"case.h5.{who}-99999-0123abcd.part") for who in (host(), "node17"))
+    for part in (dead, elsewhere):
+        part.touch()
+    with caplog.at_level("INFO"):
+        written(path)
+    assert {entry.name for entry in path.parent.iterdir()} == {"case.h5", elsewhere.name}
+    assert "left of process 99999 on node17" in caplog.text
+
+
+def test_reader_of_a_part_file_never_sees_it_torn(path, monkeypatch):
+    monkeypatch.setattr("flexbearing.results.write.LATEST", 0.001)
+    with ResultFile(path, BEGINNING, ROLLERS) as file:
+        seen = 0
+        for number in range(1, 40):
+            file.iteration(number, values("iteration", seed=number))
+            sleep(0.002)
+            if file.part.exists():
+                seen = len(read(file.part).iterations)
+                assert seen <= number
+        assert seen
 
 
 def test_directory_of_the_result_is_made(path):
@@ -209,7 +301,7 @@ def test_directory_of_the_result_is_made(path):
 
 @pytest.mark.parametrize("name", ["case.h5.part", ""], ids=["part", "directory"])
 def test_impossible_names_are_refused_before_the_run(tmp_path, name):
-    with pytest.raises(NotInLayout, match=r"unfinished runs|is a directory"):
+    with pytest.raises(BadOutput, match=r"unfinished files|is a folder"):
         ResultFile(tmp_path / name, BEGINNING, ROLLERS)
 
 
@@ -352,12 +444,10 @@ def test_a_finished_file_takes_nothing_more(path):
 # -- files that are no results -------------------------------------------------------------------
 
 
-def test_part_file_is_not_a_result(path):
+def test_missing_result_names_its_part_file(path):
     with ResultFile(path, BEGINNING, ROLLERS) as file:
         file.iteration(1, values("iteration"))
-    with pytest.raises(BadResult, match=r"case\.h5\.part: the run has not finished"):
-        read(f"{path}.part")
-    with pytest.raises(BadResult, match=r"only case\.h5\.part"):
+    with pytest.raises(BadResult, match=f"not there yet, only {file.part.name}"):
         read(path)
 
 
@@ -406,8 +496,108 @@ def test_file_from_before_the_change_of_axes_is_told_what_it_is(path):
 def test_result_with_a_lost_dataset_is_refused(path, lost):
     with h5py.File(written(path), "a") as file:
         del file[lost]
+    resealed(path)
     with pytest.raises(BadResult, match=f"{lost.rpartition('/')[2]} missing"):
         read(path)
+
+
+def test_digest_is_the_one_that_the_reference_page_describes(path):
+    with h5py.File(written(path)) as file:
+        assert file.attrs["digest"] == digest(path)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda file: file["rigid/inner_load"].__setitem__(0, 1.0),
+        lambda file: file["rigid/life_L10"].__setitem__((), 1.0),
+        lambda file: file.attrs.__setitem__("title", "another"),
+        lambda file: file.attrs.__setitem__("wall_time_s", 1.25),
+        lambda file: file["rigid/inner_load"].attrs.__setitem__("unit", "kN"),
+        lambda file: file.attrs.__delitem__("started_from"),
+        lambda file: file.move("rigid", "flexibel"),
+    ],
+    ids=["array", "scalar", "text", "number", "unit", "attribute gone", "group renamed"],
+)
+def test_whatever_is_changed_in_a_file_is_seen(path, change):
+    with h5py.File(written(path), "a") as file:
+        change(file)
+    with pytest.raises(BadResult, match="changed after it was written"):
+        read(path)
+
+
+def test_files_in_memory_are_not_taken_for_each_other(path):
+    """The HDF5 library identifies files by name, also those that are in memory alone."""
+    stored = hdf5.content(written(path).read_bytes())[0]
+    titles = [f"bearing {number}" for number in range(40)]
+    images = [
+        hdf5.image(replace(stored, attributes={**stored.attributes, "title": title})) for title in titles
+    ]
+    with ThreadPoolExecutor(4) as pool:
+        contents = list(pool.map(hdf5.content, images))
+        again = list(pool.map(hdf5.image, [content for content, _ in contents]))
+    assert [content.attributes["title"] for content, _ in contents] == titles
+    assert [hdf5.content(image)[0].attributes["title"] for image in again] == titles
+
+
+def test_every_array_with_an_axis_carries_a_checksum(path):
+    with h5py.File(written(path)) as file:
+        for group in file.values():
+            assert all(dataset.fletcher32 for dataset in group.values() if dataset.ndim)
+
+
+def lose(*names):
+    def change(file):
+        for name in names:
+            del file[name]
+
+    return change
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (lose("rigid"), "no converged block rigid"),
+        (lose("flexible"), "no converged block flexible"),
+        (lose("rigid", "flexible", "iterations"), "iterations = 2, but 0 were written"),
+        (lambda file: file["flexible/inner_load"].__setitem__(2, np.nan), "inner_load holds 1 of 5 numbers"),
+        (lambda file: file["rigid/life_L10"].__setitem__((), np.inf), "life_L10 holds 1 of 1"),
+        (lambda file: file.attrs.__setitem__("iterations", 3), "iterations = 3, but 2"),
+        (lambda file: file.attrs.__setitem__("status", "fine"), "status 'fine' does not exist"),
+        (lambda file: file.attrs.__setitem__("kind", "plain"), "kind 'plain' is none of"),
+    ],
+    ids=["no rigid", "no flexible", "nothing", "nan", "inf", "count", "status", "kind"],
+)
+def test_converged_file_holds_its_solutions(path, change, words):
+    resealed(written(path), change)
+    with pytest.raises(BadResult, match=words):
+        read(path)
+
+
+def flipped(data, bit):
+    changed = bytearray(data)
+    changed[bit // 8] ^= 1 << bit % 8
+    return bytes(changed)
+
+
+def test_no_flipped_bit_changes_an_answer(path):
+    """Where a bit means nothing the same content is read, everywhere else the file is refused."""
+    data = written(path).read_bytes()
+    good = hdf5.content(data)[0]
+    places = np.random.default_rng(7).integers(8 * len(data), size=150)
+    refused = 0
+    for bit in places:
+        path.write_bytes(flipped(data, int(bit)))
+        try:
+            result = read(path)
+        except BadResult:
+            refused += 1
+            continue
+        assert dict(result.attributes).keys() == good.attributes.keys()
+        again = hdf5.content(path.read_bytes())[0]
+        assert again.attributes == good.attributes
+        assert all(np.array_equal(again.arrays[name], array) for name, array in good.arrays.items())
+    assert refused > 50
 
 
 # -- the reference page --------------------------------------------------------------------------
