@@ -9,15 +9,9 @@ OLDER = {  # what the files of an older format are
     "slopes; see docs/reference/axes.md",
     5: "it has no checksums and no digest",
 }
-STATUSES = (
-    "converged",
-    "iteration limit",
-    "diverging",
-    "stagnating",
-    "not finite",
-    "not solved",
-    "unfinished",
-)
+ENDS = ("converged", "iteration limit", "diverging", "stagnating", "not finite", "not solved")
+STATUSES = (*ENDS, "unfinished")  # of a run that is at work, or was interrupted
+
 
 Kind = Literal["text", "texts", "integer", "number", "json"]
 
