@@ -72,7 +72,7 @@ def rounds(folder: Path, kills: int, second: int, draw: random.Random) -> Counte
 
 
 def killed(out: Path, moment: float, begin: float | None) -> Iterator[str]:
-    """Kill a run after some seconds; a second one to the same output begins before, unless `begin` is None."""
+    """Kill a run after some seconds; a second one to the same output may begin before."""
     first, later = started(out), None
     if begin is not None:
         time.sleep(begin)

@@ -63,7 +63,7 @@ def _held(place: Path, path: Path) -> int:
             raise BadOutput(f"{path}: no lock {place.name} beside it: {problem.strerror}.") from problem
         try:
             free = _locked(file, path)
-            holder = _holder(file, wait=not free)
+            holder = _holder(file, place, wait=not free)
             if not free or holder.get("host", host()) != host():
                 raise BadOutput(_occupied(path, place, holder))
             if _still(file, place):
@@ -90,16 +90,21 @@ def _locked(file: int, path: Path) -> bool:
     return True
 
 
-def _holder(file: int, wait: bool) -> dict[str, Any]:
+def _holder(file: int, place: Path, wait: bool) -> dict[str, Any]:
     """What the lock says of its holder; nothing when it was never signed."""
+    text = b""
     for _ in range(_TRIALS if wait else 1):
-        with suppress(ValueError, RecursionError):
-            holder = json.loads(os.pread(file, _LONGEST, 0))
-            if isinstance(holder, dict):
-                return holder
+        if text := os.pread(file, _LONGEST, 0).strip(b"\0"):
+            break
         if wait:
             sleep(_PAUSE)  # it is being signed
-    return {}
+    try:
+        holder = json.loads(text or b"{}")
+    except (ValueError, RecursionError):
+        holder = None
+    if not isinstance(holder, dict):
+        raise BadOutput(f"{place}: is in the way of the lock with that name, and is none; move it elsewhere.")
+    return holder
 
 
 def _still(file: int, place: Path) -> bool:

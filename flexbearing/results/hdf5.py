@@ -6,6 +6,7 @@ A file from elsewhere may claim anything, so every claim is checked before memor
 
 import os
 from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from typing import Any
 
 import h5py
@@ -73,13 +74,44 @@ def content(data: bytes) -> tuple[Content, str]:
     BadContent
         for anything that `image` would not have written
     """
+    with _opened(data) as root:
+        return _content(root, len(data))
+
+
+def attribute(data: bytes, name: str) -> Any:
+    """Read one root attribute, also of a file of another format.
+
+    Parameters
+    ----------
+    data : bytes
+        of a file
+    name : str
+        of the attribute
+
+    Returns
+    -------
+    text, list of texts, whole number, number or None
+        None where the file says nothing that could be read
+
+    Raises
+    ------
+    BadContent
+        for a file that is not HDF5
+    """
+    with _opened(data) as root:
+        return _stated(root, name, len(data))
+
+
+@contextmanager
+def _opened(data: bytes) -> Iterator[Any]:
+    """Root of a file in memory."""
     access = h5p.create(h5p.FILE_ACCESS)
     access.set_fapl_core(backing_store=False)
     access.set_file_image(data)
     try:
         file = h5f.open(_name().encode(), h5f.ACC_RDONLY, fapl=access)
         try:
-            return _content(h5g.open(file, b"/"), len(data))
+            yield h5g.open(file, b"/")
         finally:
             file.close()
     # The library tells damage in all these ways; which one, only the damage knows.

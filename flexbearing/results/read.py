@@ -110,6 +110,25 @@ def read(path: str | Path, families: Families) -> Result:
         raise BadResult(f"{path}: {str(problem).rstrip('.')}. Run the case again.") from problem
 
 
+def case_file(path: Path) -> str:
+    """Say which case file a result is of, in any format that says so.
+
+    Parameters
+    ----------
+    path : Path
+        of a result, there or not
+
+    Returns
+    -------
+    str
+        empty where nothing could be read
+    """
+    with suppress(OSError, hdf5.BadContent):
+        stated = hdf5.attribute(path.read_bytes(), "case_file") if path.is_file() else None
+        return stated if isinstance(stated, str) else ""
+    return ""
+
+
 def of_content(content: Content, claimed: str, path: Path, families: Families) -> Result:
     """Check the content of a file against its digest and the layout of its family.
 

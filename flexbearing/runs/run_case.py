@@ -10,8 +10,9 @@ from threadpoolctl import threadpool_limits
 
 from flexbearing.case import BadCase, Head
 from flexbearing.case.family import Family
+from flexbearing.files import BadOutput
 from flexbearing.progress import Logged, Report
-from flexbearing.results import Result, ResultFile
+from flexbearing.results import Result, ResultFile, case_file
 from flexbearing.runs.validate import require_possible
 
 LONGEST = 60  # characters of the settings in the name of a result
@@ -83,13 +84,22 @@ def default_output(case: Head) -> Path:
     -------
     Path
         `results/<case>.h5`; with settings, `results/<case>_<key>=<value>_<digest of all settings>.h5`
+
+    Raises
+    ------
+    BadOutput
+        where the result of a case of this name in another folder is
     """
     name, settings = Path(case.source.path).stem, case.source.overrides
     if settings:
         last_names = "_".join(setting[_last_name(setting) :] for setting in settings)
         digest = sha256(repr(settings).encode()).hexdigest()[:8]
         name += f"_{re.sub(r'[^A-Za-z0-9_.+=-]', '', last_names)[:LONGEST]}_{digest}"
-    return Path("results") / f"{name}.h5"
+    path = Path("results") / f"{name}.h5"
+    other = case_file(path)
+    if other and Path(other).exists() and not Path(other).samefile(case.source.path):
+        raise BadOutput(f"{path}: is the result of {other}; choose another name with -o.")
+    return path
 
 
 def _last_name(setting: str) -> int:
