@@ -1,36 +1,45 @@
-"""Frozen dataclasses of arrays as bytes, with a digest that tells damage, without pickle.
+"""Objects of the table in `forms` as bytes, with a digest that tells damage, without pickle.
 
-The bytes are a SHA-256 digest and an npz archive: the arrays as they are, and one text, `tree`, that says
-in JSON where they belong.
+The bytes are
+
+- 32 bytes: SHA-256 over the name of the entry, a zero byte, and all that follows
+- 8 bytes: length of the header, little-endian
+- the header: JSON with the class and its fields, of an array its dtype, shape and order, C or F
+- the numbers of the arrays one after the other, each beginning at the next multiple of 64 after the digest
+
+Nothing is compressed: no file makes more than its own length of arrays.
 """
 
 import json
-from collections.abc import Callable
-from dataclasses import fields, is_dataclass
 from hashlib import sha256
-from importlib import import_module
-from io import BytesIO
+from math import prod
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-HOME = "fem"  # package of the classes that may be kept; nothing else is ever imported
-_DIGEST = 32  # bytes
+from flexbearing.cache.forms import RECORDS, Array, Kept, WrongForm, plain, require_fields, require_form
+
+DTYPES = ("<f8", "<c16", "<i8")
+LONGEST_HEADER = 2**16  # bytes
+_DIGEST, _LENGTH, _STEP = 32, 8, 64  # bytes
 
 
 class Damaged(ValueError):
     """Bytes that are not what was written."""
 
 
-def packed(value: Any) -> bytes:
+def packed(entry: str, name: str, value: Any) -> bytes:
     """Bytes from which `unpacked` makes the value again.
 
     Parameters
     ----------
+    entry : str
+        name of the entry that the bytes are for
+    name : str
+        of the class of the value, in `forms.RECORDS`
     value : object
-        a dataclass of the package `HOME`, with arrays, numbers, strings, None, tuples, mappings from
-        strings and such dataclasses in its fields
+        of that class
 
     Returns
     -------
@@ -38,22 +47,30 @@ def packed(value: Any) -> bytes:
 
     Raises
     ------
-    TypeError
-        for anything else
+    WrongForm
+        for anything else, or fields of another form than the table has
     """
-    arrays: dict[str, NDArray] = {}
-    tree = json.dumps(_tree(value, arrays)).encode()
-    file = BytesIO()
-    np.savez(file, tree=np.frombuffer(tree, dtype=np.uint8), **arrays)  # pyright: ignore[reportArgumentType]
-    content = file.getbuffer()
-    return sha256(content).digest() + content
+    require_form(name, value)
+    arrays: list[NDArray] = []
+    header = json.dumps(_tree(name, value, arrays)).encode()
+    if len(header) > LONGEST_HEADER:
+        raise WrongForm(f"the header of this {name} has {len(header)} bytes; allowed are {LONGEST_HEADER}")
+    content = bytearray(len(header).to_bytes(_LENGTH, "little") + header)
+    for array in arrays:
+        content += bytes(-len(content) % _STEP)
+        content += array.tobytes("A")
+    return _digest(entry, content) + content
 
 
-def unpacked(data: bytes) -> Any:
-    """The value that `packed` was given.
+def unpacked(entry: str, name: str, data: bytes) -> Any:
+    """The value that `packed` was given; its arrays cannot be written to.
 
     Parameters
     ----------
+    entry : str
+        name of the entry that the bytes are from
+    name : str
+        of the class that is expected
     data : bytes
         from `packed`
 
@@ -64,47 +81,85 @@ def unpacked(data: bytes) -> Any:
     Raises
     ------
     Damaged
-        if the bytes are others than written
+        if the bytes are others than written, or were written for another entry or from another class
     """
     content = memoryview(data)[_DIGEST:]
-    if sha256(content).digest() != data[:_DIGEST]:
+    if _digest(entry, content) != data[:_DIGEST]:
         raise Damaged("the digest does not fit")
-    with np.load(BytesIO(content), allow_pickle=False) as archive:
-        return _value(json.loads(archive["tree"].tobytes()), archive.__getitem__)
+    try:
+        return _Reading(content).value(name)
+    except (ValueError, TypeError, KeyError, ArithmeticError, RecursionError, MemoryError) as problem:
+        # what JSON, NumPy and the class itself say to fields that somebody made up
+        raise Damaged(f"{type(problem).__name__}: {problem}") from problem
 
 
-def _tree(value: Any, arrays: dict[str, NDArray]) -> Any:
-    """The value as JSON, its arrays moved out."""
-    if isinstance(value, np.generic):
-        value = value.item()
-    if value is None or isinstance(value, bool | int | float | str):
-        return value
-    if isinstance(value, np.ndarray) and value.dtype.kind in "biufc":
-        name = f"array{len(arrays)}"
-        arrays[name] = value
-        return {"array": name}
-    if isinstance(value, dict) and all(isinstance(name, str) for name in value):
-        return {"mapping": {name: _tree(item, arrays) for name, item in value.items()}}
-    if isinstance(value, tuple):
-        return {"tuple": [_tree(item, arrays) for item in value]}
-    module, name = type(value).__module__, type(value).__qualname__
-    if not is_dataclass(value) or module.partition(".")[0] != HOME:
-        raise TypeError(f"{module}.{name} cannot be kept on disk")
-    content = {field.name: _tree(getattr(value, field.name), arrays) for field in fields(value) if field.init}
-    return {"class": [module, name], "fields": content}
+def _digest(entry: str, content: bytes | bytearray | memoryview) -> bytes:
+    digest = sha256(entry.encode() + b"\0")
+    digest.update(content)
+    return digest.digest()
 
 
-def _value(tree: Any, array: Callable[[str], NDArray]) -> Any:
-    """The inverse of `_tree`."""
-    if not isinstance(tree, dict):
-        return tree
-    if "array" in tree:
-        return array(tree["array"])
-    if "mapping" in tree:
-        return {name: _value(item, array) for name, item in tree["mapping"].items()}
-    if "tuple" in tree:
-        return tuple(_value(item, array) for item in tree["tuple"])
-    module, name = tree["class"]
-    return getattr(import_module(module), name)(
-        **{name: _value(item, array) for name, item in tree["fields"].items()}
-    )
+def _tree(name: str, value: Any, arrays: list[NDArray]) -> dict[str, Any]:
+    """An object as JSON, its arrays moved out in the order of the table."""
+    fields = {}
+    for field, form in RECORDS[name].fields.items():
+        item = getattr(value, field)
+        if isinstance(form, Kept):
+            fields[field] = _tree(form.name, item, arrays)
+        elif isinstance(form, Array):
+            fields[field] = _described(item, arrays)
+        else:
+            fields[field] = plain(item)
+    return {"class": name, "fields": fields}
+
+
+def _described(array: NDArray, arrays: list[NDArray]) -> dict[str, Any]:
+    order = "F" if array.flags.f_contiguous and not array.flags.c_contiguous else "C"
+    arrays.append(np.asarray(array, dtype=array.dtype.newbyteorder("<"), order=order))
+    dtype = arrays[-1].dtype.str
+    if dtype not in DTYPES:
+        raise WrongForm(f"an array of {array.dtype}; kept are {', '.join(DTYPES)}")
+    return {"dtype": dtype, "shape": array.shape, "order": order}
+
+
+class _Reading:
+    """Objects from the header, arrays from what follows it."""
+
+    def __init__(self, content: memoryview):
+        length = int.from_bytes(content[:_LENGTH], "little")
+        if length > min(LONGEST_HEADER, len(content) - _LENGTH):
+            raise Damaged("the header is longer than the file, or than any")
+        self.content, self.place = content, _LENGTH + length
+        self.tree = json.loads(bytes(content[_LENGTH : self.place]))
+
+    def value(self, name: str) -> Any:
+        """The one object of the file."""
+        made = self._object(name, self.tree)
+        if self.place != len(self.content):
+            raise Damaged("more bytes than arrays")
+        return made
+
+    def _object(self, name: str, tree: Any) -> Any:
+        if tree["class"] != name:
+            raise Damaged(f"a {tree['class']!r:.40} where a {name} belongs")
+        values, fields = {}, RECORDS[name].fields
+        for field, form in fields.items():
+            item = tree["fields"][field]
+            if isinstance(form, Kept):
+                item = self._object(form.name, item)
+            elif isinstance(form, Array):
+                item = self._array(**item)
+            values[field] = item
+        require_fields(name, values)
+        return RECORDS[name].made(name, values)
+
+    def _array(self, dtype: str, shape: list[int], order: str) -> NDArray:
+        if dtype not in DTYPES or order not in ("C", "F"):
+            raise Damaged(f"an array of {dtype!r:.40} in the order {order!r:.40}")
+        if not all(type(size) is int and 0 < size <= len(self.content) for size in shape):
+            raise Damaged("an array longer than the file")
+        first, count = self.place + -self.place % _STEP, prod(shape)
+        self.place = first + count * np.dtype(dtype).itemsize
+        if self.place > len(self.content):
+            raise Damaged("an array longer than the file")
+        return np.frombuffer(self.content, dtype, count, first).reshape(shape, order=order)  # pyright: ignore

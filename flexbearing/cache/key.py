@@ -13,6 +13,8 @@ import numpy as np
 
 import fem
 
+LAYOUT = 2  # of the file of an entry; those of another one are never looked for
+
 
 def digest(parts: Any) -> str:
     """Name of what is computed from some data by the present code.
@@ -33,7 +35,7 @@ def digest(parts: Any) -> str:
     TypeError
         for data of any other kind: it could change without the name
     """
-    return sha256(json.dumps([code(), _plain(parts)], sort_keys=True).encode()).hexdigest()
+    return sha256(json.dumps([LAYOUT, code(), _plain(parts)], sort_keys=True).encode()).hexdigest()
 
 
 @cache

@@ -1,27 +1,34 @@
 """A folder of limited size that keeps condensed rings, shared by all runs of a user.
 
 A file appears complete or not at all, and is only ever replaced by an equal one, so that processes need
-not wait for each other. What cannot be read or written is noted and computed again.
+not wait for each other. What cannot be read or written is noted and computed again. An entry is a regular
+file: a link in its place is not followed, since the cache makes none, and it may lead to what never ends.
 """
 
 import os
+import re
+import stat
 import time
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
-from tempfile import NamedTemporaryFile
 from typing import TypeVar
 
 from flexbearing.cache.archive import Damaged, packed, unpacked
+from flexbearing.cache.forms import WrongForm
 from flexbearing.cache.key import digest
+from flexbearing.files import NotStored, write
 
 VARIABLE = "FLEXBEARING_CACHE"  # of the environment: a folder, or "off"
 OFF = "off"
 LIMIT = 500_000_000  # bytes
 SUFFIX = ".ring"
-UNFINISHED = ".part"
 ABANDONED = 3600.0  # [s] after which an unfinished file has no writer any more
+_ENTRY = re.compile(r"[0-9a-f]{64}\.ring")
+_UNFINISHED = re.compile(_ENTRY.pattern + r"\.[\w-]+-\d+-[0-9a-f]{8}\.part")  # of `flexbearing.files.write`
+# neither follow a link nor wait for a pipe; the names are not those of every system
+_OPEN = os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
 
 Value = TypeVar("Value")
 Note = Callable[[str], None]
@@ -48,41 +55,53 @@ class Cache:
     folder: Path | None  # None: nothing is kept
     limit: int = LIMIT  # bytes; the rings that were used longest ago go first
 
-    def cached(self, parts: object, compute: Callable[[], Value], note: Note) -> Value:
+    def cached(
+        self,
+        kind: str,
+        parts: object,
+        compute: Callable[[], Value],
+        note: Note,
+        fits: Callable[[Value], bool] = lambda kept: True,
+    ) -> Value:
         """What was computed from the same data before, or what is computed now.
 
         Parameters
         ----------
+        kind : str
+            class that `compute` makes, of `flexbearing.cache.forms.RECORDS`
         parts : object
             all data that enter, see `flexbearing.cache.key.digest`; the code enters by itself
         compute : callable ()
-            makes a dataclass of arrays, see `flexbearing.cache.archive.packed`
+            makes an object of that class
         note : callable (text)
             told in a line where the value comes from, if not computed, and what was wrong with the folder
+        fits : callable (value)
+            whether what was kept belongs to the parts, as far as it says so itself
 
         Returns
         -------
         object
-            of `compute`
+            of `compute`; arrays that were kept cannot be written to
         """
         if self.folder is None:
             return compute()
         path = self.folder / f"{digest(parts)}{SUFFIX}"
-        kept = _kept(path, note)
+        kept = self._kept(path, kind, fits, note)
         if kept is not None:
             note("taken from the cache")
             return kept
         value = compute()
-        self._keep(path, packed(value), note)
+        self._keep(path, kind, value, note)
         return value
 
     def entries(self) -> list[Entry]:
-        """Rings in the folder, the one used last first."""
+        """Rings in the folder, the one used last first; none where it cannot be read."""
         entries = []
-        for path in self.folder.glob(f"*{SUFFIX}") if self.folder else ():
-            with suppress(FileNotFoundError):  # another process has just removed it
-                state = path.stat()
-                entries.append(Entry(path, state.st_size, state.st_mtime))
+        for path in self._files(_ENTRY):
+            with suppress(OSError):  # another process has just removed it
+                state = path.lstat()
+                if stat.S_ISREG(state.st_mode):
+                    entries.append(Entry(path, state.st_size, state.st_mtime))
         return sorted(entries, key=lambda entry: entry.used, reverse=True)
 
     @property
@@ -91,22 +110,48 @@ class Cache:
         return sum(entry.size for entry in self.entries())
 
     def clear(self) -> int:
-        """Remove all rings; returns how many there were."""
-        entries = self.entries()
-        for entry in entries:
-            _remove(entry.path)
+        """Remove all rings and nothing else; returns how many there were."""
+        removed = [_remove(entry.path) for entry in self.entries()]
         self._remove_abandoned()
-        return len(entries)
+        return removed.count(None)
 
-    def _keep(self, path: Path, data: bytes, note: Note) -> None:
+    def _files(self, names: re.Pattern) -> list[Path]:
+        """Whatever has a name of a form."""
+        with suppress(OSError):  # no folder yet, or none that can be read
+            return (
+                [path for path in self.folder.iterdir() if names.fullmatch(path.name)] if self.folder else []
+            )
+        return []
+
+    def _kept(self, path: Path, kind: str, fits: Callable[[Value], bool], note: Note) -> Value | None:
+        """The value in a file, or None; a damaged file is removed."""
+        try:
+            value = unpacked(path.stem, kind, _content(path, self.limit))
+            if not fits(value):
+                raise Damaged("made from another part")
+        except FileNotFoundError:
+            return None
+        except (Damaged, OSError) as problem:
+            _give_up(path, problem, note)
+            return None
+        with suppress(OSError):  # a folder that may only be read: then its owner decides what goes
+            os.utime(path)
+        return value
+
+    def _keep(self, path: Path, kind: str, value: object, note: Note) -> None:
+        try:
+            data = packed(path.stem, kind, value)
+        except WrongForm as problem:
+            note(f"not kept: {problem}")
+            return
         if len(data) > self.limit:
             note(f"not kept: {len(data)} bytes are more than the whole cache may have, {self.limit}")
             return
         try:
             path.parent.mkdir(parents=True, exist_ok=True)
-            _write(path, data)
-        except OSError as problem:
-            note(f"the cache {path.parent} cannot be written: {problem.strerror}")
+            write(path, data, lasting=False)  # the digest tells what the disk did not keep
+        except (OSError, NotStored) as problem:
+            note(f"the cache {path.parent} cannot be written: {_reason(problem)}")
             return
         self._shrink()
 
@@ -120,10 +165,10 @@ class Cache:
         self._remove_abandoned()
 
     def _remove_abandoned(self) -> None:
-        for path in self.folder.glob(f"*{UNFINISHED}") if self.folder else ():
-            with suppress(FileNotFoundError):
-                if time.time() - path.stat().st_mtime > ABANDONED:
-                    _remove(path)
+        for path in self._files(_UNFINISHED):
+            with suppress(OSError):
+                if time.time() - path.lstat().st_mtime > ABANDONED:
+                    path.unlink()
 
 
 def configured(folder: str | None = None, limit: int = LIMIT) -> Cache:
@@ -145,7 +190,10 @@ def configured(folder: str | None = None, limit: int = LIMIT) -> Cache:
     if choice == OFF:
         return Cache(None, limit)
     if choice:
-        return Cache(Path(choice).expanduser(), limit)
+        folder_of_user = Path(choice)
+        with suppress(RuntimeError):  # a user who does not exist: then a folder of this name
+            folder_of_user = folder_of_user.expanduser()
+        return Cache(folder_of_user, limit)
     from platformdirs import user_cache_path
 
     return Cache(user_cache_path("flexbearing", appauthor=False) / "rings", limit)
@@ -173,40 +221,49 @@ def listing(cache: Cache) -> str:
 
 
 def _date(seconds: float) -> str:
-    return time.strftime("%Y-%m-%d %H:%M", time.localtime(seconds))
-
-
-def _kept(path: Path, note: Note):
-    """The value in a file, or None; a damaged file is removed."""
     try:
-        value = unpacked(path.read_bytes())
-    except FileNotFoundError:
-        return None
+        return time.strftime("%Y-%m-%d %H:%M", time.localtime(seconds))
+    except (OverflowError, OSError, ValueError):  # a file can carry any date
+        return "at no time"
+
+
+def _content(path: Path, limit: int) -> bytes:
+    """Bytes of a regular file, never more than the limit."""
+    if not stat.S_ISREG(path.lstat().st_mode):
+        raise Damaged("it is no file")
+    with os.fdopen(os.open(path, _OPEN), "rb") as file:
+        state = os.fstat(file.fileno())
+        if not stat.S_ISREG(state.st_mode):  # it was replaced meanwhile
+            raise Damaged("it is no file")
+        if state.st_size > limit:
+            raise Damaged(f"{state.st_size} bytes are more than the whole cache may have, {limit}")
+        return file.read(state.st_size)
+
+
+def _give_up(path: Path, problem: Exception, note: Note) -> None:
+    """Remove what cannot be used, and tell."""
+    kept = _remove(path)
+    if kept is None:
+        note(f"{path} was damaged ({_reason(problem)}); it is removed and the ring computed again")
+    elif isinstance(problem, OSError):
+        note(f"the cache {path.parent} cannot be read: {_reason(problem)}")
+    else:
+        note(
+            f"{path} is damaged ({_reason(problem)}) and cannot be removed ({_reason(kept)}); "
+            "the ring is computed again"
+        )
+
+
+def _remove(path: Path) -> OSError | None:
+    """Remove a file; returns why it is still there."""
+    try:
+        path.unlink(missing_ok=True)
     except OSError as problem:
-        note(f"the cache {path.parent} cannot be read: {problem.strerror}")
-        return None
-    except Damaged:
-        note(f"{path} was damaged; it is removed and the ring computed again")
-        _remove(path)
-        return None
-    with suppress(OSError):  # a folder that may only be read: then its owner decides what goes
-        os.utime(path)
-    return value
+        return problem
+    return None
 
 
-def _write(path: Path, data: bytes) -> None:
-    """Write a file so that nobody ever sees a part of it."""
-    with NamedTemporaryFile(dir=path.parent, suffix=UNFINISHED, delete=False) as file:
-        try:
-            file.write(data)
-            file.close()
-            Path(file.name).replace(path)
-        except BaseException:
-            file.close()
-            _remove(Path(file.name))
-            raise
-
-
-def _remove(path: Path) -> None:
-    with suppress(FileNotFoundError, PermissionError):  # gone already, or read by someone else now
-        path.unlink()
+def _reason(problem: BaseException) -> str:
+    if isinstance(problem, NotStored) and problem.__cause__:
+        problem = problem.__cause__
+    return getattr(problem, "strerror", None) or str(problem)

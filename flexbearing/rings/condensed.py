@@ -5,6 +5,7 @@ from contextlib import contextmanager
 from time import perf_counter
 from typing import TYPE_CHECKING
 
+import numpy as np
 from numpy.typing import NDArray
 
 import fem
@@ -113,7 +114,24 @@ def _condensed(name: str, part: "Part", case: Case, azimuths: NDArray, report: R
             return condense(*arguments)
         return condense(*arguments, report=lambda stage, fraction: report.stage(f"{name}: {stage}", fraction))
 
-    return configured().cached(arguments, computed, lambda note: report.stage(f"{name}: {note}", None))
+    return configured().cached(
+        "RacewayCompliance" if discretisation is SOLID else "HarmonicCompliance",
+        arguments,
+        computed,
+        lambda note: report.stage(f"{name}: {note}", None),
+        lambda kept: _is_of(*arguments, kept),
+    )
+
+
+def _is_of(part: "Part", discretisation: fem.Discretisation, resolution: fem.Resolution, kept) -> bool:
+    """Whether a compliance from the cache is that of a part, as far as it says so."""
+    if discretisation is SOLID:
+        shape = len(resolution.azimuths or ()), resolution.axial_modes
+        return np.array_equal(kept.azimuths, resolution.azimuths or ()) and kept.absolute.shape[:2] == shape
+    bars = part.bars if discretisation is HARMONICS else None  # type: ignore[union-attr]
+    wanted = part.raceway_diameter / 2, resolution.length, part.materials["ring"], bars
+    same = (kept.radius, kept.length, kept.elastic, kept.bars) == wanted
+    return same and kept.response.shape[1] == resolution.axial_modes
 
 
 def _discretisation(part: "Part", case: Case) -> fem.Discretisation:

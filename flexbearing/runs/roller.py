@@ -100,7 +100,8 @@ def _solve(
     attempts = CoupledBearing(case, partner, rings, rigid, initial).solve(postprocessing.file, report)
     last = attempts[-1]
     converged = last.status == "converged"
-    postprocessing.store("flexible", last.state, rings.linearised(last.state.forces), converged=converged)
+    if last.state is not rigid:  # else no method found a first state between flexible raceways
+        postprocessing.store("flexible", last.state, rings.linearised(last.state.forces), converged=converged)
     if converged:
         postprocessing.notes.extend(resolved.notes(last.state))
     return _ending(last.status, last.message, last.iterations) | {

@@ -17,6 +17,8 @@ from fem.raceway.compliance import RacewayCompliance
 from fem.raceway.harmonics import HarmonicCompliance
 from flexbearing.cache import Cache, configured, key, listing, store
 from flexbearing.cache.archive import Damaged, packed, unpacked
+from flexbearing.cache.forms import WrongForm
+from flexbearing.files.whole import part_name
 
 STEEL = fem.Elastic(youngs_modulus=203e9, poisson_ratio=0.28)
 CAGE = fem.SquirrelCage(
@@ -25,6 +27,7 @@ CAGE = fem.SquirrelCage(
 )  # fmt: skip
 PATCHES = fem.Patches(azimuths=(0.0, 0.5), length=9e-3, axial_modes=2, width=1e-3)
 MESH = fem.MeshSize(order=3, size=3e-3, raceway_size=2e-3)
+RACEWAY = "RacewayCompliance"
 PARTS = ("condense", CAGE, PATCHES, MESH)
 SOLID = StepSolid(
     drawing=b"ISO-10303-21;a",
@@ -38,7 +41,8 @@ SOLID = StepSolid(
 def raceway(seed=0):
     draw = np.random.default_rng(seed).normal
     return RacewayCompliance(
-        azimuths=draw(size=3), absolute=draw(size=(3, 2, 3, 2)), translation=draw(size=(2, 3, 2)),
+        azimuths=draw(size=3), absolute=1e-9 * draw(size=(3, 2, 3, 2)),
+        translation=1e-9 * draw(size=(2, 3, 2)),
         support_stiffness=np.float64(1.5e8), unknowns=np.int64(7), elements=5, seconds={"mesh": 0.25},
     )  # fmt: skip
 
@@ -46,7 +50,8 @@ def raceway(seed=0):
 def harmonics():
     draw = np.random.default_rng(1).normal
     return HarmonicCompliance(
-        harmonics=np.arange(-9, 10), response=draw(size=(19, 2, 19, 2)) + 1j * draw(size=(19, 2, 19, 2)),
+        harmonics=np.arange(-9, 10),
+        response=1e-9 * draw(size=(19, 2, 19, 2)) + 1e-9j * draw(size=(19, 2, 19, 2)),
         radius=37.5e-3, length=9e-3, elastic=STEEL, bars=None, unknowns=7, elements=5, seconds={},
     )  # fmt: skip
 
@@ -84,12 +89,13 @@ def notes():
 
 @pytest.mark.parametrize("value", [raceway(), harmonics()], ids=["raceway", "harmonics"])
 def test_what_is_kept_comes_back_bit_by_bit(value):
-    same(value, unpacked(packed(value)))
+    kind = type(value).__name__
+    same(value, unpacked("one", kind, packed("one", kind, value)))
 
 
 def test_second_time_nothing_is_computed(cache, notes):
     compute = Counted()
-    first, second = (cache.cached(PARTS, compute, notes.append) for _ in range(2))
+    first, second = (cache.cached(RACEWAY, PARTS, compute, notes.append) for _ in range(2))
     same(first, second)
     assert (compute.calls, notes) == (1, ["taken from the cache"])
 
@@ -158,20 +164,20 @@ def test_fields_alike_of_another_class_have_another_name():
 @given(place=st.floats(0, 1, exclude_max=True), bit=st.integers(0, 7))
 @settings(max_examples=60)
 def test_every_damaged_bit_is_seen(place, bit):
-    data = bytearray(packed(raceway()))
+    data = bytearray(packed("one", RACEWAY, raceway()))
     data[int(place * len(data))] ^= 1 << bit
     with pytest.raises(Damaged):
-        unpacked(bytes(data))
+        unpacked("one", RACEWAY, bytes(data))
 
 
 @pytest.mark.parametrize("keep", [0, 10, 32, 500, -1])
 def test_shortened_file_is_computed_again(cache, notes, keep):
     compute = Counted()
-    cache.cached(PARTS, compute, notes.append)
+    cache.cached(RACEWAY, PARTS, compute, notes.append)
     (entry,) = cache.entries()
     entry.path.write_bytes(entry.path.read_bytes()[:keep])
-    same(cache.cached(PARTS, compute, notes.append), compute.value)
-    cache.cached(PARTS, compute, notes.append)
+    same(cache.cached(RACEWAY, PARTS, compute, notes.append), compute.value)
+    cache.cached(RACEWAY, PARTS, compute, notes.append)
     assert compute.calls == 2
     assert [note.split("; ")[-1] for note in notes] == [
         "it is removed and the ring computed again", "taken from the cache",
@@ -186,26 +192,26 @@ class Foreign:
 
 @pytest.mark.parametrize("value", [Foreign(), np.array([object()]), {1: 2.0}, [1.0]])
 def test_only_rings_are_kept(value):
-    with pytest.raises(TypeError, match="cannot be kept on disk"):
-        packed(value)
+    with pytest.raises(WrongForm, match="is no RacewayCompliance"):
+        packed("one", RACEWAY, value)
 
 
 def test_ring_used_longest_ago_goes_first(cache, notes):
-    size = len(packed(raceway()))
+    size = len(packed("one", RACEWAY, raceway()))
     small = Cache(cache.folder, limit=int(2.5 * size))
     for number, age in ((0, 300), (1, 200)):
-        small.cached(number, Counted(), notes.append)
+        small.cached(RACEWAY, number, Counted(), notes.append)
         newest = small.entries()[0].path
         os.utime(newest, (time.time() - age,) * 2)
-    small.cached(0, Counted(), notes.append)  # used: now 1 is the oldest
-    small.cached(2, Counted(), notes.append)
+    small.cached(RACEWAY, 0, Counted(), notes.append)  # used: now 1 is the oldest
+    small.cached(RACEWAY, 2, Counted(), notes.append)
     kept = {entry.path.stem for entry in small.entries()}
     assert kept == {key.digest(0), key.digest(2)}
     assert small.size == 2 * size
 
 
 def test_ring_above_the_limit_is_not_kept(cache, notes):
-    Cache(cache.folder, limit=10).cached(PARTS, Counted(), notes.append)
+    Cache(cache.folder, limit=10).cached(RACEWAY, PARTS, Counted(), notes.append)
     assert not cache.entries()
     assert re.fullmatch(r"not kept: \d+ bytes are more than the whole cache may have, 10", notes[0])
 
@@ -217,7 +223,7 @@ def test_many_at_once_agree(cache, notes):
     def work(number):
         if number % 10 == 9:
             cache.clear()
-        same(cache.cached(number % 3, Counted(values[number % 3]), notes.append), values[number % 3])
+        same(cache.cached(RACEWAY, number % 3, Counted(values[number % 3]), notes.append), values[number % 3])
 
     with ThreadPoolExecutor(8) as pool:
         list(pool.map(work, range(150)))
@@ -229,7 +235,7 @@ def test_folder_that_cannot_be_written_is_told(tmp_path, notes):
     blocked = tmp_path / "file"
     blocked.write_text("not a folder")
     compute = Counted()
-    same(Cache(blocked / "rings").cached(PARTS, compute, notes.append), compute.value)
+    same(Cache(blocked / "rings").cached(RACEWAY, PARTS, compute, notes.append), compute.value)
     assert compute.calls == 1
     assert [note.split(": ")[-1] for note in notes] == ["Not a directory"] * 2
 
@@ -239,18 +245,18 @@ def test_full_disk_leaves_nothing_behind(cache, notes, monkeypatch):
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr(Path, "replace", full)
-    cache.cached(PARTS, Counted(), notes.append)
+    cache.cached(RACEWAY, PARTS, Counted(), notes.append)
     assert notes == [f"the cache {cache.folder} cannot be written: No space left on device"]
     assert not list(cache.folder.iterdir())
 
 
 def test_what_a_killed_process_left_is_removed_after_an_hour(cache, notes):
     cache.folder.mkdir()
-    old, new = (cache.folder / f"{name}{store.UNFINISHED}" for name in ("old", "new"))
+    old, new = (part_name(cache.folder / f"{key.digest(name)}{store.SUFFIX}") for name in ("old", "new"))
     for path in (old, new):
         path.touch()
     os.utime(old, (time.time() - 4000,) * 2)
-    cache.cached(PARTS, Counted(), notes.append)
+    cache.cached(RACEWAY, PARTS, Counted(), notes.append)
     assert (old.exists(), new.exists()) == (False, True)
 
 
@@ -261,7 +267,7 @@ def test_user_places_the_cache_or_turns_it_off(monkeypatch, tmp_path, notes):
     monkeypatch.setenv("FLEXBEARING_CACHE", "off")
     compute = Counted()
     for _ in range(2):
-        configured().cached(PARTS, compute, notes.append)
+        configured().cached(RACEWAY, PARTS, compute, notes.append)
     assert (compute.calls, notes, listing(configured())) == (2, [], "the cache is off (FLEXBEARING_CACHE)\n")
     assert configured().clear() == configured().size == 0
     monkeypatch.delenv("FLEXBEARING_CACHE")
@@ -270,7 +276,7 @@ def test_user_places_the_cache_or_turns_it_off(monkeypatch, tmp_path, notes):
 
 def test_listing_and_clearing(cache, notes):
     for number in range(2):
-        cache.cached(number, Counted(), notes.append)
+        cache.cached(RACEWAY, number, Counted(), notes.append)
     lines = listing(cache).splitlines()
     assert lines[-1].startswith("2 rings, 0.00")
     assert {line.split()[0] for line in lines[:-1]} == {key.digest(number)[:12] for number in range(2)}

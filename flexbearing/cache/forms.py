@@ -1,0 +1,276 @@
+"""What may be kept on disk: every class, with the form of each of its fields.
+
+A file names a class by its place in this table; nothing else is ever imported, called or made.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from importlib import import_module
+from math import isfinite, isnan, prod
+from typing import Any
+
+import numpy as np
+
+METRE = 1.0  # [m/N] or [m]: no raceway gives way by a metre, at a newton or before it is loaded
+
+
+class WrongForm(ValueError):
+    """A value that is not as the table has it."""
+
+
+@dataclass(frozen=True)
+class Number:
+    """A number, not NaN."""
+
+    infinite: bool = False  # may be inf
+
+    def require(self, value: Any, sizes: dict[str, int]) -> None:
+        """Refuse a value of another form.
+
+        Raises
+        ------
+        WrongForm
+            saying what it is
+        """
+        if type(value) not in (int, float) or isnan(value) or not (isfinite(value) or self.infinite):
+            raise WrongForm(f"{value!r} is no number")
+
+
+@dataclass(frozen=True)
+class Count:
+    """A whole number, zero or more."""
+
+    optional: bool = False  # may be None
+
+    def require(self, value: Any, sizes: dict[str, int]) -> None:
+        """Refuse a value of another form.
+
+        Raises
+        ------
+        WrongForm
+            saying what it is
+        """
+        if value is None and self.optional:
+            return
+        if type(value) is not int or not 0 <= value < 2**63:
+            raise WrongForm(f"{value!r} is no count")
+
+
+@dataclass(frozen=True)
+class Choice:
+    """One of some texts or numbers."""
+
+    allowed: tuple[str | int, ...]
+
+    def require(self, value: Any, sizes: dict[str, int]) -> None:
+        """Refuse a value of another form.
+
+        Raises
+        ------
+        WrongForm
+            saying what it is
+        """
+        if type(value) not in (str, int) or value not in self.allowed:
+            raise WrongForm(f"{value!r} is none of {self.allowed}")
+
+
+@dataclass(frozen=True)
+class Numbers:
+    """Numbers by name."""
+
+    def require(self, value: Any, sizes: dict[str, int]) -> None:
+        """Refuse a value of another form.
+
+        Raises
+        ------
+        WrongForm
+            saying what it is
+        """
+        if not isinstance(value, dict) or not all(isinstance(name, str) for name in value):
+            raise WrongForm(f"a {type(value).__name__} is no mapping of names")
+        for number in value.values():
+            Number().require(number, sizes)
+
+
+@dataclass(frozen=True)
+class Array:
+    """Finite numbers along axes: each a size, or a symbol that has one size in the whole object."""
+
+    axes: tuple[str, ...]  # one form after the other, "Z M Z M"
+    kinds: str = "f"  # of the dtype
+    largest: float = METRE  # size of a number
+
+    def require(self, value: Any, sizes: dict[str, int]) -> None:
+        """Refuse a value of another form; `sizes` learns those of the symbols.
+
+        Raises
+        ------
+        WrongForm
+            saying what it is
+        """
+        if not isinstance(value, np.ndarray) or value.dtype.kind not in self.kinds:
+            raise WrongForm(f"a {type(value).__name__} is no array of {self.kinds}")
+        forms = [form.split() for form in self.axes]
+        form = next((form for form in forms if _fits(form, value.shape, sizes)), None)
+        if form is None:
+            raise WrongForm(f"shape {value.shape} is none of {self.axes} with {sizes}")
+        sizes.update(zip(form, value.shape, strict=True))
+        if not np.abs(value).max() <= self.largest:  # NaN is not, either
+            raise WrongForm(f"a number is above {self.largest:g}, or none")
+
+
+@dataclass(frozen=True)
+class Kept:
+    """An object of a class of the table."""
+
+    name: str
+
+    def require(self, value: Any, sizes: dict[str, int]) -> None:
+        """Refuse a value of another form.
+
+        Raises
+        ------
+        WrongForm
+            saying what it is
+        """
+        require_form(self.name, value)
+
+
+Form = Number | Count | Choice | Numbers | Array | Kept
+
+
+@dataclass(frozen=True)
+class Record:
+    """Where a class is defined, and its fields."""
+
+    module: str
+    fields: Mapping[str, Form]
+
+    def made(self, name: str, values: Mapping[str, Any]) -> Any:
+        """An object of the class; its own checks may refuse the values."""
+        return getattr(import_module(self.module), name)(**values)
+
+
+RECORDS = {
+    "RacewayCompliance": Record(
+        "fem.raceway.compliance",
+        {
+            "azimuths": Array(("Z",), largest=1e3),
+            "absolute": Array(("Z M Z M",)),
+            "translation": Array(("2 Z M",)),
+            "support_stiffness": Number(infinite=True),
+            "unknowns": Count(),
+            "elements": Count(),
+            "seconds": Numbers(),
+            "initial_deviation": Array(("Z M",)),
+            "initial_translation": Array(("2",)),
+        },
+    ),
+    "HarmonicCompliance": Record(
+        "fem.raceway.harmonics",
+        {
+            "harmonics": Array(("K",), "i", largest=1e6),
+            "response": Array(("K M K M", "K M M"), "fc"),
+            "radius": Number(),
+            "length": Number(),
+            "elastic": Kept("Elastic"),
+            "bars": Count(optional=True),
+            "unknowns": Count(),
+            "elements": Count(),
+            "seconds": Numbers(),
+        },
+    ),
+    "GrooveCompliance": Record(
+        "fem.section.bolted_ring",
+        {
+            "ring": Kept("BoltedGrooveRing"),
+            "length": Number(),
+            "response": Array(("N 4 4",)),
+            "unknowns": Count(),
+            "seconds": Numbers(),
+        },
+    ),
+    "BoltedGrooveRing": Record(
+        "fem.parts.bolted_ring",
+        {
+            "race": Choice(("outer", "inner")),
+            "pitch_diameter": Number(),
+            "ball_diameter": Number(),
+            "groove_radius": Number(),
+            "contact_angle": Number(),
+            "groove_end": Number(),
+            "far_diameter": Number(),
+            "width": Number(),
+            "face_distance": Number(),
+            "face_side": Choice((1, -1)),
+            "elastic": Kept("Elastic"),
+            "normal_stiffness": Number(infinite=True),
+            "shear_stiffness": Number(infinite=True),
+        },
+    ),
+    "Elastic": Record("fem.parts.material", {"youngs_modulus": Number(), "poisson_ratio": Number()}),
+}
+
+
+def require_form(name: str, value: Any) -> None:
+    """Raise unless an object is of a class of the table, and each of its fields of its form.
+
+    Parameters
+    ----------
+    name : str
+        of the class
+    value : object
+        what is to be kept, or was made from a file
+
+    Raises
+    ------
+    WrongForm
+        naming class and field
+    """
+    record, kind = RECORDS.get(name), type(value)
+    if record is None or (kind.__module__, kind.__qualname__) != (record.module, name):
+        raise WrongForm(f"{kind.__module__}.{kind.__qualname__} is no {name}")
+    require_fields(name, {field: plain(getattr(value, field)) for field in record.fields})
+
+
+def require_fields(name: str, values: Mapping[str, Any]) -> None:
+    """Raise unless the fields of a class are there and of their forms.
+
+    Parameters
+    ----------
+    name : str
+        of the class
+    values : mapping
+        by the names of the fields
+
+    Raises
+    ------
+    WrongForm
+        naming class and field
+    """
+    fields, sizes = RECORDS[name].fields, {}
+    if values.keys() != fields.keys():
+        raise WrongForm(f"{name} has the fields {', '.join(fields)}, not {', '.join(values)}")
+    for field, form in fields.items():
+        try:
+            form.require(values[field], sizes)
+        except WrongForm as problem:
+            raise WrongForm(f"{name}.{field}: {problem}") from problem
+
+
+def plain(value: Any) -> Any:
+    """Python's own number for one of NumPy."""
+    return value.item() if isinstance(value, np.generic) else value
+
+
+def _fits(form: list[str], shape: tuple[int, ...], sizes: dict[str, int]) -> bool:
+    """Whether a shape is one of a form, with the sizes known so far; empty arrays fit none."""
+    if len(form) != len(shape) or not prod(shape):
+        return False
+    new: dict[str, int] = {}
+    for axis, size in zip(form, shape, strict=True):
+        wanted = int(axis) if axis.isdigit() else sizes.get(axis, new.get(axis, size))
+        if size != wanted:
+            return False
+        new[axis] = size
+    return True
