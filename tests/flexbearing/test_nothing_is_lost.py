@@ -154,7 +154,7 @@ def test_second_run_to_an_output_is_refused_by_name(at_work):
     run, out = at_work
     second = command("run", PAPER, "-o", out, "--quiet", *settings(RIGID))
     errors = second.communicate()[1]
-    assert (second.returncode, len(errors.splitlines())) == (2, 1)
+    assert (second.returncode, len(errors.splitlines())) == (2, 1), errors
     assert f"{out} is being written by process {run.pid} on {os.uname().nodename}" in errors
     assert run.poll() is None
 
