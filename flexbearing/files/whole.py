@@ -6,8 +6,9 @@ import socket
 from contextlib import suppress
 from pathlib import Path
 
-UNFINISHED = ".part"
-_PART = re.compile(r"\.(?P<host>[\w-]+)-(?P<process>\d+)-[0-9a-f]{8}\.part")
+UNFINISHED = ".part"  # of a whole file that says what is finished so far
+_WRITING = ".tmp"  # of a file that may be torn
+_PART = re.compile(rf"\.(?P<host>[\w-]+)-(?P<process>\d+)-[0-9a-f]{{8}}({UNFINISHED}|{_WRITING})")
 
 
 class NotStored(RuntimeError):
@@ -19,13 +20,13 @@ def host() -> str:
     return re.sub(r"[^\w-]", "-", socket.gethostname()) or "unknown"
 
 
-def part_name(path: Path) -> Path:
+def part_name(path: Path, suffix: str = UNFINISHED) -> Path:
     """Name beside a file that no other process and no other call uses."""
-    return path.with_name(f"{path.name}.{host()}-{os.getpid()}-{os.urandom(4).hex()}{UNFINISHED}")
+    return path.with_name(f"{path.name}.{host()}-{os.getpid()}-{os.urandom(4).hex()}{suffix}")
 
 
 def parts_of(path: Path) -> list[tuple[Path, str, int]]:
-    """Unfinished files beside a file.
+    """Unfinished files beside a file, also those that were being written when their process was killed.
 
     Parameters
     ----------
@@ -68,7 +69,7 @@ def write(path: Path, data: bytes, *, beside: Path | None = None, lasting: bool 
     NotStored
         naming the file and what to do; no part is left
     """
-    part = part_name(beside or path)
+    part = part_name(beside or path, _WRITING)
     try:
         with part.open("xb") as file:
             file.write(data)

@@ -12,6 +12,7 @@ import numpy as np
 
 from flexbearing.case.family import Families, Family
 from flexbearing.files import parts_of
+from flexbearing.files.whole import UNFINISHED
 from flexbearing.quantities import Quantity
 from flexbearing.quantities.attributes import FORMAT, OLDER
 from flexbearing.quantities.layout import Layout
@@ -223,9 +224,9 @@ def _require_there(path: Path) -> None:
         return
     if path.exists():
         raise BadResult(f"{path}: is no file; a result is one.")
-    if parts := parts_of(path):
+    if parts := [part for part, *_ in parts_of(path) if part.suffix == UNFINISHED]:
         raise BadResult(
-            f"{path}: not there yet, only {parts[0][0].name} of a run at work or interrupted. "
+            f"{path}: not there yet, only {parts[0].name} of a run at work or interrupted. "
             "Wait for the run, run the case again, or read that file."
         )
     raise BadResult(f"{path}: no such file. `flexbearing run CASE -o {path.name}` would write it.")

@@ -88,7 +88,7 @@ class ResultFile:
         self._is_open = False
         self._guard = RLock()  # of all that the timer reads
         self._timer: Timer | None = None
-        self._problem: NotStored | None = None  # met by the timer
+        self._problem: Exception | None = None  # met by the timer
 
     def __enter__(self) -> Self:
         self._open.enter_context(lock(self._place))
@@ -234,7 +234,7 @@ class ResultFile:
             if self._is_open:
                 try:
                     self._store_part()
-                except NotStored as problem:
+                except Exception as problem:  # whatever it is, the run must hear of it
                     self._problem = problem
 
     def _store_part(self) -> None:

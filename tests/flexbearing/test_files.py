@@ -167,7 +167,7 @@ def test_disk_that_does_not_keep_what_is_written_is_seen(path, monkeypatch):
 
 
 def test_names_of_parts_are_never_the_same_and_say_whose_they_are(path):
-    names = {part_name(path) for _ in range(100)}
+    names = {part_name(path, suffix) for _ in range(50) for suffix in (".part", ".tmp")}
     assert len(names) == 100
     for name in names:
         name.touch()
