@@ -97,7 +97,7 @@ def measured(method: str, settings: list[str], cache: str) -> None:
 
 
 def run(settings: list[str], cache: str) -> tuple[float, dict]:
-    program = [sys.executable, "-c", "from flexbearing.cli import main; main()"]
+    program = [sys.executable, "-m", "flexbearing"]
     with tempfile.TemporaryDirectory() as folder:
         out = str(Path(folder) / "out.h5")
         began = time.perf_counter()

@@ -15,7 +15,7 @@ from benchmarks.machine import describe
 
 CASE = "configs/mao2016.toml"
 RIGID = ("--set", "outer.kind=rigid", "--set", "inner.kind=rigid")
-COMMAND = ("-c", "from flexbearing.cli import main; main()")
+COMMAND = ("-m", "flexbearing")
 ROUNDS = 7
 
 

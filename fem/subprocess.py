@@ -11,8 +11,8 @@ import signal
 import subprocess
 import sys
 import tempfile
-from collections.abc import Callable
-from contextlib import suppress
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from threading import Event, Thread, Timer
 from typing import Any, BinaryIO
 
@@ -22,6 +22,7 @@ from fem.stages import Report, unheard
 WAIT = 3600.0  # [s] without a word from the process before it is given up; factoring is one silence
 LAST_WORDS = 400  # bytes of its error output that are quoted
 _START = "import sys; sys.path[:] = {path!r}; from fem.subprocess import _work; _work()"
+_ENDING = {number for name in ("SIGINT", "SIGTERM", "SIGHUP") if (number := getattr(signal, name, None))}
 _ONE_THREAD = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
 
 
@@ -50,19 +51,46 @@ def in_subprocess(function: Callable, *arguments: Any, report: Report = unheard,
         if the process ends without an answer or is silent for too long; ImpossiblePart and
         NotSolved of the function come through, its other exceptions are told in a NotSolved
     """
-    with tempfile.TemporaryFile() as errors:
-        process = subprocess.Popen(
+    with tempfile.TemporaryFile() as errors, _started(errors) as process:
+        return _answer(process, (function, arguments), report, wait, errors)
+
+
+@contextmanager
+def _started(errors: BinaryIO) -> Iterator[subprocess.Popen]:
+    """A process that lives no longer than the block, and that no signal but that at its end reaches.
+
+    What a terminal or a queue sends to all processes of a job is for the caller to answer; the block of
+    signals in which the process begins is inherited.
+    """
+    before = _held(_ENDING)
+    try:
+        with subprocess.Popen(
             [sys.executable, "-c", _START.format(path=sys.path)],
             stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=errors, env=os.environ | _ONE_THREAD,
-        )  # fmt: skip
-        assert process.stdin
-        with process:
+        ) as process:  # fmt: skip
+            assert process.stdin
             try:
-                return _answer(process, (function, arguments), report, wait, errors)
+                _release(before)
+                yield process
             finally:  # also after Ctrl-C; a process that has ended is not harmed
                 process.kill()
                 with suppress(BrokenPipeError):  # of a task that was not taken
                     process.stdin.close()
+    finally:
+        _release(before)
+
+
+def _held(numbers: set[int]) -> set[int]:
+    """Hold signals back in this thread; returns those that were held back before."""
+    if not hasattr(signal, "pthread_sigmask"):  # a system without
+        return set()
+    return signal.pthread_sigmask(signal.SIG_BLOCK, numbers)
+
+
+def _release(before: set[int]) -> None:
+    """Let signals through again, those that came meanwhile at once."""
+    if hasattr(signal, "pthread_sigmask"):
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _answer(process: subprocess.Popen, task: tuple, report: Report, wait: float, errors: BinaryIO) -> Any:

@@ -1,6 +1,8 @@
 """The command line: check, run, summary, plot, fields, trace, pareto, explain."""
 
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from os import environ
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, NoReturn
@@ -8,11 +10,14 @@ from typing import TYPE_CHECKING, Annotated, NoReturn
 import typer
 
 from flexbearing import api
+from flexbearing.printable import printable
 
 if TYPE_CHECKING:
     from rich.console import Console
 
-CONVERGED, NOT_CONVERGED, BAD_INPUT, INTERNAL = range(4)
+    from flexbearing.results import Result
+
+CONVERGED, NOT_CONVERGED = 0, 1
 
 app = typer.Typer(
     help="Rolling bearings with thin, flexible rings.",
@@ -20,7 +25,6 @@ app = typer.Typer(
     rich_markup_mode=None,  # plain help: rich takes longer to load than everything else
     pretty_exceptions_enable=False,
 )
-DEBUG = "--debug"
 
 CaseFile = Annotated[Path, typer.Argument(help="case file (TOML)", metavar="CASE")]
 ResultPath = Annotated[Path, typer.Argument(help="result file (HDF5)", metavar="OUT.h5")]
@@ -46,16 +50,16 @@ def options(
             "--version", callback=_print_version, is_eager=True, help="the version, and nothing else"
         ),
     ] = False,
-    debug: Annotated[bool, typer.Option(DEBUG, help="show the traceback of an error")] = False,
+    debug: Annotated[bool, typer.Option("--debug", help="show the traceback of an error")] = False,
 ) -> None:
-    """Take note of what holds for every command; `main` looks for --debug itself."""
+    """Take note of what holds for every command; the program looks for --debug itself."""
 
 
 @app.command()
 def check(case: CaseFile, settings: Settings = None) -> None:
     """Say whether a case can be computed, without computing it."""
     title = api.check(case, settings or []).title
-    sys.stdout.write(f"{case}: {title}: nothing wrong with it\n")
+    _say(f"{case}: {title}: nothing wrong with it")
 
 
 @app.command()
@@ -73,20 +77,17 @@ def run(
     from flexbearing.progress import Logged, OnTerminal
 
     console = _terminal()
-    if not quiet and console is None:
-        import logging
-
-        logging.basicConfig(level=logging.INFO, stream=sys.stdout, format="%(message)s")
+    _log(everything=not quiet and console is None)
     with OnTerminal(console) if console and not quiet else Logged() as report:
         result = api.run(case, output, settings or [], report=report, start=start)
-    if not quiet:
-        from flexbearing.report import text
-
-        sys.stdout.write(text(result, console))
-        sys.stdout.write(f"\nresults: {result.path}\n")
-    elif result.attributes["status"] != "converged":
-        sys.stderr.write(f"{case}: not converged: {result.attributes['message']}\n")
-    raise typer.Exit(CONVERGED if result.attributes["status"] == "converged" else NOT_CONVERGED)
+    converged = result.attributes["status"] == "converged"
+    with _keeping([result.path]):
+        if not quiet:
+            _show(result, console)
+            _say(f"\nresults: {result.path}")
+        elif not converged:
+            sys.stderr.write(f"{case}: not converged: {result.attributes['message']}\n")
+    raise typer.Exit(CONVERGED if converged else NOT_CONVERGED)
 
 
 @app.command()
@@ -95,34 +96,39 @@ def summary(
     as_json: Annotated[bool, typer.Option("--json", help="one JSON object instead of text")] = False,
 ) -> None:
     """Print the numbers of a result."""
-    from flexbearing.report import text
-
     found = api.read_result(result)
     if as_json:
         import json
 
-        sys.stdout.write(json.dumps(api.summary(found), indent=2, allow_nan=False) + "\n")
+        _say(json.dumps(api.summary(found), indent=2, allow_nan=False))
     else:
-        sys.stdout.write(text(found, _terminal()))
+        _show(found, _terminal())
 
 
 @app.command()
 def plot(
     result: ResultPath,
-    output: Annotated[Path | None, typer.Option("-o", "--output", metavar="DIR")] = None,
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", metavar="DIR", help="default: where the result is")
+    ] = None,
 ) -> None:
     """Draw the pictures of a result as PNG files, with deformed rings where they are flexible."""
-    from flexbearing.report import write_figures
+    from flexbearing.report import pictures
     from flexbearing.report.roller import deformed
 
-    found, directory = api.read_result(result), output or result.parent
-    pictures = write_figures(found, directory)
-    for picture in pictures:
-        sys.stdout.write(f"picture: {picture}\n")
-    for line in deformed.pictures(found, directory):
-        sys.stdout.write(f"{line}\n")
-    if not pictures:
-        sys.stdout.write(f"{result}: nothing was solved, so there is nothing to draw\n")
+    found, directory, written = api.read_result(result), output or result.parent, []
+    with _keeping(written):
+        for picture in pictures(found, directory):
+            written.append(picture)
+            _say(f"picture: {picture}")
+        for picture in deformed.pictures(found, directory):
+            if isinstance(picture, Path):
+                written.append(picture)
+                _say(f"picture: {picture}")
+            else:
+                _say(f"no picture of a deformed part: {picture}")
+    if not written:
+        _say(f"{result}: nothing was solved, so there is nothing to draw")
 
 
 @app.command()
@@ -138,6 +144,7 @@ def fields(
     from rich.console import Console, Group
 
     from flexbearing.case import BadCase
+    from flexbearing.printable import all_printable
     from flexbearing.report.sections import stresses
     from flexbearing.runs import fields as compute
 
@@ -145,12 +152,17 @@ def fields(
         raise BadCase(f'--part {part}: it is "inner" or "outer"')
     found = api.read_result(result)
     try:
-        computed = compute.of_result(found, state, part)
+        paths = compute.destinations(found, output or result.parent, state, part)
+        solved = compute.of_result(found, state, part)
     except compute.NoFields as problem:
-        _fail(f"{result}: {problem}", NOT_CONVERGED)
-    Console().print(Group(*stresses({one.race: one.record() for one in computed})))
-    for one in computed:
-        sys.stdout.write(f"fields: {compute.write(one, result, output or result.parent)}\n")
+        _end(f"{result}: {problem}")
+    Console().print(Group(*stresses(all_printable({one.race: one.record() for one in solved}))))
+    written: list[Path] = []
+    with _keeping(written):
+        for one in solved:
+            compute.write(one, paths[one.race])
+            written.append(paths[one.race])
+            _say(f"fields: {written[-1]}")
 
 
 @app.command()
@@ -172,9 +184,9 @@ def trace(
     try:
         found = follow(case, over, output, settings or [])
     except NotSolved as problem:
-        sys.stderr.write(f"{case}: not converged: {problem}\n")
-        raise typer.Exit(NOT_CONVERGED) from problem
-    sys.stdout.write(f"{found.text()}\ntable: {found.table}\npicture: {found.picture}\n")
+        _end(f"{case}: not converged: {problem}")
+    with _keeping([found.table, found.picture]):
+        _say(f"{found.text()}\ntable: {found.table}\npicture: {found.picture}")
     raise typer.Exit(CONVERGED if found.complete else NOT_CONVERGED)
 
 
@@ -191,19 +203,18 @@ def pareto(
     settings: Settings = None,
 ) -> None:
     """Run a case on every level of accuracy; draws time against error and names the cheapest levels."""
-    from flexbearing.report.studies.pareto_figure import write_pareto
-    from flexbearing.report.studies.pareto_table import text, write_table
+    from flexbearing.report.studies.pareto_table import text
     from flexbearing.studies.pareto import NoReference, pareto as study
+    from flexbearing.studies.pareto_files import destinations, store
 
+    table, picture = destinations(output, name or case.stem, api.read(case, settings or []).input_files)
     try:
         found = study(case, settings or [], solid=solid, tell=_tell)
     except NoReference as problem:
-        _fail(problem, NOT_CONVERGED)
-    output.mkdir(parents=True, exist_ok=True)
-    table, picture = (output / f"pareto_{name or case.stem}{suffix}" for suffix in (".csv", ".png"))
-    write_table(table, found)
-    write_pareto(picture, found)
-    sys.stdout.write(f"\n{text(found)}\ntable: {table}\npicture: {picture}\n")
+        _end(problem)
+    store(found, table, picture)
+    with _keeping([table, picture]):
+        _say(f"\n{text(found)}\ntable: {table}\npicture: {picture}")
 
 
 def _tell(measured) -> None:
@@ -221,7 +232,7 @@ def cache_list() -> None:
     """List what is kept, with size and last use."""
     from flexbearing.cache import configured, listing
 
-    sys.stdout.write(listing(configured()) + "\n")
+    _say(listing(configured()))
 
 
 @cache_app.command("clear")
@@ -229,7 +240,7 @@ def cache_clear() -> None:
     """Delete what is kept."""
     from flexbearing.cache import configured
 
-    sys.stdout.write(f"{configured().clear()} condensed rings deleted\n")
+    _say(f"{configured().clear()} condensed rings deleted")
 
 
 @cache_app.command("path")
@@ -237,13 +248,13 @@ def cache_path() -> None:
     """Say where it is kept; the environment variable FLEXBEARING_CACHE names another folder, or "off"."""
     from flexbearing.cache import configured
 
-    sys.stdout.write(f"{configured().folder or 'nothing is kept'}\n")
+    _say(f"{configured().folder or 'nothing is kept'}")
 
 
 @app.command(name="explain")
 def explain_key(key: Annotated[str | None, typer.Argument(metavar="[KEY]")] = None) -> None:
     """Explain a key of the case file: unit, default, allowed values, meaning."""
-    sys.stdout.write(api.explain(key).rstrip() + "\n")
+    _say(api.explain(key).rstrip())
 
 
 def _terminal() -> "Console | None":
@@ -256,31 +267,46 @@ def _terminal() -> "Console | None":
     return console if console.is_terminal else None
 
 
-def main() -> None:
-    """Run the command line; no traceback reaches a user who does not ask for it by --debug."""
-    environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")  # a search through every installed package
-    debug = DEBUG in sys.argv
-    if debug:  # also behind the command
-        sys.argv.remove(DEBUG)
+def _say(words: str) -> None:
+    """Print lines in which nothing controls the terminal."""
+    sys.stdout.write(printable(words) + "\n")
+
+
+def _show(result: "Result", terminal: "Console | None") -> None:
+    """Print the summary of a result; without a terminal, in what its encoding has of frames."""
+    from flexbearing.report import text
+
+    sys.stdout.write(text(result, terminal, encoding=sys.stdout.encoding))
+
+
+def _log(*, everything: bool) -> None:
+    """Print what the library logs: everything to the output, or only warnings as errors."""
+    import logging
+
+    class Shown(logging.Formatter):
+        def format(self, record: logging.LogRecord) -> str:
+            return printable(super().format(record))
+
+    handler = logging.StreamHandler(sys.stdout) if everything else logging.lastResort
+    assert handler
+    handler.setFormatter(Shown("%(message)s"))
+    if everything:
+        logging.basicConfig(level=logging.INFO, handlers=[handler])
+
+
+@contextmanager
+def _keeping(written: list[Path]) -> Iterator[None]:
+    """Let whatever ends a command early say which files are complete."""
     try:
-        app()
-    except Exception as problem:
-        from flexbearing.case import BadCase
-
-        if debug:
-            import traceback
-
-            traceback.print_exc()
-        if isinstance(problem, BadCase):
-            _fail(problem, BAD_INPUT)
-        from flexbearing.files import BadOutput  # checking a case does without
-        from flexbearing.results import BadResult, NotInLayout
-
-        if isinstance(problem, BadResult | NotInLayout | BadOutput):
-            _fail(problem, BAD_INPUT)
-        _fail(f"internal error: {type(problem).__name__}: {problem}", INTERNAL)
+        yield
+    except typer.Exit:
+        raise
+    except BaseException as problem:  # only a note is added
+        if written:
+            problem.add_note(f"complete: {', '.join(map(str, written))}")
+        raise
 
 
-def _fail(problem: object, code: int) -> NoReturn:
-    sys.stderr.write(f"{problem}\n")
-    sys.exit(code)
+def _end(problem: object) -> NoReturn:
+    sys.stderr.write(f"{printable(str(problem))}\n")
+    raise typer.Exit(NOT_CONVERGED)

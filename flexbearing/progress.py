@@ -3,6 +3,8 @@
 import logging
 from typing import TYPE_CHECKING, Protocol, Self
 
+from flexbearing.printable import printable
+
 if TYPE_CHECKING:
     from rich.console import Console
     from rich.progress import TaskID
@@ -67,13 +69,21 @@ class OnTerminal:
             TimeElapsedColumn,
         )
 
-        columns = (TextColumn("{task.description}"), BarColumn(bar_width=20), TimeElapsedColumn())
+        columns = (
+            TextColumn("{task.description}", markup=False),
+            BarColumn(bar_width=20),
+            TimeElapsedColumn(),
+        )
         self._bars = Progress(*columns, console=console)
         self._task: TaskID | None = None
         self._text = ""
 
     def __enter__(self) -> Self:
-        self._bars.start()
+        try:
+            self._bars.start()
+        except BaseException:  # an interruption: the cursor was hidden
+            self._bars.stop()
+            raise
         return self
 
     def __exit__(self, *_: object) -> None:
@@ -84,7 +94,7 @@ class OnTerminal:
         """Begin a bar for a new stage, or fill the one at work."""
         if text != self._text or self._task is None:
             self._finish()
-            self._task, self._text = self._bars.add_task(text, total=None), text
+            self._task, self._text = self._bars.add_task(printable(text), total=None), text
         if fraction is not None:
             self._bars.update(self._task, total=1.0, completed=fraction)
 

@@ -197,7 +197,7 @@ def test_ball_bearing_is_not_traced():
 def test_check_loads_nothing_heavy():
     code = (
         "import sys\n"
-        "from flexbearing.cli import main\n"
+        "from flexbearing.__main__ import main\n"
         f"for file in {[str(FOUR_POINT), str(ANGULAR)]}:\n"
         "    sys.argv = ['flexbearing', 'check', file]\n"
         "    try: main()\n"

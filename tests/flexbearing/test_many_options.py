@@ -124,7 +124,7 @@ def test_case_without_these_options_has_none_of_their_results(tmp_path):
 
 
 def test_bearing_that_is_not_solved_says_how_it_ended_and_exits_with_one(tmp_path):
-    program = [sys.executable, "-c", "from flexbearing.cli import main; main()"]
+    program = [sys.executable, "-m", "flexbearing"]
     words = ["run", FITS, "-o", tmp_path / "out.h5", "--set", "operation.radial_load=0 N"]
     found = subprocess.run([*program, *map(str, words)], capture_output=True, text=True, check=False)
     assert found.returncode == 1

@@ -36,7 +36,7 @@ def flexible(tmp_path_factory):
 
 
 def command(*words):
-    program = [sys.executable, "-c", "from flexbearing.cli import main; main()"]
+    program = [sys.executable, "-m", "flexbearing"]
     return subprocess.run([*program, *map(str, words)], capture_output=True, text=True, cwd=ROOT, check=False)
 
 

@@ -10,7 +10,7 @@ import pytest
 ROOT = Path(__file__).parents[2]
 CODE = """
 import json, sys
-from flexbearing.cli import main
+from flexbearing.__main__ import main
 try:
     main()
 except SystemExit as end:
@@ -70,8 +70,8 @@ def test_rigid_run_loads_no_finite_elements_and_no_balls(tmp_path):
 
 
 def command(*words):
-    code = "from flexbearing.cli import main; main()"
-    return subprocess.run([sys.executable, "-c", code, *words], capture_output=True, text=True, cwd=ROOT)
+    program = [sys.executable, "-m", "flexbearing"]
+    return subprocess.run([*program, *words], capture_output=True, text=True, cwd=ROOT)
 
 
 def test_version_is_told_and_nothing_else():

@@ -1,7 +1,6 @@
 """The command `trace`: table, picture, words, and what it refuses."""
 
 import csv
-import sys
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -9,7 +8,7 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from flexbearing import cli
+from flexbearing import __main__ as program
 from flexbearing.report.studies.branch_figure import draw_branch
 
 ROOT = Path(__file__).parents[2]
@@ -24,16 +23,13 @@ LOAD = "operation.radial_load=1.5 kN..8000 N"
 
 
 @pytest.fixture
-def command(monkeypatch, capsys):
+def command(capsys):
     """The command line in this process: exit code, what it prints, what it complains about."""
 
     def run(over, *words, settings=()):
         sets = [word for setting in settings for word in ("--set", setting)]
-        arguments = ["trace", PAPER, "--over", over, *words, *sets]
-        monkeypatch.setattr(sys, "argv", ["flexbearing", *map(str, arguments)])
-        with pytest.raises(SystemExit) as ending:
-            cli.main()
-        return ending.value.code, *capsys.readouterr()
+        code = program.command([str(word) for word in ("trace", PAPER, "--over", over, *words, *sets)])
+        return code, *capsys.readouterr()
 
     return run
 

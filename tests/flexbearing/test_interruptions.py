@@ -1,0 +1,183 @@
+"""Signals end every command in one line, wherever they come; nothing is left running."""
+
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import flexbearing
+
+ROOT = Path(__file__).parents[2]
+PAPER = ROOT / "configs" / "mao2016.toml"
+PROGRAM = [sys.executable, "-m", "flexbearing"]
+CODES = {signal.SIGINT: 130, signal.SIGTERM: 143, signal.SIGHUP: 129}
+EVERY_SIGNAL = pytest.mark.parametrize("number", CODES, ids=lambda number: number.name)
+BEAM = ["inner.kind=rigid", "outer.kind=ring", "accuracy.structure=beam", "accuracy.slices=8"]
+NEVER_ENDING = ["coupling.method=relaxed", "coupling.relaxation=0.01", "coupling.max_iterations=100000"]
+
+# A signal comes while a module is looked for; what happens then is `act`.
+TRAP = """
+import os, signal, sys
+NUMBER, MODULE = signal.Signals[sys.argv.pop(1)], sys.argv.pop(1)
+def act():
+    os.kill(os.getpid(), NUMBER)
+class Trap:
+    armed = True
+    def find_spec(self, name, *_):
+        if self.armed and name == MODULE:
+            self.armed = False
+            act()
+sys.meta_path.insert(0, Trap())
+"""
+MAIN = "\nfrom flexbearing.__main__ import main; main()"
+IN_A_DESTRUCTOR = """
+class Last:
+    def __del__(self):
+        os.kill(os.getpid(), NUMBER)
+def act():
+    Last()
+"""
+AS_ANOTHER_ERROR = """
+def act():
+    try:
+        os.kill(os.getpid(), NUMBER)
+    except BaseException as problem:
+        raise ImportError("numpy failed to import") from problem
+"""
+CLEANING_UP_FOR_LONG = """
+import time
+def act():
+    try:
+        os.kill(os.getpid(), NUMBER)
+    finally:
+        print("cleaning up", flush=True)
+        time.sleep(60)
+"""
+
+
+def sets(settings):
+    return [word for setting in settings for word in ("--set", setting)]
+
+
+def trapped(number, module, *words, code="", **options):
+    arguments = [sys.executable, "-c", TRAP + code + MAIN, number.name, module, *map(str, words)]
+    return subprocess.run(arguments, capture_output=True, text=True, check=False, cwd=ROOT, **options)
+
+
+def started(*words):
+    """A program in a group of processes of its own."""
+    return subprocess.Popen(
+        [*PROGRAM, *map(str, words)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+        start_new_session=True, cwd=ROOT,
+        env=os.environ | {"FLEXBEARING_CACHE": "off", "PYTHONUNBUFFERED": ""},
+    )  # fmt: skip
+
+
+def wait_for(process, words):
+    assert process.stdout
+    for line in process.stdout:
+        if words in line:
+            return
+    raise AssertionError(f"{words!r} was never told: {process.stderr.read()}")
+
+
+@EVERY_SIGNAL
+def test_signal_ends_a_run_in_one_line_with_its_exit_code(number, tmp_path):
+    process = started("run", PAPER, "-o", tmp_path / "out.h5", *sets(BEAM + NEVER_ENDING))
+    wait_for(process, "iteration   2")
+    process.send_signal(number)
+    _, complaint = process.communicate(timeout=20)
+    assert process.returncode == CODES[number]
+    assert complaint.startswith("interrupted: ")
+    assert complaint.count("\n") == 1
+    assert not (tmp_path / "out.h5").exists()
+
+
+def test_what_the_terminal_sends_to_all_processes_ends_meshing_without_a_trace(tmp_path):
+    solid = ["inner.kind=rigid", "accuracy.structure=solid", "accuracy.element_order=2"]
+    process = started("run", PAPER, "-o", tmp_path / "out.h5", *sets(solid))
+    wait_for(process, "outer ring")
+    os.killpg(process.pid, signal.SIGINT)
+    _, complaint = process.communicate(timeout=20)
+    assert process.returncode == 130
+    assert complaint == "interrupted: nothing was kept\n"
+    with pytest.raises(ProcessLookupError):  # nothing is left running
+        os.killpg(process.pid, 0)
+
+
+@pytest.mark.parametrize(
+    ("number", "module"),
+    [
+        (signal.SIGINT, "typer"),
+        (signal.SIGTERM, "flexbearing.families"),
+        (signal.SIGHUP, "numpy.linalg"),
+        (signal.SIGINT, "pydantic.types"),
+    ],
+)
+def test_signal_during_imports_leaves_no_traceback(number, module):
+    done = trapped(number, module, "check", PAPER)
+    assert (done.returncode, done.stdout, done.stderr) == (CODES[number], "", "interrupted\n")
+
+
+@pytest.mark.parametrize("code", [IN_A_DESTRUCTOR, AS_ANOTHER_ERROR], ids=["destructor", "another error"])
+def test_signal_is_not_lost_where_an_exception_would_be(code):
+    done = trapped(signal.SIGTERM, "quasidynamic", "check", PAPER, code=code)
+    assert (done.returncode, done.stderr) == (143, "interrupted\n")
+
+
+def test_second_signal_ends_at_once():
+    words = [TRAP + CLEANING_UP_FOR_LONG + MAIN, "SIGINT", "typer", "check", str(PAPER)]
+    process = subprocess.Popen(
+        [sys.executable, "-c", *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=ROOT
+    )
+    wait_for(process, "cleaning up")
+    process.send_signal(signal.SIGTERM)
+    _, complaint = process.communicate(timeout=20)
+    assert (process.returncode, complaint) == (-signal.SIGTERM, "")
+
+
+def test_ignored_signals_stay_ignored():
+    """As `nohup` asks for it."""
+
+    def ignore():
+        signal.signal(signal.SIGHUP, signal.SIG_IGN)
+
+    done = trapped(signal.SIGHUP, "quasidynamic", "check", PAPER, preexec_fn=ignore)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "nothing wrong with it" in done.stdout
+
+
+def test_interrupted_study_names_the_table_that_is_complete(tmp_path):
+    words = ["trace", PAPER, "--over", "operation.radial_load=5 kN..8 kN", "-o", tmp_path / "t.csv"]
+    done = trapped(signal.SIGTERM, "matplotlib.figure", *words)
+    assert done.returncode == 143
+    assert done.stderr == f"interrupted: The table is complete: {tmp_path / 't.csv'}\n"
+    assert [path.name for path in tmp_path.iterdir()] == ["t.csv"]
+
+
+def test_interrupted_plot_names_the_pictures_that_are_complete(tmp_path):
+    flexbearing.run(PAPER, tmp_path / "r.h5", BEAM)
+    done = trapped(signal.SIGINT, "matplotlib.figure", "plot", tmp_path / "r.h5")
+    assert (done.returncode, done.stderr) == (130, "interrupted: nothing was kept\n")
+    done = trapped(signal.SIGINT, "fem.assembly.factorisation", "plot", tmp_path / "r.h5", "-o", tmp_path)
+    pictures = [tmp_path / f"r_{name}.png" for name in ("roller_loads", "convergence", "raceway_deviation")]
+    assert done.stderr == f"interrupted: complete: {', '.join(map(str, pictures))}\n"
+    assert (done.returncode, sorted(tmp_path.glob("*.png"))) == (130, sorted(pictures))
+
+
+def test_a_library_changes_no_signals_and_no_streams():
+    code = (
+        "import signal, sys, threading\n"
+        "before = [signal.getsignal(n) for n in (2, 15, 1)], sys.stdout, sys.stderr\n"
+        "import flexbearing, flexbearing.__main__ as program\n"
+        f"flexbearing.check({str(PAPER)!r}); program.command(['check', {str(PAPER)!r}])\n"
+        "from flexbearing.program import signals\n"
+        "after = [signal.getsignal(n) for n in (2, 15, 1)], sys.stdout, sys.stderr\n"
+        "assert before == after\n"
+        "threading.Thread(target=signals.notice).start()\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, cwd=ROOT)
+    assert (done.returncode, done.stderr) == (0, "")
