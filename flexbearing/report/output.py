@@ -1,15 +1,19 @@
 """Text and pictures of a result, by the record of its family."""
 
+from collections.abc import Iterator
 from io import StringIO
 from pathlib import Path
 
 from rich.console import Console, Group
 
+from flexbearing.files import require_folder, require_output, write
+from flexbearing.printable import all_printable
+from flexbearing.report.picture import png_bytes
 from flexbearing.report.summary_values import summary
 from flexbearing.results import Result
 
 
-def text(result: Result, console: Console | None = None) -> str:
+def text(result: Result, console: Console | None = None, encoding: str = "utf-8") -> str:
     """Lay the summary out as text.
 
     Parameters
@@ -18,20 +22,28 @@ def text(result: Result, console: Console | None = None) -> str:
         what the run left behind
     console : rich.console.Console, optional
         the terminal it is meant for, with its width and colours; without one, 80 plain columns
+    encoding : str
+        of what takes the plain columns; decides how frames are drawn
 
     Returns
     -------
     str
-        tables, the assumed and calibrated keys, the notes, and how the run ended; nothing is printed
+        tables, the assumed and calibrated keys, the notes, and how the run ended; nothing is printed, and
+        nothing in it but colours controls a terminal
     """
-    console = console or Console(width=80, file=StringIO(), force_terminal=False, color_system=None)
+    console = console or _plain(encoding)
     with console.capture() as capture:
-        console.print(Group(*result.family.report().page(summary(result))))
+        console.print(Group(*result.family.report().page(all_printable(summary(result)))))
     return "\n".join(line.rstrip() for line in capture.get().splitlines()) + "\n"
 
 
 def write_figures(result: Result, directory: str | Path) -> list[Path]:
-    """Draw every picture of a result into PNG files.
+    """Draw every picture of a result into PNG files; returns those that `pictures` names."""
+    return list(pictures(result, directory))
+
+
+def pictures(result: Result, directory: str | Path) -> Iterator[Path]:
+    """Draw every picture of a result into PNG files that are named after it.
 
     Parameters
     ----------
@@ -40,15 +52,43 @@ def write_figures(result: Result, directory: str | Path) -> list[Path]:
     directory : path
         where to write; it is made when missing
 
-    Returns
-    -------
-    list of Path
-        the files, such as ``roller_loads.png``; none of a ball bearing that was not solved
+    Yields
+    ------
+    Path
+        each file when it is complete, such as ``mao2016_roller_loads.png``; none of a ball bearing that was
+        not solved
+
+    Raises
+    ------
+    BadOutput
+        if the folder, or a file in it, cannot be written
+    NotStored
+        if there is no room for a picture
     """
-    directory = Path(directory)
-    directory.mkdir(parents=True, exist_ok=True)
-    paths = []
-    for name, figure in result.family.report().pictures(result).items():
-        paths.append(directory / f"{name}.png")
-        figure.savefig(paths[-1], dpi=150)
-    return paths
+    folder = require_folder(directory)
+    figures = {
+        folder / f"{result.path.stem}_{name}.png": figure
+        for name, figure in result.family.report().pictures(result).items()
+    }
+    for path in figures:
+        require_output(path, (result.path, result.attributes.get("case_file", result.path)))
+    for path, figure in figures.items():
+        write(path.resolve(), png_bytes(figure))
+        yield path
+
+
+def _plain(encoding: str) -> Console:
+    """Eighty columns for a file."""
+    return Console(width=80, file=_Encoded(encoding), force_terminal=False, color_system=None)
+
+
+class _Encoded(StringIO):
+    """A text whose encoding is known, by which frames are chosen."""
+
+    def __init__(self, encoding: str):
+        super().__init__()
+        self._encoding = encoding
+
+    @property
+    def encoding(self) -> str:
+        return self._encoding

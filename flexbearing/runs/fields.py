@@ -6,6 +6,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
@@ -16,6 +17,7 @@ import fem
 from flexbearing.build import expansion, ring_parts, roller_bearing
 from flexbearing.case import BadCase, understood
 from flexbearing.case.roller import Case
+from flexbearing.files import NotStored, require_folder, require_output, write as store
 from flexbearing.results import BadResult, Result
 from flexbearing.rings.condensed import IN_SPACE, PATCH, mesh_size
 from quasidynamic.contact.line import Slices
@@ -31,6 +33,7 @@ Arrays = Mapping[str, Any]  # name to array
 NAMES = {"inner": "inner ring and shaft", "outer": "outer ring"}
 MEGA = 1e6  # Pa per MPa
 WITHOUT_BARS = (3, 1.2, 0.4)  # order and sizes over the roller length: 2 % of the shaft's largest stress
+VTU_END = b"</VTKFile>"
 
 
 class NoFields(RuntimeError):
@@ -122,8 +125,8 @@ def state_of(result: Result, name: str) -> Arrays:
         if there is no such state
     """
     count = len(result.iterations)
-    iteration = re.fullmatch(r"iteration\s+(\d+)", name.strip())
-    if iteration and 1 <= int(iteration[1]) <= count:
+    iteration = re.fullmatch(r"iteration ([1-9][0-9]{0,8})", name)
+    if iteration and int(iteration[1]) <= count:
         return result.iterations[int(iteration[1]) - 1]
     blocks = {"rigid": result.rigid, "flexible": result.flexible}
     if blocks.get(name):
@@ -280,30 +283,76 @@ def of_result(result: Result, state: str = "flexible", race: Race | None = None)
         if a part has no solid, or it could not be solved
     """
     case, values = case_of(result), state_of(result, state)
+    return [fields(case, name, state, values) for name in _races(result, case, race)]
+
+
+def destinations(
+    result: Result, directory: Path, state: str = "flexible", race: Race | None = None
+) -> dict[Race, Path]:
+    """Settle where the fields go, named after result, part and state, before anything is computed.
+
+    Parameters
+    ----------
+    result : Result
+        what a run left behind
+    directory : Path
+        where to; made when it is not there
+    state, race
+        as for `of_result`
+
+    Returns
+    -------
+    dict
+        file by raceway
+
+    Raises
+    ------
+    BadCase, BadResult, NoFields
+        as `of_result`
+    BadOutput
+        if a file cannot be written
+    """
+    case = case_of(result)
+    state_of(result, state)
+    races, folder = _races(result, case, race), require_folder(directory)
+    paths: dict[Race, Path] = {
+        name: folder / f"{result.path.stem}_{name}_{state.replace(' ', '_')}.vtu" for name in races
+    }
+    for path in paths.values():
+        require_output(path, (result.path, *case.input_files))
+    return paths
+
+
+def _races(result: Result, case: Case, race: Race | None) -> list[Race]:
+    """Raceways of the flexible parts, or the one that is asked for."""
     flexible = parts(case)
     races: list[Race] = [race] if race else list(flexible)
     if not races or any(name not in flexible for name in races):
         what = NAMES[race] if race else "every part"
         raise BadCase(f"{result.path}: {what} is rigid in this case: it has no displacements and stresses")
-    return [fields(case, name, state, values) for name in races]
+    return races
 
 
-def write(part: PartFields, result: Path, directory: Path) -> Path:
-    """Write fields for ParaView, named after result, part and state.
+def write(part: PartFields, path: Path) -> None:
+    """Write fields for ParaView.
 
     Parameters
     ----------
     part : PartFields
         with its fields
-    result : Path
-        the result file
-    directory : Path
-        where to; made when it is not there
+    path : Path
+        from `destinations`
 
-    Returns
-    -------
-    Path
-        the file
+    Raises
+    ------
+    NotStored
+        if there is no room for the file, here or in the folder for temporary files
     """
-    directory.mkdir(parents=True, exist_ok=True)
-    return part.fields.write(directory / f"{result.stem}_{part.race}_{part.state.replace(' ', '_')}.vtu")
+    with TemporaryDirectory() as folder:
+        data = part.fields.write(Path(folder) / path.name).read_bytes()
+    if not data.rstrip().endswith(VTU_END):  # NGSolve does not notice a full disk
+        raise NotStored(
+            f"{path}: not written: no space left in {Path(folder).parent}. Free space there, or name another "
+            "folder for temporary files in TMPDIR."
+        )
+    store(path.resolve(), data)

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from csv import writer
 from dataclasses import dataclass
+from io import StringIO
 from math import pi
 from pathlib import Path
 
@@ -13,6 +14,7 @@ from flexbearing.api import check, read
 from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase, Head
 from flexbearing.case.roller import Case
+from flexbearing.files import require_output, write
 from flexbearing.quantities.roller import CAGE_SLIP
 from flexbearing.runs import notes
 from quasidynamic import ImpossiblePart, OutOfRange
@@ -108,10 +110,15 @@ def trace(
     ------
     BadCase
         when key, range or case make no sense
+    BadOutput
+        when table or picture cannot be written; nothing is computed then
+    NotStored
+        if there is no room for them; a note says that the table is there when only the picture is missing
     NotSolved
         when there is no equilibrium to begin with
     """
-    from flexbearing.report.studies.branch_figure import draw_branch, write_branch
+    from flexbearing.report.picture import png_bytes
+    from flexbearing.report.studies.branch_figure import draw_branch
 
     axis, ends = _parsed(over)
     path = Path(output) if output else Path("results") / f"{Path(case).stem}_trace.csv"
@@ -120,6 +127,8 @@ def trace(
     key = f"operation.{axis.name}"
     settings = [[*overrides, f"{key}={end}"] for end in ends]
     first, last = _rollers(check(case, settings[0])), _rollers(read(case, settings[1]))
+    for name in (path, path.with_suffix(".png")):
+        require_output(name, first.input_files)
     span = getattr(first.operation, axis.name), getattr(last.operation, axis.name)
     try:
         with threadpool_limits(limits=1, user_api="blas"):
@@ -127,9 +136,13 @@ def trace(
     except (ImpossiblePart, OutOfRange) as problem:
         raise BadCase(f"--over {over}: {problem}") from problem
     traced = Traced(first.title, axis, branch, _notes(first), path, path.with_suffix(".png"))
-    path.parent.mkdir(parents=True, exist_ok=True)
-    _write(path, traced.columns())
-    write_branch(traced.picture, draw_branch(first.title, axis.label, traced.columns()))
+    write(path.resolve(), _csv(traced.columns()).encode())
+    try:
+        figure = draw_branch(first.title, axis.label, traced.columns())
+        write(traced.picture.resolve(), png_bytes(figure))
+    except BaseException as problem:  # only a note is added
+        problem.add_note(f"The table is complete: {path}")
+        raise
     return traced
 
 
@@ -157,10 +170,9 @@ def _parsed(over: str) -> tuple[Axis, tuple[str, str]]:
     return AXES[key.strip()], (first.strip(), last.strip())
 
 
-def _write(path: Path, columns: dict[str, np.ndarray]) -> None:
-    part = path.with_name(path.name + ".part")
-    with part.open("w", newline="", encoding="utf-8") as file:
-        table = writer(file)
-        table.writerow(columns)
-        table.writerows(zip(*(column.tolist() for column in columns.values()), strict=True))
-    part.replace(path)
+def _csv(columns: dict[str, np.ndarray]) -> str:
+    file = StringIO(newline="")
+    table = writer(file)
+    table.writerow(columns)
+    table.writerows(zip(*(column.tolist() for column in columns.values()), strict=True))
+    return file.getvalue()

@@ -2,7 +2,6 @@
 
 import csv
 import os
-import sys
 from math import inf
 from pathlib import Path
 from types import SimpleNamespace
@@ -14,13 +13,13 @@ from pytest import approx
 
 import fem.errors
 import quasidynamic as qd
-from flexbearing import cli, read
+from flexbearing import __main__ as program, read
 from flexbearing.cache.key import digest
 from flexbearing.case import BadCase
 from flexbearing.coupling import PartnerFailed
 from flexbearing.progress import Logged
 from flexbearing.report.studies.pareto_figure import draw_pareto
-from flexbearing.report.studies.pareto_table import Measured, Study, cheapest, front, text, write_table
+from flexbearing.report.studies.pareto_table import Measured, Study, cheapest, front, table, text
 from flexbearing.rings import condensed
 from flexbearing.studies import pareto, pareto_levels
 from flexbearing.studies.pareto_levels import Level, ladder, left_out, richest
@@ -83,7 +82,7 @@ def test_failed_level_is_told_and_drawn_nowhere():
 
 
 def test_table_holds_times_and_errors_under_their_names(tmp_path):
-    write_table(tmp_path / "study.csv", STUDY)
+    (tmp_path / "study.csv").write_text(table(STUDY), newline="")
     with (tmp_path / "study.csv").open(encoding="utf-8") as file:
         rows = {row["level"]: row for row in csv.DictReader(file)}
     for level in STUDY.solved:
@@ -170,16 +169,12 @@ def test_errors_are_those_of_their_outputs():
 
 
 @pytest.fixture
-def command(monkeypatch, capsys):
+def command(capsys):
     """The command line in this process: exit code, what it prints, what it complains about."""
 
     def run(*words):
-        monkeypatch.setattr(sys, "argv", ["flexbearing", "pareto", *map(str, words)])
-        try:
-            cli.main()
-        except SystemExit as ending:
-            return ending.code, *capsys.readouterr()
-        raise AssertionError("the command line always exits")
+        code = program.command(["pareto", *map(str, words)])
+        return code, *capsys.readouterr()
 
     return run
 

@@ -432,7 +432,8 @@ def test_pictures_say_when_no_part_is_flexible(draw):
 @EVERY_ENDING
 def test_every_ending_can_be_drawn(run, tmp_path):
     paths = write_figures(run(), tmp_path / "new" / "figures")
-    assert [path.name for path in paths] == ["roller_loads.png", "convergence.png", "raceway_deviation.png"]
+    pictures = "roller_loads", "convergence", "raceway_deviation"
+    assert [path.name for path in paths] == [f"{run().path.stem}_{name}.png" for name in pictures]
     for path in paths:
         assert path.read_bytes().startswith(b"\x89PNG")
 

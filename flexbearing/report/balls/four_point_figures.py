@@ -8,6 +8,7 @@ import numpy as np
 
 from flexbearing.quantities.reductions import LOADED, RACES
 from flexbearing.report.balls.panels import STYLES, around, close_ring, stacked
+from flexbearing.report.picture import titled
 from flexbearing.results import Result
 
 if TYPE_CHECKING:
@@ -151,7 +152,8 @@ def _panels(result: Result, what: str, heights: list[float]) -> tuple[Figure, li
     width, rows = 8.0, heights or [0.3]
     inches = [0.8 * width * height + 0.75 for height in rows]
     figure = Figure(figsize=(width, sum(inches) + 1.1), layout="constrained")
-    figure.suptitle(f"{result.attributes['title']}\n{what}", fontsize=11)
+    heading = f"{titled(result.attributes['title'], 80)}\n{what}"
+    figure.suptitle(heading, fontsize=11, parse_math=False)
     grid = figure.subplots(len(rows), 1, squeeze=False, gridspec_kw={"height_ratios": inches})
     return figure, list(grid[:, 0])
 

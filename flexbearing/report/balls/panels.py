@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from textwrap import fill
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from flexbearing.report.picture import titled
 from flexbearing.report.roller.figures import BLUE, ORANGE
 from flexbearing.results import Result
 
@@ -25,7 +25,8 @@ def stacked(result: Result, what: str, rows: int, height: float = 2.4) -> tuple[
     from matplotlib.figure import Figure  # a second to load: only pictures pay for it
 
     figure = Figure(figsize=(7.0, height * rows + 1.2), layout="constrained")
-    figure.suptitle(f"{fill(result.attributes['title'], 70)}\n{what}", fontsize=11)
+    heading = f"{titled(result.attributes['title'], 70)}\n{what}"
+    figure.suptitle(heading, fontsize=11, parse_math=False)
     panels = list(figure.subplots(rows, 1, sharex=True, squeeze=False)[:, 0])
     for axes in panels:
         axes.grid(color="0.88", linewidth=0.6)

@@ -1,15 +1,23 @@
 """Pictures of the deformed parts of a result."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 from pathlib import Path
+from typing import TYPE_CHECKING
 
+from flexbearing.files import require_output, write
+from flexbearing.report.picture import png_bytes
 from flexbearing.report.roller.deformed_figure import deformed
 from flexbearing.results import Result
 from flexbearing.runs import fields
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
-def pictures(result: Result, directory: Path) -> Iterator[str]:
-    """Draw every flexible part at the flexible end state, as PNG.
+
+def pictures(result: Result, directory: Path) -> Iterator[Path | fields.NoFields]:
+    """Draw every flexible part at the flexible end state, as PNG named after result and part.
 
     Parameters
     ----------
@@ -20,9 +28,16 @@ def pictures(result: Result, directory: Path) -> Iterator[str]:
 
     Yields
     ------
-    str
-        a line for each part: its file, or why there is none; nothing without flexible parts or end state,
+    Path or NoFields
+        of each part its file, or why there is none; nothing without flexible parts or end state,
         nor of ball bearings, whose rings are known at the balls only
+
+    Raises
+    ------
+    BadOutput
+        before anything is solved, if a picture cannot be written
+    NotStored
+        if there is no room for it
     """
     if not result.flexible or not result.family.report().deformed:
         return
@@ -30,22 +45,26 @@ def pictures(result: Result, directory: Path) -> Iterator[str]:
     try:
         flexible = fields.parts(case)
     except fields.NoFields as problem:
-        yield f"no picture of a deformed part: {problem}"
+        yield problem
         return
-    for race in flexible:
+    paths: dict[fields.Race, Path] = {
+        race: directory / f"{result.path.stem}_{race}_deformed.png" for race in flexible
+    }
+    for path in paths.values():
+        require_output(path, (result.path, *case.input_files))
+    for race, path in paths.items():
         try:
             part = fields.fields(case, race, "flexible", result.flexible)
         except fields.NoFields as problem:
-            yield f"no picture of a deformed part: {problem}"
+            yield problem
         else:
-            yield f"picture: {_draw(part, result, directory)}"
+            write(path.resolve(), png_bytes(_drawn(part, result)))
+            yield path
 
 
-def _draw(part: fields.PartFields, result: Result, directory: Path) -> Path:
+def _drawn(part: fields.PartFields, result: Result) -> Figure:
     from fem.solid.skin import skin  # NGSolve takes a second to load
 
     limit = max(body.von_mises for body in part.fields.largest().values())
-    path = directory / f"{part.race}_deformed.png"
     title = f"{result.attributes['title']}: {fields.NAMES[part.race]}"
-    deformed(title, skin(part.fields), limit).savefig(path, dpi=150)
-    return path
+    return deformed(title, skin(part.fields), limit)

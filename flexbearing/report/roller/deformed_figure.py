@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from textwrap import fill
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+
+from flexbearing.report.picture import titled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -60,8 +61,9 @@ def deformed(title: str, skin: Skin, limit: float) -> Figure:
     axial.set_title("along the axis; dashed: before the load, azimuth 0 points down", fontsize=10)
     figure.colorbar(colours, ax=axial, extend="max", shrink=0.8, label="von Mises stress [MPa]")
     figure.suptitle(
-        f"{fill(title, 100)}\ndisplacement magnified {factor:g} times, largest {1e6 * largest:.0f} µm",
+        f"{titled(title, 100)}\ndisplacement magnified {factor:g} times, largest {1e6 * largest:.0f} µm",
         fontsize=11,
+        parse_math=False,
     )
     return figure
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from textwrap import fill
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from flexbearing.quantities.reductions import LOADED
 from flexbearing.quantities.roller import LAYOUT
+from flexbearing.report.picture import titled
 from flexbearing.results import Result
 
 if TYPE_CHECKING:
@@ -231,7 +231,8 @@ def _caption(result: Result) -> str:
 
 
 def _title(axes: Axes, result: Result, what: str) -> None:
-    axes.set_title(f"{fill(result.attributes['title'], 70)}\n{what}", fontsize=11, pad=12)
+    heading = f"{titled(result.attributes['title'], 70)}\n{what}"
+    axes.set_title(heading, fontsize=11, pad=12, parse_math=False)
 
 
 def _say(axes: Axes, words: str) -> None:

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-from textwrap import fill
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from flexbearing.quantities.roller import CAGE_SLIP
+from flexbearing.report.picture import titled
 from flexbearing.report.roller.figures import BLUE, ORANGE
 
 if TYPE_CHECKING:
@@ -57,14 +56,10 @@ def draw_branch(title: str, label: str, table: dict[str, np.ndarray]) -> Figure:
         axis.set_major_formatter(lambda value, _: f"{value:g}")
     axes.grid(color="0.88", linewidth=0.6, which="both")
     axes.spines[["top", "right"]].set_visible(False)
-    axes.set_title(f"{fill(title, 70)}\nCage slip, rigid raceways", fontsize=11, pad=12)
+    heading = f"{titled(title, 70)}\nCage slip, rigid raceways"
+    axes.set_title(heading, fontsize=11, pad=12, parse_math=False)
     figure.legend(loc="outside lower center", ncols=3, frameon=False)
     return figure
-
-
-def write_branch(path: str | Path, figure: Figure) -> None:
-    """Save the picture."""
-    figure.savefig(path, dpi=150)
 
 
 def _two_and_five(value: float, _: object) -> str:

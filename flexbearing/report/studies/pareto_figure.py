@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from textwrap import fill
 from typing import TYPE_CHECKING
 
+from flexbearing.report.picture import titled
 from flexbearing.report.roller.figures import BLUE, ORANGE
 from flexbearing.report.studies.pareto_table import OUTPUTS, TARGETS, TIMES, Study, cheapest, front, percent
 
@@ -43,19 +43,14 @@ def draw_pareto(study: Study) -> Figure:
         _draw_panel(axes, study, output)
     errors = [max(error, SMALLEST) for level in study.solved for error in level.errors.values()]
     panels[0, 0].set_ylim(min(*errors, *TARGETS) / 2, max(*errors, *TARGETS) * 2)
-    lines = [fill(study.title, 90), f"errors against a reference of {study.reference.times['cold']:.2g} s"]
+    lines = [titled(study.title, 90), f"errors against a reference of {study.reference.times['cold']:.2g} s"]
     failed = [level.name for level in study.levels if not level.errors]
     if failed:
         lines.append(fill(f"without an answer: {', '.join(failed)}", 110))
-    figure.suptitle("\n".join(lines), fontsize=12)
+    figure.suptitle("\n".join(lines), fontsize=12, parse_math=False)
     handles, labels = panels[0, 0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncols=len(labels), frameon=False)
     return figure
-
-
-def write_pareto(path: Path, study: Study) -> None:
-    """Save the picture."""
-    draw_pareto(study).savefig(path, dpi=130)
 
 
 def _draw_panel(axes: Axes, study: Study, output: str) -> None:

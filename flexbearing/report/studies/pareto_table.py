@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from csv import writer
 from dataclasses import dataclass, field
-from pathlib import Path
+from io import StringIO
 
 OUTPUTS = {  # name, what it is the error of
     "load": "roller loads, largest error over largest load",
@@ -106,31 +106,24 @@ def text(study: Study) -> str:
     return "\n".join(lines) + "\n"
 
 
-def write_table(path: Path, study: Study) -> None:
-    """Write every level with its settings, times [s], errors [-] and message as CSV.
-
-    Parameters
-    ----------
-    path : Path
-        of the file
-    study : Study
-        with its levels
-    """
-    with path.open("w", newline="", encoding="utf-8") as file:
-        table = writer(file)
-        table.writerow(
-            [
-                "level",
-                *(f"{when}_s" for when in TIMES),
-                *(f"error_{name}" for name in OUTPUTS),
-                "settings",
-                "message",
-            ]
-        )
-        for level in (*study.levels, study.reference):
-            numbers = [level.times.get(when, "") for when in TIMES]
-            numbers += [level.errors.get(name, "") for name in OUTPUTS]
-            table.writerow([level.name, *numbers, " ".join(level.settings), level.message])
+def table(study: Study) -> str:
+    """Every level with its settings, times [s], errors [-] and message, as CSV."""
+    file = StringIO(newline="")
+    rows = writer(file)
+    rows.writerow(
+        [
+            "level",
+            *(f"{when}_s" for when in TIMES),
+            *(f"error_{name}" for name in OUTPUTS),
+            "settings",
+            "message",
+        ]
+    )
+    for level in (*study.levels, study.reference):
+        numbers = [level.times.get(when, "") for when in TIMES]
+        numbers += [level.errors.get(name, "") for name in OUTPUTS]
+        rows.writerow([level.name, *numbers, " ".join(level.settings), level.message])
+    return file.getvalue()
 
 
 def percent(value: float) -> str:

@@ -1,0 +1,69 @@
+"""Table and picture of a study of speed against error, as files."""
+
+import re
+from collections.abc import Iterable
+from pathlib import Path
+
+from flexbearing.files import BadOutput, require_folder, require_output, write
+from flexbearing.report.studies.pareto_table import Study, table
+
+_PLAIN = re.compile(r"\w[^/\\:\x00-\x1f\x7f]*")
+
+
+def destinations(folder: Path, name: str, inputs: Iterable[Path]) -> tuple[Path, Path]:
+    """Settle where table and picture go, before anything is computed.
+
+    Parameters
+    ----------
+    folder : Path
+        made when it is not there
+    name : str
+        of both files, pareto_NAME
+    inputs : iterable of Path
+        files that are read
+
+    Returns
+    -------
+    tuple of Path
+        table and picture
+
+    Raises
+    ------
+    BadOutput
+        for a name with more in it than the name of a file, or files that cannot be written
+    """
+    if not _PLAIN.fullmatch(name):
+        raise BadOutput(
+            f"--name {name}: it is part of the names of two files, pareto_NAME.csv and pareto_NAME.png: "
+            "letters and digits first, no folders. A folder is named with -o."
+        )
+    csv, png = (require_folder(folder) / f"pareto_{name}{suffix}" for suffix in (".csv", ".png"))
+    for path in (csv, png):
+        require_output(path, inputs)
+    return csv, png
+
+
+def store(study: Study, csv: Path, png: Path) -> None:
+    """Write table and picture.
+
+    Parameters
+    ----------
+    study : Study
+        with its levels
+    csv, png : Path
+        from `destinations`
+
+    Raises
+    ------
+    NotStored
+        if there is no room for them; a note says that the table is there when only the picture is missing
+    """
+    from flexbearing.report.picture import png_bytes
+    from flexbearing.report.studies.pareto_figure import draw_pareto
+
+    write(csv.resolve(), table(study).encode())
+    try:
+        write(png.resolve(), png_bytes(draw_pareto(study), dpi=130))
+    except BaseException as problem:  # only a note is added
+        problem.add_note(f"The table is complete: {csv}")
+        raise
