@@ -21,7 +21,7 @@ DRAWN = PAPER.with_name("step_ring.toml")
 BALLS = PAPER.with_name("joshi2015_fag.toml")
 RIGID = ["outer.kind=rigid", "inner.kind=rigid"]
 RING = ["inner.kind=rigid", "outer.kind=ring", "accuracy.structure=beam"]  # nothing is meshed
-COMMAND = [sys.executable, "-c", "from flexbearing.cli import main; main()"]
+COMMAND = [sys.executable, "-m", "flexbearing"]
 
 
 @pytest.fixture

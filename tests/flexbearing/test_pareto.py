@@ -141,7 +141,7 @@ def test_cheap_structures_have_few_unknowns_and_hold_alike(structure, most):
 def test_smeared_bars_are_kept_apart_from_true_ones(monkeypatch):
     """On one mesh both are made from the same data."""
     asked = []
-    keeper = SimpleNamespace(cached=lambda parts, compute, note: asked.append(digest(parts)))
+    keeper = SimpleNamespace(cached=lambda kind, parts, *_: asked.append(digest(parts)))
     monkeypatch.setattr(condensed, "configured", lambda: keeper)
     same = {"accuracy.element_order": 3, "accuracy.mesh_size": "3 mm", "accuracy.raceway_mesh_size": "2 mm"}
     for structure in ("smeared", "harmonics"):
