@@ -1,8 +1,7 @@
 """The flexible end state of a similar case as the initial state of another."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import reduce
-from operator import getitem
 from typing import Any
 
 import numpy as np
@@ -143,11 +142,11 @@ def _differing(result: Result, case: Case) -> str:
     """What makes the unknowns of a result other ones than those of a case; empty where nothing does."""
     block, this, other = result.flexible, case.model_dump(), result.attributes["case_si"]
     rollers = block["roller_azimuth"].size
-    modes = (block["unknowns"].size - BORDER - FIELDS * rollers) // (2 * rollers)
+    modes, rest = divmod(block["unknowns"].size - BORDER - FIELDS * rollers, 2 * rollers)
     pairs = [
         ("bearing.rollers", rollers, case.bearing.rollers),
         ("accuracy.slices", block["slice_position"].size, case.accuracy.slices),
-        ("accuracy.axial_shapes", modes, case.accuracy.axial_shapes),
+        ("accuracy.axial_shapes", "no whole number" if rest else modes, case.accuracy.axial_shapes),
         *((key, _at(other, key), _at(this, key)) for key in SAME),
     ]
     differences = [
@@ -159,5 +158,7 @@ def _differing(result: Result, case: Case) -> str:
 
 
 def _at(case: Any, key: str) -> Any:
-    """A key of a case that is dumped as tables."""
-    return reduce(getitem, key.split("."), case)
+    """A key of a case that is dumped as tables; None where a case of other make has none."""
+    for name in key.split("."):
+        case = case.get(name) if isinstance(case, Mapping) else None
+    return case

@@ -3,6 +3,8 @@
 from dataclasses import dataclass
 from typing import Literal
 
+from flexbearing.quantities.forms import TEXT, Anything, Each, Form
+
 FORMAT = 6
 OLDER = {  # what the files of an older format are
     4: "its axes are older: of balls z axial and x along the load, tilts in stiffness_matrix of rollers as "
@@ -14,6 +16,7 @@ STATUSES = (*ENDS, "unfinished")  # of a run that is at work, or was interrupted
 
 
 Kind = Literal["text", "texts", "integer", "number", "json"]
+OBJECT = Each("name", Anything())
 
 
 @dataclass(frozen=True)
@@ -24,6 +27,7 @@ class Attribute:
     kind: Kind
     meaning: str
     optional: bool = False  # absent where the case does not ask for it
+    form: Form = OBJECT  # of a JSON attribute
 
 
 COMMON = (
@@ -38,10 +42,14 @@ COMMON = (
     Attribute("case_text", "text", "the case file, letter by letter"),
     Attribute("case_file", "text", "where the case file was; drawings lie beside it", optional=True),
     Attribute("case_overrides", "texts", "keys set on the command line, key=value"),
-    Attribute("case_si", "json", "the whole case with its defaults, in SI units"),
-    Attribute("versions", "json", "versions of the program and of what it stands on"),
+    Attribute(
+        "case_si", "json", "the whole case with its defaults, in SI units", form=Each("key", Anything())
+    ),
+    Attribute(
+        "versions", "json", "versions of the program and of what it stands on", form=Each("package", TEXT)
+    ),
     Attribute("assumed", "texts", "keys whose values are assumed, not known"),
-    Attribute("calibrated", "json", "keys whose values were fitted, each to what"),
+    Attribute("calibrated", "json", "keys whose values were fitted, each to what", form=Each("key", TEXT)),
     Attribute("notes", "texts", "warnings: what left its range of validity"),
     Attribute("created", "text", "time the run began, ISO 8601"),
 )

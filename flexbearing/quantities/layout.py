@@ -1,10 +1,11 @@
 """What the result file of one bearing family holds, and what its summary repeats."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Literal
 
 from flexbearing.quantities.attributes import COMMON, HEAD, Attribute
+from flexbearing.quantities.forms import TEXT, Anything, Record
 from flexbearing.quantities.quantity import Quantity, SummaryValue, with_defaults
 
 
@@ -18,7 +19,9 @@ class Layout:
     further_blocks: tuple[str, ...] = ()  # that only some cases have
     further_attributes: tuple[Attribute, ...] = ()  # beside the common ones
     head: tuple[str, ...] = HEAD  # root attributes that the summary repeats
-    case_keys: tuple[tuple[str, str, str], ...] = ()  # key in the block, section and key of the case
+    case_keys: tuple[
+        tuple[str, str, str], ...
+    ] = ()  # key in the block, section and key of a text of the case
 
     def datasets(self, place: Literal["iteration", "block"]) -> dict[str, Quantity]:
         """Quantities of an iteration or of a block, by name.
@@ -37,8 +40,12 @@ class Layout:
 
     @property
     def attributes(self) -> dict[str, Attribute]:
-        """Root attributes, by name."""
-        return {entry.name: entry for entry in (*COMMON, *self.further_attributes)}
+        """Root attributes, by name; the case has the keys that the summary repeats."""
+        entries = {entry.name: entry for entry in (*COMMON, *self.further_attributes)}
+        for _, table, key in self.case_keys:
+            having = Record({table: Record({key: TEXT}, further=Anything())}, further=Anything())
+            entries["case_si"] = replace(entries["case_si"], form=having)
+        return entries
 
     @cached_property
     def summary(self) -> tuple[SummaryValue, ...]:

@@ -3,6 +3,7 @@
 The page of a result shows its rows in the order of declaration.
 """
 
+from flexbearing.quantities import roller_records as records
 from flexbearing.quantities.attributes import HEAD, Attribute
 from flexbearing.quantities.layout import Layout
 from flexbearing.quantities.quantity import Quantity, SummaryValue, Unit
@@ -274,7 +275,12 @@ QUANTITIES = (
 
 _ATTRIBUTES = (
     Attribute("method", "text", "method of the coupling"),
-    Attribute("attempts", "json", "methods of the coupling in the order they were tried, with their ends"),
+    Attribute(
+        "attempts",
+        "json",
+        "methods of the coupling in the order they were tried, with their ends",
+        form=records.ATTEMPTS,
+    ),
     Attribute(
         "started_from",
         "text",
@@ -282,16 +288,34 @@ _ATTRIBUTES = (
         "where that failed; absent where none was asked for",
         optional=True,
     ),
-    Attribute("clearance", "json", "operating clearance, with the steps that led to it when it was computed"),
-    Attribute("life", "json", "factors of [life] with value and note, and the modified life; by block"),
-    Attribute("regimes", "json", "lubrication regime of inner and outer raceway; by block"),
-    Attribute("structure", "json", "figures of the finite elements: unknowns, seconds per stage"),
+    Attribute(
+        "clearance",
+        "json",
+        "operating clearance, with the steps that led to it when it was computed",
+        form=records.CLEARANCE,
+    ),
+    Attribute(
+        "life",
+        "json",
+        "factors of [life] with value and note, and the modified life; by block",
+        form=records.LIFE,
+    ),
+    Attribute(
+        "regimes", "json", "lubrication regime of inner and outer raceway; by block", form=records.REGIMES
+    ),
+    Attribute(
+        "structure",
+        "json",
+        "figures of the finite elements: unknowns, seconds per stage",
+        form=records.STRUCTURE,
+    ),
     Attribute(
         "stresses",
         "json",
         "largest stresses of the flexible parts at the end state, and the stiffness of their supports; "
         "absent without outputs.stresses",
         optional=True,
+        form=records.STRESSES,
     ),
     Attribute(
         "choices",
@@ -300,6 +324,7 @@ _ATTRIBUTES = (
         "was compared with, the changes found, the error over a change, and the error allowed; absent "
         "without a target",
         optional=True,
+        form=records.CHOICES,
     ),
     Attribute(
         "error_estimate",
@@ -307,6 +332,7 @@ _ATTRIBUTES = (
         "estimated numerical errors of the flexible block, over the values but for the cage slip; the "
         "target, and whether it is met; absent without a target, empty where nothing could be estimated",
         optional=True,
+        form=records.ERROR_ESTIMATE,
     ),
 )
 

@@ -45,8 +45,8 @@ def closing(numbers: dict[str, Any], ending: str) -> Iterator[RenderableType]:
 
 
 def clearance_steps(clearance: dict[str, Any]) -> Iterator[RenderableType]:
-    """How the operating clearance came about; nothing when the case states it."""
-    if not clearance["steps"]:
+    """How the operating clearance came about; nothing when the case states it, or the run did not end."""
+    if not clearance.get("steps"):
         return
     yield Text("operating clearance, diametral, step by step", style="bold")
     table = right_aligned("", "change [um]", "after [um]")

@@ -13,6 +13,9 @@ import numpy as np
 from flexbearing.quantities.attributes import FORMAT, STATUSES, Attribute, Kind
 from flexbearing.results.checks import NotInLayout
 
+DEEPEST = 20  # levels of a record
+LARGEST = 1e300  # number in a record
+
 
 def stamp() -> dict[str, Any]:
     """Attributes that every file carries without being asked: format, time, versions.
@@ -60,9 +63,12 @@ def encoded(entry: Attribute, value: Any) -> Any:
     if name == "status" and value not in STATUSES:
         raise NotInLayout(f"status {value!r} does not exist; it is one of: {', '.join(STATUSES)}.")
     try:
-        return _ENCODE[kind](value)
+        stored = _ENCODE[kind](value)
+        if kind == "json":
+            _record(entry, stored)
     except (TypeError, ValueError) as reason:
         raise NotInLayout(f"attribute {name} = {value!r} cannot be stored as {kind}: {reason}.") from reason
+    return stored
 
 
 def decoded(entry: Attribute, stored: Any) -> Any:
@@ -82,16 +88,20 @@ def decoded(entry: Attribute, stored: Any) -> Any:
     Raises
     ------
     NotInLayout
-        for another kind of value, JSON that is none, or a status that does not exist
+        for another kind of value, JSON that is none or of another form, or a status that does not exist
     """
     if not isinstance(stored, _STORED[entry.kind]):
         raise NotInLayout(f"attribute {entry.name} is not stored as {entry.kind}.")
     if entry.name == "status" and stored not in STATUSES:
         raise NotInLayout(f"status {stored!r} does not exist; it is one of: {', '.join(STATUSES)}.")
+    if isinstance(stored, float) and not math.isfinite(stored):
+        raise NotInLayout(f"attribute {entry.name} = {stored} is not finite.")
+    if entry.kind != "json":
+        return tuple(stored) if entry.kind == "texts" else stored
     try:
-        return _DECODE[entry.kind](stored)
+        return _record(entry, stored)
     except (ValueError, RecursionError) as reason:
-        raise NotInLayout(f"attribute {entry.name} holds no JSON ({reason}).") from reason
+        raise NotInLayout(f"attribute {entry.name} is not of its form: {reason}.") from reason
 
 
 def empty(kind: Kind) -> Any:
@@ -139,11 +149,31 @@ def _json(value: Mapping[str, Any]) -> str:
     return json.dumps(dict(value), allow_nan=False, default=_python_number)
 
 
-def _mapping(stored: str) -> Mapping[str, Any]:
-    value = json.loads(stored)
-    if not isinstance(value, Mapping):
-        raise ValueError("a mapping is wanted")
+def _record(entry: Attribute, stored: str) -> Mapping[str, Any]:
+    """The record that a text holds, of the form that the layout asks for."""
+    value = json.loads(stored, parse_constant=_no_number)
+    _require_plain(value, DEEPEST)
+    if problem := next(entry.form.problems(value, entry.name), None):
+        raise ValueError(problem)
     return value
+
+
+def _no_number(text: str) -> Any:
+    raise ValueError(f"{text} is no number of JSON")
+
+
+def _require_plain(value: Any, depth: int) -> None:
+    """Raise for what every reader of a record would stumble over, whatever its form."""
+    if isinstance(value, str):
+        value.encode()  # half a pair of UTF-16 is no text
+    elif isinstance(value, int | float):
+        if not -LARGEST <= value <= LARGEST:
+            raise ValueError(f"a number is larger than {LARGEST:g}")
+    elif value is not None:
+        if depth == 0:
+            raise ValueError(f"it is nested deeper than {DEEPEST} levels")
+        for item in (*value, *value.values()) if isinstance(value, dict) else value:
+            _require_plain(item, depth - 1)
 
 
 def _python_number(value: Any) -> Any:
@@ -158,12 +188,5 @@ _ENCODE: dict[Kind, Callable[[Any], Any]] = {
     "integer": _integer,
     "number": _number,
     "json": _json,
-}
-_DECODE: dict[Kind, Callable[[Any], Any]] = {
-    "text": str,
-    "texts": tuple,
-    "integer": int,
-    "number": float,
-    "json": _mapping,
 }
 _STORED: dict[Kind, type] = {"text": str, "texts": list, "integer": int, "number": float, "json": str}

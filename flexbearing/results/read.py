@@ -19,6 +19,7 @@ from flexbearing.quantities.layout import Layout
 from flexbearing.results import hdf5
 from flexbearing.results.attributes import decoded
 from flexbearing.results.checks import (
+    NotInLayout,
     Sizes,
     fitted,
     require_finite,
@@ -216,6 +217,8 @@ def _fitted(
     require_same_names(arrays, known, where)
     for name, array in arrays.items():
         sizes = fitted(known[name], array, sizes, where)
+        if not array.size:
+            raise NotInLayout(f"{where}: {name} has shape {array.shape}: nothing is in it")
     return MappingProxyType({name: arrays[name] for name in known if name in arrays}), sizes
 
 

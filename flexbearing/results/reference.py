@@ -93,4 +93,9 @@ def _row(entry: Quantity) -> str:
 
 def _attribute_table(attributes: tuple[Attribute, ...]) -> list[str]:
     rows = [f"| `{entry.name}` | {entry.kind} | {entry.meaning} |" for entry in attributes]
-    return ["| name | stored as | meaning |", "|---|---|---|", *rows, ""]
+    return ["| name | stored as | meaning |", "|---|---|---|", *rows, "", *_forms(attributes)]
+
+
+def _forms(attributes: tuple[Attribute, ...]) -> list[str]:
+    forms = [f"- `{entry.name}`: `{entry.form.words}`" for entry in attributes if entry.kind == "json"]
+    return ["Those stored as JSON hold (`?`: may be absent):\n", *forms, ""] if forms else []

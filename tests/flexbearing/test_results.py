@@ -41,12 +41,35 @@ ENDING = {
     "attempts": {"newton": {"iterations": 2, "status": "converged", "message": "loads settled"}},
     "wall_time_s": 1.5,
     "notes": ["film outside its range", "second"],
-    "clearance": {"operating_m": -4e-6, "steps": [{"name": "inner fit", "change_m": -5e-6}]},
-    "life": {"rigid": {"modified_Mrev": 12.0}},
+    "clearance": {"operating_m": -4e-6, "steps": []},
+    "life": {"rigid": {"basic_Mrev": 10.0, "factors": [], "modified_Mrev": 12.0}},
     "regimes": {"rigid": {"inner": "mixed", "outer": "full film"}},
-    "structure": {"unknowns": 12_000, "seconds": {"mesh": 0.5}},
-    "stresses": {"outer": {"nominal_bar_stress_MPa": 1500.0}},
-    "choices": {"slices": {"level": "40", "fixed": False, "allowed": 0.004}},
+    "structure": {
+        "inner": {
+            "unknowns": 12_000,
+            "elements": 99,
+            "support_stiffness_N_per_m": None,
+            "seconds": {"mesh": 0.5},
+        }
+    },
+    "stresses": {
+        "outer": {
+            "bodies": {},
+            "nominal_bar_stress_MPa": 1500.0,
+            "support": {"radial_N_per_m": 1e8, "tilting_Nm_per_rad": 1e5, "axial_N_per_m": 1e7},
+        }
+    },
+    "choices": {
+        "slices": {
+            "level": "40",
+            "fixed": False,
+            "compared_with": ["20"],
+            "changes": {"roller_load": 0.001},
+            "factor": 2.0,
+            "allowed": 0.004,
+            "unusable": {},
+        }
+    },
     "error_estimate": {"target": 0.01, "met": True, "roller_load": 0.002},
 }
 

@@ -1,0 +1,112 @@
+"""Forms of the JSON attributes of a roller bearing."""
+
+from typing import Any
+
+from flexbearing.quantities.forms import (
+    COUNT,
+    FLAG,
+    NUMBER,
+    NUMBER_OR_NULL,
+    TEXT,
+    Each,
+    Form,
+    ListOf,
+    Record,
+    Such,
+)
+
+BLOCKS = "rigid or flexible"
+OF_STEPS = ("cold_m", "shaft_fit", "housing_fit", "verdict")
+OF_RACES = Record({"inner": TEXT, "outer": TEXT})
+
+
+def _explained(clearance: Any) -> bool:
+    return not clearance.get("steps") or all(name in clearance for name in OF_STEPS)
+
+
+def _same_factors(lives: Any) -> bool:
+    return len({tuple(factor["name"] for factor in life["factors"]) for life in lives.values()}) <= 1
+
+
+ATTEMPTS: Form = Each("method", Record({"iterations": COUNT, "status": TEXT, "message": TEXT}))
+CLEARANCE: Form = Such(
+    Record(
+        {
+            "operating_m": NUMBER,
+            "steps": ListOf(
+                Record({"name": TEXT, "change_m": NUMBER, "clearance_m": NUMBER, "explanation": TEXT})
+            ),
+        },
+        optional={"cold_m": NUMBER, "shaft_fit": TEXT, "housing_fit": TEXT, "verdict": TEXT},
+        empty=True,
+    ),
+    _explained,
+    f"with {', '.join(OF_STEPS)} where there are steps",
+)
+LIFE: Form = Such(
+    Each(
+        BLOCKS,
+        Record(
+            {
+                "basic_Mrev": NUMBER,
+                "factors": ListOf(Record({"name": TEXT, "value": NUMBER, "effect": TEXT, "note": TEXT})),
+                "modified_Mrev": NUMBER,
+            }
+        ),
+    ),
+    _same_factors,
+    "with the same factors in every block",
+)
+REGIMES: Form = Each(BLOCKS, OF_RACES)
+STRUCTURE: Form = Each(
+    "part",
+    Record(
+        {
+            "unknowns": COUNT,
+            "elements": COUNT,
+            "support_stiffness_N_per_m": NUMBER_OR_NULL,
+            "seconds": Each("stage", NUMBER),
+        },
+        optional={"fit": Each("figure", NUMBER), "housing": Each("figure", NUMBER)},
+    ),
+)
+STRESSES: Form = Each(
+    "inner or outer",
+    Record(
+        {
+            "bodies": Each(
+                "body",
+                Record(
+                    {
+                        "von_mises_MPa": NUMBER,
+                        "tension_MPa": NUMBER,
+                        "compression_MPa": NUMBER,
+                        "displacement_um": NUMBER,
+                        "x_mm": NUMBER,
+                        "radius_mm": NUMBER,
+                        "azimuth_deg": NUMBER,
+                    }
+                ),
+            ),
+            "nominal_bar_stress_MPa": NUMBER_OR_NULL,
+            "support": Record(
+                {"radial_N_per_m": NUMBER, "tilting_Nm_per_rad": NUMBER, "axial_N_per_m": NUMBER}
+            ),
+        }
+    ),
+)
+CHOICES: Form = Each(
+    "choice",
+    Record(
+        {
+            "level": TEXT,
+            "fixed": FLAG,
+            "compared_with": ListOf(TEXT),
+            "changes": Each("output", NUMBER),
+            "factor": NUMBER,
+            "allowed": NUMBER,
+            "unusable": Each("level", TEXT),
+        }
+    ),
+)
+ERROR_ESTIMATE: Form = Record({"target": NUMBER, "met": FLAG}, further=NUMBER_OR_NULL, empty=True)
