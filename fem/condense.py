@@ -75,6 +75,33 @@ def condense(part, discretisation, resolution, report=unheard):
     return condense_in_process(part, discretisation, resolution, report)
 
 
+def require_drawing(part: Part | StepSolid, length: float) -> None:
+    """Open a drawing in a process of its own, before it is meshed in this one: damaged ones end the kernel.
+
+    Parameters
+    ----------
+    part : OuterRing, SquirrelCage, RingOnShaft or StepSolid
+        only a StepSolid is drawn
+    length : float
+        axial length of the loaded band [m]
+
+    Raises
+    ------
+    ImpossiblePart
+        if the drawing does not hold such a part
+    NotSolved
+        if the process ends without an answer
+    """
+    if isinstance(part, StepSolid):
+        in_subprocess(_open, part, length)
+
+
+def _open(part: StepSolid, length: float, report: Report) -> None:
+    from fem.mesh.step_import import solid
+
+    solid(part, length)
+
+
 def condense_in_process(
     part: Any, discretisation: Discretisation, resolution: Resolution, report: Report = unheard
 ) -> Any:

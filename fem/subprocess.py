@@ -135,7 +135,10 @@ def _ending(process: subprocess.Popen, errors: BinaryIO) -> str:
     errors.seek(0, os.SEEK_END)
     errors.seek(max(0, errors.tell() - LAST_WORDS))
     words = errors.read().decode(errors="replace").strip()
-    advice = "Gaps and walls that are nearly nothing do that to the mesh generator: widen or remove them"
+    advice = (
+        "Gaps and walls that are nearly nothing do that to the mesh generator: widen or remove them; damaged "
+        "drawings do it to the geometry kernel: export them again"
+    )
     if code == -9:  # also what a system does that runs out of memory
         advice = "Nobody but the system ends it so: take larger elements, they need less memory"
     return f"ended {how}; its last words: {words or 'none'}. {advice}"

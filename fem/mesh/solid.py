@@ -11,7 +11,9 @@ from functools import singledispatch
 
 import ngsolve as ngs
 from netgen import occ
+from netgen.meshing import NgException
 
+from fem.errors import NotSolved
 from fem.mesh import step_import
 from fem.mesh.curved import FOLDED, curved
 from fem.parts.boundary_conditions import ClampedFace, Housing, RigidSeat, edge_names
@@ -55,6 +57,8 @@ def meshed(part: Part | StepSolid, length: float, mesh_size: MeshSize) -> ngs.Me
     ------
     ImpossiblePart
         if the band is longer than the track, a drawing does not hold such a part, or elements are inside out
+    NotSolved
+        if the mesh generator finds no mesh
     """
     require_on_track(length, part.track)
     body, rounded = occ.Glue(solids(part, length)), isinstance(part, SquirrelCage) and part.fillet > 0
@@ -67,7 +71,10 @@ def meshed(part: Part | StepSolid, length: float, mesh_size: MeshSize) -> ngs.Me
             occ.OCCGeometry(body).GenerateMesh(maxh=sizes.size * MILLIMETRES, parallel_meshing=False, **finer)
         )
 
-    return curved(straight, mesh_size, FOLDED if rounded else 0.0)
+    try:
+        return curved(straight, mesh_size, FOLDED if rounded else 0.0)
+    except NgException as refusal:
+        raise NotSolved(f"the mesh generator gives up: {refusal}; take other element sizes") from refusal
 
 
 def size_raceway(body, sizes: MeshSize) -> None:

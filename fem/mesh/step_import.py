@@ -6,6 +6,7 @@ A CAD program may have drawn a cylinder as halves, with other names, about anoth
 Faces are told by points on their edges, seams included: the bounding boxes of the kernel are loose.
 """
 
+import re
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -15,6 +16,7 @@ from netgen.meshing import NgException
 from numpy.typing import NDArray
 
 from fem.parts.material import ImpossiblePart
+from fem.parts.quoted import enumerated, shortened
 from fem.parts.step_solid import Coloured, Named, Near, Pick, StepSolid
 
 MILLIMETRES = 1e3  # per metre
@@ -26,6 +28,10 @@ WHOLE = 1e-5  # allowed relative difference in area between the band and a full 
 COLOUR = 1.5  # allowed difference of a colour, out of 255
 
 _NOTHING = ""
+_TEXT = re.compile(rb"'[^']*'")
+_NO_NUMBER = re.compile(
+    rb"[(,]\s*[+-]?(?:nan|inf)|[0-9.]E\+?[0-9]{3}", re.IGNORECASE
+)  # the kernel would not end
 
 
 def solid(part: StepSolid, length: float):
@@ -46,9 +52,19 @@ def solid(part: StepSolid, length: float):
     Raises
     ------
     ImpossiblePart
-        if the drawing cannot be read or is not one solid, if a pick finds no face or no clear one, if the
-        raceway is no cylinder about the axis with the diameter of the bearing, or if the band does not fit
+        if the drawing cannot be read or is not one solid, if the kernel cannot work with it, if a pick finds
+        no face or no clear one, if the raceway is no cylinder about the axis with the diameter of the
+        bearing, or if the band does not fit
     """
+    try:
+        return _solid(part, length)
+    except (NgException, RuntimeError) as refusal:  # of the geometry kernel
+        raise ImpossiblePart(
+            f"{part.source} cannot be worked with: {shortened(str(refusal))}; repair it and export it again"
+        ) from refusal
+
+
+def _solid(part: StepSolid, length: float):
     body = _read(part)
     _mark(body, part)
     body = _placed(body, part)
@@ -63,13 +79,17 @@ def solid(part: StepSolid, length: float):
 
 def _read(part: StepSolid):
     """The one solid of the file."""
+    if _NO_NUMBER.search(_TEXT.sub(b"", part.drawing)):
+        raise ImpossiblePart(f"{part.source} holds numbers that are not finite; export the drawing again")
     with TemporaryDirectory() as folder:
         file = Path(folder) / "drawing.step"
         file.write_bytes(part.drawing)
         try:
             shape = occ.OCCGeometry(str(file)).shape
         except NgException as refusal:
-            raise ImpossiblePart(f"{part.source} cannot be read as STEP: {refusal}") from refusal
+            raise ImpossiblePart(
+                f"{part.source} cannot be read as STEP: {shortened(str(refusal))}"
+            ) from refusal
     if len(shape.solids) == 1:
         return shape.solids[0]
     if len(shape.solids) > 1:
@@ -111,11 +131,10 @@ def _picked(body, pick: Pick, part: StepSolid, purpose: str) -> list:
 
 def _offered(body) -> str:
     """Names and colours that a user can pick."""
-    names = {f'"{face.name}"' for face in body.faces if face.name}
+    names = {f'"{shortened(face.name)}"' for face in body.faces if face.name}
     screen = [_screen_colour(face) for face in body.faces]
     colours = {"#" + bytes(colour.round().astype(np.uint8)).hex() for colour in screen if colour is not None}
-    named, coloured = (", ".join(sorted(some)) or "none" for some in (names, colours))
-    return f"its names are {named}, its colours {coloured}"
+    return f"its names are {enumerated(names)}, its colours {enumerated(colours)}"
 
 
 def _fits(face, pick: Named | Coloured) -> bool:
@@ -166,7 +185,7 @@ def _raceway(body, part: StepSolid) -> tuple[float, float, float]:
     nominal = part.raceway_diameter / 2 * MILLIMETRES
     fitting = [(radius, rim) for radius, rim in cylinders if abs(radius - nominal) < AGREEMENT * nominal]
     if not fitting or (marked and len(fitting) < len(marked)):
-        drawn = ", ".join(sorted({f"{2 * radius:.6g} mm" for radius, _ in cylinders})) or "none"
+        drawn = enumerated({f"{2 * radius:.6g} mm" for radius, _ in cylinders})
         which = f"the face {part.raceway}" if marked else "one face or more"
         raise ImpossiblePart(
             f"raceway: allowed is {which} on a straight cylinder of {2 * nominal:.6g} mm about the axis "

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import fem
 from flexbearing.build import clearance
 from flexbearing.build.expansion import hot_over_cold, material, outer_raceway_diameter, roller_length
+from flexbearing.case.excerpt import excerpt
 from flexbearing.case.roller import Case
 
 if TYPE_CHECKING:
@@ -86,7 +87,7 @@ def _drawn(case: Case, **ring: Any) -> "StepSolid":
         centre=(outer.centre_x, outer.centre_y, outer.centre_z),
         axis=_direction(outer.axis),
         zenith=_direction(outer.zenith),
-        source=outer.file,
+        source=excerpt(outer.file),
         **ring,
     )
 

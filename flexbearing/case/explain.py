@@ -46,11 +46,35 @@ def explain(path: str | None, families: Families) -> str:
 
 def reference_page(families: Families) -> str:
     """Reference page of the case file, in Markdown."""
-    lines = ["# Keys of a case file", "", "Printed by `python -m flexbearing.reference case`."]
+    lines = [
+        "# Keys of a case file",
+        "",
+        "Printed by `python -m flexbearing.reference case`.",
+        "",
+        *_limits(),
+    ]
     for title, items in _chapters(families):
         lines += ["", f"## {title}", "", "| key | allowed | default | meaning |", "|---|---|---|---|"]
         lines += [row for item in items for row in _rows(item)]
     return "\n".join(lines) + "\n"
+
+
+def _limits() -> list[str]:
+    """What holds for every value and every file."""
+    from fem.parts import step_solid
+    from flexbearing.case import quantity, text, units
+    from flexbearing.case.read import MOST_SETTINGS
+
+    return [
+        f"- A quantity is text: a number and a unit, at most {quantity.LONGEST} characters. A unit is a "
+        f"product or quotient of units with whole powers up to {units.HIGHEST}, at most {units.LONGEST} "
+        "characters: `mm`, `N/mm^2`, `W/(m K)`, `1/K`.",
+        "- `3000 rpm`, `3000 1/min`, `3000 r/min` and `3000 min⁻¹` are the same speed. `1/s` and `Hz` are "
+        "refused: they are written of turns and of radians.",
+        f"- A case file is TOML in UTF-8, at most {text.LARGEST >> 10} KiB, lists and tables at most "
+        f"{text.DEEPEST} deep, integers up to 64 bits; at most {MOST_SETTINGS} settings come on top of it. "
+        f"A STEP drawing has at most {step_solid.LARGEST >> 20} MiB.",
+    ]
 
 
 def _chapters(families: Families) -> list[tuple[str, list[Declaration]]]:

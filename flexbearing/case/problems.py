@@ -1,31 +1,62 @@
 """What is wrong with a case file, said so that it can be put right."""
 
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Callable, Collection, Mapping
+from itertools import islice
+from typing import Any, TypeVar
 
 from pydantic import ValidationError
 
-from flexbearing.case.declarations import Declaration, declared, find, kinds_with, toml
+from flexbearing.case.declarations import Declaration, by_path, find, kinds_with, toml
+from flexbearing.case.excerpt import LONGEST, excerpt
 from flexbearing.case.family import Families
 from flexbearing.case.head import Head
 from flexbearing.case.quantity import Section
+from flexbearing.printable import printable
+
+MOST = 20  # problems that are told
+Problem = TypeVar("Problem")
 
 
 class BadCase(ValueError):
-    """A case that cannot be computed; one line for each problem."""
+    """A case that cannot be computed; one line for each problem, without control characters."""
+
+    def __init__(self, message: str):
+        super().__init__(printable(message))
+
+
+def listed(problems: Collection[Problem], file: str, line: Callable[[Problem], str]) -> str:
+    """One line for each of the first problems, and how many more there are.
+
+    Parameters
+    ----------
+    problems : collection
+        at least one
+    file : str
+        that they are in
+    line : callable
+        what to say of a problem
+
+    Returns
+    -------
+    str
+        lines that begin with the file
+    """
+    lines = [f"{file}: {line(problem)}" for problem in islice(problems, MOST)]
+    if (left := len(problems) - len(lines)) > 0:
+        lines.append(f"{file}: {left} more of them.")
+    return "\n".join(lines)
 
 
 def messages(
     error: ValidationError, raw: Mapping[str, Any], file: str, model: type[Head], families: Families
-) -> list[str]:
+) -> str:
     """One line per problem: file, key, value found, what is allowed, nearest valid name."""
-    details = error.errors(include_url=False)
-    lines = [
-        f"{file}: {_message(detail, path, raw, model, families)}"
-        for detail in details
+    details = {
+        (path, detail["type"], str(detail.get("ctx"))): detail
+        for detail in error.errors(include_url=False)
         for path in _paths(detail)
-    ]
-    return list(dict.fromkeys(lines))
+    }
+    return listed(details.items(), file, lambda item: _message(item[1], item[0][0], raw, model, families))
 
 
 def _message(detail: Any, path: str, raw: Mapping[str, Any], model: type[Head], families: Families) -> str:
@@ -59,7 +90,12 @@ def refused(raw: Mapping[str, Any], path: str, why: str) -> str:
 def shown(path: str) -> str:
     """Write a dotted key as its place in the file, `[bearing.roller] diameter`."""
     section, _, name = path.rpartition(".")
-    return f"[{section}] {name}" if section else name
+    return f"[{excerpt(section)}] {excerpt(name)}" if section else excerpt(name)
+
+
+def quoted(value: Any) -> str:
+    """Write the beginning of a value as a case file would."""
+    return excerpt(toml(value))
 
 
 def _found(raw: Mapping[str, Any], path: str) -> str:
@@ -68,7 +104,7 @@ def _found(raw: Mapping[str, Any], path: str) -> str:
         if not isinstance(value, Mapping) or part not in value:
             return ""
         value = value[part]
-    return "" if isinstance(value, Mapping) else f" = {toml(value)}"
+    return "" if isinstance(value, Mapping) else f" = {quoted(value)}"
 
 
 def _allowed(path: str, model: type[Section]) -> str:
@@ -78,6 +114,8 @@ def _allowed(path: str, model: type[Section]) -> str:
 
 def nearest(path: str, model: type[Head], families: Families) -> str:
     """Suggest the key that was probably meant, else list the keys of that table."""
+    if len(path) > LONGEST:  # no key is so long, and none is near to it
+        return ""
     section, _, name = path.rpartition(".")
     if former := model.former.get(path):
         return f" {path} is now {former}."
@@ -88,7 +126,7 @@ def nearest(path: str, model: type[Head], families: Families) -> str:
     siblings = [item.path.rpartition(".")[2] for item in _children(section, model)]
     if close := get_close_matches(name, siblings, n=1):
         return f" Did you mean {close[0]}?"
-    elsewhere = {item.path.rpartition(".")[2]: item.path for item in declared(model)}
+    elsewhere = {key.rpartition(".")[2]: key for key in by_path(model)}
     if close := get_close_matches(name, elsewhere, n=1, cutoff=0.8):
         return f" Did you mean {shown(elsewhere[close[0]])}?"
     if section and find(section, model) is None:

@@ -3,14 +3,18 @@
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from math import isfinite
 from typing import Annotated, Any
 
 from pydantic import BaseModel, ConfigDict, Field, GetCoreSchemaHandler
 from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
-from flexbearing.case.units import BadUnit, UnknownUnit, unit
+from flexbearing.case.excerpt import excerpt
+from flexbearing.case.units import BadUnit, Unit, UnknownUnit, unit
 
-_NUMBER_UNIT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(\S.*?)?\s*")
+LONGEST = 100  # characters of a quantity: a number with all its digits, a unit, and room between them
+_NUMBER_UNIT = re.compile(r"\s*([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)\s*(\S.*?)?\s*")
+SPEED, PER_MINUTE = "rad/s", unit("1/min")
 
 
 @dataclass(frozen=True)
@@ -31,6 +35,8 @@ class Kind:
             raise self._refused("is not text with a unit")
         if not isinstance(value, str):
             raise self._refused("has no unit")
+        if len(value) > LONGEST:  # before any pattern is tried on it
+            raise self._refused(f"is longer than {LONGEST} characters")
         parts = _NUMBER_UNIT.fullmatch(value)
         if parts is None:
             raise self._refused("does not begin with a number")
@@ -45,10 +51,21 @@ class Kind:
         except UnknownUnit as problem:
             raise self._refused(f"has an unknown unit, {problem}") from None
         except BadUnit:
-            raise self._refused(f"has a unit that cannot be read, {text}") from None
+            raise self._refused(f"has a unit that cannot be read, {excerpt(text)}") from None
+        if self.unit == SPEED and given.powers == PER_MINUTE.powers:
+            given = self._turning(given)
         if given.powers != unit(self.unit).powers:
             raise self._refused(f"is not {self.name}")
-        return given.to_si(number)
+        value = given.to_si(number)
+        if not isfinite(value):
+            raise self._refused("is beyond what numbers can hold")
+        return value
+
+    def _turning(self, given: Unit) -> Unit:
+        """1/min is written of turns alone; 1/s and Hz also where radians are meant."""
+        if given != PER_MINUTE:
+            raise self._refused(f"is not {self.name}: turns or radians? Write rpm or rad/s")
+        return unit("rpm")
 
     def _refused(self, why: str) -> PydanticCustomError:
         return PydanticCustomError("quantity", "{why}", {"why": why})
@@ -62,7 +79,7 @@ Angle = Annotated[float, Kind("an angle", "rad", "12 deg")]
 Mass = Annotated[float, Kind("a mass", "kg", "25 g")]
 Force = Annotated[float, Kind("a force", "N", "20 kN")]
 Moment = Annotated[float, Kind("a moment", "N m", "20 N m")]
-Speed = Annotated[float, Kind("a rotational speed", "rad/s", "38000 rpm")]
+Speed = Annotated[float, Kind("a rotational speed", SPEED, "38000 rpm")]
 Velocity = Annotated[float, Kind("a velocity", "m/s", "10 mm/s")]
 Temperature = Annotated[float, Kind("a temperature", "K", "220 degC")]
 Pressure = Annotated[float, Kind("a pressure", "Pa", "203 GPa")]

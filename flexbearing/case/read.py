@@ -1,6 +1,5 @@
 """From a TOML file and settings to a case in SI units."""
 
-import tomllib
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -9,12 +8,16 @@ from pydantic import ValidationError
 
 from flexbearing.case.belonging import foreign, without
 from flexbearing.case.declarations import Declaration, find, toml
+from flexbearing.case.excerpt import excerpt
 from flexbearing.case.family import Families
 from flexbearing.case.head import Head, Source
-from flexbearing.case.problems import BadCase, messages, nearest, refused, shown
+from flexbearing.case.problems import BadCase, listed, messages, nearest, quoted, refused, shown
 from flexbearing.case.quantity import Section
+from flexbearing.case.text import LARGEST, Unreadable, setting_value, tables, text_of
 
 Overrides = Sequence[str] | Mapping[str, object]
+LONGEST_NAME = 255  # characters of a file's name or path in a message
+MOST_SETTINGS = 500  # about three times the keys of a case
 
 
 def read(path: str | Path, overrides: Overrides, families: Families) -> Head:
@@ -40,7 +43,11 @@ def read(path: str | Path, overrides: Overrides, families: Families) -> Head:
         one line for each problem: file, key, value found, what is allowed, nearest valid name
     """
     file = Path(path)
-    return understood(_text(file), file, overrides, families)
+    try:
+        text = text_of(file)
+    except Unreadable as problem:
+        raise BadCase(f"{excerpt(str(path), LONGEST_NAME)}: {problem}") from problem
+    return understood(text, file, overrides, families)
 
 
 def understood(text: str, file: Path, overrides: Overrides, families: Families) -> Head:
@@ -67,9 +74,13 @@ def understood(text: str, file: Path, overrides: Overrides, families: Families) 
     BadCase
         as `read`
     """
-    raw = _parsed(file, text)
+    name = excerpt(file.name, LONGEST_NAME)
+    try:
+        raw = tables(text)
+    except Unreadable as problem:
+        raise BadCase(f"{name}: {problem}") from problem
     settings = _settings(overrides)
-    model = _model(raw, settings, file.name, families)
+    model = _model(raw, settings, name, families)
     if settings:
         before = foreign(raw, model)
         for setting in settings:
@@ -77,12 +88,12 @@ def understood(text: str, file: Path, overrides: Overrides, families: Families) 
         changed = {setting.partition("=")[0].strip() for setting in settings}
         _leave_out_former_kinds(raw, before, changed, model)
     if foreign_keys := foreign(raw, model):
-        raise BadCase("\n".join(f"{file.name}: {refused(raw, *item)}" for item in foreign_keys.items()))
+        raise BadCase(listed(foreign_keys.items(), name, lambda item: refused(raw, *item)))
     try:
         case = model.model_validate(raw)
     except ValidationError as error:
-        raise BadCase("\n".join(messages(error, raw, file.name, model, families))) from None
-    _require_given(case, raw, file.name, families)
+        raise BadCase(messages(error, raw, name, model, families)) from None
+    _require_given(case, raw, name, families)
     case._source = Source(str(file), text, settings)
     return case
 
@@ -100,25 +111,13 @@ def _leave_out_former_kinds(
             log.info("%s of the file is left out: %s", shown(path), why)
 
 
-def _text(file: Path) -> str:
-    try:
-        return file.read_text(encoding="utf-8")
-    except FileNotFoundError:
-        raise BadCase(f"{file}: there is no such file") from None
-    except (OSError, UnicodeDecodeError) as problem:
-        raise BadCase(f"{file}: cannot be read as text ({problem})") from None
-
-
-def _parsed(file: Path, text: str) -> dict[str, Any]:
-    try:
-        return tomllib.loads(text)
-    except tomllib.TOMLDecodeError as problem:
-        raise BadCase(f"{file.name}: is not valid TOML: {problem}") from None
-
-
 def _settings(overrides: Sequence[str] | Mapping[str, object]) -> tuple[str, ...]:
     if isinstance(overrides, Mapping):
-        return tuple(f"{key}={toml(value)}" for key, value in overrides.items())
+        overrides = [f"{key}={toml(value)}" for key, value in overrides.items()]
+    if len(overrides) > MOST_SETTINGS or sum(map(len, overrides)) > LARGEST:
+        raise BadCase(
+            f"--set: more than {MOST_SETTINGS} settings, or {LARGEST // 1024} KiB of them; write a case file"
+        )
     return tuple(overrides)
 
 
@@ -130,35 +129,38 @@ def _model(raw: Mapping[str, Any], settings: Sequence[str], file: str, families:
         if key.strip() == "kind":
             kind = value.strip().strip('"')
     inside = raw.get("bearing")
-    if "kind" not in raw and isinstance(inside, Mapping) and inside.get("kind") in set(families) - {kind}:
+    named = inside.get("kind") if isinstance(inside, Mapping) and "kind" not in raw else None
+    if isinstance(named, str) and named in families and named != kind:
         raise BadCase(
-            f"{file}: [bearing] kind = {toml(inside['kind'])} stands in the wrong place: write it "
+            f"{file}: [bearing] kind = {toml(named)} stands in the wrong place: write it "
             "first in the file, above every [section]."
         )
     if isinstance(kind, str) and kind in families:
         return families[kind].case()
     allowed = " or ".join(map(toml, families))
-    raise BadCase(f"{file}: kind = {toml(kind)} is not allowed; it must be {allowed}.")
+    raise BadCase(f"{file}: kind = {quoted(kind)} is not allowed; it must be {allowed}.")
 
 
 def _override(raw: dict[str, Any], setting: str, model: type[Head], families: Families) -> None:
     """Put a "key=value" setting into the raw case; what a user sets is no longer assumed."""
     key, separator, value = setting.partition("=")
-    key = key.strip()
+    key, named = key.strip(), f"--set {excerpt(setting)}"
     if not separator or not key:
-        raise BadCase(f"--set {setting}: a setting is KEY=VALUE, such as bearing.clearance=50 um")
-    if find(key, model) is None and not key.startswith("calibrated."):
-        raise BadCase(
-            f"--set {setting}: {shown(key)} is not a key of this case.{nearest(key, model, families)}"
-        )
+        raise BadCase(f"{named}: a setting is KEY=VALUE, such as bearing.clearance=50 um")
+    declaration = find(key, model)
+    if declaration is None and not key.startswith("calibrated."):
+        raise BadCase(f"{named}: {shown(key)} is not a key of this case.{nearest(key, model, families)}")
     table = raw
     *sections, name = _place(key)
     for section in sections:
         table = table.setdefault(section, {})
         if not isinstance(table, dict):
-            raise BadCase(f"--set {setting}: {section} is not a table in this case")
-    table[name] = _value(value.strip(), find(key, model))
-    if isinstance(raw.get("assumed"), list):
+            raise BadCase(f"{named}: {section} is not a table in this case")
+    try:
+        table[name] = _value(value.strip(), declaration)
+    except Unreadable as problem:
+        raise BadCase(f"{named}: {problem}") from problem
+    if isinstance(raw.get("assumed"), list) and key in raw["assumed"]:
         raw["assumed"] = [item for item in raw["assumed"] if item != key]
     if isinstance(raw.get("calibrated"), dict):
         raw["calibrated"].pop(key, None)
@@ -172,27 +174,30 @@ def _place(key: str) -> list[str]:
 
 
 def _value(text: str, declaration: Declaration | None) -> Any:
-    """Read a TOML value where it is one (20, true, "5 mm"), else take the text itself, as for a choice."""
+    """A choice as it stands, else what TOML makes of the text."""
     if declaration and text in declaration.choices:
         return text
-    try:
-        return tomllib.loads(f"value = {text}")["value"]
-    except tomllib.TOMLDecodeError:
-        return text
+    return setting_value(text)
 
 
 def _require_given(case: Head, raw: Mapping[str, Any], file: str, families: Families) -> None:
     """Raise when `assumed` or `calibrated` names a key that the file does not give."""
-    problems = []
-    for table, keys in (("assumed", case.assumed), ("calibrated", case.calibrated)):
-        for key in keys:
-            if find(key, type(case)) is None:
-                near = nearest(key, type(case), families)
-                problems.append(f'{file}: {table} names "{key}", which is not a key.{near}')
-            elif not _given(raw, key):
-                problems.append(f'{file}: {table} names "{key}", which this case does not give.')
+    model = type(case)
+    problems = [
+        (table, key)
+        for table, keys in (("assumed", case.assumed), ("calibrated", case.calibrated))
+        for key in keys
+        if find(key, model) is None or not _given(raw, key)
+    ]
+
+    def line(problem: tuple[str, str]) -> str:
+        table, key = problem
+        if find(key, model):
+            return f'{table} names "{key}", which this case does not give.'
+        return f'{table} names "{excerpt(key)}", which is not a key.{nearest(key, model, families)}'
+
     if problems:
-        raise BadCase("\n".join(problems))
+        raise BadCase(listed(problems, file, line))
 
 
 def _given(raw: Any, key: str) -> bool:

@@ -3,14 +3,20 @@
 import re
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cache
+from functools import lru_cache
 from math import pi
 
 DIMENSIONS = ("m", "kg", "s", "K", "rad")  # an angle is one: turns and radians a second are not the same
 LONGEST, HIGHEST = 40, 4  # characters of a unit; largest power in it
+LARGEST_FACTOR, HIGHEST_PI = (
+    2**500,
+    16,
+)  # of a product, which brackets with powers can raise beyond all floats
 
-_TOKEN = re.compile(r"\s*(\*\*|[*/^()·]|[+-]?\d+|[A-Za-zµμ°%_]+|[²³])")
-_SUPERSCRIPTS = {"²": 2, "³": 3}
+_TOKEN = re.compile(r"\s*(\*\*|[*/^()·]|[+-]?[0-9]+|[A-Za-zµμ°%_]+|⁻?[¹²³⁴])")
+_SUPERSCRIPTS = {f"{sign}{digit}": int(f"{number}{power}")
+                 for sign, number in (("", ""), ("⁻", "-"))
+                 for power, digit in enumerate("¹²³⁴", 1)}  # fmt: skip
 _PREFIXES = {"n": -9, "u": -6, "µ": -6, "μ": -6, "m": -3, "c": -2, "d": -1, "h": 2, "k": 3, "M": 6, "G": 9}
 
 
@@ -34,11 +40,24 @@ class Unit:
     def times(self, other: "Unit", sign: int) -> "Unit":
         """Product with a unit, or quotient for sign = -1."""
         powers = tuple(a + sign * b for a, b in zip(self.powers, other.powers, strict=True))
-        return Unit(self.factor * other.factor**sign, powers, self.pi_power + sign * other.pi_power)
+        return _bounded(Unit(self.factor * other.factor**sign, powers, self.pi_power + sign * other.pi_power))
+
+    def to_the(self, power: int) -> "Unit":
+        """Integer power of a unit."""
+        powers = tuple(power * own for own in self.powers)
+        return _bounded(Unit(self.factor**power, powers, power * self.pi_power))
 
     def to_si(self, number: float) -> float:
         """Value in SI units."""
         return number * float(self.factor * Fraction(pi) ** self.pi_power) + float(self.offset)
+
+
+def _bounded(found: Unit) -> Unit:
+    """The unit, unless it is beyond what numbers can hold."""
+    factor = found.factor
+    if max(factor.numerator, factor.denominator) > LARGEST_FACTOR or abs(found.pi_power) > HIGHEST_PI:
+        raise BadUnit(f"{found.powers}")
+    return found
 
 
 def _unit(
@@ -75,8 +94,8 @@ _PLAIN = {
     "deg": _unit(_DEGREE, *_ANGLE, pi_power=1), "°": _unit(_DEGREE, *_ANGLE, pi_power=1),
     "degree": _unit(_DEGREE, *_ANGLE, pi_power=1), "degrees": _unit(_DEGREE, *_ANGLE, pi_power=1),
     "arcmin": _unit(_DEGREE / 60, *_ANGLE, pi_power=1), "arcsec": _unit(_DEGREE / 3600, *_ANGLE, pi_power=1),
-    "rev": _unit(2, *_ANGLE, pi_power=1), "revolution": _unit(2, *_ANGLE, pi_power=1),
-    "turn": _unit(2, *_ANGLE, pi_power=1),
+    "r": _unit(2, *_ANGLE, pi_power=1), "rev": _unit(2, *_ANGLE, pi_power=1),
+    "revolution": _unit(2, *_ANGLE, pi_power=1), "turn": _unit(2, *_ANGLE, pi_power=1),
     "degC": _unit(1, 0, 0, 0, 1, offset="273.15"), "°C": _unit(1, 0, 0, 0, 1, offset="273.15"),
     "degF": _unit(Fraction(5, 9), 0, 0, 0, 1, offset=Fraction("273.15") - 32 * Fraction(5, 9)),
     "%": _unit("0.01"), "percent": _unit("0.01"), "ppm": _unit("1e-6"),
@@ -95,7 +114,7 @@ def _named(name: str) -> Unit:
     return Unit(base.factor * Fraction(10) ** _PREFIXES[name[0]], base.powers, base.pi_power)
 
 
-@cache
+@lru_cache(maxsize=256)
 def unit(text: str) -> Unit:
     """Read a unit such as "mm", "N/mm^3", "W/(m K)" or "1/GPa".
 
@@ -155,7 +174,7 @@ def _power(tokens: list[str]) -> tuple[Unit, list[str]]:
     if tokens and tokens[0] in _SUPERSCRIPTS:
         return _raised(base, _SUPERSCRIPTS[tokens[0]]), tokens[1:]
     if tokens and tokens[0] in ("^", "**"):
-        if len(tokens) == 1 or not re.fullmatch(r"[+-]?\d+", tokens[1]):
+        if len(tokens) == 1 or not re.fullmatch(r"[+-]?[0-9]+", tokens[1]):
             raise BadUnit("^")
         return _raised(base, int(tokens[1])), tokens[2:]
     return base, tokens
@@ -179,4 +198,4 @@ def _base(tokens: list[str]) -> tuple[Unit, list[str]]:
 def _raised(base: Unit, power: int) -> Unit:
     if abs(power) > HIGHEST:
         raise BadUnit(f"^{power}")
-    return Unit(base.factor**power, tuple(power * own for own in base.powers), power * base.pi_power)
+    return base.to_the(power)

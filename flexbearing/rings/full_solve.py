@@ -10,7 +10,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from fem.condense import require_drawing
 from fem.errors import NotSolved
+from flexbearing.build.expansion import roller_length
 from flexbearing.build.ring_parts import NAMES, Race, part_of
 from flexbearing.case.roller import Case
 from flexbearing.coupling import PartnerFailed, Raceway, RacewayPair
@@ -102,6 +104,7 @@ def _raceway(case: Case, race: Race, azimuths: NDArray, report: Report) -> Racew
     began = perf_counter()
     report.stage(name, None)
     with named_failures(case, name):
+        require_drawing(part, roller_length(case))
         solid = factored(part, patches(case, azimuths), mesh_size(case, IN_SPACE), case.accuracy.threads)
     report.stage(f"{name}: {solid.stiffness.unknowns} unknowns, {perf_counter() - began:.1f} s", None)
     return FullSolveRaceway(name, FullSolve(solid=solid))

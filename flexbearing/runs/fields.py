@@ -191,6 +191,7 @@ def fields(case: Case, race: Race, state: str, values: Arrays) -> PartFields:
     # NGSolve takes a second to load: only who asks for fields waits for it.
     from fem.assembly.factorisation import NotSolved
     from fem.cage.bar_forces import bar_forces
+    from fem.condense import require_drawing
     from fem.solid.factored_solid import factored
     from fem.solid.support_stiffness import support_stiffness
 
@@ -207,6 +208,7 @@ def fields(case: Case, race: Race, state: str, values: Arrays) -> PartFields:
     try:
         # threads of the linear algebra would fight with those of the finite elements
         with threadpool_limits(limits=1, user_api="blas"):
+            require_drawing(part, length)
             solid = factored(part, patches, mesh_size(case, sizes), case.accuracy.threads)
             loaded = solid.under(forces(values[f"{race}_slice_load"], race, length, patches.axial_modes))
             bars = bar_forces(loaded) if isinstance(part, fem.SquirrelCage) else None

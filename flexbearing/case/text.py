@@ -1,0 +1,186 @@
+"""From a file or a setting to TOML tables and values, within bounds: refusing takes no longer than checking.
+
+tomllib takes time with the square of the parts of a key, and as many stack frames as arrays stand in each
+other; both are counted before.
+"""
+
+import re
+import tomllib
+from collections.abc import Iterator
+from datetime import date, datetime, time
+from pathlib import Path
+from typing import Any
+
+from flexbearing.case.excerpt import excerpt
+
+# The largest file that comes along has 3.5 kB, one with every key and a note to each some 15 kB; tomllib
+# takes up to 0.05 s for 64 KiB.
+LARGEST = 2**16  # bytes of a case file
+DEEPEST = 8  # arrays and tables in each other, and parts of a key; the keys of a case have up to 4
+LARGEST_INTEGER = 2**63  # as TOML says
+
+Plain = dict[str, Any] | list[Any] | str | int | float | bool | date | datetime | time
+
+# Texts and comments, each to its end or to that of its line or of the file: no character is looked at twice.
+_TEXT_OR_COMMENT = re.compile(
+    r'"""(?:\\.|[^\\])*?(?:"{3,5}|\Z)'
+    r"|'''.*?(?:'{3,5}|\Z)"
+    r'|"(?:[^"\\\n]|\\[^\n])*"?'
+    r"|'[^'\n]*'?"
+    r"|\#[^\n]*",
+    re.DOTALL,
+)
+_BETWEEN_KEYS = re.compile(r"[^\w.\- \t]")
+_BRACKET = re.compile(r"[\[{\]}]")
+
+
+class Unreadable(ValueError):
+    """A text that no case can have; the message completes a sentence that names file or setting."""
+
+
+def text_of(file: Path) -> str:
+    """Text of a case file, which may be a pipe.
+
+    Parameters
+    ----------
+    file : Path
+        of at most `LARGEST` bytes; more are not read
+
+    Returns
+    -------
+    str
+        without the mark at the beginning that some editors leave
+
+    Raises
+    ------
+    Unreadable
+        where there is no such file, or no text in UTF-8 of this size
+    """
+    try:
+        with file.open("rb") as opened:
+            content = opened.read(LARGEST + 1)
+    except FileNotFoundError:
+        raise Unreadable("there is no such file") from None
+    except IsADirectoryError:
+        raise Unreadable("is a folder; a case is a TOML file") from None
+    except OSError as problem:
+        raise Unreadable(f"cannot be read: {problem.strerror}") from None
+    except ValueError:  # a NUL in the name
+        raise Unreadable("no file can have this name") from None
+    if len(content) > LARGEST:
+        raise Unreadable(_too_large("larger"))
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError as problem:
+        raise Unreadable(
+            f"is not text in UTF-8 (byte {content[problem.start]:#04x} at {problem.start}); save it as UTF-8"
+        ) from None
+
+
+def tables(text: str) -> dict[str, Any]:
+    """Tables of the text of a case file.
+
+    Parameters
+    ----------
+    text : str
+        TOML
+
+    Returns
+    -------
+    dict
+        of texts, numbers, truth values, dates, lists and such tables
+
+    Raises
+    ------
+    Unreadable
+        where it is no TOML, is too large or too deep, or holds what no case can have
+    """
+    if len(text) > LARGEST:
+        raise Unreadable(_too_large("longer"))
+    if _deep(text):
+        raise Unreadable(
+            f"has arrays or tables more than {DEEPEST} deep, or a key of more than {DEEPEST} parts; "
+            "nothing in a case is so deep"
+        )
+    try:
+        parsed = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as problem:
+        what, _, place = str(problem).rpartition(" (")
+        raise Unreadable(f"is not valid TOML: {excerpt(what)} ({place}") from None
+    except ValueError as problem:  # Python reads no integers of more than 4300 digits
+        raise Unreadable("is not valid TOML: an integer of thousands of digits") from problem
+    if wrong := next(_not_plain(parsed, ""), None):
+        raise Unreadable(wrong)
+    return parsed
+
+
+def setting_value(text: str) -> Any:
+    """Value of a setting: that of TOML where it is one (20, true, "5 mm"), else the text itself.
+
+    Parameters
+    ----------
+    text : str
+        behind the = of a setting
+
+    Returns
+    -------
+    any
+        as in `tables`
+
+    Raises
+    ------
+    Unreadable
+        where it holds what no case can have
+    """
+    try:
+        parsed = None if _deep(text) else tomllib.loads(f"value = {text}")
+    except ValueError:  # also integers of thousands of digits
+        parsed = None
+    given = parsed["value"] if parsed and set(parsed) == {"value"} else text
+    if wrong := next(_not_plain(given, ""), None):
+        raise Unreadable(wrong)
+    return given
+
+
+def _too_large(how: str) -> str:
+    return f"is {how} than {LARGEST // 1024} KiB, which no case file is"
+
+
+def _deep(text: str) -> bool:
+    """Whether more than `DEEPEST` arrays or tables stand in each other, or a key has more parts."""
+    bare = _TEXT_OR_COMMENT.sub("x", text)
+    if any(between.count(".") >= DEEPEST for between in _BETWEEN_KEYS.split(bare)):
+        return True
+    depth = 0
+    for bracket in _BRACKET.finditer(bare):
+        depth += 1 if bracket[0] in "[{" else -1
+        if depth > DEEPEST:
+            return True
+    return False
+
+
+def _not_plain(found: Plain, path: str) -> Iterator[str]:
+    """What in a value cannot be stored or shown: characters that are no text, integers without end."""
+    if isinstance(found, dict):
+        for name, item in found.items():
+            yield from _not_plain(name, path)
+            yield from _not_plain(item, f"{path}.{name}" if path else name)
+    elif isinstance(found, list):
+        for item in found:
+            yield from _not_plain(item, path)
+    elif isinstance(found, str) and ("\0" in found or not _encodable(found)):
+        yield f"{_at(path)}holds a character that is no text, in {excerpt(found)}"
+    elif isinstance(found, int) and abs(found) >= LARGEST_INTEGER:
+        yield f"{_at(path)}holds an integer of more than 64 bits; take a number with a point or fewer digits"
+
+
+def _at(path: str) -> str:
+    return f"{excerpt(path)} " if path else ""
+
+
+def _encodable(text: str) -> bool:
+    try:
+        text.encode()
+    except UnicodeEncodeError:  # surrogates, as of a command line that is not in UTF-8
+        return False
+    return True
