@@ -100,7 +100,8 @@ def summary(
     if as_json:
         import json
 
-        _say(json.dumps(api.summary(found), indent=2, allow_nan=False))
+        numbers = json.dumps(api.summary(found), indent=2, allow_nan=False)
+        sys.stdout.write(numbers.replace("\x7f", r"\u007f") + "\n")  # JSON escapes every other one
     else:
         _show(found, _terminal())
 
@@ -207,7 +208,8 @@ def pareto(
     from flexbearing.studies.pareto import NoReference, pareto as study
     from flexbearing.studies.pareto_files import destinations, store
 
-    table, picture = destinations(output, name or case.stem, api.read(case, settings or []).input_files)
+    inputs = api.read(case, settings or []).input_files
+    table, picture = destinations(output, case.stem.lstrip(".") if name is None else name, inputs)
     try:
         found = study(case, settings or [], solid=solid, tell=_tell)
     except NoReference as problem:

@@ -7,7 +7,7 @@ from pathlib import Path
 from flexbearing.files import BadOutput, require_folder, require_output, write
 from flexbearing.report.studies.pareto_table import Study, table
 
-_PLAIN = re.compile(r"\w[^/\\:\x00-\x1f\x7f]*")
+_PLAIN = re.compile(r"[^./\\\x00-\x1f\x7f][^/\\\x00-\x1f\x7f]*")
 
 
 def destinations(folder: Path, name: str, inputs: Iterable[Path]) -> tuple[Path, Path]:
@@ -34,8 +34,8 @@ def destinations(folder: Path, name: str, inputs: Iterable[Path]) -> tuple[Path,
     """
     if not _PLAIN.fullmatch(name):
         raise BadOutput(
-            f"--name {name}: it is part of the names of two files, pareto_NAME.csv and pareto_NAME.png: "
-            "letters and digits first, no folders. A folder is named with -o."
+            f"--name {name!r}: becomes part of the names of two files, pareto_NAME.csv and pareto_NAME.png: "
+            "not empty, no folders, no dot in front. The folder is named with -o."
         )
     csv, png = (require_folder(folder) / f"pareto_{name}{suffix}" for suffix in (".csv", ".png"))
     for path in (csv, png):
