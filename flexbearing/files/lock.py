@@ -12,7 +12,7 @@ from time import sleep
 from typing import Any
 
 from flexbearing.files.destination import BadOutput
-from flexbearing.files.whole import host
+from flexbearing.files.whole import NotStored, host
 
 try:
     import fcntl
@@ -43,6 +43,8 @@ def lock(path: Path) -> Iterator[None]:
     BadOutput
         naming process and host of the one who writes; a host other than this one cannot be asked whether
         its process still lives, so that its lock stays until somebody removes it
+    NotStored
+        if there is no room for the lock
     """
     place = path.with_name(path.name + SUFFIX)
     file = _held(place, path)
@@ -67,7 +69,7 @@ def _held(place: Path, path: Path) -> int:
             if not free or holder.get("host", host()) != host():
                 raise BadOutput(_occupied(path, place, holder))
             if _still(file, place):
-                _sign(file)
+                _sign(file, place, path)
                 return file
         except BaseException:
             os.close(file)
@@ -114,11 +116,19 @@ def _still(file: int, place: Path) -> bool:
     return False
 
 
-def _sign(file: int) -> None:
+def _sign(file: int, place: Path, path: Path) -> None:
+    """Say in the lock whose it is; a full disk keeps no lock."""
     started = datetime.now(UTC).isoformat(timespec="seconds")
     text = json.dumps({"host": host(), "process": os.getpid(), "started": started})
-    os.ftruncate(file, 0)
-    os.pwrite(file, text.encode(), 0)
+    try:
+        os.ftruncate(file, 0)
+        os.pwrite(file, text.encode(), 0)
+    except OSError as problem:
+        place.unlink()
+        raise NotStored(
+            f"{path}: not written: no lock {place.name} beside it: {problem.strerror}. Free space there, or "
+            "choose another place with -o."
+        ) from problem
 
 
 def _occupied(path: Path, place: Path, holder: dict[str, Any]) -> str:

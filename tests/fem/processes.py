@@ -51,6 +51,12 @@ def strange(report):
     raise KeyError("no such face")
 
 
+def deaf(report):
+    report(str(os.getpid()), None)
+    time.sleep(0.2)
+    return "done"
+
+
 class Lost:
     """Travels well, and falls apart on arrival."""
 

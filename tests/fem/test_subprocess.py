@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import time
+from threading import get_ident
 
 import numpy as np
 import pytest
@@ -16,7 +17,7 @@ from fem.assembly.factorisation import NotSolved
 from fem.condense import SOLID, condense, condense_in_process
 from fem.subprocess import in_subprocess
 from tests.fem.condensed import of_a_solid
-from tests.fem.processes import Lost, aborting, answering, killed, leaving, silent, strange, wrong
+from tests.fem.processes import Lost, aborting, answering, deaf, killed, leaving, silent, strange, wrong
 from tests.fem.test_parts import STEEL
 
 RING = OuterRing(raceway_diameter=75e-3, thickness=8e-3, width=10e-3, elastic=STEEL, support=ClampedFace())
@@ -85,6 +86,39 @@ def test_interrupt_ends_the_process():
     with pytest.raises(KeyboardInterrupt):
         in_subprocess(silent, report=interrupted)
     assert gone(found[0])
+
+
+def test_signals_to_all_processes_of_a_job_are_for_the_caller_alone():
+    """A terminal or a queue sends them also to the process, whose end would be told as a failure."""
+
+    def sent_to_all(stage, _):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            os.kill(int(stage), number)
+
+    assert in_subprocess(deaf, report=sent_to_all) == "done"
+    assert signal.pthread_sigmask(signal.SIG_BLOCK, ()) == set()
+
+
+def test_interrupt_while_the_process_begins_ends_it(monkeypatch):
+    began = []
+
+    def stop(number, _):
+        raise KeyboardInterrupt
+
+    class Began(subprocess.Popen):
+        def __init__(self, *arguments, **options):
+            super().__init__(*arguments, **options)
+            began.append(self.pid)
+            signal.pthread_kill(get_ident(), signal.SIGTERM)  # held back until the process can be ended
+
+    before = signal.signal(signal.SIGTERM, stop)
+    try:
+        monkeypatch.setattr(subprocess, "Popen", Began)
+        with pytest.raises(KeyboardInterrupt):
+            in_subprocess(silent)
+    finally:
+        signal.signal(signal.SIGTERM, before)
+    assert gone(began[0])
 
 
 def test_process_ends_with_its_parent():

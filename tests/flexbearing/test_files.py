@@ -134,6 +134,16 @@ def test_link_at_the_place_of_the_lock_is_not_followed(path, tmp_path):
     assert other.read_text() == "mine"
 
 
+def test_lock_without_room_is_told_and_not_left_behind(path, monkeypatch):
+    def full(*_):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(os, "pwrite", full)
+    with pytest.raises(NotStored, match=r"no lock out\.h5\.lock beside it: No space left.* -o"), lock(path):
+        pass
+    assert list(path.parent.iterdir()) == []
+
+
 def test_whole_file_or_the_old_one(path, monkeypatch):
     write(path, b"old")
 
