@@ -14,7 +14,7 @@ from benchmarks.machine import describe
 from tests.flexbearing.hostile_cases import CONFIGS, FILES, SETTINGS
 
 CASE = str(CONFIGS / "mao2016.toml")
-COMMAND = (sys.executable, "-c", "from flexbearing.cli import main; main()", "check")
+COMMAND = (sys.executable, "-m", "flexbearing", "check")
 ROUNDS, LONGEST = 3, 10.0  # [s]
 LARGEST = 100_000  # characters of an argument that the system takes
 SIZE, SHOWN = 10**10, 80  # bytes of the largest file; characters of a message

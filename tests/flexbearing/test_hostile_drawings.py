@@ -142,9 +142,8 @@ def test_a_drawing_that_ends_the_kernel_ends_a_process_of_its_own():
 def test_a_run_survives_a_damaged_drawing(settings, tmp_path):
     (tmp_path / "step_ring.step").write_bytes(BROKEN)
     (tmp_path / "case.toml").write_text(TEXT)
-    code = "from flexbearing.cli import main; main()"
     ended = subprocess.run(
-        [sys.executable, "-c", code, "run", "case.toml", "-o", "out.h5", "--quiet", *settings],
+        [sys.executable, "-m", "flexbearing", "run", "case.toml", "-o", "out.h5", "--quiet", *settings],
         cwd=tmp_path,
         env=os.environ | {"PYTHONPATH": str(CONFIGS.parent), "FLEXBEARING_CACHE": "off"},
         capture_output=True,
