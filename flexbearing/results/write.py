@@ -102,7 +102,7 @@ class ResultFile:
                     self._is_open = False
                     if self._timer is not None:
                         self._timer.cancel()
-                kept = self._kept()
+                kept = "" if isinstance(problem, NotStored) else self._kept()
                 if kept and problem is not None:
                     problem.add_note(kept)
         finally:

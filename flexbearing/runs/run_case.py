@@ -15,7 +15,7 @@ from flexbearing.progress import Logged, Report
 from flexbearing.results import Result, ResultFile, case_file
 from flexbearing.runs.validate import require_possible
 
-LONGEST = 60  # characters of the settings in the name of a result
+LONGEST = 80  # characters of the settings in the name of a result
 
 
 def run_case(
@@ -92,19 +92,13 @@ def default_output(case: Head) -> Path:
     """
     name, settings = Path(case.source.path).stem, case.source.overrides
     if settings:
-        last_names = "_".join(setting[_last_name(setting) :] for setting in settings)
         digest = sha256(repr(settings).encode()).hexdigest()[:8]
-        name += f"_{re.sub(r'[^A-Za-z0-9_.+=-]', '', last_names)[:LONGEST]}_{digest}"
+        name += f"_{re.sub(r'[^A-Za-z0-9_.+=-]', '', '_'.join(settings))[:LONGEST]}_{digest}"
     path = Path("results") / f"{name}.h5"
     other = case_file(path)
     if other and Path(other).exists() and not Path(other).samefile(case.source.path):
         raise BadOutput(f"{path}: is the result of {other}; choose another name with -o.")
     return path
-
-
-def _last_name(setting: str) -> int:
-    """Where the last name of the key of a "key=value" setting begins."""
-    return setting.partition("=")[0].rfind(".") + 1
 
 
 def _head(case: Head) -> dict[str, object]:

@@ -69,7 +69,7 @@ def test_default_names_are_plain_and_differ_for_settings_that_read_alike(case):
         flexbearing.run(case, overrides=[*RIGID, f'title="{title}"']).path for title in ("a/b", "a:b")
     )
     assert one != other
-    assert one.name == f"mine_kind=rigid_kind=rigid_title=ab_{one.stem[-8:]}.h5"
+    assert one.name == f"mine_outer.kind=rigid_inner.kind=rigid_title=ab_{one.stem[-8:]}.h5"
 
 
 def test_case_of_the_same_name_in_another_folder_keeps_its_result(case):

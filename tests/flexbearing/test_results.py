@@ -280,8 +280,23 @@ def test_disk_that_is_full_in_between_ends_the_run_with_a_reason(path, monkeypat
 
     with pytest.raises(NotStored, match="no space") as problem:
         run()
-    assert problem.value.__notes__ == ["what was finished could not be kept: no space"]
+    assert not hasattr(problem.value, "__notes__")  # it says all there is to say
     assert [(entry.name, entry.read_text()) for entry in path.parent.iterdir()] == [("case.h5", "earlier")]
+
+
+def test_interrupted_run_says_what_it_could_not_keep(path, monkeypatch):
+    def full(*_, **__):
+        raise NotStored("no space")
+
+    def run():
+        with ResultFile(path, BEGINNING, ROLLERS) as file:
+            file.iteration(1, values("iteration"))
+            monkeypatch.setattr("flexbearing.results.write.write", full)
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt) as problem:
+        run()
+    assert problem.value.__notes__ == ["what was finished could not be kept: no space"]
 
 
 def test_second_writer_is_refused_before_it_computes(path):
