@@ -252,6 +252,18 @@ def test_level_that_fails_is_a_row_and_the_study_goes_on(monkeypatch, kind):
     assert "- 5 slices: the ring lifts off" in text(study)
 
 
+def test_interrupted_study_promises_nothing_of_its_temporary_results(monkeypatch):
+    def interrupted(*_):
+        problem = KeyboardInterrupt()
+        problem.add_note("3 iterations kept in level.h5.part")
+        raise problem
+
+    monkeypatch.setattr(pareto, "run", interrupted)
+    with pytest.raises(KeyboardInterrupt) as ending:
+        pareto.pareto(CONFIGS / "nu209.toml")
+    assert ending.value.__notes__ == []
+
+
 @pytest.mark.parametrize("mistake", [TypeError, KeyError, ValueError, RuntimeError, AssertionError])
 def test_mistake_in_the_program_ends_the_study(monkeypatch, mistake):
     monkeypatch.setattr(pareto, "_timed", failing(mistake("a mistake"), answer()))
