@@ -17,6 +17,7 @@ from flexbearing.cache.store import VARIABLE
 from flexbearing.case import BadCase, Head
 from flexbearing.case.roller import Case
 from flexbearing.coupling import PartnerFailed
+from flexbearing.files import NotStored
 from flexbearing.quantities.roller import CAGE_SLIP
 from flexbearing.report.studies.pareto_table import OUTPUTS, Measured, Study
 from flexbearing.results import Result
@@ -60,6 +61,8 @@ def pareto(
         when the case cannot be computed as it stands, or is no roller bearing
     NoReference
         when the richest level fails or does not converge
+    NotStored
+        when there is no room for temporary files
     """
     roller_case = _rollers(check(case, overrides))
     tell = tell or (lambda measured: None)
@@ -147,7 +150,7 @@ def _problem(result: Result) -> str:
 
 def _timed(case: str | Path, settings: Sequence[str]) -> tuple[dict[str, float], Result]:
     """Seconds of a run with an empty cache and of the fastest of some with a filled one, and its result."""
-    with TemporaryDirectory() as folder, _cache(folder), _unkept():
+    with _temporary() as folder, _cache(folder):
         seconds = []
         while len(seconds) < 2 or (len(seconds) <= CACHED_RUNS and min(seconds) < SHORT):
             began = perf_counter()
@@ -157,13 +160,19 @@ def _timed(case: str | Path, settings: Sequence[str]) -> tuple[dict[str, float],
 
 
 @contextmanager
-def _unkept() -> Iterator[None]:
-    """Drop what an exception says of kept iterations: they are removed with their folder."""
-    try:
-        yield
-    except BaseException as problem:
-        problem.__notes__ = []
-        raise
+def _temporary() -> Iterator[str]:
+    """A folder for results that nobody keeps, whatever an exception says of them."""
+    with TemporaryDirectory() as folder:
+        try:
+            yield folder
+        except NotStored as problem:
+            raise NotStored(
+                f"{Path(folder).parent}: no room for the results of the levels. Free space there, or name "
+                "another folder for temporary files in TMPDIR."
+            ) from problem
+        except BaseException as problem:
+            problem.__notes__ = []
+            raise
 
 
 @contextmanager

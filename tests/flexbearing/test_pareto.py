@@ -17,6 +17,7 @@ from flexbearing import __main__ as program, read
 from flexbearing.cache.key import digest
 from flexbearing.case import BadCase
 from flexbearing.coupling import PartnerFailed
+from flexbearing.files import NotStored
 from flexbearing.progress import Logged
 from flexbearing.report.studies.pareto_figure import draw_pareto
 from flexbearing.report.studies.pareto_table import Measured, Study, cheapest, front, table, text
@@ -262,6 +263,17 @@ def test_interrupted_study_promises_nothing_of_its_temporary_results(monkeypatch
     with pytest.raises(KeyboardInterrupt) as ending:
         pareto.pareto(CONFIGS / "nu209.toml")
     assert ending.value.__notes__ == []
+
+
+def test_study_without_room_for_temporary_results_says_so(command, monkeypatch, tmp_path):
+    def full(*_):
+        raise NotStored("level.h5: not written: choose another place with -o.")
+
+    monkeypatch.setattr(pareto, "run", full)
+    code, _, complaint = command(CONFIGS / "nu209.toml", "-o", tmp_path)
+    assert code == 3
+    assert "no room for the results of the levels" in complaint
+    assert "TMPDIR" in complaint
 
 
 @pytest.mark.parametrize("mistake", [TypeError, KeyError, ValueError, RuntimeError, AssertionError])
