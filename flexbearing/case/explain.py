@@ -52,6 +52,7 @@ def reference_page(families: Families) -> str:
         "Printed by `python -m flexbearing.reference case`.",
         "",
         *_limits(),
+        *_sizes(families),
     ]
     for title, items in _chapters(families):
         lines += ["", f"## {title}", "", "| key | allowed | default | meaning |", "|---|---|---|---|"]
@@ -74,6 +75,18 @@ def _limits() -> list[str]:
         f"- A case file is TOML in UTF-8, at most {text.LARGEST >> 10} KiB, lists and tables at most "
         f"{text.DEEPEST} deep, integers up to 64 bits; at most {MOST_SETTINGS} settings come on top of it. "
         f"A STEP drawing has at most {step_solid.LARGEST >> 20} MiB.",
+    ]
+
+
+def _sizes(families: Families) -> list[str]:
+    """Between which sizes quantities must be, whatever key they stand at."""
+    kinds = {item.kind.name: item.kind for item in declarations(families) if item.kind}
+    lines = ["", "A quantity that is not zero has a size that a bearing can have, whatever its sign:", ""]
+    return [
+        *lines,
+        "| quantity | size |",
+        "|---|---|",
+        *(f"| {name} | {kinds[name].sizes} |" for name in kinds),
     ]
 
 
@@ -131,6 +144,7 @@ def _entries(item: Declaration) -> list[tuple[str, str]]:
         ("only", f"with {belonging(item)}" if item.only else ""),
         ("unit", f"{item.kind.unit} (any unit of {item.kind.name} is converted)" if item.kind else ""),
         ("allowed", item.allowed),
+        ("size", f"{item.kind.sizes}, or zero, where that is allowed" if item.kind else ""),
         ("default", item.default or f"none{_need(item)}"),
         ("example", f"{item.path.rpartition('.')[2]} = {item.example}" if item.example else ""),
     ]

@@ -24,6 +24,8 @@ class Kind:
     name: str  # with its article, "a length"
     unit: str  # SI
     example: str
+    smallest: float  # [SI] size of a value that is not zero: what is beyond is a slip of the pen,
+    largest: float  # and squares and products of it leave the range of numbers
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         """Let pydantic convert before it checks the limits of a key."""
@@ -56,10 +58,19 @@ class Kind:
             given = self._turning(given)
         if given.powers != unit(self.unit).powers:
             raise self._refused(f"is not {self.name}")
-        value = given.to_si(number)
+        return self._of_size(given.to_si(number))
+
+    def _of_size(self, value: float) -> float:
         if not isfinite(value):
             raise self._refused("is beyond what numbers can hold")
+        if value and not self.smallest <= abs(value) <= self.largest:
+            raise self._refused(f"is not of a size from {self.sizes}")
         return value
+
+    @property
+    def sizes(self) -> str:
+        """What a value that is not zero may be, whatever its sign."""
+        return f"{self.smallest:g} to {self.largest:g} {self.unit}"
 
     def _turning(self, given: Unit) -> Unit:
         """1/min is written of turns alone; 1/s and Hz also where radians are meant."""
@@ -71,24 +82,24 @@ class Kind:
         return PydanticCustomError("quantity", "{why}", {"why": why})
 
 
-Length = Annotated[float, Kind("a length", "m", "5 mm")]
-Stiffness = Annotated[float, Kind("a stiffness", "N/m", "100 N/um")]
-Foundation = Annotated[float, Kind("a stiffness per area", "N/m^3", "100 N/mm^3")]
-Fraction = Annotated[float, Kind("a fraction", "1", "1 %")]
-Angle = Annotated[float, Kind("an angle", "rad", "12 deg")]
-Mass = Annotated[float, Kind("a mass", "kg", "25 g")]
-Force = Annotated[float, Kind("a force", "N", "20 kN")]
-Moment = Annotated[float, Kind("a moment", "N m", "20 N m")]
-Speed = Annotated[float, Kind("a rotational speed", SPEED, "38000 rpm")]
-Velocity = Annotated[float, Kind("a velocity", "m/s", "10 mm/s")]
-Temperature = Annotated[float, Kind("a temperature", "K", "220 degC")]
-Pressure = Annotated[float, Kind("a pressure", "Pa", "203 GPa")]
-PerPressure = Annotated[float, Kind("an inverse pressure", "1/Pa", "11 1/GPa")]
-PerTemperature = Annotated[float, Kind("an inverse temperature difference", "1/K", "11.2e-6 1/K")]
-Density = Annotated[float, Kind("a density", "kg/m^3", "7850 kg/m^3")]
-Viscosity = Annotated[float, Kind("a dynamic viscosity", "Pa s", "1.2 mPa s")]
-KinematicViscosity = Annotated[float, Kind("a kinematic viscosity", "m^2/s", "32 mm^2/s")]
-Conductivity = Annotated[float, Kind("a thermal conductivity", "W/(m K)", "0.12 W/(m K)")]
+Length = Annotated[float, Kind("a length", "m", "5 mm", 1e-12, 1000.0)]
+Stiffness = Annotated[float, Kind("a stiffness", "N/m", "100 N/um", 1.0, 1e15)]
+Foundation = Annotated[float, Kind("a stiffness per area", "N/m^3", "100 N/mm^3", 1.0, 1e18)]
+Fraction = Annotated[float, Kind("a fraction", "1", "1 %", 1e-12, 1000.0)]
+Angle = Annotated[float, Kind("an angle", "rad", "12 deg", 1e-15, 1e4)]
+Mass = Annotated[float, Kind("a mass", "kg", "25 g", 1e-12, 1e6)]
+Force = Annotated[float, Kind("a force", "N", "20 kN", 1e-9, 1e10)]
+Moment = Annotated[float, Kind("a moment", "N m", "20 N m", 1e-12, 1e12)]
+Speed = Annotated[float, Kind("a rotational speed", SPEED, "38000 rpm", 1e-9, 1e6)]
+Velocity = Annotated[float, Kind("a velocity", "m/s", "10 mm/s", 1e-12, 1e4)]
+Temperature = Annotated[float, Kind("a temperature", "K", "220 degC", 1.0, 3000.0)]
+Pressure = Annotated[float, Kind("a pressure", "Pa", "203 GPa", 1.0, 1e20)]
+PerPressure = Annotated[float, Kind("an inverse pressure", "1/Pa", "11 1/GPa", 1e-14, 1e-4)]
+PerTemperature = Annotated[float, Kind("an inverse temperature difference", "1/K", "11.2e-6 1/K", 1e-12, 1.0)]
+Density = Annotated[float, Kind("a density", "kg/m^3", "7850 kg/m^3", 1e-3, 1e5)]
+Viscosity = Annotated[float, Kind("a dynamic viscosity", "Pa s", "1.2 mPa s", 1e-7, 1e4)]
+KinematicViscosity = Annotated[float, Kind("a kinematic viscosity", "m^2/s", "32 mm^2/s", 1e-9, 100.0)]
+Conductivity = Annotated[float, Kind("a thermal conductivity", "W/(m K)", "0.12 W/(m K)", 1e-6, 1e4)]
 
 
 class Section(BaseModel):

@@ -11,6 +11,8 @@ from numpy.typing import NDArray
 from quasidynamic.errors import ImpossiblePart, require_positive
 from quasidynamic.parts.material import Material
 
+SLENDEREST = 50  # length over diameter of a roller, or diameter over length
+
 
 class Profile(Protocol):
     """How far the generatrix lies below the cylinder, at a distance from mid-roller."""
@@ -80,6 +82,12 @@ class Roller:
     def __post_init__(self):
         for name in ("diameter", "length"):
             require_positive(f"roller.{name}", getattr(self, name))
+        if not 1 / SLENDEREST <= self.length / self.diameter <= SLENDEREST:
+            raise ImpossiblePart(
+                f"roller.length = {self.length:.6g} m with roller.diameter = {self.diameter:.6g} m: "
+                f"neither a roller nor a needle; allowed is a length of 1/{SLENDEREST} to {SLENDEREST} "
+                "diameters"
+            )
 
     @cached_property
     def mass(self) -> float:

@@ -90,7 +90,7 @@ IMPOSSIBLE = {
         ANGULAR, ["operation.friction=0.06"], "[operation] friction = 0.06", 'operation.control = "coulomb"',
     ),
     "friction of nothing": (
-        ANGULAR, ["operation.control=coulomb", "operation.friction=0"], "[operation] friction", "above 0",
+        ANGULAR, ["operation.control=coulomb", "operation.friction=0"], "[operation] friction", "at least",
     ),
     "shoulder above the groove": (
         ANGULAR, ["bearing.outer.shoulder=4.2 mm"],
@@ -143,7 +143,7 @@ def test_impossible_case_is_refused(file, settings, place, allowed):
         ('kind = "four_point_ball"\n', "kind = 3\n", "kind = 3 is not allowed"),
         ("balls = 156", "bals = 156", "[bearing] bals = 156 is not a key here. Did you mean balls?"),
         ("coefficient = 0.12", 'pressures = ["2 GPa", "1 GPa"]\ncoefficients = [0.1, 0.1]', "growing"),
-        ("coefficient = 0.12", 'pressures = ["1 GPa", "2 GPa"]\ncoefficients = [0.1]', "2 numbers above 0"),
+        ("coefficient = 0.12", 'pressures = ["1 GPa", "2 GPa"]\ncoefficients = [0.1]', "2 numbers, at least"),
         ("coefficient = 0.12", "coefficients = [0.1]", "[friction] pressures is missing"),
         ("coefficient = 0.12", "", "[friction] coefficient is missing"),
         ("conformity = 0.525 ", "# ", "[bearing.inner] conformity is missing: a groove without radius"),

@@ -78,8 +78,8 @@ REFUSED = {
         FITS, {"lubricant.mixed": {}}, ["[lubricant.mixed] boundary_friction is missing"],
     ),
     "no gap": (PLAIN, {"lubricant.churning_gap": "0 mm"}, ["[lubricant] churning_gap", "above 0 m"]),
-    "no inlet": (PLAIN, {"lubricant.inlet_length": 0}, ["[lubricant] inlet_length = 0", "above 0"]),
-    "no drag": (PLAIN, {"lubricant.drag_coefficient": -1.0}, ["[lubricant] drag_coefficient", "above 0"]),
+    "no inlet": (PLAIN, {"lubricant.inlet_length": 0}, ["[lubricant] inlet_length = 0", "at least 0.001"]),
+    "no drag": (PLAIN, {"lubricant.drag_coefficient": -1.0}, ["[lubricant] drag_coefficient", "at least"]),
     "flow of another kind": (
         CONFIGS / "mao2016.toml", {"bearing.cage.land_flow": "turbulent"},
         ["[bearing.cage] land_flow", '"vortices"'],

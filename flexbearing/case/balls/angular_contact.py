@@ -94,7 +94,7 @@ class FastOperation(Section):
         "Coulomb friction of the contacts; needed with control coulomb, left out with any other",
         None,
         example=0.06,
-        gt=0,
+        ge=1e-6,
         le=1,
         only={"control": ("coulomb",)},
     )
@@ -121,7 +121,7 @@ class RollingLines(Section):
     """Lines of the contacts on which balls roll without slip."""
 
     coefficient: float = key(
-        "Coulomb friction of the contacts, for their spin torque", example=0.1, gt=0, le=1
+        "Coulomb friction of the contacts, for their spin torque", example=0.1, ge=1e-6, le=1
     )
     spin: Literal["slip field", "contact angle"] = key(
         "spin over roll: of the whole motion of the ball; or by the contact angle alone, as Eq. (15) of "

@@ -155,6 +155,7 @@ class Rings(Section):
         None,
         example=800,
         ge=8,
+        le=5000,
         only=_ANY_BOLTED,
     )
 

@@ -71,7 +71,7 @@ class SlowMaterials(Section):
 class SlowFriction(Section):
     """Coulomb friction of the contacts, and how their torque is summed."""
 
-    coefficient: float | None = key("one coefficient at any pressure", None, example=0.1, gt=0, le=1)
+    coefficient: float | None = key("one coefficient at any pressure", None, example=0.1, ge=1e-6, le=1)
     pressures: tuple[Pressure, ...] | None = key(
         "peak pressures at which coefficients were measured, growing; instead of friction.coefficient",
         None,
@@ -102,8 +102,8 @@ class SlowFriction(Section):
         pressures, coefficients = require(self, ("pressures", "coefficients"), "a friction curve")
         if not pressures or any(high <= low for low, high in zip((0.0, *pressures), pressures, strict=False)):
             raise impossible("pressures", "one pressure at least, above zero and growing")
-        if len(coefficients) != len(pressures) or not all(0 < value <= 1 for value in coefficients):
-            raise impossible("coefficients", f"{len(pressures)} numbers above 0 and at most 1")
+        if len(coefficients) != len(pressures) or not all(1e-6 <= value <= 1 for value in coefficients):
+            raise impossible("coefficients", f"{len(pressures)} numbers, at least 1e-6 and at most 1")
         return self
 
 

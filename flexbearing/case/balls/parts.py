@@ -24,7 +24,7 @@ Whole = Annotated[int, Strict()]
 class Ball(Section):
     """One ball."""
 
-    diameter: Length = key("diameter of the balls", example="30 mm", gt=0)
+    diameter: Length = key("diameter of the balls", example="30 mm", ge=1e-4, le=10)
 
 
 class Groove(Section):
@@ -35,6 +35,7 @@ class Groove(Section):
         None,
         example=0.52,
         gt=0.5,
+        le=10,
     )
     radius: Length | None = key("groove radius, instead of the conformity", None, example="15.75 mm", gt=0)
 
@@ -57,7 +58,7 @@ class Groove(Section):
 class Elastic(Section):
     """An elastic material."""
 
-    youngs_modulus: Pressure = key("Young's modulus", gt=0)
+    youngs_modulus: Pressure = key("Young's modulus", ge=1e6, le=1e20)
     poisson_ratio: float = key("Poisson's ratio", example=0.3, ge=0, lt=0.5)
 
 
@@ -85,7 +86,9 @@ class RingLoad(Section):
 class BallBearing(Section):
     """What ball bearings of every kind have."""
 
-    pitch_diameter: Length = key("diameter of the circle of the ball centres", example="500 mm", gt=0)
+    pitch_diameter: Length = key(
+        "diameter of the circle of the ball centres", example="500 mm", ge=1e-3, le=100
+    )
     ball: Ball = key("the balls")
     inner: Groove = key("groove of the inner ring; of both its arches where there are two")
     outer: Groove = key("groove of the outer ring; of both its arches where there are two")

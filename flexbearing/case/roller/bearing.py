@@ -15,8 +15,8 @@ _LAND = {"guidance": ("outer", "inner")}
 class Roller(Section):
     """One roller."""
 
-    diameter: Length = key("diameter of the rollers", gt=0)
-    length: Length = key("effective length, without end chamfers", gt=0)
+    diameter: Length = key("diameter of the rollers", ge=1e-4, le=10)
+    length: Length = key("effective length, without end chamfers", ge=1e-4, le=10)
     profile: Literal["straight", "crowned", "logarithmic"] = key("shape of the generatrix", "straight")
     straight_length: Length | None = key(
         "length of the straight middle of a crowned roller", None, ge=0, only={"profile": ("crowned",)}
@@ -112,7 +112,7 @@ class Bearing(Section):
 
     kind: Literal["cylindrical_roller"] = key("family of the bearing")
     rollers: int = key("number of rollers", example=30, ge=3, le=1000)
-    outer_raceway_diameter: Length = key("diameter of the outer raceway", example="75 mm", gt=0)
+    outer_raceway_diameter: Length = key("diameter of the outer raceway", example="75 mm", ge=1e-3, le=100)
     clearance: Length | None = key(
         "operating diametral clearance, warm and running; negative is a preload; instead of bearing.fits",
         None,

@@ -72,8 +72,8 @@ class TractionCurve(Section):
     """A measured traction curve by four of its points."""
 
     at_rest: float = key("traction coefficient at zero slip; 0 for a fluid", 0.0, ge=0, le=1)
-    peak: float = key("largest traction coefficient", example=0.05, gt=0, le=1)
-    peak_slip: float = key("slide-to-roll ratio where it is reached", example=0.02, gt=0)
+    peak: float = key("largest traction coefficient", example=0.05, ge=1e-6, le=1)
+    peak_slip: float = key("slide-to-roll ratio where it is reached", example=0.02, ge=1e-6, le=10)
     far: float = key("traction coefficient at large slip", example=0.03, ge=0, le=1)
 
     @model_validator(mode="after")
@@ -114,7 +114,8 @@ class Lubricant(Section):
         "without it the contacts are flooded",
         None,
         example=1.0,
-        gt=0,
+        ge=1e-3,
+        le=1000,
     )
     traction: TractionName = key(
         "traction law: regression of the oil 4109; eyring or bair-winer film with a limiting shear stress; "
@@ -125,7 +126,7 @@ class Lubricant(Section):
         "limiting shear stress over pressure; laws eyring, bair-winer and adore",
         None,
         example=0.05,
-        gt=0,
+        ge=1e-6,
         le=1,
         only={"traction": ("eyring", "bair-winer", "adore")},
     )
@@ -156,7 +157,8 @@ class Lubricant(Section):
         "drag coefficient of the rollers; without it a table over the Reynolds number",
         None,
         example=1.2,
-        gt=0,
+        ge=1e-3,
+        le=1000,
     )
     churning_gap: Length | None = key(
         "mean gap around the spinning rollers; without it no churning torque", None, example="1 mm", gt=0

@@ -25,14 +25,14 @@ class Coupling(Section):
         "largest load change over the largest load at convergence; newton also ends when the "
         "unbalanced force is below 1e-10 of the load",
         1e-8,
-        gt=0,
+        ge=1e-16,
         lt=1,
     )
-    max_iterations: int = key("limit of the iterations", 200, ge=1)
+    max_iterations: int = key("limit of the iterations", 200, ge=1, le=100_000)
     relaxation: float = key(
         'fraction of the change taken over, method = "relaxed"',
         0.1,
-        gt=0,
+        ge=1e-3,
         le=1,
         only=({"method": ("relaxed",)}, {"fallback": (True,)}),
     )

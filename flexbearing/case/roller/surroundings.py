@@ -31,10 +31,10 @@ _FITTED = {"inner.kind": ("ring_on_shaft",), "inner.fit": ("frictionless", "fric
 class Material(Section):
     """A material."""
 
-    youngs_modulus: Pressure = key("Young's modulus", gt=0)
+    youngs_modulus: Pressure = key("Young's modulus", ge=1e6, le=1e20)
     poisson_ratio: float = key("Poisson's ratio", example=0.3, ge=0, lt=0.5)
     density: Density = key("density", gt=0)
-    expansion: PerTemperature = key("coefficient of linear thermal expansion")
+    expansion: PerTemperature = key("coefficient of linear thermal expansion", ge=-1e-3, le=1e-3)
 
 
 class Materials(Section):
