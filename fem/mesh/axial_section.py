@@ -10,14 +10,17 @@ is in millimetres, as in `fem.mesh.solid`.
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import singledispatch
+from math import hypot
 
 import ngsolve as ngs
 from netgen import occ
 
+from fem.mesh.expense import polygon, require_affordable
 from fem.mesh.solid import MILLIMETRES
 from fem.parts.boundary_conditions import Housing, edge_names
 from fem.parts.rings import ImpossiblePart, MeshSize, OuterRing, RingOnShaft
 
+FINER = ("raceway", "lines")  # edges with elements of a size of their own
 GRADED_LAYERS = 2  # layers of ever smaller elements around each corner, where stress may be singular
 GRADED_RATIO = 0.2  # size of a layer to that of the one around it
 
@@ -30,6 +33,12 @@ class AxialSection:
     corners: tuple[tuple[float, float, str | None], ...]  # (x, r [m], name of the edge that ends here)
     bends: Mapping[int, tuple[float, float]] = field(default_factory=dict)  # arcs: at the start of the edge
     # that ends at a corner, by its number, the direction of the arc
+
+    @property
+    def loaded(self) -> float:
+        """Length of the edges that carry loads [m]."""
+        pairs = zip((self.corners[-1], *self.corners), self.corners, strict=False)
+        return sum(hypot(x - u, r - s) for (u, s, _), (x, r, name) in pairs if name in FINER)
 
 
 @singledispatch
@@ -108,11 +117,20 @@ def meshed(bodies: list[AxialSection], mesh_size: MeshSize) -> ngs.Mesh:
     -------
     ngsolve.Mesh
         in millimetres, x along the axis, y the radius
+
+    Raises
+    ------
+    ImpossiblePart
+        when it would have far too many elements
     """
+    loaded = sum(body.loaded for body in bodies)
+    require_affordable(
+        2, [polygon([corner[:2] for corner in body.corners]) for body in bodies], loaded, mesh_size
+    )
     plane = occ.Glue([_face(body) for body in bodies])
     plane.vertices.hpref = 1
     for edge in plane.edges:
-        if edge.name in ("raceway", "lines"):
+        if edge.name in FINER:
             edge.maxh = mesh_size.raceway_size * MILLIMETRES
     mesh = ngs.Mesh(occ.OCCGeometry(plane, dim=2).GenerateMesh(maxh=mesh_size.size * MILLIMETRES))
     mesh.RefineHP(GRADED_LAYERS, GRADED_RATIO)

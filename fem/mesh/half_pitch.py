@@ -13,7 +13,7 @@ import ngsolve as ngs
 from netgen import occ
 
 from fem.mesh.curved import FOLDED, curved
-from fem.mesh.solid import ARC, MILLIMETRES, require_kept, size_raceway, solids
+from fem.mesh.solid import ARC, MILLIMETRES, require_affordable_solid, require_kept, size_raceway, solids
 from fem.parts.rings import MeshSize, SquirrelCage, require_on_track
 
 NEAR = 1e-6  # [mm], [rad] geometric tolerance
@@ -44,10 +44,11 @@ def half_pitch(part: SquirrelCage, length: float, mesh_size: MeshSize) -> ngs.Me
     Raises
     ------
     ImpossiblePart
-        if the band is longer than the track, or elements are inside out
+        if the band is longer than the track, or elements are inside out or far too many
     """
     require_on_track(length, part.track)
     body = occ.Glue(_pieces(part, length))
+    require_affordable_solid(body, mesh_size)
     for face in body.faces:
         azimuth = atan2(face.center.y, face.center.z)
         if abs(azimuth) < NEAR:

@@ -16,6 +16,7 @@ from netgen.meshing import NgException
 from fem.errors import NotSolved
 from fem.mesh import step_import
 from fem.mesh.curved import FOLDED, curved
+from fem.mesh.expense import require_affordable
 from fem.parts.boundary_conditions import ClampedFace, Housing, RigidSeat, edge_names
 from fem.parts.material import require
 from fem.parts.rings import (
@@ -57,11 +58,13 @@ def meshed(part: Part | StepSolid, length: float, mesh_size: MeshSize) -> ngs.Me
     ------
     ImpossiblePart
         if the band is longer than the track, a drawing does not hold such a part, or elements are inside out
+        or far too many
     NotSolved
         if the mesh generator finds no mesh
     """
     require_on_track(length, part.track)
     body, rounded = occ.Glue(solids(part, length)), isinstance(part, SquirrelCage) and part.fillet > 0
+    require_affordable_solid(body, mesh_size)
     finer = {"curvaturesafety": ARC} if rounded else {}
 
     def straight(sizes: MeshSize) -> ngs.Mesh:
@@ -75,6 +78,16 @@ def meshed(part: Part | StepSolid, length: float, mesh_size: MeshSize) -> ngs.Me
         return curved(straight, mesh_size, FOLDED if rounded else 0.0)
     except NgException as refusal:
         raise NotSolved(f"the mesh generator gives up: {refusal}; take other element sizes") from refusal
+
+
+def require_affordable_solid(body, mesh_size: MeshSize) -> None:
+    """Refuse elements that are far too many for a shape; raises `ImpossiblePart`."""
+    contents = [
+        (solid.mass / MILLIMETRES**3, sum(face.mass for face in solid.faces) / MILLIMETRES**2)
+        for solid in body.solids
+    ]
+    loaded = sum(face.mass for face in body.faces if face.name == "raceway") / MILLIMETRES**2
+    require_affordable(3, contents, loaded, mesh_size)
 
 
 def size_raceway(body, sizes: MeshSize) -> None:

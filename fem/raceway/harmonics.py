@@ -23,6 +23,7 @@ from fem.raceway.compliance import RacewayCompliance
 TRUNCATED = 0.05  # allowed part of the own terms that comes from beyond the last harmonic
 SAME = 1e-9  # half the difference of azimuths that are taken as one [rad]
 SAME_DIGITS = 12  # of azimuths in radians: equal pitches give equal differences
+MOST = 10_000  # harmonics that are solved for
 FEWEST = 8  # harmonics from which the fall of the rest can be told
 FINENESS = 6.0  # highest harmonic over M R/l, unless one is asked for
 DEPTH = 10.0  # highest harmonic over R/thickness: through the ring less than exp(-10) of it is felt
@@ -52,17 +53,33 @@ def highest_harmonic(radius: float, detail: float, mesh: MeshSize, wish: int | N
     Raises
     ------
     NotSolved
-        if the mesh is too coarse for what is asked for
+        if the mesh is too coarse for what is asked for, or the raceway too large for so fine a detail
     """
     limit = floor(RESOLVED * mesh.order * radius / mesh.raceway_size)
     if wish is None:
-        return min(ceil(FINENESS * radius / detail), limit)
+        return _usual(ceil(FINENESS * radius / detail), limit)
     if not FEWEST <= wish <= limit:
         raise NotSolved(
             f"{wish} harmonics are impossible on this mesh of the raceway, allowed are {FEWEST} to {limit}: "
             "a smaller raceway_size or a higher order resolves more"
         )
     return wish
+
+
+def _usual(needed: int, limit: int) -> int:
+    """As many harmonics as are needed, or as the mesh resolves."""
+    last = min(needed, limit)
+    if last < FEWEST:
+        raise NotSolved(
+            f"the mesh of the raceway resolves {limit} harmonics of {needed} that are needed, allowed are "
+            f"{FEWEST} or more: a smaller raceway_size or a higher order resolves more"
+        )
+    if last > MOST:
+        raise NotSolved(
+            f"{last} harmonics resolve what rollers load on so large a raceway, allowed are {MOST} or fewer: "
+            "longer rollers or a smaller ring need less"
+        )
+    return last
 
 
 def detail_of_ring(band: float, thickness: float) -> float:
