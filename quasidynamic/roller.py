@@ -103,7 +103,9 @@ class RollerBearing:
             yield Equilibrium(balance, step.unknowns[0], step.outcomes[0], step.number, self.axial_modes)
 
     def _solved(self, balance: BearingBalance, begin: NDArray | None = None) -> list[Equilibrium]:
-        solved = solve(balance, static_start(balance) if begin is None else begin, STARTS)
+        # A trial slip or step may be absurd: what overflows is no start, or shows in its residual.
+        with np.errstate(all="ignore"):
+            solved = solve(balance, static_start(balance) if begin is None else begin, STARTS)
         return [
             Equilibrium(
                 balance.take(np.array([case])) if len(solved.outcomes) > 1 else balance,

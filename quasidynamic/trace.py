@@ -248,6 +248,7 @@ def _through(problem: ParametricBalance, begin: BranchPoint) -> Iterator[BranchP
                     yield crossing
 
 
+@np.errstate(all="ignore")  # a slip that is tried may be absurd
 def _lumped_starts(balance: BearingBalance) -> list[NDArray]:
     """Scaled unknowns (N) at every slip where the torque of lumped rollers on the cage changes its sign."""
     places, drives = _sign_changes(balance)
@@ -265,6 +266,7 @@ def _lumped_starts(balance: BearingBalance) -> list[NDArray]:
     return list(copies.pack(static._replace(spin_drift=lumped.at(slip)[0])))
 
 
+@np.errstate(all="ignore")
 def _sign_changes(balance: BearingBalance) -> tuple[NDArray, NDArray]:
     """Places among `TRIAL_SLIPS` after which the torque on the cage changes its sign, and where it drives."""
     drives = LumpedRollers(balance.take(np.zeros(len(TRIAL_SLIPS), int))).at(TRIAL_SLIPS)[2] > 0

@@ -1,6 +1,7 @@
 """Rings that shaft or housing hold by pressure and friction, so that their raceways are not linear."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
@@ -59,10 +60,8 @@ class RacewayInFit:
         from fem.joint.loaded_fit import loaded
 
         start = None if self.last is None else self.last.contact.jump
-        try:
+        with self._named_failure():
             self.last = loaded(self.fit, self.azimuths, outward, start)
-        except NotSolved as problem:
-            raise PartnerFailed(f"{self.name}: {problem}", "not solved") from problem
         tangent, deviation = self.last.tangent, self.last.deviation.copy()
         deviation[:, 1:] += self.fit.expansion[1:]
         by_load, translation = linear_answer(tangent, outward)
@@ -73,9 +72,17 @@ class RacewayInFit:
         )
 
     def figures(self) -> dict[str, object]:
-        """What finite elements and fit say."""
-        closed = compliance_figures(self.fit.closed.at(self.azimuths))
-        return closed | self.fit_figures(self.fit, self.last)
+        """What finite elements and fit say; raises `PartnerFailed` where harmonics end too early."""
+        with self._named_failure():
+            closed = self.fit.closed.at(self.azimuths)
+        return compliance_figures(closed) | self.fit_figures(self.fit, self.last)
+
+    @contextmanager
+    def _named_failure(self) -> Iterator[None]:
+        try:
+            yield
+        except NotSolved as problem:
+            raise PartnerFailed(f"{self.name}: {problem}", "not solved") from problem
 
 
 def is_in_fit(case: Case, race: Race) -> bool:

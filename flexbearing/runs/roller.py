@@ -100,15 +100,22 @@ def _solve(
     attempts = CoupledBearing(case, partner, rings, rigid, initial).solve(postprocessing.file, report)
     last = attempts[-1]
     converged = last.status == "converged"
+    records = {"attempts": {attempt.method: attempt.record() for attempt in attempts}}
+    try:
+        tangent, figures = rings.linearised(last.state.forces), rings.figures()
+    except PartnerFailed as failure:  # rings that fail at the end state may have been why it did not converge
+        if converged:
+            return _not_solved(str(failure), failure) | records
+        return _ending(last.status, last.message, last.iterations) | {"ending": last.ending} | records
     if last.state is not rigid:  # else no method found a first state between flexible raceways
-        postprocessing.store("flexible", last.state, rings.linearised(last.state.forces), converged=converged)
+        postprocessing.store("flexible", last.state, tangent, converged=converged)
     if converged:
         postprocessing.notes.extend(resolved.notes(last.state))
-    return _ending(last.status, last.message, last.iterations) | {
-        "structure": rings.figures(),
-        "ending": last.ending,
-        "attempts": {attempt.method: attempt.record() for attempt in attempts},
-    }
+    return (
+        _ending(last.status, last.message, last.iterations)
+        | {"structure": figures, "ending": last.ending}
+        | records
+    )
 
 
 def _start(initial: InitialState, attempts: Any, postprocessing: Postprocessing) -> dict[str, object]:

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.balls.light_ball import FULL_ANGLE, FULL_GRIP
-from quasidynamic.contact.ellipse.point_contact import INNER, OUTER, PointContact
+from quasidynamic.contact.ellipse.point_contact import INNER, OUTER, PointContact, require_narrow
 from quasidynamic.motion.ball_speeds import Control, ball_attitude, spin_to_roll
 from quasidynamic.motion.rolling_lines import (
     ball_friction,
@@ -107,7 +107,8 @@ class AngularContactState:
         Raises
         ------
         OutOfRange
-            where E is negative: spin against the contact angle, as on a race next to a controlling one
+            where E is negative: spin against the contact angle, as on a race next to a controlling one; or a
+            contact is wider than the surface that is pressed
 
         Source
         ------
@@ -125,6 +126,7 @@ class AngularContactState:
         ratios = spin_to_roll(angles, angles if spin == "contact angle" else attitude, ratio, side)
         conformity = [[bearing.inner.conformity], [bearing.outer.conformity]]
         radius = hertz_section_radius(bearing.ball.diameter, conformity)
+        require_narrow(across, radius)
         parameter = spin_parameter(ratios, radius, across)
         net = np.zeros_like(loads)
         if friction == "balanced":

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
 
+from quasidynamic.contact.ellipse.point_contact import require_narrow
 from quasidynamic.contact.ellipse.sliding_strip import SMALLEST, SlidingStrip, sliding_strip
-from quasidynamic.errors import OutOfRange
 
 POINTS = 32  # Gauss points in each of three panels
 NARROWEST = 1e-3  # lateral over longitudinal slip below which the curvature is that of this ratio
@@ -29,11 +29,7 @@ class Ellipse:
     traction: NDArray  # [N] friction coefficient times load, zero where unloaded
 
     def __post_init__(self):
-        if not np.all(self.across < self.radius):
-            raise OutOfRange(
-                f"contact ellipse: semi-axis {np.max(self.across):.4g} m is not below the radius "
-                f"{np.min(self.radius):.4g} m of the pressed surface: the load is far too high"
-            )
+        require_narrow(self.across, self.radius)
 
     @cached_property
     def width(self) -> NDArray:

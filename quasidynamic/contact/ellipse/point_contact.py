@@ -16,6 +16,32 @@ LIMIT = 30  # evaluations, rarely more than five
 ROUND = 1e-4  # ln(a/b) below which the slope is that of the circle
 
 
+def require_narrow(across: NDArray, radius: NDArray) -> None:
+    """Refuse contacts that are as wide as the surface they press.
+
+    Parameters
+    ----------
+    across : array (...)
+        a, semi-axis across the rolling direction [m]
+    radius : array (...)
+        R of the pressed surface in the plane across [m]
+
+    Raises
+    ------
+    OutOfRange
+        with the largest semi-axis
+
+    Source
+    ------
+    Geometry: a contact on a sphere of radius R is narrower than the sphere.
+    """
+    if not np.all(across < radius):
+        raise OutOfRange(
+            f"contact ellipse: semi-axis {np.max(across):.4g} m is not below the radius "
+            f"{np.min(radius):.4g} m of the pressed surface: the load is far too high"
+        )
+
+
 class Curvatures(NamedTuple):
     """Relative curvatures of two bodies, sums over both, convex positive [1/m]."""
 
