@@ -110,7 +110,7 @@ def _fit(condense):
 def _four_point(case):
     wanted = {}
 
-    def kept(key, compute, note):
+    def kept(kind, key, compute, note, fits):
         part, _, resolution = key
         wanted[part.race] = {
             "part": part,

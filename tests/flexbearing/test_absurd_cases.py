@@ -1,0 +1,148 @@
+"""Cases that once ended in an internal error, in warnings of libraries or never; found by mutated cases."""
+
+import pytest
+
+import fem
+import flexbearing
+from fem.errors import NotSolved
+from fem.mesh.axial_section import AxialSection, meshed
+from fem.mesh.expense import LARGEST, require_affordable
+from fem.raceway.harmonics import FEWEST, MOST, highest_harmonic
+from flexbearing.__main__ import command
+from flexbearing.case import BadCase
+from flexbearing.case.declarations import declarations
+from flexbearing.families import FAMILIES
+from quasidynamic import ImpossiblePart, Material, Roller
+from tests.mutated_cases import CONFIGS, based_on, written
+
+PAPER, PLAIN, HARRIS = (CONFIGS / f"{name}.toml" for name in ("mao2016", "nu209", "harris218"))
+FOUR_POINT = CONFIGS / "joshi2015_ex50.toml"
+COARSE = ("outer.kind=rigid", "accuracy.slices=8", "accuracy.axial_shapes=2", "accuracy.element_order=3")
+
+
+@pytest.mark.parametrize(
+    ("case", "setting", "size"),
+    [
+        (FOUR_POINT, "materials.ball.youngs_modulus=5e-324 Pa", "1 to 1e+20 Pa"),
+        (PLAIN, "operation.inner_speed=9223372036854775808 rpm", "1e-09 to 1e+06 rad/s"),
+        (PLAIN, "operation.radial_load=1e300 N", "1e-09 to 1e+10 N"),
+        (PLAIN, "bearing.clearance=1e-300 m", "1e-12 to 1000 m"),
+        (HARRIS, "bearing.ball.diameter=5e-324 m", "1e-12 to 1000 m"),
+        (PLAIN, "lubricant.viscosity=1e9 mPa s", "1e-07 to 10000 Pa s"),
+    ],
+    ids=lambda value: str(value).partition("=")[0] if "=" in str(value) else None,
+)
+def test_quantity_of_a_size_that_no_bearing_has_is_refused(case, setting, size):
+    with pytest.raises(BadCase, match="is not of a size from") as problem:
+        flexbearing.api.check(case, [setting])
+    assert size in str(problem.value)
+
+
+def test_every_example_and_default_of_a_quantity_has_a_size_that_is_allowed():
+    for item in declarations(FAMILIES):
+        if item.kind and not item.example.startswith("["):
+            item.kind.to_si(item.example.strip('"'))
+
+
+@pytest.mark.parametrize(
+    ("case", "setting"),
+    [
+        (FOUR_POINT, "friction.coefficient=5e-324"),
+        (FOUR_POINT, "bearing.inner.conformity=1e308"),
+        (PLAIN, "bearing.roller.length=0.00005 mm"),
+        (PLAIN, "materials.roller.youngs_modulus=1 kPa"),
+    ],
+)
+def test_value_that_leaves_the_range_of_numbers_is_refused(case, setting):
+    with pytest.raises(BadCase, match="it must be"):
+        flexbearing.api.check(case, [setting])
+
+
+@pytest.mark.parametrize("length", [1e-6, 1.0])
+def test_neither_a_disc_nor_a_wire_is_a_roller(length):
+    steel = Material(youngs_modulus=207e9, poisson_ratio=0.3, density=7850)
+    with pytest.raises(ImpossiblePart, match="neither a roller nor a needle"):
+        Roller(diameter=10e-3, length=length, material=steel)
+
+
+def test_oil_that_is_nearly_solid_in_a_trial_state_raises_no_warning(tmp_path):
+    """The start without contact friction tries slips and pressures at which the viscosity overflows."""
+    settings = [
+        "bearing.roller.profile=straight", "lubricant.pressure_viscosity=42.171 1/GPa",
+        "lubricant.inlet_temperature=95.18 degC", "lubricant.oil_fraction=0.018205",
+        "materials.roller.density=16741 kg/m^3",
+    ]  # fmt: skip
+    result = flexbearing.run(PLAIN, tmp_path / "thick.h5", settings)  # warnings are errors in tests
+    assert result.attributes["status"] in ("converged", "not solved")
+
+
+def test_contact_as_wide_as_the_ball_has_no_rolling_lines(tmp_path):
+    result = flexbearing.run(CONFIGS / "rivera2021_7008.toml", tmp_path / "wide.h5", [
+        "operation.load.radial_z=3 MN"
+    ])  # fmt: skip
+    assert result.attributes["status"] == "converged"
+    assert any("the load is far too high" in note for note in result.attributes["notes"])
+
+
+def test_ring_that_fails_at_the_end_state_is_not_an_internal_error(tmp_path, capsys):
+    """Its harmonics end too early: every method fails, and the file says why."""
+    code = command([
+        "run", str(PAPER), "-o", str(tmp_path / "fit.h5"),
+        *(word for setting in (
+            *COARSE, "inner.fit=frictionless", "inner.interference=60 um",
+            "bearing.roller.diameter=6.7165 mm",
+            "accuracy.threads=1", 'operation.temperatures.shaft_along.at=["-20 mm", "20 mm"]',
+            'operation.temperatures.shaft_along.temperatures=["220 degC", "240 degC"]',
+        ) for word in ("--set", setting)),
+    ])  # fmt: skip
+    assert code == 1
+    assert "take more harmonics" in capsys.readouterr().out
+    result = flexbearing.read_result(tmp_path / "fit.h5")
+    assert result.attributes["status"] == "not solved"
+    assert "take more harmonics" in result.attributes["message"]
+
+
+@pytest.mark.parametrize("key", ["mesh_size", "raceway_mesh_size"])
+def test_mesh_of_far_too_many_elements_is_refused_before_it_is_made(key, tmp_path):
+    settings = ["inner.kind=rigid", "outer.kind=ring", f"accuracy.{key}=1 um"]
+    with pytest.raises(BadCase, match="unknowns on the axial section; allowed are"):
+        flexbearing.run(PAPER, tmp_path / "fine.h5", settings)
+
+
+def test_solid_of_far_too_many_elements_is_refused_before_it_is_made(tmp_path):
+    settings = ["inner.kind=rigid", "outer.kind=ring", "accuracy.structure=solid", "accuracy.mesh_size=50 um"]
+    with pytest.raises(BadCase, match="unknowns in the solid; allowed are"):
+        flexbearing.run(PAPER, tmp_path / "fine.h5", settings)
+
+
+def test_estimate_of_unknowns_is_near_what_the_mesh_has():
+    corners = (0.0, 0.1, None), (0.05, 0.1, "raceway"), (0.05, 0.12, None), (0.0, 0.12, None)
+    body, size = AxialSection("ring", corners), fem.MeshSize(order=3, size=0.5e-3, raceway_size=0.5e-3)
+    estimate = require_affordable(2, [(1e-3, 0.14)], body.loaded, size)
+    elements = meshed([body], size).ne
+    assert body.loaded == pytest.approx(0.05)
+    assert estimate == pytest.approx(elements * 1.5 * 9, rel=0.5)
+    assert LARGEST[2] > estimate
+
+
+def test_raceway_elements_that_resolve_no_harmonics_are_told():
+    mesh = fem.MeshSize(order=2, size=12e-3, raceway_size=4.0)
+    with pytest.raises(NotSolved, match=f"allowed are {FEWEST} or more"):
+        highest_harmonic(37e-3, 2e-3, mesh)
+
+
+def test_harmonics_have_an_upper_limit():
+    mesh = fem.MeshSize(order=5, size=1e-4, raceway_size=1e-4)
+    with pytest.raises(NotSolved, match=f"allowed are {MOST} or fewer"):
+        highest_harmonic(50.0, 1e-4, mesh)
+
+
+def test_coefficients_of_friction_are_not_next_to_nothing(tmp_path):
+    curve = "friction.coefficient=", 'friction.pressures=["1 GPa"]', "friction.coefficients=[1e-300]"
+    (tmp_path / "slippery.toml").write_text(written(based_on("joshi2015_qj309", curve)))
+    with pytest.raises(BadCase, match="at least 1e-6 and at most 1"):
+        flexbearing.api.check(tmp_path / "slippery.toml")
+
+
+def test_sizes_stand_in_explain():
+    assert "size     1e-12 to 1000 m" in flexbearing.api.explain("bearing.clearance")
