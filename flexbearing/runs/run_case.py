@@ -3,6 +3,7 @@
 import re
 from functools import partial
 from hashlib import sha256
+from os.path import exists  # Path.exists raises for names that no file can have
 from pathlib import Path
 from time import perf_counter
 
@@ -96,7 +97,7 @@ def default_output(case: Head) -> Path:
         name += f"_{re.sub(r'[^A-Za-z0-9_.+=-]', '', '_'.join(settings))[:LONGEST]}_{digest}"
     path = Path("results") / f"{name}.h5"
     other = case_file(path)
-    if other and Path(other).exists() and not Path(other).samefile(case.source.path):
+    if other and exists(other) and not Path(other).samefile(case.source.path):  # noqa: PTH110
         raise BadOutput(f"{path}: is the result of {other}; choose another name with -o.")
     return path
 
@@ -106,9 +107,14 @@ def _head(case: Head) -> dict[str, object]:
     return {
         "title": case.title,
         "case_text": case.source.text,
-        "case_file": str(Path(case.source.path).resolve()),
+        "case_file": _storable(str(Path(case.source.path).resolve())),
         "case_overrides": list(case.source.overrides),
         "case_si": case.to_json(),
         "assumed": list(case.assumed),
         "calibrated": dict(case.calibrated),
     }
+
+
+def _storable(name: str) -> str:
+    """The name of a file; bytes in it that are no text are written as their codes."""
+    return name.encode(errors="surrogateescape").decode(errors="backslashreplace")

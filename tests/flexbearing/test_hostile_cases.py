@@ -71,6 +71,13 @@ def test_a_case_may_come_through_a_pipe(tmp_path):
     writer.join()
 
 
+def test_a_case_whose_name_is_no_text_is_computed(tmp_path):
+    file = tmp_path / os.fsdecode(b"\xff.toml")
+    file.write_text(GOOD)
+    result = flexbearing.run(file, tmp_path / "out.h5", ["outer.kind=rigid", "inner.kind=rigid"])
+    assert result.attributes["case_file"].endswith("\\xff.toml")
+
+
 def test_a_folder_is_no_case(tmp_path):
     assert refusal(tmp_path) == f"{tmp_path}: is a folder; a case is a TOML file"
 
