@@ -130,10 +130,9 @@ def _content(root: Any, size: int) -> tuple[Content, str]:
     """The content below the root, unchecked, and the digest that it claims."""
     if not h5a.exists(root, DIGEST.encode()):
         raise Foreign(*(_stated(root, name, size) for name in ("format", "versions")))
-    attributes = _attributes(root, size)
     arrays: dict[str, NDArray] = {}
     texts: dict[str, dict[str, str]] = {}
-    room = size - _length(attributes)
+    room = size
     for group_name in _names(root, "file"):
         group = h5g.open(root, group_name.encode())
         for name in _names(group, group_name):
@@ -143,6 +142,7 @@ def _content(root: Any, size: int) -> tuple[Content, str]:
             room -= arrays[path].nbytes
             texts[path] = _attributes(dataset, room)
             room -= _length(texts[path])
+    attributes = _attributes(root, room)  # last: the room that numbers leave is no room for texts
     claimed = str(attributes.pop(DIGEST))
     return Content(attributes, arrays, texts), claimed
 

@@ -507,6 +507,16 @@ def test_truncated_result_is_refused(path):
         read(path)
 
 
+def test_numbers_leave_a_list_of_texts_its_room(path, monkeypatch):
+    """Results above 40 MB could not be read again, as their list of assumed keys might have been as long."""
+    stored = hdf5.content(written(path).read_bytes())[0]
+    monkeypatch.setattr(hdf5, "_TEXT_MEMORY", 2_000_000)
+    name = next(name for name, array in stored.arrays.items() if array.ndim)
+    arrays = {**stored.arrays, name: np.ones(400_000)}
+    large = replace(stored, attributes={**stored.attributes, "assumed": ["outer.bars"] * 5}, arrays=arrays)
+    assert hdf5.content(hdf5.image(large))[0].attributes["assumed"] == ["outer.bars"] * 5
+
+
 def test_hdf5_of_another_program_is_refused(path):
     with h5py.File(path, "w") as file:
         file["x"] = 1.0
