@@ -117,8 +117,13 @@ class Declaration:
     def _list(self) -> str:
         if self.path == "assumed":
             return "a list of keys"
-        each = f"each {self.kind.name} as text with its unit" if self.kind else "of numbers"
-        return f"a list, {each}, such as {self.example}"
+        each = f"each {self.kind.name} as text with its unit" if self.kind else self._each
+        most = next((item.max_length for item in self.field.metadata if hasattr(item, "max_length")), None)
+        return f"a list{f' of at most {most}' if most else ''}, {each}, such as {self.example}"
+
+    @property
+    def _each(self) -> str:
+        return "of texts" if str in _parts(self.field.annotation) else "of numbers"
 
     @property
     def _range(self) -> str:

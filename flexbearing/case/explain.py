@@ -4,6 +4,7 @@ from difflib import get_close_matches
 
 from flexbearing.case.belonging import belonging
 from flexbearing.case.declarations import Declaration, declarations, declared, find, of_every_case
+from flexbearing.case.excerpt import LONGEST, excerpt
 from flexbearing.case.family import Families
 from flexbearing.case.head import Head
 from flexbearing.case.problems import BadCase
@@ -40,7 +41,7 @@ def explain(path: str | None, families: Families) -> str:
         if item := find(path, model := family.case()):
             texts.setdefault(_explained(item, model), []).append(kind)
     if not texts:
-        raise BadCase(f"{path} is not a key of a case file.{_near(path, families)}")
+        raise BadCase(f"{excerpt(path)} is not a key of a case file.{_near(path, families)}")
     return "\n\n".join(_of_kinds(kinds, families) + text for text, kinds in texts.items())
 
 
@@ -157,6 +158,8 @@ def _need(item: Declaration) -> str:
 
 
 def _near(path: str, families: Families) -> str:
+    if len(path) > LONGEST:
+        return ""
     known = [item.path for item in declarations(families)]
     ends = {name.rpartition(".")[2]: name for name in known}
     close = get_close_matches(path, known, n=1, cutoff=0.7) or [

@@ -123,6 +123,7 @@ FILES: dict[str, bytes] = {
     "list of wrong units": _on_lines(
         _filled(lambda n: f'"1 deg^{n % 4}/rad^{n % 3}*m/inch^{n % 2}",', 55_000)
     ),
+    "more lines than can stand around a ring": _on_lines(_filled(lambda n: f'"{n / 100:.2f} deg",', 50_000)),
     "kind in a list": _beside('kind = ["x"]'),
     "kind in a table": _beside("kind = {a = 1}"),
     "kind that is long": _beside(f'kind = "{"x" * 55_000}"'),
@@ -182,6 +183,7 @@ SETTINGS: dict[str, list[str]] = {
     "surrogate in the key": ["bearing.\udcff=1"],
     "surrogate in the title": ["title=\udcff"],
     "escape sequences": ["\x1b[31m=1", "bearing.rollers=\x1b[31m"],
+    "fields of one ball many times": ["fields.balls=[" + "0," * 10_000 + "]"],
     "nothing": [""],
     "no key": ["=1"],
     "no value": ["bearing.clearance="],

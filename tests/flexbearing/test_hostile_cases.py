@@ -188,6 +188,14 @@ def test_settings_are_limited(settings, told):
     assert told in refusal(PAPER, settings)
 
 
+def test_lists_that_cost_are_limited(tmp_path):
+    """4000 lines around a ring were taken, and computed for minutes."""
+    lines = refusal(written(tmp_path, FILES["more lines than can stand around a ring"]))
+    assert "it must be a list of at most 360, each an angle" in lines
+    balls = refusal(CONFIGS / "joshi2015_fag.toml", ["fields.balls=[0, 0]"])
+    assert "[fields] balls = [0, 0] cannot be; it must be different numbers of balls" in balls
+
+
 def test_as_many_settings_as_allowed_are_taken():
     assert flexbearing.read(PAPER, ["outer.bars=18"] * MOST_SETTINGS).outer.bars == 18
 

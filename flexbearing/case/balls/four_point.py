@@ -180,8 +180,10 @@ class FourPointCase(Head):
                 "operation.mode", '"ring_load" beside elastic rings, which change how balls share it'
             )
         chosen = self.fields.balls
-        if chosen is not None and (not chosen or not all(0 <= ball < self.balls for ball in chosen)):
-            raise impossible("fields.balls", f"numbers of balls, from 0 to {self.balls - 1}")
+        if chosen is None:
+            return self
+        if not chosen or not all(0 <= ball < self.balls for ball in chosen) or len({*chosen}) < len(chosen):
+            raise impossible("fields.balls", f"different numbers of balls, from 0 to {self.balls - 1}")
         return self
 
     @model_validator(mode="after")

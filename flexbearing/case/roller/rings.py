@@ -7,6 +7,7 @@ from pydantic import model_validator
 from flexbearing.case.quantity import Angle, Force, Foundation, Length, Section, impossible, key, require
 
 Direction = Literal["x", "y", "z", "-x", "-y", "-z"]
+MOST = 360  # lines or teeth around a ring, clamped faces of a drawing
 _RING, _CAGE, _STEP = ({"kind": (kind,)} for kind in ("ring", "squirrel_cage", "step"))
 _ON_SHAFT = {"kind": ("ring_on_shaft",)}
 
@@ -66,6 +67,7 @@ class Outer(Section):
         (),
         example=["0 deg", "120 deg", "240 deg"],
         strict=False,
+        max_length=MOST,
         only={**_RING, "support": ("lines",)},
     )
     tooth_azimuths: tuple[Angle, ...] = key(
@@ -73,6 +75,7 @@ class Outer(Section):
         (),
         example=["90 deg", "270 deg"],
         strict=False,
+        max_length=MOST,
         only={**_RING, "support": ("planet",)},
     )
     tooth_radial: tuple[Force, ...] = key(
@@ -80,6 +83,7 @@ class Outer(Section):
         (),
         example=["-2 kN", "-2 kN"],
         strict=False,
+        max_length=MOST,
         only={**_RING, "support": ("planet",)},
     )
     tooth_tangential: tuple[Force, ...] = key(
@@ -87,6 +91,7 @@ class Outer(Section):
         (),
         example=["5 kN", "-5 kN"],
         strict=False,
+        max_length=MOST,
         only={**_RING, "support": ("planet",)},
     )
     bars: int | None = key("number of bars", None, example=24, ge=1, le=200, only=_CAGE)
@@ -102,6 +107,7 @@ class Outer(Section):
         (),
         example=["foot"],
         strict=False,
+        max_length=MOST,
         only=_STEP,
     )
     raceway: str | None = key(
