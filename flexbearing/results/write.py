@@ -105,6 +105,8 @@ class ResultFile:
                 kept = "" if isinstance(problem, NotStored) else self._kept()
                 if kept and problem is not None:
                     problem.add_note(kept)
+            elif problem is not None:  # a signal that came a moment later
+                problem.add_note(f"complete: {self.path}")
         finally:
             self._open.close()
 

@@ -1,6 +1,7 @@
 """Signals end every command in one line, wherever they come; nothing is left running."""
 
 import os
+import pty
 import re
 import signal
 import subprocess
@@ -10,6 +11,7 @@ from pathlib import Path
 import pytest
 
 import flexbearing
+from flexbearing.results import ResultFile
 
 ROOT = Path(__file__).parents[2]
 PAPER = ROOT / "configs" / "mao2016.toml"
@@ -169,6 +171,46 @@ def test_interrupted_plot_names_the_pictures_that_are_complete(tmp_path):
     pictures = [tmp_path / f"r_{name}.png" for name in ("roller_loads", "convergence", "raceway_deviation")]
     assert done.stderr == f"interrupted: complete: {', '.join(map(str, pictures))}\n"
     assert (done.returncode, sorted(tmp_path.glob("*.png"))) == (130, sorted(pictures))
+
+
+def test_interruption_after_a_result_was_written_names_it(tmp_path, monkeypatch):
+    def stop(_):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(ResultFile, "_remove_parts", stop)
+    with pytest.raises(KeyboardInterrupt) as ending:
+        flexbearing.run(PAPER, tmp_path / "out.h5", BEAM)
+    assert ending.value.__notes__ == [f"complete: {tmp_path / 'out.h5'}"]
+    assert flexbearing.read_result(tmp_path / "out.h5").attributes["status"] == "converged"
+
+
+def test_progress_bar_is_ended_before_the_line(tmp_path):
+    ours, theirs = pty.openpty()
+    words = [*PROGRAM, "run", str(PAPER), "-o", str(tmp_path / "out.h5"), *sets(BEAM + NEVER_ENDING)]
+    environment = os.environ | {"TERM": "xterm", "COLUMNS": "200"}
+    with subprocess.Popen(
+        words, stdin=theirs, stdout=theirs, stderr=theirs, cwd=ROOT, env=environment
+    ) as process:
+        os.close(theirs)
+        seen = b""
+        while chunk := _read(ours):
+            if b"iteration   2" in seen + chunk and b"iteration   2" not in seen:
+                process.send_signal(signal.SIGINT)
+            seen += chunk
+    os.close(ours)
+    assert process.returncode == 130
+    bar, line = seen.decode().rsplit("\x1b[?25h", 1)  # the cursor is shown again
+    assert "\x1b[?25l" in bar
+    assert "\x1b" not in line
+    assert line.lstrip("\r\n").startswith("interrupted: ")
+    assert line.startswith("\r\n")  # what is typed is echoed there
+
+
+def _read(terminal):
+    try:
+        return os.read(terminal, 65536)
+    except OSError:  # nobody writes there any more
+        return b""
 
 
 def test_a_library_changes_no_signals_and_no_streams():
