@@ -1,8 +1,8 @@
 """Files that appear whole or not at all."""
 
 import os
+import platform
 import re
-import socket
 from contextlib import suppress
 from pathlib import Path
 
@@ -17,7 +17,7 @@ class NotStored(RuntimeError):
 
 def host() -> str:
     """Name of this host, as names of files can hold it."""
-    return re.sub(r"[^\w-]", "-", socket.gethostname()) or "unknown"
+    return re.sub(r"[^\w-]", "-", platform.node()) or "unknown"
 
 
 def part_name(path: Path, suffix: str = UNFINISHED) -> Path:
