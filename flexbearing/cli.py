@@ -205,11 +205,14 @@ def pareto(
 ) -> None:
     """Run a case on every level of accuracy; draws time against error and names the cheapest levels."""
     from flexbearing.report.studies.pareto_table import text
+    from flexbearing.runs.run_case import stem_of_outputs
     from flexbearing.studies.pareto import NoReference, pareto as study
     from flexbearing.studies.pareto_files import destinations, store
 
     inputs = api.read(case, settings or []).input_files
-    table, picture = destinations(output, case.stem.lstrip(".") if name is None else name, inputs)
+    if name is None:
+        name = stem_of_outputs(case, settings or ()).lstrip(".")
+    table, picture = destinations(output, name, inputs)
     try:
         found = study(case, settings or [], solid=solid, tell=_tell)
     except NoReference as problem:

@@ -1,6 +1,7 @@
 """One case, given its family, from what was read to its result file."""
 
 import re
+from collections.abc import Sequence
 from functools import partial
 from hashlib import sha256
 from os.path import exists  # Path.exists raises for names that no file can have
@@ -84,22 +85,40 @@ def default_output(case: Head) -> Path:
     Returns
     -------
     Path
-        `results/<case>.h5`; with settings, `results/<case>_<key>=<value>_<digest of all settings>.h5`
+        such as `results/<case>.h5`, see `stem_of_outputs`
 
     Raises
     ------
     BadOutput
         where the result of a case of this name in another folder is
     """
-    name, settings = Path(case.source.path).stem, case.source.overrides
-    if settings:
-        digest = sha256(repr(settings).encode()).hexdigest()[:8]
-        name += f"_{re.sub(r'[^A-Za-z0-9_.+=-]', '', '_'.join(settings))[:LONGEST]}_{digest}"
-    path = Path("results") / f"{name}.h5"
+    path = Path("results") / f"{stem_of_outputs(case.source.path, case.source.overrides)}.h5"
     other = case_file(path)
     if other and exists(other) and not Path(other).samefile(case.source.path):  # noqa: PTH110
         raise BadOutput(f"{path}: is the result of {other}; choose another name with -o.")
     return path
+
+
+def stem_of_outputs(case: str | Path, settings: Sequence[str]) -> str:
+    """Stem of the default names of outputs, which carry the settings.
+
+    Parameters
+    ----------
+    case : path
+        case file
+    settings : sequence of str
+        `"key=value"` that replace those of the file
+
+    Returns
+    -------
+    str
+        `<case>`; with settings, `<case>_<key>=<value>_<digest of all settings>`
+    """
+    if not settings:
+        return Path(case).stem
+    digest = sha256(repr(tuple(settings)).encode()).hexdigest()[:8]
+    words = re.sub(r"[^A-Za-z0-9_.+=-]", "", "_".join(settings))[:LONGEST]
+    return f"{Path(case).stem}_{words}_{digest}"
 
 
 def _head(case: Head) -> dict[str, object]:

@@ -17,6 +17,7 @@ from flexbearing.case.roller import Case
 from flexbearing.files import require_output, write
 from flexbearing.quantities.roller import CAGE_SLIP
 from flexbearing.runs import notes
+from flexbearing.runs.run_case import stem_of_outputs
 from quasidynamic import ImpossiblePart, OutOfRange
 from quasidynamic.trace import Branch, BranchEnd, trace as follow
 
@@ -97,7 +98,8 @@ def trace(
     over : str
         KEY=FROM..TO, such as "operation.radial_load=500 N..20 kN"
     output : path, optional
-        table (CSV), beside it a picture of the same name; default `results/<case>_trace.csv`
+        table (CSV), beside it a picture of the same name; default `results/<case>_trace.csv`, with the
+        settings in its name
     overrides : sequence of str
         `"key=value"` settings that replace those of the file
 
@@ -121,7 +123,7 @@ def trace(
     from flexbearing.report.studies.branch_figure import draw_branch
 
     axis, ends = _parsed(over)
-    path = Path(output) if output else Path("results") / f"{Path(case).stem}_trace.csv"
+    path = Path(output) if output else Path("results") / f"{stem_of_outputs(case, overrides)}_trace.csv"
     if path.suffix != ".csv":
         raise BadCase(f"--output {path}: the table is written as CSV; name it {path.with_suffix('.csv')}")
     key = f"operation.{axis.name}"

@@ -15,6 +15,7 @@ from flexbearing import __main__ as program
 from flexbearing.files import NotStored, parts_of
 from flexbearing.runs import fields
 from flexbearing.studies import pareto, trace
+from flexbearing.studies.pareto_levels import Level
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 PAPER, PLAIN = CONFIGS / "mao2016.toml", CONFIGS / "nu209.toml"
@@ -69,6 +70,24 @@ def test_pictures_of_two_results_stand_side_by_side(command, result, tmp_path):
     names = "roller_loads", "convergence", "raceway_deviation", "outer_deformed"
     expected = {f"{stem}_{name}.png" for stem in ("ring", "other") for name in names}
     assert {path.name for path in (tmp_path / "pictures").iterdir()} == expected
+
+
+def test_default_names_of_studies_carry_the_settings(command, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    few = (Level("5 slices", ("accuracy.slices=5",)),)
+    monkeypatch.setattr(pareto, "ladder", lambda case, solid: few)
+    for speed in ("1000 rpm", "1200 rpm"):
+        words = ["--set", f"operation.inner_speed={speed}"]
+        assert command("trace", PLAIN, "--over", RANGE, *words)[0] == 0
+        assert command("pareto", PLAIN, *words)[0] == 0
+    names = sorted(re.sub("_[0-9a-f]{8}", "", path.name) for path in (tmp_path / "results").iterdir())
+    stems = [f"nu209_operation.inner_speed={speed}rpm" for speed in (1000, 1200)]
+    assert names == sorted(
+        name
+        for stem in stems
+        for end in ("csv", "png")
+        for name in (f"{stem}_trace.{end}", f"pareto_{stem}.{end}")
+    )
 
 
 IMPOSSIBLE = {
