@@ -234,7 +234,7 @@ def test_pictures_and_page_of_an_unfinished_run(tmp_path, monkeypatch, command):
     (part,) = tmp_path.iterdir()
     code, said, _ = command("summary", part)
     assert code == 0
-    assert "UNFINISHED, " in said
+    assert "unfinished, " in said
     assert "iteration" in said
     assert command("plot", part, "-o", tmp_path / "there")[0] == 0
     assert len(list((tmp_path / "there").glob(f"{part.stem}_*.png"))) == 3

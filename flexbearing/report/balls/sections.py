@@ -61,7 +61,7 @@ def formatted(number: float, digits: str) -> str:
 def ending(numbers: dict[str, Any]) -> str:
     """Say in a line how a run ended."""
     if numbers["status"] == "unfinished":
-        return f"UNFINISHED: {numbers['message']}"
+        return f"unfinished: {numbers['message']}"
     seconds = f"{numbers['wall_time_s']:.1f} s"
     if numbers["status"] == "converged":
         return f"converged: {numbers['message']}, {seconds}"

@@ -39,7 +39,7 @@ def ending(numbers: dict[str, Any]) -> str:
     count, seconds = numbers["iterations"], f"{numbers['wall_time_s']:.1f} s"
     iterations = "1 iteration" if count == 1 else f"{count} iterations"
     if numbers["status"] == "unfinished":
-        return f"UNFINISHED, {iterations} so far: {numbers['message']}"
+        return f"unfinished, {iterations} so far: {numbers['message']}"
     if numbers["status"] != "converged":
         message = f": {numbers['message']}" if numbers["message"] else ""
         how = f" ({numbers['ending']})" if numbers["status"] == "not solved" and numbers["ending"] else ""
