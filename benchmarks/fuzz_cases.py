@@ -34,8 +34,8 @@ LONG = 124  # in place of an exit code: a large job, announced as such, that was
 PATIENCE = 60.0  # [s] until a worker is ended that has not answered, on a machine that others use too
 MEMORY = 8 << 30  # [bytes] of a worker
 LONGEST_MESSAGE = 20_000  # characters
-LARGE = 1_000  # unknowns for every harmonic that a run announces: such a one may take its time
-ANNOUNCED = re.compile(r"about (\d+) unknowns")
+LARGE = {"on the axial section": 1_000, "in the solid": 30_000}  # unknowns of a job that may take its time
+ANNOUNCED = re.compile(r"about (\d+) unknowns (on the axial section|in the solid)")
 WARNINGS = ("Warning:", "Traceback", "internal error", "MUMPS", "Segmentation")
 
 
@@ -241,7 +241,7 @@ class Pool:
 
 def announced(text: str) -> bool:
     """Whether a run said that it is a large one before it took its time."""
-    return max(map(int, ANNOUNCED.findall(text)), default=0) > LARGE
+    return any(int(unknowns) > LARGE[place] for unknowns, place in ANNOUNCED.findall(text))
 
 
 def work(connection, folder: Path) -> None:

@@ -5,6 +5,7 @@ interpreter and not one of `multiprocessing`, which would import the caller's sc
 started fresh because forking a program with threads may hang. Loading NGSolve there takes a second.
 """
 
+import logging
 import os
 import pickle
 import signal
@@ -36,7 +37,7 @@ def in_subprocess(function: Callable, *arguments: Any, report: Report = unheard,
     arguments
         that can be pickled, like the result
     report : callable (stage, fraction)
-        called here with what the function reports there
+        called here with what the function reports there; what it logs there is logged here
     wait : float
         longest silence, between two reports or before the end [s]
 
@@ -105,7 +106,11 @@ def _answer(process: subprocess.Popen, task: tuple, report: Report, wait: float,
             return content[0]
         if word == "raised":
             raise content[0]
-        report(*content)
+        if word == "log":
+            name, level, text = content
+            logging.getLogger(name).log(level, text)
+        else:
+            report(*content)
 
 
 def _next(process: subprocess.Popen, wait: float, errors: BinaryIO) -> tuple:
@@ -154,6 +159,12 @@ def _work() -> None:
         pickle.dump(message, answers)
         answers.flush()
 
+    class ToCaller(logging.Handler):
+        def emit(self, record: logging.LogRecord) -> None:
+            send("log", record.name, record.levelno, record.getMessage())
+
+    logging.getLogger("fem").addHandler(ToCaller())
+    logging.getLogger("fem").setLevel(logging.INFO)
     task = sys.stdin.buffer
     function, arguments = pickle.load(task)
     Thread(target=_leave_with_parent, args=(task,), daemon=True).start()

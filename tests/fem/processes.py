@@ -1,5 +1,6 @@
 """What processes of `test_subprocess` do; they load nothing else, and so start fast."""
 
+import logging
 import os
 import signal
 import time
@@ -23,6 +24,10 @@ def answering(value, report):
     print("a library talks")  # noqa: T201
     report("halfway", 0.5)
     return Told(os.getpid(), os.environ["OPENBLAS_NUM_THREADS"], 2 * value)
+
+
+def logging_of_meshes(report):
+    logging.getLogger("fem.mesh.expense").info("about %d unknowns", 12)
 
 
 def aborting(report):

@@ -17,7 +17,18 @@ from fem.assembly.factorisation import NotSolved
 from fem.condense import SOLID, condense, condense_in_process
 from fem.subprocess import in_subprocess
 from tests.fem.condensed import of_a_solid
-from tests.fem.processes import Lost, aborting, answering, deaf, killed, leaving, silent, strange, wrong
+from tests.fem.processes import (
+    Lost,
+    aborting,
+    answering,
+    deaf,
+    killed,
+    leaving,
+    logging_of_meshes,
+    silent,
+    strange,
+    wrong,
+)
 from tests.fem.test_parts import STEEL
 
 RING = OuterRing(raceway_diameter=75e-3, thickness=8e-3, width=10e-3, elastic=STEEL, support=ClampedFace())
@@ -135,6 +146,12 @@ def test_process_ends_with_its_parent():
     with contextlib.suppress(ProcessLookupError):
         os.kill(child, signal.SIGKILL)
     assert ended
+
+
+def test_what_a_process_logs_is_logged_by_its_caller(caplog):
+    with caplog.at_level("INFO", logger="fem"):
+        in_subprocess(logging_of_meshes)
+    assert ("fem.mesh.expense", 20, "about 12 unknowns") in caplog.record_tuples
 
 
 def test_condensing_in_a_subprocess_is_condensing():
