@@ -13,12 +13,14 @@ import random
 import re
 import resource
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
 import time
 from collections import Counter
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from multiprocessing import get_context
 from multiprocessing.connection import wait
@@ -29,9 +31,10 @@ from benchmarks.machine import describe
 from tests.mutated_cases import CONFIGS, MutatedCase, bases, mutated
 
 WORKERS = 2
-LIMIT = 10.0  # [s] of processor time of a check and of a run
+LIMIT = 10.0  # [s] of processor time of a check and of a run: other programs may keep the machine busy
+LARGE_LIMIT = 30.0  # [s] of processor time of a job that announced itself as a large one
 LONG = 124  # in place of an exit code: a large job, announced as such, that was ended
-PATIENCE = 60.0  # [s] until a worker is ended that has not answered, on a machine that others use too
+PATIENCE = 600.0  # [s] until a worker is ended that has not answered
 MEMORY = 8 << 30  # [bytes] of a worker
 LONGEST_MESSAGE = 20_000  # characters
 LARGE = {"on the axial section": 1_000, "in the solid": 30_000}  # unknowns of a job that may take its time
@@ -137,6 +140,26 @@ def _tell_fault(pool: "Pool", answer: Answer, keep: Path | None, minimise: bool)
         )
 
 
+def children(process: int) -> list[int]:
+    """Processes that a process has started and that still run."""
+    found = []
+    for place in Path("/proc").glob("[0-9]*"):
+        with suppress(OSError):  # it has just ended
+            if int((place / "stat").read_text().rpartition(")")[2].split()[1]) == process:
+                found.append(int(place.name))
+    return found
+
+
+def processor_time(process: int) -> float:
+    """Seconds of a process and of those that it started."""
+    try:
+        fields = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()
+        own = sum(map(int, fields[11:15])) / os.sysconf("SC_CLK_TCK")
+        return own + sum(map(processor_time, children(process)))
+    except OSError:  # it has just ended
+        return 0.0
+
+
 @dataclass
 class Worker:
     """A process that answers one task at a time."""
@@ -144,6 +167,7 @@ class Worker:
     folder: Path
     task: Task | None = None
     since: float = 0.0
+    before: float = 0.0  # [s] processor time when the task was given
     process: Any = field(init=False)
     connection: Any = field(init=False)
 
@@ -161,11 +185,17 @@ class Worker:
         """Send a task."""
         path = self.folder / "case.toml"
         path.write_bytes(task.case.content)
-        self.task, self.since = task, time.perf_counter()
+        self.task, self.since, self.before = task, time.perf_counter(), processor_time(self.process.pid)
         self.connection.send((task.command, str(path), task.case.settings))
 
+    def used(self) -> float:
+        """Processor time since the task was given, of the process and those that it started [s]."""
+        return processor_time(self.process.pid) - self.before
+
     def end(self) -> None:
-        """Kill the process."""
+        """Kill the process and those that it started."""
+        for child in children(self.process.pid):
+            os.kill(child, signal.SIGKILL)
         self.process.kill()
         self.process.join()
 
@@ -209,12 +239,15 @@ class Pool:
             if seconds > LIMIT and not announced(text):
                 faults += (f"took {seconds:.1f} s",)
             return Answer(task, code, seconds, text, faults)
-        if seconds > PATIENCE:
-            self._renew(worker)
-            if announced((worker.folder / "printed").read_text(errors="replace")):
-                return Answer(task, LONG, seconds, "")
-            return Answer(task, -9, seconds, "", (f"took more than {seconds:.0f} s, ended",))
-        return None
+        used = worker.used()
+        if max(used / LIMIT, seconds / PATIENCE) < 1:
+            return None
+        large = announced((worker.folder / "printed").read_text(errors="replace"))
+        if large and max(used / LARGE_LIMIT, seconds / PATIENCE) < 1:
+            return None
+        self._renew(worker)
+        told = () if large else (f"took more than {used:.0f} s of processor time, {seconds:.0f} s, ended",)
+        return Answer(task, LONG if large else -9, used, "", told)
 
     def _renew(self, worker: Worker) -> None:
         worker.end()

@@ -1,11 +1,13 @@
 """The properties of an oil at a temperature."""
 
 from difflib import get_close_matches
-from math import log
+from math import inf, log
 
 from quasidynamic.errors import OutOfRange
 from quasidynamic.parts.lubricant import Lubricant
 from quasidynamic.parts.oil_curves import OILS, Oil, two_point_oil, walther_viscosity
+
+THICKEST, STIFFEST = 1e4, 1e-4  # [Pa s], [1/Pa] beyond any oil
 
 __all__ = ["OILS", "Oil", "oil_at", "two_point_oil", "walther_viscosity"]
 
@@ -30,7 +32,7 @@ def oil_at(oil: str | Oil, temperature: float) -> Lubricant:
     Raises
     ------
     OutOfRange
-        when the name is unknown or the temperature leaves the usable range
+        when the name is unknown, the temperature leaves the usable range, or the curves leave that of any oil
 
     Source
     ------
@@ -54,16 +56,32 @@ def oil_at(oil: str | Oil, temperature: float) -> Lubricant:
         f"{oil.name} at {temperature:.0f} K is extrapolated: its data cover {coldest:.0f} to {hottest:.0f} K"
     )
     step = 0.5  # [K] the property curves are smooth on this scale
-    colder, warmer = oil.viscosity(temperature - step), oil.viscosity(temperature + step)
+    colder, viscosity, warmer = (
+        _value(oil, "viscosity", temperature + change, THICKEST) for change in (-step, 0.0, step)
+    )
     return Lubricant(
         temperature=temperature,
-        viscosity=oil.viscosity(temperature),
-        pressure_viscosity=oil.pressure_viscosity(temperature),
+        viscosity=viscosity,
+        pressure_viscosity=_value(oil, "pressure_viscosity", temperature, STIFFEST),
         temperature_viscosity=log(colder / warmer) / (2 * step),
         conductivity=oil.conductivity(temperature),
         density=oil.density(temperature),
         notes=oil.notes if coldest <= temperature <= hottest else (extrapolated, *oil.notes),
     )
+
+
+def _value(oil: Oil, name: str, temperature: float, most: float) -> float:
+    """A property; a curve through points next to each other may leave the range of numbers."""
+    try:
+        found = getattr(oil, name)(temperature)
+    except OverflowError:
+        found = inf
+    if not 0.0 < found < most:
+        raise OutOfRange(
+            f"oil {oil.name} at {temperature:.1f} K: {name} = {found:.3g} is not that of an oil, allowed is "
+            f"above 0 and below {most:g}; points of a data sheet must lie apart, as those at 40 and 100 degC"
+        )
+    return found
 
 
 def _named(name: str) -> Oil:

@@ -12,7 +12,8 @@ from flexbearing.__main__ import command
 from flexbearing.case import BadCase
 from flexbearing.case.declarations import declarations
 from flexbearing.families import FAMILIES
-from quasidynamic import ImpossiblePart, Material, Roller
+from quasidynamic import ImpossiblePart, Material, OutOfRange, Roller, oil_at
+from quasidynamic.parts.oil_curves import two_point_oil
 from tests.mutated_cases import CONFIGS, based_on, written
 
 PAPER, PLAIN, HARRIS = (CONFIGS / f"{name}.toml" for name in ("mao2016", "nu209", "harris218"))
@@ -142,6 +143,23 @@ def test_coefficients_of_friction_are_not_next_to_nothing(tmp_path):
     (tmp_path / "slippery.toml").write_text(written(based_on("joshi2015_qj309", curve)))
     with pytest.raises(BadCase, match="at least 1e-6 and at most 1"):
         flexbearing.api.check(tmp_path / "slippery.toml")
+
+
+@pytest.mark.parametrize(
+    ("viscosities", "alphas", "name"),
+    [
+        (((372.47, 68e-6), (373.15, 8.5e-6)), ((313.15, 20e-9),), "viscosity"),
+        (((313.15, 68e-6), (373.15, 8.5e-6)), ((313.15, 20e-9), (313.16, 15e-9)), "pressure_viscosity"),
+    ],
+    ids=["viscosity", "pressure-viscosity"],
+)
+def test_points_of_a_data_sheet_that_lie_together_are_told(viscosities, alphas, name):
+    oil = two_point_oil(
+        "sheet", viscosities=viscosities, density=880.0, pressure_viscosities=alphas, conductivity=0.13,
+        source="nowhere",
+    )  # fmt: skip
+    with pytest.raises(OutOfRange, match=f" {name} = .* must lie apart"):
+        oil_at(oil, 343.15 if name == "viscosity" else 303.15)
 
 
 def test_sizes_stand_in_explain():
