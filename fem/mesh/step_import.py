@@ -29,9 +29,9 @@ COLOUR = 1.5  # allowed difference of a colour, out of 255
 
 _NOTHING = ""
 _TEXT = re.compile(rb"'[^']*'")
-_NO_NUMBER = re.compile(
-    rb"[(,]\s*[+-]?(?:nan|inf)|[0-9.]E\+?[0-9]{3}", re.IGNORECASE
-)  # the kernel would not end
+_NO_NUMBER = re.compile(  # the kernel would not end
+    rb"[(,]\s*[+-]?(?:nan|inf)|[0-9.]E\+?(?:[3-9][0-9]{2}|[0-9]{4})", re.IGNORECASE
+)
 
 
 def solid(part: StepSolid, length: float):

@@ -91,6 +91,13 @@ def test_numbers_that_are_none_never_reach_the_kernel(number):
     assert "holds numbers that are not finite" in opened(drawn(content))
 
 
+def test_large_numbers_that_programs_write_for_no_end_are_read():
+    from fem.mesh.step_import import solid
+
+    content = DRAWN.replace(b"DATA;", b"DATA;\n#99999 = CARTESIAN_POINT('',(2.E+100,-1.E-308,0.));", 1)
+    assert solid(drawn(content), 9.601e-3).mass > 0
+
+
 def test_names_in_a_drawing_are_quoted_short_and_printable():
     assert DRAWN.count(b"'foot'") > 0
     for name in (b"red\x1b[31m", b"f" * 5000):
