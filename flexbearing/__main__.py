@@ -79,8 +79,9 @@ def command(words: list[str]) -> int:
 def _told(problem: Exception) -> int:
     """Say in a line what went wrong; returns the exit code."""
     code, words = _meaning(problem)
-    notes = getattr(problem, "__notes__", ())
-    sys.stderr.write(" ".join([words, *notes]) + "\n")
+    if notes := getattr(problem, "__notes__", ()):
+        words = "; ".join([words.rstrip("."), *notes])
+    sys.stderr.write(f"{words}\n")
     return code
 
 

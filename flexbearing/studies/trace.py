@@ -13,6 +13,7 @@ from threadpoolctl import threadpool_limits
 from flexbearing.api import check, read
 from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase, Head
+from flexbearing.case.excerpt import excerpt
 from flexbearing.case.roller import Case
 from flexbearing.files import require_output, write
 from flexbearing.quantities.roller import CAGE_SLIP
@@ -136,7 +137,7 @@ def trace(
         with threadpool_limits(limits=1, user_api="blas"):
             branch = follow(roller_bearing.bearing(first), over=axis.name, span=span)
     except (ImpossiblePart, OutOfRange) as problem:
-        raise BadCase(f"--over {over}: {problem}") from problem
+        raise BadCase(f"--over {excerpt(over)}: {problem}") from problem
     traced = Traced(first.title, axis, branch, _notes(first), path, path.with_suffix(".png"))
     write(path.resolve(), _csv(traced.columns()).encode())
     try:
@@ -165,10 +166,12 @@ def _parsed(over: str) -> tuple[Axis, tuple[str, str]]:
     """Key and both ends of KEY=FROM..TO."""
     key, _, span = over.partition("=")
     if key.strip() not in AXES:
-        raise BadCase(f"--over {over}: the key is one of {', '.join(AXES)}")
+        raise BadCase(f"--over {excerpt(over)}: the key is one of {', '.join(AXES)}")
     first, dots, last = span.partition("..")
     if not (first.strip() and dots and last.strip()):
-        raise BadCase(f"--over {over}: a range is KEY=FROM..TO, such as operation.radial_load=500 N..20 kN")
+        raise BadCase(
+            f"--over {excerpt(over)}: a range is KEY=FROM..TO, such as operation.radial_load=500 N..20 kN"
+        )
     return AXES[key.strip()], (first.strip(), last.strip())
 
 
