@@ -159,4 +159,5 @@ def _shown(value: Any) -> str:
 
 
 def _short(name: str) -> str:
-    return name if len(name) < 40 else f"{name[:40]}..."
+    shown = name if name.isprintable() else ascii(name)
+    return shown if len(shown) < 40 else f"{shown[:40]}..."

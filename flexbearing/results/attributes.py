@@ -90,12 +90,7 @@ def decoded(entry: Attribute, stored: Any) -> Any:
     NotInLayout
         for another kind of value, JSON that is none or of another form, or a status that does not exist
     """
-    if not isinstance(stored, _STORED[entry.kind]):
-        raise NotInLayout(f"attribute {entry.name} is not stored as {entry.kind}.")
-    if entry.name == "status" and stored not in STATUSES:
-        raise NotInLayout(f"status {stored!r} does not exist; it is one of: {', '.join(STATUSES)}.")
-    if isinstance(stored, float) and not math.isfinite(stored):
-        raise NotInLayout(f"attribute {entry.name} = {stored} is not finite.")
+    _require_stored(entry, stored)
     if entry.kind != "json":
         return tuple(stored) if entry.kind == "texts" else stored
     try:
@@ -117,6 +112,16 @@ def empty(kind: Kind) -> Any:
     empty text, list or mapping, or zero
     """
     return {"text": "", "texts": [], "integer": 0, "number": 0.0, "json": {}}[kind]
+
+
+def _require_stored(entry: Attribute, stored: Any) -> None:
+    """Raise for what stands in a file as another kind, a status that does not exist, NaN, infinities."""
+    if not isinstance(stored, _STORED[entry.kind]):
+        raise NotInLayout(f"attribute {entry.name} is not stored as {entry.kind}.")
+    if entry.name == "status" and stored not in STATUSES:
+        raise NotInLayout(f"status {stored!r:.40} does not exist; it is one of: {', '.join(STATUSES)}.")
+    if isinstance(stored, float) and not math.isfinite(stored):
+        raise NotInLayout(f"attribute {entry.name} = {stored} is not finite.")
 
 
 def _text(value: Any) -> str:
@@ -189,4 +194,4 @@ _ENCODE: dict[Kind, Callable[[Any], Any]] = {
     "number": _number,
     "json": _json,
 }
-_STORED: dict[Kind, type] = {"text": str, "texts": list, "integer": int, "number": float, "json": str}
+_STORED: dict[Kind, Any] = {"text": str, "texts": list, "integer": int, "number": float, "json": str}
