@@ -28,6 +28,7 @@ class Attribute:
     meaning: str
     optional: bool = False  # absent where the case does not ask for it
     form: Form = OBJECT  # of a JSON attribute
+    longest: int = 200_000  # characters of its text, of all texts of a list together
 
 
 COMMON = (
@@ -39,7 +40,7 @@ COMMON = (
     Attribute("message", "text", "the ending in a sentence"),
     Attribute("iterations", "integer", "iterations of the coupling, 0 when no ring is flexible"),
     Attribute("wall_time_s", "number", "time from case to result [s]"),
-    Attribute("case_text", "text", "the case file, letter by letter"),
+    Attribute("case_text", "text", "the case file, letter by letter", longest=100_000_000),
     Attribute("case_file", "text", "where the case file was; drawings lie beside it", optional=True),
     Attribute("case_overrides", "texts", "keys set on the command line, key=value"),
     Attribute(

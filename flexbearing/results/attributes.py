@@ -60,12 +60,13 @@ def encoded(entry: Attribute, value: Any) -> Any:
         for a value of another kind, or a status that does not exist
     """
     name, kind = entry.name, entry.kind
-    if name == "status" and value not in STATUSES:
-        raise NotInLayout(f"status {value!r} does not exist; it is one of: {', '.join(STATUSES)}.")
     try:
         stored = _ENCODE[kind](value)
+        _require_stored(entry, stored)
         if kind == "json":
             _record(entry, stored)
+    except NotInLayout:
+        raise
     except (TypeError, ValueError) as reason:
         raise NotInLayout(f"attribute {name} = {value!r} cannot be stored as {kind}: {reason}.") from reason
     return stored
@@ -115,13 +116,20 @@ def empty(kind: Kind) -> Any:
 
 
 def _require_stored(entry: Attribute, stored: Any) -> None:
-    """Raise for what stands in a file as another kind, a status that does not exist, NaN, infinities."""
+    """Raise for another kind, a status that does not exist, NaN, infinities, texts beyond reading."""
     if not isinstance(stored, _STORED[entry.kind]):
         raise NotInLayout(f"attribute {entry.name} is not stored as {entry.kind}.")
     if entry.name == "status" and stored not in STATUSES:
         raise NotInLayout(f"status {stored!r:.40} does not exist; it is one of: {', '.join(STATUSES)}.")
     if isinstance(stored, float) and not math.isfinite(stored):
         raise NotInLayout(f"attribute {entry.name} = {stored} is not finite.")
+    length = (
+        sum(map(len, stored)) if isinstance(stored, list) else len(stored) if isinstance(stored, str) else 0
+    )
+    if length > entry.longest:
+        raise NotInLayout(
+            f"attribute {entry.name} has {length} characters; {entry.longest} is the most that it may have."
+        )
 
 
 def _text(value: Any) -> str:

@@ -17,6 +17,7 @@ from threadpoolctl import threadpool_limits
 import fem
 from flexbearing.build import expansion, ring_parts, roller_bearing
 from flexbearing.case import BadCase, understood
+from flexbearing.case.head import Head
 from flexbearing.case.roller import Case
 from flexbearing.files import NotStored, require_folder, require_output, write as store
 from flexbearing.results import BadResult, Result
@@ -92,17 +93,27 @@ def case_of(result: Result) -> Case:
     Raises
     ------
     BadCase
-        if it is about balls, whose rings are rigid, or known at the balls only
+        if it cannot be read, or is about balls, whose rings are rigid, or known at the balls only
     """
-    attributes, families = result.attributes, {result.kind: result.family}
-    file = Path(attributes.get("case_file", result.path))
-    case = understood(attributes["case_text"], file, attributes["case_overrides"], families)
+    case = _understood(result, Path(result.attributes.get("case_file", result.path)))
     drawing = case.drawing if isinstance(case, Case) else None
     if drawing and not exists(drawing):  # noqa: PTH110, carried elsewhere: the drawing may have come along
-        case = understood(attributes["case_text"], result.path, attributes["case_overrides"], families)
+        case = _understood(result, result.path)
     if not isinstance(case, Case):
         raise BadCase(f"{result.path}: the rings of a {case.kind} bearing have no fields; only rollers have")
     return case
+
+
+def _understood(result: Result, file: Path) -> Head:
+    """The case in a result, as if it stood in a file."""
+    attributes = result.attributes
+    try:
+        return understood(
+            attributes["case_text"], file, attributes["case_overrides"], {result.kind: result.family}
+        )
+    except BadCase as problem:
+        first, *_ = str(problem).splitlines()
+        raise BadCase(f"{result.path}: the case in it cannot be read: {first}") from problem
 
 
 def state_of(result: Result, name: str) -> Arrays:
@@ -328,6 +339,13 @@ def destinations(
 
 def _races(result: Result, case: Case, race: Race | None) -> list[Race]:
     """Raceways of the flexible parts, or the one that is asked for."""
+    for block in filter(None, (result.rigid, result.flexible)):
+        rollers = block["roller_azimuth"].size
+        if rollers != case.bearing.rollers:
+            raise BadResult(
+                f"{result.path}: {rollers} rollers in its arrays, {case.bearing.rollers} in its case; "
+                "run the case again."
+            )
     flexible = parts(case)
     races: list[Race] = [race] if race else list(flexible)
     if not races or any(name not in flexible for name in races):

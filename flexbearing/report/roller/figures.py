@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 # Okabe and Ito (2008): told apart by colour-blind readers; marks tell them apart in grey
 BLUE, ORANGE = "#0072B2", "#D55E00"
 
+NO_LOAD = 1e-100  # [N] that an axis of loads cannot tell from zero
+
 _RIGID = {"color": BLUE, "marker": "o", "markerfacecolor": "white", "markersize": 6}
 _FLEXIBLE = {"color": ORANGE, "marker": "s", "markersize": 4.5}
 
@@ -69,7 +71,7 @@ def _shape_load_axes(axes: PolarAxes, largest: float) -> None:
     axes.set_thetagrids(
         range(0, 360, 30), [f"{angle if angle <= 180 else angle - 360}°" for angle in range(0, 360, 30)]
     )
-    top = 1.12 * largest or 1.0
+    top = 1.12 * largest if largest > NO_LOAD else 1.0
     axes.set_rlim(0, top)
     axes.set_rorigin(-0.3 * top)  # unloaded rollers stand on a ring of their own, not in one point
     axes.set_rlabel_position(165)
@@ -123,6 +125,8 @@ def convergence(result: Result) -> Figure:
         axes.set(xticks=[], yticks=[])
         return figure
     axes.set_yscale("log")
+    if not (np.isfinite(together) & (together > 0)).any():
+        axes.set_ylim(floor / 10, 10 * floor)  # a logarithmic axis of nothing has no ends
     axes.locator_params(axis="x", integer=True)
     figure.legend(loc="outside lower center", ncols=2, frameon=False)
     return figure
