@@ -7,6 +7,7 @@ A file from elsewhere may claim anything, so every claim is checked before memor
 import os
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from pathlib import Path
 from typing import Any
 
 import h5py
@@ -19,6 +20,13 @@ from flexbearing.results.content import DIGEST, Content, digest
 MOST = 256  # groups of a file, arrays of a group, attributes of an array
 MOST_TEXTS = 10_000  # of a list
 _TEXT_MEMORY = 500_000_000  # bytes that a list of texts may come to
+LONGEST = 4_000_000_000  # bytes of a file
+_SIGNATURE = b"\x89HDF\r\n\x1a\n"
+_SUPERBLOCKS = (
+    b"\2",
+    b"\3",
+)  # versions that say the end of the file at this place; older ones are of older formats
+_END_OF_FILE = slice(28, 36)
 _TEXT = h5t.py_create(h5py.string_dtype(), logical=True)
 _SCALAR = h5s.create(h5s.SCALAR)
 _LAYOUTS = (h5d.COMPACT, h5d.CONTIGUOUS, h5d.CHUNKED)
@@ -52,6 +60,38 @@ def image(content: Content) -> bytes:
                 _write_attribute(dataset, key, text)
         file.flush()
         return file.id.get_file_image()
+
+
+def stored(path: Path) -> bytes:
+    """Bytes of a file, once its first ones say that it is HDF5 and how long it is.
+
+    Parameters
+    ----------
+    path : Path
+        a regular file
+
+    Returns
+    -------
+    bytes
+
+    Raises
+    ------
+    BadContent
+        for another kind of file, one that is longer or shorter than it says, or longer than any result
+    OSError
+        if it cannot be read
+    """
+    with path.open("rb") as file:
+        start, length = file.read(_END_OF_FILE.stop), os.fstat(file.fileno()).st_size
+        if not start.startswith(_SIGNATURE):
+            raise BadContent("not an HDF5 file, or damaged")
+        if start[len(_SIGNATURE) : len(_SIGNATURE) + 1] in _SUPERBLOCKS:
+            said = int.from_bytes(start[_END_OF_FILE], "little")
+            if said != length:
+                raise BadContent(f"damaged: it has {length} bytes and says that it ends after {said}")
+        if length > LONGEST:
+            raise BadContent(f"it has {length} bytes; {LONGEST} is the most of a result")
+        return start + file.read()
 
 
 def content(data: bytes) -> tuple[Content, str]:

@@ -101,7 +101,7 @@ def read(path: str | Path, families: Families) -> Result:
     path = Path(path)
     try:
         _require_there(path)
-        return of_content(*hdf5.content(path.read_bytes()), path, families)
+        return of_content(*hdf5.content(hdf5.stored(path)), path, families)
     except hdf5.Foreign as problem:
         raise BadResult(f"{path}: {_other_format(problem)}") from problem
     except BadResult:
@@ -126,7 +126,7 @@ def case_file(path: Path) -> str:
         empty where nothing could be read
     """
     with suppress(OSError, hdf5.BadContent):
-        stated = hdf5.attribute(path.read_bytes(), "case_file") if path.is_file() else None
+        stated = hdf5.attribute(hdf5.stored(path), "case_file") if path.is_file() else None
         return stated if isinstance(stated, str) else ""
     return ""
 
