@@ -65,5 +65,5 @@ def store(study: Study, csv: Path, png: Path) -> None:
     try:
         write(png.resolve(), png_bytes(draw_pareto(study), dpi=130))
     except BaseException as problem:  # only a note is added
-        problem.add_note(f"The table is complete: {csv}")
+        problem.add_note(f"the table is complete: {csv}")
         raise

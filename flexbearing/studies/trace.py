@@ -144,7 +144,7 @@ def trace(
         figure = draw_branch(first.title, axis.label, traced.columns())
         write(traced.picture.resolve(), png_bytes(figure))
     except BaseException as problem:  # only a note is added
-        problem.add_note(f"The table is complete: {path}")
+        problem.add_note(f"the table is complete: {path}")
         raise
     return traced
 
