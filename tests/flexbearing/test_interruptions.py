@@ -159,7 +159,7 @@ def test_interrupted_study_names_the_table_that_is_complete(tmp_path):
     words = ["trace", PAPER, "--over", "operation.radial_load=5 kN..8 kN", "-o", tmp_path / "t.csv"]
     done = trapped(signal.SIGTERM, "matplotlib.figure", *words)
     assert done.returncode == 143
-    assert done.stderr == f"interrupted: The table is complete: {tmp_path / 't.csv'}\n"
+    assert done.stderr == f"interrupted: the table is complete: {tmp_path / 't.csv'}\n"
     assert [path.name for path in tmp_path.iterdir()] == ["t.csv"]
 
 

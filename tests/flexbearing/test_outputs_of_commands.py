@@ -171,7 +171,7 @@ def test_full_disk_ends_with_three_and_one_line_that_says_what_to_do(
     assert "not written: No space left on device" in complaint
     assert "free space there, or choose another place with -o" in complaint
     assert complaint.count("\n") == 1
-    assert ("The table is complete: t.csv" in complaint) == bool(left)
+    assert ("the table is complete: t.csv" in complaint) == bool(left)
     assert {path.name for path in tmp_path.iterdir()} == {"ring.h5", *left}
 
 
