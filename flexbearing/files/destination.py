@@ -1,7 +1,10 @@
 """Where an output may go: settled before anything is computed."""
 
+import os
 import stat
 from collections.abc import Iterable
+from contextlib import suppress
+from errno import EACCES
 from pathlib import Path
 
 from flexbearing.files.whole import UNFINISHED, part_name
@@ -46,9 +49,8 @@ def require_output(path: str | Path, inputs: Iterable[str | Path] = ()) -> Path:
         require_folder(output.parent)
         if output.exists():
             _require_replaceable(output, path)
-        trial = part_name(output)
-        trial.open("xb").close()
-        trial.unlink()
+        with suppress(FileNotFoundError):
+            part_name(output).lstat()  # tells when the name is too long
     except (OSError, ValueError, RuntimeError) as problem:  # too long, a loop of links, a NUL in the name
         if isinstance(problem, BadOutput):
             raise
@@ -77,9 +79,8 @@ def require_folder(folder: str | Path) -> Path:
     try:
         made = Path(folder)
         made.mkdir(parents=True, exist_ok=True)
-        trial = part_name(made / "trial")
-        trial.open("xb").close()
-        trial.unlink()
+        if not os.access(made, os.W_OK | os.X_OK):
+            raise PermissionError(EACCES, "nothing can be written there")
     except (OSError, ValueError) as problem:
         raise BadOutput(f"{folder}: no folder to write to: {_reason(problem)}.") from problem
     return made
