@@ -50,6 +50,8 @@ def test_every_example_and_default_of_a_quantity_has_a_size_that_is_allowed():
     [
         (FOUR_POINT, "friction.coefficient=5e-324"),
         (FOUR_POINT, "bearing.inner.conformity=1e308"),
+        (HARRIS, "bearing.inner.radius=11.115000001 mm"),
+        (CONFIGS / "rivera2021_7008.toml", "bearing.inner.conformity=0.5000000000000001"),
         (PLAIN, "bearing.roller.length=0.00005 mm"),
         (PLAIN, "materials.roller.youngs_modulus=1 kPa"),
     ],

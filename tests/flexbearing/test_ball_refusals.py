@@ -43,7 +43,7 @@ IMPOSSIBLE = {
         FOUR_POINT, ["bearing.clearance=-2 mm"], "[bearing] clearance", "above -1750 um",
     ),
     "conformity from the ball radius": (
-        FOUR_POINT, ["bearing.inner.conformity=0.5"], "[bearing.inner] conformity = 0.5", "above 0.5",
+        FOUR_POINT, ["bearing.inner.conformity=0.5"], "[bearing.inner] conformity = 0.5", "at least 0.5001",
     ),
     "groove twice": (
         FOUR_POINT, ["bearing.inner.radius=20 mm"], "[bearing.inner] radius", "give one of the two",

@@ -17,6 +17,7 @@ from flexbearing.case.quantity import (
     needed,
 )
 
+CLOSEST = 0.5001  # conformity: closer grooves touch the ball all around, usual are 0.505 and more
 Number = Annotated[float, Strict()]  # of a list, which is not strict itself: TOML's lists are no tuples
 Whole = Annotated[int, Strict()]
 
@@ -34,7 +35,7 @@ class Groove(Section):
         "groove radius over ball diameter; half of a figure such as 1.05 that counts from the ball radius",
         None,
         example=0.52,
-        gt=0.5,
+        ge=CLOSEST,
         le=10,
     )
     radius: Length | None = key("groove radius, instead of the conformity", None, example="15.75 mm", gt=0)
@@ -98,8 +99,8 @@ class BallBearing(Section):
         if self.ball.diameter >= self.pitch_diameter:
             raise impossible("ball.diameter", "below bearing.pitch_diameter")
         for name in ("inner", "outer"):
-            if getattr(self, name).over(self.ball.diameter) <= 0.5:
-                raise impossible(f"{name}.radius", "more than half of bearing.ball.diameter")
+            if getattr(self, name).over(self.ball.diameter) < CLOSEST:
+                raise impossible(f"{name}.radius", f"at least {CLOSEST:g} of bearing.ball.diameter")
         return self
 
     def require_room(self, balls: int) -> None:
