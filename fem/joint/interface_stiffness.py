@@ -40,6 +40,11 @@ class InterfaceStiffness:
         P = 2 * len(self.stiffness) - 1
         return 2 * np.pi * np.arange(P) / P
 
+    @property
+    def unknowns(self) -> int:
+        """Gaps and slips at all points."""
+        return self.azimuths.size * int(self.carries.sum()) * self.directions
+
     @cached_property
     def blocks(self) -> NDArray:
         """Stiffness between points by the difference of their places in `azimuths` (P, A D, A D) [N/m]."""

@@ -77,9 +77,12 @@ def raceway(
     report.stage({"inner": "inner ring in its fit", "outer": "outer ring in its housing"}[race], None)
     with named_failures(case, name):
         if isinstance(part, fem.RingOnShaft):
-            return inner_ring_in_fit(case, part, azimuths, mesh_size(case, ON_A_SECTION))
-        assert isinstance(part, fem.OuterRing)  # or the case would not have been read
-        return outer_ring_in_housing(case, part, azimuths, mesh_size(case, ON_A_SECTION))
+            fitted = inner_ring_in_fit(case, part, azimuths, mesh_size(case, ON_A_SECTION))
+        else:
+            assert isinstance(part, fem.OuterRing)  # or the case would not have been read
+            fitted = outer_ring_in_housing(case, part, azimuths, mesh_size(case, ON_A_SECTION))
+        report.stage(f"{name}: about {fitted.fit.interface.unknowns} unknowns in the fit", None)
+        return fitted
 
 
 @contextmanager
