@@ -4,7 +4,6 @@ import os
 import stat
 from collections.abc import Iterable
 from contextlib import suppress
-from errno import EACCES
 from pathlib import Path
 
 from flexbearing.files.whole import UNFINISHED, part_name
@@ -79,10 +78,10 @@ def require_folder(folder: str | Path) -> Path:
     try:
         made = Path(folder)
         made.mkdir(parents=True, exist_ok=True)
-        if not os.access(made, os.W_OK | os.X_OK):
-            raise PermissionError(EACCES, "nothing can be written there")
     except (OSError, ValueError) as problem:
         raise BadOutput(f"{folder}: no folder to write to: {_reason(problem)}.") from problem
+    if not os.access(made, os.W_OK | os.X_OK):
+        raise BadOutput(f"{folder}: no folder to write to: nothing can be written there.")
     return made
 
 

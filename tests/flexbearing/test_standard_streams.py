@@ -83,7 +83,10 @@ def test_verdict_of_a_check_is_its_exit_code(tmp_path):
     assert shell("flexbearing check nowhere.toml 2>/dev/full", tmp_path)[0] == 2
 
 
-@pytest.mark.parametrize("encoding", ["ascii", "latin-1", "ascii:strict"])
+@pytest.mark.parametrize(
+    "encoding",
+    ["ascii", *(pytest.param(name, marks=pytest.mark.slow) for name in ("latin-1", "ascii:strict"))],
+)
 def test_every_encoding_has_a_form_for_every_character(encoding, tmp_path):
     case = tmp_path / "case.toml"
     case.write_text(PAPER.read_text().replace("Squirrel-cage", "Käfig ψ 保持架"))
