@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from flexbearing.results import Result
 
 CONVERGED, NOT_CONVERGED = 0, 1
+UNMET_TARGET = "unmet-target"  # the one danger that is no success without --strict
 
 app = typer.Typer(
     help="Rolling bearings with thin, flexible rings.",
@@ -72,6 +73,7 @@ def run(
         typer.Option("--start", metavar="OTHER.h5", help="result of a neighbouring case where newton begins"),
     ] = None,
     quiet: Annotated[bool, typer.Option("--quiet", help="only what went wrong")] = False,
+    strict: Annotated[bool, typer.Option("--strict", help="exit code 1 where a danger is noted")] = False,
 ) -> None:
     """Compute a case and store every iteration; prints a summary."""
     from flexbearing.progress import Logged, OnTerminal
@@ -80,14 +82,21 @@ def run(
     _log(everything=not quiet and console is None)
     with OnTerminal(console) if console and not quiet else Logged() as report:
         result = api.run(case, output, settings or [], report=report, start=start)
-    converged = result.attributes["status"] == "converged"
+    wrong = _what_went_wrong(result, strict=strict)
     with _keeping([result.path]):
         if not quiet:
             _show(result, console)
             _say(f"\nresults: {result.path}")
-        elif not converged:
-            sys.stderr.write(f"{case}: not converged: {result.attributes['message']}\n")
-    raise typer.Exit(CONVERGED if converged else NOT_CONVERGED)
+        for words in wrong if quiet else ():
+            sys.stderr.write(f"{case}: {printable(words)}\n")
+    raise typer.Exit(NOT_CONVERGED if wrong else CONVERGED)
+
+
+def _what_went_wrong(result: "Result", *, strict: bool) -> list[str]:
+    """Why a run is no success: it did not converge, missed its target, or is dangerous in a strict run."""
+    missed = [note["text"] for note in result.dangers if strict or note["code"] == UNMET_TARGET]
+    converged = result.attributes["status"] == "converged"
+    return missed if converged else [f"not converged: {result.attributes['message']}", *missed]
 
 
 @app.command()

@@ -9,6 +9,7 @@ from quasidynamic.contact.ellipse.full_sliding import Ellipse, slip_field
 from quasidynamic.contact.ellipse.point_contact import PointContact, point_contact, race_curvatures
 from quasidynamic.errors import ImpossiblePart, OutOfRange
 from quasidynamic.motion.ball_slip import SIDE, BallContacts, pressed_height, pressed_radius
+from quasidynamic.note import Note, outside
 from quasidynamic.outcome.ball_torque import RaceTorques, hysteresis_torque, race_torques
 from quasidynamic.outcome.truncation import edge_angle
 from quasidynamic.parts.ball import FourPointBearing
@@ -50,7 +51,7 @@ class SlidingBalls:
     sliding: SlidingMotion
     torques: RaceTorques
     hysteresis: NDArray  # (N) [N m]
-    notes: tuple[str, ...]  # what a user must know
+    notes: tuple[Note, ...]  # what a user must know
 
     @property
     def ball_torques(self) -> NDArray:
@@ -208,15 +209,19 @@ class FourPointBallBearing:
         radii = pressed_radius(np.asarray(self.bearing.ball.diameter / 2), self.bearing.groove_radii)
         return np.broadcast_to(radii, angle.shape)
 
-    def _notes(self, pressure: NDArray, traction: NDArray) -> tuple[str, ...]:
-        outside = self.friction.outside(pressure) & (traction > 0.0)
-        if not outside.any():
+    def _notes(self, pressure: NDArray, traction: NDArray) -> tuple[Note, ...]:
+        beyond = self.friction.outside(pressure) & (traction > 0.0)
+        if not beyond.any():
             return ()
         low, high = self.friction.pressures[0] / 1e9, self.friction.pressures[-1] / 1e9
-        share = traction[outside].sum() / traction.sum()
+        share = traction[beyond].sum() / traction.sum()
         return (
-            f"friction: {outside.sum()} contacts with {share:.0%} of the friction force have a peak pressure "
-            f"outside the {low:.3g} to {high:.3g} GPa of the friction curve: that of its end is used",
+            outside(
+                "friction-curve",
+                f"friction: {beyond.sum()} contacts with {share:.0%} of the friction force have a peak "
+                f"pressure outside the {low:.3g} to {high:.3g} GPa of the friction curve: that of its "
+                "end is used",
+            ),
         )
 
 

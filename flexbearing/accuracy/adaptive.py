@@ -14,6 +14,7 @@ from flexbearing.case.roller import Case
 from flexbearing.coupling import RacewayPair
 from flexbearing.progress import Report
 from quasidynamic import Equilibrium, RollerBearing
+from quasidynamic.note import Note, danger, information
 
 JUDGED = ("roller_load", "life")  # outputs that the target is of
 
@@ -45,21 +46,23 @@ class AdaptiveResolution:
             },
         }
 
-    def notes(self, end: Equilibrium) -> Iterator[str]:
+    def notes(self, end: Equilibrium) -> Iterator[Note]:
         """What a reader must know: parts that are left rigid, a target that is not met, another end state."""
         for verdict in self.selection.verdicts:
             if verdict.choice.levels[verdict.level] == "rigid":
-                yield (
+                yield information(
+                    "rigid-part",
                     f"{verdict.choice.name}: left rigid, as its deflection changes loads and life by "
-                    f"less than the target allows it ({_percent(verdict.allowed)})"
+                    f"less than the target allows it ({_percent(verdict.allowed)})",
                 )
         if not self.selection.met:
-            yield _unmet(self.selection)
+            yield danger("unmet-target", _unmet(self.selection))
         away = np.abs(end.forces[..., 0] - self.trial.loads).max() / self.trial.loads.max()
         if not away <= self.selection.target:
-            yield (
+            yield danger(
+                "several-equilibria",
                 f"accuracy.target: the loads of this solution differ by {_percent(away)} from those that "
-                "the errors were estimated at: there are several equilibria, and the estimate is of another"
+                "the errors were estimated at: there are several equilibria, and the estimate is of another",
             )
 
 

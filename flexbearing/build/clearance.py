@@ -3,6 +3,7 @@
 from typing import TYPE_CHECKING, Any
 
 from flexbearing.case.roller import Case
+from quasidynamic.note import Note, information
 
 if TYPE_CHECKING:
     from flexbearing.build.fits import OperatingClearance
@@ -46,11 +47,15 @@ def record(case: Case) -> dict[str, Any]:
     }
 
 
-def notes(case: Case) -> tuple[str, ...]:
+def notes(case: Case) -> tuple[Note, ...]:
     """Say so when the bearing runs under preload."""
     clearance = operating(case)
     if clearance >= 0.0:
         return ()
     return (
-        f"clearance: the bearing is preloaded, its rollers interfere by {-clearance * 1e6:.3f} um diametral",
+        information(
+            "preload",
+            "clearance: the bearing is preloaded, its rollers interfere by "
+            f"{-clearance * 1e6:.3f} um diametral",
+        ),
     )

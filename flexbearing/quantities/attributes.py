@@ -3,20 +3,23 @@
 from dataclasses import dataclass
 from typing import Literal
 
-from flexbearing.quantities.forms import TEXT, Anything, Each, Form
+from flexbearing.quantities.forms import TEXT, Anything, Each, Form, ListOf, OneOf, Record
 
-FORMAT = 6
+FORMAT = 7
 OLDER = {  # what the files of an older format are
     4: "its axes are older: of balls z axial and x along the load, tilts in stiffness_matrix of rollers as "
     "slopes; see docs/reference/axes.md",
     5: "it has no checksums and no digest",
+    6: "its notes have no grades and no codes",
 }
 ENDS = ("converged", "iteration limit", "diverging", "stagnating", "not finite", "not solved")
 STATUSES = (*ENDS, "unfinished")  # of a run that is at work, or was interrupted
 
 
-Kind = Literal["text", "texts", "integer", "number", "json"]
+Kind = Literal["text", "texts", "integer", "number", "json", "records"]
 OBJECT = Each("name", Anything())
+GRADES = ("danger", "outside validity", "information")  # of notes, gravest first
+NOTES = ListOf(Record({"grade": OneOf(GRADES), "code": TEXT, "text": TEXT}))
 
 
 @dataclass(frozen=True)
@@ -27,7 +30,7 @@ class Attribute:
     kind: Kind
     meaning: str
     optional: bool = False  # absent where the case does not ask for it
-    form: Form = OBJECT  # of a JSON attribute
+    form: Form = OBJECT  # of a JSON attribute, or of a list of records
     longest: int = 200_000  # characters of its text, of all texts of a list together
 
 
@@ -51,7 +54,9 @@ COMMON = (
     ),
     Attribute("assumed", "texts", "keys whose values are assumed, not known"),
     Attribute("calibrated", "json", "keys whose values were fitted, each to what", form=Each("key", TEXT)),
-    Attribute("notes", "texts", "warnings: what left its range of validity"),
+    Attribute(
+        "notes", "records", "what a reader must know besides the numbers, the gravest first", form=NOTES
+    ),
     Attribute("created", "text", "time the run began, ISO 8601"),
 )
 HEAD = (  # root attributes that the summary of every family repeats

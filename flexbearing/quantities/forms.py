@@ -39,6 +39,23 @@ FLAG = Simple("true or false", (bool,))
 
 
 @dataclass(frozen=True)
+class OneOf:
+    """One of some texts."""
+
+    texts: tuple[str, ...]
+
+    @property
+    def words(self) -> str:
+        """The form for the reference page."""
+        return " or ".join(f'"{text}"' for text in self.texts)
+
+    def problems(self, value: Any, where: str) -> Iterator[str]:
+        """Say what is wrong with a value."""
+        if value not in self.texts:
+            yield f"{where} is {_shown(value)}; allowed is {self.words}"
+
+
+@dataclass(frozen=True)
 class Anything:
     """Any JSON value."""
 

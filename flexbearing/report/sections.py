@@ -9,6 +9,7 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
+from flexbearing.quantities.attributes import GRADES
 from flexbearing.quantities.roller import LAYOUT, SKEW
 from flexbearing.report.rows import label, rows, shown, value
 
@@ -34,12 +35,21 @@ def listed(title: str, lines: list[str]) -> Iterator[RenderableType]:
     yield Text("")
 
 
+def opening(numbers: dict[str, Any]) -> Iterator[RenderableType]:
+    """Dangers, each in a line of its own, then the title."""
+    for note in numbers["notes"]:
+        if note["grade"] == GRADES[0]:
+            yield Text(f"DANGER: {note['text']}", style="bold red")
+    yield Text(numbers["title"], style="bold")
+
+
 def closing(numbers: dict[str, Any], ending: str) -> Iterator[RenderableType]:
-    """Assumed and calibrated keys, notes, and in a line how the run ended."""
+    """Assumed and calibrated keys, notes that are no dangers, and in a line how the run ended."""
     yield from listed("assumed (not known, chosen)", numbers["assumed"])
     fitted = [f"{key}: {to}" for key, to in numbers["calibrated"].items()]
     yield from listed("calibrated (fitted, so no validation)", fitted)
-    yield from listed("notes", numbers["notes"])
+    for grade in GRADES[1:]:
+        yield from listed(grade, [note["text"] for note in numbers["notes"] if note["grade"] == grade])
     converged = numbers["status"] == "converged"
     yield Text(ending, style="bold green" if converged else "bold red")
 

@@ -47,7 +47,7 @@ def encoded(entry: Attribute, value: Any) -> Any:
     ----------
     entry : Attribute
         what the layout says of it
-    value : text, number, list of texts or mapping
+    value : text, number, list of texts, mapping or list of mappings
         what its kind asks for
 
     Returns
@@ -63,7 +63,7 @@ def encoded(entry: Attribute, value: Any) -> Any:
     try:
         stored = _ENCODE[kind](value)
         _require_stored(entry, stored)
-        if kind == "json":
+        if kind in ("json", "records"):
             _record(entry, stored)
     except NotInLayout:
         raise
@@ -84,7 +84,7 @@ def decoded(entry: Attribute, stored: Any) -> Any:
 
     Returns
     -------
-    text, number, tuple of texts, or mapping
+    text, number, tuple of texts, mapping, or list of mappings
 
     Raises
     ------
@@ -92,7 +92,7 @@ def decoded(entry: Attribute, stored: Any) -> Any:
         for another kind of value, JSON that is none or of another form, or a status that does not exist
     """
     _require_stored(entry, stored)
-    if entry.kind != "json":
+    if entry.kind not in ("json", "records"):
         return tuple(stored) if entry.kind == "texts" else stored
     try:
         return _record(entry, stored)
@@ -105,14 +105,14 @@ def empty(kind: Kind) -> Any:
 
     Parameters
     ----------
-    kind : "text", "texts", "integer", "number" or "json"
+    kind : "text", "texts", "integer", "number", "json" or "records"
         how it is stored
 
     Returns
     -------
     empty text, list or mapping, or zero
     """
-    return {"text": "", "texts": [], "integer": 0, "number": 0.0, "json": {}}[kind]
+    return {"text": "", "texts": [], "integer": 0, "number": 0.0, "json": {}, "records": []}[kind]
 
 
 def _require_stored(entry: Attribute, stored: Any) -> None:
@@ -162,8 +162,14 @@ def _json(value: Mapping[str, Any]) -> str:
     return json.dumps(dict(value), allow_nan=False, default=_python_number)
 
 
-def _record(entry: Attribute, stored: str) -> Mapping[str, Any]:
-    """The record that a text holds, of the form that the layout asks for."""
+def _records(value: Sequence[Mapping[str, Any]]) -> str:
+    if isinstance(value, str | Mapping):
+        raise TypeError("a list of records is wanted")
+    return json.dumps([dict(record) for record in value], allow_nan=False, default=_python_number)
+
+
+def _record(entry: Attribute, stored: str) -> Any:
+    """The record, or list of records, that a text holds, of the form that the layout asks for."""
     value = json.loads(stored, parse_constant=_no_number)
     _require_plain(value, DEEPEST)
     if problem := next(entry.form.problems(value, entry.name), None):
@@ -201,5 +207,13 @@ _ENCODE: dict[Kind, Callable[[Any], Any]] = {
     "integer": _integer,
     "number": _number,
     "json": _json,
+    "records": _records,
 }
-_STORED: dict[Kind, Any] = {"text": str, "texts": list, "integer": int, "number": float, "json": str}
+_STORED: dict[Kind, Any] = {
+    "text": str,
+    "texts": list,
+    "integer": int,
+    "number": float,
+    "json": str,
+    "records": str,
+}

@@ -14,7 +14,7 @@ from flexbearing.case.family import Families, Family
 from flexbearing.files import parts_of
 from flexbearing.files.whole import UNFINISHED
 from flexbearing.quantities import Quantity
-from flexbearing.quantities.attributes import FORMAT, OLDER
+from flexbearing.quantities.attributes import FORMAT, GRADES, OLDER
 from flexbearing.quantities.layout import Layout
 from flexbearing.results import hdf5
 from flexbearing.results.attributes import decoded
@@ -51,6 +51,11 @@ class Result:
     def kind(self) -> str:
         """Name of the family."""
         return self.family.kind
+
+    @property
+    def dangers(self) -> tuple[Mapping[str, str], ...]:
+        """Notes that whoever acts on the answer must heed, each with its code and text."""
+        return tuple(note for note in self.attributes["notes"] if note["grade"] == GRADES[0])
 
     def history(self, name: str) -> np.ndarray:
         """Stack a dataset over the iterations.

@@ -97,5 +97,6 @@ def _attribute_table(attributes: tuple[Attribute, ...]) -> list[str]:
 
 
 def _forms(attributes: tuple[Attribute, ...]) -> list[str]:
-    forms = [f"- `{entry.name}`: `{entry.form.words}`" for entry in attributes if entry.kind == "json"]
+    with_form = (entry for entry in attributes if entry.kind in ("json", "records"))
+    forms = [f"- `{entry.name}`: `{entry.form.words}`" for entry in with_form]
     return ["Those stored as JSON hold (`?`: may be absent):\n", *forms, ""] if forms else []

@@ -10,6 +10,7 @@ from flexbearing.build.ball_parts import ball, groove
 from flexbearing.case.balls.angular_contact import AngularCase
 from flexbearing.quantities.angular_contact import LAYOUT
 from flexbearing.quantities.quantity import taken
+from quasidynamic.note import Note, danger, information, outside
 from quasidynamic.outcome.rolling_contact import RollingContact
 from quasidynamic.outcome.truncation import USUAL_SHOULDER
 
@@ -102,12 +103,14 @@ def _lines(case: AngularCase, state: qd.AngularContactState, contact: RollingCon
     }
 
 
-def notes(case: AngularCase, solution: Solution) -> tuple[str, ...]:
+def notes(case: AngularCase, solution: Solution) -> tuple[Note, ...]:
     """What a user must know of the solution."""
     state, lines = solution.state, ()
     lifted = int((~state.on_inner).sum())
     if lifted:
-        lines += (f"{lifted} of {len(state.on_inner)} balls do not touch the inner race",)
+        lines += (
+            information("idle-balls", f"{lifted} of {len(state.on_inner)} balls do not touch the inner race"),
+        )
     shoulders = case.bearing.inner.shoulder, case.bearing.outer.shoulder
     beyond = (_beyond(state, race, shoulder) for race, shoulder in enumerate(shoulders))
     lines += tuple(note for note in beyond if note)
@@ -115,51 +118,63 @@ def notes(case: AngularCase, solution: Solution) -> tuple[str, ...]:
     if unguided:
         far = "" if case.operation.control == "coulomb" else " or too far round"
         lines += (
-            f"{unguided} balls touch the inner race too lightly{far} for both races to guide them: "
-            "their orbit, spin and tractions are estimates",
+            outside(
+                "unguided-balls",
+                f"{unguided} balls touch the inner race too lightly{far} for both races to guide them: "
+                "their orbit, spin and tractions are estimates",
+            ),
         )
     if solution.contact is None:
         near = "; next to a controlling race the spin may be against the contact angle"
-        lines += (f"no pure rolling lines: {solution.reason}{near * (case.operation.control != 'equal')}",)
+        reason = f"{solution.reason}{near * (case.operation.control != 'equal')}"
+        lines += (information("no-rolling-lines", f"no pure rolling lines: {reason}"),)
     return lines + _gyroscopic(case, state)
 
 
-def _gyroscopic(case: AngularCase, state: qd.AngularContactState) -> tuple[str, ...]:
+def _gyroscopic(case: AngularCase, state: qd.AngularContactState) -> tuple[Note, ...]:
     """Whether friction holds the gyroscopic moments."""
     if state.friction is not None:
         lying = state.on_inner & ~state.upright
         if not lying.any():
             return ()
         return (
-            f"gyroscopic moment: friction does not hold the axes of {int(lying.sum())} balls, which turn "
-            f"towards the shaft, down to {np.degrees(np.abs(state.attitude[lying]).min()):.1f} deg",
+            information(
+                "gyroscopic-moment",
+                f"gyroscopic moment: friction does not hold the axes of {int(lying.sum())} balls, which turn "
+                f"towards the shaft, down to {np.degrees(np.abs(state.attitude[lying]).min()):.1f} deg",
+            ),
         )
     needed, coefficient = state.needed_friction.max(), case.rolling_lines.coefficient
     if needed <= coefficient:
         return ()
     return (
-        f"gyroscopic moment: held by friction with a coefficient of up to {needed:.3g}, more than "
-        f"rolling_lines.coefficient = {coefficient:g}: in reality balls would turn about the rolling "
-        "direction",
+        outside(
+            "gyroscopic-moment",
+            f"gyroscopic moment: held by friction with a coefficient of up to {needed:.3g}, more than "
+            f"rolling_lines.coefficient = {coefficient:g}: in reality balls would turn about the rolling "
+            "direction",
+        ),
     )
 
 
-def _beyond(state: qd.AngularContactState, race: int, shoulder: float | None) -> str:
-    """What is left out of contacts above a shoulder [m], one of usual height unless given; empty for none."""
+def _beyond(state: qd.AngularContactState, race: int, shoulder: float | None) -> Note | None:
+    """What is left out of contacts above a shoulder [m], one of usual height unless given."""
     name, needed = ("inner", "outer")[race], state.needed_shoulders[race]
     diameter = state.bearing.ball.diameter
     over = state.truncated(race, shoulder)
     if not over.any():
-        return ""
+        return None
     steepest = np.degrees(np.abs(state.contact_angles[race, over]).max())
     at = f"at contact angles of up to {steepest:.1f} deg"
     if shoulder is None:
-        return (
+        return outside(
+            "shoulder-not-given",
             f"contacts reach {needed.max() / diameter:.3g} ball diameters up the {name} race, {at}; "
             f"shoulders end at some {USUAL_SHOULDER:g}, and beyond theirs contacts are cut off, "
-            "which is left out"
+            "which is left out",
         )
-    return (
+    return danger(
+        "truncated-contact",
         f"{int(over.sum())} contacts are cut off on the shoulder of the {name} race, {1e3 * shoulder:.4g} mm "
-        f"high: they reach up to {1e3 * needed.max():.4g} mm, {at}; that is left out, as if the race went on"
+        f"high: they reach up to {1e3 * needed.max():.4g} mm, {at}; that is left out, as if the race went on",
     )

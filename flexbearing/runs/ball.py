@@ -11,6 +11,7 @@ from flexbearing.results import ResultFile
 from flexbearing.rings import bolted
 from flexbearing.runs import angular_contact, four_point
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
+from quasidynamic.note import Note, graded
 
 
 def opening(case: Head) -> dict[str, object]:
@@ -68,8 +69,8 @@ def solve_angular(case: AngularCase, file: ResultFile, report: Report) -> dict[s
     return _converged(message, angular_contact.notes(case, solution))
 
 
-def _converged(message: str, notes: tuple[str, ...]) -> dict[str, Any]:
-    return _ending("converged", message, "converged") | {"notes": list(notes)}
+def _converged(message: str, notes: tuple[Note, ...]) -> dict[str, Any]:
+    return _ending("converged", message, "converged") | {"notes": [note.record() for note in graded(notes)]}
 
 
 def _not_solved(failure: NotSolved | RingNotSolved) -> dict[str, Any]:

@@ -11,6 +11,7 @@ from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.quantities.four_point import LAYOUT
 from flexbearing.quantities.quantity import taken
 from flexbearing.rings import bolted
+from quasidynamic.note import Note, danger, information
 from quasidynamic.solve.balls.elastic_load_distribution import ElasticBallLoads
 from quasidynamic.solve.balls.load_distribution import BallLoads
 
@@ -149,28 +150,38 @@ def _fields(case: FourPointCase, balls: qd.SlidingBalls) -> dict[str, NDArray]:
     return {"balls": np.array(chosen), **fields}
 
 
-def notes(case: FourPointCase, solution: Solution) -> tuple[str, ...]:
+def notes(case: FourPointCase, solution: Solution) -> tuple[Note, ...]:
     """What a user must know of the solution."""
     balls = solution.balls
     lines = balls.notes
     if solution.distribution is None:
-        lines += ("contact loads are given: every ball carries them, at the contact angle without load",)
+        lines += (
+            information(
+                "given-loads",
+                "contact loads are given: every ball carries them, at the contact angle without load",
+            ),
+        )
     lines += _on_shoulders(case, balls)
     idle = int((~balls.sliding.driven).sum())
     if idle:
-        lines += (f"{idle} of {len(balls.load)} balls are not pressed on both rings: they make no torque",)
+        words = f"{idle} of {len(balls.load)} balls are not pressed on both rings: they make no torque"
+        lines += (information("idle-balls", words),)
     if case.friction.torque == "circumferential":
         share = 100 * (balls.torques.circumferential.sum(0) / balls.torques.total.sum(0) - 1)
         lines += (
-            "torque: the circumferential formula leaves out the moment of lateral slip: "
-            f"{share[0]:+.2f} % at the inner and {share[1]:+.2f} % at the outer ring against the exact one",
+            information(
+                "torque-formula",
+                "torque: the circumferential formula leaves out the moment of lateral slip: "
+                f"{share[0]:+.2f} % at the inner and {share[1]:+.2f} % at the outer ring against the exact "
+                "one",
+            ),
         )
     return lines
 
 
-def _on_shoulders(case: FourPointCase, balls: qd.SlidingBalls) -> tuple[str, ...]:
+def _on_shoulders(case: FourPointCase, balls: qd.SlidingBalls) -> tuple[Note, ...]:
     """Contacts that reach over the arches of rings whose shoulders are known."""
-    lines: tuple[str, ...] = ()
+    lines: tuple[Note, ...] = ()
     for race, name in enumerate(("inner", "outer")):
         ring = getattr(case.rings, name)
         if ring.kind == "rigid":
@@ -180,7 +191,10 @@ def _on_shoulders(case: FourPointCase, balls: qd.SlidingBalls) -> tuple[str, ...
         over = int(balls.truncated(race, radius, ring.groove_end).sum())
         if over:
             lines += (
-                f"{over} contacts of the {name} ring reach over its shoulders at "
-                f"{np.degrees(ring.groove_end):.1f} deg; they are computed as if the arches went on",
+                danger(
+                    "truncated-contact",
+                    f"{over} contacts of the {name} ring reach over its shoulders at "
+                    f"{np.degrees(ring.groove_end):.1f} deg; they are computed as if the arches went on",
+                ),
             )
     return lines

@@ -13,6 +13,7 @@ from flexbearing.results import Arrays, ResultFile
 from flexbearing.runs import fields, life, notes, skew
 from quasidynamic import Equilibrium
 from quasidynamic.contact.film import lambda_ratio, regime
+from quasidynamic.note import Note, graded, information
 
 
 @dataclass(frozen=True)
@@ -23,7 +24,7 @@ class Postprocessing:
     file: ResultFile
     lives: dict[str, Any] = field(default_factory=dict)  # by block
     regimes: dict[str, Any] = field(default_factory=dict)  # by block
-    notes: list[str] = field(default_factory=list)
+    notes: list[Note] = field(default_factory=list)
     stresses: dict[str, Any] = field(default_factory=dict)  # by part
 
     def store(
@@ -62,7 +63,7 @@ class Postprocessing:
             try:
                 part = fields.fields(self.case, race, "flexible", block)
             except fields.NoFields as problem:
-                self.notes.append(f"no stresses: {problem}")
+                self.notes.append(information("no-stresses", f"no stresses: {problem}"))
             else:
                 self.stresses[race] = part.record()
 
@@ -74,5 +75,5 @@ class Postprocessing:
             "clearance": clearance.record(self.case),
             "life": self.lives,
             "regimes": self.regimes,
-            "notes": list(dict.fromkeys(every_note)),
+            "notes": [note.record() for note in graded(every_note)],
         }

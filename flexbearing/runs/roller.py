@@ -16,6 +16,7 @@ from flexbearing.rings.full_solve import full_fe_raceways
 from flexbearing.runs import notes
 from flexbearing.runs.postprocess import Postprocessing
 from quasidynamic import Equilibrium, RollerBearing
+from quasidynamic.note import Note, danger, graded, information
 
 RIGID = LinearPair(None, None)
 
@@ -27,14 +28,14 @@ class Resolved:
     model: RollerBearing
     rings: Callable[[], RacewayPair]
     attributes: Mapping[str, Any] = field(default_factory=dict)  # of the result file
-    notes: Callable[[Equilibrium], Iterable[str]] = lambda end: ()  # on an end state that converged
+    notes: Callable[[Equilibrium], Iterable[Note]] = lambda end: ()  # on an end state that converged
 
 
 def opening(case: Case) -> dict[str, object]:
     """Root attributes that are known before anything is solved."""
     return {
         "method": case.coupling.method,
-        "notes": list(notes.of_case(case)),
+        "notes": [note.record() for note in graded(notes.of_case(case))],
         "clearance": clearance.record(case),
     }
 
@@ -65,7 +66,11 @@ def _resolved(case: Case, postprocessing: Postprocessing, report: Report) -> Res
         resolution = adaptive_resolution(case, report)
     except Unusable as problem:
         postprocessing.notes.append(
-            f"accuracy.target: nothing could be chosen or estimated, so the usual levels are used: {problem}"
+            danger(
+                "unmet-target",
+                "accuracy.target: nothing could be chosen or estimated, so the usual levels are used: "
+                f"{problem}",
+            )
         )
         return Resolved(model, usual.rings, {"choices": {}, "error_estimate": {}})
     return Resolved(resolution.model, lambda: resolution.rings, resolution.attributes(), resolution.notes)
@@ -123,7 +128,9 @@ def _start(initial: InitialState, attempts: Any, postprocessing: Postprocessing)
     attempt = attempts.get(FROM_INITIAL_STATE, {"status": "not reached", "message": "nothing was iterated"})
     if attempt["status"] == "converged":
         return {"started_from": initial.source}
-    postprocessing.notes.append(f"start {initial.source}: not used: {attempt['message']}")
+    postprocessing.notes.append(
+        information("start-not-used", f"start {initial.source}: not used: {attempt['message']}")
+    )
     return {"started_from": "rigid raceways"}
 
 

@@ -7,6 +7,7 @@ from flexbearing.build import roller_bearing
 from flexbearing.case.roller import Case
 from quasidynamic import Equilibrium
 from quasidynamic.balance.rollers.skew import RunningRollers
+from quasidynamic.note import Note, outside
 from quasidynamic.outcome.skew import Skew, skewed
 
 GAP = 1e-7  # [m] change of the gap at a roller's end that is worth a note, unless the film is thinner
@@ -34,7 +35,7 @@ def at(case: Case, state: Equilibrium) -> Skew | None:
     return skewed(running, balance.raceways, balance.bearing, flange)
 
 
-def notes(skew: Skew, state: Equilibrium, minimum_film: ArrayLike) -> tuple[str, ...]:
+def notes(skew: Skew, state: Equilibrium, minimum_film: ArrayLike) -> tuple[Note, ...]:
     """What the equilibrium would have to know of the skew, where not negligible beside films (2) [m]."""
     films = np.asarray(minimum_film)
     smallest_gap = min(GAP, *films[films > 0])
@@ -55,4 +56,8 @@ def notes(skew: Skew, state: Equilibrium, minimum_film: ArrayLike) -> tuple[str,
         ),
     }
     beginning = "skew: not fed back into loads and speeds, though it"
-    return tuple(f"{beginning} {effect}" for effect, worth_telling in left_out.items() if worth_telling)
+    return tuple(
+        outside("skew", f"{beginning} {effect}")
+        for effect, worth_telling in left_out.items()
+        if worth_telling
+    )

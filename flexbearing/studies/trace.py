@@ -20,6 +20,7 @@ from flexbearing.quantities.roller import CAGE_SLIP
 from flexbearing.runs import notes
 from flexbearing.runs.run_case import stem_of_outputs
 from quasidynamic import ImpossiblePart, OutOfRange
+from quasidynamic.note import Note, outside
 from quasidynamic.trace import Branch, BranchEnd, trace as follow
 
 RPM = 2 * pi / 60
@@ -49,7 +50,7 @@ class Traced:
     title: str
     axis: Axis
     branch: Branch
-    notes: tuple[str, ...]
+    notes: tuple[Note, ...]
     table: Path
     picture: Path
 
@@ -84,7 +85,7 @@ class Traced:
         lines.append(f"end: {self.branch.end} at {values[-1]:.6g} {self.axis.unit}")
         if self.complete and values[-1] == values[0]:
             lines.append("the branch came back to where it began: a wider range shows the rest of it")
-        return "\n".join([*lines, *(f"note: {note}" for note in self.notes)]) + "\n"
+        return "\n".join([*lines, *(f"{note.grade}: {note.text}" for note in self.notes)]) + "\n"
 
 
 def trace(
@@ -155,10 +156,15 @@ def _rollers(case: Head) -> Case:
     raise BadCase(f"{case.source.path}: only roller bearings are traced, this is a {case.kind}")
 
 
-def _notes(case: Case) -> tuple[str, ...]:
+def _notes(case: Case) -> tuple[Note, ...]:
     words = notes.of_case(case)
     if case.outer.kind != "rigid" or case.inner.kind != "rigid":
-        words += ("the rings of this case are elastic; the branch is that between rigid raceways",)
+        words += (
+            outside(
+                "rigid-branch",
+                "the rings of this case are elastic; the branch is that between rigid raceways",
+            ),
+        )
     return words
 
 

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from quasidynamic.errors import require_positive
+from quasidynamic.note import Note
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -15,7 +16,7 @@ class Lubricant:
     temperature_viscosity: float  # [1/K] beta = -d ln(viscosity)/dT
     conductivity: float  # [W/(m K)]
     density: float  # [kg/m3]
-    notes: tuple[str, ...] = ()  # what a user must know, such as an extrapolation
+    notes: tuple[Note, ...] = ()  # what a user must know, such as an extrapolation
 
     def __post_init__(self):
         for name in ("temperature", "viscosity", "pressure_viscosity", "conductivity", "density"):

@@ -7,6 +7,7 @@ from math import exp, log, log10, sinh
 import numpy as np
 
 from quasidynamic.errors import ImpossiblePart, require_positive
+from quasidynamic.note import Note, information
 
 Point = tuple[float, float]  # (temperature [K], value)
 
@@ -26,7 +27,7 @@ class Oil:
     pressure_viscosity: Callable[[float], float]  # [1/Pa]
     conductivity: Callable[[float], float]  # [W/(m K)]
     density: Callable[[float], float]  # [kg/m3]
-    notes: tuple[str, ...] = ()  # what every user of this oil must know, such as recalled numbers
+    notes: tuple[Note, ...] = ()  # what every user of this oil must know, such as recalled numbers
 
 
 def walther_viscosity(temperature: float, a: float, b: float) -> float:
@@ -160,7 +161,10 @@ def two_point_oil(
     usable = (first[0] - USABLE_BELOW, second[0] + USABLE_ABOVE)
     require_positive(f"oil {name}: density at {usable[1]:.0f} K", rho(usable[1]))
     pressure_viscosity = _exponential(name, pressure_viscosities)
-    held = f"{name}: pressure-viscosity is that of {pressure_viscosities[0][0]:.0f} K at any temperature"
+    held = information(
+        "constant-pressure-viscosity",
+        f"{name}: pressure-viscosity is that of {pressure_viscosities[0][0]:.0f} K at any temperature",
+    )
     return Oil(
         name=name,
         source=source,
@@ -226,7 +230,10 @@ def _mineral(grade: int, hot_viscosity: float, density: float, alphas: tuple[flo
         "recalled as typical of paraffinic mineral oils: alpha 20-24 (40 degC), 15-18 1/GPa (100 degC), "
         "k 0.13-0.145 W/(m K), rho falling 0.65 kg/(m3 K)",
     )
-    typical = f"{name}: all but the grade are typical of mineral oils, recalled, not measured on one oil"
+    typical = information(
+        "typical-oil",
+        f"{name}: all but the grade are typical of mineral oils, recalled, not measured on one oil",
+    )
     return replace(oil, notes=(*oil.notes, typical))
 
 
@@ -272,8 +279,15 @@ OILS = {
             conductivity=lambda t: 0.0966,
             density=_thin_aviation_density,
             notes=(
-                "4 cSt aviation: an oil its source does not identify; range of its data assumed",
-                "4 cSt aviation: pressure-viscosity and conductivity are those of 293 K at any temperature",
+                information(
+                    "typical-oil",
+                    "4 cSt aviation: an oil its source does not identify; range of its data assumed",
+                ),
+                information(
+                    "constant-pressure-viscosity",
+                    "4 cSt aviation: pressure-viscosity and conductivity are those of 293 K at any "
+                    "temperature",
+                ),
             ),
         ),
         _mineral(32, 5.4, 870.0, (20.0, 15.0)),

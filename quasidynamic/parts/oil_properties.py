@@ -4,6 +4,7 @@ from difflib import get_close_matches
 from math import inf, log
 
 from quasidynamic.errors import OutOfRange
+from quasidynamic.note import outside
 from quasidynamic.parts.lubricant import Lubricant
 from quasidynamic.parts.oil_curves import OILS, Oil, two_point_oil, walther_viscosity
 
@@ -52,8 +53,9 @@ def oil_at(oil: str | Oil, temperature: float) -> Lubricant:
         raise OutOfRange(
             f"oil {oil.name} at {temperature:.1f} K is outside {low:.0f} to {high:.0f} K, its usable range"
         )
-    extrapolated = (
-        f"{oil.name} at {temperature:.0f} K is extrapolated: its data cover {coldest:.0f} to {hottest:.0f} K"
+    extrapolated = outside(
+        "oil-temperature",
+        f"{oil.name} at {temperature:.0f} K is extrapolated: its data cover {coldest:.0f} to {hottest:.0f} K",
     )
     step = 0.5  # [K] the property curves are smooth on this scale
     colder, viscosity, warmer = (

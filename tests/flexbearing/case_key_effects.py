@@ -82,7 +82,7 @@ EFFECTS = (
      "outer_fit.fit.thermal_strains.1 outer_fit.heat.housing.values.{0,1}"),
     ("cage", "lubricant.oil", "MIL-L-7808",
      "model.lubrication.oil.{conductivity,density,pressure_viscosity,temperature_viscosity} "
-     "model.lubrication.oil.viscosity model.lubrication.oil.notes.0"),
+     "model.lubrication.oil.viscosity model.lubrication.oil.notes.0.text"),
     ("data sheet", "lubricant.data_sheet.cold_temperature", "41 degC",
      "law.fluid.eyring_stress "
      "model.lubrication.oil.{pressure_viscosity,temperature_viscosity,viscosity}"),
@@ -103,7 +103,7 @@ EFFECTS = (
      "model.lubrication.oil.conductivity"),
     ("cage", "lubricant.inlet_temperature", "222.2 degC",
      "model.lubrication.oil.{conductivity,density,pressure_viscosity,temperature} "
-     "model.lubrication.oil.{temperature_viscosity,viscosity} model.lubrication.oil.notes.0"),
+     "model.lubrication.oil.{temperature_viscosity,viscosity} model.lubrication.oil.notes.0.text"),
     ("rigid", "lubricant.viscosity", "18.18 mPa s", "model.lubrication.oil.viscosity"),
     ("rigid", "lubricant.pressure_viscosity", "18.18 1/GPa",
      "law.eyring_stress model.lubrication.oil.pressure_viscosity "

@@ -1,11 +1,13 @@
 """Hostile result files, each made from a good one by a function that changes it in its place."""
 
+import json
 import os
 from collections.abc import Callable
 
 import h5py
 import numpy as np
 
+from flexbearing.quantities.attributes import FORMAT
 from tests.flexbearing.resealed import resealed
 
 LOAD, LIFE = "rigid/inner_load", "rigid/life_L10"
@@ -69,6 +71,10 @@ def put(file, name, value):
 
 def attribute(name, value):
     return sealed(lambda file: put(file, name, value))
+
+
+def noted(words):
+    return {"grade": "danger", "code": words[:20], "text": words}
 
 
 def override(*settings):
@@ -304,8 +310,8 @@ def attributes(names):
     yield from {
         "reference": unsealed(lambda file: put(file, "title", file["rigid"].ref)),
         "10^5 notes": unsealed(lambda file: put(file, "notes", np.array(["x"] * 10**5, dtype=TEXT))),
-        "note of 10 MB": attribute("notes", ["x" * 10**7]),
-        "9000 long notes": attribute("notes", ["x" * 10_000] * 9000),
+        "note of 10 MB": attribute("notes", json.dumps([noted("x" * 10**7)])),
+        "9000 long notes": attribute("notes", json.dumps([noted("x" * 10_000)] * 9000)),
         "title of a megabyte": attribute("title", "x " * 500_000),
         "3000 attributes": many(3000, lambda file, name: file.attrs.__setitem__(name, 1)),
         "attribute more": attribute("more", 1),
@@ -313,8 +319,8 @@ def attributes(names):
         "bad UTF-8": unsealed(lambda file: file.attrs.create("title", b"\xff\xfe", dtype=TEXT)),
         "digest of another file": unsealed(lambda file: put(file, "digest", "0" * 64)),
         "no digest": unsealed(lambda file: file.attrs.__delitem__("digest")),
-        "format as a number": attribute("format", 6.0),
-        "format of tomorrow": attribute("format", 7),
+        "format as a number": attribute("format", float(FORMAT)),
+        "format of tomorrow": attribute("format", FORMAT + 1),
         "iterations below zero": attribute("iterations", -1),
         "iterations beyond": attribute("iterations", 2**62),
         "kind of balls": attribute("kind", "four_point_ball"),
@@ -327,7 +333,9 @@ def attributes(names):
         "title of control": attribute("title", "\x1b]0;owned\x07\x1b[2J\r\u202e"),
         "title of mathematics": attribute("title", r"$\frac{ $$ \undefined _^{"),
         "title of lines": attribute("title", "\n" * 500),
-        "notes of control": attribute("notes", ["\x1b[2J", "[bold]markup[/nothing]", "[/]"]),
+        "notes of control": (
+            attribute("notes", json.dumps([noted(x) for x in ("\x1b[2J", "[bold]markup[/nothing]", "[/]")]))
+        ),
         "method of mathematics": attribute("method", "$_^$[/bold]"),
         "calibrated of control": attribute("calibrated", '{"\\u001b[2J": 1}'),
     }.items()

@@ -15,6 +15,7 @@ from flexbearing.case import BadCase
 from flexbearing.progress import Logged
 from flexbearing.report import summary, text
 from flexbearing.rings import condensed
+from tests.flexbearing.noted import texts
 
 PLAIN = Path(__file__).parents[2] / "configs" / "nu209.toml"
 RING = ["outer.kind=ring", "outer.thickness=5 mm", "outer.width=19 mm", "outer.support=seat"]
@@ -92,7 +93,7 @@ def test_what_the_case_gives_stays_and_is_estimated(folder):
     assert choices["outer ring"]["compared_with"] == ["harmonics, order 4"]
     assert all(choice["fixed"] for choice in choices.values())
     assert not result.attributes["error_estimate"]["met"]
-    assert any("not met" in note and "which the case fixes" in note for note in result.attributes["notes"])
+    assert any("not met" in note and "which the case fixes" in note for note in texts(result))
 
 
 @pytest.mark.slow
@@ -121,7 +122,7 @@ def test_a_part_that_changes_nothing_is_left_rigid_and_told(folder):
     result = flexbearing.run(PLAIN, folder / "rock.h5", [*RING, hard, "accuracy.target=1 %"])
     assert result.attributes["choices"]["outer ring"]["level"] == "rigid"
     assert result.attributes["structure"] == {}
-    assert any(note.startswith("outer ring: left rigid") for note in result.attributes["notes"])
+    assert any(note.startswith("outer ring: left rigid") for note in texts(result))
 
 
 def test_fewer_axial_shapes_are_a_part_of_more():
@@ -144,5 +145,5 @@ def test_a_case_without_an_answer_is_told_and_solved_as_usual(folder):
     broken = ["accuracy.harmonics=900", "accuracy.target=1 %"]
     result = flexbearing.run(PLAIN, folder / "broken.h5", [*RING, *broken])
     assert result.attributes["status"] == "not solved"
-    assert any("nothing could be chosen or estimated" in note for note in result.attributes["notes"])
+    assert any("nothing could be chosen or estimated" in note for note in texts(result))
     assert result.attributes["error_estimate"] == {}

@@ -12,6 +12,7 @@ import flexbearing
 from flexbearing import read, read_result
 from flexbearing.families import FAMILIES
 from flexbearing.report import summary, text, write_figures
+from tests.flexbearing.noted import texts
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 BALLS = sorted(
@@ -123,7 +124,7 @@ def test_circumferential_formula_is_named_and_told_apart(run):
     values = result.rigid
     assert values["ball_torque"] == approx(values["circumferential_torque"], rel=1e-12)
     assert values["ball_torque"][0, 0] / run("joshi2015_ed20").rigid["ball_torque"][0, 0] < 0.92
-    assert any("circumferential formula" in note for note in result.attributes["notes"])
+    assert any("circumferential formula" in note for note in texts(result))
     assert "circumferential formula" in text(result)
 
 
@@ -146,7 +147,7 @@ def test_friction_against_pressure_is_read_from_the_case(run, tmp_path):
     file.write_text(constant.replace("coefficient = 0.12", curve))
     result = flexbearing.run(file, tmp_path / "curve.h5", [FEW])
     assert (result.rigid["friction_coefficient"] == 0.1).all()  # both contacts above 2 GPa
-    assert any("outside the 1 to 2 GPa" in note for note in result.attributes["notes"])
+    assert any("outside the 1 to 2 GPa" in note for note in texts(result))
 
 
 def test_fields_are_those_of_the_chosen_balls(run):
@@ -174,7 +175,7 @@ def test_balls_that_nothing_drives_are_gaps_and_make_no_torque(run):
     assert np.isnan(values["ball_motion"][idle]).all()
     assert np.isfinite(values["ball_motion"][~idle]).all()
     assert (values["ball_torque"][idle] == 0).all()
-    assert any(f"{idle.sum()} of 10 balls" in note for note in result.attributes["notes"])
+    assert any(f"{idle.sum()} of 10 balls" in note for note in texts(result))
     assert None in summary(result)["rigid"]["ball_speed_ratios"]
 
 
@@ -211,7 +212,7 @@ def test_lines_that_do_not_exist_are_left_out_with_a_reason(run, control):
     result = run(RIVERA, f"operation.control={control}", "operation.load.radial_z=300 N")
     assert result.attributes["status"] == "converged"
     lines = {name for name, entry in result.family.layout().datasets("block").items() if entry.optional}
-    told = [note for note in result.attributes["notes"] if note.startswith("no pure rolling lines: ")]
+    told = [note for note in texts(result) if note.startswith("no pure rolling lines: ")]
     assert bool(told) is not bool(lines & result.rigid.keys())
     if told:
         assert summary(result)["rigid"]["line_counts"] is None
@@ -220,11 +221,11 @@ def test_lines_that_do_not_exist_are_left_out_with_a_reason(run, control):
 
 def test_contacts_that_leave_the_races_are_told(run):
     steep = run(RIVERA, "bearing.contact_angle=50 deg")
-    (note,) = [note for note in steep.attributes["notes"] if note.startswith("contacts reach ")]
+    (note,) = [note for note in texts(steep) if note.startswith("contacts reach ")]
     assert "up the inner race" in note
     assert f"{np.degrees(steep.rigid['contact_angle'][0]).max():.1f} deg" in note
     assert note in " ".join(text(steep).split())
-    assert not any("contacts reach" in note for note in run(RIVERA).attributes["notes"])
+    assert not any("contacts reach" in note for note in texts(run(RIVERA)))
 
 
 def reached(values, ball, groove):
@@ -234,7 +235,7 @@ def reached(values, ball, groove):
 
 
 def shoulder_notes(result):
-    return [note for note in result.attributes["notes"] if "shoulder" in note]
+    return [note for note in texts(result) if "shoulder" in note]
 
 
 def test_contacts_on_a_given_shoulder_are_counted(run):
@@ -258,12 +259,12 @@ def test_given_shoulder_counts_instead_of_the_usual_one(run):
 
 def test_balls_that_no_race_guides_are_told(run):
     light = run(RIVERA, "operation.load.axial=2 N")
-    assert any("18 balls touch the inner race too lightly" in n for n in light.attributes["notes"])
+    assert any("18 balls touch the inner race too lightly" in n for n in texts(light))
 
 
 def test_friction_too_low_for_the_gyroscopic_moment_is_told(run):
     result = run(RIVERA, "rolling_lines.coefficient=0.01")
-    assert any("gyroscopic moment" in note for note in result.attributes["notes"])
+    assert any("gyroscopic moment" in note for note in texts(result))
     assert not run(RIVERA).attributes["notes"]
 
 
@@ -275,7 +276,7 @@ def test_balls_that_leave_the_inner_race_are_gaps(run):
     for name in ("line_count", "first_line", "spin_torque", "slip_profile"):
         assert np.isnan(values[name][:, off]).all()
         assert np.isfinite(values[name][:, ~off]).all()
-    assert any(f"{off.sum()} of 18 balls" in note for note in result.attributes["notes"])
+    assert any(f"{off.sum()} of 18 balls" in note for note in texts(result))
 
 
 def test_balanced_net_force_reaches_the_lines(run):
@@ -393,7 +394,7 @@ def test_page_shows_what_friction_decides_only_where_it_does(run):
 
 def test_balls_that_friction_hardly_holds_are_told(run):
     result = run(RIVERA, "operation.control=coulomb", "operation.friction=0.01")
-    (note,) = [note for note in result.attributes["notes"] if note.startswith("gyroscopic moment: ")]
+    (note,) = [note for note in texts(result) if note.startswith("gyroscopic moment: ")]
     assert "does not hold the axes of 18 balls" in note
     assert f"{np.degrees(result.rigid['ball_attitude']).min():.1f} deg" in note
-    assert not any(note.startswith("gyroscopic") for note in run(RIVERA, *COULOMB).attributes["notes"])
+    assert not any(note.startswith("gyroscopic") for note in texts(run(RIVERA, *COULOMB)))

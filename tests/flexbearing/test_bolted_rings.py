@@ -13,6 +13,7 @@ from flexbearing.families import FAMILIES
 from flexbearing.report import summary, text
 from flexbearing.results import NotInLayout, ResultFile
 from flexbearing.rings import bolted
+from tests.flexbearing.noted import texts
 
 SLEWING = Path(__file__).parents[2] / "configs" / "slewing_bolted.toml"
 SMALL = (
@@ -151,8 +152,8 @@ def test_line_length_hardly_matters(run):
 @pytest.mark.slow
 def test_contacts_that_reach_over_the_shoulders_are_told(run):
     cut = run("rings.outer.groove_end=58 deg", "rings.line=3.5 mm")
-    assert any("outer ring reach over its shoulders" in note for note in cut.attributes["notes"])
-    assert not any("shoulders" in note for note in run().attributes["notes"])
+    assert any("outer ring reach over its shoulders" in note for note in texts(cut))
+    assert not any("shoulders" in note for note in texts(run()))
 
 
 def test_finite_elements_without_answer_leave_the_rigid_block(tmp_path, monkeypatch):

@@ -10,6 +10,7 @@ import flexbearing
 from flexbearing import read
 from flexbearing.case import BadCase
 from flexbearing.report import summary
+from tests.flexbearing.noted import texts
 from tests.flexbearing.test_trace import FALLING
 
 PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
@@ -29,7 +30,7 @@ def test_free_cage_reaches_the_summary(tmp_path):
     values = result.rigid
     assert np.hypot(*values["cage_offset"]) == approx(1e-6 * block["cage_offset_um"])
     assert values["pocket_displacement"].shape == (30,)
-    told = " ".join(summary(result)["notes"])
+    told = " ".join(texts(result))
     assert "eccentricity ratio" in told
     away = np.abs(values["pocket_displacement"])
     touching = (away > 0.1e-3).sum()
@@ -52,7 +53,7 @@ def test_cages_that_make_no_sense(settings, told):
 
 def test_several_equilibria_are_told(tmp_path):
     result = flexbearing.run(PAPER, tmp_path / "r.h5", [*RIGID, *FALLING, "operation.radial_load=2870 N"])
-    (note,) = [note for note in summary(result)["notes"] if "several equilibria" in note]
+    (note,) = [note for note in texts(result) if "several equilibria" in note]
     assert note.count(",") >= 3  # three slips
     alone = flexbearing.run(PAPER, tmp_path / "s.h5", [*RIGID, *FALLING, "operation.radial_load=20 kN"])
-    assert not any("several equilibria" in note for note in summary(alone)["notes"])
+    assert not any("several equilibria" in note for note in texts(alone))

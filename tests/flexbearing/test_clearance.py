@@ -148,7 +148,7 @@ def test_preload_is_a_result_and_said_so(tmp_path):
     case = read(FITS, PRELOAD)
     assert clearance.operating(case) < 0.0
     (note,) = clearance.notes(case)
-    assert "the bearing is preloaded" in note
+    assert "the bearing is preloaded" in note.text
     assert note in notes.of_case(case)
     result = flexbearing.run(FITS, tmp_path / "out.h5", [f"{key}={value}" for key, value in PRELOAD.items()])
     assert result.attributes["status"] == "converged"
@@ -160,7 +160,7 @@ def test_preload_is_a_result_and_said_so(tmp_path):
 def test_stated_preload_is_noted_as_well():
     assert clearance.notes(read(PLAIN)) == ()
     (note,) = clearance.notes(read(PLAIN, {"bearing.clearance": "-5 um"}))
-    assert "5.000 um" in note
+    assert "5.000 um" in note.text
 
 
 # -- refusals --------------------------------------------------------------------------------------

@@ -70,7 +70,8 @@ def test_every_text_of_a_page_is_shown(result):
     hostile = "\x1b[2J[bold]x\x9b"
     attributes = {
         **result.attributes,
-        "notes": (hostile,), "message": hostile, "assumed": (hostile,), "calibrated": {hostile: hostile},
+        "notes": [{"grade": "danger", "code": hostile, "text": hostile}],
+        "message": hostile, "assumed": (hostile,), "calibrated": {hostile: hostile},
         "status": "not solved", "ending": hostile, "regimes": {hostile: {"inner": hostile, "outer": hostile}},
     }  # fmt: skip
     page = text(replace(result, attributes=attributes))

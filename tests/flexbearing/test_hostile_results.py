@@ -27,7 +27,7 @@ CORPUS = corpus(NAMES, ROLLERS, SLICES)
 # What a file may say: its digest is right, and every name and number is of a form that a run could write.
 TEXTS = "title|ending|message|case_text|case_file|created|method"
 READ = re.compile(
-    rf"attribute: (({TEXTS}) as (empty )?text|(assumed|notes|case_overrides) as (no )?texts"
+    rf"attribute: (({TEXTS}) as (empty )?text|(assumed|case_overrides) as (no )?texts"
     r"|digest as (whole number|number|(empty )?text|(no )?texts)|wall_time_s as number|no case_file"
     r"|status (not solved|unfinished)|time huge|title of (control|mathematics|lines)|notes of control"
     r"|method of mathematics)"

@@ -54,6 +54,13 @@ def block(largest=3537.0, spread=0.19, bending=0.0):
     }
 
 
+NOTE = {
+    "grade": "outside validity",
+    "code": "traction-data",
+    "text": "4109 regression used outside its calibration",
+}
+
+
 def history(count):
     sizes = 10.0 ** -np.arange(1, count + 1)
     return tuple({"load_change": np.array(size), "residual": np.array(size / 30)} for size in sizes)
@@ -73,7 +80,7 @@ def result(**changes):
         "wall_time_s": 12.34,
         "assumed": ("bearing.cage.mass", "lubricant.name"),
         "calibrated": {"lubricant.oil_fraction": "cage slip of 6.28 % in the publication"},
-        "notes": ("4109 regression used outside its calibration",),
+        "notes": [NOTE],
     }
     attributes.update(changes.pop("attributes", {}))
     return Result(

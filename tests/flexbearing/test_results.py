@@ -40,7 +40,10 @@ ENDING = {
     "started_from": "results/nachbar.h5",
     "attempts": {"newton": {"iterations": 2, "status": "converged", "message": "loads settled"}},
     "wall_time_s": 1.5,
-    "notes": ["film outside its range", "second"],
+    "notes": [
+        {"grade": "danger", "code": "film", "text": "film outside its range"},
+        {"grade": "information", "code": "other", "text": "second"},
+    ],
     "clearance": {"operating_m": -4e-6, "steps": []},
     "life": {"rigid": {"basic_Mrev": 10.0, "factors": [], "modified_Mrev": 12.0}},
     "regimes": {"rigid": {"inner": "mixed", "outer": "full film"}},
@@ -116,12 +119,14 @@ def test_history_stacks_a_dataset_over_the_iterations(path):
 
 
 def test_attributes_come_back_as_the_program_uses_them(path):
-    attributes = read(written(path)).attributes
+    result = read(written(path))
+    attributes = result.attributes
     assert attributes.keys() == LAYOUT.attributes.keys()
     assert attributes["title"] == "Rollenlager, Außenring weich"
     assert attributes["case_text"] == BEGINNING["case_text"]
     assert attributes["assumed"] == ()
-    assert attributes["notes"] == ("film outside its range", "second")
+    assert [note["text"] for note in attributes["notes"]] == ["film outside its range", "second"]
+    assert [note["code"] for note in result.dangers] == ["film"]
     assert attributes["case_si"] == {"bearing": {"clearance": 5e-5, "rollers": 5}}
     for name in ("structure", "clearance", "life", "regimes"):
         assert attributes[name] == ENDING[name]
@@ -451,7 +456,7 @@ def test_a_run_that_never_solved_has_empty_blocks(path):
         ({"staus": "converged"}, "Did you mean 'status'"),
         ({"status": "Converged"}, "'Converged' does not exist; it is one of: converged"),
         ({"iterations": 3}, "iterations = 3, but 0 were written"),
-        ({"iterations": 0, "notes": "one text"}, "a list of texts is wanted"),
+        ({"iterations": 0, "notes": "one text"}, "a list of records is wanted"),
         ({"iterations": 0, "wall_time_s": np.nan}, "a finite number is wanted"),
         ({"iterations": 0, "structure": "{}"}, "a mapping is wanted"),
         ({"iterations": 0, "structure": {"mesh": np.nan}}, "structure"),

@@ -14,6 +14,7 @@ from flexbearing.case import BadCase
 from flexbearing.cli import app
 from flexbearing.coupled.initial_state import unknowns
 from flexbearing.results import BadResult
+from tests.flexbearing.noted import texts
 from tests.flexbearing.resealed import resealed
 
 PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
@@ -124,7 +125,7 @@ def test_damaged_start_falls_back_to_rigid_raceways(other, cold, tmp_path):
     assert (first[0], second[0]) == ("newton from an initial state", "newton")
     assert first[1]["status"] != "converged"
     assert found.attributes["started_from"] == "rigid raceways"
-    assert any("damaged.h5: not used: " in note for note in found.attributes["notes"])
+    assert any("damaged.h5: not used: " in note for note in texts(found))
     assert found.flexible["inner_load"] == approx(cold.flexible["inner_load"], rel=1e-9)
 
 

@@ -173,7 +173,7 @@ def test_oil_at_engine_temperature():
     hot = oil_at("MIL-PRF-23699", 493.15)
     assert hot.pressure_viscosity == approx(8.751e-9, rel=1e-3)
     assert hot.conductivity == approx(0.1205, rel=1e-3)
-    assert "extrapolated" in hot.notes[0]
+    assert "extrapolated" in hot.notes[0].text
 
 
 def test_oil_outside_its_range_is_refused():

@@ -108,8 +108,8 @@ def test_slope_of_the_roller_drag(speed):
 
 def test_leaving_the_table_is_told():
     assert drag_notes(np.array([0.1, 1e3, 1e6])) == ()
-    assert "1.2e+06" in drag_notes(np.array([1e3, 1.2e6]))[0]
-    assert "0.05" in drag_notes(0.05)[0]
+    assert "1.2e+06" in drag_notes(np.array([1e3, 1.2e6]))[0].text
+    assert "0.05" in drag_notes(0.05)[0].text
 
 
 # ---- vortices and turbulence
@@ -256,7 +256,7 @@ def test_rollers_that_guide_leave_the_land_alone():
 
 def test_a_land_that_touches_is_told():
     assert land_notes(np.array([0.0, 0.99])) == ()
-    assert "0.997" in land_notes(np.array([0.1, 0.997]))[0]
+    assert "0.997" in land_notes(np.array([0.1, 0.997]))[0].text
 
 
 # ---- spinning rollers

@@ -152,7 +152,7 @@ def test_mineral_oil_has_its_grade_at_40_degrees(grade):
     assert kinematic(oil) == approx(grade, rel=1e-12)
     assert 20 <= round(oil.pressure_viscosity * 1e9, 6) <= 24
     assert 15 <= round(oil_at(f"ISO VG {grade}", 100 + ZERO).pressure_viscosity * 1e9, 6) <= 18
-    assert "recalled" in " ".join(oil.notes)
+    assert "recalled" in " ".join(note.text for note in oil.notes)
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -223,7 +223,8 @@ def test_pressure_viscosity_is_log_linear_through_its_points():
 def test_single_pressure_viscosity_is_constant_and_says_so():
     hot = oil_at(sheet(pressure_viscosities=((313.15, 20e-9),)), 373.15)
     assert hot.pressure_viscosity == 20e-9
-    assert hot.notes == ("sheet: pressure-viscosity is that of 313 K at any temperature",)
+    (note,) = hot.notes
+    assert note.text == "sheet: pressure-viscosity is that of 313 K at any temperature"
 
 
 def test_density_of_two_point_oil_is_given_at_15_degrees():
@@ -261,10 +262,11 @@ def test_between_measured_and_usable_a_note_names_the_value_and_the_range(name):
     oil = OILS[name]
     for t in (oil.measured[0] - 5.0, oil.measured[1] + 5.0):
         note = oil_at(name, t).notes[0]
-        assert f"{name} at {t:.0f} K is extrapolated" in note
-        assert f"{oil.measured[0]:.0f} to {oil.measured[1]:.0f} K" in note
+        assert f"{name} at {t:.0f} K is extrapolated" in note.text
+        assert note.grade == "outside validity"
+        assert f"{oil.measured[0]:.0f} to {oil.measured[1]:.0f} K" in note.text
     for t in oil.measured:
-        assert "extrapolated" not in " ".join(oil_at(name, t).notes)
+        assert not any("extrapolated" in note.text for note in oil_at(name, t).notes)
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -223,7 +223,7 @@ def test_friction_against_pressure_and_a_word_outside_it():
     assert between.notes == ()
     outside = one_ball(slow_bearing(friction=curve), [45.0], [1.0])
     assert outside.friction.tolist() == [[[0.1, 0.1]]]
-    assert "outside the 1 to 2 GPa" in outside.notes[0]
+    assert "outside the 1 to 2 GPa" in outside.notes[0].text
 
 
 def test_impossible_balls_are_refused():

@@ -10,7 +10,7 @@ from rich.text import Text
 from flexbearing.quantities.four_point import LAYOUT, TORQUE_PARTS
 from flexbearing.report.balls.sections import ending, formatted, of_races, ring, shown, single_values
 from flexbearing.report.rows import label, value
-from flexbearing.report.sections import closing, right_aligned
+from flexbearing.report.sections import closing, opening, right_aligned
 
 _COMPARED = (  # keys of the summary
     "loaded_balls",
@@ -24,11 +24,11 @@ _DIRECTIONS = ("x [N/um]", "y [N/um]", "z [N/um]", "about y [kN m/mrad]", "about
 
 
 def page(numbers: dict[str, Any]) -> Iterator[RenderableType]:
-    """Loads, torque in parts, ring, assumed keys, notes, and how the run ended.
+    """Dangers, loads, torque in parts, ring, assumed keys, notes, and how the run ended.
 
     Elastic rings are compared with rigid ones; then everything is said of them.
     """
-    yield Text(numbers["title"], style="bold")
+    yield from opening(numbers)
     if numbers["flexible"]:
         yield compared(numbers["rigid"], numbers["flexible"])
         yield Text("between the elastic rings", "bold")

@@ -16,6 +16,7 @@ from flexbearing.report.sections import (
     closing,
     life_factors,
     matrices,
+    opening,
     ordered_levels,
     regimes,
     skew,
@@ -50,8 +51,8 @@ def ending(numbers: dict[str, Any]) -> str:
 
 
 def page(numbers: dict[str, Any]) -> Iterator[RenderableType]:
-    """Every section of a result, from its summary: numbers, stiffness, clearance, life, notes, ending."""
-    yield Text(numbers["title"], style="bold")
+    """Every section of a result, from its summary: dangers, numbers, matrices, clearance, life, notes."""
+    yield from opening(numbers)
     if numbers["rigid"] or numbers["flexible"]:
         yield _table(numbers["rigid"], numbers["flexible"], numbers["error_estimate"] or {})
     yield from ordered_levels(numbers["choices"] or {}, numbers["error_estimate"] or {})

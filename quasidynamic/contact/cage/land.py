@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.contact.cage.couette import couette_factor
+from quasidynamic.note import Note, outside
 from quasidynamic.parts.cage import Cage
 from quasidynamic.parts.lubricant import Lubricant
 
@@ -251,14 +252,17 @@ def _film_force(ratio: NDArray) -> tuple[NDArray, NDArray]:
     return size, (radial * radial_slope + tangential * tangential_slope) / size
 
 
-def land_notes(eccentricity: NDArray | float) -> tuple[str, ...]:
+def land_notes(eccentricity: NDArray | float) -> tuple[Note, ...]:
     """Tell where eccentricity ratios [-] leave the validity of `land_force`; empty inside it."""
     worst = float(np.max(eccentricity))
     if worst <= ECCENTRICITY_LIMIT:
         return ()
     return (
-        f"cage land: eccentricity ratio {worst:.3g} is above {ECCENTRICITY_LIMIT}; the film force goes on "
-        "along its tangent there and stands for a contact that is not modelled",
+        outside(
+            "cage-land",
+            f"cage land: eccentricity ratio {worst:.3g} is above {ECCENTRICITY_LIMIT}; the film force goes "
+            "on along its tangent there and stands for a contact that is not modelled",
+        ),
     )
 
 

@@ -3,6 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from quasidynamic.note import Note, outside
 from quasidynamic.parts.lubricant import Lubricant
 from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
 
@@ -43,14 +44,17 @@ def cylinder_drag(reynolds: NDArray | float) -> tuple[NDArray, NDArray]:
     return np.interp(position, _LOG_REYNOLDS, _CYLINDER_DRAG), _CYLINDER_SLOPE[piece]
 
 
-def drag_notes(reynolds: NDArray | float) -> tuple[str, ...]:
+def drag_notes(reynolds: NDArray | float) -> tuple[Note, ...]:
     """Tell where Reynolds numbers [-] leave the table of `cylinder_drag`; empty inside it."""
     low, high = float(np.min(reynolds)), float(np.max(reynolds))
     if low >= 0.1 and high <= 1e6:
         return ()
     return (
-        f"drag of the rollers: Re from {low:.3g} to {high:.3g} leaves the table of C_d (0.1 to 1e6); "
-        "its end values are held",
+        outside(
+            "drag-table",
+            f"drag of the rollers: Re from {low:.3g} to {high:.3g} leaves the table of C_d (0.1 to 1e6); "
+            "its end values are held",
+        ),
     )
 
 

@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from quasidynamic.contact.traction.film_strip import ShearStress, film_traction, limited_stress, loaded_strip
 from quasidynamic.contact.traction.traction_law import Traction
+from quasidynamic.note import Note, outside
 from quasidynamic.parts.lubricant import Lubricant
 
 
@@ -42,7 +43,7 @@ class AdoreOil:
         """Beta [1/K]; temperature in K."""
         return self.thinning_313 * (temperature / 313.0) ** self.thinning_power
 
-    def notes(self, temperature: ArrayLike, pressure: ArrayLike) -> tuple[str, ...]:
+    def notes(self, temperature: ArrayLike, pressure: ArrayLike) -> tuple[Note, ...]:
         """Say which of temperatures [K] and pressures [Pa] leave the fitted ranges; empty if none."""
         return _range_note(f"{self.name}: temperature", temperature, self.fitted_temperature, (1.0, "K")) + (
             _range_note(f"{self.name}: pressure", pressure, self.fitted_pressure, (1e9, "GPa"))
@@ -127,12 +128,15 @@ class AdoreType:
 
 def _range_note(
     name: str, value: ArrayLike, fitted: tuple[float, float], unit: tuple[float, str]
-) -> tuple[str, ...]:
+) -> tuple[Note, ...]:
     lowest, highest = float(np.min(value)), float(np.max(value))
     if fitted[0] <= lowest and highest <= fitted[1]:
         return ()
     size, symbol = unit
     return (
-        f"{name} {lowest / size:.4g} to {highest / size:.4g} {symbol} is extrapolated: "
-        f"the fit covers {fitted[0] / size:.4g} to {fitted[1] / size:.4g} {symbol}",
+        outside(
+            "traction-data",
+            f"{name} {lowest / size:.4g} to {highest / size:.4g} {symbol} is extrapolated: "
+            f"the fit covers {fitted[0] / size:.4g} to {fitted[1] / size:.4g} {symbol}",
+        ),
     )
