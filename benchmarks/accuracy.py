@@ -32,6 +32,7 @@ PAPER, NU209 = "configs/mao2016.toml", "configs/nu209.toml"
 SLICES, SHAPES = 2560, 10
 SECTION, CAGE, FITTED = (7, 0.8, 0.15), (4, 0.4, 0.25), (5, 0.9, 0.18)
 
+HELD = {"operation.tilt": "fixed"}
 NO_SHAFT, NO_CAGE = {"inner.kind": "rigid"}, {"outer.kind": "rigid"}
 STEEL = {
     "youngs_modulus": "207 GPa",
@@ -84,7 +85,7 @@ CASES: Cases = {
     "paper, clearance 20 um": (PAPER, {"bearing.clearance": "20 um"}),
     "paper, preload 10 um": (PAPER, {"bearing.clearance": "-10 um"}),
     "paper, straight rollers": (PAPER, {"bearing.roller.profile": "straight"}),
-    "paper, misaligned 1 mrad": (PAPER, {"operation.misalignment": "1 mrad"}),
+    "paper, misaligned 1 mrad": (PAPER, {**HELD, "operation.misalignment": "1 mrad"}),
     "paper, moment 10 N m": (PAPER, {"operation.moment": "10 N m"}),
     "paper, cage only": (PAPER, NO_SHAFT),
     "paper, shaft only": (PAPER, NO_CAGE),

@@ -122,7 +122,10 @@ class RollerBearing:
     def _balance(
         self, operations: Sequence[Operation], deviation: NDArray | None = None, aligned: bool = True
     ) -> BearingBalance:
-        """Equations, with rollers that can tilt only where something may tilt them."""
+        """Equations, with rollers that can tilt only where something tilts them.
+
+        By symmetry a ring that is free to tilt stays straight where nothing does.
+        """
         aligned = aligned and deviation is None and not any(operation.tilts for operation in operations)
         return BearingBalance(
             roller=self._aligned_rollers if aligned else self._tilting_rollers,

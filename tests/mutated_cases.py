@@ -56,7 +56,7 @@ VARIANTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "cage with vortices": ("mao2016", (
         *RIGID, "bearing.cage.land_flow=vortices", "bearing.cage.pocket_clearance=0.1 mm",
     )),
-    "skew": ("nu209", (*FLANGE, "operation.moment=20 N m")),
+    "skew": ("nu209", (*FLANGE, "operation.tilt=free", "operation.moment=20 N m")),
     "data sheet": ("nu209_fits", ("lubricant.oil=", *SHEET)),
     "traction curve": ("nu209", CURVE),
     "bair-winer": ("nu209", ("lubricant.traction=bair-winer", "lubricant.film_heating=true")),

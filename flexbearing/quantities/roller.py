@@ -289,6 +289,12 @@ _ATTRIBUTES = (
         optional=True,
     ),
     Attribute(
+        "tilt",
+        "json",
+        "how the shaft holds the inner ring, as operation.tilt: fixed or free",
+        form=records.TILT,
+    ),
+    Attribute(
         "clearance",
         "json",
         "operating clearance, with the steps that led to it when it was computed",
@@ -345,5 +351,5 @@ A pair is (inner, outer) or (y, z) as stated.
     quantities=QUANTITIES,
     blocks=("rigid", "flexible"),
     further_attributes=_ATTRIBUTES,
-    head=(*HEAD, "method", "clearance", "life", "regimes", "stresses", "choices", "error_estimate"),
+    head=(*HEAD, "method", "tilt", "clearance", "life", "regimes", "stresses", "choices", "error_estimate"),
 )

@@ -29,6 +29,7 @@ def _same_factors(lives: Any) -> bool:
 
 
 ATTEMPTS: Form = Each("method", Record({"iterations": COUNT, "status": TEXT, "message": TEXT}))
+TILT: Form = Record({"inner_ring": TEXT}, empty=True)
 CLEARANCE: Form = Such(
     Record(
         {

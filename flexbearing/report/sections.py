@@ -54,6 +54,13 @@ def closing(numbers: dict[str, Any], ending: str) -> Iterator[RenderableType]:
     yield Text(ending, style="bold green" if converged else "bold red")
 
 
+def tilt(held: dict[str, Any] | None) -> Iterator[RenderableType]:
+    """How the inner ring is held; nothing of a result that does not say it."""
+    if held:
+        words = {"fixed": "its tilt is held", "free": "free to tilt"}.get(held["inner_ring"], "")
+        yield Text(f'inner ring: {words} (operation.tilt = "{held["inner_ring"]}")\n')
+
+
 def clearance_steps(clearance: dict[str, Any]) -> Iterator[RenderableType]:
     """How the operating clearance came about; nothing when the case states it, or the run did not end."""
     if not clearance.get("steps"):

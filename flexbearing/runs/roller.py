@@ -35,6 +35,7 @@ def opening(case: Case) -> dict[str, object]:
     """Root attributes that are known before anything is solved."""
     return {
         "method": case.coupling.method,
+        "tilt": {"inner_ring": case.operation.tilt},
         "notes": [note.record() for note in graded(notes.of_case(case))],
         "clearance": clearance.record(case),
     }

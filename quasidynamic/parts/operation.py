@@ -36,5 +36,5 @@ class Operation:
 
     @property
     def tilts(self) -> bool:
-        """Whether the rings may stand at an angle to each other."""
-        return self.free_tilt or self.misalignment != 0.0
+        """Whether the rings stand at an angle to each other between raceways of no shape of their own."""
+        return self.moment != 0.0 or self.misalignment != 0.0

@@ -72,7 +72,7 @@ BROKEN = {
         ["broken.toml", "[operation] inner_speed", "nothing rolls"],
     ),
     "moment on a ring that may not tilt": (
-        'moment = "0 N m"', 'moment = "20 N m"\ntilt = "fixed"',
+        'moment = "0 N m"\ntilt = "free"', 'moment = "20 N m"\ntilt = "fixed"',
         ["broken.toml", "[operation] moment", '"20 N m"', "fixed"],
     ),
     "assumed key that is none": (

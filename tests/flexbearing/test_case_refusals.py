@@ -1,5 +1,6 @@
 """What a case file may not say silently, and how it is told."""
 
+import re
 import tomllib
 from pathlib import Path
 
@@ -119,11 +120,37 @@ def test_eyring_needs_its_limiting_ratio():
 
 @pytest.mark.parametrize(
     ("moment", "tilt", "free"),
-    [("0 N m", "auto", False), ("5 N m", "auto", True), ("0 N m", "free", True), ("0 N m", "fixed", False)],
+    [("1e-6 N m", "free", True), ("5 N m", "free", True), ("0 N m", "free", True), ("0 N m", "fixed", False)],
 )
-def test_ring_tilts_when_asked_to_or_under_a_moment(moment, tilt, free):
+def test_ring_tilts_where_the_case_says_so_and_by_no_size_of_a_moment(moment, tilt, free):
     case = read(PAPER, {"operation.moment": moment, "operation.tilt": tilt})
     assert case.operation.free_tilt is free
+
+
+def test_tilt_by_the_size_of_the_moment_is_refused_naming_both_choices():
+    assert '[operation] tilt = "auto" is not allowed; it must be "fixed" or "free"' in refusal(
+        "operation.tilt=auto"
+    )
+
+
+@pytest.mark.parametrize(
+    ("rigid", "flexible"),
+    [("inner.kind", 'outer.kind = "squirrel_cage"'), ("outer.kind", 'inner.kind = "ring_on_shaft"')],
+)
+def test_tilt_must_be_given_where_a_ring_is_flexible(tmp_path, rigid, flexible):
+    text = re.sub(r"\ntilt = .*", "", PAPER.read_text())
+    case = tmp_path / "case.toml"
+    case.write_text(text)
+    with pytest.raises(
+        BadCase, match=f'.operation. tilt is missing: {flexible} needs it; it is "fixed" or "free"'
+    ):
+        read(case, {rigid: "rigid"})
+    assert read(case, {"inner.kind": "rigid", "outer.kind": "rigid"}).operation.tilt == "fixed"
+
+
+def test_moment_on_a_held_ring_is_refused_naming_the_key_that_frees_it():
+    with pytest.raises(BadCase, match=r'\[operation\] moment = "1 N m" cannot be; .*operation.tilt = "free"'):
+        read(PAPER.with_name("nu209.toml"), {"operation.moment": "1 N m"})
 
 
 def test_number_found_is_shown_as_it_stands():

@@ -74,6 +74,7 @@ def result(**changes):
         "message": "load change below 1e-8",
         "clearance": {"operating_m": 75.5e-6, "steps": []},
         "life": {},
+        "tilt": {"inner_ring": "free"},
         "regimes": {},
         "method": "newton",
         "iterations": 5,

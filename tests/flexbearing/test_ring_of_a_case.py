@@ -20,11 +20,10 @@ BEAM = ["inner.kind=rigid", "accuracy.structure=beam", "accuracy.slices=8", "acc
     [
         (["operation.moment=30 N m"], True),
         (["operation.tilt=free"], True),
-        ([], False),
         (["operation.tilt=fixed"], False),
-        (["operation.misalignment=2 arcmin"], False),
+        (["operation.tilt=fixed", "operation.misalignment=2 arcmin"], False),
     ],
-    ids=["moment", "free", "auto without moment", "fixed", "misaligned"],
+    ids=["moment", "free", "fixed", "misaligned"],
 )
 def test_ring_tilts_freely_where_the_case_says_so(settings, free):
     assert bearing(read(PAPER, settings)).operation.free_tilt is free

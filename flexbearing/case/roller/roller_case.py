@@ -62,6 +62,15 @@ class Case(Head):
         return self
 
     @model_validator(mode="after")
+    def _tilt_is_stated(self) -> Self:
+        if "tilt" in self.operation.model_fields_set:
+            return self
+        for name, kind in (("outer", self.outer.kind), ("inner", self.inner.kind)):
+            if kind != "rigid":
+                raise needed(["operation.tilt"], f'{name}.kind = "{kind}"')
+        return self
+
+    @model_validator(mode="after")
     def _surfaces_are_known(self) -> Self:
         rough = self.bearing.roughness is not None
         self.lubricant.require_rough_surfaces(rough)

@@ -131,14 +131,19 @@ class Operation(Section):
     load_direction: Angle = key("azimuth that the radial load points to, from z towards y", "0 deg")
     inner_speed: Speed = key("speed of the inner ring")
     outer_speed: Speed = key("speed of the outer ring", "0 rpm")
-    moment: Moment = key("tilting moment on the inner ring about the axis across the load", "0 N m")
+    moment: Moment = key(
+        'tilting moment on the inner ring about the axis across the load; other than 0 with tilt = "free"',
+        "0 N m",
+    )
     misalignment: Angle = key(
-        "slope of an inner ring that may not tilt freely, in the plane of the load",
+        'slope of an inner ring in the plane of the load; other than 0 with tilt = "fixed"',
         "0 deg",
         example="2 arcmin",
     )
-    tilt: Literal["auto", "fixed", "free"] = key(
-        "whether the inner ring may tilt: free, fixed, or free only under a moment (auto)", "auto"
+    tilt: Literal["fixed", "free"] = key(
+        "how the shaft holds the inner ring: fixed, it keeps its slope (operation.misalignment); free, it "
+        "tilts until the moments balance (operation.moment); must be given where a ring is flexible",
+        "fixed",
     )
     temperatures: Temperatures | None = key(
         "temperatures of the parts; without them all have the dimensions given", None
@@ -147,16 +152,19 @@ class Operation(Section):
     @property
     def free_tilt(self) -> bool:
         """Whether the inner ring may tilt."""
-        return self.tilt == "free" or (self.tilt == "auto" and self.moment != 0.0)
+        return self.tilt == "free"
 
     @model_validator(mode="after")
     def _moves(self) -> Self:
         if self.inner_speed == self.outer_speed:
             raise impossible("inner_speed", "other than operation.outer_speed, or nothing rolls")
-        if self.tilt == "fixed" and self.moment != 0.0:
-            raise impossible("moment", '"0 N m" for operation.tilt = "fixed"')
+        if self.moment != 0.0 and not self.free_tilt:
+            raise impossible(
+                "moment",
+                '"0 N m" for operation.tilt = "fixed"; a moment tilts a ring with operation.tilt = "free"',
+            )
         if self.misalignment != 0.0 and self.free_tilt:
             raise impossible(
-                "misalignment", '"0 deg" for a ring that tilts freely, by operation.tilt or under a moment'
+                "misalignment", '"0 deg" for operation.tilt = "free": the ring finds its own slope'
             )
         return self

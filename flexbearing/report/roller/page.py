@@ -21,6 +21,7 @@ from flexbearing.report.sections import (
     regimes,
     skew,
     stresses,
+    tilt,
 )
 
 
@@ -55,6 +56,7 @@ def page(numbers: dict[str, Any]) -> Iterator[RenderableType]:
     yield from opening(numbers)
     if numbers["rigid"] or numbers["flexible"]:
         yield _table(numbers["rigid"], numbers["flexible"], numbers["error_estimate"] or {})
+    yield from tilt(numbers["tilt"])
     yield from ordered_levels(numbers["choices"] or {}, numbers["error_estimate"] or {})
     yield from matrices(numbers["flexible"])
     yield from regimes(numbers["regimes"])

@@ -231,7 +231,9 @@ class BearingBalance:
         points, ring = self.points, self.layout.per_roller
         load, stiffness = np.zeros((BORDER, len(points))), np.zeros((len(points), BORDER, BORDER))
         # Any stiffness holds a tilt at its given value; this one has the size of the other rows.
-        held = np.where(points.free_tilt[:, 0], 0.0, self.scales.row[ring + TILT_Z] / ANGLE)
+        # Aligned rollers hold a ring straight that nothing tilts.
+        free = points.free_tilt[:, 0] & (self.roller.axial_modes > 1)
+        held = np.where(free, 0.0, self.scales.row[ring + TILT_Z] / ANGLE)
         stiffness[:, TILT_Z, TILT_Z] = stiffness[:, TILT_Y, TILT_Y] = held
         load[Y], load[Z] = points.load_y[:, 0], points.load_z[:, 0]
         # A ring that tilts freely has no given slope, one that is held no moment.
