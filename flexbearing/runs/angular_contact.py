@@ -10,6 +10,7 @@ from flexbearing.build.ball_parts import ball, groove
 from flexbearing.case.balls.angular_contact import AngularCase
 from flexbearing.quantities.angular_contact import LAYOUT
 from flexbearing.quantities.quantity import taken
+from flexbearing.runs import dangers
 from quasidynamic.note import Note, danger, information, outside
 from quasidynamic.outcome.rolling_contact import RollingContact
 from quasidynamic.outcome.truncation import USUAL_SHOULDER
@@ -105,7 +106,8 @@ def _lines(case: AngularCase, state: qd.AngularContactState, contact: RollingCon
 
 def notes(case: AngularCase, solution: Solution) -> tuple[Note, ...]:
     """What a user must know of the solution."""
-    state, lines = solution.state, ()
+    state = solution.state
+    lines = tuple(dangers.pressed(float(state.peak_pressures.max())))
     lifted = int((~state.on_inner).sum())
     if lifted:
         lines += (

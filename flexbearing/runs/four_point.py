@@ -11,6 +11,7 @@ from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.quantities.four_point import LAYOUT
 from flexbearing.quantities.quantity import taken
 from flexbearing.rings import bolted
+from flexbearing.runs import dangers
 from quasidynamic.note import Note, danger, information
 from quasidynamic.solve.balls.elastic_load_distribution import ElasticBallLoads
 from quasidynamic.solve.balls.load_distribution import BallLoads
@@ -153,7 +154,7 @@ def _fields(case: FourPointCase, balls: qd.SlidingBalls) -> dict[str, NDArray]:
 def notes(case: FourPointCase, solution: Solution) -> tuple[Note, ...]:
     """What a user must know of the solution."""
     balls = solution.balls
-    lines = balls.notes
+    lines = (*dangers.pressed(float(balls.peak_pressure.max())), *balls.notes)
     if solution.distribution is None:
         lines += (
             information(

@@ -1,4 +1,6 @@
-"""What left its range of validity, for the reader of the results."""
+"""What a reader of the results must know besides the numbers."""
+
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -6,12 +8,13 @@ from flexbearing.build import clearance
 from flexbearing.build.lubrication import oil, oil_name
 from flexbearing.case.roller import Case
 from flexbearing.quantities.roller import CAGE_SLIP
+from flexbearing.runs import dangers
 from quasidynamic import Equilibrium, RollerBearing
-from quasidynamic.contact.cage import land_notes
-from quasidynamic.contact.drag import drag_notes
-from quasidynamic.contact.traction.adore import ADORE_OILS
 from quasidynamic.note import Note, danger, information, outside
+from quasidynamic.outcome.validity import validity
 from quasidynamic.trace import equilibria_at, several_likely
+
+LARGE_SHARE = 0.5  # of the losses: worth a word (assumed)
 
 
 def of_case(case: Case) -> tuple[Note, ...]:
@@ -44,33 +47,46 @@ def of_choice(model: RollerBearing) -> tuple[Note, ...]:
     )
 
 
-def of_state(case: Case, state: Equilibrium) -> tuple[Note, ...]:
-    """What a solved state adds: drag at its cage speed, traction at its pressures."""
-    return _drag(case, state) + _traction(case, state) + _cage(case, state)
+def of_state(case: Case, state: Equilibrium, modified_life: float | None) -> tuple[Note, ...]:
+    """What a solved state adds: dangers, limits of laws that it is beyond, what a reader should weigh.
+
+    Parameters
+    ----------
+    case : Case
+        of the state
+    state : Equilibrium
+        solved
+    modified_life : float or None
+        life after every factor [10^6 revolutions]; None where the case modifies nothing
+
+    Returns
+    -------
+    tuple of Note
+    """
+    life = state.life if modified_life is None else modified_life
+    return (*_dangers(state, life), *validity(state), *_information(case, state))
 
 
-def _drag(case: Case, state: Equilibrium) -> tuple[Note, ...]:
-    if case.lubricant.drag_coefficient is not None:
-        return ()
-    bearing, lubricant = state.balance.roller.bearing, state.balance.roller.lubrication.oil
-    speed = abs(state.cage_speed) * bearing.pitch_diameter / 2
-    return drag_notes(lubricant.density * bearing.roller.diameter / lubricant.viscosity * speed)
+def _dangers(state: Equilibrium, life: float) -> Iterator[Note]:
+    points = state.balance.points
+    yield from dangers.pressed(float(state.peak_pressure.max()))
+    yield from dangers.short_lived(life, float(points.inner_speed[0, 0] - points.outer_speed[0, 0]))
 
 
-def _cage(case: Case, state: Equilibrium) -> tuple[Note, ...]:
-    notes: tuple[Note, ...] = ()
-    cage = state.balance.roller.bearing.cage
-    if state.floating is not None:
-        notes += land_notes(np.hypot(*state.floating.offset[0]) / (cage.land_clearance / 2))
+def _information(case: Case, state: Equilibrium) -> Iterator[Note]:
+    cage, losses = state.balance.roller.bearing.cage, state.losses
     if state.pocket_displacement is not None:
         touching = int((np.abs(state.pocket_displacement) > cage.pocket_clearance).sum())
-        words = f"cage pockets: {touching} rollers touch the wall of their pocket"
-        notes += (information("pocket-walls", words),) if touching else ()
-    return notes
-
-
-def _traction(case: Case, state: Equilibrium) -> tuple[Note, ...]:
-    lubricant = case.lubricant
-    if lubricant.traction != "adore" or lubricant.adore_oil is None:
-        return ()
-    return ADORE_OILS[lubricant.adore_oil].notes(lubricant.inlet_temperature, state.peak_pressure)
+        if touching:
+            yield information(
+                "pocket-walls", f"cage pockets: {touching} rollers touch the wall of their pocket"
+            )
+    if losses.drag > LARGE_SHARE * losses.total:
+        key = "lubricant.oil_fraction"
+        how = ", assumed" * (key in case.assumed) + ", calibrated" * (key in case.calibrated)
+        yield information(
+            "drag-loss",
+            f"losses: {losses.drag / losses.total:.0%} are drag of the oil-air mixture on the rollers, "
+            "which grows "
+            f"with lubricant.oil_fraction = {case.lubricant.oil_fraction:g}{how}",
+        )

@@ -24,7 +24,8 @@ class Postprocessing:
     file: ResultFile
     lives: dict[str, Any] = field(default_factory=dict)  # by block
     regimes: dict[str, Any] = field(default_factory=dict)  # by block
-    notes: list[Note] = field(default_factory=list)
+    notes: list[Note] = field(default_factory=list)  # of the run
+    of_state: dict[str, tuple[Note, ...]] = field(default_factory=dict)  # by block
     stresses: dict[str, Any] = field(default_factory=dict)  # by part
 
     def store(
@@ -52,9 +53,10 @@ class Postprocessing:
         if end.roughness is not None:
             words = (str(word) for word in regime(lambda_ratio(state.minimum_film, end.roughness)))
             self.regimes[name] = dict(zip(("inner", "outer"), words, strict=True))
-        self.notes.extend(notes.of_state(self.case, state))
+        rated = modified.modified / life.MREV if modified else None
+        self.of_state[name] = notes.of_state(self.case, state, rated)
         if skewed:
-            self.notes.extend(skew.notes(skewed, state, state.minimum_film))
+            self.of_state[name] += skew.notes(skewed, state, state.minimum_film)
         return {"life": modified, "skew": skewed}
 
     def _add_stresses(self, block: Arrays) -> None:
@@ -69,7 +71,8 @@ class Postprocessing:
 
     def attributes(self) -> dict[str, Any]:
         """Root attributes that the end states decide."""
-        every_note = [*notes.of_case(self.case), *self.notes]
+        solutions = list(self.of_state.values())  # the last one answers the case
+        every_note = [*notes.of_case(self.case), *self.notes, *(solutions[-1] if solutions else ())]
         stresses = {"stresses": self.stresses} if self.case.outputs.stresses else {}
         return stresses | {
             "clearance": clearance.record(self.case),

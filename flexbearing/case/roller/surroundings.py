@@ -37,18 +37,29 @@ class Material(Section):
     expansion: PerTemperature = key("coefficient of linear thermal expansion", ge=-1e-3, le=1e-3)
 
 
+class RingMaterial(Material):
+    """A material of a part whose stresses may be known."""
+
+    yield_stress: Pressure | None = key(
+        "yield stress; where a part is known to be stressed beyond it, the run says so",
+        None,
+        example="900 MPa",
+        gt=0,
+    )
+
+
 class Materials(Section):
     """Materials of the parts."""
 
     roller: Material = key("of the rollers")
-    inner_ring: Material = key("of the inner ring")
-    outer_ring: Material = key("of the outer ring, and of the squirrel cage that is one piece with it")
-    shaft: Material | None = key(
+    inner_ring: RingMaterial = key("of the inner ring")
+    outer_ring: RingMaterial = key("of the outer ring, and of the squirrel cage that is one piece with it")
+    shaft: RingMaterial | None = key(
         'of the shaft; needed for inner.kind = "ring_on_shaft" and for [bearing.fits]',
         None,
         only=({"inner.kind": ("ring_on_shaft",)}, {"bearing.fits": GIVEN}),
     )
-    housing: Material | None = key(
+    housing: RingMaterial | None = key(
         'of the housing; needed for [bearing.fits.housing]; without it that of outer.support = "housing" is '
         "made of the material of the outer ring",
         None,

@@ -1,0 +1,108 @@
+"""Dangers come first, carry a code, and end a strict run with 1."""
+
+import json
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import flexbearing
+from flexbearing.quantities.attributes import GRADES as STORED
+from flexbearing.report import summary, text
+from flexbearing.runs.dangers import pressed, short_lived, yielding
+from quasidynamic.note import GRADES, Note, danger, graded, information, outside
+from tests.flexbearing.noted import codes, texts
+
+ROOT = Path(__file__).parents[2]
+PAPER, PLAIN = ROOT / "configs" / "mao2016.toml", ROOT / "configs" / "nu209.toml"
+RIGID = ["outer.kind=rigid", "inner.kind=rigid"]
+HEAVY = ["operation.radial_load=100 kN"]
+MADE = re.compile(r'\b(danger|outside|information)\(\s*"([a-z-]+)"')
+GRADE = {"danger": "danger", "outside": "outside validity", "information": "information"}
+
+
+@pytest.fixture(scope="module")
+def paper(tmp_path_factory):
+    return flexbearing.run(PAPER, tmp_path_factory.mktemp("dangers") / "paper.h5", RIGID)
+
+
+def test_the_paper_bearing_says_that_it_lives_for_less_than_an_hour(paper):
+    assert codes(paper, "danger") == ["short-life"]
+    assert re.search(r"million revolutions last \d\d\.\d minutes at 38,000 rpm", texts(paper)[0])
+    assert text(paper).startswith("DANGER: life: ")
+
+
+def test_the_paper_bearing_says_what_its_losses_hang_on(paper):
+    (told,) = (note for note in texts(paper) if note.startswith("losses: "))
+    assert told.startswith("losses: 79% are drag of the oil-air mixture")
+    assert told.endswith("lubricant.oil_fraction = 0.3334, calibrated")
+
+
+def test_dents_are_a_danger(tmp_path):
+    result = flexbearing.run(PLAIN, tmp_path / "out.h5", HEAVY)
+    assert result.attributes["status"] == "converged"
+    assert "contact-pressure" in codes(result, "danger")
+    first = text(result).splitlines()[0]
+    assert first.startswith("DANGER: contact pressure of ")
+    assert summary(result)["notes"][0]["code"] == "contact-pressure"
+
+
+def test_only_a_strict_run_fails_for_a_danger(tmp_path):
+    def ended(*words):
+        line = [sys.executable, "-m", "flexbearing", "run", PLAIN, "-o", tmp_path / "out.h5", "--set", *HEAVY]
+        return subprocess.run([*line, *words], capture_output=True, text=True, cwd=ROOT)
+
+    assert ended("--quiet").returncode == 0
+    strict = ended("--quiet", "--strict")
+    assert strict.returncode == 1
+    assert strict.stderr.count("\n") == 2  # a short life as well
+    assert "contact pressure" in strict.stderr
+
+
+def test_notes_are_ordered_by_gravity():
+    notes = [
+        information("a", "1"),
+        outside("b", "2"),
+        danger("c", "3"),
+        danger("unmet-target", "4"),
+        danger("c", "3"),
+    ]
+    assert [note.text for note in graded(notes)] == ["4", "3", "2", "1"]
+    assert danger("c", "3") == Note("danger", "c", "3")
+    assert GRADES == STORED
+
+
+def test_limits_of_dangers():
+    assert [note.code for note in pressed(4.001e9)] == ["contact-pressure"]
+    assert not [*pressed(3.999e9)]
+    turn = 2 * 3.141592653589793 * 10  # [rad/s] ten turns a second: 36 000 an hour
+    assert [note.code for note in short_lived(0.0359, -turn)] == ["short-life"]
+    assert not [*short_lived(0.0361, turn)]
+    assert not [*short_lived(0.0, 0.0)]  # nothing turns
+    assert [note.code for note in yielding("bars", 1001e6, 1000e6)] == ["yield-stress"]
+    assert not [*yielding("bars", 999e6, 1000e6)]
+    assert not [*yielding("bars", 5e9, None)]
+
+
+def test_the_page_of_notes_names_every_code_under_its_grade():
+    made = {
+        (GRADE[grade], code)
+        for package in ("quasidynamic", "flexbearing")
+        for path in (ROOT / package).rglob("*.py")
+        for grade, code in MADE.findall(path.read_text())
+    }
+    page, told, grade = (ROOT / "docs" / "howto" / "notes.md").read_text(), set(), ""
+    for line in page.splitlines():
+        if line.startswith("## "):
+            grade = line[3:].lower()
+        elif line.startswith("| `"):
+            told.add((grade, line.split("`")[1]))
+    assert told == made
+
+
+def test_json_carries_grade_code_and_text(paper):
+    notes = json.loads(json.dumps(summary(paper)))["notes"]
+    assert all(note.keys() == {"grade", "code", "text"} for note in notes)
+    assert [note["grade"] for note in notes] == sorted((note["grade"] for note in notes), key=GRADES.index)
