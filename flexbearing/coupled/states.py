@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
+import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.coupled.initial_state import flat
@@ -92,6 +93,17 @@ def between_raceways(state: Equilibrium, rings: LinearPair) -> Equilibrium:
     if rings.rigid or state.balance.layout.elastic_raceways:
         return state
     return _elastic(state, rings.compliance, state.unknowns)
+
+
+def elastic(state: Equilibrium, rings: LinearPair) -> Equilibrium:
+    """The same state between elastic raceways, balanced also where it was found between given shapes."""
+    if rings.rigid or state.balance.layout.elastic_raceways:
+        return state
+    initial = rings.initial_deviation
+    deviation = state.deviation if initial is None else state.deviation - initial
+    unknowns = state.unknowns._replace(deviation=np.moveaxis(deviation, -1, 1)[:, :, None])
+    between = replace(state, balance=replace(state.balance, deviation=initial))
+    return _elastic(between, rings.compliance, unknowns)
 
 
 def _elastic(state: Equilibrium, compliance: Compliance, unknowns: Unknowns) -> Equilibrium:

@@ -16,6 +16,18 @@ def largest_size(*values: np.ndarray) -> np.ndarray:
     return np.abs(values).max()
 
 
+def largest_at_mid_roller(position: np.ndarray, *values: np.ndarray) -> float:
+    """Largest size at mid-roller of values (Z, K) at slices with middles (K), linear between them."""
+    return max(abs(float(np.interp(0.0, position, row))) for rows in values for row in rows)
+
+
+def largest_at_roller_ends(*values: np.ndarray) -> np.ndarray:
+    """Largest size at both ends of the rollers of values (Z, K), linear over the last of K equal slices."""
+    rows = np.concatenate(values)
+    ends = [rows[:, end] + (rows[:, end] - rows[:, inwards]) / 2 for end, inwards in ((0, 1), (-1, -2))]
+    return np.abs(ends).max()
+
+
 def length(values: np.ndarray) -> np.ndarray:
     """Length of a vector (2)."""
     return np.hypot(*values)

@@ -12,6 +12,8 @@ from flexbearing.quantities.reductions import (
     across,
     along,
     largest,
+    largest_at_mid_roller,
+    largest_at_roller_ends,
     largest_size,
     length,
     loaded_arc_in_degrees,
@@ -24,6 +26,7 @@ from flexbearing.quantities.reductions import (
 from flexbearing.quantities.units import COUNT, DEG, KN_PER_MM, MM, MPA, MRAD, MREV, PERCENT, RPM, UM
 
 _DEVIATION = "positive outward, without local indentation and rigid translation"
+_DEVIATIONS = ("inner_deviation", "outer_deviation")
 _FLANGED = "absent without [bearing.flange]"
 _NO_ROUGHNESS = "absent without roughness"
 LOSSES = ("sliding", "rolling", "drag", "pocket", "land", "churning", "transport")
@@ -113,8 +116,12 @@ QUANTITIES = (
     Quantity("inner_deviation", "w_i", "Z K", "m", "state",
         f"radial displacement of the inner raceway at the roller, {_DEVIATION}",
         source="state.deviation_along_rollers.0", people=UM,
-        summary=(SummaryValue("max_raceway_deviation_um", largest_size, "largest raceway deviation", ".2f",
-                              of=("inner_deviation", "outer_deviation")),)),
+        summary=(
+            SummaryValue("mid_roller_deviation_um", largest_at_mid_roller,
+                         "raceway deviation, mid-roller", ".2f", of=("slice_position", *_DEVIATIONS)),
+            SummaryValue("roller_end_deviation_um", largest_at_roller_ends,
+                         "raceway deviation, roller ends", ".2f", of=_DEVIATIONS),
+        )),
     Quantity("outer_deviation", "w_o", "Z K", "m", "state",
         f"radial displacement of the outer raceway at the roller, {_DEVIATION}",
         source="state.deviation_along_rollers.1", people=UM),
@@ -291,7 +298,8 @@ _ATTRIBUTES = (
     Attribute(
         "tilt",
         "json",
-        "how the shaft holds the inner ring, as operation.tilt: fixed or free",
+        "how the shaft holds the inner ring, as operation.tilt: fixed or free; where a ring is flexible "
+        "also, otherwise, what the other one would give, estimated by Newton steps from the end state",
         form=records.TILT,
     ),
     Attribute(

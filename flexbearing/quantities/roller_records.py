@@ -29,7 +29,21 @@ def _same_factors(lives: Any) -> bool:
 
 
 ATTEMPTS: Form = Each("method", Record({"iterations": COUNT, "status": TEXT, "message": TEXT}))
-TILT: Form = Record({"inner_ring": TEXT}, empty=True)
+TILT: Form = Record(
+    {"inner_ring": TEXT},
+    optional={
+        "otherwise": Record(
+            {
+                "inner_ring": TEXT,
+                "max_roller_load_N": NUMBER,
+                "life_L10_Mrev": NUMBER,
+                "ring_moment_Nm": NUMBER,
+                "ring_tilt_mrad": NUMBER,
+            }
+        )
+    },
+    empty=True,
+)
 CLEARANCE: Form = Such(
     Record(
         {

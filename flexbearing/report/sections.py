@@ -57,8 +57,22 @@ def closing(numbers: dict[str, Any], ending: str) -> Iterator[RenderableType]:
 def tilt(held: dict[str, Any] | None) -> Iterator[RenderableType]:
     """How the inner ring is held; nothing of a result that does not say it."""
     if held:
-        words = {"fixed": "its tilt is held", "free": "free to tilt"}.get(held["inner_ring"], "")
-        yield Text(f'inner ring: {words} (operation.tilt = "{held["inner_ring"]}")\n')
+        yield Text(f"inner ring: {_tilting(held['inner_ring'])}{_otherwise(held.get('otherwise'))}\n")
+
+
+def _tilting(choice: str) -> str:
+    words = {"fixed": "its tilt is held", "free": "free to tilt"}.get(choice, "")
+    return f'{words} (operation.tilt = "{choice}")'
+
+
+def _otherwise(other: dict[str, Any] | None) -> str:
+    """What the other way to hold the ring gives; nothing where it is not known."""
+    if other is None:
+        return ""
+    moment = f", held by {other['ring_moment_Nm']:,.3g} N m" if other["inner_ring"] == "fixed" else ""
+    load, life = f"{other['max_roller_load_N']:,.1f} N", f"{other['life_L10_Mrev']:,.2f} Mrev"
+    choice = f'operation.tilt = "{other["inner_ring"]}"'
+    return f"\n  with {choice} about {load} largest inner load and a life L10 of {life}{moment}"
 
 
 def clearance_steps(clearance: dict[str, Any]) -> Iterator[RenderableType]:

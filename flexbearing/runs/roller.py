@@ -15,6 +15,7 @@ from flexbearing.rings.condensed import condensed_raceways
 from flexbearing.rings.full_solve import full_fe_raceways
 from flexbearing.runs import notes
 from flexbearing.runs.postprocess import Postprocessing
+from flexbearing.runs.tilt import TiltComparison
 from quasidynamic import Equilibrium, RollerBearing
 from quasidynamic.note import Note, danger, graded, information
 
@@ -115,13 +116,16 @@ def _solve(
         return _ending(last.status, last.message, last.iterations) | {"ending": last.ending} | records
     if last.state is not rigid:  # else no method found a first state between flexible raceways
         postprocessing.store("flexible", last.state, tangent, converged=converged)
+    ending = _ending(last.status, last.message, last.iterations) | records
     if converged:
         postprocessing.notes.extend(resolved.notes(last.state))
-    return (
-        _ending(last.status, last.message, last.iterations)
-        | {"structure": figures, "ending": last.ending}
-        | records
-    )
+        ending |= _tilt(TiltComparison.at(case, last.state, tangent), postprocessing)
+    return ending | {"structure": figures, "ending": last.ending}
+
+
+def _tilt(comparison: TiltComparison, postprocessing: Postprocessing) -> dict[str, object]:
+    postprocessing.notes.extend(comparison.notes())
+    return {"tilt": comparison.record()}
 
 
 def _start(initial: InitialState, attempts: Any, postprocessing: Postprocessing) -> dict[str, object]:

@@ -44,6 +44,15 @@ def test_free_cage_reaches_the_summary(tmp_path):
         (["bearing.cage.guidance=rollers", "bearing.cage.centre=free"], "only a land carries a free one"),
         (["bearing.cage.unbalance=20 um"], r"unbalance = .* belongs to bearing\.cage\.centre"),
         (["bearing.cage.pocket_clearance=0 mm"], "pocket_clearance"),
+        (
+            ["bearing.cage.guidance=inner", "bearing.cage.land_diameter=200 mm"],
+            r'land_diameter = "200 mm" cannot be; it must be 64.92 to 70 mm for guidance = "inner"',
+        ),
+        (["bearing.cage.guidance=inner"], r'land_diameter = "74.6 mm" cannot be.*for guidance = "inner"'),
+        (
+            ["bearing.cage.land_diameter=65.4 mm"],
+            r"land_diameter .* 70 to 75 mm.* pitch circle and the outer raceway",
+        ),
     ],
 )
 def test_cages_that_make_no_sense(settings, told):

@@ -86,6 +86,7 @@ CONTEXTS = {  # file and settings in which a key belongs to the case
     "three balls": ("joshi2015_ed20", {}),
     "newton alone": ("mao2016", {"coupling.fallback": False, "coupling.relaxation": None}),
     "relaxed": ("mao2016", {"coupling.method": "relaxed"}),
+    "land on the pitch circle": ("mao2016", {"bearing.cage.land_diameter": "70 mm"}),
     "held ring": ("mao2016", {"operation.tilt": "fixed"}),
     "balls in bolted rings": ("slewing_bolted", {
         "rings.outer.face_stiffness": "500 N/mm^3", "rings.outer.face_shear_stiffness": "200 N/mm^3",

@@ -275,13 +275,17 @@ def test_every_life_factor_is_told_with_its_note():
     assert summary(result(**modified))["flexible"]["modified_life_Mrev"] == pytest.approx(1250.0, rel=1e-12)
 
 
-def test_largest_deviation_is_taken_over_both_raceways_and_all_slices():
-    ends = 14.0 * 1.3  # the tilted raceway at the outermost slice
-    assert summary(result())["flexible"]["max_raceway_deviation_um"] == pytest.approx(ends, rel=1e-12)
+def test_largest_deviation_is_given_at_mid_roller_and_at_the_roller_ends_apart():
+    flexible = summary(result())["flexible"]
+    assert flexible["mid_roller_deviation_um"] == pytest.approx(14.0, rel=1e-12)
+    assert flexible["roller_end_deviation_um"] == pytest.approx(14.0 * 1.4, rel=1e-12)  # tilted, 2 mm away
+
+
+def test_largest_deviation_is_taken_over_both_raceways():
     inward = block() | {"inner_deviation": np.full((ROLLERS, SLICES), -20e-6)}
-    assert summary(result(flexible=inward))["flexible"]["max_raceway_deviation_um"] == pytest.approx(
-        20.0, rel=1e-12
-    )
+    flexible = summary(result(flexible=inward))["flexible"]
+    assert flexible["mid_roller_deviation_um"] == pytest.approx(20.0, rel=1e-12)
+    assert flexible["roller_end_deviation_um"] == pytest.approx(20.0, rel=1e-12)
 
 
 @EVERY_ENDING
@@ -320,7 +324,8 @@ def test_text_sets_rigid_beside_flexible_with_the_change():
     page = text(result())
     assert row(page, "largest inner load [N]") == ["3,537.0", "3,035.0", "-14.2"]
     assert row(page, "loaded rollers") == ["9", "11", "+22.2"]
-    assert row(page, "largest raceway deviation [um]") == ["0.00", "18.20", "-"]
+    assert row(page, "raceway deviation, mid-roller [um]") == ["0.00", "14.00", "-"]
+    assert row(page, "raceway deviation, roller ends [um]") == ["0.00", "19.60", "-"]
     assert row(page, "stiffness of the bearing [kN/mm]") == ["770.0", "770.0", "+0.0"]
 
 

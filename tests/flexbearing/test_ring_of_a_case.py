@@ -9,6 +9,7 @@ from pytest import approx
 import flexbearing
 from flexbearing import read
 from flexbearing.build.roller_bearing import bearing
+from flexbearing.report import text
 
 PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
 RIGID = ["inner.kind=rigid", "outer.kind=rigid", "accuracy.slices=8", "accuracy.axial_shapes=2"]
@@ -57,3 +58,46 @@ def test_total_stiffness_is_the_slope_of_load_over_displacement_from_base_to_sha
     between = (above["ring_displacement"] - below["ring_displacement"])[1]
     assert block["stiffness"] == approx(0.002 * load / between, rel=1e-4)
     assert block["total_stiffness"] < 0.9 * block["stiffness"]
+
+
+FLEXIBLE = [*BEAM, "operation.radial_load=8 kN"]
+HELD = [*FLEXIBLE, "operation.tilt=fixed"]
+
+
+@pytest.mark.parametrize("method", ["newton", "iqn-ils"])
+def test_the_other_way_to_hold_the_ring_is_shown_and_told_where_it_matters(tmp_path, method):
+    """What a run says of the other choice is what a run with that choice computes."""
+    runs = {
+        settings[-1].rpartition("=")[2]: flexbearing.run(
+            PAPER, tmp_path / "r.h5", [*settings, f"coupling.method={method}"]
+        )
+        for settings in ([*FLEXIBLE, "operation.tilt=free"], HELD)
+    }
+    for choice, other in (("free", "fixed"), ("fixed", "free")):
+        said, computed = runs[choice].attributes["tilt"], runs[other]
+        assert (said["inner_ring"], said["otherwise"]["inner_ring"]) == (choice, other)
+        load, life = computed.flexible["inner_load"].max(), computed.flexible["life_L10"] / 1e6
+        assert said["otherwise"]["max_roller_load_N"] == approx(load, rel=2e-3)
+        assert said["otherwise"]["life_L10_Mrev"] == approx(life, rel=5e-3)
+        (note,) = [note for note in runs[choice].attributes["notes"] if note["code"] == "tilt"]
+        assert f'operation.tilt = "{other}" instead of "{choice}"' in note["text"]
+        page = text(runs[choice])
+        assert f'(operation.tilt = "{choice}")' in page
+        assert (
+            f'with operation.tilt = "{other}" about {said["otherwise"]["max_roller_load_N"]:,.1f} N' in page
+        )
+    moment = np.hypot(*runs["fixed"].flexible["ring_moment"])
+    assert runs["free"].attributes["tilt"]["otherwise"]["ring_moment_Nm"] == approx(moment, rel=1e-2)
+
+
+def test_tilt_that_changes_nothing_is_not_told(tmp_path):
+    """A ring held all around deflects alike at both roller ends."""
+    seat = ["outer.kind=ring", "outer.support=foundation", "outer.foundation_radial=500 N/mm^3"]
+    result = flexbearing.run(PAPER, tmp_path / "r.h5", [*FLEXIBLE, *seat])
+    assert result.attributes["tilt"]["otherwise"]["inner_ring"] == "fixed"
+    assert not [note for note in result.attributes["notes"] if note["code"] == "tilt"]
+
+
+def test_rigid_rings_say_nothing_of_the_other_choice(tmp_path):
+    result = flexbearing.run(PAPER, tmp_path / "r.h5", RIGID)
+    assert result.attributes["tilt"] == {"inner_ring": "free"}

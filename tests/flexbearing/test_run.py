@@ -266,7 +266,8 @@ def test_summary_as_json_holds_the_contract(rigid):
         assert {
             "max_roller_load_N", "max_outer_load_N", "loaded_rollers", "loaded_arc_deg",
             "roller_azimuths_deg", "roller_loads_N", "outer_loads_N", "cage_slip_percent", "cage_speed_rpm",
-            "ring_displacement_um", "max_raceway_deviation_um", "life_L10_Mrev", "stiffness_N_per_m",
+            "ring_displacement_um", "mid_roller_deviation_um", "roller_end_deviation_um",
+            "life_L10_Mrev", "stiffness_N_per_m",
         } <= set(numbers[block])  # fmt: skip
 
 

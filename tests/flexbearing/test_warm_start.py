@@ -139,7 +139,7 @@ DIFFERING = {
     "rollers": (["bearing.rollers=28"], "bearing.rollers = 30 there, 28 here"),
     "slices": (["accuracy.slices=10"], "accuracy.slices = 8 there, 10 here"),
     "shapes": (["accuracy.axial_shapes=2"], "accuracy.axial_shapes = 3 there, 2 here"),
-    "guidance": (["bearing.cage.guidance=inner"], 'bearing.cage.guidance = "outer" there, "inner" here'),
+    "guidance": (["bearing.cage.guidance=rollers"], 'bearing.cage.guidance = "outer" there, "rollers" here'),
     "cage": (["bearing.cage.centre=free"], 'bearing.cage.centre = "held" there, "free" here'),
     "film": (["lubricant.film=pan_hamrock"], 'lubricant.film = "dowson" there, "pan_hamrock" here'),
     "method": (["coupling.method=aitken"], 'coupling.method = "aitken" begins between rigid raceways'),

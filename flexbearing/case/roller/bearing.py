@@ -9,6 +9,7 @@ from flexbearing.case.quantity import Angle, Length, Mass, Section, impossible, 
 from flexbearing.case.roller.fits import Fits
 from flexbearing.case.roller.flange import Flange
 
+ROUNDING = 1e-9  # of a diameter
 _LAND = {"guidance": ("outer", "inner")}
 
 
@@ -61,7 +62,11 @@ class Cage(Section):
     )
     mass: Mass = key("mass, used when a start from rest is followed in time", gt=0)
     land_diameter: Length | None = key(
-        "diameter of the guiding land", None, example="74.6 mm", gt=0, only=_LAND
+        "diameter of the guiding land, between the pitch circle and the raceway of the ring that guides",
+        None,
+        example="74.6 mm",
+        gt=0,
+        only=_LAND,
     )
     land_width: Length | None = key("width of the guiding land, both sides together", None, gt=0, only=_LAND)
     land_clearance: Length | None = key(
@@ -154,4 +159,24 @@ class Bearing(Section):
         if abs(self.stated_clearance) > self.roller.diameter / 2:
             name = "fits.cold_clearance" if self.fits else "clearance"
             raise impossible(name, "below half a roller diameter; is the unit right?")
+        self._require_land(pitch)
         return self
+
+    def _require_land(self, pitch: float) -> None:
+        """Raise unless the guiding land lies between the raceway of its ring and the pitch circle."""
+        land, guidance = self.cage.land_diameter, self.cage.guidance
+        if land is None:
+            return
+        outer = self.outer_raceway_diameter
+        inner = outer - 2 * self.roller.diameter - self.stated_clearance
+        low, high = (pitch, outer) if guidance == "outer" else (inner, pitch)
+        if not (1 - ROUNDING) * low <= land <= (1 + ROUNDING) * high:
+            where = (
+                "pitch circle and the outer raceway"
+                if guidance == "outer"
+                else "inner raceway and the pitch circle"
+            )
+            raise impossible(
+                "cage.land_diameter",
+                f'{low * 1e3:.4g} to {high * 1e3:.4g} mm for guidance = "{guidance}": between the {where}',
+            )

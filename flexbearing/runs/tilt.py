@@ -1,0 +1,71 @@
+"""How the shaft holds the inner ring, and what it would change if it held it otherwise."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from flexbearing.case.roller import Case
+from flexbearing.coupled import states
+from flexbearing.coupling import LinearPair
+from quasidynamic import Equilibrium
+from quasidynamic.note import Note, information
+from quasidynamic.outcome.other_tilt import with_other_tilt
+
+TOLD = 0.01  # change of load or life that is told in a case without accuracy.target
+OTHER = {"fixed": "free", "free": "fixed"}
+
+
+@dataclass(frozen=True)
+class TiltComparison:
+    """The end state of a case beside an estimate of the one with the other `operation.tilt`."""
+
+    case: Case
+    state: Equilibrium
+    other: Equilibrium | None = None  # None where it was not found, or no ring is flexible
+
+    @classmethod
+    def at(cls, case: Case, state: Equilibrium, rings: LinearPair) -> "TiltComparison":
+        """Compare at a solution between elastic raceways."""
+        other = with_other_tilt(states.elastic(state, rings)) if np.isfinite(state.life) else None
+        return cls(case, state, other if other is not None and np.isfinite(other.life) else None)
+
+    def record(self) -> dict[str, Any]:
+        """What the result file says."""
+        if self.other is None:
+            return {"inner_ring": self.case.operation.tilt}
+        return {
+            "inner_ring": self.case.operation.tilt,
+            "otherwise": {
+                "inner_ring": OTHER[self.case.operation.tilt],
+                "max_roller_load_N": float(self.other.loads[0].max()),
+                "life_L10_Mrev": float(self.other.life),
+                "ring_moment_Nm": float(np.hypot(*self.other.ring_moment)),
+                "ring_tilt_mrad": 1e3 * float(np.hypot(*self.other.ring_tilt)),
+            },
+        }
+
+    def notes(self) -> tuple[Note, ...]:
+        """A note where the choice changes loads or life by more than the target."""
+        operation, told = self.case.operation, self.case.accuracy.target or TOLD
+        if not np.isfinite(self.state.life):  # nothing carries load
+            return ()
+        if self.other is None:
+            words = "could not be estimated near this end state"
+        else:
+            load = float(self.other.loads[0].max() / self.state.loads[0].max()) - 1
+            life = self.other.life / self.state.life - 1
+            if max(abs(load), abs(life)) <= told:
+                return ()
+            words = (
+                f"would be {self.other.loads[0].max():,.5g} N ({load:+.1%}) and "
+                f"{self.other.life:,.3g} Mrev ({life:+.0%})"
+            )
+        instead = f'operation.tilt = "{OTHER[operation.tilt]}" instead of "{operation.tilt}"'
+        return (
+            information(
+                "tilt",
+                f"tilt: with {instead} the largest inner load and the life {words}; "
+                "how the shaft holds the inner ring must be known",
+            ),
+        )

@@ -1,0 +1,61 @@
+"""A bearing near its equilibrium, the tilt of its inner ring held where it was free, or free where held."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from quasidynamic.outcome.equilibrium import Equilibrium
+from quasidynamic.solve.outcome import SolverOutcome
+from quasidynamic.solve.rollers import bordered_system
+from quasidynamic.solve.rollers.step_bounds import bounded
+
+MOST_STEPS = 8  # two where the same rollers stay loaded
+SMALL = 1e-3  # residual, of the reference force: loads within about as much
+
+
+def with_other_tilt(state: Equilibrium) -> Equilibrium | None:
+    """Estimate the equilibrium of a ring whose tilt is held instead of free, or free instead of held.
+
+    Newton steps from the equilibrium, without a search for loaded rollers: two of them cost less than a
+    tenth of a solve, and raceways stay as elastic as they are there. A ring that is held has no slope, one
+    that is free no moment [N m].
+
+    Parameters
+    ----------
+    state : Equilibrium
+        between elastic raceways of one case, balanced
+
+    Returns
+    -------
+    Equilibrium or None
+        unbalanced by a thousandth of the reference force at most; None where the steps did not get there
+
+    Source
+    ------
+    Newton's method on the balances of the bearing.
+
+    Valid
+    -----
+    Raceways whose compliance does not depend on the load: parts that lift off stay where they are.
+    """
+    if state.balance.roller.axial_modes == 1:
+        return None
+    points = state.balance.points
+    none = np.zeros_like(points.moment_y)
+    balance = replace(
+        state.balance,
+        points=replace(
+            points, free_tilt=~points.free_tilt, moment_y=none, moment_z=none, slope_y=none, slope_z=none
+        ),
+    )
+    scaled = balance.pack(state.unknowns)
+    for step in range(MOST_STEPS):
+        system = balance.evaluate(scaled)
+        size = np.abs(system.residual).max()
+        if not np.isfinite(size):
+            return None
+        if size <= SMALL:
+            return Equilibrium(balance, scaled[0], SolverOutcome.CONVERGED, step, state.axial_modes)
+        change = bordered_system.solve(balance, system, -system.residual[..., None])[..., 0]
+        scaled = bounded(balance, scaled, scaled + change)
+    return None
