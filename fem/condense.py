@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any, overload
 
 from fem.parts.bolted_ring import BoltedGrooveRing
-from fem.parts.boundary_conditions import LineSupports, PlanetGear
+from fem.parts.boundary_conditions import Foundation, LineSupports, PlanetGear
 from fem.parts.material import ImpossiblePart
 from fem.parts.resolution import Discretisation, Resolution
 from fem.parts.rings import OuterRing, Part, RingOnShaft, SquirrelCage, require_on_track
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from fem.raceway.harmonics import HarmonicCompliance
     from fem.section.bolted_ring import GrooveCompliance
     from fem.section.planet_rim import PlanetRim
+    from fem.section.ring_on_foundation import RingOnFoundation
     from fem.section.ring_on_lines import RingOnLines
 
 HARMONICS, SMEARED, BEAM, SOLID = Discretisation
@@ -35,7 +36,7 @@ def condense(
 @overload
 def condense(
     part: Part | StepSolid, discretisation: Discretisation, resolution: Resolution, report: Report = ...
-) -> "HarmonicCompliance | RingOnLines | PlanetRim | RacewayCompliance": ...
+) -> "HarmonicCompliance | RingOnFoundation | RingOnLines | PlanetRim | RacewayCompliance": ...
 def condense(part, discretisation, resolution, report=unheard):
     """Condense a part to its raceway; what is meshed in space is meshed in a process of its own.
 
@@ -52,9 +53,10 @@ def condense(part, discretisation, resolution, report=unheard):
 
     Returns
     -------
-    HarmonicCompliance, RingOnLines, PlanetRim, RacewayCompliance or GrooveCompliance
+    HarmonicCompliance, RingOnFoundation, RingOnLines, PlanetRim, RacewayCompliance or GrooveCompliance
         whose `at` gives the compliance for rollers at their azimuths, or for balls by their number; that
-        of a solid holds for its azimuths alone
+        of a solid holds for its azimuths alone. With supports that only push it depends on the forces:
+        `under_rollers` of RingOnFoundation and RingOnLines
 
     Raises
     ------
@@ -114,7 +116,7 @@ def condense_in_process(
 
     Returns
     -------
-    HarmonicCompliance, RingOnLines, PlanetRim, RacewayCompliance or GrooveCompliance
+    HarmonicCompliance, RingOnFoundation, RingOnLines, PlanetRim, RacewayCompliance or GrooveCompliance
 
     Raises
     ------
@@ -134,6 +136,9 @@ def condense_in_process(
         case OuterRing(support=LineSupports() | PlanetGear()), Discretisation.HARMONICS:
             require_on_track(resolution.length, part.track)
             return _free_ring(part, resolution, stage, seconds)
+        case OuterRing(support=Foundation(pushing=True)), Discretisation.HARMONICS | Discretisation.BEAM:
+            require_on_track(resolution.length, part.track)
+            return _on_foundation(part, discretisation, resolution, stage, seconds)
         case OuterRing() | SquirrelCage() | RingOnShaft(), _:
             require_on_track(resolution.length, part.track)
             condensed = _in_harmonics(part, discretisation, resolution, stage, seconds)
@@ -188,6 +193,17 @@ def _last_harmonic(part: Part, discretisation: Discretisation, resolution: Resol
     band = resolution.length / resolution.axial_modes
     detail = detail_of_ring(band, part.thickness) if isinstance(part, OuterRing) else band
     return highest_harmonic(part.raceway_diameter / 2, detail, resolution.mesh, resolution.harmonics)
+
+
+def _on_foundation(
+    part: OuterRing, discretisation: Discretisation, resolution: Resolution, stage: Stage, seconds: dict
+) -> "RingOnFoundation":
+    """A ring that springs only push, from what its raceway and its outer surface are answered with."""
+    from fem.section.ring_on_foundation import ALONG, ring_on_foundation
+
+    last = _last_harmonic(part, discretisation, resolution)
+    responses = _responses_of(part, discretisation)(part, resolution, last, stage, face_modes=ALONG)
+    return ring_on_foundation(part, resolution.length, responses, seconds)
 
 
 def _free_ring(part: OuterRing, resolution: Resolution, stage: Stage, seconds: dict) -> Any:

@@ -40,7 +40,9 @@ LARGE = 300.0  # beyond, sinh overflows; the quotient has been 1 since 20
 U, W, V, THETA, CHI, PSI = range(len(MOTIONS))
 
 
-def beam_responses(part: Part, resolution: Resolution, last: int, stage: Stage) -> Responses:
+def beam_responses(
+    part: Part, resolution: Resolution, last: int, stage: Stage, face_modes: int = 0
+) -> Responses:
     r"""Answers of a raceway, its ring as a curved beam.
 
     Parameters
@@ -54,11 +56,13 @@ def beam_responses(part: Part, resolution: Resolution, last: int, stage: Stage) 
         N, the highest harmonic
     stage : callable (name)
         around "condense"
+    face_modes : int
+        axial modes of the outer surface of an outer ring, which moves with the section
 
     Returns
     -------
     Responses
-        of revolution: bars are spread evenly
+        of revolution: bars are spread evenly; to the modes of the raceway, then to those of the outer surface
 
     Raises
     ------
@@ -73,9 +77,10 @@ def beam_responses(part: Part, resolution: Resolution, last: int, stage: Stage) 
     """
     n, length, axial_modes = np.arange(last + 1), resolution.length, resolution.axial_modes
     with stage("condense"):
-        section = _section_responses(stiffness_of(part, n), length, axial_modes)
-        wall = _wall_responses(part, n, length, axial_modes)
-    return Responses(section + wall, len(MOTIONS), 1)
+        loads = np.hstack([_section_loads(length, axial_modes), _section_loads(part.width, face_modes)])
+        responses = _section_responses(stiffness_of(part, n), loads)
+        responses[:, :axial_modes, :axial_modes] += _wall_responses(part, n, length, axial_modes)
+    return Responses(responses, len(MOTIONS), 1)
 
 
 def last_harmonic(part: Part, resolution: Resolution) -> int:
@@ -225,15 +230,20 @@ def layer_share(wave, mode: int = 0) -> NDArray:
     return above + sheared + (6 / s**3 if mode > 1 else 0.0)
 
 
-def _section_responses(K: NDArray, length: float, axial_modes: int) -> NDArray:
-    """Answers (N + 1, M, M) [m/N] of the rigid section to the first two axial modes."""
+def _section_loads(length: float, axial_modes: int) -> NDArray:
+    """Loads (6, M) of axial modes on the rigid section, which only the first two move."""
+    loads = np.zeros((len(MOTIONS), axial_modes))
+    loads[W, :1] = 1.0
+    loads[THETA, 1:2] = length / 2
+    return loads
+
+
+def _section_responses(K: NDArray, loads: NDArray) -> NDArray:
+    """Answers (N + 1, L, L) [m/N] of the rigid section to loads (6, L)."""
     # No load on the raceway turns the ring or, where nothing holds it axially, moves it along its axis.
     K[0, V, V] += np.abs(K[0]).max()
     if K[0, U, U] == 0:
         K[0, U, U] = 1.0
-    loads = np.zeros((len(MOTIONS), axial_modes))
-    loads[W, 0] = 1.0
-    loads[THETA, 1:2] = length / 2
     return loads.T @ np.linalg.solve(K, np.broadcast_to(loads, (len(K), *loads.shape))) / (2 * np.pi)
 
 

@@ -24,7 +24,7 @@ class RigidSeat:
 
 @dataclass(frozen=True, kw_only=True)
 class Foundation:
-    """Springs to ground on the outer surface, which pull as well as push.
+    """Springs to ground on the outer surface.
 
     Without axial or tangential ones the ring does not move along or turn about its axis: no load on
     the raceway would make it.
@@ -33,11 +33,14 @@ class Foundation:
     axial: float  # [N/m^3] per area, >= 0
     radial: float  # [N/m^3] >= 0
     tangential: float  # [N/m^3] >= 0
+    pushing: bool = False  # radial springs only push: the ring lifts off where they would pull
 
     def __post_init__(self):
         for name in ("axial", "radial", "tangential"):
             value = getattr(self, name)
             require(value >= 0 and isfinite(value), name, value, "a finite number, zero or above")
+        if self.pushing and self.radial == 0:
+            raise ImpossiblePart("radial = 0: there is nothing that could only push; give the springs")
         if self.radial == self.tangential == 0:
             raise ImpossiblePart(
                 "radial = tangential = 0: the ring can still move along y and z; give one of the springs"

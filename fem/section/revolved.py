@@ -13,7 +13,7 @@ from fem.stages import Stage
 
 @threads(1)  # sections are small: a second thread would only wait
 def section_responses(
-    part: OuterRing | RingOnShaft, resolution: Resolution, last: int, stage: Stage
+    part: OuterRing | RingOnShaft, resolution: Resolution, last: int, stage: Stage, face_modes: int = 0
 ) -> Responses:
     r"""Answers of the raceway of a body of revolution to loads on it.
 
@@ -29,10 +29,13 @@ def section_responses(
         N, the highest harmonic
     stage : callable (name)
         around "factor" and "condense"
+    face_modes : int
+        axial modes of the outer surface, for a ring on springs there
 
     Returns
     -------
     Responses
+        to the modes of the raceway, then to those of the outer surface
 
     Raises
     ------
@@ -53,5 +56,7 @@ def section_responses(
         body = body_of(part, resolution.length, resolution.mesh)
     with stage("condense"):
         modes = edge_modes(body, "raceway", resolution.axial_modes)
+        if face_modes:
+            modes = np.hstack([modes, edge_modes(body, "foundation", face_modes)])
         W = responses(body, part.free_motions, modes, last) / (2 * np.pi)
     return Responses(W, body.stiffness.unknowns, body.space.mesh.ne)

@@ -15,7 +15,7 @@ Source
 Flexibility method: forces of the supports from compatibility, rigid motions from balance; derived here.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +23,7 @@ from numpy.typing import NDArray
 from fem.parts.boundary_conditions import LineSupports
 from fem.parts.rings import ImpossiblePart
 from fem.raceway.compliance import RacewayCompliance
+from fem.raceway.harmonics import HarmonicCompliance
 from fem.section.free_ring import FreeRing, rigid_motions
 from fem.section.unilateral_points import SupportPoints, bordered_inverse, pushing_points
 
@@ -41,9 +42,7 @@ class RingOnLines:
         require_held(self.support, self.ring.raceway.response.shape[1])
 
     def at(self, azimuths, forces: NDArray | None = None) -> RacewayCompliance:
-        r"""Compliance for rollers at given azimuths.
-
-        .. math:: C = C_{rr} - X^T S^{-1} X, \quad X = (C_{sr}, R_r^T)
+        """Compliance for rollers at given azimuths.
 
         Parameters
         ----------
@@ -55,7 +54,7 @@ class RingOnLines:
         Returns
         -------
         RacewayCompliance
-            with lines that only push, that of the points in touch, exact as long as they stay so
+            as `RollersOnLines.near` gives it
 
         Raises
         ------
@@ -64,28 +63,15 @@ class RingOnLines:
         NotSolved
             if the harmonics end too early, or the lines cannot hold the forces
         """
-        phi = np.asarray(azimuths, dtype=float)
-        points = self._points(phi)
-        touching = self._touching(points, forces)
-        Z, M = phi.size, self.ring.raceway.response.shape[1]
-        X = np.concatenate([points.loads[touching], points.load_motions.T])
-        inverse = bordered_inverse(points, touching)
-        absolute = self.ring.raceway.absolute(phi).reshape(Z * M, Z * M) - X.T @ inverse @ X
-        first = np.count_nonzero(touching)
-        motion = -inverse[first:] @ X
-        support = -inverse[first : first + 2, first : first + 2]
-        return RacewayCompliance(
-            azimuths=phi,
-            absolute=((absolute + absolute.T) / 2).reshape(Z, M, Z, M),
-            translation=motion[:2].reshape(2, Z, M),
-            support_stiffness=float(2 / np.trace(support)),
-            unknowns=self.ring.raceway.unknowns,
-            elements=self.ring.raceway.elements,
-            seconds=self.ring.raceway.seconds,
-        )
+        if self.support.pushing and forces is None:
+            raise ImpossiblePart(
+                "lines that only push have no compliance of their own; give the roller forces"
+            )
+        rollers = self.under_rollers(azimuths)
+        return rollers.near(np.zeros(rollers.free.shape[:2]) if forces is None else forces)
 
     def line_forces(self, azimuths, forces: NDArray) -> NDArray:
-        """Forces of the lines on the ring.
+        """Forces of the lines on the ring, as `RollersOnLines.line_forces` gives them.
 
         Parameters
         ----------
@@ -97,16 +83,24 @@ class RingOnLines:
         Returns
         -------
         array (K, S)
-            inward, so positive when they push [N]: whole, or the parts at x < 0 and x > 0 that the line
-            pressure grows towards
+            inward, so positive when they push [N]
         """
-        points = self._points(np.asarray(azimuths, dtype=float))
-        touching = self._touching(points, forces)
-        pushes = np.zeros(touching.size)
-        F = np.ravel(forces)
-        X = np.concatenate([points.loads[touching] @ F, points.load_motions.T @ F])
-        pushes[touching] = (bordered_inverse(points, touching) @ X)[: np.count_nonzero(touching)]
-        return pushes.reshape(len(self.support.azimuths), -1)
+        return self.under_rollers(azimuths).line_forces(forces)
+
+    def under_rollers(self, azimuths) -> "RollersOnLines":
+        """The ring with its lines and rollers at given azimuths (Z,) [rad], all different.
+
+        Raises `NotSolved` if the harmonics end too early.
+        """
+        phi = np.asarray(azimuths, dtype=float)
+        return RollersOnLines(
+            azimuths=phi,
+            free=self.ring.raceway.absolute(phi),
+            points=self._points(phi),
+            line_azimuths=np.array(self.support.azimuths),
+            pushing=self.support.pushing,
+            raceway=self.ring.raceway,
+        )
 
     def _points(self, phi: NDArray) -> SupportPoints:
         psi = np.array(self.support.azimuths)
@@ -127,15 +121,101 @@ class RingOnLines:
             load_motions=rigid_motions(phi, length, M).reshape(-1, 4)[:, :moves],
         )
 
-    def _touching(self, points: SupportPoints, forces: NDArray | None) -> NDArray:
-        """Points in touch (K S,)."""
-        if not self.support.pushing:
-            return np.ones(len(points.compliance), dtype=bool)
-        if forces is None:
-            raise ImpossiblePart(
-                "lines that only push have no compliance of their own; give the roller forces"
-            )
-        return pushing_points(points, np.ravel(forces))
+
+@dataclass(frozen=True, kw_only=True)
+class RollersOnLines:
+    """A ring on lines with Z rollers at their places."""
+
+    azimuths: NDArray  # (Z,) [rad]
+    free: NDArray  # (Z, M, Z, M) [m/N] of the free ring
+    points: SupportPoints  # K S, S of each line
+    line_azimuths: NDArray  # (K,) [rad]
+    pushing: bool  # lines lift off where they would pull
+    raceway: HarmonicCompliance  # of the free ring
+
+    def near(self, forces: NDArray) -> RacewayCompliance:
+        r"""Compliance of the raceway on the points of lines that touch under given forces.
+
+        .. math:: C = C_{rr} - X^T S^{-1} X, \quad X = (C_{sr}, R_r^T)
+
+        Parameters
+        ----------
+        forces : array (Z, M)
+            outward roller forces [N]
+
+        Returns
+        -------
+        RacewayCompliance
+            exact as long as the same points touch: lines stand where the free ring is
+
+        Raises
+        ------
+        NotSolved
+            if the lines only push and cannot hold the forces
+
+        Source
+        ------
+        Flexibility method: forces of the supports from compatibility, rigid motions from balance; derived
+        here.
+        """
+        touching = self.touching(forces)
+        Z, M = self.free.shape[:2]
+        X = np.concatenate([self.points.loads[touching], self.points.load_motions.T])
+        inverse = bordered_inverse(self.points, touching)
+        absolute = self.free.reshape(Z * M, Z * M) - X.T @ inverse @ X
+        first = np.count_nonzero(touching)
+        motion = -inverse[first:] @ X
+        support = -inverse[first : first + 2, first : first + 2]
+        return RacewayCompliance(
+            azimuths=self.azimuths,
+            absolute=((absolute + absolute.T) / 2).reshape(Z, M, Z, M),
+            translation=motion[:2].reshape(2, Z, M),
+            support_stiffness=float(2 / np.trace(support)),
+            unknowns=self.raceway.unknowns,
+            elements=self.raceway.elements,
+            seconds=self.raceway.seconds,
+        )
+
+    def line_forces(self, forces: NDArray) -> NDArray:
+        """Forces of the lines on the ring.
+
+        Parameters
+        ----------
+        forces : array (Z, M)
+            outward roller forces [N]
+
+        Returns
+        -------
+        array (K, S)
+            inward, so positive when they push [N]: whole, or the parts at x < 0 and x > 0 that the line
+            pressure grows towards
+
+        Raises
+        ------
+        NotSolved
+            as `near`
+        """
+        touching = self.touching(forces)
+        pushes, F = np.zeros(touching.size), np.ravel(forces)
+        X = np.concatenate([self.points.loads[touching] @ F, self.points.load_motions.T @ F])
+        pushes[touching] = (bordered_inverse(self.points, touching) @ X)[: np.count_nonzero(touching)]
+        return pushes.reshape(self.line_azimuths.size, -1)
+
+    def touching(self, forces: NDArray) -> NDArray:
+        """Points in touch (K S,) under outward roller forces (Z, M) [N]; raises `NotSolved` as `near`."""
+        if not self.pushing:
+            return np.ones(len(self.points.compliance), dtype=bool)
+        return pushing_points(self.points, np.ravel(forces))
+
+    def with_axial_modes(self, count: int) -> "RollersOnLines":
+        """The same ring for rollers that exchange fewer axial modes with it: a part of every array."""
+        Z, M = self.free.shape[:2]
+        points, kept = self.points, np.arange(Z * M).reshape(Z, M)[:, :count].ravel()
+        return replace(
+            self,
+            free=self.free[:, :count, :, :count],
+            points=replace(points, loads=points.loads[:, kept], load_motions=points.load_motions[kept]),
+        )
 
 
 def require_held(support: LineSupports, axial_modes: int) -> None:

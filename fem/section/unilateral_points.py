@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import LinAlgError, cholesky, solve_triangular
-from scipy.optimize import nnls
+from scipy.optimize import linprog, nnls
 
 from fem.assembly.factorisation import NotSolved
 from fem.parts.boundary_conditions import HELD, free_translations
@@ -17,7 +17,7 @@ ROUNDING = 1e-9  # of the largest force or gap
 
 @dataclass(frozen=True)
 class SupportPoints:
-    """P points outside of a body with loads."""
+    """P points outside of a body with loads; those that only push stand where the free body is."""
 
     azimuths: NDArray  # (P,) where they stand [rad]
     compliance: NDArray  # (P, P) outward displacement per outward force [m/N], symmetric
@@ -79,12 +79,13 @@ def pushing_points(points: SupportPoints, load: NDArray) -> NDArray:
     Returns
     -------
     array (P,) of bool
-        all points for no load
+        all points for no load. Where those that push leave the body a motion, as one line does under a load
+        straight at it, as many more as hold it: they touch without a force
 
     Raises
     ------
     NotSolved
-        if pushing cannot hold the load, or lets the body go
+        if pushing cannot hold the load
 
     Source
     ------
@@ -94,8 +95,36 @@ def pushing_points(points: SupportPoints, load: NDArray) -> NDArray:
         return np.ones(len(points.compliance), dtype=bool)
     pushes = _least_energy(points, load)
     touching = pushes > ROUNDING * pushes.max()
+    if not _holds(points, touching):
+        touching = _completed(points, load, pushes, touching)
     _require_law(points, load, touching)
     return touching
+
+
+def _completed(points: SupportPoints, load: NDArray, pushes: NDArray, touching: NDArray) -> NDArray:
+    """Touching points with those (P,) that end a motion which these leave, at the least sum of gaps."""
+    size = np.linalg.norm(points.motions, axis=0)
+    motions, free = points.motions / size, points.compliance @ pushes - points.loads @ load
+    unit = np.abs(free).max()
+    place = linprog(
+        -motions.sum(axis=0),
+        A_ub=motions[~touching], b_ub=free[~touching] / unit,
+        A_eq=motions[touching], b_eq=free[touching] / unit,
+        bounds=(None, None),
+    )  # fmt: skip
+    if place.x is None:
+        raise NotSolved(
+            f"only {np.count_nonzero(touching)} of {touching.size} support points push, and the body can "
+            f"still move {_words(points, touching)}: no place of it leaves all others open"
+        )
+    gaps = free / unit - motions @ place.x
+    held = touching.copy()
+    for nearest in np.argsort(gaps):
+        if _holds(points, held):
+            break
+        if not touching[nearest]:
+            held[nearest] = True
+    return held
 
 
 def _least_energy(points: SupportPoints, load: NDArray) -> NDArray:
@@ -133,21 +162,29 @@ def _require_law(points: SupportPoints, load: NDArray, touching: NDArray) -> Non
     answer = bordered_inverse(points, touching) @ X
     count = np.count_nonzero(touching)
     pushes, motion = answer[:count], -answer[count:]
+    least = pushes.min(initial=0.0)
     free = points.loads @ load
     gaps = points.compliance[:, touching] @ pushes - free - points.motions @ motion
-    if pushes.min() < -ROUNDING * pushes.max() or gaps.min() < -ROUNDING * np.abs(free).max():
+    if least < -ROUNDING * np.abs(pushes).max(initial=0.0) or gaps.min() < -ROUNDING * np.abs(free).max():
         raise NotSolved(
-            f"no set of pushing supports was found: least push {pushes.min():.3g} N, "
-            f"least gap {gaps.min():.3g} m"
+            f"no set of pushing supports was found: least push {least:.3g} N, least gap {gaps.min():.3g} m"
         )
 
 
 def _require_hold(points: SupportPoints, touching: NDArray) -> None:
-    R = points.motions[touching] / np.linalg.norm(points.motions, axis=0)
-    stretch = np.linalg.svd(np.vstack([R, np.zeros((R.shape[1],) * 2)]), compute_uv=False)
-    if stretch[-1] <= HELD * stretch[0]:
-        motion = free_translations(points.azimuths[touching]) or "in tilt about y and z"
+    if not _holds(points, touching):
         raise NotSolved(
             f"only {np.count_nonzero(touching)} of {touching.size} support points push, "
-            f"and the body can still move {motion}"
+            f"and the body can still move {_words(points, touching)}"
         )
+
+
+def _holds(points: SupportPoints, touching: NDArray) -> bool:
+    """Whether no rigid motion leaves these points where they are."""
+    R = points.motions[touching] / np.linalg.norm(points.motions, axis=0)
+    stretch = np.linalg.svd(np.vstack([R, np.zeros((R.shape[1],) * 2)]), compute_uv=False)
+    return bool(stretch[-1] > HELD * stretch[0])
+
+
+def _words(points: SupportPoints, touching: NDArray) -> str:
+    return free_translations(points.azimuths[touching]) or "in tilt about y and z"

@@ -33,6 +33,7 @@ from flexbearing.quantities.roller import CAGE_SLIP
 from flexbearing.rings import condensed
 from flexbearing.rings.fits import RacewayInFit, is_in_fit
 from flexbearing.rings.raceways import CondensedRaceway, RigidRaceway
+from flexbearing.rings.supported import SupportedRaceway
 from quasidynamic import Equilibrium, RollerBearing
 
 MOST_MODES = AXIAL_MODES[-1]  # rings are condensed for so many at once: fewer of them are a part of that
@@ -146,7 +147,7 @@ class Trials:
         """Ways to couple, the fastest first: from a trial nearby, or from rigid raceways."""
         coupling, nearest = self.case.coupling, self._nearest(place)
         criterion = StoppingCriterion(tolerance=coupling.tolerance, limit=coupling.max_iterations)
-        in_fit = isinstance(rings.inner, RacewayInFit) or isinstance(rings.outer, RacewayInFit)
+        in_fit = any(isinstance(r, RacewayInFit | SupportedRaceway) for r in (rings.inner, rings.outer))
         # A fit is linearised at the forces of the start, which must have its axial modes.
         if nearest is not None and not (in_fit and nearest.axial_modes != partner.model.axial_modes):
             yield lambda: newton(partner, rings, nearest, criterion)
@@ -172,7 +173,8 @@ class Trials:
             return self._condensed(case, race)
         modes = case.accuracy.axial_shapes
         raceway = self._condensed(with_accuracy(case, axial_shapes=max(modes, MOST_MODES)), race)
-        return raceway.with_axial_modes(modes) if isinstance(raceway, CondensedRaceway) else raceway
+        fewer = isinstance(raceway, CondensedRaceway | SupportedRaceway)
+        return raceway.with_axial_modes(modes) if fewer else raceway
 
     def _condensed(self, case: Case, race: Race) -> Raceway:
         key = _raceway_key(case, race)

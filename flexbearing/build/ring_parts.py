@@ -1,5 +1,6 @@
 """From a case to what carries the raceways: outer and inner part at their temperatures."""
 
+import math
 import re
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
 
 Race = Literal["inner", "outer"]
 
+PARALLEL = 1e-9  # [rad] between directions that are taken as one
 NAMES: dict[Race, str] = {"inner": "inner ring and shaft", "outer": "outer ring"}
 
 
@@ -55,6 +57,7 @@ def _support(case: Case) -> Any:
                 axial=outer.foundation_axial,
                 radial=outer.foundation_radial,
                 tangential=outer.foundation_tangential,
+                pushing=outer.foundation_radial > 0 and not outer.bilateral,
             )
         case "housing":
             return fem.Housing(
@@ -64,7 +67,7 @@ def _support(case: Case) -> Any:
                 support=fem.RigidSeat() if outer.housing_support == "seat" else fem.ClampedFace(),
             )
         case "lines":
-            return fem.LineSupports(azimuths=outer.line_azimuths)
+            return fem.LineSupports(azimuths=outer.line_azimuths, pushing=not outer.bilateral)
         case "planet":
             teeth = zip(outer.tooth_azimuths, outer.tooth_radial, outer.tooth_tangential, strict=True)
             return fem.PlanetGear(
@@ -150,6 +153,31 @@ def require_held_in_housing(case: Case) -> None:
             f"outer.housing_clearance = {outer.housing_clearance!r} m leaves {gap:.3g} m hot, and nothing "
             "holds the ring; allowed is an operation.radial_load above zero, or a hotter ring"
         )
+
+
+def require_held_on_lines(case: Case) -> None:
+    """Refuse lines that would have to pull to hold the load.
+
+    Raises
+    ------
+    ImpossiblePart
+        when no pushes of the lines add up to the load
+    """
+    outer, operation = case.outer, case.operation
+    on_lines = outer.kind == "ring" and outer.support == "lines" and not outer.bilateral
+    if not on_lines or operation.radial_load == 0:
+        return
+    turn = 2 * math.pi
+    ahead = [(azimuth - operation.load_direction) % turn for azimuth in outer.line_azimuths]
+    behind = [-angle % turn for angle in ahead]
+    if min(ahead) + min(behind) < math.pi - PARALLEL or min(min(ahead), min(behind)) < PARALLEL:
+        return
+    lines = ", ".join(f"{math.degrees(azimuth):.4g}" for azimuth in outer.line_azimuths)
+    raise fem.ImpossiblePart(
+        f"outer.line_azimuths = {lines} deg: lines that only push do not hold a load towards "
+        f"{math.degrees(operation.load_direction):.4g} deg; allowed are lines on both sides of it, less than "
+        "180 deg apart, or outer.bilateral = true where they can pull"
+    )
 
 
 def _elastic(case: Case, part: str) -> "fem.Elastic":

@@ -73,6 +73,34 @@ LIFE: Form = Such(
     "with the same factors in every block",
 )
 REGIMES: Form = Each(BLOCKS, OF_RACES)
+ALONG_Y_AND_Z = ListOf(NUMBER)
+OF_LINES: Form = Record(
+    {
+        "pull": FLAG,
+        "azimuth_deg": ListOf(NUMBER),
+        "force_N": ListOf(NUMBER),
+        "end_forces_N": ListOf(ListOf(NUMBER)),
+        "carries": ListOf(FLAG),
+        "resultant_N": ALONG_Y_AND_Z,
+        "rollers_N": ALONG_Y_AND_Z,
+    }
+)
+OF_A_FOUNDATION: Form = Record(
+    {
+        "pull": FLAG,
+        "largest_pressure_MPa": NUMBER,
+        "azimuth_deg": NUMBER,
+        "x_mm": NUMBER,
+        "least_pressure_MPa": NUMBER,
+        "open_share": NUMBER,
+        "touching_deg": ListOf(ListOf(NUMBER)),
+        "resultant_N": ALONG_Y_AND_Z,
+        "rollers_N": ALONG_Y_AND_Z,
+        "azimuths_deg": ListOf(NUMBER),
+        "width_mm": ListOf(NUMBER),
+        "pressure_MPa": ListOf(ListOf(NUMBER)),
+    }
+)
 STRUCTURE: Form = Each(
     "part",
     Record(
@@ -82,7 +110,12 @@ STRUCTURE: Form = Each(
             "support_stiffness_N_per_m": NUMBER_OR_NULL,
             "seconds": Each("stage", NUMBER),
         },
-        optional={"fit": Each("figure", NUMBER), "housing": Each("figure", NUMBER)},
+        optional={
+            "fit": Each("figure", NUMBER),
+            "housing": Each("figure", NUMBER),
+            "lines": OF_LINES,
+            "foundation": OF_A_FOUNDATION,
+        },
     ),
 )
 STRESSES: Form = Each(

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from time import perf_counter
 from typing import TYPE_CHECKING
 
@@ -21,6 +22,13 @@ from flexbearing.coupling import PartnerFailed, RacewayPair
 from flexbearing.progress import Report
 from flexbearing.rings.fits import RacewayInFit, inner_ring_in_fit, is_in_fit, outer_ring_in_housing
 from flexbearing.rings.raceways import CondensedRaceway, RigidRaceway
+from flexbearing.rings.supported import (
+    RINGS,
+    SupportedRaceway,
+    foundation_figures,
+    is_on_supports,
+    line_figures,
+)
 
 if TYPE_CHECKING:
     from flexbearing.build.ring_parts import Part
@@ -38,8 +46,8 @@ def condensed_raceways(case: Case, azimuths: NDArray, report: Report) -> Raceway
 
 def raceway(
     case: Case, race: Race, azimuths: NDArray, report: Report
-) -> RigidRaceway | CondensedRaceway | RacewayInFit:
-    """What carries one raceway: rigid, condensed, or a ring in its fit.
+) -> RigidRaceway | CondensedRaceway | RacewayInFit | SupportedRaceway:
+    """What carries one raceway: rigid, condensed, a ring in its fit or one on its supports.
 
     Parameters
     ----------
@@ -54,7 +62,7 @@ def raceway(
 
     Returns
     -------
-    RigidRaceway, CondensedRaceway or RacewayInFit
+    RigidRaceway, CondensedRaceway, RacewayInFit or SupportedRaceway
 
     Raises
     ------
@@ -66,6 +74,8 @@ def raceway(
     part = part_of(case, race)
     if part is None:
         return RigidRaceway(azimuths)
+    if race == "outer" and is_on_supports(case):
+        return _on_supports(part, case, azimuths, report)
     if not is_in_fit(case, race):
         began, name = perf_counter(), NAMES[race]
         report.stage(name, None)
@@ -83,6 +93,22 @@ def raceway(
             fitted = outer_ring_in_housing(case, part, azimuths, mesh_size(case, ON_A_SECTION))
         report.stage(f"{name}: about {fitted.fit.interface.unknowns} unknowns in the fit", None)
         return fitted
+
+
+def _on_supports(part: "Part", case: Case, azimuths: NDArray, report: Report) -> SupportedRaceway:
+    """The outer ring on lines or springs."""
+    assert isinstance(part, fem.OuterRing)  # or nothing would support it so
+    began, support, name = perf_counter(), part.support, NAMES["outer"]
+    report.stage(name, None)
+    if isinstance(support, fem.Foundation):  # with the answers of its outer surface
+        part = replace(part, support=replace(support, pushing=True))
+    with named_failures(case, name):
+        ring = _condensed(name, part, case, azimuths, report).under_rollers(azimuths)
+    if not support.pushing:
+        ring = replace(ring, pushing=False)
+    report.stage(f"{name}: {perf_counter() - began:.1f} s", None)
+    figures = line_figures if case.outer.support == "lines" else foundation_figures
+    return SupportedRaceway(RINGS[case.outer.support], ring, figures)
 
 
 @contextmanager
@@ -108,7 +134,9 @@ def _condensed(name: str, part: "Part", case: Case, azimuths: NDArray, report: R
     """Raceway compliance, from the cache where it is kept."""
     discretisation = _discretisation(part, case)
     arguments = part, discretisation, _resolution(part, discretisation, case, azimuths)
-    on_lines = isinstance(part, fem.OuterRing) and case.outer.support in ("lines", "planet")
+    on_lines = isinstance(part, fem.OuterRing) and (
+        case.outer.support in ("lines", "planet") or getattr(part.support, "pushing", False)
+    )
     if discretisation is BEAM or (on_lines and discretisation is not SOLID):
         return condense(*arguments)  # sooner computed than read, or more than is kept
 

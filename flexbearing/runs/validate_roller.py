@@ -34,3 +34,4 @@ def build(case: Case) -> None:
     ring_parts.outer_part(case)
     ring_parts.inner_part(case)
     ring_parts.require_held_in_housing(case)
+    ring_parts.require_held_on_lines(case)

@@ -62,6 +62,12 @@ class Outer(Section):
         ge=0,
         only={**_RING, "support": ("housing",)},
     )
+    bilateral: bool = key(
+        "whether lines or radial springs of the foundation also pull; without it they only push, and the "
+        "ring lifts off them",
+        False,
+        only={**_RING, "support": ("lines", "foundation")},
+    )
     line_azimuths: tuple[Angle, ...] = key(
         "azimuths of supporting lines, from z towards y",
         (),
