@@ -25,7 +25,7 @@ from fem.parts.rings import ImpossiblePart
 from fem.raceway.compliance import RacewayCompliance
 from fem.raceway.harmonics import HarmonicCompliance
 from fem.section.free_ring import FreeRing, rigid_motions
-from fem.section.unilateral_points import SupportPoints, bordered_inverse, pushing_points
+from fem.section.unilateral_points import SupportPoints, bordered_inverse, pushing_points, require_energy
 
 MIDDLE = np.array([[1.0], [0.0]])  # Legendre shapes 0 and 1 of a force evenly spread along a line
 ENDS = np.array([[1.0, 1.0], [-1 / 3, 1 / 3]])  # of forces that grow towards its two ends
@@ -90,13 +90,15 @@ class RingOnLines:
     def under_rollers(self, azimuths) -> "RollersOnLines":
         """The ring with its lines and rollers at given azimuths (Z,) [rad], all different.
 
-        Raises `NotSolved` if the harmonics end too early.
+        Raises `NotSolved` if the harmonics end too early, `ImpossiblePart` if lines are too close together.
         """
         phi = np.asarray(azimuths, dtype=float)
+        points = self._points(phi)
+        require_energy(points)
         return RollersOnLines(
             azimuths=phi,
             free=self.ring.raceway.absolute(phi),
-            points=self._points(phi),
+            points=points,
             line_azimuths=np.array(self.support.azimuths),
             pushing=self.support.pushing,
             raceway=self.ring.raceway,

@@ -9,6 +9,7 @@ from scipy.optimize import linprog, nnls
 
 from fem.assembly.factorisation import NotSolved
 from fem.parts.boundary_conditions import HELD, free_translations
+from fem.parts.material import ImpossiblePart
 
 BALANCE = 1e4  # weight of balance against energy in the search for points in touch; 1e3 and 1e5 do as well
 CORRECTIONS = 30  # of what pushing points leave out of balance; each leaves a small part of it
@@ -106,8 +107,9 @@ def _completed(points: SupportPoints, load: NDArray, pushes: NDArray, touching: 
     size = np.linalg.norm(points.motions, axis=0)
     motions, free = points.motions / size, points.compliance @ pushes - points.loads @ load
     unit = np.abs(free).max()
+    uneven = 1 + np.arange(len(free)) / len(free)  # or places between two supports would be as good as at one
     place = linprog(
-        -motions.sum(axis=0),
+        -uneven @ motions,
         A_ub=motions[~touching], b_ub=free[~touching] / unit,
         A_eq=motions[touching], b_eq=free[touching] / unit,
         bounds=(None, None),
@@ -119,11 +121,12 @@ def _completed(points: SupportPoints, load: NDArray, pushes: NDArray, touching: 
         )
     gaps = free / unit - motions @ place.x
     held = touching.copy()
-    for nearest in np.argsort(gaps):
+    for nearest in np.argsort(np.where(touching, np.inf, gaps)):
         if _holds(points, held):
             break
-        if not touching[nearest]:
-            held[nearest] = True
+        both = held | (np.arange(held.size) == nearest)
+        if np.linalg.matrix_rank(motions[both], HELD) > np.linalg.matrix_rank(motions[held], HELD):
+            held = both
     return held
 
 
@@ -131,14 +134,7 @@ def _least_energy(points: SupportPoints, load: NDArray) -> NDArray:
     """Inward forces (P,) in balance with the load."""
     size = np.linalg.norm(points.motions, axis=0)
     balance, required = points.motions.T / size[:, None], points.load_motions.T @ load / size
-    stiff = np.trace(points.compliance) / len(points.compliance)
-    try:
-        root = cholesky(points.compliance + stiff * balance.T @ balance, lower=True)
-    except LinAlgError as refusal:
-        raise NotSolved(
-            "supports would gain energy by pushing: the body is too thick, it deflects less at its supports "
-            "than a half-space does"
-        ) from refusal
+    stiff, root = _energy(points)
     weight = BALANCE * np.sqrt(stiff)
     matrix = np.vstack([root.T, weight * balance])
     goal = solve_triangular(root, points.loads @ load + stiff * balance.T @ required, lower=True)
@@ -154,6 +150,37 @@ def _least_energy(points: SupportPoints, load: NDArray) -> NDArray:
         f"supports that only push cannot hold this load of ({resultant}) N along y and z: "
         "the body would lift off them"
     )
+
+
+def _energy(points: SupportPoints) -> tuple[float, NDArray]:
+    """Mean compliance [m/N], and the root (P, P) of the compliance whose motions are held as stiffly."""
+    balance = points.motions.T / np.linalg.norm(points.motions, axis=0)[:, None]
+    stiff = np.trace(points.compliance) / len(points.compliance)
+    try:
+        return stiff, cholesky(points.compliance + stiff * balance.T @ balance, lower=True)
+    except LinAlgError as refusal:
+        raise ImpossiblePart(
+            f"supports {_nearest(points):.2g} deg apart have no place: they would gain energy by pushing, as "
+            "they have no width; allowed are supports further apart, by about the thickness of a ring"
+        ) from refusal
+
+
+def require_energy(points: SupportPoints) -> None:
+    """Refuse supports that would gain energy by pushing: two of them as one, or a body too thick for them.
+
+    Raises
+    ------
+    ImpossiblePart
+        naming the smallest angle between them
+    """
+    _energy(points)
+
+
+def _nearest(points: SupportPoints) -> float:
+    """Smallest angle between supports [deg]."""
+    turn = 2 * np.pi
+    around = np.unique(np.round(points.azimuths % turn, 9))
+    return float(np.degrees(np.diff(around, append=around[0] + turn).min()))
 
 
 def _require_law(points: SupportPoints, load: NDArray, touching: NDArray) -> None:

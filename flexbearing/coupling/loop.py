@@ -19,6 +19,8 @@ DIVERGENCE_RATIO = 10.0
 GROWTHS_OVER_FIRST, GROWTHS_OVER_LEAST = 3, 5
 # Stagnating: so many iterations without a residual below this part of the smallest before them.
 STAGNATION_LIMIT, STAGNATION_RATIO = 40, 0.9
+# Newton: a tangent that leaves more than this part of the smallest mismatch is averaged with the one before.
+SHRINKING = 0.5
 BALANCED = 1e-10  # unbalanced force over the load at which newton has nothing left to improve
 _REASONS = {
     "diverging": "diverging iterations are stopped: the structure is too soft for a fixed-point iteration; "
@@ -152,7 +154,7 @@ def newton(
     ------
     Iteration
     """
-    state, number = start, 0
+    state, number, smallest = start, 0, np.inf
     try:
         linear = structure.linearised(start.forces)
         while True:
@@ -165,6 +167,9 @@ def newton(
                     # In balance with one tangent, only what the tangent leaves out can still change.
                     status = criterion.status(number, mismatch)
                     iteration = replace(iteration, mismatch=mismatch, status=status)
+                    if mismatch > SHRINKING * smallest:  # supports or fits open and close in turns
+                        linear = linear.averaged(previous, state.forces)
+                    smallest = min(smallest, mismatch)
                 yield iteration
                 if iteration.status:
                     return

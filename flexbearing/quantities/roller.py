@@ -320,7 +320,7 @@ _ATTRIBUTES = (
     Attribute(
         "structure",
         "json",
-        "figures of the finite elements: unknowns, seconds per stage",
+        "figures of the finite elements: unknowns, seconds per stage; what lines, springs and fits carry",
         form=records.STRUCTURE,
     ),
     Attribute(
@@ -359,5 +359,16 @@ A pair is (inner, outer) or (y, z) as stated.
     quantities=QUANTITIES,
     blocks=("rigid", "flexible"),
     further_attributes=_ATTRIBUTES,
-    head=(*HEAD, "method", "tilt", "clearance", "life", "regimes", "stresses", "choices", "error_estimate"),
+    head=(
+        *HEAD,
+        "method",
+        "tilt",
+        "clearance",
+        "life",
+        "regimes",
+        "structure",
+        "stresses",
+        "choices",
+        "error_estimate",
+    ),
 )

@@ -1,6 +1,7 @@
 """What a reader of the results must know besides the numbers."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from typing import Any
 
 import numpy as np
 
@@ -15,6 +16,7 @@ from quasidynamic.outcome.validity import validity
 from quasidynamic.trace import equilibria_at, several_likely
 
 LARGE_SHARE = 0.5  # of the losses: worth a word (assumed)
+ALONE = 0.01  # of the largest line force: below it the other lines only keep the ring from rolling away
 
 
 def of_case(case: Case) -> tuple[Note, ...]:
@@ -71,6 +73,22 @@ def _dangers(state: Equilibrium, life: float) -> Iterator[Note]:
     points = state.balance.points
     yield from dangers.pressed(float(state.peak_pressure.max()))
     yield from dangers.short_lived(life, float(points.inner_speed[0, 0] - points.outer_speed[0, 0]))
+
+
+def of_structure(figures: Mapping[str, Any]) -> tuple[Note, ...]:
+    """What the supports of the outer ring say at the end state."""
+    lines = figures.get("outer", {}).get("lines")
+    if lines is None:
+        return ()
+    *_, second, largest = sorted(abs(force) for force in lines["force_N"])
+    if second > ALONE * largest:
+        return ()
+    azimuth = lines["azimuth_deg"][[abs(force) for force in lines["force_N"]].index(largest)]
+    words = (
+        f"outer ring: the line at {azimuth:.1f} deg alone carries the load; lines on both sides of the load "
+        "would hold the ring where it is"
+    )
+    return (information("ring-on-one-line", words),)
 
 
 def _information(case: Case, state: Equilibrium) -> Iterator[Note]:

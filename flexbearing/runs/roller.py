@@ -119,6 +119,7 @@ def _solve(
     ending = _ending(last.status, last.message, last.iterations) | records
     if converged:
         postprocessing.notes.extend(resolved.notes(last.state))
+        postprocessing.notes.extend(notes.of_structure(figures))
         ending |= _tilt(TiltComparison.at(case, last.state, tangent), postprocessing)
     return ending | {"structure": figures, "ending": last.ending}
 

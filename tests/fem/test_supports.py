@@ -28,6 +28,7 @@ from fem.mesh.solid import meshed
 from fem.section.planet_rim import PlanetRim
 from fem.section.revolved_body import edge_modes
 from fem.section.rigid_body_modes import body_of
+from fem.section.ring_on_foundation import complementary
 from fem.section.ring_on_lines import RingOnLines
 from fem.section.unilateral_points import SupportPoints, bordered_inverse, pushing_points
 from tests.fem.condensed import AxisymmetricLoad, by_harmonics, expansion_of, with_smeared_bars
@@ -343,3 +344,113 @@ def test_tetrahedra_agree(support):
     raceway = by_harmonics(part, part.width, 2, MeshSize(order=6, size=3e-3, raceway_size=1e-3), 80)
     found = np.real(np.einsum("nmm->nm", raceway.response[80 + np.array(harmonics)]))
     assert solid == approx(found, rel=3e-3)
+
+
+def under(rollers, forces):
+    """Deviations from the ground [m] under roller forces (Z, M) [N], by the tangent there."""
+    return np.tensordot(rollers.near(forces).absolute, forces, 2)
+
+
+def on_springs(stiffness=1e11, tangential=0.0):
+    springs = Foundation(axial=0.0, radial=stiffness, tangential=tangential, pushing=True)
+    return by_harmonics(ring(springs), L, M, COARSE).under_rollers(ROLLERS)
+
+
+PRESSED = np.column_stack([800 * np.maximum(np.cos(ROLLERS - 0.4), 0) ** 1.2, 60 * np.sin(ROLLERS)])
+ONE_SIDED = {
+    "lines": lambda free: RingOnLines(free, replace(THREE, pushing=True)).under_rollers(ROLLERS),
+    "soft lines": lambda free: RingOnLines(
+        free, LineSupports(azimuths=tuple(np.radians([-80, 10, 50, 150])), stiffness=3e7, pushing=True)
+    ).under_rollers(ROLLERS),
+    "springs": lambda free: on_springs(),
+    "springs with shear": lambda free: on_springs(3e10, 1e10),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("make", ONE_SIDED.values(), ids=ONE_SIDED.keys())
+def test_tangent_on_one_sided_supports_is_that_of_differences(free, make):
+    rollers = make(free).with_axial_modes(M)
+    chance = np.random.default_rng(3)
+    step = chance.normal(size=PRESSED.shape)
+    tangent = rollers.near(PRESSED)
+    size = 1e-3  # N: no point opens or closes between both
+    forward, backward = under(rollers, PRESSED + size * step), under(rollers, PRESSED - size * step)
+    change = np.tensordot(tangent.absolute, step, 2)
+    assert (forward - backward) / (2 * size) == approx(change, rel=0, abs=1e-5 * np.abs(change).max())
+    assert tangent.absolute == approx(tangent.absolute.transpose(2, 3, 0, 1), rel=0, abs=1e-11)
+    moved = np.tensordot(tangent.translation, PRESSED, 2)
+    waves = np.stack([np.sin(ROLLERS), np.cos(ROLLERS)])
+    assert np.tensordot(tangent.relative, PRESSED, 2)[:, 0] == approx(
+        under(rollers, PRESSED)[:, 0] - moved @ waves, rel=0, abs=1e-12
+    )
+
+
+@pytest.mark.parametrize("make", ONE_SIDED.values(), ids=ONE_SIDED.keys())
+def test_answer_on_one_sided_supports_is_continuous_where_they_open(free, make):
+    """From one load to another, of which the supports touch elsewhere: no jump, and no answer to no load."""
+    rollers = make(free).with_axial_modes(M)
+    turned = np.roll(PRESSED, 4, axis=0)
+    largest = []
+    for count in (40, 80):
+        along = [(1 - s) * PRESSED + s * turned for s in np.linspace(0, 1, count + 1)]
+        path = [np.tensordot(rollers.near(forces).relative, forces, 2)[:, 0] for forces in along]
+        largest.append(np.abs(np.diff(path, axis=0)).max())
+    assert largest[1] < 0.6 * largest[0]  # half of it where the answer is smooth, all of it where it jumps
+
+
+def test_springs_that_only_push_balance_the_rollers():
+    """Force along y and z, moment about both."""
+    rollers = on_springs()
+    force = rollers.pressure(PRESSED) * rollers.area
+    assert force.min() == 0 < force.max()
+    for wave in (np.sin, np.cos):
+        around, at_rollers = wave(rollers.around)[:, None], wave(ROLLERS)
+        large = 1e-6 * force.sum()
+        assert (force * around).sum() == approx(at_rollers @ PRESSED[:, 0], rel=0, abs=large)
+        moment = (force * rollers.x * around).sum()
+        assert moment == approx(L / 2 * at_rollers @ PRESSED[:, 1], rel=0, abs=large * L)
+
+
+def test_springs_pull_only_where_they_may():
+    """Springs that pull are the foundation that is not one-sided, and share its whole answer."""
+    rollers = on_springs()
+    both = replace(rollers, pushing=False)
+    linear = by_harmonics(ring(replace(RADIAL, radial=1e11)), L, M, COARSE).at(ROLLERS)
+    assert both.near(PRESSED).absolute == approx(linear.absolute, rel=0, abs=1e-6 * linear.absolute.max())
+    assert both.pressure(PRESSED).min() < 0
+    assert np.abs(under(rollers, PRESSED)).max() > 1.2 * np.abs(under(both, PRESSED)).max()
+    assert rollers.near(0 * PRESSED).absolute == approx(linear.absolute, rel=0, abs=1e-12)
+
+
+def test_ring_may_rest_on_a_single_line_under_a_load_straight_at_it(free):
+    """Another line touches without a force: no motion is left, and nothing of the answer depends on it."""
+    rollers = RingOnLines(free, replace(THREE, pushing=True)).under_rollers(np.array([0.5, -0.5, 3.0]))
+    F = np.array([[500.0, 0.0, 0.0], [500.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
+    force = rollers.line_forces(F)
+    assert force.sum(axis=1) == approx([1000 * np.cos(0.5), 0, 0], rel=1e-9, abs=1e-6)
+    assert np.count_nonzero(rollers.touching(F)) > 2
+    tilted = F + np.array([[1e-3, 0, 0], [0, 0, 0], [0, 0, 0]])
+    assert rollers.line_forces(tilted).sum(axis=1) == approx(force.sum(axis=1), rel=0, abs=3e-3)
+    relative = [np.tensordot(rollers.near(forces).relative, forces, 2) for forces in (F, tilted)]
+    assert relative[1] == approx(relative[0], rel=0, abs=1e-5 * np.abs(relative[0]).max())
+
+
+@settings(max_examples=60)
+@given(st.integers(1, 12), st.integers(0, 2**32 - 1))
+def test_complementarity_is_solved_for_any_positive_definite_matrix(size, seed):
+    chance = np.random.default_rng(seed)
+    half = chance.normal(size=(size, size))
+    matrix, constant = half @ half.T + 0.01 * np.eye(size), chance.normal(size=size)
+    positive, y = complementary(matrix, constant)
+    t = np.where(positive, np.linalg.lstsq(matrix, y - constant, rcond=None)[0], 0.0)
+    assert matrix @ t + constant == approx(y, rel=0, abs=1e-8)
+    assert t.min() >= -1e-9
+    assert y.min() >= -1e-9
+
+
+def test_lines_too_close_together_are_refused_whether_they_pull_or_not(free):
+    """A line has no width: the ring between two of them would have to be squeezed."""
+    for pushing in (True, False):
+        lines = LineSupports(azimuths=tuple(np.radians([0, 1, 120, 240])), pushing=pushing)
+        with pytest.raises(ImpossiblePart, match="supports 1 deg apart"):
+            RingOnLines(free, lines).under_rollers(ROLLERS)

@@ -190,6 +190,7 @@ EFFECTS = (
     ("housing", "outer.housing_width", "14.14 mm", "outer.support.width"),
     ("housing", "outer.housing_support", "side", "outer.support.support.is"),
     ("loose housing", "outer.housing_clearance", "60.6 um", "outer_fit.fit.interference"),
+    ("lines", "outer.bilateral", True, "outer.support.pushing"),
     ("lines", "outer.line_azimuths", ["0 deg", "121.2 deg", "242.4 deg"], "outer.support.azimuths.{1,2}"),
     ("planet", "outer.tooth_azimuths", ["90.9 deg", "272.7 deg"],
      "outer.support.forces.0.azimuth outer.support.forces.1.azimuth"),

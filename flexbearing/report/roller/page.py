@@ -23,6 +23,7 @@ from flexbearing.report.sections import (
     stresses,
     tilt,
 )
+from flexbearing.report.supports import supports
 
 
 def ending(numbers: dict[str, Any]) -> str:
@@ -60,6 +61,7 @@ def page(numbers: dict[str, Any]) -> Iterator[RenderableType]:
     yield from ordered_levels(numbers["choices"] or {}, numbers["error_estimate"] or {})
     yield from matrices(numbers["flexible"])
     yield from regimes(numbers["regimes"])
+    yield from supports(numbers["structure"])
     yield from skew({name: numbers[name] for name in ("rigid", "flexible")})
     yield from clearance_steps(numbers["clearance"])
     yield from life_factors(numbers["life"])

@@ -1,0 +1,164 @@
+"""Lines and foundations of a case push only, unless it says that they pull; their forces are told."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from pytest import approx
+
+import flexbearing
+from flexbearing.case import BadCase
+from flexbearing.report import summary, text
+from tests.flexbearing.noted import codes
+
+CASE = Path(__file__).parents[2] / "configs" / "nu209.toml"
+RING = [
+    "inner.kind=rigid", "outer.kind=ring", "outer.thickness=5 mm", "outer.width=19 mm",
+    "accuracy.element_order=3", "accuracy.slices=8", "accuracy.axial_shapes=2", "operation.radial_load=2 kN",
+]  # fmt: skip
+LINES = ["outer.support=lines", 'outer.line_azimuths=["0 deg", "120 deg", "240 deg"]']
+SPRINGS = ["outer.support=foundation", "outer.foundation_radial=10 N/mm^3"]
+BEAM = [*SPRINGS, "accuracy.structure=beam"]
+
+
+def run(folder, *settings):
+    return flexbearing.run(CASE, folder / "r.h5", [*RING, *settings])
+
+
+def carried(result):
+    """What rollers press on the outer raceway along y and z [N], by the loads of the result."""
+    azimuth, load = result.flexible["roller_azimuth"], result.flexible["outer_load"]
+    return load @ np.sin(azimuth), load @ np.cos(azimuth)
+
+
+def test_lines_push_only_and_balance_the_rollers(tmp_path):
+    """The example of the documents: without `bilateral` lines at 120 and 240 degrees pulled 120 N each."""
+    result = run(tmp_path, *LINES)
+    assert result.attributes["status"] == "converged"
+    lines = result.attributes["structure"]["outer"]["lines"]
+    force, psi = np.array(lines["force_N"]), np.radians(lines["azimuth_deg"])
+    assert lines["pull"] is False
+    assert force.min() >= 0
+    assert (force @ np.sin(psi), force @ np.cos(psi)) == approx(carried(result), rel=1e-6, abs=1e-3)
+    assert lines["resultant_N"] == approx(lines["rollers_N"], rel=1e-9, abs=1e-6)
+    assert np.sum(lines["end_forces_N"], axis=1) == approx(force, rel=1e-12, abs=1e-9)
+    assert force[0] == approx(2000, rel=0.01)
+    assert [c for c, f in zip(lines["carries"], force, strict=True) if f == 0] == [False]
+
+
+def test_lines_pull_where_the_case_says_so(tmp_path):
+    result = run(tmp_path, *LINES, "outer.bilateral=true")
+    lines = result.attributes["structure"]["outer"]["lines"]
+    assert lines["pull"] is True
+    assert lines["force_N"][1:] == approx([-119.5, -113.4], rel=0.1)
+    assert lines["resultant_N"] == approx(carried(result), rel=1e-6, abs=1e-3)
+    assert "pulls" in text(result)
+
+
+@pytest.mark.parametrize("springs", [SPRINGS, BEAM], ids=["section", "beam"])
+def test_foundation_pushes_only_and_balances_the_rollers(springs, tmp_path):
+    result = run(tmp_path, *springs)
+    assert result.attributes["status"] == "converged"
+    told = result.attributes["structure"]["outer"]["foundation"]
+    pressure, azimuth = np.array(told["pressure_MPa"]), np.radians(told["azimuths_deg"])
+    assert told["pull"] is False
+    assert pressure.min() == told["least_pressure_MPa"] == 0
+    assert pressure.max() == told["largest_pressure_MPa"] > 0
+    assert told["resultant_N"] == approx(carried(result), rel=1e-6, abs=1e-2)
+    assert np.degrees(azimuth[pressure.max(axis=1).argmax()]) == approx(told["azimuth_deg"])
+    ((begin, end),) = told["touching_deg"]
+    assert 250 < begin < 290
+    assert 430 < end < 470
+    assert 0.4 < told["open_share"] < 0.6
+    assert "is lifted off" in text(result)
+
+
+def test_foundation_that_pulls_says_how_much(tmp_path):
+    both, one = run(tmp_path, *BEAM, "outer.bilateral=true"), None
+    told = both.attributes["structure"]["outer"]["foundation"]
+    assert told["pull"] is True
+    assert told["least_pressure_MPa"] < -0.1
+    assert told["resultant_N"] == approx(carried(both), rel=1e-6, abs=1e-2)
+    assert "is pulled, by up to" in text(both)
+    one = run(tmp_path, *BEAM).attributes["structure"]["outer"]
+    assert one["foundation"]["largest_pressure_MPa"] > 1.2 * told["largest_pressure_MPa"]
+    assert (
+        one["support_stiffness_N_per_m"] < both.attributes["structure"]["outer"]["support_stiffness_N_per_m"]
+    )
+
+
+def test_shear_springs_take_what_pressure_does_not(tmp_path):
+    """They hold the ring all around; the summary shows what is left to the radial ones."""
+    result = run(tmp_path, *BEAM, "outer.foundation_tangential=3 N/mm^3")
+    told = result.attributes["structure"]["outer"]["foundation"]
+    assert 0.5 * told["rollers_N"][1] < told["resultant_N"][1] < 0.95 * told["rollers_N"][1]
+
+
+def test_summary_names_line_forces_and_what_lifts_off(tmp_path):
+    result = run(tmp_path, *LINES)
+    printed = text(result)
+    assert "lines that hold the outer ring: they push only" in printed
+    assert "lifted off" in printed
+    assert "pushes" in printed
+    assert summary(result)["structure"]["outer"]["lines"]["force_N"][0] == approx(2000, rel=0.01)
+
+
+def test_ring_that_rests_on_one_line_is_noted(tmp_path):
+    assert "ring-on-one-line" in codes(run(tmp_path, *LINES))
+    spread = run(tmp_path, "outer.support=lines", 'outer.line_azimuths=["60 deg", "180 deg", "300 deg"]')
+    assert "ring-on-one-line" not in codes(spread)
+    assert spread.attributes["structure"]["outer"]["lines"]["force_N"][1] == 0
+
+
+@pytest.mark.parametrize(
+    ("settings", "told"),
+    [
+        (
+            [*LINES, 'outer.line_azimuths=["40 deg", "120 deg", "200 deg"]'],
+            "do not hold a load towards 0 deg",
+        ),
+        ([*LINES, 'outer.line_azimuths=["120 deg", "240 deg"]'], "outer.bilateral = true"),
+        ([*LINES, 'outer.line_azimuths=["0 deg", "0.2 deg", "180 deg"]'], "supports 0.2 deg apart"),
+        ([*LINES, "operation.load_direction=60 deg", 'outer.line_azimuths=["0 deg", "30 deg"]'], "60 deg"),
+    ],
+)
+def test_lines_that_leave_the_ring_unheld_are_refused(settings, told, tmp_path):
+    with pytest.raises(BadCase, match=told):
+        run(tmp_path, *settings)
+
+
+@pytest.mark.parametrize(
+    "settings",
+    [
+        [*LINES, 'outer.line_azimuths=["120 deg", "240 deg"]', "outer.bilateral=true"],
+        [*LINES, "operation.radial_load=0 N", "bearing.clearance=-20 um"],
+        [*LINES, "operation.load_direction=120 deg"],
+        [*LINES, "operation.load_direction=60 deg"],
+    ],
+    ids=["pulled", "preloaded alone", "straight at a line", "between lines"],
+)
+def test_lines_hold_what_they_can(settings, tmp_path):
+    result = run(tmp_path, *settings)
+    assert result.attributes["status"] == "converged"
+    lines = result.attributes["structure"]["outer"]["lines"]
+    assert lines["resultant_N"] == approx(carried(result), rel=1e-6, abs=1e-3)
+    assert lines["pull"] or min(lines["force_N"]) >= 0
+
+
+def test_line_pressure_balances_a_tilting_moment(tmp_path):
+    """It grows linearly along the line, 19 mm wide; 5 N m come with a slope that the rollers share."""
+    result = run(tmp_path, *LINES, "operation.moment=5 N m", "operation.tilt=free")
+    ends = np.array(result.attributes["structure"]["outer"]["lines"]["end_forces_N"])
+    assert ends.min() >= 0
+    assert 19e-3 / 6 * abs(ends[0, 1] - ends[0, 0]) == approx(5.0, rel=0.02)
+
+
+@pytest.mark.parametrize("supports", [LINES, BEAM], ids=["lines", "springs"])
+def test_methods_agree_on_rings_that_lift_off(supports, tmp_path):
+    alone = ["coupling.fallback=false", "coupling.tolerance=1e-8"]
+    found = [
+        run(tmp_path, *supports, *alone, f"coupling.method={method}") for method in ("newton", "iqn-ils")
+    ]
+    assert [result.attributes["status"] for result in found] == ["converged", "converged"]
+    newton, secant = (result.flexible["outer_load"] for result in found)
+    assert newton == approx(secant, rel=0, abs=1e-7 * secant.max())
