@@ -17,6 +17,7 @@ RING = [
     "accuracy.element_order=3", "accuracy.slices=8", "accuracy.axial_shapes=2", "operation.radial_load=2 kN",
 ]  # fmt: skip
 LINES = ["outer.support=lines", 'outer.line_azimuths=["0 deg", "120 deg", "240 deg"]']
+CROWDED = [*LINES, 'outer.line_azimuths=["-90 deg", "26 deg", "46 deg", "92.5 deg", "92.8 deg"]']
 SPRINGS = ["outer.support=foundation", "outer.foundation_radial=10 N/mm^3"]
 BEAM = [*SPRINGS, "accuracy.structure=beam"]
 
@@ -118,7 +119,7 @@ def test_ring_that_rests_on_one_line_is_noted(tmp_path):
             "do not hold a load towards 0 deg",
         ),
         ([*LINES, 'outer.line_azimuths=["120 deg", "240 deg"]'], "outer.bilateral = true"),
-        ([*LINES, 'outer.line_azimuths=["0 deg", "0.2 deg", "180 deg"]'], "supports 0.2 deg apart"),
+        ([*CROWDED, "outer.thickness=2.4 mm"], "supports 0.3 deg apart"),
         ([*LINES, "operation.load_direction=60 deg", 'outer.line_azimuths=["0 deg", "30 deg"]'], "60 deg"),
     ],
 )
