@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 from time import perf_counter
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -103,8 +103,9 @@ def _on_supports(part: "Part", case: Case, azimuths: NDArray, report: Report) ->
     if isinstance(support, fem.Foundation):  # with the answers of its outer surface
         part = replace(part, support=replace(support, pushing=True))
     with named_failures(case, name):
-        ring = _condensed(name, part, case, azimuths, report).under_rollers(azimuths)
-    if not support.pushing:
+        supported: Any = _condensed(name, part, case, azimuths, report)  # on lines or springs
+        ring = supported.under_rollers(azimuths)
+    if case.outer.bilateral:
         ring = replace(ring, pushing=False)
     report.stage(f"{name}: {perf_counter() - began:.1f} s", None)
     figures = line_figures if case.outer.support == "lines" else foundation_figures

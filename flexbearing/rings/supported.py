@@ -149,7 +149,7 @@ def foundation_figures(ring: "RollersOnFoundation", outward: NDArray) -> dict[st
             "x_mm": 1e3 * float(ring.x[place[1]]),
             "least_pressure_MPa": 1e-6 * float(pressure.min()),
             "open_share": float(np.average((pressure <= 0).mean(axis=0), weights=ring.area)),
-            "touching_deg": _arcs(degrees, (pressure > 0).any(axis=1)),
+            "touching_deg": _arcs(degrees, pressure.max(axis=1) > 0),
             "resultant_N": _resultant(ring.around, force),
             "rollers_N": _resultant(ring.azimuths, outward[:, 0]),
             "azimuths_deg": degrees.tolist(),

@@ -45,7 +45,11 @@ def test_ring_on_lines_that_only_push_is_the_plain_one(plain, lines):
     assert moved == approx(deviation, rel=0, abs=0.02 * np.abs(deviation).max())
 
 
-@pytest.mark.parametrize("condensed", [as_beam, lambda *a: by_harmonics(*a, FAIR)], ids=["beam", "section"])
+@pytest.mark.parametrize(
+    "condensed",
+    [as_beam, lambda part, length, modes: by_harmonics(part, length, modes, FAIR)],
+    ids=["beam", "section"],
+)
 @pytest.mark.parametrize("stiffness", [1e9, 1e10, 1e11], ids="{:.0e} N/m3".format)
 def test_ring_on_springs_that_only_push_is_the_plain_one(plain, condensed, stiffness):
     support = Foundation(axial=0.0, radial=stiffness, tangential=0.0, pushing=True)
