@@ -80,7 +80,8 @@ def raceway(
         began, name = perf_counter(), NAMES[race]
         report.stage(name, None)
         with named_failures(case, name):
-            compliance = _condensed(name, part, case, azimuths, report).at(azimuths)
+            condensed: Any = _condensed(name, part, case, azimuths, report)  # not on lines or springs
+            compliance = condensed.at(azimuths)
         report.stage(f"{name}: {compliance.unknowns} unknowns, {perf_counter() - began:.1f} s", None)
         return CondensedRaceway(compliance)
     name = {"inner": "inner ring and shaft", "outer": "outer ring and housing"}[race]
