@@ -118,8 +118,7 @@ def _solve(
         postprocessing.store("flexible", last.state, tangent, converged=converged)
     ending = _ending(last.status, last.message, last.iterations) | records
     if converged:
-        postprocessing.notes.extend(resolved.notes(last.state))
-        postprocessing.notes.extend(notes.of_structure(figures))
+        postprocessing.notes.extend([*resolved.notes(last.state), *notes.of_structure(figures)])
         ending |= _tilt(TiltComparison.at(case, last.state, tangent), postprocessing)
     return ending | {"structure": figures, "ending": last.ending}
 
