@@ -102,9 +102,13 @@ class LineForce:
 
 @dataclass(frozen=True, kw_only=True)
 class PlanetGear:
-    """The ring is the rim of a planet gear: nothing holds it, tooth forces balance the rollers'."""
+    """The ring is the rim of a planet gear: nothing holds it, tooth forces balance the rollers'.
 
-    forces: Sequence[LineForce]  # of the teeth, brought to the outer surface
+    A tangential force at a larger radius than that of the rim also bends it by its couple there.
+    """
+
+    forces: Sequence[LineForce]  # of the teeth
+    radius: float | None = None  # [m] at which they act; None: on the outer surface of the rim
 
     def __post_init__(self):
         object.__setattr__(self, "forces", tuple(self.forces))

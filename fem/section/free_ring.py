@@ -82,6 +82,34 @@ class FreeRing:
         waves = -2 * np.sin(np.multiply.outer(azimuths[:, None] - lines, n))
         return np.einsum("ikn,nm->imk", waves, self.tangential)
 
+    def under_couple(self, azimuths: NDArray, lines: NDArray) -> NDArray:
+        r"""Raceway displacement by couples about the axis on lines of the outer surface, radius R.
+
+        .. math:: C_{ik} = \frac{1}{R} \Big(T_{ik} - 2 \sum_n n W_n \sin n(\varphi_i - \psi_k)\Big)
+
+        A couple is a pair of radial forces close together, with the tangential force that balances them; T is
+        the answer of `under_tangential`, W_n that to radial forces.
+
+        Parameters
+        ----------
+        azimuths, lines
+            as for `under_radial`
+
+        Returns
+        -------
+        array (Z, M, K)
+            [1/N] outward per couple that turns towards growing azimuth
+
+        Source
+        ------
+        Statics of a pair of radial forces; Fourier series of the answer of a body of revolution;
+        derived here.
+        """
+        n = np.arange(len(self.radial))
+        waves = -2 * n * np.sin(np.multiply.outer(azimuths[:, None] - lines, n))
+        pair = np.einsum("ikn,nm->imk", waves, self.radial[..., 0])
+        return (self.under_tangential(azimuths, lines) + pair) / self.lines.radius
+
 
 def rigid_motions(azimuths: NDArray, length: float, axial_modes: int) -> NDArray:
     """Generalised radial displacement by rigid motions of a ring.

@@ -48,6 +48,9 @@ class PlanetRim:
         ).reshape(-1, 3).T  # fmt: skip
         deviation = self.ring.under_radial(phi, psi)[..., 0] @ radial
         deviation += self.ring.under_tangential(phi, psi) @ tangential
+        if self.gear.radius is not None:
+            couples = tangential * (self.gear.radius - self.ring.lines.radius)
+            deviation += self.ring.under_couple(phi, psi) @ couples
         return RacewayCompliance(
             azimuths=phi,
             absolute=absolute,

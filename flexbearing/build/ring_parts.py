@@ -71,7 +71,8 @@ def _support(case: Case) -> Any:
         case "planet":
             teeth = zip(outer.tooth_azimuths, outer.tooth_radial, outer.tooth_tangential, strict=True)
             return fem.PlanetGear(
-                forces=tuple(fem.LineForce(azimuth=a, radial=r, tangential=t) for a, r, t in teeth)
+                forces=tuple(fem.LineForce(azimuth=a, radial=r, tangential=t) for a, r, t in teeth),
+                radius=outer.tooth_radius and outer.tooth_radius * hot,
             )
         case _:
             return fem.ClampedFace()

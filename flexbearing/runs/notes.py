@@ -30,7 +30,18 @@ def of_case(case: Case) -> tuple[Note, ...]:
             ),
             outside("traction-data", f"traction: the 4109 regression is used with {oil_name(case)}"),
         )
-    return notes + clearance.notes(case)
+    return notes + _teeth(case) + clearance.notes(case)
+
+
+def _teeth(case: Case) -> tuple[Note, ...]:
+    outer = case.outer
+    if outer.support != "planet" or outer.tooth_radius is not None or not any(outer.tooth_tangential):
+        return ()
+    words = (
+        "outer.tooth_radius is left out: tooth forces act on the outer surface of the rim, without the "
+        "couple by which tangential forces at the pitch circle bend it"
+    )
+    return (information("tooth-forces-at-rim", words),)
 
 
 def of_choice(model: RollerBearing) -> tuple[Note, ...]:

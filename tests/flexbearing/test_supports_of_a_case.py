@@ -21,6 +21,7 @@ from flexbearing.rings.fits import (
 )
 from flexbearing.rings.raceways import RigidRaceway
 from flexbearing.runs import fields
+from tests.flexbearing.noted import codes
 
 PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
 RING = ["inner.kind=rigid", "outer.kind=ring", "accuracy.element_order=3"]
@@ -67,6 +68,33 @@ def test_tooth_forces_bend_a_planet_before_rollers_do(tmp_path):
     result = flexbearing.run(PAPER, tmp_path / "r.h5", with_support("planet"))
     assert (result.flexible["inner_load"] > 1).sum() > (result.rigid["inner_load"] > 1).sum()
     assert result.attributes["structure"]["outer"]["support_stiffness_N_per_m"] is None
+
+
+def test_teeth_act_at_the_pitch_circle_or_the_result_says_that_they_do_not(tmp_path):
+    """At 60 mm, 18.9 mm outside of the rim, their couples open the load zone further."""
+    on_rim, at_pitch = (
+        flexbearing.run(PAPER, tmp_path / f"{len(radius)}.h5", [*with_support("planet"), *radius])
+        for radius in ([], ["outer.tooth_radius=60 mm"])
+    )
+    assert "tooth-forces-at-rim" in codes(on_rim)
+    assert "tooth-forces-at-rim" not in codes(at_pitch)
+    change = np.abs(at_pitch.flexible["inner_load"] - on_rim.flexible["inner_load"]).max()
+    assert change > 0.02 * on_rim.flexible["inner_load"].max()
+
+
+def test_pitch_circle_inside_of_the_rim_is_refused():
+    with pytest.raises(BadCase, match=r"tooth_radius .*at least 41.1 mm"):
+        read(PAPER, [*with_support("planet"), "outer.tooth_radius=40 mm"])
+
+
+@pytest.mark.parametrize(
+    ("file", "told"), [("mao2016", "its flange is clamped"), ("step_ring", "outer.clamps stand still")]
+)
+def test_outer_ring_that_is_clamped_cannot_turn(file, told):
+    with pytest.raises(BadCase, match=f"outer_speed .*{told}"):
+        read(PAPER.with_name(f"{file}.toml"), ["operation.outer_speed=100 rpm"])
+    turning = ["outer.kind=ring", "outer.support=seat", "outer.thickness=3 mm", "outer.width=10 mm"]
+    assert read(PAPER, [*turning, "operation.outer_speed=100 rpm"]).operation.outer_speed > 0
 
 
 @pytest.mark.parametrize(

@@ -52,6 +52,16 @@ class PlainRing:
         loads[3 * nodes + 1, np.arange(len(nodes))] = np.cos(self.azimuth[nodes])
         return loads
 
+    def under_teeth(self, teeth, rollers, forces):
+        """Deviations at rollers of a free ring, less mean translation; teeth are (azimuth, radius, force)."""
+        load = self.outward(rollers) @ forces
+        for azimuth, radius, tangential in teeth:
+            node = round(azimuth / (2 * np.pi) * NODES) % NODES
+            load[3 * node] += tangential * np.cos(azimuth)
+            load[3 * node + 1] -= tangential * np.sin(azimuth)
+            load[3 * node + 2] -= tangential * (radius - self.radius)  # rotation counts from y to z
+        return self._deviation(np.linalg.solve(self.stiffness, load), rollers)
+
     def on_lines(self, lines, rollers, forces):
         """Pushes of the lines, and deviations at the rollers less the mean translation of the ring."""
         hold, load = self.outward(lines), self.outward(rollers) @ forces

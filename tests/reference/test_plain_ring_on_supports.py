@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from fem import Elastic, Foundation, LineSupports, MeshSize, OuterRing
+from fem import Elastic, Foundation, LineForce, LineSupports, MeshSize, OuterRing, PlanetGear
 from tests.fem.condensed import as_beam, by_harmonics
 from tests.reference.plain_ring_on_supports import PlainRing
 
@@ -63,3 +63,20 @@ def test_ring_on_springs_that_only_push_is_the_plain_one(plain, condensed, stiff
     released = (under.near(FORCES[:, None]).relative - under.closed.relative)[:, 0, :, 0] @ FORCES
     assert released == approx(deviation - bilateral, rel=0, abs=0.02 * np.abs(deviation - bilateral).max())
     assert np.abs(deviation - bilateral).max() > 0.1 * np.abs(deviation).max()
+
+
+@pytest.mark.parametrize("radius", [None, 46e-3, 55e-3], ids=["rim", "46 mm", "55 mm"])
+def test_rim_under_teeth_bends_by_their_couple_too(plain, radius):
+    """Two opposite teeth push along z with 800 N, rollers against them; the pitch circle adds a couple."""
+    teeth, against = [(np.pi / 2, -400.0), (3 * np.pi / 2, 400.0)], -800 * np.cos(ROLLERS) / 6
+    lines = tuple(LineForce(azimuth=psi, radial=0.0, tangential=pull) for psi, pull in teeth)
+    on_rim, at_radius = (
+        by_harmonics(ring(PlanetGear(forces=lines, radius=at)), WIDTH, 1, FAIR).at(ROLLERS)
+        for at in (None, radius)
+    )
+    moved = at_radius.initial_deviation[:, 0] + at_radius.absolute[:, 0, :, 0] @ against
+    at = [(psi, radius or INSIDE + THICKNESS, pull) for psi, pull in teeth]
+    expected = plain.under_teeth(at, ROLLERS, against)
+    assert moved == approx(expected, rel=0, abs=0.02 * np.abs(expected).max())
+    couple = np.abs(at_radius.initial_deviation - on_rim.initial_deviation).max()
+    assert radius is None or couple > 0.1 * np.abs(on_rim.initial_deviation).max()

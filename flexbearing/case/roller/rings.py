@@ -100,6 +100,14 @@ class Outer(Section):
         max_length=MOST,
         only={**_RING, "support": ("planet",)},
     )
+    tooth_radius: Length | None = key(
+        "radius of the pitch circle at which they act; without it they act on the outer surface of the rim, "
+        "and the couple of tangential forces about it is left out",
+        None,
+        example="60 mm",
+        gt=0,
+        only={**_RING, "support": ("planet",)},
+    )
     bars: int | None = key("number of bars", None, example=24, ge=1, le=200, only=_CAGE)
     bar_width: Length | None = key("tangential width of a bar", None, gt=0, only=_CAGE)
     bar_thickness: Length | None = key("radial thickness of a bar", None, gt=0, only=_CAGE)
@@ -183,6 +191,9 @@ class Outer(Section):
             widest = widest_bar(bars, (raceway_diameter + thickness - bar_thickness) / 2)
             if bar_width > widest:
                 raise impossible("bar_width", f"at most {widest * 1e3:.4g} mm, or the bars touch")
+        outside = raceway_diameter / 2 + thickness
+        if self.tooth_radius is not None and self.tooth_radius < outside:
+            raise impossible("tooth_radius", f"at least {outside * 1e3:.4g} mm, the outer surface of the rim")
 
 
 class Inner(Section):

@@ -71,6 +71,14 @@ class Case(Head):
         return self
 
     @model_validator(mode="after")
+    def _clamped_rings_stand_still(self) -> Self:
+        clamped = {"squirrel_cage": "its flange is clamped", "step": "outer.clamps stand still"}
+        if self.operation.outer_speed and self.outer.kind in clamped:
+            allowed = f'"0 rpm" for outer.kind = "{self.outer.kind}": {clamped[self.outer.kind]}'
+            raise impossible("operation.outer_speed", allowed)
+        return self
+
+    @model_validator(mode="after")
     def _surfaces_are_known(self) -> Self:
         rough = self.bearing.roughness is not None
         self.lubricant.require_rough_surfaces(rough)

@@ -141,7 +141,11 @@ class Operation(Section):
     radial_load: Force = key("radial load on the inner ring", ge=0)
     load_direction: Angle = key("azimuth that the radial load points to, from z towards y", "0 deg")
     inner_speed: Speed = key("speed of the inner ring")
-    outer_speed: Speed = key("speed of the outer ring", "0 rpm")
+    outer_speed: Speed = key(
+        "speed of the outer ring; 0 of a squirrel cage and of a drawn ring, which are clamped; all other "
+        "supports turn with the ring, but lines stay where they are",
+        "0 rpm",
+    )
     moment: Moment = key(
         'tilting moment on the inner ring about the axis across the load; other than 0 with tilt = "free"',
         "0 N m",
