@@ -130,6 +130,8 @@ def _(part: OuterRing | SquirrelCage):
 
 @beam_of.register
 def _(part: RingOnShaft):
+    if not part.shaft_bore:
+        raise ImpossiblePart("a solid shaft is no curved beam; allowed is a hollow one")
     inside, seat, outside = part.shaft_bore / 2, part.bore / 2, part.raceway_diameter / 2
     share = (outside - seat) / (outside - inside)
     mixed = Elastic(

@@ -35,11 +35,11 @@ class FittedRing:
     def __post_init__(self):
         if self.shoulder_diameter is not None:
             wall = 2 * SLENDEREST_SLOT
-            low, high = self.seat.bore + wall, self.seat.rib_diameter - wall
+            low, high = self.seat.bore + wall, self.seat.outside_diameter - wall
             if not low <= self.shoulder_diameter <= high:
                 raise ImpossiblePart(
                     f"shoulder_diameter = {self.shoulder_diameter!r} is impossible; allowed is {low:.6g} to "
-                    f"{high:.6g} m, between bore and ribs"
+                    f"{high:.6g} m, between bore and outside"
                 )
 
     def faces(self, grid: "FitGrid") -> tuple[ContactFace, ...]:

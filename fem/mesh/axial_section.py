@@ -21,6 +21,7 @@ from fem.parts.boundary_conditions import Housing, edge_names
 from fem.parts.rings import ImpossiblePart, MeshSize, OuterRing, RingOnShaft
 
 FINER = ("raceway", "lines")  # edges with elements of a size of their own
+AXIS = 0.005  # bore in the section of a solid shaft over its diameter: elastic to 1e-4, no 1/r at r = 0
 GRADED_LAYERS = 2  # layers of ever smaller elements around each corner, where stress may be singular
 GRADED_RATIO = 0.2  # size of a layer to that of the one around it
 
@@ -88,13 +89,15 @@ def _(part: OuterRing, length):
 
 @sections.register
 def _(part: RingOnShaft, length):
-    diameters = (part.raceway_diameter, part.rib_diameter, part.bore, part.shaft_bore)
-    raceway, rib, bore, hollow = (d / 2 for d in diameters)
+    raceway, rib, bore = part.raceway_diameter / 2, part.outside_diameter / 2, part.bore / 2
+    hollow = part.shaft_bore / 2 or AXIS * bore
     track, side, end, half = part.track_width / 2, part.width / 2, part.shaft_length / 2, length / 2
+    ribs = [[(side, rib, None), (track, rib, None)], [(-track, rib, None), (-side, rib, None)]]
+    right, left = ribs if part.rib_diameter is not None else ([], [])
     ring = AxialSection("ring", (
-        (-side, bore, None), (side, bore, "seat"), (side, rib, None), (track, rib, None),
+        (-side, bore, None), (side, bore, "seat"), *right,
         (track, raceway, None), (half, raceway, None), (-half, raceway, "raceway"), (-track, raceway, None),
-        (-track, rib, None), (-side, rib, None),
+        *left,
     ))  # fmt: skip
     shaft = AxialSection("shaft", (
         (-end, hollow, None), (end, hollow, None), (end, bore, "clamped"), (side, bore, None),

@@ -99,8 +99,11 @@ def _(part: OuterRing):
 @notches.register
 def _(part: RingOnShaft):
     raceway, bore, hollow = part.raceway_diameter / 2, part.bore / 2, part.shaft_bore / 2
-    corners = [(part.track_width / 2, raceway), (part.width / 2, bore)]
-    corners += [(part.shaft_length / 2, r) for r in (hollow, bore)]
+    corners = [(part.width / 2, bore), (part.shaft_length / 2, bore)]
+    if part.rib_diameter is not None:
+        corners.append((part.track_width / 2, raceway))
+    if hollow:
+        corners.append((part.shaft_length / 2, hollow))
     rims = [_rim(sign * x, r) for x, r in corners for sign in (-1, 1)]
     return Notches(np.array(rims), min(bore - hollow, raceway - bore))
 

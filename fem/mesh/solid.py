@@ -186,9 +186,8 @@ def require_kept(flared, bar, radius: float) -> None:
 
 @solids.register
 def _(part: RingOnShaft, length):
-    raceway, rib, bore, hollow = (
-        d * MILLIMETRES / 2 for d in (part.raceway_diameter, part.rib_diameter, part.bore, part.shaft_bore)
-    )
+    diameters = part.raceway_diameter, part.outside_diameter, part.bore, part.shaft_bore
+    raceway, rib, bore, hollow = (d * MILLIMETRES / 2 for d in diameters)
     track, side, end = (w * MILLIMETRES / 2 for w in (part.track_width, part.width, part.shaft_length))
     right, left = ((-x, *rest) for x, *rest in _band(raceway, length))  # met from the right
     ring = _revolved([

@@ -152,26 +152,28 @@ class SquirrelCage:
 
 @dataclass(frozen=True, kw_only=True)
 class RingOnShaft:
-    """An inner ring with two ribs, bonded on a hollow shaft that is clamped at both ends."""
+    """An inner ring with two ribs or none, bonded on a shaft that is clamped at both ends."""
 
     raceway_diameter: float  # [m] outer surface between the ribs
-    track_width: float  # [m] axial, between the ribs
-    rib_diameter: float  # [m] outside of the ribs
+    track_width: float  # [m] axial, between the ribs; the whole width of a ring without ribs
+    rib_diameter: float | None  # [m] outside of the ribs; None: there are none
     bore: float  # [m] of the ring, also the outside of the shaft
     width: float  # [m] axial, of the ring with its ribs
-    shaft_bore: float  # [m]
+    shaft_bore: float  # [m] 0 is a solid shaft
     shaft_length: float  # [m] axial, centred on the ring
     ring: Elastic
     shaft: Elastic
 
     def __post_init__(self):
-        require_positive(self, "raceway_diameter", "track_width", "shaft_bore", "shaft_length")
-        wall = 2 * SLENDEREST_SLOT
+        require_positive(self, "raceway_diameter", "track_width", "shaft_length")
+        require(self.shaft_bore >= 0, "shaft_bore", self.shaft_bore, "zero for a solid shaft, or above")
+        wall, ribs = 2 * SLENDEREST_SLOT, self.rib_diameter is not None
+        if not ribs:
+            require(self.track_width == self.width, "track_width", self.track_width, "width, without ribs")
         for inside, outside in (
             ("shaft_bore", "bore"),
             ("bore", "raceway_diameter"),
-            ("raceway_diameter", "rib_diameter"),
-            ("track_width", "width"),
+            *((("raceway_diameter", "rib_diameter"), ("track_width", "width")) if ribs else ()),
             ("width", "shaft_length"),
         ):
             limit, value = getattr(self, outside) - wall, getattr(self, inside)
@@ -185,6 +187,11 @@ class RingOnShaft:
     @property
     def bars(self) -> None:
         """No bars: a body of revolution."""
+
+    @property
+    def outside_diameter(self) -> float:
+        """Of the ribs, or of the raceway of a ring without any [m]."""
+        return self.raceway_diameter if self.rib_diameter is None else self.rib_diameter
 
     @property
     def materials(self) -> dict[str, Elastic]:

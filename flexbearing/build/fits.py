@@ -52,7 +52,7 @@ def _bores(case: Case) -> tuple[float, float]:
     inner: Any = case.inner
     if inner.kind == "rigid":
         return fits.bore, fits.shaft_bore or 0.0
-    return inner.bore, inner.bore - 2 * inner.shaft_thickness
+    return inner.bore, inner.shaft_bore
 
 
 def _running(case: Case) -> OperatingConditions:

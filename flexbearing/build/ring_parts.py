@@ -9,6 +9,7 @@ from flexbearing.build import clearance
 from flexbearing.build.expansion import hot_over_cold, material, outer_raceway_diameter, roller_length
 from flexbearing.case.excerpt import excerpt
 from flexbearing.case.roller import Case
+from quasidynamic.note import Note, information
 
 if TYPE_CHECKING:
     from fem.parts.step_solid import Coloured, Named, StepSolid
@@ -113,25 +114,37 @@ def _direction(name: str) -> tuple[float, float, float]:
 
 
 def inner_part(case: Case) -> "fem.RingOnShaft | None":
-    """Inner ring on its hollow shaft, at the ring's temperature; None when it is rigid."""
+    """Inner ring on its shaft, at the ring's temperature; None when it is rigid."""
     inner: Any = case.inner
     if inner.kind == "rigid":
         return None
     # The two parts are bonded: one expansion for both keeps their common surface common.
     hot = hot_over_cold(case, "inner_ring")
+    track = max(inner.track_width * hot, roller_length(case))
     return fem.RingOnShaft(
         raceway_diameter=outer_raceway_diameter(case)
         - 2 * case.bearing.roller.diameter * hot_over_cold(case, "roller")
         - clearance.operating(case),
-        track_width=max(inner.track_width * hot, roller_length(case)),
-        rib_diameter=(inner.bore + 2 * inner.thickness) * hot,
+        track_width=track,
+        rib_diameter=(inner.bore + 2 * inner.thickness) * hot if inner.ribbed else None,
         bore=inner.bore * hot,
-        width=inner.width * hot,
-        shaft_bore=(inner.bore - 2 * inner.shaft_thickness) * hot,
+        width=inner.width * hot if inner.ribbed else track,
+        shaft_bore=inner.shaft_bore * hot,
         shaft_length=inner.shaft_length * hot,
         ring=_elastic(case, "inner_ring"),
         shaft=_elastic(case, "shaft"),
     )
+
+
+def notes(case: Case) -> tuple[Note, ...]:
+    """Say so when a dimension of the rings has no effect."""
+    inner = case.inner
+    if inner.kind == "rigid" or inner.ribbed or inner.thickness is None:
+        return ()
+    words = (
+        f"inner.thickness = {1e3 * inner.thickness:g} mm is not used: a ring without ribs ends at its raceway"
+    )
+    return (information("inner-thickness", words),)
 
 
 def require_held_in_housing(case: Case) -> None:

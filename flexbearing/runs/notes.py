@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from flexbearing.build import clearance
+from flexbearing.build import clearance, ring_parts
 from flexbearing.build.lubrication import oil, oil_name
 from flexbearing.case.roller import Case
 from flexbearing.quantities.roller import CAGE_SLIP
@@ -30,7 +30,7 @@ def of_case(case: Case) -> tuple[Note, ...]:
             ),
             outside("traction-data", f"traction: the 4109 regression is used with {oil_name(case)}"),
         )
-    return notes + _teeth(case) + clearance.notes(case)
+    return notes + _teeth(case) + clearance.notes(case) + ring_parts.notes(case)
 
 
 def _teeth(case: Case) -> tuple[Note, ...]:

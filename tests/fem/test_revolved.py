@@ -62,6 +62,41 @@ def test_ring_in_plane_strain_is_the_exact_one(n, inner, outer_plane_stress):
     assert (pressure.T @ u).item() == approx(outer_plane_stress, rel=1e-4)
 
 
+def test_solid_shaft_in_plane_strain_is_the_exact_one():
+    """Michell's solution of a full disc, u = -(kappa + 3) p b / (12 G), pressure p cos(2 phi) = 0.1 MPa."""
+    b, nu = 29.8e-3, STEEL.poisson_ratio
+    (shaft,) = [body for body in sections(replace(SHAFT, shaft_bore=0.0), L) if body.material == "shaft"]
+    least = min(radius for _, radius, _ in shaft.corners)
+    body = held([tube(least, b, 2e-3)], RING.materials, FAIR, left=GLIDING, right=GLIDING)
+    pressure = revolved_body.edge_modes(body, "outside", 1)
+    u = body.stiffness.solve(2, -0.1e6 * 2e-3 * b * pressure)
+    shear = STEEL.youngs_modulus / (2 * (1 + nu))
+    exact = -(3 - 4 * nu + 3) * 0.1e6 * b / (12 * shear)
+    assert (pressure.T @ u).item() == approx(exact, rel=2e-4)
+
+
+@pytest.mark.slow
+def test_solid_shaft_is_the_limit_of_ever_smaller_bores():
+    """What a bore takes from the stiffness falls with its square."""
+    mesh = MeshSize(order=4, size=8e-3, raceway_size=1.25e-3)
+    ring = [by_harmonics(replace(SHAFT, shaft_bore=d), L, 2, mesh, 20) for d in (0.0, 8e-3, 4e-3)]
+    solid, wide, narrow = (parts.at(ROLLERS).support_stiffness for parts in ring)
+    assert 0 < solid - narrow < 0.4 * (solid - wide)
+    assert solid == approx(narrow, rel=1e-2)
+
+
+def test_ring_without_ribs_is_a_plain_tube_on_its_shaft():
+    nu = replace(SHAFT, rib_diameter=None, track_width=SHAFT.width)
+    ring, _ = sections(nu, L)
+    assert {radius for _, radius, _ in ring.corners} == {nu.bore / 2, nu.raceway_diameter / 2}
+    assert nu.track == nu.width
+    mesh = MeshSize(order=4, size=8e-3, raceway_size=1.25e-3)
+    plain, ribbed = (by_harmonics(part, L, 2, mesh, 20).at(ROLLERS).absolute for part in (nu, SHAFT))
+    assert plain[0, 0, 0, 0] > ribbed[0, 0, 0, 0]  # ribs stiffen
+    with pytest.raises(ImpossiblePart, match="track_width"):
+        replace(SHAFT, rib_diameter=None)
+
+
 @pytest.mark.parametrize(
     ("inner", "outer", "elastic", "density", "grown"),
     [

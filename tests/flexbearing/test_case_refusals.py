@@ -77,11 +77,13 @@ IMPOSSIBLE = {
         "inner.track_width=4 mm", "[inner] track_width", "at least bearing.roller.length",
     ),
     "no ribs": ("inner.thickness=2 mm", "[inner] thickness", "more than 2.662 mm"),
-    "track as wide as the ring": ("inner.track_width=12 mm", "[inner] track_width", "below inner.width"),
+    "track wider than the ring": ("inner.track_width=12.1 mm", "[inner] track_width", "at most inner.width"),
     "shaft shorter than the ring": (
         "inner.shaft_length=11 mm", "[inner] shaft_length", "at least inner.width",
     ),
-    "solid shaft": ("inner.shaft_thickness=29.8 mm", "[inner] shaft_thickness", "the shaft is hollow"),
+    "shaft thicker than its radius": (
+        "inner.shaft_thickness=29.9 mm", "[inner] shaft_thickness", "at most half of inner.bore",
+    ),
     "clearance in the wrong unit": ("bearing.clearance=50 mm", "[bearing] clearance", "is the unit right?"),
     "rollers larger than the raceway": (
         "bearing.roller.diameter=40 mm", "[bearing] outer_raceway_diameter", "more than twice",

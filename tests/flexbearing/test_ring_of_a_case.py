@@ -1,5 +1,6 @@
 """What the inner ring of a case may do: tilt freely under a moment, and move with its supports."""
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -8,7 +9,11 @@ from pytest import approx
 
 import flexbearing
 from flexbearing import read
+from flexbearing.build.ring_parts import inner_part
 from flexbearing.build.roller_bearing import bearing
+from flexbearing.case import BadCase
+from flexbearing.case.read import understood
+from flexbearing.families import FAMILIES
 from flexbearing.report import text
 
 PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
@@ -101,3 +106,30 @@ def test_tilt_that_changes_nothing_is_not_told(tmp_path):
 def test_rigid_rings_say_nothing_of_the_other_choice(tmp_path):
     result = flexbearing.run(PAPER, tmp_path / "r.h5", RIGID)
     assert result.attributes["tilt"] == {"inner_ring": "free"}
+
+
+NU_RING = ["outer.kind=rigid", "inner.track_width=12 mm", "accuracy.element_order=3", "accuracy.slices=8"]
+
+
+def test_inner_ring_without_ribs_and_solid_shaft_are_built_as_the_case_says():
+    ring = inner_part(read(PAPER, [*NU_RING, "inner.shaft_thickness=29.8 mm"]))
+    assert ring
+    assert (ring.rib_diameter, ring.shaft_bore, ring.track_width) == (None, 0.0, ring.width)
+    left_out = re.sub(r"\nshaft_thickness = .*|\nthickness = \"5 mm\".*", "", PAPER.read_text())
+    assert inner_part(understood(left_out, PAPER, NU_RING, FAMILIES)) == ring
+
+
+def test_thickness_over_ribs_is_needed_by_a_ring_with_ribs():
+    left_out = re.sub(r"\nthickness = \"5 mm\".*", "", PAPER.read_text())
+    with pytest.raises(BadCase, match=r"\[inner\] thickness is missing: a ring with ribs needs it"):
+        understood(left_out, PAPER, (), FAMILIES)
+
+
+def test_nu_ring_on_a_solid_shaft_runs_and_says_that_its_thickness_is_not_used(tmp_path):
+    """A bore that a mesh can hold makes hardly a difference; ribs made the ring stiffer."""
+    solid = flexbearing.run(PAPER, tmp_path / "s.h5", [*NU_RING, "inner.shaft_thickness=29.8 mm"])
+    hollow = flexbearing.run(PAPER, tmp_path / "h.h5", [*NU_RING, "inner.shaft_thickness=27 mm"])
+    assert solid.attributes["status"] == hollow.attributes["status"] == "converged"
+    assert solid.flexible["inner_load"] == approx(hollow.flexible["inner_load"], rel=0, abs=5.0)
+    (note,) = [note for note in solid.attributes["notes"] if note["code"] == "inner-thickness"]
+    assert note["text"].startswith("inner.thickness = 5 mm is not used")

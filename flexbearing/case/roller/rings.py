@@ -199,18 +199,26 @@ class Outer(Section):
 class Inner(Section):
     """What carries the inner raceway."""
 
-    kind: Literal["rigid", "ring_on_shaft"] = key(
-        "rigid; or a ring bonded on a hollow shaft with both ends clamped"
-    )
+    kind: Literal["rigid", "ring_on_shaft"] = key("rigid; or a ring on a shaft with both ends clamped")
     bore: Length | None = key(
         "bore of the ring, outside of the shaft", None, example="60 mm", gt=0, only=_ON_SHAFT
     )
-    thickness: Length | None = key("radial thickness of the ring over its ribs", None, gt=0, only=_ON_SHAFT)
+    thickness: Length | None = key(
+        "radial thickness of the ring over its ribs; a ring without ribs ends at its raceway",
+        None,
+        gt=0,
+        only=_ON_SHAFT,
+    )
     width: Length | None = key("axial width of the ring", None, gt=0, only=_ON_SHAFT)
     track_width: Length | None = key(
-        "axial width of the raceway between the ribs", None, gt=0, only=_ON_SHAFT
+        "axial width of the raceway between the ribs; inner.width for a ring without ribs, as of NU bearings",
+        None,
+        gt=0,
+        only=_ON_SHAFT,
     )
-    shaft_thickness: Length | None = key("radial thickness of the hollow shaft", None, gt=0, only=_ON_SHAFT)
+    shaft_thickness: Length | None = key(
+        "radial thickness of a hollow shaft; without it the shaft is solid", None, gt=0, only=_ON_SHAFT
+    )
     shaft_length: Length | None = key(
         "length of the shaft between its clamped ends", None, example="40 mm", gt=0, only=_ON_SHAFT
     )
@@ -246,19 +254,32 @@ class Inner(Section):
         only={**_ON_SHAFT, "fit": ("frictionless", "friction")},
     )
 
-    _dimensions: ClassVar = ("bore", "thickness", "width", "track_width", "shaft_thickness", "shaft_length")
+    _dimensions: ClassVar = ("bore", "width", "track_width", "shaft_length")
+
+    @property
+    def ribbed(self) -> bool:
+        """Whether the ring has ribs beside the track of its rollers."""
+        return self.track_width != self.width
+
+    @property
+    def shaft_bore(self) -> float:
+        """Bore of the shaft under the ring [m]; zero is a solid shaft."""
+        bore, thickness = self.bore or 0.0, self.shaft_thickness
+        return 0.0 if thickness is None else max(bore - 2 * thickness, 0.0)
 
     @model_validator(mode="after")
     def _complete(self) -> Self:
         if self.kind == "rigid":
             return self
-        bore, _, width, track_width, shaft_thickness, shaft_length = require(
+        bore, width, track_width, shaft_length = require(
             self, self._dimensions, 'inner.kind = "ring_on_shaft"'
         )
-        if shaft_thickness >= bore / 2:
-            raise impossible("shaft_thickness", "below half of inner.bore: the shaft is hollow")
-        if track_width >= width:
-            raise impossible("track_width", "below inner.width: the ribs need room")
+        if self.shaft_thickness is not None and self.shaft_thickness > bore / 2:
+            raise impossible("shaft_thickness", "at most half of inner.bore, which is a solid shaft")
+        if track_width > width:
+            raise impossible("track_width", "at most inner.width, which is a ring without ribs")
+        if self.ribbed:
+            require(self, ("thickness",), "a ring with ribs")
         if shaft_length < width:
             raise impossible("shaft_length", "at least inner.width")
         return self
@@ -267,11 +288,11 @@ class Inner(Section):
         """Raise unless the raceway lies between bore and ribs, and the rollers between the ribs."""
         if self.kind == "rigid":
             return
-        bore, thickness, _, track_width, _, _ = require(self, self._dimensions, self.kind)
+        bore, _, track_width, _ = require(self, self._dimensions, self.kind)
         if track_width < roller_length:
             raise impossible("track_width", "at least bearing.roller.length")
         if raceway_diameter <= bore:
             raise impossible("bore", f"below the inner raceway diameter {raceway_diameter * 1e3:.4g} mm")
-        if raceway_diameter >= bore + 2 * thickness:
+        if self.ribbed and raceway_diameter >= bore + 2 * (self.thickness or 0.0):
             least = (raceway_diameter - bore) / 2
             raise impossible("thickness", f"more than {least * 1e3:.4g} mm: ribs stand above the raceway")
