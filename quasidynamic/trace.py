@@ -149,12 +149,6 @@ def trace(
     return Branch(over, tuple(points), followed.end)
 
 
-def several_likely(model: RollerBearing) -> bool:
-    """Whether lumped rollers balance the cage at several slips: then `equilibria_at` is worth its time."""
-    balance = model.solve_many([model.operation])[0].balance
-    return len(_sign_changes(balance)[0]) > 1
-
-
 def equilibria_at(model: RollerBearing) -> tuple[Equilibrium, ...]:
     """Find the equilibria of a bearing between rigid raceways at its one operating point.
 

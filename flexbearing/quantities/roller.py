@@ -318,6 +318,15 @@ _ATTRIBUTES = (
         "regimes", "json", "lubrication regime of inner and outer raceway; by block", form=records.REGIMES
     ),
     Attribute(
+        "equilibria",
+        "json",
+        "where a block is one of several equilibria: its figures, those of the other stable ones that were "
+        "found, and of the one that rollers reach which move on by whole pitches; by block, absent where no "
+        "others were found",
+        optional=True,
+        form=records.EQUILIBRIA,
+    ),
+    Attribute(
         "structure",
         "json",
         "figures of the finite elements: unknowns, seconds per stage; what lines, springs and fits carry",
@@ -366,6 +375,7 @@ A pair is (inner, outer) or (y, z) as stated.
         "clearance",
         "life",
         "regimes",
+        "equilibria",
         "structure",
         "stresses",
         "choices",

@@ -101,6 +101,27 @@ OF_A_FOUNDATION: Form = Record(
         "pressure_MPa": ListOf(ListOf(NUMBER)),
     }
 )
+_FIGURES = {
+    "largest_inner_load_N": NUMBER,
+    "loaded_rollers": COUNT,
+    "life_L10_Mrev": NUMBER,
+    "driving_torque_Nm": NUMBER,
+    "power_loss_W": NUMBER,
+    "slip_percent": NUMBER_OR_NULL,
+    "inner_loads_N": ListOf(NUMBER),
+}
+EQUILIBRIA: Form = Each(
+    BLOCKS,
+    Record(
+        {
+            "raceways": TEXT,
+            "computed": Record(_FIGURES),
+            "computed_is_stable": FLAG,
+            "others": ListOf(Record(_FIGURES)),
+        },
+        optional={"after_passing_pitches": Record({**_FIGURES, "pitches": COUNT, "settled": FLAG})},
+    ),
+)
 STRUCTURE: Form = Each(
     "part",
     Record(

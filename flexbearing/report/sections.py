@@ -22,6 +22,14 @@ _STRESSES = (  # column, name, format
     ("pressure", "compression_MPa", ",.0f"),
     ("moves", "displacement_um", ",.1f"),
 )
+_EQUILIBRIA = (  # column, name, format
+    ("load [N]", "largest_inner_load_N", ",.1f"),
+    ("loaded", "loaded_rollers", "d"),
+    ("life [Mrev]", "life_L10_Mrev", ",.4g"),
+    ("torque [N m]", "driving_torque_Nm", ".4g"),
+    ("loss [W]", "power_loss_W", ",.4g"),
+    ("slip [%]", "slip_percent", ".3g"),
+)
 AXES = ("x", "y", "z", "about y", "about z")
 
 
@@ -155,6 +163,22 @@ def regimes(by_block: dict[str, Any]) -> Iterator[RenderableType]:
         for name, words in by_block.items()
     ]
     return listed("lubrication regime, at the smallest film ratio", lines)
+
+
+def equilibria(by_block: dict[str, Any] | None) -> Iterator[RenderableType]:
+    """The computed equilibrium of each block beside others; nothing where no others were found."""
+    for name, found in (by_block or {}).items():
+        yield Text(f"several equilibria, {name}: between {found['raceways']}", style="bold")
+        yield Text("largest inner load, loaded rollers, life L10, driving torque, power loss, cage slip")
+        table = right_aligned("", *(column for column, _, _ in _EQUILIBRIA))
+        rows = {"computed": found["computed"]}
+        rows |= {f"other {number}": other for number, other in enumerate(found["others"], 1)}
+        if "after_passing_pitches" in found:
+            rows["passing pitches"] = found["after_passing_pitches"]
+        for title, figures in rows.items():
+            numbers = ((figures[key], digits) for _, key, digits in _EQUILIBRIA)
+            table.add_row(title, *("-" if one is None else format(one, digits) for one, digits in numbers))
+        yield table
 
 
 def skew(blocks: dict[str, Any]) -> Iterator[RenderableType]:

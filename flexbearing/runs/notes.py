@@ -8,12 +8,10 @@ import numpy as np
 from flexbearing.build import clearance, ring_parts
 from flexbearing.build.lubrication import oil, oil_name
 from flexbearing.case.roller import Case
-from flexbearing.quantities.roller import CAGE_SLIP
 from flexbearing.runs import dangers
-from quasidynamic import Equilibrium, RollerBearing
-from quasidynamic.note import Note, danger, information, outside
+from quasidynamic import Equilibrium
+from quasidynamic.note import Note, information, outside
 from quasidynamic.outcome.validity import validity
-from quasidynamic.trace import equilibria_at, several_likely
 
 LARGE_SHARE = 0.5  # of the losses: worth a word (assumed)
 ALONE = 0.01  # of the largest line force: below it the other lines only keep the ring from rolling away
@@ -42,22 +40,6 @@ def _teeth(case: Case) -> tuple[Note, ...]:
         "couple by which tangential forces at the pitch circle bend it"
     )
     return (information("tooth-forces-at-rim", words),)
-
-
-def of_choice(model: RollerBearing) -> tuple[Note, ...]:
-    """Other equilibria between rigid raceways, where the friction of lumped rollers hints at them."""
-    if not model.operation.radial_load or not several_likely(model):
-        return ()
-    slips = ", ".join(f"{CAGE_SLIP.for_people(state.cage_slip):.3g}" for state in equilibria_at(model))
-    if "," not in slips:
-        return ()
-    return (
-        danger(
-            "several-equilibria",
-            f"several equilibria between rigid raceways, with a cage slip of {slips} %: which one the "
-            "bearing runs in depends on how it came there; `flexbearing trace` shows which are stable",
-        ),
-    )
 
 
 def of_state(case: Case, state: Equilibrium, modified_life: float | None) -> tuple[Note, ...]:

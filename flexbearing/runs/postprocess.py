@@ -11,6 +11,7 @@ from flexbearing.coupled.states import EndState
 from flexbearing.coupling import LinearPair
 from flexbearing.results import Arrays, ResultFile
 from flexbearing.runs import fields, life, notes, skew
+from flexbearing.runs.several import SeveralEquilibria, between_flexible_raceways
 from quasidynamic import Equilibrium
 from quasidynamic.contact.film import lambda_ratio, regime
 from quasidynamic.note import Note, graded, information
@@ -27,6 +28,7 @@ class Postprocessing:
     notes: list[Note] = field(default_factory=list)  # of the run
     of_state: dict[str, tuple[Note, ...]] = field(default_factory=dict)  # by block
     stresses: dict[str, Any] = field(default_factory=dict)  # by part
+    several: dict[str, SeveralEquilibria | None] = field(default_factory=dict)  # by block that was examined
 
     def store(
         self,
@@ -44,7 +46,7 @@ class Postprocessing:
         self.file.block(name, block, converged=converged)
 
     def _of_solution(self, name: str, end: EndState) -> dict[str, Any]:
-        """Modified life and skew of a solution; its records and notes are collected."""
+        """Modified life and skew of a solution, and other equilibria; its records and notes are collected."""
         state = end.equilibrium
         modified = life.modified(self.case, state)
         skewed = skew.at(self.case, state)
@@ -57,6 +59,8 @@ class Postprocessing:
         self.of_state[name] = notes.of_state(self.case, state, rated)
         if skewed:
             self.of_state[name] += skew.notes(skewed, state, state.minimum_film)
+        if not end.rings.rigid:
+            self.add_equilibria(name, between_flexible_raceways(state, end.rings))
         return {"life": modified, "skew": skewed}
 
     def _add_stresses(self, block: Arrays) -> None:
@@ -69,12 +73,25 @@ class Postprocessing:
             else:
                 self.stresses[race] = part.record()
 
+    def add_equilibria(self, name: str, found: SeveralEquilibria | None) -> None:
+        """Keep what was found beside the equilibrium of a block; None says that nothing was."""
+        self.several[name] = found
+
+    def _notes_on_several(self) -> list[Note]:
+        """One for each block that is one of several equilibria; the last that was examined is the answer."""
+        last = list(self.several)[-1:]
+        return [found.note(answer=[name] == last) for name, found in self.several.items() if found]
+
     def attributes(self) -> dict[str, Any]:
         """Root attributes that the end states decide."""
         solutions = list(self.of_state.values())  # the last one answers the case
         every_note = [*notes.of_case(self.case), *self.notes, *(solutions[-1] if solutions else ())]
+        every_note += self._notes_on_several()
         stresses = {"stresses": self.stresses} if self.case.outputs.stresses else {}
-        return stresses | {
+        records = {name: found.record() for name, found in self.several.items() if found and found.others}
+        return {
+            **stresses,
+            **({"equilibria": records} if records else {}),
             "clearance": clearance.record(self.case),
             "life": self.lives,
             "regimes": self.regimes,

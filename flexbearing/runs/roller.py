@@ -13,7 +13,7 @@ from flexbearing.progress import Report
 from flexbearing.results import ResultFile
 from flexbearing.rings.condensed import condensed_raceways
 from flexbearing.rings.full_solve import full_fe_raceways
-from flexbearing.runs import notes
+from flexbearing.runs import notes, several
 from flexbearing.runs.postprocess import Postprocessing
 from flexbearing.runs.tilt import TiltComparison
 from quasidynamic import Equilibrium, RollerBearing
@@ -93,7 +93,7 @@ def _solve(
     except PartnerFailed as failure:
         return _not_solved(f"rigid raceways: {failure}", failure)
     postprocessing.store("rigid", rigid, RIGID)
-    postprocessing.notes.extend(notes.of_choice(resolved.model))
+    postprocessing.add_equilibria("rigid", several.between_rigid_raceways(resolved.model, rigid))
     try:
         rings = resolved.rings()
     except PartnerFailed as failure:

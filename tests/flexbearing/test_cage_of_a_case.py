@@ -60,9 +60,14 @@ def test_cages_that_make_no_sense(settings, told):
         read(PAPER, settings)
 
 
-def test_several_equilibria_are_told(tmp_path):
+def test_several_equilibria_by_a_falling_traction_curve_are_told(tmp_path):
     result = flexbearing.run(PAPER, tmp_path / "r.h5", [*RIGID, *FALLING, "operation.radial_load=2870 N"])
-    (note,) = [note for note in texts(result) if "several equilibria" in note]
-    assert note.count(",") >= 3  # three slips
+    (note,) = [note for note in result.attributes["notes"] if note["code"] == "several-equilibria"]
+    assert note["grade"] == "danger"
+    found = result.attributes["equilibria"]["rigid"]
+    slips = sorted(state["slip_percent"] for state in (found["computed"], *found["others"]))
+    assert slips[0] == approx(0.3262, rel=1e-3, abs=0)
+    assert slips[-1] > 30  # [%]
     alone = flexbearing.run(PAPER, tmp_path / "s.h5", [*RIGID, *FALLING, "operation.radial_load=20 kN"])
-    assert not any("several equilibria" in note for note in texts(alone))
+    assert "equilibria" not in alone.attributes
+    assert not any("several equilibria" in text for text in texts(alone))

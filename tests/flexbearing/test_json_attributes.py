@@ -40,6 +40,7 @@ GOOD = {  # what this run does not have
         "nominal_bar_stress_MPa": 200.0,
         "support": {"radial_N_per_m": 1e8, "tilting_Nm_per_rad": 1e5, "axial_N_per_m": 1e7},
     }},
+    "equilibria": ENDING["equilibria"],
     "choices": ENDING["choices"],
     "error_estimate": {"target": 0.01, "met": True, "roller_load": 0.002, "life": None},
 }  # fmt: skip

@@ -32,6 +32,15 @@ BEGINNING = {
     "assumed": [],
     "calibrated": {"lubricant.oil_fraction": "cage slip of 6.28 %"},
 }
+STATE = {
+    "largest_inner_load_N": 533.2,
+    "loaded_rollers": 7,
+    "life_L10_Mrev": 2534.0,
+    "driving_torque_Nm": 1.88,
+    "power_loss_W": 590.0,
+    "slip_percent": None,
+    "inner_loads_N": [533.2, 0.0],
+}
 ENDING = {
     "status": "converged",
     "ending": "converged",
@@ -48,6 +57,15 @@ ENDING = {
     "life": {"rigid": {"basic_Mrev": 10.0, "factors": [], "modified_Mrev": 12.0}},
     "tilt": {"inner_ring": "free"},
     "regimes": {"rigid": {"inner": "mixed", "outer": "full film"}},
+    "equilibria": {
+        "rigid": {
+            "raceways": "rigid raceways",
+            "computed": STATE,
+            "computed_is_stable": True,
+            "others": [STATE],
+            "after_passing_pitches": STATE | {"pitches": 2, "settled": True},
+        }
+    },
     "structure": {
         "inner": {
             "unknowns": 12_000,

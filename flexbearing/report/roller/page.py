@@ -14,6 +14,7 @@ from flexbearing.report.rows import label, rows, shown, unit_of, value
 from flexbearing.report.sections import (
     clearance_steps,
     closing,
+    equilibria,
     life_factors,
     matrices,
     opening,
@@ -60,6 +61,7 @@ def page(numbers: dict[str, Any]) -> Iterator[RenderableType]:
     yield from tilt(numbers["tilt"])
     yield from ordered_levels(numbers["choices"] or {}, numbers["error_estimate"] or {})
     yield from matrices(numbers["flexible"])
+    yield from equilibria(numbers["equilibria"])
     yield from regimes(numbers["regimes"])
     yield from supports(numbers["structure"])
     yield from skew({name: numbers[name] for name in ("rigid", "flexible")})

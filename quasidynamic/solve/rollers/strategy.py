@@ -81,6 +81,24 @@ def solve(balance: BearingBalance, start: NDArray, restarts: Sequence[Start]) ->
     return solved
 
 
+def solve_each(balance: BearingBalance, starts: NDArray, rounds: int) -> SolvedCases:
+    """Solve every case from its own start, to wherever that leads.
+
+    Parameters
+    ----------
+    balance : BearingBalance
+        C cases
+    starts : array (C, N)
+        scaled unknowns to begin with
+    rounds : int
+        of pseudo-time, each followed by Newton's method, for what Newton's method leaves unsolved
+    """
+    solved = SolvedCases(starts.copy(), [SolverOutcome.RUNNING] * len(starts), np.zeros(len(starts), int))
+    solved.follow(newton(balance, starts), np.arange(len(starts)))
+    _through_pseudo_time(balance, solved, starts.copy(), rounds)
+    return solved
+
+
 def _through_pseudo_time(
     balance: BearingBalance, solved: SolvedCases, unknowns: NDArray, rounds: int
 ) -> None:

@@ -1,0 +1,104 @@
+"""Bearings with cold or thick oil: `python -m benchmarks.several_equilibria --n 200 --seed S`.
+
+Envelope: 8 to 40 rollers, oils of 0.15 to 2.5 Pa s, loads of C0/500 to C0/25, 200 to 6000 rpm, clearance of 0
+to 1e-3 of the pitch diameter, four traction laws, one design in five tilted by a moment. What a run tells of
+other equilibria is compared with an exhaustive search from 60 random starts for each design.
+"""
+
+import argparse
+import time
+
+import numpy as np
+from threadpoolctl import threadpool_limits
+
+from benchmarks.machine import describe
+from flexbearing.runs.several import between_rigid_raceways
+from quasidynamic import SolverOutcome
+from quasidynamic.several import several_likely
+from tests.thick_films import design, others_by_search
+
+STARTS = 60
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--n", type=int, default=200)
+    parser.add_argument("--seed", type=int, default=1)
+    asked = parser.parse_args()
+    print(describe())
+    with threadpool_limits(limits=1, user_api="blas"):
+        rows = [row for number in range(asked.n) if (row := examine(number, asked.seed)) is not None]
+    report(rows, asked)
+
+
+def examine(number: int, seed: int) -> dict | None:
+    rng = np.random.default_rng([seed, number])
+    model = design(rng)
+    solve, state = timed(lambda: model.solve_many([model.operation])[0])
+    if state.status is not SolverOutcome.CONVERGED:
+        print(f"design {number}: {state.status}")
+        return None
+    state.loads  # noqa: B018  evaluated before: every run stores them
+    indicate, likely = timed(lambda: several_likely(state))
+    search, told = timed(lambda: between_rigid_raceways(model, state))
+    exhaustive, others = timed(lambda: others_by_search(state, rng, STARTS))
+    if bool(others) != bool(told):
+        print(f"design {number}: {len(others)} by random starts, {len(told.others) if told else 0} told")
+    loads = [one.loads[0].max() for one in (state, *others)]
+    known = [one.loads[0].max() for one in (state, *(told.others if told else ()))]
+    common = min(max(loads), max(known)) - max(min(loads), min(known))
+    return {
+        "others": len(others),
+        "told": len(told.others) if told else 0,
+        "likely": likely,
+        "spread": common / np.ptp(loads) if others else np.nan,
+        "settled": told is not None and told.passing is not None and told.passing.settled,
+        "life": passing_life(told, state),
+        "seconds": (solve, indicate, search, exhaustive),
+    }
+
+
+def timed(work):
+    start = time.process_time()
+    answer = work()
+    return time.process_time() - start, answer
+
+
+def passing_life(told, state) -> float:
+    passing = told and told.passing
+    return passing.equilibrium.life / state.life if passing else np.nan
+
+
+def report(rows: list[dict], asked) -> None:
+    several, one = [r for r in rows if r["others"]], [r for r in rows if not r["others"]]
+    told, false = sum(r["told"] > 0 for r in several), sum(r["told"] > 0 for r in one)
+    print(f"{asked.n} designs, seed {asked.seed}: {len(rows)} solved, {len(several)} with several equilibria")
+    print(f"told: {told} of {len(several)} ({told / len(several):.1%})")
+    print(f"false alarms: {false} of {len(one)} ({false / len(one):.1%})")
+    spread = np.array([r["spread"] for r in several if r["told"]])
+    print(
+        f"spread of the largest load that the told ones cover: mean {spread.mean():.0%}, "
+        f"lowest tenth {np.quantile(spread, 0.1):.0%}"
+    )
+    life = np.array([r["life"] for r in rows if np.isfinite(r["life"])])
+    print(
+        f"rollers that pass pitches settle in {sum(r['settled'] for r in rows)} of "
+        f"{sum(r['told'] > 0 for r in rows)}; life over that of the run: median {np.median(life):.2f}, "
+        f"{life.min():.2f} to {life.max():.2f}"
+    )
+    quiet = [r for r in rows if not r["likely"]]
+    seconds = np.array([r["seconds"] for r in rows])
+    solve, indicate, _, exhaustive = np.median(seconds, axis=0) * 1e3
+    print(
+        f"processor time, medians: solve {solve:.2f} ms, indicator {indicate:.2f} ms "
+        f"({indicate / solve:.0%} of it), exhaustive search {exhaustive:.0f} ms"
+    )
+    for name, chosen in (("nothing found", [r for r in rows if r["likely"] and not r["told"]]),
+                         ("several found", [r for r in rows if r["told"]])):  # fmt: skip
+        if chosen:
+            print(f"restarts, {name}: {np.median([r['seconds'][2] for r in chosen]) * 1e3:.0f} ms")
+    print(f"indicator does not fire: {len(quiet)} of {len(one)} without several")
+
+
+if __name__ == "__main__":
+    main()

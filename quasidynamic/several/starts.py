@@ -1,0 +1,108 @@
+"""Spins and cage slips from which other equilibria are searched, as patterns around one that is known."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.outcome.equilibrium import Equilibrium
+from quasidynamic.several.indicator import doubts, is_loaded
+
+ROLLERS = 4  # that are slowed down or sped up one by one
+SLOW = (0.3, -0.5)  # spins over rolling that leave a film too thin to touch
+SLOW_EXIT = 0.2  # spin of rollers behind a loaded zone that ends earlier, over that of the fastest
+ENTRY_SHIFTS, EXIT_SHIFTS = (
+    (-1, 0, 1, 2),
+    (-2, -1, 0, 1),
+)  # rollers by which a loaded zone begins and ends later
+SLIPS = (1e-3, 0.1, 0.25, 0.45, 0.7, 0.9)  # of the cage
+UNLOADED_SPINS = (-0.3, 0.3)  # over rolling
+SCATTERED = 12  # patterns of either kind
+
+
+class Patterns(NamedTuple):
+    """Spins of P patterns over that of pure rolling, and drifts of the cage from it."""
+
+    spin: NDArray  # (P, Z) [-]
+    cage_drift: NDArray  # (P) [rad/s]
+
+    @classmethod
+    def of(cls, spins: list[NDArray], cage_drift: NDArray | float) -> "Patterns":
+        """Patterns of a list of spins (Z), with their drifts or one drift for all."""
+        return cls(np.array(spins), np.broadcast_to(cage_drift, len(spins)))
+
+    def joined(self, other: "Patterns") -> "Patterns":
+        """Both, one after the other."""
+        return Patterns(*(np.concatenate(pair) for pair in zip(self, other, strict=True)))
+
+
+def near(state: Equilibrium) -> Patterns:
+    """Single rollers fast or slow, and loaded zones that begin or end some rollers earlier or later."""
+    rolling = _spin(state)
+    spins = [*_single_rollers(state, rolling), *_shifted_zones(state, rolling)]
+    return Patterns.of(spins, state.unknowns.cage_drift[0, 0])
+
+
+def far(state: Equilibrium) -> Patterns:
+    """Other slips of the cage, and spins that nothing orders; the same at every call."""
+    loaded, rollers = is_loaded(state), state.balance.layout.rollers
+    slipping = [(slip, spin) for slip in SLIPS for spin in UNLOADED_SPINS]
+    spins = [np.where(loaded, 1 - slip, min(spin, 1 - slip)) for slip, spin in slipping]
+    rng = np.random.default_rng(rollers)
+    scattered = [rng.uniform(-0.2, 1.0, rollers) for _ in range(SCATTERED)]
+    scattered += [np.where(rng.random(rollers) < 0.5, 1.0, rng.uniform(0, 0.6)) for _ in range(SCATTERED)]
+    drifts = -np.array([slip for slip, _ in slipping]) * state.balance.rolling_cage[0, 0]
+    return Patterns.of(spins, drifts).joined(Patterns.of(scattered, state.unknowns.cage_drift[0, 0]))
+
+
+def _spin(state: Equilibrium) -> NDArray:
+    """Spins (Z) over that of pure rolling."""
+    return state.roller_speed / state.balance.rolling_spin[0, 0]
+
+
+def in_order(state: Equilibrium) -> NDArray:
+    """Rollers (Z) in the order in which they pass the load, from opposite to it."""
+    sense = np.sign(state.balance.rolling_cage[0, 0])
+    before = (state.balance.roller.bearing.azimuths - state.load_direction) * sense + np.pi
+    return np.argsort(np.mod(before, 2 * np.pi))
+
+
+def _single_rollers(state: Equilibrium, rolling: NDArray) -> list[NDArray]:
+    """The rollers that films decide on most, one by one: a loaded one slow, an unloaded one rolling."""
+    loaded, spins = is_loaded(state), []
+    for roller in np.argsort(-doubts(state))[:ROLLERS]:
+        for spin in SLOW if loaded[roller] else (1.0,):
+            changed = rolling.copy()
+            changed[roller] = spin
+            spins.append(changed)
+    return spins
+
+
+def _shifted_zones(state: Equilibrium, rolling: NDArray) -> list[NDArray]:
+    """Loaded zones with other ends; none where nearly all rollers are loaded."""
+    order = in_order(state)
+    loaded, spin = is_loaded(state)[order], rolling[order]
+    first, last = np.flatnonzero(loaded)[[0, -1]]
+    if last - first >= len(order) - 3:
+        return []
+    spins = []
+    for begin in first + np.array(ENTRY_SHIFTS):
+        for end in last + np.array(EXIT_SHIFTS):
+            if 0 <= begin <= end < len(order) and (begin, end) != (first, last):
+                spins.append(_zone(spin, (first, last), (begin, end), spin[loaded].max()))
+    for slow, fast in ((first, first - 1), (last, (last + 1) % len(order))):
+        for leaving in SLOW:  # the end roller slow, the one beyond it fast
+            spins.append(spin.copy())
+            spins[-1][[slow, fast]] = leaving, spin[loaded].max()
+    return [each[np.argsort(order)] for each in spins]
+
+
+def _zone(spin: NDArray, old: tuple[int, int], new: tuple[int, int], fastest: float) -> NDArray:
+    """Spins (Z), in order of passage, with the loaded zone between other rollers."""
+    changed, (begin, end) = spin.copy(), new
+    changed[begin : end + 1] = np.maximum(spin[begin : end + 1], fastest)
+    for roller in range(old[0], begin):  # rollers that are loaded later go on slowing down
+        changed[roller] = 2 * changed[roller - 1] - changed[roller - 2]
+    if end < old[1]:
+        changed[end + 1 :] = np.minimum(changed[end + 1 :], SLOW_EXIT * fastest)
+    return changed

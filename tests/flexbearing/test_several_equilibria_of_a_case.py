@@ -1,0 +1,91 @@
+"""Several equilibria by cold oil, from the case file to the file, the note and the page."""
+
+import json
+
+import pytest
+from pytest import approx
+
+import flexbearing
+from flexbearing import __main__ as program
+from flexbearing.report import summary
+from tests.cold_oil import PAPER, RIGID, cold_case, settings
+
+THICK_RING = ("inner.kind=rigid", "outer.kind=ring", "outer.thickness=15 mm", "accuracy.structure=beam")
+
+
+@pytest.fixture(scope="module", params=[13.0, 13.5])
+def cold(request, tmp_path_factory):
+    """Runs that ended half a degree apart in different states: 533 N and 2534 Mrev, 552 N and 2208 Mrev."""
+    folder = tmp_path_factory.mktemp("cold")
+    return flexbearing.run(cold_case(folder), folder / "r.h5", [*RIGID, *settings(request.param)])
+
+
+def note_on_several(result):
+    (note,) = [note for note in result.attributes["notes"] if note["code"] == "several-equilibria"]
+    return note
+
+
+def test_two_answers_half_a_degree_apart_are_both_told_as_one_of_several(cold):
+    assert note_on_several(cold)["grade"] == "danger"
+    found = cold.attributes["equilibria"]["rigid"]
+    computed = found["computed"]
+    assert computed["largest_inner_load_N"] == approx(cold.rigid["inner_load"].max(), rel=1e-9)
+    assert 1e6 * computed["life_L10_Mrev"] == approx(float(cold.rigid["life_L10"]), rel=1e-9)
+    assert computed["power_loss_W"] == approx(float(cold.rigid["driving_power"]), rel=1e-6)
+    known = [computed, *found["others"]]
+    loads = [state["largest_inner_load_N"] for state in known]
+    assert (min(loads), max(loads)) == (approx(533.7, abs=1.5), approx(552.0, abs=1.5))
+    assert {5, 7} <= {state["loaded_rollers"] for state in known}
+    lives = [state["life_L10_Mrev"] for state in known]
+    assert (min(lives), max(lives)) == (approx(2208, rel=0.01), approx(2530, rel=0.01))
+
+
+def test_rollers_that_pass_a_pitch_reach_one_state_from_either_answer(cold):
+    """547.6 N and 2249 Mrev at 13 degC in the time domain, see tests/reference/test_moving_rollers.py."""
+    passing = cold.attributes["equilibria"]["rigid"]["after_passing_pitches"]
+    assert passing["settled"]
+    assert passing["largest_inner_load_N"] == approx(547.6, rel=3e-3)
+    assert passing["life_L10_Mrev"] == approx(2249, rel=5e-3)
+
+
+def test_spread_and_passing_state_stand_in_note_page_and_json(cold, capsys):
+    text = note_on_several(cold)["text"]
+    passing = cold.attributes["equilibria"]["rigid"]["after_passing_pitches"]
+    for word in (
+        "rigid raceways",
+        "5 to 7 rollers",
+        "Mrev",
+        "N m",
+        f"{passing['largest_inner_load_N']:.1f} N",
+    ):
+        assert word in text
+    assert summary(cold)["equilibria"] == cold.attributes["equilibria"]
+    assert program.command(["summary", str(cold.path), "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["equilibria"]["rigid"]["others"]
+    assert program.command(["summary", str(cold.path)]) == 0
+    page = capsys.readouterr().out
+    assert page.startswith("DANGER: several equilibria between rigid raceways")
+    assert "several equilibria, rigid: between rigid raceways" in page
+    assert f"{passing['largest_inner_load_N']:.1f}" in page
+
+
+def test_a_bearing_with_thin_films_is_told_nothing(tmp_path):
+    result = flexbearing.run(PAPER, tmp_path / "r.h5", RIGID)
+    assert "equilibria" not in result.attributes
+    assert "several equilibria" not in " ".join(note["text"] for note in result.attributes["notes"])
+
+
+@pytest.mark.slow
+def test_end_state_between_flexible_raceways_is_examined_for_itself(tmp_path):
+    """A thick ring keeps several; those between rigid raceways, on the way to it, are no danger then."""
+    result = flexbearing.run(cold_case(tmp_path), tmp_path / "r.h5", [*THICK_RING, *settings(13.0)])
+    notes = [note for note in result.attributes["notes"] if note["code"] == "several-equilibria"]
+    assert len(notes) == 2
+    dangers = [note["text"] for note in notes if note["grade"] == "danger"]
+    assert len(dangers) == 1
+    assert "between flexible raceways" in dangers[0]
+    found = result.attributes["equilibria"]["flexible"]
+    assert found["raceways"] == "flexible raceways"
+    largest = result.flexible["inner_load"].max()
+    assert found["computed"]["largest_inner_load_N"] == approx(largest, rel=1e-9)
+    assert all(abs(other["largest_inner_load_N"] / largest - 1) > 1e-3 for other in found["others"])
