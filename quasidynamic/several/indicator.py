@@ -30,9 +30,9 @@ def several_likely(state: Equilibrium) -> bool:
 
     Valid
     -----
-    Films: 97 % of random bearings with thick oil that have several, see `benchmarks/several_equilibria.py`; it
-    also fires for most of those that have one only. Cage: falling traction curves; not the last tenth of the
-    loads between both folds.
+    Films: fires for nearly all random bearings with thick oil that have several, and for most of those that
+    have one, see `benchmarks/several_equilibria.py`. Cage: falling traction curves, but not the last tenth of
+    the loads between both folds.
     """
     return films_decide(state) or cage_balances_often(state)
 
