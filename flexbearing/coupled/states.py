@@ -27,6 +27,7 @@ class EndState:
     equilibrium: Equilibrium
     rings: LinearPair
     roughness: NDArray | None = None  # (2) composite [m]
+    life_error: float | None = None  # estimated, over the life; None where nothing was estimated [-]
 
     @property
     def life(self) -> float:

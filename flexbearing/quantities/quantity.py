@@ -37,6 +37,7 @@ class SummaryValue:
     parts: tuple[str, ...] = ()  # names of its entries, such as inner and outer
     section: str = ""  # of the page
     beside: str = ""  # key without which it has no row: a value that then is zero by assumption
+    compared: bool = True  # whether its change from block to block means something
     error: str = ""  # name of its estimated numerical error in the attribute error_estimate
     error_relative: bool = True  # the estimate is over the value
 

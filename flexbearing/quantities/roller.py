@@ -73,6 +73,13 @@ QUANTITIES = (
     Quantity("life_L10", "L_10", "", "rev", "block",
         "rating life of both raceways together, 90 % survival", source="end.life", people=MREV,
         summary=(SummaryValue("life_L10_Mrev", label="life L10", digits=",.2f", error="life"),)),
+    Quantity("life_error", "", "", "1", "block",
+        "estimated numerical error of the life by slices and axial shapes / life; absent with "
+        "accuracy.target, "
+        "which has its own, and where nothing could be estimated", source="end.life_error", people=PERCENT,
+        optional=True, summary=(
+            SummaryValue("life_error_percent", label="  its numerical error, estimated",
+                         digits=".2g", compared=False),)),
     Quantity("modified_life", "L_nm", "", "rev", "block",
         "life after every factor of [life], see the attribute life; absent when nothing modifies it",
         source="life.modified", people=MREV, optional=True,

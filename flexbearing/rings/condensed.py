@@ -80,8 +80,8 @@ def raceway(
         began, name = perf_counter(), NAMES[race]
         report.stage(name, None)
         with named_failures(case, name):
-            condensed: Any = _condensed(name, part, case, azimuths, report)  # not on lines or springs
-            compliance = condensed.at(azimuths)
+            linear: Any = condensed(name, part, case, azimuths, report)  # not on lines or springs
+            compliance = linear.at(azimuths)
         report.stage(f"{name}: {compliance.unknowns} unknowns, {perf_counter() - began:.1f} s", None)
         return CondensedRaceway(compliance)
     name = {"inner": "inner ring and shaft", "outer": "outer ring and housing"}[race]
@@ -104,7 +104,7 @@ def _on_supports(part: "Part", case: Case, azimuths: NDArray, report: Report) ->
     if isinstance(support, fem.Foundation):  # with the answers of its outer surface
         part = replace(part, support=replace(support, pushing=True))
     with named_failures(case, name):
-        supported: Any = _condensed(name, part, case, azimuths, report)  # on lines or springs
+        supported: Any = condensed(name, part, case, azimuths, report)  # on lines or springs
         ring = supported.under_rollers(azimuths)
     if case.outer.bilateral:
         ring = replace(ring, pushing=False)
@@ -132,8 +132,26 @@ def named_failures(case: Case, name: str) -> Iterator[None]:
         raise PartnerFailed(f"{name}: {problem}", "not solved") from problem
 
 
-def _condensed(name: str, part: "Part", case: Case, azimuths: NDArray, report: Report):
-    """Raceway compliance, from the cache where it is kept."""
+def condensed(name: str, part: "Part", case: Case, azimuths: NDArray, report: Report):
+    """Raceway compliance of a part, from the cache where it is kept.
+
+    Parameters
+    ----------
+    name : str
+        of the part, for messages
+    part : SquirrelCage, OuterRing, RingOnShaft or StepSolid
+        what is condensed
+    case : Case
+        with the accuracy asked for
+    azimuths : array (Z)
+        of the rollers [rad]
+    report : Report
+        hears of the part
+
+    Returns
+    -------
+    HarmonicCompliance or RacewayCompliance
+    """
     discretisation = _discretisation(part, case)
     arguments = part, discretisation, _resolution(part, discretisation, case, azimuths)
     on_lines = isinstance(part, fem.OuterRing) and (

@@ -9,9 +9,11 @@ from flexbearing.case.roller import Case
 from flexbearing.coupled import states
 from flexbearing.coupled.states import EndState
 from flexbearing.coupling import LinearPair
+from flexbearing.progress import Report
 from flexbearing.results import Arrays, ResultFile
 from flexbearing.runs import fields, life, notes, skew
 from flexbearing.runs.several import SeveralEquilibria, between_flexible_raceways
+from flexbearing.runs.life_error import LifeError, estimated
 from quasidynamic import Equilibrium
 from quasidynamic.contact.film import lambda_ratio, regime
 from quasidynamic.note import Note, graded, information
@@ -23,6 +25,7 @@ class Postprocessing:
 
     case: Case
     file: ResultFile
+    report: Report
     lives: dict[str, Any] = field(default_factory=dict)  # by block
     regimes: dict[str, Any] = field(default_factory=dict)  # by block
     notes: list[Note] = field(default_factory=list)  # of the run
@@ -39,10 +42,13 @@ class Postprocessing:
         converged: bool = True,
     ) -> None:
         """Write a block; lives, regimes, skew, stresses and notes are those of solutions only."""
-        end = EndState(state, rings, roughness(self.case))
+        error = estimated(self.case, state, rings, self.report) if converged else LifeError(None)
+        end = EndState(state, rings, roughness(self.case), error.value)
         block = states.block(end, **self._of_solution(name, end)) if converged else states.block(end)
         if converged and name == "flexible" and self.case.outputs.stresses:
             self._add_stresses(block)
+        if converged:
+            self.of_state[name] += error.notes
         self.file.block(name, block, converged=converged)
 
     def _of_solution(self, name: str, end: EndState) -> dict[str, Any]:

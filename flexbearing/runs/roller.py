@@ -46,7 +46,7 @@ def solve(
     case: Case, file: ResultFile, report: Report, near: InitialState | None = None
 ) -> dict[str, object]:
     """Write iterations and blocks; returns the root attributes that say how it ended."""
-    postprocessing = Postprocessing(case, file)
+    postprocessing = Postprocessing(case, file, report)
     resolved = _resolved(case, postprocessing, report)
     ending = _solve(case, resolved, postprocessing, report, near)
     if near is not None:

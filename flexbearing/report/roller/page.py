@@ -85,7 +85,12 @@ def _table(
                 continue
             # as Text: rich would take the unit in brackets for a markup tag
             error = [_error(errors, entry, after)] if errors else []
-            row = (shown(entry, before), shown(entry, after), *error, _change(before, after))
+            row = (
+                shown(entry, before),
+                shown(entry, after),
+                *error,
+                _change(before, after) if entry.compared else "",
+            )
             table.add_row(Text(label(entry, part)), *row)
     return table
 

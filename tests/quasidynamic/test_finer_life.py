@@ -1,0 +1,70 @@
+"""Line loads that a richer resolution finds at the loads of a coarser one."""
+
+import numpy as np
+import pytest
+from pytest import approx
+
+from quasidynamic import Logarithmic, NotSolved
+from quasidynamic.outcome.finer_life import _FinerContacts, life_error
+from tests.bearings import paper_bearing
+
+TILTED = {"misalignment": 1e-3, "load": 8000.0, "axial_modes": 3, "profile": Logarithmic(amplitude=1e-6)}
+
+
+def soft(modes, size=2e-9):
+    """Raceway that gives way under each roller alone, softly in its further shapes."""
+    own = np.diag(size / np.arange(1, modes + 1.0) ** 2)
+    own[0, 2] = own[2, 0] = own[1, 3] = own[3, 1] = -0.2 * size
+    return np.einsum("zy,mn->zmyn", np.eye(30), own)
+
+
+def test_nothing_richer_changes_nothing():
+    state = paper_bearing(**TILTED).solve()
+    same = _FinerContacts.of(state, 0, 20, None)
+    assert same.line_loads() == approx(state.slice_loads[0], rel=1e-6, abs=1.0)
+
+
+def test_load_and_moment_are_kept():
+    state = paper_bearing(**TILTED).solve()
+    finer = _FinerContacts.of(state, 1, 80, soft(5))
+    force = finer.line_loads() @ finer.slices.weights
+    loaded = state.loads[1] > 1e-3 * state.loads[1].max()
+    assert force[loaded, :2] == approx(state.forces[1, loaded, :2], rel=1e-5, abs=0.01)
+
+
+def test_further_shapes_are_those_of_the_deflected_raceway():
+    state = paper_bearing(**TILTED).solve()
+    compliance, finer = soft(5), _FinerContacts.of(state, 1, 80, soft(5))
+    loads = finer.line_loads()
+    closed = loads > 0.3 * loads.max()
+    force = loads @ finer.slices.weights
+    before = np.zeros((30, 5))
+    before[:, :3] = np.einsum("zmyn,yn->zm", compliance[:, :3, :, :3], finer.force)
+    deflection = np.einsum("zmyn,yn->zm", compliance, force) - before
+    law = finer.raceways.law
+    approach = (loads / np.ravel(law.coefficient)[1]) ** 0.9 + finer.drop  # what carries these loads
+    wanted = finer.approach - deflection
+    for roller in np.flatnonzero(closed.sum(1) > 20):
+        beyond = approach[roller] - finer.slices.modes[:, 2:] @ wanted[roller, 2:]
+        x = finer.slices.centres[closed[roller]]
+        line = np.polyfit(x, beyond[closed[roller]], 1)  # place and tilt of the roller are left
+        assert np.polyval(line, x) == approx(beyond[closed[roller]], abs=1e-4 * approach.max())
+
+
+def test_error_falls_as_slices_grow():
+    errors = [life_error(paper_bearing(**TILTED, slices=n).solve()) for n in (10, 40, 160)]
+    assert errors[0] > 2 * errors[1] > 4 * errors[2] > 0
+
+
+@pytest.mark.parametrize("slices", [10, 20])
+def test_error_of_a_rigid_bearing_holds_the_truth(slices):
+    state = paper_bearing(**TILTED, slices=slices).solve()
+    truth = paper_bearing(**TILTED, slices=640).solve().life
+    assert abs(state.life / truth - 1) < life_error(state) < 0.3
+
+
+def test_what_is_not_found_is_said(monkeypatch):
+    monkeypatch.setattr("quasidynamic.outcome.finer_life.LIMIT", 1)
+    state = paper_bearing(**TILTED).solve()
+    with pytest.raises(NotSolved, match="no line loads were found"):
+        life_error(state, (None, soft(5)))
