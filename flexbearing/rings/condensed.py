@@ -155,7 +155,7 @@ def condensed(name: str, part: "Part", case: Case, azimuths: NDArray, report: Re
     discretisation = _discretisation(part, case)
     arguments = part, discretisation, _resolution(part, discretisation, case, azimuths)
     on_lines = isinstance(part, fem.OuterRing) and (
-        case.outer.support in ("lines", "planet") or getattr(part.support, "pushing", False)
+        isinstance(part.support, fem.LineSupports | fem.PlanetGear) or getattr(part.support, "pushing", False)
     )
     if discretisation is BEAM or (on_lines and discretisation is not SOLID):
         return condense(*arguments)  # sooner computed than read, or more than is kept
