@@ -12,8 +12,8 @@ from flexbearing.coupling import LinearPair
 from flexbearing.progress import Report
 from flexbearing.results import Arrays, ResultFile
 from flexbearing.runs import fields, life, notes, skew
-from flexbearing.runs.several import SeveralEquilibria, between_flexible_raceways
 from flexbearing.runs.life_error import LifeError, estimated
+from flexbearing.runs.several import SeveralEquilibria, between_flexible_raceways
 from quasidynamic import Equilibrium
 from quasidynamic.contact.film import lambda_ratio, regime
 from quasidynamic.note import Note, graded, information
