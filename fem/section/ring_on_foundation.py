@@ -88,6 +88,11 @@ class RollersOnFoundation:
         """Of the rollers (Z,) [rad]."""
         return self.closed.azimuths
 
+    @property
+    def axial_modes(self) -> int:
+        """M."""
+        return self.closed.absolute.shape[1]
+
     def near(self, forces: NDArray) -> RacewayCompliance:
         r"""Compliance of the raceway with the open points o that go with given forces.
 

@@ -135,6 +135,11 @@ class RollersOnLines:
     pushing: bool  # lines lift off where they would pull
     raceway: HarmonicCompliance  # of the free ring
 
+    @property
+    def axial_modes(self) -> int:
+        """M."""
+        return self.free.shape[1]
+
     def near(self, forces: NDArray) -> RacewayCompliance:
         r"""Compliance of the raceway on the points of lines that touch under given forces.
 

@@ -122,6 +122,10 @@ class Raceway(Protocol):
         """Itself near outward forces (Z, M) [N], None where it is rigid; raises `PartnerFailed`."""
         ...
 
+    def under(self, azimuths: NDArray) -> "Raceway":
+        """The same raceway under rollers at other azimuths (Z) [rad]; raises `PartnerFailed`."""
+        ...
+
     def figures(self) -> dict[str, object]:
         """What the result file says of it; nothing of a rigid one."""
         ...

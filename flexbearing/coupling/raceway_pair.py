@@ -168,6 +168,10 @@ class RacewayPair:
             deviation[race] = from_mean_place(raceway.azimuths, absolute, translation)
         return deviation, None
 
+    def under(self, azimuths: NDArray) -> "RacewayPair":
+        """Both under rollers at other azimuths (Z) [rad]; raises `PartnerFailed`."""
+        return RacewayPair(self.inner.under(azimuths), self.outer.under(azimuths))
+
     def figures(self) -> dict[str, dict[str, object]]:
         """What the result file says of the raceways that are not rigid."""
         raceways = zip(NAMES, (self.inner, self.outer), strict=True)

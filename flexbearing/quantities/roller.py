@@ -348,6 +348,14 @@ _ATTRIBUTES = (
         form=records.STRESSES,
     ),
     Attribute(
+        "passage",
+        "json",
+        "the numbers of the summary at every position of the rollers within a pitch, by the azimuth of the "
+        "first roller, and the life by equal damage of all; absent without operation.roller_positions",
+        optional=True,
+        form=records.PASSAGE,
+    ),
+    Attribute(
         "choices",
         "json",
         "levels that accuracy.target led to, by choice: the level, whether the case fixes it, the level it "
@@ -385,6 +393,7 @@ A pair is (inner, outer) or (y, z) as stated.
         "equilibria",
         "structure",
         "stresses",
+        "passage",
         "choices",
         "error_estimate",
     ),

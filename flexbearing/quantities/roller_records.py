@@ -164,6 +164,14 @@ STRESSES: Form = Each(
         }
     ),
 )
+PASSAGE: Form = Record(
+    {
+        "azimuth_deg": ListOf(NUMBER),
+        "status": ListOf(TEXT),
+        "values": Each("name in the summary", ListOf(NUMBER_OR_NULL)),
+        "mean_life_Mrev": NUMBER_OR_NULL,
+    }
+)
 CHOICES: Form = Each(
     "choice",
     Record(

@@ -31,6 +31,7 @@ from flexbearing.rings.supported import (
 )
 
 if TYPE_CHECKING:
+    from fem.raceway.compliance import RacewayCompliance
     from flexbearing.build.ring_parts import Part
 
 # Order, and sizes of elements over the roller length: 0.1 % and 0.5 % of the largest compliance.
@@ -82,8 +83,14 @@ def raceway(
         with named_failures(case, name):
             linear: Any = condensed(name, part, case, azimuths, report)  # not on lines or springs
             compliance = linear.at(azimuths)
+
+        def at(places: NDArray) -> "RacewayCompliance":
+            with named_failures(case, name):
+                solid = _discretisation(part, case) is SOLID
+                return (condensed(name, part, case, places, report) if solid else linear).at(places)
+
         report.stage(f"{name}: {compliance.unknowns} unknowns, {perf_counter() - began:.1f} s", None)
-        return CondensedRaceway(compliance)
+        return CondensedRaceway(compliance, at)
     name = {"inner": "inner ring and shaft", "outer": "outer ring and housing"}[race]
     report.stage({"inner": "inner ring in its fit", "outer": "outer ring in its housing"}[race], None)
     with named_failures(case, name):
@@ -105,12 +112,15 @@ def _on_supports(part: "Part", case: Case, azimuths: NDArray, report: Report) ->
         part = replace(part, support=replace(support, pushing=True))
     with named_failures(case, name):
         supported: Any = condensed(name, part, case, azimuths, report)  # on lines or springs
-        ring = supported.under_rollers(azimuths)
-    if case.outer.bilateral:
-        ring = replace(ring, pushing=False)
+
+        def under_rollers(places: NDArray) -> Any:
+            ring = supported.under_rollers(places)
+            return replace(ring, pushing=False) if case.outer.bilateral else ring
+
+        ring = under_rollers(azimuths)
     report.stage(f"{name}: {perf_counter() - began:.1f} s", None)
     figures = line_figures if case.outer.support == "lines" else foundation_figures
-    return SupportedRaceway(RINGS[case.outer.support], ring, figures)
+    return SupportedRaceway(RINGS[case.outer.support], ring, figures, under_rollers)
 
 
 @contextmanager

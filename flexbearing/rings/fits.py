@@ -71,6 +71,10 @@ class RacewayInFit:
             initial_translation=self.last.translation - translation,
         )
 
+    def under(self, azimuths: NDArray) -> "RacewayInFit":
+        """The same raceway under rollers at other azimuths (Z) [rad]."""
+        return replace(self, azimuths=azimuths, last=None)
+
     def figures(self) -> dict[str, object]:
         """What finite elements and fit say; raises `PartnerFailed` where harmonics end too early."""
         with self._named_failure():

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from time import perf_counter
 from typing import TYPE_CHECKING
@@ -50,6 +50,12 @@ class FullSolveRaceway:
     def linearised(self, outward: NDArray) -> "RacewayCompliance":
         """The same for all forces, condensed by many solves: raises `PartnerFailed` as `answer` does."""
         return self._condensed
+
+    def under(self, azimuths: NDArray) -> "FullSolveRaceway":
+        """The same factored solid under rollers at other azimuths (Z) [rad]."""
+        solid = self.full_fe.solid
+        moved = replace(solid, patches=replace(solid.patches, azimuths=tuple(azimuths)))
+        return replace(self, full_fe=replace(self.full_fe, solid=moved))
 
     def figures(self) -> dict[str, object]:
         """What the finite elements cost and how stiff the support is; condenses the solid."""

@@ -1,6 +1,7 @@
 """Raceways that answer roller forces at once: rigid, or condensed to what rollers feel of them."""
 
-from dataclasses import dataclass, replace
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -27,6 +28,10 @@ class RigidRaceway:
     def linearised(self, outward: NDArray) -> None:
         """No compliance."""
 
+    def under(self, azimuths: NDArray) -> "RigidRaceway":
+        """The same under rollers at other azimuths (Z) [rad]."""
+        return replace(self, azimuths=azimuths)
+
     def figures(self) -> dict[str, object]:
         """Nothing was computed."""
         return {}
@@ -37,6 +42,7 @@ class CondensedRaceway:
     """A raceway whose stiffness is condensed: linear, whatever the forces."""
 
     compliance: "RacewayCompliance"
+    at: "Callable[[NDArray], RacewayCompliance] | None" = field(default=None, compare=False, repr=False)
     rigid = False
     solved_in_full = False
 
@@ -60,14 +66,25 @@ class CondensedRaceway:
     def with_axial_modes(self, count: int) -> "CondensedRaceway":
         """The same raceway for rollers that exchange fewer axial modes with it: a part of every array."""
         compliance = self.compliance
-        return CondensedRaceway(
-            replace(
-                compliance,
-                absolute=compliance.absolute[:, :count, :, :count],
-                translation=compliance.translation[..., :count],
-                initial_deviation=compliance.initial_deviation[:, :count],
-            )
+        fewer = replace(
+            compliance,
+            absolute=compliance.absolute[:, :count, :, :count],
+            translation=compliance.translation[..., :count],
+            initial_deviation=compliance.initial_deviation[:, :count],
         )
+        return replace(self, compliance=fewer)
+
+    def under(self, azimuths: NDArray) -> "CondensedRaceway":
+        """The same raceway under rollers at other azimuths (Z) [rad]; a solid is condensed anew for them.
+
+        Raises
+        ------
+        PartnerFailed
+            when it has no trustworthy answer there
+        """
+        assert self.at is not None  # of a raceway that was condensed for a case
+        modes = self.compliance.absolute.shape[1]
+        return replace(self, compliance=self.at(azimuths)).with_axial_modes(modes)
 
 
 def compliance_figures(compliance: "RacewayCompliance") -> dict[str, object]:

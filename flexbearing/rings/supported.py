@@ -34,6 +34,7 @@ class SupportedRaceway:
     name: str  # for messages
     ring: "RollersOnLines | RollersOnFoundation"
     support_figures: Callable[[Any, NDArray], dict[str, object]]  # for the result file
+    at: Callable[[NDArray], Any] = field(repr=False)  # the ring under rollers at other azimuths
     last: NDArray | None = field(default=None, repr=False)
     rigid = False
     solved_in_full = False
@@ -61,6 +62,11 @@ class SupportedRaceway:
         self.last = outward
         with self._named_failure():
             return self.ring.near(outward)
+
+    def under(self, azimuths: NDArray) -> "SupportedRaceway":
+        """The same raceway under rollers at other azimuths (Z) [rad]; raises `PartnerFailed`."""
+        with self._named_failure():
+            return replace(self, ring=self.at(azimuths).with_axial_modes(self.ring.axial_modes), last=None)
 
     def figures(self) -> dict[str, object]:
         """What finite elements and supports say of the last forces."""

@@ -99,10 +99,8 @@ def _solve(
     except PartnerFailed as failure:
         return _not_solved(str(failure), failure)
     if rings.rigid:
-        postprocessing.store("flexible", rigid, RIGID)
-        postprocessing.notes.extend(resolved.notes(rigid))
-        ending = _ending("converged", "every part is rigid: nothing to iterate", 0)
-        return ending | {"ending": str(rigid.status)}
+        passed = _passage(case, resolved.model, rings, rigid, postprocessing, report)
+        return _all_rigid(resolved, rigid, postprocessing) | passed
     report.stage("bearing and rings coupled", None)
     attempts = CoupledBearing(case, partner, rings, rigid, initial).solve(postprocessing.file, report)
     last = attempts[-1]
@@ -120,12 +118,39 @@ def _solve(
     if converged:
         postprocessing.notes.extend([*resolved.notes(last.state), *notes.of_structure(figures)])
         ending |= _tilt(TiltComparison.at(case, last.state, tangent), postprocessing)
+        ending |= _passage(case, resolved.model, rings, last.state, postprocessing, report)
     return ending | {"structure": figures, "ending": last.ending}
+
+
+def _all_rigid(resolved: Resolved, rigid: Equilibrium, postprocessing: Postprocessing) -> dict[str, object]:
+    """The end of a case without a flexible part."""
+    postprocessing.store("flexible", rigid, RIGID)
+    postprocessing.notes.extend(resolved.notes(rigid))
+    ending = _ending("converged", "every part is rigid: nothing to iterate", 0)
+    return ending | {"ending": str(rigid.status)}
 
 
 def _tilt(comparison: TiltComparison, postprocessing: Postprocessing) -> dict[str, object]:
     postprocessing.notes.extend(comparison.notes())
     return {"tilt": comparison.record()}
+
+
+def _passage(
+    case: Case,
+    model: RollerBearing,
+    rings: RacewayPair,
+    end: Equilibrium,
+    postprocessing: Postprocessing,
+    report: Report,
+) -> dict[str, object]:
+    """Other positions of the rollers, where the case asks for them."""
+    if case.operation.roller_positions is None:
+        return {}
+    from flexbearing.runs.passage import passage
+
+    passed = passage(case, model, rings, end, report)
+    postprocessing.notes.extend(passed.notes())
+    return {"passage": passed.record()}
 
 
 def _start(initial: InitialState, attempts: Any, postprocessing: Postprocessing) -> dict[str, object]:

@@ -160,6 +160,15 @@ class Operation(Section):
         "tilts until the moments balance (operation.moment); must be given where a ring is flexible",
         "fixed",
     )
+    roller_positions: int | None = key(
+        "positions of the roller set within a pitch that are solved one after the other, from "
+        "bearing.first_roller_azimuth on; the result has the range of loads, life and all else. Without it "
+        "that position alone",
+        None,
+        example=8,
+        ge=2,
+        le=1000,
+    )
     temperatures: Temperatures | None = key(
         "temperatures of the parts; without them all have the dimensions given", None
     )

@@ -10,6 +10,7 @@ from rich.text import Text
 
 from flexbearing.quantities import SummaryValue
 from flexbearing.quantities.roller import LAYOUT
+from flexbearing.report.passage import passage
 from flexbearing.report.rows import label, rows, shown, unit_of, value
 from flexbearing.report.sections import (
     clearance_steps,
@@ -59,6 +60,7 @@ def page(numbers: dict[str, Any]) -> Iterator[RenderableType]:
     if numbers["rigid"] or numbers["flexible"]:
         yield _table(numbers["rigid"], numbers["flexible"], numbers["error_estimate"] or {})
     yield from tilt(numbers["tilt"])
+    yield from passage(numbers["passage"])
     yield from ordered_levels(numbers["choices"] or {}, numbers["error_estimate"] or {})
     yield from matrices(numbers["flexible"])
     yield from equilibria(numbers["equilibria"])

@@ -1,0 +1,119 @@
+"""Rollers that pass a pitch: the numbers of every position, and what the summary says of them."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from pytest import approx
+
+import flexbearing
+from flexbearing import read
+from flexbearing.case import BadCase
+from flexbearing.report import summary, text
+from tests.flexbearing.noted import codes
+
+CASE = Path(__file__).parents[2] / "configs" / "nu209.toml"
+QUICK = ["accuracy.slices=8", "accuracy.axial_shapes=2"]
+RIGID = ["inner.kind=rigid", "outer.kind=rigid"]
+RING = [
+    "inner.kind=rigid", "outer.kind=ring", "outer.thickness=3 mm", "outer.width=19 mm",
+    "accuracy.structure=beam", "outer.support=foundation", "outer.foundation_radial=30 N/mm^3",
+]  # fmt: skip
+LINES = [
+    "inner.kind=rigid", "outer.kind=ring", "outer.thickness=5 mm", "outer.width=19 mm",
+    "accuracy.element_order=3", "outer.support=lines", 'outer.line_azimuths=["0 deg", "120 deg", "240 deg"]',
+]  # fmt: skip
+STRUCTURES = {
+    "rigid": RIGID,
+    "ring that only pushes": RING,
+    "ring that pulls": [*RING, "outer.bilateral=true"],
+    "ring on lines": LINES,
+    "clamped ring": [*RING[:5], "outer.support=side"],
+}
+
+
+def run(folder, *settings):
+    return flexbearing.run(CASE, folder / "r.h5", [*QUICK, *settings])
+
+
+@pytest.mark.parametrize("structure", STRUCTURES.values(), ids=STRUCTURES.keys())
+def test_every_position_is_a_run_with_its_first_roller_there(structure, tmp_path):
+    passed = run(tmp_path, *structure, "operation.roller_positions=3").attributes["passage"]
+    pitch = 360 / 14
+    assert passed["azimuth_deg"] == approx([0, pitch / 3, 2 * pitch / 3], rel=1e-12)
+    assert passed["status"] == ["converged"] * 3
+    for place, azimuth in enumerate(passed["azimuth_deg"]):
+        alone = run(tmp_path, *structure, f"bearing.first_roller_azimuth={azimuth!r} deg")
+        numbers = summary(alone)["flexible"]
+        for name in ("max_roller_load_N", "life_L10_Mrev", "driving_torque_Nm", "stiffness_N_per_m"):
+            assert passed["values"][name][place] == approx(numbers[name], rel=1e-5)
+        inner, outer = (passed["values"][f"peak_pressure_MPa.{race}"][place] for race in ("inner", "outer"))
+        assert (inner, outer) == approx(
+            (numbers["peak_pressure_MPa"]["inner"], numbers["peak_pressure_MPa"]["outer"]), rel=1e-5
+        )
+
+
+def test_range_over_a_pitch_is_in_the_summary_and_noted(tmp_path):
+    result = run(tmp_path, *LINES, "operation.roller_positions=4")
+    passed = result.attributes["passage"]
+    loads = np.array(passed["values"]["max_roller_load_N"])
+    assert loads.max() > 1.3 * loads.min()  # a roller over the line or two beside it
+    damage = np.mean(1 / np.array(passed["values"]["life_L10_Mrev"]))
+    assert passed["mean_life_Mrev"] == approx(1 / damage, rel=1e-12)
+    printed = text(result)
+    assert "rollers passing a pitch: 4 positions" in printed
+    assert f"{loads.min():,.1f}" in printed
+    assert f"{loads.max():,.1f}" in printed
+    assert "life by equal damage of all positions" in printed
+    assert "roller-position" in codes(result)
+    assert summary(result)["passage"]["status"] == ["converged"] * 4
+
+
+def test_positions_are_solved_in_fewer_steps_than_a_cold_start(tmp_path, monkeypatch):
+    """Each begins at the one before."""
+    from flexbearing.coupled import coupled
+    from flexbearing.runs import passage
+
+    begun = []
+    solve = coupled.CoupledBearing.solve
+
+    def watched(self, file, report):
+        begun.append(self.initial is not None)
+        return solve(self, file, report)
+
+    monkeypatch.setattr(passage.CoupledBearing, "solve", watched)
+    run(tmp_path, *RING, "operation.roller_positions=4")
+    assert begun == [False, True, True, True]
+
+
+def test_position_that_is_not_solved_is_a_danger_and_the_rest_is_reported(tmp_path, monkeypatch):
+    from flexbearing.coupling import PartnerFailed
+    from flexbearing.runs import passage
+
+    solved, calls = passage._solved, []
+
+    def second_fails(*given):
+        calls.append(given)
+        if len(calls) == 2:
+            raise PartnerFailed("no luck", "iteration limit")
+        return solved(*given)
+
+    monkeypatch.setattr(passage, "_solved", second_fails)
+    result = run(tmp_path, *RIGID, "operation.roller_positions=4")
+    passed = result.attributes["passage"]
+    assert passed["status"] == ["converged", "converged", "iteration limit", "converged"]
+    assert passed["values"]["max_roller_load_N"][2] is None
+    assert "roller-position" in codes(result, "danger")
+    assert "1 positions were not solved" in text(result)
+
+
+def test_one_position_alone_has_no_passage(tmp_path):
+    result = run(tmp_path, *RIGID)
+    assert "passage" not in result.attributes
+    assert "rollers passing" not in text(result)
+
+
+@pytest.mark.parametrize("count", ["0", "1", "1001"])
+def test_positions_are_two_or_more(count):
+    with pytest.raises(BadCase, match="roller_positions"):
+        read(CASE, [f"operation.roller_positions={count}"])
