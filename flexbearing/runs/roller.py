@@ -13,7 +13,7 @@ from flexbearing.progress import Report
 from flexbearing.results import ResultFile
 from flexbearing.rings.condensed import condensed_raceways
 from flexbearing.rings.full_solve import full_fe_raceways
-from flexbearing.runs import notes, several
+from flexbearing.runs import notes, roller_position, several
 from flexbearing.runs.postprocess import Postprocessing
 from flexbearing.runs.tilt import TiltComparison
 from quasidynamic import Equilibrium, RollerBearing
@@ -143,8 +143,9 @@ def _passage(
     postprocessing: Postprocessing,
     report: Report,
 ) -> dict[str, object]:
-    """Other positions of the rollers, where the case asks for them."""
+    """Other positions of the rollers where the case asks for them, or a note where they matter."""
     if case.operation.roller_positions is None:
+        postprocessing.notes.extend(roller_position.notes(case, end))
         return {}
     from flexbearing.runs.passage import passage
 

@@ -25,7 +25,7 @@ DIRECT = (  # tables and keys that are read where they are used, without a model
     "title", "life.", "outputs.", "coupling.", "accuracy.target", "accuracy.structure",
     "accuracy.threads", "accuracy.harmonics", "rolling_lines.", "fields.", "friction.torque",
     "operation.mode",
-    "operation.contact_loads", "operation.speed", "bearing.inner.shoulder",
+    "operation.roller_positions", "operation.contact_loads", "operation.speed", "bearing.inner.shoulder",
     "bearing.outer.shoulder", "rings.harmonics",
 )  # fmt: skip
 

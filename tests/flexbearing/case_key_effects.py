@@ -140,6 +140,7 @@ EFFECTS = (
     ("cage", "operation.radial_load", "19817.311 N", "model.operation.radial_load"),
     ("cage", "operation.load_direction", "12 deg", "model.operation.load_direction"),
     ("cage", "operation.inner_speed", "38380 rpm", "model.operation.inner_speed"),
+    ("rigid", "operation.roller_positions", 8, "case.operation.roller_positions"),
     ("plain ring", "operation.outer_speed", "100 rpm", "model.operation.outer_speed"),
     ("cage", "operation.moment", "20 N m", "model.operation.moment"),
     ("held ring", "operation.misalignment", "2 arcmin", "model.operation.misalignment"),

@@ -1,6 +1,7 @@
 """Rollers that pass a pitch: the numbers of every position, and what the summary says of them."""
 
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -10,6 +11,8 @@ import flexbearing
 from flexbearing import read
 from flexbearing.case import BadCase
 from flexbearing.report import summary, text
+from flexbearing.runs import roller_position
+from flexbearing.runs.roller_position import load_half_a_pitch_further
 from tests.flexbearing.noted import codes
 
 CASE = Path(__file__).parents[2] / "configs" / "nu209.toml"
@@ -32,16 +35,24 @@ STRUCTURES = {
 }
 
 
+PAPER = CASE.with_name("mao2016.toml")
+POSITIONS = {  # file and settings
+    "rigid rings": (CASE, RIGID),
+    "rigid rings, heavily loaded": (CASE, [*RIGID, "operation.radial_load=20 kN"]),
+    "ring on lines": (CASE, LINES),
+    "many rollers": (PAPER, [*RIGID, "operation.tilt=fixed"]),
+}
+
+
 def run(folder, *settings):
     return flexbearing.run(CASE, folder / "r.h5", [*QUICK, *settings])
 
 
 @pytest.mark.parametrize("structure", STRUCTURES.values(), ids=STRUCTURES.keys())
 def test_every_position_is_a_run_with_its_first_roller_there(structure, tmp_path):
-    passed = run(tmp_path, *structure, "operation.roller_positions=3").attributes["passage"]
-    pitch = 360 / 14
-    assert passed["azimuth_deg"] == approx([0, pitch / 3, 2 * pitch / 3], rel=1e-12)
-    assert passed["status"] == ["converged"] * 3
+    passed = run(tmp_path, *structure, "operation.roller_positions=2").attributes["passage"]
+    assert passed["azimuth_deg"] == approx([0, 180 / 14], rel=1e-12)
+    assert passed["status"] == ["converged"] * 2
     for place, azimuth in enumerate(passed["azimuth_deg"]):
         alone = run(tmp_path, *structure, f"bearing.first_roller_azimuth={azimuth!r} deg")
         numbers = summary(alone)["flexible"]
@@ -111,6 +122,45 @@ def test_one_position_alone_has_no_passage(tmp_path):
     result = run(tmp_path, *RIGID)
     assert "passage" not in result.attributes
     assert "rollers passing" not in text(result)
+
+
+@pytest.mark.parametrize(("file", "settings"), POSITIONS.values(), ids=POSITIONS.keys())
+def test_half_a_pitch_is_foreseen_from_the_loads_of_one_position(file, settings, tmp_path):
+    case = [*QUICK, *settings, "operation.roller_positions=2"]
+    result = flexbearing.run(file, tmp_path / "r.h5", case)
+    loads, azimuths = result.flexible["inner_load"], result.flexible["roller_azimuth"]
+    foreseen = load_half_a_pitch_further(azimuths, loads, 0.0)
+    _, moved = result.attributes["passage"]["values"]["max_roller_load_N"]
+    assert foreseen == approx(moved, rel=0, abs=0.03 * loads.max())
+
+
+@pytest.mark.slow
+def test_roller_under_a_bar_or_between_two_is_told(tmp_path):
+    """Seven bars: 3054 N under a bar, 2795 N with the rollers half a pitch further."""
+    bars = [*QUICK, "outer.bars=7"]
+    alone = flexbearing.run(PAPER, tmp_path / "r.h5", bars)
+    (note,) = [note["text"] for note in alone.attributes["notes"] if note["code"] == "roller-position"]
+    assert "half a pitch further" in note
+    assert "operation.roller_positions" in note
+    assert note in text(alone).replace("\n  ", " ")
+    passed = flexbearing.run(PAPER, tmp_path / "p.h5", [*bars, "operation.roller_positions=2"])
+    under, between = passed.attributes["passage"]["values"]["max_roller_load_N"]
+    assert under > 1.07 * between
+    assert "roller-position" not in codes(flexbearing.run(PAPER, tmp_path / "m.h5", QUICK))
+
+
+def test_rigid_rings_of_few_rollers_are_told_too(tmp_path):
+    assert "roller-position" in codes(run(tmp_path, *RIGID))
+    many = flexbearing.run(PAPER, tmp_path / "m.h5", [*QUICK, *RIGID, "operation.tilt=fixed"])
+    assert "roller-position" not in codes(many)
+
+
+def test_cage_with_a_bar_at_every_roller_is_told_without_a_number():
+    """Half a pitch leads every roller from a bar to the middle of a bay, and no load shows it."""
+    case = read(PAPER, ["outer.bars=30"])
+    state = SimpleNamespace(loads=np.ones((2, 30)))
+    (note,) = roller_position.notes(case, state)  # pyright: ignore[reportArgumentType]
+    assert "stands alike" in note.text
 
 
 @pytest.mark.parametrize("count", ["0", "1", "1001"])
