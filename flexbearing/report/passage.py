@@ -13,7 +13,7 @@ from flexbearing.report.sections import right_aligned
 
 
 def passage(passed: dict[str, Any] | None) -> Iterator[RenderableType]:
-    """Smallest and largest of every number over a pitch; nothing where one position was solved."""
+    """Smallest and largest of every number that changes over a pitch; nothing for one position."""
     if not passed:
         return
     azimuths, life = passed["azimuth_deg"], passed["mean_life_Mrev"]
@@ -26,10 +26,9 @@ def passage(passed: dict[str, Any] | None) -> Iterator[RenderableType]:
             known = [(scale * number, place) for number, place in zip(column, azimuths, strict=False)
                      if number is not None]  # fmt: skip
             if known:
-                ends = [
-                    text for number, place in (min(known), max(known)) for text in _end(entry, number, place)
-                ]
-                table.add_row(Text(label(entry, part)), *ends)
+                (least, at_least), (most, at_most) = _end(entry, *min(known)), _end(entry, *max(known))
+                if least != most:
+                    table.add_row(Text(label(entry, part)), least, at_least, most, at_most)
     yield table
     failed = sum(status != "converged" for status in passed["status"])
     yield Text(

@@ -77,7 +77,7 @@ class Passage:
         failed = [position for position in self.positions if not position.values]
         if failed:
             yield danger(
-                "roller-position",
+                "unsolved-position",
                 f"roller positions: {len(failed)} of {len(self.positions)} were not solved, the first of "
                 f"them with a roller at {np.degrees(failed[0].azimuth):.3g} deg: {failed[0].message}",
             )

@@ -42,6 +42,7 @@ GOOD = {  # what this run does not have
     }},
     "equilibria": ENDING["equilibria"],
     "choices": ENDING["choices"],
+    "passage": ENDING["passage"],
     "error_estimate": {"target": 0.01, "met": True, "roller_load": 0.002, "life": None},
 }  # fmt: skip
 OTHERS = (None, True, 7, 2.5, "text", [], {}, [1], {"x": 1}, [[]])

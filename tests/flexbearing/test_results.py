@@ -92,6 +92,12 @@ ENDING = {
             "unusable": {},
         }
     },
+    "passage": {
+        "azimuth_deg": [0.0, 6.0],
+        "status": ["converged", "not solved"],
+        "values": {"max_roller_load_N": [100.0, None]},
+        "mean_life_Mrev": 5.0,
+    },
     "error_estimate": {"target": 0.01, "met": True, "roller_load": 0.002},
 }
 

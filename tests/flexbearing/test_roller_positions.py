@@ -114,7 +114,7 @@ def test_position_that_is_not_solved_is_a_danger_and_the_rest_is_reported(tmp_pa
     passed = result.attributes["passage"]
     assert passed["status"] == ["converged", "converged", "iteration limit", "converged"]
     assert passed["values"]["max_roller_load_N"][2] is None
-    assert "roller-position" in codes(result, "danger")
+    assert "unsolved-position" in codes(result, "danger")
     assert "1 positions were not solved" in text(result)
 
 
