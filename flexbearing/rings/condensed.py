@@ -86,8 +86,9 @@ def raceway(
 
         def at(places: NDArray) -> "RacewayCompliance":
             with named_failures(case, name):
-                solid = _discretisation(part, case) is SOLID
-                return (condensed(name, part, case, places, report) if solid else linear).at(places)
+                solid = _discretisation(part, case) is SOLID  # which knows its own rollers only
+                anew: Any = condensed(name, part, case, places, report) if solid else linear
+                return anew.at(places)
 
         report.stage(f"{name}: {compliance.unknowns} unknowns, {perf_counter() - began:.1f} s", None)
         return CondensedRaceway(compliance, at)
