@@ -45,7 +45,7 @@ SHAFT = {
     "inner.kind": "ring_on_shaft", "inner.bore": "45 mm", "inner.thickness": "7 mm", "inner.width": "19 mm",
     "inner.track_width": "10 mm", "inner.shaft_thickness": "6 mm", "inner.shaft_length": "60 mm",
 }  # fmt: skip
-FIT = {**SHAFT, "inner.fit": "friction", "inner.interference": "20 um"}
+FIT = {**SHAFT, "inner.fit": "friction", "bearing.fits.shaft_interference": "20 um"}
 
 
 def ring(thickness: float, support: str, **more: object) -> dict[str, object]:

@@ -68,9 +68,9 @@ CASES: dict[str, list[str]] = {
         *RING, "outer.support=planet", *TEETH, 'outer.tooth_tangential=["9800 N", "-9800 N"]',
     ],
     "shaft 0.8 mm": ["outer.kind=rigid", "inner.shaft_thickness=0.8 mm", *SECTION],
-    "fit of 60 um": [*FIT, "inner.interference=60 um"],
-    "fit near lift-off": [*FIT, "inner.interference=20 um"],
-    "fit lifted off, 50 kN": [*FIT, "inner.interference=10 um", "operation.radial_load=50 kN"],
+    "fit of 60 um": [*FIT, "bearing.fits.shaft_interference=60 um"],
+    "fit near lift-off": [*FIT, "bearing.fits.shaft_interference=20 um"],
+    "fit lifted off, 50 kN": [*FIT, "bearing.fits.shaft_interference=10 um", "operation.radial_load=50 kN"],
 }  # fmt: skip
 
 

@@ -20,6 +20,7 @@ from fem.raceway.harmonics import highest_harmonic
 from fem.section.expansion import Along
 from fem.section.revolved_body import assembled
 
+LOWEST = 3  # harmonics that any fit is condensed with
 BORE, SHOULDER = 0, 1  # numbers of the faces
 
 _log = logging.getLogger(__name__)
@@ -98,7 +99,7 @@ class FitGrid:
     harmonics: int = 36  # N around the circumference, on 2 N + 1 azimuths; beyond it the fit carries nothing
 
     def __post_init__(self):
-        if self.harmonics < 3:
+        if self.harmonics < LOWEST:
             raise ImpossiblePart(f"harmonics = {self.harmonics!r} of the fit; allowed is 3 or more")
 
 
@@ -152,19 +153,58 @@ def condense_fitted(
     outside the band.
     """
     seat, grid = part.seat, grid or FitGrid()
-    require_on_track(length, seat.track)
     last = highest_harmonic(seat.raceway_diameter / 2, length / axial_modes, mesh)
     if last < grid.harmonics:
         raise NotSolved(
             f"{grid.harmonics} harmonics of the fit are more than the {last} of the raceway: "
             "a smaller raceway_size or a higher order resolves more"
         )
+    return _condensed(part, length, (axial_modes, last), mesh, grid, variations)
+
+
+def condense_axisymmetric(
+    part: FittedRing | HousedRing,
+    length: float,
+    axial_modes: int,
+    mesh: MeshSize,
+    variations: Mapping[str, Along] | None = None,
+) -> FittedBodies:
+    """Condense ring and mate for `fem.joint.preloaded_fit.preloaded` alone: pressure and expansion are those
+    of the whole fit, loads of rollers are not known.
+
+    Parameters
+    ----------
+    part, length, axial_modes, mesh, variations
+        as of `condense_fitted`
+
+    Returns
+    -------
+    FittedBodies
+
+    Raises
+    ------
+    ImpossiblePart, NotSolved
+        as `condense_fitted`, but for the harmonics
+    """
+    return _condensed(part, length, (axial_modes, LOWEST), mesh, FitGrid(harmonics=LOWEST), variations)
+
+
+def _condensed(
+    part: FittedRing | HousedRing,
+    length: float,
+    raceway: tuple[int, int],  # number of axial modes, highest harmonic
+    mesh: MeshSize,
+    grid: FitGrid,
+    variations: Mapping[str, Along] | None,
+) -> FittedBodies:
+    seat = part.seat
+    require_on_track(length, seat.track)
     faces, pushed = part.faces(grid), "far" if isinstance(part, FittedRing) else None
     start = time.perf_counter()
     with threads(1):  # sections are small: a second thread would only wait
         bodies = [assembled([section], seat.materials, mesh) for section in part.sections(length)]
         ready = time.perf_counter()
-        ring = condense_body(bodies[0], faces, grid.harmonics, (axial_modes, last), pushed, variations)
+        ring = condense_body(bodies[0], faces, grid.harmonics, raceway, pushed, variations)
         mate = condense_body(bodies[1], faces, grid.harmonics, variations=variations)
     done = time.perf_counter()
     _log.info("%s: %d unknowns, %.1f s", type(part).__name__, ring.unknowns + mate.unknowns, done - start)

@@ -17,7 +17,7 @@ def operating(case: Case) -> float:
 
 def computed(case: Case) -> "OperatingClearance | None":
     """Steps from the cold to the operating clearance; None when the case states the latter."""
-    if case.bearing.fits is None:
+    if case.bearing.mounting is None:
         return None
     from flexbearing.build.fits import from_fits
 

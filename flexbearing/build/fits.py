@@ -2,6 +2,8 @@
 
 from typing import Any
 
+from flexbearing.build import expansion
+from flexbearing.build.growth import expansions
 from flexbearing.case.roller import Case
 from quasidynamic.clearance import (
     Annulus,
@@ -17,11 +19,11 @@ ROOM = 293.15  # [K] of every part when a case gives no temperatures; only diffe
 
 def from_fits(case: Case) -> OperatingClearance:
     """Steps from the cold to the operating clearance of a case that gives its fits."""
-    return operating_clearance(_mounting(case), _running(case))
+    return operating_clearance(_mounting(case), _running(case), *expansions(case))
 
 
 def _mounting(case: Case) -> Mounting:
-    fits: Any = case.bearing.fits  # its companions were checked on reading
+    fits: Any = case.bearing.mounting  # its companions were checked on reading
     bore, shaft_bore = _bores(case)
     raceway = case.bearing.outer_raceway_diameter
     inner_raceway = raceway - 2 * case.bearing.roller.diameter - fits.cold_clearance
@@ -31,7 +33,7 @@ def _mounting(case: Case) -> Mounting:
     if fits.housing:
         outer = PressFit(
             inside=ring,
-            outside=_annulus(case, "housing", outside, fits.housing.diameter),
+            outside=_annulus(case, "housing", outside, _housing_diameter(case, outside)),
             interference=fits.housing.interference,
         )
     return Mounting(
@@ -46,9 +48,17 @@ def _mounting(case: Case) -> Mounting:
     )
 
 
+def _housing_diameter(case: Case, bore: float) -> float:
+    """Outside diameter of a housing [m]."""
+    housing: Any = case.bearing.fits and case.bearing.fits.housing  # asked for only where there is one
+    if case.outer.kind == "rigid":
+        return housing.diameter
+    return bore + 2 * (case.outer.housing_thickness or 0.0)
+
+
 def _bores(case: Case) -> tuple[float, float]:
     """Bores of inner ring and shaft [m]; zero is a solid shaft."""
-    fits: Any = case.bearing.fits
+    fits: Any = case.bearing.mounting
     inner: Any = case.inner
     if inner.kind == "rigid":
         return fits.bore, fits.shaft_bore or 0.0
@@ -72,7 +82,7 @@ def _running(case: Case) -> OperatingConditions:
 
 
 def _annulus(case: Case, part: str, inside: float, outside: float) -> Annulus:
-    material = getattr(case.materials, part)
+    material = expansion.material(case, part)
     return Annulus(
         inner_radius=inside / 2,
         outer_radius=outside / 2,

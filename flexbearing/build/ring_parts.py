@@ -5,7 +5,6 @@ import re
 from typing import TYPE_CHECKING, Any, Literal
 
 import fem
-from flexbearing.build import clearance
 from flexbearing.build.expansion import hot_over_cold, material, outer_raceway_diameter, roller_length
 from flexbearing.case.excerpt import excerpt
 from flexbearing.case.roller import Case
@@ -122,9 +121,7 @@ def inner_part(case: Case) -> "fem.RingOnShaft | None":
     hot = hot_over_cold(case, "inner_ring")
     track = max(inner.track_width * hot, roller_length(case))
     return fem.RingOnShaft(
-        raceway_diameter=outer_raceway_diameter(case)
-        - 2 * case.bearing.roller.diameter * hot_over_cold(case, "roller")
-        - clearance.operating(case),
+        raceway_diameter=_inner_raceway_diameter(case),
         track_width=track,
         rib_diameter=(inner.bore + 2 * inner.thickness) * hot if inner.ribbed else None,
         bore=inner.bore * hot,
@@ -134,6 +131,15 @@ def inner_part(case: Case) -> "fem.RingOnShaft | None":
         ring=_elastic(case, "inner_ring"),
         shaft=_elastic(case, "shaft"),
     )
+
+
+def _inner_raceway_diameter(case: Case) -> float:
+    """Hot inner raceway diameter [m], before a fit widens it."""
+    diameter, roller = case.bearing.outer_raceway_diameter, case.bearing.roller.diameter
+    if case.bearing.mounting is None:
+        hot_roller = roller * hot_over_cold(case, "roller")
+        return outer_raceway_diameter(case) - 2 * hot_roller - case.bearing.stated_clearance
+    return (diameter - 2 * roller - case.bearing.stated_clearance) * hot_over_cold(case, "inner_ring")
 
 
 def notes(case: Case) -> tuple[Note, ...]:
@@ -147,6 +153,19 @@ def notes(case: Case) -> tuple[Note, ...]:
     return (information("inner-thickness", words),)
 
 
+def housing_interference(case: Case) -> float:
+    """Diametral interference of a flexible outer ring in its housing, cold [m]; negative is a clearance."""
+    assert case.bearing.fits
+    assert case.bearing.fits.housing  # or the ring would be bonded
+    return case.bearing.fits.housing.interference
+
+
+def shaft_interference(case: Case) -> float:
+    """Diametral interference of a flexible inner ring on its shaft, cold [m]."""
+    fits = case.bearing.fits
+    return 0.0 if fits is None or fits.shaft_interference is None else fits.shaft_interference
+
+
 def require_held_in_housing(case: Case) -> None:
     """Refuse a loose ring that no load presses on its housing.
 
@@ -156,15 +175,14 @@ def require_held_in_housing(case: Case) -> None:
         when neither an interference nor a load holds the ring
     """
     outer: Any = case.outer
-    if not outer.lifts_off or case.operation.radial_load > 0:
+    if not case.lifts_off or case.operation.radial_load > 0:
         return
     diameter = case.bearing.outer_raceway_diameter + 2 * outer.thickness
-    gap = outer.housing_clearance + diameter * (
-        hot_over_cold(case, "housing") - hot_over_cold(case, "outer_ring")
-    )
+    interference = housing_interference(case)
+    gap = -interference + diameter * (hot_over_cold(case, "housing") - hot_over_cold(case, "outer_ring"))
     if gap >= 0:
         raise fem.ImpossiblePart(
-            f"outer.housing_clearance = {outer.housing_clearance!r} m leaves {gap:.3g} m hot, and nothing "
+            f"bearing.fits.housing.interference = {interference!r} m leaves {gap:.3g} m hot, and nothing "
             "holds the ring; allowed is an operation.radial_load above zero, or a hotter ring"
         )
 

@@ -14,6 +14,7 @@ from fem.condense import BEAM, HARMONICS, SMEARED, SOLID, condense
 from fem.errors import NotSolved
 from fem.parts.step_solid import StepSolid
 from flexbearing.build.expansion import roller_length
+from flexbearing.build.mesh_sizes import ON_A_SECTION, mesh_size
 from flexbearing.build.ring_parts import NAMES, Race, part_of
 from flexbearing.cache import configured
 from flexbearing.case import BadCase
@@ -34,8 +35,11 @@ if TYPE_CHECKING:
     from fem.raceway.compliance import RacewayCompliance
     from flexbearing.build.ring_parts import Part
 
-# Order, and sizes of elements over the roller length: 0.1 % and 0.5 % of the largest compliance.
-ON_A_SECTION, IN_SPACE = (5, 1.2, 0.25), (3, 0.6, 0.4)
+IN_SPACE = (
+    3,
+    0.6,
+    0.4,
+)  # order, and sizes of elements over the roller length: 0.5 % of the largest compliance
 WITH_A_SLEEVE = (3, 1.2, 0.4)  # smeared bars are worth no more
 PATCH = 0.1  # width of a load patch over the roller length
 
@@ -232,15 +236,4 @@ def patches(case: Case, azimuths: NDArray) -> fem.Patches:
         length=length,
         axial_modes=case.accuracy.axial_shapes,
         width=case.accuracy.patch_width or PATCH * length,
-    )
-
-
-def mesh_size(case: Case, usual: tuple[int, float, float]) -> fem.MeshSize:
-    """Order and sizes of elements: those of the case, else the usual ones in roller lengths."""
-    order, size, raceway_size = usual
-    accuracy, length = case.accuracy, roller_length(case)
-    return fem.MeshSize(
-        order=accuracy.element_order or order,
-        size=accuracy.mesh_size or size * length,
-        raceway_size=accuracy.raceway_mesh_size or raceway_size * length,
     )

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 import fem
 from fem.errors import NotSolved
 from flexbearing.build.expansion import hot_over_cold, material, roller_length
-from flexbearing.build.ring_parts import Race
+from flexbearing.build.growth import expansions_along, mean_growth
+from flexbearing.build.ring_parts import Race, housing_interference, shaft_interference
 from flexbearing.case.roller import Case
 from flexbearing.coupling import PartnerFailed
 from flexbearing.coupling.raceway_pair import linear_answer
@@ -21,7 +22,6 @@ if TYPE_CHECKING:
     from fem.joint.loaded_fit import LoadedFit
     from fem.joint.preloaded_fit import PreloadedFit
     from fem.raceway.compliance import RacewayCompliance
-    from fem.section.expansion import Along
 
 
 @dataclass
@@ -91,7 +91,7 @@ class RacewayInFit:
 
 def is_in_fit(case: Case, race: Race) -> bool:
     """Whether a part is held by a contact that may open or slip, so that it is not linear."""
-    return case.inner.fit != "bonded" if race == "inner" else case.outer.lifts_off
+    return case.inner.fit != "bonded" if race == "inner" else case.lifts_off
 
 
 def inner_ring_in_fit(
@@ -133,7 +133,7 @@ def inner_ring_in_fit(
         variations=expansions_along(case, ring="inner_ring", shaft="shaft"),
     )
     fit = Fit(
-        interference=inner.interference,
+        interference=shaft_interference(case),
         friction=0.0 if inner.fit == "frictionless" else inner.fit_friction,
         clamping=inner.clamping,
         thermal_strains=(hot_over_cold(case, "inner_ring") - 1, hot_over_cold(case, "shaft") - 1),
@@ -173,7 +173,6 @@ def outer_ring_in_housing(
     from fem.joint.fitted_ring import HousedRing, condense_fitted
     from fem.joint.preloaded_fit import Fit, preloaded
 
-    assert case.outer.housing_clearance is not None  # or there would be no fit
     bodies = condense_fitted(
         HousedRing(seat=part),
         roller_length(case),
@@ -182,7 +181,7 @@ def outer_ring_in_housing(
         variations=expansions_along(case, ring="outer_ring", housing="housing"),
     )
     fit = Fit(
-        interference=-case.outer.housing_clearance,
+        interference=housing_interference(case),
         friction=0.0,
         thermal_strains=(hot_over_cold(case, "outer_ring") - 1, hot_over_cold(case, "housing") - 1),
         densities=(material(case, "outer_ring").density, material(case, "housing").density),
@@ -191,40 +190,10 @@ def outer_ring_in_housing(
     return RacewayInFit("outer ring in its housing", preloaded(bodies, fit), azimuths, _housing_figures)
 
 
-def expansions_along(case: Case, **bodies: str) -> "dict[str, Along]":
-    """Free expansions along the axis beyond those of the middle, where temperatures vary.
-
-    Parameters
-    ----------
-    case : Case
-        with the temperatures
-    bodies : str
-        name of each body in the structure, one of them "ring", and in the case
-
-    Returns
-    -------
-    dict
-        by the name of the body in the structure, only of those that vary
-    """
-    from fem.section.expansion import Along
-
-    temperatures, expansions = case.operation.temperatures, {}
-    if temperatures is None:
-        return {}
-    hot = hot_over_cold(case, bodies["ring"])  # both bodies are meshed as warm as the ring
-    for body, part in bodies.items():
-        along = getattr(temperatures, f"{part}_along")
-        if along is not None:
-            rise = np.array(along.temperatures) - getattr(temperatures, part)
-            strain = material(case, part).expansion * rise
-            expansions[body] = Along(at=np.multiply(along.at, hot), values=strain)
-    return expansions
-
-
 def _shaft_fit_figures(fit: "PreloadedFit", loaded: "LoadedFit | None") -> dict[str, object]:
     figures: dict[str, object] = {
         "mean_pressure_unloaded_MPa": 1e-6 * fit.mean_pressure,
-        "raceway_growth_um": 1e6 * float(fit.expansion[0]),
+        "raceway_growth_um": 1e6 * mean_growth(fit, 1 + fit.fit.thermal_strains[0]),
     }
     if loaded is not None:
         figures |= {
@@ -240,7 +209,7 @@ def _housing_figures(fit: "PreloadedFit", loaded: "LoadedFit | None") -> dict[st
     figures: dict[str, object] = {
         "mean_gap_unloaded_um": 1e6 * float(fit.gap.mean()),
         "mean_pressure_unloaded_MPa": 1e-6 * fit.mean_pressure,
-        "raceway_growth_um": 1e6 * float(fit.expansion[0]),
+        "raceway_growth_um": 1e6 * mean_growth(fit, 1 + fit.fit.thermal_strains[0]),
     }
     if loaded is not None:
         figures |= {

@@ -239,8 +239,8 @@ def _require_solid(case: Case, race: Race) -> None:
         )
     if race == "inner" or case.outer.kind != "ring":
         return
-    if case.outer.lifts_off:
-        raise NoFields(f"{NAMES[race]}: outer.housing_clearance has no solid, only a bonded ring has one")
+    if case.lifts_off:
+        raise NoFields(f"{NAMES[race]}: bearing.fits.housing has no solid, only a bonded ring has one")
     if case.outer.support not in ("side", "seat", "housing"):
         raise NoFields(
             f'{NAMES[race]}: outer.support = "{case.outer.support}" has no solid; '

@@ -9,6 +9,7 @@ from quasidynamic.clearance.operating_clearance import (
     Mounting,
     OperatingClearance,
     OperatingConditions,
+    RacewayExpansion,
     operating_clearance,
 )
 from quasidynamic.clearance.press_fit import FitConditions, PressFit, Seat, seat
@@ -21,6 +22,7 @@ __all__ = [
     "OperatingClearance",
     "OperatingConditions",
     "PressFit",
+    "RacewayExpansion",
     "Seat",
     "operating_clearance",
     "seat",

@@ -1,6 +1,8 @@
 """From the cold clearance of a bearing to its clearance in operation."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import pairwise
 from math import isfinite
 
@@ -127,7 +129,7 @@ class OperatingClearance:
 
 
 @dataclass(frozen=True)
-class _Raceway:
+class RacewayExpansion:
     """Expansion of one raceway, and how its ring sits on the shaft or in the housing."""
 
     expansion: float = 0.0  # [m] of its radius
@@ -135,7 +137,11 @@ class _Raceway:
 
     @property
     def words(self) -> str:
+        """The seat in one phrase."""
         return self.seat.words if self.seat else "free ring, no housing"
+
+
+Expansion = Callable[[FitConditions], RacewayExpansion]
 
 
 @dataclass(frozen=True)
@@ -144,12 +150,17 @@ class _Stage:
 
     name: str
     explanation: str
-    inner: _Raceway
-    outer: _Raceway
+    inner: RacewayExpansion
+    outer: RacewayExpansion
     roller_expansion: float  # [m] of the diameter
 
 
-def operating_clearance(mounting: Mounting, conditions: OperatingConditions) -> OperatingClearance:
+def operating_clearance(
+    mounting: Mounting,
+    conditions: OperatingConditions,
+    inner: Expansion | None = None,
+    outer: Expansion | None = None,
+) -> OperatingClearance:
     r"""Operating clearance as a chain of effects, each switched on after the one before.
 
     .. math:: G = G_0 + 2 u_o - 2 u_i - 2 \Delta D
@@ -163,6 +174,9 @@ def operating_clearance(mounting: Mounting, conditions: OperatingConditions) -> 
         bearing, fits, G_0 the cold clearance [m]
     conditions : OperatingConditions
         temperatures [K], speeds [rad/s]
+    inner, outer : callable, optional
+        expansion [m] of a raceway and its seat under the conditions of its fit, such as finite elements give
+        them; without it those of `mounting` in closed form
 
     Returns
     -------
@@ -185,7 +199,8 @@ def operating_clearance(mounting: Mounting, conditions: OperatingConditions) -> 
     One temperature per body; no load of the rollers on the rings; rollers do not expand by their speed.
     """
     _require_housing_temperature(mounting, conditions)
-    stages = _stages(mounting, conditions)
+    inner, outer = inner or partial(_inner_raceway, mounting), outer or partial(_outer_raceway, mounting)
+    stages = _stages(mounting, conditions, inner, outer)
     clearances = [
         mounting.cold_clearance
         + 2 * (stage.outer.expansion - stage.inner.expansion)
@@ -199,16 +214,18 @@ def operating_clearance(mounting: Mounting, conditions: OperatingConditions) -> 
     return OperatingClearance(
         cold=mounting.cold_clearance,
         steps=steps,
-        shaft_seat=seat(mounting.shaft_fit, conditions.shaft_fit),
+        shaft_seat=stages[-1].inner.seat or seat(mounting.shaft_fit, conditions.shaft_fit),
         housing_seat=stages[-1].outer.seat,
     )
 
 
-def _stages(mounting: Mounting, conditions: OperatingConditions) -> list[_Stage]:
+def _stages(
+    mounting: Mounting, conditions: OperatingConditions, of_inner: Expansion, of_outer: Expansion
+) -> list[_Stage]:
     """One more effect at a time; the first stage has none."""
     shaft, outer_fit = conditions.shaft_fit, conditions.outer_fit
-    inner, inner_hot, inner_turning = (_inner_raceway(mounting, step) for step in _history(shaft))
-    outer, outer_hot, outer_turning = (_outer_raceway(mounting, step) for step in _history(outer_fit))
+    inner, inner_hot, inner_turning = (of_inner(step) for step in _history(shaft))
+    outer, outer_hot, outer_turning = (of_outer(step) for step in _history(outer_fit))
     inner_heat = f"shaft {shaft.inside_rise:+.1f} K, inner ring {shaft.outside_rise:+.1f} K"
     outer_heat = f"outer ring {outer_fit.inside_rise:+.1f} K"
     if conditions.housing is not None:
@@ -225,7 +242,7 @@ def _stages(mounting: Mounting, conditions: OperatingConditions) -> list[_Stage]
         ("inner rotation", f"{inner_speed}; {inner_turning.words}", {"inner": inner_turning}),
         ("outer rotation", f"{outer_speed}; {outer_turning.words}", {"outer": outer_turning}),
     )
-    stages = [_Stage("cold", "before mounting", _Raceway(), _Raceway(), roller_expansion=0.0)]
+    stages = [_Stage("cold", "before mounting", RacewayExpansion(), RacewayExpansion(), roller_expansion=0.0)]
     for name, explanation, change in changes:
         stages.append(replace(stages[-1], name=name, explanation=explanation, **change))
     return stages
@@ -236,19 +253,19 @@ def _history(turning: FitConditions) -> tuple[FitConditions, FitConditions, FitC
     return FitConditions(), replace(turning, speed=0.0), turning
 
 
-def _inner_raceway(mounting: Mounting, conditions: FitConditions) -> _Raceway:
+def _inner_raceway(mounting: Mounting, conditions: FitConditions) -> RacewayExpansion:
     fit = mounting.shaft_fit
-    return _Raceway(
+    return RacewayExpansion(
         outside_displacement(fit, conditions, mounting.inner_ring.outer_radius), seat(fit, conditions)
     )
 
 
-def _outer_raceway(mounting: Mounting, conditions: FitConditions) -> _Raceway:
+def _outer_raceway(mounting: Mounting, conditions: FitConditions) -> RacewayExpansion:
     fit, ring = mounting.outer, mounting.outer_ring
     if isinstance(fit, Annulus):
         rise, speed = conditions.inside_rise, conditions.speed
-        return _Raceway(free_displacement(ring, ring.inner_radius, rise, speed))
-    return _Raceway(inside_displacement(fit, conditions, ring.inner_radius), seat(fit, conditions))
+        return RacewayExpansion(free_displacement(ring, ring.inner_radius, rise, speed))
+    return RacewayExpansion(inside_displacement(fit, conditions, ring.inner_radius), seat(fit, conditions))
 
 
 def _require_housing_temperature(mounting: Mounting, conditions: OperatingConditions) -> None:

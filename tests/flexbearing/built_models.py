@@ -79,7 +79,7 @@ def _roller(case: Case):
         if inner and case.inner.fit != "bonded"
         else None,
         "outer_fit": _fit(lambda: condensed.raceway(case, "outer", np.zeros(1), Logged()))
-        if case.outer.lifts_off
+        if case.lifts_off
         else None,
         "running": {"roller_length": expansion.roller_length(case)},
     }

@@ -190,7 +190,7 @@ EFFECTS = (
     ("housing", "outer.housing_thickness", "10.1 mm", "outer.support.thickness"),
     ("housing", "outer.housing_width", "14.14 mm", "outer.support.width"),
     ("housing", "outer.housing_support", "side", "outer.support.support.is"),
-    ("loose housing", "outer.housing_clearance", "60.6 um", "outer_fit.fit.interference"),
+    ("loose housing", "bearing.fits.housing.interference", "-60.6 um", "outer_fit.fit.interference"),
     ("lines", "outer.bilateral", True, "outer.support.pushing"),
     ("lines", "outer.line_azimuths", ["0 deg", "121.2 deg", "242.4 deg"], "outer.support.azimuths.{1,2}"),
     ("planet", "outer.tooth_azimuths", ["90.9 deg", "272.7 deg"],
@@ -231,7 +231,7 @@ EFFECTS = (
      "inner_fit.part.seat.ring.{is,poisson_ratio,youngs_modulus} "
      "inner_fit.part.seat.shaft.{is,poisson_ratio,youngs_modulus}"),
     ("shaft fit", "inner.fit_friction", 0.101, "inner_fit.fit.friction"),
-    ("shaft fit", "inner.interference", "40.4 um", "inner_fit.fit.interference"),
+    ("shaft fit", "bearing.fits.shaft_interference", "40.4 um", "inner_fit.fit.interference"),
     ("shaft fit", "inner.shoulder_diameter", "66.66 mm", "inner_fit.part.shoulder_diameter"),
     ("shaft fit", "inner.clamping", "5.05 kN", "inner_fit.fit.clamping"),
     ("cage", "life.capacity", "iso281", "case.life.capacity"),

@@ -93,7 +93,7 @@ def test_ring_that_fails_at_the_end_state_is_not_an_internal_error(tmp_path, cap
     code = command([
         "run", str(PAPER), "-o", str(tmp_path / "fit.h5"),
         *(word for setting in (
-            *COARSE, "inner.fit=frictionless", "inner.interference=60 um",
+            *COARSE, "inner.fit=frictionless", "bearing.fits.shaft_interference=60 um",
             "bearing.roller.diameter=6.7165 mm",
             "accuracy.threads=1", 'operation.temperatures.shaft_along.at=["-20 mm", "20 mm"]',
             'operation.temperatures.shaft_along.temperatures=["220 degC", "240 degC"]',

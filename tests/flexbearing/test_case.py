@@ -100,7 +100,8 @@ def test_keys_of_the_file_that_a_setting_makes_strangers_are_left_out(caplog):
          'outer.kind = "squirrel_cage"; this case has outer.kind = "ring"'),
         (["outer.support=seat"], '[outer] support = "seat" is not used'),
         (["outer.kind=ring", "outer.housing_width=9 mm"], 'this case has outer.support = "side"'),
-        (["inner.interference=5 um"], '"frictionless" or "friction"; this case has inner.fit = "bonded"'),
+        (["bearing.fits.shaft_interference=5 um"], 'inner.fit = "frictionless" or "friction"'),
+        (["inner.fit_friction=0.2"], 'inner.fit = "friction"; this case has inner.fit = "bonded"'),
         (["lubricant.eyring_stress=5 MPa"], 'this case has lubricant.traction = "4109"'),
         (["bearing.roller.crown_radius=1 m"], 'it belongs to bearing.roller.profile = "crowned"'),
         (["coupling.fallback=false", "coupling.relaxation=0.2"], "[coupling] relaxation = 0.2 is not used"),
@@ -136,7 +137,7 @@ def test_every_key_is_explained():
 
 
 def test_key_of_a_table_that_may_be_left_out_is_needed_with_it():
-    assert "none: needed with [bearing.fits]" in explain("bearing.fits.cold_clearance")
+    assert "none: needed with [bearing.fits.housing]" in explain("bearing.fits.housing.interference")
     assert "none: every case must give it" in explain("bearing.rollers")
     page = reference("case")
     assert "| `[bearing.fits.housing]` | a table | left out |" in page

@@ -47,7 +47,8 @@ CONTEXTS = {  # file and settings in which a key belongs to the case
         "youngs_modulus": "110 GPa", "poisson_ratio": 0.26, "density": "7200 kg/m^3",
         "expansion": "10.5e-6 1/K"}}),
     "loose housing": ("mao2016", {
-        **_HOUSED, "outer.housing_clearance": "60 um", "operation.temperatures.housing": "218 degC",
+        **_HOUSED, "bearing.fits.housing.interference": "-60 um",
+        "operation.temperatures.housing": "218 degC",
         "operation.outer_speed": "100 rpm", "materials.housing": {
             "youngs_modulus": "110 GPa", "poisson_ratio": 0.26, "density": "7200 kg/m^3",
             "expansion": "10.5e-6 1/K"},
@@ -59,7 +60,7 @@ CONTEXTS = {  # file and settings in which a key belongs to the case
         **_RING, "outer.support": "planet", "outer.tooth_azimuths": ["90 deg", "270 deg"],
         "outer.tooth_radial": ["-2 kN", "-2 kN"], "outer.tooth_tangential": ["9 kN", "-9 kN"]}),
     "shaft fit": ("mao2016", {
-        "inner.fit": "friction", "inner.interference": "40 um", "inner.clamping": "5 kN",
+        "inner.fit": "friction", "bearing.fits.shaft_interference": "40 um", "inner.clamping": "5 kN",
         "inner.shoulder_diameter": "66 mm",
         "operation.temperatures.shaft_along": {**_ALONG, "temperatures": ["220 degC", "240 degC"]},
         "operation.temperatures.inner_ring_along": {**_ALONG, "temperatures": ["215 degC", "225 degC"]}}),
@@ -79,9 +80,11 @@ CONTEXTS = {  # file and settings in which a key belongs to the case
         "roller": "0.05 um", "inner_raceway": "0.1 um", "outer_raceway": "0.1 um"}}),
     "plain ring": ("mao2016", _RING),
     "housing with clearance": ("mao2016", {
-        **_HOUSED, "outer.housing_clearance": "60 um", "operation.temperatures.housing": "218 degC",
+        **_HOUSED, "bearing.fits.housing.interference": "-60 um",
+        "operation.temperatures.housing": "218 degC",
         "operation.outer_speed": "100 rpm"}),
-    "shaft fit, even heat": ("mao2016", {"inner.fit": "friction", "inner.interference": "40 um"}),
+    "shaft fit, even heat": ("mao2016", {
+        "inner.fit": "friction", "bearing.fits.shaft_interference": "40 um"}),
     "pressed housing": ("nu209_fits", {"bearing.fits.housing.interference": "20 um"}),
     "three balls": ("joshi2015_ed20", {}),
     "newton alone": ("mao2016", {"coupling.fallback": False, "coupling.relaxation": None}),

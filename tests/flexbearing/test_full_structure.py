@@ -151,9 +151,9 @@ REFUSED = {
     "clearance": (
         [
             "outer.support=housing", "outer.housing_thickness=10 mm", "outer.housing_width=12 mm",
-            "outer.housing_clearance=10 um", "operation.temperatures.housing=218 degC",
+            "bearing.fits.housing.interference=-10 um", "operation.temperatures.housing=218 degC",
         ],
-        r"\[outer\] housing_clearance.*only a bonded ring",
+        r"\[bearing.fits\] housing.*only a bonded ring",
     ),
 }  # fmt: skip
 

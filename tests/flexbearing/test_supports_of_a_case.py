@@ -121,7 +121,7 @@ def test_ring_that_can_roll_between_two_lines_is_refused_before_it_is_solved(tmp
 
 
 def test_ring_with_clearance_in_its_housing_touches_it_below_the_load(tmp_path):
-    result = flexbearing.run(PAPER, tmp_path / "r.h5", [*HOUSED, "outer.housing_clearance=60 um"])
+    result = flexbearing.run(PAPER, tmp_path / "r.h5", [*HOUSED, "bearing.fits.housing.interference=-60 um"])
     assert result.attributes["status"] == "converged"
     told = result.attributes["structure"]["outer"]["housing"]
     assert 60 < told["touching_angle_deg"] < 120
@@ -130,15 +130,18 @@ def test_ring_with_clearance_in_its_housing_touches_it_below_the_load(tmp_path):
     assert told["largest_gap_um"] > told["mean_gap_unloaded_um"] == approx(30, abs=1)
     carried = result.flexible["inner_load"] @ np.cos(result.flexible["roller_azimuth"])
     assert carried == approx(result.rigid["inner_load"] @ np.cos(result.rigid["roller_azimuth"]), rel=0.01)
-    with pytest.raises(fields.NoFields, match="housing_clearance has no solid"):
+    with pytest.raises(fields.NoFields, match=r"fits\.housing has no solid"):
         fields.of_result(result)
 
 
 @pytest.mark.parametrize(
     ("settings", "told"),
     [
-        (["operation.radial_load=0 N", "outer.housing_clearance=-1 um"], "housing_clearance"),
-        (["outer.housing_clearance=60 um", "operation.radial_load=0 N"], "nothing holds the ring"),
+        (
+            ["outer.housing_clearance=10 um"],
+            "is now bearing.fits.housing.interference, with the opposite sign",
+        ),
+        (["bearing.fits.housing.interference=-60 um", "operation.radial_load=0 N"], "nothing holds the ring"),
     ],
 )
 def test_ring_that_no_load_holds_in_its_housing_is_refused(settings, told, tmp_path):
@@ -147,8 +150,11 @@ def test_ring_that_no_load_holds_in_its_housing_is_refused(settings, told, tmp_p
 
 
 def test_clearance_needs_the_temperature_of_the_housing():
-    settings = [*(item for item in HOUSED if "temperatures" not in item), "outer.housing_clearance=60 um"]
-    with pytest.raises(BadCase, match=r"housing is missing: outer.housing_clearance needs it"):
+    settings = [
+        *(item for item in HOUSED if "temperatures" not in item),
+        "bearing.fits.housing.interference=-60 um",
+    ]
+    with pytest.raises(BadCase, match=r"housing is missing: \[bearing.fits.housing\] needs it"):
         read(PAPER, settings)
 
 
@@ -161,7 +167,10 @@ def along(part, *temperatures):
 
 
 def test_figures_of_a_shaft_fit_hold_each_number_under_its_name():
-    fit = SimpleNamespace(mean_pressure=5e6, expansion=np.array([3e-6, 1e-6]))
+    fit = SimpleNamespace(
+        mean_pressure=5e6, expansion=np.array([3e-6, 1e-6]), fit=SimpleNamespace(thermal_strains=(0.0, 0.0)),
+        bodies=SimpleNamespace(part=SimpleNamespace(seat=SimpleNamespace(raceway_diameter=65e-3))),
+    )  # fmt: skip
     loaded = SimpleNamespace(mean_pressure=6e6, pressure=np.array([0.0, 9e6]), opened=0.25, slipping=0.5)
     assert _shaft_fit_figures(fit, loaded)["fit"] == {  # pyright: ignore[reportArgumentType]
         "mean_pressure_unloaded_MPa": approx(5.0),
@@ -219,7 +228,7 @@ def test_mean_expansion_is_no_deviation(tapered):
     assert np.abs(deviation[:, 0]).max() < 1e-3 * even.fit.expansion[0]
 
 
-TIGHT = ["inner.interference=60 um"]
+TIGHT = ["bearing.fits.shaft_interference=60 um"]
 TURNING = ["operation.outer_speed=20000 rpm"]
 
 
@@ -237,7 +246,9 @@ def test_each_body_of_a_housing_fit_has_its_own_density():
     gaps = []
     housing = [f"materials.housing.{name}={value}" for name, value in HOUSING_STEEL.items()]
     for heavier in ([], ["materials.outer_ring.density=16 g/cm^3"], ["materials.housing.density=16 g/cm^3"]):
-        case = read(PAPER, [*HOUSED, "outer.housing_clearance=60 um", *TURNING, *housing, *heavier])
+        case = read(
+            PAPER, [*HOUSED, "bearing.fits.housing.interference=-60 um", *TURNING, *housing, *heavier]
+        )
         mesh = mesh_size(case, (3, 1.2, 0.3))
         raceway = outer_ring_in_housing(case, ring_parts.outer_part(case), AZIMUTHS, mesh)
         gaps.append(raceway.fit.gap.mean())
@@ -276,7 +287,8 @@ def test_inner_ring_in_its_fit_deflects_more_than_a_bonded_one(tmp_path):
     assert stiffness["bonded"] > stiffness["friction"] > stiffness["frictionless"]
     stuck = flexbearing.run(
         PAPER, tmp_path / "stuck.h5",
-        ["outer.kind=rigid", "inner.fit=friction", "inner.fit_friction=10", "inner.interference=40 um"],
+        ["outer.kind=rigid", "inner.fit=friction", "inner.fit_friction=10",
+         "bearing.fits.shaft_interference=40 um"],
     )  # fmt: skip
     assert stuck.flexible["total_stiffness"] == approx(stiffness["bonded"], rel=0.02)
     told = stuck.attributes["structure"]["inner"]["fit"]

@@ -119,11 +119,12 @@ class Bearing(Section):
     rollers: int = key("number of rollers", example=30, ge=3, le=1000)
     outer_raceway_diameter: Length = key("diameter of the outer raceway", example="75 mm", ge=1e-3, le=100)
     clearance: Length | None = key(
-        "operating diametral clearance, warm and running; negative is a preload; instead of bearing.fits",
+        "operating diametral clearance, warm and running; negative is a preload; instead of "
+        "bearing.fits.cold_clearance",
         None,
         example="50 um",
     )
-    fits: Fits | None = key("cold clearance and fits, from which the operating clearance follows", None)
+    fits: Fits | None = key("how the rings are mounted; with cold_clearance the operating one follows", None)
     contact_law: Literal["palmgren", "iso16281"] = key("load law of a roller on a raceway", "palmgren")
     first_roller_azimuth: Angle = key("azimuth of a roller, from z towards y", "0 deg")
     roller: Roller = key("the rollers")
@@ -132,18 +133,26 @@ class Bearing(Section):
     flange: Flange | None = key("guide flanges of one ring, for the skew of the rollers", None)
 
     @property
+    def mounting(self) -> Fits | None:
+        """The fits from which the operating clearance follows; None where the case states it."""
+        return self.fits if self.fits and self.fits.cold_clearance is not None else None
+
+    @property
     def stated_clearance(self) -> float:
         """The clearance that the case gives, operating or cold [m]."""
-        given = self.fits.cold_clearance if self.fits else self.clearance
+        given = self.clearance if self.mounting is None else self.mounting.cold_clearance
         assert given is not None  # checked on reading
         return given
 
     @model_validator(mode="after")
     def _one_clearance(self) -> Self:
-        if self.clearance is None and self.fits is None:
-            raise needed(["clearance"], "a bearing without [bearing.fits]")
-        if self.clearance is not None and self.fits is not None:
-            raise impossible("clearance", "left out where [bearing.fits] computes it; give one of the two")
+        if self.clearance is None and self.mounting is None:
+            raise needed(["clearance"], "a bearing without [bearing.fits] cold_clearance")
+        if self.clearance is not None and self.mounting is not None:
+            allowed = "left out where [bearing.fits] cold_clearance is given; give one of the two"
+            raise impossible("clearance", allowed)
+        if self.mounting and self.mounting.shaft_interference is None:
+            raise needed(["fits.shaft_interference"], "bearing.fits.cold_clearance")
         return self
 
     @model_validator(mode="after")
@@ -157,7 +166,7 @@ class Bearing(Section):
         if self.flange and self.flange.height >= self.roller.diameter / 2:
             raise impossible("flange.height", "below half of bearing.roller.diameter")
         if abs(self.stated_clearance) > self.roller.diameter / 2:
-            name = "fits.cold_clearance" if self.fits else "clearance"
+            name = "fits.cold_clearance" if self.mounting else "clearance"
             raise impossible(name, "below half a roller diameter; is the unit right?")
         self._require_land(pitch)
         return self

@@ -8,7 +8,7 @@ CHOICE = 'for coupling.structure = "full"'
 SOLID_SUPPORTS = ("side", "seat", "housing")
 
 
-def require_solids(accuracy: Accuracy, inner: Inner, outer: Outer) -> None:
+def require_solids(accuracy: Accuracy, inner: Inner, outer: Outer, *, lifts_off: bool) -> None:
     """Raise unless every flexible part is a linear solid, resolved as the case says."""
     if accuracy.structure != "solid" and "structure" in accuracy.model_fields_set:
         raise impossible("accuracy.structure", f'"solid" or left out {CHOICE}, which uses the whole solids')
@@ -19,5 +19,5 @@ def require_solids(accuracy: Accuracy, inner: Inner, outer: Outer) -> None:
     if outer.kind == "ring" and outer.support not in SOLID_SUPPORTS:
         allowed = " or ".join(f'"{support}"' for support in SOLID_SUPPORTS)
         raise impossible("outer.support", f"{allowed} {CHOICE}: others have no solid")
-    if outer.lifts_off:
-        raise impossible("outer.housing_clearance", f"left out {CHOICE}: only a bonded ring has a solid")
+    if lifts_off:
+        raise impossible("bearing.fits.housing", f"left out {CHOICE}: only a bonded ring has a solid")

@@ -11,20 +11,21 @@ def require_mounting(
     bearing: Bearing, materials: Materials, temperatures: Temperatures | None, inner: Inner, outer: Outer
 ) -> None:
     """Raise unless every dimension, material and temperature of a mounting is given exactly once."""
-    fits = bearing.fits
-    housing = fits.housing if fits else None
-    if outer.lifts_off and temperatures and temperatures.housing is None:
-        raise needed(["operation.temperatures.housing"], "outer.housing_clearance")
+    housing = bearing.fits.housing if bearing.fits else None
+    if housing and temperatures and temperatures.housing is None:
+        raise needed(["operation.temperatures.housing"], "[bearing.fits.housing]")
+    housed = outer.kind == "ring" and outer.support == "housing"
+    if housing and housed and housing.diameter is not None:
+        raise impossible("bearing.fits.housing.diameter", "left out: outer.housing_thickness gives it")
+    fits = bearing.mounting
     if fits is None:
         return
     _require_bore(bearing, fits, inner)
     _require_outside(bearing, fits, outer)
     if materials.shaft is None:
         raise needed(["materials.shaft"], "[bearing.fits]")
-    if housing and materials.housing is None:
+    if housing and outer.kind == "rigid" and materials.housing is None:
         raise needed(["materials.housing"], "[bearing.fits.housing]")
-    if housing and temperatures and temperatures.housing is None:
-        raise needed(["operation.temperatures.housing"], "[bearing.fits.housing]")
 
 
 def _require_bore(bearing: Bearing, fits: Fits, inner: Inner) -> None:
@@ -36,7 +37,7 @@ def _require_bore(bearing: Bearing, fits: Fits, inner: Inner) -> None:
         return
     if fits.bore is None:
         raise needed(["bearing.fits.bore"], 'inner.kind = "rigid" with [bearing.fits]')
-    raceway = bearing.outer_raceway_diameter - 2 * bearing.roller.diameter - fits.cold_clearance
+    raceway = bearing.outer_raceway_diameter - 2 * bearing.roller.diameter - bearing.stated_clearance
     if fits.bore >= raceway:
         raise impossible("bearing.fits.bore", f"below the inner raceway diameter {raceway * 1e3:.4g} mm")
     if fits.shaft_bore is not None and fits.shaft_bore >= fits.bore:
@@ -48,7 +49,7 @@ def _require_outside(bearing: Bearing, fits: Fits, outer: Outer) -> None:
     if outer.kind != "rigid":
         if fits.outer_diameter is not None:
             raise impossible("bearing.fits.outer_diameter", "left out: outer.thickness gives it")
-        if fits.housing is not None:
+        if fits.housing is not None and outer.support != "housing":
             reason = f'left out: outer.kind = "{outer.kind}" sits in no housing'
             raise impossible("bearing.fits.housing", reason)
         return
@@ -56,5 +57,7 @@ def _require_outside(bearing: Bearing, fits: Fits, outer: Outer) -> None:
         raise needed(["bearing.fits.outer_diameter"], 'outer.kind = "rigid" with [bearing.fits]')
     if fits.outer_diameter <= bearing.outer_raceway_diameter:
         raise impossible("bearing.fits.outer_diameter", "above bearing.outer_raceway_diameter")
-    if fits.housing and fits.housing.diameter <= fits.outer_diameter:
+    if fits.housing and fits.housing.diameter is None:
+        raise needed(["bearing.fits.housing.diameter"], 'outer.kind = "rigid" with [bearing.fits.housing]')
+    if fits.housing and (fits.housing.diameter or 0.0) <= fits.outer_diameter:
         raise impossible("bearing.fits.housing.diameter", "above bearing.fits.outer_diameter")

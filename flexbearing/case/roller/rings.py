@@ -54,14 +54,6 @@ class Outer(Section):
         "seat",
         only={**_RING, "support": ("housing",)},
     )
-    housing_clearance: Length | None = key(
-        "diametral clearance of ring and housing, cold and at rest: they touch where the ring is pressed on "
-        "the bore, without friction; without this key they are bonded",
-        None,
-        example="20 um",
-        ge=0,
-        only={**_RING, "support": ("housing",)},
-    )
     bilateral: bool = key(
         "whether lines or radial springs of the foundation also pull; without it they only push, and the "
         "ring lifts off them",
@@ -135,11 +127,6 @@ class Outer(Section):
     centre_x: Length = key("middle of the rollers in the drawing, along its x", "0 mm", only=_STEP)
     centre_y: Length = key("the same along y", "0 mm", only=_STEP)
     centre_z: Length = key("the same along z", "0 mm", only=_STEP)
-
-    @property
-    def lifts_off(self) -> bool:
-        """Whether the ring touches its housing only where it is pressed on it."""
-        return self.kind == "ring" and self.support == "housing" and self.housing_clearance is not None
 
     @model_validator(mode="after")
     def _complete(self) -> Self:
@@ -234,12 +221,6 @@ class Inner(Section):
         ge=0,
         le=10,
         only={**_ON_SHAFT, "fit": ("friction",)},
-    )
-    interference: Length = key(
-        "diametral interference of the fit, cold and at rest; negative is a clearance",
-        "0 um",
-        example="10 um",
-        only={**_ON_SHAFT, "fit": ("frictionless", "friction")},
     )
     shoulder_diameter: Length | None = key(
         "diameter of the shaft's shoulder beyond the ring; without it there is none",

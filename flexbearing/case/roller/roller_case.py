@@ -19,10 +19,17 @@ from flexbearing.case.roller.outputs import Outputs
 from flexbearing.case.roller.rings import Inner, Outer
 from flexbearing.case.roller.surroundings import Materials, Operation
 
+FORMER = {  # keys of older versions, and what has taken their place
+    "inner.interference": "bearing.fits.shaft_interference, and that of the housing is "
+    "bearing.fits.housing.interference",
+    "outer.housing_clearance": "bearing.fits.housing.interference, with the opposite sign",
+}
+
 
 class Case(Head):
     """A cylindrical roller bearing."""
 
+    former = FORMER
     kind: Literal["cylindrical_roller"] = key(KIND, "cylindrical_roller")
     bearing: Bearing = key("the bearing")
     materials: Materials = key("the materials")
@@ -41,6 +48,12 @@ class Case(Head):
         if self.outer.kind != "step" or self.outer.file is None:
             return None
         return Path(self.source.path).parent / self.outer.file
+
+    @property
+    def lifts_off(self) -> bool:
+        """Whether a flexible outer ring touches its housing only where it is pressed on it."""
+        housed = self.outer.kind == "ring" and self.outer.support == "housing"
+        return housed and self.bearing.fits is not None and self.bearing.fits.housing is not None
 
     @property
     def input_files(self) -> tuple[Path, ...]:
@@ -98,7 +111,7 @@ class Case(Head):
     @model_validator(mode="after")
     def _full_structures_are_solids(self) -> Self:
         if self.coupling.structure == "full":
-            require_solids(self.accuracy, self.inner, self.outer)
+            require_solids(self.accuracy, self.inner, self.outer, lifts_off=self.lifts_off)
         return self
 
     @model_validator(mode="after")

@@ -20,12 +20,9 @@ from flexbearing.case.quantity import (
     impossible,
     key,
 )
+from flexbearing.case.roller.fits import COLD, FITTED, IN_HOUSING, LIFTING_OFF
 
 SAME = 1e-3  # [K] by which two statements of a temperature may differ
-
-IN_HOUSING = {"outer.kind": ("ring",), "outer.support": ("housing",)}
-LIFTING_OFF = {**IN_HOUSING, "outer.housing_clearance": GIVEN}
-_FITTED = {"inner.kind": ("ring_on_shaft",), "inner.fit": ("frictionless", "friction")}
 
 
 class Material(Section):
@@ -55,9 +52,9 @@ class Materials(Section):
     inner_ring: RingMaterial = key("of the inner ring")
     outer_ring: RingMaterial = key("of the outer ring, and of the squirrel cage that is one piece with it")
     shaft: RingMaterial | None = key(
-        'of the shaft; needed for inner.kind = "ring_on_shaft" and for [bearing.fits]',
+        'of the shaft; needed for inner.kind = "ring_on_shaft" and for bearing.fits.cold_clearance',
         None,
-        only=({"inner.kind": ("ring_on_shaft",)}, {"bearing.fits": GIVEN}),
+        only=({"inner.kind": ("ring_on_shaft",)}, COLD),
     )
     housing: RingMaterial | None = key(
         'of the housing; needed for [bearing.fits.housing]; without it that of outer.support = "housing" is '
@@ -109,15 +106,15 @@ class Temperatures(Section):
     roller: Temperature = key("of the rollers", gt=0)
     outer_ring: Temperature = key("of the outer ring and its support", gt=0)
     housing: Temperature | None = key(
-        "of the housing; needed for [bearing.fits.housing] and outer.housing_clearance",
+        "of the housing; needed for [bearing.fits.housing]",
         None,
         gt=0,
-        only=(LIFTING_OFF, {"bearing.fits.housing": GIVEN}),
+        only={"bearing.fits.housing": GIVEN},
     )
     reference: Temperature = key("at which the dimensions are given", gt=0)
-    shaft_along: Along | None = key("how that of the shaft varies along the axis", None, only=_FITTED)
+    shaft_along: Along | None = key("how that of the shaft varies along the axis", None, only=FITTED)
     inner_ring_along: Along | None = key(
-        "how that of the inner ring varies along the axis", None, only=_FITTED
+        "how that of the inner ring varies along the axis", None, only=FITTED
     )
     outer_ring_along: Along | None = key(
         "how that of the outer ring varies along the axis", None, only=LIFTING_OFF

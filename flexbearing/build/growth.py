@@ -1,0 +1,174 @@
+"""How far heat, speed and fits widen the raceways of flexible rings: harmonic 0 of their finite elements."""
+
+from collections.abc import Mapping
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+import fem
+from fem.errors import NotSolved
+from flexbearing.build.expansion import hot_over_cold, material, roller_length
+from flexbearing.build.mesh_sizes import ON_A_SECTION, mesh_size
+from flexbearing.build.ring_parts import (
+    housing_interference,
+    inner_part,
+    outer_part,
+    shaft_interference,
+)
+from flexbearing.case import BadCase
+from flexbearing.case.roller import Case
+from quasidynamic.clearance import FitConditions, RacewayExpansion, Seat
+from quasidynamic.clearance.operating_clearance import Expansion
+
+if TYPE_CHECKING:
+    from fem.joint.fitted_ring import FittedBodies, FittedRing, HousedRing
+    from fem.joint.preloaded_fit import PreloadedFit
+    from fem.section.expansion import Along
+
+
+def expansions(case: Case) -> tuple[Expansion | None, Expansion | None]:
+    """Expansion of the inner and the outer raceway by the conditions of their fits; None in closed form.
+
+    Rings on a flexible shaft and rings that touch a flexible housing are expanded by the finite elements that
+    also tell the pressure of their fits; of all others the closed form knows as much.
+    """
+    inner = None if case.inner.kind == "rigid" else _inner(case)
+    outer = _outer(case) if case.lifts_off else None
+    return inner, outer
+
+
+def _inner(case: Case) -> Expansion:
+    from fem.joint.fitted_ring import FittedRing
+    from fem.joint.preloaded_fit import Fit
+
+    seat = inner_part(case)
+    assert seat  # or the ring would be rigid
+    part = FittedRing(seat=seat, shoulder_diameter=case.inner.shoulder_diameter)
+    ring, shaft = material(case, "inner_ring"), material(case, "shaft")
+
+    def expansion(conditions: FitConditions) -> RacewayExpansion:
+        fit = Fit(
+            interference=shaft_interference(case),
+            friction=0.0,
+            clamping=case.inner.clamping,
+            thermal_strains=(
+                ring.expansion * conditions.outside_rise,
+                shaft.expansion * conditions.inside_rise,
+            ),
+            densities=(ring.density, shaft.density),
+            speed=conditions.speed,
+        )
+        along = expansions_along(case, ring="inner_ring", shaft="shaft") if _hot(conditions) else {}
+        return _expansion(case, part, along, fit, hot_over_cold(case, "inner_ring"))
+
+    return expansion
+
+
+def _outer(case: Case) -> Expansion:
+    from fem.joint.fitted_ring import HousedRing
+    from fem.joint.preloaded_fit import Fit
+
+    seat = outer_part(case)
+    assert isinstance(seat, fem.OuterRing)  # or it would not be in a housing
+    part = HousedRing(seat=seat)
+    ring, housing = material(case, "outer_ring"), material(case, "housing")
+
+    def expansion(conditions: FitConditions) -> RacewayExpansion:
+        fit = Fit(
+            interference=housing_interference(case),
+            friction=0.0,
+            thermal_strains=(
+                ring.expansion * conditions.inside_rise,
+                housing.expansion * conditions.outside_rise,
+            ),
+            densities=(ring.density, housing.density),
+            speed=conditions.speed,
+        )
+        along = expansions_along(case, ring="outer_ring", housing="housing") if _hot(conditions) else {}
+        return _expansion(case, part, along, fit, hot_over_cold(case, "outer_ring"))
+
+    return expansion
+
+
+def _hot(conditions: FitConditions) -> bool:
+    return bool(conditions.inside_rise or conditions.outside_rise)
+
+
+def _expansion(
+    case: Case, part: "FittedRing | HousedRing", along: Mapping[str, "Along"], fit: Any, hot: float
+) -> RacewayExpansion:
+    from fem.joint.preloaded_fit import preloaded
+
+    try:
+        bodies = _condensed(
+            part,
+            roller_length(case),
+            case.accuracy.axial_shapes,
+            mesh_size(case, ON_A_SECTION),
+            tuple(along.items()),
+        )
+        state = preloaded(bodies, fit)
+    except fem.ImpossiblePart as problem:
+        raise BadCase(f"{case.source.path}: {problem}") from problem
+    except NotSolved as problem:
+        raise BadCase(f"{case.source.path}: growth of the raceway: {problem}") from problem
+    return RacewayExpansion(mean_growth(state, hot), _seat(state))
+
+
+def mean_growth(state: "PreloadedFit", hot: float) -> float:
+    """Mean expansion [m] of a raceway from its cold radius, on the mesh of a ring that is `hot` over cold."""
+    cold_radius = state.bodies.part.seat.raceway_diameter / 2 / hot
+    twice = state.fit.thermal_strains[0] * (hot - 1) * cold_radius  # the mesh has expanded already
+    return float(state.expansion[0]) - twice
+
+
+def _seat(state: "PreloadedFit") -> Seat:
+    """Mean pressure over the bore, or the mean gap of a fit that is open all over."""
+    if (state.force > 0).any():
+        return Seat(pressure=state.mean_pressure, gap=0.0)
+    return Seat(pressure=0.0, gap=float(state.gap.mean()))
+
+
+@lru_cache(maxsize=8)
+def _condensed(
+    part: "FittedRing | HousedRing",
+    length: float,
+    axial_modes: int,
+    mesh: fem.MeshSize,
+    along: "tuple[tuple[str, Along], ...]",
+) -> "FittedBodies":
+    """Bodies of a fit by harmonic 0; the lowest that a fit can be condensed with are enough."""
+    from fem.joint.fitted_ring import condense_axisymmetric
+
+    return condense_axisymmetric(part, length, axial_modes, mesh, dict(along))
+
+
+def expansions_along(case: Case, **bodies: str) -> "dict[str, Along]":
+    """Free expansions along the axis beyond those of the middle, where temperatures vary.
+
+    Parameters
+    ----------
+    case : Case
+        with the temperatures
+    bodies : str
+        name of each body in the structure, one of them "ring", and in the case
+
+    Returns
+    -------
+    dict
+        by the name of the body in the structure, only of those that vary
+    """
+    from fem.section.expansion import Along
+
+    temperatures, expansions = case.operation.temperatures, {}
+    if temperatures is None:
+        return {}
+    hot = hot_over_cold(case, bodies["ring"])  # both bodies are meshed as warm as the ring
+    for body, part in bodies.items():
+        along = getattr(temperatures, f"{part}_along")
+        if along is not None:
+            rise = np.array(along.temperatures) - getattr(temperatures, part)
+            strain = material(case, part).expansion * rise
+            expansions[body] = Along(at=np.multiply(along.at, hot), values=strain)
+    return expansions
