@@ -155,6 +155,8 @@ def notes(case: Case) -> tuple[Note, ...]:
 
 def housing_interference(case: Case) -> float:
     """Diametral interference of a flexible outer ring in its housing, cold [m]; negative is a clearance."""
+    if case.outer.housing_clearance is not None:
+        return -case.outer.housing_clearance
     assert case.bearing.fits
     assert case.bearing.fits.housing  # or the ring would be bonded
     return case.bearing.fits.housing.interference

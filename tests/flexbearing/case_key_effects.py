@@ -190,6 +190,7 @@ EFFECTS = (
     ("housing", "outer.housing_thickness", "10.1 mm", "outer.support.thickness"),
     ("housing", "outer.housing_width", "14.14 mm", "outer.support.width"),
     ("housing", "outer.housing_support", "side", "outer.support.support.is"),
+    ("cleared housing", "outer.housing_clearance", "60.6 um", "outer_fit.fit.interference"),
     ("loose housing", "bearing.fits.housing.interference", "-60.6 um", "outer_fit.fit.interference"),
     ("lines", "outer.bilateral", True, "outer.support.pushing"),
     ("lines", "outer.line_azimuths", ["0 deg", "121.2 deg", "242.4 deg"], "outer.support.azimuths.{1,2}"),

@@ -79,6 +79,9 @@ CONTEXTS = {  # file and settings in which a key belongs to the case
                         "life.capacity": "iso281", "bearing.roughness": {
         "roller": "0.05 um", "inner_raceway": "0.1 um", "outer_raceway": "0.1 um"}}),
     "plain ring": ("mao2016", _RING),
+    "cleared housing": ("mao2016", {
+        **_HOUSED, "outer.housing_clearance": "60 um", "operation.temperatures.housing": "218 degC",
+        "operation.outer_speed": "100 rpm"}),
     "housing with clearance": ("mao2016", {
         **_HOUSED, "bearing.fits.housing.interference": "-60 um",
         "operation.temperatures.housing": "218 degC",

@@ -137,16 +137,25 @@ def test_ring_with_clearance_in_its_housing_touches_it_below_the_load(tmp_path):
 @pytest.mark.parametrize(
     ("settings", "told"),
     [
-        (
-            ["outer.housing_clearance=10 um"],
-            "is now bearing.fits.housing.interference, with the opposite sign",
-        ),
+        (["outer.housing_clearance=60 um", "operation.radial_load=0 N"], "nothing holds the ring"),
         (["bearing.fits.housing.interference=-60 um", "operation.radial_load=0 N"], "nothing holds the ring"),
     ],
 )
 def test_ring_that_no_load_holds_in_its_housing_is_refused(settings, told, tmp_path):
     with pytest.raises(BadCase, match=told):
         flexbearing.run(PAPER, tmp_path / "r.h5", [*HOUSED, *settings])
+
+
+def test_a_fit_in_the_housing_is_given_once():
+    both = ["outer.housing_clearance=10 um", "bearing.fits.housing.interference=-60 um"]
+    with pytest.raises(BadCase, match=r"housing_clearance = .10 um. cannot be; .* with the opposite sign"):
+        read(PAPER, [*HOUSED, *both])
+
+
+def test_clearance_is_a_negative_interference():
+    ways = ["outer.housing_clearance=60 um", "bearing.fits.housing.interference=-60 um"]
+    one, other = (ring_parts.housing_interference(read(PAPER, [*HOUSED, way])) for way in ways)
+    assert one == other == approx(-60e-6, rel=1e-12)
 
 
 def test_clearance_needs_the_temperature_of_the_housing():

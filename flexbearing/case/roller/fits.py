@@ -6,7 +6,9 @@ from flexbearing.case.quantity import GIVEN, Length, Section, key
 
 COLD = {"bearing.fits.cold_clearance": GIVEN}
 IN_HOUSING: dict[str, Any] = {"outer.kind": ("ring",), "outer.support": ("housing",)}
-LIFTING_OFF: dict[str, Any] = {**IN_HOUSING, "bearing.fits.housing": GIVEN}
+LIFTING_OFF: tuple[dict[str, Any], ...] = (
+    {**IN_HOUSING, "bearing.fits.housing": GIVEN}, {**IN_HOUSING, "outer.housing_clearance": GIVEN}
+)  # fmt: skip
 FITTED: dict[str, Any] = {"inner.kind": ("ring_on_shaft",), "inner.fit": ("frictionless", "friction")}
 
 

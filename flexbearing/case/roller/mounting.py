@@ -12,8 +12,15 @@ def require_mounting(
 ) -> None:
     """Raise unless every dimension, material and temperature of a mounting is given exactly once."""
     housing = bearing.fits.housing if bearing.fits else None
-    if housing and temperatures and temperatures.housing is None:
-        raise needed(["operation.temperatures.housing"], "[bearing.fits.housing]")
+    if housing and outer.housing_clearance is not None:
+        allowed = "left out: bearing.fits.housing.interference says the same with the opposite sign"
+        raise impossible("outer.housing_clearance", allowed)
+    for given, name in (
+        (housing, "[bearing.fits.housing]"),
+        (outer.housing_clearance, "outer.housing_clearance"),
+    ):
+        if given is not None and temperatures and temperatures.housing is None:
+            raise needed(["operation.temperatures.housing"], name)
     housed = outer.kind == "ring" and outer.support == "housing"
     if housing and housed and housing.diameter is not None:
         raise impossible("bearing.fits.housing.diameter", "left out: outer.housing_thickness gives it")

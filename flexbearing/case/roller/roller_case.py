@@ -22,7 +22,6 @@ from flexbearing.case.roller.surroundings import Materials, Operation
 FORMER = {  # keys of older versions, and what has taken their place
     "inner.interference": "bearing.fits.shaft_interference, and that of the housing is "
     "bearing.fits.housing.interference",
-    "outer.housing_clearance": "bearing.fits.housing.interference, with the opposite sign",
 }
 
 
@@ -53,7 +52,8 @@ class Case(Head):
     def lifts_off(self) -> bool:
         """Whether a flexible outer ring touches its housing only where it is pressed on it."""
         housed = self.outer.kind == "ring" and self.outer.support == "housing"
-        return housed and self.bearing.fits is not None and self.bearing.fits.housing is not None
+        fitted = self.bearing.fits is not None and self.bearing.fits.housing is not None
+        return housed and (fitted or self.outer.housing_clearance is not None)
 
     @property
     def input_files(self) -> tuple[Path, ...]:

@@ -106,10 +106,10 @@ class Temperatures(Section):
     roller: Temperature = key("of the rollers", gt=0)
     outer_ring: Temperature = key("of the outer ring and its support", gt=0)
     housing: Temperature | None = key(
-        "of the housing; needed for [bearing.fits.housing]",
+        "of the housing; needed for [bearing.fits.housing] and outer.housing_clearance",
         None,
         gt=0,
-        only={"bearing.fits.housing": GIVEN},
+        only=({"bearing.fits.housing": GIVEN}, {"outer.housing_clearance": GIVEN}),
     )
     reference: Temperature = key("at which the dimensions are given", gt=0)
     shaft_along: Along | None = key("how that of the shaft varies along the axis", None, only=FITTED)
