@@ -36,7 +36,10 @@ from tests.random_coupled import Design, design
 
 SOLIDS = 30  # of 600
 TOLERANCE, LIMIT = 1e-8, 200
-SAME, AGAIN = 1e-6, 1e-9  # loads of two methods, and of one that begins at the state of the other, over the largest
+SAME, AGAIN = (
+    1e-6,
+    1e-9,
+)  # loads of two methods, and of one that begins at the state of the other, over the largest
 CONVERGED, NEWTON = 0.995, 0.98  # wanted
 SMALL_CHANGE = 1e-10  # of loads where a state is solved again
 

@@ -20,13 +20,15 @@ from quasidynamic.parts.material import contact_modulus
 from quasidynamic.parts.operation import Operation
 from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
 from quasidynamic.solve.outcome import SolverOutcome
-from quasidynamic.solve.rollers.strategy import iterate, solve
+from quasidynamic.solve.rollers.elastic_raceways import iterate
+from quasidynamic.solve.rollers.strategy import solve
 from quasidynamic.solve.start import RESTARTS, slipping_start, static_start
 
 __all__ = ["Equilibria", "Equilibrium", "RollerBearing"]
 
 Compliance = tuple[NDArray | None, NDArray | None]
 STARTS = (slipping_start, *RESTARTS)
+BUDGET = 300  # evaluations between raceways of a given shape, which a coupling may have made absurd
 CASES_AT_ONCE = 128  # their slices fit into the processor's cache
 
 
@@ -61,7 +63,7 @@ class RollerBearing:
         """
         balance = self._balance([self.operation], deviation)
         begin = None if start is None else balance.pack(start.unknowns)
-        equilibrium = self._solved(balance, begin)[0]
+        equilibrium = self._solved(balance, begin, None if deviation is None else BUDGET)[0]
         if equilibrium.status is not SolverOutcome.CONVERGED:
             raise NotSolved(equilibrium.failure(), equilibrium.status)
         return equilibrium
@@ -99,13 +101,16 @@ class RollerBearing:
         inner, outer = (None if matrix is None else matrix.reshape(size, size) for matrix in compliance)
         rigid = self._balance([self.operation], deviation, aligned=False)
         balance = replace(rigid, compliance=(inner, outer))
-        for step in iterate(balance, balance.pack(start.unknowns)):
+        near = bool(start.balance.layout.elastic_raceways) or start.balance.deviation is not None
+        for step in iterate(balance, balance.pack(start.unknowns), near, STARTS):
             yield Equilibrium(balance, step.unknowns[0], step.outcomes[0], step.number, self.axial_modes)
 
-    def _solved(self, balance: BearingBalance, begin: NDArray | None = None) -> list[Equilibrium]:
+    def _solved(
+        self, balance: BearingBalance, begin: NDArray | None = None, budget: int | None = None
+    ) -> list[Equilibrium]:
         # A trial slip or step may be absurd: what overflows is no start, or shows in its residual.
         with np.errstate(all="ignore"):
-            solved = solve(balance, static_start(balance) if begin is None else begin, STARTS)
+            solved = solve(balance, static_start(balance) if begin is None else begin, STARTS, budget)
         return [
             Equilibrium(
                 balance.take(np.array([case])) if len(solved.outcomes) > 1 else balance,

@@ -8,7 +8,8 @@ PAPER, TEXTBOOK = "configs/mao2016.toml", "configs/nu209.toml"
 SOLID_SUPPORTS = ("side", "seat", "housing")  # of a ring that can be a full solid
 BEAM_SUPPORTS = ("side", "foundation")  # of a ring that can be a curved beam
 SUPPORTS = ("side", "seat", "foundation", "housing", "loose housing", "lines", "planet")
-FINE_ENOUGH_FOR_A_FIT = ("accuracy.element_order=3", "accuracy.raceway_mesh_size=1 mm", "accuracy.harmonics=40")
+SECTION = ("accuracy.element_order=3", "accuracy.raceway_mesh_size=1 mm")  # fine enough for 0.6 mm
+FIT = ("accuracy.element_order=3", "accuracy.raceway_mesh_size=0.6 mm", "accuracy.harmonics=110")
 STEEL = ("youngs_modulus=207 GPa", "poisson_ratio=0.3", "density=7850 kg/m^3", "expansion=11.5e-6 1/K")
 
 
@@ -41,7 +42,9 @@ class Design:
 
     def command(self) -> str:
         """The command that runs it."""
-        return " ".join([f"flexbearing run {self.case}", *(f"--set '{setting}'" for setting in self.settings)])
+        return " ".join(
+            [f"flexbearing run {self.case}", *(f"--set '{setting}'" for setting in self.settings)]
+        )
 
 
 def design(seed: int, number: int, solid: bool = False) -> Design:
@@ -93,8 +96,15 @@ def _tilt(rng: np.random.Generator, load: float, base: Base) -> list[str]:
         return ["operation.tilt=fixed", "operation.moment=0 N m"]
     if kind == "oblique":
         slope = rng.choice([-1, 1]) * _log_uniform(rng, 0.2, 6.0)
-        return ["operation.tilt=fixed", "operation.moment=0 N m", f"operation.misalignment={slope:.3f} arcmin"]
-    return ["operation.tilt=free", f"operation.moment={rng.uniform(-0.15, 0.15) * load * base.roller_length:.4g} N mm"]
+        return [
+            "operation.tilt=fixed",
+            "operation.moment=0 N m",
+            f"operation.misalignment={slope:.3f} arcmin",
+        ]
+    return [
+        "operation.tilt=free",
+        f"operation.moment={rng.uniform(-0.15, 0.15) * load * base.roller_length:.4g} N mm",
+    ]
 
 
 def _outer(rng: np.random.Generator, base: Base, load: float, solid: bool) -> list[str]:
@@ -103,26 +113,30 @@ def _outer(rng: np.random.Generator, base: Base, load: float, solid: bool) -> li
     ring = [f"outer.thickness={thickness:.3f} mm", f"outer.width={base.width:g} mm"]
     if rng.random() < 0.3:
         bars = int(rng.integers(1, 41))
-        structure = "solid" if solid else "beam" if rng.random() < 0.1 and bars > 8 else (
-            "smeared" if rng.random() < 0.4 and bars > 8 else "harmonics"
+        structure = (
+            "solid"
+            if solid
+            else "beam"
+            if rng.random() < 0.1 and bars > 8
+            else ("smeared" if rng.random() < 0.4 and bars > 8 else "harmonics")
         )
-        order = [] if structure == "beam" else ["accuracy.element_order=2"]
+        mesh = {"beam": (), "smeared": SECTION}.get(structure, ("accuracy.element_order=2",))
         return [
             "outer.kind=squirrel_cage", *ring, *_bars(rng, base, bars, thickness),
-            f"accuracy.structure={structure}", *order,
+            f"accuracy.structure={structure}", *mesh,
         ]  # fmt: skip
     support = str(rng.choice(SOLID_SUPPORTS if solid else SUPPORTS))
     beam = support in BEAM_SUPPORTS and thickness < 5.0 and rng.random() < 0.4
     structure = "solid" if solid else "beam" if beam else "harmonics"
-    order = [] if beam else [f"accuracy.element_order={2 if solid else 3}"]
+    mesh = () if beam else ("accuracy.element_order=2",) if solid else SECTION
     return [
-        "outer.kind=ring", *ring, *_support(rng, base, support, load), f"accuracy.structure={structure}",
-        *order,
+        "outer.kind=ring", *ring, f"accuracy.structure={structure}", *mesh,
+        *_support(rng, base, support, load),
     ]  # fmt: skip
 
 
 def _bars(rng: np.random.Generator, base: Base, bars: int, thickness: float) -> list[str]:
-    thin = rng.uniform(0.4, 0.9) * thickness
+    thin = rng.uniform(0.4, 0.85) * thickness
     around = np.pi * (base.outer_raceway + thickness - thin)
     return [
         f"outer.bars={bars}",
@@ -152,7 +166,7 @@ def _support(rng: np.random.Generator, base: Base, support: str, load: float) ->
             *_steel("housing"),
         ]
     if support == "loose housing":
-        settings += [f"outer.housing_clearance={rng.uniform(0, 60):.1f} um", *FINE_ENOUGH_FOR_A_FIT]
+        settings += [f"outer.housing_clearance={rng.uniform(0, 60):.1f} um", *FIT]
         if base.case == PAPER:  # which has temperatures
             settings += ['operation.temperatures.housing="218 degC"']
     if support == "lines":
@@ -190,7 +204,7 @@ def _inner(rng: np.random.Generator, base: Base) -> list[str]:
     ]
     if rng.random() < 0.12:
         fit = str(rng.choice(["frictionless", "friction"]))
-        settings += [f"inner.fit={fit}", f"inner.interference={rng.uniform(10, 60):.1f} um", *FINE_ENOUGH_FOR_A_FIT]
+        settings += [f"inner.fit={fit}", f"inner.interference={rng.uniform(10, 60):.1f} um", *FIT]
     return settings
 
 

@@ -1,6 +1,6 @@
 """Bearing and rings until they agree, by one method after the other."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from time import perf_counter
@@ -77,6 +77,14 @@ class Attempt:
     message: str
     ending: str
     state: Equilibrium
+    error: float = np.inf  # largest of load change, mismatch and unbalanced force at its end [-]
+
+    @property
+    def between_flexible_raceways(self) -> bool:
+        """Whether its state is a finite one between flexible raceways, and not where it began."""
+        balance = self.state.balance
+        begun = bool(balance.layout.elastic_raceways) or balance.deviation is not None
+        return begun and bool(np.isfinite(self.state.residual))
 
     def record(self) -> dict[str, object]:
         """What the result file says of it."""
@@ -85,6 +93,43 @@ class Attempt:
             "status": self.status,
             "message": self.message,
         }
+
+
+def nearest(attempts: Sequence[Attempt]) -> Attempt | None:
+    """The attempt that came nearest to an equilibrium; None where no method had a state between flexible raceways.
+
+    Parameters
+    ----------
+    attempts : sequence of Attempt
+        in the order of the methods
+
+    Returns
+    -------
+    Attempt or None
+    """
+    with_state = [attempt for attempt in attempts if attempt.between_flexible_raceways]
+    return min(with_state, key=lambda attempt: attempt.error, default=None)
+
+
+def summary(attempts: Sequence[Attempt]) -> str:
+    """What became of all attempts: the message of the one that converged, or of every one.
+
+    Parameters
+    ----------
+    attempts : sequence of Attempt
+        in the order of the methods
+
+    Returns
+    -------
+    str
+        one sentence
+    """
+    if attempts[-1].status == "converged":
+        return attempts[-1].message
+    best = nearest(attempts)
+    stored = "" if best is None else f"; the stored state is that of {best.method}, which came nearest"
+    each = "; ".join(f"{attempt.method}: {attempt.message}" for attempt in attempts)
+    return f"no method brought bearing and rings to an equilibrium{stored}: {each}"
 
 
 @dataclass(frozen=True)
@@ -124,7 +169,9 @@ class CoupledBearing:
             began = perf_counter()
         assert last is not None  # every method yields at least once
         message = last.message or _message(method, last, self.case)
-        return Attempt(method, done + last.number, last.status, message, str(last.ending), last.state)
+        errors = last.load_change, last.mismatch, last.state.residual
+        error = max(errors) if np.isfinite(errors).all() else np.inf
+        return Attempt(method, done + last.number, last.status, message, str(last.ending), last.state, error)
 
     def _iterations(self, method: str) -> Iterator[Iteration[Equilibrium]]:
         coupling = self.case.coupling

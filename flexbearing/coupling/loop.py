@@ -21,12 +21,16 @@ GROWTHS_OVER_FIRST, GROWTHS_OVER_LEAST = 3, 5
 STAGNATION_LIMIT, STAGNATION_RATIO = 40, 0.9
 # Newton: a tangent that leaves more than this part of the smallest mismatch is averaged with the one before.
 SHRINKING = 0.5
+# A structure that is not linear: part of the mismatch before that is a fall, shortest share of the way to the
+# forces of the last balance, change of forces that is none, tangents that are tried.
+FALLING, SMALLEST_SHARE, SAME_FORCES, MOST_TANGENTS = 0.5, 1 / 16, 1e-7, 40
 BALANCED = 1e-10  # unbalanced force over the load at which newton has nothing left to improve
 _REASONS = {
     "diverging": "diverging iterations are stopped: the structure is too soft for a fixed-point iteration; "
-    "newton can solve it",
+    "newton solves both in one system",
+    "tangents": f"the rings are not linear, and {MOST_TANGENTS} tangents of them led to no balance",
     "stagnating": f"no residual fell below {STAGNATION_RATIO:g} of the smallest in {STAGNATION_LIMIT} "
-    "iterations; newton can solve it",
+    "iterations; newton solves both in one system",
 }
 
 
@@ -154,27 +158,61 @@ def newton(
     ------
     Iteration
     """
-    state, number, smallest = start, 0, np.inf
+    state, number, smallest, tangent = start, 0, np.inf, TangentPlace(start.forces)
     try:
-        linear = structure.linearised(start.forces)
+        linear = structure.linearised(tangent.forces)
         while True:
             for iteration in _in_one_system(bearing, linear, state, criterion, number):
                 state, number = iteration.state, iteration.number
                 if iteration.status == "converged":
-                    previous, linear = linear, structure.linearised(state.forces)
-                    answer = linear.deviation(state.forces)
-                    mismatch = _relative(answer - previous.deviation(state.forces), answer)
+                    answering = structure.linearised(state.forces)
+                    answer = answering.deviation(state.forces)
+                    mismatch = _relative(answer - linear.deviation(state.forces), answer)
                     # In balance with one tangent, only what the tangent leaves out can still change.
                     status = criterion.status(number, mismatch)
-                    iteration = replace(iteration, mismatch=mismatch, status=status)
-                    if mismatch > SHRINKING * smallest:  # supports or fits open and close in turns
-                        linear = linear.averaged(previous, state.forces)
-                    smallest = min(smallest, mismatch)
+                    if not status and tangent.count == MOST_TANGENTS:
+                        status = "stagnating"
+                    message = _REASONS["tangents"] if status == "stagnating" else ""
+                    iteration = replace(iteration, mismatch=mismatch, status=status, message=message)
+                    import os
+                    if os.environ.get("AVG"):
+                        previous, linear = linear, answering
+                        if mismatch > SHRINKING * smallest:  # supports or fits open and close in turns
+                            linear = linear.averaged(previous, state.forces)
+                        smallest = min(smallest, mismatch)
+                        tangent = replace(tangent, count=tangent.count + 1)
+                    else:
+                        tangent = tangent.moved(state.forces, mismatch)
+                        linear = answering if tangent.share == 1.0 else structure.linearised(tangent.forces)
                 yield iteration
                 if iteration.status:
                     return
     except PartnerFailed as failure:
         yield _failed(number + 1, state, failure)
+
+
+@dataclass(frozen=True)
+class TangentPlace:
+    """Forces at which a structure that is not linear is linearised.
+
+    The tangent at the last forces may lead back to those before, and so on in turns: a mismatch that hardly falls
+    halves the share of the way to the last forces that is taken. Where it falls, or the balance with the new
+    tangent is the one before, the share is doubled.
+    """
+
+    forces: NDArray  # (2, Z, M) [N]
+    balanced: NDArray | None = None  # (2, Z, M) forces [N] in balance with the last tangent
+    mismatch: float = np.inf  # there
+    share: float = 1.0
+    count: int = 1  # of tangents
+
+    def moved(self, forces: NDArray, mismatch: float) -> "TangentPlace":
+        """Where to linearise next, after a balance at some forces."""
+        still = self.balanced is not None and _relative(forces - self.balanced, forces) < SAME_FORCES
+        longer = still or mismatch < FALLING * self.mismatch
+        share = min(1.0, 2 * self.share) if longer else max(SMALLEST_SHARE, self.share / 2)
+        place = forces if share == 1.0 else self.forces + share * (forces - self.forces)
+        return TangentPlace(place, forces, mismatch, share, self.count + 1)
 
 
 def _in_one_system(

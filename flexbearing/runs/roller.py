@@ -6,7 +6,7 @@ from typing import Any
 
 from flexbearing.build import clearance, roller_bearing
 from flexbearing.case.roller import Case
-from flexbearing.coupled.coupled import FROM_INITIAL_STATE, BearingPartner, CoupledBearing
+from flexbearing.coupled.coupled import FROM_INITIAL_STATE, BearingPartner, CoupledBearing, nearest, summary
 from flexbearing.coupled.initial_state import InitialState
 from flexbearing.coupling import LinearPair, PartnerFailed, RacewayPair
 from flexbearing.progress import Report
@@ -103,23 +103,25 @@ def _solve(
         return _all_rigid(resolved, rigid, postprocessing) | passed
     report.stage("bearing and rings coupled", None)
     attempts = CoupledBearing(case, partner, rings, rigid, initial).solve(postprocessing.file, report)
-    last = attempts[-1]
-    converged = last.status == "converged"
-    records = {"attempts": {attempt.method: attempt.record() for attempt in attempts}}
+    last, converged = attempts[-1], attempts[-1].status == "converged"
+    ending = _ending(last.status, summary(attempts), last.iterations) | {
+        "ending": last.ending,
+        "attempts": {attempt.method: attempt.record() for attempt in attempts},
+    }
+    stored = last if converged else nearest(attempts)
+    if stored is None:  # no method found a first state between flexible raceways
+        return ending
     try:
-        tangent, figures = rings.linearised(last.state.forces), rings.figures()
+        tangent, figures = rings.linearised(stored.state.forces), rings.figures()
     except PartnerFailed as failure:  # rings that fail at the end state may have been why it did not converge
-        if converged:
-            return _not_solved(str(failure), failure) | records
-        return _ending(last.status, last.message, last.iterations) | {"ending": last.ending} | records
-    if last.state is not rigid:  # else no method found a first state between flexible raceways
-        postprocessing.store("flexible", last.state, tangent, converged=converged)
-    ending = _ending(last.status, last.message, last.iterations) | records
+        failed = {"status": "not solved", "message": str(failure), "ending": failure.ending}
+        return ending | failed if converged else ending
+    postprocessing.store("flexible", stored.state, tangent, converged=converged)
     if converged:
-        postprocessing.notes.extend([*resolved.notes(last.state), *notes.of_structure(figures)])
-        ending |= _tilt(TiltComparison.at(case, last.state, tangent), postprocessing)
-        ending |= _passage(case, resolved.model, rings, last.state, postprocessing, report)
-    return ending | {"structure": figures, "ending": last.ending}
+        postprocessing.notes.extend([*resolved.notes(stored.state), *notes.of_structure(figures)])
+        ending |= _tilt(TiltComparison.at(case, stored.state, tangent), postprocessing)
+        ending |= _passage(case, resolved.model, rings, stored.state, postprocessing, report)
+    return ending | {"structure": figures}
 
 
 def _all_rigid(resolved: Resolved, rigid: Equilibrium, postprocessing: Postprocessing) -> dict[str, object]:

@@ -68,7 +68,7 @@ class Equilibrium:
             )
         force, moment = self.unbalanced
         return (
-            f"the bearing found no equilibrium: {self.status} after {self.number} evaluations, "
+            f"{self.status} after {self.number} evaluations, "
             f"{force:.2g} N and {moment:.2g} N m unbalanced; "
             f"the largest outer force is {self.balance.scales.force[0, 0]:.4g} N"
         )

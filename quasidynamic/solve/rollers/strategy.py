@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.solve.outcome import SolverOutcome
-from quasidynamic.solve.rollers.contact_search import contact_search
 from quasidynamic.solve.rollers.load_continuation import from_heavier_load
 from quasidynamic.solve.rollers.newton import Iterate, newton
 from quasidynamic.solve.rollers.pseudo_time import StepLimits, pseudo_time
@@ -26,11 +25,13 @@ class SolvedCases:
     unknowns: NDArray  # (C, N) scaled
     outcomes: list[SolverOutcome]
     evaluations: NDArray  # (C)
+    budget: int | None = None  # evaluations of a case after which no other way is tried
 
     def unsolved(self) -> NDArray:
         """Cases that may still be solved."""
         done = (SolverOutcome.CONVERGED, SolverOutcome.UNDETERMINED)
-        return np.array([case for case, outcome in enumerate(self.outcomes) if outcome not in done], int)
+        left = np.array([case for case, outcome in enumerate(self.outcomes) if outcome not in done], int)
+        return left if self.budget is None else left[self.evaluations[left] < self.budget]
 
     def follow(self, iterates: Iterator[Iterate], cases: NDArray) -> None:
         """Store how the solves of some cases end."""
@@ -42,7 +43,9 @@ class SolvedCases:
                     self.unknowns[case], self.outcomes[case] = unknowns, outcome
 
 
-def solve(balance: BearingBalance, start: NDArray, restarts: Sequence[Start]) -> SolvedCases:
+def solve(
+    balance: BearingBalance, start: NDArray, restarts: Sequence[Start], budget: int | None = None
+) -> SolvedCases:
     """Solve all cases, those that one method leaves unsolved by the next one.
 
     Parameters
@@ -53,11 +56,13 @@ def solve(balance: BearingBalance, start: NDArray, restarts: Sequence[Start]) ->
         scaled unknowns to begin with
     restarts : sequence of callables
         starts that cost more, tried one after the other for what is unsolved
+    budget : int, optional
+        evaluations of a case after which no other way is tried; by default there is no such number
     """
     outcomes = [
         SolverOutcome.UNDETERMINED if free else SolverOutcome.RUNNING for free in balance.undetermined
     ]
-    solved = SolvedCases(start.copy(), outcomes, np.zeros(len(start), int))
+    solved = SolvedCases(start.copy(), outcomes, np.zeros(len(start), int), budget)
     left = solved.unsolved()
     if len(left):
         solved.follow(newton(_cases_of(balance, left), start[left]), left)
@@ -119,16 +124,3 @@ def _through_pseudo_time(
 
 def _cases_of(balance: BearingBalance, cases: NDArray) -> BearingBalance:
     return balance if len(cases) == len(balance.points) else balance.take(cases)
-
-
-def iterate(balance: BearingBalance, unknowns: NDArray) -> Iterator[Iterate]:
-    """Yield the accepted iterates of one case with elastic raceways: contact first, then Newton's method."""
-    last = None
-    for last in contact_search(balance, unknowns):
-        yield last
-    assert last is not None  # the search yields its start
-    if last.outcomes[0] is not SolverOutcome.RUNNING:
-        return
-    for step in newton(balance, last.unknowns):
-        if step.number and (step.accepted[0] or step.outcomes[0] is not SolverOutcome.RUNNING):
-            yield step.numbered(last.number + step.number)

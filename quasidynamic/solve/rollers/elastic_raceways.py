@@ -1,0 +1,94 @@
+"""One case between elastic raceways: contact first, then Newton's method; where that fails, from other starts."""
+
+from collections.abc import Generator, Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.rollers.bearing import BearingBalance
+from quasidynamic.solve.outcome import SolverOutcome
+from quasidynamic.solve.rollers.contact_search import contact_search
+from quasidynamic.solve.rollers.newton import Iterate, newton
+from quasidynamic.solve.rollers.strategy import Start, solve
+
+BUDGET = 300  # evaluations of the bearing between raceways that keep their shape
+
+Ends = tuple[Iterate, Iterate]  # of a search, and of Newton's method after it
+
+
+def iterate(
+    balance: BearingBalance, unknowns: NDArray, near: bool, restarts: Sequence[Start]
+) -> Iterator[Iterate]:
+    """Yield the accepted iterates of one case with elastic raceways.
+
+    Newton's method begins where full steps found which rollers touch. Where it fails it begins where damped steps
+    found them, and then with the bearing solved between raceways of that shape.
+
+    Parameters
+    ----------
+    balance : BearingBalance
+        of one case
+    unknowns : array (1, N)
+        start, scaled
+    near : bool
+        whether the start is nearly the solution
+    restarts : sequence of callables
+        starts of the bearing between raceways of a given shape
+
+    Yields
+    ------
+    Iterate
+        the first is the start, the last says how the solve ended
+    """
+    found, end = yield from _newton_after(balance, contact_search(balance, unknowns, near))
+    if _failed(end):
+        damped = contact_search(balance, unknowns, damped=True)
+        found, end = yield from _newton_after(balance, damped, end.number)
+    if _failed(end) and np.isfinite(found.unknowns).all():
+        solved = _on_frozen_shape(balance, found, restarts)
+        found, end = yield from _newton_after(balance, solved, end.number)
+    if _failed(end):
+        yield end
+
+
+def _failed(end: Iterate) -> bool:
+    return end.outcomes[0] is not SolverOutcome.CONVERGED
+
+
+def _newton_after(
+    balance: BearingBalance, search: Iterator[Iterate], done: int = 0
+) -> Generator[Iterate, None, Ends]:
+    """Yield a search and Newton's method after it, numbered on; a failure is returned and not yielded."""
+    found = None
+    for found in search:
+        if found.outcomes[0] is SolverOutcome.RUNNING and (found.number or not done):
+            yield found.numbered(done + found.number)
+    assert found is not None  # a search yields its start
+    found = found.numbered(done + found.number)
+    if found.outcomes[0] is not SolverOutcome.RUNNING:
+        return found, found
+    end = found
+    for step in newton(balance, found.unknowns):
+        end = step.numbered(found.number + step.number)
+        if step.number and (step.outcomes[0] is SolverOutcome.CONVERGED or _is_step(step)):
+            yield end
+    return found, end
+
+
+def _is_step(step: Iterate) -> bool:
+    return bool(step.accepted[0]) and step.outcomes[0] is SolverOutcome.RUNNING
+
+
+def _on_frozen_shape(balance: BearingBalance, found: Iterate, restarts: Sequence[Start]) -> Iterator[Iterate]:
+    """Yield the bearing in equilibrium between raceways that keep the shape that a search found."""
+    elastic = balance.unpack(found.unknowns)
+    shape = np.moveaxis(elastic.deviation[:, :, 0], 1, -1)
+    given = np.zeros_like(shape) if balance.deviation is None else balance.deviation
+    frozen = replace(balance, compliance=(None, None), deviation=given + shape)
+    solved = solve(frozen, frozen.pack(elastic), restarts, BUDGET)
+    unknowns = balance.pack(frozen.unpack(solved.unknowns)._replace(deviation=elastic.deviation))
+    number = int(solved.evaluations[0])
+    converged = solved.outcomes[0] is SolverOutcome.CONVERGED
+    outcomes = [SolverOutcome.RUNNING if converged else solved.outcomes[0]]
+    yield Iterate(number, found.cases, unknowns, balance.evaluate(unknowns), outcomes, found.accepted)
