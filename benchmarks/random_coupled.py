@@ -1,9 +1,9 @@
 """Random bearings between flexible rings: `python -m benchmarks.random_coupled --n 600 --seed S [--only K]`.
 
-Each design is run as `flexbearing run` does, with the default order of methods, and its file is read back. Its first
-attempt says how newton ends alone; `iqn-ils` solves the same bearing and rings once more. Where both converge their
-loads are compared; where these differ, each state is solved again by the other method. Some are full solids.
-`--only K` repeats design K alone and prints its command.
+Each design is run as `flexbearing run` does, with the default order of methods, and its file is read back.
+Its first attempt says how newton ends alone; `iqn-ils` solves the same bearing and rings once more. Where
+both converge their loads are compared; where these differ, each state is solved again by the other method.
+The first designs, `--solids` of them, are full solids. `--only K` repeats design K alone and prints its command.
 """
 
 import argparse
@@ -17,7 +17,6 @@ from functools import partial
 from itertools import repeat
 from multiprocessing import get_context
 from os import environ
-from pathlib import Path
 from typing import get_args
 
 import numpy as np
@@ -175,7 +174,8 @@ def difference(loads: np.ndarray, others: np.ndarray) -> float:
 def line(row: Row, seed: int) -> str:
     words = row.fault or row.impossible or f"{row.status}: {row.message}"
     return (
-        f"design {row.number}: newton {row.newton}, iqn-ils {row.other}, solved by {row.by}, apart {row.apart:.1e}, "
+        f"design {row.number}: newton {row.newton}, iqn-ils {row.other}, solved by {row.by}, "
+        f"apart {row.apart:.1e}, "
         f"again {row.again[0]:.1e} {row.again[1]:.1e}, {sum(row.seconds):.1f} s; {words} {row.equilibria}\n"
         f"    python -m benchmarks.random_coupled --seed {seed:x} --only {row.number}"
     )
@@ -198,8 +198,9 @@ def verdict(rows: list[Row], seconds: float) -> str:
     counts = [row.iterations[0] for row in alone]
     return "\n".join(
         [
-            f"{len(rows)} designs, {len(rows) - len(possible)} of them impossible and refused; {seconds:.0f} s in all",
-            f"typed endings with a complete file: {len(possible) - len(faults)} of {len(possible)} (wanted all)",
+            f"{len(rows)} designs, {len(rows) - len(possible)} of them refused; {seconds:.0f} s in all",
+            f"typed endings with a complete file: {len(possible) - len(faults)} of {len(possible)} "
+            "(wanted all)",
             f"converged: {len(converged)} of {len(possible)}, {len(converged) / len(possible):.2%} "
             f"(wanted {CONVERGED:.1%}); by "
             + ", ".join(f"{by} {count}" for by, count in Counter(row.by for row in converged).most_common()),

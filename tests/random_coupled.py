@@ -1,4 +1,4 @@
-"""Random bearings between flexible rings, as case files with settings; each has a number that finds it again."""
+"""Random bearings between flexible rings, as case files with settings; each is found again by its number."""
 
 from dataclasses import dataclass
 
@@ -8,8 +8,8 @@ PAPER, TEXTBOOK = "configs/mao2016.toml", "configs/nu209.toml"
 SOLID_SUPPORTS = ("side", "seat", "housing")  # of a ring that can be a full solid
 BEAM_SUPPORTS = ("side", "foundation")  # of a ring that can be a curved beam
 SUPPORTS = ("side", "seat", "foundation", "housing", "loose housing", "lines", "planet")
-SECTION = ("accuracy.element_order=3", "accuracy.raceway_mesh_size=1 mm")  # fine enough for 0.6 mm
-FIT = ("accuracy.element_order=3", "accuracy.raceway_mesh_size=0.6 mm", "accuracy.harmonics=110")
+SECTION = ("accuracy.element_order=3", "accuracy.raceway_mesh_size=0.7 mm")  # fine enough for 0.6 mm
+FIT = ("accuracy.element_order=4", "accuracy.raceway_mesh_size=0.6 mm", "accuracy.harmonics=100")
 STEEL = ("youngs_modulus=207 GPa", "poisson_ratio=0.3", "density=7850 kg/m^3", "expansion=11.5e-6 1/K")
 
 
@@ -136,7 +136,7 @@ def _outer(rng: np.random.Generator, base: Base, load: float, solid: bool) -> li
 
 
 def _bars(rng: np.random.Generator, base: Base, bars: int, thickness: float) -> list[str]:
-    thin = rng.uniform(0.4, 0.85) * thickness
+    thin = rng.uniform(0.4, 0.8) * thickness
     around = np.pi * (base.outer_raceway + thickness - thin)
     return [
         f"outer.bars={bars}",

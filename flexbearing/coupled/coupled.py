@@ -96,7 +96,7 @@ class Attempt:
 
 
 def nearest(attempts: Sequence[Attempt]) -> Attempt | None:
-    """The attempt that came nearest to an equilibrium; None where no method had a state between flexible raceways.
+    """The attempt that came nearest to an equilibrium; None where none had a state between flexible raceways.
 
     Parameters
     ----------
@@ -200,8 +200,10 @@ def _message(method: str, last: Iteration, case: Case) -> str:
             f"loads changed by {last.load_change:.1e} of the largest in the last iteration, "
             f"unbalanced force {last.state.residual:.1e} of the load"
         )
+    advice = "; try newton, or a smaller coupling.relaxation" if method == "relaxed" else ""
+    if last.status == "not finite":
+        return f"stopped after {last.number} iterations at numbers that are not finite{advice}"
     return (
-        f"{method} stopped after {last.number} iterations with load changes of {last.load_change:.1e} and a "
-        f"mismatch of {last.mismatch:.1e} (converged is below {case.coupling.tolerance:.0e})"
-        + ("; try newton, or a smaller coupling.relaxation" if method == "relaxed" else "")
+        f"stopped after {last.number} iterations with load changes of {last.load_change:.1e} and a mismatch "
+        f"of {last.mismatch:.1e} (converged is below {case.coupling.tolerance:.0e}){advice}"
     )

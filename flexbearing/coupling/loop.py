@@ -19,8 +19,6 @@ DIVERGENCE_RATIO = 10.0
 GROWTHS_OVER_FIRST, GROWTHS_OVER_LEAST = 3, 5
 # Stagnating: so many iterations without a residual below this part of the smallest before them.
 STAGNATION_LIMIT, STAGNATION_RATIO = 40, 0.9
-# Newton: a tangent that leaves more than this part of the smallest mismatch is averaged with the one before.
-SHRINKING = 0.5
 # A structure that is not linear: part of the mismatch before that is a fall, shortest share of the way to the
 # forces of the last balance, change of forces that is none, tangents that are tried.
 FALLING, SMALLEST_SHARE, SAME_FORCES, MOST_TANGENTS = 0.5, 1 / 16, 1e-7, 40
@@ -116,9 +114,11 @@ def fixed_point(
 
 
 def _relative(residual: NDArray, answer: NDArray) -> float:
-    """Largest residual over the largest deviation [-]; zero between rigid raceways."""
-    largest = np.abs(answer).max()
-    return float(np.abs(residual).max() / largest) if largest > 0 else 0.0
+    """Largest residual over the largest deviation [-]; one beside no deviation, zero without either."""
+    largest, left = np.abs(answer).max(), np.abs(residual).max()
+    if largest > 0:
+        return float(left / largest)
+    return 1.0 if left > 0 else 0.0
 
 
 def _trend(norms: list[float]) -> Status:
@@ -158,7 +158,7 @@ def newton(
     ------
     Iteration
     """
-    state, number, smallest, tangent = start, 0, np.inf, TangentPlace(start.forces)
+    state, number, tangent = start, 0, TangentPlace(start.forces)
     try:
         linear = structure.linearised(tangent.forces)
         while True:
@@ -174,16 +174,8 @@ def newton(
                         status = "stagnating"
                     message = _REASONS["tangents"] if status == "stagnating" else ""
                     iteration = replace(iteration, mismatch=mismatch, status=status, message=message)
-                    import os
-                    if os.environ.get("AVG"):
-                        previous, linear = linear, answering
-                        if mismatch > SHRINKING * smallest:  # supports or fits open and close in turns
-                            linear = linear.averaged(previous, state.forces)
-                        smallest = min(smallest, mismatch)
-                        tangent = replace(tangent, count=tangent.count + 1)
-                    else:
-                        tangent = tangent.moved(state.forces, mismatch)
-                        linear = answering if tangent.share == 1.0 else structure.linearised(tangent.forces)
+                    tangent = tangent.moved(state.forces, mismatch)
+                    linear = answering if tangent.share == 1.0 else structure.linearised(tangent.forces)
                 yield iteration
                 if iteration.status:
                     return
@@ -195,9 +187,9 @@ def newton(
 class TangentPlace:
     """Forces at which a structure that is not linear is linearised.
 
-    The tangent at the last forces may lead back to those before, and so on in turns: a mismatch that hardly falls
-    halves the share of the way to the last forces that is taken. Where it falls, or the balance with the new
-    tangent is the one before, the share is doubled.
+    The tangent at the last forces may lead back to those before, and so on in turns, as fits and supports
+    open and close: a mismatch that hardly falls halves the share of the way to the last forces that is taken.
+    Where it falls, or the balance with the new tangent is the one before, the share is doubled.
     """
 
     forces: NDArray  # (2, Z, M) [N]

@@ -1,7 +1,7 @@
 """What the coupling asks of its partners: plain arrays, inner raceway first, outer second."""
 
 from collections.abc import Iterator
-from typing import Any, Protocol, TypeVar
+from typing import Protocol, TypeVar
 
 from numpy.typing import NDArray
 
@@ -146,10 +146,6 @@ class LinearStructure(Protocol):
 
     def deviation(self, forces: NDArray) -> NDArray:
         """Outward raceway deviations (2, Z, M) [m] under roller forces (2, Z, M) [N]."""
-        ...
-
-    def averaged(self, other: Any, forces: NDArray) -> "LinearStructure":
-        """The mean of its slope and of another's, with its own answer under roller forces (2, Z, M) [N]."""
         ...
 
 

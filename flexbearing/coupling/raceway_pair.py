@@ -93,11 +93,6 @@ class LinearPair:
                 deviation[race] += np.tensordot(compliance, OUTWARD[race] * forces[race], axes=2)
         return deviation
 
-    def averaged(self, other: "LinearPair", forces: NDArray) -> "LinearPair":
-        """The mean of both tangents through the answers of this one to roller forces (2, Z, M) [N]."""
-        pairs = zip(self.raceways, other.raceways, OUTWARD[:, None, None] * forces, strict=True)
-        return LinearPair(*(None if a is None or b is None else _mean(a, b, F) for a, b, F in pairs))
-
     def translation(self, forces: NDArray) -> NDArray:
         """Mean translations (2, 2) of inner and outer raceway along (y, z) [m]."""
         translation = np.zeros((2, 2))
@@ -105,31 +100,6 @@ class LinearPair:
             if raceway is not None:
                 _, translation[race] = linear_answer(raceway, OUTWARD[race] * forces[race])
         return translation
-
-
-def _mean(raceway: LinearRaceway, other: LinearRaceway, outward: NDArray) -> LinearRaceway:
-    """Mean slope of two tangents, with the answer of the first under outward forces (Z, M) [N]."""
-    deviation, translation = linear_answer(raceway, outward)
-    absolute = (raceway.absolute + other.absolute) / 2
-    moved = (raceway.translation + other.translation) / 2
-    return Tangent(
-        azimuths=raceway.azimuths,
-        absolute=absolute,
-        translation=moved,
-        initial_deviation=deviation - np.tensordot(absolute, outward, axes=2),
-        initial_translation=translation - np.tensordot(moved, outward, axes=2),
-    )
-
-
-@dataclass(frozen=True)
-class Tangent:
-    """A raceway near some forces, as `LinearRaceway` asks for it."""
-
-    azimuths: NDArray  # (Z) [rad]
-    absolute: NDArray  # (Z, M, Z, M) [m/N]
-    translation: NDArray  # (2, Z, M) [m/N]
-    initial_deviation: NDArray  # (Z, M) [m]
-    initial_translation: NDArray  # (2) [m]
 
 
 @dataclass(frozen=True)

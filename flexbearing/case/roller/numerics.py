@@ -26,7 +26,7 @@ class Coupling(Section):
         "unbalanced force is below 1e-10 of the load",
         1e-8,
         ge=1e-16,
-        lt=1,
+        le=1e-3,
     )
     max_iterations: int = key("limit of the iterations", 200, ge=1, le=100_000)
     relaxation: float = key(

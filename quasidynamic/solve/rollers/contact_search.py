@@ -21,7 +21,7 @@ from quasidynamic.solve.rollers.step_bounds import bounded, bounded_spins
 
 MAX_STEPS = 40
 SMALL_CHANGE = 0.2  # of the largest approach of a roller and its outer raceway
-LARGEST_TILT = 20.0  # scaled change of a slope of the ring in a step: 20 milliradians
+LARGEST_TILT = 300.0  # scaled change of a slope of the ring in a step: 0.3 rad
 LOADED = 1e-3  # of the largest load, above which a roller turns like the most loaded one
 SHORTEST_STEP = 2.0**-7  # of a step that is damped
 HELD = Shift(spin=1e9, cage=1e9)  # on the diagonal of the scaled matrix: spins and cage do not move
@@ -44,8 +44,8 @@ def contact_search(
     unknowns : array (1, N)
         start, scaled
     near : bool
-        whether the start is nearly the solution, such as that of a similar case: then cage and spins move too,
-        the spins by a limited share
+        whether the start is nearly the solution, such as that of a similar case: then cage and spins
+        move too, the spins by a limited share
     damped : bool
         whether steps are halved until forces and deviations are nearer to balance: slower, and for very soft
         raceways, where full steps leap between sets of touching rollers

@@ -1,4 +1,4 @@
-"""One case between elastic raceways: contact first, then Newton's method; where that fails, from other starts."""
+"""One case between elastic raceways: contacts first, then Newton's method; where it fails, other starts."""
 
 from collections.abc import Generator, Iterator, Sequence
 from dataclasses import replace
@@ -22,8 +22,8 @@ def iterate(
 ) -> Iterator[Iterate]:
     """Yield the accepted iterates of one case with elastic raceways.
 
-    Newton's method begins where full steps found which rollers touch. Where it fails it begins where damped steps
-    found them, and then with the bearing solved between raceways of that shape.
+    Newton's method begins where full steps found which rollers touch. Where it fails it begins where damped
+    steps found them, and then with the bearing solved between raceways of that shape.
 
     Parameters
     ----------

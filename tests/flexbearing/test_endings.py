@@ -1,0 +1,87 @@
+"""Runs that find no equilibrium of bearing and rings: what their files hold and say."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import flexbearing
+from flexbearing.__main__ import command
+from flexbearing.coupling import PartnerFailed
+from flexbearing.rings.raceways import CondensedRaceway
+from quasidynamic import NotSolved, RollerBearing
+from quasidynamic.solve.outcome import SolverOutcome
+
+PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
+BEAM = ["inner.kind=rigid", "accuracy.structure=beam", "accuracy.slices=10", "operation.tilt=fixed"]
+METHODS = ["newton", "iqn-ils", "aitken", "relaxed"]
+
+
+@pytest.fixture
+def unsolvable(monkeypatch):
+    """Nothing is solved between flexible raceways: newton stalls after a step, shapes have no equilibrium."""
+    iterate, solve = RollerBearing.iterate, RollerBearing.solve
+
+    def stalling(self, *given):
+        iterates = iterate(self, *given)
+        yield next(iterates)
+        yield replace(next(iterates), status=SolverOutcome.STALLED)
+
+    def unsolved(self, start=None, deviation=None):
+        if deviation is not None:
+            raise NotSolved("no shape is solved", SolverOutcome.LIMIT)
+        return solve(self, start, deviation)
+
+    monkeypatch.setattr(RollerBearing, "iterate", stalling)
+    monkeypatch.setattr(RollerBearing, "solve", unsolved)
+
+
+@pytest.mark.parametrize("slope", ["0 arcmin", "3 arcmin"])
+def test_run_that_no_method_solves_holds_the_nearest_state_and_every_message(slope, unsolvable, tmp_path):
+    result = flexbearing.run(PAPER, tmp_path / "r.h5", [*BEAM, f"operation.misalignment={slope}"])
+    attempts, message = result.attributes["attempts"], result.attributes["message"]
+    assert result.attributes["status"] == "not solved"
+    assert list(attempts) == METHODS
+    assert all(f"{method}: {attempt['message']}" in message for method, attempt in attempts.items())
+    assert "the stored state is that of newton" in message
+    assert "no shape is solved" in message
+    assert not np.array_equal(result.flexible["outer_load"], result.rigid["outer_load"])
+    assert result.flexible["outer_deviation"].any()
+
+
+def test_run_that_no_method_solves_ends_with_one(unsolvable, tmp_path):
+    code = command(["run", str(PAPER), "-o", str(tmp_path / "r.h5"), *_set(BEAM)])
+    assert code == 1
+    assert flexbearing.read_result(tmp_path / "r.h5").attributes["iterations"] == len(METHODS)
+
+
+def test_state_between_rigid_raceways_is_never_the_flexible_one(monkeypatch, tmp_path):
+    def nothing(self, *given):
+        raise NotSolved("no step", SolverOutcome.NOT_FINITE)
+        yield
+
+    monkeypatch.setattr(RollerBearing, "iterate", nothing)
+    alone = ["coupling.fallback=false", "operation.misalignment=3 arcmin"]
+    result = flexbearing.run(PAPER, tmp_path / "r.h5", [*BEAM, *alone])
+    assert result.attributes["status"] == "not solved"
+    assert "no step" in result.attributes["message"]
+    assert result.rigid
+    assert not result.flexible
+
+
+def test_rings_that_fail_at_the_end_state_leave_a_file_with_all_iterations(monkeypatch, tmp_path):
+    """The file said that there were none, which was an internal error."""
+
+    def failing(self):
+        raise PartnerFailed("no figures", "not solved")
+
+    monkeypatch.setattr(CondensedRaceway, "figures", failing)
+    result = flexbearing.run(PAPER, tmp_path / "r.h5", BEAM)
+    assert result.attributes["status"] == "not solved"
+    assert result.attributes["iterations"] == len(result.iterations) > 0
+    assert result.attributes["message"] == "no figures"
+
+
+def _set(settings):
+    return [word for setting in settings for word in ("--set", setting)]
