@@ -3,7 +3,7 @@
 Each design is run as `flexbearing run` does, with the default order of methods, and its file is read back.
 Its first attempt says how newton ends alone; `iqn-ils` solves the same bearing and rings once more. Where
 both converge their loads are compared; where these differ, each state is solved again by the other method.
-The first designs, `--solids` of them, are full solids. `--only K` repeats design K alone and prints its command.
+The first designs, `--solids` of them, are full solids. `--only K` repeats design K alone.
 """
 
 import argparse
