@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any, overload
 
 from fem.parts.bolted_ring import BoltedGrooveRing
-from fem.parts.boundary_conditions import Foundation, LineSupports, PlanetGear
+from fem.parts.boundary_conditions import ClampedFace, Foundation, LineSupports, PlanetGear, RigidSeat
 from fem.parts.material import ImpossiblePart
 from fem.parts.resolution import Discretisation, Resolution
 from fem.parts.rings import OuterRing, Part, RingOnShaft, SquirrelCage, require_on_track
@@ -18,6 +18,7 @@ from fem.subprocess import in_subprocess
 
 if TYPE_CHECKING:
     from fem.raceway.compliance import RacewayCompliance
+    from fem.raceway.growth import RacewayGrowth
     from fem.raceway.harmonics import HarmonicCompliance
     from fem.section.bolted_ring import GrooveCompliance
     from fem.section.planet_rim import PlanetRim
@@ -75,6 +76,42 @@ def condense(part, discretisation, resolution, report=unheard):
     if in_space:
         return in_subprocess(condense_in_process, part, discretisation, resolution, report=report)
     return condense_in_process(part, discretisation, resolution, report)
+
+
+def seat_growth(part: Part, resolution: Resolution) -> "RacewayGrowth":
+    """How much a raceway grows with what its part is clamped to.
+
+    Parameters
+    ----------
+    part : OuterRing, SquirrelCage
+        a ring on a clamped face or a rigid seat, or a cage, whose flange is clamped
+    resolution : Resolution
+        of band and mesh
+
+    Returns
+    -------
+    RacewayGrowth
+
+    Raises
+    ------
+    ImpossiblePart
+        for another part
+    NotSolved
+        if a solve fails, or the process ends without an answer
+    """
+    if isinstance(part, SquirrelCage):
+        return in_subprocess(_cage_seat_growth, part, resolution)
+    if isinstance(part, OuterRing) and isinstance(part.support, ClampedFace | RigidSeat):
+        from fem.section.seat_growth import ring_seat_growth
+
+        return ring_seat_growth(part, resolution)
+    raise ImpossiblePart(f"{type(part).__name__} has no seat of a temperature of its own")
+
+
+def _cage_seat_growth(part: SquirrelCage, resolution: Resolution, report: Report) -> "RacewayGrowth":
+    from fem.cage.seat_growth import cage_seat_growth
+
+    return cage_seat_growth(part, resolution)
 
 
 def require_drawing(part: Part | StepSolid, length: float) -> None:

@@ -3,23 +3,41 @@
 from typing import Any
 
 from flexbearing.build import expansion
-from flexbearing.build.growth import expansions
+from flexbearing.build.growth import expansions, mean_seat_growth
 from flexbearing.case.roller import Case
 from quasidynamic.clearance import (
     Annulus,
+    FitConditions,
     Mounting,
     OperatingClearance,
     OperatingConditions,
     PressFit,
+    RacewayExpansion,
     operating_clearance,
 )
+from quasidynamic.clearance.operating_clearance import Expansion
+from quasidynamic.clearance.press_fit import free_displacement
 
 ROOM = 293.15  # [K] of every part when a case gives no temperatures; only differences matter
 
 
 def from_fits(case: Case) -> OperatingClearance:
     """Steps from the cold to the operating clearance of a case that gives its fits."""
-    return operating_clearance(_mounting(case), _running(case), *expansions(case))
+    mounting, (inner, outer) = _mounting(case), expansions(case)
+    return operating_clearance(mounting, _running(case), inner, outer or _on_seat(case, mounting.outer_ring))
+
+
+def _on_seat(case: Case, ring: Annulus) -> Expansion | None:
+    """Expansion of a ring without housing on a seat of another temperature; None without such a seat."""
+    by_seat = mean_seat_growth(case)
+    if not by_seat:
+        return None
+
+    def expansion(conditions: FitConditions) -> RacewayExpansion:
+        free = free_displacement(ring, ring.inner_radius, conditions.inside_rise, conditions.speed)
+        return RacewayExpansion(free + (by_seat if conditions.inside_rise else 0.0))
+
+    return expansion
 
 
 def _mounting(case: Case) -> Mounting:

@@ -16,6 +16,7 @@ from flexbearing.build.ring_parts import (
     outer_part,
     shaft_interference,
 )
+from flexbearing.build.seat_growth import seat_growth, seat_strain
 from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
 from quasidynamic.clearance import FitConditions, RacewayExpansion, Seat
@@ -36,6 +37,12 @@ def expansions(case: Case) -> tuple[Expansion | None, Expansion | None]:
     inner = None if case.inner.kind == "rigid" else _inner(case)
     outer = _outer(case) if case.lifts_off else None
     return inner, outer
+
+
+def mean_seat_growth(case: Case) -> float:
+    """Mean expansion of the outer raceway by its seat beyond its own heat [m]."""
+    growth = seat_growth(case)
+    return 0.0 if growth is None else seat_strain(case) * growth.mean
 
 
 def _inner(case: Case) -> Expansion:

@@ -5,6 +5,7 @@ from flexbearing.build.expansion import roller_length
 from flexbearing.case.roller import Case
 
 ON_A_SECTION = (5, 1.2, 0.25)  # order, and sizes over the roller length: 0.1 % of the largest compliance
+IN_SPACE = (3, 0.6, 0.4)  # 0.5 % of the largest compliance
 
 
 def mesh_size(case: Case, usual: tuple[int, float, float]) -> fem.MeshSize:

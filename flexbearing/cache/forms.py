@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+GROWTH = 1000.0  # [m] per strain: a radius is below
 METRE = 1.0  # [m/N] or [m]: no raceway gives way by a metre, at a newton or before it is loaded
 
 
@@ -179,6 +180,10 @@ RECORDS = {
             "elements": Count(),
             "seconds": Numbers(),
         },
+    ),
+    "RacewayGrowth": Record(
+        "fem.raceway.growth",
+        {"coefficients": Array(("K M",), largest=GROWTH), "bars": Count(optional=True)},
     ),
     "GrooveCompliance": Record(
         "fem.section.bolted_ring",

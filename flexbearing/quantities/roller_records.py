@@ -134,6 +134,7 @@ STRUCTURE: Form = Each(
         optional={
             "fit": Each("figure", NUMBER),
             "housing": Each("figure", NUMBER),
+            "seat": Each("figure", NUMBER),
             "lines": OF_LINES,
             "foundation": OF_A_FOUNDATION,
         },

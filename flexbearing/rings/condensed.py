@@ -14,8 +14,9 @@ from fem.condense import BEAM, HARMONICS, SMEARED, SOLID, condense
 from fem.errors import NotSolved
 from fem.parts.step_solid import StepSolid
 from flexbearing.build.expansion import roller_length
-from flexbearing.build.mesh_sizes import ON_A_SECTION, mesh_size
+from flexbearing.build.mesh_sizes import IN_SPACE, ON_A_SECTION, mesh_size
 from flexbearing.build.ring_parts import NAMES, Race, part_of
+from flexbearing.build.seat_growth import seat_growth, seat_strain
 from flexbearing.cache import configured
 from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
@@ -33,13 +34,9 @@ from flexbearing.rings.supported import (
 
 if TYPE_CHECKING:
     from fem.raceway.compliance import RacewayCompliance
+    from fem.raceway.growth import RacewayGrowth
     from flexbearing.build.ring_parts import Part
 
-IN_SPACE = (
-    3,
-    0.6,
-    0.4,
-)  # order, and sizes of elements over the roller length: 0.5 % of the largest compliance
 WITH_A_SLEEVE = (3, 1.2, 0.4)  # smeared bars are worth no more
 PATCH = 0.1  # width of a load patch over the roller length
 
@@ -86,16 +83,17 @@ def raceway(
         report.stage(name, None)
         with named_failures(case, name):
             linear: Any = condensed(name, part, case, azimuths, report)  # not on lines or springs
-            compliance = linear.at(azimuths)
+            by_seat = _growth_by_seat(race, case, report)
+            compliance = _grown(linear.at(azimuths), by_seat)
 
         def at(places: NDArray) -> "RacewayCompliance":
             with named_failures(case, name):
                 solid = _discretisation(part, case) is SOLID  # which knows its own rollers only
                 anew: Any = condensed(name, part, case, places, report) if solid else linear
-                return anew.at(places)
+                return _grown(anew.at(places), by_seat)
 
         report.stage(f"{name}: {compliance.unknowns} unknowns, {perf_counter() - began:.1f} s", None)
-        return CondensedRaceway(compliance, at)
+        return CondensedRaceway(compliance, at, _seat_figures(by_seat))
     name = {"inner": "inner ring and shaft", "outer": "outer ring and housing"}[race]
     report.stage({"inner": "inner ring in its fit", "outer": "outer ring in its housing"}[race], None)
     with named_failures(case, name):
@@ -126,6 +124,34 @@ def _on_supports(part: "Part", case: Case, azimuths: NDArray, report: Report) ->
     report.stage(f"{name}: {perf_counter() - began:.1f} s", None)
     figures = line_figures if case.outer.support == "lines" else foundation_figures
     return SupportedRaceway(RINGS[case.outer.support], ring, figures, under_rollers)
+
+
+def _growth_by_seat(race: Race, case: Case, report: Report) -> "tuple[float, RacewayGrowth] | None":
+    """Strain of the seat of the outer ring beyond its own and the growth by it; None where there is none."""
+    if race == "inner":
+        return None
+    growth = seat_growth(case, lambda note: report.stage(f"growth by the seat: {note}", None))
+    return None if growth is None else (seat_strain(case), growth)
+
+
+def _grown(
+    compliance: "RacewayCompliance", by_seat: "tuple[float, RacewayGrowth] | None"
+) -> "RacewayCompliance":
+    """The same raceway with the shape that its seat gives it; the mean of that belongs to the clearance."""
+    if by_seat is None:
+        return compliance
+    strain, growth = by_seat
+    shape = strain * growth.at(compliance.azimuths)
+    return replace(compliance, initial_deviation=compliance.initial_deviation + shape)
+
+
+def _seat_figures(by_seat: "tuple[float, RacewayGrowth] | None") -> dict[str, dict[str, float]]:
+    """Growth of the raceway by its seat: in the mean, and from the -x to the +x end of the rollers."""
+    if by_seat is None:
+        return {}
+    strain, growth = by_seat
+    coned = 2 * strain * float(growth.coefficients[0, 1])
+    return {"seat": {"mean_growth_um": 1e6 * strain * growth.mean, "coned_um": 1e6 * coned}}
 
 
 @contextmanager

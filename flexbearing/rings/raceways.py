@@ -1,6 +1,6 @@
 """Raceways that answer roller forces at once: rigid, or condensed to what rollers feel of them."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
@@ -43,6 +43,7 @@ class CondensedRaceway:
 
     compliance: "RacewayCompliance"
     at: "Callable[[NDArray], RacewayCompliance] | None" = field(default=None, compare=False, repr=False)
+    further: Mapping[str, Mapping[str, float]] = field(default_factory=dict)  # figures for the result file
     rigid = False
     solved_in_full = False
 
@@ -61,7 +62,7 @@ class CondensedRaceway:
 
     def figures(self) -> dict[str, object]:
         """What the finite elements cost and how stiff the support is."""
-        return compliance_figures(self.compliance)
+        return compliance_figures(self.compliance) | dict(self.further)
 
     def with_axial_modes(self, count: int) -> "CondensedRaceway":
         """The same raceway for rollers that exchange fewer axial modes with it: a part of every array."""

@@ -8,7 +8,7 @@ from unittest.mock import patch
 import numpy as np
 
 import quasidynamic as qd
-from flexbearing.build import expansion, ring_parts, roller_bearing
+from flexbearing.build import expansion, ring_parts, roller_bearing, seat_growth
 from flexbearing.build.rough_surfaces import roughness
 from flexbearing.case.roller import Case
 from flexbearing.families import FAMILIES
@@ -81,6 +81,7 @@ def _roller(case: Case):
         "outer_fit": _fit(lambda: condensed.raceway(case, "outer", np.zeros(1), Logged()))
         if case.lifts_off
         else None,
+        "seat": {"strain": seat_growth.seat_strain(case)},
         "running": {"roller_length": expansion.roller_length(case)},
     }
 

@@ -156,6 +156,7 @@ EFFECTS = (
      "outer.{bar_length,bar_thickness,bar_width,flange_length,raceway_diameter,thickness} outer.width"),
     ("housing with clearance", "operation.temperatures.housing", "219 degC",
      "outer_fit.fit.thermal_strains.1"),
+    ("cage", "operation.temperatures.outer_seat", "168 degC", "seat.strain"),
     ("cage", "operation.temperatures.reference", "20.2 degC",
      "inner.{bore,raceway_diameter,rib_diameter,shaft_bore,shaft_length,track_width,width} "
      "mesh.{raceway_size,size} model.bearing.outer_raceway_diameter "

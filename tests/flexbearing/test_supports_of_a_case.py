@@ -1,5 +1,6 @@
 """What holds the rings, from the case file to the loads."""
 
+import re
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -9,9 +10,11 @@ from pytest import approx
 
 import flexbearing
 from flexbearing import read
-from flexbearing.build import ring_parts
+from flexbearing.build import clearance, ring_parts
 from flexbearing.case import BadCase
+from flexbearing.case.read import understood
 from flexbearing.coupling import RacewayPair
+from flexbearing.families import FAMILIES
 from flexbearing.rings.condensed import mesh_size
 from flexbearing.rings.fits import (
     _shaft_fit_figures,
@@ -303,3 +306,61 @@ def test_inner_ring_in_its_fit_deflects_more_than_a_bonded_one(tmp_path):
     told = stuck.attributes["structure"]["inner"]["fit"]
     assert told["open_share"] == 0.0
     assert told["slipping_share"] < 0.01
+
+
+COLD_SEAT = ["operation.temperatures.outer_seat=168 degC"]  # 50 K below the ring
+
+
+@pytest.mark.slow
+def test_cold_flange_seat_cones_the_raceway_and_takes_an_eighth_of_the_life(tmp_path):
+    held = ["operation.tilt=fixed"]
+    usual = flexbearing.run(PAPER, tmp_path / "usual.h5", held).flexible
+    cold = flexbearing.run(PAPER, tmp_path / "cold.h5", [*held, *COLD_SEAT]).flexible
+    assert cold["life_L10"] / usual["life_L10"] == approx(0.878, abs=0.01)
+    away = np.argmin(cold["inner_load"])  # where no load bends the ring
+    coned = (cold["outer_deviation"] - usual["outer_deviation"])[away]
+    assert coned[-1] - coned[0] == approx(-4.7e-6, abs=0.4e-6)  # between the outer slices
+
+
+def test_seat_as_warm_as_the_ring_changes_nothing(tmp_path):
+    beam = ["accuracy.structure=beam", "inner.kind=rigid", "outer.kind=ring", "accuracy.slices=8"]
+    seats = ["218 degC", "168 degC"]
+    plain = flexbearing.run(PAPER, tmp_path / "p.h5", beam).flexible
+    even, cold = (
+        flexbearing.run(PAPER, tmp_path / "r.h5", [*beam, f"operation.temperatures.outer_seat={seat}"])
+        for seat in seats
+    )
+    assert (even.flexible["inner_load"] == plain["inner_load"]).all()
+    assert cold.flexible["life_L10"] != approx(float(plain["life_L10"]), rel=1e-3)
+    seat = cold.attributes["structure"]["outer"]["seat"]
+    assert seat["coned_um"] == approx(-6.4, rel=0.03)
+    assert seat["mean_growth_um"] == approx(-17.5, rel=0.03)
+
+
+@pytest.mark.parametrize(
+    ("settings", "told"),
+    [
+        (["outer.kind=rigid", *COLD_SEAT], "outer_seat = .* is not used: it belongs to"),
+        (["outer.kind=ring", "outer.support=housing", *COLD_SEAT], "outer_seat = .* is not used"),
+        (
+            ["coupling.structure=full", "coupling.method=iqn-ils", *COLD_SEAT],
+            "outer_seat = .* left out for coupling.structure",
+        ),
+    ],
+)
+def test_temperature_of_a_seat_that_is_not_there_is_refused(settings, told):
+    with pytest.raises(BadCase, match=told):
+        read(PAPER, settings)
+
+
+def test_cold_seat_narrows_a_computed_clearance():
+    text = re.sub(r'\nclearance = .*|\n"bearing.clearance" = .*', "", PAPER.read_text())
+    mounted = {
+        "inner.kind": "rigid", "bearing.fits.bore": "59.6 mm", "bearing.fits.cold_clearance": "100 um",
+        "bearing.fits.shaft_interference": "0 um", "outer.kind": "ring",
+    }  # fmt: skip
+    even, cold = (
+        clearance.operating(understood(text, PAPER, {**mounted, **further}, FAMILIES))  # pyright: ignore[reportArgumentType]
+        for further in ({}, {"operation.temperatures.outer_seat": "168 degC"})
+    )
+    assert cold - even == approx(-2 * 17.5e-6, rel=0.03)

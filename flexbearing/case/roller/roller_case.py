@@ -112,6 +112,9 @@ class Case(Head):
     def _full_structures_are_solids(self) -> Self:
         if self.coupling.structure == "full":
             require_solids(self.accuracy, self.inner, self.outer, lifts_off=self.lifts_off)
+            if self.operation.temperatures and self.operation.temperatures.outer_seat is not None:
+                allowed = 'left out for coupling.structure = "full", whose solids do not expand'
+                raise impossible("operation.temperatures.outer_seat", allowed)
         return self
 
     @model_validator(mode="after")

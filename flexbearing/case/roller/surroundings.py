@@ -22,6 +22,7 @@ from flexbearing.case.quantity import (
 )
 from flexbearing.case.roller.fits import COLD, FITTED, IN_HOUSING, LIFTING_OFF
 
+ON_SEAT = ({"outer.kind": ("squirrel_cage",)}, {"outer.kind": ("ring",), "outer.support": ("side", "seat")})
 SAME = 1e-3  # [K] by which two statements of a temperature may differ
 
 
@@ -110,6 +111,13 @@ class Temperatures(Section):
         None,
         gt=0,
         only=({"bearing.fits.housing": GIVEN}, {"outer.housing_clearance": GIVEN}),
+    )
+    outer_seat: Temperature | None = key(
+        "of what the clamped face or the seat of the outer part stands on, which expands like the material "
+        "of the outer ring; without it as warm as that",
+        None,
+        gt=0,
+        only=ON_SEAT,
     )
     reference: Temperature = key("at which the dimensions are given", gt=0)
     shaft_along: Along | None = key("how that of the shaft varies along the axis", None, only=FITTED)
