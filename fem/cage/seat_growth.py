@@ -2,6 +2,7 @@
 
 import ngsolve as ngs
 import numpy as np
+from numpy.polynomial import legendre
 
 from fem.assembly.elasticity import elastic_energy, lame_constants
 from fem.assembly.factorisation import factorised, threads
@@ -10,7 +11,6 @@ from fem.mesh.solid import MILLIMETRES
 from fem.parts.resolution import Resolution
 from fem.parts.rings import SquirrelCage
 from fem.raceway.growth import RacewayGrowth
-from fem.section.revolved_body import legendre_polynomials
 
 WAVES = 4  # of the ripple by the bars: cos(k bars phi), k below it
 STIFF = 1e6  # springs that keep a plane of symmetry, over modulus through pitch
@@ -60,7 +60,7 @@ def cage_seat_growth(cage: SquirrelCage, resolution: Resolution) -> RacewayGrowt
         u.vec.FV().NumPy()[:] = factored.solve(_shrinking(cage, space))
         radius, azimuth = ngs.sqrt(ngs.y**2 + ngs.z**2), ngs.atan2(ngs.y, ngs.z)
         outward = (ngs.y * u[1] + ngs.z * u[2]) / radius
-        shapes = legendre_polynomials(2 * ngs.x / (length * MILLIMETRES), resolution.axial_modes)
+        shapes = _polynomials(2 * ngs.x / (length * MILLIMETRES), resolution.axial_modes)
         band = length * pitch * cage.raceway_diameter / 2 * MILLIMETRES**2
         coefficients = np.array([
             [
@@ -75,6 +75,15 @@ def cage_seat_growth(cage: SquirrelCage, resolution: Resolution) -> RacewayGrowt
         ])  # fmt: skip
     coefficients[0, 0] += cage.raceway_diameter / 2
     return RacewayGrowth(coefficients, cage.bars)
+
+
+def _polynomials(xi, count: int) -> list:
+    """Legendre polynomials of a coefficient function."""
+    powers = [xi**k for k in range(count)]
+    return [
+        sum(float(c) * power for c, power in zip(legendre.leg2poly([0] * m + [1]), powers, strict=False))
+        for m in range(count)
+    ]
 
 
 def _energy(cage: SquirrelCage, mesh, pitch: float):

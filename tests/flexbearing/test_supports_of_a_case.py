@@ -331,7 +331,8 @@ def test_seat_as_warm_as_the_ring_changes_nothing(tmp_path):
         for seat in seats
     )
     assert (even.flexible["inner_load"] == plain["inner_load"]).all()
-    assert cold.flexible["life_L10"] != approx(float(plain["life_L10"]), rel=1e-3)
+    moved = cold.flexible["outer_deviation"] - plain["outer_deviation"]
+    assert np.ptp(moved, axis=1).min() > 4e-6  # coned at every roller
     seat = cold.attributes["structure"]["outer"]["seat"]
     assert seat["coned_um"] == approx(-6.4, rel=0.03)
     assert seat["mean_growth_um"] == approx(-17.5, rel=0.03)
