@@ -17,7 +17,8 @@ ENTRY_SHIFTS, EXIT_SHIFTS = (
 )  # rollers by which a loaded zone begins and ends later
 SLIPS = (1e-3, 0.1, 0.25, 0.45, 0.7, 0.9)  # of the cage
 UNLOADED_SPINS = (-0.3, 0.3)  # over rolling
-SCATTERED = 12  # patterns of either kind
+SCATTERED = 12  # patterns of either kind, fewer
+MOST_SPINS = 1000  # in the patterns of a kind, for large bearings
 
 
 class Patterns(NamedTuple):
@@ -49,8 +50,9 @@ def far(state: Equilibrium) -> Patterns:
     slipping = [(slip, spin) for slip in SLIPS for spin in UNLOADED_SPINS]
     spins = [np.where(loaded, 1 - slip, min(spin, 1 - slip)) for slip, spin in slipping]
     rng = np.random.default_rng(rollers)
-    scattered = [rng.uniform(-0.2, 1.0, rollers) for _ in range(SCATTERED)]
-    scattered += [np.where(rng.random(rollers) < 0.5, 1.0, rng.uniform(0, 0.6)) for _ in range(SCATTERED)]
+    number = min(SCATTERED, 1 + MOST_SPINS // rollers)
+    scattered = [rng.uniform(-0.2, 1.0, rollers) for _ in range(number)]
+    scattered += [np.where(rng.random(rollers) < 0.5, 1.0, rng.uniform(0, 0.6)) for _ in range(number)]
     drifts = -np.array([slip for slip, _ in slipping]) * state.balance.rolling_cage[0, 0]
     return Patterns.of(spins, drifts).joined(Patterns.of(scattered, state.unknowns.cage_drift[0, 0]))
 

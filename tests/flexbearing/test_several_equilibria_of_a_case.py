@@ -8,6 +8,8 @@ from pytest import approx
 import flexbearing
 from flexbearing import __main__ as program
 from flexbearing.report import summary
+from flexbearing.runs.several import SeveralEquilibria
+from tests.bearings import paper_bearing
 from tests.cold_oil import PAPER, RIGID, cold_case, settings
 
 THICK_RING = ("inner.kind=rigid", "outer.kind=ring", "outer.thickness=15 mm", "accuracy.structure=beam")
@@ -73,6 +75,19 @@ def test_a_bearing_with_thin_films_is_told_nothing(tmp_path):
     result = flexbearing.run(PAPER, tmp_path / "r.h5", RIGID)
     assert "equilibria" not in result.attributes
     assert "several equilibria" not in " ".join(note["text"] for note in result.attributes["notes"])
+
+
+def test_what_leads_back_to_the_end_state_is_an_information_without_numbers():
+    """Nor is a danger what was found on the way to the answer of a run."""
+    state = paper_bearing().solve()
+    led_back = SeveralEquilibria("flexible raceways", state, True, (), led_back=2).note()
+    assert led_back.grade == "information"
+    assert "no other equilibrium was found: 2 that exist" in led_back.text
+    on_the_way = SeveralEquilibria("rigid raceways", state, True, (state,))
+    assert (on_the_way.note().grade, on_the_way.note(answer=False).grade) == ("danger", "information")
+    unstable = SeveralEquilibria("rigid raceways", state, False, (state,)).note()
+    assert "not stable" in unstable.text
+    assert "not stable" not in on_the_way.note().text
 
 
 @pytest.mark.slow
