@@ -18,7 +18,7 @@ from quasidynamic.solve.start.frictionless import frictionless_ring
 
 DIFFERENT = 1e-3  # of the largest load, or of the spin in pure rolling, by which two equilibria differ
 ROUNDS = 3  # of pseudo-time between elastic raceways, which move a roller out of a contact again
-FOLLOWED = 3  # equilibria around which more are searched
+FOLLOWED = 3  # equilibria of the highest and of the lowest load, around which more are searched
 FILM_ROUNDS = 2  # films and place of the ring, one after the other, at the spins of a start
 
 
@@ -41,13 +41,19 @@ def other_equilibria(state: Equilibrium) -> tuple[Equilibrium, ...]:
     search = _Search(rigid_balance(state), state.axial_modes)
     known = search.at(rigid_balance(state).pack(state.unknowns)[0])
     found = search.new([known], near(known), rounds=0)
-    if not found:
-        found = search.new([known], near(known).joined(far(known)), rounds=1)
-    followed = 0
-    while followed < min(len(found), FOLLOWED):
-        found += search.new([known, *found], near(found[followed]), rounds=0)
-        followed += 1
-    return tuple(sorted(found, key=lambda other: float(other.loads[INNER].max())))
+    further = far(known) if found else near(known).joined(far(known))
+    found += search.new([known, *found], further, rounds=1)
+    left = list(found)
+    for number in range(min(len(found), FOLLOWED)):  # from the ends of what is known, to widen it
+        end = sorted(left, key=_largest_load)[-1 if number % 2 == 0 else 0]
+        more = search.new([known, *found], near(end), rounds=0)
+        left = [other for other in left if other is not end] + more
+        found += more
+    return tuple(sorted(found, key=_largest_load))
+
+
+def _largest_load(state: Equilibrium) -> float:
+    return float(state.loads[INNER].max())
 
 
 def between_elastic_raceways(
