@@ -7,8 +7,9 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.balance.rollers.unknowns import INNER, OUTER
+from quasidynamic.contact.line import EXPONENT
 from quasidynamic.outcome.equilibrium import Equilibrium
-from quasidynamic.solve.rollers.static_equilibrium import centrifugal_force, film_at, outer_approach
+from quasidynamic.solve.rollers.static_equilibrium import film_at
 from quasidynamic.solve.start import LumpedRollers
 
 LOADED = 3e-4  # of the largest inner load
@@ -52,12 +53,11 @@ def doubts(state: Equilibrium) -> NDArray:
     larger than the gap; a loaded one would not if it stood still and they were smaller. The doubt is that
     difference over the films when it rolls.
     """
-    balance, unknowns = state.balance, state.unknowns
-    _, cage_speed = balance.speeds(unknowns)
-    pressed = outer_approach(balance, cage_speed) + 2 * balance.roller.raceways.drop.min()
+    balance, unknowns, raceways = state.balance, state.unknowns, state.balance.roller.raceways
+    outward = state.loads[OUTER] - state.loads[INNER]  # what presses a roller on one raceway alone
+    load = np.maximum([-outward, outward], 0.0)[:, None]
+    pressed = (raceways.softness[:, None, None] * load ** (1 / EXPONENT)).sum(0) + 2 * raceways.drop.min()
     gap = pressed - balance.inputs(unknowns).approach[:, 0].sum(0) + unknowns.film.sum(0)
-    centrifugal = centrifugal_force(balance, cage_speed)
-    load = np.array([0 * centrifugal, centrifugal])
     rolling, standing = (
         film_at(balance, unknowns._replace(spin_drift=drift), load).sum(0)
         for drift in (0 * unknowns.spin_drift, 0 * unknowns.spin_drift - balance.rolling_spin)
