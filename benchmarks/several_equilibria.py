@@ -68,7 +68,7 @@ def timed(work):
 
 def passing_life(told, state) -> float:
     passing = told and told.passing
-    return passing.equilibrium.life / state.life if passing else np.nan
+    return passing.state.life / state.life if passing else np.nan
 
 
 def report(rows: list[dict], asked) -> None:

@@ -36,7 +36,7 @@ class SeveralEquilibria:
         }
         if self.passing is not None:
             ends = {"pitches": self.passing.pitches, "settled": self.passing.settled}
-            record["after_passing_pitches"] = _figures(self.passing.equilibrium) | ends
+            record["after_passing_pitches"] = _figures(self.passing.state) | ends
         return record
 
     def note(self, *, answer: bool = True) -> Note:
@@ -65,7 +65,7 @@ class SeveralEquilibria:
     def _after_passing(self) -> str:
         if self.passing is None:
             return ""
-        reached = _figures(self.passing.equilibrium)
+        reached = _figures(self.passing.state)
         ratio = reached["life_L10_Mrev"] / _figures(self.computed)["life_L10_Mrev"]
         ends = "reach" if self.passing.settled else "still change from pitch to pitch, at last"
         return (
@@ -140,7 +140,7 @@ def _figures(state: Equilibrium) -> dict[str, Any]:
         "loaded_rollers": int(loaded_rollers(state.loads[0])),
         "life_L10_Mrev": state.life,
         "driving_torque_Nm": state.driving_torque,
-        "power_loss_W": state.losses.total,
+        "power_loss_W": state.driving_power,
         "slip_percent": 100 * state.cage_slip if np.isfinite(state.cage_slip) else None,
         "inner_loads_N": state.loads[0].tolist(),
     }

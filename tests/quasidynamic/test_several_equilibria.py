@@ -75,18 +75,27 @@ def test_indicator_costs_no_evaluation_of_the_balance(monkeypatch):
     assert not calls
 
 
-def test_rollers_that_pass_pitches_come_back_to_an_equilibrium_of_the_same_places(state, others):
+def test_rollers_that_pass_pitches_end_where_all_but_their_spins_balances(state):
     passing = after_passing_pitches(state)
     assert passing.settled
-    assert passing.equilibrium.residual < 1e-9
-    assert min(apart(passing.equilibrium, one) for one in (state, *others)) < DIFFERENT
+    residual = passing.state.system.residual[0].copy()
+    residual[passing.state.balance.layout.field(-1)] = 0.0
+    assert np.abs(residual).max() < 1e-8
 
 
 def test_rollers_with_one_equilibrium_come_back_to_it():
+    """But for what a whole pitch smears out: the spin that a roller brings along."""
     state = paper_bearing().solve()
     passing = after_passing_pitches(state)
-    assert (passing.pitches, passing.settled) == (1, True)
-    assert passing.equilibrium.loads == approx(state.loads, rel=0, abs=1e-9 * state.loads.max())
+    assert passing.settled
+    assert passing.state.loads == approx(state.loads, rel=0, abs=1e-3 * state.loads.max())
+
+
+def test_no_pitch_is_passed_by_a_cage_that_hardly_turns():
+    state = paper_bearing().solve()
+    unknowns = state.unknowns
+    still = state.balance.pack(unknowns._replace(cage_drift=-state.balance.rolling_cage))
+    assert after_passing_pitches(replace(state, scaled=still[0])) is None
 
 
 def test_backwards_the_same_equilibria_are_told():
