@@ -30,7 +30,7 @@ from scipy import sparse
 import fem
 import quasidynamic as qd
 from benchmarks.calculix import Hexahedra, between, clamped, rows
-from quasidynamic.contact.line import Slices, palmgren
+from quasidynamic.contact.line import EXPONENT, Slices, palmgren
 
 SLICES = 10
 MOVED = 0.045  # [mm] inner ring
@@ -85,7 +85,7 @@ class Springs:
         """Raceways' approach a (..., K) [mm] for loads of the slices (..., K) [N], contact closed."""
         roller, own = self.bearing.roller, self.slices
         each = [
-            MM * palmgren(roller.material, raceway, roller.length).approach(load / own.width * MM)
+            MM * (load / own.width * MM / palmgren(roller.material, raceway, roller.length)) ** (1 / EXPONENT)
             for raceway in (self.bearing.inner_ring, self.bearing.outer_ring)
         ]
         dead = self.bearing.clearance / 2 + 2 * roller.profile.drop(own.all_centres / MM, roller.length)

@@ -11,7 +11,7 @@ from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.balance.rollers.operating_points import OperatingPoints
 from quasidynamic.balance.rollers.roller import RollerBalance
 from quasidynamic.contact.film import FilmLaw
-from quasidynamic.contact.line import LoadLaw, Slices, raceway_laws, reduced_radius
+from quasidynamic.contact.line import LoadLaw, Slices, gap_rounding, raceway_coefficients, reduced_radius
 from quasidynamic.contact.lubrication import Lubrication
 from quasidynamic.contact.raceways import Raceways
 from quasidynamic.errors import NotSolved
@@ -162,7 +162,7 @@ class RollerBearing:
         moduli = [contact_modulus(roller.material, ring) for ring in (bearing.inner_ring, bearing.outer_ring)]
         radius, modulus = (np.array(values)[:, None, None] for values in (radii, moduli))
         return Raceways(
-            law=LoadLaw(np.array([law.coefficient for law in raceway_laws(bearing)])[:, None, None]),
+            law=LoadLaw(np.array(raceway_coefficients(bearing))[:, None, None], gap_rounding(bearing)),
             traction=lubrication.traction(
                 radius=radius,
                 modulus=modulus,

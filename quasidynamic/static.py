@@ -72,7 +72,7 @@ def static_loads(
 
     Valid
     -----
-    Slow, rigid and round raceways; contact begins smoothly over `GAP_ROUNDING`. The approach of every
+    Slow, rigid and round raceways; contact begins smoothly over `gap_rounding`. The approach of every
     slice is shared between the raceways as their load laws ask: exact for rings of one material and for
     straight rollers; else a profiled roller would have to bend a little to follow: half the modulus in one
     ring moves loads by 1e-4 and slice loads by 4 %.

@@ -46,6 +46,7 @@ def paper_bearing(**changes) -> RollerBearing:
         "cage": {},
         "load_direction": 0.0,
         "misalignment": 0.0,
+        "gravity": 9.81,
         "traction": "4109",
         **changes,
     }
@@ -75,6 +76,7 @@ def paper_bearing(**changes) -> RollerBearing:
         free_tilt=value.pop("free_tilt", value["moment"] != 0),
         moment=value.pop("moment"),
         misalignment=value.pop("misalignment"),
+        gravity=value.pop("gravity"),
     )
     oil = value.pop("oil", None) or oil_at("MIL-PRF-23699", 493.15)
     numerics = {name: value.pop(name) for name in ("slices", "axial_modes", "spin_inertia") if name in value}

@@ -90,26 +90,40 @@ def log_uniform(rng, low, high):
     return float(np.exp(rng.uniform(np.log(low), np.log(high))))
 
 
+def pocket_rounding(bearing) -> float:
+    """Width over which the force in a pocket changes its sign [N]: 1e-10 E' R l of the inner contact."""
+    steepness = sum(
+        (1 - m.poisson_ratio**2) / m.youngs_modulus for m in (bearing.roller.material, bearing.inner_ring)
+    )
+    curvature = 2 / bearing.roller.diameter + 1 / bearing.inner_radius
+    return 1e-10 * 2 / steepness / curvature * bearing.roller.length
+
+
 def imbalance(state) -> float:
     """Largest imbalance over the largest force, from the reported quantities alone."""
     bearing, points = state.balance.roller.bearing, state.balance.points
     t, shear, load, force = state.traction, state.rolling_shear, state.loads, state.cage_force
     g, nominal = bearing.diameter_ratio, points.inner_speed[0, 0] - points.outer_speed[0, 0]
-    s = state.roller_speed / np.hypot(state.roller_speed, 1e-5 * nominal * (1 - g**2) / (2 * g))
+    s = state.roller_speed / np.hypot(state.roller_speed, 1e-3 * nominal * (1 - g**2) / (2 * g))
     r_w, r_m = bearing.roller.diameter / 2, bearing.pitch_diameter / 2
-    friction = bearing.cage.pocket_friction * (np.hypot(force, 0.5) - 0.5)
-    centrifugal = bearing.roller.mass * (r_m * state.cage_speed**2 + 9.81)
+    friction = bearing.cage.pocket_friction * force**2 / np.hypot(force, pocket_rounding(bearing))
+    down = np.array([points.gravity_y[0, 0], points.gravity_z[0, 0]]) * bearing.roller.mass
+    centrifugal = bearing.roller.mass * r_m * state.cage_speed**2
     drag = state.rollers.drag[0, 0]
     sin, cos = np.sin(bearing.azimuths), np.cos(bearing.azimuths)
     tangential = t[0] + (1 - 2 * g) * shear[0]
-    radial = load[0] - load[1] + centrifugal + s * bearing.cage.pocket_friction * force
+    radial = load[0] - load[1] + centrifugal + down @ [sin, cos] + s * bearing.cage.pocket_friction * force
     along = t[0] + t[1] + (1 - 2 * g) * shear[0] - (1 + 2 * g) * shear[1] - drag + force
-    spin = t[0] - t[1] - shear[0] - shear[1] - s * friction - state.transport / r_w
+    along += down @ [cos, -sin]
+    spin = (
+        t[0] - t[1] - shear[0] - shear[1] - s * friction - (state.transport + state.rollers.churning[0]) / r_w
+    )
     ring = [
         load[0] @ sin + tangential @ cos - points.load_y[0, 0],
         load[0] @ cos - tangential @ sin - points.load_z[0, 0],
     ]
     cage = -force.sum() * r_m - (s * friction).sum() * r_w + state.land_torque
+    cage -= state.rollers.churning.sum()
     moments = [0.0]
     if points.free_tilt[0, 0]:
         applied = np.array([points.moment_z[0, 0], points.moment_y[0, 0]])

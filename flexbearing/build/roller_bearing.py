@@ -51,6 +51,8 @@ def operation(case: Case) -> qd.Operation:
         moment=case.operation.moment,
         misalignment=case.operation.misalignment,
         free_tilt=case.operation.free_tilt,
+        gravity=case.operation.gravity,
+        gravity_direction=case.operation.gravity_direction,
     )
 
 

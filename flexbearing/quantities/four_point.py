@@ -9,12 +9,12 @@ from flexbearing.quantities.attributes import HEAD
 from flexbearing.quantities.layout import Layout
 from flexbearing.quantities.quantity import Quantity, SummaryValue
 from flexbearing.quantities.reductions import (
-    LOADED,
     RACES,
     at_inner_race,
     displacements,
     finite_range,
     largest,
+    loaded,
     tilts,
 )
 from flexbearing.quantities.units import COUNT, DEG, MM, MPA, MRAD, RPM, UM
@@ -48,9 +48,9 @@ QUANTITIES = (
     # loads
     Quantity("contact_load", "Q", "Z G 2", "N", "block", "normal load, >= 0", source="balls.load", summary=(
         SummaryValue("balls", len, "balls", "d", unit=COUNT),
-        SummaryValue("loaded_balls", lambda load: int((load > LOADED).any((1, 2)).sum()),
+        SummaryValue("loaded_balls", lambda load: int(loaded(load).any((1, 2)).sum()),
             "balls that carry load", "d", unit=COUNT),
-        SummaryValue("loaded_contacts", lambda load: int((load > LOADED).sum()),
+        SummaryValue("loaded_contacts", lambda load: int(loaded(load).sum()),
             "contacts that carry load", "d", unit=COUNT),
         SummaryValue("max_contact_load_N", largest, "largest contact load", ",.1f"),
         SummaryValue("max_contact_loads_N", lambda load: load.max((0, 2))),
@@ -61,7 +61,7 @@ QUANTITIES = (
         summary=(SummaryValue("ball_azimuths_deg"),)),
     Quantity("contact_angle", "alpha", "Z G 2", "rad", "block", "contact angle from the radial plane",
         source="balls.contacts.angle", people=DEG, summary=(
-            SummaryValue("contact_angle_range_deg", lambda angle, load: finite_range(angle[load > LOADED]),
+            SummaryValue("contact_angle_range_deg", lambda angle, load: finite_range(angle[loaded(load)]),
                 "contact angle", ".2f", of=("contact_angle", "contact_load")),
             SummaryValue("contact_angles_deg", at_inner_race),
         )),

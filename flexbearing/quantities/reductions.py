@@ -2,7 +2,7 @@
 
 import numpy as np
 
-LOADED = 1.0  # [N] a roller or ball carries load above this
+LOADED = 3e-4  # of the largest load: a contact carries load above it
 RACES = ("inner", "outer")
 
 
@@ -46,6 +46,11 @@ def smallest_above_zero(*rows: np.ndarray) -> np.ndarray:
     return np.where(np.isinf(smallest), np.nan, smallest)
 
 
+def loaded(load: np.ndarray) -> np.ndarray:
+    """Which contacts carry load (...), of the loads of all of them [N], >= 0."""
+    return load > LOADED * load.max()
+
+
 def loaded_rollers(load: np.ndarray) -> float:
     """Count the rollers that carry load.
 
@@ -57,9 +62,9 @@ def loaded_rollers(load: np.ndarray) -> float:
     Returns
     -------
     int
-        rollers above 1 N; NaN when a load is not finite
+        rollers above `LOADED`; NaN when a load is not finite
     """
-    return int(np.count_nonzero(load > LOADED)) if np.isfinite(load).all() else np.nan
+    return int(np.count_nonzero(loaded(load))) if np.isfinite(load).all() else np.nan
 
 
 def loaded_arc(azimuth: np.ndarray, load: np.ndarray) -> float:
@@ -79,13 +84,13 @@ def loaded_arc(azimuth: np.ndarray, load: np.ndarray) -> float:
     """
     if not np.isfinite(load).all():
         return np.nan
-    loaded = np.sort(azimuth[load > LOADED] % (2 * np.pi))
-    if loaded.size == load.size:
+    places = np.sort(azimuth[loaded(load)] % (2 * np.pi))
+    if places.size == load.size:
         return 2 * np.pi
-    if loaded.size < 2:
+    if places.size < 2:
         return 0.0
     # the arc is what the widest gap between neighbours leaves of the circle
-    gaps = np.diff(loaded, append=loaded[0] + 2 * np.pi)
+    gaps = np.diff(places, append=places[0] + 2 * np.pi)
     return 2 * np.pi - float(gaps.max())
 
 

@@ -8,12 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.contact.film import Film, FilmLaw, starved_film
-from quasidynamic.contact.line import EXPONENT, LoadLaw, Slices
+from quasidynamic.contact.line import EXPONENT, SMALLEST_LOAD, LoadLaw, Slices
 from quasidynamic.contact.lubrication import Lubrication
 from quasidynamic.contact.traction import RollingShear, TractionLaw
 from quasidynamic.parts.lubricant import Lubricant
-
-FILM_LOAD_FLOOR = 30.0  # [N] keeps the film of a grazing roller from depending on its own load
 
 
 class RacewayState(NamedTuple):
@@ -51,6 +49,15 @@ class Raceways:
     def softness(self) -> NDArray:
         """Approach of a straight roller at either raceway per load^0.9 (2) [m/N^0.9]."""
         return (np.ravel(self.law.coefficient) * self.slices.length) ** (-1 / EXPONENT)
+
+    @cached_property
+    def smallest_load(self) -> NDArray:
+        """Load of a roller (2, 1, 1) below which its film keeps its value [N]: `SMALLEST_LOAD` E' R l."""
+        return SMALLEST_LOAD * self.slices.length * self.modulus * self.radius
+
+    @cached_property
+    def _squared_smallest_load(self) -> NDArray:
+        return self.smallest_load**2
 
     @property
     def oil(self) -> Lubricant:
@@ -105,7 +112,7 @@ class Raceways:
 
     def film(self, load: NDArray, sliding: NDArray, entrainment: NDArray) -> Film:
         """Film of roller loads (2, C, Z) [N], at the mean load per length; derivatives by load [m/N]."""
-        floored = np.sqrt(load * load + FILM_LOAD_FLOOR**2)
+        floored = np.sqrt(load * load + self._squared_smallest_load)
         line_load = floored / self.slices.length
         film = self.film_law(line_load, sliding, entrainment)
         if self.lubrication.inlet_length is not None:

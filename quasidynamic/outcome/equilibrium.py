@@ -13,12 +13,12 @@ from quasidynamic.balance.rollers.roller import RollerState
 from quasidynamic.balance.rollers.unknowns import BORDER, CAGE, INNER, OUTER, TILT_Z, Unknowns, Y, Z
 from quasidynamic.contact.cage import displacement_in_pocket, land_torque
 from quasidynamic.contact.line import palmgren, peak_pressure
-from quasidynamic.outcome.life import basic_life
+from quasidynamic.outcome.life import basic_life, turning_share
 from quasidynamic.outcome.losses import Losses
 from quasidynamic.outcome.ring_stiffness import Tangent
 from quasidynamic.solve.outcome import SolverOutcome
 
-UNLOADED = 1e-3  # [N] below it a contact has no film worth telling
+LOADED = 3e-4  # of the largest load of a raceway: contacts above it carry load and have a film worth telling
 
 
 @dataclass(frozen=True)
@@ -119,6 +119,11 @@ class Equilibrium:
         return self.deviation @ replace(self._whole, axial_modes=self.deviation.shape[2]).modes.T
 
     @property
+    def loaded(self) -> NDArray:
+        """Which contacts carry load (2, Z)."""
+        return self.loads > LOADED * self.loads.max(axis=1, keepdims=True)
+
+    @property
     def film(self) -> NDArray:
         """Film (2, Z) [m]."""
         return self.unknowns.film[:, 0]
@@ -126,12 +131,12 @@ class Equilibrium:
     @property
     def loaded_film(self) -> NDArray:
         """Film (2, Z) [m] of the contacts that carry load, 0 elsewhere."""
-        return np.where(self.loads > UNLOADED, self.film, 0.0)
+        return np.where(self.loaded, self.film, 0.0)
 
     @property
     def minimum_film(self) -> NDArray:
         """Smallest film (2) of the loaded contacts of each raceway [m]; 0 where none is loaded."""
-        smallest = np.where(self.loads > UNLOADED, self.film, np.inf).min(axis=1)
+        smallest = np.where(self.loaded, self.film, np.inf).min(axis=1)
         return np.where(np.isfinite(smallest), smallest, 0.0)
 
     # -- motion --------------------------------------------------------------------------------
@@ -233,7 +238,7 @@ class Equilibrium:
         if bearing.cage.pocket_clearance is None:
             return None
         roller = bearing.roller
-        stop = palmgren(roller.material, roller.material, roller.length).coefficient * roller.length
+        stop = palmgren(roller.material, roller.material, roller.length) * roller.length
         return displacement_in_pocket(-self.cage_force, bearing.cage.pocket_clearance, stop)
 
     @property
@@ -272,7 +277,7 @@ class Equilibrium:
             drag=float(rollers.drag[0, 0] * self.cage_speed * bearing.pitch_diameter / 2 * bearing.rollers),
             pocket=float(rollers.pocket_brake[0] @ self.roller_speed * bearing.roller.diameter / 2),
             land=self.land_torque * difference,
-            churning=float(rollers.churning[0] @ (self.roller_speed - self.cage_speed)),
+            churning=float(rollers.churning[0] @ self.roller_speed),
             transport=float(self.transport @ self.roller_speed),
         )
 
@@ -300,10 +305,11 @@ class Equilibrium:
         return float(basic_life(inner, outer, self.balance.roller.bearing, self.turning))
 
     @property
-    def turning(self) -> tuple[bool, bool]:
-        """Whether the inner and the outer ring turn against the load."""
+    def turning(self) -> tuple[float, float]:
+        """How far the inner and the outer ring turn against the load, 0 standing to 1 [-]."""
         points = self.balance.points
-        return bool(points.inner_speed[0, 0] != 0.0), bool(points.outer_speed[0, 0] != 0.0)
+        inner, outer = float(points.inner_speed[0, 0]), float(points.outer_speed[0, 0])
+        return turning_share(inner, inner - outer), turning_share(outer, inner - outer)
 
     # -- stiffness -----------------------------------------------------------------------------
 

@@ -12,7 +12,8 @@ from quasidynamic.parts.roller import Straight
 from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
 
 WEIBULL = 9 / 8  # dispersion exponent of line contact
-TURNING, STANDING = 4.0, 4.5  # load exponents of a ring against the load
+LOAD_EXPONENT = 4.0  # of the damage that loads do at one place of a raceway
+REVOLUTIONS = 1e6  # that a rating life counts in
 FEWEST_SLICES = 30  # of ISO/TS 16281
 
 
@@ -30,7 +31,7 @@ class RollerBody:
 
 
 def basic_life(
-    inner: NDArray, outer: NDArray, bearing: CylindricalRollerBearing, turning: tuple[bool, bool]
+    inner: NDArray, outer: NDArray, bearing: CylindricalRollerBearing, turning: tuple[float, float]
 ) -> Any:  # a float for one load case, an array for many
     r"""Basic life of the raceways from the loads of the slices, with capacities of the 552 form.
 
@@ -42,8 +43,8 @@ def basic_life(
         load of each slice [N], >= 0
     bearing : CylindricalRollerBearing
         for the capacities
-    turning : tuple of bool
-        whether the inner and the outer ring turn against the load
+    turning : tuple of float
+        how far the inner and the outer ring turn against the load, 0 standing to 1, see `turning_share` [-]
 
     Returns
     -------
@@ -65,7 +66,7 @@ def reference_life(
     inner: NDArray,
     outer: NDArray,
     bearing: CylindricalRollerBearing,
-    turning: tuple[bool, bool],
+    turning: tuple[float, float],
     *,
     edge_stress: bool = False,
     rating: float | None = None,
@@ -78,8 +79,8 @@ def reference_life(
         load of each slice, over the whole length of the roller [N], >= 0
     bearing : CylindricalRollerBearing
         for the capacities and the profile
-    turning : tuple of bool
-        whether the inner and the outer ring turn against the load
+    turning : tuple of float
+        how far the inner and the outer ring turn against the load, 0 standing to 1, see `turning_share` [-]
     edge_stress : bool
         multiply the slices by `edge_stress_factor`
     rating : float, optional
@@ -113,7 +114,7 @@ def slice_life(
     inner: NDArray,
     outer: NDArray,
     capacity: tuple[float, float],
-    turning: tuple[bool, bool],
+    turning: tuple[float, float],
     *,
     edge: NDArray | None = None,
     rollers: RollerBody | None = None,
@@ -123,10 +124,12 @@ def slice_life(
     .. math:: L_{10} = \Big\{ \sum_k (q_{ei,k}/q_{ci})^{4.5} + (q_{eo,k}/q_{co})^{4.5}
               + Z s^{9/8} [(q_{ri,k}/q_{cri})^{4.5} + (q_{ro,k}/q_{cro})^{4.5}] \Big\}^{-8/9},
 
-    .. math:: q_e = \Big( \frac1Z \sum_j (f_k q_{j,k})^p \Big)^{1/p},\; q_c = Q_c K^{-7/9}
+    .. math:: q_e = \Big( \frac1Z \sum_j \big[ (1 - s_t) (f_k q_{j,k})^4
+              + \frac{s_t}{Z} \sum_i (f_k q_{i,k})^4 \big]^{9/8} \Big)^{1/4.5},\; q_c = Q_c K^{-7/9}
 
-    with p = 4 for a ring that turns against the load and 4.5 for one that stands still under it. A
-    roller meets all loads of the circle in turn (p = 4), lives (q_cr/q_r)^4 of its own turns, s of
+    with the share s_t of the damage that turning spreads evenly around the ring: the mean of power 4 of a
+    ring that turns against the load, s_t = 1, and of power 4.5 of one that stands still under it, s_t = 0.
+    A roller meets all loads of the circle in turn, lives (q_cr/q_r)^4 of its own turns, s of
     them in a turn of the ring, (1 - gamma^2)/(2 gamma) where it rolls, and all Z rollers must survive.
 
     Parameters
@@ -135,8 +138,8 @@ def slice_life(
         load of each slice [N], >= 0
     capacity : tuple of float
         Q_c of the inner and outer raceway [N]
-    turning : tuple of bool
-        whether the inner and the outer ring turn against the load
+    turning : tuple of float
+        how far the inner and the outer ring turn against the load, 0 standing to 1, see `turning_share` [-]
     edge : array (K), optional
         f_k, edge stress factor [-]; 1 if left out
     rollers : RollerBody, optional
@@ -157,10 +160,9 @@ def slice_life(
     Fatigue from below the surface, full film, equal slices over the whole length of the roller.
     """
     loads = [np.asarray(side) * (1.0 if edge is None else edge) for side in (inner, outer)]
-    exponents = [TURNING if turns else STANDING for turns in turning]
-    damage = sum(_damage(q, c, p) for q, c, p in zip(loads, capacity, exponents, strict=True))
+    damage = sum(_damage(q, c, share) for q, c, share in zip(loads, capacity, turning, strict=True))
     if rollers:
-        roller_damage = sum(_damage(q, c, TURNING) for q, c in zip(loads, rollers.capacity, strict=True))
+        roller_damage = sum(_damage(q, c, 1.0) for q, c in zip(loads, rollers.capacity, strict=True))
         damage = damage + loads[0].shape[-2] * rollers.speed_ratio**WEIBULL * roller_damage
     with np.errstate(divide="ignore"):  # no load, no damage: for ever
         return damage ** (-1 / WEIBULL)
@@ -230,8 +232,41 @@ def reference_load(life: Any, rating: float) -> Any:
     return rating * np.asarray(life) ** (-3 / 10)
 
 
-def _damage(loads: NDArray, capacity: float, p: float) -> Any:
-    """Sum over slices of (q_e/q_c)^4.5, with q_e the mean of power p over the rollers."""
-    equivalent = np.mean(loads**p, axis=-2) ** (1 / p)
+def turning_share(speed: float, relative_speed: float) -> float:
+    r"""Share of the damage that a ring's own turning spreads evenly around it.
+
+    .. math:: s_t = \frac{x^2}{1 + x^2},\quad x = 10^6 \left| \frac{\omega}{\omega_i - \omega_o} \right|
+
+    A ring that turns x times while the rings turn a million times against each other meets the load with
+    one place of its raceway (x = 0) or with all of them in turn: nothing jumps where it begins to move.
+
+    Parameters
+    ----------
+    speed : float
+        omega of the ring against the load [rad/s]
+    relative_speed : float
+        omega_i - omega_o [rad/s], not zero
+
+    Returns
+    -------
+    float
+        s_t [-], 0 for a ring that stands still, 0.5 for one turn, 1 - 1e-6 for a thousand turns
+
+    Source
+    ------
+    Assumed; only the ends are those of ISO/TS 16281 (2008).
+
+    Valid
+    -----
+    Lives of about a million revolutions: during a longer one a creeping ring turns further, and lives longer.
+    """
+    turns = REVOLUTIONS * speed / relative_speed
+    return turns**2 / (1 + turns**2)
+
+
+def _damage(loads: NDArray, capacity: float, share: float) -> Any:
+    """Sum over slices of (q_e/q_c)^4.5, of a ring that turns by a share."""
+    damage = loads**LOAD_EXPONENT
+    spread = (1 - share) * damage + share * damage.mean(axis=-2, keepdims=True)
     slice_capacity = capacity * loads.shape[-1] ** (-7 / 9)
-    return np.sum((equivalent / slice_capacity) ** (4 * WEIBULL), axis=-1)
+    return (spread**WEIBULL).mean(axis=-2).sum(axis=-1) / slice_capacity ** (LOAD_EXPONENT * WEIBULL)

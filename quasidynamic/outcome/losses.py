@@ -12,7 +12,7 @@ class Losses:
     drag: float  # of the mixture on the orbiting rollers
     pocket: float  # friction of the rollers in the pockets
     land: float  # of the cage on its guide
-    churning: float  # of the mixture around the spinning rollers
+    churning: float  # of the mixture between the spinning rollers and the cage
     transport: float  # of spin from azimuth to azimuth: not heat but discretisation residual
 
     @property

@@ -4,6 +4,8 @@ from dataclasses import dataclass
 
 from quasidynamic.errors import ImpossiblePart
 
+GRAVITY = 9.81  # [m/s2]
+
 
 @dataclass(frozen=True, kw_only=True)
 class Operation:
@@ -16,12 +18,16 @@ class Operation:
     moment: float = 0.0  # [N m] on the inner ring, tilts it in the plane of the load
     misalignment: float = 0.0  # [rad] slope of a ring that may not tilt freely, in the plane of the load
     free_tilt: bool = False  # whether the inner ring may tilt against the outer one
+    gravity: float = GRAVITY  # [m/s2] across the axis: 0 where the shaft stands upright
+    gravity_direction: float = 0.0  # [rad] azimuth that weights point to
 
     def __post_init__(self):
         if self.inner_speed == self.outer_speed:
             raise ImpossiblePart(f"both rings turn at {self.inner_speed} rad/s: nothing rolls")
         if self.radial_load < 0:
             raise ImpossiblePart(f"radial_load = {self.radial_load} N: turn load_direction instead")
+        if self.gravity < 0:
+            raise ImpossiblePart(f"gravity = {self.gravity} m/s2: turn gravity_direction instead")
         if self.moment and not self.free_tilt:
             raise ImpossiblePart(f"moment = {self.moment} N m acts on a ring that may not tilt")
         if self.misalignment and self.free_tilt:

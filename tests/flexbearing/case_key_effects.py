@@ -141,6 +141,8 @@ EFFECTS = (
     ("cage", "operation.load_direction", "12 deg", "model.operation.load_direction"),
     ("cage", "operation.inner_speed", "38380 rpm", "model.operation.inner_speed"),
     ("rigid", "operation.roller_positions", 8, "case.operation.roller_positions"),
+    ("cage", "operation.gravity", "9.7 m/s^2", "model.operation.gravity"),
+    ("cage", "operation.gravity_direction", "12 deg", "model.operation.gravity_direction"),
     ("plain ring", "operation.outer_speed", "100 rpm", "model.operation.outer_speed"),
     ("cage", "operation.moment", "20 N m", "model.operation.moment"),
     ("held ring", "operation.misalignment", "2 arcmin", "model.operation.misalignment"),

@@ -80,7 +80,7 @@ BROKEN = {
         ["broken.toml", "assumed", "lubricant.oyl", "Did you mean oil?"],
     ),
     "oil by name and by data": (
-        "oil_fraction = 0.3334", 'oil_fraction = 0.3334\ndensity = "900 kg/m^3"',
+        "oil_fraction = 0.3324", 'oil_fraction = 0.3324\ndensity = "900 kg/m^3"',
         ["broken.toml", "[lubricant] density", "not both"],
     ),
     "not TOML": ("[bearing]", "[bearing", ["broken.toml", "not valid TOML", "line"]),

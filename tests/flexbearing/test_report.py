@@ -156,8 +156,9 @@ def test_loaded_arc_does_not_depend_on_the_order_of_the_rollers_or_on_whole_turn
     )
 
 
-def test_a_roller_is_loaded_above_one_newton():
-    assert loaded_rollers(np.array([0.0, 1.0, 1.001, 50.0])) == 2
+@pytest.mark.parametrize("size", [1e-3, 1.0, 1e6])
+def test_a_roller_is_loaded_above_a_share_of_the_largest_load(size):
+    assert loaded_rollers(size * np.array([0.0, 0.0149, 0.0151, 50.0])) == 2
 
 
 # -- the JSON object -----------------------------------------------------------------------------

@@ -58,7 +58,7 @@ def test_many_rollers_share_the_load_as_the_integral_says(eps):
     printed, deepest, length = TABLE[eps][2], 10e-6, 10e-3
     shift = deepest / (2 * eps)
     bearing = steel_bearing(MANY, clearance=2 * shift * (1 - 2 * eps), contact_law="iso16281")
-    largest = iso16281(length).coefficient * (deepest / 2) ** EXPONENT * length
+    largest = iso16281(length) * (deepest / 2) ** EXPONENT * length
     found = static_loads(bearing, printed * MANY * largest)
     rounding = 0.6e-5 / printed  # of the printed integral
     assert found.loads.max() == approx(largest, rel=rounding)

@@ -34,7 +34,7 @@ CASES = {
     "heavy": ({}, 1e8),
     "light": ({"load": 500.0}, 1e8),
     "moment": ({"moment": 60.0}, 1e8),
-    "slow": ({"speed": 10.0}, 1e8),
+    "slow": ({"speed": 5.0}, 1e8),
     "preload": ({"clearance": -40e-6}, 1e8),
     "very soft": ({}, 1e7),
 }

@@ -50,7 +50,7 @@ def test_a_land_under_a_light_force_is_nearly_centred_and_pushes_sideways():
 
 
 @pytest.mark.parametrize("guidance", ["outer", "inner"])
-def test_land_pockets_and_unbalance_balance_on_the_cage(guidance):
+def test_land_pockets_weight_and_unbalance_balance_on_the_cage(guidance):
     diameter = {"outer": 74.6e-3, "inner": 65.4e-3}[guidance]
     model = floating(guidance=guidance, land_diameter=diameter, unbalance=50e-6, unbalance_azimuth=1.0)
     state = model.solve()
@@ -64,12 +64,13 @@ def test_land_pockets_and_unbalance_balance_on_the_cage(guidance):
     ])  # fmt: skip
     mass = model.bearing.cage.mass * 50e-6 * state.cage_speed**2
     thrown = mass * np.array([np.sin(1.0), np.cos(1.0)])
-    assert land + pockets + thrown == approx(np.zeros(2), abs=1e-9 * np.abs(along).sum())
+    weight = np.array([0.0, 9.81 * model.bearing.cage.mass])
+    assert land + pockets + thrown + weight == approx(np.zeros(2), abs=1e-9 * np.abs(along).sum())
     assert np.hypot(*state.floating.offset[0]) < 1.01 * model.bearing.cage.land_clearance / 2
 
 
 def test_a_guiding_inner_ring_bears_the_cage():
-    """Load on the ring, its rollers and the push of the cage together vanish."""
+    """Load on the ring, its rollers, the push of the cage and its weight together vanish."""
     model = floating(guidance="inner", land_diameter=65.4e-3)
     state = model.solve()
     azimuth, g = model.bearing.azimuths, model.bearing.diameter_ratio
@@ -80,7 +81,7 @@ def test_a_guiding_inner_ring_bears_the_cage():
         (radial * np.sin(azimuth) + sideways * np.cos(azimuth)).sum(),
         (radial * np.cos(azimuth) - sideways * np.sin(azimuth)).sum(),
     ])  # fmt: skip
-    load = np.array([0.0, model.operation.radial_load])
+    load = np.array([0.0, model.operation.radial_load + 9.81 * model.bearing.cage.mass])
     assert total + load == approx(np.zeros(2), abs=1e-9 * model.operation.radial_load)
 
 

@@ -39,7 +39,6 @@ def torque_on_rollers_and_cage(state):
         bearing.inner_radius * (state.traction[0] + state.rolling_shear[0]).sum(),
         bearing.outer_radius * (state.traction[1] - state.rolling_shear[1]).sum(),
         -bearing.rollers * state.rollers.drag[0, 0] * bearing.pitch_diameter / 2,
-        state.rollers.churning.sum(),
         state.land_torque,
     ]
     return sum(torques), state.loads[1].sum() * bearing.outer_radius
@@ -79,7 +78,12 @@ def test_load_turned_by_one_pitch_shifts_the_roller_loads(changes):
 
 
 def test_load_direction_turned_by_one_pitch_shifts_the_roller_loads():
-    here, turned = paper_bearing().solve(), paper_bearing(load_direction=2 * np.pi / 30).solve()
+    """Without weights, which keep their direction."""
+    upright = {"gravity": 0.0}
+    here, turned = (
+        paper_bearing(**upright).solve(),
+        paper_bearing(**upright, load_direction=2 * np.pi / 30).solve(),
+    )
     assert turned.loads[0] == approx(np.roll(here.loads[0], 1), rel=0, abs=1e-9)
     assert turned.tangent.radial_stiffness == approx(here.tangent.radial_stiffness, rel=1e-9)
 

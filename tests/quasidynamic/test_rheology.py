@@ -173,7 +173,7 @@ def test_everything_stays_finite_at_the_corners(law):
 def test_no_sliding_is_no_force_but_a_viscous_slope(law):
     """d tau/d u_s = eta/h at rest, whatever happens at speed."""
     q = np.array(line_load(0.5e9))
-    at_rest = replace(law, load_floor=1e-6)(q, np.array(0.0), np.array(20.0), np.array(0.2e-6))
+    at_rest = replace(law, smallest_load=1e-14)(q, np.array(0.0), np.array(20.0), np.array(0.2e-6))
     assert [at_rest.force, at_rest.by_load, at_rest.by_entrainment, at_rest.by_film] == [0, 0, 0, 0]
     viscosity = roelands(np.array(0.5e9), law.oil)[0]
     if isinstance(law, AdoreType):
@@ -194,7 +194,7 @@ def test_heating_vanishes_between_perfect_conductors(name):
 
 def test_heated_film_obeys_its_own_equation():
     """The stress found, its heat, the temperatures of textbook conduction, and the stress again."""
-    law, slide, speed, film = replace(LAWS["eyring heated"], load_floor=1e-6), 5.0, 50.0, 0.3e-6
+    law, slide, speed, film = replace(LAWS["eyring heated"], smallest_load=1e-14), 5.0, 50.0, 0.3e-6
     stress = coefficient(law, 1e9, slide, film, speed) * 1e9
     flux = stress * slide
     half = 2 * line_load(1e9) / (np.pi * (4 / np.pi * 1e9))
@@ -216,7 +216,7 @@ def test_first_heating_is_that_of_the_exact_newtonian_film():
     slide, film, pressure = 0.01, 0.3e-6, 0.3e9
     viscosity = roelands(np.array(pressure), oil)[0]
     psi = viscosity * oil.temperature_viscosity * slide**2 / (8 * oil.conductivity)
-    law = replace(law, load_floor=1e-9)
+    law = replace(law, smallest_load=1e-17)
     newtonian = viscosity * slide / (film * pressure)
     assert 1 - coefficient(law, pressure, slide, film) / newtonian == approx(psi, rel=1e-3)
 

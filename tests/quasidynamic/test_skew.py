@@ -105,12 +105,14 @@ def test_moments_and_axial_forces_of_every_roller_balance(tilt, ring, clearance,
 
 
 @pytest.mark.parametrize("tilt", [0.0, 8e-4])
-def test_forces_of_the_slices_are_those_that_pocket_and_drag_balance(tilt):
+def test_forces_of_the_slices_are_those_that_pocket_drag_and_weight_balance(tilt):
     state = equilibrium(tilt)
     balance, widths = skew(state).balance, state.balance.roller.raceways.slices.widths
-    drag = state.rollers.drag[0]
+    drag, weight = state.rollers.drag[0], state.rollers.weight[1, 0]
     whole = balance.forces_along @ widths
-    assert whole == approx(drag - state.cage_force, rel=1e-9, abs=1e-9 * np.abs(state.cage_force).max())
+    assert whole == approx(
+        drag - weight - state.cage_force, rel=1e-9, abs=1e-9 * np.abs(state.cage_force).max()
+    )
 
 
 @given(thrust=st.floats(-1e3, 1e3), stiffness=st.floats(4, 11).map(lambda power: 10.0**power))

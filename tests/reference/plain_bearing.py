@@ -1,8 +1,8 @@
 """The whole cylindrical roller bearing on one page: slow loops, every equation as printed.
 
 Written independently of the package; SI units. `evaluate(...)` returns what must vanish at equilibrium and
-what follows from it. Azimuth from z towards y, index i inner and o outer raceway; slopes are dz/dx and dy/dx
-of the inner ring, moments those that hold it there, in the same two planes.
+what follows from it. Azimuth from z towards y, weights along z, index i inner and o outer raceway;
+slopes are dz/dx and dy/dx of the inner ring, moments those that hold it there, in the same two planes.
 """
 
 from itertools import pairwise
@@ -20,7 +20,7 @@ DRAG = [(0.1, 60), (1, 10), (10, 3), (100, 1.8), (1e3, 1.0), (1e4, 1.2), (1e5, 1
 
 
 def mu_4109(p, oil, Q, u, U, R, E):
-    load = sqrt(Q**2 + 1.0)
+    load = sqrt(Q**2 + (1e-7 * p["l"] * E * R) ** 2)
     P, Ub, Th = load / (E * R**2), oil["eta"] * U / (E * R), oil["k"] * oil["T"] / (oil["eta"] * U**2)
     A = -6.96e2 * P**-0.163 * Ub**0.577 * Th**0.308
     B = 5.19e6 * P**-0.373 * Ub**1.000 * Th**0.687
@@ -30,7 +30,7 @@ def mu_4109(p, oil, Q, u, U, R, E):
 
 
 def mu_eyring(p, oil, Q, u, h, R, E):
-    load = sqrt((Q / p["l"]) ** 2 + (1.0 / p["l"]) ** 2)
+    load = sqrt((Q / p["l"]) ** 2 + (1e-7 * E * R) ** 2)
     b = sqrt(8 * load * R / (pi * E))
     pressure = load / (2 * b)
     L = log(oil["eta"]) + 9.67
@@ -41,7 +41,7 @@ def mu_eyring(p, oil, Q, u, h, R, E):
 
 
 def film(p, oil, Q, u, U, R, E):
-    q = sqrt(Q**2 + 30.0**2) / p["l"]
+    q = sqrt((Q / p["l"]) ** 2 + (1e-7 * E * R) ** 2)
     h = 2.65 * oil["alpha"] ** 0.54 * (oil["eta"] * U) ** 0.7 * R**0.43 / (q**0.13 * E**0.03)
     L = oil["eta"] * oil["beta"] * U**2 / oil["k"]
     return h / (1 + 0.1 * (1 + 14.8 * sqrt((u / U) ** 2 + 1e-6) ** 0.83) * L**0.64)
@@ -71,7 +71,8 @@ def raceway(p, oil, approach, tilt, u, U, h, R, E):
     for k in range(n):
         x = (k + 0.5) * length / n - length / 2
         d = approach + tilt * x
-        closed = (d + sqrt(d**2 + 1e-18)) / 2 if d > 0 else 1e-18 / (2 * (sqrt(d**2 + 1e-18) - d))
+        e2 = (2e-8 * p["D"]) ** 2
+        closed = (d + sqrt(d**2 + e2)) / 2 if d > 0 else e2 / (2 * (sqrt(d**2 + e2) - d))
         q = (closed * length**0.8 / 3.81) ** (1 / 0.9) / B / length
         mu = (
             mu_4109(p, oil, q * length, u, U, R, E)
@@ -94,24 +95,27 @@ def evaluate(p, oil, y, z, slopes, omega_c, e, tilt, spin, films):
     for j in range(Z):
         phi = 2 * pi * j / Z
         u_i, u_o = (p["inner_speed"] - omega_c) * r_i - spin[j] * r_w, spin[j] * r_w - omega_c * r_o
-        U_i = ((p["inner_speed"] - omega_c) * r_i + spin[j] * r_w) / 2
-        U_o = (spin[j] * r_w + omega_c * r_o) / 2
+        U_i, U_o = (
+            ((p["inner_speed"] - omega_c) * r_i + spin[j] * r_w) / 2,
+            (spin[j] * r_w + omega_c * r_o) / 2,
+        )
         h_i, h_o = films[0][j], films[1][j]
         approach_i = z * cos(phi) + y * sin(phi) - p["clearance"] / 2 - e[j] + h_i + h_o
         slope = slopes[0] * cos(phi) + slopes[1] * sin(phi)
         Q_i, M_i, T_i, F_i = raceway(p, oil, approach_i, slope - tilt[j], u_i, U_i, h_i, R_i, E)
         Q_o, M_o, T_o, F_o = raceway(p, oil, e[j], tilt[j], u_o, U_o, h_o, R_o, E)
         F_g = drag(p, oil, omega_c * r_m)
-        F_c = -(T_i + T_o + (1 - 2 * g) * F_i - (1 + 2 * g) * F_o - F_g)
-        friction = p["mu_pocket"] * (sqrt(F_c**2 + 0.25) - 0.5)
-        radial = Q_i - Q_o + mass * (r_m * omega_c**2 + 9.81) + p["mu_pocket"] * F_c
+        F_c = -(T_i + T_o + (1 - 2 * g) * F_i - (1 + 2 * g) * F_o - F_g - mass * 9.81 * sin(phi))
+        mu, close = p["mu_pocket"] * sense(p, spin[j]), 1e-10 * p["l"] * E * R_i
+        friction = mu * F_c**2 / sqrt(F_c**2 + close**2)
+        radial = Q_i - Q_o + mass * (r_m * omega_c**2 + 9.81 * cos(phi)) + mu * F_c
         inertia = mass * D**2 / 8 * omega_c * (spin[j] - spin[j - 1]) / (2 * pi / Z)
         rollers.append({
             "radial": radial, "tilting": M_o - M_i,
             "spinning": r_w * (T_i - T_o - F_i - F_o - friction) - inertia,
             "load": (Q_i, Q_o), "moment": (M_i, M_o), "traction": (T_i, T_o), "rolling": (F_i, F_o),
             "sliding": (u_i, u_o), "entrainment": (U_i, U_o), "drag": F_g, "cage_force": F_c,
-            "pocket_friction": (p["mu_pocket"] * F_c, friction), "inertia": inertia,
+            "pocket_friction": (mu * F_c, friction), "inertia": inertia,
             "film": (film(p, oil, Q_i, u_i, U_i, R_i, E), film(p, oil, Q_o, u_o, U_o, R_o, E)),
         })  # fmt: skip
         tangential = T_i + F_i * (1 - 2 * g)
@@ -122,6 +126,12 @@ def evaluate(p, oil, y, z, slopes, omega_c, e, tilt, spin, films):
     outputs = {name: [roller[name] for roller in rollers] for name in rollers[0]}
     outputs |= {"ring_moment": (moment_z, moment_y), **torques(p, oil, rollers, omega_c)}
     return outputs | {"ring": (ring_y, ring_z), "cage": cage + outputs["land_torque"]}
+
+
+def sense(p, spin):
+    """Sense of the spin, smooth through a thousandth of that of pure rolling."""
+    g = p["D"] / (p["outer_race"] - p["D"])
+    return spin / sqrt(spin**2 + (1e-3 * p["inner_speed"] * (1 - g**2) / (2 * g)) ** 2)
 
 
 def torques(p, oil, rollers, omega_c):

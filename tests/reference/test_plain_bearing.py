@@ -33,7 +33,7 @@ OUTPUTS = {  # by the name in the plain model: from production, size that roundi
         lambda state: np.array([state.rollers.pocket[1, 0], state.rollers.pocket_brake[0]]),
         1.0,
     ),
-    "inertia": (lambda state: state.transport, 10.0),  # smoothed where the cage turns back: 4e-9 N m here
+    "inertia": (lambda state: state.transport, 20.0),  # smoothed where the cage turns back: 1e-8 N m here
     "ring_moment": (lambda state: state.ring_moment, 1.0),
     "land_torque": (lambda state: state.land_torque, 1.0),
     "driving_torque": (lambda state: state.driving_torque, 1.0),
@@ -74,7 +74,7 @@ def test_equilibrium_of_production_balances_the_plain_model(solved):
     assert model["cage"] == approx(0.0, abs=1e-6)  # [N m]
     assert np.abs(model["radial"]).max() < 1e-5  # [N]
     assert np.abs(model["tilting"]).max() < 1e-8  # [N m]
-    assert np.abs(model["spinning"]).max() < 1e-8  # [N m]
+    assert np.abs(model["spinning"]).max() < 2e-8  # [N m]
     if "moment" in changes:
         along = changes["moment"] * np.array([np.cos(2.0), np.sin(2.0)])
         assert model["ring_moment"] == approx(along, abs=1e-6)

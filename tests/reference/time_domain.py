@@ -12,15 +12,15 @@ from itertools import islice
 
 import numpy as np
 
-from tests.reference.plain_bearing import DRAG
+from tests.reference.plain_bearing import DRAG, PAPER
 
 POCKET = {"gap": 0.1e-3, "stiffness": 2e6, "damping": 40.0, "cage_mass": 0.025}  # [m], [N/m], [N s/m], [kg]
-CLOSE = 1e-18  # [m2] square of the rounding of the contact law, as in the plain model
+CLOSE = 1e-18  # [m2] square of the rounding of the contact law, wider than in the plain model
 
 
 def friction(oil, Q, u, U, R, E):
     """Traction coefficient [-] of oil 4109 under a load Q [N], sliding u and entrainment U [m/s]."""
-    P, Ub = np.sqrt(Q**2 + 1.0) / (E * R**2), oil["eta"] * U / (E * R)
+    P, Ub = np.sqrt(Q**2 + (1e-7 * PAPER["l"] * E * R) ** 2) / (E * R**2), oil["eta"] * U / (E * R)
     Th = oil["k"] * oil["T"] / (oil["eta"] * U**2)
     log_P, log_U, log_T = np.log(P), np.log(Ub), np.log(Th)
     A = -6.96e2 * np.exp(-0.163 * log_P + 0.577 * log_U + 0.308 * log_T)
@@ -32,7 +32,7 @@ def friction(oil, Q, u, U, R, E):
 
 def film(p, oil, Q, u, U, R, E):
     """Thickness of the oil film [m], thinned by the heat of the inlet."""
-    q = np.sqrt(Q**2 + 30.0**2) / p["l"]
+    q = np.hypot(Q, p.get("least", 1e-7 * p["l"] * E * R)) / p["l"]
     h = 2.65 * oil["alpha"] ** 0.54 * (oil["eta"] * U) ** 0.7 * R**0.43 / (q**0.13 * E**0.03)
     L = oil["eta"] * oil["beta"] * U**2 / oil["k"]
     return h / (1 + 0.1 * (1 + 14.8 * np.hypot(u / U, 1e-3) ** 0.83) * L**0.64)
@@ -122,7 +122,7 @@ class TimeDomain:
         p = self.p
         angle, orbit, spin, cage_angle, cage = self.parts(state)
         pocket = self.pocket(self.r_m * (cage_angle + self.seat - angle), self.r_m * (cage - orbit))
-        rubbing = p["mu_pocket"] * (np.sqrt(pocket**2 + 0.25) - 0.5)
+        rubbing = p["mu_pocket"] * np.abs(pocket)
         outwards = self.mass * self.r_m * orbit**2 + p["mu_pocket"] * pocket
         inner, outer, roller = (p["inner_speed"] - orbit) * self.r_i, orbit * self.r_o, spin * self.r_w
         u, U = np.array([inner - roller, roller - outer]), np.array([inner + roller, roller + outer]) / 2

@@ -7,6 +7,7 @@ from pydantic import model_validator
 
 from flexbearing.case.quantity import (
     GIVEN,
+    Acceleration,
     Angle,
     Density,
     Force,
@@ -174,6 +175,12 @@ class Operation(Section):
         ge=2,
         le=1000,
     )
+    gravity: Acceleration = key(
+        "gravity across the bearing axis, by which rollers and a free cage weigh; zero for an upright shaft",
+        "9.81 m/s^2",
+        ge=0,
+    )
+    gravity_direction: Angle = key("azimuth that weights point to, from z towards y", "0 deg")
     temperatures: Temperatures | None = key(
         "temperatures of the parts; without them all have the dimensions given", None
     )

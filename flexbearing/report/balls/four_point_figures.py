@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from flexbearing.quantities.reductions import LOADED, RACES
+from flexbearing.quantities.reductions import RACES, loaded
 from flexbearing.report.balls.panels import STYLES, around, close_ring, stacked
 from flexbearing.report.picture import titled
 from flexbearing.results import Result
@@ -69,7 +69,7 @@ def _load_figure(result: Result, states: list[tuple[str, Any, dict[str, Any]]]) 
     for name, values, look in states:
         for diagonal in range(values["contact_load"].shape[1]):
             load = values["contact_load"][:, diagonal, 0]
-            angle = np.where(load > LOADED, np.degrees(values["contact_angle"][:, diagonal, 0]), np.nan)
+            angle = np.where(loaded(load), np.degrees(values["contact_angle"][:, diagonal, 0]), np.nan)
             style = {**STYLES[diagonal], **look}
             label = f"diagonal {diagonal + 1}, {name}largest {load.max():,.0f} N"
             around(upper, values["ball_azimuth"], load, {**style, "label": label})

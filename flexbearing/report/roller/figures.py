@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from flexbearing.quantities.reductions import LOADED
+from flexbearing.quantities.reductions import loaded
 from flexbearing.quantities.roller import LAYOUT
 from flexbearing.report.picture import titled
 from flexbearing.results import Result
@@ -56,13 +56,13 @@ def polar_loads(result: Result) -> Figure:
 def _draw_loads(axes: PolarAxes, name: str, values: Mapping[str, np.ndarray]) -> None:
     order = np.argsort(values["roller_azimuth"] % (2 * np.pi))
     azimuth, load = values["roller_azimuth"][order], values["inner_load"][order]
-    loaded = np.flatnonzero(load > LOADED)
+    touching = np.flatnonzero(loaded(load))
     style = _FLEXIBLE if name == "flexible" else _RIGID
-    axes.vlines(azimuth[loaded], 0, load[loaded], color=style["color"], linewidth=0.8, alpha=0.5)
+    axes.vlines(azimuth[touching], 0, load[touching], color=style["color"], linewidth=0.8, alpha=0.5)
     axes.fill(azimuth, load, color=style["color"], alpha=0.12, linewidth=0)
     size = f", largest {load.max():.0f} N" if np.isfinite(load).all() else ": not finite"
     around = np.append(np.arange(azimuth.size), 0)  # closed
-    axes.plot(azimuth[around], load[around], markevery=loaded, linewidth=1.2, label=name + size, **style)
+    axes.plot(azimuth[around], load[around], markevery=touching, linewidth=1.2, label=name + size, **style)
     axes.plot(azimuth, 0 * azimuth, linestyle="none", marker=".", color="0.6", markersize=4, clip_on=False)
 
 

@@ -11,7 +11,7 @@ from quasidynamic.balance.rollers.cage import FloatingCage, floating_cage
 from quasidynamic.balance.rollers.kinematics import ApproachKinematics
 from quasidynamic.balance.rollers.operating_points import OperatingPoints
 from quasidynamic.balance.rollers.roller import (
-    STANDSTILL,
+    POCKET_STANDSTILL,
     VALUE,
     Motion,
     RollerBalance,
@@ -93,6 +93,20 @@ class BearingBalance:
             layout=self.layout, azimuths=self.roller.bearing.azimuths, half_length=half_length
         )
 
+    @cached_property
+    def weight(self) -> NDArray:
+        """Weight of the rollers (2, C, Z), outwards and along the motion [N]."""
+        return self.roller.weight(self.points)
+
+    @cached_property
+    def slow_cage(self) -> NDArray:
+        """Cage speed (C, 1) [rad/s] below which a roller's weight may pull it off the outer raceway.
+
+        Twice its weight, with the friction of the pocket that it leans on, is its centrifugal force there.
+        """
+        bearing, gravity = self.roller.bearing, np.hypot(self.points.gravity_y, self.points.gravity_z)
+        return np.sqrt(4 * gravity * (1 + bearing.cage.pocket_friction) / bearing.pitch_diameter)
+
     @property
     def rolling_cage(self) -> NDArray:
         """Cage speed in pure rolling (C, 1) [rad/s]."""
@@ -131,7 +145,7 @@ class BearingBalance:
             if self.deviation is not None:
                 deviation = deviation + np.moveaxis(self.deviation, -1, 1)[:, :, None]
             self.kinematics.deviate(approach, deviation)
-        return RollerInputs(approach, x.film, self.motion(x.cage_drift, x.spin_drift))
+        return RollerInputs(approach, x.film, self.motion(x.cage_drift, x.spin_drift), self.weight)
 
     def speeds(self, x: Unknowns) -> tuple[NDArray, NDArray]:
         """Spins (C, Z) and cage speed (C, 1) [rad/s]."""
@@ -141,7 +155,7 @@ class BearingBalance:
     def motion(self, cage_drift: NDArray, spin_drift: NDArray) -> Motion:
         """Motion of the rollers with these drifts (C, 1), (C, Z) [rad/s]."""
         spin, cage_speed = self.rolling_spin + spin_drift, self.rolling_cage + cage_drift
-        return Motion(spin_drift, cage_drift, spin, cage_speed, STANDSTILL * self.rolling_spin)
+        return Motion(spin_drift, cage_drift, spin, cage_speed, POCKET_STANDSTILL * self.rolling_spin)
 
     # -- evaluation ----------------------------------------------------------------------------
 
@@ -221,8 +235,8 @@ class BearingBalance:
             return value, by
         value[CAGE], by[:, CAGE, CAGE] = floating.torque, floating.by_speed
         if cage.guidance == "inner":
-            value[[Y, Z]] += floating.thrown.T
-            by[:, [Y, Z], CAGE] += floating.thrown_by_speed
+            value[[Y, Z]] += floating.body_force.T
+            by[:, [Y, Z], CAGE] += floating.body_force_by_speed
         return value, by
 
     @cached_property

@@ -20,16 +20,16 @@ class FloatingCage(NamedTuple):
     torque: NDArray  # (C) of the land on the cage [N m]
     by_push: NDArray  # (C, 2) torque by the force of the pockets [m]
     by_speed: NDArray  # (C) torque by the cage speed, the pockets' force kept [N m s]
-    thrown: NDArray  # (C, 2) force of the unbalance [N]
-    thrown_by_speed: NDArray  # (C, 2) [N s]
+    body_force: NDArray  # (C, 2) weight and force of the unbalance [N]
+    body_force_by_speed: NDArray  # (C, 2) [N s]
 
 
 def floating_cage(
     push: NDArray, cage_speed: NDArray, points: OperatingPoints, cage: Cage, oil: Lubricant
 ) -> FloatingCage:
-    r"""Cage that its land carries against the pockets' push and its own unbalance.
+    r"""Cage that its land carries against the pockets' push, its weight and its unbalance.
 
-    .. math:: \vec F_{land}(\vec e) + \sum \vec F_{pocket} + m_c\, u\, \omega_c^2\, \vec n_u = 0
+    .. math:: \vec F_{land}(\vec e) + \sum \vec F_{pocket} + m_c \vec g + m_c\, u\, \omega_c^2\, \vec n_u = 0
 
     The rollers do not feel where the cage is but through the torque of its land: the offset is not an
     unknown of the bearing, it follows from the pockets' push.
@@ -41,7 +41,7 @@ def floating_cage(
     cage_speed : array (C)
         omega_c [rad/s]
     points : OperatingPoints
-        speeds of the rings
+        speeds of the rings, gravity
     cage : Cage
         land, mass m_c, unbalance u towards n_u
     oil : Lubricant
@@ -63,10 +63,11 @@ def floating_cage(
     ring_speed = points.guiding_speed(cage.guidance)[:, 0]
     azimuth = cage.unbalance_azimuth
     unit = cage.mass * cage.unbalance * np.array([np.sin(azimuth), np.cos(azimuth)])
-    thrown, thrown_by_speed = unit * cage_speed[:, None] ** 2, 2 * unit * cage_speed[:, None]
+    weight = cage.mass * np.concatenate([points.gravity_y, points.gravity_z], axis=1)
+    body_force, by_speed = weight + unit * cage_speed[:, None] ** 2, 2 * unit * cage_speed[:, None]
     speed_sum, smallest_sum = ring_speed + cage_speed, CREEP * np.abs(points.relative_speed)[:, 0]
     turning = np.abs(speed_sum) > smallest_sum
-    place = land_offset(-push - thrown, np.where(turning, speed_sum, smallest_sum), cage, oil)
+    place = land_offset(-push - body_force, np.where(turning, speed_sum, smallest_sum), cage, oil)
     clearance = cage.land_clearance / 2
     size = np.hypot(*place.offset.T)
     land = land_torque(ring_speed - cage_speed, cage, oil, size / clearance)
@@ -76,7 +77,7 @@ def floating_cage(
         place.offset,
         land.torque,
         by_push,
-        -land.by_speed + turning * (by_offset * place.by_speed).sum(1) + (by_push * thrown_by_speed).sum(1),
-        thrown,
-        thrown_by_speed,
+        -land.by_speed + turning * (by_offset * place.by_speed).sum(1) + (by_push * by_speed).sum(1),
+        body_force,
+        by_speed,
     )

@@ -23,13 +23,16 @@ class OperatingPoints:
     free_tilt: NDArray  # whether it may
     inner_speed: NDArray  # [rad/s]
     outer_speed: NDArray  # [rad/s]
+    gravity_y: NDArray  # [m/s2]
+    gravity_z: NDArray  # [m/s2]
 
     @classmethod
     def of(cls, operations: Sequence[Operation]) -> "OperatingPoints":
-        """Stack operations; each load, moment and misalignment is split along y and z."""
+        """Stack operations; each load, moment, misalignment and gravity is split along y and z."""
         names = ("radial_load", "load_direction", "moment", "misalignment", "inner_speed", "outer_speed")
+        names += ("gravity", "gravity_direction")
         table = np.array([[getattr(o, name) for name in names] for o in operations], float)
-        load, direction, moment, slope, inner, outer = table.T[..., None]
+        load, direction, moment, slope, inner, outer, gravity, down = table.T[..., None]
         cos, sin = np.cos(direction), np.sin(direction)
         return cls(
             load_y=load * sin,
@@ -41,6 +44,8 @@ class OperatingPoints:
             free_tilt=np.array([[o.free_tilt] for o in operations], bool),
             inner_speed=inner,
             outer_speed=outer,
+            gravity_y=gravity * np.sin(down),
+            gravity_z=gravity * np.cos(down),
         )
 
     def __len__(self) -> int:

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.contact.line.load_law import EXPONENT, LoadLaw, raceway_laws
+from quasidynamic.contact.line.load_law import EXPONENT, LoadLaw, gap_rounding, raceway_coefficients
 from quasidynamic.contact.line.slices import Slices
 from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
 
@@ -34,10 +34,10 @@ class RigidRings:
     @classmethod
     def of(cls, bearing: CylindricalRollerBearing, slices: Slices, load: NDArray) -> "RigidRings":
         """Build from a bearing; approaches of both raceways add up under the same load."""
-        softness = sum(law.coefficient ** (-1 / EXPONENT) for law in raceway_laws(bearing))
+        softness = sum(coefficient ** (-1 / EXPONENT) for coefficient in raceway_coefficients(bearing))
         drop = bearing.roller.profile.drop(slices.centres, slices.length)
         return cls(
-            law=LoadLaw(softness**-EXPONENT),
+            law=LoadLaw(softness**-EXPONENT, gap_rounding(bearing)),
             slices=slices,
             normal=np.array([np.sin(bearing.azimuths), np.cos(bearing.azimuths)]).T,
             gap=bearing.clearance / 2 + 2 * drop,

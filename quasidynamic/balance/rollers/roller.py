@@ -13,13 +13,13 @@ from quasidynamic.contact.lubrication import Lubrication
 from quasidynamic.contact.raceways import Raceways, RacewayState
 from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
 
-CAGE_FORCE_ROUNDING = 0.5  # [N] width over which the pocket force changes side
-GRAVITY = 9.81  # [m/s2]
-STANDSTILL = 1e-5  # of nominal speeds: below it surfaces stand still, and friction has no sense
+POCKET_ROUNDING = 1e-3  # of the smallest load of a roller: width over which the pocket force changes side
+STANDSTILL = 1e-5  # of nominal speeds: below it surfaces stand still
+POCKET_STANDSTILL = 1e-3  # of the spin in pure rolling: below it friction in the pocket has no full sense
 
 # Places among a roller's inputs and its value, and among its forces, counted from the end.
 SPIN, CAGE_SPEED, FILM_I, FILM_O, VALUE = range(-5, 0)
-CENTRIFUGAL, DRAG, CHURNING, POCKET_UP, POCKET_BRAKE = range(-5, 0)
+OUTWARD, BACKWARD, CHURNING, POCKET_UP, POCKET_BRAKE = range(-5, 0)
 
 
 class Motion(NamedTuple):
@@ -38,6 +38,7 @@ class RollerInputs(NamedTuple):
     approach: NDArray  # (2, M, C, Z) by axial modes, at inner and outer raceway [m]
     film: NDArray  # (2, C, Z) [m]
     motion: Motion
+    weight: NDArray  # (2, C, Z) of the rollers, outwards and along the motion [N]
 
 
 class RollerState(NamedTuple):
@@ -47,8 +48,10 @@ class RollerState(NamedTuple):
     sliding: NDArray  # (2, C, Z) raceway over roller surface [m/s]
     entrainment: NDArray  # (2, C, Z) [m/s] >= 0
     film: NDArray  # (2, C, Z) [m]
+    centrifugal: NDArray  # (C, 1) of one roller, outwards [N]
     drag: NDArray  # (C, 1) oil-air mixture on one roller, against +t [N]
-    churning: NDArray  # (C, Z) torque of the mixture against the spin [N m]
+    weight: NDArray  # (2, C, Z) outwards and along the motion [N]
+    churning: NDArray  # (C, Z) torque of the mixture between roller and cage against the spin [N m]
     sense: NDArray  # (2, C, Z) sign of the mean surface speed, smooth through zero [-]
     pocket_brake: NDArray  # (C, Z) friction of the pocket against the spin, signed like it [N]
     pocket: NDArray  # (2, C, Z) force of the pocket on the roller along the motion and outwards [N]
@@ -96,27 +99,27 @@ class RollerBalance:
             [f"inner {m}" for m in range(self.axial_modes)]
             + [f"outer {m}" for m in range(self.axial_modes)]
             + ["T_i", "T_o", "R_i", "R_o", "film_i", "film_o"]
-            + ["centrifugal", "drag", "churning", "pocket up", "pocket brake"]
+            + ["outward", "backward", "churning", "pocket up", "pocket brake"]
         )
 
     @cached_property
     def cage_force(self) -> NDArray:
         """Force of the pocket on the roller (forces) from the tangential balance, weights [-]."""
         g = self.bearing.diameter_ratio
-        return self._row(drag=1, T_i=-1, T_o=-1, R_i=-(1 - 2 * g), R_o=1 + 2 * g)
+        return self._row(backward=1, T_i=-1, T_o=-1, R_i=-(1 - 2 * g), R_o=1 + 2 * g)
 
     @cached_property
     def levers(self) -> NDArray:
         """Equations (rows, forces), the rows of `Response` [-] or [m]."""
         r_w, r_m = self.bearing.roller.diameter / 2, self.bearing.pitch_diameter / 2
         half, g = self.raceways.slices.length / 2, self.bearing.diameter_ratio
-        radial = self._row(**{"inner 0": 1, "outer 0": -1, "centrifugal": 1, "pocket up": 1})
+        radial = self._row(**{"inner 0": 1, "outer 0": -1, "outward": 1, "pocket up": 1})
         tilt = [self._row(**{"outer 1": half, "inner 1": -half})] if self.axial_modes > 1 else []
         alone, m = np.eye(len(self.forces)), self.axial_modes
         films, contact_forces = alone[2 * m + 4 : 2 * m + 6], alone[: 2 * m]
         spin = r_w * self._row(**{"T_i": 1, "T_o": -1, "R_i": -1, "R_o": -1, "pocket brake": -1})
         spin += self._row(churning=-1)
-        cage = -r_m * self.cage_force + self._row(**{"pocket brake": -r_w})
+        cage = -r_m * self.cage_force + self._row(**{"pocket brake": -r_w, "churning": -1})
         tangential = self._row(T_i=1, R_i=1 - 2 * g)
         pocket = [self.cage_force, self._row(**{"pocket up": 1})] if self.bearing.cage.free else []
         return np.array([radial, *tilt, *films, spin, cage, tangential, *pocket, *contact_forces])
@@ -131,8 +134,8 @@ class RollerBalance:
         """Evaluate the equations of all rollers."""
         sliding, entrainment, sense = self.surfaces(inputs.motion, points)
         contact = self.raceways.state(inputs.approach, sliding, entrainment, inputs.film)
-        forces = self._forces(contact, inputs.motion)
-        friction = forces[2 * self.axial_modes : CENTRIFUGAL].reshape(3, 2, *forces.shape[1:])
+        forces, centrifugal, drag = self._forces(contact, inputs)
+        friction = forces[2 * self.axial_modes : OUTWARD].reshape(3, 2, *forces.shape[1:])
         self._fill_friction(friction, contact, entrainment, sense)
         films = friction[2]  # what the speeds ask for, less what was assumed
         films[0, FILM_I] = films[1, FILM_O] = -1.0
@@ -145,7 +148,9 @@ class RollerBalance:
                 sliding,
                 entrainment,
                 inputs.film,
-                drag=forces[DRAG, VALUE, :, :1],
+                centrifugal=centrifugal,
+                drag=drag,
+                weight=inputs.weight,
                 churning=forces[CHURNING, VALUE],
                 sense=sense,
                 pocket_brake=forces[POCKET_BRAKE, VALUE],
@@ -200,14 +205,20 @@ class RollerBalance:
 
     # -- forces --------------------------------------------------------------------------------
 
-    def _forces(self, contact: RacewayState, motion: Motion) -> NDArray:
-        """Begin `forces` (forces, inputs + 1, C, Z): all but raceway friction, films and the pocket's."""
+    def _forces(self, contact: RacewayState, inputs: RollerInputs) -> tuple[NDArray, NDArray, NDArray]:
+        """Begin `forces` (forces, inputs + 1, C, Z): all but raceway friction, films and the pocket's.
+
+        Returned with centrifugal force and drag of a roller (C, 1) [N].
+        """
+        motion = inputs.motion
         m, shape = self.axial_modes, motion.spin.shape
         forces = np.zeros((len(self.forces), 2 * m + 5, *shape))
         forces[: 2 * m, VALUE] = contact.force.reshape(2 * m, *shape)
         forces[:m, :m], forces[m : 2 * m, m : 2 * m] = contact.force_by_approach
-        forces[CENTRIFUGAL, VALUE], forces[CENTRIFUGAL, CAGE_SPEED] = self.centrifugal(motion.cage_speed)
-        forces[DRAG, VALUE], forces[DRAG, CAGE_SPEED] = self.drag(motion.cage_speed)
+        outward, along = inputs.weight
+        centrifugal, forces[OUTWARD, CAGE_SPEED] = self.centrifugal(motion.cage_speed)
+        drag, forces[BACKWARD, CAGE_SPEED] = self.drag(motion.cage_speed)
+        forces[OUTWARD, VALUE], forces[BACKWARD, VALUE] = centrifugal + outward, drag - along
         if self.lubrication.churning_gap is not None:
             forces[CHURNING, VALUE], forces[CHURNING, SPIN] = churning_torque(
                 motion.spin,
@@ -216,16 +227,19 @@ class RollerBalance:
                 oil_fraction=self.lubrication.oil_fraction,
                 gap=self.lubrication.churning_gap,
             )
-        return forces
+        return forces, centrifugal, drag
 
     def centrifugal(self, cage_speed: NDArray) -> tuple[NDArray, NDArray]:
-        """Centrifugal force of a roller [N], its derivative by the cage speed [N s].
+        """Centrifugal force of a roller [N], its derivative by the cage speed [N s]."""
+        unit = self.bearing.roller.mass * self.bearing.pitch_diameter / 2
+        return unit * cage_speed**2, 2 * unit * cage_speed
 
-        The weight of the roller is added: without it an unloaded roller of a slow bearing would not
-        touch anything, and its place and spin would be undetermined.
-        """
-        roller, radius = self.bearing.roller, self.bearing.pitch_diameter / 2
-        return roller.mass * (radius * cage_speed**2 + GRAVITY), 2 * roller.mass * radius * cage_speed
+    def weight(self, points: OperatingPoints) -> NDArray:
+        """Weight of the rollers (2, C, Z), outwards and along the motion [N]."""
+        sin, cos = np.sin(self.bearing.azimuths), np.cos(self.bearing.azimuths)
+        outward = points.gravity_y * sin + points.gravity_z * cos
+        along = points.gravity_y * cos - points.gravity_z * sin
+        return self.bearing.roller.mass * np.array([outward, along])
 
     def drag(self, cage_speed: NDArray) -> tuple[NDArray, NDArray]:
         """Force of the mixture on an orbiting roller [N], its derivative by the cage speed [N s]."""
@@ -241,17 +255,22 @@ class RollerBalance:
         sense = motion.spin / speed
         cage_force = _combined(self.cage_force, forces)
         force = cage_force[VALUE]
-        rounded = np.sqrt(force * force + CAGE_FORCE_ROUNDING**2)
-        size = rounded - CAGE_FORCE_ROUNDING  # of the force, smooth through zero
+        rounded = np.sqrt(force * force + self._pocket_rounding**2)
+        share = force / rounded
+        size, slope = force * share, share * (2 - share * share)  # of the force, smooth through zero
         friction = coefficient * sense
         by_spin = (coefficient - friction * sense) / speed
         up, brake = forces[POCKET_UP], forces[POCKET_BRAKE]
         np.multiply(friction, cage_force, out=up)
-        np.multiply(force / rounded, up, out=brake)
+        np.multiply(slope, up, out=brake)
         np.multiply(friction, size, out=brake[VALUE])
         up[SPIN] += by_spin * force
         brake[SPIN] += by_spin * size
         return force
+
+    @cached_property
+    def _pocket_rounding(self) -> float:
+        return POCKET_ROUNDING * float(self.raceways.smallest_load[0, 0, 0])
 
 
 def _combined(weights: NDArray, forces: NDArray) -> NDArray:

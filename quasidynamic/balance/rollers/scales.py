@@ -12,11 +12,13 @@ from quasidynamic.balance.rollers.unknowns import BORDER, CAGE, TILT_Z, UnknownL
 from quasidynamic.motion.roller_speeds import rolling_cage_speed, rolling_roller_speed
 
 FRICTION = 1e-2  # usual size of friction over load
-LENGTH = 1e-6  # [m] size of approaches and displacements
+LENGTH = 2e-4  # of the roller's diameter: size of approaches and displacements
 ANGLE = 1e-3  # [rad]
-CENTRIFUGAL_SHARE = 1e-3  # of the centrifugal force, which stands for a load where there is none
-FILM_SCALE = 1e-4  # [m] far above any film: a step is judged by its forces, not by how far films lag behind
-LARGE_DEVIATION = 1e-4  # [m] of a thin ring
+OWN_SHARE = 1e-3  # of a roller's centrifugal force and weight, which stand for a load where there is none
+FILM_SCALE = (
+    100.0  # lengths, far above any film: a step is judged by its forces, not by films that lag behind
+)
+LARGE_DEVIATION = 100.0  # lengths, of a thin ring
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -29,6 +31,11 @@ class Scales:
     layout: UnknownLayout
     roller: RollerBalance
     points: OperatingPoints
+
+    @cached_property
+    def length(self) -> float:
+        """Size of approaches and displacements [m]."""
+        return LENGTH * self.roller.bearing.roller.diameter
 
     @cached_property
     def rolling_cage(self) -> NDArray:
@@ -46,17 +53,19 @@ class Scales:
     def force(self) -> NDArray:
         """Force that residuals are measured against (C, 1) [N]: the applied one.
 
-        A small share of the centrifugal force of the rollers takes its place where that is larger.
+        A small share of centrifugal force and weight of a roller takes its place where that is larger.
         """
         bearing, points = self.roller.bearing, self.points
-        centrifugal, _ = self.roller.centrifugal(self.rolling_cage)
+        orbit = np.maximum(np.abs(self.rolling_cage), np.abs(points.relative_speed) / 2)
+        own, _ = self.roller.centrifugal(orbit)
+        own = own + bearing.roller.mass * np.hypot(points.gravity_y, points.gravity_z)
         tilting = points.moment / bearing.roller.length
-        return np.maximum(np.maximum(points.load, tilting), CENTRIFUGAL_SHARE * centrifugal)
+        return np.maximum(np.maximum(points.load, tilting), OWN_SHARE * own)
 
     @cached_property
     def unknown(self) -> NDArray:
-        """Size of each unknown (C, N): micrometres, milliradians, nominal speeds."""
-        scale = np.full((len(self.points), self.layout.size), LENGTH)
+        """Size of each unknown (C, N): lengths, milliradians, nominal speeds."""
+        scale = np.full((len(self.points), self.layout.size), self.length)
         spin = np.abs(self.rolling_spin)
         scale[:, TILT_Z:CAGE] = ANGLE
         scale[:, CAGE:BORDER] = np.maximum(np.abs(self.rolling_cage), 1e-3 * spin)
@@ -67,7 +76,7 @@ class Scales:
     def residual(self) -> NDArray:
         """Size of each residual (C, N)."""
         layout, ring = self.layout, self.layout.per_roller
-        scale = np.full((len(self.points), layout.size), LARGE_DEVIATION)
+        scale = np.full((len(self.points), layout.size), LARGE_DEVIATION * self.length)
         scale[:, :BORDER] = self.row[ring : ring + BORDER].T
         scale[:, BORDER : layout.fields_end] = self.row[:ring].T.repeat(layout.rollers, axis=1)
         return scale
@@ -84,9 +93,9 @@ class Scales:
         levers = [1.0, *tilt, 0.0, 0.0, FRICTION * bearing.roller.diameter / 2]
         levers += [1.0, 1.0, half, half, FRICTION * bearing.pitch_diameter / 2]
         rows = ring + BORDER + layout.axial_modes * len(layout.elastic_raceways)
-        scale = np.full((rows, len(self.points)), LARGE_DEVIATION)
+        scale = np.full((rows, len(self.points)), LARGE_DEVIATION * self.length)
         scale[: ring + BORDER] = np.array(levers)[:, None] * self.force[:, 0]
-        scale[ring - 3 : ring - 1] = FILM_SCALE
+        scale[ring - 3 : ring - 1] = FILM_SCALE * self.length
         return scale
 
     @cached_property
@@ -94,7 +103,8 @@ class Scales:
         """Size of the unknowns in the columns of the table (columns, C, 1)."""
         layout = self.layout
         of_roller = self.unknown[:, BORDER : layout.fields_end : layout.rollers].T
-        deviations = np.full((len(layout.elastic_raceways) * layout.axial_modes, len(self.points)), LENGTH)
+        count = len(layout.elastic_raceways) * layout.axial_modes
+        deviations = np.full((count, len(self.points)), self.length)
         return np.concatenate([of_roller, self.unknown[:, :BORDER].T, deviations])[..., None]
 
     @cached_property

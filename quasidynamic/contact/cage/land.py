@@ -234,11 +234,11 @@ def _eccentricity(force: NDArray) -> NDArray:
     ratio = np.maximum(ECCENTRICITY_LIMIT, force / limit[0])
     for _ in range(OFFSET_ITERATIONS):
         value, slope = _film_force(ratio)
-        change = (value - force) / slope
-        ratio = np.maximum(ratio - change, SMALLEST_OFFSET)
-        if not (np.abs(change) > OFFSET_TOLERANCE * ratio).any():
+        before, ratio = ratio, np.maximum(ratio - (value - force) / slope, SMALLEST_OFFSET)
+        moved = np.abs(ratio - before) > OFFSET_TOLERANCE * ratio
+        if not moved.any():
             return ratio
-    return np.where(np.abs(change) > OFFSET_TOLERANCE * ratio, np.nan, ratio)
+    return np.where(moved, np.nan, ratio)
 
 
 def _film_force(ratio: NDArray) -> tuple[NDArray, NDArray]:

@@ -32,7 +32,7 @@ def roller_on_pocket_force(displacement: NDArray, clearance: float, stop: NDArra
     clearance : float
         C_p, distance to either wall from the centre [m], > 0
     stop : array (...)
-        K of one wall [N/m^(10/9)], > 0; by `palmgren(roller, cage, length)`: its coefficient times the length
+        K of one wall [N/m^(10/9)], > 0; by `palmgren(roller, cage, length)` times the length
 
     Returns
     -------

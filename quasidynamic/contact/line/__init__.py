@@ -3,26 +3,27 @@
 No film and no friction; the profile of a roller is data and stands in `parts`.
 """
 
-from quasidynamic.contact.line.hertz import half_width, peak_pressure, reduced_radius
+from quasidynamic.contact.line.hertz import SMALLEST_LOAD, half_width, peak_pressure, reduced_radius
 from quasidynamic.contact.line.load_law import (
     EXPONENT,
-    GAP_ROUNDING,
     LoadLaw,
+    gap_rounding,
     iso16281,
     palmgren,
-    raceway_laws,
+    raceway_coefficients,
 )
 from quasidynamic.contact.line.slices import Slices
 
 __all__ = [
     "EXPONENT",
-    "GAP_ROUNDING",
+    "SMALLEST_LOAD",
     "LoadLaw",
     "Slices",
+    "gap_rounding",
     "half_width",
     "iso16281",
     "palmgren",
     "peak_pressure",
-    "raceway_laws",
+    "raceway_coefficients",
     "reduced_radius",
 ]

@@ -3,6 +3,9 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+# q/(E' R) [-], a peak pressure of 28 MPa between steel: laws in powers of the load keep their value below it
+SMALLEST_LOAD = 1e-7
+
 
 def reduced_radius(roller_radius: float, raceway_radius: float) -> float:
     r"""Radius of the cylinder on a plane that stands for two cylinders.

@@ -9,7 +9,7 @@ from quasidynamic.parts.material import Material
 from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
 
 EXPONENT = 10 / 9  # of both laws, load ~ approach^(10/9)
-GAP_ROUNDING = 1e-9  # [m] width over which contact begins smoothly; bias below 0.02 N
+GAP_ROUNDING = 2e-8  # of the roller's diameter: width over which contact begins smoothly
 
 
 @dataclass(frozen=True)
@@ -17,10 +17,11 @@ class LoadLaw:
     """q = coefficient * approach^(10/9), load per length [N/m] from the approach at one raceway [m]."""
 
     coefficient: NDArray | float  # broadcasts against the approaches
+    rounding: float  # [m] width over which contact begins smoothly
 
     def __call__(self, approach: NDArray) -> tuple[NDArray, NDArray]:
         """Load per length [N/m] and its derivative [N/m2]; both tend smoothly to zero in a gap."""
-        closed, root = smooth_positive(approach)
+        closed, root = smooth_positive(approach, self.rounding)
         # The last bits of a ninth of the logarithm matter less than those of all of it.
         load = self.coefficient * np.exp((EXPONENT - 1) * np.log(closed)) * closed
         return load, EXPONENT * load / root
@@ -30,8 +31,8 @@ class LoadLaw:
         return (line_load / self.coefficient) ** (1 / EXPONENT)
 
 
-def smooth_positive(gap: NDArray) -> tuple[NDArray, NDArray]:
-    r"""Positive part rounded over `GAP_ROUNDING` without cancellation, and over its derivative.
+def smooth_positive(gap: NDArray, rounding: float) -> tuple[NDArray, NDArray]:
+    r"""Positive part rounded at zero without cancellation, and over its derivative.
 
     .. math:: p = (g + \sqrt{g^2 + \varepsilon^2})/2
               = \max(g, 0) + \tfrac12 \varepsilon^2/(|g| + \sqrt{g^2 + \varepsilon^2}),\quad
@@ -40,7 +41,9 @@ def smooth_positive(gap: NDArray) -> tuple[NDArray, NDArray]:
     Parameters
     ----------
     gap : array (...)
-        g [m], positive is an approach, negative an open gap; epsilon is `GAP_ROUNDING` [m]
+        g [m], positive is an approach, negative an open gap
+    rounding : float
+        epsilon [m], > 0
 
     Returns
     -------
@@ -55,11 +58,11 @@ def smooth_positive(gap: NDArray) -> tuple[NDArray, NDArray]:
     -----
     p exceeds max(g, 0) by epsilon/2 at g = 0 and by epsilon^2/(4 |g|) far from it.
     """
-    root = np.sqrt(gap * gap + GAP_ROUNDING**2)
-    return np.maximum(gap, 0.0) + GAP_ROUNDING**2 / 2 / (root + np.abs(gap)), root
+    root = np.sqrt(gap * gap + rounding**2)
+    return np.maximum(gap, 0.0) + rounding**2 / 2 / (root + np.abs(gap)), root
 
 
-def palmgren(roller: Material, raceway: Material, length: float) -> LoadLaw:
+def palmgren(roller: Material, raceway: Material, length: float) -> float:
     r"""Palmgren's line contact, one raceway.
 
     .. math:: \delta = 3.81\, B^{0.9} Q^{0.9} / l^{0.8}, \quad
@@ -74,8 +77,8 @@ def palmgren(roller: Material, raceway: Material, length: float) -> LoadLaw:
 
     Returns
     -------
-    LoadLaw
-        with Q spread evenly over l
+    float
+        load per length over approach^(10/9), Q spread evenly over l [N/m over m^(10/9)]
 
     Source
     ------
@@ -86,10 +89,10 @@ def palmgren(roller: Material, raceway: Material, length: float) -> LoadLaw:
     Rollers about as long as thick on solid rings; an empirical law.
     """
     B = (roller.plane_compliance + raceway.plane_compliance) / np.pi
-    return LoadLaw((length**0.8 / 3.81) ** EXPONENT / B / length)
+    return (length**0.8 / 3.81) ** EXPONENT / B / length
 
 
-def iso16281(length: float) -> LoadLaw:
+def iso16281(length: float) -> float:
     r"""Line contact of steel as the reference life standard takes it.
 
     .. math:: Q = 35948\, l^{8/9} \delta^{10/9} \quad \text{(N, mm, both raceways together)}
@@ -101,8 +104,9 @@ def iso16281(length: float) -> LoadLaw:
 
     Returns
     -------
-    LoadLaw
-        for one raceway: half of the approach belongs to it
+    float
+        load per length over approach^(10/9) of one raceway, half of the approach belongs to it
+        [N/m over m^(10/9)]
 
     Source
     ------
@@ -114,11 +118,11 @@ def iso16281(length: float) -> LoadLaw:
     """
     millimetre = 1e-3
     roller = 35948 * (length / millimetre) ** (8 / 9) * (2 / millimetre) ** EXPONENT
-    return LoadLaw(roller / length)
+    return roller / length
 
 
-def raceway_laws(bearing: CylindricalRollerBearing) -> tuple[LoadLaw, LoadLaw]:
-    """Load laws [N/m over m^(10/9)] of the inner and the outer raceway that a bearing asks for.
+def raceway_coefficients(bearing: CylindricalRollerBearing) -> tuple[float, float]:
+    """Load per length over approach^(10/9) at both raceways, inner first [N/m over m^(10/9)].
 
     Source
     ------
@@ -128,3 +132,8 @@ def raceway_laws(bearing: CylindricalRollerBearing) -> tuple[LoadLaw, LoadLaw]:
     if bearing.contact_law == "iso16281":
         return iso16281(length), iso16281(length)
     return palmgren(roller, bearing.inner_ring, length), palmgren(roller, bearing.outer_ring, length)
+
+
+def gap_rounding(bearing: CylindricalRollerBearing) -> float:
+    """Width over which contact begins smoothly in a bearing [m]: `GAP_ROUNDING` of a roller's diameter."""
+    return GAP_ROUNDING * bearing.roller.diameter

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from quasidynamic.contact.line import SMALLEST_LOAD
 from quasidynamic.contact.traction.film_strip import ShearStress, film_traction, limited_stress, loaded_strip
 from quasidynamic.contact.traction.traction_law import Traction
 from quasidynamic.note import Note, outside
@@ -93,11 +94,11 @@ class AdoreType:
 
     radius: NDArray | float  # [m] R
     modulus: NDArray | float  # [Pa] E'
-    length: float  # [m] l
+    length: float  # [m] l, of no influence
     oil: Lubricant  # its temperature and conductivity
     rheology: AdoreOil
     limiting_ratio: float  # [-] Lambda
-    load_floor: float = 1.0  # [N] below it strip width over load keeps its value
+    smallest_load: float = SMALLEST_LOAD  # [-] q/(E' R) below which strip width over load keeps its value
 
     def __call__(self, line_load: NDArray, sliding: NDArray, entrainment: NDArray, film: NDArray) -> Traction:
         """Traction; the entrainment speed enters through the film alone."""

@@ -23,18 +23,13 @@ class LineContact(Protocol):
         ...
 
     @property
-    def length(self) -> float:
-        """Effective length [m]."""
-        ...
-
-    @property
-    def load_floor(self) -> float:
-        """Load below which strip width over load keeps its value [N]."""
+    def smallest_load(self) -> float:
+        """Load q/(E' R) below which strip width over load keeps its value [-]."""
         ...
 
 
 class LoadedStrip(NamedTuple):
-    """Hertzian strip under the load of a contact, taken not below its load floor."""
+    """Hertzian strip under the load of a contact, taken not below the smallest one."""
 
     load_share: NDArray  # d ln load / d ln q
     half_width: NDArray  # [m] b
@@ -42,9 +37,9 @@ class LoadedStrip(NamedTuple):
 
 
 def loaded_strip(line_load: NDArray, law: LineContact) -> LoadedStrip:
-    r"""Strip of a Hertzian line contact, none narrower than at the load floor.
+    r"""Strip of a Hertzian line contact, none narrower than at the smallest load.
 
-    .. math:: \tilde q = \sqrt{q^2 + (Q_0/l)^2},\quad b = \sqrt{8 \tilde q R/(\pi E')},\quad
+    .. math:: \tilde q = \sqrt{q^2 + q_0^2},\quad b = \sqrt{8 \tilde q R/(\pi E')},\quad
               \bar p = \tilde q/(2 b)
 
     Parameters
@@ -52,7 +47,7 @@ def loaded_strip(line_load: NDArray, law: LineContact) -> LoadedStrip:
     line_load : array (...)
         q, load per length [N/m], >= 0
     law : LineContact
-        R [m], E' [Pa], l [m] and the load floor Q_0 [N]
+        R [m], E' [Pa] and the smallest load q_0/(E' R) [-]
 
     Returns
     -------
@@ -61,10 +56,10 @@ def loaded_strip(line_load: NDArray, law: LineContact) -> LoadedStrip:
 
     Source
     ------
-    Johnson, Contact Mechanics (1985), sec. 4.2; the floor keeps b/q finite at zero load.
+    Johnson, Contact Mechanics (1985), sec. 4.2; q_0 keeps b/q finite at zero load.
     """
     squared = line_load * line_load
-    floored = squared + (law.load_floor / law.length) ** 2
+    floored = squared + (law.smallest_load * law.modulus * law.radius) ** 2
     load = np.sqrt(floored)
     b = half_width(load, law.radius, law.modulus)
     return LoadedStrip(load_share=squared / floored, half_width=b, pressure=load / (2 * b))
@@ -118,7 +113,7 @@ def film_traction(shear: ShearStress, strip: LoadedStrip, line_load: NDArray, sl
 
     .. math:: F = \operatorname{sgn}(u_s)\, \frac{q}{\bar p}\, \tau,\quad \bar p \sim \tilde q^{1/2}
 
-    that is 2 b tau above the load floor; below it the friction coefficient tau/p keeps its value.
+    that is 2 b tau above the smallest load; below it the friction coefficient tau/p keeps its value.
 
     Parameters
     ----------
@@ -142,7 +137,7 @@ def film_traction(shear: ShearStress, strip: LoadedStrip, line_load: NDArray, sl
     """
     sign = np.sign(sliding)
     coefficient = shear.stress / strip.pressure
-    width = line_load / strip.pressure  # 2b above the load floor
+    width = line_load / strip.pressure  # 2b above the smallest load
     signed_width = sign * width
     by_log_load = shear.by_log_load / strip.pressure - 0.5 * coefficient
     return Traction(

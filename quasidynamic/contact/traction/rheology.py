@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from quasidynamic.contact.line import SMALLEST_LOAD
 from quasidynamic.contact.traction.film_strip import film_traction, limited_stress, loaded_strip
 from quasidynamic.contact.traction.thermal_shear import (
     BAIR_WINER,
@@ -43,13 +44,13 @@ class Eyring:
 
     radius: NDArray | float  # [m] R
     modulus: NDArray | float  # [Pa] E'
-    length: float  # [m] l
+    length: float  # [m] l, of no influence
     oil: Lubricant
     limiting_ratio: float  # [-] Lambda
     eyring_stress: float  # [Pa] tau_E
     film_heating: bool = False
     walls: WallProperties = STEEL_WALLS
-    load_floor: float = 1.0  # [N] below it strip width over load keeps its value
+    smallest_load: float = SMALLEST_LOAD  # [-] q/(E' R) below which strip width over load keeps its value
 
     def __call__(self, line_load: NDArray, sliding: NDArray, entrainment: NDArray, film: NDArray) -> Traction:
         """Traction; without film heating the entrainment speed enters through the film alone."""
@@ -83,12 +84,12 @@ class BairWiner:
 
     radius: NDArray | float  # [m] R
     modulus: NDArray | float  # [Pa] E'
-    length: float  # [m] l
+    length: float  # [m] l, of no influence
     oil: Lubricant
     limiting_ratio: float  # [-] Lambda
     film_heating: bool = False
     walls: WallProperties = STEEL_WALLS
-    load_floor: float = 1.0  # [N] below it strip width over load keeps its value
+    smallest_load: float = SMALLEST_LOAD  # [-] q/(E' R) below which strip width over load keeps its value
 
     def __call__(self, line_load: NDArray, sliding: NDArray, entrainment: NDArray, film: NDArray) -> Traction:
         """Traction; without film heating the entrainment speed enters through the film alone."""

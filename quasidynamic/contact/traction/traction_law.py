@@ -8,6 +8,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from quasidynamic.contact.line import SMALLEST_LOAD
 from quasidynamic.parts.lubricant import Lubricant
 
 
@@ -51,7 +52,7 @@ class Regression4109:
     modulus: NDArray | float  # [Pa] E'
     length: float  # [m] l, turns a load per length into Q
     oil: Lubricant
-    load_floor: float = 1.0  # [N] below it the coefficients keep their value: P^-0.37 would diverge
+    smallest_load: float = SMALLEST_LOAD  # [-] q/(E' R) below which coefficients keep their value
 
     # X0, exponents of P, U and Theta
     _FORMULA = np.array(
@@ -68,13 +69,13 @@ class Regression4109:
 
     def __call__(self, line_load: NDArray, sliding: NDArray, entrainment: NDArray, film: NDArray) -> Traction:
         """Traction; the film does not enter this law."""
-        share = line_load * (self.length / self.load_floor)
+        share = line_load * self._per_smallest_load
         squared = share * share
-        floored = 1 + squared  # square of the load over its floor, rounded
+        floored = 1 + squared  # square of the load over the smallest one, rounded
         slip, log_speed, log_load = np.abs(sliding) / entrainment, np.log(entrainment), np.log(floored)
         d, b, c = (
-            np.exp((at_floor + by_speed * log_speed) + by_load * log_load)
-            for at_floor, by_speed, by_load in self._logarithmic
+            np.exp((at_smallest + by_speed * log_speed) + by_load * log_load)
+            for at_smallest, by_speed, by_load in self._logarithmic
         )
         decay = np.exp(c * -slip)
         fading, steepness = d * decay, b * decay
@@ -94,10 +95,15 @@ class Regression4109:
         )
 
     @cached_property
+    def _per_smallest_load(self) -> NDArray | float:
+        return 1 / (self.smallest_load * self.modulus * self.radius)
+
+    @cached_property
     def _logarithmic(self) -> list[tuple[NDArray, float, float]]:
-        """Of D, B and C: ln at the load floor and unit speed, powers of the speed and of `floored`."""
+        """Of D, B and C: ln at the smallest load and unit speed, powers of the speed and of `floored`."""
         oil, elastic = self.oil, self.modulus * self.radius
-        pressure, speed = np.log(self.load_floor / (elastic * self.radius)), np.log(oil.viscosity / elastic)
+        pressure = np.log(self.smallest_load * self.length / self.radius)
+        speed = np.log(oil.viscosity / elastic)
         heat = log(oil.conductivity * oil.temperature / oil.viscosity)
         return [
             (log(x0) + p * pressure + u * speed + t * heat, u - 2 * t, p / 2)

@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
-from quasidynamic.balance.rollers.scales import LARGE_DEVIATION, LENGTH
-from quasidynamic.balance.rollers.unknowns import BORDER, CAGE, Y, Z
+from quasidynamic.balance.rollers.scales import LARGE_DEVIATION
+from quasidynamic.balance.rollers.unknowns import BORDER, CAGE, TILT_Y, TILT_Z, Y, Z
 
 
 class Shift(NamedTuple):
@@ -16,6 +16,7 @@ class Shift(NamedTuple):
     spin: NDArray | float = 0.0  # (C, Z) at each spin: inertia over time step
     cage: NDArray | float = 0.0  # (C) at the cage speed: the same
     ring: NDArray | float = 0.0  # (C) at both displacements: a stiffness that is not there
+    tilt: NDArray | float = 0.0  # (C) at both tilts: the same
 
 
 NO_SHIFT = Shift()
@@ -59,6 +60,8 @@ def solve(balance: BearingBalance, system: Linearisation, right: NDArray, shift:
         border[:, CAGE, CAGE] -= shift.cage
         border[:, Y, Y] -= shift.ring
         border[:, Z, Z] -= shift.ring
+        border[:, TILT_Z, TILT_Z] -= shift.tilt
+        border[:, TILT_Y, TILT_Y] -= shift.tilt
     with np.errstate(all="ignore"):
         eliminate(table, spin)
         reduced = _with_elastic_raceways if layout.elastic_raceways else _with_rigid_raceways
@@ -195,7 +198,7 @@ def _assembled(balance, system, table: NDArray, border: NDArray, case: int) -> N
         contact_forces[:, each, place] = forces[:, column]
     matrix[BORDER + z :] = -_deflections(balance, contact_forces.transpose(0, 2, 1))
     rows = np.arange(BORDER + z, size)
-    matrix[rows, rows] += LENGTH / LARGE_DEVIATION
+    matrix[rows, rows] += 1 / LARGE_DEVIATION
     return matrix
 
 

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
-from quasidynamic.balance.rollers.unknowns import CAGE, Y, Z
+from quasidynamic.balance.rollers.unknowns import CAGE, TILT_Z, Y, Z
 from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers import bordered_system
 from quasidynamic.solve.rollers.step_bounds import bounded
@@ -16,7 +16,8 @@ TOLERANCE = 1e-12  # of the reference force, or of the largest roller load if th
 ROUNDING_TOLERANCE = 1e-10  # the same, where rounding keeps a step from lowering the residual any more
 ROUNDING = 1e-8  # residual from where rounding decides whether a step looks smaller
 MAX_EVALUATIONS = 60  # evaluations
-LARGEST_RING_STEP = 100.0  # scaled ring displacement in a step: 100 micrometres
+LARGEST_RING_STEP = 100.0  # scaled ring displacement in a step: 2 % of a roller's diameter
+TILT_SHARE = 3.0  # scaled tilt of a ring in a step, of its scaled displacement: 0.3 rad
 LARGEST_SPEED_CHANGE = 0.7  # of the cage speed in a step
 SLOW_CAGE = 0.02  # of the cage speed in pure rolling, by which it may change at any speed
 SMALLEST_DAMPING = 2.0**-10  # part of a Newton step
@@ -106,7 +107,7 @@ def step(
     speed_change: float = LARGEST_SPEED_CHANGE,
     shift: bordered_system.Shift = bordered_system.NO_SHIFT,
 ) -> NDArray:
-    """Newton step (C, N), with a ring that moves no further than `longest` (scaled).
+    """Newton step (C, N), with a ring whose place and tilt move no further than `longest` (scaled).
 
     A ring that nothing holds in some direction, such as sideways on a single roller, is given a
     stiffness there: everything else still takes its full step. The cage changes its speed by a
@@ -114,15 +115,23 @@ def step(
     """
     right = -system.residual[..., None]
     change = bordered_system.solve(balance, system, right, shift)[..., 0]
-    ring_step = _largest(change[:, Y : Z + 1])
-    if (ring_step > longest).any():
-        stiffness = _largest(system.residual[:, Y : Z + 1]) / longest
-        held = shift._replace(ring=np.where(ring_step > longest, stiffness, 0.0))
+    ring_step, tilt_step = _ring_steps(change)
+    if (ring_step > longest).any() or (tilt_step > longest).any():
+        stiffness, tilting = _ring_steps(system.residual)
+        held = shift._replace(
+            ring=np.where(ring_step > longest, stiffness / longest, 0.0),
+            tilt=np.where(tilt_step > longest, tilting / longest, 0.0),
+        )
         change = bordered_system.solve(balance, system, right, held)[..., 0]
-        ring_step = _largest(change[:, Y : Z + 1])
+        ring_step, tilt_step = _ring_steps(change)
     cage_step = np.abs(change[:, CAGE]) / (speed_change * (system.cage_speed + SLOW_CAGE))
-    excess = np.maximum(ring_step / longest, cage_step)
+    excess = np.maximum(np.maximum(ring_step, tilt_step) / longest, cage_step)
     return change if (excess <= 1.0).all() else change / np.maximum(excess, 1.0)[:, None]
+
+
+def _ring_steps(change: NDArray) -> tuple[NDArray, NDArray]:
+    """Displacement and tilt (C) of the ring in a change (C, N), the latter as a displacement."""
+    return _largest(change[:, Y : Z + 1]), _largest(change[:, TILT_Z:CAGE]) / TILT_SHARE
 
 
 def norm(system: Linearisation) -> NDArray:

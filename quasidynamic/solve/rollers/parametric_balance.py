@@ -15,7 +15,7 @@ from quasidynamic.solve.rollers.step_bounds import bounded
 
 DIFFERENCE = 1e-5  # of the parameter
 RESIDUAL_TOLERANCE = 1e-10  # residual, of the reference force or of the largest roller load if that is larger
-RING_SIZE = 30.0  # scaled ring displacement that counts like a slip of one: 30 micrometres
+RING_SIZE = 30.0  # scaled ring displacement that counts like a slip of one: 0.6 % of a roller's diameter
 TILT_SIZE = 10.0  # the same for tilts: 10 milliradians
 
 

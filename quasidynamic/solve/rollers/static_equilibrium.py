@@ -8,18 +8,19 @@ from quasidynamic.balance.rollers.unknowns import Unknowns
 from quasidynamic.contact.line import EXPONENT
 
 MAX_STEPS = 8  # Newton on a nearly linear law inside a bracket
-NEAR_ENOUGH = 1e-8  # [m] of the last step; what is left after it is far less
+NEAR_ENOUGH = 1e-2  # lengths of the scales, of the last step; what is left after it is far less
 
 
-def centrifugal_force(balance: BearingBalance, cage_speed: NDArray) -> NDArray:
-    """What presses an unloaded roller on the outer raceway (C, 1) [N]."""
-    force, _ = balance.roller.centrifugal(cage_speed)
-    return force
+def outward_force(balance: BearingBalance, unknowns: Unknowns) -> NDArray:
+    """What presses an unloaded roller outwards (C, Z) [N]; negative where it rests on the inner raceway.
 
-
-def outer_approach(balance: BearingBalance, cage_speed: NDArray) -> NDArray:
-    """Approach of an unloaded straight roller at the outer raceway (C, 1) [m]; a crowned one goes further."""
-    return balance.roller.raceways.softness[1] * centrifugal_force(balance, cage_speed) ** (1 / EXPONENT)
+    Centrifugal force, weight, and the friction of the pocket that carries weight and drag along the motion.
+    """
+    motion, roller = balance.motion(unknowns.cage_drift, unknowns.spin_drift), balance.roller
+    (centrifugal, _), (drag, _) = roller.centrifugal(motion.cage_speed), roller.drag(motion.cage_speed)
+    outward, along = balance.weight
+    lift = roller.bearing.cage.pocket_friction * motion.spin / np.hypot(motion.spin, motion.standstill_spin)
+    return centrifugal + outward + lift * (drag - along)
 
 
 def frictionless_loads(balance: BearingBalance, unknowns: Unknowns, uneven: bool = False) -> NDArray:
@@ -55,21 +56,27 @@ def static_equilibrium(balance: BearingBalance, unknowns: Unknowns, uneven: bool
     """
     beyond = axial_variation(balance, unknowns) if uneven else np.zeros((1, 2, 1, 1))
     room = balance.inputs(unknowns).approach[:, 0].sum(0)  # both approaches, wherever the roller is
-    _, cage_speed = balance.speeds(unknowns)
-    drop, pressed = balance.roller.raceways.drop, outer_approach(balance, cage_speed)
-    depth = drop[:, None, None] - beyond[:, 1]
-    centrifugal, lowest = centrifugal_force(balance, cage_speed), pressed + depth.min(0)
-    highest = np.maximum(room, pressed + depth.max(0))
-    outer = np.maximum(room / 2, lowest)
+    raceways, force = balance.roller.raceways, outward_force(balance, unknowns)
+    falls, size = force < 0, np.abs(force)  # on the inner raceway
+    pressed = np.where(falls, *raceways.softness) * size ** (1 / EXPONENT)  # of a straight roller
+    nearest = np.where(falls, *(raceways.drop[:, None, None] - beyond[:, race] for race in (0, 1)))
+    lowest, highest = pressed + nearest.min(0), np.maximum(room, pressed + nearest.max(0))
+    side = np.maximum(room / 2, lowest)  # approach at the raceway that the roller rests on
     for _ in range(MAX_STEPS):
-        (load_i, load_o), (slope_i, slope_o) = _contact_loads(
-            balance, np.array([room - outer, outer]), beyond
-        )
-        change = (load_o - load_i - centrifugal) / (slope_o + slope_i)
-        outer = np.minimum(np.maximum(outer - change, lowest), highest)
-        if np.abs(change).max() < NEAR_ENOUGH:
+        outer = np.where(falls, room - side, side)
+        (load_i, load_o), slopes = _contact_loads(balance, np.array([room - outer, outer]), beyond)
+        change = (np.where(falls, load_i - load_o, load_o - load_i) - size) / slopes.sum(0)
+        side = np.minimum(np.maximum(side - change, lowest), highest)
+        if np.abs(change).max() < NEAR_ENOUGH * balance.scales.length:
             break
-    return unknowns._replace(approach=outer)
+    return unknowns._replace(approach=np.where(falls, room - side, side))
+
+
+def room_between_raceways(balance: BearingBalance, approach: NDArray) -> NDArray:
+    """Sum of both approaches (C, Z) [m] of the nearest slice; negative where a roller cannot be pressed."""
+    raceways = balance.roller.raceways
+    both = np.einsum("km,mcz->kcz", raceways.slices.modes, approach.sum(0))
+    return (both - 2 * raceways.drop[:, None, None]).max(0)
 
 
 def tilts_between_raceways(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:

@@ -4,12 +4,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance
-from quasidynamic.balance.rollers.scales import LENGTH
-from quasidynamic.balance.rollers.unknowns import OUTER
-from quasidynamic.contact.line import GAP_ROUNDING
+from quasidynamic.balance.rollers.unknowns import BORDER, CAGE, OUTER
+from quasidynamic.solve.rollers.static_equilibrium import (
+    frictionless_loads,
+    outward_force,
+    room_between_raceways,
+    static_equilibrium,
+    tilts_between_raceways,
+)
 
 SPIN_CHANGE = 0.5  # of the spin in pure rolling in a step
 KEPT = 0.1  # of an approach or a film in a step
+GROWTH = 4.0  # of a gap in a step
+MOVED = 0.3  # of an approach and of a force: above it a step has thrown a roller about
+GRAZING = 3.0  # widths over which contact begins: a gap up to it has a force that leads back
 
 
 def bounded(balance: BearingBalance, before: NDArray, after: NDArray) -> NDArray:
@@ -31,12 +39,61 @@ def bounded(balance: BearingBalance, before: NDArray, after: NDArray) -> NDArray
         `after` with rollers that stay within reach of what they touch
     """
     layout, held = balance.layout, bounded_spins(balance, before, after)
-    approach, films = layout.field(0), slice(layout.field(-3).start, layout.field(-2).stop)
+    films = slice(layout.field(-3).start, layout.field(-2).stop)
     held[:, films] = np.maximum(after[:, films], KEPT * before[:, films])
     old, new = _largest_approach(balance, before), _largest_approach(balance, after)
-    lowest = np.minimum(old, KEPT * old) - 3 * GAP_ROUNDING / LENGTH
-    held[:, approach] += np.maximum(lowest - new, 0.0)
-    return held
+    grazing = GRAZING * balance.roller.raceways.law.rounding / balance.scales.length
+    held[:, layout.field(0)] += np.maximum(_lowest(old, grazing) - new, 0.0)
+    return settled(balance, before, held)
+
+
+def _lowest(approach: NDArray, grazing: float) -> NDArray:
+    """Smallest approach after a step: a tenth of that before it, or a gap that is several times as wide."""
+    return np.minimum(GROWTH * approach, KEPT * approach) - grazing
+
+
+def settled(balance: BearingBalance, before: NDArray, after: NDArray) -> NDArray:
+    """Put rollers that a step has thrown about in their clearance on the raceway that they rest on.
+
+    In a slow bearing weights decide where unloaded rollers are, and they fall from one raceway on the other:
+    through a gap without any force that leads a linearised step there.
+
+    Parameters
+    ----------
+    balance : BearingBalance
+        of C cases
+    before, after : array (C, N)
+        unknowns, scaled
+
+    Returns
+    -------
+    array (C, N)
+        `after`, rollers without room to be pressed and out of balance in static equilibrium
+    """
+    cage_speed = balance.rolling_cage + after[:, CAGE:BORDER] * balance.scales.unknown[:, CAGE:BORDER]
+    if (np.abs(cage_speed) > balance.slow_cage).all():
+        return after
+    unknowns = balance.unpack(after)
+    force = outward_force(balance, unknowns)
+    if force.min() > 0.0:
+        return after
+    approach, former = balance.inputs(unknowns).approach, balance.inputs(balance.unpack(before)).approach
+    on_outer, touching = force >= 0, balance.roller.raceways.law.rounding
+    here, there = (np.where(on_outer, *side[::-1, 0]) for side in (approach, former))
+    moved = np.abs(here - there) > MOVED * (np.abs(there) + touching)
+    load_i, load_o = frictionless_loads(balance, unknowns, uneven=True)
+    thrown = moved & (np.abs(load_o - load_i - force) > MOVED * np.abs(force))
+    thrown &= room_between_raceways(balance, approach) < 0
+    if not thrown.any():
+        return after
+    if balance.roller.axial_modes > 1:
+        tilted = tilts_between_raceways(balance, unknowns).tilt
+        unknowns = unknowns._replace(tilt=np.where(thrown, tilted, unknowns.tilt))
+    resting, after = balance.pack(static_equilibrium(balance, unknowns, uneven=True)), after.copy()
+    for field in range(balance.layout.per_roller - 3):  # approach, and tilt where there is one
+        place = balance.layout.field(field)
+        after[:, place] = np.where(thrown, resting[:, place], after[:, place])
+    return after
 
 
 def bounded_spins(balance: BearingBalance, before: NDArray, after: NDArray) -> NDArray:
@@ -71,6 +128,6 @@ def _largest_approach(balance: BearingBalance, scaled: NDArray) -> NDArray:
         return centre
     if not layout.elastic_raceways and balance.deviation is None:
         return centre + np.abs(scaled[:, layout.field(1)])
-    beyond = balance.inputs(balance.unpack(scaled)).approach[OUTER, 1:] / LENGTH
+    beyond = balance.inputs(balance.unpack(scaled)).approach[OUTER, 1:] / balance.scales.length
     shape = balance.roller.raceways.slices.modes[:, 1:]
     return centre + np.einsum("km,mcz->kcz", shape, beyond).max(0)

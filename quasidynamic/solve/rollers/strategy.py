@@ -11,6 +11,7 @@ from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.load_continuation import from_heavier_load
 from quasidynamic.solve.rollers.newton import Iterate, newton
 from quasidynamic.solve.rollers.pseudo_time import StepLimits, pseudo_time
+from quasidynamic.solve.start.lumped import held_back
 
 # Rounds of pseudo-time, each followed by Newton's method: before a heavier load, after it, at restarts.
 ROUNDS = (3, 9, 3)
@@ -66,6 +67,7 @@ def solve(
     left = solved.unsolved()
     if len(left):
         solved.follow(newton(_cases_of(balance, left), start[left]), left)
+    _find_spins(balance, solved)
     for number, restart in enumerate(restarts):
         left = solved.unsolved()
         if not len(left):
@@ -100,8 +102,22 @@ def solve_each(balance: BearingBalance, starts: NDArray, rounds: int) -> SolvedC
     """
     solved = SolvedCases(starts.copy(), [SolverOutcome.RUNNING] * len(starts), np.zeros(len(starts), int))
     solved.follow(newton(balance, starts), np.arange(len(starts)))
+    _find_spins(balance, solved)
     _through_pseudo_time(balance, solved, starts.copy(), rounds)
     return solved
+
+
+def _find_spins(balance: BearingBalance, solved: SolvedCases) -> None:
+    """Try Newton's method from where it ended, with the spins that pockets leave to unloaded rollers."""
+    left = solved.unsolved()
+    if len(left):
+        solved.follow(_with_spins_found(_cases_of(balance, left), solved.unknowns[left]), left)
+
+
+def _with_spins_found(balance: BearingBalance, unknowns: NDArray) -> Iterator[Iterate]:
+    """Yield Newton iterates from where it ended, with the spins that pockets leave to unloaded rollers."""
+    held = balance.pack(held_back(balance, balance.unpack(unknowns), uneven=True))
+    return newton(balance, held) if (held != unknowns).any() and np.isfinite(held).all() else iter(())
 
 
 def _through_pseudo_time(

@@ -7,20 +7,19 @@ from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.balance.rollers.unknowns import Unknowns
 from quasidynamic.contact.line import EXPONENT
 from quasidynamic.solve.rollers.static_equilibrium import (
-    centrifugal_force,
     film_at,
     frictionless_loads,
-    outer_approach,
+    outward_force,
     series_stiffness,
     static_equilibrium,
 )
 
 STRIBECK = 5.0  # largest roller load times their number over the load, about
 SHIFT_STEPS = 40  # Newton on a convex law from above: never more than about ten
-SHIFT_DIGITS = 1e-7  # [m] of the last step; what is left after it is a thousandth of that
+SHIFT_DIGITS = 0.1  # lengths of the scales, of the last step; what is left after it is a thousandth of that
 RING_STEPS = 60
-RING_DIGITS = 1e-8  # [m]
-LONGEST_RING_STEP = 2e-5  # [m]
+RING_DIGITS = 1e-2  # lengths of the scales
+LONGEST_RING_STEP = 20.0  # lengths of the scales
 RING_FLOOR = 1e-4  # of the stiffness, where no roller resists a direction
 SMALLEST_STIFFNESS = 1.0  # [N/m] where no roller touches at all
 
@@ -39,11 +38,12 @@ def static_unknowns(balance: BearingBalance, cage_drift: NDArray) -> Unknowns:
         spin_drift=nothing,
         deviation=np.zeros((2, m, *shape)),
     )
-    cage_speed = balance.rolling_cage + cage_drift
-    usual = 4 * points.load / balance.layout.rollers + centrifugal_force(balance, cage_speed)
+    outward = np.abs(outward_force(balance, unknowns))
+    usual = 4 * points.load / balance.layout.rollers + outward
     film = film_at(balance, unknowns, usual)
     direction = np.arctan2(points.load_y, points.load_z)
-    gap = balance.clearance / 2 - film.sum(0).mean(-1, keepdims=True) + outer_approach(balance, cage_speed)
+    pressed = balance.roller.raceways.softness[1] * outward.mean(-1, keepdims=True) ** (1 / EXPONENT)
+    gap = balance.clearance / 2 - film.sum(0).mean(-1, keepdims=True) + pressed
     shift = ring_shift(balance, direction, gap)
     unknowns.ring[:2] = shift * np.sin(direction), shift * np.cos(direction)
     return static_equilibrium(balance, unknowns._replace(film=film))
@@ -72,7 +72,7 @@ def ring_shift(balance: BearingBalance, direction: NDArray, gap: NDArray) -> NDA
         slope = np.vecdot(raceways.slices.total(power), steepness)[:, None]
         change = np.divide(carried - load, slope, out=np.zeros(slope.shape), where=slope > 0)
         shift = shift - change
-        if np.abs(change).max() < SHIFT_DIGITS:
+        if np.abs(change).max() < SHIFT_DIGITS * balance.scales.length:
             break
     return np.where(load > 0, shift, 0.0)
 
@@ -85,7 +85,7 @@ def frictionless_ring(balance: BearingBalance, unknowns: Unknowns, load: NDArray
     """
     azimuth = balance.roller.bearing.azimuths
     normal = np.array([np.sin(azimuth), np.cos(azimuth)])
-    position = unknowns.ring[:2]
+    position, unit = unknowns.ring[:2], balance.scales.length
     for _ in range(RING_STEPS):
         unknowns = static_equilibrium(
             balance, unknowns._replace(ring=np.concatenate([position, unknowns.ring[2:]]))
@@ -96,7 +96,9 @@ def frictionless_ring(balance: BearingBalance, unknowns: Unknowns, load: NDArray
         floor = RING_FLOOR * np.trace(matrix, axis1=1, axis2=2) + SMALLEST_STIFFNESS
         change = np.linalg.solve(matrix + floor[:, None, None] * np.eye(2), excess.T[..., None])[..., 0].T
         length = np.hypot(*change)
-        position = position + (change * np.minimum(1.0, LONGEST_RING_STEP / (length + 1e-30)))[..., None]
-        if length.max() < RING_DIGITS:
+        position = (
+            position + (change * np.minimum(1.0, LONGEST_RING_STEP * unit / (length + 1e-30)))[..., None]
+        )
+        if length.max() < RING_DIGITS * unit:
             break
     return unknowns._replace(ring=np.concatenate([position, unknowns.ring[2:]]))

@@ -5,12 +5,17 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.balance.rollers.unknowns import Unknowns
-from quasidynamic.solve.rollers.static_equilibrium import frictionless_loads
+from quasidynamic.solve.rollers.static_equilibrium import (
+    frictionless_loads,
+)
 from quasidynamic.solve.start.friction import balanced_drifts
 from quasidynamic.solve.start.frictionless import static_unknowns
-from quasidynamic.solve.start.lumped import LumpedRollers
+from quasidynamic.solve.start.lumped import LumpedRollers, held_back
 
 SMALL_SLIP = 0.1  # slip up to which the centrifugal force and the spins of unloaded rollers change little
+HELD_ROUNDS = (
+    2  # of spins by the loads, and of loads by the lift of pocket friction, which goes with the spin
+)
 TRIAL_SLIPS = np.geomspace(1e-5, 0.98, 9)  # slips that are looked at for a start
 
 
@@ -21,7 +26,8 @@ def static_start(balance: BearingBalance) -> NDArray:
     """
     start = static_unknowns(balance, np.zeros_like(balance.rolling_cage))
     cage_drift, spin_drift = guessed_drifts(balance, start)
-    scaled = balance.pack(start._replace(cage_drift=cage_drift, spin_drift=spin_drift))
+    guess = start._replace(cage_drift=cage_drift, spin_drift=spin_drift)
+    scaled = balance.pack(held_back(balance, guess))
     slipping = np.flatnonzero(np.abs(cage_drift) > SMALL_SLIP * np.abs(balance.rolling_cage))
     if len(slipping):  # less centrifugal force, and spins that follow from each other
         slow = balance.take(slipping)

@@ -6,13 +6,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance
+from quasidynamic.balance.rollers.unknowns import Unknowns
 from quasidynamic.contact.cage import land_torque
-from quasidynamic.solve.rollers.static_equilibrium import frictionless_loads
+from quasidynamic.solve.rollers.static_equilibrium import (
+    frictionless_loads,
+    outward_force,
+    static_equilibrium,
+)
 from quasidynamic.solve.start.frictionless import static_unknowns
 
 NEAREST = np.log(1e-13)  # to rolling on one raceway, over the distance to rolling on the other
 SPIN_HALVINGS = 20  # of the logarithm of that distance
 SMALLEST_LOAD = 1e-9  # [N]
+BRAKED_HALVINGS = 26  # of the spins between rolling backwards and nearly rolling
+NEARLY_ROLLING = 0.999  # of the spin in pure rolling
+MAX_SWEEPS = 40  # around the bearing: spins of unloaded rollers travel by a pitch in each
+SMALL_CHANGE = 1e-3  # of the spin in pure rolling in a sweep
 
 
 @dataclass(frozen=True)
@@ -76,6 +85,44 @@ class LumpedRollers:
         drift = end + way * np.exp((low + high) / 2)
         return drift, self._balanced(*self.forces(line_load, cage_drift, drift))
 
+    def braked(self, line_load: NDArray, cage_drift: NDArray, drift: NDArray) -> NDArray:
+        """Drifts (C, Z); those at which rollers balance where friction of the pocket holds them back.
+
+        A roller that hardly anything presses may stand still in its pocket, or nearly so. Halving, as
+        traction and friction of the pocket are at their limits on the way there; each roller beside the
+        present spins of its neighbours, from which it gets its own.
+        """
+        balance, rolling = self.balance, self.balance.rolling_spin
+        transport = balance.spin_transport(cage_drift, drift)
+
+        def lags(spin: NDArray) -> NDArray:
+            taken = transport.torque + transport.by_spin * (spin - rolling - drift)
+            return self._driven(line_load, cage_drift, spin - rolling, taken) < 0
+
+        low, high = -rolling + np.zeros(drift.shape), NEARLY_ROLLING * rolling + np.zeros(drift.shape)
+        held = lags(high)
+        if not held.any():
+            return drift
+        for _ in range(BRAKED_HALVINGS):
+            middle = (low + high) / 2
+            slower = lags(middle)
+            low, high = np.where(slower, low, middle), np.where(slower, middle, high)
+        return np.where(held, (low + high) / 2 - rolling, drift)
+
+    def _driven(self, line_load: NDArray, cage_drift: NDArray, drift: NDArray, taken: NDArray) -> NDArray:
+        """Force at the surface of the rollers (C, Z) [N] that drives their spin the way they roll.
+
+        What transport has taken [N m] is subtracted.
+        """
+        roller, motion = self.balance.roller, self.balance.motion(cage_drift, drift)
+        t_i, t_o, r_i, r_o = self.forces(line_load, cage_drift, drift)
+        g, (drag, _) = roller.bearing.diameter_ratio, roller.drag(motion.cage_speed)
+        pocket = drag - self.balance.weight[1] - t_i - t_o - (1 - 2 * g) * r_i + (1 + 2 * g) * r_o
+        sense = motion.spin / np.hypot(motion.spin, motion.standstill_spin)
+        brake = roller.bearing.cage.pocket_friction * sense * np.abs(pocket)
+        driving = t_i - t_o - r_i - r_o - brake - taken / (roller.bearing.roller.diameter / 2)
+        return driving * np.sign(self.balance.rolling_spin)
+
     @staticmethod
     def _balanced(t_i: NDArray, t_o: NDArray, r_i: NDArray, r_o: NDArray) -> NDArray:
         """Let the larger traction follow from the smaller one: halving does not find it on a steep slope."""
@@ -111,3 +158,24 @@ class LumpedRollers:
         ring_speed = points.guiding_speed(bearing.cage.guidance)
         land = land_torque(ring_speed - cage_speed, bearing.cage, self.balance.roller.lubrication.oil)
         return (land.torque - lever * drag)[:, 0], (-land.by_speed - lever * drag_slope)[:, 0]
+
+
+def held_back(balance: BearingBalance, start: Unknowns, uneven: bool = False) -> Unknowns:
+    """Spins of rollers that their pockets hold back in a slow bearing, and where these rollers rest then.
+
+    Spins by loads, and loads by the lift of pocket friction, which goes with the spin; a sweep hands spins on
+    to the next roller. Rollers are untilted on even raceways or, if `uneven`, as they are.
+    """
+    if (np.abs(balance.rolling_cage + start.cage_drift) > balance.slow_cage).all():
+        return start
+    if outward_force(balance, start).min() > 0.0:
+        return start
+    length, lumped = balance.roller.bearing.roller.length, LumpedRollers(balance)
+    for _ in range(MAX_SWEEPS):
+        line_load = frictionless_loads(balance, start, uneven) / length
+        spin_drift = lumped.braked(line_load, start.cage_drift, start.spin_drift)
+        change = np.abs((spin_drift - start.spin_drift) / balance.rolling_spin).max()
+        start = static_equilibrium(balance, start._replace(spin_drift=spin_drift), uneven)
+        if change < SMALL_CHANGE:
+            break
+    return start
