@@ -97,9 +97,9 @@ def adaptive_resolution(case: Case, report: Report) -> AdaptiveResolution:
         )
     for verdict in selection.verdicts:
         name, level = verdict.choice.name, verdict.choice.levels[verdict.level]
-        if not verdict.against and verdict.choice.converging > verdict.level:
-            # a part without any level is not a rigid one
-            raise Unusable("; ".join(verdict.unusable.values()))
+        if verdict.choice.converging > verdict.level and verdict.excess:
+            # A part is rigid where that hardly matters, never because its own levels have no answer.
+            raise Unusable("; ".join(dict.fromkeys(verdict.unusable.values())))
         report.stage(f"{name}: {level}", None)
     return AdaptiveResolution(selection, trials(selection.place), trials.model(selection.place))
 

@@ -9,6 +9,7 @@ from pytest import approx
 
 import flexbearing
 from flexbearing import read
+from flexbearing.__main__ import command
 from flexbearing.accuracy.levels import ladders
 from flexbearing.accuracy.trials import with_accuracy
 from flexbearing.case import BadCase
@@ -147,3 +148,26 @@ def test_a_case_without_an_answer_is_told_and_solved_as_usual(folder):
     assert result.attributes["status"] == "not solved"
     assert any("nothing could be chosen or estimated" in note for note in texts(result))
     assert result.attributes["error_estimate"] == {}
+
+
+ON_LINES = [
+    "outer.kind=ring", "outer.thickness=4 mm", "outer.width=19 mm", "outer.support=lines",
+    'outer.line_azimuths=["-40 deg", "40 deg"]', "operation.tilt=fixed", "accuracy.target=1 %",
+]  # fmt: skip
+
+
+def test_a_part_whose_levels_cannot_be_computed_is_not_left_rigid(folder, capsys):
+    """Elements of order 2 are too few for its harmonics: the answer was rigid beside an error of 200 %."""
+    path = folder / "coarse.h5"
+    settings = [*ON_LINES, "accuracy.element_order=2"]
+    words = ["run", str(PLAIN), "-o", str(path), *(word for key in settings for word in ("--set", key))]
+    assert command(words) == 1
+    result = flexbearing.read_result(path)
+    assert result.attributes["status"] == "not solved"
+    assert not result.flexible
+    codes = [note["code"] for note in result.attributes["notes"]]
+    assert codes[0] == "unmet-target"
+    assert "rigid-part" not in codes
+    first = next(line for line in capsys.readouterr().out.splitlines() if line.strip())
+    assert first.startswith("DANGER: accuracy.target")
+    assert "take more harmonics" in result.attributes["message"]
