@@ -16,7 +16,7 @@ from quasidynamic.outcome.equilibrium import Equilibrium
 from quasidynamic.roller import RollerBearing
 from quasidynamic.solve.arclength import BranchEnd, BranchPoint, at_parameter, follow, solved_at
 from quasidynamic.solve.outcome import SolverOutcome
-from quasidynamic.solve.rollers.parametric_balance import ParametricBalance
+from quasidynamic.solve.rollers.parametric_balance import ParametricBalance, Tangents, between
 from quasidynamic.solve.rollers.stability import growth_rates
 from quasidynamic.solve.start import LumpedRollers, static_unknowns
 
@@ -101,8 +101,9 @@ def trace(
     over: str = "radial_load",
     span: tuple[float, float],
     start: Equilibrium | None = None,
+    tangents: Tangents | None = None,
 ) -> Branch:
-    """Follow the equilibria of a bearing between rigid raceways while its load or speed changes.
+    """Follow the equilibria of a bearing over its load or speed, in one system with elastic raceways.
 
     Where traction falls with slip, a branch may turn back at a fold: the bearing has several
     equilibria at one load, and jumps from one to another when the load passes a fold. Other
@@ -118,6 +119,10 @@ def trace(
         [N] or [rad/s], from the first to the second, on a logarithmic scale
     start : Equilibrium, optional
         near which the branch begins; without it the one that `model.solve` finds at the first value
+    tangents : callable (forces), optional
+        elastic raceways near roller forces (2, Z, M) [N]: compliances (Z, M, Z, M) [m/N] of inner and outer
+        raceway, None where one is rigid, and outward deviations (2, Z, M) [m] at no load or None; without it
+        raceways are rigid. A `start` between raceways that deflect is needed then
 
     Returns
     -------
@@ -132,10 +137,15 @@ def trace(
     OutOfRange
         when the logarithm of the span makes no sense
     """
-    first, last = _logarithms(model, over, span)
+    first, last = logarithms(model, over, span)
     begin = start or _changed(model, over, span[0]).solve()
-    problem = _problem(model, over, span[0], begin.balance)
+    problem = _problem(model, over, span[0], begin.balance, None)
     state = problem.balance_at(first).pack(begin.unknowns)[0]
+    if tangents is not None:
+        compliance, _ = tangents(begin.forces)
+        problem = _problem(model, over, span[0], between(begin.balance, compliance), tangents)
+        whole = np.moveaxis(begin.deviation, -1, 1)[:, :, None]
+        state = problem.balance_at(first).pack(begin.unknowns._replace(deviation=whole))[0]
     bounds = min(first, last), max(first, last)
     followed = follow(problem, state, first, bounds, upwards=last > first)
     if not followed.points:
@@ -169,9 +179,9 @@ def equilibria_at(model: RollerBearing) -> tuple[Equilibrium, ...]:
         when the bearing has no load
     """
     load = model.operation.radial_load
-    parameter, _ = _logarithms(model, "radial_load", (load, load * LOAD_RANGE))
+    parameter, _ = logarithms(model, "radial_load", (load, load * LOAD_RANGE))
     usual = model.solve_many([model.operation])[0]
-    problem = _problem(model, "radial_load", load, usual.balance)
+    problem = _problem(model, "radial_load", load, usual.balance, None)
     starts = [usual.scaled] if usual.status is SolverOutcome.CONVERGED else []
     starts += _lumped_starts(usual.balance)
     known: list[BranchPoint] = []
@@ -189,8 +199,27 @@ def equilibria_at(model: RollerBearing) -> tuple[Equilibrium, ...]:
 # -- the branch ------------------------------------------------------------------------------------
 
 
-def _logarithms(model: RollerBearing, over: str, span: tuple[float, float]) -> tuple[float, float]:
-    """Logarithms of the sizes of both ends; raises where the way between them makes no sense."""
+def logarithms(model: RollerBearing, over: str, span: tuple[float, float]) -> tuple[float, float]:
+    """Logarithms of the sizes of both ends of a span.
+
+    Parameters
+    ----------
+    model : RollerBearing
+        whose load or speed changes
+    over : str
+        "radial_load" or "inner_speed"
+    span : pair of floats
+        [N] or [rad/s]
+
+    Returns
+    -------
+    pair of floats
+
+    Raises
+    ------
+    OutOfRange
+        where the way between both ends makes no sense
+    """
     if over not in PARAMETERS:
         raise OutOfRange(f'a branch over "{over}" is not followed; it can be {" or ".join(PARAMETERS)}')
     first, last = span
@@ -209,16 +238,18 @@ def _changed(model: RollerBearing, over: str, value: float) -> RollerBearing:
     return replace(model, operation=replace(model.operation, **{over: value}))
 
 
-def _problem(model: RollerBearing, over: str, sign: float, balance: BearingBalance) -> ParametricBalance:
+def _problem(
+    model: RollerBearing, over: str, sign: float, balance: BearingBalance, tangents: Tangents | None
+) -> ParametricBalance:
     def points(parameter: float) -> OperatingPoints:
         return OperatingPoints.of([_changed(model, over, copysign(exp(parameter), sign)).operation])
 
-    return ParametricBalance(balance, points)
+    return ParametricBalance(balance, points, tangents)
 
 
 def _equilibrium(problem: ParametricBalance, step: BranchPoint, axial_modes: int) -> Equilibrium:
-    balance = problem.balance_at(step.parameter)
-    return Equilibrium(balance, step.state, SolverOutcome.CONVERGED, step.corrections + 1, axial_modes)
+    balance, state = problem.near(step.state, step.parameter)
+    return Equilibrium(balance, state, SolverOutcome.CONVERGED, step.corrections + 1, axial_modes)
 
 
 # -- several at one load ---------------------------------------------------------------------------

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.case.roller import Case
+from flexbearing.case.roller.numerics import Coupling
 from flexbearing.coupled import states
 from flexbearing.coupled.initial_state import InitialState
 from flexbearing.coupling import (
@@ -130,6 +131,41 @@ def summary(attempts: Sequence[Attempt]) -> str:
     stored = "" if best is None else f"; the stored state is that of {best.method}, which came nearest"
     each = "; ".join(f"{attempt.method}: {attempt.message}" for attempt in attempts)
     return f"no method brought bearing and rings to an equilibrium{stored}: {each}"
+
+
+def equilibrium(bearing: BearingPartner, rings: RacewayPair, coupling: Coupling) -> Equilibrium:
+    """Equilibrium of a bearing and its rings by newton, or where it fails by `iqn-ils`; nothing is stored.
+
+    Parameters
+    ----------
+    bearing : BearingPartner
+        the bearing
+    rings : RacewayPair
+        what carries its raceways
+    coupling : Coupling
+        tolerance and limit
+
+    Returns
+    -------
+    Equilibrium
+
+    Raises
+    ------
+    NotSolved
+        where neither converges; the message has those of both
+    """
+    criterion = StoppingCriterion(tolerance=coupling.tolerance, limit=coupling.max_iterations)
+    try:
+        rigid, messages = bearing.solve(), []
+    except PartnerFailed as failure:
+        raise NotSolved(f"rigid raceways: {failure}") from failure
+    for method in FALLBACK[:2]:
+        given = bearing, rings, rigid, criterion
+        *_, last = newton(*given) if method == "newton" else fixed_point(*given, RULES[method])
+        if last.status == "converged":
+            return last.state
+        messages.append(f"{method}: {last.message or last.status}")
+    raise NotSolved("no equilibrium of bearing and rings: " + "; ".join(messages))
 
 
 @dataclass(frozen=True)

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from csv import writer
 from dataclasses import dataclass
+from functools import partial
 from io import StringIO
 from math import pi
 from pathlib import Path
@@ -15,13 +16,18 @@ from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase, Head
 from flexbearing.case.excerpt import excerpt
 from flexbearing.case.roller import Case
+from flexbearing.coupled.coupled import BearingPartner, equilibrium
+from flexbearing.coupling import PartnerFailed, RacewayPair
+from flexbearing.coupling.partners import Compliance
 from flexbearing.files import require_output, write
+from flexbearing.progress import Logged
 from flexbearing.quantities.roller import CAGE_SLIP
+from flexbearing.rings.condensed import condensed_raceways
 from flexbearing.runs import notes
 from flexbearing.runs.run_case import stem_of_outputs
 from quasidynamic import ImpossiblePart, OutOfRange
-from quasidynamic.note import Note, outside
-from quasidynamic.trace import Branch, BranchEnd, trace as follow
+from quasidynamic.note import Note
+from quasidynamic.trace import Branch, BranchEnd, logarithms, trace as follow
 
 RPM = 2 * pi / 60
 
@@ -53,6 +59,7 @@ class Traced:
     notes: tuple[Note, ...]
     table: Path
     picture: Path
+    raceways: str = "rigid raceways"
 
     @property
     def complete(self) -> bool:
@@ -74,7 +81,7 @@ class Traced:
     def text(self) -> str:
         """The branch in words."""
         values = self.branch.values / self.axis.size
-        lines = [f"{self.title}: {len(values)} equilibria between rigid raceways"]
+        lines = [f"{self.title}: {len(values)} equilibria between {self.raceways}"]
         for point in self.branch.folds:
             value = point.value / self.axis.size
             lines.append(f"fold at {value:.6g} {self.axis.unit}, cage slip {100 * point.slip:.4g} %")
@@ -136,13 +143,15 @@ def trace(
     span = getattr(first.operation, axis.name), getattr(last.operation, axis.name)
     try:
         with threadpool_limits(limits=1, user_api="blas"):
-            branch = follow(roller_bearing.bearing(first), over=axis.name, span=span)
+            branch = _branch(first, axis, span)
     except (ImpossiblePart, OutOfRange) as problem:
         raise BadCase(f"--over {excerpt(over)}: {problem}") from problem
-    traced = Traced(first.title, axis, branch, _notes(first), path, path.with_suffix(".png"))
+    traced = Traced(
+        first.title, axis, branch, notes.of_case(first), path, path.with_suffix(".png"), _raceways(first)
+    )
     write(path.resolve(), _csv(traced.columns()).encode())
     try:
-        figure = draw_branch(first.title, axis.label, traced.columns())
+        figure = draw_branch(first.title, axis.label, traced.columns(), traced.raceways)
         write(traced.picture.resolve(), png_bytes(figure))
     except BaseException as problem:  # only a note is added
         problem.add_note(f"the table is complete: {path}")
@@ -156,16 +165,35 @@ def _rollers(case: Head) -> Case:
     raise BadCase(f"{case.source.path}: only roller bearings are traced, this is a {case.kind}")
 
 
-def _notes(case: Case) -> tuple[Note, ...]:
-    words = notes.of_case(case)
-    if case.outer.kind != "rigid" or case.inner.kind != "rigid":
-        words += (
-            outside(
-                "rigid-branch",
-                "the rings of this case are elastic; the branch is that between rigid raceways",
-            ),
+def _raceways(case: Case) -> str:
+    return "rigid raceways" if case.inner.kind == case.outer.kind == "rigid" else "flexible rings"
+
+
+def _branch(case: Case, axis: Axis, span: tuple[float, float]) -> Branch:
+    """The branch that begins at the equilibrium of a case, with its rings in one system."""
+    model = roller_bearing.bearing(case)
+    logarithms(model, axis.name, span)  # before anything is meshed
+    if case.inner.kind == case.outer.kind == "rigid":
+        return follow(model, over=axis.name, span=span)
+    if case.outer.kind == "ring" and case.outer.support == "planet" and axis.name == "radial_load":
+        raise BadCase(
+            f"{case.source.path}: a planet gear is not traced over operation.radial_load, as its tooth "
+            "forces stay as they are and carry one load only; allowed is operation.inner_speed"
         )
-    return words
+    rings = condensed_raceways(case, model.bearing.azimuths, Logged())
+    start = equilibrium(BearingPartner(model), rings, case.coupling)
+    return follow(model, over=axis.name, span=span, start=start, tangents=partial(_tangent, rings))
+
+
+def _tangent(rings: RacewayPair, forces: np.ndarray) -> tuple[Compliance, np.ndarray | None]:
+    """Both raceways near roller forces (2, Z, M) [N]; not a number where they have no answer."""
+    try:
+        linear = rings.linearised(forces)
+    except PartnerFailed:  # such a state is no solution: the branch takes a shorter step, or ends there
+        nothing = np.full(forces.shape[1:] * 2, np.nan)
+        inner, outer = (None if ring.rigid else nothing for ring in (rings.inner, rings.outer))
+        return (inner, outer), None
+    return linear.compliance, linear.initial_deviation
 
 
 def _parsed(over: str) -> tuple[Axis, tuple[str, str]]:

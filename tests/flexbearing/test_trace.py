@@ -8,11 +8,15 @@ import numpy as np
 import pytest
 from pytest import approx
 
+import flexbearing
 from flexbearing import __main__ as program
+from flexbearing.case import BadCase
 from flexbearing.report.studies.branch_figure import draw_branch
+from flexbearing.studies.trace import trace
 
 ROOT = Path(__file__).parents[2]
 PAPER = ROOT / "configs" / "mao2016.toml"
+TEXTBOOK = ROOT / "configs" / "nu209.toml"
 FALLING = [
     "lubricant.traction=four-point",
     "lubricant.traction_curve.peak=0.06",
@@ -20,6 +24,7 @@ FALLING = [
     "lubricant.traction_curve.far=0.02",
 ]
 LOAD = "operation.radial_load=1.5 kN..8000 N"
+RIGID = ["inner.kind=rigid", "outer.kind=rigid", "operation.tilt=fixed"]
 
 
 @pytest.fixture
@@ -40,7 +45,7 @@ def rows(path):
 
 
 def test_trace_writes_a_table_and_a_picture(command, tmp_path):
-    code, said, complained = command(LOAD, "-o", tmp_path / "there" / "s.csv", settings=FALLING)
+    code, said, complained = command(LOAD, "-o", tmp_path / "there" / "s.csv", settings=[*FALLING, *RIGID])
     assert (code, complained) == (0, "")
     table = rows(tmp_path / "there" / "s.csv")
     assert list(table[0]) == [
@@ -67,7 +72,8 @@ def test_branch_that_stops_before_the_end_of_the_range_ends_with_one(complete, c
 
 
 def test_speed_is_written_in_the_unit_people_use(command, tmp_path):
-    code, said, _ = command("operation.inner_speed = 500 rad/s .. 12000 rpm", "-o", tmp_path / "s.csv")
+    over = "operation.inner_speed = 500 rad/s .. 12000 rpm"
+    code, said, _ = command(over, "-o", tmp_path / "s.csv", settings=RIGID)
     assert code == 0
     table = rows(tmp_path / "s.csv")
     assert table[0]["inner_speed_rpm"] == approx(500 * 30 / np.pi, rel=1e-12, abs=0)
@@ -118,3 +124,65 @@ def test_unstable_part_is_dashed_and_joined_at_the_folds():
     assert np.isfinite(unstable.get_ydata()).tolist() == [False, False, True, True, True, False, False]
     assert folds.get_ydata() == approx([30.0, 10.0], rel=1e-12, abs=0)
     assert axes.get_yscale() == "log"
+
+
+# -- flexible rings --------------------------------------------------------------------------------
+
+CAGE = ["operation.tilt=fixed", "inner.kind=rigid", "accuracy.structure=beam", "accuracy.slices=5"]
+RING = [
+    "operation.tilt=fixed", "outer.kind=ring", "outer.thickness=5 mm", "outer.width=19 mm",
+    "accuracy.element_order=3", "accuracy.slices=5",
+]  # fmt: skip
+LINES = [*RING, "outer.support=lines", 'outer.line_azimuths=["20 deg", "100 deg", "180 deg", "260 deg"]']
+
+
+def largest_difference(point, case, settings, path):
+    """Of a roller load of a point of the branch from those of a run, over the largest."""
+    result = flexbearing.run(case, path, [*settings, f"operation.radial_load={point.value!r} N"])
+    assert result.attributes["status"] == "converged"
+    load = result.flexible["inner_load"]
+    return np.abs(point.equilibrium.loads[0] - load).max() / load.max()
+
+
+def test_branch_between_flexible_rings_is_that_of_the_coupled_system(command, tmp_path):
+    """The branch was that between rigid raceways, which a note said."""
+    traced = trace(PAPER, "operation.radial_load=7 kN..7.5 kN", tmp_path / "s.csv", CAGE)
+    assert traced.complete
+    points = traced.branch.points
+    for point in (points[0], points[len(points) // 2], points[-1]):
+        assert largest_difference(point, PAPER, CAGE, tmp_path / "s.h5") < 1e-9
+    assert "equilibria between flexible rings" in traced.text()
+    assert "rigid" not in traced.text()
+
+
+@pytest.mark.slow
+def test_branch_follows_rings_that_lift_off_their_lines(tmp_path):
+    traced = trace(TEXTBOOK, "operation.radial_load=2 kN..6 kN", tmp_path / "s.csv", LINES)
+    assert traced.complete
+    points = traced.branch.points
+    for point in (points[len(points) // 2], points[-1]):
+        assert largest_difference(point, TEXTBOOK, LINES, tmp_path / "s.h5") < 1e-9
+
+
+@pytest.mark.slow
+def test_flexible_rings_move_the_folds(tmp_path):
+    """Rings that deflect spread the load, and more rollers drive the cage: it catches up under less load."""
+    folds = [
+        [
+            fold.value
+            for fold in trace(PAPER, LOAD, tmp_path / "s.csv", [*FALLING, *CAGE, *rigid]).branch.folds
+        ]
+        for rigid in ([], ["outer.kind=rigid"])
+    ]
+    assert [len(each) for each in folds] == [2, 2]
+    flexible, rigid = folds
+    assert all(0.7 * there < here < 0.95 * there for here, there in zip(flexible, rigid, strict=True))
+
+
+def test_planet_gear_is_not_traced_over_a_load_that_its_teeth_do_not_follow(tmp_path):
+    teeth = [
+        *RING, "outer.support=planet", 'outer.tooth_azimuths=["90 deg", "270 deg"]',
+        'outer.tooth_radial=["0 N", "0 N"]', 'outer.tooth_tangential=["2225 N", "-2225 N"]',
+    ]  # fmt: skip
+    with pytest.raises(BadCase, match="tooth forces stay as they are"):
+        trace(TEXTBOOK, "operation.radial_load=4450 N..6 kN", tmp_path / "s.csv", teeth)

@@ -14,7 +14,9 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-def draw_branch(title: str, label: str, table: dict[str, np.ndarray]) -> Figure:
+def draw_branch(
+    title: str, label: str, table: dict[str, np.ndarray], raceways: str = "rigid raceways"
+) -> Figure:
     """Draw the slip over load or speed: solid where it is stable, dashed where not, folds marked.
 
     Parameters
@@ -25,6 +27,8 @@ def draw_branch(title: str, label: str, table: dict[str, np.ndarray]) -> Figure:
         name and unit of the first column
     table : dict of arrays (points)
         columns by name, load or speed first; then among others the cage slip [-], `stable`, `fold`
+    raceways : str
+        between which the equilibria are
 
     Returns
     -------
@@ -56,7 +60,7 @@ def draw_branch(title: str, label: str, table: dict[str, np.ndarray]) -> Figure:
         axis.set_major_formatter(lambda value, _: f"{value:g}")
     axes.grid(color="0.88", linewidth=0.6, which="both")
     axes.spines[["top", "right"]].set_visible(False)
-    heading = f"{titled(title, 70)}\nCage slip, rigid raceways"
+    heading = f"{titled(title, 70)}\nCage slip, {raceways}"
     axes.set_title(heading, fontsize=11, pad=12, parse_math=False)
     figure.legend(loc="outside lower center", ncols=3, frameon=False)
     return figure

@@ -1,4 +1,4 @@
-"""The balance of one case as equations that depend on the logarithm of its load or speed."""
+"""The balance of one case, its elastic raceways included, over the logarithm of its load or speed."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -13,18 +13,36 @@ from quasidynamic.solve.arclength import LinearisedEquations
 from quasidynamic.solve.rollers import bordered_system
 from quasidynamic.solve.rollers.step_bounds import bounded
 
+Compliance = tuple[NDArray | None, NDArray | None]
+# Compliance (Z, M, Z, M) [m/N] of both raceways near roller forces (2, Z, M) [N], and their deviations
+# (2, Z, M) [m] at no load when that tangent is followed back; None where there are none.
+Tangents = Callable[[NDArray], tuple[Compliance, NDArray | None]]
+
 DIFFERENCE = 1e-5  # of the parameter
 RESIDUAL_TOLERANCE = 1e-10  # residual, of the reference force or of the largest roller load if that is larger
 RING_SIZE = 30.0  # scaled ring displacement that counts like a slip of one: 0.6 % of a roller's diameter
 TILT_SIZE = 10.0  # the same for tilts: 10 milliradians
 
 
+def between(
+    balance: BearingBalance, compliance: Compliance, deviation: NDArray | None = None
+) -> BearingBalance:
+    """The same balance between raceways of a compliance (Z, M, Z, M) [m/N] and a shape at no load [m]."""
+    size = balance.layout.rollers * balance.roller.axial_modes
+    inner, outer = (None if matrix is None else matrix.reshape(size, size) for matrix in compliance)
+    return replace(balance, compliance=(inner, outer), deviation=deviation)
+
+
 @dataclass(frozen=True)
 class ParametricBalance:
-    """Balance of one case between rigid raceways; a parameter says which operating point it is."""
+    """Balance of one case; a parameter says which operating point it is.
+
+    Deviations among the unknowns of elastic raceways are whole ones, those at no load included.
+    """
 
     balance: BearingBalance
     points: Callable[[float], OperatingPoints]  # of one case
+    tangents: Tangents | None = None  # of raceways that are not rigid
 
     @property
     def weight(self) -> NDArray:
@@ -40,12 +58,26 @@ class ParametricBalance:
         """Balance at a parameter."""
         return replace(self.balance, points=self.points(parameter))
 
+    def near(self, state: NDArray, parameter: float) -> tuple[BearingBalance, NDArray]:
+        """Balance at a parameter with raceways that are linear near a state (N); the state in its terms."""
+        balance = self.balance_at(parameter)
+        if self.tangents is None:
+            return balance, state
+        force = balance.evaluate(state[None]).state.contact.force[:, :, 0]
+        linear = between(balance, *self.tangents(np.moveaxis(force, 1, -1)))
+        if linear.deviation is None:
+            return linear, state
+        whole = balance.unpack(state[None])
+        by_load = whole.deviation - np.moveaxis(linear.deviation, -1, 1)[:, :, None]
+        return linear, linear.pack(whole._replace(deviation=by_load))[0]
+
     def at(self, state: NDArray, parameter: float) -> LinearisedEquations:
         """Scaled residual and its derivatives."""
-        balance = self.balance_at(parameter)
-        system = balance.evaluate(state[None])
+        balance, near = self.near(state, parameter)
+        system = balance.evaluate(near[None])
         by_parameter = (
-            self._forces(state, parameter + DIFFERENCE) - self._forces(state, parameter - DIFFERENCE)
+            self._forces(balance, near, parameter + DIFFERENCE)
+            - self._forces(balance, near, parameter - DIFFERENCE)
         ) / (2 * DIFFERENCE * balance.scales.residual[0])
         return LinearisedEquations(
             residual=system.residual[0],
@@ -54,9 +86,9 @@ class ParametricBalance:
             converged=bool(np.abs(system.residual).max() <= RESIDUAL_TOLERANCE * system.loading[0]),
         )
 
-    def _forces(self, state: NDArray, parameter: float) -> NDArray:
+    def _forces(self, balance: BearingBalance, state: NDArray, parameter: float) -> NDArray:
         """Residual (N) in SI units."""
-        balance = self.balance_at(parameter)
+        balance = replace(balance, points=self.points(parameter))
         return (balance.evaluate(state[None]).residual * balance.scales.residual)[0]
 
     def bounded(self, before: NDArray, after: NDArray) -> NDArray:
