@@ -9,7 +9,7 @@ SOLID_SUPPORTS = ("side", "seat", "housing")  # of a ring that can be a full sol
 BEAM_SUPPORTS = ("side", "foundation")  # of a ring that can be a curved beam
 SUPPORTS = ("side", "seat", "foundation", "housing", "loose housing", "lines", "planet")
 SECTION = ("accuracy.element_order=3", "accuracy.raceway_mesh_size=0.7 mm")  # fine enough for 0.6 mm
-FIT = ("accuracy.element_order=4", "accuracy.raceway_mesh_size=0.6 mm", "accuracy.harmonics=100")
+FIT = ("accuracy.element_order=4", "accuracy.raceway_mesh_size=0.6 mm", "accuracy.axial_shapes=5")
 STEEL = ("youngs_modulus=207 GPa", "poisson_ratio=0.3", "density=7850 kg/m^3", "expansion=11.5e-6 1/K")
 
 
@@ -136,7 +136,7 @@ def _outer(rng: np.random.Generator, base: Base, load: float, solid: bool) -> li
 
 
 def _bars(rng: np.random.Generator, base: Base, bars: int, thickness: float) -> list[str]:
-    thin = rng.uniform(0.4, 0.8) * thickness
+    thin = min(rng.uniform(0.4, 0.8) * thickness, thickness - 0.25)
     around = np.pi * (base.outer_raceway + thickness - thin)
     return [
         f"outer.bars={bars}",
@@ -204,7 +204,11 @@ def _inner(rng: np.random.Generator, base: Base) -> list[str]:
     ]
     if rng.random() < 0.12:
         fit = str(rng.choice(["frictionless", "friction"]))
-        settings += [f"inner.fit={fit}", f"inner.interference={rng.uniform(10, 60):.1f} um", *FIT]
+        settings += [
+            f"inner.fit={fit}",
+            f"bearing.fits.shaft_interference={rng.uniform(10, 60):.1f} um",
+            *FIT,
+        ]
     return settings
 
 
