@@ -29,6 +29,7 @@ ALONG = 4  # points along the width, and harmonics around
 AROUND = 60  # 90 of them and 6 points move the deviation of a thin ring by less than 1e-3 of the largest
 LEFT = 1e-9  # part of its springs that an open point keeps: without any, a ring in the air has no place
 ROUNDING = 1e-12  # of the largest compression
+EXCHANGES = 3  # for each point; a dozen in all is usual, and only a matrix that is not definite needs more
 BLOCKS = 5  # exchanges of all wrong points at once that may fail to make their number smaller
 
 
@@ -42,7 +43,6 @@ class RingOnFoundation:
     x: NDArray  # (A,) [m]
     area: NDArray  # (A,) [m^2] of each point at one of the 2 N + 1 azimuths
     radial: float  # [N/m^3] springs per area
-    pushing: bool  # points open where they would pull
 
     def under_rollers(self, azimuths) -> "RollersOnFoundation":
         """The ring with rollers at given azimuths (Z,) [rad], all different.
@@ -65,7 +65,6 @@ class RingOnFoundation:
             face=np.einsum("pqn,nab->paqb", between, self.face, optimize=True).reshape(size, size),
             through=np.einsum("pjn,nam->pajm", to_rollers, self.through, optimize=True).reshape(size, -1),
             shifted=np.einsum("pd,a->pad", first, self.through[1, :, 0]).reshape(size, 2),
-            pushing=self.pushing,
         )
 
 
@@ -81,7 +80,7 @@ class RollersOnFoundation:
     face: NDArray  # (P A, P A) [m/N] outward displacement per outward force there, springs pull as well
     through: NDArray  # (P A, Z M) [m/N] the same per roller force
     shifted: NDArray  # (P A, 2) [m/N] the same per pressure on the raceway like sin and cos
-    pushing: bool
+    pushing: bool = True  # points open where they would pull
 
     @property
     def azimuths(self) -> NDArray:
@@ -213,16 +212,16 @@ def complementary(matrix: NDArray, constant: NDArray) -> tuple[NDArray, NDArray]
     Raises
     ------
     NotSolved
-        if A is not positive definite
+        if A is singular, or so far from positive definite that no solution is found
 
     Source
     ------
     Block principal pivoting, Judice and Pires, Comput. Oper. Res. 21 (1994) 587: all wrong points change
     sides at once, and the last of them alone where that does not make fewer.
     """
-    positive, fewest, left = constant < 0, constant.size + 1, BLOCKS
+    positive, wrong, fewest, left = constant < 0, np.zeros(0), constant.size + 1, BLOCKS
     small = ROUNDING * np.abs(constant).max()
-    while True:
+    for _ in range(EXCHANGES * constant.size):
         t = np.zeros_like(constant)
         try:
             t[positive] = np.linalg.solve(matrix[np.ix_(positive, positive)], -constant[positive])
@@ -236,6 +235,9 @@ def complementary(matrix: NDArray, constant: NDArray) -> tuple[NDArray, NDArray]
         fewest = min(fewest, wrong.size)
         changed = wrong if left > 0 else wrong[-1:]
         positive[changed] = ~positive[changed]
+    raise NotSolved(
+        f"{wrong.size} of {constant.size} points neither push nor stand open: no set of them was found"
+    )
 
 
 def ring_on_foundation(
@@ -282,5 +284,4 @@ def ring_on_foundation(
         x=xi * part.width / 2,
         area=2 * np.pi * radius / (2 * N + 1) * part.width * gauss / 2,
         radial=support.radial,
-        pushing=support.pushing,
     )  # fmt: skip

@@ -185,6 +185,17 @@ RECORDS = {
         "fem.raceway.growth",
         {"coefficients": Array(("K M",), largest=GROWTH), "bars": Count(optional=True)},
     ),
+    "RingOnFoundation": Record(
+        "fem.section.ring_on_foundation",
+        {
+            "raceway": Kept("HarmonicCompliance"),
+            "face": Array(("N A A",)),
+            "through": Array(("N A M",)),
+            "x": Array(("A",), largest=1e3),
+            "area": Array(("A",), largest=1e6),
+            "radial": Number(),
+        },
+    ),
     "GrooveCompliance": Record(
         "fem.section.bolted_ring",
         {

@@ -191,15 +191,18 @@ def condensed(name: str, part: "Part", case: Case, azimuths: NDArray, report: Re
 
     Returns
     -------
-    HarmonicCompliance or RacewayCompliance
+    HarmonicCompliance, RingOnFoundation, RingOnLines, PlanetRim or RacewayCompliance
     """
     discretisation = _discretisation(part, case)
     arguments = part, discretisation, _resolution(part, discretisation, case, azimuths)
-    on_lines = isinstance(part, fem.OuterRing) and (
-        isinstance(part.support, fem.LineSupports | fem.PlanetGear) or getattr(part.support, "pushing", False)
-    )
+    support = part.support if isinstance(part, fem.OuterRing) else None
+    on_lines = isinstance(support, fem.LineSupports | fem.PlanetGear)
+    on_springs = isinstance(support, fem.Foundation) and support.pushing
     if discretisation is BEAM or (on_lines and discretisation is not SOLID):
         return condense(*arguments)  # sooner computed than read, or more than is kept
+
+    kind = "RingOnFoundation" if on_springs else "HarmonicCompliance"
+    kind = "RacewayCompliance" if discretisation is SOLID else kind
 
     def computed():
         if discretisation is not SOLID:
@@ -207,7 +210,7 @@ def condensed(name: str, part: "Part", case: Case, azimuths: NDArray, report: Re
         return condense(*arguments, report=lambda stage, fraction: report.stage(f"{name}: {stage}", fraction))
 
     return configured().cached(
-        "RacewayCompliance" if discretisation is SOLID else "HarmonicCompliance",
+        kind,
         arguments,
         computed,
         lambda note: report.stage(f"{name}: {note}", None),
@@ -220,6 +223,10 @@ def _is_of(part: "Part", discretisation: fem.Discretisation, resolution: fem.Res
     if discretisation is SOLID:
         shape = len(resolution.azimuths or ()), resolution.axial_modes
         return np.array_equal(kept.azimuths, resolution.azimuths or ()) and kept.absolute.shape[:2] == shape
+    if isinstance(part, fem.OuterRing) and isinstance(part.support, fem.Foundation) and part.support.pushing:
+        if kept.radial != part.support.radial:
+            return False
+        kept = kept.raceway
     bars = part.bars if discretisation is HARMONICS else None  # type: ignore[union-attr]
     wanted = part.raceway_diameter / 2, resolution.length, part.materials["ring"], bars
     same = (kept.radius, kept.length, kept.elastic, kept.bars) == wanted
