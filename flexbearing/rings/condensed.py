@@ -110,6 +110,7 @@ def _on_supports(part: "Part", case: Case, azimuths: NDArray, report: Report) ->
     """The outer ring on lines or springs."""
     assert isinstance(part, fem.OuterRing)  # or nothing would support it so
     began, support, name = perf_counter(), part.support, NAMES["outer"]
+    assert isinstance(support, fem.LineSupports | fem.Foundation)
     report.stage(name, None)
     if isinstance(support, fem.Foundation):  # with the answers of its outer surface
         part = replace(part, support=replace(support, pushing=True))
@@ -118,7 +119,7 @@ def _on_supports(part: "Part", case: Case, azimuths: NDArray, report: Report) ->
 
         def under_rollers(places: NDArray) -> Any:
             ring = supported.under_rollers(places)
-            return replace(ring, pushing=False) if case.outer.bilateral else ring
+            return ring if support.pushing else replace(ring, pushing=False)
 
         ring = under_rollers(azimuths)
     report.stage(f"{name}: {perf_counter() - began:.1f} s", None)

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 from pytest import approx
+from scipy.optimize import nnls
 
 from fem import (
     Elastic,
@@ -454,3 +455,20 @@ def test_lines_too_close_together_are_refused_whether_they_pull_or_not(free):
         lines = LineSupports(azimuths=tuple(np.radians([0, 1, 120, 240])), pushing=pushing)
         with pytest.raises(ImpossiblePart, match="supports 1 deg apart"):
             RingOnLines(free, lines).under_rollers(ROLLERS)
+
+
+@pytest.mark.parametrize("tangential", [0.0, 1e10])
+def test_answer_on_springs_is_that_of_non_negative_least_squares(tangential):
+    """Forces t >= 0 that take away what open springs pull make t (K^-1 - S) t / 2 + t u least."""
+    rollers = on_springs(3e10, tangential)
+    root = np.sqrt(rollers.springs)
+    released = (1 + 1e-9) * np.eye(root.size) - root[:, None] * rollers.face * root
+    factor = np.linalg.cholesky(released + 1e-12 * np.eye(root.size))
+    free = rollers.through @ PRESSED.ravel()
+    t = root * nnls(factor.T, -np.linalg.solve(factor, root * free))[0]
+    assert np.array_equal(t > 0, rollers.open_points(PRESSED))
+    moved = np.tensordot(rollers.closed.absolute, PRESSED, 2).ravel() - rollers.through.T @ t
+    assert under(rollers, PRESSED).ravel() == approx(moved, rel=0, abs=1e-5 * np.abs(moved).max())
+    shift = np.tensordot(rollers.closed.translation, PRESSED, 2) - rollers.shifted.T @ t
+    found = np.tensordot(rollers.near(PRESSED).translation, PRESSED, 2)
+    assert found == approx(shift, rel=0, abs=1e-5 * np.abs(shift).max())

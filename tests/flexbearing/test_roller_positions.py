@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from pytest import approx
+from scipy.optimize import brentq
 
 import flexbearing
 from flexbearing import read
@@ -132,6 +133,24 @@ def test_half_a_pitch_is_foreseen_from_the_loads_of_one_position(file, settings,
     foreseen = load_half_a_pitch_further(azimuths, loads, 0.0)
     _, moved = result.attributes["passage"]["values"]["max_roller_load_N"]
     assert foreseen == approx(moved, rel=0, abs=0.03 * loads.max())
+
+
+@pytest.mark.parametrize(("rollers", "gap"), [(12, 0.0), (14, 0.0), (14, 0.5), (14, -0.5), (30, 0.2)])
+def test_half_a_pitch_between_rigid_rings_is_foreseen_from_the_loads(rollers, gap):
+    """Approaches a cos(phi) - gap and loads that carry 1 N; a roller at the load or two beside it."""
+
+    def largest(first):
+        azimuths = 2 * np.pi * (np.arange(rollers) + first) / rollers
+        loads = lambda a: np.maximum(a * np.cos(azimuths) - gap, 0) ** (10 / 9)  # noqa: E731
+        a = brentq(lambda a: loads(a) @ np.cos(azimuths) - 1, 0, 100)
+        return azimuths, loads(a)
+
+    azimuths, loads = largest(0.0)
+    _, beside = largest(0.5)
+    turned = azimuths + 0.7  # with the load
+    for at, direction in ((azimuths, 0.0), (turned, 0.7)):
+        foreseen = load_half_a_pitch_further(at, loads, direction)
+        assert foreseen == approx(beside.max(), rel=0, abs=0.02 * loads.max())
 
 
 @pytest.mark.slow
