@@ -126,15 +126,36 @@ def passage(
         moved = replace(model, bearing=replace(model.bearing, first_roller_azimuth=at))
         try:
             moved_rings = rings.under(moved.bearing.azimuths)
-            near = _solved(case, moved, moved_rings, near)
+            near = solved_near(case, moved, moved_rings, near)
             positions.append(Position(at, _values(case, near, moved_rings), "converged"))
         except PartnerFailed as failure:
             positions.append(Position(at, {}, failure.ending or "not solved", str(failure)))
     return Passage(tuple(positions), case.accuracy.target or TOLD)
 
 
-def _solved(case: Case, model: RollerBearing, rings: RacewayPair, near: Equilibrium) -> Equilibrium:
-    """Solution at a position, first from a solution nearby; raises `PartnerFailed`."""
+def solved_near(case: Case, model: RollerBearing, rings: RacewayPair, near: Equilibrium) -> Equilibrium:
+    """Solve the bearing with its rollers at another place.
+
+    Parameters
+    ----------
+    case : Case
+        with its methods
+    model : RollerBearing
+        with the rollers there
+    rings : RacewayPair
+        under them
+    near : Equilibrium
+        solution from which the first method begins
+
+    Returns
+    -------
+    Equilibrium
+
+    Raises
+    ------
+    PartnerFailed
+        when no method converges
+    """
     partner = BearingPartner(model)
     if rings.rigid:
         try:

@@ -147,7 +147,7 @@ def _passage(
 ) -> dict[str, object]:
     """Other positions of the rollers where the case asks for them, or a note where they matter."""
     if case.operation.roller_positions is None:
-        postprocessing.notes.extend(roller_position.notes(case, end))
+        postprocessing.notes.extend(roller_position.notes(case, model, rings, end))
         return {}
     from flexbearing.runs.passage import passage
 

@@ -1,18 +1,22 @@
-"""How much the place of the rollers within a pitch matters, told from the loads of one position."""
+"""How much the place of the rollers within a pitch matters, told where one position alone is solved."""
+
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.case.roller import Case
-from quasidynamic import Equilibrium
+from flexbearing.coupling import PartnerFailed, RacewayPair
+from quasidynamic import Equilibrium, RollerBearing
 from quasidynamic.contact.line import EXPONENT
 from quasidynamic.note import Note, information
 
 TOLD = 0.02  # change of the largest load that is told in a case without accuracy.target (assumed)
+WORTH_A_SOLVE = 0.5  # of that: the foreseen change errs by about as much
 
 
 def load_half_a_pitch_further(azimuths: NDArray, loads: NDArray, direction: float) -> float:
-    r"""Largest load when every roller has moved on by half a pitch, from the loads where they are.
+    r"""Foresee the largest load with every roller half a pitch further, from the loads where they are.
 
     .. math:: Q' = f\,\Big(\tfrac{9}{16}(x_0 + x_1) - \tfrac{1}{16}(x_{-1} + x_2)\Big)_+^{10/9},
               \quad x = Q^{9/10}
@@ -39,8 +43,8 @@ def load_half_a_pitch_further(azimuths: NDArray, loads: NDArray, direction: floa
 
     Valid
     -----
-    Within 2 % of the largest load on bearings of 14 and 30 rollers between rigid rings and on cages of 7 to
-    24 bars; not where every roller stands alike to the bars.
+    Five loaded rollers or more: within 2 % of the largest load, also on cages of 7 to 24 bars; with three it
+    exaggerates. Not where every roller stands alike to the bars.
     """
     approach = loads ** (1 / EXPONENT)
     before, after, beyond = (np.roll(approach, -shift) for shift in (-1, 1, 2))
@@ -51,23 +55,68 @@ def load_half_a_pitch_further(azimuths: NDArray, loads: NDArray, direction: floa
     return float(moved.max() * resultant / there) if resultant > 0 and there > 0 else float("nan")
 
 
-def notes(case: Case, state: Equilibrium) -> tuple[Note, ...]:
-    """A note where half a pitch changes the largest load by more than the target, or may do so unseen."""
-    loads, count = state.loads[0], case.bearing.rollers
-    bars = case.outer.bars if case.outer.kind == "squirrel_cage" else None
-    ask = "operation.roller_positions = 8 gives the range over a pitch"
-    if bars is not None and bars % count == 0:
-        words = (
-            f"every roller stands alike to the bars of the cage, {bars} of them for {count} rollers; {ask}"
-        )
-        return (information("roller-position", f"roller position: {words}"),)
-    azimuths = state.balance.roller.bearing.azimuths
-    load = load_half_a_pitch_further(azimuths, loads, case.operation.load_direction)
-    change = load / loads.max() - 1 if loads.max() > 0 else 0.0
-    if not abs(change) > (case.accuracy.target or TOLD):
+def notes(case: Case, model: RollerBearing, rings: RacewayPair, end: Equilibrium) -> tuple[Note, ...]:
+    """A note where half a pitch changes the largest load by more than the target of the case.
+
+    Parameters
+    ----------
+    case : Case
+        with one position of the rollers
+    model : RollerBearing
+        of the case
+    rings : RacewayPair
+        under its rollers
+    end : Equilibrium
+        solution
+
+    Returns
+    -------
+    tuple of Note
+        one with the load half a pitch further, solved from here; without it where that is not solved, or a
+        solid would have to be condensed for it
+    """
+    told, largest = case.accuracy.target or TOLD, float(end.loads[0].max())
+    if not largest > 0 or not _may_matter(case, end, WORTH_A_SOLVE * told):
         return ()
-    words = (
-        f"with all rollers half a pitch further the largest inner load is about {load:,.3g} N instead of "
-        f"{loads.max():,.4g} N ({change:+.1%}); {ask}"
-    )
-    return (information("roller-position", f"roller position: {words}"),)
+    moved = None if _in_space(case, rings) else _half_a_pitch_further(case, model, rings, end)
+    if moved is None:
+        words = "half a pitch of the rollers may change loads and life, and is not solved here"
+    else:
+        load, life = float(moved.loads[0].max()), moved.life
+        if abs(load / largest - 1) <= told:
+            return ()
+        words = (
+            f"with all rollers half a pitch further the largest inner load is {load:,.4g} N instead of "
+            f"{largest:,.4g} N ({load / largest - 1:+.1%}), the life {life:,.3g} Mrev instead of "
+            f"{end.life:,.3g} Mrev"
+        )
+    asks = "operation.roller_positions = 8 gives the range over a pitch"
+    return (information("roller-position", f"roller position: {words}; {asks}"),)
+
+
+def _may_matter(case: Case, end: Equilibrium, change: float) -> bool:
+    """Whether half a pitch may change the largest load by so much [-]."""
+    if case.outer.kind == "squirrel_cage" and case.outer.bars and case.outer.bars % case.bearing.rollers == 0:
+        return True  # every roller stands alike to the bars, and no load shows them
+    azimuths, loads = end.balance.roller.bearing.azimuths, end.loads[0]
+    foreseen = load_half_a_pitch_further(azimuths, loads, case.operation.load_direction)
+    return abs(foreseen / loads.max() - 1) > change
+
+
+def _in_space(case: Case, rings: RacewayPair) -> bool:
+    """Whether other rollers need another condensation of a whole solid."""
+    return rings.solved_in_full or case.accuracy.structure == "solid" or case.outer.kind == "step"
+
+
+def _half_a_pitch_further(
+    case: Case, model: RollerBearing, rings: RacewayPair, end: Equilibrium
+) -> Equilibrium | None:
+    from flexbearing.runs.passage import solved_near
+
+    alone = case.model_copy(update={"coupling": case.coupling.model_copy(update={"fallback": False})})
+    azimuth = model.bearing.first_roller_azimuth + np.pi / model.bearing.rollers
+    moved = replace(model, bearing=replace(model.bearing, first_roller_azimuth=azimuth))
+    try:
+        return solved_near(alone, moved, rings.under(moved.bearing.azimuths), end)
+    except PartnerFailed:
+        return None

@@ -2,6 +2,7 @@
 
 from pathlib import Path
 from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -102,7 +103,7 @@ def test_position_that_is_not_solved_is_a_danger_and_the_rest_is_reported(tmp_pa
     from flexbearing.coupling import PartnerFailed
     from flexbearing.runs import passage
 
-    solved, calls = passage._solved, []
+    solved, calls = passage.solved_near, []
 
     def second_fails(*given):
         calls.append(given)
@@ -110,7 +111,7 @@ def test_position_that_is_not_solved_is_a_danger_and_the_rest_is_reported(tmp_pa
             raise PartnerFailed("no luck", "iteration limit")
         return solved(*given)
 
-    monkeypatch.setattr(passage, "_solved", second_fails)
+    monkeypatch.setattr(passage, "solved_near", second_fails)
     result = run(tmp_path, *RIGID, "operation.roller_positions=4")
     passed = result.attributes["passage"]
     assert passed["status"] == ["converged", "converged", "iteration limit", "converged"]
@@ -159,27 +160,51 @@ def test_roller_under_a_bar_or_between_two_is_told(tmp_path):
     bars = [*QUICK, "outer.bars=7"]
     alone = flexbearing.run(PAPER, tmp_path / "r.h5", bars)
     (note,) = [note["text"] for note in alone.attributes["notes"] if note["code"] == "roller-position"]
-    assert "half a pitch further" in note
+    assert "half a pitch further the largest inner load is" in note
     assert "operation.roller_positions" in note
     assert note in text(alone).replace("\n  ", " ")
     passed = flexbearing.run(PAPER, tmp_path / "p.h5", [*bars, "operation.roller_positions=2"])
     under, between = passed.attributes["passage"]["values"]["max_roller_load_N"]
     assert under > 1.07 * between
+    assert f"{between:,.4g} N instead of {under:,.4g} N" in note
     assert "roller-position" not in codes(flexbearing.run(PAPER, tmp_path / "m.h5", QUICK))
 
 
 def test_rigid_rings_of_few_rollers_are_told_too(tmp_path):
-    assert "roller-position" in codes(run(tmp_path, *RIGID))
+    """The load of the note is that of a run there."""
+    (note,) = [
+        note for note in run(tmp_path, *RIGID).attributes["notes"] if note["code"] == "roller-position"
+    ]
+    moved = summary(run(tmp_path, *RIGID, f"bearing.first_roller_azimuth={180 / 14!r} deg"))["flexible"]
+    assert f"load is {moved['max_roller_load_N']:,.4g} N instead of" in note["text"]
+    assert f"the life {moved['life_L10_Mrev']:,.3g} Mrev instead of" in note["text"]
     many = flexbearing.run(PAPER, tmp_path / "m.h5", [*QUICK, *RIGID, "operation.tilt=fixed"])
     assert "roller-position" not in codes(many)
 
 
-def test_cage_with_a_bar_at_every_roller_is_told_without_a_number():
+def test_cage_with_a_bar_at_every_roller_is_solved_half_a_pitch_further(monkeypatch):
     """Half a pitch leads every roller from a bar to the middle of a bay, and no load shows it."""
-    case = read(PAPER, ["outer.bars=30"])
-    state = SimpleNamespace(loads=np.ones((2, 30)))
-    (note,) = roller_position.notes(case, state)  # pyright: ignore[reportArgumentType]
-    assert "stands alike" in note.text
+    state: Any = SimpleNamespace(loads=np.ones((2, 30)), life=1.0)
+    there: Any = SimpleNamespace(loads=1.1 * np.ones((2, 30)), life=0.7)
+    monkeypatch.setattr(roller_position, "_half_a_pitch_further", lambda *_: there)
+    rings: Any = SimpleNamespace(solved_in_full=False)
+    (note,) = roller_position.notes(read(PAPER, ["outer.bars=30"]), None, rings, state)  # pyright: ignore
+    assert "1.1 N instead of 1 N (+10.0%), the life 0.7 Mrev instead of 1 Mrev" in note.text
+
+
+@pytest.mark.parametrize(
+    "settings", [["outer.kind=rigid"], ["accuracy.structure=solid"]], ids=["none", "solid"]
+)
+def test_position_that_cannot_be_solved_is_told_without_a_number(settings, monkeypatch):
+    """None from the solver, or a solid that would have to be condensed anew."""
+    loads = np.array([[0, 1.0, 2, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0]] * 2)
+    bearing = SimpleNamespace(azimuths=2 * np.pi * (np.arange(14) - 2) / 14)
+    balance = SimpleNamespace(roller=SimpleNamespace(bearing=bearing))
+    state: Any = SimpleNamespace(loads=loads, life=1.0, balance=balance)
+    rings: Any = SimpleNamespace(solved_in_full=False)
+    monkeypatch.setattr(roller_position, "_half_a_pitch_further", lambda *_: None)
+    (note,) = roller_position.notes(read(CASE, settings), None, rings, state)  # pyright: ignore
+    assert "is not solved here" in note.text
 
 
 @pytest.mark.parametrize("count", ["0", "1", "1001"])
