@@ -61,7 +61,7 @@ def ring(thickness: float, support: str, **more: object) -> dict[str, object]:
 
 THIN_CAGE = {"outer.thickness": "2.4 mm", "outer.bar_thickness": "1.6 mm", "outer.bars": 12, **NO_SHAFT}
 STIFF_CAGE = {"outer.thickness": "7 mm", "outer.bar_thickness": "5 mm", "bearing.rollers": 18, **NO_SHAFT}
-SPRINGS = {"foundation_radial": "100 N/mm^3", "foundation_tangential": "30 N/mm^3"}
+SPRINGS = {"foundation_radial": "100 N/mm^3", "foundation_tangential": "30 N/mm^3", "bilateral": True}
 HOUSING = {"housing_thickness": "8 mm", "housing_width": "24 mm"}
 CROWNED = {
     "bearing.roller.profile": "crowned",
@@ -97,7 +97,9 @@ CASES: Cases = {
     "3 mm ring, side clamped": (NU209, ring(3, "side")),
     "1.5 mm ring on springs": (NU209, ring(1.5, "foundation", **SPRINGS)),
     "5 mm ring in a housing": (NU209, ring(5, "housing", **HOUSING)),
-    "8 mm ring on three lines": (NU209, ring(8, "lines", line_azimuths=["0 deg", "120 deg", "240 deg"])),
+    "8 mm ring on three lines": (
+        NU209, ring(8, "lines", line_azimuths=["0 deg", "120 deg", "240 deg"], bilateral=True)
+    ),
     "10 mm rim of a planet gear": (NU209, ring(10, "planet", **TEETH)),
     "3 mm ring, crowned, misaligned": (
         NU209, {**ring(3, "seat"), **CROWNED, "operation.misalignment": "0.5 mrad"}
