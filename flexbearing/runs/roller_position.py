@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.case.roller import Case
+from flexbearing.coupled.coupled import BearingPartner
 from flexbearing.coupling import PartnerFailed, RacewayPair
 from quasidynamic import Equilibrium, RollerBearing
 from quasidynamic.contact.line import EXPONENT
@@ -117,6 +118,8 @@ def _half_a_pitch_further(
     azimuth = model.bearing.first_roller_azimuth + np.pi / model.bearing.rollers
     moved = replace(model, bearing=replace(model.bearing, first_roller_azimuth=azimuth))
     try:
+        if rings.rigid:  # sooner from a load distribution than from half a pitch away
+            return BearingPartner(moved).solve()
         return solved_near(alone, moved, rings.under(moved.bearing.azimuths), end)
     except PartnerFailed:
         return None
