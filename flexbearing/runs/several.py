@@ -13,6 +13,7 @@ from quasidynamic.note import Note, danger, information
 from quasidynamic.several.indicator import cage_balances_often, several_likely
 
 CODE = "several-equilibria"
+MATERIAL = 0.01  # of the largest load, life or torque, by which states differ enough to mislead (assumed)
 
 
 @dataclass(frozen=True)
@@ -42,7 +43,8 @@ class SeveralEquilibria:
     def note(self, *, answer: bool = True) -> Note:
         """The spread in a sentence, and the state that rollers reach when they pass a pitch.
 
-        A danger where the computed equilibrium is the answer of the run, and not only on the way to it.
+        A danger where the computed equilibrium is the answer of the run, and not only on the way to it, and
+        where they differ by more than `MATERIAL`.
         """
         if not self.others:
             return information(
@@ -60,7 +62,10 @@ class SeveralEquilibria:
             f"{_range(known, 'slip_percent', '.3g')} %; the computed one is one of them"
         )
         unstable = "" if self.stable else ", and not stable: the bearing leaves it"
-        return (danger if answer else information)(CODE, text + unstable + self._after_passing())
+        misleading = answer and (
+            not self.stable or any(_spread(known, name) > MATERIAL for name in _DECIDING)
+        )
+        return (danger if misleading else information)(CODE, text + unstable + self._after_passing())
 
     def _after_passing(self) -> str:
         if self.passing is None:
@@ -153,4 +158,11 @@ def _range(known: list[dict[str, Any]], name: str, digits: str) -> str:
     return " to ".join(dict.fromkeys(ends))
 
 
+def _spread(known: list[dict[str, Any]], name: str) -> float:
+    """Largest less smallest value over the largest size."""
+    values = [figures[name] for figures in known]
+    return (max(values) - min(values)) / max(abs(value) for value in values)
+
+
+_DECIDING = ("largest_inner_load_N", "life_L10_Mrev", "driving_torque_Nm")
 _ENDS: tuple[Callable, ...] = (min, max)
