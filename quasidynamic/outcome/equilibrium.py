@@ -13,6 +13,7 @@ from quasidynamic.balance.rollers.roller import RollerState
 from quasidynamic.balance.rollers.unknowns import BORDER, CAGE, INNER, OUTER, TILT_Z, Unknowns, Y, Z
 from quasidynamic.contact.cage import displacement_in_pocket, land_torque
 from quasidynamic.contact.line import palmgren, peak_pressure
+from quasidynamic.outcome.acting_forces import ActingForces
 from quasidynamic.outcome.life import basic_life, turning_share
 from quasidynamic.outcome.losses import Losses
 from quasidynamic.outcome.ring_stiffness import Tangent
@@ -207,6 +208,17 @@ class Equilibrium:
     def cage_force(self) -> NDArray:
         """Force of the pockets on the rollers along the motion (Z) [N]."""
         return self.rollers.pocket[0, 0]
+
+    @cached_property
+    def acting(self) -> ActingForces:
+        """Every force on rollers and cage as it acts."""
+        balance = self.balance.roller
+        return ActingForces(self.rollers, balance.bearing, balance.raceways.slices, self.floating)
+
+    @property
+    def applied_load(self) -> NDArray:
+        """Load on the inner ring (2), y and z [N]."""
+        return np.array([self.balance.points.load_y[0, 0], self.balance.points.load_z[0, 0]])
 
     @property
     def ring_moment(self) -> NDArray:

@@ -20,7 +20,7 @@ from flexbearing.results import BadResult, NotInLayout, ResultFile, hdf5, write
 from tests.flexbearing.resealed import digest, resealed
 
 ROLLERS = FAMILIES["cylindrical_roller"]
-SIZE = {"Z": 5, "K": 3, "N": 7, "2": 2, "5": 5}
+SIZE = {"Z": 5, "K": 3, "N": 7, "2": 2, "3": 3, "5": 5}
 PAGE = Path(__file__).parents[2] / "docs" / "reference" / "results.md"
 BEGINNING = {
     "title": "Rollenlager, Außenring weich",

@@ -17,6 +17,7 @@ class FloatingCage(NamedTuple):
     """Where the cage floats, what its land does, with derivatives."""
 
     offset: NDArray  # (C, 2) from the centre of the guiding ring, y and z [m]
+    force: NDArray  # (C, 2) of the land on the cage [N]
     torque: NDArray  # (C) of the land on the cage [N m]
     by_push: NDArray  # (C, 2) torque by the force of the pockets [m]
     by_speed: NDArray  # (C) torque by the cage speed, the pockets' force kept [N m s]
@@ -75,6 +76,7 @@ def floating_cage(
     by_push = -np.einsum("ci,cij->cj", by_offset, place.by_force)
     return FloatingCage(
         place.offset,
+        -push - body_force,
         land.torque,
         by_push,
         -land.by_speed + turning * (by_offset * place.by_speed).sum(1) + (by_push * by_speed).sum(1),
