@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -23,8 +23,10 @@ from quasidynamic.clearance import FitConditions, RacewayExpansion, Seat
 from quasidynamic.clearance.operating_clearance import Expansion
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from fem.joint.fitted_ring import FittedBodies, FittedRing, HousedRing
-    from fem.joint.preloaded_fit import PreloadedFit
+    from fem.joint.preloaded_fit import Fit, PreloadedFit
     from fem.section.expansion import Along
 
 
@@ -46,30 +48,45 @@ def mean_seat_growth(case: Case) -> float:
 
 
 def _inner(case: Case) -> Expansion:
+    def expansion(conditions: FitConditions) -> RacewayExpansion:
+        state = _pressed_inner(case, conditions)
+        return RacewayExpansion(mean_growth(state, hot_over_cold(case, "inner_ring")), _seat(state))
+
+    return expansion
+
+
+def pressed_inner_ring(case: Case) -> "NDArray":
+    """Growth (M,) [m] of the inner raceway, pressed on its shaft without friction, hot and turning."""
+    temperatures = case.operation.temperatures
+    rises = {"inside_rise": 0.0, "outside_rise": 0.0}
+    if temperatures is not None:
+        rises = {
+            "inside_rise": temperatures.shaft - temperatures.reference,
+            "outside_rise": temperatures.inner_ring - temperatures.reference,
+        }
+    return _pressed_inner(case, FitConditions(speed=case.operation.inner_speed, **rises)).expansion
+
+
+def _pressed_inner(case: Case, conditions: FitConditions) -> "PreloadedFit":
     from fem.joint.fitted_ring import FittedRing
     from fem.joint.preloaded_fit import Fit
 
     seat = inner_part(case)
     assert seat  # or the ring would be rigid
-    part = FittedRing(seat=seat, shoulder_diameter=case.inner.shoulder_diameter)
     ring, shaft = material(case, "inner_ring"), material(case, "shaft")
-
-    def expansion(conditions: FitConditions) -> RacewayExpansion:
-        fit = Fit(
-            interference=shaft_interference(case),
-            friction=0.0,
-            clamping=case.inner.clamping,
-            thermal_strains=(
-                ring.expansion * conditions.outside_rise,
-                shaft.expansion * conditions.inside_rise,
-            ),
-            densities=(ring.density, shaft.density),
-            speed=conditions.speed,
-        )
-        along = expansions_along(case, ring="inner_ring", shaft="shaft") if _hot(conditions) else {}
-        return _expansion(case, part, along, fit, hot_over_cold(case, "inner_ring"))
-
-    return expansion
+    fit = Fit(
+        interference=shaft_interference(case),
+        friction=0.0,
+        clamping=case.inner.clamping,
+        thermal_strains=(
+            ring.expansion * conditions.outside_rise,
+            shaft.expansion * conditions.inside_rise,
+        ),
+        densities=(ring.density, shaft.density),
+        speed=conditions.speed,
+    )
+    along = expansions_along(case, ring="inner_ring", shaft="shaft") if _hot(conditions) else {}
+    return _preloaded(case, FittedRing(seat=seat, shoulder_diameter=case.inner.shoulder_diameter), along, fit)
 
 
 def _outer(case: Case) -> Expansion:
@@ -93,7 +110,8 @@ def _outer(case: Case) -> Expansion:
             speed=conditions.speed,
         )
         along = expansions_along(case, ring="outer_ring", housing="housing") if _hot(conditions) else {}
-        return _expansion(case, part, along, fit, hot_over_cold(case, "outer_ring"))
+        state = _preloaded(case, part, along, fit)
+        return RacewayExpansion(mean_growth(state, hot_over_cold(case, "outer_ring")), _seat(state))
 
     return expansion
 
@@ -102,9 +120,9 @@ def _hot(conditions: FitConditions) -> bool:
     return bool(conditions.inside_rise or conditions.outside_rise)
 
 
-def _expansion(
-    case: Case, part: "FittedRing | HousedRing", along: Mapping[str, "Along"], fit: Any, hot: float
-) -> RacewayExpansion:
+def _preloaded(
+    case: Case, part: "FittedRing | HousedRing", along: Mapping[str, "Along"], fit: "Fit"
+) -> "PreloadedFit":
     from fem.joint.preloaded_fit import preloaded
 
     try:
@@ -115,12 +133,11 @@ def _expansion(
             mesh_size(case, ON_A_SECTION),
             tuple(along.items()),
         )
-        state = preloaded(bodies, fit)
+        return preloaded(bodies, fit)
     except fem.ImpossiblePart as problem:
         raise BadCase(f"{case.source.path}: {problem}") from problem
     except NotSolved as problem:
         raise BadCase(f"{case.source.path}: growth of the raceway: {problem}") from problem
-    return RacewayExpansion(mean_growth(state, hot), _seat(state))
 
 
 def mean_growth(state: "PreloadedFit", hot: float) -> float:

@@ -196,6 +196,10 @@ RECORDS = {
             "radial": Number(),
         },
     ),
+    "BondedGrowth": Record(
+        "fem.section.bonded_growth",
+        {"by_heat": Array(("2 M",), largest=GROWTH), "by_rotation": Array(("2 M",), largest=GROWTH)},
+    ),
     "GrooveCompliance": Record(
         "fem.section.bolted_ring",
         {

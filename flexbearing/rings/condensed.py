@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +13,7 @@ import fem
 from fem.condense import BEAM, HARMONICS, SMEARED, SOLID, condense
 from fem.errors import NotSolved
 from fem.parts.step_solid import StepSolid
+from flexbearing.build.bonded_growth import bonded_shape
 from flexbearing.build.expansion import roller_length
 from flexbearing.build.mesh_sizes import IN_SPACE, ON_A_SECTION, mesh_size
 from flexbearing.build.ring_parts import NAMES, Race, part_of
@@ -83,17 +84,17 @@ def raceway(
         report.stage(name, None)
         with named_failures(case, name):
             linear: Any = condensed(name, part, case, azimuths, report)  # not on lines or springs
-            by_seat = _growth_by_seat(race, case, report)
-            compliance = _grown(linear.at(azimuths), by_seat)
+            growth = _Growth.of(case, race, report)
+            compliance = growth.added(linear.at(azimuths))
 
         def at(places: NDArray) -> "RacewayCompliance":
             with named_failures(case, name):
                 solid = _discretisation(part, case) is SOLID  # which knows its own rollers only
                 anew: Any = condensed(name, part, case, places, report) if solid else linear
-                return _grown(anew.at(places), by_seat)
+                return growth.added(anew.at(places))
 
         report.stage(f"{name}: {compliance.unknowns} unknowns, {perf_counter() - began:.1f} s", None)
-        return CondensedRaceway(compliance, at, _seat_figures(by_seat))
+        return CondensedRaceway(compliance, at, growth.figures)
     name = {"inner": "inner ring and shaft", "outer": "outer ring and housing"}[race]
     report.stage({"inner": "inner ring in its fit", "outer": "outer ring in its housing"}[race], None)
     with named_failures(case, name):
@@ -127,32 +128,40 @@ def _on_supports(part: "Part", case: Case, azimuths: NDArray, report: Report) ->
     return SupportedRaceway(RINGS[case.outer.support], ring, figures, under_rollers)
 
 
-def _growth_by_seat(race: Race, case: Case, report: Report) -> "tuple[float, RacewayGrowth] | None":
-    """Strain of the seat of the outer ring beyond its own and the growth by it; None where there is none."""
-    if race == "inner":
-        return None
-    growth = seat_growth(case, lambda note: report.stage(f"growth by the seat: {note}", None))
-    return None if growth is None else (seat_strain(case), growth)
+@dataclass(frozen=True)
+class _Growth:
+    """Shape that heat, speed and pressing give a raceway; its mean belongs to the operating clearance."""
 
+    by_seat: "RacewayGrowth | None" = None  # of an outer ring
+    strain: float = 0.0  # of that seat beyond the ring
+    shape: NDArray | None = None  # (M,) [m] of a bonded inner ring
 
-def _grown(
-    compliance: "RacewayCompliance", by_seat: "tuple[float, RacewayGrowth] | None"
-) -> "RacewayCompliance":
-    """The same raceway with the shape that its seat gives it; the mean of that belongs to the clearance."""
-    if by_seat is None:
-        return compliance
-    strain, growth = by_seat
-    shape = strain * growth.at(compliance.azimuths)
-    return replace(compliance, initial_deviation=compliance.initial_deviation + shape)
+    @classmethod
+    def of(cls, case: Case, race: Race, report: Report) -> "_Growth":
+        def note(text: str) -> None:
+            report.stage(f"growth: {text}", None)
 
+        if race == "inner":  # a beam is without a mesh, and without a shape along the roller
+            return cls() if case.accuracy.structure == "beam" else cls(shape=bonded_shape(case, note))
+        return cls(by_seat=seat_growth(case, note), strain=seat_strain(case))
 
-def _seat_figures(by_seat: "tuple[float, RacewayGrowth] | None") -> dict[str, dict[str, float]]:
-    """Growth of the raceway by its seat: in the mean, and from the -x to the +x end of the rollers."""
-    if by_seat is None:
-        return {}
-    strain, growth = by_seat
-    coned = 2 * strain * float(growth.coefficients[0, 1])
-    return {"seat": {"mean_growth_um": 1e6 * strain * growth.mean, "coned_um": 1e6 * coned}}
+    def added(self, compliance: "RacewayCompliance") -> "RacewayCompliance":
+        """A raceway with this shape where no roller loads it."""
+        deviation = compliance.initial_deviation.copy()
+        if self.by_seat is not None:
+            deviation += self.strain * self.by_seat.at(compliance.azimuths)
+        if self.shape is not None:
+            deviation[:, 1:] += self.shape[1:]
+        return replace(compliance, initial_deviation=deviation)
+
+    @property
+    def figures(self) -> dict[str, dict[str, float]]:
+        """Of a seat: growth in the mean, and from the -x to the +x end of the rollers."""
+        if self.by_seat is None:
+            return {}
+        coned = 2 * self.strain * float(self.by_seat.coefficients[0, 1])
+        mean = 1e6 * self.strain * self.by_seat.mean
+        return {"seat": {"mean_growth_um": mean, "coned_um": 1e6 * coned}}
 
 
 @contextmanager

@@ -1,4 +1,4 @@
-"""A seat that is warmer or colder than a ring widens and cones its raceway."""
+"""Shapes along the roller that a seat, heat and rotation give a raceway."""
 
 from dataclasses import replace
 
@@ -6,11 +6,21 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from fem import ClampedFace, Foundation, ImpossiblePart, MeshSize, OuterRing, Resolution, RigidSeat
+from fem import (
+    ClampedFace,
+    Foundation,
+    ImpossiblePart,
+    MeshSize,
+    OuterRing,
+    Resolution,
+    RigidSeat,
+    RingOnShaft,
+)  # fmt: skip
 from fem.cage.seat_growth import cage_seat_growth
 from fem.condense import seat_growth
+from fem.section.bonded_growth import bonded_growth
 from fem.section.seat_growth import ring_seat_growth
-from tests.fem.test_parts import CAGE, STEEL
+from tests.fem.test_parts import CAGE, SHAFT, STEEL
 
 THIN = OuterRing(raceway_diameter=75e-3, thickness=1e-3, width=20e-3, elastic=STEEL, support=ClampedFace())
 BAND = Resolution(length=5e-3, axial_modes=3, mesh_size=MeshSize(order=4, size=3e-3, raceway_size=1e-3))
@@ -76,3 +86,24 @@ def test_a_ring_on_springs_has_no_seat_of_its_own():
     springs = Foundation(axial=1e9, radial=1e11, tangential=1e9)
     with pytest.raises(ImpossiblePart, match="no seat"):
         seat_growth(replace(THIN, support=springs), BAND)
+
+
+def test_bonded_ring_without_ribs_grows_as_compound_tubes_do():
+    """Long tubes of one material, free ends: outside, the mean strain (Timoshenko and Goodier, art. 151)."""
+    long = RingOnShaft(
+        raceway_diameter=65e-3, track_width=160e-3, rib_diameter=None, bore=59.6e-3, width=160e-3,
+        shaft_bore=51.6e-3, shaft_length=161e-3, ring=STEEL, shaft=STEEL,
+    )  # fmt: skip
+    growth = bonded_growth(long, BAND)
+    both = growth.under((1e-3, 1e-3), (0.0, 0.0), 0.0)
+    assert both == approx([1e-3 * long.raceway_diameter / 2, 0.0, 0.0], rel=1e-9, abs=1e-12)
+    a, b, c = (d / 2 for d in (long.shaft_bore, long.bore, long.raceway_diameter))
+    shaft = growth.under((0.0, 1e-3), (0.0, 0.0), 0.0)
+    assert shaft[0] == approx(1e-3 * (b**2 - a**2) * c / (c**2 - a**2), rel=2e-3)
+
+
+def test_bonded_ring_between_ribs_bulges_along_the_roller():
+    hot = bonded_growth(SHAFT, BAND).under((2.24e-3, 2.898e-3), (7850.0, 8240.0), 3979.0)
+    assert hot[0] > 90e-6
+    assert abs(hot[1]) < 1e-9  # by symmetry
+    assert hot[2] == approx(0.33e-6, rel=0.1)

@@ -31,8 +31,11 @@ SOLID = (
     "accuracy.mesh_size=12 mm", "accuracy.raceway_mesh_size=4 mm", "accuracy.patch_width=1.5 mm",
     "accuracy.axial_shapes=2", "accuracy.threads=1",
 )  # fmt: skip
+SHAFT = ["outer.kind=rigid", "accuracy.element_order=2", "accuracy.slices=8"]
+SEAT = [*RING, "operation.temperatures.outer_seat=168 degC"]
 RUNS = {
     "ring": (PAPER, RING), "cage": (PAPER, CAGE), "solid": (PAPER, SOLID), "groove": (SLEWING, SMALL),
+    "shaft": (PAPER, SHAFT), "seat": (PAPER, SEAT),
     "springs": (PAPER, [*RING, "outer.support=foundation", "outer.foundation_radial=300 N/mm^3"]),
 }  # fmt: skip
 NAME = key.digest(PARTS)
@@ -356,8 +359,10 @@ def test_every_class_that_runs_keep_is_in_the_table(run, tmp_path, monkeypatch, 
     second = flexbearing.run(RUNS[run][0], tmp_path / "second.h5", RUNS[run][1])
     kinds = {json.loads(_header(entry.path))["class"] for entry in configured().entries()}
     assert kinds == {
-        "ring": {"HarmonicCompliance"}, "cage": {"HarmonicCompliance"},
-        "solid": {"RacewayCompliance"}, "groove": {"GrooveCompliance"}, "springs": {"RingOnFoundation"},
+        "ring": {"HarmonicCompliance"}, "shaft": {"HarmonicCompliance", "BondedGrowth"},
+        "seat": {"HarmonicCompliance", "RacewayGrowth"}, "cage": {"HarmonicCompliance"},
+        "solid": {"RacewayCompliance"}, "groove": {"GrooveCompliance"},
+        "springs": {"RingOnFoundation"},
     }[run]  # fmt: skip
     for name, values in first.flexible.items():
         assert values.tobytes() == second.flexible[name].tobytes(), name

@@ -3,6 +3,7 @@
 import re
 from pathlib import Path
 from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -15,7 +16,8 @@ from flexbearing.case import BadCase
 from flexbearing.case.read import understood
 from flexbearing.coupling import RacewayPair
 from flexbearing.families import FAMILIES
-from flexbearing.rings.condensed import mesh_size
+from flexbearing.progress import Logged
+from flexbearing.rings.condensed import mesh_size, raceway
 from flexbearing.rings.fits import (
     _shaft_fit_figures,
     expansions_along,
@@ -365,3 +367,20 @@ def test_cold_seat_narrows_a_computed_clearance():
         for further in ({}, {"operation.temperatures.outer_seat": "168 degC"})
     )
     assert cold - even == approx(-2 * 17.5e-6, rel=0.03)
+
+
+@pytest.mark.parametrize("fitted", [False, True], ids=["stated clearance", "from fits"])
+def test_bonded_ring_has_its_growth_along_the_roller_and_no_mean(fitted):
+    """The mean belongs to the operating clearance, the shape to the raceway, as in a fit that may open."""
+    text, settings = PAPER.read_text(), {"outer.kind": "rigid", "accuracy.element_order": 3}
+    if fitted:
+        text = re.sub(r'\nclearance = .*|\n"bearing.clearance" = .*', "", text)
+        settings |= {
+            "bearing.fits.outer_diameter": "82.2 mm", "bearing.fits.cold_clearance": "100 um",
+            "bearing.fits.shaft_interference": "30 um",
+        }  # fmt: skip
+    case: Any = understood(text, PAPER, settings, FAMILIES)
+    deviation, _ = raceway(case, "inner", AZIMUTHS, Logged()).answer(np.zeros((30, 3)))
+    assert np.abs(deviation[:, 0]).max() < 1e-12
+    assert deviation[:, 2] == approx(0.25e-6 if fitted else 0.33e-6, rel=0.3)
+    assert np.ptp(deviation, axis=0).max() < 1e-12
