@@ -2,6 +2,7 @@
 
 from collections.abc import Generator, Iterator, Sequence
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,9 +11,10 @@ from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.contact_search import contact_search
 from quasidynamic.solve.rollers.newton import Iterate, newton
-from quasidynamic.solve.rollers.strategy import Start, solve
+from quasidynamic.solve.rollers.strategy import SolvedCases, Start, solve, solve_each
 
 BUDGET = 300  # evaluations of the bearing between raceways that keep their shape
+ROUNDS = 3  # of pseudo-time
 
 Ends = tuple[Iterate, Iterate]  # of a search, and of Newton's method after it
 
@@ -23,7 +25,8 @@ def iterate(
     """Yield the accepted iterates of one case with elastic raceways.
 
     Newton's method begins where full steps found which rollers touch. Where it fails it begins where damped
-    steps found them, and then with the bearing solved between raceways of that shape.
+    steps found them, then after some pseudo-time of cage and spins, and then with the bearing solved between
+    raceways of that shape.
 
     Parameters
     ----------
@@ -45,9 +48,10 @@ def iterate(
     if _failed(end):
         damped = contact_search(balance, unknowns, damped=True)
         found, end = yield from _newton_after(balance, damped, end.number)
-    if _failed(end) and np.isfinite(found.unknowns).all():
-        solved = _on_frozen_shape(balance, found, restarts)
-        found, end = yield from _newton_after(balance, solved, end.number)
+    if np.isfinite(found.unknowns).all():
+        for last_way in (_after_pseudo_time, partial(_on_frozen_shape, restarts=restarts)):
+            if _failed(end):
+                _, end = yield from _newton_after(balance, last_way(balance, found), end.number)
     if _failed(end):
         yield end
 
@@ -80,6 +84,20 @@ def _is_step(step: Iterate) -> bool:
     return bool(step.accepted[0]) and step.outcomes[0] is SolverOutcome.RUNNING
 
 
+def _after_pseudo_time(balance: BearingBalance, found: Iterate) -> Iterator[Iterate]:
+    """Yield what Newton's method leads to after pseudo-time of cage and spins."""
+    yield _as_iterate(balance, solve_each(balance, found.unknowns, ROUNDS), found)
+
+
+def _as_iterate(balance: BearingBalance, solved: SolvedCases, found: Iterate) -> Iterate:
+    """The end of a solve as something that Newton's method may begin with, if it converged."""
+    outcome = solved.outcomes[0]
+    outcomes = [SolverOutcome.RUNNING if outcome is SolverOutcome.CONVERGED else outcome]
+    system = balance.evaluate(solved.unknowns)
+    number = int(solved.evaluations[0])
+    return Iterate(number, found.cases, solved.unknowns, system, outcomes, found.accepted)
+
+
 def _on_frozen_shape(balance: BearingBalance, found: Iterate, restarts: Sequence[Start]) -> Iterator[Iterate]:
     """Yield the bearing in equilibrium between raceways that keep the shape that a search found."""
     elastic = balance.unpack(found.unknowns)
@@ -88,7 +106,4 @@ def _on_frozen_shape(balance: BearingBalance, found: Iterate, restarts: Sequence
     frozen = replace(balance, compliance=(None, None), deviation=given + shape)
     solved = solve(frozen, frozen.pack(elastic), restarts, BUDGET)
     unknowns = balance.pack(frozen.unpack(solved.unknowns)._replace(deviation=elastic.deviation))
-    number = int(solved.evaluations[0])
-    converged = solved.outcomes[0] is SolverOutcome.CONVERGED
-    outcomes = [SolverOutcome.RUNNING if converged else solved.outcomes[0]]
-    yield Iterate(number, found.cases, unknowns, balance.evaluate(unknowns), outcomes, found.accepted)
+    yield _as_iterate(balance, replace(solved, unknowns=unknowns), found)
