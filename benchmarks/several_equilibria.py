@@ -7,6 +7,8 @@ other equilibria is compared with an exhaustive search from 60 random starts for
 
 import argparse
 import time
+from functools import partial
+from multiprocessing import Pool
 
 import numpy as np
 from threadpoolctl import threadpool_limits
@@ -25,11 +27,12 @@ def main() -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("--n", type=int, default=200)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--jobs", type=int, default=2)
     asked = parser.parse_args()
     print(describe())
-    with threadpool_limits(limits=1, user_api="blas"):
-        rows = [row for number in range(asked.n) if (row := examine(number, asked.seed)) is not None]
-        report(rows, asked)
+    with threadpool_limits(limits=1, user_api="blas"), Pool(asked.jobs) as pool:
+        found = pool.imap_unordered(partial(examine, seed=asked.seed), range(asked.n))
+        report([row for row in found if row is not None], asked)
 
 
 def examine(number: int, seed: int) -> dict | None:
@@ -37,7 +40,7 @@ def examine(number: int, seed: int) -> dict | None:
     model = design(rng)
     solve, state = timed(lambda: model.solve_many([model.operation])[0])
     if state.status is not SolverOutcome.CONVERGED:
-        print(f"design {number}: {state.status}")
+        print(f"design {number}: {state.status}", flush=True)
         return None
     state.loads  # noqa: B018  evaluated before: every run stores them
     indicate, likely = timed(lambda: several_likely(state))

@@ -13,7 +13,7 @@ from quasidynamic.solve.rollers.static_equilibrium import film_at
 from quasidynamic.solve.start import LumpedRollers
 
 LOADED = 3e-4  # of the largest inner load
-MARGIN = 0.2  # of the films of a rolling roller: how nearly its gap has to be filled, or left open
+MARGIN = 0.3  # of the films of a rolling roller: how nearly its gap has to be filled, or left open
 SLIPS = np.concatenate([np.geomspace(1e-5, 0.05, 16), np.linspace(0.08, 0.98, 12)])
 
 
