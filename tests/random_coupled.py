@@ -131,7 +131,7 @@ def _outer(rng: np.random.Generator, base: Base, load: float, solid: bool) -> li
     mesh = () if beam else ("accuracy.element_order=2",) if solid else SECTION
     return [
         "outer.kind=ring", *ring, f"accuracy.structure={structure}", *mesh,
-        *_support(rng, base, support, load),
+        *_support(rng, base, support, load, 30.0 if beam else 1e3),
     ]  # fmt: skip
 
 
@@ -147,12 +147,12 @@ def _bars(rng: np.random.Generator, base: Base, bars: int, thickness: float) -> 
     ]
 
 
-def _support(rng: np.random.Generator, base: Base, support: str, load: float) -> list[str]:
-    """What holds a plain ring."""
+def _support(rng: np.random.Generator, base: Base, support: str, load: float, stiffest: float) -> list[str]:
+    """What holds a plain ring; springs up to the `stiffest` [N/mm^3]."""
     name = "housing" if support == "loose housing" else support
     settings = [f"outer.support={name}"]
     if support == "foundation":
-        radial = _log_uniform(rng, 1.0, 1e3)
+        radial = _log_uniform(rng, 1.0, stiffest)
         settings += [
             f"outer.foundation_radial={radial:.3g} N/mm^3",
             f"outer.foundation_tangential={radial * rng.choice([0, 0.3, 1.0]):.3g} N/mm^3",
