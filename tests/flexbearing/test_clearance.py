@@ -307,8 +307,9 @@ def in_fit(case):
     return inner_ring_in_fit(case, part, np.zeros(1), mesh_size(case, ON_A_SECTION)).fit
 
 
+@pytest.mark.slow
 def test_chain_and_finite_elements_have_one_pressure_and_one_growth():
-    """30 um: 16.0 MPa in operation; a closed form for bodies of one length has 10.8 MPa, and 4.6 um more."""
+    """30 um: 16.0 MPa in operation; a closed form for bodies of one length has 10.8 MPa, and 4.2 um more."""
     case = mounted(**{"inner.fit": "frictionless"})
     chain, fit = clearance.computed(case), in_fit(case)
     assert chain is not None
@@ -318,7 +319,7 @@ def test_chain_and_finite_elements_have_one_pressure_and_one_growth():
     assert of_inner == approx(-2 * growth, rel=1e-9)
     plain = operating_clearance(fits._mounting(case), fits._running(case))
     assert plain.shaft_seat.pressure == approx(10.8e6, rel=1e-2)
-    assert plain.clearance - chain.clearance == approx(4.6e-6, abs=0.4e-6)
+    assert plain.clearance - chain.clearance == approx(4.22e-6, abs=0.05e-6)
 
 
 def test_pressure_of_a_short_ring_is_that_of_a_shell_under_a_band_of_pressure():
