@@ -21,7 +21,9 @@ from quasidynamic import (
 )
 
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7850)
+CERAMIC = Material(youngs_modulus=310e9, poisson_ratio=0.26, density=3200)
 RPM = 2 * np.pi / 60
+SMALLEST = 0.1e-3  # [m] roller diameter, about
 
 
 def design(rng: np.random.Generator) -> tuple[RollerBearing, str]:
@@ -72,6 +74,104 @@ def design(rng: np.random.Generator) -> tuple[RollerBearing, str]:
     return RollerBearing(bearing=bearing, operation=operation, lubrication=lubrication), name
 
 
+def wide_design(rng: np.random.Generator) -> tuple[RollerBearing, str]:
+    """A random bearing from far beyond what is built, and what is special about it.
+
+    3 to 700 rollers, about 0.1 mm thick at least, on a pitch circle of 1 mm to 5 m, length over diameter 0.2
+    to 10, a third of the rollers ceramic; clearance from a preload of 0.3 % of a roller's diameter to 2 %.
+    Surfaces move at 10 um/s to 100 m/s; either ring stands, both turn together or against each other. Loads
+    of 1e-8 to 1e-3 E D l Z/5, 20 MPa to 4 GPa, a sixth of the bearings under a moment alone. Any direction
+    of load and gravity, upright shafts, misalignment; free cages, churning, starved inlets.
+    """
+    bearing = _wide_bearing(rng)
+    roller, oil = bearing.roller, _wide_oil(rng)
+    name, traction = law(str(rng.choice(["4109", "eyring", "bair-winer", "four points"])), oil, rng)
+    operation, kind = _wide_operation(rng, bearing)
+    churning, starved = rng.random() < 0.25, rng.random() < 0.2
+    lubrication = Lubrication(
+        oil=oil,
+        oil_fraction=log_uniform(rng, 1e-3, 0.3),
+        traction=traction,
+        churning_gap=roller.diameter * log_uniform(rng, 0.02, 0.2) if churning else None,
+        inlet_length=log_uniform(rng, 0.3, 10.0) if starved else None,
+    )
+    words = [name, kind, *(["free cage"] if bearing.cage.free else []), *(["starved"] if starved else [])]
+    return RollerBearing(bearing=bearing, operation=operation, lubrication=lubrication), ", ".join(words)
+
+
+def _wide_bearing(rng) -> CylindricalRollerBearing:
+    pitch = log_uniform(rng, 1e-3, 5.0)
+    rollers = round(log_uniform(rng, 3.0, min(700.4, 2.5 * pitch / SMALLEST)))
+    diameter = min(np.pi * pitch * rng.uniform(0.4, 0.95) / rollers, pitch / 2.5)
+    length = diameter * log_uniform(rng, 0.2, 10.0)
+    guidance = str(rng.choice(["outer", "inner", "rollers"]))
+    free = guidance != "rollers" and rng.random() < 0.4
+    cage = Cage(
+        guidance=guidance,
+        pocket_friction=rng.uniform(0.0, 0.1),
+        thickness=diameter * rng.uniform(0.3, 0.7),
+        mass=1.2e3 * pitch * diameter * length,
+        land_diameter=pitch + (0.8 if guidance == "outer" else -0.8) * diameter,
+        land_width=length / 2,
+        land_clearance=rng.uniform(2e-3, 8e-3) * pitch,
+        free=free,
+        unbalance=rng.choice([0.0, 1e-4]) * pitch if free else 0.0,
+    )
+    return CylindricalRollerBearing(
+        rollers=rollers,
+        outer_raceway_diameter=pitch + diameter,
+        clearance=diameter * rng.uniform(-3e-3, 0.0 if rng.random() < 0.25 else 2e-2),
+        roller=Roller(
+            diameter=diameter,
+            length=length,
+            material=CERAMIC if rng.random() < 1 / 3 else STEEL,
+            profile=Logarithmic(amplitude=0.00035 * diameter),
+        ),
+        cage=cage,
+        inner_ring=STEEL,
+        outer_ring=STEEL,
+        first_roller_azimuth=rng.uniform(0, 2 * np.pi),
+    )
+
+
+def _wide_oil(rng):
+    if rng.random() < 0.5:
+        return oil_at("MIL-PRF-23699", rng.uniform(313.15, 473.15))
+    return oil_at(str(rng.choice(["ISO VG 32", "ISO VG 68", "ISO VG 100"])), rng.uniform(283.15, 373.15))
+
+
+def _wide_operation(rng, bearing) -> tuple[Operation, str]:
+    roller = bearing.roller
+    speed = log_uniform(rng, 1e-5, 100.0) / (bearing.pitch_diameter / 2)
+    inner, outer = speed * np.array(
+        [(1.0, 0.0), (0.0, 1.0), (1.0, -rng.uniform(0.2, 5.0)), (1.0, rng.uniform(0.2, 0.95)), (-1.0, 0.0)][
+            rng.choice(5, p=[0.4, 0.15, 0.25, 0.1, 0.1])
+        ]
+    )
+    unit = STEEL.youngs_modulus * roller.diameter * roller.length * bearing.rollers / 5
+    load, kind = unit * log_uniform(rng, 1e-8, 1e-3), "load"
+    moment = slope = 0.0
+    if (choice := rng.random()) < 1 / 6:
+        moment, load, kind = load * roller.length * rng.uniform(0.05, 0.5), 0.0, "moment alone"
+    elif choice < 1 / 3:
+        moment, kind = load * roller.length * rng.uniform(-0.3, 0.3), "tilted"
+    elif choice < 0.4:
+        slope, kind = rng.uniform(-1e-3, 1e-3) * roller.diameter / roller.length, "misaligned"
+    elif choice < 0.45 and bearing.clearance < 0:
+        load, kind = 0.0, "preload alone"
+    return Operation(
+        radial_load=load,
+        load_direction=rng.uniform(0, 2 * np.pi),
+        inner_speed=float(inner),
+        outer_speed=float(outer),
+        moment=moment,
+        misalignment=slope,
+        free_tilt=moment != 0.0,
+        gravity=rng.choice([9.81, 9.81, 9.81, 0.0]),
+        gravity_direction=rng.uniform(0, 2 * np.pi),
+    ), kind
+
+
 def law(name, oil, rng):
     if name == "4109":
         return name, Regression4109
@@ -118,10 +218,14 @@ def imbalance(state) -> float:
     spin = (
         t[0] - t[1] - shear[0] - shear[1] - s * friction - (state.transport + state.rollers.churning[0]) / r_w
     )
-    ring = [
-        load[0] @ sin + tangential @ cos - points.load_y[0, 0],
-        load[0] @ cos - tangential @ sin - points.load_z[0, 0],
-    ]
+    ring = np.array(
+        [
+            load[0] @ sin + tangential @ cos - points.load_y[0, 0],
+            load[0] @ cos - tangential @ sin - points.load_z[0, 0],
+        ]
+    )
+    if state.floating is not None and bearing.cage.guidance == "inner":
+        ring = ring + state.acting.land
     cage = -force.sum() * r_m - (s * friction).sum() * r_w + state.land_torque
     cage -= state.rollers.churning.sum()
     moments = [0.0]

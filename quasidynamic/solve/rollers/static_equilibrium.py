@@ -29,6 +29,13 @@ def frictionless_loads(balance: BearingBalance, unknowns: Unknowns, uneven: bool
     return _contact_loads(balance, balance.inputs(unknowns).approach[:, 0], beyond)[0]
 
 
+def slice_loads(balance: BearingBalance, unknowns: Unknowns, uneven: bool = False) -> NDArray:
+    """Loads per length (K, 2, C, Z) [N/m] of rollers, as `frictionless_loads` has them."""
+    raceways, beyond = balance.roller.raceways, axial_variation(balance, unknowns) if uneven else 0.0
+    approach = balance.inputs(unknowns).approach[:, 0] + beyond
+    return raceways.law(approach - raceways.drop[:, None, None, None])[0]
+
+
 def series_stiffness(balance: BearingBalance, unknowns: Unknowns) -> NDArray:
     """Stiffness (C, Z) [N/m] of both raceways of an untilted roller in series."""
     inner, outer = _contact_loads(balance, balance.inputs(unknowns).approach[:, 0])[1]

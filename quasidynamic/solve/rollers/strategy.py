@@ -102,7 +102,6 @@ def solve_each(balance: BearingBalance, starts: NDArray, rounds: int) -> SolvedC
     """
     solved = SolvedCases(starts.copy(), [SolverOutcome.RUNNING] * len(starts), np.zeros(len(starts), int))
     solved.follow(newton(balance, starts), np.arange(len(starts)))
-    _find_spins(balance, solved)
     _through_pseudo_time(balance, solved, starts.copy(), rounds)
     return solved
 

@@ -8,9 +8,11 @@ from numpy.typing import NDArray
 from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.balance.rollers.unknowns import Unknowns
 from quasidynamic.contact.cage import land_torque
+from quasidynamic.contact.drag import churning_torque
 from quasidynamic.solve.rollers.static_equilibrium import (
     frictionless_loads,
     outward_force,
+    slice_loads,
     static_equilibrium,
 )
 from quasidynamic.solve.start.frictionless import static_unknowns
@@ -85,19 +87,20 @@ class LumpedRollers:
         drift = end + way * np.exp((low + high) / 2)
         return drift, self._balanced(*self.forces(line_load, cage_drift, drift))
 
-    def braked(self, line_load: NDArray, cage_drift: NDArray, drift: NDArray) -> NDArray:
+    def braked(self, slice_load: NDArray, cage_drift: NDArray, drift: NDArray) -> NDArray:
         """Drifts (C, Z); those at which rollers balance where friction of the pocket holds them back.
 
         A roller that hardly anything presses may stand still in its pocket, or nearly so. Halving, as
         traction and friction of the pocket are at their limits on the way there; each roller beside the
-        present spins of its neighbours, from which it gets its own.
+        present spins of its neighbours, from which it gets its own. Loads are those per length (K, 2, C, Z)
+        [N/m] of slices: a light roller touches with few of them.
         """
         balance, rolling = self.balance, self.balance.rolling_spin
         transport = balance.spin_transport(cage_drift, drift)
 
         def lags(spin: NDArray) -> NDArray:
             taken = transport.torque + transport.by_spin * (spin - rolling - drift)
-            return self._driven(line_load, cage_drift, spin - rolling, taken) < 0
+            return self._driven(slice_load, cage_drift, spin - rolling, taken) < 0
 
         low, high = -rolling + np.zeros(drift.shape), NEARLY_ROLLING * rolling + np.zeros(drift.shape)
         held = lags(high)
@@ -109,19 +112,33 @@ class LumpedRollers:
             low, high = np.where(slower, low, middle), np.where(slower, middle, high)
         return np.where(held, (low + high) / 2 - rolling, drift)
 
-    def _driven(self, line_load: NDArray, cage_drift: NDArray, drift: NDArray, taken: NDArray) -> NDArray:
+    def _driven(self, slice_load: NDArray, cage_drift: NDArray, drift: NDArray, taken: NDArray) -> NDArray:
         """Force at the surface of the rollers (C, Z) [N] that drives their spin the way they roll.
 
         What transport has taken [N m] is subtracted.
         """
         roller, motion = self.balance.roller, self.balance.motion(cage_drift, drift)
-        t_i, t_o, r_i, r_o = self.forces(line_load, cage_drift, drift)
+        raceways, (sliding, entrainment, sense) = roller.raceways, self.surfaces(cage_drift, drift)
+        load = raceways.slices.total(slice_load)
+        film = raceways.film(load, sliding, entrainment).thickness
+        t_i, t_o = raceways.slices.total(raceways.traction(slice_load, sliding, entrainment, film).force)
+        r_i, r_o = sense * raceways.rolling(load, entrainment).force
         g, (drag, _) = roller.bearing.diameter_ratio, roller.drag(motion.cage_speed)
         pocket = drag - self.balance.weight[1] - t_i - t_o - (1 - 2 * g) * r_i + (1 + 2 * g) * r_o
-        sense = motion.spin / np.hypot(motion.spin, motion.standstill_spin)
-        brake = roller.bearing.cage.pocket_friction * sense * np.abs(pocket)
+        full = motion.spin / np.hypot(motion.spin, motion.standstill_spin)
+        brake = roller.bearing.cage.pocket_friction * full * np.abs(pocket)
+        taken = taken + self._churning(motion.spin)
         driving = t_i - t_o - r_i - r_o - brake - taken / (roller.bearing.roller.diameter / 2)
         return driving * np.sign(self.balance.rolling_spin)
+
+    def _churning(self, spin: NDArray) -> NDArray | float:
+        """Torque (C, Z) [N m] of the mixture against the spin."""
+        lubrication = self.balance.roller.lubrication
+        if lubrication.churning_gap is None:
+            return 0.0
+        share, gap = lubrication.oil_fraction, lubrication.churning_gap
+        roller = self.balance.roller.bearing.roller
+        return churning_torque(spin, roller, lubrication.oil, oil_fraction=share, gap=gap).torque
 
     @staticmethod
     def _balanced(t_i: NDArray, t_o: NDArray, r_i: NDArray, r_o: NDArray) -> NDArray:
@@ -170,10 +187,10 @@ def held_back(balance: BearingBalance, start: Unknowns, uneven: bool = False) ->
         return start
     if outward_force(balance, start).min() > 0.0:
         return start
-    length, lumped = balance.roller.bearing.roller.length, LumpedRollers(balance)
+    lumped = LumpedRollers(balance)
     for _ in range(MAX_SWEEPS):
-        line_load = frictionless_loads(balance, start, uneven) / length
-        spin_drift = lumped.braked(line_load, start.cage_drift, start.spin_drift)
+        slice_load = slice_loads(balance, start, uneven)
+        spin_drift = lumped.braked(slice_load, start.cage_drift, start.spin_drift)
         change = np.abs((spin_drift - start.spin_drift) / balance.rolling_spin).max()
         start = static_equilibrium(balance, start._replace(spin_drift=spin_drift), uneven)
         if change < SMALL_CHANGE:
