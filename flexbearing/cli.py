@@ -155,7 +155,7 @@ def fields(
 
     from flexbearing.case import BadCase
     from flexbearing.printable import all_printable
-    from flexbearing.report.sections import stresses
+    from flexbearing.report.sections import held, stresses
     from flexbearing.runs import fields as compute
 
     if part not in ("inner", "outer", None):
@@ -166,7 +166,12 @@ def fields(
         solved = compute.of_result(found, state, part)
     except compute.NoFields as problem:
         _end(f"{result}: {problem}")
-    Console().print(Group(*stresses(all_printable({one.race: one.record() for one in solved}))))
+    try:
+        records = {one.race: one.record() for one in solved}
+    except compute.NoFields as problem:
+        _end(f"{result}: {problem}")
+    supports = held(found.attributes["structure"])
+    Console().print(Group(*stresses(all_printable(records)), *supports))
     written: list[Path] = []
     with _keeping(written):
         for one in solved:

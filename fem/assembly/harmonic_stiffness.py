@@ -103,10 +103,16 @@ def harmonic_stiffness(space, *forms) -> HarmonicStiffness:
     return HarmonicStiffness(matrix=matrices[0], parts=parts, clamped=~np.array(list(space.FreeDofs())))
 
 
-def compliances(stiffness: HarmonicStiffness, loads: NDArray, last: int) -> NDArray:
-    r"""Work of loads on their answers, for all harmonics 0 .. N.
+@dataclass(frozen=True)
+class HarmonicAnswers:
+    """Displacements under the same loads in every harmonic, in a small space that holds them all."""
 
-    .. math:: W_n = G^T K(n)^{-1} G
+    basis: NDArray  # (unknowns, B) orthonormal
+    factors: NDArray  # (N + 1, B, L) [m/N] per load: the displacement of harmonic n is basis @ factors[n]
+
+
+def answers(stiffness: HarmonicStiffness, loads: NDArray, last: int) -> HarmonicAnswers:
+    """Displacements under loads for all harmonics 0 .. N.
 
     Parameters
     ----------
@@ -116,6 +122,45 @@ def compliances(stiffness: HarmonicStiffness, loads: NDArray, last: int) -> NDAr
         G, the same for all harmonics [N/N]
     last : int
         N, >= 1
+
+    Returns
+    -------
+    HarmonicAnswers
+        with residuals of `SMALL_SPACE_RESIDUAL` at most
+
+    Raises
+    ------
+    NotSolved
+        if a solve fails
+    """
+    G = stiffness.on_free(loads)
+    solved: dict[int, NDArray] = {}
+    first = np.geomspace(1, last, int(np.ceil(np.log(last) / np.log(FIRST_STEP))) + 1)
+    unsolved = sorted({0, *np.rint(first).astype(int).tolist()})  # 0, 1, 2, 3, 5, 7, ... and the last
+    while unsolved:
+        solved |= {n: stiffness.solve(n, G) for n in unsolved}
+        basis = np.linalg.qr(np.hstack([u / np.linalg.norm(u, axis=0) for u in solved.values()]))[0]
+        forces = [stiffness.on_free(part @ basis) for part in stiffness.parts]
+        residuals = {n: _small_residual(n, basis, forces, G) for n in _between(sorted(solved))}
+        _log.debug(
+            "%d of %d harmonics solved, residual %.1e",
+            len(solved), last + 1, max(residuals.values(), default=0),
+        )  # fmt: skip
+        unsolved = [n for n, size in residuals.items() if not size <= SMALL_SPACE_RESIDUAL]
+    small, g = [basis.T @ part for part in forces], basis.T @ G
+    factors = np.array([np.linalg.solve(_at(n, small), g) for n in range(last + 1)])
+    return HarmonicAnswers(basis, factors)
+
+
+def compliances(stiffness: HarmonicStiffness, loads: NDArray, last: int) -> NDArray:
+    r"""Work of loads on their answers, for all harmonics 0 .. N.
+
+    .. math:: W_n = G^T K(n)^{-1} G
+
+    Parameters
+    ----------
+    stiffness, loads, last
+        as for `answers`
 
     Returns
     -------
@@ -131,22 +176,8 @@ def compliances(stiffness: HarmonicStiffness, loads: NDArray, last: int) -> NDAr
     ------
     Linear algebra: work of unit loads on the displacements they cause.
     """
-    G = stiffness.on_free(loads)
-    answers: dict[int, NDArray] = {}
-    first = np.geomspace(1, last, int(np.ceil(np.log(last) / np.log(FIRST_STEP))) + 1)
-    unsolved = sorted({0, *np.rint(first).astype(int).tolist()})  # 0, 1, 2, 3, 5, 7, ... and the last
-    while unsolved:
-        answers |= {n: stiffness.solve(n, G) for n in unsolved}
-        basis = np.linalg.qr(np.hstack([u / np.linalg.norm(u, axis=0) for u in answers.values()]))[0]
-        forces = [stiffness.on_free(part @ basis) for part in stiffness.parts]
-        residuals = {n: _small_residual(n, basis, forces, G) for n in _between(sorted(answers))}
-        _log.debug(
-            "%d of %d harmonics solved, residual %.1e",
-            len(answers), last + 1, max(residuals.values(), default=0),
-        )  # fmt: skip
-        unsolved = [n for n, size in residuals.items() if not size <= SMALL_SPACE_RESIDUAL]
-    small, g = [basis.T @ part for part in forces], basis.T @ G
-    return np.array([g.T @ np.linalg.solve(_at(n, small), g) for n in range(last + 1)])
+    found = answers(stiffness, loads, last)
+    return (stiffness.on_free(loads).T @ found.basis) @ found.factors
 
 
 def _small_residual(harmonic: int, basis: NDArray, forces: list[NDArray], loads: NDArray) -> float:

@@ -119,10 +119,33 @@ def roller_forces(band: Band, patches: Patches) -> sparse.csc_array:
     NotSolved
         if the band is too coarse for the Gaussian
     """
+    return sparse.csc_array(band.forces(*tractions(band, patches)))
+
+
+def tractions(band: Band, patches: Patches) -> tuple[sparse.csr_array, sparse.csr_array]:
+    """Tractions of unit generalised forces.
+
+    Parameters
+    ----------
+    band : Band
+        quadrature on the raceway; its link to unknowns is not used
+    patches : Patches
+        rollers and axial modes
+
+    Returns
+    -------
+    tuple of sparse array (points, Z * M)
+        along y and z [Pa/N], roller by roller
+
+    Raises
+    ------
+    NotSolved
+        if the band is too coarse for the Gaussian
+    """
     columns = [_pressure(band, patches, phi) for phi in patches.azimuths]
     pressure = sparse.hstack(columns, format="csr")
     phi = np.repeat(patches.azimuths, patches.axial_modes)
-    return sparse.csc_array(band.forces(pressure * np.sin(phi), pressure * np.cos(phi)))
+    return pressure * np.sin(phi), pressure * np.cos(phi)
 
 
 def _pressure(band: Band, patches: Patches, azimuth: float) -> sparse.csr_array:

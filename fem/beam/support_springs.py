@@ -149,6 +149,16 @@ def in_series(*supports: SupportCompliance) -> NDArray:
     return np.linalg.inv(total)
 
 
+def forces_in_the_middle(*supports: SupportCompliance) -> NDArray:
+    """Forces (6, 6) per radian in the middle of the first of supports in series, by motions of the section.
+
+    They are those of the ring on what holds it, in the order of `MOTIONS`, and the same all along a part but
+    for the lever of the forces across.
+    """
+    first = supports[0]
+    return np.linalg.inv(_place(first.middle, first.offset)).T @ in_series(*supports)
+
+
 def foundation(springs: tuple[float, float, float], radius: float, width: float, offset: float) -> NDArray:
     r"""Springs per area on a cylinder around the ring.
 

@@ -23,12 +23,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fem.beam.curved_beam import MOTIONS, CurvedBeam
-from fem.beam.support_springs import bars_around, carried, foundation, in_series, on_ground, tube_wall
+from fem.beam.support_springs import (
+    SupportCompliance,
+    bars_around,
+    carried,
+    forces_in_the_middle,
+    foundation,
+    in_series,
+    on_ground,
+    tube_wall,
+)
 from fem.errors import NotSolved
 from fem.half_space.line_load import indentation_harmonics
 from fem.parts.boundary_conditions import ClampedFace, Foundation
 from fem.parts.resolution import Resolution
 from fem.parts.rings import Elastic, ImpossiblePart, OuterRing, Part, RingOnShaft, SquirrelCage
+from fem.raceway.bar_response import BarResponse, of_revolution
 from fem.raceway.harmonics import FEWEST, FINENESS, Responses
 from fem.stages import Stage
 
@@ -78,9 +88,11 @@ def beam_responses(
     n, length, axial_modes = np.arange(last + 1), resolution.length, resolution.axial_modes
     with stage("condense"):
         loads = np.hstack([_section_loads(length, axial_modes), _section_loads(part.width, face_modes)])
-        responses = _section_responses(stiffness_of(part, n), loads)
+        moved = _section_motions(stiffness_of(part, n), loads)
+        responses = loads.T @ moved
         responses[:, :axial_modes, :axial_modes] += _wall_responses(part, n, length, axial_modes)
-    return Responses(responses, len(MOTIONS), 1)
+    bars = _bar_response(part, moved[:, :, :axial_modes]) if isinstance(part, SquirrelCage) else None
+    return Responses(responses, len(MOTIONS), 1, bar_response=bars)
 
 
 def last_harmonic(part: Part, resolution: Resolution) -> int:
@@ -155,14 +167,18 @@ def stiffness_of(part, harmonics: NDArray) -> NDArray:
 
 @stiffness_of.register
 def _(part: SquirrelCage, harmonics):
-    beam, foot = beam_of(part), part.width / 2 + part.bar_length
-    held = in_series(
-        bars_around(
-            part.bars, (part.bar_width, part.bar_thickness), (part.width / 2, foot), 0.0, part.elastic
-        ),
-        tube_wall(beam.radius, part.thickness, (foot, foot + part.flange_length), 0.0, part.elastic),
+    return beam_of(part).stiffness(harmonics) + in_series(*_bars_and_flange(part))
+
+
+def _bars_and_flange(part: SquirrelCage) -> tuple[SupportCompliance, SupportCompliance]:
+    """What holds the ring of a squirrel cage, from the ring to the ground."""
+    foot = part.width / 2 + part.bar_length
+    section, span = (part.bar_width, part.bar_thickness), (part.width / 2, foot)
+    end = foot + part.flange_length
+    return (
+        bars_around(part.bars, section, span, 0.0, part.elastic),
+        tube_wall(beam_of(part).radius, part.thickness, (foot, end), 0.0, part.elastic),
     )
-    return beam.stiffness(harmonics) + held
 
 
 @stiffness_of.register
@@ -240,13 +256,25 @@ def _section_loads(length: float, axial_modes: int) -> NDArray:
     return loads
 
 
-def _section_responses(K: NDArray, loads: NDArray) -> NDArray:
-    """Answers (N + 1, L, L) [m/N] of the rigid section to loads (6, L)."""
+def _section_motions(K: NDArray, loads: NDArray) -> NDArray:
+    """Motions (N + 1, 6, M) [m/N, rad/N] of the rigid section by loads of every harmonic."""
     # No load on the raceway turns the ring or, where nothing holds it axially, moves it along its axis.
     K[0, V, V] += np.abs(K[0]).max()
     if K[0, U, U] == 0:
         K[0, U, U] = 1.0
-    return loads.T @ np.linalg.solve(K, np.broadcast_to(loads, (len(K), *loads.shape))) / (2 * np.pi)
+    return np.linalg.solve(K, np.broadcast_to(loads, (len(K), *loads.shape))) / (2 * np.pi)
+
+
+def _bar_response(cage: SquirrelCage, moved: NDArray) -> BarResponse:
+    """Section forces of the bars by the motions (N + 1, 6, M) of the section that they hold."""
+    in_middle = forces_in_the_middle(*_bars_and_flange(cage)) * 2 * np.pi / cage.bars
+    axial, radial, tangential, bending, sideways, torque = np.moveaxis(in_middle @ moved, 1, 0)
+    lever = cage.bar_length / 2
+    forces = [
+        -axial, bending + lever * radial, bending - lever * radial,
+        sideways + lever * tangential, sideways - lever * tangential, torque,
+    ]  # fmt: skip
+    return of_revolution(cage.bars, np.stack(forces, axis=2))
 
 
 def _wall_responses(part: Part, n: NDArray, length: float, axial_modes: int) -> NDArray:

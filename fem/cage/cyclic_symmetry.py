@@ -18,6 +18,7 @@ Cyclic symmetry with a plane of symmetry in each sector; derived here.
 import logging
 from math import pi
 
+import ngsolve as ngs
 import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import LinAlgError, cho_factor, cho_solve
@@ -32,9 +33,10 @@ from fem.cage.half_pitch_stiffness import (
     reduced_to_cut,
 )
 from fem.mesh.half_pitch import half_pitch
-from fem.parts.resolution import Resolution
+from fem.parts.resolution import Resolution, neighbour
 from fem.parts.rings import SquirrelCage
-from fem.raceway.harmonics import Responses
+from fem.raceway.bar_response import FORCES, MIRRORED, BarResponse
+from fem.raceway.harmonics import Responses, support_error
 from fem.stages import Stage
 
 _log = logging.getLogger(__name__)
@@ -69,40 +71,57 @@ def cage_responses(cage: SquirrelCage, resolution: Resolution, last: int, stage:
     NotSolved
         if a residual is too large
     """
-    length, mesh = resolution.length, resolution.mesh
+    mesh = resolution.mesh
     with threads(1):  # half a pitch is small: a second thread would only wait
         with stage("mesh"):
-            elements = half_pitch(cage, length, mesh)
+            elements = half_pitch(cage, resolution.length, mesh)
         with stage("factor"):
-            half = assembled_half_pitch(cage, elements, mesh.order)
-            band = roller_loads.band(half.space, "raceway", roller_loads.HIGHEST_ORDER)
-            cuts = [
-                reduced_to_cut(half, band, length, resolution.axial_modes, last, symmetric)
-                for symmetric in (True, False)
-            ]
+            half, cuts = _reduced(cage, elements, mesh.order, resolution, last)
+            coarser = _reduced(cage, elements, neighbour(mesh.order), resolution, last)
     with stage("condense"):
-        response = _response(half, cuts, cage.bars, last)
-    return Responses(response, half.space.ndof, elements.ne)
+        response, in_bars = _response(half, cuts, cage.bars, last)
+        other_response, other_in_bars = _response(*coarser, cage.bars, last)
+    return Responses(
+        response,
+        half.space.ndof,
+        elements.ne,
+        support_error=support_error(response, other_response),
+        bar_response=BarResponse(cage.bars, in_bars, other_in_bars),
+    )
 
 
-def _response(half: HalfPitch, cuts: list[CutStiffness], bars: int, highest: int) -> NDArray:
-    """Answers of all harmonics to all (K, M, K, M) [m/N]."""
+def _reduced(
+    cage: SquirrelCage, elements: ngs.Mesh, order: int, resolution: Resolution, last: int
+) -> tuple[HalfPitch, list[CutStiffness]]:
+    """Half a pitch by displacements of some order, and its cut for both kinds of mirror images."""
+    half = assembled_half_pitch(cage, elements, order)
+    band = roller_loads.band(half.space, "raceway", roller_loads.HIGHEST_ORDER)
+    modes = resolution.axial_modes
+    return half, [
+        reduced_to_cut(half, band, resolution.length, modes, last, symmetric) for symmetric in (True, False)
+    ]
+
+
+def _response(half: HalfPitch, cuts: list[CutStiffness], bars: int, highest: int) -> tuple[NDArray, NDArray]:
+    """Answers of all harmonics to all (K, M, K, M) [m/N], and of a bar to all (K, M, 6) [N/N, N m/N]."""
     harmonics = np.arange(-highest, highest + 1)
     m = np.arange(cuts[0].share.shape[2])
     response, probes = np.zeros((harmonics.size, m.size) * 2), []
+    bar_forces = np.zeros((harmonics.size, m.size, FORCES))
     for phase in range(bars // 2 + 1):
         same = harmonics[(harmonics - phase) % bars == 0]
         if same.size:
-            answer, probe = _phase(cuts, 2 * pi * phase / bars, same)
+            answer, in_bar, probe = _phase(cuts, 2 * pi * phase / bars, same)
             probes.append(probe)
-            for n in (same, -same):  # the second is the mirror image
+            for n, mirrored in ((-same, -1), (same, 1)):  # the first is the mirror image
                 response[np.ix_(n + highest, m, n + highest, m)] = 2 * bars * answer
+                bar_forces[n + highest] = in_bar * np.repeat([1, mirrored], [MIRRORED, FORCES - MIRRORED])
     _require_balance(half, cuts, probes)
-    return response
+    return response, bar_forces
 
 
 def _phase(cuts: list[CutStiffness], theta: float, harmonics: NDArray):
-    """Answers (k, M, k, M) of the harmonics of one phase, per half pitch; and one solution as a probe."""
+    """Answers of one phase: (k, M, k, M) per half pitch, in its bar (k, M, 6), and a solution as a probe."""
     even, odd = cuts
     shares = even.share[:, np.abs(harmonics)], odd.share[:, np.abs(harmonics)] * np.sign(harmonics)[:, None]
     forces = [share.reshape(len(share), -1) for share in shares]
@@ -120,7 +139,11 @@ def _phase(cuts: list[CutStiffness], theta: float, harmonics: NDArray):
     shape = harmonics.size, even.share.shape[2]
     weights = np.random.default_rng(0).standard_normal(z.shape[1])
     probe = [(t * (z @ weights), q @ weights, t) for t, q in zip(ties, forces, strict=True)]
-    return answer.reshape(*shape, *shape), probe
+    in_bar = [
+        f.bar_by_cut @ (t[:, None] * z) + f.bar_by_forces @ q
+        for f, t, q in zip(cuts, ties, forces, strict=True)
+    ]
+    return answer.reshape(*shape, *shape), np.vstack(in_bar).T.reshape(*shape, -1), probe
 
 
 def _require_balance(half: HalfPitch, cuts: list[CutStiffness], probes: list) -> None:

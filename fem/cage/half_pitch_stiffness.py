@@ -15,6 +15,7 @@ Cyclic symmetry with a plane of symmetry in each sector; derived here.
 
 from dataclasses import dataclass
 from math import pi
+from typing import Any
 
 import ngsolve as ngs
 import numpy as np
@@ -23,9 +24,11 @@ from numpy.typing import NDArray
 from scipy import sparse
 
 from fem.assembly import roller_loads
+from fem.assembly.bar_readings import bar_readings
 from fem.assembly.elasticity import elastic_energy
 from fem.assembly.static_condensation import Substructure, eliminate, owners
 from fem.parts.rings import SquirrelCage
+from fem.raceway.bar_response import MIRRORED
 
 NEGLIGIBLE = 1e-13  # part of the largest load pattern that is rounding
 
@@ -35,11 +38,13 @@ class HalfPitch:
     """Half a pitch as a sparse matrix, the inner unknowns of the elements condensed."""
 
     space: ngs.FESpace
+    form: Any  # ngsolve.BilinearForm, the inner unknowns of the elements condensed
     stiffness: sparse.csr_array  # (unknowns, unknowns) [N/m], whole
     owner: NDArray  # (unknowns,) groups of elements (`static_condensation.owners`); 0 clamped or condensed
     cut: NDArray  # (3, places) unknowns of the slot's face that stand for x, r and t
     middle: NDArray  # (3, places) unknowns x, y = t and z = r of the bar's middle plane
     turn: sparse.csr_array  # (unknowns, unknowns) from x, r, t on the cut to x, y, z; orthogonal
+    readings: NDArray  # (unknowns, 6) section forces of the bar, see `fem.assembly.bar_readings`
 
 
 @dataclass(frozen=True)
@@ -51,6 +56,8 @@ class CutStiffness:
     compliance: NDArray  # C (patterns, patterns) [m/N]
     share: NDArray  # (patterns, N + 1, M) forces q that make up each harmonic and axial shape [N/N]
     patterns: NDArray  # (unknowns, patterns) load vectors of unit q
+    bar_by_cut: NDArray  # (3, 3 places) section forces of the bar by u [N/m, N m/m]
+    bar_by_forces: NDArray  # (3, patterns) the same by q [N/N, N m/N]
     inside: Substructure
 
 
@@ -84,8 +91,9 @@ def assembled_half_pitch(cage: SquirrelCage, mesh: ngs.Mesh, order: int) -> Half
     cut = _unknowns(space, "cut", free)
     turn = _turn(cut, pi / cage.bars, space.ndof)
     return HalfPitch(
-        space=space, stiffness=sparse.csr_array(turn.T @ stiffness @ turn), owner=owner, cut=cut,
+        space=space, form=form, stiffness=sparse.csr_array(turn.T @ stiffness @ turn), owner=owner, cut=cut,
         middle=_unknowns(space, "middle", free), turn=turn,
+        readings=turn.T @ _condensed(form, bar_readings(space, cage, half=True)),
     )  # fmt: skip
 
 
@@ -118,22 +126,53 @@ def reduced_to_cut(
     NotSolved
         if half a pitch floats
     """
-    patterns, share = _patterns(half, band, length, (highest + 1, axial_modes), symmetric)
+    return reduced_under(
+        half, *_patterns(half, band, length, (highest + 1, axial_modes), symmetric), symmetric
+    )
+
+
+def reduced_under(half: HalfPitch, patterns: NDArray, share: NDArray, symmetric: bool) -> CutStiffness:
+    """Reduce half a pitch under given load vectors.
+
+    Parameters
+    ----------
+    half : HalfPitch
+        from `assembled_half_pitch`
+    patterns : array (unknowns, patterns)
+        load vectors of unit q, x, r, t on the cut
+    share : array (patterns, ...)
+        forces q that make up the loads
+    symmetric : bool
+        loads and fields that are their own mirror image; else the negative of it
+
+    Returns
+    -------
+    CutStiffness
+
+    Raises
+    ------
+    NotSolved
+        if half a pitch floats
+    """
     size, count = patterns.shape
     owner = half.owner.copy()
     owner[half.cut] = 0
     owner[half.middle[[1]] if symmetric else half.middle[[0, 2]]] = 0
-    kept = np.concatenate([half.cut.ravel(), size + np.arange(count)])
-    loads = sparse.csr_array(patterns)
-    bordered = sparse.csr_array(sparse.block_array([[half.stiffness, -loads], [-loads.T, None]]))
-    inside = eliminate(bordered, np.append(owner, np.zeros(count, dtype=int)), kept)
+    reading = half.readings[:, :MIRRORED] if symmetric else half.readings[:, MIRRORED:]
+    border = sparse.csr_array(np.hstack([patterns, reading]))
+    kept = np.concatenate([half.cut.ravel(), size + np.arange(border.shape[1])])
+    bordered = sparse.csr_array(sparse.block_array([[half.stiffness, -border], [-border.T, None]]))
+    inside = eliminate(bordered, np.append(owner, np.zeros(border.shape[1], dtype=int)), kept)
     places = half.cut.size
+    force, bar = slice(places, places + count), slice(places + count, None)
     return CutStiffness(
         stiffness=inside.schur[:places, :places],
-        coupling=-inside.schur[:places, places:],
-        compliance=-inside.schur[places:, places:],
+        coupling=-inside.schur[:places, force],
+        compliance=-inside.schur[force, force],
         share=share,
         patterns=patterns,
+        bar_by_cut=-inside.schur[bar, :places],
+        bar_by_forces=-inside.schur[bar, force],
         inside=inside,
     )
 
@@ -157,12 +196,62 @@ def imbalance(half: HalfPitch, cut: CutStiffness, displacement: NDArray, forces:
     array (unknowns, columns)
         K u - F q [N], zero where a plane or a clamp holds; on the face it is the force f
     """
-    u = cut.inside.interior(np.vstack([displacement, forces]))[: half.space.ndof]
+    u = interior(half, cut, displacement, forces)
     left = half.stiffness @ u - cut.patterns @ forces
     carried = np.zeros(half.space.ndof, dtype=bool)
     carried[cut.inside.order[cut.inside.order < half.space.ndof]] = True
     left[~carried] = 0.0
     return left
+
+
+def interior(half: HalfPitch, cut: CutStiffness, displacement: NDArray, forces: NDArray) -> NDArray:
+    """Displacement of the whole half pitch from that of its face.
+
+    Parameters
+    ----------
+    half, cut, displacement, forces
+        as for `imbalance`
+
+    Returns
+    -------
+    array (unknowns, columns)
+        [m] x, r, t on the face and x, y, z elsewhere; inner unknowns of the elements are zero
+    """
+    unread = np.zeros((len(cut.bar_by_cut), forces.shape[1]))
+    return cut.inside.interior(np.vstack([displacement, forces, unread]))[: half.space.ndof]
+
+
+def in_whole(half: HalfPitch, displacement: NDArray) -> NDArray:
+    """Displacements with the inner unknowns of the elements.
+
+    Parameters
+    ----------
+    half : HalfPitch
+        from `assembled_half_pitch`
+    displacement : array (unknowns, columns)
+        from `interior` [m]
+
+    Returns
+    -------
+    array (unknowns, columns)
+        [m] along x, y, z everywhere
+    """
+    whole = half.turn @ displacement
+    vector = half.form.mat.CreateColVector()
+    for k, values in enumerate(whole.T):
+        vector.FV().NumPy()[:] = values
+        whole[:, k] += (half.form.harmonic_extension * vector).Evaluate().FV().NumPy()
+    return whole
+
+
+def _condensed(form, vectors: NDArray) -> NDArray:
+    """Load vectors (unknowns, columns) with what they have on inner unknowns of the elements passed on."""
+    condensed = np.empty_like(vectors)
+    vector = form.mat.CreateColVector()
+    for k, values in enumerate(vectors.T):
+        vector.FV().NumPy()[:] = values
+        condensed[:, k] = (vector + form.harmonic_extension_trans * vector).Evaluate().FV().NumPy()
+    return condensed
 
 
 def _unknowns(space, boundary: str, free: NDArray) -> NDArray:

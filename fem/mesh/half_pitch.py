@@ -7,13 +7,22 @@ bar, azimuth 0) and "cut" (of the slot, azimuth pi / bars); all else is as in `f
 """
 
 from dataclasses import replace
-from math import atan2, pi
+from itertools import pairwise
+from math import atan2, hypot, pi
 
 import ngsolve as ngs
 from netgen import occ
 
 from fem.mesh.curved import FOLDED, curved
-from fem.mesh.solid import ARC, MILLIMETRES, require_affordable_solid, require_kept, size_raceway, solids
+from fem.mesh.solid import (
+    ARC,
+    MILLIMETRES,
+    require_affordable_solid,
+    require_kept,
+    rounded,
+    size_raceway,
+    solids,
+)
 from fem.parts.rings import MeshSize, SquirrelCage, require_on_track
 
 NEAR = 1e-6  # [mm], [rad] geometric tolerance
@@ -23,7 +32,9 @@ LAYER_RATIO = 0.15  # close to 0.17, the best for a singular edge (Gui and Babus
 _AXIS = occ.Axis(occ.Pnt(0, 0, 0), occ.X)
 
 
-def half_pitch(part: SquirrelCage, length: float, mesh_size: MeshSize) -> ngs.Mesh:
+def half_pitch(
+    part: SquirrelCage, length: float, mesh_size: MeshSize, feet_size: float | None = None
+) -> ngs.Mesh:
     """Curved elements that fill half a pitch of a squirrel cage.
 
     Where bars meet ring and flange at a sharp edge the stress is singular: layers of thinner and
@@ -35,6 +46,9 @@ def half_pitch(part: SquirrelCage, length: float, mesh_size: MeshSize) -> ngs.Me
         ring, bars and flange
     length, mesh_size
         as for `fem.mesh.solid.meshed`
+    feet_size : float, optional
+        for stresses: largest element edge at the feet of the bar [m]; with fillets all is one body then,
+        named after the ring: a fillet that ends at another body is a cusp
 
     Returns
     -------
@@ -47,7 +61,8 @@ def half_pitch(part: SquirrelCage, length: float, mesh_size: MeshSize) -> ngs.Me
         if the band is longer than the track, or elements are inside out or far too many
     """
     require_on_track(length, part.track)
-    body = occ.Glue(_pieces(part, length))
+    in_one = feet_size is not None and part.fillet > 0
+    body = occ.Glue(_in_one(part, length) if in_one else _pieces(part, length))
     require_affordable_solid(body, mesh_size)
     for face in body.faces:
         azimuth = atan2(face.center.y, face.center.z)
@@ -58,6 +73,8 @@ def half_pitch(part: SquirrelCage, length: float, mesh_size: MeshSize) -> ngs.Me
 
     def straight(sizes: MeshSize) -> ngs.Mesh:
         size_raceway(body, sizes)
+        if feet_size is not None:
+            _size_feet(body, part, feet_size)
         tetrahedra = occ.OCCGeometry(body).GenerateMesh(
             maxh=sizes.size * MILLIMETRES, parallel_meshing=False, curvaturesafety=ARC
         )
@@ -67,6 +84,35 @@ def half_pitch(part: SquirrelCage, length: float, mesh_size: MeshSize) -> ngs.Me
         return mesh
 
     return curved(straight, mesh_size, FOLDED if part.fillet else 0.0)
+
+
+def _in_one(part: SquirrelCage, length: float) -> list:
+    """Half a pitch [mm] as one body with its fillets, cut at the ends of the raceway to name that."""
+    ring, bar, *_, flange = solids(replace(part, fillet=0.0), length)
+    whole = rounded(bar, ring, flange, part.fillet * MILLIMETRES) * _wedge(part)
+    require_kept(whole, (ring + bar + flange) * _wedge(part), part.fillet * MILLIMETRES)
+    half, wide = length / 2 * MILLIMETRES, 4 * part.raceway_diameter * MILLIMETRES
+    stops = (-wide, -half, half, wide)
+    slabs = (occ.Box(occ.Pnt(a, -wide, -wide), occ.Pnt(b, wide, wide)) for a, b in pairwise(stops))
+    pieces = [piece for piece in (whole * slab for slab in slabs) if piece.mass > 0]
+    for piece in pieces:
+        piece.mat("ring")
+        for face in piece.faces:
+            if face.name == "raceway" and abs(face.center.x) > NEAR:  # the body carries the name all along
+                face.name = "shoulder"
+    return pieces
+
+
+def _size_feet(body, part: SquirrelCage, size: float) -> None:
+    """Set the size of elements on the faces on which the bar stands, or with its fillets."""
+    start = part.width / 2 * MILLIMETRES
+    stop = start + part.bar_length * MILLIMETRES
+    low, high = (radius * MILLIMETRES for radius in part.bar_radii)
+    for face in body.faces:
+        x, r = face.center.x, hypot(face.center.y, face.center.z)
+        stands = min(abs(x - start), abs(x - stop)) < NEAR and low < r < high and part.fillet == 0
+        if face.name == "fillet" or stands:
+            face.maxh = size * MILLIMETRES
 
 
 def _pieces(part: SquirrelCage, length: float) -> list:

@@ -13,6 +13,7 @@ from fem.parts.boundary_conditions import ClampedFace, Housing
 from fem.parts.rings import OuterRing, RingOnShaft, SquirrelCage
 from fem.parts.step_solid import StepSolid
 
+JUST_BEYOND = 1e-6  # of the reach
 REACH = 0.4  # of the wall: beyond, a notch is hardly felt (IIW, nearest point of the hot spot stress)
 
 
@@ -47,6 +48,32 @@ class Notches:
             t = np.clip((points - start) @ along / (along @ along or 1.0), 0, 1)
             far &= np.linalg.norm(points - start - t[:, None] * along, axis=1) > self.reach
         return far
+
+    def around(self, intervals: int) -> NDArray:
+        """Points of the axial section just beyond the reach.
+
+        Parameters
+        ----------
+        intervals : int
+            of the way on the reach's length
+
+        Returns
+        -------
+        array (n, 2)
+            x and radius [m]
+        """
+        distance, places = self.reach * (1 + JUST_BEYOND), [np.zeros((0, 2))]
+        turn = np.linspace(0, 2 * np.pi, 6 * intervals, endpoint=False)
+        circle = distance * np.stack([np.cos(turn), np.sin(turn)], axis=1)
+        for start, end in self.lines:
+            along = end - start
+            length = float(np.hypot(*along))
+            places += [start + circle, end + circle]
+            if length > 0:
+                across = distance / length * np.array([-along[1], along[0]])
+                steps = np.linspace(0, 1, max(2, int(np.ceil(intervals * length / self.reach)) + 1))[:, None]
+                places += [start + steps * along + across, start + steps * along - across]
+        return np.concatenate(places)
 
 
 @singledispatch

@@ -162,12 +162,17 @@ def _(part: SquirrelCage, length):
 
 def _flared(bar, ring, flange, radius):
     """A bar with its fillets, which end at the faces of ring and flange."""
+    flared = rounded(bar, ring, flange, radius) - ring - flange
+    require_kept(flared, bar, radius)
+    return flared
+
+
+def rounded(bar, ring, flange, radius: float):
+    """One body of ring, bar and flange with fillets [mm] where they meet; its raceway has no name."""
     ends = [edge.center for edge in bar.edges if abs(edge.start.x - edge.end.x) < FLAT]
     whole = ring + bar + flange
     corners = [edge for edge in whole.edges if any((edge.center - end).Norm() < FLAT for end in ends)]
-    flared = whole.MakeFillet(corners, radius) - ring - flange
-    require_kept(flared, bar, radius)
-    return flared
+    return whole.MakeFillet(corners, radius)
 
 
 def require_kept(flared, bar, radius: float) -> None:

@@ -8,6 +8,11 @@ from fem.parts.material import ImpossiblePart, require, require_positive
 from fem.parts.rings import MeshSize, Patches
 
 
+def neighbour(order: int) -> int:
+    """Order whose answers tell the error of those of another: one less, above 2; else one more."""
+    return order - 1 if order > 2 else order + 1
+
+
 class Discretisation(StrEnum):
     """Which numbers stand for a part and for the loads on its raceway."""
 

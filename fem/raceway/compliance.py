@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fem.parts.material import ImpossiblePart
+from fem.raceway.bar_response import BarResponse
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -21,6 +22,8 @@ class RacewayCompliance:
     seconds: dict[str, float] = field(compare=False)  # by stage: mesh, factor, condense
     initial_deviation: NDArray = field(default_factory=lambda: np.zeros((0, 0)))  # (Z, M) [m] outward
     initial_translation: NDArray = field(default_factory=lambda: np.zeros(2))  # (y, z) [m]
+    support_error: float | None = None  # of the support's stiffness, over it; None: not estimated [-]
+    bar_response: BarResponse | None = None  # of a squirrel cage
 
     def __post_init__(self):
         if self.initial_deviation.size == 0:

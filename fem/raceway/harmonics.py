@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from fem.errors import NotSolved
 from fem.half_space.line_load import cubic_tail, curvature_tail, indentation, indentation_harmonics
 from fem.parts.rings import Elastic, ImpossiblePart, MeshSize
+from fem.raceway.bar_response import BarResponse
 from fem.raceway.compliance import RacewayCompliance
 
 TRUNCATED = 0.05  # allowed part of the own terms that comes from beyond the last harmonic
@@ -106,6 +107,33 @@ class Responses(NamedTuple):
     response: NDArray  # (N + 1, M, M) of revolution, n = 0 .. N; or (K, M, K, M), -N .. N [m/N]
     unknowns: int
     elements: int
+    support_error: float | None = None  # of the support's stiffness, over it; estimated [-]
+    bar_response: BarResponse | None = None  # of a squirrel cage
+
+
+def support_error(response: NDArray, neighbour: NDArray) -> float:
+    """Estimated error of the stiffness of a support: its change from a neighbouring order of displacements.
+
+    Parameters
+    ----------
+    response, neighbour : array (K, M, K, M) or (N + 1, M, M)
+        answers to all harmonics by both orders [m/N]
+
+    Returns
+    -------
+    float
+        over the stiffness [-], >= 0
+    """
+    first, other = (_of_translation(answers) for answers in (response, neighbour))
+    return abs(first / other - 1)
+
+
+def _of_translation(response: NDArray) -> float:
+    """What harmonics 1 and -1 answer to themselves [m/N]."""
+    if response.ndim == 3:
+        return float(response[1, 0, 0])
+    last = len(response) // 2
+    return float(sum(response[n, 0, n, 0].real for n in (last - 1, last + 1)) / 2)
 
 
 def harmonic_compliance(
@@ -138,6 +166,8 @@ def harmonic_compliance(
         unknowns=responses.unknowns,
         elements=responses.elements,
         seconds=seconds,
+        support_error=responses.support_error,
+        bar_response=responses.bar_response,
     )
 
 
@@ -157,6 +187,8 @@ class HarmonicCompliance:
     unknowns: int
     elements: int
     seconds: dict[str, float] = field(compare=False)  # by stage: mesh, factor, condense
+    support_error: float | None = None  # of the support's stiffness, over it; None: not estimated [-]
+    bar_response: BarResponse | None = None  # of a squirrel cage
 
     def __post_init__(self):
         K, M = self.response.shape[:2]
@@ -203,6 +235,8 @@ class HarmonicCompliance:
             unknowns=self.unknowns,
             elements=self.elements,
             seconds=self.seconds,
+            support_error=self.support_error,
+            bar_response=self.bar_response,
         )
 
     def absolute(self, azimuths: NDArray) -> NDArray:

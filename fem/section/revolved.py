@@ -1,11 +1,14 @@
 """A raceway on a body of revolution, answered harmonic by harmonic on the axial section."""
 
+from dataclasses import replace
+
 import numpy as np
+from numpy.typing import NDArray
 
 from fem.assembly.factorisation import threads
-from fem.parts.resolution import Resolution
+from fem.parts.resolution import Resolution, neighbour
 from fem.parts.rings import OuterRing, RingOnShaft
-from fem.raceway.harmonics import Responses
+from fem.raceway.harmonics import Responses, support_error
 from fem.section.revolved_body import edge_modes
 from fem.section.rigid_body_modes import body_of, responses
 from fem.stages import Stage
@@ -59,4 +62,14 @@ def section_responses(
         if face_modes:
             modes = np.hstack([modes, edge_modes(body, "foundation", face_modes)])
         W = responses(body, part.free_motions, modes, last) / (2 * np.pi)
-    return Responses(W, body.stiffness.unknowns, body.space.mesh.ne)
+        error = None if part.free_motions.across else _support_error(part, resolution, W)
+    return Responses(W, body.stiffness.unknowns, body.space.mesh.ne, support_error=error)
+
+
+def _support_error(part: OuterRing | RingOnShaft, resolution: Resolution, response: NDArray) -> float:
+    """Estimated error of the stiffness of the support, over it [-]."""
+    mesh = resolution.mesh
+    coarser = body_of(part, resolution.length, replace(mesh, order=neighbour(mesh.order)))
+    mode = edge_modes(coarser, "raceway", 1)
+    answer = mode.T @ coarser.stiffness.solve(1, mode) / (2 * np.pi)
+    return support_error(response, np.stack([answer, answer]))

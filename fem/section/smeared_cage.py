@@ -16,6 +16,7 @@ Work of a bar spread over its pitch; derived here.
 
 import ngsolve as ngs
 import numpy as np
+from numpy.typing import NDArray
 
 from fem.assembly import harmonic_elasticity as forms
 from fem.assembly.elasticity import lame_constants
@@ -24,8 +25,10 @@ from fem.assembly.harmonic_stiffness import compliances, harmonic_stiffness
 from fem.beam.curved_beam import shear_modulus
 from fem.beam.support_springs import tangential_slide
 from fem.mesh.axial_section import AxialSection, meshed
+from fem.mesh.solid import MILLIMETRES
 from fem.parts.resolution import Resolution
 from fem.parts.rings import MeshSize, SquirrelCage
+from fem.raceway.bar_response import of_revolution
 from fem.raceway.harmonics import Responses
 from fem.section.revolved_body import Body, edge_modes
 from fem.stages import Stage
@@ -64,8 +67,40 @@ def smeared_responses(cage: SquirrelCage, resolution: Resolution, last: int, sta
         body = _assembled(cage, resolution.length, resolution.mesh)
     with stage("condense"):
         modes = edge_modes(body, "raceway", resolution.axial_modes)
-        W = compliances(body.stiffness, modes, last) / (2 * np.pi)
-    return Responses(W, body.stiffness.unknowns, body.space.mesh.ne)
+        readings = _bar_readings(body, cage)
+        W = compliances(body.stiffness, np.hstack([modes, readings]), last) / (2 * np.pi)
+    M = resolution.axial_modes
+    bars = of_revolution(cage.bars, _bar_forces(W[:, M:, :M], cage.bar_length))
+    return Responses(W[:, :M, :M], body.stiffness.unknowns, body.space.mesh.ne, bar_response=bars)
+
+
+def _bar_readings(body: Body, cage: SquirrelCage) -> NDArray:
+    r"""Load vectors (unknowns, 5) that read a bar in the sleeve, constant along it or straight on average.
+
+    They are N, M_n and the radial shear from its change along the bar, then the tangential shear as the parts
+    without n and with n: :math:`b h \int G_t \gamma_{xt}` over the sleeve's length.
+    """
+    E, nu = cage.elastic.youngs_modulus, cage.elastic.poisson_ratio
+    L, low_high = cage.bar_length * MILLIMETRES, cage.bar_radii
+    v, sleeve = body.space.TestFunction(), body.space.mesh.Materials("bars")
+    plain, turned = forms.strain(v)
+    tension = E / (1 - nu**2) * (plain[0] + nu * plain[1])
+    n, xi = ngs.y / MILLIMETRES - sum(low_high) / 2, (ngs.x - cage.width / 2 * MILLIMETRES) / L
+    slope = 12 * (xi - 0.5) * tension * n  # of a straight line: its change from end to end
+    sheared = (_tangential_modulus(cage) * part[4] for part in (plain, turned))
+    # strains are per millimetre of metres, on an area in square millimetres over a length in millimetres
+    per_bar = cage.bar_width / L
+    integrands = (tension, tension * n, slope, *sheared)
+    return np.stack([body.load(per_bar * f * ngs.dx(definedon=sleeve)) for f in integrands], axis=1)
+
+
+def _bar_forces(answers: NDArray, length: float) -> NDArray:
+    """Section forces (N + 1, M, 6) of a bar from what was read of the sleeve (N + 1, 5, M); no torque."""
+    n = np.arange(len(answers))[:, None]
+    axial, moment, change, plain, turned = np.moveaxis(answers, 1, 0)
+    sideways = -(plain + n * turned) * length / 2  # of the ring on the bar, with equal moments at both ends
+    forces = [axial, moment - change / 2, moment + change / 2, sideways, -sideways, np.zeros_like(axial)]
+    return np.stack(forces, axis=2)
 
 
 def _sections(cage: SquirrelCage, length: float) -> list[AxialSection]:
@@ -103,8 +138,7 @@ def _assembled(cage: SquirrelCage, length: float, mesh: MeshSize) -> Body:
 def _sleeve(u, v, cage: SquirrelCage, where):
     """Virtual work of the bars per radian, as the parts without n, with n, with n^2."""
     E, nu, G = cage.elastic.youngs_modulus, cage.elastic.poisson_ratio, shear_modulus(cage.elastic)
-    compliance = tangential_slide(cage.bar_length, cage.bar_width, cage.bar_thickness, cage.elastic)
-    bending = cage.bar_length / (cage.bar_width * cage.bar_thickness * compliance)
+    bending = _tangential_modulus(cage)
     plate = E / (1 - nu**2)
     wide = cage.bars * cage.bar_width / (2 * np.pi)  # where a body of revolution has its radius [m]
 
@@ -116,3 +150,9 @@ def _sleeve(u, v, cage: SquirrelCage, where):
 
     (e, f), (g, h) = forms.strain(u), forms.strain(v)
     return work(e, g), work(e, h) + work(f, g), work(f, h)
+
+
+def _tangential_modulus(cage: SquirrelCage) -> float:
+    """G_t, shear modulus along x and t of a sleeve whose bars bend [Pa]."""
+    compliance = tangential_slide(cage.bar_length, cage.bar_width, cage.bar_thickness, cage.elastic)
+    return cage.bar_length / (cage.bar_width * cage.bar_thickness * compliance)

@@ -1,21 +1,28 @@
 """The stiffness of a ring condensed to what rollers feel on its raceway."""
 
 from collections.abc import Callable
+from math import ceil, pi
 
 import numpy as np
+from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
 from fem.assembly import roller_loads
+from fem.assembly.bar_readings import bar_readings
 from fem.assembly.factorisation import threads
 from fem.half_space.load_patch import half_space
 from fem.mesh.solid import meshed
-from fem.parts.resolution import Resolution
-from fem.parts.rings import Part
+from fem.parts.resolution import Resolution, neighbour
+from fem.parts.rings import Part, SquirrelCage
 from fem.parts.step_solid import StepSolid
 from fem.raceway import symmetry
+from fem.raceway.bar_response import FORCES, MIRRORED, BarResponse
 from fem.raceway.compliance import RacewayCompliance
+from fem.raceway.harmonics import FINENESS
 from fem.solid.factored_solid import FactoredSolid, factored_on
 from fem.stages import Stage
+
+MOST_OF_BARS = 200  # harmonics that bars feel: higher ones do not reach through the ring
 
 
 def condense_solid(part: Part | StepSolid, resolution: Resolution, stage: Stage) -> RacewayCompliance:
@@ -80,6 +87,7 @@ def condensed(
     patches = solid.patches
     with threads(solid.thread_number):
         absolute, translation, support = _responses(solid, progress)
+        error, bar_response = _compared(solid)
     roller = np.arange(len(patches.azimuths))
     absolute[roller, :, roller] -= half_space(patches, solid.part.materials["ring"])
     return RacewayCompliance(
@@ -90,7 +98,45 @@ def condensed(
         unknowns=solid.stiffness.unknowns,
         elements=solid.space.mesh.ne,
         seconds={},
+        support_error=error,
+        bar_response=bar_response,
     )
+
+
+def _compared(solid: FactoredSolid) -> tuple[float, BarResponse | None]:
+    """Error of the support's stiffness, over it, by the neighbouring order; what bars carry by both."""
+    coarser = solid.of_order(neighbour(solid.space.globalorder))
+    here, there = (_support_compliance(one) for one in (solid, coarser))
+    cage = solid.part
+    if not isinstance(cage, SquirrelCage):
+        return abs(here / there - 1), None
+    both = (_bar_response(one, cage) for one in (solid, coarser))
+    return abs(here / there - 1), BarResponse(cage.bars, *both)
+
+
+def _support_compliance(solid: FactoredSolid) -> float:
+    """Mean translation per load like cos(phi) [m/N]."""
+    forces = roller_loads.translation_forces(solid.band)
+    return float(np.mean([f @ solid.stiffness.solve(f) for f in forces.T]))
+
+
+def _bar_response(solid: FactoredSolid, cage: SquirrelCage) -> NDArray:
+    """Section forces of the bar at azimuth 0 by harmonics of roller forces (K, M, 6), by reciprocity."""
+    band, length, M = solid.band, solid.patches.length, solid.patches.axial_modes
+    last = min(ceil(FINENESS * M * band.radius / length), MOST_OF_BARS)
+    n = np.arange(-last, last + 1)
+    readings = bar_readings(solid.space, cage, half=False)
+    moved = np.stack([solid.stiffness.solve(reading) for reading in readings.T], axis=1)
+    outward = np.sin(band.azimuth)[:, None] * (band.along_y @ moved)
+    outward += np.cos(band.azimuth)[:, None] * (band.along_z @ moved)
+    shapes = (
+        legendre.legvander(2 * band.x / length, M - 1)
+        * (2 * np.arange(M) + 1)
+        / (2 * pi * band.radius * length)
+    )
+    turn = n[:, None] * band.azimuth
+    waves = [np.cos(turn)] * MIRRORED + [np.sin(turn)] * (FORCES - MIRRORED)
+    return np.stack([(wave * w) @ shapes for wave, w in zip(waves, outward.T, strict=True)], axis=2)
 
 
 def _responses(solid: FactoredSolid, progress: Callable[[float], None]) -> tuple[NDArray, NDArray, NDArray]:

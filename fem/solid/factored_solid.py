@@ -29,6 +29,26 @@ class FactoredSolid:
     band: roller_loads.Band
     thread_number: int
 
+    def of_order(self, order: int) -> "FactoredSolid":
+        """The same elements with displacements of another order, factored anew.
+
+        Parameters
+        ----------
+        order : int
+            of the displacements, >= 1
+
+        Returns
+        -------
+        FactoredSolid
+
+        Raises
+        ------
+        NotSolved
+            if the solver refuses the matrix
+        """
+        mesh, size = self.space.mesh, MeshSize(order=order, size=1.0, raceway_size=1.0)
+        return factored_on(mesh, self.part, self.patches, size, self.thread_number)
+
     def under(self, forces: NDArray) -> LoadedSolid:
         """Displacement and stress under roller forces.
 

@@ -46,7 +46,7 @@ def skin(state: LoadedSolid, subdivisions: int = 6) -> Skin:
 
     points = at_corners(ngs.CF((ngs.x, ngs.y, ngs.z))) / MILLIMETRES
     displacement, normal = at_corners(state.displacement), at_corners(ngs.specialcf.normal(3))
-    stress = at_corners(ngs.BoundaryFromVolumeCF(von_mises(state.smooth_stress)).Compile())[..., 0]
+    stress = at_corners(ngs.BoundaryFromVolumeCF(von_mises(state.stress)).Compile())[..., 0]
     orientation = np.cross(points[:, 1] - points[:, 0], points[:, 2] - points[:, 0])
     clockwise = np.einsum("ti,ti->t", orientation, normal.mean(axis=1)) < 0
     for values in (points, displacement, stress):

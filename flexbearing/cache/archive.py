@@ -105,9 +105,9 @@ def _tree(name: str, value: Any, arrays: list[NDArray]) -> dict[str, Any]:
     for field, form in RECORDS[name].fields.items():
         item = getattr(value, field)
         if isinstance(form, Kept):
-            fields[field] = _tree(form.name, item, arrays)
+            fields[field] = None if item is None else _tree(form.name, item, arrays)
         elif isinstance(form, Array):
-            fields[field] = _described(item, arrays)
+            fields[field] = None if item is None else _described(item, arrays)
         else:
             fields[field] = plain(item)
     return {"class": name, "fields": fields}
@@ -146,9 +146,9 @@ class _Reading:
         for field, form in fields.items():
             item = tree["fields"][field]
             if isinstance(form, Kept):
-                item = self._object(form.name, item)
+                item = None if item is None and form.optional else self._object(form.name, item)
             elif isinstance(form, Array):
-                item = self._array(**item)
+                item = None if item is None and form.optional else self._array(**item)
             values[field] = item
         require_fields(name, values)
         return RECORDS[name].made(name, values)

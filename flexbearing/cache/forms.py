@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+FORCE = 1e3  # [N/N] or [N m/N]: of a bar per roller force
 GROWTH = 1000.0  # [m] per strain: a radius is below
 METRE = 1.0  # [m/N] or [m]: no raceway gives way by a metre, at a newton or before it is loaded
 
@@ -24,6 +25,7 @@ class Number:
     """A number, not NaN."""
 
     infinite: bool = False  # may be inf
+    optional: bool = False  # may be None
 
     def require(self, value: Any, sizes: dict[str, int]) -> None:
         """Refuse a value of another form.
@@ -33,6 +35,8 @@ class Number:
         WrongForm
             saying what it is
         """
+        if value is None and self.optional:
+            return
         if type(value) not in (int, float) or isnan(value) or not (isfinite(value) or self.infinite):
             raise WrongForm(f"{value!r} is no number")
 
@@ -100,6 +104,7 @@ class Array:
     axes: tuple[str, ...]  # one form after the other, "Z M Z M"
     kinds: str = "f"  # of the dtype
     largest: float = METRE  # size of a number
+    optional: bool = False  # may be None
 
     def require(self, value: Any, sizes: dict[str, int]) -> None:
         """Refuse a value of another form; `sizes` learns those of the symbols.
@@ -109,6 +114,8 @@ class Array:
         WrongForm
             saying what it is
         """
+        if value is None and self.optional:
+            return
         if not isinstance(value, np.ndarray) or value.dtype.kind not in self.kinds:
             raise WrongForm(f"a {type(value).__name__} is no array of {self.kinds}")
         forms = [form.split() for form in self.axes]
@@ -125,6 +132,7 @@ class Kept:
     """An object of a class of the table."""
 
     name: str
+    optional: bool = False  # may be None
 
     def require(self, value: Any, sizes: dict[str, int]) -> None:
         """Refuse a value of another form.
@@ -134,6 +142,8 @@ class Kept:
         WrongForm
             saying what it is
         """
+        if value is None and self.optional:
+            return
         require_form(self.name, value)
 
 
@@ -165,6 +175,8 @@ RECORDS = {
             "seconds": Numbers(),
             "initial_deviation": Array(("Z M",)),
             "initial_translation": Array(("2",)),
+            "support_error": Number(optional=True),
+            "bar_response": Kept("BarResponse", optional=True),
         },
     ),
     "HarmonicCompliance": Record(
@@ -179,6 +191,16 @@ RECORDS = {
             "unknowns": Count(),
             "elements": Count(),
             "seconds": Numbers(),
+            "support_error": Number(optional=True),
+            "bar_response": Kept("BarResponse", optional=True),
+        },
+    ),
+    "BarResponse": Record(
+        "fem.raceway.bar_response",
+        {
+            "bars": Count(),
+            "response": Array(("K M 6",), largest=FORCE),
+            "neighbour": Array(("K M 6",), largest=FORCE, optional=True),
         },
     ),
     "RacewayGrowth": Record(

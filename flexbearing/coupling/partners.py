@@ -92,6 +92,11 @@ class LinearRaceway(Protocol):
         """Mean translation along (y, z) at no load (2) [m]."""
         ...
 
+    @property
+    def bar_response(self) -> object | None:
+        """What the bars carry by the same forces; None without bars."""
+        ...
+
 
 class Raceway(Protocol):
     """One raceway with what carries it: rigid, condensed, in a fit, or solved in full."""

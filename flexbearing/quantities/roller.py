@@ -28,6 +28,7 @@ from flexbearing.quantities.units import COUNT, DEG, KN_PER_MM, MM, MPA, MRAD, M
 _DEVIATION = "positive outward, without local indentation and rigid translation"
 _DEVIATIONS = ("inner_deviation", "outer_deviation")
 _FLANGED = "absent without [bearing.flange]"
+_NO_BARS = "absent without bars"
 _NO_ROUGHNESS = "absent without roughness"
 LOSSES = ("sliding", "rolling", "drag", "pocket", "land", "churning", "transport")
 SKEW = "skew"  # section of the page
@@ -231,6 +232,37 @@ QUANTITIES = (
         f"film over composite roughness of the outer contact, 0 without load; {_NO_ROUGHNESS}",
         source="end.film_ratio.1", optional=True),
 
+    # bars of a squirrel cage
+    Quantity("bar_azimuth", "", "B", "rad", "block",
+        f"middle of the bar, 0 on the z axis, positive towards y; {_NO_BARS}",
+        source="bars.forces.azimuths", people=DEG, optional=True),
+    Quantity("bar_axial_force", "N", "B", "N", "block",
+        f"axial force of the bar, tension positive; {_NO_BARS}", source="bars.forces.axial", optional=True),
+    Quantity("bar_radial_moment", "M_n", "B 2", "N m", "block",
+        "moment that bends the bar radially, at its ends (ring, flange), positive: tension outside; "
+        f"{_NO_BARS}", source="bars.forces.radial_moment", optional=True),
+    Quantity("bar_tangential_moment", "M_t", "B 2", "N m", "block",
+        "moment that bends the bar tangentially, at its ends (ring, flange), positive: tension at larger "
+        f"azimuth; {_NO_BARS}", source="bars.forces.tangential_moment", optional=True),
+    Quantity("bar_torque", "T", "B", "N m", "block",
+        "torque in the bar, of the part nearer to the flange on that nearer to the ring, positive about +x; "
+        f"{_NO_BARS}", source="bars.forces.torque", optional=True),
+    Quantity("nominal_bar_stress", "sigma", "B 2", "Pa", "block",
+        "largest nominal normal stress at the ends of the bar (ring, flange) by magnitude, from axial force "
+        f"and moments, without the stress concentration of its feet; {_NO_BARS}",
+        source="bars.forces.stress", people=MPA, optional=True,
+        summary=(SummaryValue("nominal_bar_stress_MPa", largest, "largest nominal bar stress", ",.0f"),)),
+    Quantity("nominal_bar_stress_error", "", "", "Pa", "block",
+        f"estimated discretisation error of the largest nominal bar stress; {_NO_BARS}", source="bars.error",
+        people=MPA, optional=True,
+        summary=(SummaryValue("nominal_bar_stress_error_MPa", label="  its error, estimated",
+                              digits=",.1f"),)),
+    Quantity("bar_torsion_stress", "tau", "B", "Pa", "block",
+        "nominal shear stress of the torque, in the middle of the longer side of the bar; "
+        f"{_NO_BARS}", source="bars.forces.torsion_stress", people=MPA, optional=True,
+        summary=(SummaryValue("bar_torsion_stress_MPa", largest, "largest torsion stress of a bar",
+                              ",.0f"),)),
+
     # power
     Quantity("loss_sliding", "", "", "W", "block", "power lost by sliding of the raceways on the rollers",
         source="losses.sliding",
@@ -421,7 +453,7 @@ _ATTRIBUTES = (
 
 LAYOUT = Layout(
     conventions="""\
-Axes: Z rollers, K slices along a roller, N unknowns. Directions: x axial, z along the load unless
+Axes: Z rollers, K slices along a roller, B bars, N unknowns. Directions: x axial, z along the load unless
 `operation.load_direction` turns the load; azimuth from z towards y, which is the way a positive speed turns.
 A pair is (inner, outer) or (y, z) as stated.
 """,

@@ -129,6 +129,7 @@ STRUCTURE: Form = Each(
             "unknowns": COUNT,
             "elements": COUNT,
             "support_stiffness_N_per_m": NUMBER_OR_NULL,
+            "support_stiffness_error_N_per_m": NUMBER_OR_NULL,
             "seconds": Each("stage", NUMBER),
         },
         optional={
@@ -149,8 +150,11 @@ STRESSES: Form = Each(
                 Record(
                     {
                         "von_mises_MPa": NUMBER,
+                        "von_mises_error_MPa": NUMBER,
                         "tension_MPa": NUMBER,
+                        "tension_error_MPa": NUMBER,
                         "compression_MPa": NUMBER,
+                        "compression_error_MPa": NUMBER,
                         "displacement_um": NUMBER,
                         "x_mm": NUMBER,
                         "radius_mm": NUMBER,
@@ -158,10 +162,17 @@ STRESSES: Form = Each(
                     }
                 ),
             ),
-            "nominal_bar_stress_MPa": NUMBER_OR_NULL,
+            "loads": TEXT,
+            "left_out": TEXT,
             "support": Record(
-                {"radial_N_per_m": NUMBER, "tilting_Nm_per_rad": NUMBER, "axial_N_per_m": NUMBER}
+                {
+                    "tilting_Nm_per_rad": NUMBER,
+                    "tilting_error_Nm_per_rad": NUMBER,
+                    "axial_N_per_m": NUMBER,
+                    "axial_error_N_per_m": NUMBER,
+                }
             ),
+            "seconds": NUMBER,
         }
     ),
 )

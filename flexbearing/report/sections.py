@@ -13,14 +13,14 @@ from flexbearing.quantities.attributes import GRADES
 from flexbearing.quantities.roller import LAYOUT, SKEW
 from flexbearing.report.rows import label, rows, shown, value
 
-_STRESSES = (  # column, name, format
-    ("Mises", "von_mises_MPa", ",.0f"),
-    ("x", "x_mm", ".2f"),
-    ("r", "radius_mm", ".2f"),
-    ("azimuth", "azimuth_deg", ".1f"),
-    ("tension", "tension_MPa", ",.0f"),
-    ("pressure", "compression_MPa", ",.0f"),
-    ("moves", "displacement_um", ",.1f"),
+_STRESSES = (  # column, name, format, name of its error
+    ("Mises", "von_mises_MPa", ",.0f", "von_mises_error_MPa"),
+    ("x", "x_mm", ".1f", ""),
+    ("r", "radius_mm", ".1f", ""),
+    ("deg", "azimuth_deg", ".1f", ""),
+    ("tension", "tension_MPa", ",.0f", "tension_error_MPa"),
+    ("pressure", "compression_MPa", ",.0f", "compression_error_MPa"),
+    ("um", "displacement_um", ",.0f", ""),
 )
 _EQUILIBRIA = (  # column, name, format
     ("load [N]", "largest_inner_load_N", ",.1f"),
@@ -193,31 +193,51 @@ def skew(blocks: dict[str, Any]) -> Iterator[RenderableType]:
     yield table
 
 
+def held(structure: dict[str, Any] | None) -> Iterator[RenderableType]:
+    """Radial stiffness of what holds each raceway, with its error; nothing where that is unknown."""
+    lines = []
+    for name, figures in (structure or {}).items():
+        stiffness, error = figures["support_stiffness_N_per_m"], figures["support_stiffness_error_N_per_m"]
+        if stiffness is not None:
+            spread = "" if error is None else f" +- {1e-6 * error:,.2g}"
+            lines.append(f"{name}: {1e-6 * stiffness:,.1f}{spread} kN/mm")
+    yield from listed("radial stiffness of the supports alone", lines)
+
+
 def stresses(parts: dict[str, Any] | None) -> Iterator[RenderableType]:
-    """Largest stresses of each body, nominal stress of bars, stiffness of supports; nothing without parts."""
+    """Largest stresses of each body with their errors, stiffness of supports; nothing without parts."""
     if not parts:
         return
     yield Text("largest stresses [MPa] away from loaded rollers and sharp edges", style="bold")
-    yield Text("von Mises and where [mm, deg]; tension, pressure; displacement anywhere [um]")
-    table = right_aligned("", *(column for column, _, _ in _STRESSES))
+    yield Text(
+        "von Mises and where [mm, deg]; tension, pressure, each with its error; displacement anywhere [um]"
+    )
+    table = right_aligned("", *(column for column, *_ in _STRESSES))
     for name, part in parts.items():
         for body, most in part["bodies"].items():
-            table.add_row(Text(f"{name}: {body}"), *(format(most[key], form) for _, key, form in _STRESSES))
+            table.add_row(Text(f"{name}: {body}"), *_cells(most))
     yield table
-    yield from listed("stiffness of the supports alone; bars", _lines(parts))
+    yield from listed("loads, cost; stiffness of the supports alone", _lines(parts))
+
+
+def _cells(most: dict[str, float]) -> Iterator[str]:
+    """A row of the stresses of a body, with their errors."""
+    for _, key, form, error in _STRESSES:
+        yield format(most[key], form) + (f" ± {most[error]:,.0f}" if error else "")
 
 
 def _lines(parts: dict[str, Any]) -> list[str]:
     lines = []
     for name, part in parts.items():
-        nominal, support = part["nominal_bar_stress_MPa"], part["support"]
-        lines.append(
-            f"{name}: {1e-6 * support['radial_N_per_m']:,.1f} kN/mm radial, "
-            f"{1e-3 * support['tilting_Nm_per_rad']:,.2f} N m/mrad tilting, "
-            f"{1e-6 * support['axial_N_per_m']:,.1f} kN/mm axial"
-        )
-        if nominal is not None:
-            lines.append(f"{name}: nominal stress at the ends of the bars, at most {nominal:,.0f} MPa")
+        support, left_out = part["support"], part["left_out"]
+        without = f", without {left_out}" if left_out else ""
+        lines += [
+            f"{name}: under {part['loads']}{without}; {part['seconds']:.1f} s",
+            f"{name}: {1e-3 * support['tilting_Nm_per_rad']:,.2f} "
+            f"+- {1e-3 * support['tilting_error_Nm_per_rad']:,.2f} N m/mrad tilting, "
+            f"{1e-6 * support['axial_N_per_m']:,.1f} +- {1e-6 * support['axial_error_N_per_m']:,.1f} "
+            "kN/mm axial",
+        ]
     return lines
 
 

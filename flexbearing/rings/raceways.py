@@ -90,10 +90,12 @@ class CondensedRaceway:
 
 def compliance_figures(compliance: "RacewayCompliance") -> dict[str, object]:
     """What the finite elements cost and how stiff the support is, for the result file."""
-    stiffness = compliance.support_stiffness
+    stiffness, error = compliance.support_stiffness, compliance.support_error
+    known = error is not None and np.isfinite(stiffness)
     return {
         "unknowns": compliance.unknowns,
         "elements": compliance.elements,
         "support_stiffness_N_per_m": stiffness if np.isfinite(stiffness) else None,
+        "support_stiffness_error_N_per_m": error * stiffness if known else None,
         "seconds": compliance.seconds,
     }

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from functools import cached_property
 from os.path import exists  # Path.exists raises for names that no file can have
 from pathlib import Path
-from tempfile import TemporaryDirectory
+from time import perf_counter
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
@@ -15,27 +17,33 @@ from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
 import fem
+from fem.parts.resolution import neighbour
+from fem.parts.surroundings import Surroundings
 from flexbearing.build import expansion, ring_parts, roller_bearing
 from flexbearing.case import BadCase, understood
 from flexbearing.case.head import Head
 from flexbearing.case.roller import Case
-from flexbearing.files import NotStored, require_folder, require_output, write as store
+from flexbearing.files import require_folder, require_output, write as store
 from flexbearing.results import BadResult, Result
-from flexbearing.rings.condensed import IN_SPACE, PATCH, mesh_size
+from flexbearing.rings.condensed import IN_SPACE, mesh_size, patches
 from quasidynamic.contact.line import Slices
 
 if TYPE_CHECKING:
-    from fem.cage.bar_forces import BarForces
+    from fem.parts.rings import Part
+    from fem.parts.step_solid import StepSolid
+    from fem.solid.extremes import BodyExtremes, Sampled
+    from fem.solid.factored_solid import FactoredSolid
     from fem.solid.fields import LoadedSolid
-    from fem.solid.support_stiffness import SupportStiffness
 
 Race = Literal["inner", "outer"]
 Arrays = Mapping[str, Any]  # name to array
 
 NAMES = {"inner": "inner ring and shaft", "outer": "outer ring"}
 MEGA = 1e6  # Pa per MPa
-WITHOUT_BARS = (3, 1.2, 0.4)  # order and sizes over the roller length: 2 % of the shaft's largest stress
-VTU_END = b"</VTKFile>"
+# Order and sizes of elements over the roller length: of whole solids, which are drawn and give the stiffness
+# of supports, and of the meshes for stresses, on a section or of half a pitch.
+WITHOUT_BARS = (3, 1.2, 0.4)
+FOR_STRESSES = {fem.OuterRing: (6, 0.6, 0.2), fem.RingOnShaft: (6, 0.6, 0.2), fem.SquirrelCage: (4, 0.6, 0.4)}
 
 
 class NoFields(RuntimeError):
@@ -44,38 +52,140 @@ class NoFields(RuntimeError):
 
 @dataclass(frozen=True, kw_only=True)
 class PartFields:
-    """A part under the rollers of one state."""
+    """A part under the rollers of one state; what is asked for is solved then, and kept."""
 
     race: Race
     state: str  # "rigid", "flexible", "iteration 3"
-    fields: LoadedSolid
-    support: SupportStiffness
-    bars: BarForces | None  # of a squirrel cage
+    part: Part | StepSolid
+    patches: fem.Patches
+    forces: NDArray  # (Z, M) [N] positive outward
+    sizes: Sizes
+    surroundings: Surroundings  # heat and rotation, which the largest stresses hold
+    left_out: str  # what they do not hold; empty: nothing
+
+    @cached_property
+    def solid(self) -> FactoredSolid:
+        """The whole solid, factored; raises `NoFields`."""
+        from fem.condense import require_drawing
+        from fem.solid.factored_solid import factored
+
+        with self._solving():
+            require_drawing(self.part, self.patches.length)
+            return factored(self.part, self.patches, self.sizes.solid, self.sizes.threads)
+
+    @cached_property
+    def loaded(self) -> LoadedSolid:
+        """The whole solid under its rollers; raises `NoFields`."""
+        with self._solving():
+            return self.solid.under(self.forces)
+
+    @cached_property
+    def extremes(self) -> dict[str, BodyExtremes]:
+        """Largest stresses of every body with their errors; raises `NoFields`."""
+        from fem.solid.clearing import clearing
+        from fem.solid.extremes import extremes
+
+        with self._solving():
+            radius, sampled = self._sampled()
+            clear = clearing(self.part, self.patches, self.forces, radius)
+            return {body: extremes(sampled, body, clear) for body in self.part.materials}
+
+    def _sampled(self) -> tuple[float, Sampled]:
+        """Radius of the raceway [m], and the part by two orders of displacements on a mesh for stresses."""
+        loads = self.patches, self.forces
+        if isinstance(self.part, fem.SquirrelCage):
+            from fem.cage.loaded_cage import feet_size, loaded_cage
+
+            feet = feet_size(self.part) * self.sizes.coarseness
+            cage = loaded_cage(self.part, *loads, self.sizes.stresses, feet)
+            return cage.radius, cage
+        if isinstance(self.part, fem.OuterRing | fem.RingOnShaft):
+            from fem.section.loaded_section import loaded_section
+
+            section = loaded_section(self.part, *loads, self.sizes.stresses, self.surroundings)
+            return section.radius, section
+        from fem.solid.whole_solid import WholeSolid
+
+        return self.loaded.radius, WholeSolid(self._neighbour.under(self.forces), self.loaded)
+
+    @property
+    def _neighbour(self) -> FactoredSolid:
+        """The whole solid by another order of displacements, which tells the error."""
+        return self.solid.of_order(neighbour(self.sizes.solid.order))
+
+    def support(self) -> dict[str, float]:
+        """Stiffness of the support against tilt and along the axis, with estimated errors.
+
+        Raises
+        ------
+        NoFields
+            if it could not be solved
+        """
+        from fem.solid.support_stiffness import support_stiffness
+
+        with self._solving():
+            held, other = (support_stiffness(solid) for solid in (self.solid, self._neighbour))
+        return {
+            "tilting_Nm_per_rad": held.tilting,
+            "tilting_error_Nm_per_rad": abs(held.tilting - other.tilting),
+            "axial_N_per_m": held.axial,
+            "axial_error_N_per_m": abs(held.axial - other.axial),
+        }
 
     def record(self) -> dict[str, Any]:
-        """Largest values with their units, as JSON can hold them."""
-        bodies = {
-            name: {
-                "von_mises_MPa": most.von_mises / MEGA,
-                "tension_MPa": most.tension / MEGA,
-                "compression_MPa": most.compression / MEGA,
-                "displacement_um": 1e6 * most.displacement,
-                "x_mm": 1e3 * most.x,
-                "radius_mm": 1e3 * most.radius,
-                "azimuth_deg": float(np.degrees(most.azimuth)),
-            }
-            for name, most in self.fields.largest().items()
-        }
-        nominal = None if self.bars is None else float(self.bars.stress.max() / MEGA)
+        """Largest values with their errors and units, as JSON can hold them.
+
+        Raises
+        ------
+        NoFields
+            if something could not be solved
+        """
+        began = perf_counter()
+        bodies = {name: _body_record(most) for name, most in self.extremes.items()}
+        steady = self.surroundings.speed or any(self.surroundings.thermal_strains.values())
         return {
             "bodies": bodies,
-            "nominal_bar_stress_MPa": nominal,
-            "support": {
-                "radial_N_per_m": self.support.radial,
-                "tilting_Nm_per_rad": self.support.tilting,
-                "axial_N_per_m": self.support.axial,
-            },
+            "loads": "rollers, heat and rotation" if steady else "rollers",
+            "left_out": self.left_out,
+            "support": self.support(),
+            "seconds": perf_counter() - began,
         }
+
+    @contextmanager
+    def _solving(self) -> Iterator[None]:
+        from fem.assembly.factorisation import NotSolved
+
+        try:
+            # threads of the linear algebra would fight with those of the finite elements
+            with threadpool_limits(limits=1, user_api="blas"):
+                yield
+        except (fem.ImpossiblePart, NotSolved) as problem:
+            raise NoFields(f"{NAMES[self.race]}: {problem}") from problem
+
+
+@dataclass(frozen=True)
+class Sizes:
+    """Elements of the whole solid, those of the mesh for stresses, and threads."""
+
+    solid: fem.MeshSize
+    stresses: fem.MeshSize
+    coarseness: float  # of the latter over that of the usual mesh, where the case asks for another [-]
+    threads: int
+
+
+def _body_record(most: BodyExtremes) -> dict[str, float]:
+    """Extremes of a body with their units; the place is that of the largest von Mises stress."""
+    record = {}
+    for name in ("von_mises", "tension", "compression"):
+        largest = getattr(most, name)
+        record[f"{name}_MPa"] = largest.value / MEGA
+        record[f"{name}_error_MPa"] = largest.error / MEGA
+    return record | {
+        "displacement_um": 1e6 * most.displacement,
+        "x_mm": 1e3 * most.von_mises.x,
+        "radius_mm": 1e3 * most.von_mises.radius,
+        "azimuth_deg": float(np.degrees(most.von_mises.azimuth)),
+    }
 
 
 def case_of(result: Result) -> Case:
@@ -174,7 +284,7 @@ def parts(case: Case) -> dict[Race, Any]:
 
 
 def fields(case: Case, race: Race, state: str, values: Arrays) -> PartFields:
-    """Solve a part under the roller loads of a state.
+    """A part under the roller loads of a state; it is solved for what is asked of it.
 
     Parameters
     ----------
@@ -194,41 +304,65 @@ def fields(case: Case, race: Race, state: str, values: Arrays) -> PartFields:
     Raises
     ------
     NoFields
-        if the part has no solid, is not bonded to what holds it, or could not be solved
+        if the part has no solid, or is not bonded to what holds it
 
     Valid
     -----
-    Normal loads only: tractions of the rollers, about a hundredth of them, do not load the solid.
+    Normal loads only: tractions of the rollers, about a hundredth of them, do not load the part.
     """
-    # NGSolve takes a second to load: only who asks for fields waits for it.
-    from fem.assembly.factorisation import NotSolved
-    from fem.cage.bar_forces import bar_forces
-    from fem.condense import require_drawing
-    from fem.solid.factored_solid import factored
-    from fem.solid.support_stiffness import support_stiffness
-
-    length = expansion.roller_length(case)
-    patches = fem.Patches(
-        azimuths=tuple(roller_bearing.bearing(case).bearing.azimuths),
-        length=length,
-        axial_modes=case.accuracy.axial_shapes,
-        width=case.accuracy.patch_width or PATCH * length,
-    )
     _require_solid(case, race)
-    part = parts(case)[race]
-    sizes = WITHOUT_BARS if isinstance(part, fem.OuterRing | fem.RingOnShaft) else IN_SPACE
-    try:
-        # threads of the linear algebra would fight with those of the finite elements
-        with threadpool_limits(limits=1, user_api="blas"):
-            require_drawing(part, length)
-            solid = factored(part, patches, mesh_size(case, sizes), case.accuracy.threads)
-            loaded = solid.under(forces(values[f"{race}_slice_load"], race, length, patches.axial_modes))
-            bars = bar_forces(loaded) if isinstance(part, fem.SquirrelCage) else None
-            return PartFields(
-                race=race, state=state, fields=loaded, support=support_stiffness(solid), bars=bars
-            )
-    except (fem.ImpossiblePart, NotSolved) as problem:
-        raise NoFields(f"{NAMES[race]}: {problem}") from problem
+    part, loads = parts(case)[race], patches(case, roller_bearing.bearing(case).bearing.azimuths)
+    plain = isinstance(part, fem.OuterRing | fem.RingOnShaft)
+    usual = FOR_STRESSES[type(part)] if plain or isinstance(part, fem.SquirrelCage) else IN_SPACE
+    sizes = Sizes(
+        solid=mesh_size(case, WITHOUT_BARS if plain else IN_SPACE),
+        stresses=(stresses := _of_two_orders(mesh_size(case, usual))),
+        coarseness=stresses.size / (usual[1] * loads.length),
+        threads=case.accuracy.threads,
+    )
+    turning = case.operation.outer_speed != 0 and not plain and race == "outer"
+    return PartFields(
+        race=race, state=state, part=part, patches=loads,
+        forces=forces(values[f"{race}_slice_load"], race, loads.length, loads.axial_modes),
+        sizes=sizes, surroundings=surroundings(case, race) if plain else Surroundings(),
+        left_out="rotation" if turning else "",
+    )  # fmt: skip
+
+
+def _of_two_orders(sizes: fem.MeshSize) -> fem.MeshSize:
+    """Sizes whose order has a useful one below it."""
+    return replace(sizes, order=max(sizes.order, 3))
+
+
+def surroundings(case: Case, race: Race) -> Surroundings:
+    """Heat and rotation of a ring with its shaft or housing.
+
+    Its bodies are meshed as warm as the ring: what counts is by how much the other body grows more.
+
+    Parameters
+    ----------
+    case : Case
+        with temperatures, or without
+    race : "inner" or "outer"
+        which ring
+
+    Returns
+    -------
+    Surroundings
+    """
+    ring, mate, name = (
+        ("inner_ring", "shaft", "shaft") if race == "inner" else ("outer_ring", "housing", "housing")
+    )
+    hot = {body: expansion.hot_over_cold(case, body) for body in (ring, mate)}
+    speed = case.operation.inner_speed if race == "inner" else case.operation.outer_speed
+    return Surroundings(
+        thermal_strains={"ring": 0.0, name: hot[mate] / hot[ring] - 1},
+        densities={
+            "ring": expansion.material(case, ring).density,
+            name: expansion.material(case, mate).density,
+        },
+        speed=speed,
+    )
 
 
 def _require_solid(case: Case, race: Race) -> None:
@@ -366,14 +500,11 @@ def write(part: PartFields, path: Path) -> None:
 
     Raises
     ------
+    NoFields
+        if the solid could not be solved
     NotStored
-        if there is no room for the file, here or in the folder for temporary files
+        if there is no room for the file
     """
-    with TemporaryDirectory() as folder:
-        data = part.fields.write(Path(folder) / path.name).read_bytes()
-    if not data.rstrip().endswith(VTU_END):  # NGSolve does not notice a full disk
-        raise NotStored(
-            f"{path}: not written: no space left in {Path(folder).parent}. Free space there, or name another "
-            "folder for temporary files in TMPDIR."
-        )
-    store(path.resolve(), data)
+    from fem.solid.vtu import vtu
+
+    store(path.resolve(), vtu(part.loaded.displacement, part.part.materials))

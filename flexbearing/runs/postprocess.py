@@ -11,7 +11,7 @@ from flexbearing.coupled.states import EndState
 from flexbearing.coupling import LinearPair
 from flexbearing.progress import Report
 from flexbearing.results import Arrays, ResultFile
-from flexbearing.runs import fields, life, notes, skew
+from flexbearing.runs import bars, fields, life, notes, skew
 from flexbearing.runs.life_error import LifeError, estimated
 from flexbearing.runs.several import SeveralEquilibria, between_flexible_raceways
 from quasidynamic import Equilibrium
@@ -67,17 +67,17 @@ class Postprocessing:
             self.of_state[name] += skew.notes(skewed, state, state.minimum_film)
         if not end.rings.rigid:
             self.add_equilibria(name, between_flexible_raceways(state, end.rings))
-        return {"life": modified, "skew": skewed}
+        return {"life": modified, "skew": skewed, "bars": bars.nominal_stresses(self.case, end)}
 
     def _add_stresses(self, block: Arrays) -> None:
         """Stresses come on top of a solution: what keeps them away is a note, and the solution stays."""
         for race in fields.parts(self.case):
             try:
-                part = fields.fields(self.case, race, "flexible", block)
+                record = fields.fields(self.case, race, "flexible", block).record()
             except fields.NoFields as problem:
                 self.notes.append(information("no-stresses", f"no stresses: {problem}"))
             else:
-                self.stresses[race] = part.record()
+                self.stresses[race] = record
 
     def add_equilibria(self, name: str, found: SeveralEquilibria | None) -> None:
         """Keep what was found beside the equilibrium of a block; None says that nothing was."""

@@ -13,13 +13,16 @@ from pytest import approx
 
 from fem import Elastic, ImpossiblePart, MeshSize, Patches, SquirrelCage
 from fem.assembly import roller_loads
+from fem.assembly.bar_readings import bar_readings
 from fem.assembly.elasticity import elastic_energy
 from fem.assembly.factorisation import NotSolved, factorised, threads
-from fem.cage import cyclic_symmetry
+from fem.cage import cyclic_symmetry, loaded_cage
 from fem.cage.half_pitch_stiffness import assembled_half_pitch, reduced_to_cut
 from fem.mesh import half_pitch
 from fem.mesh.solid import MILLIMETRES, solids
 from fem.solid import condensation
+from fem.solid.extremes import von_mises
+from fem.solid.fields import LoadedSolid
 from tests.fem.condensed import as_solid, by_harmonics
 from tests.fem.edge_layers import LAYERS, refined
 from tests.fem.test_parts import CAGE, STEEL
@@ -53,7 +56,8 @@ def images(points, bars: int):
 def whole(piece: ngs.Mesh, bars: int) -> ngs.Mesh:
     """All images of a mesh of flat tetrahedra, their common points merged."""
     mesh, numbers = ngm.Mesh(dim=3), {}
-    mesh.SetMaterial(1, "ring")
+    for k, name in enumerate(piece.GetMaterials()):
+        mesh.SetMaterial(k + 1, name)
     for k, name in enumerate(("raceway", "clamped")):
         mesh.Add(ngm.FaceDescriptor(bc=k + 1, domin=1))
         mesh.SetBCName(k, name)
@@ -66,7 +70,7 @@ def whole(piece: ngs.Mesh, bars: int) -> ngs.Mesh:
         mine = [numbers[key] for key in keys]
         for element in piece.ngmesh.Elements3D():
             first, second, *rest = (mine[v.nr - 1] for v in element.vertices)
-            mesh.Add(ngm.Element3D(1, [*(first, second)[::side], *rest]))
+            mesh.Add(ngm.Element3D(element.index, [*(first, second)[::side], *rest]))
         for element, name in zip(piece.ngmesh.Elements2D(), faces, strict=True):
             if name in ("raceway", "clamped"):
                 corners = [mine[v.nr - 1] for v in element.vertices]
@@ -85,11 +89,11 @@ def test_half_a_pitch_answers_like_the_whole_cage(bars, monkeypatch):
         part = assembled_half_pitch(cage, piece, 2)
         band = roller_loads.band(part.space, "raceway", 10)
         faces = [reduced_to_cut(part, band, L, shapes, highest, symmetric) for symmetric in (True, False)]
-        found = cyclic_symmetry._response(part, faces, bars, highest)
+        found, in_bar = cyclic_symmetry._response(part, faces, bars, highest)
 
         mesh = whole(piece, bars)
         space = ngs.VectorH1(mesh, order=2, dirichlet="clamped")
-        stiffness = factorised(space, elastic_energy(mesh, {"ring": STEEL}))
+        stiffness = factorised(space, elastic_energy(mesh, cage.materials))
         band = roller_loads.band(space, "raceway", 10)
         shape = legendre.legvander(2 * band.x / L, shapes - 1) * (2 * np.arange(shapes) + 1) / L
         n = np.arange(-highest, highest + 1)
@@ -98,8 +102,44 @@ def test_half_a_pitch_answers_like_the_whole_cage(bars, monkeypatch):
         y, z = np.sin(band.azimuth)[:, None], np.cos(band.azimuth)[:, None]
         forces = band.forces(pressure * y, pressure * z)
         moved = np.array([stiffness.solve(f.real) + 1j * stiffness.solve(f.imag) for f in forces.T]).T
+        read = bar_readings(space, cage, half=False)
     expected = (forces.conj().T @ moved).reshape(found.shape)
     assert found == approx(expected, rel=0, abs=1e-8 * np.abs(expected).max())
+    of_bar = (moved.T @ read).reshape(in_bar.shape) / np.array([1, 1, 1, 1j, 1j, 1j])
+    assert in_bar == approx(of_bar, rel=0, abs=1e-8 * np.abs(of_bar).max())
+
+
+@pytest.mark.parametrize("bars", [2, 3])
+def test_every_half_pitch_is_loaded_as_in_the_whole_cage(bars, monkeypatch):
+    """The same elements all around under the same patches, solved without any use of symmetry."""
+    monkeypatch.setattr(half_pitch, "LAYERS", 0)  # layers have prisms, which are tedious to mirror
+    cage = replace(STUMPS, bars=bars)
+    patches = Patches(azimuths=(0.2, 1.4, 3.9), length=L, axial_modes=2, width=3e-3)
+    forces = np.array([[1e3, 50.0], [300.0, -20.0], [700.0, 0.0]])
+    with threads(1):
+        piece = half_pitch.half_pitch(cage, L, MeshSize(order=1, size=5e-3, raceway_size=2e-3))
+        field, values, radius = loaded_cage._solved(cage, patches, forces, piece, 2)
+        mesh = whole(piece, bars)
+        space = ngs.VectorH1(mesh, order=2, dirichlet="clamped")
+        stiffness = factorised(space, elastic_energy(mesh, cage.materials))
+        band = roller_loads.band(space, "raceway", roller_loads.HIGHEST_ORDER)
+        moved = ngs.GridFunction(space)
+        moved.vec.FV().NumPy()[:] = stiffness.solve(
+            roller_loads.roller_forces(band, patches) @ forces.ravel()
+        )
+    halves = loaded_cage.LoadedCage(
+        cage=cage, radius=radius, displacements=(field, field), halves=(values, values)
+    )
+    solid = LoadedSolid(part=cage, patches=patches, forces=forces, displacement=moved, radius=radius)
+    middle = [p for p in np.ndindex(5, 5, 5) if sum(p) < 5].index((1, 1, 1))  # of 35 places in an element
+    for body in cage.materials:
+        for number in halves.pieces(body):
+            found, inside = halves.samples(body, number, 4), slice(middle, None, 35 * 7)
+            points = mesh(*(1e3 * found.place[inside]).T)
+            shift = np.linalg.norm(moved(points), axis=1)
+            assert found.shift[inside] == approx(shift, rel=0, abs=1e-7 * np.abs(found.shift).max())
+            stress = von_mises(solid.stress(points)[:, [0, 4, 8, 1, 5, 2]])
+            assert von_mises(found.stress[inside]) == approx(stress, rel=0, abs=1e-6 * stress.max())
 
 
 def test_response_is_reciprocal_and_positive(cage):

@@ -34,11 +34,15 @@ GOOD = {  # what this run does not have
     },
     "stresses": {"outer": {
         "bodies": {"ring": {
-            "von_mises_MPa": 100.0, "tension_MPa": 50.0, "compression_MPa": 60.0, "displacement_um": 4.0,
-            "x_mm": 0.1, "radius_mm": 37.0, "azimuth_deg": 12.0,
+            "von_mises_MPa": 100.0, "von_mises_error_MPa": 2.0, "tension_MPa": 50.0,
+            "tension_error_MPa": 1.0, "compression_MPa": -60.0, "compression_error_MPa": 3.0,
+            "displacement_um": 4.0, "x_mm": 0.1, "radius_mm": 37.0, "azimuth_deg": 12.0,
         }},
-        "nominal_bar_stress_MPa": 200.0,
-        "support": {"radial_N_per_m": 1e8, "tilting_Nm_per_rad": 1e5, "axial_N_per_m": 1e7},
+        "loads": "rollers", "left_out": "", "seconds": 9.0,
+        "support": {
+            "tilting_Nm_per_rad": 1e5, "tilting_error_Nm_per_rad": 1e3,
+            "axial_N_per_m": 1e7, "axial_error_N_per_m": 1e5,
+        },
     }},
     "equilibria": ENDING["equilibria"],
     "choices": ENDING["choices"],

@@ -6,6 +6,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from flexbearing.files import require_output, write
 from flexbearing.report.picture import png_bytes
 from flexbearing.report.roller.deformed_figure import deformed
@@ -14,6 +16,8 @@ from flexbearing.runs import fields
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+
+COLOURED = 0.99  # share of the surface's corners with stresses up to the last colour
 
 
 def pictures(result: Result, directory: Path) -> Iterator[Path | fields.NoFields]:
@@ -65,6 +69,7 @@ def pictures(result: Result, directory: Path) -> Iterator[Path | fields.NoFields
 def _drawn(part: fields.PartFields, result: Result) -> Figure:
     from fem.solid.skin import skin  # NGSolve takes a second to load
 
-    limit = max(body.von_mises for body in part.fields.largest().values())
+    outside = skin(part.loaded)
+    limit = float(np.quantile(outside.von_mises, COLOURED))  # sharp edges would leave all else in one colour
     title = f"{result.attributes['title']}: {fields.NAMES[part.race]}"
-    return deformed(title, skin(part.fields), limit)
+    return deformed(title, outside, limit)

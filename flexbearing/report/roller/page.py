@@ -16,6 +16,7 @@ from flexbearing.report.sections import (
     clearance_steps,
     closing,
     equilibria,
+    held,
     life_factors,
     matrices,
     opening,
@@ -63,6 +64,7 @@ def page(numbers: dict[str, Any]) -> Iterator[RenderableType]:
     yield from passage(numbers["passage"])
     yield from ordered_levels(numbers["choices"] or {}, numbers["error_estimate"] or {})
     yield from matrices(numbers["flexible"])
+    yield from held(numbers["structure"])
     yield from equilibria(numbers["equilibria"])
     yield from regimes(numbers["regimes"])
     yield from supports(numbers["structure"])

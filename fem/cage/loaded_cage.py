@@ -1,0 +1,234 @@
+r"""Displacement and stress of a squirrel cage under its rollers, from half a pitch of it.
+
+Tractions are split into mirror images and phases; half a pitch answers each as in `fem.cage.cyclic_symmetry`,
+and its answers make up the displacement of every half pitch. A whole solid of such elements would have fifty
+times the unknowns.
+"""
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
+from math import inf, pi
+
+import ngsolve as ngs
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import LinAlgError, cho_factor, cho_solve
+from scipy.sparse import csr_array
+
+from fem.assembly import roller_loads
+from fem.assembly.factorisation import NotSolved, threads
+from fem.cage.half_pitch_stiffness import (
+    CutStiffness,
+    HalfPitch,
+    assembled_half_pitch,
+    in_whole,
+    interior,
+    reduced_under,
+)
+from fem.mesh.half_pitch import half_pitch
+from fem.mesh.notches import notches
+from fem.mesh.solid import MILLIMETRES
+from fem.parts.rings import MeshSize, Patches, SquirrelCage
+from fem.solid.extremes import Samples
+from fem.solid.lattice import Spread, hooke, spread, strain_of
+
+FEET, IN_FILLET = 0.23, 0.8  # size of elements at the feet over the thickness of a bar, over a fillet
+NEAR = 1e-6  # of a side, by which places stay inside
+
+
+@dataclass(frozen=True, kw_only=True)
+class LoadedCage:
+    """A squirrel cage under roller forces, as half pitches: two a bar, that at larger azimuth first."""
+
+    cage: SquirrelCage
+    radius: float  # [m] of the raceway
+    displacements: tuple[ngs.GridFunction, ngs.GridFunction]  # of the lower and the higher order, for values
+    halves: tuple[
+        NDArray, NDArray
+    ]  # (2 bars, unknowns) [m] in the axes of the bar, mirrored at smaller azimuth
+
+    _kept: dict[tuple[str, int], Spread] = field(default_factory=dict, compare=False)
+
+    def pieces(self, body: str) -> Iterable[int]:
+        """Every half pitch holds a part of every body."""
+        return range(2 * self.cage.bars)
+
+    def samples(
+        self, body: str, piece: int, intervals: int, keys: NDArray | None = None, *, higher: bool = True
+    ) -> Samples:
+        """Samples of half a pitch, see `fem.solid.extremes.Sampled`."""
+        displacement, values = self.displacements[higher], self.halves[higher][piece]
+        displacement.vec.FV().NumPy()[:] = values
+        points = self._spread(body, intervals, keys)
+        place = ngs.CF((ngs.x, ngs.y, ngs.z))(points.mapped) / MILLIMETRES
+        # With fillets the mesh has one body.
+        points, place = points.where(within := self._within(body, place[:, 0])), place[within]
+        gradient, moved = ngs.Grad(displacement)(points.mapped), displacement(points.mapped)
+        stress = hooke(strain_of(gradient), self.cage.materials[body])
+        return Samples(
+            points.key, points.even, self._placed(place, piece), np.linalg.norm(moved, axis=1), stress
+        )
+
+    def _within(self, body: str, x: NDArray) -> NDArray:
+        """Whether places at x (n,) [m] belong to a body."""
+        start = self.cage.width / 2
+        low, high = {
+            "ring": (-inf, start), "bars": (start, start + self.cage.bar_length),
+            "flange": (start + self.cage.bar_length, inf),
+        }[body]  # fmt: skip
+        return (x > low - NEAR) & (x < high + NEAR)
+
+    def _spread(self, body: str, intervals: int, keys: NDArray | None) -> Spread:
+        """Points in half a pitch; those in all elements are the same in every piece, and kept."""
+        if keys is not None:
+            return self._spread_anew(body, intervals, keys)
+        if (body, intervals) not in self._kept:
+            self._kept[body, intervals] = self._spread_anew(body, intervals, None)
+        return self._kept[body, intervals]
+
+    def _spread_anew(self, body: str, intervals: int, keys: NDArray | None) -> Spread:
+        mesh = self.displacements[0].space.mesh
+        name = body if body in mesh.GetMaterials() and self.cage.fillet == 0 else ".*"
+        return spread(mesh, name, intervals, keys, self._beside_notches(body, intervals))
+
+    def _beside_notches(self, body: str, intervals: int) -> NDArray:
+        """Places (n, 3) of half a pitch where the reach of its sharp edges ends [mm]."""
+        x, r = notches(self.cage).around(intervals).T[:, :, None] * MILLIMETRES
+        steps = np.linspace(NEAR, 1 - NEAR, intervals + 1)
+        if body == "bars":
+            t = steps * self.cage.bar_width / 2 * MILLIMETRES
+            return np.stack(np.broadcast_arrays(x, t, np.sqrt(r**2 - t**2)), axis=-1).reshape(-1, 3)
+        azimuth = steps * pi / self.cage.bars
+        return np.stack(np.broadcast_arrays(x, r * np.sin(azimuth), r * np.cos(azimuth)), axis=-1).reshape(
+            -1, 3
+        )
+
+    def _placed(self, place: NDArray, piece: int) -> NDArray:
+        """Places (n, 3) of the half pitch at azimuth 0 in that of a piece."""
+        bar, mirrored = divmod(piece, 2)
+        x, t, n = place.T
+        t = -t if mirrored else t
+        s, c = np.sin(2 * pi * bar / self.cage.bars), np.cos(2 * pi * bar / self.cage.bars)
+        return np.stack([x, n * s + t * c, n * c - t * s], axis=1)
+
+
+def feet_size(cage: SquirrelCage) -> float:
+    """Largest element edge at the feet of the bars [m]: a part of their thickness, or of their fillets."""
+    return IN_FILLET * cage.fillet if cage.fillet > 0 else FEET * cage.bar_thickness
+
+
+def loaded_cage(
+    cage: SquirrelCage, patches: Patches, forces: NDArray, mesh_size: MeshSize, feet: float | None = None
+) -> LoadedCage:
+    """Solve a squirrel cage under roller forces, by two orders of displacements.
+
+    Parameters
+    ----------
+    cage : SquirrelCage
+        ring, bars and flange
+    patches : Patches
+        rollers, and how their forces are resolved
+    forces : array (Z, M)
+        generalised forces of `fem.assembly.roller_loads` [N], positive outward
+    mesh_size : MeshSize
+        the higher order, 2 or more, and element sizes
+    feet : float, optional
+        largest element edge at the feet of the bars [m]; None: that of `feet_size`
+
+    Returns
+    -------
+    LoadedCage
+
+    Raises
+    ------
+    ImpossiblePart
+        if the band is longer than the track, or elements are inside out or far too many
+    NotSolved
+        if half a pitch cannot be solved, or the mesh is too coarse for the patches
+
+    Valid
+    -----
+    Small displacement, perfect bonds, rigid clamps; no load outside the band.
+    """
+    with threads(1):  # half a pitch is small: a second thread would only wait
+        mesh = half_pitch(cage, patches.length, mesh_size, min(feet or feet_size(cage), mesh_size.size))
+        solved = [
+            _solved(cage, patches, forces, mesh, order) for order in (mesh_size.order - 1, mesh_size.order)
+        ]
+    (lower, of_lower, radius), (higher, of_higher, _) = solved
+    return LoadedCage(cage=cage, radius=radius, displacements=(lower, higher), halves=(of_lower, of_higher))
+
+
+def _solved(
+    cage: SquirrelCage, patches: Patches, forces: NDArray, mesh: ngs.Mesh, order: int
+) -> tuple[ngs.GridFunction, NDArray, float]:
+    """A field on half a pitch, its values (2 bars, unknowns) on every half, and the radius of the raceway."""
+    half = assembled_half_pitch(cage, mesh, order)
+    band = roller_loads.band(half.space, "raceway", roller_loads.HIGHEST_ORDER)
+    even, odd = _load_vectors(half, band, patches, forces, cage.bars)
+    phases = np.arange(cage.bars // 2 + 1)
+    turn = np.exp(-2j * pi * np.outer(np.arange(cage.bars), phases) / cage.bars) / cage.bars
+    even, odd = _parts(even @ turn), _parts(-1j * odd @ turn)
+    share = np.eye(2 * phases.size)
+    cuts = reduced_under(half, even, share, True), reduced_under(half, odd, share, False)
+    a, b = (in_whole(half, u) for u in _fields(half, cuts, cage.bars))
+    # The field is that of phase 0, with those of bars/2, and twice the real part of those between.
+    weight = np.where((phases == 0) | (2 * phases == cage.bars), 1.0, 2.0)
+    back = weight * np.exp(2j * pi * np.outer(np.arange(cage.bars), phases) / cage.bars)
+    mirrored = np.real(back @ _complex(a).T)
+    negative = np.real(back @ (1j * _complex(b)).T)
+    values = np.stack([mirrored + negative, mirrored - negative], axis=1).reshape(2 * cage.bars, -1)
+    return ngs.GridFunction(half.space), values, band.radius
+
+
+def _parts(columns: NDArray) -> NDArray:
+    """Complex columns as real ones, real part and imaginary part one after the other."""
+    return np.stack([columns.real, columns.imag], axis=2).reshape(len(columns), -1)
+
+
+def _complex(columns: NDArray) -> NDArray:
+    """The reverse of `_parts`."""
+    return columns[:, ::2] + 1j * columns[:, 1::2]
+
+
+def _load_vectors(
+    half: HalfPitch, band: roller_loads.Band, patches: Patches, forces: NDArray, bars: int
+) -> tuple[NDArray, NDArray]:
+    """Load vectors (unknowns, bars) of every pitch: its part that is its own mirror image, and the rest."""
+    bar = 2 * pi * np.arange(bars) / bars
+    around = np.stack([bar[:, None] + band.azimuth, bar[:, None] - band.azimuth], axis=1)  # (bars, 2, points)
+    repeats = 2 * bars
+    whole = replace(
+        band, x=np.tile(band.x, repeats), azimuth=around.ravel(), area=np.tile(band.area, repeats),
+        along_y=csr_array((0, 0)), along_z=csr_array((0, 0)),
+    )  # fmt: skip
+    y, z = (
+        (traction @ forces.ravel()).reshape(around.shape)
+        for traction in roller_loads.tractions(whole, patches)
+    )
+    s, c = np.sin(bar)[:, None, None], np.cos(bar)[:, None, None]
+    outward, sideways = y * s + z * c, (y * c - z * s) * np.array([1.0, -1.0])[:, None]
+    parts = (
+        band.forces(*((field[:, 0] + sign * field[:, 1]).T / 2 for field in (sideways, outward)))
+        for sign in (1, -1)
+    )
+    even, odd = (half.turn.T @ vectors for vectors in parts)
+    return even, odd
+
+
+def _fields(half: HalfPitch, cuts: tuple[CutStiffness, CutStiffness], bars: int) -> list[NDArray]:
+    """Displacements (unknowns, 2 phases) of the symmetric part and of the other, as from `interior`."""
+    faces: list[list[NDArray]] = [[], []]
+    for phase in range(bars // 2 + 1):
+        columns, theta = slice(2 * phase, 2 * phase + 2), 2 * pi * phase / bars
+        c, s = np.cos(theta / 2), np.sin(theta / 2)
+        ties = np.repeat([[c, c, -s], [s, s, c]], half.cut.shape[1], axis=1)
+        stiffness = sum(t[:, None] * f.stiffness * t for f, t in zip(cuts, ties, strict=True))
+        pull = sum(t[:, None] * f.coupling[:, columns] for f, t in zip(cuts, ties, strict=True))
+        try:
+            z = cho_solve(cho_factor(stiffness), pull)
+        except LinAlgError as refusal:
+            raise NotSolved(f"phase {theta:.3g} rad could not be solved: {refusal}") from refusal
+        for face, tie in zip(faces, ties, strict=True):
+            face.append(tie[:, None] * z)
+    return [interior(half, cut, np.hstack(face), cut.share) for cut, face in zip(cuts, faces, strict=True)]

@@ -1,0 +1,90 @@
+"""What the bars of a squirrel cage carry when rollers load its raceway, whatever computed it."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fem.parts.material import ImpossiblePart
+
+FORCES = 6  # axial force, radial moment at ring and flange, tangential moment at both, torque
+MIRRORED = 3  # of them that stay as they are when rollers change sides; the others turn round
+
+
+@dataclass(frozen=True)
+class BarResponse:
+    r"""Section forces of every bar in harmonics of the roller forces.
+
+    .. math:: s_b = \mathrm{Re} \sum_{nm} \{1, i\}\,g_{nm} F_{nm} e^{in\varphi_b}, \quad
+              F_{nm} = \sum_j F_{jm} e^{-in\varphi_j}
+
+    with 1 for those that stay as they are in a mirror image, i for the others.
+
+    Source
+    ------
+    Cyclic symmetry with a plane of symmetry in each bar; derived here.
+    """
+
+    bars: int  # equally spaced, one at azimuth 0
+    response: NDArray  # g (K, M, 6), harmonics -N .. N [N/N, N m/N]
+    neighbour: NDArray | None  # the same by displacements of another order, which tells the error
+
+    def __post_init__(self):
+        K, _, forces = self.response.shape
+        same = self.neighbour is None or self.neighbour.shape == self.response.shape
+        if K % 2 == 0 or forces != FORCES or not same:
+            raise ImpossiblePart(
+                f"response of shape {self.response.shape}; allowed is (2 N + 1, M, {FORCES})"
+            )
+
+    @property
+    def azimuths(self) -> NDArray:
+        """Of the bars (B,) [rad]."""
+        return 2 * np.pi * np.arange(self.bars) / self.bars
+
+    def under(self, azimuths: NDArray, forces: NDArray) -> tuple[NDArray, NDArray | None]:
+        """Section forces of all bars under roller forces, and what another order says of them.
+
+        Parameters
+        ----------
+        azimuths : array (Z,)
+            of the rollers [rad]
+        forces : array (Z, M)
+            generalised forces [N], positive outward; M at most that of the response
+
+        Returns
+        -------
+        tuple of array (B, 6)
+            [N, N m], signs as in `fem.cage.bar_forces`; None for the second where there is no other order
+        """
+        last = len(self.response) // 2
+        n = np.arange(-last, last + 1)
+        loads = np.exp(-1j * np.outer(n, azimuths)) @ forces
+        turn = np.exp(1j * np.outer(self.azimuths, n))
+
+        def of_bars(response):
+            each = np.einsum("kmc,km->kc", response[:, : forces.shape[1]], loads)
+            each[:, MIRRORED:] *= 1j
+            return np.real(turn @ each)
+
+        return of_bars(self.response), None if self.neighbour is None else of_bars(self.neighbour)
+
+
+def of_revolution(bars: int, cosines: NDArray) -> BarResponse:
+    """What bars carry that are spread around a body of revolution.
+
+    Parameters
+    ----------
+    bars : int
+        on the whole circle
+    cosines : array (N + 1, M, 6)
+        section forces of a bar under the cosine of each harmonic [N/N, N m/N]: the factors of cos(n phi)
+        for the first three, of sin(n phi) for the others
+
+    Returns
+    -------
+    BarResponse
+        without a neighbouring order: the error of spreading is not known
+    """
+    turned = np.repeat([1, -1], [MIRRORED, FORCES - MIRRORED])
+    return BarResponse(bars, np.concatenate([cosines[:0:-1], cosines * turned]), None)

@@ -1,0 +1,231 @@
+r"""Displacement and stress of a body of revolution under its rollers, from harmonics on its axial section.
+
+.. math:: F_{nm}(\varphi) = \frac{2 - \delta_{n0}}{2\pi} e^{-(n s/R)^2/2}
+          \sum_j F_{jm} e^{in(\varphi - \varphi_j)}, \quad
+          \varepsilon(\varphi) = \sum_{nm} \varepsilon_{nm} \{\mathrm{Re}, \mathrm{Im}\} F_{nm}(\varphi)
+
+with the real part for what is its own mirror image in the plane of a roller, the imaginary part for the rest,
+and s the width of a roller's patch. Heat and rotation come on top, in harmonic 0.
+
+Source
+------
+Fourier series of Gaussian patches on a body of revolution; derived here.
+"""
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from math import ceil, pi
+from typing import Any
+
+import ngsolve as ngs
+import numpy as np
+from numpy.typing import NDArray
+
+from fem.assembly.factorisation import threads
+from fem.assembly.harmonic_stiffness import HarmonicAnswers, answers
+from fem.mesh.notches import notches
+from fem.mesh.solid import MILLIMETRES
+from fem.parts.boundary_conditions import FreeMotions
+from fem.parts.rings import MeshSize, OuterRing, Patches, RingOnShaft
+from fem.parts.surroundings import Surroundings
+from fem.section.expansion import heating, rotation
+from fem.section.revolved_body import Body, edge_modes
+from fem.section.rigid_body_modes import body_of, held_on_points
+from fem.solid.extremes import Samples
+from fem.solid.lattice import hooke, spread
+
+SMOOTH = 4.3  # standard deviations of a Gaussian's spectrum, beyond which 1e-4 of it is left
+STEPS = 3.0  # azimuths over the width of a patch
+BETWEEN = 9  # azimuths of fine samples, from half way before a coarse one to half way after it
+CHUNK = 64  # azimuths of a piece
+AXES = [0, 1, 2, 3, 5, 4]  # xx, rr, tt, xr, rt, xt of what the forms give as xx, rr, tt, xr, xt, rt
+EVEN = [0, 1, 2, 3]  # of them, which go with the cosine
+
+
+@dataclass(frozen=True)
+class Field:
+    """What one order of displacements answers."""
+
+    body: Body
+    rollers: HarmonicAnswers  # to the axial shapes of a unit of force per radian
+    steady: NDArray  # (unknowns,) of heat and rotation [m]
+
+
+@dataclass(frozen=True, kw_only=True)
+class LoadedSection:
+    """A body of revolution under roller forces; see `fem.solid.extremes.Sampled`."""
+
+    part: OuterRing | RingOnShaft
+    patches: Patches
+    forces: NDArray  # (Z, M) [N] positive outward
+    surroundings: Surroundings
+    fields: tuple[Field, Field]  # of the lower and the higher order
+
+    @property
+    def radius(self) -> float:
+        """Of the raceway [m]."""
+        return self.part.raceway_diameter / 2
+
+    @property
+    def azimuths(self) -> NDArray:
+        """Of coarse samples [rad]."""
+        count = ceil(2 * pi * STEPS * self.radius / self.patches.width)
+        return 2 * pi * np.arange(count) / count
+
+    def pieces(self, body: str) -> Iterable[int]:
+        """Sectors of some azimuths."""
+        return range(ceil(self.azimuths.size / CHUNK))
+
+    def samples(
+        self, body: str, piece: int, intervals: int, keys: NDArray | None = None, *, higher: bool = True
+    ) -> Samples:
+        """Samples of a sector; the key of an element holds its azimuth, too."""
+        of_order, elements = self.fields[higher], self.fields[higher].body.space.mesh.ne
+        if keys is None:
+            number = np.arange(piece * CHUNK, min((piece + 1) * CHUNK, self.azimuths.size))
+            return self._at(of_order, body, intervals, None, self.azimuths[number], number * elements)
+        parts = []
+        for number in np.unique(keys // elements):
+            step = self.azimuths[1] / 2 * np.linspace(-1, 1, BETWEEN)
+            wanted = keys[keys // elements == number] % elements
+            azimuth = self.azimuths[number] + step
+            parts.append(
+                self._at(of_order, body, intervals, wanted, azimuth, np.full(BETWEEN, number * elements))
+            )
+        return Samples(*(np.concatenate(column) for column in zip(*parts, strict=True)))
+
+    def _at(
+        self,
+        of_order: Field,
+        body: str,
+        intervals: int,
+        elements: NDArray | None,
+        azimuth: NDArray,
+        key: NDArray,
+    ) -> Samples:
+        """Samples (points times azimuths) in some elements of the section, None: in all of the body."""
+        rims = notches(self.part).around(intervals) * MILLIMETRES
+        points = spread(of_order.body.space.mesh, body, intervals, elements, rims)
+        x, r = ngs.CF((ngs.x, ngs.y))(points.mapped).T / MILLIMETRES
+        moved, plain, turned = _strains(of_order, points.mapped, r)
+        cosine, sine = self._waves(of_order.rollers, azimuth)
+        shift = np.empty((x.size, azimuth.size, 3))
+        strain = np.empty((x.size, azimuth.size, 6))
+        for c in range(6):
+            once, times_n = cosine if c in EVEN else sine
+            strain[:, :, c] = plain[:, c] @ once + turned[:, c] @ times_n
+        for c, (once, _) in enumerate((cosine, cosine, sine)):
+            shift[:, :, c] = moved[:, c] @ once
+        strain[:, :, :3] -= self.surroundings.thermal_strains.get(body, 0.0)
+        stress = hooke(strain[:, :, AXES], self.part.materials[body])
+        s, c = np.sin(azimuth), np.cos(azimuth)
+        place = np.stack(np.broadcast_arrays(x[:, None], r[:, None] * s, r[:, None] * c), axis=-1)
+        middle = np.abs(np.arange(azimuth.size) - azimuth.size // 2) % 2 == 0
+        even = points.even[:, None] & (middle if elements is not None else True)
+        return Samples(
+            (points.key[:, None] + key).ravel(),
+            np.broadcast_to(even, shift.shape[:2]).ravel(),
+            place.reshape(-1, 3),
+            np.linalg.norm(shift, axis=-1).ravel(),
+            stress.reshape(-1, 6),
+        )
+
+    def _waves(self, rollers: HarmonicAnswers, azimuth: NDArray) -> tuple[NDArray, NDArray]:
+        """Factors of the basis and the steady field (2, B + 1, azimuths), with the cosine and the sine.
+
+        The first are for strains without the harmonic n, the second for those with it.
+        """
+        n = np.arange(len(rollers.factors))
+        weight = np.exp(-((n * self.patches.width / self.radius) ** 2) / 2) / pi
+        weight[0] /= 2
+        own = np.exp(-1j * np.outer(n, self.patches.azimuths)) @ self.forces * weight[:, None]
+        load = np.einsum("nbm,nm->bn", rollers.factors, own)
+        turn = np.exp(1j * np.outer(n, azimuth))
+        waves = np.stack([load @ turn, (load * n) @ turn])
+        steady = np.zeros((2, 1, azimuth.size))
+        steady[0] = 1.0
+        return np.hstack([waves.real, steady]), np.hstack([waves.imag, 0 * steady])
+
+
+def _strains(of_order: Field, mapped: Any, radius: NDArray) -> tuple[NDArray, NDArray, NDArray]:
+    """Displacement (n, 3, B + 1), strain without the harmonic and that with it (n, 6, B + 1) of the basis."""
+    fields = np.column_stack([of_order.rollers.basis, of_order.steady])
+    values = ngs.GridFunction(of_order.body.space)
+    gradient = ngs.CF(tuple(ngs.Grad(component) for component in values.components))
+    moved, plain, turned = (np.zeros((radius.size, k, fields.shape[1])) for k in (3, 6, 6))
+    for k, column in enumerate(fields.T):
+        values.vec.FV().NumPy()[:] = column
+        u = ngs.CF(tuple(values.components))(mapped)
+        d = MILLIMETRES * gradient(mapped)
+        hoop, twist = u[:, 1] / radius, u[:, 2] / radius
+        moved[:, :, k] = u
+        plain[:, :, k] = np.stack(
+            [d[:, 0], d[:, 3], hoop, d[:, 2] + d[:, 1], d[:, 4], d[:, 5] - twist], axis=1
+        )
+        turned[:, 2, k], turned[:, 4, k], turned[:, 5, k] = twist, -u[:, 0] / radius, -hoop
+    return moved, plain, turned
+
+
+@threads(1)  # sections are small: a second thread would only wait
+def loaded_section(
+    part: OuterRing | RingOnShaft,
+    patches: Patches,
+    forces: NDArray,
+    mesh_size: MeshSize,
+    surroundings: Surroundings | None = None,
+) -> LoadedSection:
+    """Solve a body of revolution under roller forces, by two orders of displacements.
+
+    Parameters
+    ----------
+    part : OuterRing, RingOnShaft
+        body of revolution with its seat, held in every direction
+    patches : Patches
+        rollers, and how their forces are resolved
+    forces : array (Z, M)
+        generalised forces of `fem.assembly.roller_loads` [N], positive outward
+    mesh_size : MeshSize
+        the higher order, 2 or more, and element sizes
+    surroundings : Surroundings
+        heat and rotation; None: neither
+
+    Returns
+    -------
+    LoadedSection
+
+    Raises
+    ------
+    ImpossiblePart
+        if the part is not known as a body of revolution
+    NotSolved
+        if a solve fails
+
+    Valid
+    -----
+    Small displacement, perfect bonds, clamps that are rigid to rollers but follow heat and rotation; no load
+    outside the band.
+    """
+    around = surroundings or Surroundings()
+    last = ceil(SMOOTH * part.raceway_diameter / 2 / patches.width)
+    fields = tuple(
+        _field(part, patches, replace(mesh_size, order=order), last, around)
+        for order in (mesh_size.order - 1, mesh_size.order)
+    )
+    return LoadedSection(part=part, patches=patches, forces=forces, surroundings=around, fields=fields)
+
+
+def _field(part: Any, patches: Patches, mesh: MeshSize, last: int, around: Surroundings) -> Field:
+    body = body_of(part, patches.length, mesh)
+    modes = edge_modes(body, "raceway", patches.axial_modes)
+    load = np.zeros(body.stiffness.unknowns)
+    if any(around.thermal_strains.values()):
+        load += heating(body, around.thermal_strains)
+    if around.speed:
+        load += rotation(body, around.densities, around.speed)
+    steady = np.zeros_like(load)
+    if load.any():
+        free = replace(body, stiffness=replace(body.stiffness, clamped=np.zeros_like(body.stiffness.clamped)))
+        steady = held_on_points(free, FreeMotions(axial=True, turning=True, across=True), 0).solve(
+            0, load[:, None]
+        )[:, 0]
+    return Field(body, answers(body.stiffness, modes, last), steady)

@@ -1,0 +1,150 @@
+"""Points spread evenly over elements, and what a displacement makes there."""
+
+from dataclasses import dataclass
+from functools import cache
+
+import ngsolve as ngs
+import numpy as np
+from numpy.typing import NDArray
+
+from fem.assembly.elasticity import lame_constants
+from fem.mesh.solid import MILLIMETRES
+from fem.parts.material import Elastic
+
+SQUEEZED = 0.25  # of the mean of its element, volume per point below which a gradient is not trusted
+NEAR = 0.05  # of a box, by which curved elements may reach beyond points in them
+INSIDE = 1e-7  # of an element's edge, by which points stay away from its faces: some maps have poles there
+
+
+@cache
+def lattice(kind, intervals: int):
+    """Points of an element of some kind, and whether half as many intervals would have them.
+
+    Parameters
+    ----------
+    kind : ngsolve.ET
+        TRIG, QUAD, TET, PRISM, PYRAMID or HEX
+    intervals : int
+        along each edge
+
+    Returns
+    -------
+    ngsolve.IntegrationRule
+        without weights
+    array (n,) of bool
+    """
+    i, j, k = np.indices((intervals + 1,) * 3).reshape(3, -1)
+    flat = kind in (ngs.TRIG, ngs.QUAD)
+    inside = {
+        ngs.TRIG: i + j <= intervals, ngs.QUAD: i >= 0, ngs.TET: i + j + k <= intervals, ngs.HEX: i >= 0,
+        ngs.PRISM: i + j <= intervals, ngs.PYRAMID: (np.maximum(i, j) <= intervals - k) & (k < intervals),
+    }[kind] & ((k == 0) | (not flat))  # fmt: skip
+    number = np.stack([i, j, k], axis=1)[inside]
+    points = number / intervals
+    points = points.mean(axis=0) + (1 - INSIDE) * (points - points.mean(axis=0))
+    columns = 2 if flat else 3
+    rule = ngs.IntegrationRule([tuple(p[:columns]) for p in points.tolist()], [1.0] * len(points))
+    return rule, (number % 2 == 0).all(axis=1)
+
+
+@dataclass(frozen=True)
+class Spread:
+    """Points in some elements of a mesh."""
+
+    mapped: NDArray  # points as NGSolve wants them
+    key: NDArray  # (n,) number of the element of each point
+    even: NDArray  # (n,) bool: those that half as many intervals would have
+
+    def where(self, kept: NDArray) -> "Spread":
+        """Only some of the points (n,)."""
+        return Spread(self.mapped[kept], self.key[kept], self.even[kept])
+
+
+def _unfolded(mesh: ngs.Mesh, points: Spread) -> NDArray:
+    """Whether elements are not squeezed to nothing at points (n,), as curved ones are beside fillets."""
+    volume = np.abs(ngs.Det(ngs.specialcf.JacobianMatrix(mesh.dim))(points.mapped)[:, 0])
+    _, element = np.unique(points.key, return_inverse=True)
+    mean = np.bincount(element, volume) / np.bincount(element)
+    return volume > SQUEEZED * mean[element]
+
+
+def spread(
+    mesh: ngs.Mesh, body: str, intervals: int, keys: NDArray | None = None, places: NDArray | None = None
+) -> Spread:
+    """Lattices in the elements of a body, with further places.
+
+    Parameters
+    ----------
+    mesh : ngsolve.Mesh
+        of curved elements
+    body : str
+        its name
+    intervals : int
+        along the edges of elements
+    keys : array of int
+        only these elements; None: all of the body
+    places : array (n, dimensions)
+        where stresses are read, too, as far as they lie in these elements [mm]
+
+    Returns
+    -------
+    Spread
+    """
+    wanted = {e.nr for e in mesh.Materials(body).Elements()}
+    if keys is not None:
+        wanted &= set(keys.tolist())
+    mapped, key, even = [], [], []
+    for element in mesh.Materials(body).Elements():
+        if element.nr in wanted:
+            rule, halved = lattice(element.type, intervals)
+            mapped.append(mesh.GetTrafo(element)(rule))
+            key.append(np.full(len(halved), element.nr))
+            even.append(halved)
+    if places is not None and len(places):
+        near = np.flatnonzero(_near(mesh, np.concatenate(mapped), places))
+        inside = np.atleast_1d(mesh(*places[near].T))
+        held = np.isin(inside["nr"], list(wanted))
+        mapped.append(inside[held])
+        key.append(inside["nr"][held])
+        even.append(near[held] % 2 == 0)
+    points = Spread(np.concatenate(mapped), np.concatenate(key), np.concatenate(even))
+    return points.where(_unfolded(mesh, points))
+
+
+def _near(mesh: ngs.Mesh, mapped: NDArray, places: NDArray) -> NDArray:
+    """Whether places (n, dimensions) lie in the box of points [mm]: to find elements takes longer."""
+    points = ngs.CF((ngs.x, ngs.y, ngs.z)[: mesh.dim])(mapped)
+    room = NEAR * np.ptp(points, axis=0)
+    return np.all((places > points.min(axis=0) - room) & (places < points.max(axis=0) + room), axis=1)
+
+
+def hooke(strain: NDArray, elastic: Elastic) -> NDArray:
+    """Stress of an isotropic body.
+
+    Parameters
+    ----------
+    strain : array (..., 6)
+        xx, yy, zz, 2 xy, 2 yz, 2 xz [-] in axes at right angles
+    elastic : Elastic
+        of the body
+
+    Returns
+    -------
+    array (..., 6)
+        [Pa]
+
+    Source
+    ------
+    Hooke's law; any text on elasticity, e.g. Braess, Finite Elements (2007), ch. VI.
+    """
+    lame, shear = lame_constants(elastic.youngs_modulus, elastic.poisson_ratio)
+    stress = shear * strain
+    stress[..., :3] += shear * strain[..., :3] + lame * strain[..., :3].sum(axis=-1, keepdims=True)
+    return stress
+
+
+def strain_of(gradient: NDArray) -> NDArray:
+    """Strain (n, 6) of a displacement gradient (n, 9) [m/mm], as `hooke` wants it."""
+    g = MILLIMETRES * gradient.reshape(-1, 3, 3)
+    shears = (g[:, a, b] + g[:, b, a] for a, b in ((0, 1), (1, 2), (0, 2)))
+    return np.stack([g[:, 0, 0], g[:, 1, 1], g[:, 2, 2], *shears], axis=1)

@@ -1,0 +1,36 @@
+"""A whole solid under its rollers by two orders of displacements, for its largest stresses."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import ngsolve as ngs
+import numpy as np
+from numpy.typing import NDArray
+
+from fem.mesh.solid import MILLIMETRES
+from fem.solid.extremes import Samples
+from fem.solid.fields import LoadedSolid
+from fem.solid.lattice import hooke, spread, strain_of
+
+
+@dataclass(frozen=True)
+class WholeSolid:
+    """The same loads on the same elements; see `fem.solid.extremes.Sampled`."""
+
+    lower: LoadedSolid
+    higher: LoadedSolid
+
+    def pieces(self, body: str) -> Iterable[int]:
+        """The whole in one."""
+        return (0,)
+
+    def samples(
+        self, body: str, piece: int, intervals: int, keys: NDArray | None = None, *, higher: bool = True
+    ) -> Samples:
+        """Samples of the whole solid."""
+        solid = self.higher if higher else self.lower
+        points = spread(solid.mesh, body, intervals, keys)
+        gradient, moved = ngs.Grad(solid.displacement)(points.mapped), solid.displacement(points.mapped)
+        place = ngs.CF((ngs.x, ngs.y, ngs.z))(points.mapped) / MILLIMETRES
+        stress = hooke(strain_of(gradient), solid.part.materials[body])
+        return Samples(points.key, points.even, place, np.linalg.norm(moved, axis=1), stress)

@@ -1,0 +1,33 @@
+"""Nominal stresses of the bars of a squirrel cage at an end state, from its condensed stiffness."""
+
+import fem
+from fem.cage import bar_forces
+from fem.cage.bar_forces import NominalStresses
+from fem.raceway.bar_response import BarResponse
+from flexbearing.build import ring_parts
+from flexbearing.case.roller import Case
+from flexbearing.coupled.states import EndState
+from flexbearing.coupling.raceway_pair import OUTWARD
+
+
+def nominal_stresses(case: Case, end: EndState) -> NominalStresses | None:
+    """Section forces and nominal stresses of the bars, without a solve.
+
+    Parameters
+    ----------
+    case : Case
+        whose outer ring may be a squirrel cage
+    end : EndState
+        an equilibrium with the rings it was found between
+
+    Returns
+    -------
+    NominalStresses or None
+        with `largest` and its `error` [Pa]; None without bars, or between rigid raceways
+    """
+    response = None if end.rings.outer is None else end.rings.outer.bar_response
+    part = ring_parts.outer_part(case) if isinstance(response, BarResponse) else None
+    if not isinstance(response, BarResponse) or not isinstance(part, fem.SquirrelCage):
+        return None
+    azimuths = end.equilibrium.balance.roller.bearing.azimuths
+    return bar_forces.nominal_stresses(part, response, azimuths, OUTWARD[1] * end.equilibrium.forces[1])
