@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from fem.parts.rings import ImpossiblePart
 
 COARSE, FINE = 4, 24  # intervals along an element edge: in every element, and in those with the largest
-CAUTION, LEAST = 2.0, 5e-3  # factor of the change from the lower order; least error over the value: assumed
+CAUTION, LEAST = 2.0, 1.5e-2  # factor of the change from the lower order; least error over the value: assumed
 CANDIDATES = 12  # elements that are looked into for each measure
 
 
@@ -77,7 +77,7 @@ def extremes(sampled: Sampled, body: str, clear: Callable[[NDArray], NDArray]) -
     -------
     BodyExtremes
         their errors are twice the change from the lower order of displacements, that from half as
-        many samples, and half a percent
+        many samples, and one and a half percent
 
     Raises
     ------

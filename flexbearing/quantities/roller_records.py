@@ -129,10 +129,10 @@ STRUCTURE: Form = Each(
             "unknowns": COUNT,
             "elements": COUNT,
             "support_stiffness_N_per_m": NUMBER_OR_NULL,
-            "support_stiffness_error_N_per_m": NUMBER_OR_NULL,
             "seconds": Each("stage", NUMBER),
         },
         optional={
+            "support_stiffness_error_N_per_m": NUMBER_OR_NULL,
             "fit": Each("figure", NUMBER),
             "housing": Each("figure", NUMBER),
             "seat": Each("figure", NUMBER),

@@ -197,7 +197,8 @@ def held(structure: dict[str, Any] | None) -> Iterator[RenderableType]:
     """Radial stiffness of what holds each raceway, with its error; nothing where that is unknown."""
     lines = []
     for name, figures in (structure or {}).items():
-        stiffness, error = figures["support_stiffness_N_per_m"], figures["support_stiffness_error_N_per_m"]
+        stiffness = figures["support_stiffness_N_per_m"]
+        error = figures.get("support_stiffness_error_N_per_m")
         if stiffness is not None:
             spread = "" if error is None else f" +- {1e-6 * error:,.2g}"
             lines.append(f"{name}: {1e-6 * stiffness:,.1f}{spread} kN/mm")

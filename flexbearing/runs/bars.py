@@ -1,5 +1,7 @@
 """Nominal stresses of the bars of a squirrel cage at an end state, from its condensed stiffness."""
 
+from collections.abc import Iterator
+
 import fem
 from fem.cage import bar_forces
 from fem.cage.bar_forces import NominalStresses
@@ -8,6 +10,8 @@ from flexbearing.build import ring_parts
 from flexbearing.case.roller import Case
 from flexbearing.coupled.states import EndState
 from flexbearing.coupling.raceway_pair import OUTWARD
+from flexbearing.runs.dangers import yielding
+from quasidynamic.note import Note
 
 
 def nominal_stresses(case: Case, end: EndState) -> NominalStresses | None:
@@ -31,3 +35,23 @@ def nominal_stresses(case: Case, end: EndState) -> NominalStresses | None:
         return None
     azimuths = end.equilibrium.balance.roller.bearing.azimuths
     return bar_forces.nominal_stresses(part, response, azimuths, OUTWARD[1] * end.equilibrium.forces[1])
+
+
+def dangers(case: Case, nominal: NominalStresses | None) -> Iterator[Note]:
+    """Danger of bars whose nominal stress is above the yield stress of their material.
+
+    Parameters
+    ----------
+    case : Case
+        which may give a yield stress of the outer ring
+    nominal : NominalStresses or None
+        of its bars
+
+    Yields
+    ------
+    Note
+        "yield-stress"
+    """
+    if nominal is not None:
+        limit = case.materials.outer_ring.yield_stress
+        yield from yielding("bars of the squirrel cage", nominal.largest, limit)

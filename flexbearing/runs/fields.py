@@ -26,7 +26,9 @@ from flexbearing.case.roller import Case
 from flexbearing.files import require_folder, require_output, write as store
 from flexbearing.results import BadResult, Result
 from flexbearing.rings.condensed import IN_SPACE, mesh_size, patches
+from flexbearing.runs.dangers import yielding
 from quasidynamic.contact.line import Slices
+from quasidynamic.note import Note
 
 if TYPE_CHECKING:
     from fem.parts.rings import Part
@@ -171,6 +173,30 @@ class Sizes:
     stresses: fem.MeshSize
     coarseness: float  # of the latter over that of the usual mesh, where the case asks for another [-]
     threads: int
+
+
+def dangers(case: Case, race: Race, record: dict[str, Any]) -> Iterator[Note]:
+    """Danger of bodies whose largest von Mises stress is above the yield stress of their material.
+
+    Parameters
+    ----------
+    case : Case
+        which may give yield stresses
+    race : "inner" or "outer"
+        which part
+    record : dict
+        of `PartFields.record`
+
+    Yields
+    ------
+    Note
+        "yield-stress"
+    """
+    for body, most in record["bodies"].items():
+        material = expansion.material(case, body if body in ("shaft", "housing") else f"{race}_ring")
+        name = f"{race} ring" if body == "ring" else body
+        limit = getattr(material, "yield_stress", None)  # not every material may have one
+        yield from yielding(name, MEGA * most["von_mises_MPa"], limit)
 
 
 def _body_record(most: BodyExtremes) -> dict[str, float]:

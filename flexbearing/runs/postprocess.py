@@ -67,7 +67,9 @@ class Postprocessing:
             self.of_state[name] += skew.notes(skewed, state, state.minimum_film)
         if not end.rings.rigid:
             self.add_equilibria(name, between_flexible_raceways(state, end.rings))
-        return {"life": modified, "skew": skewed, "bars": bars.nominal_stresses(self.case, end)}
+        nominal = bars.nominal_stresses(self.case, end)
+        self.of_state[name] += tuple(bars.dangers(self.case, nominal))
+        return {"life": modified, "skew": skewed, "bars": nominal}
 
     def _add_stresses(self, block: Arrays) -> None:
         """Stresses come on top of a solution: what keeps them away is a note, and the solution stays."""
@@ -78,6 +80,7 @@ class Postprocessing:
                 self.notes.append(information("no-stresses", f"no stresses: {problem}"))
             else:
                 self.stresses[race] = record
+                self.of_state["flexible"] += tuple(fields.dangers(self.case, race, record))
 
     def add_equilibria(self, name: str, found: SeveralEquilibria | None) -> None:
         """Keep what was found beside the equilibrium of a block; None says that nothing was."""

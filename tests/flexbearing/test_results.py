@@ -20,7 +20,7 @@ from flexbearing.results import BadResult, NotInLayout, ResultFile, hdf5, write
 from tests.flexbearing.resealed import digest, resealed
 
 ROLLERS = FAMILIES["cylindrical_roller"]
-SIZE = {"Z": 5, "K": 3, "N": 7, "2": 2, "3": 3, "5": 5}
+SIZE = {"Z": 5, "K": 3, "B": 4, "N": 7, "2": 2, "3": 3, "5": 5}
 PAGE = Path(__file__).parents[2] / "docs" / "reference" / "results.md"
 BEGINNING = {
     "title": "Rollenlager, Außenring weich",
@@ -77,8 +77,15 @@ ENDING = {
     "stresses": {
         "outer": {
             "bodies": {},
-            "nominal_bar_stress_MPa": 1500.0,
-            "support": {"radial_N_per_m": 1e8, "tilting_Nm_per_rad": 1e5, "axial_N_per_m": 1e7},
+            "loads": "rollers",
+            "left_out": "",
+            "support": {
+                "tilting_Nm_per_rad": 1e5,
+                "tilting_error_Nm_per_rad": 1e3,
+                "axial_N_per_m": 1e7,
+                "axial_error_N_per_m": 1e5,
+            },
+            "seconds": 9.0,
         }
     },
     "choices": {
