@@ -163,3 +163,16 @@ def test_methods_agree_on_rings_that_lift_off(supports, tmp_path):
     assert [result.attributes["status"] for result in found] == ["converged", "converged"]
     newton, secant = (result.flexible["outer_load"] for result in found)
     assert newton == approx(secant, rel=0, abs=1e-7 * secant.max())
+
+
+@pytest.mark.parametrize("supports", [LINES, BEAM], ids=["lines", "springs"])
+def test_stiffness_of_a_ring_that_lifts_off_is_that_of_differences(supports, tmp_path):
+    """Bearing, ring and supports in one tangent: the shaft moves by it from 1990 to 2010 N."""
+    exact = [*supports, "coupling.tolerance=1e-9"]
+    places, blocks = [], []
+    for load in (1990, 2000, 2010):
+        blocks.append(run(tmp_path, *exact, f"operation.radial_load={load} N").flexible)
+        inner, outer = blocks[-1]["support_translation"]
+        places.append(blocks[-1]["ring_displacement"] - inner + outer)
+    across_and_along = np.linalg.inv(blocks[1]["stiffness_matrix"][1:, 1:])[:2, 1]
+    assert (places[2] - places[0]) / 20 == approx(across_and_along, rel=1e-3, abs=1e-12)
