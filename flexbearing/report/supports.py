@@ -1,12 +1,16 @@
 """What the summary says of lines and springs that hold the outer ring."""
 
 from collections.abc import Iterator
+from math import hypot
 from typing import Any
 
 from rich.console import RenderableType
 from rich.text import Text
 
 from flexbearing.report.sections import listed, right_aligned
+
+
+SHEARED = 1e-4  # of the rollers' force: what radial springs leave to tangential ones
 
 
 def supports(structure: dict[str, Any] | None) -> Iterator[RenderableType]:
@@ -46,7 +50,8 @@ def _foundation(springs: dict[str, Any]) -> list[str]:
 
 def _balance(held: dict[str, Any]) -> str:
     (y, z), (along_y, along_z) = held["resultant_N"], held["rollers_N"]
+    rest = hypot(along_y - y, along_z - z) > SHEARED * hypot(along_y, along_z)
     return (
         f"radial forces hold ({y:,.1f}, {z:,.1f}) N along (y, z) of ({along_y:,.1f}, {along_z:,.1f}) N "
-        "of the rollers"
+        "of the rollers" + (", tangential springs the rest" if rest else "")
     )

@@ -93,6 +93,8 @@ def test_shear_springs_take_what_pressure_does_not(tmp_path):
     result = run(tmp_path, *BEAM, "outer.foundation_tangential=3 N/mm^3")
     told = result.attributes["structure"]["outer"]["foundation"]
     assert 0.5 * told["rollers_N"][1] < told["resultant_N"][1] < 0.95 * told["rollers_N"][1]
+    assert "tangential springs the rest" in " ".join(text(result).split())
+    assert "tangential springs the rest" not in " ".join(text(run(tmp_path, *BEAM)).split())
 
 
 def test_summary_names_line_forces_and_what_lifts_off(tmp_path):
