@@ -9,7 +9,6 @@ from rich.text import Text
 
 from flexbearing.report.sections import listed, right_aligned
 
-
 SHEARED = 1e-4  # of the rollers' force: what radial springs leave to tangential ones
 
 
