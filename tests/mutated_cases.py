@@ -87,6 +87,10 @@ VARIANTS: dict[str, tuple[str, tuple[str, ...]]] = {
         "coupling.max_iterations=15",
         "operation.temperatures.housing=218 degC")),
     "ring on a shaft": ("mao2016", SHAFT),
+    "ring without ribs on a solid shaft": ("mao2016", (
+        *SHAFT, "inner.track_width=12 mm", "inner.shaft_thickness=29.8 mm",
+    )),
+    "cold seat": ("mao2016", (*RING, "operation.temperatures.outer_seat=168 degC")),
     "fit without friction": ("mao2016", (
         *FIT, "inner.fit=frictionless", "bearing.fits.shaft_interference=40 um",
     )),
