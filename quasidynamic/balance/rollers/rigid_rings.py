@@ -1,6 +1,6 @@
 """Two rigid rings on rollers without friction, film or centrifugal force: forces and their derivatives."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
@@ -43,6 +43,10 @@ class RigidRings:
             gap=bearing.clearance / 2 + 2 * drop,
             load=load,
         )
+
+    def with_gap(self, further: float) -> "RigidRings":
+        """The same rings with a further gap [m] at every roller."""
+        return replace(self, gap=self.gap + further)
 
     def at(self, place: NDArray) -> RigidRingState:
         """Evaluate every slice."""

@@ -115,7 +115,7 @@ def _find_spins(balance: BearingBalance, solved: SolvedCases) -> None:
 
 def _with_spins_found(balance: BearingBalance, unknowns: NDArray) -> Iterator[Iterate]:
     """Yield Newton iterates from where it ended, with the spins that pockets leave to unloaded rollers."""
-    held = balance.pack(held_back(balance, balance.unpack(unknowns), uneven=True))
+    held = balance.pack(held_back(balance, balance.unpack(unknowns)))
     return newton(balance, held) if (held != unknowns).any() and np.isfinite(held).all() else iter(())
 
 

@@ -11,6 +11,7 @@ from quasidynamic.solve.rollers.static_equilibrium import (
 from quasidynamic.solve.start.friction import balanced_drifts
 from quasidynamic.solve.start.frictionless import static_unknowns
 from quasidynamic.solve.start.lumped import LumpedRollers, held_back
+from quasidynamic.solve.start.tilted import tilted_by_moments
 
 SMALL_SLIP = 0.1  # slip up to which the centrifugal force and the spins of unloaded rollers change little
 HELD_ROUNDS = (
@@ -24,14 +25,14 @@ def static_start(balance: BearingBalance) -> NDArray:
 
     The ring displacement along the load is one scalar root; films are those of pure rolling.
     """
-    start = static_unknowns(balance, np.zeros_like(balance.rolling_cage))
+    start = tilted_by_moments(balance, static_unknowns(balance, np.zeros_like(balance.rolling_cage)))
     cage_drift, spin_drift = guessed_drifts(balance, start)
     guess = start._replace(cage_drift=cage_drift, spin_drift=spin_drift)
     scaled = balance.pack(held_back(balance, guess))
     slipping = np.flatnonzero(np.abs(cage_drift) > SMALL_SLIP * np.abs(balance.rolling_cage))
     if len(slipping):  # less centrifugal force, and spins that follow from each other
         slow = balance.take(slipping)
-        static = static_unknowns(slow, cage_drift[slipping])
+        static = tilted_by_moments(slow, static_unknowns(slow, cage_drift[slipping]))
         drifts = balanced_drifts(slow, static, cage_drift[slipping], spin_drift[slipping])
         scaled[slipping] = slow.pack(static._replace(cage_drift=drifts[0], spin_drift=drifts[1]))
     return scaled

@@ -177,11 +177,11 @@ class LumpedRollers:
         return (land.torque - lever * drag)[:, 0], (-land.by_speed - lever * drag_slope)[:, 0]
 
 
-def held_back(balance: BearingBalance, start: Unknowns, uneven: bool = False) -> Unknowns:
+def held_back(balance: BearingBalance, start: Unknowns) -> Unknowns:
     """Spins of rollers that their pockets hold back in a slow bearing, and where these rollers rest then.
 
     Spins by loads, and loads by the lift of pocket friction, which goes with the spin; a sweep hands spins on
-    to the next roller. Rollers are untilted on even raceways or, if `uneven`, as they are.
+    to the next roller.
     """
     if (np.abs(balance.rolling_cage + start.cage_drift) > balance.slow_cage).all():
         return start
@@ -189,10 +189,10 @@ def held_back(balance: BearingBalance, start: Unknowns, uneven: bool = False) ->
         return start
     lumped = LumpedRollers(balance)
     for _ in range(MAX_SWEEPS):
-        slice_load = slice_loads(balance, start, uneven)
+        slice_load = slice_loads(balance, start, uneven=True)
         spin_drift = lumped.braked(slice_load, start.cage_drift, start.spin_drift)
         change = np.abs((spin_drift - start.spin_drift) / balance.rolling_spin).max()
-        start = static_equilibrium(balance, start._replace(spin_drift=spin_drift), uneven)
+        start = static_equilibrium(balance, start._replace(spin_drift=spin_drift), uneven=True)
         if change < SMALL_CHANGE:
             break
     return start

@@ -9,6 +9,7 @@ from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.solve.rollers.static_equilibrium import film_at, frictionless_loads, static_equilibrium
 from quasidynamic.solve.start.frictionless import frictionless_ring, static_unknowns
 from quasidynamic.solve.start.lumped import LumpedRollers, held_back
+from quasidynamic.solve.start.tilted import tilted_by_moments
 
 TRIAL_SLIPS = np.array([0.003, 0.01, 0.03, 0.08, 0.2, 0.35, 0.5, 0.65, 0.8, 0.9, 0.96, 0.99])
 SMALLEST_SLIP = 1e-10
@@ -58,4 +59,4 @@ def _start_at(balance: BearingBalance, slip: NDArray) -> NDArray:
     unknowns = unknowns._replace(film=film_at(balance, unknowns, frictionless_loads(balance, unknowns)))
     load = points.load * np.sin(turned), points.load * np.cos(turned)
     resting = static_equilibrium(balance, frictionless_ring(balance, unknowns, np.array(load)[..., 0]))
-    return balance.pack(held_back(balance, resting))
+    return balance.pack(held_back(balance, tilted_by_moments(balance, resting)))

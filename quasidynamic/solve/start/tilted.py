@@ -1,0 +1,65 @@
+"""Start of a ring that a moment tilts: where frictionless rollers carry load and moment."""
+
+import numpy as np
+
+from quasidynamic.balance.rollers.bearing import BearingBalance
+from quasidynamic.balance.rollers.rigid_rings import RigidRings
+from quasidynamic.balance.rollers.unknowns import OUTER, Unknowns
+from quasidynamic.contact.line import EXPONENT
+from quasidynamic.errors import NotSolved
+from quasidynamic.solve.rollers.load_distribution import balanced
+from quasidynamic.solve.rollers.static_equilibrium import (
+    frictionless_loads,
+    outward_force,
+    static_equilibrium,
+)
+
+
+def tilted_by_moments(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
+    """Put rings that a moment alone tilts, or mostly, where frictionless rollers carry it.
+
+    Newton's method would have to find out first which rollers touch, from where none does.
+    """
+    points, length = balance.points, balance.roller.bearing.roller.length
+    by_moment = (points.free_tilt & (points.moment > points.load * length))[:, 0]
+    if not by_moment.any() or balance.layout.elastic_raceways or balance.deviation is not None:
+        return unknowns
+    ring = unknowns.ring.copy()
+    for case in np.flatnonzero(by_moment):
+        ring[:, case, 0] = _ring(balance.take(np.array([case])), _of_case(unknowns, case))
+    placed = unknowns._replace(ring=ring)
+    straight = static_equilibrium(balance, placed, uneven=True)
+    between = frictionless_loads(balance, straight, uneven=True).min(0) > np.abs(
+        outward_force(balance, placed)
+    )
+    half = balance.inputs(placed).approach[:, 1].sum(0) / 2  # a roller pressed by both stands askew to each
+    tilt = np.where(by_moment[:, None] & between, half, placed.tilt)
+    return static_equilibrium(balance, placed._replace(tilt=tilt), uneven=True)
+
+
+def _of_case(unknowns: Unknowns, case: int) -> Unknowns:
+    one = slice(case, case + 1)
+    return Unknowns(
+        unknowns.ring[:, one],
+        unknowns.cage_drift[one],
+        unknowns.approach[one],
+        unknowns.tilt[one],
+        unknowns.film[:, one],
+        unknowns.spin_drift[one],
+        unknowns.deviation[:, :, one],
+    )
+
+
+def _ring(balance: BearingBalance, unknowns: Unknowns) -> np.ndarray:
+    """Displacement y, z and slopes dz/dx, dy/dx of the ring (4) of one case, or as they were."""
+    points, raceways, half = balance.points, balance.roller.raceways, balance.kinematics.half_length
+    pressed = raceways.softness[OUTER] * np.abs(outward_force(balance, unknowns)).mean() ** (1 / EXPONENT)
+    forces = [points.load_y, points.load_z], [points.moment_y / half, points.moment_z / half]
+    load = np.array(forces)[:, :, 0, 0].T
+    rings = RigidRings.of(balance.roller.bearing, raceways.slices, load)
+    try:
+        state, _ = balanced(rings.with_gap(pressed - unknowns.film.sum(0).mean()))
+    except NotSolved:
+        return unknowns.ring[:, 0, 0]
+    place, slope = state.place.T
+    return np.concatenate([place, slope[::-1] / half])
