@@ -159,10 +159,10 @@ def reduced_under(half: HalfPitch, patterns: NDArray, share: NDArray, symmetric:
     owner[half.cut] = 0
     owner[half.middle[[1]] if symmetric else half.middle[[0, 2]]] = 0
     reading = half.readings[:, :MIRRORED] if symmetric else half.readings[:, MIRRORED:]
-    border = sparse.csr_array(np.hstack([patterns, reading]))
-    kept = np.concatenate([half.cut.ravel(), size + np.arange(border.shape[1])])
+    border, width = sparse.csr_array(np.hstack([patterns, reading])), count + reading.shape[1]
+    kept = np.concatenate([half.cut.ravel(), size + np.arange(width)])
     bordered = sparse.csr_array(sparse.block_array([[half.stiffness, -border], [-border.T, None]]))
-    inside = eliminate(bordered, np.append(owner, np.zeros(border.shape[1], dtype=int)), kept)
+    inside = eliminate(bordered, np.append(owner, np.zeros(width, dtype=int)), kept)
     places = half.cut.size
     force, bar = slice(places, places + count), slice(places + count, None)
     return CutStiffness(

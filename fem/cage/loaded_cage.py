@@ -183,7 +183,7 @@ def _solved(
 
 def _parts(columns: NDArray) -> NDArray:
     """Complex columns as real ones, real part and imaginary part one after the other."""
-    return np.stack([columns.real, columns.imag], axis=2).reshape(len(columns), -1)
+    return np.stack([np.real(columns), np.imag(columns)], axis=2).reshape(len(columns), -1)
 
 
 def _complex(columns: NDArray) -> NDArray:

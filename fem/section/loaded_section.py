@@ -144,7 +144,7 @@ class LoadedSection:
         waves = np.stack([load @ turn, (load * n) @ turn])
         steady = np.zeros((2, 1, azimuth.size))
         steady[0] = 1.0
-        return np.hstack([waves.real, steady]), np.hstack([waves.imag, 0 * steady])
+        return np.hstack([np.real(waves), steady]), np.hstack([np.imag(waves), 0 * steady])
 
 
 def _strains(of_order: Field, mapped: Any, radius: NDArray) -> tuple[NDArray, NDArray, NDArray]:
@@ -207,11 +207,13 @@ def loaded_section(
     """
     around = surroundings or Surroundings()
     last = ceil(SMOOTH * part.raceway_diameter / 2 / patches.width)
-    fields = tuple(
+    lower, higher = (
         _field(part, patches, replace(mesh_size, order=order), last, around)
         for order in (mesh_size.order - 1, mesh_size.order)
     )
-    return LoadedSection(part=part, patches=patches, forces=forces, surroundings=around, fields=fields)
+    return LoadedSection(
+        part=part, patches=patches, forces=forces, surroundings=around, fields=(lower, higher)
+    )
 
 
 def _field(part: Any, patches: Patches, mesh: MeshSize, last: int, around: Surroundings) -> Field:

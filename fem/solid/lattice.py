@@ -97,7 +97,7 @@ def spread(
     for element in mesh.Materials(body).Elements():
         if element.nr in wanted:
             rule, halved = lattice(element.type, intervals)
-            mapped.append(mesh.GetTrafo(element)(rule))
+            mapped.append(mesh.GetTrafo(ngs.ElementId(ngs.VOL, element.nr))(rule))
             key.append(np.full(len(halved), element.nr))
             even.append(halved)
     if places is not None and len(places):
