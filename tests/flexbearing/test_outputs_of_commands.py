@@ -175,16 +175,13 @@ def test_full_disk_ends_with_three_and_one_line_that_says_what_to_do(
     assert {path.name for path in tmp_path.iterdir()} == {"ring.h5", *left}
 
 
-def test_fields_cut_short_by_a_full_disk_are_not_stored(tmp_path):
-    """NGSolve does not notice that its file is incomplete."""
-
-    def cut_short(path):
-        path.write_text("<VTKFile><UnstructuredGrid>")
-        return path
-
+def test_fields_cut_short_by_a_full_disk_are_not_stored(monkeypatch, tmp_path):
+    """They are made in memory and stored as a whole, or not at all."""
     path = tmp_path / "r_outer_flexible.vtu"
-    part = SimpleNamespace(fields=SimpleNamespace(write=cut_short))
-    with pytest.raises(NotStored, match="TMPDIR"):
+    part = SimpleNamespace(loaded=SimpleNamespace(displacement=None), part=SimpleNamespace(materials={}))
+    monkeypatch.setattr("fem.solid.vtu.vtu", lambda displacement, materials: b"<VTKFile>")
+    full_disk(monkeypatch)
+    with pytest.raises(NotStored, match=r"r_outer_flexible\.vtu"):
         fields.write(part, path)  # pyright: ignore[reportArgumentType]
     assert not path.exists()
     assert parts_of(path) == []
