@@ -173,7 +173,7 @@ def named_failures(case: Case, name: str) -> Iterator[None]:
     BadCase
         when no such part can exist
     PartnerFailed
-        when the finite elements found no solution
+        when the finite elements found no solution, or no room for it
     """
     try:
         yield
@@ -181,6 +181,9 @@ def named_failures(case: Case, name: str) -> Iterator[None]:
         raise BadCase(f"{case.source.path}: {name}: {problem}") from problem
     except NotSolved as problem:
         raise PartnerFailed(f"{name}: {problem}", "not solved") from problem
+    except MemoryError as problem:
+        words = f"{name}: there is not enough memory for its elements; fewer and larger ones take less"
+        raise PartnerFailed(words, "not solved") from problem
 
 
 def condensed(name: str, part: "Part", case: Case, azimuths: NDArray, report: Report):

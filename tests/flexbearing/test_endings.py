@@ -9,6 +9,7 @@ import pytest
 import flexbearing
 from flexbearing.__main__ import command
 from flexbearing.coupling import PartnerFailed
+from flexbearing.rings import condensed
 from flexbearing.rings.raceways import CondensedRaceway
 from quasidynamic import NotSolved, RollerBearing
 from quasidynamic.solve.outcome import SolverOutcome
@@ -81,6 +82,19 @@ def test_rings_that_fail_at_the_end_state_leave_a_file_with_all_iterations(monke
     assert result.attributes["status"] == "not solved"
     assert result.attributes["iterations"] == len(result.iterations) > 0
     assert result.attributes["message"] == "no figures"
+
+
+def test_elements_that_find_no_memory_are_an_ending_of_their_own(monkeypatch, tmp_path):
+    """Meshes that are far too fine ended as an internal error."""
+
+    def exhausted(*given, **named):
+        raise MemoryError("std::bad_alloc")
+
+    monkeypatch.setattr(condensed, "condense", exhausted)
+    result = flexbearing.run(PAPER, tmp_path / "r.h5", BEAM)
+    assert result.attributes["status"] == "not solved"
+    assert "outer ring: there is not enough memory" in result.attributes["message"]
+    assert result.rigid
 
 
 def _set(settings):
