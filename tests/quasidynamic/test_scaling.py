@@ -208,3 +208,17 @@ def test_life_between_a_standing_and_a_turning_ring_rises_steadily():
     assert (np.diff(lives) > 0).all()
     assert lives[0] == approx(life((True, False)), rel=1e-12)
     assert lives[-1] == approx(life((True, True)), rel=1e-6)
+
+
+# -- a moment alone ----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("axial_modes", [2, 3])
+@pytest.mark.parametrize("speed", [20.0, 38000.0], ids=["slow", "fast"])
+def test_ring_under_a_moment_alone_is_held_by_rollers_on_both_sides(axial_modes, speed):
+    """Whatever the clearance: at the start no roller touches, and the ring has to tilt until some do."""
+    state = paper_bearing(load=0.0, moment=20.0, speed=speed * RPM, axial_modes=axial_modes).solve()
+    assert state.ring_moment == approx([20.0, 0.0], rel=0, abs=1e-6)
+    loads, half = state.loads[0], len(state.loads[0]) // 2
+    assert loads[0] > 100.0
+    assert loads[half] == approx(loads[0], rel=0.05)

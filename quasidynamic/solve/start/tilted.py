@@ -1,5 +1,7 @@
 """Start of a ring that a moment tilts: where frictionless rollers carry load and moment."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from quasidynamic.balance.rollers.bearing import BearingBalance
@@ -14,6 +16,8 @@ from quasidynamic.solve.rollers.static_equilibrium import (
     static_equilibrium,
 )
 
+MOSTLY = 10.0  # moment over load and length of rollers: below it the load says which rollers touch
+
 
 def tilted_by_moments(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
     """Put rings that a moment alone tilts, or mostly, where frictionless rollers carry it.
@@ -21,7 +25,7 @@ def tilted_by_moments(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
     Newton's method would have to find out first which rollers touch, from where none does.
     """
     points, length = balance.points, balance.roller.bearing.roller.length
-    by_moment = (points.free_tilt & (points.moment > points.load * length))[:, 0]
+    by_moment = (points.free_tilt & (points.moment > MOSTLY * points.load * length))[:, 0]
     if not by_moment.any() or balance.layout.elastic_raceways or balance.deviation is not None:
         return unknowns
     ring = unknowns.ring.copy()
@@ -56,7 +60,8 @@ def _ring(balance: BearingBalance, unknowns: Unknowns) -> np.ndarray:
     pressed = raceways.softness[OUTER] * np.abs(outward_force(balance, unknowns)).mean() ** (1 / EXPONENT)
     forces = [points.load_y, points.load_z], [points.moment_y / half, points.moment_z / half]
     load = np.array(forces)[:, :, 0, 0].T
-    rings = RigidRings.of(balance.roller.bearing, raceways.slices, load)
+    slices = replace(raceways.slices, axial_modes=2)
+    rings = RigidRings.of(balance.roller.bearing, slices, load)
     try:
         state, _ = balanced(rings.with_gap(pressed - unknowns.film.sum(0).mean()))
     except NotSolved:
