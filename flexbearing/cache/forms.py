@@ -37,7 +37,8 @@ class Number:
         """
         if value is None and self.optional:
             return
-        if type(value) not in (int, float) or isnan(value) or not (isfinite(value) or self.infinite):
+        number = value is not None and type(value) in (int, float)
+        if not number or isnan(value) or not (isfinite(value) or self.infinite):
             raise WrongForm(f"{value!r} is no number")
 
 

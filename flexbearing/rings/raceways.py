@@ -91,11 +91,11 @@ class CondensedRaceway:
 def compliance_figures(compliance: "RacewayCompliance") -> dict[str, object]:
     """What the finite elements cost and how stiff the support is, for the result file."""
     stiffness, error = compliance.support_stiffness, compliance.support_error
-    known = error is not None and np.isfinite(stiffness)
+    known_error = None if error is None or not np.isfinite(stiffness) else error * stiffness
     return {
         "unknowns": compliance.unknowns,
         "elements": compliance.elements,
         "support_stiffness_N_per_m": stiffness if np.isfinite(stiffness) else None,
-        "support_stiffness_error_N_per_m": error * stiffness if known else None,
+        "support_stiffness_error_N_per_m": known_error,
         "seconds": compliance.seconds,
     }

@@ -29,7 +29,7 @@ def tilted_by_moments(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
     if not by_moment.any() or balance.layout.elastic_raceways or balance.deviation is not None:
         return unknowns
     ring = unknowns.ring.copy()
-    for case in np.flatnonzero(by_moment):
+    for case in map(int, np.flatnonzero(by_moment)):
         ring[:, case, 0] = _ring(balance.take(np.array([case])), _of_case(unknowns, case))
     placed = unknowns._replace(ring=ring)
     straight = static_equilibrium(balance, placed, uneven=True)
