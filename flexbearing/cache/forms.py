@@ -37,8 +37,9 @@ class Number:
         """
         if value is None and self.optional:
             return
-        number = value is not None and type(value) in (int, float)
-        if not number or isnan(value) or not (isfinite(value) or self.infinite):
+        if value is None or type(value) not in (int, float):
+            raise WrongForm(f"{value!r} is no number")
+        if isnan(value) or not (isfinite(value) or self.infinite):
             raise WrongForm(f"{value!r} is no number")
 
 
