@@ -50,6 +50,15 @@ def test_bearing_and_ring_agree_in_a_few_steps(changes, foundation):
     assert last.deviation[1] == pytest.approx(np.tensordot(matrix, last.forces[1], 2), rel=1e-7, abs=1e-13)
 
 
+def test_slow_heavy_bearing_is_solved_though_not_in_a_few_steps():
+    """At 10 rad/s it takes 350 evaluations; at 5 rad/s a few steps."""
+    model = paper_bearing(axial_modes=3, slices=10, speed=10.0)
+    matrix = ring(model.bearing.azimuths, 3.6e-3, 1e8, 3)
+    *_, last = model.iterate((None, matrix), model.solve())
+    assert last.status is SolverOutcome.CONVERGED
+    assert last.deviation[1] == pytest.approx(np.tensordot(matrix, last.forces[1], 2), rel=1e-7, abs=1e-13)
+
+
 @pytest.mark.parametrize("speed", [1000 * RPM, 3000 * RPM], ids=["1000 rpm", "3000 rpm"])
 @pytest.mark.parametrize("load", [3000.0, 10000.0])
 def test_spins_are_held_while_contacts_are_searched(load, speed):
