@@ -8,7 +8,7 @@ bar, azimuth 0) and "cut" (of the slot, azimuth pi / bars); all else is as in `f
 
 from dataclasses import replace
 from itertools import pairwise
-from math import atan2, hypot, pi
+from math import atan2, hypot, isclose, pi
 
 import ngsolve as ngs
 from netgen import occ
@@ -33,7 +33,12 @@ _AXIS = occ.Axis(occ.Pnt(0, 0, 0), occ.X)
 
 
 def half_pitch(
-    part: SquirrelCage, length: float, mesh_size: MeshSize, feet_size: float | None = None
+    part: SquirrelCage,
+    length: float,
+    mesh_size: MeshSize,
+    feet_size: float | None = None,
+    *,
+    graded_clamp: bool = False,
 ) -> ngs.Mesh:
     """Curved elements that fill half a pitch of a squirrel cage.
 
@@ -49,6 +54,9 @@ def half_pitch(
     feet_size : float, optional
         for stresses: largest element edge at the feet of the bar [m]; with fillets all is one body then,
         named after the ring: a fillet that ends at another body is a cusp
+    graded_clamp : bool
+        whether layers of thinner elements follow the rims of the clamp, too, where stress is as singular: it
+        pays where the clamp is what strains the cage, or where stresses of the flange count
 
     Returns
     -------
@@ -64,6 +72,8 @@ def half_pitch(
     in_one = feet_size is not None and part.fillet > 0
     body = occ.Glue(_in_one(part, length) if in_one else _pieces(part, length))
     require_affordable_solid(body, mesh_size)
+    if graded_clamp:
+        _mark_clamp(body)
     for face in body.faces:
         azimuth = atan2(face.center.y, face.center.z)
         if abs(azimuth) < NEAR:
@@ -79,7 +89,7 @@ def half_pitch(
             maxh=sizes.size * MILLIMETRES, parallel_meshing=False, curvaturesafety=ARC
         )
         mesh = ngs.Mesh(tetrahedra)
-        if part.fillet == 0:
+        if part.fillet == 0 or graded_clamp:
             mesh.RefineHP(LAYERS, LAYER_RATIO)
         return mesh
 
@@ -103,13 +113,26 @@ def _in_one(part: SquirrelCage, length: float) -> list:
     return pieces
 
 
+def _mark_clamp(body) -> None:
+    """Mark the inner and the outer rim of the clamp, along which elements become thinner."""
+    for face in body.faces:
+        if face.name == "clamped":
+            for edge in face.edges:
+                if isclose(_radius(edge.start), _radius(edge.end), abs_tol=NEAR):
+                    edge.hpref = 1
+
+
+def _radius(point) -> float:
+    return hypot(point.y, point.z)
+
+
 def _size_feet(body, part: SquirrelCage, size: float) -> None:
     """Set the size of elements on the faces on which the bar stands, or with its fillets."""
     start = part.width / 2 * MILLIMETRES
     stop = start + part.bar_length * MILLIMETRES
     low, high = (radius * MILLIMETRES for radius in part.bar_radii)
     for face in body.faces:
-        x, r = face.center.x, hypot(face.center.y, face.center.z)
+        x, r = face.center.x, _radius(face.center)
         stands = min(abs(x - start), abs(x - stop)) < NEAR and low < r < high and part.fillet == 0
         if face.name == "fillet" or stands:
             face.maxh = size * MILLIMETRES
