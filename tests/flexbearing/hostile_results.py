@@ -24,7 +24,7 @@ DTYPES = {
     "array": np.dtype(("<f8", (3,))), "enumeration": h5py.enum_dtype({"a": 0, "b": 1}, basetype="i4"),
 }  # fmt: skip
 VALUES = {  # of an attribute of the root
-    "whole number": 7, "number": 2.5, "text": "x", "empty text": "", "texts": ["a", "b"],
+    "whole number": 41, "number": 2.5, "text": "x", "empty text": "", "texts": ["a", "b"],
     "no texts": np.array([], dtype=TEXT), "numbers": [1, 2], "flag": True, "bytes": np.bytes_(b"abc"),
     "nothing": h5py.Empty("S1"), "record": np.zeros((), dtype=[("a", "<f8")]),
     "table of texts": np.array([["a", "b"]], dtype=TEXT), "unsigned": np.uint64(2**64 - 1),
