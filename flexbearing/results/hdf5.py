@@ -5,7 +5,7 @@ A file from elsewhere may claim anything, so every claim is checked before memor
 """
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -27,7 +27,8 @@ _SUPERBLOCKS = (
     b"\3",
 )  # versions that say the end of the file at this place; older ones are of older formats
 _END_OF_FILE = slice(28, 36)
-_TEXT = h5t.py_create(h5py.string_dtype(), logical=True)
+_STRING = h5py.string_dtype()
+_TEXT = h5t.py_create(_STRING, logical=True)
 _SCALAR = h5s.create(h5s.SCALAR)
 _LAYOUTS = (h5d.COMPACT, h5d.CONTIGUOUS, h5d.CHUNKED)
 
@@ -181,7 +182,7 @@ def _content(root: Any, size: int) -> tuple[Content, str]:
             arrays[path] = _array(dataset, path, room)
             room -= arrays[path].nbytes
             texts[path] = _attributes(dataset, room)
-            room -= _length(texts[path])
+            room -= sum(map(_length, texts[path].values()))
     attributes = _attributes(root, room)  # last: the room that numbers leave is no room for texts
     claimed = str(attributes.pop(DIGEST))
     return Content(attributes, arrays, texts), claimed
@@ -257,30 +258,35 @@ def _attributes(owner: Any, room: int) -> dict[str, Any]:
     if count > MOST:
         raise BadContent(f"{count} attributes; {MOST} is the most")
     values: dict[str, Any] = {}
+    left = room
     for place in range(count):
         attribute = h5a.open(owner, index=place)
-        values[attribute.name.decode()] = _attribute(attribute, room)
-        if _length(values) > room:
-            raise BadContent(f"attribute {_shown(attribute.name)} claims more text than the file holds")
+        name = attribute.name
+        value = values[name.decode()] = _attribute(attribute, room)
+        left -= _length(value)
+        if left < 0:
+            raise BadContent(f"attribute {_shown(name)} claims more text than the file holds")
     return values
 
 
-def _length(values: Mapping[str, Any]) -> int:
-    """Characters of all texts among some attributes."""
-    texts = [text for value in values.values() for text in (value if isinstance(value, list) else [value])]
+def _length(value: Any) -> int:
+    """Characters of the texts of an attribute."""
+    texts = value if isinstance(value, list) else [value]
     return sum(len(text) for text in texts if isinstance(text, str))
 
 
 def _attribute(attribute: Any, room: int) -> Any:
     """One attribute: a text, a list of texts, a whole number or a number."""
-    name, kind, shape = _shown(attribute.name), attribute.get_type(), attribute.shape
-    if attribute.get_space().get_simple_extent_type() == h5s.NULL:
-        raise BadContent(f"attribute {name} is empty")
+    kind, space = attribute.get_type(), attribute.get_space()
+    if space.get_simple_extent_type() == h5s.NULL:
+        raise BadContent(f"attribute {_shown(attribute.name)} is empty")
+    shape = space.get_simple_extent_dims()
     if isinstance(kind, h5t.TypeStringID) and kind.is_variable_str():
         count = shape[0] if shape else 1
         if len(shape) > 1 or count > MOST_TEXTS or count * room > max(_TEXT_MEMORY, room):
+            name = _shown(attribute.name)
             raise BadContent(f"attribute {name} is no list of texts that the file could hold")
-        texts = np.empty(shape, dtype=h5py.string_dtype())
+        texts = np.empty(shape, dtype=_STRING)
         if count:
             attribute.read(texts)
         decoded = [_decoded(text) for text in texts.reshape(-1)]
@@ -289,13 +295,13 @@ def _attribute(attribute: Any, room: int) -> Any:
         number = np.empty((), dtype=kind.dtype)
         attribute.read(number)
         return number.item()
-    raise BadContent(f"attribute {name} is neither text nor number")
+    raise BadContent(f"attribute {_shown(attribute.name)} is neither text nor number")
 
 
 def _write_attribute(owner: Any, name: str, value: Any) -> None:
     if isinstance(value, str | list):
         space = h5s.create_simple((len(value),)) if isinstance(value, list) else _SCALAR
-        stored, kind = np.array(value, dtype=h5py.string_dtype()), _TEXT
+        stored, kind = np.array(value, dtype=_STRING), _TEXT
     else:
         stored, space = np.array(value), _SCALAR
         kind = h5t.NATIVE_DOUBLE if isinstance(value, float) else h5t.NATIVE_INT64
