@@ -67,7 +67,7 @@ def write(path: Path, data: bytes, *, beside: Path | None = None, lasting: bool 
     Raises
     ------
     NotStored
-        naming the file and what to do; no part is left
+        naming the finished file and what to do; no part is left
     """
     part = part_name(beside or path, _WRITING)
     try:
@@ -82,8 +82,8 @@ def write(path: Path, data: bytes, *, beside: Path | None = None, lasting: bool 
     except OSError as problem:
         _remove(part)
         raise NotStored(
-            f"{path}: not written: {problem.strerror or problem}. What had this name before is unchanged; "
-            "free space there, or choose another place with -o."
+            f"{beside or path}: not written: {problem.strerror or problem}. What had this name before is "
+            "unchanged; free space there, or choose another place with -o."
         ) from problem
     except BaseException:  # an interrupt leaves no part behind
         _remove(part)

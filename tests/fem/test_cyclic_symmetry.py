@@ -262,6 +262,7 @@ def test_fillets_fill_the_corners_of_the_bars():
     assert 2 * (round_ - sharp) == approx((1 - np.pi / 4) * radius**2 * 2 * (2 * 5 + 2 * 2), rel=0.1)
 
 
+@pytest.mark.slow
 def test_fillet_stiffens_the_support():
     """The feet of the bars shorten them: more than the mesh changes, less than by their whole length."""
     wishes = MeshSize(order=2, size=4e-3, raceway_size=1.5e-3)

@@ -60,6 +60,7 @@ def test_cages_that_make_no_sense(settings, told):
         read(PAPER, settings)
 
 
+@pytest.mark.slow
 def test_several_equilibria_by_a_falling_traction_curve_are_told(tmp_path):
     result = flexbearing.run(PAPER, tmp_path / "r.h5", [*RIGID, *FALLING, "operation.radial_load=2870 N"])
     (note,) = [note for note in result.attributes["notes"] if note["code"] == "several-equilibria"]

@@ -52,6 +52,7 @@ def outer(result):
     return found
 
 
+@pytest.mark.slow
 def test_largest_stresses_are_stored_and_shown(result):
     stored = result.attributes["stresses"]
     assert list(stored) == ["outer"]
@@ -216,6 +217,7 @@ def test_fields_command_writes_what_paraview_opens(result, outer, tmp_path, monk
     assert (tmp_path / "cage_outer_flexible.vtu").stat().st_size > 10_000
 
 
+@pytest.mark.slow
 def test_picture_shows_the_deformed_part(result, outer, tmp_path, monkeypatch):
     monkeypatch.setattr(fields, "fields", lambda case, race, state, values: outer)  # solved before
     (picture,) = pictures(result, tmp_path)

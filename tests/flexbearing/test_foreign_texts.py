@@ -80,6 +80,7 @@ def test_every_text_of_a_page_is_shown(result):
     assert summary(replace(result, attributes=attributes))["message"] == hostile  # JSON escapes it by itself
 
 
+@pytest.mark.slow
 def test_complaints_and_log_lines_control_no_terminal(tmp_path):
     name = "no\x1b[31m\x9b.toml"
     case = str(CONFIGS / "nu209.toml")
@@ -129,6 +130,7 @@ def test_pictures_draw_any_title(name, tmp_path):
     assert all(picture.read_bytes().startswith(b"\x89PNG") for picture in pictures)
 
 
+@pytest.mark.slow
 def test_pictures_of_studies_and_deformed_rings_draw_any_title():
     level = Measured(
         name="level", settings=(), times={"cold": 1.0, "cached": 1.0},

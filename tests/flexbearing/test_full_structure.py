@@ -60,6 +60,7 @@ def full(solved, name="ring"):
     return FullSolveRaceway(name, solved)
 
 
+@pytest.mark.slow
 def test_full_solve_answers_as_the_condensed_operator(solids):
     (inner, condensed_inner), (outer, condensed_outer) = solids
     forces = 1e3 * np.random.default_rng(1).normal(size=(2, 11, 2))
@@ -73,6 +74,7 @@ def test_full_solve_answers_as_the_condensed_operator(solids):
     assert moved == approx(once.linearised(forces).translation(forces), rel=1e-9)
 
 
+@pytest.mark.slow
 def test_solids_condensed_at_the_end_are_those_condensed_at_once(solids):
     for solved, once in solids:
         again = solved.condensed()
@@ -105,6 +107,7 @@ def test_solve_that_fails_has_the_name_of_its_ring():
         full(Torn(), "outer ring").answer(np.zeros((3, 2)))
 
 
+@pytest.mark.slow
 def test_run_solves_the_whole_ring_in_every_iteration(tmp_path):
     found = flexbearing.run(PAPER, tmp_path / "full.h5", [*RING, *COARSE, *FULL])
     assert found.attributes["status"] == "converged"

@@ -373,7 +373,9 @@ def _header(path):
     return data[40 : 40 + int.from_bytes(data[32:40], "little")]
 
 
-@pytest.mark.parametrize("run", ["ring", "solid", "groove", "springs"])
+@pytest.mark.parametrize(
+    "run", ["ring", *(pytest.param(run, marks=pytest.mark.slow) for run in ("solid", "groove", "springs"))]
+)
 @pytest.mark.parametrize("content", ["zero", "negative", "random", "large"])
 def test_wrong_content_with_a_right_digest_ends_with_a_result(
     run, content, tmp_path, monkeypatch, first_runs

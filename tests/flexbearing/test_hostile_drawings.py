@@ -146,6 +146,7 @@ def test_a_drawing_that_ends_the_kernel_ends_a_process_of_its_own():
     [(), ("--set", "coupling.structure=full", "--set", "coupling.method=iqn-ils")],
     ids=["condensed", "in full"],
 )
+@pytest.mark.slow
 def test_a_run_survives_a_damaged_drawing(settings, tmp_path):
     (tmp_path / "step_ring.step").write_bytes(BROKEN)
     (tmp_path / "case.toml").write_text(TEXT)

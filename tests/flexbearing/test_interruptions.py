@@ -155,6 +155,7 @@ def test_ignored_signals_stay_ignored():
     assert "nothing wrong with it" in done.stdout
 
 
+@pytest.mark.slow
 def test_interrupted_study_names_the_table_that_is_complete(tmp_path):
     words = ["trace", PAPER, "--over", "operation.radial_load=5 kN..8 kN", "-o", tmp_path / "t.csv"]
     done = trapped(signal.SIGTERM, "matplotlib.figure", *words)

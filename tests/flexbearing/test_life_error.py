@@ -33,6 +33,7 @@ def error_and_truth(folder, *settings):
     return usual, float(usual.flexible["life_error"]), abs(truth)
 
 
+@pytest.mark.slow
 def test_thin_ring_with_carrying_edges_says_that_its_life_is_wrong(tmp_path):
     result, error, truth = error_and_truth(tmp_path, *ring(1.5), *STRAIGHT, *TILTED)
     assert truth > 0.15
@@ -42,6 +43,7 @@ def test_thin_ring_with_carrying_edges_says_that_its_life_is_wrong(tmp_path):
     assert "its numerical error, estimated [%]" in text(result)
 
 
+@pytest.mark.slow
 def test_thick_ring_is_resolved_and_not_told(tmp_path):
     result, error, truth = error_and_truth(tmp_path, *ring(6), *STRAIGHT, *TILTED)
     assert truth < error < 0.01

@@ -42,6 +42,7 @@ def settings(values):
     return [word for value in values for word in ("--set", value)]
 
 
+@pytest.mark.slow
 def test_runs_without_a_name_of_the_output_do_not_meet(case):
     loads = ["5 kN", "10 kN", "15 kN", "20 kN"]
     runs = [
@@ -55,6 +56,7 @@ def test_runs_without_a_name_of_the_output_do_not_meet(case):
     assert all("radial_load=" in result.path.name for result in results)
 
 
+@pytest.mark.slow
 def test_pool_of_jobs_without_names_keeps_every_result(case):
     def job(number):
         return flexbearing.run(case, overrides=[*RIGID, f"operation.radial_load={5 + number} kN"])

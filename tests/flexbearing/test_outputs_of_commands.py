@@ -63,6 +63,7 @@ def full_disk(monkeypatch, place=1):
     monkeypatch.setattr(os, "fsync", meet)
 
 
+@pytest.mark.slow
 def test_pictures_of_two_results_stand_side_by_side(command, result, tmp_path):
     other = Path(shutil.copy(result, tmp_path / "other.h5"))
     for one in (result, other):
@@ -72,6 +73,7 @@ def test_pictures_of_two_results_stand_side_by_side(command, result, tmp_path):
     assert {path.name for path in (tmp_path / "pictures").iterdir()} == expected
 
 
+@pytest.mark.slow
 def test_default_names_of_studies_carry_the_settings(command, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     few = (Level("5 slices", ("accuracy.slices=5",)),)

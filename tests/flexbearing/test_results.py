@@ -611,6 +611,7 @@ def test_whatever_is_changed_in_a_file_is_seen(path, change):
         read(path)
 
 
+@pytest.mark.slow
 def test_files_in_memory_are_not_taken_for_each_other(path):
     """The HDF5 library identifies files by name, also those that are in memory alone."""
     stored = hdf5.content(written(path).read_bytes())[0]

@@ -83,6 +83,7 @@ def test_flexible_rings_spread_the_load(flexible):
     assert flex["total_stiffness_N_per_m"] < flex["stiffness_N_per_m"] < rigid["stiffness_N_per_m"]
 
 
+@pytest.mark.slow
 def test_alternation_and_newton_end_at_the_same_loads(flexible, tmp_path):
     for method in ("relaxed", "aitken"):
         settings = [

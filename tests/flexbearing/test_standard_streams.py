@@ -50,7 +50,13 @@ STREAMS = {  # what a shell does with them, what is complained about
 
 
 @FULL
-@pytest.mark.parametrize("streams", STREAMS)
+@pytest.mark.parametrize(
+    "streams",
+    [
+        name if not place % 3 else pytest.param(name, marks=pytest.mark.slow)
+        for place, name in enumerate(STREAMS)
+    ],
+)
 def test_run_that_converged_ends_with_zero_whatever_its_streams(streams, tmp_path):
     code, said, complained = shell(f"flexbearing run {PAPER} {RIGID} -o r.h5 {streams}", tmp_path)
     assert (code, complained) == (0, STREAMS[streams])
@@ -60,14 +66,26 @@ def test_run_that_converged_ends_with_zero_whatever_its_streams(streams, tmp_pat
 
 
 @FULL
-@pytest.mark.parametrize("streams", [">&-", "> /dev/full", "| true"])
+@pytest.mark.parametrize(
+    "streams",
+    [">&-", *(pytest.param(streams, marks=pytest.mark.slow) for streams in ("> /dev/full", "| true"))],
+)
 def test_run_that_did_not_converge_still_ends_with_one(streams, tmp_path):
     words = f"run {PAPER} {RIGID} --set 'operation.radial_load=0 N' -o r.h5"
     assert shell(f"flexbearing {words} {streams}", tmp_path)[0] == 1
 
 
 @FULL
-@pytest.mark.parametrize("words", ["summary {}", "summary {} --json", "explain", "cache list", "--version"])
+@pytest.mark.parametrize(
+    "words",
+    [
+        "summary {}",
+        *(
+            pytest.param(words, marks=pytest.mark.slow)
+            for words in ("summary {} --json", "explain", "cache list", "--version")
+        ),
+    ],
+)
 def test_text_that_could_not_be_delivered_is_no_success(words, result, tmp_path):
     command = f"flexbearing {words.format(result)}"
     assert shell(f"{command} > /dev/full", tmp_path) == (3, "", NO_SPACE)
@@ -104,6 +122,7 @@ def test_frames_of_a_page_suit_the_encoding(result, tmp_path):
 
 
 @FULL
+@pytest.mark.slow
 def test_unbuffered_streams_tolerate_as_much(result, tmp_path):
     for words, code in ((f"summary {result} > /dev/full", 3), (f"summary {result} | head -n 1", 0)):
         assert shell(f"flexbearing {words}", tmp_path, PYTHONUNBUFFERED="1")[0] == code

@@ -246,6 +246,7 @@ TIGHT = ["bearing.fits.shaft_interference=60 um"]
 TURNING = ["operation.outer_speed=20000 rpm"]
 
 
+@pytest.mark.slow
 def test_each_body_of_a_fit_has_its_own_density():
     """A heavier body expands more as it turns: a ring opens the fit, a shaft closes it."""
     light, ring, shaft = (
@@ -255,6 +256,7 @@ def test_each_body_of_a_fit_has_its_own_density():
     assert ring < light < shaft
 
 
+@pytest.mark.slow
 def test_each_body_of_a_housing_fit_has_its_own_density():
     """Outside is the housing: where it is heavier it opens the fit, a heavier ring closes it."""
     gaps = []

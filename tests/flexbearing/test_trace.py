@@ -44,6 +44,7 @@ def rows(path):
         return [{name: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
 
 
+@pytest.mark.slow
 def test_trace_writes_a_table_and_a_picture(command, tmp_path):
     code, said, complained = command(LOAD, "-o", tmp_path / "there" / "s.csv", settings=[*FALLING, *RIGID])
     assert (code, complained) == (0, "")

@@ -166,6 +166,7 @@ def jump(loads):
     return sorted(loads[place : place + 2])
 
 
+@pytest.mark.slow
 def test_slip_follows_an_s_over_load_through_two_folds():
     found = branch()
     assert found.end is BranchEnd.RANGE_LEFT
@@ -277,6 +278,7 @@ def test_branch_comes_back_to_the_load_where_it_began():
     assert found.points[-1].slip == approx(three()[1].cage_slip, rel=1e-8, abs=0)
 
 
+@pytest.mark.slow
 def test_speed_has_folds_too():
     found = trace(falling(WITHIN), over="inner_speed", span=(-20000 * RPM, -95000 * RPM))
     assert found.end is BranchEnd.RANGE_LEFT
