@@ -94,7 +94,7 @@ def report(rows: list[dict], asked) -> None:
     print(f"told: {told} of {len(several)} ({told / len(several):.1%})")
     print(
         f"told where {STARTS} random starts found none: {len(beyond)} of {len(one)} "
-        f"({len(beyond) / len(one):.1%}); {sum(r['confirmed'] for r in beyond)} of them found by {MORE_STARTS}"
+        f"({len(beyond) / len(one):.1%}), {sum(r['confirmed'] for r in beyond)} found by {MORE_STARTS}"
     )
     print(
         "false alarms, without a second state that is stable and whose forces balance: "
