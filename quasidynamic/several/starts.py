@@ -1,5 +1,6 @@
 """Spins and cage slips from which other equilibria are searched, as patterns around one that is known."""
 
+from itertools import product
 from typing import NamedTuple
 
 import numpy as np
@@ -8,8 +9,7 @@ from numpy.typing import NDArray
 from quasidynamic.outcome.equilibrium import Equilibrium
 from quasidynamic.several.indicator import doubts, is_loaded
 
-ROLLERS = 4  # that are slowed down or sped up one by one
-SLOW = (0.3, -0.5)  # spins over rolling that leave a film too thin to touch
+SLOW = {0.3: 4, -0.5: 3}  # spins over rolling that leave a film too thin to touch, each for so many rollers
 SLOW_EXIT = 0.2  # spin of rollers behind a loaded zone that ends earlier, over that of the fastest
 ENTRY_SHIFTS, EXIT_SHIFTS = (
     (-1, 0, 1, 2),
@@ -38,9 +38,9 @@ class Patterns(NamedTuple):
 
 
 def near(state: Equilibrium) -> Patterns:
-    """Single rollers fast or slow, and loaded zones that begin or end some rollers earlier or later."""
+    """Some rollers fast or slow, and loaded zones that begin or end some rollers earlier or later."""
     rolling = _spin(state)
-    spins = [*_single_rollers(state, rolling), *_shifted_zones(state, rolling)]
+    spins = [*_fast_or_slow(state, rolling), *_shifted_zones(state, rolling)]
     return Patterns.of(spins, state.unknowns.cage_drift[0, 0])
 
 
@@ -69,14 +69,13 @@ def in_order(state: Equilibrium) -> NDArray:
     return np.argsort(np.mod(before, 2 * np.pi))
 
 
-def _single_rollers(state: Equilibrium, rolling: NDArray) -> list[NDArray]:
-    """The rollers that films decide on most, one by one: a loaded one slow, an unloaded one rolling."""
-    loaded, spins = is_loaded(state), []
-    for roller in np.argsort(-doubts(state))[:ROLLERS]:
-        for spin in SLOW if loaded[roller] else (1.0,):
-            changed = rolling.copy()
-            changed[roller] = spin
-            spins.append(changed)
+def _fast_or_slow(state: Equilibrium, rolling: NDArray) -> list[NDArray]:
+    """The rollers that films decide on most, in every combination of rolling and slow ones."""
+    doubtful, spins = np.argsort(-doubts(state)), []
+    for slow, rollers in SLOW.items():
+        for chosen in product((1.0, slow), repeat=rollers):
+            spins.append(rolling.copy())
+            spins[-1][doubtful[:rollers]] = chosen
     return spins
 
 

@@ -53,6 +53,12 @@ def test_restarts_span_the_loads_of_an_exhaustive_search(state, others):
     assert np.ptp(spans[0]) > 0.9 * np.ptp(spans[1])
 
 
+def test_equilibrium_that_differs_in_two_rollers_is_told():
+    """Where three rollers carry, the other one has the one under the load alone: both beside it are slow."""
+    state = design(np.random.default_rng([3, 14])).solve()
+    assert max(other.loads[0].max() for other in other_equilibria(state)) > 1.5 * state.loads[0].max()
+
+
 @pytest.mark.parametrize("number", ONE)
 def test_no_other_equilibrium_is_told_where_random_starts_find_none(number):
     state = designed(number).solve()
