@@ -109,7 +109,7 @@ def _tilt(rng: np.random.Generator, load: float, base: Base) -> list[str]:
 
 def _outer(rng: np.random.Generator, base: Base, load: float, solid: bool) -> list[str]:
     """An outer ring or cage, and how it is discretised."""
-    thickness = _log_uniform(rng, 1.0 if solid else 0.6, 15.0)
+    thickness = _log_uniform(rng, 0.6, 15.0)
     ring = [f"outer.thickness={thickness:.3f} mm", f"outer.width={base.width:g} mm"]
     if rng.random() < 0.3:
         bars = int(rng.integers(1, 41))
@@ -131,7 +131,7 @@ def _outer(rng: np.random.Generator, base: Base, load: float, solid: bool) -> li
     mesh = () if beam else ("accuracy.element_order=2",) if solid else SECTION
     return [
         "outer.kind=ring", *ring, f"accuracy.structure={structure}", *mesh,
-        *_support(rng, base, support, load, 30.0 if beam else 1e3),
+        *_support(rng, base, support, load),
     ]  # fmt: skip
 
 
@@ -147,12 +147,12 @@ def _bars(rng: np.random.Generator, base: Base, bars: int, thickness: float) -> 
     ]
 
 
-def _support(rng: np.random.Generator, base: Base, support: str, load: float, stiffest: float) -> list[str]:
-    """What holds a plain ring; springs up to the `stiffest` [N/mm^3]."""
+def _support(rng: np.random.Generator, base: Base, support: str, load: float) -> list[str]:
+    """What holds a plain ring."""
     name = "housing" if support == "loose housing" else support
     settings = [f"outer.support={name}"]
     if support == "foundation":
-        radial = _log_uniform(rng, 1.0, stiffest)
+        radial = _log_uniform(rng, 1.0, 1e3)
         settings += [
             f"outer.foundation_radial={radial:.3g} N/mm^3",
             f"outer.foundation_tangential={radial * rng.choice([0, 0.3, 1.0]):.3g} N/mm^3",
@@ -173,6 +173,8 @@ def _support(rng: np.random.Generator, base: Base, support: str, load: float, st
         count, first = int(rng.integers(3, 13)), rng.uniform(0, 360)
         azimuths = ", ".join(f'"{(first + 360 * k / count) % 360:.2f} deg"' for k in range(count))
         settings += [f"outer.line_azimuths=[{azimuths}]"]
+    if support in ("lines", "foundation") and rng.random() < 0.2:
+        settings += ["outer.bilateral=true"]
     if support == "planet":
         settings += _teeth(rng, load)
     return settings
