@@ -14,6 +14,7 @@ from quasidynamic.solve.rollers.newton import Iterate, norm, step
 from quasidynamic.solve.rollers.static_equilibrium import (
     film_at,
     frictionless_loads,
+    lying_on_a_raceway,
     static_equilibrium,
     tilts_between_raceways,
 )
@@ -23,6 +24,8 @@ MAX_STEPS = 40
 SMALL_CHANGE = 0.2  # of the largest approach of a roller and its outer raceway
 LARGEST_TILT = 300.0  # scaled change of a slope of the ring in a step: 0.3 rad
 LOADED = 1e-3  # of the largest load, above which a roller turns like the most loaded one
+SMALL_SLIP = 0.01  # of the cage, up to which rollers may be nearer to pure rolling
+NEARLY = 0.1  # length of the scaled residual of displacements
 SHORTEST_STEP = 2.0**-7  # of a step that is damped
 HELD = Shift(spin=1e9, cage=1e9)  # on the diagonal of the scaled matrix: spins and cage do not move
 
@@ -57,8 +60,12 @@ def contact_search(
     shortest = SHORTEST_STEP if damped else 1.0
     advance = _with_friction if near else partial(_with_spins_held, start, _most_loaded(system), shortest)
     for number in range(1, MAX_STEPS + 1):
+        if not (near or damped) and _unbalanced(balance, system) < NEARLY:
+            return
         unknowns, contacts_kept = advance(balance, unknowns, system)
         system = balance.evaluate(unknowns)
+        if contacts_kept or (not damped and _unbalanced(balance, system) < NEARLY):
+            unknowns, system = _without_slip(balance, unknowns, system)
         outcome = SolverOutcome.RUNNING if np.isfinite(norm(system)[0]) else SolverOutcome.NOT_FINITE
         yield Iterate(number, case, unknowns, system, [outcome], accepted)
         if contacts_kept or outcome is not SolverOutcome.RUNNING:
@@ -80,7 +87,7 @@ def _with_spins_held(
     while True:
         moved = _turning_alike(balance, start, leading, unknowns + length * change)
         if length <= shortest or _unbalanced(balance, balance.evaluate(moved)) < before:
-            return moved, _is_small(balance, unknowns, change)
+            return moved, _is_small(balance, unknowns, change if length < 1.0 else moved - unknowns)
         length /= 2
 
 
@@ -93,6 +100,24 @@ def _turning_alike(balance: BearingBalance, start: Unknowns, leading: int, unkno
     spins = np.where(loaded, start.spin_drift[:, leading, None], start.spin_drift)
     moved = moved._replace(spin_drift=spins)
     return balance.pack(moved._replace(film=film_at(balance, moved, load)))
+
+
+def _without_slip(
+    balance: BearingBalance, unknowns: NDArray, system: Linearisation
+) -> tuple[NDArray, Linearisation]:
+    """The unknowns and their system, in pure rolling where slips are small and that is nearer to balance.
+
+    Traction of a stiff oil reaches its limit at slips of 1e-11: those of one roller are far from balance at
+    another, and Newton's method, which comes up from pure rolling in a few steps, overshoots from there.
+    """
+    x = balance.unpack(unknowns)
+    slip = np.abs(x.cage_drift / balance.rolling_cage).max()
+    if not slip < SMALL_SLIP:
+        return unknowns, system
+    rolling = x._replace(cage_drift=np.zeros_like(x.cage_drift), spin_drift=np.zeros_like(x.spin_drift))
+    without = balance.pack(rolling)
+    there = balance.evaluate(without)
+    return (without, there) if norm(there)[0] < norm(system)[0] else (unknowns, system)
 
 
 def _unbalanced(balance: BearingBalance, system: Linearisation) -> float:
@@ -113,7 +138,8 @@ def _with_friction(balance: BearingBalance, unknowns: NDArray, system: Linearisa
 
 def _settled(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
     """Rollers in static equilibrium between their raceways, tilted no more than these."""
-    return static_equilibrium(balance, tilts_between_raceways(balance, unknowns), uneven=True)
+    tilted = tilts_between_raceways(balance, unknowns)
+    return lying_on_a_raceway(balance, static_equilibrium(balance, tilted, uneven=True))
 
 
 def _is_small(balance: BearingBalance, unknowns: NDArray, change: NDArray) -> bool:

@@ -1,5 +1,7 @@
 """Static equilibrium of every roller between its raceways, the ring held, without friction."""
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -7,6 +9,7 @@ from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.balance.rollers.unknowns import Unknowns
 from quasidynamic.contact.line import EXPONENT
 
+LYING_STEPS, LYING = 60, 1e-6  # on the inner raceway by its weight: steps, and what is left of it
 MAX_STEPS = 8  # Newton on a nearly linear law inside a bracket
 NEAR_ENOUGH = 1e-2  # lengths of the scales, of the last step; what is left after it is far less
 
@@ -97,6 +100,57 @@ def tilts_between_raceways(balance: BearingBalance, unknowns: Unknowns) -> Unkno
     slack = 3 * np.abs(approach[:, 3::2]).sum((0, 1))
     low, high = np.minimum(whole, 0.0) - slack, np.maximum(whole, 0.0) + slack
     return unknowns._replace(tilt=np.clip(unknowns.tilt, low, high))
+
+
+def lying_on_a_raceway(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
+    """Unknowns with every roller that falls on the inner raceway, and cannot be pressed, at rest there.
+
+    Its small weight alone holds its tilt: a linearised step lays it on one end, the next one on the other, in
+    turns. Load and moment follow from a convex energy: Newton's method from where it lies flat, its steps
+    halved until both are nearer to balance.
+    """
+    force = outward_force(balance, unknowns)
+    if balance.roller.axial_modes == 1 or force.min() > 0:
+        return unknowns
+    approach = balance.inputs(unknowns).approach
+    lying = (force < 0) & (room_between_raceways(balance, approach) < 0)
+    if not lying.any():
+        return unknowns
+    here, size = approach[0][:, lying], -force[lying]
+    pressed = balance.roller.raceways.softness[0].ravel()[0] * size ** (1 / EXPONENT)
+    moved = _rest(balance, here, size, pressed)
+    after = unknowns._replace(approach=unknowns.approach.copy(), tilt=unknowns.tilt.copy())
+    after.approach[lying] -= moved[0] - here[0]
+    after.tilt[lying] -= moved[1] - here[1]
+    return after
+
+
+def _rest(balance: BearingBalance, approach: NDArray, force: NDArray, pressed: NDArray) -> NDArray:
+    """Approaches (M, n) [m] at which the inner raceway carries forces (n) [N] without a moment."""
+    raceways = balance.roller.raceways
+    law = replace(raceways.law, coefficient=np.ravel(raceways.law.coefficient)[0])
+    modes, drop = raceways.slices.modes, raceways.drop[:, None]
+
+    def unbalanced(place: NDArray) -> tuple[NDArray, NDArray]:
+        load, slope = law(modes @ place - drop)
+        return raceways.slices.summed(load)[:2] - [force, 0 * force], raceways.slices.paired(slope)[:2, :2]
+
+    place = approach.copy()
+    place[1] = 0.0
+    place[0] = pressed - (modes[:, 2:] @ place[2:] - drop).max(0)
+    wrong, stiffness = unbalanced(place)
+    length = np.ones_like(force)
+    for _ in range(LYING_STEPS):
+        change = np.linalg.solve(stiffness.transpose(2, 0, 1), -wrong.T[..., None])[..., 0].T
+        trial = place.copy()
+        trial[:2] += length * change
+        there, by = unbalanced(trial)
+        better = (there**2).sum(0) < (wrong**2).sum(0)
+        place, wrong = np.where(better, trial, place), np.where(better, there, wrong)
+        stiffness, length = np.where(better, by, stiffness), np.where(better, 1.0, length / 2)
+        if (np.abs(wrong) < LYING * force).all():
+            break
+    return place
 
 
 def axial_variation(balance: BearingBalance, unknowns: Unknowns) -> NDArray:
