@@ -10,7 +10,9 @@ from numpy.typing import NDArray
 from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.contact_search import contact_search
+from quasidynamic.solve.rollers.load_continuation import Continuation
 from quasidynamic.solve.rollers.newton import Iterate, newton
+from quasidynamic.solve.rollers.stiffness_continuation import from_stiffer_raceways
 from quasidynamic.solve.rollers.strategy import SolvedCases, Start, solve, solve_each
 
 BUDGET = 300  # evaluations of the bearing between raceways that keep their shape
@@ -25,8 +27,8 @@ def iterate(
     """Yield the accepted iterates of one case with elastic raceways.
 
     Newton's method begins where full steps found which rollers touch. Where it fails it begins where damped
-    steps found them, then after some pseudo-time of cage and spins, and then with the bearing solved between
-    raceways of that shape.
+    steps found them, then after some pseudo-time of cage and spins, then with the bearing solved between
+    raceways of that shape, and at last where nearly rigid raceways lead to that grow softer step by step.
 
     Parameters
     ----------
@@ -44,16 +46,56 @@ def iterate(
     Iterate
         the first is the start, the last says how the solve ended
     """
+    end = yield from _by_searches(balance, unknowns, near, restarts)
+    if _failed(end):
+        softer = _from_stiffer_raceways(balance, unknowns, restarts)
+        _, last = yield from _newton_after(balance, softer, end.number)
+        end = end.numbered(last.number) if _failed(last) else last
+    if _failed(end):
+        yield end
+
+
+def _by_searches(
+    balance: BearingBalance, unknowns: NDArray, near: bool, restarts: Sequence[Start] = ()
+) -> Generator[Iterate, None, Iterate]:
+    """Yield accepted iterates after one search and the next; returns how they ended.
+
+    Without `restarts` only the searches are tried.
+    """
     found, end = yield from _newton_after(balance, contact_search(balance, unknowns, near))
     if _failed(end):
         damped = contact_search(balance, unknowns, damped=True)
         found, end = yield from _newton_after(balance, damped, end.number)
-    if np.isfinite(found.unknowns).all():
+    if restarts and np.isfinite(found.unknowns).all():
         for last_way in (_after_pseudo_time, partial(_on_frozen_shape, restarts=restarts)):
             if _failed(end):
                 _, end = yield from _newton_after(balance, last_way(balance, found), end.number)
-    if _failed(end):
-        yield end
+    return end
+
+
+def _from_stiffer_raceways(
+    balance: BearingBalance, unknowns: NDArray, restarts: Sequence[Start]
+) -> Iterator[Iterate]:
+    """Yield the equilibrium that nearly rigid raceways lead to, softened step by step."""
+
+    def solved(softer: BearingBalance, start: NDArray, thoroughly: bool) -> Continuation:
+        end = _returned(_by_searches(softer, start, near=True, restarts=restarts if thoroughly else ()))
+        return Continuation(None if _failed(end) else end.unknowns, end.number)
+
+    reached = from_stiffer_raceways(balance, unknowns, solved)
+    outcome = SolverOutcome.STALLED if reached.unknowns is None else SolverOutcome.RUNNING
+    end = unknowns if reached.unknowns is None else reached.unknowns
+    number, accepted = reached.evaluations, np.array([True])
+    yield Iterate(number, np.array([0]), end, balance.evaluate(end), [outcome], accepted)
+
+
+def _returned(iterates: Generator[Iterate, None, Iterate]) -> Iterate:
+    """What a generator returns after all that it yields."""
+    while True:
+        try:
+            next(iterates)
+        except StopIteration as ended:
+            return ended.value
 
 
 def _failed(end: Iterate) -> bool:
