@@ -53,7 +53,8 @@ def test_every_way_is_tried_before_the_search_is_given_up(balance):
         return Continuation(None, 1)
 
     assert from_stiffer_raceways(balance, np.zeros((1, 3)), solve).unknowns is None
-    assert tried[-1] and not tried[0]
+    assert tried[-1]
+    assert not tried[0]
     assert len(tried) < 10
 
 
