@@ -6,6 +6,7 @@ without disturbance and those of a ring differ from them by c/(n^2 - 1) for larg
 """
 
 from collections.abc import Callable
+from functools import lru_cache
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -77,7 +78,17 @@ def indentation_harmonics(
     ------
     Fourier series of the half-space answer in this module; derived here.
     """
-    return fourier(harmonics, lambda phi: indentation(phi, radius, length, axial_modes, elastic))
+    return _known_harmonics(tuple(harmonics.tolist()), radius, length, axial_modes, elastic)
+
+
+@lru_cache(maxsize=16)
+def _known_harmonics(
+    harmonics: tuple[int, ...], radius: float, length: float, axial_modes: int, elastic: Elastic
+) -> NDArray:
+    """`indentation_harmonics`, which a run or a study asks for again and again; not to be written to."""
+    found = fourier(np.array(harmonics), lambda phi: indentation(phi, radius, length, axial_modes, elastic))
+    found.setflags(write=False)
+    return found
 
 
 def fourier(harmonics: NDArray, answer: Callable[[NDArray], NDArray]) -> NDArray:

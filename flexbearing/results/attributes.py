@@ -4,6 +4,7 @@ import json
 import math
 from collections.abc import Callable, Mapping, Sequence
 from datetime import UTC, datetime
+from functools import lru_cache
 from importlib.metadata import PackageNotFoundError, version
 from platform import python_version
 from typing import Any
@@ -33,6 +34,7 @@ def stamp() -> dict[str, Any]:
     }
 
 
+@lru_cache
 def _version(package: str) -> str:
     try:
         return version(package)
