@@ -30,7 +30,7 @@ from fem.mesh.notches import notches
 from fem.mesh.solid import MILLIMETRES
 from fem.parts.rings import MeshSize, Patches, SquirrelCage
 from fem.solid.extremes import Samples
-from fem.solid.lattice import Spread, hooke, spread, strain_of
+from fem.solid.lattice import Spread, hooke, located, spread, strain_of
 
 FEET, IN_FILLET = 0.23, 0.8  # size of elements at the feet over the thickness of a bar, over a fillet
 NEAR = 1e-6  # of a side, by which places stay inside
@@ -57,9 +57,17 @@ class LoadedCage:
         self, body: str, piece: int, intervals: int, keys: NDArray | None = None, *, higher: bool = True
     ) -> Samples:
         """Samples of half a pitch, see `fem.solid.extremes.Sampled`."""
+        return self._of(body, piece, self._spread(body, intervals, keys), higher)
+
+    def at(self, body: str, piece: int, places: NDArray, *, higher: bool = True) -> Samples:
+        """Samples at those of some places (n, 3) [m] that lie in half a pitch."""
+        mesh, local = self.displacements[0].space.mesh, self._local(places, piece)
+        points, _ = located(mesh, self._mesh_name(body), local * MILLIMETRES)
+        return self._of(body, piece, points, higher)
+
+    def _of(self, body: str, piece: int, points: Spread, higher: bool) -> Samples:
         displacement, values = self.displacements[higher], self.halves[higher][piece]
         displacement.vec.FV().NumPy()[:] = values
-        points = self._spread(body, intervals, keys)
         place = ngs.CF((ngs.x, ngs.y, ngs.z))(points.mapped) / MILLIMETRES
         # With fillets the mesh has one body.
         points, place = points.where(within := self._within(body, place[:, 0])), place[within]
@@ -88,8 +96,11 @@ class LoadedCage:
 
     def _spread_anew(self, body: str, intervals: int, keys: NDArray | None) -> Spread:
         mesh = self.displacements[0].space.mesh
-        name = body if body in mesh.GetMaterials() and self.cage.fillet == 0 else ".*"
-        return spread(mesh, name, intervals, keys, self._beside_notches(body, intervals))
+        return spread(mesh, self._mesh_name(body), intervals, keys, self._beside_notches(body, intervals))
+
+    def _mesh_name(self, body: str) -> str:
+        """Of the elements that hold a body, and with fillets others."""
+        return body if self.cage.fillet == 0 else ".*"
 
     def _beside_notches(self, body: str, intervals: int) -> NDArray:
         """Places (n, 3) of half a pitch where the reach of its sharp edges ends [mm]."""
@@ -102,6 +113,14 @@ class LoadedCage:
         return np.stack(np.broadcast_arrays(x, r * np.sin(azimuth), r * np.cos(azimuth)), axis=-1).reshape(
             -1, 3
         )
+
+    def _local(self, place: NDArray, piece: int) -> NDArray:
+        """The reverse of `_placed`."""
+        bar, mirrored = divmod(piece, 2)
+        x, y, z = place.T
+        s, c = np.sin(2 * pi * bar / self.cage.bars), np.cos(2 * pi * bar / self.cage.bars)
+        t, n = y * c - z * s, y * s + z * c
+        return np.stack([x, -t if mirrored else t, n], axis=1)
 
     def _placed(self, place: NDArray, piece: int) -> NDArray:
         """Places (n, 3) of the half pitch at azimuth 0 in that of a piece."""
@@ -151,7 +170,8 @@ def loaded_cage(
     Small displacement, perfect bonds, rigid clamps; no load outside the band.
     """
     with threads(1):  # half a pitch is small: a second thread would only wait
-        mesh = half_pitch(cage, patches.length, mesh_size, min(feet or feet_size(cage), mesh_size.size))
+        feet = min(feet or feet_size(cage), mesh_size.size)
+        mesh = half_pitch(cage, patches.length, mesh_size, feet, graded_clamp=True)
         solved = [
             _solved(cage, patches, forces, mesh, order) for order in (mesh_size.order - 1, mesh_size.order)
         ]

@@ -32,7 +32,7 @@ from fem.section.expansion import heating, rotation
 from fem.section.revolved_body import Body, edge_modes
 from fem.section.rigid_body_modes import body_of, held_on_points
 from fem.solid.extremes import Samples
-from fem.solid.lattice import hooke, spread
+from fem.solid.lattice import Spread, hooke, located, spread
 
 SMOOTH = 4.3  # standard deviations of a Gaussian's spectrum, beyond which 1e-4 of it is left
 STEPS = 3.0  # azimuths over the width of a patch
@@ -94,6 +94,17 @@ class LoadedSection:
             )
         return Samples(*(np.concatenate(column) for column in zip(*parts, strict=True)))
 
+    def at(self, body: str, piece: int, places: NDArray, *, higher: bool = True) -> Samples:
+        """Samples at those of some places (n, 3) [m] that lie in a sector."""
+        x, y, z = places.T
+        azimuth, step = np.arctan2(y, z) % (2 * pi), self.azimuths[1]
+        low, high = ((piece + k) * CHUNK - 0.5 for k in (0, 1))
+        kept = (azimuth >= low * step) & (azimuth < high * step)
+        flat = np.stack([x, np.hypot(y, z)], axis=1)[kept] * MILLIMETRES
+        of_order = self.fields[higher]
+        points, which = located(of_order.body.space.mesh, body, flat)
+        return self._of(of_order, body, points, azimuth[kept][which])
+
     def _at(
         self,
         of_order: Field,
@@ -106,29 +117,34 @@ class LoadedSection:
         """Samples (points times azimuths) in some elements of the section, None: in all of the body."""
         rims = notches(self.part).around(intervals) * MILLIMETRES
         points = spread(of_order.body.space.mesh, body, intervals, elements, rims)
+        samples = self._of(of_order, body, points, azimuth, everywhere=True)
+        middle = np.abs(np.arange(azimuth.size) - azimuth.size // 2) % 2 == 0
+        even = points.even[:, None] & (middle if elements is not None else True)
+        even = np.broadcast_to(even, (points.key.size, azimuth.size))
+        return samples._replace(key=(points.key[:, None] + key).ravel(), even=even.ravel())
+
+    def _of(
+        self, of_order: Field, body: str, points: Spread, azimuth: NDArray, *, everywhere: bool = False
+    ) -> Samples:
+        """Samples of points, each at its azimuth, or everywhere at all of some azimuths."""
         x, r = ngs.CF((ngs.x, ngs.y))(points.mapped).T / MILLIMETRES
         moved, plain, turned = _strains(of_order, points.mapped, r)
         cosine, sine = self._waves(of_order.rollers, azimuth)
-        shift = np.empty((x.size, azimuth.size, 3))
-        strain = np.empty((x.size, azimuth.size, 6))
-        for c in range(6):
-            once, times_n = cosine if c in EVEN else sine
-            strain[:, :, c] = plain[:, c] @ once + turned[:, c] @ times_n
-        for c, (once, _) in enumerate((cosine, cosine, sine)):
-            shift[:, :, c] = moved[:, c] @ once
-        strain[:, :, :3] -= self.surroundings.thermal_strains.get(body, 0.0)
-        stress = hooke(strain[:, :, AXES], self.part.materials[body])
+        of = np.matmul if everywhere else _each
+        strain = np.stack([
+            of(plain[:, c], wave[0]) + of(turned[:, c], wave[1])
+            for c, wave in enumerate(cosine if c in EVEN else sine for c in range(6))
+        ], axis=-1)  # fmt: skip
+        shift = np.stack([of(moved[:, c], wave[0]) for c, wave in enumerate((cosine, cosine, sine))], axis=-1)
+        strain[..., :3] -= self.surroundings.thermal_strains.get(body, 0.0)
+        stress = hooke(strain[..., AXES], self.part.materials[body])
         s, c = np.sin(azimuth), np.cos(azimuth)
-        place = np.stack(np.broadcast_arrays(x[:, None], r[:, None] * s, r[:, None] * c), axis=-1)
-        middle = np.abs(np.arange(azimuth.size) - azimuth.size // 2) % 2 == 0
-        even = points.even[:, None] & (middle if elements is not None else True)
+        x, r = (x[:, None], r[:, None]) if everywhere else (x, r)
+        place = np.stack(np.broadcast_arrays(x, r * s, r * c), axis=-1)
         return Samples(
-            (points.key[:, None] + key).ravel(),
-            np.broadcast_to(even, shift.shape[:2]).ravel(),
-            place.reshape(-1, 3),
-            np.linalg.norm(shift, axis=-1).ravel(),
+            points.key, points.even, place.reshape(-1, 3), np.linalg.norm(shift, axis=-1).ravel(),
             stress.reshape(-1, 6),
-        )
+        )  # fmt: skip
 
     def _waves(self, rollers: HarmonicAnswers, azimuth: NDArray) -> tuple[NDArray, NDArray]:
         """Factors of the basis and the steady field (2, B + 1, azimuths), with the cosine and the sine.
@@ -145,6 +161,11 @@ class LoadedSection:
         steady = np.zeros((2, 1, azimuth.size))
         steady[0] = 1.0
         return np.hstack([np.real(waves), steady]), np.hstack([np.imag(waves), 0 * steady])
+
+
+def _each(fields: NDArray, waves: NDArray) -> NDArray:
+    """Every point (n, B) by its own wave (B, n)."""
+    return np.einsum("nb,bn->n", fields, waves)
 
 
 def _strains(of_order: Field, mapped: Any, radius: NDArray) -> tuple[NDArray, NDArray, NDArray]:

@@ -1,21 +1,96 @@
 """Places whose stress is neither that of a contact nor that of a sharp edge."""
 
-from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from fem.mesh.notches import notches
+from fem.mesh.notches import Notches, notches
 from fem.parts.rings import Part, Patches, SquirrelCage
 from fem.parts.step_solid import StepSolid
 
 CONTACT = 4.0  # standard deviations of a load patch: within them its own stress rules, which is the contact's
 UNLOADED = 1e-3  # of the largest roller force: below it there is no contact to keep away from
+JUST_BEYOND = 1e-6  # of a distance
+OUTERMOST = 200  # places that are moved to where the reach of a roller ends: enough for a smooth field
 
 
-def clearing(
-    part: Part | StepSolid, patches: Patches, forces: NDArray, radius: float
-) -> Callable[[NDArray], NDArray]:
+@dataclass(frozen=True, kw_only=True)
+class Clearing:
+    """What tells whether stresses of a place count, see `clearing`."""
+
+    part: Part | StepSolid
+    sharp: Notches
+    loaded: NDArray  # (n,) azimuths of loaded rollers [rad]
+    radius: float  # [m] of the raceway
+    length: float  # [m] of the rollers
+    reach: float  # [m] within which of a roller's line places do not count
+    tips: NDArray | None  # of fillets, see `_tips`
+
+    def __call__(self, places: NDArray) -> NDArray:
+        """Whether places (n, 3) [m] count (n,)."""
+        x, y, z = places.T
+        far = self.sharp.clear(x, np.hypot(y, z))
+        for phi in self.loaded:
+            far &= self._distance(places, phi) > self.reach
+        return far if self.tips is None else far & _beyond_tips(self.part, self.tips, places)
+
+    def rim(self, places: NDArray) -> NDArray:
+        """Places where the reach of rollers ends, from places within it.
+
+        Stress decays with the inverse of the distance there: a sample that is 1 % away misses 1 %.
+
+        Parameters
+        ----------
+        places : array (n, 3)
+            [m]
+
+        Returns
+        -------
+        array (m, 3)
+            the outermost `OUTERMOST` of every roller, moved around the axis, and moved straight away from
+            the roller's line [m]
+        """
+        moved = [np.zeros((0, 3))]
+        for phi in self.loaded:
+            distance = self._distance(places, phi)
+            outermost = np.argsort(-distance[distance <= self.reach])[:OUTERMOST]
+            within = places[distance <= self.reach][outermost]
+            moved += [self._turned(within, phi), self._pushed(within, phi)]
+        rim = np.concatenate(moved)
+        return rim[self(rim)]
+
+    def _distance(self, places: NDArray, phi: float) -> NDArray:
+        """From places (n, 3) to the line of a roller (n,)."""
+        return np.linalg.norm(places - self._nearest(places, phi), axis=1)
+
+    def _nearest(self, places: NDArray, phi: float) -> NDArray:
+        """Of the line of a roller, the places (n, 3) next to places."""
+        x = np.clip(places[:, 0], -self.length / 2, self.length / 2)
+        return np.stack(np.broadcast_arrays(x, self.radius * np.sin(phi), self.radius * np.cos(phi)), axis=1)
+
+    def _turned(self, places: NDArray, phi: float) -> NDArray:
+        """Places within reach turned around the axis to its end, where there is one."""
+        x, y, z = places.T
+        r = np.hypot(y, z)
+        across = ((1 + JUST_BEYOND) * self.reach) ** 2 - np.maximum(np.abs(x) - self.length / 2, 0) ** 2
+        cosine = (self.radius**2 + r**2 - across) / (2 * self.radius * r)
+        there = np.abs(cosine) < 1
+        side = np.sign(np.sin(np.arctan2(y, z) - phi))
+        azimuth = phi + side[there] * np.arccos(cosine[there])
+        return np.stack([x[there], r[there] * np.sin(azimuth), r[there] * np.cos(azimuth)], axis=1)
+
+    def _pushed(self, places: NDArray, phi: float) -> NDArray:
+        """Places within reach pushed away from the roller's line to its end."""
+        nearest = self._nearest(places, phi)
+        away = places - nearest
+        distance = np.linalg.norm(away, axis=1)
+        off = distance > 0
+        scale = (1 + JUST_BEYOND) * self.reach / distance[off]
+        return nearest[off] + away[off] * scale[:, None]
+
+
+def clearing(part: Part | StepSolid, patches: Patches, forces: NDArray, radius: float) -> Clearing:
     """What tells whether stresses of a place count.
 
     Left out is what lies within `CONTACT` patch widths of a loaded roller's line, where the Gaussian patch
@@ -35,23 +110,14 @@ def clearing(
 
     Returns
     -------
-    callable (places)
-        from x, y, z (n, 3) [m] to bool (n,)
+    Clearing
     """
-    sharp, load = notches(part), np.abs(forces[:, 0])
-    loaded = np.array(patches.azimuths)[load > UNLOADED * load.max()]
-    tips = _tips(part) if isinstance(part, SquirrelCage) and part.fillet > 0 else None
-
-    def clear(places: NDArray) -> NDArray:
-        x, y, z = places.T
-        far = sharp.clear(x, np.hypot(y, z))
-        beyond = np.maximum(np.abs(x) - patches.length / 2, 0)
-        for phi in loaded:
-            across = np.hypot(y - radius * np.sin(phi), z - radius * np.cos(phi))
-            far &= np.hypot(beyond, across) > CONTACT * patches.width
-        return far if tips is None else far & _beyond_tips(part, tips, places)
-
-    return clear
+    load = np.abs(forces[:, 0])
+    return Clearing(
+        part=part, sharp=notches(part), loaded=np.array(patches.azimuths)[load > UNLOADED * load.max()],
+        radius=radius, length=patches.length, reach=CONTACT * patches.width,
+        tips=_tips(part) if isinstance(part, SquirrelCage) and part.fillet > 0 else None,
+    )  # fmt: skip
 
 
 def _tips(cage: SquirrelCage) -> NDArray:

@@ -13,6 +13,7 @@ from fem.parts.material import Elastic
 
 SQUEEZED = 0.25  # of the mean of its element, volume per point below which a gradient is not trusted
 NEAR = 0.05  # of a box, by which curved elements may reach beyond points in them
+ROUGH = 2  # intervals of a lattice that tells the size of an element
 INSIDE = 1e-7  # of an element's edge, by which points stay away from its faces: some maps have poles there
 
 
@@ -59,6 +60,11 @@ class Spread:
         """Only some of the points (n,)."""
         return Spread(self.mapped[kept], self.key[kept], self.even[kept])
 
+    def joined(self, other: "Spread") -> "Spread":
+        """These points and others after them."""
+        pairs = zip((self.mapped, self.key, self.even), (other.mapped, other.key, other.even), strict=True)
+        return Spread(*(np.concatenate(pair) for pair in pairs))
+
 
 def _unfolded(mesh: ngs.Mesh, points: Spread) -> NDArray:
     """Whether elements are not squeezed to nothing at points (n,), as curved ones are beside fillets."""
@@ -90,25 +96,55 @@ def spread(
     -------
     Spread
     """
-    wanted = {e.nr for e in mesh.Materials(body).Elements()}
-    if keys is not None:
-        wanted &= set(keys.tolist())
+    points = _lattices(mesh, body, intervals, keys)
+    if places is not None and len(places):
+        near = np.flatnonzero(_near(mesh, points.mapped, places))
+        inside = np.atleast_1d(mesh(*places[near].T))
+        held = np.isin(inside["nr"], points.key)
+        points = points.joined(Spread(inside[held], inside["nr"][held], near[held] % 2 == 0))
+    return points.where(_unfolded(mesh, points))
+
+
+def located(mesh: ngs.Mesh, body: str, places: NDArray) -> tuple[Spread, NDArray]:
+    """Places that lie in a body.
+
+    Parameters
+    ----------
+    mesh : ngsolve.Mesh
+        of curved elements
+    body : str
+        its name
+    places : array (n, dimensions)
+        [mm]
+
+    Returns
+    -------
+    Spread
+        of m places
+    array (m,) of int
+        which they are
+    """
+    inside = np.atleast_1d(mesh(*places.T)) if len(places) else np.zeros(0, dtype=[("nr", int)])
+    held = np.flatnonzero(np.isin(inside["nr"], [e.nr for e in mesh.Materials(body).Elements()]))
+    if not held.size:
+        return Spread(inside[:0], np.zeros(0, dtype=int), np.zeros(0, dtype=bool)), held
+    points = Spread(inside[held], inside["nr"][held], held % 2 == 0)
+    around = _lattices(mesh, body, ROUGH, np.unique(points.key))
+    good = _unfolded(mesh, points.joined(around))[: held.size]
+    return points.where(good), held[good]
+
+
+def _lattices(mesh: ngs.Mesh, body: str, intervals: int, keys: NDArray | None) -> Spread:
+    """Lattices in the elements of a body, or in some of them."""
+    wanted = None if keys is None else set(keys.tolist())
     mapped, key, even = [], [], []
     for element in mesh.Materials(body).Elements():
-        if element.nr in wanted:
+        if wanted is None or element.nr in wanted:
             rule, halved = lattice(element.type, intervals)
             mapped.append(mesh.GetTrafo(ngs.ElementId(ngs.VOL, element.nr))(rule))
             key.append(np.full(len(halved), element.nr))
             even.append(halved)
-    if places is not None and len(places):
-        near = np.flatnonzero(_near(mesh, np.concatenate(mapped), places))
-        inside = np.atleast_1d(mesh(*places[near].T))
-        held = np.isin(inside["nr"], list(wanted))
-        mapped.append(inside[held])
-        key.append(inside["nr"][held])
-        even.append(near[held] % 2 == 0)
-    points = Spread(np.concatenate(mapped), np.concatenate(key), np.concatenate(even))
-    return points.where(_unfolded(mesh, points))
+    return Spread(np.concatenate(mapped), np.concatenate(key), np.concatenate(even))
 
 
 def _near(mesh: ngs.Mesh, mapped: NDArray, places: NDArray) -> NDArray:

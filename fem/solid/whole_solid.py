@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from fem.mesh.solid import MILLIMETRES
 from fem.solid.extremes import Samples
 from fem.solid.fields import LoadedSolid
-from fem.solid.lattice import hooke, spread, strain_of
+from fem.solid.lattice import Spread, hooke, located, spread, strain_of
 
 
 @dataclass(frozen=True)
@@ -29,7 +29,15 @@ class WholeSolid:
     ) -> Samples:
         """Samples of the whole solid."""
         solid = self.higher if higher else self.lower
-        points = spread(solid.mesh, body, intervals, keys)
+        return self._of(solid, body, spread(solid.mesh, body, intervals, keys))
+
+    def at(self, body: str, piece: int, places: NDArray, *, higher: bool = True) -> Samples:
+        """Samples at those of some places (n, 3) [m] that lie in a body."""
+        solid = self.higher if higher else self.lower
+        points, _ = located(solid.mesh, body, places * MILLIMETRES)
+        return self._of(solid, body, points)
+
+    def _of(self, solid: LoadedSolid, body: str, points: Spread) -> Samples:
         gradient, moved = ngs.Grad(solid.displacement)(points.mapped), solid.displacement(points.mapped)
         place = ngs.CF((ngs.x, ngs.y, ngs.z))(points.mapped) / MILLIMETRES
         stress = hooke(strain_of(gradient), solid.part.materials[body])

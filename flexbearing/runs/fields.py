@@ -45,7 +45,7 @@ MEGA = 1e6  # Pa per MPa
 # Order and sizes of elements over the roller length: of whole solids, which are drawn and give the stiffness
 # of supports, and of the meshes for stresses, on a section or of half a pitch.
 WITHOUT_BARS = (3, 1.2, 0.4)
-FOR_STRESSES = {fem.OuterRing: (6, 0.6, 0.2), fem.RingOnShaft: (6, 0.6, 0.2), fem.SquirrelCage: (4, 0.6, 0.4)}
+FOR_STRESSES = {fem.OuterRing: (6, 0.6, 0.2), fem.RingOnShaft: (6, 0.6, 0.2), fem.SquirrelCage: (5, 0.6, 0.4)}
 
 
 class NoFields(RuntimeError):
