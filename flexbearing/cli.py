@@ -156,7 +156,8 @@ def fields(
     from flexbearing.case import BadCase
     from flexbearing.printable import all_printable
     from flexbearing.report.sections import held, stresses
-    from flexbearing.runs import fields as compute
+    from flexbearing.runs import stored_fields as compute
+    from flexbearing.runs.part_fields import NoFields
 
     if part not in ("inner", "outer", None):
         raise BadCase(f'--part {part}: it is "inner" or "outer"')
@@ -164,11 +165,11 @@ def fields(
     try:
         paths = compute.destinations(found, output or result.parent, state, part)
         solved = compute.of_result(found, state, part)
-    except compute.NoFields as problem:
+    except NoFields as problem:
         _end(f"{result}: {problem}")
     try:
         records = {one.race: one.record() for one in solved}
-    except compute.NoFields as problem:
+    except NoFields as problem:
         _end(f"{result}: {problem}")
     supports = held(found.attributes["structure"])
     Console().print(Group(*stresses(all_printable(records)), *supports))

@@ -13,6 +13,7 @@ from flexbearing.progress import Report
 from flexbearing.results import Arrays, ResultFile
 from flexbearing.runs import bars, fields, life, notes, skew
 from flexbearing.runs.life_error import LifeError, estimated
+from flexbearing.runs.part_fields import NoFields
 from flexbearing.runs.several import SeveralEquilibria, between_flexible_raceways
 from quasidynamic import Equilibrium
 from quasidynamic.contact.film import lambda_ratio, regime
@@ -76,7 +77,7 @@ class Postprocessing:
         for race in fields.parts(self.case):
             try:
                 record = fields.fields(self.case, race, "flexible", block).record()
-            except fields.NoFields as problem:
+            except NoFields as problem:
                 self.notes.append(information("no-stresses", f"no stresses: {problem}"))
             else:
                 self.stresses[race] = record

@@ -23,7 +23,8 @@ from flexbearing.cli import app
 from flexbearing.report import summary, text
 from flexbearing.report.roller.deformed import pictures
 from flexbearing.results import BadResult
-from flexbearing.runs import fields
+from flexbearing.runs import fields, stored_fields
+from flexbearing.runs.part_fields import NoFields, PartFields
 from tests.fem.bars_of_a_solid import bars_of
 
 LENGTH_OF_BARS = 10.25e-3 * (1 + 11.2e-6 * 198)  # [m] hot
@@ -48,7 +49,7 @@ def rigid(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def outer(result):
-    (found,) = fields.of_result(result)
+    (found,) = stored_fields.of_result(result)
     return found
 
 
@@ -100,12 +101,12 @@ def test_record_holds_every_number_under_its_name_in_its_unit(monkeypatch):
         for value, error in ((5, 0.5), (4, 0.4), (-3, 0.3))
     )
     most = BodyExtremes(displacement=2e-6, von_mises=von_mises, tension=tension, compression=compression)
-    part = fields.PartFields(
+    part = PartFields(
         race="outer", state="flexible", part=SimpleNamespace(), patches=SimpleNamespace(), forces=np.zeros(1),
         sizes=SimpleNamespace(), surroundings=Surroundings(speed=1.0), left_out="",
     )  # pyright: ignore[reportArgumentType]  # fmt: skip
     part.__dict__["extremes"] = {"ring": most}
-    monkeypatch.setattr(fields.PartFields, "support", lambda self: {"axial_N_per_m": 3e7})
+    monkeypatch.setattr(PartFields, "support", lambda self: {"axial_N_per_m": 3e7})
     record = part.record()
     assert record.pop("seconds") >= 0
     assert record == {
@@ -147,7 +148,7 @@ def test_support_has_one_radial_stiffness_with_its_error(result, outer):
 
 
 def test_forces_of_a_state_are_those_of_its_rollers(result, outer):
-    values = fields.state_of(result, "flexible")
+    values = stored_fields.state_of(result, "flexible")
     assert outer.forces[:, 0] == approx(values["outer_load"], rel=1e-9, abs=1e-9)
     inwards = fields.forces(values["inner_slice_load"], "inner", 5e-3, 2)
     assert inwards[:, 0] == approx(-values["inner_load"], rel=0.01)
@@ -168,7 +169,7 @@ def test_solid_that_cannot_be_solved_is_said(monkeypatch, outer):
 
     monkeypatch.setattr("fem.solid.factored_solid.factored", refused)
     fresh = replace(outer)
-    with pytest.raises(fields.NoFields, match="outer ring: nothing is solved"):
+    with pytest.raises(NoFields, match="outer ring: nothing is solved"):
         fresh.support()
 
 
@@ -189,18 +190,18 @@ def test_heat_and_rotation_load_the_inner_ring_as_its_shaft_grows():
 def test_every_iteration_can_be_asked_for(result):
     count = len(result.iterations)
     assert count > 1
-    assert fields.state_of(result, f"iteration {count}") is result.iterations[-1]
-    assert fields.state_of(result, "iteration 1") is result.iterations[0]
+    assert stored_fields.state_of(result, f"iteration {count}") is result.iterations[-1]
+    assert stored_fields.state_of(result, "iteration 1") is result.iterations[0]
     for name in (f"iteration {count + 1}", "iteration 0", "iteration", "soft"):
         with pytest.raises(BadResult, match=f"iteration 1 to iteration {count}"):
-            fields.state_of(result, name)
+            stored_fields.state_of(result, name)
 
 
 def test_rigid_parts_have_no_fields(result, rigid):
     with pytest.raises(BadCase, match="inner ring and shaft is rigid"):
-        fields.of_result(result, race="inner")
+        stored_fields.of_result(result, race="inner")
     with pytest.raises(BadCase, match="every part is rigid"):
-        fields.of_result(rigid)
+        stored_fields.of_result(rigid)
     assert "stresses" not in rigid.attributes
     assert summary(rigid)["stresses"] is None
     assert list(pictures(rigid, Path())) == []
@@ -209,7 +210,7 @@ def test_rigid_parts_have_no_fields(result, rigid):
 def test_fields_command_writes_what_paraview_opens(result, outer, tmp_path, monkeypatch):
     stored = result.attributes["stresses"]["outer"]
     monkeypatch.setattr(fields, "fields", lambda case, race, state, values: outer)  # solved before
-    monkeypatch.setattr(fields.PartFields, "record", lambda self: stored)
+    monkeypatch.setattr(PartFields, "record", lambda self: stored)
     done = CliRunner().invoke(app, ["fields", str(result.path), "--part", "outer", "-o", str(tmp_path)])
     assert done.exit_code == 0, done.output
     assert "outer: bars" in done.output
@@ -226,20 +227,20 @@ def test_picture_shows_the_deformed_part(result, outer, tmp_path, monkeypatch):
 
 
 def test_part_without_a_solid_is_said(result, monkeypatch, tmp_path):
-    case = fields.case_of(result)
+    case = stored_fields.case_of(result)
     outer = case.outer.model_copy(update={"kind": "ring", "support": "foundation", "foundation_radial": 1e12})
-    monkeypatch.setattr(fields, "case_of", lambda result: case.model_copy(update={"outer": outer}))
-    with pytest.raises(fields.NoFields, match=r'outer ring: outer.support = "foundation" has no solid'):
-        fields.of_result(result)
+    monkeypatch.setattr(stored_fields, "case_of", lambda result: case.model_copy(update={"outer": outer}))
+    with pytest.raises(NoFields, match=r'outer ring: outer.support = "foundation" has no solid'):
+        stored_fields.of_result(result)
     assert "has no solid" in str(next(pictures(result, tmp_path)))
     failed = CliRunner().invoke(app, ["fields", str(result.path)])
     assert failed.exit_code == 1
 
 
 def test_ring_in_a_fit_is_not_taken_as_bonded(result):
-    case = fields.case_of(result)
+    case = stored_fields.case_of(result)
     loose = case.model_copy(update={"inner": case.inner.model_copy(update={"fit": "frictionless"})})
-    with pytest.raises(fields.NoFields, match="has no solid"):
+    with pytest.raises(NoFields, match="has no solid"):
         fields.fields(loose, "inner", "flexible", result.flexible)
 
 
@@ -250,12 +251,12 @@ def test_drawing_is_found_beside_the_case_wherever_the_result_is(result, tmp_pat
         "case_text": drawn.read_text(), "case_file": str(drawn), "case_overrides": ["inner.kind=rigid"]
     }  # fmt: skip
     far = replace(result, path=tmp_path / "r.h5", attributes={**result.attributes, **kept})
-    assert fields.parts(fields.case_of(far))["outer"].source == "step_ring.step"
+    assert fields.parts(stored_fields.case_of(far))["outer"].source == "step_ring.step"
     gone = replace(far, attributes={**far.attributes, "case_file": str(tmp_path / "away" / "case.toml")})
-    with pytest.raises(fields.NoFields, match=r"step_ring.step cannot be read"):
-        fields.parts(fields.case_of(gone))
+    with pytest.raises(NoFields, match=r"step_ring.step cannot be read"):
+        fields.parts(stored_fields.case_of(gone))
     (tmp_path / "step_ring.step").write_bytes(drawn.with_suffix(".step").read_bytes())
-    assert fields.parts(fields.case_of(gone))["outer"].source == "step_ring.step"
+    assert fields.parts(stored_fields.case_of(gone))["outer"].source == "step_ring.step"
 
 
 def test_result_knows_where_its_case_was(result):

@@ -13,7 +13,7 @@ import pytest
 import flexbearing
 from flexbearing import __main__ as program
 from flexbearing.files import NotStored, parts_of
-from flexbearing.runs import fields
+from flexbearing.runs import fields, stored_fields
 from flexbearing.studies import pareto, trace
 from flexbearing.studies.pareto_levels import Level
 
@@ -184,7 +184,7 @@ def test_fields_cut_short_by_a_full_disk_are_not_stored(monkeypatch, tmp_path):
     monkeypatch.setattr("fem.solid.vtu.vtu", lambda displacement, materials: b"<VTKFile>")
     full_disk(monkeypatch)
     with pytest.raises(NotStored, match=r"r_outer_flexible\.vtu"):
-        fields.write(part, path)  # pyright: ignore[reportArgumentType]
+        stored_fields.write(part, path)  # pyright: ignore[reportArgumentType]
     assert not path.exists()
     assert parts_of(path) == []
 

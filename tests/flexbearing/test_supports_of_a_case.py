@@ -25,7 +25,8 @@ from flexbearing.rings.fits import (
     outer_ring_in_housing,
 )
 from flexbearing.rings.raceways import RigidRaceway
-from flexbearing.runs import fields
+from flexbearing.runs import stored_fields
+from flexbearing.runs.part_fields import NoFields
 from tests.flexbearing.noted import codes
 
 PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
@@ -135,8 +136,8 @@ def test_ring_with_clearance_in_its_housing_touches_it_below_the_load(tmp_path):
     assert told["largest_gap_um"] > told["mean_gap_unloaded_um"] == approx(30, abs=1)
     carried = result.flexible["inner_load"] @ np.cos(result.flexible["roller_azimuth"])
     assert carried == approx(result.rigid["inner_load"] @ np.cos(result.rigid["roller_azimuth"]), rel=0.01)
-    with pytest.raises(fields.NoFields, match=r"fits\.housing has no solid"):
-        fields.of_result(result)
+    with pytest.raises(NoFields, match=r"fits\.housing has no solid"):
+        stored_fields.of_result(result)
 
 
 @pytest.mark.parametrize(

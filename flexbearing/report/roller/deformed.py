@@ -12,7 +12,8 @@ from flexbearing.files import require_output, write
 from flexbearing.report.picture import png_bytes
 from flexbearing.report.roller.deformed_figure import deformed
 from flexbearing.results import Result
-from flexbearing.runs import fields
+from flexbearing.runs import fields, stored_fields
+from flexbearing.runs.part_fields import NAMES, NoFields, PartFields, Race
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
 COLOURED = 0.99  # share of the surface's corners with stresses up to the last colour
 
 
-def pictures(result: Result, directory: Path) -> Iterator[Path | fields.NoFields]:
+def pictures(result: Result, directory: Path) -> Iterator[Path | NoFields]:
     """Draw every flexible part at the flexible end state, as PNG named after result and part.
 
     Parameters
@@ -45,13 +46,13 @@ def pictures(result: Result, directory: Path) -> Iterator[Path | fields.NoFields
     """
     if not result.flexible or not result.family.report().deformed:
         return
-    case = fields.case_of(result)
+    case = stored_fields.case_of(result)
     try:
         flexible = fields.parts(case)
-    except fields.NoFields as problem:
+    except NoFields as problem:
         yield problem
         return
-    paths: dict[fields.Race, Path] = {
+    paths: dict[Race, Path] = {
         race: directory / f"{result.path.stem}_{race}_deformed.png" for race in flexible
     }
     for path in paths.values():
@@ -59,17 +60,17 @@ def pictures(result: Result, directory: Path) -> Iterator[Path | fields.NoFields
     for race, path in paths.items():
         try:
             part = fields.fields(case, race, "flexible", result.flexible)
-        except fields.NoFields as problem:
+        except NoFields as problem:
             yield problem
         else:
             write(path.resolve(), png_bytes(_drawn(part, result)))
             yield path
 
 
-def _drawn(part: fields.PartFields, result: Result) -> Figure:
+def _drawn(part: PartFields, result: Result) -> Figure:
     from fem.solid.skin import skin  # NGSolve takes a second to load
 
     outside = skin(part.loaded)
     limit = float(np.quantile(outside.von_mises, COLOURED))  # sharp edges would leave all else in one colour
-    title = f"{result.attributes['title']}: {fields.NAMES[part.race]}"
+    title = f"{result.attributes['title']}: {NAMES[part.race]}"
     return deformed(title, outside, limit)

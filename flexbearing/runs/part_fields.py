@@ -1,0 +1,172 @@
+"""Displacement and stress of one ring under the rollers of one state, on its whole solid."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import cached_property
+from time import perf_counter
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from threadpoolctl import threadpool_limits
+
+import fem
+from fem.parts.resolution import neighbour
+from fem.parts.surroundings import Surroundings
+
+if TYPE_CHECKING:
+    from fem.parts.rings import Part
+    from fem.parts.step_solid import StepSolid
+    from fem.solid.extremes import BodyExtremes, Sampled
+    from fem.solid.factored_solid import FactoredSolid
+    from fem.solid.fields import LoadedSolid
+
+Race = Literal["inner", "outer"]
+
+NAMES = {"inner": "inner ring and shaft", "outer": "outer ring"}
+MEGA = 1e6  # Pa per MPa
+
+
+class NoFields(RuntimeError):
+    """A part that displacements and stresses cannot be computed of; the message says why."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class PartFields:
+    """A part under the rollers of one state; what is asked for is solved then, and kept."""
+
+    race: Race
+    state: str  # "rigid", "flexible", "iteration 3"
+    part: Part | StepSolid
+    patches: fem.Patches
+    forces: NDArray  # (Z, M) [N] positive outward
+    sizes: Sizes
+    surroundings: Surroundings  # heat and rotation, which the largest stresses hold
+    left_out: str  # what they do not hold; empty: nothing
+
+    @cached_property
+    def solid(self) -> FactoredSolid:
+        """The whole solid, factored; raises `NoFields`."""
+        from fem.condense import require_drawing
+        from fem.solid.factored_solid import factored
+
+        with self._solving():
+            require_drawing(self.part, self.patches.length)
+            return factored(self.part, self.patches, self.sizes.solid, self.sizes.threads)
+
+    @cached_property
+    def loaded(self) -> LoadedSolid:
+        """The whole solid under its rollers; raises `NoFields`."""
+        with self._solving():
+            return self.solid.under(self.forces)
+
+    @cached_property
+    def extremes(self) -> dict[str, BodyExtremes]:
+        """Largest stresses of every body with their errors; raises `NoFields`."""
+        from fem.solid.clearing import clearing
+        from fem.solid.extremes import extremes
+
+        with self._solving():
+            radius, sampled = self._sampled()
+            clear = clearing(self.part, self.patches, self.forces, radius)
+            return {body: extremes(sampled, body, clear) for body in self.part.materials}
+
+    def _sampled(self) -> tuple[float, Sampled]:
+        """Radius of the raceway [m], and the part by two orders of displacements on a mesh for stresses."""
+        loads = self.patches, self.forces
+        if isinstance(self.part, fem.SquirrelCage):
+            from fem.cage.loaded_cage import feet_size, loaded_cage
+
+            feet = feet_size(self.part) * self.sizes.coarseness
+            cage = loaded_cage(self.part, *loads, self.sizes.stresses, feet)
+            return cage.radius, cage
+        if isinstance(self.part, fem.OuterRing | fem.RingOnShaft):
+            from fem.section.loaded_section import loaded_section
+
+            section = loaded_section(self.part, *loads, self.sizes.stresses, self.surroundings)
+            return section.radius, section
+        from fem.solid.whole_solid import WholeSolid
+
+        return self.loaded.radius, WholeSolid(self._neighbour.under(self.forces), self.loaded)
+
+    @property
+    def _neighbour(self) -> FactoredSolid:
+        """The whole solid by another order of displacements, which tells the error."""
+        return self.solid.of_order(neighbour(self.sizes.solid.order))
+
+    def support(self) -> dict[str, float]:
+        """Stiffness of the support against tilt and along the axis, with estimated errors.
+
+        Raises
+        ------
+        NoFields
+            if it could not be solved
+        """
+        from fem.solid.support_stiffness import support_stiffness
+
+        with self._solving():
+            held, other = (support_stiffness(solid) for solid in (self.solid, self._neighbour))
+        return {
+            "tilting_Nm_per_rad": held.tilting,
+            "tilting_error_Nm_per_rad": abs(held.tilting - other.tilting),
+            "axial_N_per_m": held.axial,
+            "axial_error_N_per_m": abs(held.axial - other.axial),
+        }
+
+    def record(self) -> dict[str, Any]:
+        """Largest values with their errors and units, as JSON can hold them.
+
+        Raises
+        ------
+        NoFields
+            if something could not be solved
+        """
+        began = perf_counter()
+        bodies = {name: _body_record(most) for name, most in self.extremes.items()}
+        steady = self.surroundings.speed or any(self.surroundings.thermal_strains.values())
+        return {
+            "bodies": bodies,
+            "loads": "rollers, heat and rotation" if steady else "rollers",
+            "left_out": self.left_out,
+            "support": self.support(),
+            "seconds": perf_counter() - began,
+        }
+
+    @contextmanager
+    def _solving(self) -> Iterator[None]:
+        from fem.assembly.factorisation import NotSolved
+
+        try:
+            # threads of the linear algebra would fight with those of the finite elements
+            with threadpool_limits(limits=1, user_api="blas"):
+                yield
+        except (fem.ImpossiblePart, NotSolved) as problem:
+            raise NoFields(f"{NAMES[self.race]}: {problem}") from problem
+
+
+@dataclass(frozen=True)
+class Sizes:
+    """Elements of the whole solid, those of the mesh for stresses, and threads."""
+
+    solid: fem.MeshSize
+    stresses: fem.MeshSize
+    coarseness: float  # of the latter over that of the usual mesh, where the case asks for another [-]
+    threads: int
+
+
+def _body_record(most: BodyExtremes) -> dict[str, float]:
+    """Extremes of a body with their units; the place is that of the largest von Mises stress."""
+    record = {}
+    for name in ("von_mises", "tension", "compression"):
+        largest = getattr(most, name)
+        record[f"{name}_MPa"] = largest.value / MEGA
+        record[f"{name}_error_MPa"] = largest.error / MEGA
+    return record | {
+        "displacement_um": 1e6 * most.displacement,
+        "x_mm": 1e3 * most.von_mises.x,
+        "radius_mm": 1e3 * most.von_mises.radius,
+        "azimuth_deg": float(np.degrees(most.von_mises.azimuth)),
+    }
