@@ -117,7 +117,7 @@ def test_largest_bar_stress_lies_where_the_reach_of_a_foot_ends(pulled):
     at_the_end = bars_of(pulled).stress.max()
     assert at_the_end * (1 - 2 * BARS.bar_thickness / BARS.bar_length) < most.value < at_the_end
     assert most.value == approx(4427e6, rel=0, abs=most.error)
-    assert most.error < 0.05 * most.value
+    assert most.error < 0.1 * most.value  # elements at the feet are twice those of a run
 
 
 def test_symmetric_load_gives_a_symmetric_field(pulled):

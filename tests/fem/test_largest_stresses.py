@@ -21,7 +21,7 @@ SHAFT = RingOnShaft(
     shaft_bore=51.6e-3, shaft_length=22e-3, ring=STEEL, shaft=STEEL,
 )  # fmt: skip
 ROLLERS = 2 * pi * np.arange(12) / 12
-PATCHES = Patches(azimuths=ROLLERS, length=5e-3, axial_modes=2, width=1e-3)
+PATCHES = Patches(azimuths=tuple(ROLLERS), length=5e-3, axial_modes=2, width=1e-3)
 FORCES = np.clip(np.cos(ROLLERS - 0.1), 0, None)[:, None] * [1000.0, 50.0]
 SIZE = MeshSize(order=4, size=4e-3, raceway_size=2e-3)
 
@@ -47,16 +47,16 @@ def test_section_moves_and_is_stressed_as_the_whole_solid(loaded):
     assert np.median(np.abs(von_mises(found.stress[some]) / stress - 1)) < 0.03
 
 
-@pytest.mark.parametrize("measure", ["von_mises", "tension", "compression"])
 @pytest.mark.slow
-def test_printed_error_holds_on_a_finer_mesh(measure):
+def test_printed_error_holds_on_a_finer_mesh():
     """Two orders more on elements of half the size: within the error, below 5 %, at the same place."""
     clear = clearing(RING, PATCHES, FORCES, 37.5e-3)
     sizes = (MeshSize(order=k + 6, size=3e-3 / (k or 1), raceway_size=1e-3 / (k or 1)) for k in (0, 2))
-    both = (loaded_section(RING, PATCHES, FORCES, size) for size in sizes)
-    usual, reference = (getattr(extremes(one, "ring", clear), measure) for one in both)
-    assert abs(usual.value - reference.value) <= usual.error <= 0.05 * abs(usual.value)
-    assert np.degrees(abs(usual.azimuth - reference.azimuth)) < 3
+    both = [extremes(loaded_section(RING, PATCHES, FORCES, size), "ring", clear) for size in sizes]
+    for measure in ("von_mises", "tension", "compression"):
+        usual, reference = (getattr(one, measure) for one in both)
+        assert abs(usual.value - reference.value) <= usual.error <= 0.05 * abs(usual.value), measure
+        assert np.degrees(abs(usual.azimuth - reference.azimuth)) < 3, measure
 
 
 def compound_tubes(radii, mismatch, speed):
