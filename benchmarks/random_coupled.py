@@ -10,10 +10,8 @@ import argparse
 import tempfile
 import time
 from collections import Counter
-from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass
-from functools import partial
+from dataclasses import dataclass, replace
 from itertools import repeat
 from multiprocessing import get_context
 from os import environ
@@ -27,20 +25,16 @@ from flexbearing import read, read_result, run
 from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase
 from flexbearing.coupled.coupled import BearingPartner
-from flexbearing.coupling import RULES, RacewayPair, StoppingCriterion, fixed_point, newton
 from flexbearing.coupling.loop import Status
 from flexbearing.progress import Logged
 from flexbearing.rings.condensed import condensed_raceways
 from tests.random_coupled import Design, design
+from tests.two_methods import AGAIN, SAME, difference, iterated, solved_again
 
 SOLIDS = 30  # of 600
-TOLERANCE, LIMIT = 1e-8, 200
-SAME, AGAIN = (
-    1e-6,
-    1e-9,
-)  # loads of two methods, and of one that begins at the state of the other, over the largest
+TOLERANCE = 1e-8
 CONVERGED, NEWTON = 0.995, 0.98  # wanted
-SMALL_CHANGE = 1e-10  # of loads where a state is solved again
+PROGRESS = 50  # designs between words on how far it has come
 
 
 @dataclass(frozen=True)
@@ -108,8 +102,6 @@ def incomplete(result) -> str:
 
 def compared(row: Row, chosen: Design, result, seconds: float, iterations: int) -> Row:
     """The row with iqn-ils beside it."""
-    from dataclasses import replace
-
     began = time.perf_counter()
     if not result.rigid:
         return replace(row, seconds=(seconds, 0.0))
@@ -127,48 +119,9 @@ def compared(row: Row, chosen: Design, result, seconds: float, iterations: int) 
         row = replace(row, apart=difference(last.state.loads, loads))
         if row.apart > SAME:
             *_, ours = iterated(bearing, rings, rigid, "newton", TOLERANCE)
-            row = replace(row, **both(bearing, rings, ours.state, last.state))
+            two = solved_again(bearing, rings, ours.state, last.state)
+            row = replace(row, again=(two.by_other, two.by_newton), equilibria=two.names)
     return replace(row, seconds=(seconds, time.perf_counter() - began))
-
-
-def iterated(bearing, rings: RacewayPair, start, method: str, tolerance: float) -> Iterator:
-    given = bearing, rings, start, StoppingCriterion(tolerance=tolerance, limit=LIMIT)
-    return newton(*given) if method == "newton" else fixed_point(*given, RULES[method])
-
-
-def both(bearing, rings: RacewayPair, ours, other) -> dict[str, object]:
-    """Two states that differ: each solved again by the other method."""
-    criterion = StoppingCriterion(tolerance=SMALL_CHANGE, limit=LIMIT)
-    *_, again = newton(bearing, rings, other, criterion)
-    rule = partial(from_deviation, rings.linearised(ours.forces).deviation(ours.forces))
-    *_, exchanged = fixed_point(bearing, rings, ours, criterion, rule)
-    names = [
-        f"{state.loads[0].max():.6g} N, cage slip {100 * state.cage_slip:.4g} %, life {state.life:.5g} Mrev"
-        for state in (ours, other)
-    ]
-    return {
-        "again": (difference(exchanged.state.loads, ours.loads), difference(again.state.loads, other.loads)),
-        "equilibria": " / ".join(names),
-    }
-
-
-def from_deviation(deviation: np.ndarray, history) -> np.ndarray:
-    """Interface quasi-Newton steps that begin at a known deviation."""
-    if len(history.deviations) == 1:
-        return deviation.ravel()
-    from dataclasses import replace
-
-    known = replace(
-        history,
-        deviations=history.deviations[1:],
-        residuals=history.residuals[1:],
-        roller_stiffness=history.roller_stiffness[1:],
-    )
-    return RULES["iqn-ils"](known)
-
-
-def difference(loads: np.ndarray, others: np.ndarray) -> float:
-    return float(np.abs(loads - others).max() / others.max())
 
 
 def line(row: Row, seed: int) -> str:
@@ -237,6 +190,8 @@ def main() -> None:
             rows.append(row)
             if remarkable(row):
                 print(line(row, asked.seed), flush=True)
+            if len(rows) % PROGRESS == 0:
+                print(f"... {len(rows)} designs, {time.perf_counter() - began:.0f} s", flush=True)
     print(verdict(rows, time.perf_counter() - began))
     print(*(f"refused: {row.number}: {row.impossible}" for row in rows if row.impossible), sep="\n")
 
