@@ -4,8 +4,9 @@ A discretisation is loaded with NGSolve when it is used: importing this module l
 """
 
 import logging
+from collections.abc import Callable
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING, Any, TypeVar, overload
 
 from fem.parts.bolted_ring import BoltedGrooveRing
 from fem.parts.boundary_conditions import ClampedFace, Foundation, LineSupports, PlanetGear, RigidSeat
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
     from fem.section.ring_on_lines import RingOnLines
 
 HARMONICS, SMEARED, BEAM, SOLID = Discretisation
+Condensed = TypeVar("Condensed")
 
 _log = logging.getLogger(__name__)
 
@@ -191,15 +193,40 @@ def _in_harmonics(
     """Compliance of a raceway that is held, from what its harmonics are answered with."""
     from fem.raceway.harmonics import harmonic_compliance
 
+    def up_to(last: int) -> "HarmonicCompliance":
+        return harmonic_compliance(
+            _responses_of(part, discretisation)(part, resolution, last, stage),
+            radius=part.raceway_diameter / 2,
+            length=resolution.length,
+            elastic=part.materials["ring"],
+            bars=part.bars if discretisation is HARMONICS else None,
+            seconds=seconds,
+        )
+
+    return _with_enough_harmonics(up_to, lambda compliance: compliance, part, discretisation, resolution)
+
+
+def _with_enough_harmonics(
+    up_to: Callable[[int], Condensed],
+    raceway_of: Callable[[Condensed], "HarmonicCompliance"],
+    part: Part,
+    discretisation: Discretisation,
+    resolution: Resolution,
+) -> Condensed:
+    """What is condensed up to the usual harmonic; a beam on stiff springs up to one that is high enough.
+
+    The elements of a section set a limit, the closed form of a beam does not.
+    """
+    from fem.raceway.harmonics import MOST, TRUNCATED
+
     last = _last_harmonic(part, discretisation, resolution)
-    return harmonic_compliance(
-        _responses_of(part, discretisation)(part, resolution, last, stage),
-        radius=part.raceway_diameter / 2,
-        length=resolution.length,
-        elastic=part.materials["ring"],
-        bars=part.bars if discretisation is HARMONICS else None,
-        seconds=seconds,
-    )
+    condensed = up_to(last)
+    if discretisation is not BEAM or resolution.harmonics is not None:
+        return condensed
+    while raceway_of(condensed).truncation > TRUNCATED and 2 * last <= MOST:
+        last *= 2
+        condensed = up_to(last)
+    return condensed
 
 
 def _responses_of(part: Part, discretisation: Discretisation) -> Any:
@@ -238,9 +265,11 @@ def _on_foundation(
     """A ring that springs only push, from what its raceway and its outer surface are answered with."""
     from fem.section.ring_on_foundation import ALONG, ring_on_foundation
 
-    last = _last_harmonic(part, discretisation, resolution)
-    responses = _responses_of(part, discretisation)(part, resolution, last, stage, face_modes=ALONG)
-    return ring_on_foundation(part, resolution.length, responses, seconds)
+    def up_to(last: int) -> "RingOnFoundation":
+        responses = _responses_of(part, discretisation)(part, resolution, last, stage, face_modes=ALONG)
+        return ring_on_foundation(part, resolution.length, responses, seconds)
+
+    return _with_enough_harmonics(up_to, lambda ring: ring.raceway, part, discretisation, resolution)
 
 
 def _free_ring(part: OuterRing, resolution: Resolution, stage: Stage, seconds: dict) -> Any:
