@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from quasidynamic.contact.film.thickness import Film
 from quasidynamic.contact.line import half_width as hertz_half_width
 
-FLOODED_FROM = 8.0  # [-] xi at which the meniscus formula is switched off
+FIT_ENDS = 8.0  # [-] xi at which the source switches its fit off
 FIT = ((-1.68005, 0.8315), (0.260137, 1.558), (-0.016146, 2.296))  # (coefficient, exponent) of xi
 
 
@@ -26,7 +26,8 @@ def meniscus_factor(
     r"""Film left in a line contact whose inlet is filled up to a meniscus.
 
     .. math:: \varphi_s = 1 - \exp(-1.68005\,\xi^{0.8315} + 0.260137\,\xi^{1.558} - 0.016146\,\xi^{2.296}),
-              \quad \xi = c_s \left[\frac{b^2}{2 h R}\right]^{2/3} < 8;\qquad \varphi_s = 1,\quad \xi \ge 8
+              \quad \xi = c_s \left[\frac{b^2}{2 h R}\right]^{2/3} < 8;\qquad
+              1 - \varphi_s \sim \xi^{-1.917},\quad \xi \ge 8
 
     Parameters
     ----------
@@ -52,20 +53,20 @@ def meniscus_factor(
 
     Valid
     -----
-    Elastic line contact, half-width far above the film. At xi = 8 the factor jumps from 0.99125 to 1 and its
-    slopes drop to zero: a Newton step meets a jump of 0.9 %.
+    Elastic line contact, half-width far above the film. At xi = 8 the source lets the factor jump from
+    0.99125 to 1: a bearing with a contact there has no equilibrium on either side. Here what is lost goes on
+    along the power of xi that the fit has at 8 (assumed), with a continuous slope.
 
     >>> contact = {"half_width": np.array(1e-4), "film": np.array(1e-6), "radius": 5e-3}  # b^2/(2 h R) = 1
     >>> round(float(meniscus_factor(**contact, inlet_length=1.0).factor), 4)
     0.7621
     """
     xi = inlet_length * (half_width**2 / (2 * film * radius)) ** (2 / 3)
-    fitted = np.minimum(xi, FLOODED_FROM)
-    lost = np.exp(sum(c * fitted**n for c, n in FIT))
-    by_log = np.where(xi < FLOODED_FROM, -lost * sum(c * n * fitted**n for c, n in FIT), 0.0)  # d phi/d ln xi
-    return Starvation(
-        np.where(xi < FLOODED_FROM, 1.0 - lost, 1.0), -2 / 3 * by_log / film, 4 / 3 * by_log / half_width
-    )
+    fitted = np.minimum(xi, FIT_ENDS)
+    power = sum(c * n * fitted**n for c, n in FIT)  # d ln(lost)/d ln xi
+    lost = np.exp(sum(c * fitted**n for c, n in FIT)) * (xi / fitted) ** power
+    by_log = -lost * power  # d phi/d ln xi
+    return Starvation(1.0 - lost, -2 / 3 * by_log / film, 4 / 3 * by_log / half_width)
 
 
 def starved_film(
@@ -103,7 +104,7 @@ def starved_film(
 
     Valid
     -----
-    As `meniscus_factor`, with its jump at xi = 8.
+    As `meniscus_factor`.
     """
     width = hertz_half_width(line_load, radius, modulus)
     factor, by_film, by_width = meniscus_factor(width, flooded.thickness, radius, inlet_length)

@@ -1,4 +1,4 @@
-"""From start to end: Newton's method, a better start, pseudo-time, a heavier load."""
+"""From start to end: Newton's method, a better start, pseudo-time, a heavier load, settled time."""
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
@@ -11,6 +11,7 @@ from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.load_continuation import from_heavier_load
 from quasidynamic.solve.rollers.newton import Iterate, newton
 from quasidynamic.solve.rollers.pseudo_time import StepLimits, pseudo_time
+from quasidynamic.solve.rollers.settled_time import through_settled_time
 from quasidynamic.solve.start.lumped import held_back
 
 # Rounds of pseudo-time, each followed by Newton's method: before a heavier load, after it, at restarts.
@@ -74,11 +75,14 @@ def solve(
             break
         unknowns = start.copy()
         unknowns[left] = restart(_cases_of(balance, left))
+        slipping = unknowns.copy()
         solved.follow(newton(_cases_of(balance, left), unknowns[left]), left)
         if number:
             _through_pseudo_time(balance, solved, unknowns, ROUNDS[2])
             continue
         _through_pseudo_time(balance, solved, unknowns, ROUNDS[0])
+        if budget is None:
+            _through_settled_time(balance, solved, (start, slipping))
         for case in solved.unsolved():
             lighter = from_heavier_load(balance.take(np.array([case])), restart)
             solved.evaluations[case] += lighter.evaluations
@@ -135,6 +139,19 @@ def _through_pseudo_time(
             unknowns[cases] = iterate.unknowns
             limits.time[cases], limits.ring_step[cases] = limits_now.time, limits_now.ring_step
         solved.follow(newton(balance_left, unknowns[left]), left)
+
+
+def _through_settled_time(balance: BearingBalance, solved: SolvedCases, starts: Sequence[NDArray]) -> None:
+    """Let cage and spins settle from each start (C, N), between rings and rollers that are at rest."""
+    if balance.layout.elastic_raceways or balance.deviation is not None:
+        return
+    for start in starts:
+        for case in solved.unsolved():
+            one = np.array([case])
+            settled = through_settled_time(balance.take(one), start[one])
+            solved.evaluations[case] += settled.evaluations
+            if settled.unknowns is not None:
+                solved.unknowns[case], solved.outcomes[case] = settled.unknowns[0], SolverOutcome.CONVERGED
 
 
 def _cases_of(balance: BearingBalance, cases: NDArray) -> BearingBalance:

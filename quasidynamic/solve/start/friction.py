@@ -68,7 +68,7 @@ class _Friction:
     @classmethod
     def of(cls, balance, static: Unknowns, cage_drift: NDArray, spin_drift: NDArray) -> "_Friction":
         rollers, raceways = LumpedRollers(balance), balance.roller.raceways
-        load = frictionless_loads(balance, static)
+        load = frictionless_loads(balance, static, uneven=bool(static.tilt.any()))
         sliding, entrainment, _ = rollers.surfaces(cage_drift, spin_drift)
         return cls(
             rollers,

@@ -45,7 +45,9 @@ def guessed_drifts(balance: BearingBalance, static: Unknowns) -> tuple[NDArray, 
     between the slips that are looked at, the torque on the cage is interpolated over their logarithm.
     """
     cases, bearing = len(balance.points), balance.roller.bearing
-    load = frictionless_loads(balance, static)
+    load = frictionless_loads(
+        balance, static, uneven=bool(static.tilt.any())
+    )  # of rollers tilted by a moment
     inner_share = load[1] / load.sum(0)
     r_i, r_o = bearing.inner_radius, bearing.outer_radius
     spin_per_cage = (inner_share * (r_i + r_o) - r_i) / (bearing.roller.diameter / 2)
