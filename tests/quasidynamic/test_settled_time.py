@@ -7,6 +7,7 @@ import pytest
 from pytest import approx
 
 from quasidynamic import SolverOutcome
+from quasidynamic.solve.rollers.newton import newton
 from quasidynamic.solve.rollers.normal_equilibrium import normal_equilibrium
 from quasidynamic.solve.rollers.settled_time import through_settled_time
 from quasidynamic.solve.start import static_start
@@ -77,3 +78,11 @@ def test_ring_without_free_tilt_keeps_its_slope():
     start = static_start(balance)
     rested = balance.unpack(normal_equilibrium(balance, start))
     assert np.hypot(*rested.ring[2:, 0, 0]) == approx(1e-4, rel=1e-12)
+
+
+def test_moment_alone_starts_at_the_slip_of_tilted_rollers():
+    """Untilted rollers carry nothing: the slip at which they drive the cage is no start for Newton."""
+    balance = balance_of(design(146))
+    with np.errstate(all="ignore"):
+        *_, last = newton(balance, static_start(balance))
+    assert last.outcomes[0] is SolverOutcome.CONVERGED

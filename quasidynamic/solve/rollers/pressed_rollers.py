@@ -116,7 +116,7 @@ class PressedRollers:
             stiffness[:, 1, 1] += stiffness[:, 0, 1] * cross * slope
             stiffness[:, 0, 1] = stiffness[:, 1, 0] = cross
         stiffness[:, 0, 0] /= steeper
-        return Contacts(force, stiffness, film, approach, closed[:, 0], 1 / steeper)
+        return Contacts(force, stiffness, film, approach, closed[:, 0], np.reciprocal(steeper))
 
     def _elastic(self, approach: NDArray, closed: NDArray) -> tuple[NDArray, NDArray]:
         """Forces (2, M, Z) [N] and stiffnesses (2, M, M, Z) [N/m] at elastic approaches (2, Z) [m]."""
