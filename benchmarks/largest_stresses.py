@@ -1,8 +1,9 @@
-"""Largest stresses of a plain ring, two squirrel cages and an inner ring on its shaft against finer meshes.
+"""Largest stresses of a plain ring, squirrel cages and an inner ring on its shaft against finer meshes.
 
 Every part is solved as `outputs.stresses` does, then by displacements of two orders more on elements of half
-the size. Printed is the largest value of each measure and body, the error that is printed beside it, and the
-deviation from the reference, in value and azimuth.
+the size; only at the feet of the bars, close to their sharp edges, they are larger in the reference, which
+needs 16 GB as it is. Printed is the largest value of each measure and body, the error that is printed beside
+it, and the deviation from the reference, in value and azimuth.
 
     python -m benchmarks.largest_stresses            # minutes
     python -m benchmarks.largest_stresses "24" shaft # some parts only
@@ -33,6 +34,7 @@ PARTS = {
     ),
     "cage of 24 bars": CAGE,
     "cage of 12 bars": replace(CAGE, bars=12, bar_width=6e-3),
+    "cage with fillets": replace(CAGE, bar_thickness=2e-3, fillet=0.7e-3),
     "ring on shaft": fem.RingOnShaft(
         raceway_diameter=65e-3, track_width=6e-3, rib_diameter=69.6e-3, bore=59.6e-3, width=12e-3,
         shaft_bore=51.6e-3, shaft_length=40e-3, ring=STEEL,
@@ -63,7 +65,7 @@ def solved(part, mesh: fem.MeshSize, feet: float) -> dict[str, BodyExtremes]:
 
 
 def compared(name: str) -> bool:
-    """Print a part beside its reference; whether every deviation is within its error."""
+    """Print a part beside its reference; whether deviations, errors and places are as promised."""
     part = PARTS[name]
     order, size, raceway_size = FOR_STRESSES[type(part)]
     usual = fem.MeshSize(order=order, size=size * LENGTH, raceway_size=raceway_size * LENGTH)
@@ -79,17 +81,21 @@ def compared(name: str) -> bool:
             value, exact = getattr(most, measure), getattr(reference[body], measure)
             off = abs(value.value - exact.value)
             turned = abs(np.degrees(np.angle(np.exp(1j * (value.azimuth - exact.azimuth)))))
-            good &= off <= value.error
+            error = value.error / abs(value.value)
+            holds = off <= value.error and error <= LARGEST_ERROR and turned <= LARGEST_TURN
+            good &= holds
             print(
                 f"  {body:7s} {measure:12s} {value.value / 1e6:9.1f} +- {value.error / 1e6:5.1f} MPa "
-                f"({100 * value.error / abs(value.value):4.1f} %), reference {exact.value / 1e6:9.1f}, "
+                f"({100 * error:4.1f} %), reference {exact.value / 1e6:9.1f}, "
                 f"deviation {100 * off / abs(exact.value):4.2f} %, {turned:5.1f} deg"
-                + ("" if off <= value.error else "  OUTSIDE")
+                + ("" if holds else "  OUTSIDE"),
+                flush=True,
             )
     return good
 
 
 FINER_FEET = 1.6  # size of elements at the feet over the usual one: the order does the rest, and is dear
+LARGEST_ERROR, LARGEST_TURN = 0.05, 3.0  # printed error over the value; between places [deg]
 
 
 def main() -> int:

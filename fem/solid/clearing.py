@@ -12,7 +12,7 @@ from fem.parts.step_solid import StepSolid
 CONTACT = 4.0  # standard deviations of a load patch: within them its own stress rules, which is the contact's
 UNLOADED = 1e-3  # of the largest roller force: below it there is no contact to keep away from
 JUST_BEYOND = 1e-6  # of a distance
-OUTERMOST = 200  # places that are moved to where the reach of a roller ends: enough for a smooth field
+OUTERMOST = 1000  # places that are moved to where the reach of a roller ends: as many as in a few elements
 
 
 @dataclass(frozen=True, kw_only=True)
