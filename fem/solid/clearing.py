@@ -12,7 +12,7 @@ from fem.parts.step_solid import StepSolid
 CONTACT = 4.0  # standard deviations of a load patch: within them its own stress rules, which is the contact's
 UNLOADED = 1e-3  # of the largest roller force: below it there is no contact to keep away from
 JUST_BEYOND = 1e-6  # of a distance
-OUTERMOST = 1000  # places that are moved to where the reach of a roller ends: as many as in a few elements
+MOVED = 1000  # places of a roller that are moved to where its reach ends: there the field is smooth
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -48,14 +48,13 @@ class Clearing:
         Returns
         -------
         array (m, 3)
-            the outermost `OUTERMOST` of every roller, moved around the axis, and moved straight away from
-            the roller's line [m]
+            about `MOVED` of every roller, moved around the axis, and moved straight away from the roller's
+            line [m]
         """
         moved = [np.zeros((0, 3))]
         for phi in self.loaded:
-            distance = self._distance(places, phi)
-            outermost = np.argsort(-distance[distance <= self.reach])[:OUTERMOST]
-            within = places[distance <= self.reach][outermost]
+            within = places[self._distance(places, phi) <= self.reach]
+            within = within[:: 1 + len(within) // MOVED]
             moved += [self._turned(within, phi), self._pushed(within, phi)]
         rim = np.concatenate(moved)
         return rim[self(rim)]
