@@ -9,9 +9,9 @@ from quasidynamic.solve.rollers.pressed_rollers import FilmOf, PressedRollers, P
 
 SWEEPS = 3  # of normal forces by friction, and of friction by normal forces
 SMALL_MOVE = 1e-3  # lengths of the ring, in the last sweep
-RING_STEPS = 60  # rarely more than ten
+RING_STEPS = 25  # rarely more than ten
 RING_DIGITS = 1e-7  # of the largest force: unbalanced force on the ring
-HALVINGS = 30  # of a step of the ring
+HALVINGS = 12  # of a step of the ring
 LONGEST_RING_STEP = 100.0  # lengths of the scales: 2 % of a roller's diameter
 STIFFENING = 1e-2  # of the whole stiffness over the relative imbalance, where no roller resists a direction
 LEAST_STIFFENING = 1e-6  # of the largest force over a length, where no roller touches at all

@@ -11,7 +11,7 @@ from quasidynamic.contact.line import LoadLaw, Slices
 
 FilmOf = Callable[[NDArray], tuple[NDArray, NDArray]]  # (2, Z) [m] and [m/N] under loads (2, Z) [N]
 
-ROLLER_STEPS = 80  # rarely more than ten; a roller that hardly anything presses takes most
+ROLLER_STEPS = 30  # rarely more than ten; a roller that hardly anything presses takes most
 UPHILL = 0.5  # of the slope at the start of a step, by which the energy may rise at its end
 FILM_STEPS = 60  # rarely more than three
 NEAR_ENOUGH = 1e-4  # lengths, of a roller's last step
