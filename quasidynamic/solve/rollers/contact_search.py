@@ -21,6 +21,7 @@ from quasidynamic.solve.rollers.static_equilibrium import (
 from quasidynamic.solve.rollers.step_bounds import bounded, bounded_spins
 
 MAX_STEPS = 40
+MAX_STEPS_NEAR = 12  # where the start is nearly the solution, or it is not
 SMALL_CHANGE = 0.2  # of the largest approach of a roller and its outer raceway
 LARGEST_TILT = 300.0  # scaled change of a slope of the ring in a step: 0.3 rad
 LOADED = 1e-3  # of the largest load, above which a roller turns like the most loaded one
@@ -59,7 +60,7 @@ def contact_search(
     start = balance.unpack(unknowns)
     shortest = SHORTEST_STEP if damped else 1.0
     advance = _with_friction if near else partial(_with_spins_held, start, _most_loaded(system), shortest)
-    for number in range(1, MAX_STEPS + 1):
+    for number in range(1, (MAX_STEPS_NEAR if near else MAX_STEPS) + 1):
         if not (near or damped) and _unbalanced(balance, system) < NEARLY:
             return
         unknowns, contacts_kept = advance(balance, unknowns, system)

@@ -63,6 +63,9 @@ def _by_searches(
     Without `restarts` only the searches are tried.
     """
     found, end = yield from _newton_after(balance, contact_search(balance, unknowns, near))
+    if near and _failed(end):
+        far = contact_search(balance, unknowns)
+        found, end = yield from _newton_after(balance, far, end.number)
     if _failed(end):
         damped = contact_search(balance, unknowns, damped=True)
         found, end = yield from _newton_after(balance, damped, end.number)

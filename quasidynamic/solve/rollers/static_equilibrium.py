@@ -103,32 +103,34 @@ def tilts_between_raceways(balance: BearingBalance, unknowns: Unknowns) -> Unkno
 
 
 def lying_on_a_raceway(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
-    """Unknowns with every roller that falls on the inner raceway, and cannot be pressed, at rest there.
+    """Unknowns with every roller of a slow bearing that cannot be pressed at rest on one raceway.
 
     Its small weight alone holds its tilt: a linearised step lays it on one end, the next one on the other, in
     turns. Load and moment follow from a convex energy: Newton's method from where it lies flat, its steps
-    halved until both are nearer to balance.
+    halved until both are nearer to balance. Where no roller falls on the inner raceway, centrifugal force
+    holds the tilts, and nothing is done.
     """
     force = outward_force(balance, unknowns)
     if balance.roller.axial_modes == 1 or force.min() > 0:
         return unknowns
     approach = balance.inputs(unknowns).approach
-    lying = (force < 0) & (room_between_raceways(balance, approach) < 0)
-    if not lying.any():
-        return unknowns
-    here, size = approach[0][:, lying], -force[lying]
-    pressed = balance.roller.raceways.softness[0].ravel()[0] * size ** (1 / EXPONENT)
-    moved = _rest(balance, here, size, pressed)
+    loose = room_between_raceways(balance, approach) < 0
     after = unknowns._replace(approach=unknowns.approach.copy(), tilt=unknowns.tilt.copy())
-    after.approach[lying] -= moved[0] - here[0]
-    after.tilt[lying] -= moved[1] - here[1]
+    for race, outward in enumerate((-1.0, 1.0)):
+        lying = loose & (outward * force > 0)
+        if lying.any():
+            here = approach[race][:, lying]
+            change = outward * (_rest(balance, race, here, np.abs(force[lying])) - here)
+            after.approach[lying] += change[0]
+            after.tilt[lying] += change[1]
     return after
 
 
-def _rest(balance: BearingBalance, approach: NDArray, force: NDArray, pressed: NDArray) -> NDArray:
-    """Approaches (M, n) [m] at which the inner raceway carries forces (n) [N] without a moment."""
+def _rest(balance: BearingBalance, race: int, approach: NDArray, force: NDArray) -> NDArray:
+    """Approaches (M, n) [m] at which a raceway carries forces (n) [N] without a moment."""
     raceways = balance.roller.raceways
-    law = replace(raceways.law, coefficient=np.ravel(raceways.law.coefficient)[0])
+    law = replace(raceways.law, coefficient=np.ravel(raceways.law.coefficient)[race])
+    pressed = np.ravel(raceways.softness[race])[0] * force ** (1 / EXPONENT)  # of a straight roller
     modes, drop = raceways.slices.modes, raceways.drop[:, None]
 
     def unbalanced(place: NDArray) -> tuple[NDArray, NDArray]:
