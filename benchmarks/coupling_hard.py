@@ -23,7 +23,7 @@ from flexbearing.coupling import RULES, RacewayPair, StoppingCriterion, fixed_po
 from flexbearing.progress import Logged
 from flexbearing.rings.condensed import condensed_raceways
 from flexbearing.rings.raceways import CondensedRaceway, RigidRaceway
-from quasidynamic.balance.rollers.scales import LARGE_DEVIATION, LENGTH
+from quasidynamic.balance.rollers.scales import LARGE_DEVIATION
 from quasidynamic.solve.rollers import bordered_system
 
 METHODS = ("newton", *RULES, "relaxed")
@@ -154,7 +154,7 @@ def spectral_radius(state) -> float:
     count = balance.layout.size - first
     sides = np.zeros((1, balance.layout.size, count))
     sides[0, first:] = np.eye(count) / LARGE_DEVIATION
-    answer = bordered_system.solve(balance, state.system, sides)[0, first:] * LENGTH
+    answer = bordered_system.solve(balance, state.system, sides)[0, first:]
     return float(np.abs(1 - 1 / np.linalg.eigvals(answer)).max())
 
 
