@@ -6,10 +6,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from quasidynamic.balance.rollers.unknowns import INNER
 from quasidynamic.outcome.equilibrium import Equilibrium
 from quasidynamic.several.indicator import doubts, is_loaded
 
-SLOW = {0.3: 4, -0.5: 3}  # spins over rolling that leave a film too thin to touch, each for so many rollers
+MUCH = 0.03  # of the largest load
+DOUBTFUL = 4  # rollers that films decide on most
+SLOW = 0.3, -0.5  # spins over the fastest that leave a film too thin to touch
 SLOW_EXIT = 0.2  # spin of rollers behind a loaded zone that ends earlier, over that of the fastest
 ENTRY_SHIFTS, EXIT_SHIFTS = (
     (-1, 0, 1, 2),
@@ -70,13 +73,22 @@ def in_order(state: Equilibrium) -> NDArray:
 
 
 def _fast_or_slow(state: Equilibrium, rolling: NDArray) -> list[NDArray]:
-    """The rollers that films decide on most, in every combination of rolling and slow ones."""
-    doubtful, spins = np.argsort(-doubts(state)), []
-    for slow, rollers in SLOW.items():
-        for chosen in product((1.0, slow), repeat=rollers):
+    """Rollers that films decide on most, and those at the ends of the loaded zone, in every combination."""
+    fastest = rolling[is_loaded(state)].max()
+    doubtful, ends = np.argsort(-doubts(state))[:DOUBTFUL], _ends(state)
+    spins = []
+    for rollers, slow in (*((doubtful, slow) for slow in SLOW), (ends, SLOW[-1])):
+        for chosen in product((1.0, slow), repeat=len(rollers)):
             spins.append(rolling.copy())
-            spins[-1][doubtful[:rollers]] = chosen
+            spins[-1][rollers] = np.multiply(chosen, fastest)
     return spins
+
+
+def _ends(state: Equilibrium) -> NDArray:
+    """The first and the last roller that carry much, and those beyond them."""
+    order, load = in_order(state), state.loads[INNER]
+    first, last = np.flatnonzero(load[order] > MUCH * load.max())[[0, -1]]
+    return np.unique(order[[first - 1, first, last, (last + 1) % len(order)]])
 
 
 def _shifted_zones(state: Equilibrium, rolling: NDArray) -> list[NDArray]:
@@ -91,10 +103,6 @@ def _shifted_zones(state: Equilibrium, rolling: NDArray) -> list[NDArray]:
         for end in last + np.array(EXIT_SHIFTS):
             if 0 <= begin <= end < len(order) and (begin, end) != (first, last):
                 spins.append(_zone(spin, (first, last), (begin, end), spin[loaded].max()))
-    for slow, fast in ((first, first - 1), (last, (last + 1) % len(order))):
-        for leaving in SLOW:  # the end roller slow, the one beyond it fast
-            spins.append(spin.copy())
-            spins[-1][[slow, fast]] = leaving, spin[loaded].max()
     return [each[np.argsort(order)] for each in spins]
 
 
