@@ -10,7 +10,7 @@ from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
 from quasidynamic.balance.rollers.unknowns import CAGE, TILT_Z, Y, Z
 from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers import bordered_system
-from quasidynamic.solve.rollers.step_bounds import bounded
+from quasidynamic.solve.rollers.step_bounds import bounded, shortened
 
 TOLERANCE = 1e-12  # of the reference force, or of the largest roller load if that is larger
 ROUNDING_TOLERANCE = 1e-10  # the same, where rounding keeps a step from lowering the residual any more
@@ -55,7 +55,7 @@ def newton(balance: BearingBalance, unknowns: NDArray) -> Iterator[Iterate]:
     system, accepted = balance.evaluate(unknowns), np.ones(len(unknowns), bool)
     yield Iterate(0, cases, unknowns, system, [SolverOutcome.RUNNING] * len(cases), accepted)
     # Types are declared where a checker would follow them around the loop for minutes.
-    direction: NDArray = step(balance, system)
+    direction: NDArray = shortened(balance, unknowns, step(balance, system))
     size, worst, damping = norm(system), _worst(system), np.ones(len(cases))
     for number in range(1, MAX_EVALUATIONS + 1):
         trial = bounded(balance, unknowns, unknowns + damping[:, None] * direction)
@@ -77,9 +77,11 @@ def newton(balance: BearingBalance, unknowns: NDArray) -> Iterator[Iterate]:
         if not len(left):
             return
         if everywhere:
-            direction = step(balance, system)
+            direction = shortened(balance, unknowns, step(balance, system))
         elif better.any():
-            direction = np.where(better[:, None], step(balance, system), direction)
+            direction = np.where(
+                better[:, None], shortened(balance, unknowns, step(balance, system)), direction
+            )
         if len(left) < len(cases):
             cases, balance = cases[left], balance.take(left)
             unknowns, direction, damping, size, worst = (

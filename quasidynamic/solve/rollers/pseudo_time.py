@@ -11,7 +11,7 @@ from quasidynamic.balance.rollers.unknowns import CAGE, TILT_Z
 from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers import bordered_system
 from quasidynamic.solve.rollers.newton import Iterate, norm, step
-from quasidynamic.solve.rollers.step_bounds import bounded
+from quasidynamic.solve.rollers.step_bounds import bounded, shortened
 
 MAX_EVALUATIONS = 40  # evaluations before Newton's method is tried again
 NEWTON_RESIDUAL = 1e-4  # residual from which it is tried at once
@@ -76,7 +76,7 @@ def pseudo_time(
         yield Iterate(number, cases, accepted, system, outcomes, ~refused), limits
         if not running.any():
             return
-        change: NDArray = _step(balance, system, limits)
+        change: NDArray = shortened(balance, unknowns, _step(balance, system, limits))
         tilt = np.abs(change[:, TILT_Z:CAGE]).max(1) / TILT_SHARE
         change_in_limits = change / np.maximum(tilt / limits.ring_step, 1.0)[:, None]
         turned = change[:, CAGE] * cage_change < 0

@@ -17,8 +17,8 @@ SPIN_CHANGE = 0.5  # of the spin in pure rolling in a step
 KEPT = 0.1  # of an approach or a film in a step
 GROWTH = 4.0  # of a gap in a step
 MOVED = 0.3  # of an approach and of a force: above it a step has thrown a roller about
-TURNED = 3.0  # of its approach and tilt, by which a roller may move alone in a step
-FREE = 20.0  # scaled step of a roller that is never shortened: 0.4 % of its diameter
+ALONE = 0.5  # of its approach and tilt, by which a roller may move alone in a step
+FREE = 1.0  # scaled step of a roller that is never shortened: 2e-4 of its diameter
 GRAZING = 3.0  # widths over which contact begins: a gap up to it has a force that leads back
 
 
@@ -26,7 +26,7 @@ def bounded(balance: BearingBalance, before: NDArray, after: NDArray) -> NDArray
     """Keep approaches at the outer raceway and films positive: at most nine tenths go in a step.
 
     A roller thrown off the outer raceway, or a film below zero, has no slope that leads back. Spins are
-    those of `bounded_spins`, motions those of `bounded_motions`.
+    those of `bounded_spins`.
 
     Parameters
     ----------
@@ -40,10 +40,10 @@ def bounded(balance: BearingBalance, before: NDArray, after: NDArray) -> NDArray
     array (C, N)
         `after` with rollers that stay within reach of what they touch
     """
-    layout, held = balance.layout, bounded_motions(balance, before, bounded_spins(balance, before, after))
+    layout, held = balance.layout, bounded_spins(balance, before, after)
     films = slice(layout.field(-3).start, layout.field(-2).stop)
     held[:, films] = np.maximum(after[:, films], KEPT * before[:, films])
-    old, new = _largest_approach(balance, before), _largest_approach(balance, held)
+    old, new = _largest_approach(balance, before), _largest_approach(balance, after)
     grazing = GRAZING * balance.roller.raceways.law.rounding / balance.scales.length
     held[:, layout.field(0)] += np.maximum(_lowest(old, grazing) - new, 0.0)
     return settled(balance, before, held)
@@ -122,36 +122,38 @@ def bounded_spins(balance: BearingBalance, before: NDArray, after: NDArray) -> N
     return held
 
 
-def bounded_motions(balance: BearingBalance, before: NDArray, after: NDArray) -> NDArray:
+def shortened(balance: BearingBalance, unknowns: NDArray, change: NDArray) -> NDArray:
     """Let rollers move and tilt no further than what is around them moves.
 
     A roller that hardly touches, or touches at one end alone, moves nearly without resistance: a linearised
-    step sends it anywhere. It need not go further than ring and films do, or than several times its approach.
+    step sends it anywhere. It need not go further than ring and films do, and half of its approach and tilt.
 
     Parameters
     ----------
     balance : BearingBalance
         of C cases
-    before, after : array (C, N)
-        unknowns, scaled
+    unknowns : array (C, N)
+        scaled
+    change : array (C, N)
+        a step from there, scaled; shortened before it is damped, or damping would leave such rollers there
 
     Returns
     -------
     array (C, N)
-        `after` with steps of approach and tilt that are shorter for such rollers
+        `change` with smaller approaches and tilts of such rollers
     """
     layout = balance.layout
     moving = slice(layout.field(0).start, layout.field(-4).stop)
-    cases, change = len(after), after - before
-    rollers = change[:, moving].reshape(cases, -1, layout.rollers)
-    if np.abs(rollers).max() <= FREE:
-        return after
-    size = np.abs(before[:, moving]).reshape(rollers.shape).max(1)
+    if np.abs(change[:, moving]).max() <= FREE:
+        return change
+    cases, rollers = len(change), change[:, moving].reshape(len(change), -1, layout.rollers)
+    size = np.abs(unknowns[:, moving]).reshape(rollers.shape).max(1)
     films = np.abs(change[:, layout.field(-3).start : layout.field(-2).stop]).reshape(cases, 2, -1).max(1)
     ring = np.abs(change[:, :CAGE]).max(1, keepdims=True)
-    shorter = np.minimum(1.0, (TURNED * size + ring + films + 1.0) / np.maximum(np.abs(rollers).max(1), FREE))
-    held = after.copy()
-    held[:, moving] = before[:, moving] + (rollers * shorter[:, None]).reshape(cases, -1)
+    most, furthest = ALONE * size + ring + films, np.abs(rollers).max(1)
+    shorter = np.where(furthest > FREE, np.minimum(1.0, most / furthest), 1.0)
+    held = change.copy()
+    held[:, moving] = (rollers * shorter[:, None]).reshape(cases, -1)
     return held
 
 
