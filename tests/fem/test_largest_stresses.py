@@ -195,3 +195,26 @@ def test_a_second_peak_is_looked_into_however_broad_the_first_is():
     assert most.tension.azimuth == approx(pi)
     # nothing changes from order to order: the least error is that of the largest stress, of small ones, too
     assert most.compression.error == approx(LEAST * 150e6)
+
+
+class BelowALine:
+    """Pressure that falls with the inverse of the distance from the line of a roller at z = 37.5 mm."""
+
+    def pieces(self, body):
+        return (0,)
+
+    def samples(self, body, piece, intervals, keys=None, *, higher=True):
+        across, depth = np.meshgrid(np.linspace(-4e-3, 4e-3, 24), np.linspace(1e-4, 3.5e-3, 11))
+        return self.at(body, piece, np.stack([0 * depth, across, 37.5e-3 + depth], axis=-1).reshape(-1, 3))
+
+    def at(self, body, piece, places, *, higher=True):
+        stress, number = np.zeros((len(places), 6)), np.arange(len(places))
+        stress[:, 2] = -1e5 / np.hypot(places[:, 1], places[:, 2] - 37.5e-3)
+        return Samples(number * 0, number % 2 == 0, places, 0 * stress[:, 0], stress)
+
+
+def test_largest_pressure_below_a_roller_is_that_where_its_reach_ends():
+    """Samples are 0.3 mm from each other, the reach is 2 mm: the nearest alone would miss percents."""
+    line = clearing(RING, replace(PATCHES, azimuths=(0.0,), width=0.5e-3), np.ones((1, 2)), 37.5e-3)
+    most = extremes(BelowALine(), "ring", line)
+    assert most.compression.value == approx(-1e5 / 2e-3, rel=1e-4)
