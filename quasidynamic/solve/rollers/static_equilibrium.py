@@ -57,16 +57,22 @@ def _contact_loads(
     return raceways.slices.total(line_load), raceways.slices.total(slope)
 
 
-def static_equilibrium(balance: BearingBalance, unknowns: Unknowns, uneven: bool = False) -> Unknowns:
+def static_equilibrium(
+    balance: BearingBalance, unknowns: Unknowns, uneven: bool = False, outward: NDArray | None = None
+) -> Unknowns:
     """Unknowns with every roller in static equilibrium between its raceways, without friction.
 
     A step that linearises contact may move a roller off its outer raceway, where the load law has no
     slope that leads back; this puts it on again. Rollers are untilted on even raceways, or, if
-    `uneven`, tilted as they are on raceways of the shape that they have.
+    `uneven`, tilted as they are on raceways of the shape that they have. What presses them outwards
+    (C, Z) [N] is that of `outward_force`, unless it is known.
     """
     beyond = axial_variation(balance, unknowns) if uneven else np.zeros((1, 2, 1, 1))
     room = balance.inputs(unknowns).approach[:, 0].sum(0)  # both approaches, wherever the roller is
-    raceways, force = balance.roller.raceways, outward_force(balance, unknowns)
+    raceways, force = (
+        balance.roller.raceways,
+        outward_force(balance, unknowns) if outward is None else outward,
+    )
     falls, size = force < 0, np.abs(force)  # on the inner raceway
     pressed = np.where(falls, *raceways.softness) * size ** (1 / EXPONENT)  # of a straight roller
     nearest = np.where(falls, *(raceways.drop[:, None, None] - beyond[:, race] for race in (0, 1)))

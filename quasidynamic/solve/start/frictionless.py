@@ -38,7 +38,8 @@ def static_unknowns(balance: BearingBalance, cage_drift: NDArray) -> Unknowns:
         spin_drift=nothing,
         deviation=np.zeros((2, m, *shape)),
     )
-    outward = np.abs(outward_force(balance, unknowns))
+    force = outward_force(balance, unknowns)
+    outward = np.abs(force)
     usual = 4 * points.load / balance.layout.rollers + outward
     film = film_at(balance, unknowns, usual)
     direction = np.arctan2(points.load_y, points.load_z)
@@ -46,7 +47,7 @@ def static_unknowns(balance: BearingBalance, cage_drift: NDArray) -> Unknowns:
     gap = balance.clearance / 2 - film.sum(0).mean(-1, keepdims=True) + pressed
     shift = ring_shift(balance, direction, gap)
     unknowns.ring[:2] = shift * np.sin(direction), shift * np.cos(direction)
-    return static_equilibrium(balance, unknowns._replace(film=film))
+    return static_equilibrium(balance, unknowns._replace(film=film), outward=force)
 
 
 def ring_shift(balance: BearingBalance, direction: NDArray, gap: NDArray) -> NDArray:
