@@ -16,6 +16,7 @@ UPHILL = 0.5  # of the slope at the start of a step, by which the energy may ris
 FILM_STEPS = 60  # rarely more than three
 NEAR_ENOUGH = 1e-4  # lengths, of a roller's last step
 FILM_DIGITS = 1e-6  # lengths
+SLOW = 0.5  # of the last misfit: a step that leaves more may go to and fro for ever
 FORCE_DIGITS = 1e-8  # of a roller's largest force
 LONGEST_STEP = 50.0  # lengths, of a roller in a step
 SINGULAR = 1e-12  # of the product of two stiffnesses: a determinant that is rounding
@@ -101,6 +102,7 @@ class PressedRollers:
         approach = (
             high if near is None else np.clip(near.approach + near.rate * (low - near.closed), low, high)
         )
+        last = np.full(low.shape, np.inf)
         for _ in range(FILM_STEPS):
             force, stiffness = self._elastic(approach, closed)
             film, slope = self.film_of(force[:, 0])
@@ -110,7 +112,8 @@ class PressedRollers:
                 break
             low, high = np.where(excess < 0, approach, low), np.where(excess > 0, approach, high)
             newton = approach - excess / steeper
-            approach = np.where((newton < low) | (newton > high), (low + high) / 2, newton)
+            halved = (newton < low) | (newton > high) | (np.abs(excess) > SLOW * last)
+            approach, last = np.where(halved, (low + high) / 2, newton), np.abs(excess)
         if self.slices.axial_modes > 1:  # at the same closed approach a tilt changes load and film
             cross = stiffness[:, 0, 1] / steeper
             stiffness[:, 1, 1] += stiffness[:, 0, 1] * cross * slope
