@@ -68,7 +68,7 @@ def _pressed(
         drop=raceways.drop,
         normal=normal,
         film_of=film_of,
-        thickest=film_of(np.zeros(force[:, 0].shape))[0],
+        thickest=film_of(np.zeros(force[:, 0].shape), np.arange(force.shape[-1]))[0],
         outward=unbalanced[BORDER : BORDER + len(normal)] - force[0, 0] + force[1, 0],
         gap=balance.clearance / 2,
         load=load * free,
@@ -82,10 +82,10 @@ def _films(balance: BearingBalance, unknowns: Unknowns) -> FilmOf:
     sliding, entrainment, _ = balance.roller.surfaces(motion, balance.points)
     if balance.roller.lubrication.inlet_length is not None:
         film = unknowns.film[:, 0]
-        return lambda load: (film, np.zeros(load.shape))
+        return lambda load, rollers: (film[:, rollers], np.zeros(load.shape))
 
-    def film_of(load: NDArray) -> tuple[NDArray, NDArray]:
-        film = raceways.film(load[:, None], sliding, entrainment)
+    def film_of(load: NDArray, rollers: NDArray) -> tuple[NDArray, NDArray]:
+        film = raceways.film(load[:, None], sliding[..., rollers], entrainment[..., rollers])
         return film.thickness[:, 0], film.by_line_load[:, 0]
 
     return film_of

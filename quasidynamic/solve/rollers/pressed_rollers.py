@@ -9,7 +9,9 @@ from numpy.typing import NDArray
 
 from quasidynamic.contact.line import LoadLaw, Slices
 
-FilmOf = Callable[[NDArray], tuple[NDArray, NDArray]]  # (2, Z) [m] and [m/N] under loads (2, Z) [N]
+FilmOf = Callable[
+    [NDArray, NDArray], tuple[NDArray, NDArray]
+]  # (2, n) [m], [m/N] by loads (2, n) of rollers (n)
 
 ROLLER_STEPS = 30  # rarely more than ten; a roller that hardly anything presses takes most
 UPHILL = 0.5  # of the slope at the start of a step, by which the energy may rise at its end
@@ -98,28 +100,40 @@ class PressedRollers:
     def _contacts(self, inner: NDArray, outer: NDArray, near: Contacts | None) -> Contacts:
         """Contacts at approaches (M, Z) less their films: elastic approach = that + film(load)."""
         closed = np.array([inner, outer])
-        low, high = closed[:, 0], closed[:, 0] + self.thickest
-        approach = (
-            high if near is None else np.clip(near.approach + near.rate * (low - near.closed), low, high)
-        )
-        last = np.full(low.shape, np.inf)
-        for _ in range(FILM_STEPS):
-            force, stiffness = self._elastic(approach, closed)
-            film, slope = self.film_of(force[:, 0])
-            excess = approach - film - closed[:, 0]
-            steeper = 1 - slope * stiffness[:, 0, 0]
-            if np.abs(excess).max() < FILM_DIGITS * self.length:
-                break
-            low, high = np.where(excess < 0, approach, low), np.where(excess > 0, approach, high)
-            newton = approach - excess / steeper
-            halved = (newton < low) | (newton > high) | (np.abs(excess) > SLOW * last)
-            approach, last = np.where(halved, (low + high) / 2, newton), np.abs(excess)
+        approach = self._elastic_approach(closed, near)
+        force, stiffness = self._elastic(approach, closed)
+        film, slope = self.film_of(force[:, 0], np.arange(force.shape[-1]))
+        steeper = 1 - slope * stiffness[:, 0, 0]
         if self.slices.axial_modes > 1:  # at the same closed approach a tilt changes load and film
             cross = stiffness[:, 0, 1] / steeper
             stiffness[:, 1, 1] += stiffness[:, 0, 1] * cross * slope
             stiffness[:, 0, 1] = stiffness[:, 1, 0] = cross
         stiffness[:, 0, 0] /= steeper
         return Contacts(force, stiffness, film, approach, closed[:, 0], np.reciprocal(steeper))
+
+    def _elastic_approach(self, closed: NDArray, near: Contacts | None) -> NDArray:
+        """Elastic approaches (2, Z) where film and load agree, by Newton's method within bounds."""
+        low, high = closed[:, 0].copy(), closed[:, 0] + self.thickest
+        guess = high if near is None else near.approach + near.rate * (low - near.closed)
+        approach, last = np.clip(guess, low, high), np.full(low.shape, np.inf)
+        left = np.arange(low.shape[1])
+        for _ in range(FILM_STEPS):
+            here = approach[:, left]
+            force, stiffness = self._elastic(here, closed[..., left])
+            film, slope = self.film_of(force[:, 0], left)
+            excess = here - film - closed[:, 0, left]
+            low[:, left] = np.where(excess < 0, here, low[:, left])
+            high[:, left] = np.where(excess > 0, here, high[:, left])
+            newton = here - excess / (1 - slope * stiffness[:, 0, 0])
+            halved = (newton < low[:, left]) | (newton > high[:, left])
+            halved |= np.abs(excess) > SLOW * last[:, left]
+            far = np.abs(excess) >= FILM_DIGITS * self.length
+            approach[:, left] = np.where(far & halved, (low[:, left] + high[:, left]) / 2, newton)
+            last[:, left] = np.abs(excess)
+            left = left[far.any(axis=0)]
+            if not len(left):
+                break
+        return approach
 
     def _elastic(self, approach: NDArray, closed: NDArray) -> tuple[NDArray, NDArray]:
         """Forces (2, M, Z) [N] and stiffnesses (2, M, M, Z) [N/m] at elastic approaches (2, Z) [m]."""
