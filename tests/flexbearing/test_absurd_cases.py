@@ -69,6 +69,7 @@ def test_neither_a_disc_nor_a_wire_is_a_roller(length):
         Roller(diameter=10e-3, length=length, material=steel)
 
 
+@pytest.mark.slow
 def test_oil_that_is_nearly_solid_in_a_trial_state_raises_no_warning(tmp_path):
     """The start without contact friction tries slips and pressures at which the viscosity overflows."""
     settings = [

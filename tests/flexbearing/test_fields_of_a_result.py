@@ -74,6 +74,7 @@ def test_stresses_of_a_stored_state_are_those_of_the_run(result, outer):
     assert computed["support"] == approx(stored["support"], rel=1e-6)
 
 
+@pytest.mark.slow
 def test_nominal_bar_stresses_come_from_the_condensed_state(result):
     """In every run, without a solve; the shears of all bars hold what the rollers press on the ring."""
     block = result.flexible

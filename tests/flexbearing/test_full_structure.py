@@ -83,6 +83,7 @@ def test_solids_condensed_at_the_end_are_those_condensed_at_once(solids):
         assert (again.unknowns, again.elements) == (once.unknowns, once.elements)
 
 
+@pytest.mark.slow
 def test_coupled_loads_are_those_of_the_condensed_operator(solids):
     _, (solved, once) = solids
     partner, rigid = BearingPartner(BEARING), BEARING.solve()

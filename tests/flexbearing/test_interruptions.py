@@ -164,6 +164,7 @@ def test_interrupted_study_names_the_table_that_is_complete(tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["t.csv"]
 
 
+@pytest.mark.slow
 def test_interrupted_plot_names_the_pictures_that_are_complete(tmp_path):
     flexbearing.run(PAPER, tmp_path / "r.h5", BEAM)
     done = trapped(signal.SIGINT, "matplotlib.figure", "plot", tmp_path / "r.h5")

@@ -163,6 +163,7 @@ def test_no_output_replaces_what_is_read(command, result, tmp_path):
     ],
 )
 @pytest.mark.usefixtures("result")
+@pytest.mark.slow
 def test_full_disk_ends_with_three_and_one_line_that_says_what_to_do(
     command, tmp_path, monkeypatch, words, place, left
 ):

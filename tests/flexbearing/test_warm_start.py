@@ -117,6 +117,7 @@ def test_unknowns_come_back_as_they_were_stored(other):
 # -- starts that fail ------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_damaged_start_falls_back_to_rigid_raceways(other, cold, tmp_path):
     damaged = changed(other, tmp_path / "damaged.h5", lambda x: x * 1e6)
     found = flexbearing.run(PAPER, tmp_path / "out.h5", [*HERE, "coupling.fallback=false"], start=damaged)
