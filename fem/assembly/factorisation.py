@@ -146,7 +146,9 @@ def refined(
 
     .. math:: r = f - K u, \quad u \leftarrow u + K^{-1} r
 
-    Bodies of very different stiffness cost digits, which one step restores.
+    Bodies of very different stiffness cost digits, which one step restores. A body far softer than its
+    elements, such as a very thin ring, leaves a residual by rounding of K u alone: then the change of u by a
+    second step, which estimates its error, must be as small.
 
     Parameters
     ----------
@@ -165,7 +167,8 @@ def refined(
     Raises
     ------
     NotSolved
-        if the residual exceeds `RESIDUAL` all the same, or if the step changed u by more than `REFINABLE`
+        if residual and change by a second step exceed `RESIDUAL` all the same, or if the first step changed u
+        by more than `REFINABLE`
 
     Source
     ------
@@ -177,9 +180,9 @@ def refined(
     if size > RESIDUAL:
         correction = direct(r)
         u += correction
-        size = max(
-            relative_size(residual(u, loads), loads), RESIDUAL / REFINABLE * relative_size(correction, u)
-        )
+        r = residual(u, loads)
+        left = min(relative_size(r, loads), relative_size(direct(r), u))
+        size = max(left, RESIDUAL / REFINABLE * relative_size(correction, u))
     _log.debug("relative residual %.1e", size)
     if not size <= RESIDUAL:
         raise NotSolved(f"relative residual {size:.2g}, allowed {RESIDUAL:g}; is the body held everywhere?")
