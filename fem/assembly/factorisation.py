@@ -60,7 +60,7 @@ class Factorisation:
         Raises
         ------
         NotSolved
-            if the residual of K u = f exceeds `RESIDUAL`
+            if the answer is not as exact as `refined` demands
         """
         return refined(self._direct, self._residual, np.where(self.free, load, 0.0))
 
