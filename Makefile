@@ -45,7 +45,7 @@ $(READY): pyproject.toml requirements.lock
 lock:
 	$(PYTHON) -m venv $(VENV)-lock
 	$(VENV)-lock/bin/python -m pip install --quiet --upgrade pip
-	$(VENV)-lock/bin/python -m pip install --quiet --group dev .
+	$(VENV)-lock/bin/python -m pip install --quiet --group dev '.[studies]'
 	$(VENV)-lock/bin/python -m pip freeze --exclude flexbearing > requirements.lock
 	rm -rf $(VENV)-lock
 
