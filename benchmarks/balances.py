@@ -12,7 +12,7 @@ from tests.balances import UNITS, balances, largest_imbalance
 def main() -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("result", type=Path)
-    result = flexbearing.read_result(parser.parse_args().result)
+    result = flexbearing.read(parser.parse_args().result)
     guidance = result.attributes["case_si"]["bearing"]["cage"]["guidance"]
     for name in ("rigid", "flexible"):
         block = getattr(result, name)

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from scipy.special import ellipe
 
 from benchmarks.machine import describe
-from flexbearing import read
+from flexbearing.api import read_case
 from flexbearing.case.balls.angular_contact import AngularCase
 from flexbearing.report.roller.figures import BLUE, ORANGE
 from flexbearing.runs.angular_contact import bearing, operation
@@ -68,7 +68,7 @@ class Found:
 
 def found(curve: Curve) -> Found:
     """Curve over `SPEEDS`; thrust alone makes all balls alike, so the first one is taken."""
-    case = read(CASE, curve.settings)
+    case = read_case(CASE, curve.settings)
     assert isinstance(case, AngularCase)
     base = operation(case)
     asked = [

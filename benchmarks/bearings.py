@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from flexbearing import read
+from flexbearing.api import read_case
 from flexbearing.build import roller_bearing
 from quasidynamic import RollerBearing, Straight
 
@@ -17,7 +17,7 @@ def paper_bearing() -> RollerBearing:
 
     Oil fraction times drag coefficient times the part of a roller that the cage leaves free is 0.169.
     """
-    model = roller_bearing.bearing(read(CASE))
+    model = roller_bearing.bearing(read_case(CASE))
     roller = replace(model.bearing.roller, profile=Straight())
     lubrication = replace(model.lubrication, oil_fraction=0.338, drag_coefficient=1.0)
     return replace(model, bearing=replace(model.bearing, roller=roller), lubrication=lubrication)

@@ -30,7 +30,8 @@ import fem
 from benchmarks.calculix import Hexahedra, printed
 from benchmarks.calculix_springs import MOVED, SLICES, Springs, deck, found, meshed
 from benchmarks.machine import describe
-from flexbearing import read, run
+from flexbearing import run
+from flexbearing.api import read_case
 from flexbearing.build import ring_parts, roller_bearing
 from flexbearing.cache.store import VARIABLE
 from flexbearing.case.roller import Case
@@ -97,7 +98,7 @@ def ours(load: float, further: list[str]) -> tuple[NDArray, float, Seconds]:
         with tempfile.TemporaryDirectory() as folder:
             began, processor = time.perf_counter(), time.process_time()
             settings = [*SETTINGS, f"operation.radial_load={load} N", *further]
-            result = run(CASE, Path(folder) / "out.h5", settings)
+            result = run(CASE, settings, output=Path(folder) / "out.h5")
             seconds.append((time.perf_counter() - began, time.process_time() - processor))
         if result.attributes["status"] != "converged":
             raise RuntimeError(f"flexbearing: {result.attributes['status']}")
@@ -113,7 +114,7 @@ def main() -> None:
         return
     os.environ[VARIABLE] = "off"
     print(f"{describe()}, {release(program)}")
-    case = read(CASE, SETTINGS)
+    case = read_case(CASE, SETTINGS)
     assert isinstance(case, Case)
     bearing, ring = roller_bearing.bearing(case).bearing, ring_parts.outer_part(case)
     assert isinstance(ring, fem.OuterRing)

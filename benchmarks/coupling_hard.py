@@ -16,7 +16,7 @@ from threadpoolctl import threadpool_limits
 
 from benchmarks.bearings import CASE
 from benchmarks.machine import describe
-from flexbearing import read
+from flexbearing.api import read_case
 from flexbearing.build import roller_bearing
 from flexbearing.coupled.coupled import BearingPartner
 from flexbearing.coupling import RULES, RacewayPair, StoppingCriterion, fixed_point, newton, relaxed
@@ -116,7 +116,7 @@ def pairs(words: list[str]) -> Iterator[tuple[str, Pair]]:
     for name, settings in CASES.items():
         if words and not any(word in name for word in words):
             continue
-        case = read(CASE, settings)
+        case = read_case(CASE, settings)
         bearing = BearingPartner(roller_bearing.bearing(case))
         rings = condensed_raceways(case, bearing.model.bearing.azimuths, Logged())
         # Every iteration of a fit solves its contact: too long for a constant relaxation.
@@ -160,7 +160,7 @@ def spectral_radius(state) -> float:
 
 def softened() -> list[Row]:
     """The same bearing on cages of growing softness."""
-    case = read(CASE, CAGE)
+    case = read_case(CASE, CAGE)
     bearing = BearingPartner(roller_bearing.bearing(case))
     azimuths = bearing.model.bearing.azimuths
     cage = condensed_raceways(case, azimuths, Logged()).outer.linearised(np.zeros(0))

@@ -355,7 +355,7 @@ def _of_result(printed) -> Iterator[str]:
     from flexbearing import api
     from tests.sound_results import faults
 
-    yield from faults(api.read_result("out.h5"))
+    yield from faults(api.read("out.h5"))
     printed.seek(0)
     printed.truncate()
     code = _exit_code(["summary", "--json", "out.h5"])

@@ -20,7 +20,7 @@ from tempfile import TemporaryDirectory
 import numpy as np
 
 from benchmarks.machine import describe
-from flexbearing import read_result
+from flexbearing import read
 from flexbearing.cache.store import VARIABLE
 from flexbearing.results import BadResult, Result
 
@@ -102,7 +102,7 @@ def references(folder: Path) -> tuple[dict[str, Result], float]:
         errors = run.communicate()[1]
         assert run.returncode == 0, errors
         seconds.append(time.perf_counter() - began)
-        known[name] = read_result(folder / f"{name}.h5")
+        known[name] = read(folder / f"{name}.h5")
     print(f"a whole run: {seconds[-1]:.2f} s, {len(known['new'].iterations)} iterations")
     return known, seconds[-1]
 
@@ -117,7 +117,7 @@ def started(out: Path, load: str = "new") -> subprocess.Popen:
 def judged(out: Path, known: dict[str, Result]) -> str:
     """Which of the known results a file holds, to the last digit."""
     try:
-        result = read_result(out)
+        result = read(out)
     except BadResult:
         return "neither"
     return next((name for name, other in known.items() if same(result, other)), "neither")

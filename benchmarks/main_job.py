@@ -52,7 +52,7 @@ def in_one_process() -> None:
         walls = []
         for load in range(10, 31):
             began = time.perf_counter()
-            compute(CASE, out, [f"operation.radial_load={load / 2} kN"], report=Heard())
+            compute(CASE, [f"operation.radial_load={load / 2} kN"], output=out, report=Heard())
             walls.append(time.perf_counter() - began)
         print(
             f"loaded program, another load   run and file {1e3 * statistics.median(walls):.0f} ms "
@@ -60,7 +60,7 @@ def in_one_process() -> None:
         )
         heard = Heard()
         began = time.perf_counter()
-        compute(CASE, out, [THICKER], report=heard)
+        compute(CASE, [THICKER], output=out, report=heard)
         print(f"loaded program, {THICKER}   {time.perf_counter() - began:.1f} s:")
         print("\n".join(f"  {stage}" for stage in heard.stages))
 

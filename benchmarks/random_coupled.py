@@ -21,7 +21,8 @@ import numpy as np
 from threadpoolctl import threadpool_limits
 
 from benchmarks.machine import describe
-from flexbearing import read, read_result, run
+from flexbearing import read, run
+from flexbearing.api import read_case
 from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase
 from flexbearing.coupled.coupled import BearingPartner
@@ -62,12 +63,12 @@ def solved(seed: int, number: int, solids: int) -> Row:
     began = time.perf_counter()
     with tempfile.TemporaryDirectory() as folder, threadpool_limits(limits=1, user_api="blas"):
         try:
-            run(chosen.case, f"{folder}/design.h5", chosen.settings)
+            run(chosen.case, chosen.settings, output=f"{folder}/design.h5")
         except BadCase as problem:
             return Row(number, impossible=str(problem).splitlines()[0])
         except Exception as problem:  # what the benchmark looks for
             return Row(number, "internal error", fault=f"internal error: {type(problem).__name__}: {problem}")
-        result = read_result(f"{folder}/design.h5")
+        result = read(f"{folder}/design.h5")
         seconds = time.perf_counter() - began
         fault = incomplete(result)
         attempts = result.attributes["attempts"]
@@ -105,7 +106,7 @@ def compared(row: Row, chosen: Design, result, seconds: float, iterations: int) 
     began = time.perf_counter()
     if not result.rigid:
         return replace(row, seconds=(seconds, 0.0))
-    case = read(chosen.case, chosen.settings)
+    case = read_case(chosen.case, chosen.settings)
     bearing = BearingPartner(roller_bearing.bearing(case))
     try:
         rings = condensed_raceways(case, bearing.model.bearing.azimuths, Logged())

@@ -27,7 +27,7 @@ def main() -> None:
     given = None
     with tempfile.TemporaryDirectory() as folder:
         for name, settings in LEVELS.items():
-            result = flexbearing.run(CASE, Path(folder) / "out.h5", settings)
+            result = flexbearing.run(CASE, settings, output=Path(folder) / "out.h5")
             load, life = result.flexible["inner_load"].max(), float(result.flexible["life_L10"]) / 1e6
             given = given or load
             figures = result.attributes["structure"]

@@ -11,13 +11,13 @@ from threadpoolctl import threadpool_limits
 
 from benchmarks.bearings import CASE, RPM
 from benchmarks.machine import describe, median_seconds
-from flexbearing import read
+from flexbearing.api import read_case
 from flexbearing.build import roller_bearing
 
 
 def main() -> None:
     print(describe())
-    model = roller_bearing.bearing(read(CASE))
+    model = roller_bearing.bearing(read_case(CASE))
     with threadpool_limits(limits=1, user_api="blas"):
         alone(model)
         side_by_side(model)

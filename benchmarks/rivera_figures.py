@@ -10,7 +10,7 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import numpy as np
 
-from flexbearing import read
+from flexbearing.api import read_case
 from flexbearing.report.roller.figures import BLUE, ORANGE
 from flexbearing.runs.angular_contact import bearing, operation
 from quasidynamic import AngularContactState
@@ -41,7 +41,7 @@ BOTH = [Curve(curve.name, {**curve.settings, "operation.load.radial_z": "1000 N"
 
 def solved(curve: Curve, speeds) -> list[AngularContactState]:
     """States of the bearing at some speeds [rpm]."""
-    case = read(CASE, curve.settings)
+    case = read_case(CASE, curve.settings)
     base = operation(case)
     asked = [
         type(base)(load=base.load, displacement=base.displacement, inner_speed=speed * np.pi / 30)

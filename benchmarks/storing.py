@@ -6,7 +6,7 @@ from tempfile import TemporaryDirectory
 from threadpoolctl import threadpool_limits
 
 from benchmarks.machine import describe, median_seconds
-from flexbearing import read_result, run
+from flexbearing import read, run
 from flexbearing.files import write
 from flexbearing.results import hdf5
 
@@ -35,7 +35,9 @@ def main() -> None:
     with TemporaryDirectory() as folder, threadpool_limits(limits=1, user_api="blas"):
         out = Path(folder) / "out.h5"
         for name, settings in CASES.items():
-            whole = median_seconds(lambda s=settings: run(CASE, out, s, report=Unheard()), RUNS // 3)[0]
+            whole = median_seconds(lambda s=settings: run(CASE, s, output=out, report=Unheard()), RUNS // 3)[
+                0
+            ]
             data = out.read_bytes()
             content, _ = hdf5.content(data)
             steps = {
@@ -44,7 +46,7 @@ def main() -> None:
                 "written, brought to the disk, checked": median_seconds(lambda d=data: write(out, d), RUNS)[
                     0
                 ],
-                "read and checked": median_seconds(lambda: read_result(out), RUNS)[0],
+                "read and checked": median_seconds(lambda: read(out), RUNS)[0],
             }
             times = ", ".join(f"{step} {1e3 * seconds:.1f}" for step, seconds in steps.items())
             print(f"{name} ({len(data) / 1e3:.0f} kB): {times}")

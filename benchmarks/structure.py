@@ -17,7 +17,7 @@ from benchmarks.alone import Cost, measured
 from benchmarks.bearings import CASE
 from benchmarks.machine import describe
 from fem.condense import HARMONICS, condense_in_process
-from flexbearing import read
+from flexbearing.api import read_case
 from flexbearing.build import expansion, ring_parts
 from flexbearing.rings.condensed import IN_SPACE, ON_A_SECTION
 
@@ -132,7 +132,7 @@ def main() -> None:
     parser.add_argument("--picture", type=Path)
     asked = parser.parse_args()
     print(describe())
-    case = read(CASE)
+    case = read_case(CASE)
     length = expansion.roller_length(case)
     series = {
         "cage": table("squirrel cage", ring_parts.outer_part(case), length, CAGE),

@@ -17,7 +17,7 @@ import fem
 from benchmarks.alone import measured
 from benchmarks.bearings import CASE
 from benchmarks.machine import describe
-from flexbearing import read
+from flexbearing.api import read_case
 from flexbearing.build import expansion, ring_parts
 
 SIZES = (4.0, 3.0, 2.2, 1.6, 1.2, 1.0, 0.9)  # [mm]
@@ -92,7 +92,7 @@ def main() -> None:
     parser.add_argument("--picture", type=Path)
     asked = parser.parse_args()
     print(describe())
-    case = read(CASE)
+    case = read_case(CASE)
     found = rows(ring_parts.outer_part(case), expansion.roller_length(case))
     unknowns, seconds, memory = (np.array(column) for column in zip(*found, strict=True))
     for name, cost in zip((*STAGES, "memory"), (*seconds.T, memory), strict=True):

@@ -1,4 +1,4 @@
-"""What Python programs call: read, check, run, summary.
+"""What Python programs call: run, read, check, explain.
 
 Every function binds the registered bearing families to a room below; what a call does not need is not loaded.
 """
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 Overrides = Sequence[str] | Mapping[str, object]
 
 
-def read(case: str | Path, overrides: Overrides = ()) -> Any:
+def read_case(case: str | Path, overrides: Overrides = ()) -> Any:
     """Read a case file into SI units.
 
     Parameters
@@ -48,7 +48,7 @@ def check(case: str | Path, overrides: Overrides = ()) -> Any:
     case : path
         case file
     overrides : sequence of str or mapping
-        as for `read`
+        as for `run`
 
     Returns
     -------
@@ -63,29 +63,29 @@ def check(case: str | Path, overrides: Overrides = ()) -> Any:
     from flexbearing.families import FAMILIES
     from flexbearing.runs.validate import require_possible
 
-    wanted = read(case, overrides)
+    wanted = read_case(case, overrides)
     require_possible(wanted, FAMILIES[wanted.kind])
     return wanted
 
 
 def run(
     case: str | Path,
-    output: str | Path | None = None,
     overrides: Overrides = (),
     *,
+    output: str | Path | None = None,
     report: "Report | None" = None,
     start: "str | Path | Result | None" = None,
 ) -> "Result":
-    """Compute a case file and store its result.
+    """Compute a case file.
 
     Parameters
     ----------
     case : path
         case file
-    output : path, optional
-        result file; default `results/<case>.h5`, with the settings in its name
     overrides : sequence of str or mapping
-        as for `read`
+        settings that replace or add keys: "bearing.clearance=50 um", or {"bearing.clearance": "50 um"}
+    output : path, optional
+        result file; without one nothing is written
     report : Report, optional
         hears of stages and iterations; default is the log
     start : path or Result, optional
@@ -102,19 +102,31 @@ def run(
         when the case cannot be computed as it stands, or cannot start there
     BadResult
         when there is no complete result to start from
+    BadOutput, NotStored
+        when the file cannot be written
 
-    >>> result = run("case.toml")                                    # doctest: +SKIP
-    >>> result.flexible["inner_load"].max()                          # doctest: +SKIP
+    >>> result = run("case.toml", {"operation.radial_load": "15 kN"})  # doctest: +SKIP
+    >>> result.flexible["inner_load"].max()                            # doctest: +SKIP
     """
+    return compute(read_case(case, overrides), output=output, report=report, start=start)
+
+
+def compute(
+    case: Any,
+    *,
+    output: str | Path | None = None,
+    report: "Report | None" = None,
+    start: "str | Path | Result | None" = None,
+) -> "Result":
+    """Compute a case that was read before; everything else as for `run`."""
     from flexbearing.families import FAMILIES
     from flexbearing.runs.run_case import run_case
 
-    wanted = read(case, overrides)
-    near = read_result(start) if isinstance(start, str | Path) else start
-    return run_case(wanted, FAMILIES[wanted.kind], output, report, near)
+    near = read(start) if isinstance(start, str | Path) else start
+    return run_case(case, FAMILIES[case.kind], output, report, near)
 
 
-def read_result(path: str | Path) -> "Result":
+def read(path: str | Path) -> "Result":
     """Read a complete result file.
 
     Parameters
@@ -135,13 +147,6 @@ def read_result(path: str | Path) -> "Result":
     from flexbearing.results import read as read_file
 
     return read_file(path, FAMILIES)
-
-
-def summary(result: "Result") -> dict[str, Any]:
-    """Return the numbers of a run as one object that JSON can hold; a name carries its unit."""
-    from flexbearing.report import summary as numbers
-
-    return numbers(result)
 
 
 def explain(key: str | None = None) -> str:

@@ -77,16 +77,19 @@ def run(
 ) -> None:
     """Compute a case and store every iteration; prints a summary."""
     from flexbearing.progress import Logged, OnTerminal
+    from flexbearing.runs.run_case import default_output
 
     console = _terminal()
     _log(everything=not quiet and console is None)
+    wanted = api.read_case(case, settings or [])
+    place = output or default_output(wanted)
     with OnTerminal(console) if console and not quiet else Logged() as report:
-        result = api.run(case, output, settings or [], report=report, start=start)
+        result = api.compute(wanted, output=place, report=report, start=start)
     wrong = _what_went_wrong(result, strict=strict)
-    with _keeping([result.path]):
+    with _keeping([place]):
         if not quiet:
             _show(result, console)
-            _say(f"\nresults: {result.path}")
+            _say(f"\nresults: {place}")
         for words in wrong if quiet else ():
             sys.stderr.write(f"{case}: {printable(words)}\n")
     raise typer.Exit(NOT_CONVERGED if wrong else CONVERGED)
@@ -105,11 +108,11 @@ def summary(
     as_json: Annotated[bool, typer.Option("--json", help="one JSON object instead of text")] = False,
 ) -> None:
     """Print the numbers of a result."""
-    found = api.read_result(result)
+    found = api.read(result)
     if as_json:
         import json
 
-        numbers = json.dumps(api.summary(found), indent=2, allow_nan=False)
+        numbers = json.dumps(found.summary(), indent=2, allow_nan=False)
         sys.stdout.write(numbers.replace("\x7f", r"\u007f") + "\n")  # JSON escapes every other one
     else:
         _show(found, _terminal())
@@ -126,7 +129,7 @@ def plot(
     from flexbearing.report import pictures
     from flexbearing.report.roller import deformed
 
-    found, directory, written = api.read_result(result), output or result.parent, []
+    found, directory, written = api.read(result), output or result.parent, []
     with _keeping(written):
         for picture in pictures(found, directory):
             written.append(picture)
@@ -161,7 +164,7 @@ def fields(
 
     if part not in ("inner", "outer", None):
         raise BadCase(f'--part {part}: it is "inner" or "outer"')
-    found = api.read_result(result)
+    found = api.read(result)
     try:
         paths = compute.destinations(found, output or result.parent, state, part)
         solved = compute.of_result(found, state, part)
@@ -224,7 +227,7 @@ def pareto(
     from flexbearing.studies.pareto import NoReference, pareto as study
     from flexbearing.studies.pareto_files import destinations, store
 
-    inputs = api.read(case, settings or []).input_files
+    inputs = api.read_case(case, settings or []).input_files
     if name is None:
         name = stem_of_outputs(case, settings or ()).lstrip(".")
     table, picture = destinations(output, name, inputs)

@@ -3,7 +3,7 @@
 import re
 from pathlib import Path
 
-from flexbearing import read
+from flexbearing.api import read_case
 from flexbearing.build import roller_bearing
 
 PAPER = Path(__file__).parents[1] / "configs" / "mao2016.toml"
@@ -32,4 +32,4 @@ def settings(temperature):
 
 def cold_bearing(temperature, folder):
     """The same bearing between rigid raceways, without a result file."""
-    return roller_bearing.bearing(read(cold_case(folder), [*RIGID, *settings(temperature)]))
+    return roller_bearing.bearing(read_case(cold_case(folder), [*RIGID, *settings(temperature)]))

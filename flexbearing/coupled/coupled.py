@@ -23,7 +23,7 @@ from flexbearing.coupling import (
     relaxed,
 )
 from flexbearing.progress import Report
-from flexbearing.results import ResultFile
+from flexbearing.results import Recorder
 from quasidynamic import Equilibrium, NotSolved, RollerBearing
 from quasidynamic.solve.rollers.static_equilibrium import series_stiffness
 
@@ -178,12 +178,12 @@ class CoupledBearing:
     rigid: Equilibrium
     initial: InitialState | None = None  # where newton starts first
 
-    def solve(self, file: ResultFile, report: Report) -> list[Attempt]:
+    def solve(self, record: Recorder, report: Report) -> list[Attempt]:
         """Iterate by one method after the other, and store every iteration; the last attempt counts."""
         attempts: list[Attempt] = []
         for method in self._methods():
             done = attempts[-1].iterations if attempts else 0
-            attempts.append(self._attempt(method, file, report, done))
+            attempts.append(self._attempt(method, record, report, done))
             if attempts[-1].status == "converged":
                 break
             report.stage(f"{method}: {attempts[-1].message}", None)
@@ -197,10 +197,10 @@ class CoupledBearing:
         methods = (first, *others) if self.case.coupling.fallback else (first,)
         return methods if self.initial is None else (FROM_INITIAL_STATE, *methods)
 
-    def _attempt(self, method: str, file: ResultFile, report: Report, done: int) -> Attempt:
+    def _attempt(self, method: str, record: Recorder, report: Report, done: int) -> Attempt:
         began, last = perf_counter(), None
         for last in self._iterations(method):
-            file.iteration(done + last.number, states.iteration(last, perf_counter() - began))
+            record.iteration(done + last.number, states.iteration(last, perf_counter() - began))
             report.iteration(last)
             began = perf_counter()
         assert last is not None  # every method yields at least once

@@ -111,9 +111,9 @@ def initial_state(start: Result, case: Case) -> InitialState:
         where the case cannot start from another one, or not from this one; it says what differs
     """
     if problem := _of_case(case) or _of_result(start, case) or _differing(start, case):
-        raise BadCase(f"start {start.path}: {problem}")
+        raise BadCase(f"start {start.place}: {problem}")
     values = start.flexible["unknowns"]
-    return InitialState(str(start.path), unknowns(values, start.flexible["roller_azimuth"].size))
+    return InitialState(start.place, unknowns(values, start.flexible["roller_azimuth"].size))
 
 
 def _of_case(case: Case) -> str:

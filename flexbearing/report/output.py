@@ -9,7 +9,6 @@ from rich.console import Console, Group
 from flexbearing.files import require_folder, require_output, write
 from flexbearing.printable import all_printable
 from flexbearing.report.picture import png_bytes
-from flexbearing.report.summary_values import summary
 from flexbearing.results import Result
 
 
@@ -33,7 +32,7 @@ def text(result: Result, console: Console | None = None, encoding: str = "utf-8"
     """
     console = console or _plain(encoding)
     with console.capture() as capture:
-        console.print(Group(*result.family.report().page(all_printable(summary(result)))))
+        console.print(Group(*result.family.report().page(all_printable(result.summary()))))
     return "\n".join(line.rstrip() for line in capture.get().splitlines()) + "\n"
 
 
@@ -67,11 +66,11 @@ def pictures(result: Result, directory: str | Path) -> Iterator[Path]:
     """
     folder = require_folder(directory)
     figures = {
-        folder / f"{result.path.stem}_{name}.png": figure
+        folder / f"{result.stem}_{name}.png": figure
         for name, figure in result.family.report().pictures(result).items()
     }
     for path in figures:
-        require_output(path, (result.path, result.attributes.get("case_file", result.path)))
+        require_output(path, (*result.files, *filter(None, [result.attributes.get("case_file")])))
     for path, figure in figures.items():
         write(path.resolve(), png_bytes(figure))
         yield path

@@ -4,7 +4,19 @@ What stands in it is declared in `quantities`; only this room loads h5py.
 """
 
 from flexbearing.results.checks import NotInLayout
-from flexbearing.results.read import Arrays, BadResult, Result, case_file, read
+from flexbearing.results.read import BadResult, case_file, read
+from flexbearing.results.record import Record, Recorder
+from flexbearing.results.result import Arrays, Result
 from flexbearing.results.write import ResultFile
 
-__all__ = ["Arrays", "BadResult", "NotInLayout", "Result", "ResultFile", "case_file", "read"]
+__all__ = [
+    "Arrays",
+    "BadResult",
+    "NotInLayout",
+    "Record",
+    "Recorder",
+    "Result",
+    "ResultFile",
+    "case_file",
+    "read",
+]

@@ -42,15 +42,43 @@ def _version(package: str) -> str:
         return "not installed"
 
 
-def encoded(entry: Attribute, value: Any) -> Any:
-    """Store form of a value: what HDF5 is given.
+def checked(entry: Attribute, value: Any) -> Any:
+    """Value as the program uses it, from what a run says.
 
     Parameters
     ----------
     entry : Attribute
         what the layout says of it
     value : text, number, list of texts, mapping or list of mappings
-        what its kind asks for
+        what its kind asks for; records may hold arrays
+
+    Returns
+    -------
+    text, number, tuple of texts, mapping, or list of mappings
+        of Python's own numbers, lists and dicts
+
+    Raises
+    ------
+    NotInLayout
+        for a value of another kind or form, or a status that does not exist
+    """
+    try:
+        return _of_form(entry, _CHECKED[entry.kind](value))
+    except (TypeError, ValueError) as reason:
+        raise NotInLayout(
+            f"attribute {entry.name} = {value!r} cannot be stored as {entry.kind}: {reason}."
+        ) from reason
+
+
+def encoded(entry: Attribute, value: Any) -> Any:
+    """Store form of a checked value: what HDF5 is given.
+
+    Parameters
+    ----------
+    entry : Attribute
+        what the layout says of it
+    value : text, number, tuple of texts, mapping or list of mappings
+        from `checked`
 
     Returns
     -------
@@ -59,18 +87,12 @@ def encoded(entry: Attribute, value: Any) -> Any:
     Raises
     ------
     NotInLayout
-        for a value of another kind, or a status that does not exist
+        for texts that are too long to be read again
     """
-    name, kind = entry.name, entry.kind
-    try:
-        stored = _ENCODE[kind](value)
-        _require_stored(entry, stored)
-        if kind in ("json", "records"):
-            _record(entry, stored)
-    except NotInLayout:
-        raise
-    except (TypeError, ValueError) as reason:
-        raise NotInLayout(f"attribute {name} = {value!r} cannot be stored as {kind}: {reason}.") from reason
+    if entry.kind in ("json", "records"):
+        value = json.dumps(value, allow_nan=False)
+    stored = list(value) if entry.kind == "texts" else value
+    _require_readable(entry, stored)
     return stored
 
 
@@ -93,11 +115,13 @@ def decoded(entry: Attribute, stored: Any) -> Any:
     NotInLayout
         for another kind of value, JSON that is none or of another form, or a status that does not exist
     """
-    _require_stored(entry, stored)
-    if entry.kind not in ("json", "records"):
-        return tuple(stored) if entry.kind == "texts" else stored
+    if not isinstance(stored, _STORED[entry.kind]):
+        raise NotInLayout(f"attribute {entry.name} is not stored as {entry.kind}.")
+    _require_readable(entry, stored)
     try:
-        return _record(entry, stored)
+        if entry.kind in ("json", "records"):
+            return _of_form(entry, _plain(json.loads(stored, parse_constant=_no_number)))
+        return _of_form(entry, tuple(stored) if entry.kind == "texts" else stored)
     except (ValueError, RecursionError) as reason:
         raise NotInLayout(f"attribute {entry.name} is not of its form: {reason}.") from reason
 
@@ -117,21 +141,25 @@ def empty(kind: Kind) -> Any:
     return {"text": "", "texts": [], "integer": 0, "number": 0.0, "json": {}, "records": []}[kind]
 
 
-def _require_stored(entry: Attribute, stored: Any) -> None:
-    """Raise for another kind, a status that does not exist, NaN, infinities, texts beyond reading."""
-    if not isinstance(stored, _STORED[entry.kind]):
-        raise NotInLayout(f"attribute {entry.name} is not stored as {entry.kind}.")
-    if entry.name == "status" and stored not in STATUSES:
-        raise NotInLayout(f"status {stored!r:.40} does not exist; it is one of: {', '.join(STATUSES)}.")
-    if isinstance(stored, float) and not math.isfinite(stored):
-        raise NotInLayout(f"attribute {entry.name} = {stored} is not finite.")
-    length = (
-        sum(map(len, stored)) if isinstance(stored, list) else len(stored) if isinstance(stored, str) else 0
-    )
+def _require_readable(entry: Attribute, stored: Any) -> None:
+    """Raise for texts that are longer than a reader accepts."""
+    texts = stored if isinstance(stored, list) else [stored] if isinstance(stored, str) else []
+    length = sum(map(len, texts))
     if length > entry.longest:
         raise NotInLayout(
             f"attribute {entry.name} has {length} characters; {entry.longest} is the most that it may have."
         )
+
+
+def _of_form(entry: Attribute, value: Any) -> Any:
+    """The value; raises for a status that does not exist, NaN, infinities, records of another form."""
+    if entry.name == "status" and value not in STATUSES:
+        raise NotInLayout(f"status {value!r:.40} does not exist; it is one of: {', '.join(STATUSES)}.")
+    if isinstance(value, float) and not math.isfinite(value):
+        raise NotInLayout(f"attribute {entry.name} = {value} is not finite.")
+    if entry.kind in ("json", "records") and (problem := next(entry.form.problems(value, entry.name), None)):
+        raise ValueError(problem)
+    return value
 
 
 def _text(value: Any) -> str:
@@ -140,10 +168,10 @@ def _text(value: Any) -> str:
     return value
 
 
-def _texts(value: Sequence[str]) -> list[str]:
+def _texts(value: Sequence[str]) -> tuple[str, ...]:
     if isinstance(value, str):
         raise TypeError("a list of texts is wanted, not a single one")
-    return [_text(item) for item in value]
+    return tuple(_text(item) for item in value)
 
 
 def _integer(value: Any) -> int:
@@ -158,52 +186,49 @@ def _number(value: Any) -> float:
     return float(value)
 
 
-def _json(value: Mapping[str, Any]) -> str:
+def _json(value: Mapping[str, Any]) -> Any:
     if not isinstance(value, Mapping):
         raise TypeError("a mapping is wanted; it becomes JSON when it is stored")
-    return json.dumps(dict(value), allow_nan=False, default=_python_number)
+    return _plain(value)
 
 
-def _records(value: Sequence[Mapping[str, Any]]) -> str:
+def _records(value: Sequence[Mapping[str, Any]]) -> Any:
     if isinstance(value, str | Mapping):
         raise TypeError("a list of records is wanted")
-    return json.dumps([dict(record) for record in value], allow_nan=False, default=_python_number)
+    return [_plain(dict(record)) for record in value]
 
 
-def _record(entry: Attribute, stored: str) -> Any:
-    """The record, or list of records, that a text holds, of the form that the layout asks for."""
-    value = json.loads(stored, parse_constant=_no_number)
-    _require_plain(value, DEEPEST)
-    if problem := next(entry.form.problems(value, entry.name), None):
-        raise ValueError(problem)
-    return value
+def _plain(value: Any, depth: int = DEEPEST) -> Any:
+    """Python's own numbers, lists and dicts; raises for what readers of JSON would stumble over."""
+    if isinstance(value, np.ndarray | np.generic):
+        value = value.tolist()
+    if value is None or isinstance(value, bool):
+        return value
+    if isinstance(value, str):
+        value.encode()  # half a pair of UTF-16 is no text
+        return str.__str__(value)
+    if isinstance(value, int | float):
+        return _finite(value)
+    if depth == 0:
+        raise ValueError(f"it is nested deeper than {DEEPEST} levels")
+    if isinstance(value, Mapping):
+        return {_plain(_text(name)): _plain(item, depth - 1) for name, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(item, depth - 1) for item in value]
+    raise TypeError(f"{type(value).__name__} has no JSON form")
+
+
+def _finite(number: float) -> float:
+    if not -LARGEST <= number <= LARGEST:
+        raise ValueError(f"a number is not finite, or larger than {LARGEST:g}")
+    return number
 
 
 def _no_number(text: str) -> Any:
     raise ValueError(f"{text} is no number of JSON")
 
 
-def _require_plain(value: Any, depth: int) -> None:
-    """Raise for what every reader of a record would stumble over, whatever its form."""
-    if isinstance(value, str):
-        value.encode()  # half a pair of UTF-16 is no text
-    elif isinstance(value, int | float):
-        if not -LARGEST <= value <= LARGEST:
-            raise ValueError(f"a number is larger than {LARGEST:g}")
-    elif value is not None:
-        if depth == 0:
-            raise ValueError(f"it is nested deeper than {DEEPEST} levels")
-        for item in (*value, *value.values()) if isinstance(value, dict) else value:
-            _require_plain(item, depth - 1)
-
-
-def _python_number(value: Any) -> Any:
-    if isinstance(value, np.ndarray | np.generic):
-        return value.tolist()
-    raise TypeError(f"{type(value).__name__} has no JSON form")
-
-
-_ENCODE: dict[Kind, Callable[[Any], Any]] = {
+_CHECKED: dict[Kind, Callable[[Any], Any]] = {
     "text": _text,
     "texts": _texts,
     "integer": _integer,

@@ -1,20 +1,20 @@
-"""A result file as arrays that cannot change."""
+"""From a result file to a result, believing nothing that the file says."""
 
 import json
 from collections.abc import Mapping
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
-from flexbearing.case.family import Families, Family
+from flexbearing.case.family import Families
 from flexbearing.files import parts_of
 from flexbearing.files.whole import UNFINISHED
 from flexbearing.quantities import Quantity
-from flexbearing.quantities.attributes import FORMAT, GRADES, OLDER
+from flexbearing.quantities.attributes import FORMAT, OLDER
 from flexbearing.quantities.layout import Layout
 from flexbearing.results import hdf5
 from flexbearing.results.attributes import decoded
@@ -27,60 +27,11 @@ from flexbearing.results.checks import (
     require_true_ending,
 )
 from flexbearing.results.content import Content, digest
-
-Arrays = Mapping[str, np.ndarray]
-_NOTHING: Arrays = MappingProxyType({})
+from flexbearing.results.result import NOTHING, Arrays, Result
 
 
 class BadResult(ValueError):
     """A file that is no result file of this format."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Result:
-    """What one run left behind, in SI units; names as in the layout."""
-
-    path: Path
-    attributes: Mapping[str, Any]  # JSON attributes are mappings again, lists are tuples
-    rigid: Arrays  # empty when the run ended before it was solved
-    flexible: Arrays  # likewise; of ball bearings also between rigid rings
-    iterations: tuple[Arrays, ...]  # from the first to the last
-    family: Family  # of the bearing
-
-    @property
-    def kind(self) -> str:
-        """Name of the family."""
-        return self.family.kind
-
-    @property
-    def dangers(self) -> tuple[Mapping[str, str], ...]:
-        """Notes that whoever acts on the answer must heed, each with its code and text."""
-        return tuple(note for note in self.attributes["notes"] if note["grade"] == GRADES[0])
-
-    def history(self, name: str) -> np.ndarray:
-        """Stack a dataset over the iterations.
-
-        Parameters
-        ----------
-        name : str
-            a dataset of the iterations, such as ``load_change``
-
-        Returns
-        -------
-        array (iterations, ...)
-            stacked; without iterations, an array of length 0
-
-        Raises
-        ------
-        NotInLayout
-            for a name that iterations do not have
-        """
-        known = self.family.layout().datasets("iteration")
-        if name not in known:
-            require_same_names({**dict.fromkeys(known), name: None}, known, "history")
-        if not self.iterations:
-            return np.empty(0)
-        return np.stack([state[name] for state in self.iterations])
 
 
 def read(path: str | Path, families: Families) -> Result:
@@ -179,7 +130,7 @@ def of_content(content: Content, claimed: str, path: Path, families: Families) -
         for name, block in blocks.items():
             for entry in block:
                 require_finite(layout[entry], block[entry], name)
-    shown = {"rigid": _NOTHING, "flexible": _NOTHING, **blocks}
+    shown = {"rigid": NOTHING, "flexible": NOTHING, **blocks}
     return Result(
         path=path,
         attributes=MappingProxyType(attributes),
@@ -218,7 +169,7 @@ def _fitted(
 ) -> tuple[Arrays, Sizes]:
     """The arrays of a group in the order of the layout, and the sizes of axes that they settle."""
     if arrays is None:
-        return _NOTHING, sizes
+        return NOTHING, sizes
     require_same_names(arrays, known, where)
     for name, array in arrays.items():
         sizes = fitted(known[name], array, sizes, where)

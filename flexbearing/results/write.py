@@ -16,17 +16,12 @@ from flexbearing.files.whole import host, part_name
 from flexbearing.quantities import Quantity
 from flexbearing.quantities.layout import Layout
 from flexbearing.results import hdf5
-from flexbearing.results.attributes import empty, encoded, stamp
-from flexbearing.results.checks import (
-    NotInLayout,
-    Sizes,
-    fitted,
-    require_finite,
-    require_same_names,
-    require_true_ending,
-)
+from flexbearing.results.attributes import encoded
+from flexbearing.results.checks import NotInLayout
 from flexbearing.results.content import Content
-from flexbearing.results.read import Result, of_content
+from flexbearing.results.read import of_content
+from flexbearing.results.record import Record
+from flexbearing.results.result import Result
 
 LATEST = 0.5  # [s] that anything finished stays in memory only
 log = logging.getLogger(__name__)
@@ -77,13 +72,7 @@ class ResultFile:
         self._place = require_output(path, inputs)  # where a link leads
         self.part = part_name(self._place)
         self._family = family
-        self._layout: Layout = family.layout()
-        self._attributes = {**stamp(), "kind": family.kind, **attributes}
-        self._encoded(self._attributes)
-        self._sizes: Sizes = {}
-        self._blocks: dict[str, np.ndarray] = {}  # by block and name, "rigid/inner_load"
-        self._converged: dict[str, bool] = {}  # block to whether it is a solution
-        self._iterations: list[dict[str, np.ndarray]] = []
+        self._record = Record(attributes, family)
         self._open = ExitStack()
         self._is_open = False
         self._guard = RLock()  # of all that the timer reads
@@ -127,14 +116,9 @@ class ResultFile:
         NotStored
             if earlier ones could not be stored
         """
-        if number != len(self._iterations) + 1:
-            raise NotInLayout(
-                f"iteration {number} after iteration {len(self._iterations)}; they come without gaps."
-            )
-        known = self._layout.datasets("iteration")
-        arrays = self._checked(f"iteration {number}", known, values, must_be_finite=False)
+        self._require_open()
         with self._guard:
-            self._iterations.append(arrays)
+            self._record.iteration(number, values)
         self._store_soon()
 
     def block(
@@ -158,17 +142,9 @@ class ResultFile:
         NotStored
             if what came before could not be stored
         """
-        possible = self._layout.blocks + self._layout.further_blocks
-        if name not in possible:
-            known = ", ".join(possible)
-            raise NotInLayout(f"block {name!r} does not exist; it is one of: {known}.")
-        if name in self._converged:
-            raise NotInLayout(f"{name} was written before; a result file is never overwritten in part.")
-        known = self._layout.datasets("block")
-        arrays = self._checked(name, known, values, must_be_finite=converged)
+        self._require_open()
         with self._guard:
-            self._blocks |= {f"{name}/{entry}": array for entry, array in arrays.items()}
-            self._converged[name] = converged
+            self._record.block(name, values, converged=converged)
         self._store_soon()
 
     def finish(self, **attributes: Any) -> Result:
@@ -192,12 +168,7 @@ class ResultFile:
             if it could not be written; what had its name before is unchanged
         """
         self._require_open()
-        together = {**self._attributes, **attributes}
-        require_same_names(together, self._layout.attributes, "root attributes")
-        solved = [name for name, converged in self._converged.items() if converged]
-        unsolved = [name for name, converged in self._converged.items() if not converged]
-        require_true_ending(together, self._layout, solved, len(self._iterations), unsolved)
-        data = hdf5.image(self._content(together))
+        data = hdf5.image(content_of(self._record.finish(**attributes)))
         result = of_content(*hdf5.content(data), self.path, {self._family.kind: self._family})
         write(self._place, data)
         with self._guard:
@@ -206,19 +177,6 @@ class ResultFile:
                 self._timer.cancel()
         self._remove_parts()
         return result
-
-    def _content(self, attributes: Mapping[str, Any]) -> Content:
-        """All there is so far, with these root attributes."""
-        known = self._layout.datasets("block")
-        texts = {place: _texts(known[place.partition("/")[2]]) for place in self._blocks}
-        arrays = dict(self._blocks)
-        if self._iterations:
-            for name, entry in self._layout.datasets("iteration").items():
-                if name in self._iterations[0]:
-                    place = f"iterations/{name}"
-                    arrays[place] = np.stack([state[name] for state in self._iterations])
-                    texts[place] = _texts(entry, "iteration ")
-        return Content(self._encoded(attributes), arrays, texts)
 
     def _store_soon(self) -> None:
         """Have the timer store what there is; what it could not store before is told now."""
@@ -241,28 +199,18 @@ class ResultFile:
 
     def _store_part(self) -> None:
         """Store all there is so far as an unfinished result."""
-        missing = {
-            name: empty(entry.kind)
-            for name, entry in self._layout.attributes.items()
-            if not entry.optional and name not in self._attributes
-        }
-        count = len(self._iterations)
-        so_far = {"status": "unfinished", "message": "at work, or interrupted", "iterations": count}
-        content = self._content({**missing, **self._attributes, **so_far})
-        write(self.part, hdf5.image(content), beside=self._place, lasting=False)
+        data = hdf5.image(content_of(self._record.so_far()))
+        write(self.part, data, beside=self._place, lasting=False)
 
     def _kept(self) -> str:
         """Store what there is when a run breaks off; says what was kept and where, nothing without it."""
-        if not (self._blocks or self._iterations):
+        if not self._record.words:
             return ""
         try:
             self._store_part()
         except NotStored as problem:
             return f"what was finished could not be kept: {problem}"
-        blocks = [f"the state with {name} raceways" for name in self._converged]
-        count = len(self._iterations)
-        blocks += [f"{count} iteration{'s' if count > 1 else ''}"] if count else []
-        return f"{' and '.join(blocks)} kept in {self.part}"
+        return f"{self._record.words} kept in {self.part}"
 
     def _remove_parts(self) -> None:
         """Remove parts of runs that ended: whoever holds the lock knows that those of this host did."""
@@ -273,30 +221,36 @@ class ResultFile:
             else:
                 log.info("%s is left of process %d on %s; remove it if that has ended", part, process, where)
 
-    def _checked(
-        self, where: str, known: Mapping[str, Quantity], values: Mapping[str, ArrayLike], must_be_finite: bool
-    ) -> dict[str, np.ndarray]:
-        # everything is checked before anything is kept: no group is ever half there
-        self._require_open()
-        require_same_names(values, known, where)
-        arrays = {name: np.array(values[name], dtype=float) for name in known if name in values}
-        sizes = self._sizes
-        for name, array in arrays.items():
-            sizes = fitted(known[name], array, sizes, where)
-            if must_be_finite:
-                require_finite(known[name], array, where)
-        self._sizes = sizes
-        return arrays
-
-    def _encoded(self, attributes: Mapping[str, Any]) -> dict[str, Any]:
-        # what is still missing comes with finish
-        known = self._layout.attributes
-        require_same_names({**dict.fromkeys(known), **attributes}, known, "root attributes")
-        return {name: encoded(known[name], value) for name, value in attributes.items()}
-
     def _require_open(self) -> None:
         if not self._is_open:
             raise NotInLayout(f"{self.path}: the result file is not open; write inside its with-block.")
+
+
+def content_of(result: Result) -> Content:
+    """Content of the file of a result.
+
+    Parameters
+    ----------
+    result : Result
+        complete, or what a run at work has reached so far
+
+    Returns
+    -------
+    Content
+        without the attribute of the digest
+    """
+    layout: Layout = result.family.layout()
+    arrays: dict[str, np.ndarray] = {}
+    texts: dict[str, dict[str, str]] = {}
+    for name, block in (("rigid", result.rigid), ("flexible", result.flexible)):
+        for entry, array in block.items():
+            arrays[f"{name}/{entry}"] = array
+            texts[f"{name}/{entry}"] = _texts(layout[entry])
+    for entry in result.iterations[0] if result.iterations else ():
+        arrays[f"iterations/{entry}"] = result.history(entry)
+        texts[f"iterations/{entry}"] = _texts(layout.datasets("iteration")[entry], "iteration ")
+    attributes = {name: encoded(layout.attributes[name], value) for name, value in result.attributes.items()}
+    return Content(attributes, arrays, texts)
 
 
 def _texts(entry: Quantity, leading: str = "") -> dict[str, str]:

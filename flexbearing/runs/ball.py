@@ -7,7 +7,7 @@ from flexbearing.case import BadCase, Head
 from flexbearing.case.balls.angular_contact import AngularCase
 from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.progress import Report
-from flexbearing.results import ResultFile
+from flexbearing.results import Recorder
 from flexbearing.rings import bolted
 from flexbearing.runs import angular_contact, four_point
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
@@ -19,7 +19,7 @@ def opening(case: Head) -> dict[str, object]:
     return {"notes": []}
 
 
-def solve_four_point(case: FourPointCase, file: ResultFile, report: Report) -> dict[str, object]:
+def solve_four_point(case: FourPointCase, record: Recorder, report: Report) -> dict[str, object]:
     """Write the solution of a slow bearing; returns the root attributes that say how it ended.
 
     Elastic rings come beside the rigid ones.
@@ -32,12 +32,12 @@ def solve_four_point(case: FourPointCase, file: ResultFile, report: Report) -> d
     try:
         report.stage("slow balls between rigid rings", None)
         solution = four_point.solved(case)
-        file.block("rigid", four_point.block(solution))
+        record.block("rigid", four_point.block(solution))
         if not case.rings.rigid:
             compliance = bolted.compliance(case, report)
             report.stage("slow balls between elastic rings", None)
             solution = four_point.solved(case, compliance)
-            file.block("flexible", four_point.block(solution))
+            record.block("flexible", four_point.block(solution))
     except (NotSolved, RingNotSolved) as failure:
         return _not_solved(failure)
     except (ImpossiblePart, OutOfRange) as problem:
@@ -49,7 +49,7 @@ def solve_four_point(case: FourPointCase, file: ResultFile, report: Report) -> d
     return _converged(message, four_point.notes(case, solution))
 
 
-def solve_angular(case: AngularCase, file: ResultFile, report: Report) -> dict[str, object]:
+def solve_angular(case: AngularCase, record: Recorder, report: Report) -> dict[str, object]:
     """Write the solution of a fast bearing; returns the root attributes that say how it ended.
 
     Raises
@@ -65,7 +65,7 @@ def solve_angular(case: AngularCase, file: ResultFile, report: Report) -> dict[s
     except (ImpossiblePart, OutOfRange) as problem:
         raise BadCase(f"{case.source.path}: {problem}") from problem
     message = f"ring and balls in balance after {solution.state.evaluations} evaluations of all balls"
-    file.block("rigid", angular_contact.block(case, solution))
+    record.block("rigid", angular_contact.block(case, solution))
     return _converged(message, angular_contact.notes(case, solution))
 
 

@@ -10,7 +10,7 @@ from flexbearing.coupled import states
 from flexbearing.coupled.states import EndState
 from flexbearing.coupling import LinearPair
 from flexbearing.progress import Report
-from flexbearing.results import Arrays, ResultFile
+from flexbearing.results import Arrays, Recorder
 from flexbearing.runs import bars, fields, life, notes, skew
 from flexbearing.runs.life_error import LifeError, estimated
 from flexbearing.runs.part_fields import NoFields
@@ -22,10 +22,10 @@ from quasidynamic.note import Note, graded, information
 
 @dataclass(frozen=True)
 class Postprocessing:
-    """Writes end states into a result file and collects what its root attributes say of them."""
+    """Records end states and collects what its root attributes say of them."""
 
     case: Case
-    file: ResultFile
+    record: Recorder
     report: Report
     lives: dict[str, Any] = field(default_factory=dict)  # by block
     regimes: dict[str, Any] = field(default_factory=dict)  # by block
@@ -50,7 +50,7 @@ class Postprocessing:
             self._add_stresses(block)
         if converged:
             self.of_state[name] += error.notes
-        self.file.block(name, block, converged=converged)
+        self.record.block(name, block, converged=converged)
 
     def _of_solution(self, name: str, end: EndState) -> dict[str, Any]:
         """Modified life and skew of a solution, and other equilibria; its records and notes are collected."""

@@ -10,7 +10,7 @@ from flexbearing.coupled.coupled import FROM_INITIAL_STATE, BearingPartner, Coup
 from flexbearing.coupled.initial_state import InitialState
 from flexbearing.coupling import LinearPair, PartnerFailed, RacewayPair
 from flexbearing.progress import Report
-from flexbearing.results import ResultFile
+from flexbearing.results import Recorder
 from flexbearing.rings.condensed import condensed_raceways
 from flexbearing.rings.full_solve import full_fe_raceways
 from flexbearing.runs import notes, roller_position, several
@@ -43,10 +43,10 @@ def opening(case: Case) -> dict[str, object]:
 
 
 def solve(
-    case: Case, file: ResultFile, report: Report, near: InitialState | None = None
+    case: Case, record: Recorder, report: Report, near: InitialState | None = None
 ) -> dict[str, object]:
     """Write iterations and blocks; returns the root attributes that say how it ended."""
-    postprocessing = Postprocessing(case, file, report)
+    postprocessing = Postprocessing(case, record, report)
     resolved = _resolved(case, postprocessing, report)
     ending = _solve(case, resolved, postprocessing, report, near)
     if near is not None:
@@ -102,7 +102,7 @@ def _solve(
         passed = _passage(case, resolved.model, rings, rigid, postprocessing, report)
         return _all_rigid(resolved, rigid, postprocessing) | passed
     report.stage("bearing and rings coupled", None)
-    attempts = CoupledBearing(case, partner, rings, rigid, initial).solve(postprocessing.file, report)
+    attempts = CoupledBearing(case, partner, rings, rigid, initial).solve(postprocessing.record, report)
     last, converged = attempts[-1], attempts[-1].status == "converged"
     ending = _ending(last.status, summary(attempts), last.iterations) | {
         "ending": last.ending,

@@ -1,7 +1,8 @@
-"""One case, given its family, from what was read to its result file."""
+"""One case, given its family, from what was read to its result."""
 
 import re
 from collections.abc import Sequence
+from contextlib import nullcontext
 from functools import partial
 from hashlib import sha256
 from os.path import exists  # Path.exists raises for names that no file can have
@@ -14,7 +15,7 @@ from flexbearing.case import BadCase, Head
 from flexbearing.case.family import Family
 from flexbearing.files import BadOutput
 from flexbearing.progress import Logged, Report
-from flexbearing.results import Result, ResultFile, case_file
+from flexbearing.results import Record, Result, ResultFile, case_file
 from flexbearing.runs.validate import require_possible
 
 LONGEST = 80  # characters of the settings in the name of a result
@@ -27,7 +28,7 @@ def run_case(
     report: Report | None = None,
     start: Result | None = None,
 ) -> Result:
-    """Compute a case and store it.
+    """Compute a case, and store it where a file is asked for.
 
     Parameters
     ----------
@@ -36,7 +37,7 @@ def run_case(
     family : Family
         its family
     output : path, optional
-        result file; default `results/<case>.h5`, with the settings in its name, see `default_output`
+        result file; without one nothing is written, see `default_output` for a usual name
     report : Report, optional
         hears of stages and iterations; default is the log
     start : Result, optional
@@ -61,17 +62,17 @@ def run_case(
     solve = family.solve()
     if start is not None:
         if family.initial_state is None:
-            raise BadCase(f"start {start.path}: a {case.kind} bearing starts from no other result")
+            raise BadCase(f"start {start.place}: a {case.kind} bearing starts from no other result")
         solve = partial(solve, near=family.initial_state()(start, case))
-    path = Path(output) if output else default_output(case)
-    inputs = (*case.input_files, *([start.path] if start else []))
+    inputs = (*case.input_files, *(start.files if start else ()))
+    head = _head(case) | family.opening()(case)
     # The bearing's matrices are small: threads of the linear algebra would only wait for each other.
     with (
         threadpool_limits(limits=1, user_api="blas"),
-        ResultFile(path, _head(case) | family.opening()(case), family, inputs) as file,
+        ResultFile(output, head, family, inputs) if output else nullcontext(Record(head, family)) as record,
     ):
-        ending = solve(case, file, report or Logged())
-        return file.finish(**ending, wall_time_s=perf_counter() - began)
+        ending = solve(case, record, report or Logged())
+        return record.finish(**ending, wall_time_s=perf_counter() - began)
 
 
 def default_output(case: Head) -> Path:

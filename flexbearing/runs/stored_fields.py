@@ -33,12 +33,13 @@ def case_of(result: Result) -> Case:
     BadCase
         if it cannot be read, or is about balls, whose rings are rigid, or known at the balls only
     """
-    case = _understood(result, Path(result.attributes.get("case_file", result.path)))
+    case = _understood(result, Path(result.attributes.get("case_file") or result.place))
     drawing = case.drawing if isinstance(case, Case) else None
-    if drawing and not exists(drawing):  # noqa: PTH110, carried elsewhere: the drawing may have come along
+    # carried elsewhere, the drawing may have come along
+    if result.path and drawing and not exists(drawing):  # noqa: PTH110
         case = _understood(result, result.path)
     if not isinstance(case, Case):
-        raise BadCase(f"{result.path}: the rings of a {case.kind} bearing have no fields; only rollers have")
+        raise BadCase(f"{result.place}: the rings of a {case.kind} bearing have no fields; only rollers have")
     return case
 
 
@@ -51,7 +52,7 @@ def _understood(result: Result, file: Path) -> Head:
         )
     except BadCase as problem:
         first, *_ = str(problem).splitlines()
-        raise BadCase(f"{result.path}: the case in it cannot be read: {first}") from problem
+        raise BadCase(f"{result.place}: the case in it cannot be read: {first}") from problem
 
 
 def state_of(result: Result, name: str) -> Arrays:
@@ -83,7 +84,7 @@ def state_of(result: Result, name: str) -> Arrays:
         return blocks[name]
     there = [block for block, values in blocks.items() if values]
     there += [f"iteration 1 to iteration {count}"] if count else []
-    raise BadResult(f"{result.path}: there is no state {name!r}; there are: {', '.join(there) or 'none'}.")
+    raise BadResult(f"{result.place}: there is no state {name!r}; there are: {', '.join(there) or 'none'}.")
 
 
 def of_result(result: Result, state: str = "flexible", race: Race | None = None) -> list[PartFields]:
@@ -145,10 +146,10 @@ def destinations(
     state_of(result, state)
     races, folder = _races(result, case, race), require_folder(directory)
     paths: dict[Race, Path] = {
-        name: folder / f"{result.path.stem}_{name}_{state.replace(' ', '_')}.vtu" for name in races
+        name: folder / f"{result.stem}_{name}_{state.replace(' ', '_')}.vtu" for name in races
     }
     for path in paths.values():
-        require_output(path, (result.path, *case.input_files))
+        require_output(path, (*result.files, *case.input_files))
     return paths
 
 
@@ -158,14 +159,14 @@ def _races(result: Result, case: Case, race: Race | None) -> list[Race]:
         rollers = block["roller_azimuth"].size
         if rollers != case.bearing.rollers:
             raise BadResult(
-                f"{result.path}: {rollers} rollers in its arrays, {case.bearing.rollers} in its case; "
+                f"{result.place}: {rollers} rollers in its arrays, {case.bearing.rollers} in its case; "
                 "run the case again."
             )
     flexible = fields.parts(case)
     races: list[Race] = [race] if race else list(flexible)
     if not races or any(name not in flexible for name in races):
         what = NAMES[race] if race else "every part"
-        raise BadCase(f"{result.path}: {what} is rigid in this case: it has no displacements and stresses")
+        raise BadCase(f"{result.place}: {what} is rigid in this case: it has no displacements and stresses")
     return races
 
 

@@ -154,7 +154,7 @@ def _timed(case: str | Path, settings: Sequence[str]) -> tuple[dict[str, float],
         seconds = []
         while len(seconds) < 2 or (len(seconds) <= CACHED_RUNS and min(seconds) < SHORT):
             began = perf_counter()
-            result = run(case, Path(folder) / "level.h5", settings)
+            result = run(case, settings, output=Path(folder) / "level.h5")
             seconds.append(perf_counter() - began)
     return {"cold": seconds[0], "cached": min(seconds[1:])}, result
 

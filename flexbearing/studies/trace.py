@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 from threadpoolctl import threadpool_limits
 
-from flexbearing.api import check, read
+from flexbearing.api import check, read_case
 from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase, Head
 from flexbearing.case.excerpt import excerpt
@@ -137,7 +137,7 @@ def trace(
         raise BadCase(f"--output {path}: the table is written as CSV; name it {path.with_suffix('.csv')}")
     key = f"operation.{axis.name}"
     settings = [[*overrides, f"{key}={end}"] for end in ends]
-    first, last = _rollers(check(case, settings[0])), _rollers(read(case, settings[1]))
+    first, last = _rollers(check(case, settings[0])), _rollers(read_case(case, settings[1]))
     for name in (path, path.with_suffix(".png")):
         require_output(name, first.input_files)
     span = getattr(first.operation, axis.name), getattr(last.operation, axis.name)

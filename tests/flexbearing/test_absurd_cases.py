@@ -77,14 +77,14 @@ def test_oil_that_is_nearly_solid_in_a_trial_state_raises_no_warning(tmp_path):
         "lubricant.inlet_temperature=95.18 degC", "lubricant.oil_fraction=0.018205",
         "materials.roller.density=16741 kg/m^3",
     ]  # fmt: skip
-    result = flexbearing.run(PLAIN, tmp_path / "thick.h5", settings)  # warnings are errors in tests
+    result = flexbearing.run(PLAIN, settings, output=tmp_path / "thick.h5")  # warnings are errors in tests
     assert result.attributes["status"] in ("converged", "not solved")
 
 
 def test_contact_as_wide_as_the_ball_has_no_rolling_lines(tmp_path):
-    result = flexbearing.run(CONFIGS / "rivera2021_7008.toml", tmp_path / "wide.h5", [
+    result = flexbearing.run(CONFIGS / "rivera2021_7008.toml", [
         "operation.load.radial_z=3 MN"
-    ])  # fmt: skip
+    ], output=tmp_path / "wide.h5")  # fmt: skip
     assert result.attributes["status"] == "converged"
     assert any("the load is far too high" in note for note in texts(result))
 
@@ -102,7 +102,7 @@ def test_ring_that_fails_at_the_end_state_is_not_an_internal_error(tmp_path, cap
     ])  # fmt: skip
     assert code == 1
     assert "take more harmonics" in capsys.readouterr().out
-    result = flexbearing.read_result(tmp_path / "fit.h5")
+    result = flexbearing.read(tmp_path / "fit.h5")
     assert result.attributes["status"] == "not solved"
     assert "take more harmonics" in result.attributes["message"]
 
@@ -111,13 +111,13 @@ def test_ring_that_fails_at_the_end_state_is_not_an_internal_error(tmp_path, cap
 def test_mesh_of_far_too_many_elements_is_refused_before_it_is_made(key, tmp_path):
     settings = ["inner.kind=rigid", "outer.kind=ring", f"accuracy.{key}=1 um"]
     with pytest.raises(BadCase, match="unknowns on the axial section; allowed are"):
-        flexbearing.run(PAPER, tmp_path / "fine.h5", settings)
+        flexbearing.run(PAPER, settings, output=tmp_path / "fine.h5")
 
 
 def test_solid_of_far_too_many_elements_is_refused_before_it_is_made(tmp_path):
     settings = ["inner.kind=rigid", "outer.kind=ring", "accuracy.structure=solid", "accuracy.mesh_size=50 um"]
     with pytest.raises(BadCase, match="unknowns in the solid; allowed are"):
-        flexbearing.run(PAPER, tmp_path / "fine.h5", settings)
+        flexbearing.run(PAPER, settings, output=tmp_path / "fine.h5")
 
 
 def test_estimate_of_unknowns_is_near_what_the_mesh_has():

@@ -8,13 +8,13 @@ import pytest
 from pytest import approx
 
 import flexbearing
-from flexbearing import read
 from flexbearing.__main__ import command
 from flexbearing.accuracy.levels import ladders
 from flexbearing.accuracy.trials import with_accuracy
+from flexbearing.api import read_case
 from flexbearing.case import BadCase
 from flexbearing.progress import Logged
-from flexbearing.report import summary, text
+from flexbearing.report import text
 from flexbearing.rings import condensed
 from tests.flexbearing.noted import texts
 
@@ -30,28 +30,28 @@ def folder(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def ordered(folder):
-    return flexbearing.run(PLAIN, folder / "ordered.h5", [*RING, "accuracy.target=1 %"])
+    return flexbearing.run(PLAIN, [*RING, "accuracy.target=1 %"], output=folder / "ordered.h5")
 
 
 def test_a_target_is_a_fraction_or_percent():
-    assert read(PLAIN, ["accuracy.target=0.5 %"]).accuracy.target == approx(0.005)
-    assert read(PLAIN).accuracy.target is None
+    assert read_case(PLAIN, ["accuracy.target=0.5 %"]).accuracy.target == approx(0.005)
+    assert read_case(PLAIN).accuracy.target is None
     for wrong in ("0 %", "100 %", "1 mm", "0.01"):
         with pytest.raises(BadCase, match=r"accuracy.*target"):
-            read(PLAIN, [f"accuracy.target={wrong}"])
+            read_case(PLAIN, [f"accuracy.target={wrong}"])
 
 
 def test_without_a_target_nothing_is_chosen_or_estimated(folder):
-    result = flexbearing.run(PLAIN, folder / "plain.h5", ["outer.kind=rigid"])
+    result = flexbearing.run(PLAIN, ["outer.kind=rigid"], output=folder / "plain.h5")
     assert "choices" not in result.attributes
     assert "error_estimate" not in result.attributes
     assert result.flexible["slice_position"].size == 20
-    assert summary(result)["error_estimate"] is None
+    assert result.summary()["error_estimate"] is None
     assert "+-" not in text(result)
 
 
 def test_true_errors_are_below_the_estimates(ordered, folder):
-    fine = flexbearing.run(PLAIN, folder / "fine.h5", [*RING, *FINE])
+    fine = flexbearing.run(PLAIN, [*RING, *FINE], output=folder / "fine.h5")
     estimate = ordered.attributes["error_estimate"]
     found, better = ordered.flexible, fine.flexible
     load = np.abs(found["inner_load"] - better["inner_load"]).max() / better["inner_load"].max()
@@ -74,7 +74,7 @@ def test_choices_say_level_change_and_share(ordered):
 
 
 def test_summary_shows_values_with_their_errors(ordered):
-    numbers = json.loads(json.dumps(summary(ordered), allow_nan=False))
+    numbers = json.loads(json.dumps(ordered.summary(), allow_nan=False))
     assert numbers["error_estimate"]["life"] == ordered.attributes["error_estimate"]["life"]
     page = text(ordered)
     assert "accuracy of 1 % of loads and life: estimated to be kept" in page
@@ -85,7 +85,7 @@ def test_summary_shows_values_with_their_errors(ordered):
 
 def test_what_the_case_gives_stays_and_is_estimated(folder):
     given = ["accuracy.slices=12", "accuracy.axial_shapes=3", "accuracy.element_order=3"]
-    result = flexbearing.run(PLAIN, folder / "fixed.h5", [*RING, *given, "accuracy.target=0.01 %"])
+    result = flexbearing.run(PLAIN, [*RING, *given, "accuracy.target=0.01 %"], output=folder / "fixed.h5")
     choices = result.attributes["choices"]
     assert result.flexible["slice_position"].size == 12
     assert choices["slices"]["level"] == "12"
@@ -100,15 +100,15 @@ def test_what_the_case_gives_stays_and_is_estimated(folder):
 @pytest.mark.slow
 def test_the_answer_is_that_of_the_same_levels_by_hand(folder):
     given = ["accuracy.slices=12", "accuracy.axial_shapes=3", "accuracy.element_order=3"]
-    by_hand = flexbearing.run(PLAIN, folder / "hand.h5", [*RING, *given])
-    result = flexbearing.run(PLAIN, folder / "again.h5", [*RING, *given, "accuracy.target=1 %"])
+    by_hand = flexbearing.run(PLAIN, [*RING, *given], output=folder / "hand.h5")
+    result = flexbearing.run(PLAIN, [*RING, *given, "accuracy.target=1 %"], output=folder / "again.h5")
     assert result.attributes["choices"]["outer ring"]["level"] == "as given"
     assert result.flexible["inner_load"] == approx(by_hand.flexible["inner_load"], rel=1e-6)
 
 
 @pytest.mark.slow
 def test_a_tighter_target_is_never_resolved_coarser(ordered, folder):
-    tight = flexbearing.run(PLAIN, folder / "tight.h5", [*RING, "accuracy.target=0.2 %"])
+    tight = flexbearing.run(PLAIN, [*RING, "accuracy.target=0.2 %"], output=folder / "tight.h5")
     loose, fine = (
         max(result.attributes["error_estimate"][output] for output in ("roller_load", "life"))
         for result in (ordered, tight)
@@ -120,14 +120,14 @@ def test_a_tighter_target_is_never_resolved_coarser(ordered, folder):
 
 def test_a_part_that_changes_nothing_is_left_rigid_and_told(folder):
     hard = "materials.outer_ring.youngs_modulus=2070e6 GPa"
-    result = flexbearing.run(PLAIN, folder / "rock.h5", [*RING, hard, "accuracy.target=1 %"])
+    result = flexbearing.run(PLAIN, [*RING, hard, "accuracy.target=1 %"], output=folder / "rock.h5")
     assert result.attributes["choices"]["outer ring"]["level"] == "rigid"
     assert result.attributes["structure"] == {}
     assert any(note.startswith("outer ring: left rigid") for note in texts(result))
 
 
 def test_fewer_axial_shapes_are_a_part_of_more():
-    case, azimuths = read(PLAIN, [*RING, "accuracy.element_order=3"]), np.arange(5) * 2 * np.pi / 5
+    case, azimuths = read_case(PLAIN, [*RING, "accuracy.element_order=3"]), np.arange(5) * 2 * np.pi / 5
     many, few = (
         condensed.raceway(with_accuracy(case, axial_shapes=n), "outer", azimuths, Logged()) for n in (6, 3)
     )
@@ -138,13 +138,13 @@ def test_fewer_axial_shapes_are_a_part_of_more():
 
 
 def test_edge_stress_keeps_its_thirty_slices():
-    slices = ladders(read(PLAIN, ["life.edge_stress=true", "accuracy.slices=30"]))[0]
+    slices = ladders(read_case(PLAIN, ["life.edge_stress=true", "accuracy.slices=30"]))[0]
     assert slices.choice.levels == ("30", "60", "120")
 
 
 def test_a_case_without_an_answer_is_told_and_solved_as_usual(folder):
     broken = ["accuracy.harmonics=900", "accuracy.target=1 %"]
-    result = flexbearing.run(PLAIN, folder / "broken.h5", [*RING, *broken])
+    result = flexbearing.run(PLAIN, [*RING, *broken], output=folder / "broken.h5")
     assert result.attributes["status"] == "not solved"
     assert any("nothing could be chosen or estimated" in note for note in texts(result))
     assert result.attributes["error_estimate"] == {}
@@ -162,7 +162,7 @@ def test_a_part_whose_levels_cannot_be_computed_is_not_left_rigid(folder, capsys
     settings = [*ON_LINES, "accuracy.element_order=2"]
     words = ["run", str(PLAIN), "-o", str(path), *(word for key in settings for word in ("--set", key))]
     assert command(words) == 1
-    result = flexbearing.read_result(path)
+    result = flexbearing.read(path)
     assert result.attributes["status"] == "not solved"
     assert not result.flexible
     codes = [note["code"] for note in result.attributes["notes"]]

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from flexbearing import read
+from flexbearing.api import read_case
 from flexbearing.case import BadCase
 
 GOOD = (Path(__file__).parents[2] / "configs" / "mao2016.toml").read_text()
@@ -93,7 +93,7 @@ def test_message_of_a_broken_case(old, new, expected, tmp_path):
     file = tmp_path / "broken.toml"
     file.write_text(GOOD.replace(old, new, 1))
     with pytest.raises(BadCase) as problem:
-        read(file)
+        read_case(file)
     for part in expected:
         assert part in str(problem.value)
 
@@ -102,17 +102,17 @@ def test_every_problem_has_a_line_of_its_own(tmp_path):
     file = tmp_path / "broken.toml"
     file.write_text(GOOD.replace("rollers = 30 ", "rollers = 1 ").replace("slices = 20", "slices = 0"))
     with pytest.raises(BadCase) as problem:
-        read(file)
+        read_case(file)
     assert len(str(problem.value).splitlines()) == 2
 
 
 def test_file_that_is_not_there():
     with pytest.raises(BadCase, match=r"nowhere\.toml: there is no such file"):
-        read("nowhere.toml")
+        read_case("nowhere.toml")
 
 
 def test_good_case_is_good(tmp_path):
     """Or the tests above would pass for another reason."""
     file = tmp_path / "good.toml"
     file.write_text(GOOD)
-    assert read(file).bearing.rollers == 30
+    assert read_case(file).bearing.rollers == 30

@@ -46,7 +46,7 @@ CASES = {
 @pytest.fixture(scope="module", params=CASES.values(), ids=CASES.keys())
 def result(request, tmp_path_factory):
     path, settings = request.param
-    return flexbearing.run(path, tmp_path_factory.mktemp("balances") / "r.h5", list(settings))
+    return flexbearing.run(path, list(settings), output=tmp_path_factory.mktemp("balances") / "r.h5")
 
 
 def guidance(result):
@@ -77,7 +77,7 @@ def test_moments_of_the_loads_are_those_of_the_stored_slices(result):
 @pytest.mark.parametrize("name", sorted(set(FORCES) - {"applied_load", "inner_load"}))
 def test_a_force_that_is_left_out_opens_a_balance(name, tmp_path):
     """None of the stored forces is there for show."""
-    state = flexbearing.run(PAPER, tmp_path / "r.h5", list(RIGID))
+    state = flexbearing.run(PAPER, list(RIGID), output=tmp_path / "r.h5")
     block = dict(state.rigid)
     block[name] = 0 * block[name]
     assert largest_imbalance(block, guidance(state)) > 1e-7
@@ -87,7 +87,7 @@ def test_flexible_rings_leave_the_balances_closed(tmp_path):
     settings = ["outer.kind=ring", "outer.width=19 mm", "outer.thickness=5 mm", "outer.support=foundation",
                 "outer.foundation_radial=100 N/mm^3", "accuracy.structure=beam",
                 "operation.tilt=free"]  # fmt: skip
-    result = flexbearing.run(NU209, tmp_path / "r.h5", settings)
+    result = flexbearing.run(NU209, settings, output=tmp_path / "r.h5")
     assert result.attributes["status"] == "converged"
     assert largest_imbalance(result.flexible, "rollers") < 1e-9
     assert set(balances(result.flexible, "rollers")) >= {"radial", "along the motion", "spin", "tilt", "ring"}

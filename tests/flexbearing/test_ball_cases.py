@@ -9,9 +9,10 @@ import pytest
 from pytest import approx
 
 import flexbearing
-from flexbearing import read, read_result
+from flexbearing import read
+from flexbearing.api import read_case
 from flexbearing.families import FAMILIES
-from flexbearing.report import summary, text, write_figures
+from flexbearing.report import text, write_figures
 from tests.flexbearing.noted import texts
 
 CONFIGS = Path(__file__).parents[2] / "configs"
@@ -31,7 +32,7 @@ def run(tmp_path_factory):
     def computed(name, *settings):
         if (name, settings) not in known:
             output = place / f"{len(known)}.h5"
-            known[name, settings] = flexbearing.run(CONFIGS / f"{name}.toml", output, settings)
+            known[name, settings] = flexbearing.run(CONFIGS / f"{name}.toml", settings, output=output)
         return known[name, settings]
 
     return computed
@@ -43,9 +44,9 @@ def run(tmp_path_factory):
 @pytest.mark.parametrize("name", BALLS)
 def test_every_case_that_comes_along_is_solved(run, name):
     result = run(name)
-    numbers = summary(result)
+    numbers = result.summary()
     assert numbers["status"] == "converged"
-    assert result.kind == numbers["kind"] == read(CONFIGS / f"{name}.toml").kind
+    assert result.kind == numbers["kind"] == read_case(CONFIGS / f"{name}.toml").kind
     assert set(result.rigid) <= set(result.family.layout().datasets("block"))
     assert json.loads(json.dumps(numbers, allow_nan=False)) == numbers
     assert numbers["title"] in text(result)
@@ -72,7 +73,7 @@ def test_joshi_table_2_by_either_reading(run, name, nominal, loaded):
 
 
 def test_joshi_four_point_bearing(run):
-    numbers = summary(run("joshi2015_fourpoint"))["rigid"]
+    numbers = run("joshi2015_fourpoint").summary()["rigid"]
     assert numbers["torque_Nm"]["inner"] == approx(1080.0, rel=0.01)
     assert numbers["torque_Nm"]["inner"] == approx(-numbers["torque_Nm"]["outer"], rel=1e-9)
     assert numbers["torque_parts_Nm"]["total"] == approx(numbers["torque_Nm"]["inner"], rel=1e-12)
@@ -145,7 +146,7 @@ def test_friction_against_pressure_is_read_from_the_case(run, tmp_path):
     constant = (CONFIGS / "joshi2015_fag.toml").read_text()
     curve = 'pressures = ["1 GPa", "2 GPa"]\ncoefficients = [0.2, 0.1]'
     file.write_text(constant.replace("coefficient = 0.12", curve))
-    result = flexbearing.run(file, tmp_path / "curve.h5", [FEW])
+    result = flexbearing.run(file, [FEW], output=tmp_path / "curve.h5")
     assert (result.rigid["friction_coefficient"] == 0.1).all()  # both contacts above 2 GPa
     assert any("outside the 1 to 2 GPa" in note for note in texts(result))
 
@@ -176,14 +177,14 @@ def test_balls_that_nothing_drives_are_gaps_and_make_no_torque(run):
     assert np.isfinite(values["ball_motion"][~idle]).all()
     assert (values["ball_torque"][idle] == 0).all()
     assert any(f"{idle.sum()} of 10 balls" in note for note in texts(result))
-    assert None in summary(result)["rigid"]["ball_speed_ratios"]
+    assert None in result.summary()["rigid"]["ball_speed_ratios"]
 
 
 def test_rings_of_another_steel_soften_the_contacts(run, tmp_path):
     file = tmp_path / "soft.toml"
     soft = '\n[materials.outer_ring]\nyoungs_modulus = "100 GPa"\npoisson_ratio = 0.3\n\n[friction]'
     file.write_text((CONFIGS / "joshi2015_fag.toml").read_text().replace("\n[friction]", soft))
-    found, stiff = flexbearing.run(file, tmp_path / "soft.h5", [FEW]).rigid, run("joshi2015_fag").rigid
+    found, stiff = flexbearing.run(file, [FEW], output=tmp_path / "soft.h5").rigid, run("joshi2015_fag").rigid
     assert found["peak_pressure"][..., 0] == approx(stiff["peak_pressure"][..., 0], rel=1e-12)
     assert (found["peak_pressure"][..., 1] < 0.9 * stiff["peak_pressure"][..., 1]).all()
 
@@ -196,7 +197,9 @@ def test_groove_radius_says_the_same_as_conformity(run):
     changed = text.replace("conformity = 0.5225", f'radius = "{radius!r} mm"')
     file = Path(run("joshi2015_fag").path).with_name("radius.toml")
     file.write_text(changed)
-    assert flexbearing.run(file, file.with_suffix(".h5"), [FEW]).rigid["torque"] == approx(base, rel=1e-9)
+    assert flexbearing.run(file, [FEW], output=file.with_suffix(".h5")).rigid["torque"] == approx(
+        base, rel=1e-9
+    )
 
 
 def test_held_ring_reports_the_load_it_takes(run):
@@ -204,7 +207,7 @@ def test_held_ring_reports_the_load_it_takes(run):
     place = float(loaded.rigid["ring_displacement"][0])
     held = run(RIVERA, "operation.load.axial=0 N", f"operation.displacement.axial={place!r} m").rigid
     assert held["ring_load"][0] == approx(500.0, rel=1e-6)
-    assert summary(loaded)["rigid"]["ring_displacement_um"][0] == approx(1e6 * place, rel=1e-12)
+    assert loaded.summary()["rigid"]["ring_displacement_um"][0] == approx(1e6 * place, rel=1e-12)
 
 
 @pytest.mark.parametrize("control", ["outer", "inner"])
@@ -215,7 +218,7 @@ def test_lines_that_do_not_exist_are_left_out_with_a_reason(run, control):
     told = [note for note in texts(result) if note.startswith("no pure rolling lines: ")]
     assert bool(told) is not bool(lines & result.rigid.keys())
     if told:
-        assert summary(result)["rigid"]["line_counts"] is None
+        assert result.summary()["rigid"]["line_counts"] is None
         assert "pure rolling line" in text(result)
 
 
@@ -294,10 +297,10 @@ def test_balanced_net_force_reaches_the_lines(run):
     [("joshi2015_qj309", "operation.load.axial=0 N"), (RIVERA, "operation.load.axial=0 N")],
 )
 def test_ring_that_nothing_holds_is_not_solved_and_says_so(tmp_path, name, setting):
-    result = flexbearing.run(CONFIGS / f"{name}.toml", tmp_path / "r.h5", [setting])
+    result = flexbearing.run(CONFIGS / f"{name}.toml", [setting], output=tmp_path / "r.h5")
     assert result.attributes["status"] == "not solved"
     assert result.attributes["ending"] == "undetermined"
-    assert summary(result)["rigid"] is None
+    assert result.summary()["rigid"] is None
     assert "NOT CONVERGED: not solved (undetermined)" in text(result)
     assert write_figures(result, tmp_path) == []
 
@@ -305,7 +308,7 @@ def test_ring_that_nothing_holds_is_not_solved_and_says_so(tmp_path, name, setti
 def test_load_beyond_small_contacts_is_bad_input(tmp_path):
     with pytest.raises(flexbearing.case.BadCase, match=r"joshi2015_fag\.toml: .* far too high"):
         flexbearing.run(
-            CONFIGS / "joshi2015_fag.toml", tmp_path / "r.h5", ['operation.contact_loads=["1e9 N"]']
+            CONFIGS / "joshi2015_fag.toml", ['operation.contact_loads=["1e9 N"]'], output=tmp_path / "r.h5"
         )
 
 
@@ -322,7 +325,7 @@ def test_file_says_what_it_holds(run, name):
         for dataset, item in file["rigid"].items():
             assert item.attrs["unit"] == table[dataset].unit
             assert item.attrs["meaning"] == table[dataset].meaning
-    again = read_result(result.path)
+    again = read(result.path)
     assert again.flexible == {}
     assert again.iterations == ()
 
@@ -365,7 +368,7 @@ COULOMB = ("operation.control=coulomb", "operation.friction=0.08")
 def test_friction_decides_what_balls_do(run):
     """The 7008 bearing at 15 000 rpm, thrust alone: all balls alike, heat is the power of the shaft."""
     result = run(RIVERA, *COULOMB)
-    values, numbers = result.rigid, summary(result)["rigid"]
+    values, numbers = result.rigid, result.summary()["rigid"]
     assert np.ptp(values["ball_attitude"]) < 1e-8
     assert 0 < np.abs(values["ball_yaw"]).max() < np.radians(0.5)
     assert (np.abs(values["traction"]) < 0.08 * values["contact_load"]).all()
@@ -373,7 +376,7 @@ def test_friction_decides_what_balls_do(run):
     assert values["friction_torque"] * speed == approx(values["friction_heat"].sum(), rel=1e-12)
     assert numbers["friction_torque_Nm"] == approx(float(values["friction_torque"]), rel=1e-12)
     assert numbers["ball_yaw_range_deg"] == approx(np.degrees(values["ball_yaw"][[0, -1]]), abs=1e-9)
-    assert summary(run(RIVERA))["rigid"]["friction_torque_Nm"] is None
+    assert run(RIVERA).summary()["rigid"]["friction_torque_Nm"] is None
     assert (run(RIVERA).rigid["ball_yaw"] == 0).all()
 
 
@@ -384,7 +387,7 @@ def test_page_shows_what_friction_decides_only_where_it_does(run):
     decided, assumed = text(run(RIVERA, *COULOMB)), text(run(RIVERA))
     rows = [line.split("]") for line in decided.splitlines() if any(row in line for row in OF_FRICTION)]
     assert [label.strip() + "]" for label, _ in rows] == list(OF_FRICTION)
-    numbers = summary(run(RIVERA, *COULOMB))["rigid"]
+    numbers = run(RIVERA, *COULOMB).summary()["rigid"]
     torque, heat = numbers["friction_torque_Nm"], numbers["friction_heat_range_W"]
     shown = [float(value.split()[0]) for _, value in rows]
     assert shown == approx([numbers["ball_yaw_range_deg"][0], torque, heat[0]], rel=1e-3, abs=5e-4)

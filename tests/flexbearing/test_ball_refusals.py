@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 from pytest import approx
 
-from flexbearing import explain, read
+from flexbearing import explain
+from flexbearing.api import read_case
 from flexbearing.case import BadCase
 from flexbearing.case.balls.angular_contact import AngularCase
 from flexbearing.case.balls.four_point import FourPointCase
@@ -23,15 +24,15 @@ FOUR_POINT, ONE_BALL, ANGULAR = (
 
 def refusal(file, *settings):
     with pytest.raises(BadCase) as problem:
-        read(file, settings)
+        read_case(file, settings)
     return str(problem.value)
 
 
 def test_kind_decides_what_a_case_is():
-    assert type(read(CONFIGS / "mao2016.toml")) is Case
-    assert type(read(FOUR_POINT)) is FourPointCase
-    assert type(read(ANGULAR)) is AngularCase
-    assert {read(file).kind for file in (CONFIGS / "mao2016.toml", FOUR_POINT, ANGULAR)} == set(FAMILIES)
+    assert type(read_case(CONFIGS / "mao2016.toml")) is Case
+    assert type(read_case(FOUR_POINT)) is FourPointCase
+    assert type(read_case(ANGULAR)) is AngularCase
+    assert {read_case(file).kind for file in (CONFIGS / "mao2016.toml", FOUR_POINT, ANGULAR)} == set(FAMILIES)
 
 
 IMPOSSIBLE = {
@@ -166,7 +167,7 @@ def test_broken_file_is_refused(tmp_path, old, new, told):
 
 
 def test_shoulder_may_be_as_high_as_the_groove_radius():
-    case = read(ANGULAR, ["bearing.inner.shoulder=4.12776 mm"])
+    case = read_case(ANGULAR, ["bearing.inner.shoulder=4.12776 mm"])
     assert isinstance(case, AngularCase)
     groove = case.bearing.inner
     assert groove.shoulder == approx(groove.over(7.938e-3) * 7.938e-3, rel=1e-12)

@@ -4,7 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from flexbearing import check, explain, read
+from flexbearing import check, explain
+from flexbearing.api import read_case
 from flexbearing.case import BadCase
 
 SLEWING = Path(__file__).parents[2] / "configs" / "slewing_bolted.toml"
@@ -15,8 +16,8 @@ def test_example_is_possible():
 
 
 def test_rings_are_rigid_unless_they_are_described():
-    assert read(SLEWING.with_name("joshi2015_fourpoint.toml"), ()).rings.rigid
-    assert not read(SLEWING, ()).rings.rigid
+    assert read_case(SLEWING.with_name("joshi2015_fourpoint.toml"), ()).rings.rigid
+    assert not read_case(SLEWING, ()).rings.rigid
     assert "rings.outer.face_distance" in explain("rings")
 
 
@@ -42,7 +43,7 @@ def test_rings_are_rigid_unless_they_are_described():
 )  # fmt: skip
 def test_impossible_ring_is_refused(settings, place, allowed):
     with pytest.raises(BadCase) as problem:
-        read(SLEWING, settings)
+        read_case(SLEWING, settings)
     message = str(problem.value)
     assert place in message
     assert allowed in message
@@ -53,4 +54,4 @@ def test_described_ring_is_described_completely(tmp_path):
     file = tmp_path / "broken.toml"
     file.write_text(SLEWING.read_text().replace('face = "-x"\n', "").replace('    "rings.outer.width",', ""))
     with pytest.raises(BadCase, match=r'\[rings\.outer\] face is missing: kind = "bolted" needs it'):
-        read(file, ())
+        read_case(file, ())

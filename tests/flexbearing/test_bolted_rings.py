@@ -10,7 +10,7 @@ from pytest import approx
 import flexbearing
 from fem.errors import NotSolved
 from flexbearing.families import FAMILIES
-from flexbearing.report import summary, text
+from flexbearing.report import text
 from flexbearing.results import NotInLayout, ResultFile
 from flexbearing.rings import bolted
 from tests.flexbearing.noted import texts
@@ -37,7 +37,7 @@ def run(tmp_path_factory):
             rigid = tuple(key.removesuffix("kind=rigid") for key in settings if key.endswith(".kind=rigid"))
             both = ("rings.element_order", "rings.harmonics", "rings.mesh_size") if len(rigid) == 2 else ()
             used = [key for key in SMALL if not key.startswith((*rigid, *both) or ("-",))]
-            known[settings] = flexbearing.run(SLEWING, place / f"{len(known)}.h5", (*used, *settings))
+            known[settings] = flexbearing.run(SLEWING, (*used, *settings), output=place / f"{len(known)}.h5")
         return known[settings]
 
     return computed
@@ -68,7 +68,7 @@ def test_rigid_block_is_that_of_rigid_rings(run):
     alone = run("rings.outer.kind=rigid", "rings.inner.kind=rigid")
     assert alone.flexible == {}
     assert alone.rigid["contact_load"] == approx(run().rigid["contact_load"], rel=1e-12)
-    assert summary(alone)["flexible"] is None
+    assert alone.summary()["flexible"] is None
 
 
 def test_each_ring_yields_for_itself(run):
@@ -119,7 +119,7 @@ def test_springs_under_the_face_soften_further(run):
 
 
 def test_summary_and_page_show_both(run):
-    numbers = summary(run())
+    numbers = run().summary()
     assert json.loads(json.dumps(numbers, allow_nan=False)) == numbers
     page = text(run())
     for block in ("rigid", "flexible"):
@@ -161,7 +161,7 @@ def test_finite_elements_without_answer_leave_the_rigid_block(tmp_path, monkeypa
         raise NotSolved("relative residual 1")
 
     monkeypatch.setattr(bolted, "compliance", refuse)
-    result = flexbearing.run(SLEWING, tmp_path / "r.h5", SMALL)
+    result = flexbearing.run(SLEWING, SMALL, output=tmp_path / "r.h5")
     assert result.attributes["status"] == "not solved"
     assert result.attributes["ending"] == "rings not solved"
     assert result.rigid

@@ -7,9 +7,8 @@ import pytest
 from pytest import approx
 
 import flexbearing
-from flexbearing import read
+from flexbearing.api import read_case
 from flexbearing.case import BadCase
-from flexbearing.report import summary
 from tests.flexbearing.noted import texts
 from tests.flexbearing.test_trace import FALLING
 
@@ -24,8 +23,8 @@ FREE = [
 
 
 def test_free_cage_reaches_the_summary(tmp_path):
-    result = flexbearing.run(PAPER, tmp_path / "r.h5", RIGID + FREE)
-    block = summary(result)["rigid"]
+    result = flexbearing.run(PAPER, RIGID + FREE, output=tmp_path / "r.h5")
+    block = result.summary()["rigid"]
     assert block["cage_offset_um"] == approx(200, rel=0.01)  # pressed through nearly all of its clearance
     values = result.rigid
     assert np.hypot(*values["cage_offset"]) == approx(1e-6 * block["cage_offset_um"])
@@ -57,18 +56,22 @@ def test_free_cage_reaches_the_summary(tmp_path):
 )
 def test_cages_that_make_no_sense(settings, told):
     with pytest.raises(BadCase, match=told):
-        read(PAPER, settings)
+        read_case(PAPER, settings)
 
 
 @pytest.mark.slow
 def test_several_equilibria_by_a_falling_traction_curve_are_told(tmp_path):
-    result = flexbearing.run(PAPER, tmp_path / "r.h5", [*RIGID, *FALLING, "operation.radial_load=2870 N"])
+    result = flexbearing.run(
+        PAPER, [*RIGID, *FALLING, "operation.radial_load=2870 N"], output=tmp_path / "r.h5"
+    )
     (note,) = [note for note in result.attributes["notes"] if note["code"] == "several-equilibria"]
     assert note["grade"] == "danger"
     found = result.attributes["equilibria"]["rigid"]
     slips = sorted(state["slip_percent"] for state in (found["computed"], *found["others"]))
     assert slips[0] == approx(0.3262, rel=1e-3, abs=0)
     assert slips[-1] > 30  # [%]
-    alone = flexbearing.run(PAPER, tmp_path / "s.h5", [*RIGID, *FALLING, "operation.radial_load=20 kN"])
+    alone = flexbearing.run(
+        PAPER, [*RIGID, *FALLING, "operation.radial_load=20 kN"], output=tmp_path / "s.h5"
+    )
     assert "equilibria" not in alone.attributes
     assert not any("several equilibria" in text for text in texts(alone))

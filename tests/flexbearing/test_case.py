@@ -10,7 +10,8 @@ from hypothesis import given, strategies as st
 from pydantic import TypeAdapter
 from pytest import approx
 
-from flexbearing import explain, read
+from flexbearing import explain
+from flexbearing.api import read_case
 from flexbearing.case import BadCase
 from flexbearing.case.declarations import declarations
 from flexbearing.case.quantity import Length, Speed, Temperature
@@ -24,11 +25,11 @@ CASES = sorted((ROOT / "configs").glob("*.toml"))
 
 @pytest.mark.parametrize("file", CASES, ids=lambda file: file.stem)
 def test_every_case_that_comes_along_can_be_read(file):
-    assert read(file).title
+    assert read_case(file).title
 
 
 def test_paper_case_in_si():
-    case = read(PAPER)
+    case = read_case(PAPER)
     assert case.bearing.outer_raceway_diameter == approx(75e-3, rel=1e-12)
     assert case.operation.inner_speed == approx(38000 * 2 * pi / 60, rel=1e-12)
     assert case.operation.temperatures.shaft == approx(503.15, rel=1e-12)
@@ -63,7 +64,7 @@ def test_temperatures_and_speeds(kind, text, si):
 
 
 def test_settings_replace_keys_and_are_no_longer_assumed():
-    case = read(PAPER, ["bearing.clearance=50 um", "outer.bars = 18", 'lubricant.oil="MIL-L-7808"'])
+    case = read_case(PAPER, ["bearing.clearance=50 um", "outer.bars = 18", 'lubricant.oil="MIL-L-7808"'])
     assert case.bearing.clearance == approx(50e-6)
     assert case.outer.bars == 18
     assert "outer.bars" not in case.assumed
@@ -79,17 +80,17 @@ def test_settings_replace_keys_and_are_no_longer_assumed():
 @pytest.mark.parametrize("setting", ["bearing.clearance", "=5 um", "bearing.clearence=5 um", "nothing=1"])
 def test_bad_setting(setting):
     with pytest.raises(BadCase):
-        read(PAPER, [setting])
+        read_case(PAPER, [setting])
 
 
 def test_keys_of_the_file_that_a_setting_makes_strangers_are_left_out(caplog):
     with caplog.at_level("INFO", logger="flexbearing.case"):
-        case = read(PAPER, ["outer.kind=rigid", "inner.kind=rigid"])
+        case = read_case(PAPER, ["outer.kind=rigid", "inner.kind=rigid"])
     assert case.outer.bars is None
     assert case.materials.shaft is None
     assert not [key for key in case.assumed if key.startswith(("outer.", "inner."))]
     assert '[outer] bars of the file is left out: it belongs to outer.kind = "squirrel_cage"' in caplog.text
-    assert read(PAPER, ["outer.kind=ring"]).outer.thickness == approx(3.6e-3, rel=1e-12)
+    assert read_case(PAPER, ["outer.kind=ring"]).outer.thickness == approx(3.6e-3, rel=1e-12)
 
 
 @pytest.mark.parametrize(
@@ -110,7 +111,7 @@ def test_keys_of_the_file_that_a_setting_makes_strangers_are_left_out(caplog):
 )  # fmt: skip
 def test_key_of_another_kind_is_refused(settings, told):
     with pytest.raises(BadCase) as problem:
-        read(PAPER, settings)
+        read_case(PAPER, settings)
     assert told in str(problem.value)
 
 
@@ -118,7 +119,7 @@ def test_key_of_another_kind_in_the_file_itself_is_refused(tmp_path):
     file = tmp_path / "case.toml"
     file.write_text(PAPER.read_text().replace('kind = "squirrel_cage"', 'kind = "ring"'))
     with pytest.raises(BadCase, match="bars = 24 is not used"):
-        read(file)
+        read_case(file)
 
 
 def test_explain_says_to_which_choice_a_key_belongs():
@@ -155,8 +156,8 @@ def test_reference_page_is_what_explain_says():
 
 def test_checking_a_case_loads_nothing_heavy():
     code = (
-        "import sys; from flexbearing import read; "
-        f"read({str(PAPER)!r}); "
+        "import sys; from flexbearing.api import read_case; "
+        f"read_case({str(PAPER)!r}); "
         "print([m for m in ('ngsolve', 'netgen', 'h5py', 'matplotlib') if m in sys.modules])"
     )
     found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=ROOT)

@@ -8,7 +8,8 @@ import pytest
 from pydantic import BaseModel, TypeAdapter, ValidationError, create_model
 from pytest import approx
 
-from flexbearing import explain, read
+from flexbearing import explain
+from flexbearing.api import read_case
 from flexbearing.case import BadCase
 from flexbearing.case.declarations import declarations
 from flexbearing.case.quantity import Angle, Length, Moment, PerTemperature, Speed, Temperature
@@ -19,7 +20,7 @@ PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
 
 def refusal(*settings):
     with pytest.raises(BadCase) as problem:
-        read(PAPER, settings)
+        read_case(PAPER, settings)
     return str(problem.value)
 
 
@@ -111,7 +112,7 @@ def test_impossible_geometry_is_refused(setting, place, allowed):
 def test_impossible_crown_is_refused(straight, radius, place):
     roller = {"profile": "crowned", "straight_length": straight, "crown_radius": radius}
     with pytest.raises(BadCase, match=rf"\[bearing.roller\] {place} = .* cannot be"):
-        read(PAPER, {f"bearing.roller.{name}": value for name, value in roller.items()})
+        read_case(PAPER, {f"bearing.roller.{name}": value for name, value in roller.items()})
 
 
 def test_eyring_needs_its_limiting_ratio():
@@ -125,7 +126,7 @@ def test_eyring_needs_its_limiting_ratio():
     [("1e-6 N m", "free", True), ("5 N m", "free", True), ("0 N m", "free", True), ("0 N m", "fixed", False)],
 )
 def test_ring_tilts_where_the_case_says_so_and_by_no_size_of_a_moment(moment, tilt, free):
-    case = read(PAPER, {"operation.moment": moment, "operation.tilt": tilt})
+    case = read_case(PAPER, {"operation.moment": moment, "operation.tilt": tilt})
     assert case.operation.free_tilt is free
 
 
@@ -146,13 +147,13 @@ def test_tilt_must_be_given_where_a_ring_is_flexible(tmp_path, rigid, flexible):
     with pytest.raises(
         BadCase, match=f'.operation. tilt is missing: {flexible} needs it; it is "fixed" or "free"'
     ):
-        read(case, {rigid: "rigid"})
-    assert read(case, {"inner.kind": "rigid", "outer.kind": "rigid"}).operation.tilt == "fixed"
+        read_case(case, {rigid: "rigid"})
+    assert read_case(case, {"inner.kind": "rigid", "outer.kind": "rigid"}).operation.tilt == "fixed"
 
 
 def test_moment_on_a_held_ring_is_refused_naming_the_key_that_frees_it():
     with pytest.raises(BadCase, match=r'\[operation\] moment = "1 N m" cannot be; .*operation.tilt = "free"'):
-        read(PAPER.with_name("nu209.toml"), {"operation.moment": "1 N m"})
+        read_case(PAPER.with_name("nu209.toml"), {"operation.moment": "1 N m"})
 
 
 def test_number_found_is_shown_as_it_stands():
@@ -174,9 +175,9 @@ def test_shaft_material_is_needed_for_a_shaft(tmp_path):
     file = tmp_path / "broken.toml"
     file.write_text(text[:begin] + text[end:])
     with pytest.raises(BadCase) as problem:
-        read(file)
+        read_case(file)
     assert '[materials] shaft is missing: inner.kind = "ring_on_shaft" needs it' in str(problem.value)
-    assert read(file, ["inner.kind=rigid"]).materials.shaft is None
+    assert read_case(file, ["inner.kind=rigid"]).materials.shaft is None
 
 
 def test_entries_of_lists_and_tables_are_text():
@@ -190,18 +191,20 @@ def test_value_has_no_keys_beneath_it():
 
 
 def test_settings_may_be_a_mapping_of_values():
-    case = read(PAPER, {"bearing.clearance": "50 um", "outer.bars": 18, "lubricant.inlet_heating": False})
+    case = read_case(
+        PAPER, {"bearing.clearance": "50 um", "outer.bars": 18, "lubricant.inlet_heating": False}
+    )
     assert case.bearing.clearance == approx(50e-6, rel=1e-12)
     assert case.outer.bars == 18
     assert case.lubricant.inlet_heating is False
-    again = read(PAPER, case.source.overrides)
+    again = read_case(PAPER, case.source.overrides)
     assert again.to_json() == case.to_json()
 
 
 def test_what_was_fitted_can_be_set():
-    case = read(PAPER, ["calibrated.outer.bars=stiffness of a test", "outer.bars=18"])
+    case = read_case(PAPER, ["calibrated.outer.bars=stiffness of a test", "outer.bars=18"])
     assert "outer.bars" not in case.calibrated
-    case = read(PAPER, ["outer.bars=18", "calibrated.outer.bars=stiffness of a test"])
+    case = read_case(PAPER, ["outer.bars=18", "calibrated.outer.bars=stiffness of a test"])
     assert case.calibrated["outer.bars"] == "stiffness of a test"
 
 

@@ -8,7 +8,8 @@ import pytest
 from pytest import approx
 
 import quasidynamic as qd
-from flexbearing import check, read
+from flexbearing import check
+from flexbearing.api import read_case
 from flexbearing.build import lubrication, roller_bearing, rough_surfaces
 from flexbearing.case import BadCase
 from flexbearing.case.roller.life import CleanlinessName
@@ -38,12 +39,12 @@ ROUGH = {
 
 def model(file, **settings):
     return roller_bearing.bearing(
-        read(file, {name.replace("__", "."): value for name, value in settings.items()})
+        read_case(file, {name.replace("__", "."): value for name, value in settings.items()})
     )
 
 
 def built(file, settings):
-    return roller_bearing.bearing(read(file, settings))
+    return roller_bearing.bearing(read_case(file, settings))
 
 
 def law(settings, file=PLAIN):
@@ -78,7 +79,7 @@ def test_everything_the_physics_knows_can_be_chosen(names, known):
 def test_named_oil_reaches_the_model_with_its_notes(oil):
     settings = {"lubricant.oil": oil}
     assert built(FITS, settings).lubrication.oil == qd.oil_at(oil, 343.15)
-    assert any(note.text.startswith(oil) for note in notes.of_case(read(FITS, settings)))
+    assert any(note.text.startswith(oil) for note in notes.of_case(read_case(FITS, settings)))
 
 
 SHEET = {
@@ -114,7 +115,7 @@ def test_oil_of_a_data_sheet_goes_through_its_points(sheet_case):
 
 def test_notes_call_the_oil_of_a_data_sheet_by_its_name(sheet_case):
     settings = {**SHEET, "lubricant.traction": "4109"}
-    found = [note.text for note in notes.of_case(read(sheet_case, settings))]
+    found = [note.text for note in notes.of_case(read_case(sheet_case, settings))]
     assert "oil 46: pressure-viscosity is that of 313 K at any temperature" in found
     assert "traction: the 4109 regression is used with oil 46" in found
 
@@ -252,15 +253,15 @@ def of_code(code, case):
 
 def test_traction_oil_outside_its_fit_is_noted_at_the_pressures_of_the_state():
     settings = {"lubricant.traction": "adore", "lubricant.adore_oil": "Mobil DTE SAE 30"}
-    (note,) = of_code("traction-data", read(PLAIN, {**settings, "operation.radial_load": "40 kN"}))
+    (note,) = of_code("traction-data", read_case(PLAIN, {**settings, "operation.radial_load": "40 kN"}))
     assert note.startswith("Mobil DTE SAE 30: pressure")
     assert "extrapolated" in note
-    assert of_code("traction-data", read(PLAIN, settings)) == []
+    assert of_code("traction-data", read_case(PLAIN, settings)) == []
 
 
 def test_reynolds_number_outside_the_drag_table_is_noted_at_the_solved_cage_speed():
     settings = {"lubricant.viscosity": "0.01 mPa s", "lubricant.limiting_ratio": 0.02}
     case = {**settings, "lubricant.inlet_heating": False, "operation.inner_speed": "9000 rpm"}
-    (note,) = of_code("drag-table", read(PLAIN, case))
+    (note,) = of_code("drag-table", read_case(PLAIN, case))
     assert note.startswith("drag of the rollers: Re")
-    assert of_code("drag-table", read(PLAIN, {**case, "lubricant.drag_coefficient": 1.0})) == []
+    assert of_code("drag-table", read_case(PLAIN, {**case, "lubricant.drag_coefficient": 1.0})) == []

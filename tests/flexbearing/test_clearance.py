@@ -9,7 +9,8 @@ import pytest
 from pytest import approx
 
 import flexbearing
-from flexbearing import check, read
+from flexbearing import check
+from flexbearing.api import read_case
 from flexbearing.build import clearance, expansion, fits, ring_parts, roller_bearing
 from flexbearing.build.growth import expansions, mean_growth
 from flexbearing.build.mesh_sizes import ON_A_SECTION, mesh_size
@@ -27,13 +28,13 @@ PRELOAD = {"bearing.fits.shaft_interference": "80 um"}
 
 
 def test_stated_clearance_is_the_operating_one():
-    case = read(PLAIN)
+    case = read_case(PLAIN)
     assert roller_bearing.bearing(case).bearing.clearance == approx(41e-6, rel=1e-12)
     assert clearance.record(case) == {"operating_m": approx(41e-6, rel=1e-12), "steps": []}
 
 
 def test_computed_clearance_reaches_the_model():
-    case = read(FITS)
+    case = read_case(FITS)
     chain = clearance.computed(case)
     assert chain is not None
     assert roller_bearing.bearing(case).bearing.clearance == chain.clearance
@@ -59,7 +60,7 @@ def test_computed_clearance_reaches_the_model():
 )
 def test_every_key_of_the_mounting_changes_the_step_it_is_about(setting, step):
     before, after = (
-        {found["name"]: found["change_m"] for found in clearance.record(read(FITS, settings))["steps"]}
+        {found["name"]: found["change_m"] for found in clearance.record(read_case(FITS, settings))["steps"]}
         for settings in ({}, setting)
     )
     assert after[step] != approx(before[step], rel=1e-6, abs=1e-12)
@@ -78,7 +79,9 @@ def test_every_key_of_the_mounting_changes_the_step_it_is_about(setting, step):
 )
 def test_dimensions_of_the_housing_matter_once_it_is_tight(setting):
     tight = {"bearing.fits.housing.interference": "20 um"}
-    one, other = (clearance.operating(read(FITS, settings)) for settings in (tight, {**tight, **setting}))
+    one, other = (
+        clearance.operating(read_case(FITS, settings)) for settings in (tight, {**tight, **setting})
+    )
     assert abs(one - other) > 1e-8
 
 
@@ -87,7 +90,7 @@ def test_without_temperatures_only_fits_and_speed_change_the_clearance(tmp_path)
     begin, end = whole.index("[operation.temperatures]"), whole.index("[life]")
     file = tmp_path / "cold.toml"
     file.write_text((whole[:begin] + whole[end:]).replace('"operation.temperatures",', ""))
-    steps = {found["name"]: found["change_m"] for found in clearance.record(read(file))["steps"]}
+    steps = {found["name"]: found["change_m"] for found in clearance.record(read_case(file))["steps"]}
     assert steps["inner fit"] < -1e-6
     assert [steps[name] for name in ("inner heat", "outer heat", "roller heat")] == [0.0, 0.0, 0.0]
 
@@ -99,7 +102,7 @@ def test_flexible_parts_give_the_dimensions_of_the_fits(tmp_path):
     whole = whole.replace("[bearing.roller]", table, 1).replace('clearance = "75.5 um"', "", 1)
     file = tmp_path / "case.toml"
     file.write_text("\n".join(line for line in whole.splitlines() if '"bearing.clearance" =' not in line))
-    case = read(file)
+    case = read_case(file)
     mounting = fits._mounting(case)
     assert isinstance(mounting.outer, Annulus)
     assert (2 * mounting.outer.inner_radius, 2 * mounting.outer.outer_radius) == approx((75e-3, 82.2e-3))
@@ -112,7 +115,7 @@ def test_flexible_parts_give_the_dimensions_of_the_fits(tmp_path):
 
 
 def test_record_tells_the_cold_clearance_and_each_fit():
-    case = read(FITS)
+    case = read_case(FITS)
     chain, record = clearance.computed(case), clearance.record(case)
     assert chain is not None
     assert record["cold_m"] == case.bearing.fits.cold_clearance != chain.clearance
@@ -123,7 +126,7 @@ def test_record_tells_the_cold_clearance_and_each_fit():
 
 
 def test_cold_rings_and_rollers_leave_the_cold_clearance():
-    mounting = fits._mounting(read(FITS))
+    mounting = fits._mounting(read_case(FITS))
     assert isinstance(mounting.outer, PressFit)
     raceways = [2 * mounting.outer.inside.inner_radius, 2 * mounting.shaft_fit.outside.outer_radius]
     gap = raceways[0] - raceways[1] - 4 * mounting.roller.outer_radius
@@ -138,25 +141,27 @@ def test_housing_without_a_temperature_follows_the_outer_ring():
             for part in ("shaft", "inner_ring", "roller", "outer_ring")
         },
     }
-    case = read(PLAIN, hot)
+    case = read_case(PLAIN, hot)
     assert expansion.hot_over_cold(case, "outer_ring") > 1.0
     assert expansion.hot_over_cold(case, "housing") == expansion.hot_over_cold(case, "outer_ring")
 
 
 def test_housing_is_part_of_the_fit():
-    outer = fits._mounting(read(FITS)).outer
+    outer = fits._mounting(read_case(FITS)).outer
     assert isinstance(outer, PressFit)
     assert 2 * outer.outside.outer_radius == approx(0.12)
     assert outer.interference == approx(-10e-6)
 
 
 def test_preload_is_a_result_and_said_so(tmp_path):
-    case = read(FITS, PRELOAD)
+    case = read_case(FITS, PRELOAD)
     assert clearance.operating(case) < 0.0
     (note,) = clearance.notes(case)
     assert "the bearing is preloaded" in note.text
     assert note in notes.of_case(case)
-    result = flexbearing.run(FITS, tmp_path / "out.h5", [f"{key}={value}" for key, value in PRELOAD.items()])
+    result = flexbearing.run(
+        FITS, [f"{key}={value}" for key, value in PRELOAD.items()], output=tmp_path / "out.h5"
+    )
     assert result.attributes["status"] == "converged"
     assert "preloaded" in result.attributes["clearance"]["verdict"]
     assert "inner fit" in text(result)
@@ -164,8 +169,8 @@ def test_preload_is_a_result_and_said_so(tmp_path):
 
 
 def test_stated_preload_is_noted_as_well():
-    assert clearance.notes(read(PLAIN)) == ()
-    (note,) = clearance.notes(read(PLAIN, {"bearing.clearance": "-5 um"}))
+    assert clearance.notes(read_case(PLAIN)) == ()
+    (note,) = clearance.notes(read_case(PLAIN, {"bearing.clearance": "-5 um"}))
     assert "5.000 um" in note.text
 
 
@@ -359,11 +364,11 @@ def test_pressure_of_a_short_ring_is_that_of_a_shell_under_a_band_of_pressure():
 )
 def test_interference_that_changes_nothing_is_refused(settings, told):
     with pytest.raises(BadCase, match=told):
-        read(PAPER, settings)
+        read_case(PAPER, settings)
 
 
 def test_interference_presses_a_fit_beside_a_stated_clearance():
-    case = read(PAPER, {"inner.fit": "friction", "bearing.fits.shaft_interference": "10 um"})
+    case = read_case(PAPER, {"inner.fit": "friction", "bearing.fits.shaft_interference": "10 um"})
     assert clearance.operating(case) == approx(75.5e-6, rel=1e-12)
     assert ring_parts.shaft_interference(case) == approx(10e-6, rel=1e-12)
 

@@ -10,7 +10,7 @@ import pytest
 
 import flexbearing
 from flexbearing.quantities.attributes import GRADES as STORED
-from flexbearing.report import summary, text
+from flexbearing.report import text
 from flexbearing.runs.dangers import pressed, short_lived, yielding
 from quasidynamic.note import GRADES, Note, danger, graded, information, outside
 from tests.flexbearing.noted import codes, texts
@@ -25,7 +25,7 @@ GRADE = {"danger": "danger", "outside": "outside validity", "information": "info
 
 @pytest.fixture(scope="module")
 def paper(tmp_path_factory):
-    return flexbearing.run(PAPER, tmp_path_factory.mktemp("dangers") / "paper.h5", RIGID)
+    return flexbearing.run(PAPER, RIGID, output=tmp_path_factory.mktemp("dangers") / "paper.h5")
 
 
 def test_the_paper_bearing_says_that_it_lives_for_less_than_an_hour(paper):
@@ -41,12 +41,12 @@ def test_the_paper_bearing_says_what_its_losses_hang_on(paper):
 
 
 def test_dents_are_a_danger(tmp_path):
-    result = flexbearing.run(PLAIN, tmp_path / "out.h5", HEAVY)
+    result = flexbearing.run(PLAIN, HEAVY, output=tmp_path / "out.h5")
     assert result.attributes["status"] == "converged"
     assert "contact-pressure" in codes(result, "danger")
     first = text(result).splitlines()[0]
     assert first.startswith("DANGER: contact pressure of ")
-    assert summary(result)["notes"][0]["code"] == "contact-pressure"
+    assert result.summary()["notes"][0]["code"] == "contact-pressure"
 
 
 def test_only_a_strict_run_fails_for_a_danger(tmp_path):
@@ -103,6 +103,6 @@ def test_the_page_of_notes_names_every_code_under_its_grade():
 
 
 def test_json_carries_grade_code_and_text(paper):
-    notes = json.loads(json.dumps(summary(paper)))["notes"]
+    notes = json.loads(json.dumps(paper.summary()))["notes"]
     assert all(note.keys() == {"grade", "code", "text"} for note in notes)
     assert [note["grade"] for note in notes] == sorted((note["grade"] for note in notes), key=GRADES.index)

@@ -40,7 +40,7 @@ def unsolvable(monkeypatch):
 
 @pytest.mark.parametrize("slope", ["0 arcmin", "3 arcmin"])
 def test_run_that_no_method_solves_holds_the_nearest_state_and_every_message(slope, unsolvable, tmp_path):
-    result = flexbearing.run(PAPER, tmp_path / "r.h5", [*BEAM, f"operation.misalignment={slope}"])
+    result = flexbearing.run(PAPER, [*BEAM, f"operation.misalignment={slope}"], output=tmp_path / "r.h5")
     attempts, message = result.attributes["attempts"], result.attributes["message"]
     assert result.attributes["status"] == "not solved"
     assert list(attempts) == METHODS
@@ -54,7 +54,7 @@ def test_run_that_no_method_solves_holds_the_nearest_state_and_every_message(slo
 def test_run_that_no_method_solves_ends_with_one(unsolvable, tmp_path):
     code = command(["run", str(PAPER), "-o", str(tmp_path / "r.h5"), *_set(BEAM)])
     assert code == 1
-    assert flexbearing.read_result(tmp_path / "r.h5").attributes["iterations"] == len(METHODS)
+    assert flexbearing.read(tmp_path / "r.h5").attributes["iterations"] == len(METHODS)
 
 
 def test_state_between_rigid_raceways_is_never_the_flexible_one(monkeypatch, tmp_path):
@@ -64,7 +64,7 @@ def test_state_between_rigid_raceways_is_never_the_flexible_one(monkeypatch, tmp
 
     monkeypatch.setattr(RollerBearing, "iterate", nothing)
     alone = ["coupling.fallback=false", "operation.misalignment=3 arcmin"]
-    result = flexbearing.run(PAPER, tmp_path / "r.h5", [*BEAM, *alone])
+    result = flexbearing.run(PAPER, [*BEAM, *alone], output=tmp_path / "r.h5")
     assert result.attributes["status"] == "not solved"
     assert "no step" in result.attributes["message"]
     assert result.rigid
@@ -78,7 +78,7 @@ def test_rings_that_fail_at_the_end_state_leave_a_file_with_all_iterations(monke
         raise PartnerFailed("no figures", "not solved")
 
     monkeypatch.setattr(CondensedRaceway, "figures", failing)
-    result = flexbearing.run(PAPER, tmp_path / "r.h5", BEAM)
+    result = flexbearing.run(PAPER, BEAM, output=tmp_path / "r.h5")
     assert result.attributes["status"] == "not solved"
     assert result.attributes["iterations"] == len(result.iterations) > 0
     assert result.attributes["message"] == "no figures"
@@ -91,7 +91,7 @@ def test_elements_that_find_no_memory_are_an_ending_of_their_own(monkeypatch, tm
         raise MemoryError("std::bad_alloc")
 
     monkeypatch.setattr(condensed, "condense", exhausted)
-    result = flexbearing.run(PAPER, tmp_path / "r.h5", BEAM)
+    result = flexbearing.run(PAPER, BEAM, output=tmp_path / "r.h5")
     assert result.attributes["status"] == "not solved"
     assert "outer ring: there is not enough memory" in result.attributes["message"]
     assert result.rigid

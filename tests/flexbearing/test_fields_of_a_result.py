@@ -16,11 +16,11 @@ from fem.errors import NotSolved
 from fem.parts.surroundings import Surroundings
 from fem.solid.extremes import BodyExtremes, Largest
 from fem.solid.support_stiffness import support_stiffness
-from flexbearing import read
+from flexbearing.api import read_case
 from flexbearing.build.expansion import roller_length
 from flexbearing.case import BadCase
 from flexbearing.cli import app
-from flexbearing.report import summary, text
+from flexbearing.report import text
 from flexbearing.report.roller.deformed import pictures
 from flexbearing.results import BadResult
 from flexbearing.runs import fields, stored_fields
@@ -38,13 +38,13 @@ COARSE = [
 
 @pytest.fixture(scope="module")
 def result(tmp_path_factory):
-    return flexbearing.run(PAPER, tmp_path_factory.mktemp("run") / "cage.h5", COARSE)
+    return flexbearing.run(PAPER, COARSE, output=tmp_path_factory.mktemp("run") / "cage.h5")
 
 
 @pytest.fixture(scope="module")
 def rigid(tmp_path_factory):
     settings = ["inner.kind=rigid", "outer.kind=rigid"]
-    return flexbearing.run(PAPER, tmp_path_factory.mktemp("run") / "rigid.h5", settings)
+    return flexbearing.run(PAPER, settings, output=tmp_path_factory.mktemp("run") / "rigid.h5")
 
 
 @pytest.fixture(scope="module")
@@ -58,7 +58,7 @@ def test_largest_stresses_are_stored_and_shown(result):
     stored = result.attributes["stresses"]
     assert list(stored) == ["outer"]
     assert set(stored["outer"]["bodies"]) == {"ring", "bars", "flange"}
-    assert summary(result)["stresses"] == json.loads(json.dumps(stored))
+    assert result.summary()["stresses"] == json.loads(json.dumps(stored))
     bars = stored["outer"]["bodies"]["bars"]
     assert f"{bars['von_mises_MPa']:,.0f} ± {bars['von_mises_error_MPa']:,.0f}" in text(result)
     assert stored["outer"]["seconds"] > 0
@@ -84,11 +84,11 @@ def test_nominal_bar_stresses_come_from_the_condensed_state(result):
     )
     up = radial @ np.cos(azimuth) - sideways @ np.sin(azimuth)
     assert up == approx(block["outer_load"] @ np.cos(block["roller_azimuth"]), rel=0.02)
-    numbers = summary(result)["flexible"]
+    numbers = result.summary()["flexible"]
     assert numbers["nominal_bar_stress_MPa"] == approx(1e-6 * block["nominal_bar_stress"].max())
     assert 0 < numbers["nominal_bar_stress_error_MPa"] < 0.2 * numbers["nominal_bar_stress_MPa"]
     assert "largest nominal bar stress [MPa]" in text(result)
-    assert summary(result)["rigid"].get("nominal_bar_stress_MPa") is None
+    assert result.summary()["rigid"].get("nominal_bar_stress_MPa") is None
 
 
 def test_nominal_bar_stresses_are_those_of_the_whole_solid(result, outer):
@@ -156,7 +156,7 @@ def test_forces_of_a_state_are_those_of_its_rollers(result, outer):
 
 
 def test_each_ring_is_loaded_by_its_own_contacts():
-    case = read(PAPER, [item for item in COARSE if "inner.kind" not in item])
+    case = read_case(PAPER, [item for item in COARSE if "inner.kind" not in item])
     line_loads = {"inner_slice_load": np.full((30, 8), 1e3), "outer_slice_load": np.full((30, 8), 2e3)}
     inner, outer = (fields.fields(case, race, "flexible", line_loads).forces for race in ("inner", "outer"))
     length = roller_length(case)
@@ -176,7 +176,7 @@ def test_solid_that_cannot_be_solved_is_said(monkeypatch, outer):
 
 def test_heat_and_rotation_load_the_inner_ring_as_its_shaft_grows():
     """The paper's shaft is 10 K warmer and expands more; clearance takes the same expansions."""
-    case = read(PAPER)
+    case = read_case(PAPER)
     around = fields.surroundings(case, "inner")
     materials, hot = case.materials, case.operation.temperatures
     shaft, ring = (
@@ -204,7 +204,7 @@ def test_rigid_parts_have_no_fields(result, rigid):
     with pytest.raises(BadCase, match="every part is rigid"):
         stored_fields.of_result(rigid)
     assert "stresses" not in rigid.attributes
-    assert summary(rigid)["stresses"] is None
+    assert rigid.summary()["stresses"] is None
     assert list(pictures(rigid, Path())) == []
 
 

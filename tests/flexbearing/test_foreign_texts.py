@@ -17,7 +17,7 @@ from rich.console import Console
 import flexbearing
 from flexbearing import __main__ as program
 from flexbearing.progress import OnTerminal
-from flexbearing.report import summary, text, write_figures
+from flexbearing.report import text, write_figures
 from flexbearing.report.picture import png_bytes, titled
 from flexbearing.report.roller.deformed_figure import deformed
 from flexbearing.report.studies.branch_figure import draw_branch
@@ -41,7 +41,7 @@ def case(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def result(case):
-    return flexbearing.run(case, case.with_name("r.h5"))
+    return flexbearing.run(case, output=case.with_name("r.h5"))
 
 
 def shown(words, capsys):
@@ -77,7 +77,7 @@ def test_every_text_of_a_page_is_shown(result):
     page = text(replace(result, attributes=attributes))
     assert not CONTROL.search(page)
     assert page.count(r"\x1b[2J[bold]x\x9b") >= 9
-    assert summary(replace(result, attributes=attributes))["message"] == hostile  # JSON escapes it by itself
+    assert replace(result, attributes=attributes).summary()["message"] == hostile  # JSON escapes it by itself
 
 
 @pytest.mark.slow
@@ -121,7 +121,7 @@ def test_stages_on_a_terminal_are_neither_obeyed_nor_marked_up():
 
 @pytest.mark.parametrize("name", ["nu209", "heras2017_a1", "rivera2021_7008"])
 def test_pictures_draw_any_title(name, tmp_path):
-    result = flexbearing.run(CONFIGS / f"{name}.toml", tmp_path / "r.h5")
+    result = flexbearing.run(CONFIGS / f"{name}.toml", output=tmp_path / "r.h5")
     hostile = replace(result, attributes={**result.attributes, "title": TITLE + "x" * 5000})
     with warnings.catch_warnings():
         warnings.simplefilter("error")

@@ -8,7 +8,7 @@ from pytest import approx
 
 import fem
 import flexbearing
-from flexbearing import read
+from flexbearing.api import read_case
 from flexbearing.case import BadCase
 from flexbearing.coupled.coupled import BearingPartner
 from flexbearing.coupling import RULES, PartnerFailed, RacewayPair, StoppingCriterion, fixed_point, newton
@@ -110,7 +110,7 @@ def test_solve_that_fails_has_the_name_of_its_ring():
 
 @pytest.mark.slow
 def test_run_solves_the_whole_ring_in_every_iteration(tmp_path):
-    found = flexbearing.run(PAPER, tmp_path / "full.h5", [*RING, *COARSE, *FULL])
+    found = flexbearing.run(PAPER, [*RING, *COARSE, *FULL], output=tmp_path / "full.h5")
     assert found.attributes["status"] == "converged"
     assert list(found.attributes["attempts"]) == ["iqn-ils"]
     assert found.attributes["structure"]["outer"]["unknowns"] > 1000
@@ -118,7 +118,7 @@ def test_run_solves_the_whole_ring_in_every_iteration(tmp_path):
     assert np.abs(flexible["outer_deviation"]).max() > 1e-6
     assert flexible["total_stiffness"] < flexible["stiffness"]
     tried = [*RING, *COARSE, *FULL, "coupling.max_iterations=2"]
-    stopped = flexbearing.run(PAPER, tmp_path / "stopped.h5", tried)
+    stopped = flexbearing.run(PAPER, tried, output=tmp_path / "stopped.h5")
     assert list(stopped.attributes["attempts"]) == ["iqn-ils", "aitken", "relaxed"]
 
 
@@ -126,7 +126,7 @@ def test_stiffness_does_not_depend_on_the_method(tmp_path):
     """Also where raceways stood still while the bearing was solved, they yield to a change of the load."""
     ring = [*RING, "accuracy.structure=beam", "accuracy.slices=8"]
     by_newton, alternated = (
-        flexbearing.run(PAPER, tmp_path / "out.h5", [*ring, f"coupling.method={method}"])
+        flexbearing.run(PAPER, [*ring, f"coupling.method={method}"], output=tmp_path / "out.h5")
         for method in ("newton", "iqn-ils")
     )
     for name in ("stiffness", "total_stiffness"):
@@ -165,11 +165,11 @@ REFUSED = {
 @pytest.mark.parametrize(("settings", "told"), REFUSED.values(), ids=REFUSED.keys())
 def test_what_has_no_full_solve_is_refused_on_reading(settings, told):
     with pytest.raises(BadCase, match=told):
-        read(PAPER, [*RING, *FULL, *settings])
+        read_case(PAPER, [*RING, *FULL, *settings])
 
 
 def test_solids_may_be_asked_for_by_name():
-    assert read(PAPER, [*RING, *FULL, "accuracy.structure=solid"])
+    assert read_case(PAPER, [*RING, *FULL, "accuracy.structure=solid"])
 
 
 @pytest.mark.slow

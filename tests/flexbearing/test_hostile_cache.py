@@ -345,7 +345,7 @@ def first_runs(tmp_path_factory):
             with pytest.MonkeyPatch.context() as patch:
                 patch.setenv("FLEXBEARING_CACHE", str(place / run))
                 case, changes = RUNS[run]
-                known[run] = flexbearing.run(case, place / f"{run}.h5", changes)
+                known[run] = flexbearing.run(case, changes, output=place / f"{run}.h5")
         return known[run], place / run
 
     return computed
@@ -356,7 +356,7 @@ def test_every_class_that_runs_keep_is_in_the_table(run, tmp_path, monkeypatch, 
     """Each kind of part is kept by a first run, and a second run is equal to the digit."""
     first, kept = first_runs(run)
     monkeypatch.setenv("FLEXBEARING_CACHE", str(kept))
-    second = flexbearing.run(RUNS[run][0], tmp_path / "second.h5", RUNS[run][1])
+    second = flexbearing.run(RUNS[run][0], RUNS[run][1], output=tmp_path / "second.h5")
     kinds = {json.loads(_header(entry.path))["class"] for entry in configured().entries()}
     assert kinds == {
         "ring": {"HarmonicCompliance"}, "shaft": {"HarmonicCompliance", "BondedGrowth"},
@@ -396,7 +396,7 @@ def test_wrong_content_with_a_right_digest_ends_with_a_result(
             "large": 0 * draw + 0.5,
         }
         one.path.write_bytes(packed(one.path.stem, kind, replace(value, **{name: wrong[content]})))
-    result = flexbearing.run(RUNS[run][0], tmp_path / "two.h5", RUNS[run][1])
+    result = flexbearing.run(RUNS[run][0], RUNS[run][1], output=tmp_path / "two.h5")
     assert result.attributes["status"] in (
         "converged",
         "not solved",

@@ -57,7 +57,7 @@ def test_a_file_is_read_to_the_limit_and_no_further():
 
 
 def test_a_file_as_large_as_allowed_is_read(tmp_path):
-    case = flexbearing.read(written(tmp_path, GOOD + "#" * (text.LARGEST - len(GOOD))))
+    case = flexbearing.api.read_case(written(tmp_path, GOOD + "#" * (text.LARGEST - len(GOOD))))
     assert case.bearing.rollers == 30
     assert "is larger than 64 KiB" in refusal(written(tmp_path, GOOD + "#" * (text.LARGEST - len(GOOD) + 1)))
 
@@ -67,14 +67,14 @@ def test_a_case_may_come_through_a_pipe(tmp_path):
     os.mkfifo(pipe)
     writer = threading.Thread(target=lambda: pipe.write_text(GOOD))
     writer.start()
-    assert flexbearing.read(pipe).bearing.rollers == 30
+    assert flexbearing.api.read_case(pipe).bearing.rollers == 30
     writer.join()
 
 
 def test_a_case_whose_name_is_no_text_is_computed(tmp_path):
     file = tmp_path / os.fsdecode(b"\xff.toml")
     file.write_text(GOOD)
-    result = flexbearing.run(file, tmp_path / "out.h5", ["outer.kind=rigid", "inner.kind=rigid"])
+    result = flexbearing.run(file, ["outer.kind=rigid", "inner.kind=rigid"], output=tmp_path / "out.h5")
     assert result.attributes["case_file"].endswith("\\xff.toml")
 
 
@@ -88,7 +88,7 @@ def test_a_name_that_no_file_can_have_is_refused(name):
 
 
 def test_the_mark_at_the_beginning_of_a_text_is_no_part_of_it(tmp_path):
-    case = flexbearing.read(written(tmp_path, b"\xef\xbb\xbf" + GOOD.encode()))
+    case = flexbearing.api.read_case(written(tmp_path, b"\xef\xbb\xbf" + GOOD.encode()))
     assert case.source.text == GOOD
 
 
@@ -147,7 +147,9 @@ def test_nothing_deep_hides_behind_quotes(before, quotes):
 
 
 def test_a_setting_that_is_too_deep_is_taken_as_text():
-    assert flexbearing.read(PAPER, ["title=and so on ........... [[[[[[[[[["]).title.startswith("and so on")
+    assert flexbearing.api.read_case(PAPER, ["title=and so on ........... [[[[[[[[[["]).title.startswith(
+        "and so on"
+    )
     assert '[bearing] rollers = "[[[[' in refusal(PAPER, ["bearing.rollers=" + "[" * 3000])
 
 
@@ -197,7 +199,7 @@ def test_lists_that_cost_are_limited(tmp_path):
 
 
 def test_as_many_settings_as_allowed_are_taken():
-    assert flexbearing.read(PAPER, ["outer.bars=18"] * MOST_SETTINGS).outer.bars == 18
+    assert flexbearing.api.read_case(PAPER, ["outer.bars=18"] * MOST_SETTINGS).outer.bars == 18
 
 
 def test_a_setting_is_one_value():

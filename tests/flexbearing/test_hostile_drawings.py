@@ -11,7 +11,8 @@ from fem.errors import NotSolved
 from fem.parts import step_solid
 from fem.parts.material import ImpossiblePart
 from fem.parts.quoted import MOST
-from flexbearing import check, read
+from flexbearing import check
+from flexbearing.api import read_case
 from flexbearing.build.ring_parts import outer_part
 from flexbearing.case import BadCase
 from flexbearing.printable import printable
@@ -66,7 +67,7 @@ def test_what_does_not_begin_as_step_is_refused_before_meshing(content, tmp_path
 
 def drawn(content, clamps=("foot",)):
     """The example's ring from another drawing."""
-    case = read(CONFIGS / "step_ring.toml", {"outer.clamps": list(clamps)})
+    case = read_case(CONFIGS / "step_ring.toml", {"outer.clamps": list(clamps)})
     part = outer_part(case)
     assert isinstance(part, step_solid.StepSolid)
     return type(part)(**{**vars(part), "drawing": content})

@@ -64,7 +64,7 @@ def sampled(names, every):
 @pytest.fixture(scope="module")
 def good(tmp_path_factory):
     path = tmp_path_factory.mktemp("good") / "good.h5"
-    flexbearing.run(PAPER, path, RING)
+    flexbearing.run(PAPER, RING, output=path)
     return path
 
 
@@ -110,7 +110,7 @@ def test_corpus_has_its_size():
 def test_hostile_result_is_refused_in_a_sentence_or_read_as_it_is(name, hostile, capsys):
     path = hostile(name)
     try:
-        flexbearing.read_result(path)
+        flexbearing.read(path)
     except BadResult:
         assert not READ.fullmatch(name), "refused, but nothing is wrong with it"
         assert refused(["summary", path], capsys).startswith(f"{path}: ")
@@ -126,7 +126,7 @@ def test_hostile_result_is_refused_in_a_sentence_or_read_as_it_is(name, hostile,
 def test_pictures_of_any_numbers_can_be_drawn(name, hostile, tmp_path):
     from flexbearing.report import pictures
 
-    assert len(list(pictures(flexbearing.read_result(hostile(name)), tmp_path / "pictures"))) >= 3
+    assert len(list(pictures(flexbearing.read(hostile(name)), tmp_path / "pictures"))) >= 3
 
 
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")
@@ -192,5 +192,5 @@ def test_numbers_of_a_file_beside_are_not_followed(hostile):
     for name in ("link: external array", "link: external group", "link: virtual of another result"):
         path = hostile(name)
         with pytest.raises(BadResult, match=r"elsewhere|another file"):
-            flexbearing.read_result(path)
-    assert json.loads(json.dumps(flexbearing.summary(flexbearing.read_result(path.with_name("other.h5")))))
+            flexbearing.read(path)
+    assert json.loads(json.dumps(flexbearing.read(path.with_name("other.h5")).summary()))

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from flexbearing import read
+from flexbearing.api import read_case
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 
@@ -12,10 +12,10 @@ CONFIGS = Path(__file__).parents[2] / "configs"
 @pytest.mark.parametrize("name", ["mao2016", "joshi2015_qj309", "rivera2021_7008"])
 def test_the_case_file_is_an_input(name):
     file = CONFIGS / f"{name}.toml"
-    assert read(file).input_files == (file,)
+    assert read_case(file).input_files == (file,)
 
 
 def test_the_drawing_is_an_input_as_long_as_it_is_used():
     file = CONFIGS / "step_ring.toml"
-    assert read(file).input_files == (file, CONFIGS / "step_ring.step")
-    assert read(file, ["outer.kind=rigid"]).input_files == (file,)
+    assert read_case(file).input_files == (file, CONFIGS / "step_ring.step")
+    assert read_case(file, ["outer.kind=rigid"]).input_files == (file,)

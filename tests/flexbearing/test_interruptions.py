@@ -97,7 +97,7 @@ def test_signal_ends_a_run_in_one_line_with_its_exit_code(number, tmp_path):
     (kept,) = tmp_path.iterdir()
     assert re.fullmatch(rf"interrupted: .* \d+ iterations kept in {kept}\n", complaint)
     assert kept.suffix == ".part"
-    assert flexbearing.read_result(kept).attributes["status"] == "unfinished"
+    assert flexbearing.read(kept).attributes["status"] == "unfinished"
 
 
 def test_what_the_terminal_sends_to_all_processes_ends_meshing_without_a_trace(tmp_path):
@@ -166,7 +166,7 @@ def test_interrupted_study_names_the_table_that_is_complete(tmp_path):
 
 @pytest.mark.slow
 def test_interrupted_plot_names_the_pictures_that_are_complete(tmp_path):
-    flexbearing.run(PAPER, tmp_path / "r.h5", BEAM)
+    flexbearing.run(PAPER, BEAM, output=tmp_path / "r.h5")
     done = trapped(signal.SIGINT, "matplotlib.figure", "plot", tmp_path / "r.h5")
     assert (done.returncode, done.stderr) == (130, "interrupted: nothing was kept\n")
     done = trapped(signal.SIGINT, "fem.assembly.factorisation", "plot", tmp_path / "r.h5", "-o", tmp_path)
@@ -181,9 +181,9 @@ def test_interruption_after_a_result_was_written_names_it(tmp_path, monkeypatch)
 
     monkeypatch.setattr(ResultFile, "_remove_parts", stop)
     with pytest.raises(KeyboardInterrupt) as ending:
-        flexbearing.run(PAPER, tmp_path / "out.h5", BEAM)
+        flexbearing.run(PAPER, BEAM, output=tmp_path / "out.h5")
     assert ending.value.__notes__ == [f"complete: {tmp_path / 'out.h5'}"]
-    assert flexbearing.read_result(tmp_path / "out.h5").attributes["status"] == "converged"
+    assert flexbearing.read(tmp_path / "out.h5").attributes["status"] == "converged"
 
 
 def test_progress_bar_is_ended_before_the_line(tmp_path):

@@ -10,9 +10,9 @@ import flexbearing
 from flexbearing.families import FAMILIES
 from flexbearing.quantities.attributes import Attribute
 from flexbearing.quantities.forms import COUNT, FLAG, NUMBER, TEXT, Each, ListOf, Record, Such
-from flexbearing.report import summary, text
+from flexbearing.report import text
 from flexbearing.results import BadResult, NotInLayout, hdf5
-from flexbearing.results.attributes import decoded, encoded
+from flexbearing.results.attributes import checked, decoded
 from flexbearing.results.content import Content
 from flexbearing.results.read import of_content
 from flexbearing.results.reference import reference_page
@@ -56,7 +56,7 @@ OTHERS = (None, True, 7, 2.5, "text", [], {}, [1], {"x": 1}, [[]])
 def good(tmp_path_factory):
     """Content of a converged result with every JSON attribute."""
     path = tmp_path_factory.mktemp("json") / "good.h5"
-    flexbearing.run(CONFIGS / "mao2016.toml", path, RING)
+    flexbearing.run(CONFIGS / "mao2016.toml", RING, output=path)
     content, _ = hdf5.content(path.read_bytes())
     return changed(content, **GOOD)
 
@@ -106,7 +106,7 @@ def refusal(content):
     except NotInLayout as problem:
         return str(problem)
     text(result)
-    json.dumps(summary(result), allow_nan=False)
+    json.dumps(result.summary(), allow_nan=False)
     return ""
 
 
@@ -162,10 +162,10 @@ def test_json_that_no_reader_stands_is_refused(good, name, odd):
 
 def test_record_of_a_file_that_is_of_another_form_ends_with_bad_result(tmp_path):
     path = tmp_path / "out.h5"
-    flexbearing.run(CONFIGS / "harris218.toml", path, [])
+    flexbearing.run(CONFIGS / "harris218.toml", [], output=path)
     resealed(path, lambda file: file.attrs.__setitem__("calibrated", '{"bearing.clearance": 1}'))
     with pytest.raises(BadResult) as problem:
-        flexbearing.read_result(path)
+        flexbearing.read(path)
     assert str(problem.value) == (
         f"{path}: attribute calibrated is not of its form: calibrated.bearing.clearance is 1; "
         "allowed is text. Run the case again."
@@ -175,10 +175,10 @@ def test_record_of_a_file_that_is_of_another_form_ends_with_bad_result(tmp_path)
 @pytest.mark.parametrize("case", [{}, {"friction": {}}, {"friction": []}, {"friction": {"torque": 1}}])
 def test_case_without_a_key_that_the_summary_repeats_is_refused(tmp_path, case):
     path = tmp_path / "out.h5"
-    flexbearing.run(CONFIGS / "joshi2015_fourpoint.toml", path, [])
+    flexbearing.run(CONFIGS / "joshi2015_fourpoint.toml", [], output=path)
     resealed(path, lambda file: file.attrs.__setitem__("case_si", json.dumps(case)))
     with pytest.raises(BadResult, match="attribute case_si is not of its form: case_si"):
-        flexbearing.read_result(path)
+        flexbearing.read(path)
 
 
 @pytest.mark.parametrize("kind", FAMILIES)
@@ -186,7 +186,7 @@ def test_writer_stores_no_record_of_another_form(kind):
     layout = FAMILIES[kind].layout()
     for name, wrong in (("calibrated", {"a": 1}), ("versions", {"numpy": None}), ("case_si", [1])):
         with pytest.raises(NotInLayout, match=f"attribute {name} = "):
-            encoded(layout.attributes[name], wrong)
+            checked(layout.attributes[name], wrong)
     assert {name for name, entry in layout.attributes.items() if entry.kind == "json"} <= set(ROLLER)
 
 
@@ -234,6 +234,6 @@ def test_unfinished_result_is_summarised(tmp_path, monkeypatch):
     """Records that the end of a run decides are empty until then."""
     monkeypatch.setattr("flexbearing.runs.roller.Postprocessing.attributes", lambda self: 1 / 0)
     with pytest.raises(ZeroDivisionError):
-        flexbearing.run(CONFIGS / "mao2016.toml", tmp_path / "out.h5", RING)
+        flexbearing.run(CONFIGS / "mao2016.toml", RING, output=tmp_path / "out.h5")
     (part,) = tmp_path.glob("*.part")
-    assert "unfinished" in text(flexbearing.read_result(part)).lower()
+    assert "unfinished" in text(flexbearing.read(part)).lower()

@@ -6,7 +6,7 @@ import pytest
 from pytest import approx
 
 import flexbearing
-from flexbearing.report import summary, text
+from flexbearing.report import text
 from tests.flexbearing.noted import codes
 
 PLAIN = Path(__file__).parents[2] / "configs" / "nu209.toml"
@@ -27,8 +27,8 @@ def ring(millimetres):
 
 
 def error_and_truth(folder, *settings):
-    usual = flexbearing.run(PLAIN, folder / "usual.h5", [*settings])
-    fine = flexbearing.run(PLAIN, folder / "fine.h5", [*settings, *FINE])
+    usual = flexbearing.run(PLAIN, [*settings], output=folder / "usual.h5")
+    fine = flexbearing.run(PLAIN, [*settings, *FINE], output=folder / "fine.h5")
     truth = float(usual.flexible["life_L10"] / fine.flexible["life_L10"]) - 1
     return usual, float(usual.flexible["life_error"]), abs(truth)
 
@@ -39,7 +39,7 @@ def test_thin_ring_with_carrying_edges_says_that_its_life_is_wrong(tmp_path):
     assert truth > 0.15
     assert truth < error < 1.5 * truth
     assert "life-resolution" in codes(result, "outside validity")
-    assert summary(result)["flexible"]["life_error_percent"] == approx(100 * error)
+    assert result.summary()["flexible"]["life_error_percent"] == approx(100 * error)
     assert "its numerical error, estimated [%]" in text(result)
 
 
@@ -63,6 +63,6 @@ def test_error_is_not_below_the_truth(tmp_path, thickness, profile, tilt, load):
 
 
 def test_a_target_has_its_own_estimate(tmp_path):
-    result = flexbearing.run(PLAIN, tmp_path / "out.h5", ["accuracy.target=1 %"])
+    result = flexbearing.run(PLAIN, ["accuracy.target=1 %"], output=tmp_path / "out.h5")
     assert "life_error" not in result.rigid
-    assert summary(result)["rigid"]["life_error_percent"] is None
+    assert result.summary()["rigid"]["life_error_percent"] is None

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from flexbearing import check, read
+from flexbearing import check
+from flexbearing.api import read_case
 from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase
 from flexbearing.runs import life
@@ -33,11 +34,11 @@ CLEAN = {"life.lubrication": "a_ISO", "life.cleanliness": "oil, in-line filter, 
 
 @pytest.fixture(scope="module")
 def state():
-    return roller_bearing.bearing(read(PLAIN, ["accuracy.slices=30"])).solve()
+    return roller_bearing.bearing(read_case(PLAIN, ["accuracy.slices=30"])).solve()
 
 
 def lived(state, settings):
-    case = read(PLAIN, {"accuracy.slices": 30, **settings})
+    case = read_case(PLAIN, {"accuracy.slices": 30, **settings})
     rated = life.modified(case, state)
     return None if rated is None else rated.record()
 
@@ -115,14 +116,14 @@ def test_viscosity_ratio_is_that_of_the_speed_of_one_ring_past_the_other():
     speeds = {"operation.inner_speed": "3000 rpm", "operation.outer_speed": "-1000 rpm"}
     kappa = []
     for settings in (speeds, {"operation.inner_speed": "4000 rpm"}):
-        case = read(PLAIN, {**settings, **CLEAN})
+        case = read_case(PLAIN, {**settings, **CLEAN})
         kappa.append(life._kappa(case, roller_bearing.bearing(case).bearing))
     assert kappa[0] == approx(kappa[1], rel=1e-12)
 
 
 def test_equivalent_load_counts_each_race_with_its_own_capacity():
     """Fast rollers load the outer race more, by their inertia."""
-    case = read(PLAIN, {"operation.inner_speed": "15000 rpm", **CLEAN})
+    case = read_case(PLAIN, {"operation.inner_speed": "15000 rpm", **CLEAN})
     state = roller_bearing.bearing(case).solve()
     bearing, (inner, outer) = state.balance.roller.bearing, loads(state)
     rating = dynamic_rating(bearing)

@@ -5,7 +5,8 @@ from pathlib import Path
 import pytest
 from pytest import approx
 
-from flexbearing import check, read
+from flexbearing import check
+from flexbearing.api import read_case
 from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase
 from flexbearing.runs import life
@@ -19,11 +20,11 @@ CLEAN = {"life.lubrication": "a_ISO", "life.cleanliness": "oil, in-line filter, 
 
 @pytest.fixture(scope="module")
 def state():
-    return roller_bearing.bearing(read(PLAIN)).solve()
+    return roller_bearing.bearing(read_case(PLAIN)).solve()
 
 
 def lived(state, settings):
-    rated = life.modified(read(PLAIN, settings), state)
+    rated = life.modified(read_case(PLAIN, settings), state)
     return None if rated is None else rated.record()
 
 
@@ -46,7 +47,7 @@ def test_rating_of_iso_281_gives_the_reference_life(state):
 def test_rating_of_iso_281_by_hand():
     # C_r = b_m f_c (i l cos a)^(7/9) Z^(3/4) D^(29/27); ISO 281, table 7, prints
     # f_c = 88.5 at gamma = 0.16
-    bearing = roller_bearing.bearing(read(PLAIN, {"bearing.outer_raceway_diameter": "72.5 mm"})).bearing
+    bearing = roller_bearing.bearing(read_case(PLAIN, {"bearing.outer_raceway_diameter": "72.5 mm"})).bearing
     by_hand = 1.1 * 88.5 * 9.601 ** (7 / 9) * 14**0.75 * 10 ** (29 / 27)
     assert dynamic_rating(bearing) == approx(by_hand, rel=1e-3)
 
@@ -67,7 +68,7 @@ def test_given_rating_reaches_a_iso(state):
 
 def test_rating_that_nothing_uses_is_refused():
     with pytest.raises(BadCase, match="dynamic_rating"):
-        read(PLAIN, {"life.dynamic_rating": "40 kN"})
+        read_case(PLAIN, {"life.dynamic_rating": "40 kN"})
 
 
 def test_formula_of_iso_281_stops_where_its_table_ends():

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from flexbearing import read
+from flexbearing.api import read_case
 from flexbearing.case import BadCase
 
 CONFIGS = Path(__file__).parents[2] / "configs"
@@ -97,15 +97,15 @@ REFUSED = {
 @pytest.mark.parametrize(("file", "settings", "expected"), REFUSED.values(), ids=REFUSED.keys())
 def test_message_of_a_case_that_contradicts_itself(file, settings, expected):
     with pytest.raises(BadCase) as problem:
-        read(file, settings)
+        read_case(file, settings)
     for part in expected:
         assert part in str(problem.value)
 
 
 def test_laws_can_be_exchanged_one_against_the_other():
-    assert read(PLAIN, {"lubricant.traction": "4109"}).lubricant.limiting_ratio is None
-    assert read(PLAIN, {"lubricant.traction": "bair-winer"}).lubricant.limiting_ratio == 0.05
+    assert read_case(PLAIN, {"lubricant.traction": "4109"}).lubricant.limiting_ratio is None
+    assert read_case(PLAIN, {"lubricant.traction": "bair-winer"}).lubricant.limiting_ratio == 0.05
 
 
 def test_choice_that_looks_like_a_number_needs_no_quotes():
-    assert read(PLAIN, ["lubricant.traction=4109"]).lubricant.traction == "4109"
+    assert read_case(PLAIN, ["lubricant.traction=4109"]).lubricant.traction == "4109"

@@ -11,7 +11,7 @@ import pytest
 from pytest import approx
 
 import flexbearing
-from flexbearing.report import summary, text
+from flexbearing.report import text
 
 ROOT = Path(__file__).parents[2]
 FITS = ROOT / "configs" / "nu209_fits.toml"
@@ -36,7 +36,7 @@ SETTINGS = [
 
 @pytest.fixture(scope="module")
 def run(tmp_path_factory):
-    return flexbearing.run(FITS, tmp_path_factory.mktemp("run") / "many.h5", SETTINGS)
+    return flexbearing.run(FITS, SETTINGS, output=tmp_path_factory.mktemp("run") / "many.h5")
 
 
 def test_losses_by_cause_are_the_driving_power(run):
@@ -46,7 +46,7 @@ def test_losses_by_cause_are_the_driving_power(run):
     for cause in ("sliding", "rolling", "drag", "pocket", "land", "churning"):
         assert losses[f"loss_{cause}"] > 0.0
     assert abs(losses["loss_transport"]) < 0.05 * sum(losses.values())
-    numbers = summary(run)["rigid"]
+    numbers = run.summary()["rigid"]
     assert numbers["power_loss_W"]["total"] == approx(numbers["driving_power_W"], rel=1e-8)
 
 
@@ -57,14 +57,14 @@ def test_stiffness_and_compliance_are_inverse_but_for_the_axial_direction(run):
     scale = np.sqrt(np.diag(stiffness)[1:])
     product = (stiffness[1:, 1:] / scale[:, None]) @ (compliance[1:, 1:] * scale)
     assert product == approx(np.eye(4), rel=1e-9, abs=1e-9)
-    assert summary(run)["rigid"]["compliance_matrix_SI"][0][0] is None
+    assert run.summary()["rigid"]["compliance_matrix_SI"][0][0] is None
 
 
 def test_load_and_ring_point_the_same_way(run):
     load, azimuth = run.rigid["inner_load"], run.rigid["roller_azimuth"]
     resultant = np.array([load @ np.sin(azimuth), load @ np.cos(azimuth)])
     assert np.degrees(np.arctan2(*resultant)) == approx(30.0, abs=1.0)
-    numbers = summary(run)["rigid"]
+    numbers = run.summary()["rigid"]
     assert numbers["displacement_along_load_um"] > 20 * abs(numbers["displacement_across_load_um"])
 
 
@@ -78,14 +78,14 @@ def test_radial_stiffness_is_that_along_the_load(run):
 
 
 def test_film_ratios_are_films_over_the_roughness_of_each_contact(run):
-    smallest = summary(run)["rigid"]["minimum_lambda"]
+    smallest = run.summary()["rigid"]["minimum_lambda"]
     for place, (side, raceway) in enumerate((("inner", 0.1e-6), ("outer", 0.15e-6))):
         sigma = np.hypot(0.05e-6, raceway)
         assert run.rigid[f"{side}_film_ratio"] == approx(run.rigid[f"{side}_film"] / sigma, rel=1e-12)
         assert smallest[side] == approx(run.rigid["minimum_film"][place] / sigma, rel=1e-12)
     for side, ratio in smallest.items():
         words = "boundary" if ratio < 1 else "mixed" if ratio < 3 else "full film"
-        assert summary(run)["regimes"]["rigid"][side] == words
+        assert run.summary()["regimes"]["rigid"][side] == words
 
 
 def test_modified_life_is_in_the_file_as_revolutions(run):
@@ -115,10 +115,10 @@ def test_everything_is_in_the_text(run):
 
 
 def test_case_without_these_options_has_none_of_their_results(tmp_path):
-    plain = flexbearing.run(ROOT / "configs" / "nu209.toml", tmp_path / "plain.h5")
+    plain = flexbearing.run(ROOT / "configs" / "nu209.toml", output=tmp_path / "plain.h5")
     assert not {"inner_film_ratio", "outer_film_ratio", "modified_life"} & plain.rigid.keys()
     assert plain.attributes["life"] == plain.attributes["regimes"] == {}
-    assert summary(plain)["rigid"]["lambda_ratios"] is None
+    assert plain.summary()["rigid"]["lambda_ratios"] is None
     for words in ("step by step", "modified life", "film ratio", "regime"):
         assert words not in text(plain)
 

@@ -14,7 +14,9 @@ import numpy as np
 import pytest
 
 import flexbearing
+from flexbearing.api import compute, read_case
 from flexbearing.files import BadOutput
+from flexbearing.runs.run_case import default_output
 
 PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
 DRAWN = PAPER.with_name("step_ring.toml")
@@ -42,6 +44,12 @@ def settings(values):
     return [word for value in values for word in ("--set", value)]
 
 
+def run_by_default_name(case, overrides=()):
+    """As the command line does without -o."""
+    wanted = read_case(case, overrides)
+    return compute(wanted, output=default_output(wanted))
+
+
 @pytest.mark.slow
 def test_runs_without_a_name_of_the_output_do_not_meet(case):
     loads = ["5 kN", "10 kN", "15 kN", "20 kN"]
@@ -50,7 +58,7 @@ def test_runs_without_a_name_of_the_output_do_not_meet(case):
         for load in loads
     ]
     assert [run.communicate()[1] for run in runs] == [""] * 4
-    results = [flexbearing.read_result(path) for path in Path("results").iterdir()]
+    results = [flexbearing.read(path) for path in Path("results").iterdir()]
     stored = {result.attributes["case_overrides"][-1] for result in results}
     assert stored == {f"operation.radial_load={load}" for load in loads}
     assert all("radial_load=" in result.path.name for result in results)
@@ -59,7 +67,7 @@ def test_runs_without_a_name_of_the_output_do_not_meet(case):
 @pytest.mark.slow
 def test_pool_of_jobs_without_names_keeps_every_result(case):
     def job(number):
-        return flexbearing.run(case, overrides=[*RIGID, f"operation.radial_load={5 + number} kN"])
+        return run_by_default_name(case, [*RIGID, f"operation.radial_load={5 + number} kN"])
 
     with ThreadPoolExecutor(4) as pool:
         paths = {result.path for result in pool.map(job, range(12))}
@@ -67,23 +75,21 @@ def test_pool_of_jobs_without_names_keeps_every_result(case):
 
 
 def test_default_names_are_plain_and_differ_for_settings_that_read_alike(case):
-    one, other = (
-        flexbearing.run(case, overrides=[*RIGID, f'title="{title}"']).path for title in ("a/b", "a:b")
-    )
+    one, other = (run_by_default_name(case, [*RIGID, f'title="{title}"']).path for title in ("a/b", "a:b"))
     assert one != other
     assert one.name == f"mine_outer.kind=rigid_inner.kind=rigid_title=ab_{one.stem[-8:]}.h5"
 
 
 def test_case_of_the_same_name_in_another_folder_keeps_its_result(case):
     shutil.copy(BALLS, case)
-    flexbearing.run(case)
+    run_by_default_name(case)
     Path("other").mkdir()
     other = shutil.copy(case, "other/mine.toml")
     with pytest.raises(BadOutput, match=r"results/mine\.h5: is the result of .*mine\.toml; choose another"):
-        flexbearing.run(other)
-    flexbearing.run(case)
+        run_by_default_name(other)
+    run_by_default_name(case)
     case.unlink()
-    assert flexbearing.run(other).path == Path("results/mine.h5")  # of nobody any more
+    assert run_by_default_name(other).path == Path("results/mine.h5")  # of nobody any more
 
 
 @pytest.mark.parametrize("link", ["itself", "symbolic link", "hard link"])
@@ -94,7 +100,7 @@ def test_output_is_no_file_that_is_read(tmp_path, file, link):
     start = tmp_path / "start.h5"
     words = ["run", case]
     if file == "start":
-        flexbearing.run(PAPER, start, RING)
+        flexbearing.run(PAPER, RING, output=start)
         words = ["run", PAPER, "--start", start, *settings(RING)]
     target = {"case": case, "drawing": drawing, "start": start}[file]
     before = target.read_bytes()
@@ -122,7 +128,7 @@ def test_case_named_like_an_unfinished_result_is_not_touched(tmp_path):
 def test_full_disk_ends_with_one_line_and_leaves_the_earlier_result(tmp_path):
     """The size of files is limited, which to a program is what a full disk is."""
     out = tmp_path / "out.h5"
-    flexbearing.run(PAPER, out, RING)
+    flexbearing.run(PAPER, RING, output=out)
     before = out.read_bytes()
     run = command("run", PAPER, "-o", out, "--quiet", *settings([*RING, "bearing.rollers=28"]), limit=20_000)
     errors = run.communicate()[1]
@@ -139,7 +145,7 @@ SLOW = [*RING, "coupling.method=relaxed", "coupling.relaxation=0.03", "coupling.
 def at_work(tmp_path):
     """A run that has stored a part of itself and is held there, and its output."""
     out = tmp_path / "out.h5"
-    flexbearing.run(PAPER, out, RIGID)
+    flexbearing.run(PAPER, RIGID, output=out)
     run = command("run", PAPER, "-o", out, "--quiet", *settings(SLOW))
     with run:
         end = monotonic() + 60
@@ -168,10 +174,10 @@ def test_killed_run_leaves_the_earlier_result_and_the_next_one_cleans_up(at_work
     run.wait()
     assert out.read_bytes() == before
     (part,) = out.parent.glob("*.part")
-    unfinished = flexbearing.read_result(part)
+    unfinished = flexbearing.read(part)
     assert unfinished.attributes["status"] == "unfinished"
     assert unfinished.rigid["inner_load"].max() > 0
-    new = flexbearing.run(PAPER, out, RIGID)
+    new = flexbearing.run(PAPER, RIGID, output=out)
     assert list(out.parent.iterdir()) == [out]
     old = unfinished.rigid["inner_load"]
     np.testing.assert_array_equal(new.rigid["inner_load"], old)
@@ -185,4 +191,4 @@ def test_whoever_reads_an_unfinished_result_does_not_disturb_the_run(tmp_path):
             with suppress(FileNotFoundError), part.open("rb"):  # held open while the run replaces it
                 sleep(0.05)
     assert (run.returncode, run.communicate()[1]) == (0, "")
-    assert flexbearing.read_result(out).attributes["status"] == "converged"
+    assert flexbearing.read(out).attributes["status"] == "converged"

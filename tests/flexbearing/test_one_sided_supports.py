@@ -8,7 +8,7 @@ from pytest import approx
 
 import flexbearing
 from flexbearing.case import BadCase
-from flexbearing.report import summary, text
+from flexbearing.report import text
 from tests.flexbearing.noted import codes
 
 CASE = Path(__file__).parents[2] / "configs" / "nu209.toml"
@@ -23,7 +23,7 @@ BEAM = [*SPRINGS, "accuracy.structure=beam"]
 
 
 def run(folder, *settings):
-    return flexbearing.run(CASE, folder / "r.h5", [*RING, *settings])
+    return flexbearing.run(CASE, [*RING, *settings], output=folder / "r.h5")
 
 
 def carried(result):
@@ -103,7 +103,7 @@ def test_summary_names_line_forces_and_what_lifts_off(tmp_path):
     assert "lines that hold the outer ring: they push only" in printed
     assert "lifted off" in printed
     assert "pushes" in printed
-    assert summary(result)["structure"]["outer"]["lines"]["force_N"][0] == approx(2000, rel=0.01)
+    assert result.summary()["structure"]["outer"]["lines"]["force_N"][0] == approx(2000, rel=0.01)
 
 
 def test_ring_that_rests_on_one_line_is_noted(tmp_path):

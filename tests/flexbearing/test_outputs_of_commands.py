@@ -33,7 +33,7 @@ def command(capsys):
 
 @pytest.fixture(scope="module")
 def finished(tmp_path_factory):
-    return flexbearing.run(PAPER, tmp_path_factory.mktemp("run") / "r.h5", BEAM).path
+    return flexbearing.run(PAPER, BEAM, output=tmp_path_factory.mktemp("run") / "r.h5").path
 
 
 @pytest.fixture
@@ -230,7 +230,7 @@ def test_pictures_and_page_of_an_unfinished_run(tmp_path, monkeypatch, command):
 
     monkeypatch.setattr("flexbearing.progress.Logged.iteration", stop)
     with pytest.raises(KeyboardInterrupt):
-        flexbearing.run(PAPER, tmp_path / "u.h5", BEAM)
+        flexbearing.run(PAPER, BEAM, output=tmp_path / "u.h5")
     (part,) = tmp_path.iterdir()
     code, said, _ = command("summary", part)
     assert code == 0

@@ -13,7 +13,8 @@ from pytest import approx
 
 import fem.errors
 import quasidynamic as qd
-from flexbearing import __main__ as program, read
+from flexbearing import __main__ as program
+from flexbearing.api import read_case
 from flexbearing.cache.key import digest
 from flexbearing.case import BadCase
 from flexbearing.coupling import PartnerFailed
@@ -109,10 +110,10 @@ def test_stars_stand_on_the_cheapest_level_for_the_output_of_their_panel():
 @pytest.mark.parametrize("name", ["mao2016", "step_ring"])
 def test_every_level_of_a_case_can_be_read_and_has_a_name(name):
     path = CONFIGS / f"{name}.toml"
-    levels = [richest(read(path)), *ladder(read(path), solid=True)]
+    levels = [richest(read_case(path)), *ladder(read_case(path), solid=True)]
     assert len({level.name for level in levels}) == len(levels)
     for level in levels:
-        read(path, level.settings)
+        read_case(path, level.settings)
 
 
 def names(case, *, solid=False):
@@ -120,8 +121,8 @@ def names(case, *, solid=False):
 
 
 def test_levels_that_a_case_does_not_have_are_left_out_with_a_word():
-    cage, rigid = read(CONFIGS / "mao2016.toml"), read(CONFIGS / "nu209.toml")
-    ring = read(CONFIGS / "nu209.toml", {**THIN, "outer.support": "seat"})
+    cage, rigid = read_case(CONFIGS / "mao2016.toml"), read_case(CONFIGS / "nu209.toml")
+    ring = read_case(CONFIGS / "nu209.toml", {**THIN, "outer.support": "seat"})
     assert {"rigid", "beam", "smeared", "harmonics, order 2", "relaxed"} <= names(cage)
     assert not {"rigid", "beam", "smeared", "2 axial shapes", "aitken"} & names(rigid)
     assert not {"beam", "smeared", "20 slices", "newton"} & names(ring)
@@ -133,7 +134,7 @@ def test_levels_that_a_case_does_not_have_are_left_out_with_a_word():
 
 @pytest.mark.parametrize(("structure", "most"), [("beam", 6), ("smeared", 2000)])
 def test_cheap_structures_have_few_unknowns_and_hold_alike(structure, most):
-    case = read(CONFIGS / "mao2016.toml", {"accuracy.structure": structure, "accuracy.element_order": 2})
+    case = read_case(CONFIGS / "mao2016.toml", {"accuracy.structure": structure, "accuracy.element_order": 2})
     found = condensed.raceway(case, "outer", np.linspace(0, 6, 5), Logged()).compliance
     assert found.unknowns <= most
     assert found.support_stiffness == approx(1.5e8, rel=0.1)
@@ -146,7 +147,7 @@ def test_smeared_bars_are_kept_apart_from_true_ones(monkeypatch):
     monkeypatch.setattr(condensed, "configured", lambda: keeper)
     same = {"accuracy.element_order": 3, "accuracy.mesh_size": "3 mm", "accuracy.raceway_mesh_size": "2 mm"}
     for structure in ("smeared", "harmonics"):
-        case = read(CONFIGS / "mao2016.toml", {**same, "accuracy.structure": structure})
+        case = read_case(CONFIGS / "mao2016.toml", {**same, "accuracy.structure": structure})
         with pytest.raises(AttributeError):  # nothing is computed
             condensed.raceway(case, "outer", np.zeros(1), Logged())
     assert len(set(asked)) == 2
@@ -297,7 +298,7 @@ def test_reference_that_fails_is_no_reference(command, monkeypatch):
 def test_cheap_structures_of_a_cage_are_nearly_right(tmp_path, monkeypatch):
     """Loads within 1 %, as measured; the life asks for tilts that they know less well."""
     path, found = CONFIGS / "mao2016.toml", {}
-    for level in (Level("usual"), *pareto_levels.ladder(read(path), solid=False)):
+    for level in (Level("usual"), *pareto_levels.ladder(read_case(path), solid=False)):
         if level.name in ("usual", "beam", "smeared"):
             found[level.name] = pareto.run(path, tmp_path / "one.h5", level.settings)
     for name in ("beam", "smeared"):

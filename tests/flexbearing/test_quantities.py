@@ -114,11 +114,11 @@ def test_declarations_load_no_files_pictures_or_models(module):
 
 def test_a_summary_loads_neither_models_nor_pictures(tmp_path):
     path = tmp_path / "heras.h5"
-    flexbearing.run(PACKAGE.parent / "configs" / "heras2017_a3.toml", path)
+    flexbearing.run(PACKAGE.parent / "configs" / "heras2017_a3.toml", output=path)
     heavy = ("matplotlib", "ngsolve", "fem", "quasidynamic")
     code = (
         "import sys, flexbearing, flexbearing.report as report; "
-        f"report.text(flexbearing.read_result({str(path)!r})); "
+        f"report.text(flexbearing.read({str(path)!r})); "
         f"sys.exit(', '.join(name for name in {heavy!r} if name in sys.modules) or 0)"
     )
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0

@@ -8,7 +8,7 @@ import pytest
 
 from flexbearing.families import FAMILIES
 from flexbearing.quantities.reductions import loaded_arc, loaded_rollers
-from flexbearing.report import convergence, deviations, polar_loads, summary, text, write_figures
+from flexbearing.report import convergence, deviations, polar_loads, text, write_figures
 from flexbearing.results import Result
 
 ROLLERS, SLICES = 30, 4
@@ -165,7 +165,7 @@ def test_a_roller_is_loaded_above_a_share_of_the_largest_load(size):
 
 
 def test_summary_states_the_numbers_in_the_units_of_their_names():
-    numbers = summary(result())
+    numbers = result().summary()
     flexible = numbers["flexible"]
     assert numbers["status"] == "converged"
     assert numbers["iterations"] == 5
@@ -186,7 +186,7 @@ def test_summary_states_the_numbers_in_the_units_of_their_names():
 
 
 def test_losses_are_told_by_cause_and_add_up():
-    flexible = summary(result())["flexible"]
+    flexible = result().summary()["flexible"]
     assert flexible["power_loss_W"] == {**LOSSES, "total": 77.0}
     assert flexible["driving_power_W"] == 77.0
     page = text(result())
@@ -196,13 +196,13 @@ def test_losses_are_told_by_cause_and_add_up():
 
 
 def test_largest_pocket_force_counts_either_way():
-    assert summary(result())["flexible"]["max_pocket_force_N"] == 12.5
+    assert result().summary()["flexible"]["max_pocket_force_N"] == 12.5
     assert row(text(result()), "largest pocket force [N]") == ["12.50", "12.50", "+0.0"]
 
 
 def test_displacements_are_told_along_and_across_the_load():
     turned = block() | {"load_direction": np.array(np.pi / 2), "ring_displacement": np.array([60e-6, 1e-6])}
-    flexible = summary(result(flexible=turned))["flexible"]
+    flexible = result(flexible=turned).summary()["flexible"]
     assert flexible["displacement_along_load_um"] == pytest.approx(60.0, rel=1e-12)
     assert flexible["displacement_across_load_um"] == pytest.approx(-1.0, rel=1e-12)
     assert row(text(result(flexible=turned)), "ring displacement along load [um]") == [
@@ -213,7 +213,7 @@ def test_displacements_are_told_along_and_across_the_load():
 
 
 def test_stiffness_and_compliance_are_told_and_nothing_infinite_is_a_number():
-    flexible = summary(result())["flexible"]
+    flexible = result().summary()["flexible"]
     assert flexible["stiffness_matrix_SI"][2][2] == 7e8
     assert flexible["compliance_matrix_SI"][0][0] is None
     page = text(result())
@@ -228,7 +228,7 @@ def test_film_ratios_are_those_of_loaded_contacts():
     ratios = {"inner_film_ratio": inner, "outer_film_ratio": outer}
     words = {"flexible": {"inner": "mixed", "outer": "full film"}}
     run = result(flexible=block() | ratios, attributes={"regimes": words})
-    numbers = summary(run)
+    numbers = run.summary()
     assert numbers["flexible"]["minimum_lambda"] == {"inner": 1.2, "outer": 3.5}
     assert numbers["flexible"]["lambda_ratios"]["inner"] == list(inner)
     assert numbers["rigid"]["minimum_lambda"] is None
@@ -273,30 +273,30 @@ def test_every_life_factor_is_told_with_its_note():
     assert row(page, "x a_1") == ["0.25", "0.25", "reliability", "0.99"]
     assert "rigid: smallest film ratio 1.5" in page
     assert "flexible: smallest film ratio" in page  # where its number is wrapped to
-    assert summary(result(**modified))["flexible"]["modified_life_Mrev"] == pytest.approx(1250.0, rel=1e-12)
+    assert result(**modified).summary()["flexible"]["modified_life_Mrev"] == pytest.approx(1250.0, rel=1e-12)
 
 
 def test_largest_deviation_is_given_at_mid_roller_and_at_the_roller_ends_apart():
-    flexible = summary(result())["flexible"]
+    flexible = result().summary()["flexible"]
     assert flexible["mid_roller_deviation_um"] == pytest.approx(14.0, rel=1e-12)
     assert flexible["roller_end_deviation_um"] == pytest.approx(14.0 * 1.4, rel=1e-12)  # tilted, 2 mm away
 
 
 def test_largest_deviation_is_taken_over_both_raceways():
     inward = block() | {"inner_deviation": np.full((ROLLERS, SLICES), -20e-6)}
-    flexible = summary(result(flexible=inward))["flexible"]
+    flexible = result(flexible=inward).summary()["flexible"]
     assert flexible["mid_roller_deviation_um"] == pytest.approx(20.0, rel=1e-12)
     assert flexible["roller_end_deviation_um"] == pytest.approx(20.0, rel=1e-12)
 
 
 @EVERY_ENDING
 def test_summary_is_strict_json(run):
-    numbers = summary(run())
+    numbers = run().summary()
     assert json.loads(json.dumps(numbers, allow_nan=False)) == numbers
 
 
 def test_numbers_that_are_not_finite_are_missing_instead_of_wrong():
-    flexible = summary(diverged())["flexible"]
+    flexible = diverged().summary()["flexible"]
     for name in ("max_roller_load_N", "loaded_rollers", "loaded_arc_deg", "life_L10_Mrev"):
         assert flexible[name] is None
     assert flexible["roller_loads_N"] == [None] * ROLLERS
@@ -308,7 +308,7 @@ def test_numbers_that_are_nowhere_finite_keep_their_row():
 
 
 def test_blocks_that_were_never_solved_are_none():
-    numbers = summary(unsolved())
+    numbers = unsolved().summary()
     assert numbers["rigid"] is None
     assert numbers["flexible"] is None
 

@@ -9,7 +9,7 @@ import h5py
 import numpy as np
 import pytest
 
-from flexbearing import read_result as read
+from flexbearing import read
 from flexbearing.families import FAMILIES
 from flexbearing.files import BadOutput, NotStored
 from flexbearing.files.whole import host
@@ -460,7 +460,7 @@ def test_iterations_come_without_gaps(path):
 def test_a_block_is_written_once(path):
     with ResultFile(path, BEGINNING, ROLLERS) as file:
         file.block("rigid", values("block"))
-        with pytest.raises(NotInLayout, match="rigid was written before"):
+        with pytest.raises(NotInLayout, match="rigid was added before"):
             file.block("rigid", values("block"))
 
 

@@ -8,7 +8,7 @@ import pytest
 from pytest import approx
 
 import flexbearing
-from flexbearing import read
+from flexbearing.api import read_case
 from flexbearing.build.ring_parts import inner_part
 from flexbearing.build.roller_bearing import bearing
 from flexbearing.case import BadCase
@@ -32,14 +32,14 @@ BEAM = ["inner.kind=rigid", "accuracy.structure=beam", "accuracy.slices=8", "acc
     ids=["moment", "free", "fixed", "misaligned"],
 )
 def test_ring_tilts_freely_where_the_case_says_so(settings, free):
-    assert bearing(read(PAPER, settings)).operation.free_tilt is free
+    assert bearing(read_case(PAPER, settings)).operation.free_tilt is free
 
 
 @pytest.mark.parametrize("direction", [0.0, 30.0], ids=["along z", "aside"])
 def test_a_moment_tilts_the_ring_until_the_rollers_hold_it(tmp_path, direction):
     """The ring moment of the result is the applied one, in the plane of the load."""
     settings = ["operation.moment=30 N m", f"operation.load_direction={direction} deg"]
-    rigid = flexbearing.run(PAPER, tmp_path / "tilted.h5", [*RIGID, *settings]).rigid
+    rigid = flexbearing.run(PAPER, [*RIGID, *settings], output=tmp_path / "tilted.h5").rigid
     plane = np.radians(direction)
     in_plane = np.array([np.cos(plane), np.sin(plane)])
     assert rigid["ring_moment"] == approx(30.0 * in_plane, rel=0, abs=1e-6)
@@ -51,12 +51,12 @@ def test_total_stiffness_is_the_slope_of_load_over_displacement_from_base_to_sha
 
     def run(load):
         settings = [*BEAM, f"operation.radial_load={load} N", "coupling.tolerance=1e-10"]
-        block = flexbearing.run(PAPER, tmp_path / f"{load}.h5", settings).flexible
+        block = flexbearing.run(PAPER, settings, output=tmp_path / f"{load}.h5").flexible
         inner, outer = block["support_translation"]
         direction = np.array([np.sin(block["load_direction"]), np.cos(block["load_direction"])])
         return block, direction @ (block["ring_displacement"] + outer - inner)
 
-    load = read(PAPER).operation.radial_load
+    load = read_case(PAPER).operation.radial_load
     block, _ = run(load)
     (below, low), (above, high) = run(0.999 * load), run(1.001 * load)
     assert block["total_stiffness"] == approx(0.002 * load / (high - low), rel=1e-4)
@@ -74,7 +74,7 @@ def test_the_other_way_to_hold_the_ring_is_shown_and_told_where_it_matters(tmp_p
     """What a run says of the other choice is what a run with that choice computes."""
     runs = {
         settings[-1].rpartition("=")[2]: flexbearing.run(
-            PAPER, tmp_path / "r.h5", [*settings, f"coupling.method={method}"]
+            PAPER, [*settings, f"coupling.method={method}"], output=tmp_path / "r.h5"
         )
         for settings in ([*FLEXIBLE, "operation.tilt=free"], HELD)
     }
@@ -98,13 +98,13 @@ def test_the_other_way_to_hold_the_ring_is_shown_and_told_where_it_matters(tmp_p
 def test_tilt_that_changes_nothing_is_not_told(tmp_path):
     """A ring held all around deflects alike at both roller ends."""
     seat = ["outer.kind=ring", "outer.support=foundation", "outer.foundation_radial=500 N/mm^3"]
-    result = flexbearing.run(PAPER, tmp_path / "r.h5", [*FLEXIBLE, *seat])
+    result = flexbearing.run(PAPER, [*FLEXIBLE, *seat], output=tmp_path / "r.h5")
     assert result.attributes["tilt"]["otherwise"]["inner_ring"] == "fixed"
     assert not [note for note in result.attributes["notes"] if note["code"] == "tilt"]
 
 
 def test_rigid_rings_say_nothing_of_the_other_choice(tmp_path):
-    result = flexbearing.run(PAPER, tmp_path / "r.h5", RIGID)
+    result = flexbearing.run(PAPER, RIGID, output=tmp_path / "r.h5")
     assert result.attributes["tilt"] == {"inner_ring": "free"}
 
 
@@ -112,7 +112,7 @@ NU_RING = ["outer.kind=rigid", "inner.track_width=12 mm", "accuracy.element_orde
 
 
 def test_inner_ring_without_ribs_and_solid_shaft_are_built_as_the_case_says():
-    ring = inner_part(read(PAPER, [*NU_RING, "inner.shaft_thickness=29.8 mm"]))
+    ring = inner_part(read_case(PAPER, [*NU_RING, "inner.shaft_thickness=29.8 mm"]))
     assert ring
     assert (ring.rib_diameter, ring.shaft_bore, ring.track_width) == (None, 0.0, ring.width)
     left_out = re.sub(r"\nshaft_thickness = .*|\nthickness = \"5 mm\".*", "", PAPER.read_text())
@@ -127,8 +127,8 @@ def test_thickness_over_ribs_is_needed_by_a_ring_with_ribs():
 
 def test_nu_ring_on_a_solid_shaft_runs_and_says_that_its_thickness_is_not_used(tmp_path):
     """A bore that a mesh can hold makes hardly a difference; ribs made the ring stiffer."""
-    solid = flexbearing.run(PAPER, tmp_path / "s.h5", [*NU_RING, "inner.shaft_thickness=29.8 mm"])
-    hollow = flexbearing.run(PAPER, tmp_path / "h.h5", [*NU_RING, "inner.shaft_thickness=27 mm"])
+    solid = flexbearing.run(PAPER, [*NU_RING, "inner.shaft_thickness=29.8 mm"], output=tmp_path / "s.h5")
+    hollow = flexbearing.run(PAPER, [*NU_RING, "inner.shaft_thickness=27 mm"], output=tmp_path / "h.h5")
     assert solid.attributes["status"] == hollow.attributes["status"] == "converged"
     assert solid.flexible["inner_load"] == approx(hollow.flexible["inner_load"], rel=0, abs=5.0)
     (note,) = [note for note in solid.attributes["notes"] if note["code"] == "inner-thickness"]

@@ -10,9 +10,9 @@ from pytest import approx
 from scipy.optimize import brentq
 
 import flexbearing
-from flexbearing import read
+from flexbearing.api import read_case
 from flexbearing.case import BadCase
-from flexbearing.report import summary, text
+from flexbearing.report import text
 from flexbearing.runs import roller_position
 from flexbearing.runs.roller_position import load_half_a_pitch_further
 from tests.flexbearing.noted import codes
@@ -47,7 +47,7 @@ POSITIONS = {  # file and settings
 
 
 def run(folder, *settings):
-    return flexbearing.run(CASE, folder / "r.h5", [*QUICK, *settings])
+    return flexbearing.run(CASE, [*QUICK, *settings], output=folder / "r.h5")
 
 
 @pytest.mark.parametrize("structure", STRUCTURES.values(), ids=STRUCTURES.keys())
@@ -57,7 +57,7 @@ def test_every_position_is_a_run_with_its_first_roller_there(structure, tmp_path
     assert passed["status"] == ["converged"] * 2
     for place, azimuth in enumerate(passed["azimuth_deg"]):
         alone = run(tmp_path, *structure, f"bearing.first_roller_azimuth={azimuth!r} deg")
-        numbers = summary(alone)["flexible"]
+        numbers = alone.summary()["flexible"]
         for name in ("max_roller_load_N", "life_L10_Mrev", "driving_torque_Nm", "stiffness_N_per_m"):
             assert passed["values"][name][place] == approx(numbers[name], rel=1e-5)
         inner, outer = (passed["values"][f"peak_pressure_MPa.{race}"][place] for race in ("inner", "outer"))
@@ -79,7 +79,7 @@ def test_range_over_a_pitch_is_in_the_summary_and_noted(tmp_path):
     assert f"{loads.max():,.1f}" in printed
     assert "life by equal damage of all positions" in printed
     assert "roller-position" in codes(result)
-    assert summary(result)["passage"]["status"] == ["converged"] * 4
+    assert result.summary()["passage"]["status"] == ["converged"] * 4
 
 
 def test_positions_are_solved_in_fewer_steps_than_a_cold_start(tmp_path, monkeypatch):
@@ -129,7 +129,7 @@ def test_one_position_alone_has_no_passage(tmp_path):
 @pytest.mark.parametrize(("file", "settings"), POSITIONS.values(), ids=POSITIONS.keys())
 def test_half_a_pitch_is_foreseen_from_the_loads_of_one_position(file, settings, tmp_path):
     case = [*QUICK, *settings, "operation.roller_positions=2"]
-    result = flexbearing.run(file, tmp_path / "r.h5", case)
+    result = flexbearing.run(file, case, output=tmp_path / "r.h5")
     loads, azimuths = result.flexible["inner_load"], result.flexible["roller_azimuth"]
     foreseen = load_half_a_pitch_further(azimuths, loads, 0.0)
     _, moved = result.attributes["passage"]["values"]["max_roller_load_N"]
@@ -158,16 +158,16 @@ def test_half_a_pitch_between_rigid_rings_is_foreseen_from_the_loads(rollers, ga
 def test_roller_under_a_bar_or_between_two_is_told(tmp_path):
     """Seven bars: 3054 N under a bar, 2795 N with the rollers half a pitch further."""
     bars = [*QUICK, "outer.bars=7"]
-    alone = flexbearing.run(PAPER, tmp_path / "r.h5", bars)
+    alone = flexbearing.run(PAPER, bars, output=tmp_path / "r.h5")
     (note,) = [note["text"] for note in alone.attributes["notes"] if note["code"] == "roller-position"]
     assert "half a pitch further the largest inner load is" in note
     assert "operation.roller_positions" in note
     assert note in text(alone).replace("\n  ", " ")
-    passed = flexbearing.run(PAPER, tmp_path / "p.h5", [*bars, "operation.roller_positions=2"])
+    passed = flexbearing.run(PAPER, [*bars, "operation.roller_positions=2"], output=tmp_path / "p.h5")
     under, between = passed.attributes["passage"]["values"]["max_roller_load_N"]
     assert under > 1.07 * between
     assert f"{between:,.4g} N instead of {under:,.4g} N" in note
-    assert "roller-position" not in codes(flexbearing.run(PAPER, tmp_path / "m.h5", QUICK))
+    assert "roller-position" not in codes(flexbearing.run(PAPER, QUICK, output=tmp_path / "m.h5"))
 
 
 def test_rigid_rings_of_few_rollers_are_told_too(tmp_path):
@@ -175,10 +175,10 @@ def test_rigid_rings_of_few_rollers_are_told_too(tmp_path):
     (note,) = [
         note for note in run(tmp_path, *RIGID).attributes["notes"] if note["code"] == "roller-position"
     ]
-    moved = summary(run(tmp_path, *RIGID, f"bearing.first_roller_azimuth={180 / 14!r} deg"))["flexible"]
+    moved = run(tmp_path, *RIGID, f"bearing.first_roller_azimuth={180 / 14!r} deg").summary()["flexible"]
     assert f"load is {moved['max_roller_load_N']:,.4g} N instead of" in note["text"]
     assert f"the life {moved['life_L10_Mrev']:,.3g} Mrev instead of" in note["text"]
-    many = flexbearing.run(PAPER, tmp_path / "m.h5", [*QUICK, *RIGID, "operation.tilt=fixed"])
+    many = flexbearing.run(PAPER, [*QUICK, *RIGID, "operation.tilt=fixed"], output=tmp_path / "m.h5")
     assert "roller-position" not in codes(many)
 
 
@@ -188,7 +188,7 @@ def test_cage_with_a_bar_at_every_roller_is_solved_half_a_pitch_further(monkeypa
     there: Any = SimpleNamespace(loads=1.1 * np.ones((2, 30)), life=0.7)
     monkeypatch.setattr(roller_position, "_half_a_pitch_further", lambda *_: there)
     rings: Any = SimpleNamespace(solved_in_full=False)
-    (note,) = roller_position.notes(read(PAPER, ["outer.bars=30"]), None, rings, state)  # pyright: ignore
+    (note,) = roller_position.notes(read_case(PAPER, ["outer.bars=30"]), None, rings, state)  # pyright: ignore
     assert "1.1 N instead of 1 N (+10.0%), the life 0.7 Mrev instead of 1 Mrev" in note.text
 
 
@@ -203,11 +203,11 @@ def test_position_that_cannot_be_solved_is_told_without_a_number(settings, monke
     state: Any = SimpleNamespace(loads=loads, life=1.0, balance=balance)
     rings: Any = SimpleNamespace(solved_in_full=False)
     monkeypatch.setattr(roller_position, "_half_a_pitch_further", lambda *_: None)
-    (note,) = roller_position.notes(read(CASE, settings), None, rings, state)  # pyright: ignore
+    (note,) = roller_position.notes(read_case(CASE, settings), None, rings, state)  # pyright: ignore
     assert "is not solved here" in note.text
 
 
 @pytest.mark.parametrize("count", ["0", "1", "1001"])
 def test_positions_are_two_or_more(count):
     with pytest.raises(BadCase, match="roller_positions"):
-        read(CASE, [f"operation.roller_positions={count}"])
+        read_case(CASE, [f"operation.roller_positions={count}"])

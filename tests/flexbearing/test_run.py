@@ -15,7 +15,6 @@ from pytest import approx
 
 import flexbearing
 from flexbearing.progress import Logged, line
-from flexbearing.report import summary
 from flexbearing.rings.raceways import CondensedRaceway
 
 ROOT = Path(__file__).parents[2]
@@ -27,12 +26,12 @@ COARSE = ["accuracy.element_order=2"]
 
 @pytest.fixture(scope="module")
 def rigid(tmp_path_factory):
-    return flexbearing.run(PAPER, tmp_path_factory.mktemp("run") / "rigid.h5", RIGID)
+    return flexbearing.run(PAPER, RIGID, output=tmp_path_factory.mktemp("run") / "rigid.h5")
 
 
 @pytest.fixture(scope="module")
 def flexible(tmp_path_factory):
-    return flexbearing.run(PAPER, tmp_path_factory.mktemp("run") / "flexible.h5", COARSE)
+    return flexbearing.run(PAPER, COARSE, output=tmp_path_factory.mktemp("run") / "flexible.h5")
 
 
 def command(*words):
@@ -48,7 +47,7 @@ def test_rigid_parts_are_not_computed(rigid):
 
 
 def test_result_names_settings_and_what_the_case_assumes_or_fits(rigid):
-    case = flexbearing.read(PAPER, RIGID)
+    case = flexbearing.api.read_case(PAPER, RIGID)
     assert rigid.attributes["case_overrides"] == tuple(RIGID)
     assert rigid.attributes["assumed"] == tuple(case.assumed) != ()
     assert rigid.attributes["calibrated"] == dict(case.calibrated) != {}
@@ -57,7 +56,7 @@ def test_result_names_settings_and_what_the_case_assumes_or_fits(rigid):
 def test_rigid_run_never_loads_the_finite_elements():
     code = (
         "import sys, flexbearing, tempfile; "
-        f"flexbearing.run({str(PAPER)!r}, tempfile.mkdtemp() + '/out.h5', {RIGID!r}); "
+        f"flexbearing.run({str(PAPER)!r}, {RIGID!r}, output=tempfile.mkdtemp() + '/out.h5'); "
         "print('ngsolve' in sys.modules)"
     )
     found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=ROOT)
@@ -66,14 +65,14 @@ def test_rigid_run_never_loads_the_finite_elements():
 
 @pytest.mark.parametrize(("part", "other"), [("outer", "inner"), ("inner", "outer")])
 def test_only_the_part_that_is_flexible_is_meshed(part, other, tmp_path):
-    result = flexbearing.run(PAPER, tmp_path / "out.h5", [f"{other}.kind=rigid", *COARSE])
+    result = flexbearing.run(PAPER, [f"{other}.kind=rigid", *COARSE], output=tmp_path / "out.h5")
     assert set(result.attributes["structure"]) == {part}
     assert np.abs(result.flexible[f"{other}_deviation"]).max() == 0.0
     assert np.abs(result.flexible[f"{part}_deviation"]).max() > 1e-6
 
 
 def test_flexible_rings_spread_the_load(flexible):
-    numbers = summary(flexible)
+    numbers = flexible.summary()
     rigid, flex = numbers["rigid"], numbers["flexible"]
     assert numbers["status"] == "converged"
     assert numbers["iterations"] <= 12
@@ -91,7 +90,7 @@ def test_alternation_and_newton_end_at_the_same_loads(flexible, tmp_path):
             f"coupling.method={method}",
             "coupling.fallback=false",
         ]
-        other = flexbearing.run(PAPER, tmp_path / "other.h5", settings)
+        other = flexbearing.run(PAPER, settings, output=tmp_path / "other.h5")
         assert other.attributes["status"] == "converged"
         largest = flexible.flexible["inner_load"].max()
         assert other.flexible["inner_load"] == approx(flexible.flexible["inner_load"], abs=1e-7 * largest)
@@ -99,7 +98,7 @@ def test_alternation_and_newton_end_at_the_same_loads(flexible, tmp_path):
 
 def test_method_that_fails_hands_over_to_one_that_can(flexible, tmp_path):
     settings = [*COARSE, "coupling.method=relaxed", "coupling.relaxation=0.5"]
-    result = flexbearing.run(PAPER, tmp_path / "out.h5", settings)
+    result = flexbearing.run(PAPER, settings, output=tmp_path / "out.h5")
     assert list(result.attributes["attempts"]) == ["relaxed", "newton"]
     first, second = result.attributes["attempts"].values()
     assert first["status"] in ("diverging", "not solved")
@@ -110,7 +109,7 @@ def test_method_that_fails_hands_over_to_one_that_can(flexible, tmp_path):
 
 def test_method_that_fails_is_the_last_without_a_fallback(tmp_path):
     settings = [*COARSE, CAGE_ONLY, "coupling.method=relaxed", "coupling.fallback=false"]
-    result = flexbearing.run(PAPER, tmp_path / "out.h5", [*settings, "coupling.max_iterations=1"])
+    result = flexbearing.run(PAPER, [*settings, "coupling.max_iterations=1"], output=tmp_path / "out.h5")
     assert list(result.attributes["attempts"]) == ["relaxed"]
     assert result.attributes["status"] == "iteration limit"
 
@@ -126,8 +125,8 @@ def test_rings_as_stiff_as_rock_are_rigid_ones(rigid, tmp_path):
     for modulus in ("203e6 GPa", "2030e6 GPa"):
         rings = [f"materials.{part}.youngs_modulus={modulus}" for part in ("outer_ring", "inner_ring")]
         shaft = f"materials.shaft.youngs_modulus={modulus}"
-        stiff_rigid_contact = flexbearing.run(PAPER, tmp_path / "rigid.h5", [*RIGID, *rings])
-        stiff = flexbearing.run(PAPER, tmp_path / "stiff.h5", [*COARSE, *rings, shaft, *alike])
+        stiff_rigid_contact = flexbearing.run(PAPER, [*RIGID, *rings], output=tmp_path / "rigid.h5")
+        stiff = flexbearing.run(PAPER, [*COARSE, *rings, shaft, *alike], output=tmp_path / "stiff.h5")
         gaps.append(np.abs(stiff.flexible["inner_load"] - stiff_rigid_contact.rigid["inner_load"]).max())
     assert gaps[0] < 1.0  # [N]
     assert gaps[1] == approx(gaps[0] / 10, rel=0.02)
@@ -138,7 +137,7 @@ def test_largest_load_hardly_changes_with_the_mesh(tmp_path):
     """One level of refinement moves the flexible maximum of the paper's bearing by less than 0.1 %."""
     levels = ([], ["accuracy.mesh_size=2 mm"], ["accuracy.element_order=4"], ["accuracy.axial_shapes=4"])
     loads = [
-        flexbearing.run(PAPER, tmp_path / "out.h5", settings).flexible["inner_load"].max()
+        flexbearing.run(PAPER, settings, output=tmp_path / "out.h5").flexible["inner_load"].max()
         for settings in levels
     ]
     assert loads[1:] == approx([loads[0]] * 3, rel=1e-3)
@@ -152,7 +151,7 @@ def test_full_solids_carry_the_load_alike(tmp_path):
         "accuracy.raceway_mesh_size=1.7 mm",
     ]  # fmt: skip
     loads = [
-        flexbearing.run(PAPER, tmp_path / "out.h5", settings).flexible["inner_load"].max()
+        flexbearing.run(PAPER, settings, output=tmp_path / "out.h5").flexible["inner_load"].max()
         for settings in ([], solid)
     ]
     assert loads[1] == approx(loads[0], rel=3e-3)
@@ -192,7 +191,7 @@ def test_rings_of_the_end_state_are_those_under_its_loads(tmp_path, monkeypatch)
 
     monkeypatch.setattr(CondensedRaceway, "linearised", linearised)
     settings = ["inner.kind=rigid", "outer.kind=ring", "accuracy.structure=beam", "accuracy.slices=8"]
-    result = flexbearing.run(PAPER, tmp_path / "out.h5", settings)
+    result = flexbearing.run(PAPER, settings, output=tmp_path / "out.h5")
     assert asked[-1][:, 0] == approx(result.flexible["outer_load"], rel=1e-12)
     assert asked[-1][:, 0] != approx(result.rigid["outer_load"], rel=1e-3)
 
@@ -200,7 +199,7 @@ def test_rings_of_the_end_state_are_those_under_its_loads(tmp_path, monkeypatch)
 def test_time_of_an_iteration_is_its_own(tmp_path, monkeypatch):
     monkeypatch.setattr("flexbearing.coupled.coupled.perf_counter", count().__next__)
     settings = ["inner.kind=rigid", "outer.kind=ring", "accuracy.structure=beam", "accuracy.slices=8"]
-    result = flexbearing.run(PAPER, tmp_path / "out.h5", settings)
+    result = flexbearing.run(PAPER, settings, output=tmp_path / "out.h5")
     assert len(result.iterations) > 2
     assert (result.history("seconds") == 1.0).all()  # the clock is looked at twice in each
 
@@ -208,7 +207,7 @@ def test_time_of_an_iteration_is_its_own(tmp_path, monkeypatch):
 def test_film_ratio_of_each_raceway_is_over_its_own_roughness(tmp_path):
     rough = {"roller": "0.1 um", "inner_raceway": "0.05 um", "outer_raceway": "0.4 um"}
     settings = {f"bearing.roughness.{surface}": value for surface, value in rough.items()}
-    result = flexbearing.run(PAPER.with_name("nu209.toml"), tmp_path / "out.h5", settings)
+    result = flexbearing.run(PAPER.with_name("nu209.toml"), settings, output=tmp_path / "out.h5")
     for race, raceway in (("inner", 0.05e-6), ("outer", 0.4e-6)):
         ratio = result.rigid[f"{race}_film"] / np.hypot(0.1e-6, raceway)
         assert result.rigid[f"{race}_film_ratio"] == approx(ratio, rel=1e-12)
@@ -216,7 +215,9 @@ def test_film_ratio_of_each_raceway_is_over_its_own_roughness(tmp_path):
 
 
 def test_limit_of_iterations_is_not_convergence(tmp_path):
-    result = flexbearing.run(PAPER, tmp_path / "out.h5", [*COARSE, CAGE_ONLY, "coupling.max_iterations=2"])
+    result = flexbearing.run(
+        PAPER, [*COARSE, CAGE_ONLY, "coupling.max_iterations=2"], output=tmp_path / "out.h5"
+    )
     assert result.attributes["status"] == "iteration limit"
     assert "2 iterations" in result.attributes["message"]
 
@@ -225,7 +226,7 @@ def test_only_a_solution_has_a_modified_life_and_a_regime(tmp_path):
     settings = ["inner.kind=rigid", "outer.kind=ring", "accuracy.structure=beam", "accuracy.slices=8",
                 "life.reliability=0.95", "coupling.max_iterations=1", "coupling.fallback=false"]  # fmt: skip
     settings += [f"bearing.roughness.{name}=0.1 um" for name in ("roller", "inner_raceway", "outer_raceway")]
-    result = flexbearing.run(PAPER, tmp_path / "out.h5", settings)
+    result = flexbearing.run(PAPER, settings, output=tmp_path / "out.h5")
     assert result.attributes["status"] == "iteration limit"
     assert set(result.attributes["life"]) == set(result.attributes["regimes"]) == {"rigid"}
     assert "modified_life" in result.rigid
@@ -256,7 +257,7 @@ def test_line_of_an_iteration_tells_the_largest_load():
 
 def test_progress_is_logged_with_units(tmp_path, caplog):
     with caplog.at_level(logging.INFO, logger="flexbearing"):
-        flexbearing.run(PAPER, tmp_path / "out.h5", [*COARSE, CAGE_ONLY])
+        flexbearing.run(PAPER, [*COARSE, CAGE_ONLY], output=tmp_path / "out.h5")
     lines = [record.getMessage() for record in caplog.records]
     assert any("outer ring: " in line and "unknowns" in line for line in lines)
     assert any("iteration   1: largest load change" in line and " N" in line for line in lines)
@@ -329,7 +330,7 @@ def test_run_that_does_not_converge_ends_with_one_and_a_complete_file(tmp_path):
 
 
 def test_unloaded_bearing_with_clearance_is_reported_not_solved(tmp_path):
-    result = flexbearing.run(PAPER, tmp_path / "out.h5", [*RIGID, "operation.radial_load=0 N"])
+    result = flexbearing.run(PAPER, [*RIGID, "operation.radial_load=0 N"], output=tmp_path / "out.h5")
     assert result.attributes["status"] == "not solved"
     assert "undetermined" in result.attributes["message"]
 

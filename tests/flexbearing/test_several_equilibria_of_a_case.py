@@ -7,7 +7,6 @@ from pytest import approx
 
 import flexbearing
 from flexbearing import __main__ as program
-from flexbearing.report import summary
 from flexbearing.runs.several import SeveralEquilibria
 from tests.bearings import paper_bearing
 from tests.cold_oil import PAPER, RIGID, cold_case, settings
@@ -19,7 +18,7 @@ THICK_RING = ("inner.kind=rigid", "outer.kind=ring", "outer.thickness=15 mm", "a
 def cold(request, tmp_path_factory):
     """Runs that ended half a degree apart in different states: 533 N and 2534 Mrev, 552 N and 2208 Mrev."""
     folder = tmp_path_factory.mktemp("cold")
-    return flexbearing.run(cold_case(folder), folder / "r.h5", [*RIGID, *settings(request.param)])
+    return flexbearing.run(cold_case(folder), [*RIGID, *settings(request.param)], output=folder / "r.h5")
 
 
 def note_on_several(result):
@@ -60,7 +59,7 @@ def test_spread_and_passing_state_stand_in_note_page_and_json(cold, capsys):
         f"{passing['largest_inner_load_N']:.1f} N",
     ):
         assert word in text
-    assert summary(cold)["equilibria"] == cold.attributes["equilibria"]
+    assert cold.summary()["equilibria"] == cold.attributes["equilibria"]
     assert program.command(["summary", str(cold.path), "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["equilibria"]["rigid"]["others"]
     assert program.command(["summary", str(cold.path)]) == 0
@@ -71,7 +70,7 @@ def test_spread_and_passing_state_stand_in_note_page_and_json(cold, capsys):
 
 
 def test_a_bearing_with_thin_films_is_told_nothing(tmp_path):
-    result = flexbearing.run(PAPER, tmp_path / "r.h5", RIGID)
+    result = flexbearing.run(PAPER, RIGID, output=tmp_path / "r.h5")
     assert "equilibria" not in result.attributes
     assert "several equilibria" not in " ".join(note["text"] for note in result.attributes["notes"])
 
@@ -101,7 +100,7 @@ def test_a_danger_is_a_spread_of_the_answer_itself_that_misleads():
 @pytest.mark.slow
 def test_end_state_between_flexible_raceways_is_examined_for_itself(tmp_path):
     """A thick ring keeps several; those between rigid raceways, on the way to it, are no danger then."""
-    result = flexbearing.run(cold_case(tmp_path), tmp_path / "r.h5", [*THICK_RING, *settings(13.0)])
+    result = flexbearing.run(cold_case(tmp_path), [*THICK_RING, *settings(13.0)], output=tmp_path / "r.h5")
     notes = [note for note in result.attributes["notes"] if note["code"] == "several-equilibria"]
     assert len(notes) == 2
     dangers = [note["text"] for note in notes if note["grade"] == "danger"]

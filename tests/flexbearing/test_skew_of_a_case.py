@@ -8,10 +8,10 @@ import pytest
 from pytest import approx
 
 import flexbearing
-from flexbearing import read
+from flexbearing.api import read_case
 from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase
-from flexbearing.report import summary, text
+from flexbearing.report import text
 from flexbearing.runs import skew
 
 PLAIN = Path(__file__).parents[2] / "configs" / "nu209.toml"
@@ -33,7 +33,7 @@ def settings(values):
 @pytest.fixture(scope="module")
 def run(tmp_path_factory):
     path = tmp_path_factory.mktemp("run") / "skew.h5"
-    return flexbearing.run(PLAIN, path, settings(FLANGE | TILTED))
+    return flexbearing.run(PLAIN, settings(FLANGE | TILTED), output=path)
 
 
 def test_rollers_of_a_tilted_ring_skew(run):
@@ -51,7 +51,7 @@ def test_rollers_of_a_tilted_ring_skew(run):
 
 
 def test_summary_and_page_tell_of_the_skew(run):
-    numbers = json.loads(json.dumps(summary(run)))["rigid"]["skew"]
+    numbers = json.loads(json.dumps(run.summary()))["rigid"]["skew"]
     assert numbers["max_skew_mrad"] == approx(1e3 * np.abs(run.rigid["roller_skew"]).max(), rel=1e-12)
     assert len(numbers["flange_forces_N"]) == 2
     assert numbers["rollers_on_both_flanges"] >= 1
@@ -61,7 +61,7 @@ def test_summary_and_page_tell_of_the_skew(run):
 
 
 def test_aligned_rollers_do_not_skew():
-    case = read(PLAIN, FLANGE)
+    case = read_case(PLAIN, FLANGE)
     found = skew.at(case, roller_bearing.bearing(case).solve())
     assert found is not None
     assert np.all(found.angle == 0.0)
@@ -73,7 +73,7 @@ def test_flanges_turn_with_their_own_ring_past_the_cage(ring, monkeypatch):
     seen = []
     monkeypatch.setattr(skew, "skewed", lambda running, *_: seen.append(running))
     speeds = {"operation.inner_speed": "3000 rpm", "operation.outer_speed": "-1000 rpm"}
-    case = read(PLAIN, FLANGE | TILTED | speeds | {"bearing.flange.ring": ring})
+    case = read_case(PLAIN, FLANGE | TILTED | speeds | {"bearing.flange.ring": ring})
     state = roller_bearing.bearing(case).solve()
     turns = {"inner": 100 * np.pi, "outer": -100 / 3 * np.pi}
     skew.at(case, state)
@@ -83,14 +83,14 @@ def test_flanges_turn_with_their_own_ring_past_the_cage(ring, monkeypatch):
 
 
 def test_case_without_flanges_has_no_skew(tmp_path):
-    result = flexbearing.run(PLAIN, tmp_path / "plain.h5")
+    result = flexbearing.run(PLAIN, output=tmp_path / "plain.h5")
     assert "roller_skew" not in result.rigid
-    assert summary(result)["rigid"]["skew"] is None
+    assert result.summary()["rigid"]["skew"] is None
     assert "skew" not in text(result)
 
 
 def test_what_the_equilibrium_does_not_know_is_noted():
-    case = read(
+    case = read_case(
         PLAIN, FLANGE | TILTED | {"bearing.flange.friction": 1.0, "operation.misalignment": "6 arcmin"}
     )
     state = roller_bearing.bearing(case).solve()
@@ -115,7 +115,7 @@ def test_what_the_equilibrium_does_not_know_is_noted():
 )
 def test_flange_that_cannot_be_is_refused(change, words):
     with pytest.raises(BadCase, match=words):
-        read(PLAIN, FLANGE | change)
+        read_case(PLAIN, FLANGE | change)
 
 
 def test_heat_makes_the_flange_grow_but_not_its_clearance():
@@ -123,7 +123,7 @@ def test_heat_makes_the_flange_grow_but_not_its_clearance():
         f"operation.temperatures.{part}": "120 degC"
         for part in ("shaft", "inner_ring", "roller", "outer_ring")
     }
-    case = read(PLAIN, FLANGE | hot | {"operation.temperatures.reference": "20 degC"})
+    case = read_case(PLAIN, FLANGE | hot | {"operation.temperatures.reference": "20 degC"})
     flange = roller_bearing.flange(case)
     assert flange is not None
     assert flange.height == approx(2e-3 * (1 + 11.5e-4), rel=1e-12)

@@ -30,7 +30,7 @@ def shell(line, cwd, **environment):
 @pytest.fixture(scope="module")
 def result(tmp_path_factory):
     path = tmp_path_factory.mktemp("run") / "r.h5"
-    flexbearing.run(PAPER, path, ["outer.kind=rigid", "inner.kind=rigid"])
+    flexbearing.run(PAPER, ["outer.kind=rigid", "inner.kind=rigid"], output=path)
     return path
 
 
@@ -61,7 +61,7 @@ def test_run_that_converged_ends_with_zero_whatever_its_streams(streams, tmp_pat
     code, said, complained = shell(f"flexbearing run {PAPER} {RIGID} -o r.h5 {streams}", tmp_path)
     assert (code, complained) == (0, STREAMS[streams])
     assert "Traceback" not in said
-    assert flexbearing.read_result(tmp_path / "r.h5").attributes["status"] == "converged"
+    assert flexbearing.read(tmp_path / "r.h5").attributes["status"] == "converged"
     assert [path.name for path in tmp_path.iterdir()] == ["r.h5"]
 
 

@@ -10,7 +10,7 @@ import pytest
 from pytest import approx
 
 import flexbearing
-from flexbearing import read
+from flexbearing.api import read_case
 from flexbearing.build import clearance, ring_parts
 from flexbearing.case import BadCase
 from flexbearing.case.read import understood
@@ -62,7 +62,7 @@ def with_support(name):
 
 @pytest.mark.parametrize("name", SUPPORTS)
 def test_every_support_is_computed(name, tmp_path):
-    result = flexbearing.run(PAPER, tmp_path / "r.h5", with_support(name))
+    result = flexbearing.run(PAPER, with_support(name), output=tmp_path / "r.h5")
     assert result.attributes["status"] == "converged"
     assert np.abs(result.flexible["outer_deviation"]).max() > 1e-7
     carried = result.flexible["inner_load"] @ np.cos(result.flexible["roller_azimuth"])
@@ -71,7 +71,7 @@ def test_every_support_is_computed(name, tmp_path):
 
 def test_tooth_forces_bend_a_planet_before_rollers_do(tmp_path):
     """The rim ovalises: it opens between the teeth, which spreads the load over more rollers."""
-    result = flexbearing.run(PAPER, tmp_path / "r.h5", with_support("planet"))
+    result = flexbearing.run(PAPER, with_support("planet"), output=tmp_path / "r.h5")
     assert (result.flexible["inner_load"] > 1).sum() > (result.rigid["inner_load"] > 1).sum()
     assert result.attributes["structure"]["outer"]["support_stiffness_N_per_m"] is None
 
@@ -79,7 +79,7 @@ def test_tooth_forces_bend_a_planet_before_rollers_do(tmp_path):
 def test_teeth_act_at_the_pitch_circle_or_the_result_says_that_they_do_not(tmp_path):
     """At 60 mm, 18.9 mm outside of the rim, their couples open the load zone further."""
     on_rim, at_pitch = (
-        flexbearing.run(PAPER, tmp_path / f"{len(radius)}.h5", [*with_support("planet"), *radius])
+        flexbearing.run(PAPER, [*with_support("planet"), *radius], output=tmp_path / f"{len(radius)}.h5")
         for radius in ([], ["outer.tooth_radius=60 mm"])
     )
     assert "tooth-forces-at-rim" in codes(on_rim)
@@ -90,7 +90,7 @@ def test_teeth_act_at_the_pitch_circle_or_the_result_says_that_they_do_not(tmp_p
 
 def test_pitch_circle_inside_of_the_rim_is_refused():
     with pytest.raises(BadCase, match=r"tooth_radius .*at least 41.1 mm"):
-        read(PAPER, [*with_support("planet"), "outer.tooth_radius=40 mm"])
+        read_case(PAPER, [*with_support("planet"), "outer.tooth_radius=40 mm"])
 
 
 @pytest.mark.parametrize(
@@ -98,9 +98,9 @@ def test_pitch_circle_inside_of_the_rim_is_refused():
 )
 def test_outer_ring_that_is_clamped_cannot_turn(file, told):
     with pytest.raises(BadCase, match=f"outer_speed .*{told}"):
-        read(PAPER.with_name(f"{file}.toml"), ["operation.outer_speed=100 rpm"])
+        read_case(PAPER.with_name(f"{file}.toml"), ["operation.outer_speed=100 rpm"])
     turning = ["outer.kind=ring", "outer.support=seat", "outer.thickness=3 mm", "outer.width=10 mm"]
-    assert read(PAPER, [*turning, "operation.outer_speed=100 rpm"]).operation.outer_speed > 0
+    assert read_case(PAPER, [*turning, "operation.outer_speed=100 rpm"]).operation.outer_speed > 0
 
 
 @pytest.mark.parametrize(
@@ -117,17 +117,19 @@ def test_outer_ring_that_is_clamped_cannot_turn(file, told):
 )
 def test_supports_that_hold_nothing_are_refused(settings, told):
     with pytest.raises(BadCase, match=told):
-        read(PAPER, [*RING, *settings])
+        read_case(PAPER, [*RING, *settings])
 
 
 def test_ring_that_can_roll_between_two_lines_is_refused_before_it_is_solved(tmp_path):
     lines = ["outer.support=lines", 'outer.line_azimuths=["0 deg", "180 deg"]']
     with pytest.raises(BadCase, match="can still move along"):
-        flexbearing.run(PAPER, tmp_path / "r.h5", [*RING, *lines])
+        flexbearing.run(PAPER, [*RING, *lines], output=tmp_path / "r.h5")
 
 
 def test_ring_with_clearance_in_its_housing_touches_it_below_the_load(tmp_path):
-    result = flexbearing.run(PAPER, tmp_path / "r.h5", [*HOUSED, "bearing.fits.housing.interference=-60 um"])
+    result = flexbearing.run(
+        PAPER, [*HOUSED, "bearing.fits.housing.interference=-60 um"], output=tmp_path / "r.h5"
+    )
     assert result.attributes["status"] == "converged"
     told = result.attributes["structure"]["outer"]["housing"]
     assert 60 < told["touching_angle_deg"] < 120
@@ -149,18 +151,18 @@ def test_ring_with_clearance_in_its_housing_touches_it_below_the_load(tmp_path):
 )
 def test_ring_that_no_load_holds_in_its_housing_is_refused(settings, told, tmp_path):
     with pytest.raises(BadCase, match=told):
-        flexbearing.run(PAPER, tmp_path / "r.h5", [*HOUSED, *settings])
+        flexbearing.run(PAPER, [*HOUSED, *settings], output=tmp_path / "r.h5")
 
 
 def test_a_fit_in_the_housing_is_given_once():
     both = ["outer.housing_clearance=10 um", "bearing.fits.housing.interference=-60 um"]
     with pytest.raises(BadCase, match=r"housing_clearance = .10 um. cannot be; .* with the opposite sign"):
-        read(PAPER, [*HOUSED, *both])
+        read_case(PAPER, [*HOUSED, *both])
 
 
 def test_clearance_is_a_negative_interference():
     ways = ["outer.housing_clearance=60 um", "bearing.fits.housing.interference=-60 um"]
-    one, other = (ring_parts.housing_interference(read(PAPER, [*HOUSED, way])) for way in ways)
+    one, other = (ring_parts.housing_interference(read_case(PAPER, [*HOUSED, way])) for way in ways)
     assert one == other == approx(-60e-6, rel=1e-12)
 
 
@@ -170,7 +172,7 @@ def test_clearance_needs_the_temperature_of_the_housing():
         "bearing.fits.housing.interference=-60 um",
     ]
     with pytest.raises(BadCase, match=r"housing is missing: \[bearing.fits.housing\] needs it"):
-        read(PAPER, settings)
+        read_case(PAPER, settings)
 
 
 def along(part, *temperatures):
@@ -198,7 +200,7 @@ def test_figures_of_a_shaft_fit_hold_each_number_under_its_name():
 
 
 def test_temperatures_along_the_axis_are_free_expansions_beyond_the_middle():
-    case = read(PAPER, [*FITTED, *along("shaft", 210, 250)])
+    case = read_case(PAPER, [*FITTED, *along("shaft", 210, 250)])
     ((name, growth),) = expansions_along(case, ring="inner_ring", shaft="shaft").items()
     assert name == "shaft"
     assert growth.values == approx((-13.8e-6 * 20, 13.8e-6 * 20), rel=1e-9)
@@ -209,7 +211,7 @@ AZIMUTHS = 2 * np.pi * np.arange(30) / 30
 
 
 def inner_in_fit(*settings):
-    case = read(PAPER, [*FITTED, *settings])
+    case = read_case(PAPER, [*FITTED, *settings])
     mesh = mesh_size(case, (3, 1.2, 0.3))
     return inner_ring_in_fit(case, ring_parts.inner_part(case), AZIMUTHS, mesh)
 
@@ -263,7 +265,7 @@ def test_each_body_of_a_housing_fit_has_its_own_density():
     gaps = []
     housing = [f"materials.housing.{name}={value}" for name, value in HOUSING_STEEL.items()]
     for heavier in ([], ["materials.outer_ring.density=16 g/cm^3"], ["materials.housing.density=16 g/cm^3"]):
-        case = read(
+        case = read_case(
             PAPER, [*HOUSED, "bearing.fits.housing.interference=-60 um", *TURNING, *housing, *heavier]
         )
         mesh = mesh_size(case, (3, 1.2, 0.3))
@@ -284,28 +286,30 @@ def test_each_body_of_a_housing_fit_has_its_own_density():
 )
 def test_temperatures_along_the_axis_that_nothing_follows_are_refused(settings, told):
     with pytest.raises(BadCase, match=told):
-        read(PAPER, settings)
+        read_case(PAPER, settings)
 
 
 def test_temperatures_that_end_inside_the_shaft_are_refused(tmp_path):
     short = ['operation.temperatures.shaft_along.at=["-10 mm", "10 mm"]', along("shaft", 225, 235)[1]]
     with pytest.raises(BadCase, match="covers the body"):
-        flexbearing.run(PAPER, tmp_path / "r.h5", [*FITTED, *short])
+        flexbearing.run(PAPER, [*FITTED, *short], output=tmp_path / "r.h5")
 
 
 @pytest.mark.slow
 def test_inner_ring_in_its_fit_deflects_more_than_a_bonded_one(tmp_path):
     loads = {}
     for fit in ("bonded", "friction", "frictionless"):
-        result = flexbearing.run(PAPER, tmp_path / f"{fit}.h5", ["outer.kind=rigid", f"inner.fit={fit}"])
+        result = flexbearing.run(
+            PAPER, ["outer.kind=rigid", f"inner.fit={fit}"], output=tmp_path / f"{fit}.h5"
+        )
         assert result.attributes["status"] == "converged"
         loads[fit] = result.flexible
     stiffness = {fit: float(block["total_stiffness"]) for fit, block in loads.items()}
     assert stiffness["bonded"] > stiffness["friction"] > stiffness["frictionless"]
     stuck = flexbearing.run(
-        PAPER, tmp_path / "stuck.h5",
-        ["outer.kind=rigid", "inner.fit=friction", "inner.fit_friction=10",
+        PAPER, ["outer.kind=rigid", "inner.fit=friction", "inner.fit_friction=10",
          "bearing.fits.shaft_interference=40 um"],
+        output=tmp_path / "stuck.h5",
     )  # fmt: skip
     assert stuck.flexible["total_stiffness"] == approx(stiffness["bonded"], rel=0.02)
     told = stuck.attributes["structure"]["inner"]["fit"]
@@ -319,8 +323,8 @@ COLD_SEAT = ["operation.temperatures.outer_seat=168 degC"]  # 50 K below the rin
 @pytest.mark.slow
 def test_cold_flange_seat_cones_the_raceway_and_takes_an_eighth_of_the_life(tmp_path):
     held = ["operation.tilt=fixed"]
-    usual = flexbearing.run(PAPER, tmp_path / "usual.h5", held).flexible
-    cold = flexbearing.run(PAPER, tmp_path / "cold.h5", [*held, *COLD_SEAT]).flexible
+    usual = flexbearing.run(PAPER, held, output=tmp_path / "usual.h5").flexible
+    cold = flexbearing.run(PAPER, [*held, *COLD_SEAT], output=tmp_path / "cold.h5").flexible
     assert cold["life_L10"] / usual["life_L10"] == approx(0.878, abs=0.01)
     away = np.argmin(cold["inner_load"])  # where no load bends the ring
     coned = (cold["outer_deviation"] - usual["outer_deviation"])[away]
@@ -330,9 +334,9 @@ def test_cold_flange_seat_cones_the_raceway_and_takes_an_eighth_of_the_life(tmp_
 def test_seat_as_warm_as_the_ring_changes_nothing(tmp_path):
     beam = ["accuracy.structure=beam", "inner.kind=rigid", "outer.kind=ring", "accuracy.slices=8"]
     seats = ["218 degC", "168 degC"]
-    plain = flexbearing.run(PAPER, tmp_path / "p.h5", beam).flexible
+    plain = flexbearing.run(PAPER, beam, output=tmp_path / "p.h5").flexible
     even, cold = (
-        flexbearing.run(PAPER, tmp_path / "r.h5", [*beam, f"operation.temperatures.outer_seat={seat}"])
+        flexbearing.run(PAPER, [*beam, f"operation.temperatures.outer_seat={seat}"], output=tmp_path / "r.h5")
         for seat in seats
     )
     assert (even.flexible["inner_load"] == plain["inner_load"]).all()
@@ -356,7 +360,7 @@ def test_seat_as_warm_as_the_ring_changes_nothing(tmp_path):
 )
 def test_temperature_of_a_seat_that_is_not_there_is_refused(settings, told):
     with pytest.raises(BadCase, match=told):
-        read(PAPER, settings)
+        read_case(PAPER, settings)
 
 
 def test_cold_seat_narrows_a_computed_clearance():

@@ -139,7 +139,7 @@ LINES = [*RING, "outer.support=lines", 'outer.line_azimuths=["20 deg", "100 deg"
 
 def largest_difference(point, case, settings, path):
     """Of a roller load of a point of the branch from those of a run, over the largest."""
-    result = flexbearing.run(case, path, [*settings, f"operation.radial_load={point.value!r} N"])
+    result = flexbearing.run(case, [*settings, f"operation.radial_load={point.value!r} N"], output=path)
     assert result.attributes["status"] == "converged"
     load = result.flexible["inner_load"]
     return np.abs(point.equilibrium.loads[0] - load).max() / load.max()

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from flexbearing import read
+from flexbearing.api import read_case
 from flexbearing.build import roller_bearing
 from flexbearing.coupled.coupled import BearingPartner
 from flexbearing.coupling import PartnerFailed
@@ -26,7 +26,7 @@ THICK_RING = (
 @pytest.fixture(scope="module")
 def cold(tmp_path_factory):
     """Bearing, rings, newton's end state and another equilibrium of cold oil between a flexible ring."""
-    case = read(cold_case(tmp_path_factory.mktemp("cold")), [*THICK_RING, *settings(13.0)])
+    case = read_case(cold_case(tmp_path_factory.mktemp("cold")), [*THICK_RING, *settings(13.0)])
     bearing = BearingPartner(roller_bearing.bearing(case))
     rings = condensed_raceways(case, bearing.model.bearing.azimuths, Logged())
     *_, last = iterated(bearing, rings, bearing.solve(), "newton", 1e-8)

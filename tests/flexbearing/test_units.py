@@ -9,7 +9,8 @@ from hypothesis import assume, given, settings as examples, strategies as st
 from pydantic import TypeAdapter, ValidationError
 from pytest import approx
 
-from flexbearing import check, read
+from flexbearing import check
+from flexbearing.api import read_case
 from flexbearing.case import BadCase, quantity, units
 from flexbearing.case.quantity import Angle, Fraction as Share, Length, Pressure, Speed, Temperature
 from tests.flexbearing.hostile_cases import CONFIGS
@@ -48,7 +49,7 @@ def test_what_may_be_turns_or_radians_is_no_speed(text):
     with pytest.raises(
         BadCase, match=r"\[operation\] inner_speed = .* turns or radians\? Write rpm or rad/s"
     ):
-        read(PAPER, [f"operation.inner_speed={text}"])
+        read_case(PAPER, [f"operation.inner_speed={text}"])
 
 
 def test_per_minute_is_a_speed_of_rotations_only():

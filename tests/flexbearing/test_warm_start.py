@@ -31,12 +31,12 @@ HERE = [*NEAR, "operation.radial_load=18 kN"]
 
 @pytest.fixture(scope="module")
 def other(tmp_path_factory):
-    return flexbearing.run(PAPER, tmp_path_factory.mktemp("warm") / "other.h5", NEAR)
+    return flexbearing.run(PAPER, NEAR, output=tmp_path_factory.mktemp("warm") / "other.h5")
 
 
 @pytest.fixture(scope="module")
 def cold(tmp_path_factory):
-    return flexbearing.run(PAPER, tmp_path_factory.mktemp("warm") / "cold.h5", HERE)
+    return flexbearing.run(PAPER, HERE, output=tmp_path_factory.mktemp("warm") / "cold.h5")
 
 
 def changed(result, path, change):
@@ -47,7 +47,7 @@ def changed(result, path, change):
 
 
 def test_warm_start_ends_where_a_cold_one_does_and_sooner(other, cold, tmp_path):
-    warm = flexbearing.run(PAPER, tmp_path / "warm.h5", HERE, start=other.path)
+    warm = flexbearing.run(PAPER, HERE, output=tmp_path / "warm.h5", start=other.path)
     assert warm.attributes["status"] == "converged"
     assert warm.attributes["iterations"] < cold.attributes["iterations"]
     assert list(warm.attributes["attempts"]) == ["newton from an initial state"]
@@ -69,15 +69,15 @@ def test_warm_start_ends_where_a_cold_one_does_and_sooner(other, cold, tmp_path)
 def test_case_that_starts_from_itself_is_there_at_once(support, tmp_path):
     """What bends a planet without any roller is not counted twice."""
     settings = [*RING, "accuracy.element_order=2", *support]
-    first = flexbearing.run(PAPER, tmp_path / "first.h5", settings)
-    again = flexbearing.run(PAPER, tmp_path / "again.h5", settings, start=first)
+    first = flexbearing.run(PAPER, settings, output=tmp_path / "first.h5")
+    again = flexbearing.run(PAPER, settings, output=tmp_path / "again.h5", start=first)
     assert again.attributes["iterations"] == 1
     assert again.history("residual")[0] < 1e-9
 
 
 def test_alternated_state_is_a_start_too(other, tmp_path):
-    alternated = flexbearing.run(PAPER, tmp_path / "other.h5", [*NEAR, "coupling.method=iqn-ils"])
-    again = flexbearing.run(PAPER, tmp_path / "again.h5", NEAR, start=alternated)
+    alternated = flexbearing.run(PAPER, [*NEAR, "coupling.method=iqn-ils"], output=tmp_path / "other.h5")
+    again = flexbearing.run(PAPER, NEAR, output=tmp_path / "again.h5", start=alternated)
     assert again.attributes["iterations"] <= 2
     largest = np.abs(other.flexible["unknowns"]).max()
     assert alternated.flexible["unknowns"] == approx(other.flexible["unknowns"], rel=0, abs=1e-6 * largest)
@@ -87,8 +87,8 @@ def test_alternated_state_is_a_start_too(other, tmp_path):
 def test_fit_starts_where_it_was(tmp_path):
     fit = ["outer.kind=rigid", "inner.fit=frictionless", "accuracy.element_order=3", "accuracy.slices=8"]
     fit += ["accuracy.axial_shapes=2"]
-    first = flexbearing.run(PAPER, tmp_path / "first.h5", fit)
-    again = flexbearing.run(PAPER, tmp_path / "again.h5", fit, start=first)
+    first = flexbearing.run(PAPER, fit, output=tmp_path / "first.h5")
+    again = flexbearing.run(PAPER, fit, output=tmp_path / "again.h5", start=first)
     assert again.attributes["iterations"] < first.attributes["iterations"]
     assert again.attributes["started_from"] == str(first.path)
     assert again.flexible["inner_load"] == approx(first.flexible["inner_load"], rel=1e-6)
@@ -120,7 +120,9 @@ def test_unknowns_come_back_as_they_were_stored(other):
 @pytest.mark.slow
 def test_damaged_start_falls_back_to_rigid_raceways(other, cold, tmp_path):
     damaged = changed(other, tmp_path / "damaged.h5", lambda x: x * 1e6)
-    found = flexbearing.run(PAPER, tmp_path / "out.h5", [*HERE, "coupling.fallback=false"], start=damaged)
+    found = flexbearing.run(
+        PAPER, [*HERE, "coupling.fallback=false"], output=tmp_path / "out.h5", start=damaged
+    )
     assert found.attributes["status"] == "converged"
     first, second = found.attributes["attempts"].items()
     assert (first[0], second[0]) == ("newton from an initial state", "newton")
@@ -133,7 +135,7 @@ def test_damaged_start_falls_back_to_rigid_raceways(other, cold, tmp_path):
 def test_start_that_is_not_finite_is_refused(other, tmp_path):
     lost = changed(other, tmp_path / "lost.h5", lambda x: x * np.nan)
     with pytest.raises(BadResult, match=r"lost.h5: flexible: unknowns holds \d+ of \d+ numbers that are not"):
-        flexbearing.run(PAPER, tmp_path / "out.h5", HERE, start=lost)
+        flexbearing.run(PAPER, HERE, output=tmp_path / "out.h5", start=lost)
 
 
 DIFFERING = {
@@ -152,22 +154,22 @@ DIFFERING = {
 @pytest.mark.parametrize(("settings", "told"), DIFFERING.values(), ids=DIFFERING.keys())
 def test_start_that_is_no_neighbour_is_refused_with_what_differs(other, settings, told, tmp_path):
     with pytest.raises(BadCase, match=told):
-        flexbearing.run(PAPER, tmp_path / "out.h5", [*HERE, *settings], start=other)
+        flexbearing.run(PAPER, [*HERE, *settings], output=tmp_path / "out.h5", start=other)
     assert not list(tmp_path.iterdir())  # refused before anything is written
 
 
 def test_only_converged_runs_of_rollers_are_starts(other, tmp_path):
-    stopped = flexbearing.run(PAPER, tmp_path / "stopped.h5", [*NEAR, "coupling.max_iterations=1"])
+    stopped = flexbearing.run(PAPER, [*NEAR, "coupling.max_iterations=1"], output=tmp_path / "stopped.h5")
     with pytest.raises(BadCase, match=r"stopped.h5: it did not converge \(iteration limit\)"):
-        flexbearing.run(PAPER, tmp_path / "out.h5", HERE, start=stopped)
+        flexbearing.run(PAPER, HERE, output=tmp_path / "out.h5", start=stopped)
     with pytest.raises(BadCase, match="starts from no other result"):
-        flexbearing.run(BALLS, tmp_path / "out.h5", start=other)
+        flexbearing.run(BALLS, output=tmp_path / "out.h5", start=other)
     with pytest.raises(BadResult, match="no such file"):
-        flexbearing.run(PAPER, tmp_path / "out.h5", HERE, start=tmp_path / "none.h5")
+        flexbearing.run(PAPER, HERE, output=tmp_path / "out.h5", start=tmp_path / "none.h5")
 
 
 def test_command_line_takes_a_start(other, tmp_path):
     words = ["run", str(PAPER), "-o", str(tmp_path / "out.h5"), "--start", str(other.path), "--quiet"]
     settings = [word for setting in HERE for word in ("--set", setting)]
     assert CliRunner().invoke(app, [*words, *settings]).exit_code == 0
-    assert flexbearing.read_result(tmp_path / "out.h5").attributes["started_from"] == str(other.path)
+    assert flexbearing.read(tmp_path / "out.h5").attributes["started_from"] == str(other.path)

@@ -52,11 +52,9 @@ def pictures(result: Result, directory: Path) -> Iterator[Path | NoFields]:
     except NoFields as problem:
         yield problem
         return
-    paths: dict[Race, Path] = {
-        race: directory / f"{result.path.stem}_{race}_deformed.png" for race in flexible
-    }
+    paths: dict[Race, Path] = {race: directory / f"{result.stem}_{race}_deformed.png" for race in flexible}
     for path in paths.values():
-        require_output(path, (result.path, *case.input_files))
+        require_output(path, (*result.files, *case.input_files))
     for race, path in paths.items():
         try:
             part = fields.fields(case, race, "flexible", result.flexible)

@@ -1,33 +1,36 @@
 """The numbers of a result in the units people use, as its quantities declare them."""
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
-from flexbearing.quantities import SummaryValue
 from flexbearing.quantities.layout import Layout
-from flexbearing.results import Arrays, Result
+from flexbearing.quantities.quantity import SummaryValue
+
+Arrays = Mapping[str, np.ndarray]
 
 
-def summary(result: Result) -> dict[str, Any]:
+def summary(layout: Layout, attributes: Mapping[str, Any], blocks: Mapping[str, Arrays]) -> dict[str, Any]:
     """Numbers of a run as one object that JSON can hold.
 
     Parameters
     ----------
-    result : Result
-        what the run left behind
+    layout : Layout
+        of the family of the bearing
+    attributes : mapping
+        root attributes of the result
+    blocks : mapping
+        ``rigid`` and ``flexible``, each empty where it was never solved
 
     Returns
     -------
     dict
-        root attributes, and the blocks ``rigid`` and ``flexible``; a name carries its unit. None stands for
-        a number that is not finite, for one that the case does not ask for, and for a block that was never
-        solved.
+        root attributes, and the blocks; a name carries its unit. None stands for a number that is not
+        finite, for one that the case does not ask for, and for a block that was never solved.
     """
-    layout: Layout = result.family.layout()
-    head = {name: plain(result.attributes.get(name)) for name in layout.head}
-    blocks = {"rigid": result.rigid, "flexible": result.flexible}
-    settings = {key: result.attributes["case_si"][table][name] for key, table, name in layout.case_keys}
+    head = {name: plain(attributes.get(name)) for name in layout.head}
+    settings = {key: attributes["case_si"][table][name] for key, table, name in layout.case_keys}
     return head | {
         name: settings | block(values, layout) if values else None for name, values in blocks.items()
     }
