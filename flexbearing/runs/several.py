@@ -87,7 +87,7 @@ def between_rigid_raceways(model: RollerBearing, state: Equilibrium) -> SeveralE
     from quasidynamic.several.search import stable
 
     others = other_equilibria(state)
-    if cage_balances_often(state) and model.operation.radial_load:
+    if cage_balances_often(state.cases)[0] and model.operation.radial_load:
         others = _united(state, others, _over_the_load(model))
     if not others:
         return None

@@ -16,6 +16,8 @@ LOAD_EXPONENT = 4.0  # of the damage that loads do at one place of a raceway
 REVOLUTIONS = 1e6  # that a rating life counts in
 FEWEST_SLICES = 30  # of ISO/TS 16281
 
+Turning = tuple[NDArray | float, NDArray | float]
+
 
 @dataclass(frozen=True, kw_only=True)
 class RollerBody:
@@ -31,7 +33,7 @@ class RollerBody:
 
 
 def basic_life(
-    inner: NDArray, outer: NDArray, bearing: CylindricalRollerBearing, turning: tuple[float, float]
+    inner: NDArray, outer: NDArray, bearing: CylindricalRollerBearing, turning: Turning
 ) -> Any:  # a float for one load case, an array for many
     r"""Basic life of the raceways from the loads of the slices, with capacities of the 552 form.
 
@@ -43,7 +45,7 @@ def basic_life(
         load of each slice [N], >= 0
     bearing : CylindricalRollerBearing
         for the capacities
-    turning : tuple of float
+    turning : pair of float or of array (...)
         how far the inner and the outer ring turn against the load, 0 standing to 1, see `turning_share` [-]
 
     Returns
@@ -66,7 +68,7 @@ def reference_life(
     inner: NDArray,
     outer: NDArray,
     bearing: CylindricalRollerBearing,
-    turning: tuple[float, float],
+    turning: Turning,
     *,
     edge_stress: bool = False,
     rating: float | None = None,
@@ -79,7 +81,7 @@ def reference_life(
         load of each slice, over the whole length of the roller [N], >= 0
     bearing : CylindricalRollerBearing
         for the capacities and the profile
-    turning : tuple of float
+    turning : pair of float or of array (...)
         how far the inner and the outer ring turn against the load, 0 standing to 1, see `turning_share` [-]
     edge_stress : bool
         multiply the slices by `edge_stress_factor`
@@ -114,7 +116,7 @@ def slice_life(
     inner: NDArray,
     outer: NDArray,
     capacity: tuple[float, float],
-    turning: tuple[float, float],
+    turning: Turning,
     *,
     edge: NDArray | None = None,
     rollers: RollerBody | None = None,
@@ -138,7 +140,7 @@ def slice_life(
         load of each slice [N], >= 0
     capacity : tuple of float
         Q_c of the inner and outer raceway [N]
-    turning : tuple of float
+    turning : pair of float or of array (...)
         how far the inner and the outer ring turn against the load, 0 standing to 1, see `turning_share` [-]
     edge : array (K), optional
         f_k, edge stress factor [-]; 1 if left out
@@ -232,7 +234,7 @@ def reference_load(life: Any, rating: float) -> Any:
     return rating * np.asarray(life) ** (-3 / 10)
 
 
-def turning_share(speed: float, relative_speed: float) -> float:
+def turning_share(speed: Any, relative_speed: Any) -> Any:
     r"""Share of the damage that a ring's own turning spreads evenly around it.
 
     .. math:: s_t = \frac{x^2}{1 + x^2},\quad x = 10^6 \left| \frac{\omega}{\omega_i - \omega_o} \right|
@@ -242,14 +244,14 @@ def turning_share(speed: float, relative_speed: float) -> float:
 
     Parameters
     ----------
-    speed : float
+    speed : float or array (...)
         omega of the ring against the load [rad/s]
-    relative_speed : float
+    relative_speed : float or array (...)
         omega_i - omega_o [rad/s], not zero
 
     Returns
     -------
-    float
+    float or array (...)
         s_t [-], 0 for a ring that stands still, 0.5 for one turn, 1 - 1e-6 for a thousand turns
 
     Source
@@ -264,9 +266,10 @@ def turning_share(speed: float, relative_speed: float) -> float:
     return turns**2 / (1 + turns**2)
 
 
-def _damage(loads: NDArray, capacity: float, share: float) -> Any:
+def _damage(loads: NDArray, capacity: float, share: NDArray | float) -> Any:
     """Sum over slices of (q_e/q_c)^4.5, of a ring that turns by a share."""
     damage = loads**LOAD_EXPONENT
-    spread = (1 - share) * damage + share * damage.mean(axis=-2, keepdims=True)
+    even = np.asarray(share)[..., None, None]
+    spread = (1 - even) * damage + even * damage.mean(axis=-2, keepdims=True)
     slice_capacity = capacity * loads.shape[-1] ** (-7 / 9)
     return (spread**WEIBULL).mean(axis=-2).sum(axis=-1) / slice_capacity ** (LOAD_EXPONENT * WEIBULL)

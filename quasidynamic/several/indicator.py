@@ -1,4 +1,4 @@
-"""Whether a bearing may have several equilibria, told from one of them without a further solve."""
+"""Whether bearings may have several equilibria, told from one of them without a further solve."""
 
 from dataclasses import replace
 
@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.balance.rollers.unknowns import INNER, OUTER
 from quasidynamic.contact.line import EXPONENT
+from quasidynamic.outcome.bearing_states import BearingStates
 from quasidynamic.outcome.equilibrium import Equilibrium
 from quasidynamic.solve.rollers.static_equilibrium import film_at
 from quasidynamic.solve.start import LumpedRollers
@@ -18,7 +19,7 @@ SLIPS = np.concatenate([np.geomspace(1e-5, 0.05, 16), np.linspace(0.08, 0.98, 12
 
 
 def several_likely(state: Equilibrium) -> bool:
-    """Whether an equilibrium may be one of several: an indicator, to be confirmed by solving.
+    """Whether an equilibrium may be one of several; see `each_several_likely`.
 
     Parameters
     ----------
@@ -28,6 +29,22 @@ def several_likely(state: Equilibrium) -> bool:
     Returns
     -------
     bool
+    """
+    return bool(each_several_likely(state.cases)[0])
+
+
+def each_several_likely(states: BearingStates) -> NDArray:
+    """Whether each equilibrium may be one of several: an indicator, to be confirmed by solving.
+
+    Parameters
+    ----------
+    states : BearingStates
+        C solved ones, between rigid or elastic raceways
+
+    Returns
+    -------
+    array (C)
+        of bool
 
     Valid
     -----
@@ -35,17 +52,17 @@ def several_likely(state: Equilibrium) -> bool:
     have one, see `benchmarks/several_equilibria.py`. Cage: falling traction curves, but not the last tenth of
     the loads between both folds.
     """
-    return films_decide(state) or cage_balances_often(state)
+    return films_decide(states) | cage_balances_often(states)
 
 
-def films_decide(state: Equilibrium) -> bool:
-    """Whether some roller is loaded, or not, as its own film says; see `doubts`."""
-    return bool((doubts(state) > -MARGIN).any())
+def films_decide(states: BearingStates) -> NDArray:
+    """Whether some roller is loaded, or not, as its own film says (C); see `doubts`."""
+    return np.logical_or.reduce(doubts(states) > -MARGIN, axis=-1)
 
 
 @np.errstate(all="ignore")
-def doubts(state: Equilibrium) -> NDArray:
-    """How much films decide whether each roller is loaded (Z) [-]: not at all far below zero.
+def doubts(states: BearingStates) -> NDArray:
+    """How much films decide whether each roller is loaded (C, Z) [-]: not at all far below zero.
 
     A roller that enters the loaded zone either rolls, with films that fill its gap and load it, or stays
     slow, with films too thin to touch. The gap is that of the raceways around the roller without films. An
@@ -53,29 +70,29 @@ def doubts(state: Equilibrium) -> NDArray:
     larger than the gap; a loaded one would not if it stood still and they were smaller. The doubt is that
     difference over the films when it rolls.
     """
-    balance, unknowns, raceways = state.balance, state.unknowns, state.balance.roller.raceways
-    outward = state.loads[OUTER] - state.loads[INNER]  # what presses a roller on one raceway alone
-    load = np.maximum([-outward, outward], 0.0)[:, None]
+    balance, unknowns, raceways = states.balance, states.unknowns, states.balance.roller.raceways
+    outward = states.loads[:, OUTER] - states.loads[:, INNER]  # presses a roller on one raceway alone
+    load = np.maximum([-outward, outward], 0.0)
     pressed = (raceways.softness[:, None, None] * load ** (1 / EXPONENT)).sum(0) + 2 * raceways.drop.min()
     gap = pressed - balance.inputs(unknowns).approach[:, 0].sum(0) + unknowns.film.sum(0)
     rolling, standing = (
         film_at(balance, unknowns._replace(spin_drift=drift), load).sum(0)
         for drift in (0 * unknowns.spin_drift, 0 * unknowns.spin_drift - balance.rolling_spin)
     )
-    return (np.where(is_loaded(state), gap - standing, rolling - gap) / rolling)[0]
+    return np.where(is_loaded(states), gap - standing, rolling - gap) / rolling
 
 
 @np.errstate(all="ignore")
-def cage_balances_often(state: Equilibrium) -> bool:
-    """Whether the cage is in balance at several slips, the loads of the rollers kept.
+def cage_balances_often(states: BearingStates) -> NDArray:
+    """Whether the cage is in balance at several slips (C), the loads of the rollers kept.
 
     Each loaded roller slides on the raceway that grips it less and rolls on the other: its two tractions are
     then alike, and that of the weaker raceway drives the cage.
     """
-    lumped = LumpedRollers(rigid_balance(state).take(np.zeros(len(SLIPS), int)))
+    cases, tried = len(states.scaled), len(SLIPS)
+    lumped = LumpedRollers(states.balance.take(np.arange(cases).repeat(tried)))
     balance, bearing = lumped.balance, lumped.balance.roller.bearing
-    length, loads = balance.roller.raceways.slices.length, state.loads[:, is_loaded(state)]
-    cage_drift = -SLIPS[:, None] * balance.rolling_cage
+    cage_drift = -np.tile(SLIPS, cases)[:, None] * balance.rolling_cage
     per_spin = cage_drift / (bearing.roller.diameter / 2)
     on_outer, on_inner = (
         lumped.surfaces(cage_drift, drift)[:2]
@@ -84,18 +101,27 @@ def cage_balances_often(state: Equilibrium) -> bool:
     sliding, entrainment = (
         np.array([a[INNER], b[OUTER]]) for a, b in zip(on_outer, on_inner, strict=True)
     )  # each raceway as if all the sliding were there
-    load = np.broadcast_to(loads[:, None], (2, len(SLIPS), loads.shape[1]))
+    load = _loads_of_loaded_rollers(states).repeat(tried, axis=1)
     film = balance.roller.raceways.film(load, sliding, entrainment).thickness
+    length = balance.roller.raceways.slices.length
     pull = balance.roller.raceways.traction(load / length, sliding, entrainment, film).force * length
-    weaker = np.abs(pull).min(0) * np.sign(balance.rolling_cage)
+    weaker = np.where(load[INNER] > 0, np.abs(pull).min(0), 0.0) * np.sign(balance.rolling_cage)
     drives = lumped.driving_torque(np.array([weaker, weaker, 0 * weaker, 0 * weaker]), cage_drift) > 0
-    return int((drives[1:] != drives[:-1]).sum()) > 1
+    drives = drives.reshape(cases, tried)
+    return (drives[:, 1:] != drives[:, :-1]).sum(axis=1) > 1
 
 
-def is_loaded(state: Equilibrium) -> NDArray:
-    """Which rollers (Z) the inner ring loads."""
-    inner = state.loads[INNER]
-    return inner > LOADED * inner.max()
+def _loads_of_loaded_rollers(states: BearingStates) -> NDArray:
+    """Loads (2, C, n) [N] of the rollers that the inner ring loads, as many as the fullest case has."""
+    loaded, loads = is_loaded(states), states.loads.swapaxes(0, 1)
+    first = np.argsort(~loaded, axis=1, kind="stable")[:, : loaded.sum(axis=1).max()]
+    return np.take_along_axis(np.where(loaded, loads, 0.0), first[None], axis=2)
+
+
+def is_loaded(states: BearingStates) -> NDArray:
+    """Which rollers (C, Z) the inner ring loads."""
+    inner = states.loads[:, INNER]
+    return inner > LOADED * inner.max(axis=-1, keepdims=True)
 
 
 def rigid_balance(state: Equilibrium) -> BearingBalance:

@@ -49,7 +49,7 @@ def near(state: Equilibrium) -> Patterns:
 
 def far(state: Equilibrium) -> Patterns:
     """Other slips of the cage, and spins that nothing orders; the same at every call."""
-    loaded, rollers = is_loaded(state), state.balance.layout.rollers
+    loaded, rollers = is_loaded(state.cases)[0], state.balance.layout.rollers
     slipping = [(slip, spin) for slip in SLIPS for spin in UNLOADED_SPINS]
     spins = [np.where(loaded, 1 - slip, min(spin, 1 - slip)) for slip, spin in slipping]
     rng = np.random.default_rng(rollers)
@@ -74,8 +74,8 @@ def in_order(state: Equilibrium) -> NDArray:
 
 def _fast_or_slow(state: Equilibrium, rolling: NDArray) -> list[NDArray]:
     """Rollers that films decide on most, and those at the ends of the loaded zone, in every combination."""
-    fastest = rolling[is_loaded(state)].max()
-    doubtful, ends = np.argsort(-doubts(state))[:DOUBTFUL], _ends(state)
+    fastest = rolling[is_loaded(state.cases)[0]].max()
+    doubtful, ends = np.argsort(-doubts(state.cases)[0])[:DOUBTFUL], _ends(state)
     spins = []
     for rollers, slow in (*((doubtful, slow) for slow in SLOW), (ends, SLOW[-1])):
         for chosen in product((1.0, slow), repeat=len(rollers)):
@@ -94,7 +94,7 @@ def _ends(state: Equilibrium) -> NDArray:
 def _shifted_zones(state: Equilibrium, rolling: NDArray) -> list[NDArray]:
     """Loaded zones with other ends; none where nearly all rollers are loaded."""
     order = in_order(state)
-    loaded, spin = is_loaded(state)[order], rolling[order]
+    loaded, spin = is_loaded(state.cases)[0][order], rolling[order]
     first, last = np.flatnonzero(loaded)[[0, -1]]
     if last - first >= len(order) - 3:
         return []

@@ -1,0 +1,302 @@
+"""What bearings do in many states side by side, in physical units."""
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
+from quasidynamic.balance.rollers.cage import FloatingCage
+from quasidynamic.balance.rollers.roller import RollerState
+from quasidynamic.balance.rollers.unknowns import CAGE, INNER, OUTER, TILT_Z, Unknowns
+from quasidynamic.contact.cage import displacement_in_pocket, land_torque
+from quasidynamic.contact.line import Slices, palmgren, peak_pressure
+from quasidynamic.outcome.life import basic_life, turning_share
+from quasidynamic.outcome.losses import Losses
+from quasidynamic.outcome.ring_stiffness import Tangent
+
+LOADED = 3e-4  # of the largest load of a raceway: contacts above it carry load and have a film worth telling
+
+
+@dataclass(frozen=True)
+class BearingStates:
+    """What bearings do in C states. Z rollers, M axial modes, K slices; inner raceway first, outer second.
+
+    Cases are the first axis of every quantity but `rollers` and `unknowns`, where fields keep theirs.
+    """
+
+    balance: BearingBalance  # of C cases
+    scaled: NDArray  # (C, N) unknowns
+    axial_modes: int  # M, axial modes that loads are handed on with
+
+    def take(self, cases: NDArray) -> "BearingStates":
+        """Some of the cases."""
+        return BearingStates(self.balance.take(cases), self.scaled[cases], self.axial_modes)
+
+    @cached_property
+    def system(self) -> Linearisation:
+        """Residual and derivatives."""
+        return self.balance.evaluate(self.scaled)
+
+    @cached_property
+    def unknowns(self) -> Unknowns:
+        """Unknowns in SI units."""
+        return self.balance.unpack(self.scaled)
+
+    @property
+    def residual(self) -> NDArray:
+        """Largest unbalanced force over the reference force (C) [-]."""
+        return np.abs(self.system.residual).max(axis=1)
+
+    @property
+    def rollers(self) -> RollerState:
+        """Forces and speeds at the rollers; the axis of cases stands before that of the rollers."""
+        return self.system.state
+
+    @cached_property
+    def slice_loads(self) -> NDArray:
+        """Load per length (C, 2, Z, K) [N/m]."""
+        slice_load = self.rollers.contact.slice_load
+        return self.balance.roller.raceways.slices.unfolded(slice_load).swapaxes(0, 1)
+
+    @property
+    def loads(self) -> NDArray:
+        """Roller loads (C, 2, Z) [N]."""
+        return self.rollers.contact.force[:, 0].swapaxes(0, 1)
+
+    @property
+    def forces(self) -> NDArray:
+        """Forces (C, 2, Z, M) [N] of the rollers on the raceways; [..., 0] is the load."""
+        return self.slice_loads @ self._whole(self.axial_modes).weights
+
+    def _whole(self, axial_modes: int) -> Slices:
+        """Slices along whole rollers."""
+        return replace(self.balance.roller.raceways.slices, axial_modes=max(axial_modes, 2))
+
+    @property
+    def deviation(self) -> NDArray:
+        """Outward raceway deviations (C, 2, Z, M) by axial modes [m]."""
+        deviation = self.unknowns.deviation.transpose(2, 0, 3, 1)
+        if self.balance.deviation is not None:
+            deviation = deviation + self.balance.deviation
+        missing = self.axial_modes - deviation.shape[-1]
+        return np.concatenate([deviation, np.zeros((*deviation.shape[:-1], missing))], axis=-1)
+
+    @property
+    def deviation_along_rollers(self) -> NDArray:
+        """Outward raceway deviations (C, 2, Z, K) [m]."""
+        deviation = self.deviation
+        return deviation @ self._whole(deviation.shape[-1]).modes[:, : deviation.shape[-1]].T
+
+    @property
+    def loaded(self) -> NDArray:
+        """Which contacts carry load (C, 2, Z)."""
+        return self.loads > LOADED * self.loads.max(axis=-1, keepdims=True)
+
+    @property
+    def film(self) -> NDArray:
+        """Film (C, 2, Z) [m]."""
+        return self.unknowns.film.swapaxes(0, 1)
+
+    @property
+    def loaded_film(self) -> NDArray:
+        """Film (C, 2, Z) [m] of the contacts that carry load, 0 elsewhere."""
+        return np.where(self.loaded, self.film, 0.0)
+
+    @property
+    def minimum_film(self) -> NDArray:
+        """Smallest film (C, 2) of the loaded contacts of each raceway [m]; 0 where none is loaded."""
+        smallest = np.where(self.loaded, self.film, np.inf).min(axis=-1)
+        return np.where(np.isfinite(smallest), smallest, 0.0)
+
+    # -- motion --------------------------------------------------------------------------------
+
+    @property
+    def cage_speed(self) -> NDArray:
+        """Cage speed (C) [rad/s]."""
+        return self._cage_speed[:, 0]
+
+    @property
+    def _cage_speed(self) -> NDArray:
+        """The same as a column (C, 1)."""
+        return self.balance.speeds(self.unknowns)[1]
+
+    @property
+    def cage_slip(self) -> NDArray:
+        """Lag of the cage behind pure rolling (C), as a fraction [-]; not a number when that stands still."""
+        drift, rolling = self.unknowns.cage_drift, self.balance.rolling_cage
+        return np.divide(-drift, rolling, out=np.full(drift.shape, np.nan), where=rolling != 0)[:, 0]
+
+    @property
+    def roller_speed(self) -> NDArray:
+        """Spin (C, Z) relative to the cage [rad/s]."""
+        return self.balance.speeds(self.unknowns)[0]
+
+    @property
+    def roller_tilt(self) -> NDArray:
+        """Tilt (C, Z) of the rollers in the plane through the bearing axis [rad]."""
+        relative = self.unknowns.tilt
+        if self.balance.roller.axial_modes > 1:
+            relative = relative + self.deviation[:, OUTER, :, 1]
+        return relative / (self.balance.roller.raceways.slices.length / 2)
+
+    @property
+    def ring_displacement(self) -> NDArray:
+        """Displacement (C, 2), y and z, of the inner ring against the outer one [m]."""
+        return self.unknowns.ring[:TILT_Z, :, 0].T
+
+    @property
+    def ring_tilt(self) -> NDArray:
+        """Slopes (C, 2), dz/dx and dy/dx, of the inner ring [rad]."""
+        return self.unknowns.ring[TILT_Z:CAGE, :, 0].T
+
+    @property
+    def load_direction(self) -> NDArray:
+        """Azimuth of the radial load (C) [rad], 0 when there is none."""
+        points = self.balance.points
+        return np.arctan2(points.load_y, points.load_z)[:, 0]
+
+    # -- forces --------------------------------------------------------------------------------
+
+    @property
+    def traction(self) -> NDArray:
+        """Traction of the raceways on the rollers (C, 2, Z) [N], signed like the sliding."""
+        return self.rollers.contact.traction.swapaxes(0, 1)
+
+    @property
+    def rolling_shear(self) -> NDArray:
+        """Inlet shear at the raceways (C, 2, Z) [N], signed along the rolling."""
+        return (self.rollers.sense * self.rollers.contact.rolling.force).swapaxes(0, 1)
+
+    @property
+    def sliding(self) -> NDArray:
+        """Raceway over roller surface (C, 2, Z) [m/s]."""
+        return self.rollers.sliding.swapaxes(0, 1)
+
+    @property
+    def entrainment(self) -> NDArray:
+        """Mean surface speed (C, 2, Z) [m/s]."""
+        return self.rollers.entrainment.swapaxes(0, 1)
+
+    @property
+    def cage_force(self) -> NDArray:
+        """Force of the pockets on the rollers along the motion (C, Z) [N]."""
+        return self.rollers.pocket[0]
+
+    @property
+    def applied_load(self) -> NDArray:
+        """Load on the inner ring (C, 2), y and z [N]."""
+        return np.concatenate([self.balance.points.load_y, self.balance.points.load_z], axis=1)
+
+    @property
+    def ring_moment(self) -> NDArray:
+        """Moments (C, 2) [N m] that act on the inner ring from outside: applied, or held by its guide."""
+        if self.balance.roller.axial_modes == 1:
+            return np.zeros((len(self.scaled), 2))
+        moment = self.balance.roller.raceways.slices.length / 2 * self.rollers.contact.force[INNER, 1]
+        azimuth = self.balance.roller.bearing.azimuths
+        return np.stack([(moment * np.cos(azimuth)).sum(-1), (moment * np.sin(azimuth)).sum(-1)], axis=-1)
+
+    @property
+    def land_torque(self) -> NDArray:
+        """Torque of the guiding land on the cage (C) [N m]."""
+        if self.floating is not None:
+            return self.floating.torque
+        roller = self.balance.roller
+        return land_torque(self._land_speed, roller.bearing.cage, roller.lubrication.oil).torque[:, 0]
+
+    @property
+    def _land_speed(self) -> NDArray:
+        """Speed of the guiding ring against the cage (C, 1) [rad/s]."""
+        guidance = self.balance.roller.bearing.cage.guidance
+        return self.balance.points.guiding_speed(guidance) - self._cage_speed
+
+    @cached_property
+    def floating(self) -> FloatingCage | None:
+        """Where a cage with a free centre floats in its land; None for one that is held."""
+        if not self.balance.roller.bearing.cage.free:
+            return None
+        return self.balance.floating(self.unknowns, self.rollers.pocket)
+
+    @property
+    def pocket_displacement(self) -> NDArray | None:
+        """Rollers (C, Z) from the centre of their pockets along the motion [m], if its clearance is known."""
+        bearing = self.balance.roller.bearing
+        if bearing.cage.pocket_clearance is None:
+            return None
+        roller = bearing.roller
+        stop = palmgren(roller.material, roller.material, roller.length) * roller.length
+        return displacement_in_pocket(-self.cage_force, bearing.cage.pocket_clearance, stop)
+
+    @property
+    def driving_torque(self) -> NDArray:
+        """Torque that turns the inner ring (C) [N m], with that of the land if it guides the cage."""
+        bearing = self.balance.roller.bearing
+        force = (self.traction + self.rolling_shear)[:, INNER]
+        torque = (bearing.inner_radius * force).sum(-1)
+        return torque + self.land_torque if bearing.cage.guidance == "inner" else torque
+
+    @property
+    def outer_torque(self) -> NDArray:
+        """Torque that turns or holds the outer ring (C) [N m], positive along the motion of the cage."""
+        bearing = self.balance.roller.bearing
+        force = (self.traction - self.rolling_shear)[:, OUTER]
+        torque = (bearing.outer_radius * force).sum(-1)
+        return torque + self.land_torque if bearing.cage.guidance == "outer" else torque
+
+    @property
+    def transport(self) -> NDArray:
+        """Torque (C, Z) that the change of spin around the bearing takes from each roller [N m]."""
+        return self.balance.spin_transport(self.unknowns.cage_drift, self.unknowns.spin_drift).torque
+
+    @cached_property
+    def losses(self) -> Losses:
+        """Power loss by cause (C) [W]."""
+        bearing, rollers, spin = self.balance.roller.bearing, self.rollers, self.roller_speed
+        orbit = self._cage_speed * bearing.pitch_diameter / 2 * bearing.rollers
+        return Losses(
+            sliding=(self.traction * self.sliding).sum((1, 2)),
+            rolling=2
+            * (self.rolling_shear * (rollers.sense * rollers.entrainment).swapaxes(0, 1)).sum((1, 2)),
+            drag=(rollers.drag * orbit)[:, 0],
+            pocket=(rollers.pocket_brake * spin * bearing.roller.diameter / 2).sum(-1),
+            land=self.land_torque * self._land_speed[:, 0],
+            churning=(rollers.churning * spin).sum(-1),
+            transport=(self.transport * spin).sum(-1),
+        )
+
+    @property
+    def driving_power(self) -> NDArray:
+        """Power that the rings put in (C) [W]."""
+        inner_speed, outer_speed = self.balance.points.ring_speeds[..., 0]
+        return self.driving_torque * inner_speed + self.outer_torque * outer_speed
+
+    # -- contacts ------------------------------------------------------------------------------
+
+    @property
+    def peak_pressure(self) -> NDArray:
+        """Largest Hertz pressure (C, 2) at the inner and outer raceway [Pa]."""
+        raceways = self.balance.roller.raceways
+        largest = self.slice_loads.max(axis=(2, 3))
+        return peak_pressure(largest, raceways.radius[..., 0].T, raceways.modulus[..., 0].T)
+
+    @property
+    def life(self) -> NDArray:
+        """Basic reference life L10 (C) [10^6 revolutions]."""
+        inner, outer = (self.slice_loads * self.balance.roller.raceways.slices.width).swapaxes(0, 1)
+        return basic_life(inner, outer, self.balance.roller.bearing, self.turning)
+
+    @property
+    def turning(self) -> tuple[NDArray, NDArray]:
+        """How far the inner and the outer ring turn against the load (C), 0 standing to 1 [-]."""
+        points = self.balance.points
+        inner, outer = turning_share(points.ring_speeds, points.relative_speed)[..., 0]
+        return inner, outer
+
+    # -- stiffness -----------------------------------------------------------------------------
+
+    @cached_property
+    def tangent(self) -> Tangent:
+        """Compliance and stiffness of the ring in these states."""
+        return Tangent.at(self.balance, self.unknowns)

@@ -1,0 +1,157 @@
+"""States side by side: every quantity of every case is that of the case alone."""
+
+from dataclasses import fields, replace
+from functools import cached_property
+
+import numpy as np
+import pytest
+from pytest import approx
+
+from quasidynamic import Equilibrium, FourPointCurve
+from quasidynamic.balance.rollers.operating_points import OperatingPoints
+from quasidynamic.outcome.bearing_states import BearingStates
+from quasidynamic.several.indicator import (
+    cage_balances_often,
+    doubts,
+    each_several_likely,
+    several_likely,
+)
+from quasidynamic.solve.rollers import bordered_system
+from tests.bearings import RPM, paper_bearing
+from tests.thick_films import design
+
+POCKETS = {"guidance": "inner", "land_diameter": 65.4e-3, "pocket_clearance": 1e-4}
+BEARINGS = {
+    "aligned rollers": {},
+    "pockets of known clearance, middle slice": {"cage": POCKETS, "slices": 21},
+    "held tilt": {"misalignment": 3e-4, "load_direction": 0.4},
+    "free tilt": {"moment": 4.0},
+    "both rings turn": {"outer_speed": -5000 * RPM, "clearance": -5e-6},
+    "cage with a free centre": {"cage": {"free": True}},
+}
+OTHERWISE = ("system", "unknowns", "rollers", "residual", "floating", "turning", "losses", "tangent")
+QUANTITIES = [
+    name
+    for name, value in vars(BearingStates).items()
+    if isinstance(value, property | cached_property) and name[0] != "_" and name not in OTHERWISE
+]
+
+
+def together(states: list[Equilibrium], operations) -> BearingStates:
+    """States of one bearing under several operations as arrays."""
+    balance = replace(states[0].balance, points=OperatingPoints.of(operations))
+    return BearingStates(balance, np.array([state.scaled for state in states]), states[0].axial_modes)
+
+
+def operations(model):
+    given = model.operation
+    return [
+        replace(given, radial_load=f * given.radial_load, inner_speed=given.inner_speed / f)
+        for f in (0.2, 1.0, 1.4)
+    ]
+
+
+def soft(rollers: int, modes: int) -> np.ndarray:
+    """Compliance (Z, M, Z, M) of a raceway that gives way under each roller and its neighbours [m/N]."""
+    around = np.arange(rollers)
+    near = np.exp(-((np.minimum(around, rollers - around)) ** 2) / 4.0)
+    of_mode = 2e-9 * np.diag(0.3 ** np.arange(modes))
+    return np.einsum("zy,mn->zmyn", near[(around - around[:, None]) % rollers], of_mode)
+
+
+def alone(model):
+    return [replace(model, operation=operation).solve() for operation in operations(model)]
+
+
+def between_elastic_raceways(model):
+    rings = (None, soft(model.bearing.rollers, model.axial_modes))
+    for start, operation in zip(alone(model), operations(model), strict=True):
+        *_, end = replace(model, operation=operation).iterate(rings, start)
+        yield end
+
+
+@pytest.fixture(scope="module", params=[*BEARINGS, "elastic raceway"])
+def cases(request):
+    """Solved one by one, and the same as arrays."""
+    if request.param == "elastic raceway":
+        model = paper_bearing(axial_modes=3)
+        states = list(between_elastic_raceways(model))
+    else:
+        model = paper_bearing(**BEARINGS[request.param])
+        states = alone(model)
+    return states, together(states, operations(model))
+
+
+def assert_same(of_all, of_each):
+    assert len(of_all) == len(of_each)
+    for found, expected in zip(of_all, of_each, strict=True):
+        assert np.shape(found) == np.shape(expected)
+        size = np.abs(expected).max(initial=0.0, where=np.isfinite(expected))
+        assert found == approx(expected, rel=0, abs=1e-11 * size, nan_ok=True)
+
+
+@pytest.mark.parametrize("name", QUANTITIES)
+def test_a_quantity_of_many_states_is_that_of_each_alone(cases, name):
+    states, many = cases
+    of_each = [getattr(state, name) for state in states]
+    of_all = getattr(many, name)
+    if of_each[0] is None:
+        assert of_all is None
+    else:
+        assert_same(of_all, of_each)
+
+
+def test_losses_and_shares_of_turning_of_many_states(cases):
+    states, many = cases
+    for name in [field.name for field in fields(many.losses)]:
+        of_each = [getattr(state.losses, name) for state in states]
+        assert getattr(many.losses, name) == approx(of_each, rel=1e-9, abs=1e-12 * states[0].losses.total)
+    assert np.transpose(many.turning) == approx(np.array([state.turning for state in states]), rel=1e-12)
+    assert (many.losses.total == sum(vars(many.losses).values())).all()
+
+
+def test_tangents_of_many_states_come_from_one_solve(cases, monkeypatch):
+    states, many = cases
+    of_each = [state.tangent for state in states]
+    solve, calls = bordered_system.solve, []
+    monkeypatch.setattr(bordered_system, "solve", lambda *given: calls.append(1) or solve(*given))
+    many = many.take(np.arange(len(states)))
+    assert many.tangent.radial_stiffness == approx([one.radial_stiffness for one in of_each], rel=1e-9)
+    assert len(calls) == 1
+    assert_same(many.tangent.stiffness, [one.stiffness for one in of_each])
+    assert_same(many.tangent.compliance[:, 1:, 1:], [one.compliance[1:, 1:] for one in of_each])
+
+
+def test_a_free_cage_floats_in_each_of_many_states_as_alone():
+    model = paper_bearing(cage={"free": True})
+    states = alone(model)
+    many = together(states, operations(model))
+    assert many.floating.offset == approx(np.array([one.floating.offset[0] for one in states]), rel=1e-9)
+
+
+def test_taken_cases_keep_their_quantities(cases):
+    states, many = cases
+    taken = many.take(np.array([2, 0]))
+    assert_same(taken.loads, [states[2].loads, states[0].loads])
+
+
+def test_indicator_of_several_equilibria_tells_each_case_what_it_tells_it_alone(cases):
+    states, many = cases
+    assert each_several_likely(many).tolist() == [several_likely(state) for state in states]
+    assert_same(doubts(many), [doubts(state.cases)[0] for state in states])
+
+
+def test_films_decide_under_little_load_alone():
+    thick = design(np.random.default_rng([1, 2]))
+    loads = [replace(thick.operation, radial_load=f * thick.operation.radial_load) for f in (1.0, 1000.0)]
+    states = [replace(thick, operation=load).solve() for load in loads]
+    assert each_several_likely(together(states, loads)).tolist() == [True, False]
+
+
+def test_cage_is_in_balance_at_several_slips_between_the_folds_alone():
+    """A falling traction curve, folds at about 1.9 and 5 kN."""
+    curve = FourPointCurve.through(at_rest=0.0, peak=0.06, peak_slip=0.01, far=0.02)
+    model = paper_bearing(traction=lambda **pair: curve, oil_fraction=0.3)
+    loads = [replace(model.operation, radial_load=load) for load in (500.0, 3000.0, 20000.0)]
+    states = [replace(model, operation=load).solve() for load in loads]
+    assert cage_balances_often(together(states, loads)).tolist() == [False, True, False]
