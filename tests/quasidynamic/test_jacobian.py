@@ -6,29 +6,35 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from quasidynamic.solve.rollers import bordered_system
+from quasidynamic.solve.rollers import bordered_system, small_systems
 from quasidynamic.solve.start import static_start
 from tests.bearings import eyring, paper_bearing
 
+RIGID = (False, False)
 CASES = {
-    "regression": ({}, False),
-    "eyring": ({"traction": "eyring"}, False),
-    "eyring, below its limit": ({"limiting_ratio": 0.4, "eyring_stress": 5e6}, False),
-    "tilt free": ({"moment": 20.0}, False),
-    "misaligned, load sideways": ({"misalignment": 1e-3, "load_direction": 2.0}, False),
-    "tilt free, yielding": ({"moment": 20.0, "axial_modes": 4}, True),
-    "yielding": ({"axial_modes": 3}, True),
-    "no spin inertia": ({"spin_inertia": False}, False),
-    "churning, vortices": ({"churning_gap": 5e-4, "cage": {"land_flow": "vortices"}}, False),
-    "floating cage": ({"cage": {"free": True, "unbalance": 5e-5}}, False),
+    "regression": ({}, RIGID),
+    "eyring": ({"traction": "eyring"}, RIGID),
+    "eyring, below its limit": ({"limiting_ratio": 0.4, "eyring_stress": 5e6}, RIGID),
+    "tilt free": ({"moment": 20.0}, RIGID),
+    "misaligned, load sideways": ({"misalignment": 1e-3, "load_direction": 2.0}, RIGID),
+    "tilt free, elastic": ({"moment": 20.0, "axial_modes": 4}, (True, True)),
+    "elastic": ({"axial_modes": 3}, (True, True)),
+    "elastic, with tilt": ({"axial_modes": 2}, (True, True)),
+    "elastic, one mode": ({"axial_modes": 1}, (True, True)),
+    "inner raceway elastic": ({"axial_modes": 3}, (True, RIGID)),
+    "outer raceway elastic": ({"moment": 20.0, "axial_modes": 4}, (False, True)),
+    "outer raceway elastic, one mode": ({"axial_modes": 1}, (False, True)),
+    "no spin inertia": ({"spin_inertia": False}, RIGID),
+    "churning, vortices": ({"churning_gap": 5e-4, "cage": {"land_flow": "vortices"}}, RIGID),
+    "floating cage": ({"cage": {"free": True, "unbalance": 5e-5}}, RIGID),
     "floating cage on the inner ring, tilt free": (
         {"moment": 20.0, "cage": {"free": True, "guidance": "inner", "land_diameter": 65.4e-3}},
-        False,
+        RIGID,
     ),
-    "starved": ({"inlet_length": 0.3}, False),
+    "starved": ({"inlet_length": 0.3}, RIGID),
     "backwards, inner guided": (
         {"speed": -2000.0, "cage": {"guidance": "inner", "land_diameter": 65.4e-3}},
-        False,
+        RIGID,
     ),
 }
 
@@ -36,7 +42,7 @@ CASES = {
 @pytest.fixture(params=CASES.values(), ids=CASES.keys())
 def state(request):
     """A balance, and scaled unknowns away from its equilibrium."""
-    changes, yielding = request.param
+    changes, elastic = request.param
     rng = np.random.default_rng(20161214)
     law = {name: changes[name] for name in ("limiting_ratio", "eyring_stress") if name in changes}
     rest = {name: value for name, value in changes.items() if name not in law}
@@ -44,11 +50,13 @@ def state(request):
     if law:
         lubrication = replace(model.lubrication, traction=eyring(model.lubrication.oil, **law))
         model = replace(model, lubrication=lubrication)
-    balance = model._balance([model.operation], aligned=not yielding)
-    if yielding:
+    balance = model._balance([model.operation], aligned=not any(elastic))
+    if any(elastic):
         size = model.bearing.rollers * model.axial_modes
         root = rng.normal(size=(size, size)) * 3e-6
-        balance = replace(balance, compliance=(root @ root.T, 2 * root @ root.T))
+        compliances = zip((root @ root.T, 2 * root @ root.T), elastic, strict=True)
+        inner, outer = (matrix if chosen else None for matrix, chosen in compliances)
+        balance = replace(balance, compliance=(inner, outer))
     unknowns = static_start(balance)
     unknowns = unknowns * (1 + 0.01 * rng.normal(size=unknowns.shape))
     unknowns[:, balance.layout.displacements] += 0.3 * rng.normal(size=(1, len(balance.layout.displacements)))
@@ -96,6 +104,23 @@ def test_shifted_solve_is_that_of_the_shifted_matrix(state):
     assert (matrix @ found[0] - right[0]) / scale == approx(np.zeros(right[0].shape), abs=1e-6)
 
 
+def test_elastic_raceways_are_solved_side_by_side_as_one_by_one():
+    """Other rollers touch under other loads."""
+    model = paper_bearing(axial_modes=3)
+    operations = [replace(model.operation, radial_load=load) for load in (300.0, 3e3, 3e4)]
+    root = np.random.default_rng(5).normal(size=(90, 90)) * 3e-7
+    matrix = root @ root.T
+    together = replace(model._balance(operations, aligned=False), compliance=(matrix, 2 * matrix))
+    start = static_start(together)
+    right = np.random.default_rng(1).normal(size=(3, together.layout.size, 2))
+    found = bordered_system.solve(together, together.evaluate(start), right)
+    for case in range(3):
+        one = np.array([case])
+        balance = together.take(one)
+        alone = bordered_system.solve(balance, balance.evaluate(start[one]), right[one])
+        assert found[one] == approx(alone, rel=0, abs=1e-9 * np.abs(alone).max())
+
+
 def rings(own):
     """Three rings of five spins, the second one with these entries in the middle; its sides; its matrix."""
     rng = np.random.default_rng(3)
@@ -111,7 +136,7 @@ def rings(own):
 
 def test_ring_of_spins_is_solved_case_by_case():
     given, matrix = rings([-3.0, -2.0, -4.0, -2.0, -3.0])
-    assert np.einsum("cij,rcj->rci", matrix, bordered_system.cyclic_tridiagonal(*given)) == approx(
+    assert np.einsum("cij,rcj->rci", matrix, small_systems.cyclic_tridiagonal(*given)) == approx(
         given[-1], rel=0, abs=1e-13
     )
 
@@ -122,7 +147,7 @@ def test_ring_of_spins_is_solved_case_by_case():
 def test_singular_ring_of_spins_is_no_number_and_spoils_no_other(own):
     """The first only hands on its spin, so that it solves to any; warnings are errors here."""
     given, matrix = rings(own)
-    found = bordered_system.cyclic_tridiagonal(*given)
+    found = small_systems.cyclic_tridiagonal(*given)
     assert np.isnan(found[:, 1]).all()
     kept = [0, 2]
     back = np.einsum("cij,rcj->rci", matrix[kept], found[:, kept])

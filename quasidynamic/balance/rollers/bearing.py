@@ -39,8 +39,9 @@ class Linearisation(NamedTuple):
     """Scaled residual of C cases and its derivatives, block by block.
 
     Columns of `table[row, column]` (.., C, Z) are the unknowns of a roller, the last of them its spin, then
-    those of the border, which are ring and cage, and the deviations at this roller. Rows are the balances of
-    the roller, its part in the five balances of the border, and its forces on elastic raceways.
+    those of the border, which are ring and cage, and what it feels of the deviations at this roller. Rows are
+    the balances of the roller, its part in the five balances of the border, and its forces on elastic
+    raceways.
     """
 
     residual: NDArray  # (C, N)
@@ -269,3 +270,14 @@ class BearingBalance:
         compliance = self.compliance[race]
         assert compliance is not None  # or the raceway would not be elastic
         return OUTWARD[race] * (compliance @ forces)
+
+    @cached_property
+    def felt_deflections(self) -> NDArray:
+        """Deviations that rollers feel (Z felt, Z, D) [m] per contact force on elastic raceways [N]."""
+        m, rollers, felt = self.layout.axial_modes, self.layout.rollers, self.kinematics.felt
+        by_force = np.empty((rollers * len(felt), rollers, felt.shape[1]))
+        for place, race in enumerate(self.layout.elastic_raceways):
+            own = slice(place * m, (place + 1) * m)
+            deflection = self.deflection(race, np.eye(rollers * m)).reshape(rollers, m, -1)
+            by_force[..., own] = (felt[:, own] @ deflection).reshape(-1, rollers, m)
+        return by_force

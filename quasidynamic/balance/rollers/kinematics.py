@@ -59,10 +59,25 @@ class ApproachKinematics:
         approach[INNER, :2] -= outer[:2]
         approach[OUTER, 2:] -= outer[2:]
 
+    @cached_property
+    def felt(self) -> NDArray:
+        """Combinations of a roller's deviations (felt, deviations) that change its approaches [-].
+
+        Those of `deviate`; between two elastic raceways height and tilt of the outer one only count against
+        those of the inner one.
+        """
+        layout, m = self.layout, self.layout.axial_modes
+        combinations = np.eye(m * len(layout.elastic_raceways))
+        if len(layout.elastic_raceways) < 2:
+            return combinations
+        against = np.arange(min(m, 2))
+        combinations[against, m + against] = -1.0
+        return np.delete(combinations, m + against, axis=0)
+
     def columns(self, gradient: NDArray) -> NDArray:
         """Derivatives by the unknowns (rows, columns, C, Z) from those by a roller's inputs."""
         m, ring = self.layout.axial_modes, self.layout.per_roller  # where ring and cage begin in the table
-        columns = ring + BORDER + m * len(self.layout.elastic_raceways)
+        columns = ring + BORDER + self.layout.felt
         table = np.zeros((len(gradient), columns, *gradient.shape[2:]))
         inner, outer = gradient[:, :m], gradient[:, m : 2 * m]
         spin, cage, film = gradient[:, SPIN], gradient[:, CAGE_SPEED], gradient[:, FILM_I:VALUE]
@@ -76,10 +91,15 @@ class ApproachKinematics:
             table[:, 1] = outer[:, 1] - inner[:, 1]
             table[:, ring + TILT_Z] = self.half_length * cos * inner[:, 1]
             table[:, ring + TILT_Y] = self.half_length * sin * inner[:, 1]
-        for place, race in enumerate(self.layout.elastic_raceways):
-            by_deviation = inner if race == INNER else -np.concatenate([inner[:, :2], outer[:, 2:]], axis=1)
-            table[:, ring + BORDER + place * m : ring + BORDER + (place + 1) * m] = by_deviation
+        if self.layout.elastic_raceways:
+            table[:, ring + BORDER :] = self._by_felt(inner, outer)
         return table
+
+    def _by_felt(self, inner: NDArray, outer: NDArray) -> NDArray:
+        """Derivatives (rows, felt, C, Z) by felt deviations from those by the approaches (rows, M, C, Z)."""
+        first = inner if INNER in self.layout.elastic_raceways else -inner[:, :2]
+        waviness = [-outer[:, 2:]] if OUTER in self.layout.elastic_raceways else []
+        return np.concatenate([first, *waviness], axis=1)
 
     def rows(self, response: NDArray, free_tilt: NDArray) -> NDArray:
         """Rows of the table from those of a roller's response (rows, inputs + 1, C, Z).

@@ -103,8 +103,7 @@ class Scales:
         """Size of the unknowns in the columns of the table (columns, C, 1)."""
         layout = self.layout
         of_roller = self.unknown[:, BORDER : layout.fields_end : layout.rollers].T
-        count = len(layout.elastic_raceways) * layout.axial_modes
-        deviations = np.full((count, len(self.points)), self.length)
+        deviations = np.full((layout.felt, len(self.points)), self.length)
         return np.concatenate([of_roller, self.unknown[:, :BORDER].T, deviations])[..., None]
 
     @cached_property

@@ -54,6 +54,15 @@ class UnknownLayout:
         """Number N of unknowns of a case."""
         return self.fields_end + self.rollers * self.axial_modes * len(self.elastic_raceways)
 
+    @cached_property
+    def felt(self) -> int:
+        """Number of combinations of its deviations that a roller feels.
+
+        Between two elastic raceways height and tilt of the one against the other, and the waviness of both.
+        """
+        both = len(self.elastic_raceways) > 1
+        return self.axial_modes * len(self.elastic_raceways) - both * min(self.axial_modes, 2)
+
     def field(self, which: int) -> slice:
         """Place of a roller's unknown (0 approach, ..., -1 spin) among the unknowns of a case."""
         start = BORDER + which % self.per_roller * self.rollers

@@ -1,0 +1,167 @@
+"""Linear solve between elastic raceways: what rollers feel of them, where contacts are closed."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
+from quasidynamic.balance.rollers.scales import LARGE_DEVIATION
+from quasidynamic.balance.rollers.unknowns import BORDER
+from quasidynamic.solve.rollers.small_systems import cyclic_tridiagonal, dense
+
+OPEN = 1e-13  # of the steepest slope of a contact: what the rounded load law leaves of it in a gap
+FELT = 1 + BORDER  # first column of felt deviations, first row of contact forces; before them spin and border
+
+
+class Chain(NamedTuple):
+    """Spins s_j = `right_j` - `border_j` b - sum_i `spread_ij` t_i under torques t of felt deviations."""
+
+    border: NDArray  # (5, C, Z)
+    right: NDArray  # (R, C, Z)
+    spread: NDArray  # (C, Z, Z)
+
+
+class Closed(NamedTuple):
+    """The n felt deviations that change a contact force in any case."""
+
+    roller: NDArray  # (n)
+    combination: NDArray  # (n) among the P of a roller
+    slopes: NDArray  # (n, 1 + 5 + D, C) of spin, border and contact forces
+    deflections: NDArray  # (n, Z, D) by contact forces
+
+
+class Solution(NamedTuple):
+    """Unknowns of C cases for R right-hand sides, scaled."""
+
+    border: NDArray  # (5, R, C)
+    spins: NDArray  # (R, C, Z)
+    felt: NDArray  # (P, R, C, Z)
+    deviations: NDArray  # (C, Z D, R) in the order of the unknowns
+
+
+def between_elastic_raceways(
+    balance: BearingBalance, system: Linearisation, table: NDArray, border: NDArray, right: NDArray
+) -> Solution:
+    r"""Solve for what is left when every roller is eliminated on its own.
+
+    Contact forces f and the compliance C of the raceways give the D deviations w of every roller, which feels
+    P combinations v of them, fewer between two elastic raceways:
+
+    .. math:: w = C f + r,\quad v = \Pi w,\quad f = F_b b + F_s s + F_v v - f_r
+
+    The chain of the spins s is eliminated, then the border b and the v of closed contacts are solved densely:
+    an open contact has no slope by its v.
+
+    Parameters
+    ----------
+    balance : BearingBalance
+        scales and compliances
+    system : Linearisation
+        matrix of C cases
+    table : array (1 + 5 + D, 1 + 5 + P + R, C, Z)
+        rows of spin, border and contact forces; columns of spin, border, v and right-hand sides
+    border : array (C, 5, 5)
+        border balances by border unknowns
+    right : array (C, N, R)
+        right-hand sides, scaled
+
+    Source
+    ------
+    Schur complements; derived here.
+
+    Valid
+    -----
+    A chain of spins that is singular by itself gives no numbers, also where the whole system is not singular.
+    """
+    count = right.shape[2]
+    given = LARGE_DEVIATION * right[:, balance.layout.fields_end :]
+    chain, closed = _chain(system, table, count), _closed(balance, table, count)
+    matrix, side = _reduced(table, chain, closed)
+    matrix[:, :BORDER, :BORDER] += border
+    side[:, :BORDER] += right[:, :BORDER]
+    side[:, BORDER:] += _felt(balance, given)[closed.combination, :, :, closed.roller].transpose(2, 0, 1)
+    unknowns = dense(matrix, side).transpose(1, 2, 0)
+    felt = np.zeros((table.shape[1] - FELT - count, count, *table.shape[2:]))
+    felt[closed.combination, :, :, closed.roller] = unknowns[BORDER:]
+    spins = _spins(chain, unknowns[:BORDER], np.einsum("pcz,prcz->rcz", table[0, FELT:-count], felt))
+    forces = _forces(table, spins, unknowns[:BORDER], felt)
+    deviations = given + LARGE_DEVIATION * _deflections(balance, forces)
+    return Solution(unknowns[:BORDER], spins, _felt(balance, deviations), deviations)
+
+
+def _chain(system: Linearisation, table: NDArray, count: int) -> Chain:
+    """Spins by border, right-hand sides and torques."""
+    cases, rollers = table.shape[2:]
+    torques = np.broadcast_to(np.eye(rollers)[:, None], (rollers, cases, rollers))
+    sides = np.concatenate([table[0, 1:FELT], table[0, -count:], torques])
+    spins = cyclic_tridiagonal(table[0, 0], system.before, system.after, sides)
+    border, right, spread = np.split(spins, [BORDER, BORDER + count])
+    return Chain(border, right, np.ascontiguousarray(spread.transpose(1, 2, 0)))
+
+
+def _closed(balance: BearingBalance, table: NDArray, count: int) -> Closed:
+    """Felt deviations with a slope."""
+    steepest = np.abs(table[:, FELT:-count]).max(axis=0)  # (P, C, Z)
+    closed = ~(steepest <= OPEN * steepest.max((0, 2), keepdims=True)).all(axis=1)
+    roller, combination = np.nonzero(closed.T)
+    places = roller * len(closed) + combination
+    deflections = LARGE_DEVIATION * balance.felt_deflections[places]
+    return Closed(roller, combination, table[:, FELT + combination, :, roller], deflections)
+
+
+def _reduced(table: NDArray, chain: Chain, closed: Closed) -> tuple[NDArray, NDArray]:
+    """What rollers add to the matrix (C, 5 + n, 5 + n) and right side (C, 5 + n, R) of border and v."""
+    cases, rollers = table.shape[2:]
+    size, count = BORDER + len(closed.roller), len(chain.right)
+    by_roller = closed.deflections.transpose(1, 0, 2)  # (Z, n, D)
+    by_spin = np.empty((cases, size, rollers))
+    by_spin[:, :BORDER] = table[1:FELT, 0].transpose(1, 0, 2)
+    by_spin[:, BORDER:] = -(by_roller @ table[FELT:, 0].transpose(2, 0, 1)).transpose(2, 1, 0)
+    through_spins = (by_spin @ chain.spread)[:, :, closed.roller]
+    through_spins *= closed.slopes[:, 0].T[:, None]
+    own = closed.deflections[:, closed.roller].transpose(1, 0, 2)  # (n, n, D)
+    matrix = np.empty((cases, size, size))
+    matrix[:, :BORDER, BORDER:] = closed.slopes[:, 1:FELT].transpose(2, 1, 0)
+    matrix[:, BORDER:, BORDER:] = -(own @ closed.slopes[:, FELT:]).transpose(2, 1, 0)
+    matrix[:, :, BORDER:] -= through_spins
+    matrix[:, range(BORDER, size), range(BORDER, size)] += 1.0
+    spins = np.concatenate([chain.border, chain.right])
+    rest = np.concatenate([table[1:, 1:FELT], table[1:, -count:]], axis=1) - table[1:, :1] * spins
+    forces = rest[BORDER:].transpose(3, 0, 1, 2).reshape(-1, len(spins) * cases)
+    lower = -(closed.deflections.reshape(size - BORDER, -1) @ forces).reshape(-1, len(spins), cases)
+    of_rest = np.concatenate([rest[:BORDER].sum(-1), lower]).transpose(2, 0, 1)
+    matrix[:, :, :BORDER] = of_rest[..., :BORDER]
+    return matrix, of_rest[..., BORDER:]
+
+
+def _spins(chain: Chain, border: NDArray, torques: NDArray) -> NDArray:
+    """Spins (R, C, Z) with border (5, R, C) and torques (R, C, Z) of felt deviations."""
+    spread = (torques.transpose(1, 0, 2) @ chain.spread.transpose(0, 2, 1)).transpose(1, 0, 2)
+    return chain.right - np.einsum("brc,bcz->rcz", border, chain.border) - spread
+
+
+def _forces(table: NDArray, spins: NDArray, border: NDArray, felt: NDArray) -> NDArray:
+    """Contact forces (D, R, C, Z) on elastic raceways."""
+    around = np.broadcast_to(border[..., None], (*border.shape, spins.shape[-1]))
+    unknowns = np.concatenate([spins[None], around, felt])
+    moved = np.einsum("dkcz,krcz->drcz", table[FELT:, : len(unknowns)], unknowns)
+    return moved - table[FELT:, len(unknowns) :]
+
+
+def _deflections(balance: BearingBalance, forces: NDArray) -> NDArray:
+    """Deviations (C, Z D, R) under contact forces (D, R, C, Z), scaled alike."""
+    m, (_, count, cases, _) = balance.layout.axial_modes, forces.shape
+    deviations = []
+    for place, race in enumerate(balance.layout.elastic_raceways):
+        of_race = forces[place * m : (place + 1) * m].transpose(3, 0, 2, 1).reshape(-1, cases * count)
+        deviations.append(balance.deflection(race, of_race))
+    return np.concatenate(deviations).reshape(-1, cases, count).transpose(1, 0, 2)
+
+
+def _felt(balance: BearingBalance, deviations: NDArray) -> NDArray:
+    """What rollers feel (P, R, C, Z) of deviations (C, Z D, R)."""
+    layout, (cases, _, count) = balance.layout, deviations.shape
+    shape = (cases, len(layout.elastic_raceways), layout.rollers, layout.axial_modes, count)
+    by_roller = deviations.reshape(shape).transpose(1, 3, 4, 0, 2).reshape(-1, count, cases, layout.rollers)
+    return np.tensordot(balance.kinematics.felt, by_roller, axes=1)
