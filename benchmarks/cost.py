@@ -21,7 +21,7 @@ AT_ONCE = 16
 
 def seconds(model) -> float:
     """Of an evaluation and a step, for one operating point."""
-    balance = model._balance([model.operation] * AT_ONCE)
+    balance = model.balance(AT_ONCE)
     start = static_start(balance)
     median, _, _ = median_seconds(lambda: step(balance, balance.evaluate(start)), 21)
     return median / AT_ONCE

@@ -21,7 +21,7 @@ from flexbearing.coupled.states import EndState, block
 from flexbearing.coupling import LinearPair
 from flexbearing.quantities.roller import LAYOUT
 from flexbearing.results.checks import NotInLayout, require_finite
-from quasidynamic import Equilibrium, RollerBearing, SolverOutcome
+from quasidynamic import Equilibrium, RollerBearing, SolverOutcome, solve_many
 from tests.balances import largest_imbalance
 from tests.random_rollers import RPM, design, imbalance, wide_design
 
@@ -70,7 +70,7 @@ def examined(model: RollerBearing) -> tuple[str, tuple[float, ...]]:
     start = time.perf_counter()
     with warnings.catch_warnings(record=True) as told:
         warnings.simplefilter("always")
-        state = model.solve_many([model.operation])[0]
+        state = solve_many([model])[0]
         seconds = time.perf_counter() - start
         kind = str(state.status)
         if state.status is SolverOutcome.CONVERGED:

@@ -13,6 +13,7 @@ from benchmarks.bearings import CASE, RPM
 from benchmarks.machine import describe, median_seconds
 from flexbearing.api import read_case
 from flexbearing.build import roller_bearing
+from quasidynamic import solve_many
 
 
 def main() -> None:
@@ -33,22 +34,23 @@ def alone(model) -> None:
 
 
 def side_by_side(model) -> None:
-    points = [
-        replace(model.operation, radial_load=float(load), inner_speed=float(speed) * RPM)
+    operation = model.operation
+    models = [
+        replace(model, operation=replace(operation, radial_load=float(load), inner_speed=float(speed) * RPM))
         for load in np.geomspace(100.0, 20000.0, 40)
         for speed in np.linspace(1000.0, 38000.0, 25)
     ]
-    median, fastest, slowest = median_seconds(lambda: replace(model).solve_many(points), 5)
-    found = model.solve_many(points)
-    evaluations = np.array([state.number for state in found])
+    median, fastest, slowest = median_seconds(lambda: solve_many(models), 5)
+    found = solve_many(models)
+    evaluations = found.evaluations
     print(
-        f"map of {len(points)} loads (100 N to 20 kN) and speeds (1000 to 38 000 rpm): median {median:.2f} s "
+        f"map of {len(models)} loads (100 N to 20 kN) and speeds (1000 to 38 000 rpm): median {median:.2f} s "
         f"({fastest:.2f} to {slowest:.2f} s of 5 runs), {len(found.unsolved)} unsolved, "
         f"evaluations: mean {evaluations.mean():.1f}, largest {evaluations.max()}"
     )
     apart = []
-    for place in range(0, len(points), 37):
-        single = replace(model, operation=points[place]).solve()
+    for place in range(0, len(models), 37):
+        single = replace(models[place]).solve()
         apart.append(np.abs(single.loads - found[place].loads).max() / single.loads.max())
     print(f"largest difference from the same point solved alone: {max(apart):.1e} of its largest load")
 

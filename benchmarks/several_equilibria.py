@@ -16,7 +16,7 @@ from threadpoolctl import threadpool_limits
 
 from benchmarks.machine import describe
 from flexbearing.runs.several import between_rigid_raceways
-from quasidynamic import SolverOutcome
+from quasidynamic import SolverOutcome, solve_many
 from quasidynamic.several import several_likely
 from tests.bearings import paper_bearing
 from tests.random_rollers import imbalance
@@ -41,7 +41,7 @@ def main() -> None:
 def examine(number: int, seed: int) -> dict | None:
     rng = np.random.default_rng([seed, number])
     model = design(rng)
-    solve, state = timed(lambda: model.solve_many([model.operation])[0])
+    solve, state = timed(lambda: solve_many([model])[0])
     if state.status is not SolverOutcome.CONVERGED:
         print(f"design {number}: {state.status}", flush=True)
         return None

@@ -53,6 +53,7 @@ if TYPE_CHECKING:
         Equilibria as Equilibria,
         Equilibrium as Equilibrium,
         RollerBearing as RollerBearing,
+        solve_many as solve_many,
     )
     from quasidynamic.solve.outcome import SolverOutcome as SolverOutcome
     from quasidynamic.static import static_loads as static_loads
@@ -79,7 +80,7 @@ EXPORTS = {
     "parts.operation": ("Operation",),
     "parts.roller": ("Crowned", "Logarithmic", "Profile", "Roller", "Straight"),
     "parts.roller_bearing": ("CylindricalRollerBearing",),
-    "roller": ("Equilibria", "Equilibrium", "RollerBearing"),
+    "roller": ("Equilibria", "Equilibrium", "RollerBearing", "solve_many"),
     "solve.outcome": ("SolverOutcome",),
     "static": ("static_loads",),
 }

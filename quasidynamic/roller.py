@@ -1,6 +1,6 @@
 """The bearing as one callable: raceway shape or compliance in, equilibrium out."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Hashable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -10,12 +10,15 @@ from numpy.typing import NDArray
 from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.balance.rollers.operating_points import OperatingPoints
 from quasidynamic.balance.rollers.roller import RollerBalance
+from quasidynamic.columns import kind_and_numbers, with_columns
 from quasidynamic.contact.film import FilmLaw
 from quasidynamic.contact.line import LoadLaw, Slices, gap_rounding, raceway_coefficients, reduced_radius
 from quasidynamic.contact.lubrication import Lubrication
 from quasidynamic.contact.raceways import Raceways
 from quasidynamic.errors import NotSolved
-from quasidynamic.outcome.equilibrium import Equilibria, Equilibrium
+from quasidynamic.outcome.bearing_states import BearingStates
+from quasidynamic.outcome.equilibria import Batch, Equilibria
+from quasidynamic.outcome.equilibrium import Equilibrium
 from quasidynamic.parts.material import contact_modulus
 from quasidynamic.parts.operation import Operation
 from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
@@ -24,7 +27,7 @@ from quasidynamic.solve.rollers.elastic_raceways import iterate
 from quasidynamic.solve.rollers.strategy import solve
 from quasidynamic.solve.start import RESTARTS, slipping_start, static_start
 
-__all__ = ["Equilibria", "Equilibrium", "RollerBearing"]
+__all__ = ["Batch", "Equilibria", "Equilibrium", "RollerBearing", "solve_many"]
 
 Compliance = tuple[NDArray | None, NDArray | None]
 STARTS = (slipping_start, *RESTARTS)
@@ -61,27 +64,12 @@ class RollerBearing:
         NotSolved
             when no equilibrium was reached; its `outcome` says how it ended
         """
-        balance = self._balance([self.operation], deviation)
+        balance = self.balance(deviation=deviation)
         begin = None if start is None else balance.pack(start.unknowns)
-        equilibrium = self._solved(balance, begin, None if deviation is None else BUDGET)[0]
+        equilibrium = _solved(balance, self.axial_modes, begin, None if deviation is None else BUDGET)[0]
         if equilibrium.status is not SolverOutcome.CONVERGED:
             raise NotSolved(equilibrium.failure(), equilibrium.status)
         return equilibrium
-
-    def solve_many(self, operations: Sequence[Operation]) -> "Equilibria":
-        """Equilibria of many operating points between rigid, round raceways.
-
-        All of them are solved side by side; the answers are those of one solve after the other.
-
-        Returns
-        -------
-        Equilibria
-            one for each operation, also where none was reached: its `status` says so
-        """
-        states: list[Equilibrium] = []
-        for first in range(0, len(operations), CASES_AT_ONCE):
-            states.extend(self._solved(self._balance(operations[first : first + CASES_AT_ONCE])))
-        return Equilibria(tuple(states))
 
     def iterate(
         self, compliance: Compliance, start: Equilibrium, deviation: NDArray | None = None
@@ -99,43 +87,25 @@ class RollerBearing:
         """
         size = self.bearing.rollers * self.axial_modes
         inner, outer = (None if matrix is None else matrix.reshape(size, size) for matrix in compliance)
-        rigid = self._balance([self.operation], deviation, aligned=False)
+        rigid = self.balance(deviation=deviation, aligned=False)
         balance = replace(rigid, compliance=(inner, outer))
         near = bool(start.balance.layout.elastic_raceways) or start.balance.deviation is not None
         for step in iterate(balance, balance.pack(start.unknowns), near, STARTS):
             yield Equilibrium(balance, step.unknowns[0], step.outcomes[0], step.number, self.axial_modes)
 
-    def _solved(
-        self, balance: BearingBalance, begin: NDArray | None = None, budget: int | None = None
-    ) -> list[Equilibrium]:
-        # A trial slip or step may be absurd: what overflows is no start, or shows in its residual.
-        with np.errstate(all="ignore"):
-            solved = solve(balance, static_start(balance) if begin is None else begin, STARTS, budget)
-        return [
-            Equilibrium(
-                balance.take(np.array([case])) if len(solved.outcomes) > 1 else balance,
-                solved.unknowns[case],
-                solved.outcomes[case],
-                int(solved.evaluations[case]),
-                self.axial_modes,
-            )
-            for case in range(len(solved.outcomes))
-        ]
-
     # -- equations -----------------------------------------------------------------------------
 
-    def _balance(
-        self, operations: Sequence[Operation], deviation: NDArray | None = None, aligned: bool = True
+    def balance(
+        self, cases: int = 1, deviation: NDArray | None = None, aligned: bool = True
     ) -> BearingBalance:
-        """Equations, with rollers that can tilt only where something tilts them.
+        """Equations of C cases, with rollers that can tilt only where something tilts them.
 
         By symmetry a ring that is free to tilt stays straight where nothing does.
         """
-        aligned = aligned and deviation is None and not any(operation.tilts for operation in operations)
+        aligned = aligned and deviation is None and not self.operation.tilts
         return BearingBalance(
             roller=self._aligned_rollers if aligned else self._tilting_rollers,
-            points=OperatingPoints.of(operations),
-            clearance=self.bearing.clearance,
+            points=OperatingPoints.of(self.operation, cases),
             deviation=deviation,
             spin_inertia=self.spin_inertia,
         )
@@ -182,3 +152,53 @@ class RollerBearing:
             radius=radius,
             modulus=modulus,
         )
+
+
+def solve_many(bearings: Sequence[RollerBearing]) -> Equilibria:
+    """Equilibria of many bearings between rigid, round raceways.
+
+    Those that differ in operation and clearance only are solved side by side; the answers are those of one
+    solve after the other.
+
+    Returns
+    -------
+    Equilibria
+        one for each bearing, also where none was reached: its `status` says so
+    """
+    return Equilibria(
+        tuple(
+            replace(_solved(together.balance(len(places)), together.axial_modes), places=places)
+            for places, together in side_by_side_batches(bearings, CASES_AT_ONCE)
+        )
+    )
+
+
+def side_by_side_batches(
+    bearings: Sequence[RollerBearing], at_once: int
+) -> Iterator[tuple[NDArray, RollerBearing]]:
+    """Yield the places (C) of at most so many bearings of one kind, and the one bearing that stands for them.
+
+    Its numbers that differ are columns (C, 1), see `kind_and_numbers`.
+    """
+    kinds: dict[Hashable, list[int]] = {}
+    numbers = []
+    for place, bearing in enumerate(bearings):
+        kind, own = kind_and_numbers(bearing)
+        numbers.append(own)
+        parts = kind_and_numbers(replace(bearing.bearing, clearance=0.0))[1]
+        alike = (*parts, *kind_and_numbers(bearing.lubrication)[1])
+        kinds.setdefault((kind, alike, bearing.operation.tilts), []).append(place)
+    for places in kinds.values():
+        for first in range(0, len(places), at_once):
+            some = np.array(places[first : first + at_once])
+            yield some, with_columns(bearings[some[0]], np.array([numbers[place] for place in some]))
+
+
+def _solved(
+    balance: BearingBalance, axial_modes: int, begin: NDArray | None = None, budget: int | None = None
+) -> Batch:
+    # A trial slip or step may be absurd: what overflows is no start, or shows in its residual.
+    with np.errstate(all="ignore"):
+        solved = solve(balance, static_start(balance) if begin is None else begin, STARTS, budget)
+    every, states = np.arange(len(balance.points)), BearingStates(balance, solved.unknowns, axial_modes)
+    return Batch(every, states, tuple(solved.outcomes), solved.evaluations)

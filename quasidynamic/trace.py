@@ -13,7 +13,7 @@ from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.balance.rollers.operating_points import OperatingPoints
 from quasidynamic.errors import NotSolved, OutOfRange
 from quasidynamic.outcome.equilibrium import Equilibrium
-from quasidynamic.roller import RollerBearing
+from quasidynamic.roller import RollerBearing, solve_many
 from quasidynamic.solve.arclength import BranchEnd, BranchPoint, at_parameter, follow, solved_at
 from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.parametric_balance import ParametricBalance, Tangents, between
@@ -180,7 +180,7 @@ def equilibria_at(model: RollerBearing) -> tuple[Equilibrium, ...]:
     """
     load = model.operation.radial_load
     parameter, _ = logarithms(model, "radial_load", (load, load * LOAD_RANGE))
-    usual = model.solve_many([model.operation])[0]
+    usual = solve_many([model])[0]
     problem = _problem(model, "radial_load", load, usual.balance, None)
     starts = [usual.scaled] if usual.status is SolverOutcome.CONVERGED else []
     starts += _lumped_starts(usual.balance)
@@ -242,7 +242,7 @@ def _problem(
     model: RollerBearing, over: str, sign: float, balance: BearingBalance, tangents: Tangents | None
 ) -> ParametricBalance:
     def points(parameter: float) -> OperatingPoints:
-        return OperatingPoints.of([_changed(model, over, copysign(exp(parameter), sign)).operation])
+        return OperatingPoints.of(_changed(model, over, copysign(exp(parameter), sign)).operation)
 
     return ParametricBalance(balance, points, tangents)
 

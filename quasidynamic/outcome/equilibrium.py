@@ -1,6 +1,5 @@
 """A solved state of the bearing, in physical units."""
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -275,39 +274,3 @@ class Equilibrium:
     def tangent(self) -> Tangent:
         """Compliance and stiffness of the ring at this state."""
         return self.cases.tangent[0]
-
-
-@dataclass(frozen=True)
-class Equilibria:
-    """Equilibria of many operating points of one bearing."""
-
-    states: tuple[Equilibrium, ...]
-
-    def __len__(self) -> int:
-        return len(self.states)
-
-    def __iter__(self) -> Iterator[Equilibrium]:
-        return iter(self.states)
-
-    def __getitem__(self, case: int) -> Equilibrium:
-        return self.states[case]
-
-    @property
-    def unsolved(self) -> tuple[int, ...]:
-        """Cases where no equilibrium was reached."""
-        return tuple(i for i, state in enumerate(self.states) if state.status is not SolverOutcome.CONVERGED)
-
-    @property
-    def cage_slip(self) -> NDArray:
-        """Lag of the cage (cases) as a fraction [-]."""
-        return np.array([state.cage_slip for state in self.states])
-
-    @property
-    def ring_displacement(self) -> NDArray:
-        """Displacement (cases, 2) along y and z [m]."""
-        return np.array([state.ring_displacement for state in self.states])
-
-    @property
-    def loads(self) -> NDArray:
-        """Roller loads (cases, 2, Z) [N]."""
-        return np.array([state.loads for state in self.states])

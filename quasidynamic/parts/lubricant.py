@@ -1,6 +1,6 @@
 """The oil at the inlet of the contacts."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from quasidynamic.errors import require_positive
 from quasidynamic.note import Note
@@ -16,7 +16,8 @@ class Lubricant:
     temperature_viscosity: float  # [1/K] beta = -d ln(viscosity)/dT
     conductivity: float  # [W/(m K)]
     density: float  # [kg/m3]
-    notes: tuple[Note, ...] = ()  # what a user must know, such as an extrapolation
+    # what a user must know, such as an extrapolation
+    notes: tuple[Note, ...] = field(default=(), compare=False)
 
     def __post_init__(self):
         for name in ("temperature", "viscosity", "pressure_viscosity", "conductivity", "density"):

@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from quasidynamic.errors import ImpossiblePart
 
 GRAVITY = 9.81  # [m/s2]
@@ -43,4 +45,4 @@ class Operation:
     @property
     def tilts(self) -> bool:
         """Whether the rings stand at an angle to each other between raceways of no shape of their own."""
-        return self.moment != 0.0 or self.misalignment != 0.0
+        return bool(np.any(self.moment) or np.any(self.misalignment))

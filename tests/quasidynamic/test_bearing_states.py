@@ -9,6 +9,7 @@ from pytest import approx
 
 from quasidynamic import Equilibrium, FourPointCurve
 from quasidynamic.balance.rollers.operating_points import OperatingPoints
+from quasidynamic.columns import side_by_side
 from quasidynamic.outcome.bearing_states import BearingStates
 from quasidynamic.several.indicator import (
     cage_balances_often,
@@ -39,7 +40,8 @@ QUANTITIES = [
 
 def together(states: list[Equilibrium], operations) -> BearingStates:
     """States of one bearing under several operations as arrays."""
-    balance = replace(states[0].balance, points=OperatingPoints.of(operations))
+    points = OperatingPoints.of(side_by_side(operations), len(operations))
+    balance = replace(states[0].balance, points=points)
     return BearingStates(balance, np.array([state.scaled for state in states]), states[0].axial_modes)
 
 

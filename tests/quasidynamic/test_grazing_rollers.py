@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from quasidynamic import SolverOutcome
+from quasidynamic import SolverOutcome, solve_many
 from quasidynamic.solve.rollers.step_bounds import shortened
 from tests.bearings import paper_bearing
 from tests.random_rollers import imbalance, wide_design
@@ -14,7 +14,7 @@ from tests.thick_films import design
 def test_bearing_with_thick_oil_is_solved_though_a_roller_hardly_touches(number):
     """Tilted rollers touch at one end (30 and 45), or the last loaded roller just loses contact (57)."""
     model = design(np.random.default_rng([7, number]))
-    state = model.solve_many([model.operation])[0]
+    state = solve_many([model])[0]
     assert state.status is SolverOutcome.CONVERGED
     assert imbalance(state) < 1e-8
 
@@ -23,7 +23,7 @@ def test_bearing_with_thick_oil_is_solved_though_a_roller_hardly_touches(number)
 def test_ring_under_a_moment_alone_is_solved(number):
     """Every loaded roller touches at one end."""
     model, _ = wide_design(np.random.default_rng([1, number]))
-    state = model.solve_many([model.operation])[0]
+    state = solve_many([model])[0]
     assert state.status is SolverOutcome.CONVERGED
     assert imbalance(state) < 1e-8
 

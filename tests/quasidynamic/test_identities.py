@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from quasidynamic import Crowned, NotSolved, SolverOutcome
+from quasidynamic import Crowned, NotSolved, SolverOutcome, solve_many
 from quasidynamic.contact.traction import RollingShear
 from tests.bearings import RPM, paper_bearing
 
@@ -208,10 +208,11 @@ def test_many_operating_points_are_those_of_one_after_the_other():
         for load in (50.0, 1000.0, 2e4)
         for speed in (100.0, 8000.0, 38000.0)
     ]
-    many = bearing.solve_many(points)
+    models = [replace(bearing, operation=point) for point in points]
+    many = solve_many(models)
     assert many.unsolved == ()
-    for operation, state in zip(points, many, strict=True):
-        alone = replace(bearing, operation=operation).solve()
+    for model, state in zip(models, many, strict=True):
+        alone = model.solve()
         assert state.loads == approx(alone.loads, rel=1e-9, abs=1e-9 * alone.loads.max())
         assert state.cage_slip == approx(alone.cage_slip, rel=1e-9, abs=1e-12)
 
@@ -221,4 +222,4 @@ def test_nothing_holds_a_ring_without_load():
     with pytest.raises(NotSolved, match="undetermined") as failure:
         idle.solve()
     assert failure.value.outcome == SolverOutcome.UNDETERMINED
-    assert idle.solve_many([idle.operation])[0].status == SolverOutcome.UNDETERMINED
+    assert solve_many([idle])[0].status == SolverOutcome.UNDETERMINED

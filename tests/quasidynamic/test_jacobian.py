@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from pytest import approx
 
+from quasidynamic.columns import side_by_side
 from quasidynamic.solve.rollers import bordered_system, small_systems
 from quasidynamic.solve.start import static_start
 from tests.bearings import eyring, paper_bearing
@@ -50,7 +51,7 @@ def state(request):
     if law:
         lubrication = replace(model.lubrication, traction=eyring(model.lubrication.oil, **law))
         model = replace(model, lubrication=lubrication)
-    balance = model._balance([model.operation], aligned=not any(elastic))
+    balance = model.balance(aligned=not any(elastic))
     if any(elastic):
         size = model.bearing.rollers * model.axial_modes
         root = rng.normal(size=(size, size)) * 3e-6
@@ -106,11 +107,10 @@ def test_shifted_solve_is_that_of_the_shifted_matrix(state):
 
 def test_elastic_raceways_are_solved_side_by_side_as_one_by_one():
     """Other rollers touch under other loads."""
-    model = paper_bearing(axial_modes=3)
-    operations = [replace(model.operation, radial_load=load) for load in (300.0, 3e3, 3e4)]
+    model = side_by_side([paper_bearing(axial_modes=3, load=load) for load in (300.0, 3e3, 3e4)])
     root = np.random.default_rng(5).normal(size=(90, 90)) * 3e-7
     matrix = root @ root.T
-    together = replace(model._balance(operations, aligned=False), compliance=(matrix, 2 * matrix))
+    together = replace(model.balance(3, aligned=False), compliance=(matrix, 2 * matrix))
     start = static_start(together)
     right = np.random.default_rng(1).normal(size=(3, together.layout.size, 2))
     found = bordered_system.solve(together, together.evaluate(start), right)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from quasidynamic import FourPointCurve, Logarithmic, RollerBearing, SolverOutcome
+from quasidynamic import FourPointCurve, Logarithmic, RollerBearing, SolverOutcome, solve_many
 from quasidynamic.contact.line import SMALLEST_LOAD
 from quasidynamic.outcome.life import slice_life, turning_share
 from quasidynamic.static import static_loads
@@ -183,7 +183,7 @@ def test_free_cage_without_radial_load_has_an_equilibrium(guidance, gravity, cha
     land = {"outer": 74.6e-3, "inner": 65.4e-3}[guidance]
     cage = {"free": True, "guidance": guidance, "land_diameter": land}
     model = paper_bearing(load=0.0, cage=cage, gravity=gravity, **changes)
-    state = model.solve_many([model.operation])[0]
+    state = solve_many([model])[0]
     assert state.status is SolverOutcome.CONVERGED
     assert np.isfinite(state.floating.offset).all()
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from quasidynamic import SolverOutcome
+from quasidynamic import SolverOutcome, solve_many
 from quasidynamic.solve.rollers.newton import newton
 from quasidynamic.solve.rollers.normal_equilibrium import normal_equilibrium
 from quasidynamic.solve.rollers.settled_time import through_settled_time
@@ -23,7 +23,7 @@ def design(number):
 
 
 def balance_of(model):
-    return model._balance([model.operation])
+    return model.balance()
 
 
 @pytest.mark.parametrize(
@@ -49,7 +49,7 @@ def test_design_that_newton_left_unsolved_is_solved(number):
 @pytest.mark.parametrize("number", [MOMENT_ALONE, COLD_AND_SLOW, 185, 199, 221])
 def test_whole_solve_ends_in_balance(number):
     model = design(number)
-    state = model.solve_many([model.operation])[0]
+    state = solve_many([model])[0]
     assert state.status is SolverOutcome.CONVERGED
     assert imbalance(state) < 1e-11
 

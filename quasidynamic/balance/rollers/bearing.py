@@ -32,6 +32,7 @@ from quasidynamic.balance.rollers.unknowns import (
     Y,
     Z,
 )
+from quasidynamic.columns import taken
 from quasidynamic.contact.cage import land_torque
 
 
@@ -64,14 +65,19 @@ class BearingBalance:
 
     roller: RollerBalance
     points: OperatingPoints
-    clearance: float  # [m] operating, diametral
     compliance: tuple[NDArray | None, NDArray | None] = (None, None)  # inner, outer (Z M, Z M) [m/N]
     deviation: NDArray | None = None  # (2, Z, M) given shape of the raceways, outward [m]
     spin_inertia: bool = True
 
     def take(self, cases: NDArray) -> "BearingBalance":
         """Balance of some of the cases."""
-        return replace(self, points=self.points.take(cases))
+        roller = self.roller if self._rollers_alike else taken(self.roller, cases)
+        return replace(self, points=self.points.take(cases), roller=roller)
+
+    @cached_property
+    def _rollers_alike(self) -> bool:
+        """Whether all cases have the same rollers, raceways and oil."""
+        return len(self.points) == 1 or taken(self.roller, np.zeros(1, int)) is self.roller
 
     @cached_property
     def layout(self) -> UnknownLayout:
@@ -134,13 +140,13 @@ class BearingBalance:
         if self.deviation is not None or self.layout.elastic_raceways or not idle.any():
             return np.zeros(len(points), bool)
         reach = np.hypot(points.slope_y, points.slope_z) * self.roller.bearing.roller.length / 2
-        return (idle & (2 * reach <= self.clearance))[:, 0]
+        return (idle & (2 * reach <= self.roller.bearing.clearance))[:, 0]
 
     # -- approaches and speeds -----------------------------------------------------------------
 
     def inputs(self, x: Unknowns) -> RollerInputs:
         """Inputs of the rollers; outward deviations move the raceways towards (inner) or away from them."""
-        approach = self.kinematics.approach(x, self.clearance)
+        approach = self.kinematics.approach(x, self.roller.bearing.clearance)
         if self.layout.elastic_raceways or self.deviation is not None:
             deviation = x.deviation
             if self.deviation is not None:

@@ -34,7 +34,7 @@ class ApproachKinematics:
         """Sine and cosine of the roller azimuths (2, Z): components y and z of what points outwards."""
         return np.array([np.sin(self.azimuths), np.cos(self.azimuths)])
 
-    def approach(self, x: Unknowns, clearance: float) -> NDArray:
+    def approach(self, x: Unknowns, clearance: NDArray | float) -> NDArray:
         """Coefficients (2, M, C, Z) of the axial modes of the approaches between even raceways [m]."""
         m, (y, z) = self.layout.axial_modes, x.ring[:TILT_Z]
         sin, cos = self._radial

@@ -1,8 +1,8 @@
 """Operating points side by side: what may differ between the cases of one solve."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass, fields
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,25 +27,26 @@ class OperatingPoints:
     gravity_z: NDArray  # [m/s2]
 
     @classmethod
-    def of(cls, operations: Sequence[Operation]) -> "OperatingPoints":
-        """Stack operations; each load, moment, misalignment and gravity is split along y and z."""
-        names = ("radial_load", "load_direction", "moment", "misalignment", "inner_speed", "outer_speed")
-        names += ("gravity", "gravity_direction")
-        table = np.array([[getattr(o, name) for name in names] for o in operations], float)
-        load, direction, moment, slope, inner, outer, gravity, down = table.T[..., None]
-        cos, sin = np.cos(direction), np.sin(direction)
+    def of(cls, operation: Operation, cases: int = 1) -> "OperatingPoints":
+        """Operation of C cases, its numbers or columns; all that has a direction is split along y and z."""
+
+        def column(value: Any) -> NDArray:
+            return np.full((cases, 1), value, float)
+
+        cos, sin = np.cos(operation.load_direction), np.sin(operation.load_direction)
+        down, gravity = operation.gravity_direction, operation.gravity
         return cls(
-            load_y=load * sin,
-            load_z=load * cos,
-            moment_z=moment * cos,
-            moment_y=moment * sin,
-            slope_z=slope * cos,
-            slope_y=slope * sin,
-            free_tilt=np.array([[o.free_tilt] for o in operations], bool),
-            inner_speed=inner,
-            outer_speed=outer,
-            gravity_y=gravity * np.sin(down),
-            gravity_z=gravity * np.cos(down),
+            load_y=column(operation.radial_load * sin),
+            load_z=column(operation.radial_load * cos),
+            moment_z=column(operation.moment * cos),
+            moment_y=column(operation.moment * sin),
+            slope_z=column(operation.misalignment * cos),
+            slope_y=column(operation.misalignment * sin),
+            free_tilt=np.full((cases, 1), operation.free_tilt),
+            inner_speed=column(operation.inner_speed),
+            outer_speed=column(operation.outer_speed),
+            gravity_y=column(gravity * np.sin(down)),
+            gravity_z=column(gravity * np.cos(down)),
         )
 
     def __len__(self) -> int:

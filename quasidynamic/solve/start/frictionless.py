@@ -44,7 +44,7 @@ def static_unknowns(balance: BearingBalance, cage_drift: NDArray) -> Unknowns:
     film = film_at(balance, unknowns, usual)
     direction = np.arctan2(points.load_y, points.load_z)
     pressed = balance.roller.raceways.softness[1] * outward.mean(-1, keepdims=True) ** (1 / EXPONENT)
-    gap = balance.clearance / 2 - film.sum(0).mean(-1, keepdims=True) + pressed
+    gap = balance.roller.bearing.clearance / 2 - film.sum(0).mean(-1, keepdims=True) + pressed
     shift = ring_shift(balance, direction, gap)
     unknowns.ring[:2] = shift * np.sin(direction), shift * np.cos(direction)
     return static_equilibrium(balance, unknowns._replace(film=film), outward=force)

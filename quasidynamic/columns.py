@@ -1,0 +1,125 @@
+"""Frozen data of several cases as one: numbers that differ are columns (C, 1), all others stay numbers.
+
+Columns broadcast against arrays (..., C, Z) as numbers do: physics written for one case holds for many.
+"""
+
+from collections.abc import Callable, Hashable, Sequence
+from dataclasses import fields, is_dataclass
+from functools import cache, partial
+from typing import Any, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+Part = TypeVar("Part")
+Number = float | NDArray
+
+
+def kind_and_numbers(part: Any) -> tuple[Hashable, list[float]]:
+    """What must be equal in parts that stand side by side, and the numbers that may differ.
+
+    Numbers are those of fields that are declared as such, at any depth. What is None, whole numbers, names,
+    yes and no, arrays and functions belong to the kind. Fields that do not count in comparisons are left out.
+    """
+    kind: list[Hashable] = []
+    numbers: list[float] = []
+    _collect(part, kind, numbers)
+    return tuple(kind), numbers
+
+
+def side_by_side(parts: Sequence[Part]) -> Part:
+    """One part that stands for parts of one kind."""
+    return with_columns(parts[0], np.array([kind_and_numbers(part)[1] for part in parts]))
+
+
+def with_columns(part: Part, numbers: NDArray) -> Part:
+    """The same part with the numbers (C, n) of C parts of its kind, all of which have been checked."""
+    differs = (numbers != numbers[0]).any(0)
+    columns = iter([numbers[:, i, None] if differs[i] else None for i in range(len(differs))])
+
+    def of_all(number: Number) -> Number:
+        if isinstance(number, np.ndarray):
+            return number
+        column = next(columns)
+        return number if column is None else column
+
+    return _changed(part, of_all)
+
+
+def taken(part: Part, cases: NDArray) -> Part:
+    """The same part for some of its cases; for a single one its columns become numbers.
+
+    Columns may have further axes (..., C, 1). What has none stays the same object.
+    """
+
+    def of_some(number: Number) -> Number:
+        if not isinstance(number, np.ndarray) or number.ndim < 2 or number.shape[-2] == 1:
+            return number
+        some = number[..., cases, :]
+        return some.item() if some.size == 1 else some
+
+    return _changed(part, of_some)
+
+
+def _collect(value: Any, kind: list[Hashable], numbers: list[float]) -> None:
+    """Add what a value that is no number consists of."""
+    inside = _inside(value)
+    if inside is None:
+        array = isinstance(value, np.ndarray)
+        named = value is None or isinstance(value, str | int)
+        kind.append((value.shape, value.tobytes()) if array else value if named else id(value))
+        return
+    kind.append((value.func, *value.keywords) if isinstance(value, partial) else type(value))
+    kind.append(len(inside))
+    for each in inside:
+        if isinstance(each, float):
+            kind.append(float)
+            numbers.append(each)
+        else:
+            _collect(each, kind, numbers)
+
+
+def _changed(value: Any, change: Callable[[Number], Number]) -> Any:
+    """The same data with every number and array changed; the same object where none is."""
+    if isinstance(value, float | np.ndarray):
+        return change(value)
+    inside = _inside(value)
+    if inside is None:
+        return value
+    changed = [_changed(each, change) for each in inside]
+    if all(new is old for new, old in zip(changed, inside, strict=True)):
+        return value
+    if isinstance(value, tuple):
+        return tuple(changed)
+    if isinstance(value, partial):
+        return partial(value.func, *changed[0], **dict(zip(value.keywords, changed[1:], strict=True)))
+    whole = object.__new__(type(value))
+    whole.__dict__.update(zip(_names(type(value)) or (), changed, strict=True))
+    return whole
+
+
+def _inside(value: Any) -> list | None:
+    """What tuples, functions with arguments and dataclasses consist of; None for anything else."""
+    if isinstance(value, tuple):
+        return list(value)
+    if isinstance(value, partial):
+        return [value.args, *value.keywords.values()]
+    names = _names(type(value))
+    if not names:
+        return None if names is None else []
+    stored = value.__dict__
+    inside = [stored[name] for name in names]
+    if int in map(type, inside):  # where a whole number stands for a number
+        declared = names.values()
+        inside = [
+            float(each) if d and type(each) is int else each for each, d in zip(inside, declared, strict=True)
+        ]
+    return inside
+
+
+@cache
+def _names(kind: type) -> dict[str, bool] | None:
+    """Names of the fields of a dataclass that count, and whether they are declared as numbers."""
+    if not is_dataclass(kind):
+        return None
+    return {field.name: field.type not in (int, bool) for field in fields(kind) if field.compare}
