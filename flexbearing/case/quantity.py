@@ -10,7 +10,7 @@ from pydantic import BaseModel, ConfigDict, Field, GetCoreSchemaHandler
 from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
 from flexbearing.case.excerpt import excerpt
-from flexbearing.case.units import BadUnit, Unit, UnknownUnit, unit
+from flexbearing.units import BadUnit, Unit, UnknownUnit, unit
 
 LONGEST = 100  # characters of a quantity: a number with all its digits, a unit, and room between them
 _NUMBER_UNIT = re.compile(r"\s*([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)\s*(\S.*?)?\s*")

@@ -34,6 +34,12 @@ class EndState:
         """Basic rating life [rev]."""
         return self.equilibrium.life * MREV
 
+    @property
+    def relative_speed(self) -> float:
+        """Speed of the inner ring less that of the outer ring [rad/s]."""
+        points = self.equilibrium.balance.points
+        return float(points.inner_speed[0, 0] - points.outer_speed[0, 0])
+
     @cached_property
     def between_raceways(self) -> Tangent:
         """Stiffness between raceways freed of their translation."""

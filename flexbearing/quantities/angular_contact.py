@@ -8,7 +8,15 @@ import numpy as np
 from flexbearing.quantities.attributes import HEAD
 from flexbearing.quantities.layout import Layout
 from flexbearing.quantities.quantity import Quantity, SummaryValue, Unit
-from flexbearing.quantities.reductions import RACES, displacements, finite_range, tilts
+from flexbearing.quantities.reductions import (
+    ABOUT_YZ,
+    EXTENT,
+    RACES,
+    XYZ,
+    displacements,
+    finite_range,
+    tilts,
+)
 from flexbearing.quantities.units import COUNT, DEG, MM, MPA, MRAD, RPM, UM
 
 RING = "ring"  # section of the page
@@ -33,7 +41,8 @@ QUANTITIES = (
         SummaryValue("balls", lambda load: load.shape[1], "balls", "d", unit=COUNT),
         SummaryValue("balls_on_both_races", lambda load: int((load > 0).all(0).sum()),
             "balls on both races", "d", unit=COUNT),
-        SummaryValue("contact_load_range_N", _range_of_races, "contact load", ",.1f", parts=RACES),
+        SummaryValue("contact_load_range_N", _range_of_races, "contact load", ",.1f", parts=RACES,
+            entries=EXTENT),
         SummaryValue("contact_loads_N", parts=RACES),
     )),
     Quantity("ball_azimuth", "phi", "Z", "rad", "block",
@@ -41,7 +50,8 @@ QUANTITIES = (
         summary=(SummaryValue("ball_azimuths_deg"),)),
     Quantity("contact_angle", "alpha", "2 Z", "rad", "block", "contact angle from the radial plane",
         source="state.contact_angles", people=DEG, summary=(
-            SummaryValue("contact_angle_range_deg", _range_of_races, "contact angle", ".2f", parts=RACES),
+            SummaryValue("contact_angle_range_deg", _range_of_races, "contact angle", ".2f", parts=RACES,
+                entries=EXTENT),
             SummaryValue("contact_angles_deg", parts=RACES),
         )),
     Quantity("peak_pressure", "p", "2 Z", "Pa", "block", "largest pressure, 0 without load",
@@ -65,41 +75,50 @@ QUANTITIES = (
     # motion
     Quantity("orbital_speed", "omega_m", "Z", "rad/s", "block",
         "speed of the ball centre about the shaft, positive to +azimuth", people=RPM,
-        summary=(SummaryValue("orbital_speed_range_rpm", finite_range, "orbital speed", ",.0f"),)),
+        summary=(SummaryValue("orbital_speed_range_rpm", finite_range, "orbital speed", ",.0f",
+            entries=EXTENT),)),
     Quantity("ball_speed", "omega_R", "Z", "rad/s", "block",
         "speed of the ball about its axis, in the orbiting frame", people=RPM,
-        summary=(SummaryValue("ball_speed_range_rpm", finite_range, "ball speed", ",.0f"),)),
+        summary=(SummaryValue("ball_speed_range_rpm", finite_range, "ball speed", ",.0f", entries=EXTENT),)),
     Quantity("ball_attitude", "beta", "Z", "rad", "block",
         "angle of the ball's axis to the shaft, signed like contact angles", source="state.attitude",
         people=DEG,
-        summary=(SummaryValue("ball_attitude_range_deg", finite_range, "angle of the ball's axis", ".2f"),)),
+        summary=(SummaryValue("ball_attitude_range_deg", finite_range, "angle of the ball's axis", ".2f",
+            entries=EXTENT),)),
     Quantity("ball_yaw", "psi", "Z", "rad", "block",
         "angle of the ball's axis out of the plane of the section, positive: -x end leads towards "
         "+azimuth; 0 but with control coulomb", source="state.yaw", people=DEG,
         summary=(SummaryValue("ball_yaw_range_deg", finite_range, "yaw of the ball's axis", ".3f",
-            beside="friction_torque_Nm"),)),
+            beside="friction_torque_Nm", entries=EXTENT),)),
     Quantity("centrifugal_force", "F_c", "Z", "N", "block", "force of the orbit, outwards",
-        summary=(SummaryValue("centrifugal_force_range_N", finite_range, "centrifugal force", ".3f"),)),
+        summary=(SummaryValue("centrifugal_force_range_N", finite_range, "centrifugal force", ".3f",
+            entries=EXTENT),)),
     Quantity("gyroscopic_moment", "M_g", "Z", "N m", "block",
         "moment that turns the ball's axis with the orbit", people=Unit("mN m", 1e3),
         summary=(SummaryValue("gyroscopic_moment_range_Nm", finite_range, "gyroscopic moment", ".4f",
-            in_si=True),)),
+            in_si=True, entries=EXTENT),)),
     Quantity("friction_torque", "", "", "N m", "block", f"torque between the rings by friction; {_COULOMB}",
         optional=True,
         summary=(SummaryValue("friction_torque_Nm", label="friction torque", digits=".4g"),)),
     Quantity("friction_heat", "Phi", "Z", "W", "block", f"heat of friction of both contacts; {_COULOMB}",
         optional=True,
-        summary=(SummaryValue("friction_heat_range_W", finite_range, "heat of friction of a ball", ".4g"),)),
+        summary=(SummaryValue("friction_heat_range_W", finite_range, "heat of friction of a ball", ".4g",
+            entries=EXTENT),)),
 
     # ring
     Quantity("ring_load", "P", "5", "N, N m", "block",
         f"what the balls carry for the inner ring ({_ORDER}): load or reaction",
-        summary=(SummaryValue("ring_load_N", displacements), SummaryValue("ring_moment_Nm", tilts))),
+        summary=(
+            SummaryValue("ring_load_N", displacements, entries=XYZ),
+            SummaryValue("ring_moment_Nm", tilts, entries=ABOUT_YZ),
+        )),
     Quantity("ring_displacement", "delta", "5", "m, rad", "block",
         f"displacement of the inner ring ({_ORDER})", summary=(
             SummaryValue("ring_displacement_um", displacements, "displacement x, y, z", ".3f", unit=UM,
+                entries=XYZ,
                 section=RING),
-            SummaryValue("ring_tilt_mrad", tilts, "turn about y, z", ".4f", unit=MRAD, section=RING),
+            SummaryValue("ring_tilt_mrad", tilts, "turn about y, z", ".4f", unit=MRAD,
+                section=RING, entries=ABOUT_YZ),
         )),
     Quantity("stiffness_matrix", "K", "5 5", "N/m, N/rad, N m/m, N m/rad", "block",
         f"load on the inner ring by its displacement ({_ORDER}), balls in balance", source="state.stiffness",
@@ -110,7 +129,7 @@ QUANTITIES = (
         f"E of the pure rolling lines, c1 + c2 = -E; {_APART}", source="lines.line_parameter",
         optional=True, gaps=True,
         summary=(SummaryValue("line_parameter_range", _range_of_races, "E of the pure rolling lines", ".3f",
-            parts=RACES),)),
+            parts=RACES, entries=EXTENT),)),
     Quantity("net_friction", "e", "2 Z", "1", "block",
         f"e, friction in the rolling direction over coefficient times load; {_APART}",
         source="lines.net_friction", optional=True, gaps=True),
@@ -118,14 +137,14 @@ QUANTITIES = (
         "c1, place over the semi-axis, positive towards the bottom of the grooves; at or below -1 it "
         f"lies outside the contact; {_APART}", source="lines.first_line", optional=True, gaps=True, summary=(
             SummaryValue("first_line_range", _range_of_races, "c1, first pure rolling line", ".3f",
-                parts=RACES),
+                parts=RACES, entries=EXTENT),
             SummaryValue("first_lines", parts=RACES),
         )),
     Quantity("second_line", "c_2", "2 Z", "1", "block",
         f"c2, place over the semi-axis, positive towards the bottom of the grooves; {_APART}",
         source="lines.second_line", optional=True, gaps=True, summary=(
             SummaryValue("second_line_range", _range_of_races, "c2, second pure rolling line", ".3f",
-                parts=RACES),
+                parts=RACES, entries=EXTENT),
             SummaryValue("second_lines", parts=RACES),
         )),
     Quantity("line_count", "", "2 Z", "1", "block", f"lines inside the contact, 1 or 2; {_APART}",

@@ -5,12 +5,13 @@ from typing import Literal
 
 from flexbearing.quantities.forms import TEXT, Anything, Each, Form, ListOf, OneOf, Record
 
-FORMAT = 7
+FORMAT = 8
 OLDER = {  # what the files of an older format are
     4: "its axes are older: of balls z axial and x along the load, tilts in stiffness_matrix of rollers as "
     "slopes; see docs/reference/axes.md",
     5: "it has no checksums and no digest",
     6: "its notes have no grades and no codes",
+    7: "its lives have no speed by which they become hours",
 }
 ENDS = ("converged", "iteration limit", "diverging", "stagnating", "not finite", "not solved")
 STATUSES = (*ENDS, "unfinished")  # of a run that is at work, or was interrupted

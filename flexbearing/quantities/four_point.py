@@ -9,7 +9,10 @@ from flexbearing.quantities.attributes import HEAD
 from flexbearing.quantities.layout import Layout
 from flexbearing.quantities.quantity import Quantity, SummaryValue
 from flexbearing.quantities.reductions import (
+    ABOUT_YZ,
+    EXTENT,
     RACES,
+    XYZ,
     at_inner_race,
     displacements,
     finite_range,
@@ -62,7 +65,7 @@ QUANTITIES = (
     Quantity("contact_angle", "alpha", "Z G 2", "rad", "block", "contact angle from the radial plane",
         source="balls.contacts.angle", people=DEG, summary=(
             SummaryValue("contact_angle_range_deg", lambda angle, load: finite_range(angle[loaded(load)]),
-                "contact angle", ".2f", of=("contact_angle", "contact_load")),
+                "contact angle", ".2f", of=("contact_angle", "contact_load"), entries=EXTENT),
             SummaryValue("contact_angles_deg", at_inner_race),
         )),
     Quantity("peak_pressure", "p", "Z G 2", "Pa", "block", "largest pressure, 0 without load",
@@ -88,13 +91,15 @@ QUANTITIES = (
     Quantity("ball_speed_ratio", "", "Z", "1", "block",
         f"speed of the ball over that of the inner ring, seen from the orbiting ball centre; {_UNDRIVEN}",
         source="balls.ball_speed", gaps=True, summary=(
-            SummaryValue("ball_speed_ratio_range", finite_range, "ball speed over ring speed", ".2f"),
+            SummaryValue("ball_speed_ratio_range", finite_range, "ball speed over ring speed", ".2f",
+                entries=EXTENT),
             SummaryValue("ball_speed_ratios"),
         )),
     Quantity("ball_attitude", "", "Z", "rad", "block",
         f"angle of the ball's speed from that of the inner ring, pi where axes are parallel; {_UNDRIVEN}",
         source="balls.axis_angle", people=DEG, gaps=True, summary=(
-            SummaryValue("ball_attitude_range_deg", finite_range, "angle of the ball's axis", ".1f"),
+            SummaryValue("ball_attitude_range_deg", finite_range, "angle of the ball's axis", ".1f",
+                entries=EXTENT),
             SummaryValue("ball_attitudes_deg"),
         )),
     Quantity("ball_imbalance", "", "Z", "1", "block",
@@ -140,8 +145,10 @@ QUANTITIES = (
         f"displacement of the inner ring ({_ORDER}), of its bolted face when it is elastic; {_GIVEN}",
         source="ring.displacement", optional=True, summary=(
             SummaryValue("ring_displacement_um", displacements, "displacement x, y, z", ".3f", unit=UM,
+                entries=XYZ,
                 section=RING),
-            SummaryValue("ring_tilt_mrad", tilts, "turn about y, z", ".4f", unit=MRAD, section=RING),
+            SummaryValue("ring_tilt_mrad", tilts, "turn about y, z", ".4f", unit=MRAD,
+                section=RING, entries=ABOUT_YZ),
         )),
     Quantity("ring_yield", "s", "Z G 2", "m", "block",
         "elastic deflection: by how much both rings let opposite groove centres come closer, (outward, along "

@@ -35,6 +35,8 @@ class SummaryValue:
     unit: Unit | None = None  # None: that of the quantity
     in_si: bool = False  # the summary holds it in SI units, its row in the unit for people
     parts: tuple[str, ...] = ()  # names of its entries, such as inner and outer
+    entries: tuple[str, ...] = ()  # names of the numbers of a short list, such as y and z, or that of a part
+    speed: str = ""  # quantity by which its revolutions become a time
     section: str = ""  # of the page
     beside: str = ""  # key without which it has no row: a value that then is zero by assumption
     compared: bool = True  # whether its change from block to block means something

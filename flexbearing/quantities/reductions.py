@@ -4,6 +4,8 @@ import numpy as np
 
 LOADED = 3e-4  # of the largest load: a contact carries load above it
 RACES = ("inner", "outer")
+EXTENT = ("smallest", "largest")  # entries of a range
+YZ, XYZ, ABOUT_YZ = ("y", "z"), ("x", "y", "z"), ("about_y", "about_z")
 
 
 def largest(values: np.ndarray) -> np.ndarray:

@@ -9,6 +9,7 @@ from flexbearing.quantities.layout import Layout
 from flexbearing.quantities.quantity import Quantity, SummaryValue, Unit
 from flexbearing.quantities.reductions import (
     RACES,
+    YZ,
     across,
     along,
     largest,
@@ -73,7 +74,8 @@ QUANTITIES = (
     # life
     Quantity("life_L10", "L_10", "", "rev", "block",
         "rating life of both raceways together, 90 % survival", source="end.life", people=MREV,
-        summary=(SummaryValue("life_L10_Mrev", label="life L10", digits=",.2f", error="life"),)),
+        summary=(SummaryValue("life_L10_Mrev", label="life L10", digits=",.2f", error="life",
+                              speed="relative_speed"),)),
     Quantity("life_error", "", "", "1", "block",
         "estimated numerical error of the life by slices and axial shapes / life; absent with "
         "accuracy.target, "
@@ -84,7 +86,11 @@ QUANTITIES = (
     Quantity("modified_life", "L_nm", "", "rev", "block",
         "life after every factor of [life], see the attribute life; absent when nothing modifies it",
         source="life.modified", people=MREV, optional=True,
-        summary=(SummaryValue("modified_life_Mrev", label="modified life", digits=",.2f"),)),
+        summary=(SummaryValue("modified_life_Mrev", label="modified life", digits=",.2f",
+                              speed="relative_speed"),)),
+    Quantity("relative_speed", "", "", "rad/s", "block",
+        "speed of the inner ring less that of the outer ring, by which revolutions become hours",
+        source="end.relative_speed", people=RPM),
 
     # stiffness and place of the ring
     Quantity("stiffness", "k", "", "N/m", "block",
@@ -112,7 +118,7 @@ QUANTITIES = (
                          of=("ring_displacement", "load_direction")),
             SummaryValue("displacement_across_load_um", across, "ring displacement across load", ".2f",
                          of=("ring_displacement", "load_direction")),
-            SummaryValue("ring_displacement_um"),
+            SummaryValue("ring_displacement_um", entries=YZ),
         )),
     Quantity("ring_tilt", "", "2", "rad", "state", "slopes of the inner ring axis (dz/dx, dy/dx)",
         people=MRAD),

@@ -1,6 +1,7 @@
 """The reference page of the result file, from the tables that write it."""
 
 from flexbearing.case.family import Families, Family
+from flexbearing.outputs import outputs
 from flexbearing.quantities import Quantity
 from flexbearing.quantities.attributes import COMMON, Attribute
 from flexbearing.quantities.layout import Layout
@@ -43,6 +44,11 @@ SHA-256 over everything else in the file: of a JSON text (keys sorted, no spaces
 path, followed by the datasets in the order of their paths, each as little-endian 64-bit floats. flexbearing
 refuses a file whose content is another, that links to other files, or that does not follow the tables
 below. The file needs HDF5 1.10.
+
+Scalars of a block also have names, as in `result["flexible.max_roller_load [kN]"]` in Python: the keys of the
+summary with the unit apart. In brackets stands any unit of the same kind; without brackets it is the unit
+below. Without `rigid.` or `flexible.` a name means the flexible block where there is one, else the rigid one.
+Lives also become hours, `[h]`, at the speed of the block.
 """
 
 _PLACES: dict[Place, str] = {
@@ -81,6 +87,9 @@ def _family(family: Family) -> str:
                 *rows,
                 "",
             ]
+    sections += ["### Outputs by name\n", "| name | unit | meaning |", "|---|---|---|"]
+    sections += [f"| `{entry.name}` | {entry.unit} | {entry.meaning} |" for entry in outputs(layout)]
+    sections += [""]
     if layout.further_attributes:
         sections += ["### Further root attributes\n", *_attribute_table(layout.further_attributes)]
     return "\n".join(sections)

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from flexbearing.case.family import Family
+from flexbearing.outputs import Value, wanted
 from flexbearing.quantities.attributes import GRADES
 from flexbearing.quantities.summary import summary
 from flexbearing.results.checks import require_same_names
@@ -52,6 +53,10 @@ class Result:
     def dangers(self) -> tuple[Mapping[str, str], ...]:
         """Notes that whoever acts on the answer must heed, each with its code and text."""
         return tuple(note for note in self.attributes["notes"] if note["grade"] == GRADES[0])
+
+    def __getitem__(self, output: str) -> Value:
+        """A scalar by its name, "flexible.max_roller_load" or "cage_slip [%]"; see `flexbearing.outputs`."""
+        return wanted(self.family.layout(), output).value({"rigid": self.rigid, "flexible": self.flexible})
 
     def summary(self) -> dict[str, Any]:
         """Numbers of the run as one object that JSON can hold; a name carries its unit."""

@@ -255,7 +255,7 @@ def test_level_that_fails_is_a_row_and_the_study_goes_on(monkeypatch, kind):
 
 
 def test_interrupted_study_promises_nothing_of_its_temporary_results(monkeypatch):
-    def interrupted(*_):
+    def interrupted(*_, **__):
         problem = KeyboardInterrupt()
         problem.add_note("3 iterations kept in level.h5.part")
         raise problem
@@ -267,7 +267,7 @@ def test_interrupted_study_promises_nothing_of_its_temporary_results(monkeypatch
 
 
 def test_study_without_room_for_temporary_results_says_so(command, monkeypatch, tmp_path):
-    def full(*_):
+    def full(*_, **__):
         raise NotStored("level.h5: not written: choose another place with -o.")
 
     monkeypatch.setattr(pareto, "run", full)

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 import flexbearing
-from flexbearing.case.units import unit
 from flexbearing.families import FAMILIES
 from flexbearing.quantities import Quantity, Unit, units
 from flexbearing.quantities.quantity import taken
 from flexbearing.quantities.roller import CAGE_SLIP, LAYOUT, LOSSES
+from flexbearing.units import unit
 
 PACKAGE = Path(flexbearing.__file__).parent
 EVERY_FAMILY = pytest.mark.parametrize(

@@ -9,9 +9,9 @@ from hypothesis import assume, given, settings as examples, strategies as st
 from pydantic import TypeAdapter, ValidationError
 from pytest import approx
 
-from flexbearing import check
+from flexbearing import check, units
 from flexbearing.api import read_case
-from flexbearing.case import BadCase, quantity, units
+from flexbearing.case import BadCase, quantity
 from flexbearing.case.quantity import Angle, Fraction as Share, Length, Pressure, Speed, Temperature
 from tests.flexbearing.hostile_cases import CONFIGS
 

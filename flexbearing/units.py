@@ -1,4 +1,4 @@
-"""The units that case files may use, with their exact factors, and a grammar for products and powers."""
+"""The units of case files and outputs, with their exact factors, and a grammar for products and powers."""
 
 import re
 from dataclasses import dataclass
@@ -81,7 +81,8 @@ _PREFIXED = {  # names with the prefixes they take
     "J": (_unit(1, 2, 1, -2), _ANY), "W": (_unit(1, 2, 1, -3), _ANY),
     "Hz": (_unit(1, 0, 0, -1), "kM"), "K": (_unit(1, 0, 0, 0, 1), "m"), "rad": (_unit(1, *_ANGLE), "nuµμmk"),
     "rpm": (_unit(Fraction(1, 30), 0, 0, -1, 0, 1, pi_power=1), "k"),
-    "P": (_unit("0.1", -1, 1, -1), "cm"), "St": (_unit("0.0001", 2, 0, -1), "cm"),
+    "rev": (_unit(2, *_ANGLE, pi_power=1), "kM"), "P": (_unit("0.1", -1, 1, -1), "cm"),
+    "St": (_unit("0.0001", 2, 0, -1), "cm"),
 }  # fmt: skip
 _PLAIN = {
     "meter": _unit(1, 1), "metre": _unit(1, 1), "inch": _unit(_INCH, 1), "in": _unit(_INCH, 1),
@@ -94,7 +95,7 @@ _PLAIN = {
     "deg": _unit(_DEGREE, *_ANGLE, pi_power=1), "°": _unit(_DEGREE, *_ANGLE, pi_power=1),
     "degree": _unit(_DEGREE, *_ANGLE, pi_power=1), "degrees": _unit(_DEGREE, *_ANGLE, pi_power=1),
     "arcmin": _unit(_DEGREE / 60, *_ANGLE, pi_power=1), "arcsec": _unit(_DEGREE / 3600, *_ANGLE, pi_power=1),
-    "r": _unit(2, *_ANGLE, pi_power=1), "rev": _unit(2, *_ANGLE, pi_power=1),
+    "r": _unit(2, *_ANGLE, pi_power=1),
     "revolution": _unit(2, *_ANGLE, pi_power=1), "turn": _unit(2, *_ANGLE, pi_power=1),
     "degC": _unit(1, 0, 0, 0, 1, offset="273.15"), "°C": _unit(1, 0, 0, 0, 1, offset="273.15"),
     "degF": _unit(Fraction(5, 9), 0, 0, 0, 1, offset=Fraction("273.15") - 32 * Fraction(5, 9)),
@@ -143,6 +144,12 @@ def unit(text: str) -> Unit:
     if rest:
         raise BadUnit(text)
     return found
+
+
+def alike(kind: Unit) -> tuple[str, ...]:
+    """Names of the table that are units of the same kind, without prefixes and scales of temperature."""
+    bases = {name: base for name, (base, _) in _PREFIXED.items()} | _PLAIN
+    return tuple(name for name, base in bases.items() if base.powers == kind.powers and not base.offset)
 
 
 def _tokens(text: str) -> list[str]:

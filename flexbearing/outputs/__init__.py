@@ -1,0 +1,9 @@
+"""The scalar outputs of a run by name, in any unit of the right kind.
+
+Names, units and reductions follow from `quantities`; files, cases and models are unknown here.
+"""
+
+from flexbearing.outputs.names import AbsentOutput, Output, UnknownOutput, Wanted, outputs, wanted
+from flexbearing.outputs.value import Value, WrongUnit
+
+__all__ = ["AbsentOutput", "Output", "UnknownOutput", "Value", "Wanted", "WrongUnit", "outputs", "wanted"]

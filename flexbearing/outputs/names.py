@@ -1,0 +1,208 @@
+"""The names of scalar outputs: what there is, and the number behind a name."""
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from difflib import get_close_matches
+from functools import lru_cache
+from itertools import product
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexbearing.outputs.value import Conversion, Value, WrongUnit, conversion
+from flexbearing.quantities import Quantity, SummaryValue
+from flexbearing.quantities.layout import Layout
+from flexbearing.quantities.quantity import unchanged, with_defaults
+
+Block = Mapping[str, NDArray]  # the arrays of an end state, in SI units
+BLOCKS = ("flexible", "rigid")  # a bare name means the first of them that there is
+_WANTED = re.compile(r"\s*(?:(?P<block>rigid|flexible)\.)?(?P<name>[\w.]+)\s*(?:\[(?P<unit>[^]]*)\]\s*)?")
+_PLAIN = "1"  # the unit of plain numbers
+
+
+class UnknownOutput(ValueError):
+    """A name that no output has; the message says which there are."""
+
+
+class AbsentOutput(ValueError):
+    """An output that a result does not have; the message says why."""
+
+
+@dataclass(frozen=True)
+class Output:
+    """A scalar of an end state."""
+
+    name: str  # "max_roller_load", "peak_pressure.inner"
+    unit: str  # of the summary; "1" for plain numbers
+    meaning: str
+    declared: SummaryValue  # with its quantities and unit
+    place: tuple[int, ...]  # among the numbers of its reduction
+
+    def number(self, block: Block) -> float:
+        """Its number in `unit`; NaN where the block is empty, or the case does not give it."""
+        entry = self.declared
+        try:
+            arrays = [block[name] for name in entry.of]
+        except KeyError:
+            return float("nan")
+        value = entry.reduction(*arrays)
+        if self.place:
+            value = value[self.place]
+        assert entry.unit is not None  # a layout fills it in
+        return float(value if entry.in_si else value * entry.unit.scale)
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """An output that was asked for, with the block it is taken from and the unit it is given in."""
+
+    output: Output
+    block: str  # "rigid" or "flexible"; empty: flexible where there is such a block, else rigid
+    unit: str
+    conversion: Conversion
+
+    @property
+    def name(self) -> str:
+        """As it was asked for, without the unit."""
+        return f"{self.block}.{self.output.name}" if self.block else self.output.name
+
+    def chosen(self, blocks: Mapping[str, Block]) -> Block:
+        """The block that it is taken from; empty where there is none."""
+        names = (self.block,) if self.block else BLOCKS
+        return next((blocks[name] for name in names if blocks.get(name)), {})
+
+    def number(self, blocks: Mapping[str, Block]) -> float:
+        """Its number in `unit`, from the blocks `rigid` and `flexible` of a run; NaN where there is none."""
+        block = self.chosen(blocks)
+        number = self.output.number(block) * self.conversion.factor
+        if self.conversion.per_speed and number == number:
+            speed = abs(float(block[self.output.declared.speed]))
+            return number / speed if speed else float("inf")
+        return number
+
+    def value(self, blocks: Mapping[str, Block]) -> Value:
+        """The same with its unit.
+
+        Parameters
+        ----------
+        blocks : mapping
+            `rigid` and `flexible`
+
+        Returns
+        -------
+        Value
+
+        Raises
+        ------
+        AbsentOutput
+            where there is no such block, or the case does not give what it is computed from
+        """
+        block = self.chosen(blocks)
+        if not block:
+            raise AbsentOutput(f"{self.name}: there is no {self.block or 'solved'} block.")
+        if missing := [name for name in self.output.declared.of if name not in block]:
+            raise AbsentOutput(f"{self.name}: the case does not give {missing[0]}.")
+        turning = self.output.declared.speed and not self.conversion.per_speed
+        speed = float(block[self.output.declared.speed]) if turning else None
+        return Value(self.number(blocks), self.unit, speed)
+
+
+@lru_cache(maxsize=8)
+def _by_name(quantities: tuple[Quantity, ...]) -> dict[str, Output]:
+    axes = {entry.name: entry.shape for entry in quantities}
+    found: dict[str, Output] = {}
+    for quantity in quantities:
+        for entry in with_defaults([quantity]):
+            for output in _scalars(quantity, entry, axes):
+                found[output.name] = output
+    return found
+
+
+def outputs(layout: Layout) -> tuple[Output, ...]:
+    """List every scalar output of a kind of bearing.
+
+    Parameters
+    ----------
+    layout : Layout
+        of the family
+
+    Returns
+    -------
+    tuple of Output
+        in the order of the summary; any of them may be absent from a block, see `Output.number`
+    """
+    return tuple(_by_name(layout.quantities).values())
+
+
+def wanted(layout: Layout, text: str) -> Wanted:
+    """Understand a name with block and unit.
+
+    Parameters
+    ----------
+    layout : Layout
+        of the family
+    text : str
+        "flexible.max_roller_load [kN]"; without a unit in that of the summary, without a block from the
+        flexible one where there is one, else from the rigid one
+
+    Returns
+    -------
+    Wanted
+
+    Raises
+    ------
+    UnknownOutput
+        for another name, with the nearest one and all that there are
+    WrongUnit
+        for a unit that cannot be read or is of another kind, with those that are allowed
+    """
+    known = _by_name(layout.quantities)
+    parts = _WANTED.fullmatch(text)
+    name = parts["name"] if parts else text
+    if parts is None or name not in known:
+        near = get_close_matches(name, known, n=1, cutoff=0.4)
+        hint = f" Did you mean {near[0]}?" if near else ""
+        raise UnknownOutput(f"{text!r}: no output has this name.{hint} There are: {', '.join(known)}.")
+    output = known[name]
+    unit = output.unit if parts["unit"] is None else parts["unit"].strip()
+    try:
+        way = conversion(output.unit, unit, turning=bool(output.declared.speed))
+    except WrongUnit as problem:
+        raise WrongUnit(f"{text!r}: {problem}") from None
+    return Wanted(output, parts["block"] or "", unit, way)
+
+
+def _scalars(
+    quantity: Quantity, entry: SummaryValue, axes: Mapping[str, tuple[str, ...]]
+) -> Iterator[Output]:
+    """The scalars of a value of the summary: itself, or its parts and entries; none of a list."""
+    named = [names for names in (entry.parts, entry.entries) if names]
+    if np.shape(_trial(entry, axes)) != tuple(map(len, named)):
+        return
+    unit = _unit(quantity, entry)
+    name = re.sub(rf"_{re.escape(_spelt(unit))}(?=\.|$)", "", entry.key, count=1)
+    meaning = quantity.meaning if entry.reduction is unchanged else entry.label.strip() or quantity.meaning
+    for place in product(*(range(len(names)) for names in named)):
+        words = [names[number] for names, number in zip(named, place, strict=True)]
+        yield Output(".".join([name, *words]), unit, ", ".join([meaning, *words]), entry, place)
+
+
+def _trial(entry: SummaryValue, axes: Mapping[str, tuple[str, ...]]) -> Any:
+    """The reduction of arrays of ones, whose shape tells a number from a list."""
+    shapes = [tuple(int(axis) if axis.isdigit() else 3 for axis in axes[name]) for name in entry.of]
+    return entry.reduction(*map(np.ones, shapes))
+
+
+def _unit(quantity: Quantity, entry: SummaryValue) -> str:
+    """The one unit of a value; of several, "N, N m", the one that its key names."""
+    assert entry.unit is not None  # a layout fills it in
+    units = (quantity.unit if entry.in_si else entry.unit.name).split(", ")
+    spelt = [unit for unit in units if re.search(rf"_{re.escape(_spelt(unit))}(\.|$)", entry.key)]
+    return (spelt or units)[0] or _PLAIN
+
+
+def _spelt(unit: str) -> str:
+    """A unit as keys of the summary write it, "N_per_m"."""
+    return unit.replace("%", "percent").replace("/", "_per_").replace(" ", "")
