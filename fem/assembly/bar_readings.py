@@ -43,12 +43,17 @@ def bar_readings(space, cage: SquirrelCage, half: bool) -> NDArray:
 
     Returns
     -------
-    array (unknowns, 6)
+    array (unknowns, 6), or 12 with bars at both ends
         [N/m, N m/m]: N, M_n at the ring and at the flange, M_t at both, T about +x; signs as in
         `fem.cage.bar_forces`
     """
-    length, start = cage.bar_length * MILLIMETRES, cage.width / 2 * MILLIMETRES
-    xi = (ngs.x - start) / length
+    return np.hstack([_at_end(space, cage, half, end) for end in cage.ends])
+
+
+def _at_end(space, cage: SquirrelCage, half: bool, end: int) -> NDArray:
+    """Load vectors (unknowns, 6) of the bar at one end of the ring, with x from there."""
+    length, start = cage.bar_length * MILLIMETRES, cage.end_distance(end) * MILLIMETRES
+    xi = (end * ngs.x - start) / length
     bump = xi**2 * (1 - xi) ** 2
     mean, slope = MEAN * bump, SLOPE * (xi - 0.5) * bump
     n, t = ngs.z / MILLIMETRES - bar_section(cage).centre, ngs.y / MILLIMETRES
@@ -56,7 +61,7 @@ def bar_readings(space, cage: SquirrelCage, half: bool) -> NDArray:
     lame, shear = lame_constants(cage.elastic.youngs_modulus, cage.elastic.poisson_ratio)
     e = MILLIMETRES * strain(v)
     tension = 2 * shear * e[0, 0] + lame * ngs.Trace(e)
-    twist = 2 * shear * (t * e[0, 2] - n * e[0, 1])
+    twist = end * 2 * shear * (t * e[0, 2] - n * e[0, 1])
     near, far = mean - slope / 2, mean + slope / 2
     forms = (
         tension * mean, tension * n * near, tension * n * far, tension * t * near, tension * t * far,
@@ -64,6 +69,8 @@ def bar_readings(space, cage: SquirrelCage, half: bool) -> NDArray:
     )  # fmt: skip
     # forms are integrated over the length in millimetres of a section in square ones
     scale = (2.0 if half else _first_pitch(cage.bars)) / (length * MILLIMETRES**2)
+    if cage.two_sided:
+        scale = scale * ngs.IfPos(end * ngs.x, 1.0, 0.0)
     where = ngs.dx(definedon=space.mesh.Materials("bars"))
     vectors = [ngs.LinearForm(scale * form * where).Assemble().vec.FV().NumPy().copy() for form in forms]
     return np.stack(vectors, axis=1)

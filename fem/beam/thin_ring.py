@@ -48,6 +48,7 @@ FOLLOWS = 13 / 35  # mean square of a cubic from ring to clamp: part of a tube's
 WAVES = 10.0  # highest harmonic over R/thickness: there the wall deflects like a half-space
 LARGE = 300.0  # beyond, sinh overflows; the quotient has been 1 since 20
 U, W, V, THETA, CHI, PSI = range(len(MOTIONS))
+MIRROR = np.diag([-1.0, 1.0, 1.0, -1.0, -1.0, 1.0])  # motions with x the other way round
 
 
 def beam_responses(
@@ -88,6 +89,8 @@ def beam_responses(
     n, length, axial_modes = np.arange(last + 1), resolution.length, resolution.axial_modes
     with stage("condense"):
         loads = np.hstack([_section_loads(length, axial_modes), _section_loads(part.width, face_modes)])
+        if not isinstance(part, RingOnShaft):
+            loads[THETA, 0] = part.offset
         moved = _section_motions(stiffness_of(part, n), loads)
         responses = loads.T @ moved
         responses[:, :axial_modes, :axial_modes] += _wall_responses(part, n, length, axial_modes)
@@ -136,6 +139,8 @@ def beam_of(part) -> CurvedBeam:
 
 @beam_of.register
 def _(part: OuterRing | SquirrelCage):
+    if isinstance(part, SquirrelCage) and part.has_collar:
+        raise ImpossiblePart("a ring with a collar is no curved beam of one section; allowed is one without")
     inside = part.raceway_diameter / 2
     return CurvedBeam(inside=inside, outside=inside + part.thickness, width=part.width, elastic=part.elastic)
 
@@ -167,11 +172,13 @@ def stiffness_of(part, harmonics: NDArray) -> NDArray:
 
 @stiffness_of.register
 def _(part: SquirrelCage, harmonics):
-    return beam_of(part).stiffness(harmonics) + in_series(*_bars_and_flange(part))
+    held = in_series(*_bars_and_flange(part))
+    stiffness = beam_of(part).stiffness(harmonics) + held
+    return stiffness + MIRROR @ held @ MIRROR if part.two_sided else stiffness
 
 
 def _bars_and_flange(part: SquirrelCage) -> tuple[SupportCompliance, SupportCompliance]:
-    """What holds the ring of a squirrel cage, from the ring to the ground."""
+    """What holds the ring of a squirrel cage at +x, from the ring to the ground."""
     foot = part.width / 2 + part.bar_length
     section, span = (part.bar_width, part.bar_thickness), (part.width / 2, foot)
     end = foot + part.flange_length
@@ -268,12 +275,14 @@ def _section_motions(K: NDArray, loads: NDArray) -> NDArray:
 def _bar_response(cage: SquirrelCage, moved: NDArray) -> BarResponse:
     """Section forces of the bars by the motions (N + 1, 6, M) of the section that they hold."""
     in_middle = forces_in_the_middle(*_bars_and_flange(cage)) * 2 * np.pi / cage.bars
-    axial, radial, tangential, bending, sideways, torque = np.moveaxis(in_middle @ moved, 1, 0)
-    lever = cage.bar_length / 2
-    forces = [
-        -axial, bending + lever * radial, bending - lever * radial,
-        sideways + lever * tangential, sideways - lever * tangential, torque,
-    ]  # fmt: skip
+    lever, forces = cage.bar_length / 2, []
+    for end in cage.ends:
+        seen = moved if end > 0 else MIRROR @ moved
+        axial, radial, tangential, bending, sideways, torque = np.moveaxis(in_middle @ seen, 1, 0)
+        forces += [
+            -axial, bending + lever * radial, bending - lever * radial,
+            sideways + lever * tangential, sideways - lever * tangential, torque,
+        ]  # fmt: skip
     return of_revolution(cage.bars, np.stack(forces, axis=2))
 
 

@@ -35,7 +35,7 @@ from fem.cage.half_pitch_stiffness import (
 from fem.mesh.half_pitch import half_pitch
 from fem.parts.resolution import Resolution, neighbour
 from fem.parts.rings import SquirrelCage
-from fem.raceway.bar_response import FORCES, MIRRORED, BarResponse
+from fem.raceway.bar_response import MIRRORED, BarResponse, is_mirrored
 from fem.raceway.harmonics import Responses, support_error
 from fem.stages import Stage
 
@@ -103,11 +103,12 @@ def _reduced(
 
 
 def _response(half: HalfPitch, cuts: list[CutStiffness], bars: int, highest: int) -> tuple[NDArray, NDArray]:
-    """Answers of all harmonics to all (K, M, K, M) [m/N], and of a bar to all (K, M, 6) [N/N, N m/N]."""
+    """Answers of all harmonics to all (K, M, K, M) [m/N], and of bars to all (K, M, 6) [N/N, N m/N]."""
     harmonics = np.arange(-highest, highest + 1)
     m = np.arange(cuts[0].share.shape[2])
     response, probes = np.zeros((harmonics.size, m.size) * 2), []
-    bar_forces = np.zeros((harmonics.size, m.size, FORCES))
+    readings = half.readings.shape[1]
+    bar_forces, turned = np.zeros((harmonics.size, m.size, readings)), ~is_mirrored(readings)
     for phase in range(bars // 2 + 1):
         same = harmonics[(harmonics - phase) % bars == 0]
         if same.size:
@@ -115,7 +116,7 @@ def _response(half: HalfPitch, cuts: list[CutStiffness], bars: int, highest: int
             probes.append(probe)
             for n, mirrored in ((-same, -1), (same, 1)):  # the first is the mirror image
                 response[np.ix_(n + highest, m, n + highest, m)] = 2 * bars * answer
-                bar_forces[n + highest] = in_bar * np.repeat([1, mirrored], [MIRRORED, FORCES - MIRRORED])
+                bar_forces[n + highest] = in_bar * np.where(turned, mirrored, 1)
     _require_balance(half, cuts, probes)
     return response, bar_forces
 
@@ -143,7 +144,9 @@ def _phase(cuts: list[CutStiffness], theta: float, harmonics: NDArray):
         f.bar_by_cut @ (t[:, None] * z) + f.bar_by_forces @ q
         for f, t, q in zip(cuts, ties, forces, strict=True)
     ]
-    return answer.reshape(*shape, *shape), np.vstack(in_bar).T.reshape(*shape, -1), probe
+    by_end = [part.reshape(-1, MIRRORED, part.shape[1]) for part in in_bar]
+    in_bars = np.concatenate(by_end, axis=1).reshape(-1, z.shape[1])
+    return answer.reshape(*shape, *shape), in_bars.T.reshape(*shape, -1), probe
 
 
 def _require_balance(half: HalfPitch, cuts: list[CutStiffness], probes: list) -> None:

@@ -28,7 +28,7 @@ from fem.assembly.bar_readings import bar_readings
 from fem.assembly.elasticity import elastic_energy
 from fem.assembly.static_condensation import Substructure, eliminate, owners
 from fem.parts.rings import SquirrelCage
-from fem.raceway.bar_response import MIRRORED
+from fem.raceway.bar_response import is_mirrored
 
 NEGLIGIBLE = 1e-13  # part of the largest load pattern that is rounding
 
@@ -44,7 +44,7 @@ class HalfPitch:
     cut: NDArray  # (3, places) unknowns of the slot's face that stand for x, r and t
     middle: NDArray  # (3, places) unknowns x, y = t and z = r of the bar's middle plane
     turn: sparse.csr_array  # (unknowns, unknowns) from x, r, t on the cut to x, y, z; orthogonal
-    readings: NDArray  # (unknowns, 6) section forces of the bar, see `fem.assembly.bar_readings`
+    readings: NDArray  # (unknowns, 6 or 12) section forces of bars, see `fem.assembly.bar_readings`
 
 
 @dataclass(frozen=True)
@@ -56,8 +56,8 @@ class CutStiffness:
     compliance: NDArray  # C (patterns, patterns) [m/N]
     share: NDArray  # (patterns, N + 1, M) forces q that make up each harmonic and axial shape [N/N]
     patterns: NDArray  # (unknowns, patterns) load vectors of unit q
-    bar_by_cut: NDArray  # (3, 3 places) section forces of the bar by u [N/m, N m/m]
-    bar_by_forces: NDArray  # (3, patterns) the same by q [N/N, N m/N]
+    bar_by_cut: NDArray  # (3 or 6, 3 places) section forces of the bar by u [N/m, N m/m]
+    bar_by_forces: NDArray  # (3 or 6, patterns) the same by q [N/N, N m/N]
     inside: Substructure
 
 
@@ -158,7 +158,7 @@ def reduced_under(half: HalfPitch, patterns: NDArray, share: NDArray, symmetric:
     owner = half.owner.copy()
     owner[half.cut] = 0
     owner[half.middle[[1]] if symmetric else half.middle[[0, 2]]] = 0
-    reading = half.readings[:, :MIRRORED] if symmetric else half.readings[:, MIRRORED:]
+    reading = half.readings[:, is_mirrored(half.readings.shape[1]) == symmetric]
     border, width = sparse.csr_array(np.hstack([patterns, reading])), count + reading.shape[1]
     kept = np.concatenate([half.cut.ravel(), size + np.arange(width)])
     bordered = sparse.csr_array(sparse.block_array([[half.stiffness, -border], [-border.T, None]]))

@@ -79,12 +79,14 @@ class LoadedCage:
 
     def _within(self, body: str, x: NDArray) -> NDArray:
         """Whether places at x (n,) [m] belong to a body."""
-        start = self.cage.width / 2
-        low, high = {
-            "ring": (-inf, start), "bars": (start, start + self.cage.bar_length),
-            "flange": (start + self.cage.bar_length, inf),
-        }[body]  # fmt: skip
-        return (x > low - NEAR) & (x < high + NEAR)
+        within = np.full(x.shape, body == "ring")
+        for end in self.cage.ends:
+            start = self.cage.end_distance(end)
+            stop = start + self.cage.bar_length
+            low, high = {"ring": (-inf, start), "bars": (start, stop), "flange": (stop, inf)}[body]
+            there = (end * x > low - NEAR) & (end * x < high + NEAR)
+            within = within & there if body == "ring" else within | there
+        return within
 
     def _spread(self, body: str, intervals: int, keys: NDArray | None) -> Spread:
         """Points in half a pitch; those in all elements are the same in every piece, and kept."""

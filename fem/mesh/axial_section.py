@@ -68,21 +68,22 @@ def sections(part, length: float) -> list[AxialSection]:
 
 @sections.register
 def _(part: OuterRing, length):
-    inner, side, half = part.raceway_diameter / 2, part.width / 2, length / 2
+    inner, (left, right), half = part.raceway_diameter / 2, part.sides, length / 2
     outer = inner + part.thickness
-    bore = (-side, inner, None), (-half, inner, None), (half, inner, "raceway"), (side, inner, None)
+    bore = (left, inner, None), (-half, inner, None), (half, inner, "raceway"), (right, inner, None)
     if not isinstance(part.support, Housing):
         face, outside = edge_names(part.support)
-        return [AxialSection("ring", (*bore, (side, outer, face), (-side, outer, outside)))]
+        return [AxialSection("ring", (*bore, (right, outer, face), (left, outer, outside)))]
     face, outside = edge_names(part.support.support)
-    end, top = part.support.width / 2, outer + part.support.thickness
-    seat = min(side, end)
+    top = outer + part.support.thickness
+    first, last = (side * part.support.width / 2 - part.offset for side in (-1, 1))
+    near, far = max(left, first), min(right, last)
     ring = AxialSection("ring", (
-        *bore, (side, outer, None), (seat, outer, None), (-seat, outer, "seat"), (-side, outer, None)
+        *bore, (right, outer, None), (far, outer, None), (near, outer, "seat"), (left, outer, None)
     ))  # fmt: skip
     housing = AxialSection("housing", (
-        (-end, outer, None), (-seat, outer, None), (seat, outer, "seat"), (end, outer, None),
-        (end, top, face), (-end, top, outside),
+        (first, outer, None), (near, outer, None), (far, outer, "seat"), (last, outer, None),
+        (last, top, face), (first, top, outside),
     ))  # fmt: skip
     return [ring, housing]
 

@@ -17,11 +17,11 @@ from fem.mesh.curved import FOLDED, curved
 from fem.mesh.solid import (
     ARC,
     MILLIMETRES,
+    cage_bodies,
     require_affordable_solid,
     require_kept,
     rounded,
     size_raceway,
-    solids,
 )
 from fem.parts.rings import MeshSize, SquirrelCage, require_on_track
 
@@ -98,9 +98,13 @@ def half_pitch(
 
 def _in_one(part: SquirrelCage, length: float) -> list:
     """Half a pitch [mm] as one body with its fillets, cut at the ends of the raceway to name that."""
-    ring, bar, *_, flange = solids(replace(part, fillet=0.0), length)
-    whole = rounded(bar, ring, flange, part.fillet * MILLIMETRES) * _wedge(part)
-    require_kept(whole, (ring + bar + flange) * _wedge(part), part.fillet * MILLIMETRES)
+    ring, *ends = cage_bodies(replace(part, fillet=0.0), length)
+    sharp = whole = ring
+    for bar, flange in ends:
+        whole = rounded(bar, whole, flange, part.fillet * MILLIMETRES)
+        sharp = sharp + bar + flange
+    whole = whole * _wedge(part)
+    require_kept(whole, sharp * _wedge(part), part.fillet * MILLIMETRES)
     half, wide = length / 2 * MILLIMETRES, 4 * part.raceway_diameter * MILLIMETRES
     stops = (-wide, -half, half, wide)
     slabs = (occ.Box(occ.Pnt(a, -wide, -wide), occ.Pnt(b, wide, wide)) for a, b in pairwise(stops))
@@ -128,37 +132,38 @@ def _radius(point) -> float:
 
 def _size_feet(body, part: SquirrelCage, size: float) -> None:
     """Set the size of elements on the faces on which the bar stands, or with its fillets."""
-    start = part.width / 2 * MILLIMETRES
-    stop = start + part.bar_length * MILLIMETRES
+    starts = [(end, part.end_distance(end) * MILLIMETRES) for end in part.ends]
+    feet = [end * x for end, start in starts for x in (start, start + part.bar_length * MILLIMETRES)]
     low, high = (radius * MILLIMETRES for radius in part.bar_radii)
     for face in body.faces:
         x, r = face.center.x, _radius(face.center)
-        stands = min(abs(x - start), abs(x - stop)) < NEAR and low < r < high and part.fillet == 0
+        stands = min(abs(x - foot) for foot in feet) < NEAR and low < r < high and part.fillet == 0
         if face.name == "fillet" or stands:
             face.maxh = size * MILLIMETRES
 
 
 def _pieces(part: SquirrelCage, length: float) -> list:
     """Ring, bar and flange of half a pitch [mm], sharp edges of the bar marked."""
-    ring, bar, *_, flange = solids(part, length)
+    ring, *ends = cage_bodies(part, length)
     wedge = _wedge(part)
-    pieces = [body * wedge for body in (ring, bar, flange)]
+    bars, flanges = ([body * wedge for body in bodies] for bodies in zip(*ends, strict=True))
     if part.fillet > 0:
-        sharp = solids(replace(part, fillet=0.0), length)[1]
-        require_kept(pieces[1], sharp * wedge, part.fillet * MILLIMETRES)
+        _, (sharp, _), *_ = cage_bodies(replace(part, fillet=0.0), length)
+        require_kept(bars[0], sharp * wedge, part.fillet * MILLIMETRES)
     else:
-        for edge in pieces[1].edges:
+        for edge in (edge for bar in bars for edge in bar.edges):
             if abs(edge.start.x - edge.end.x) < NEAR and edge.center.y > NEAR:
                 edge.hpref = 1
-    return pieces
+    return [ring * wedge, *bars, *flanges]
 
 
 def _wedge(part: SquirrelCage):
     """All between the azimuths 0 and pi / bars [mm]."""
     radius, half = part.raceway_diameter / 2 * MILLIMETRES, part.width / 2 * MILLIMETRES
-    right = half + (part.bar_length + part.flange_length) * MILLIMETRES
-    angle = 180 / part.bars
-    pen = occ.WorkPlane(occ.Axes(occ.Pnt(-2 * half, radius / 2, 0), n=occ.Z, h=occ.X))
-    section = pen.Rectangle(right + 4 * half, radius + 2 * part.thickness * MILLIMETRES).Face()
+    right = part.end_distance(1) * MILLIMETRES + (part.bar_length + part.flange_length) * MILLIMETRES
+    left = (half + right if part.two_sided else 0.0) + 2 * abs(part.offset) * MILLIMETRES  # of -half
+    angle, thickest = 180 / part.bars, max(part.thickness, part.collar_thickness) * MILLIMETRES
+    pen = occ.WorkPlane(occ.Axes(occ.Pnt(-2 * half - left, radius / 2, 0), n=occ.Z, h=occ.X))
+    section = pen.Rectangle(left + right + 4 * half, radius + 2 * thickest).Face()
     # turned from the y-axis towards z, that is towards smaller azimuths
     return section.Revolve(_AXIS, angle).Rotate(_AXIS, 90 - angle)

@@ -100,26 +100,33 @@ def notches(part) -> Notches:
 
 @notches.register
 def _(part: SquirrelCage):
-    inner = part.raceway_diameter / 2
-    outer, start = inner + part.thickness, part.width / 2
-    stop, (low, high) = start + part.bar_length, part.bar_radii
-    feet = [((x, low), (x, high)) for x in (start, stop)]
-    clamp = [_rim(stop + part.flange_length, r) for r in (inner, outer)]
-    return Notches(np.array(clamp if part.fillet > 0 else [*feet, *clamp]), part.bar_thickness)
+    lines = [line for end in part.ends for line in _at_end(part, end)]
+    outer = part.raceway_diameter / 2 + part.thickness
+    collars = [_rim(x, r) for x, r in part.outline[1:-1] if r == outer]
+    return Notches(np.array(lines + collars), part.bar_thickness)
+
+
+def _at_end(part: SquirrelCage, end: int) -> list:
+    """Feet of the bars at one end of the ring, unless they have fillets, and rims of the clamp."""
+    inner, start = part.raceway_diameter / 2, part.end_distance(end)
+    outer, stop, (low, high) = inner + part.thickness, start + part.bar_length, part.bar_radii
+    feet = [((end * x, low), (end * x, high)) for x in (start, stop)]
+    clamp = [_rim(end * (stop + part.flange_length), r) for r in (inner, outer)]
+    return clamp if part.fillet > 0 else [*feet, *clamp]
 
 
 @notches.register
 def _(part: OuterRing):
     inner, side = part.raceway_diameter / 2, part.width / 2
-    outer, support = inner + part.thickness, part.support
+    outer, support, middle = inner + part.thickness, part.support, -part.offset
     rims = []
     if isinstance(support, Housing):
-        rims = [_rim(sign * min(side, support.width / 2), outer) for sign in (-1, 1)]
+        rims = [_rim(middle + sign * min(side, support.width / 2), outer) for sign in (-1, 1)]
         inner, outer, side, support = outer, outer + support.thickness, support.width / 2, support.support
     if isinstance(support, ClampedFace):
-        rims += [_rim(side, r) for r in (inner, outer)]
+        rims += [_rim(middle + side, r) for r in (inner, outer)]
     else:
-        rims += [_rim(sign * side, outer) for sign in (-1, 1)]
+        rims += [_rim(middle + sign * side, outer) for sign in (-1, 1)]
     return Notches(np.array(rims), part.thickness)
 
 

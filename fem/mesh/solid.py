@@ -130,34 +130,59 @@ def _(part: OuterRing, length):
     face, outside = edge_names(support)
     if not tube:
         return [_outer_ring(part, length, face, outside)]
-    _, outer, _ = _section(part)
+    _, outer = _radii(part)
     half, top = tube.width / 2 * MILLIMETRES, outer + tube.thickness * MILLIMETRES
-    housing = _revolved([(-half, outer, None), (half, outer, None), (half, top, face), (-half, top, outside)])
+    left, right = (side * half - part.offset * MILLIMETRES for side in (-1, 1))
+    housing = _revolved([(left, outer, None), (right, outer, None), (right, top, face), (left, top, outside)])
     housing.mat("housing")
     return [_outer_ring(part, length), housing]
 
 
 @solids.register
 def _(part: SquirrelCage, length):
-    inner, outer, start = _section(part)
-    middle, half, width = (
-        (inner + outer) / 2,
-        part.bar_thickness / 2 * MILLIMETRES,
-        part.bar_width * MILLIMETRES,
-    )
-    stop, end = (
-        start + part.bar_length * MILLIMETRES,
-        start + (part.bar_length + part.flange_length) * MILLIMETRES,
-    )
+    ring, *ends = cage_bodies(part, length)
+    bodies = [ring]
+    for bar, flange in ends:
+        bodies += [*(bar.Rotate(_AXIS, 360 * k / part.bars) for k in range(part.bars)), flange]
+    return bodies
+
+
+def cage_bodies(part: SquirrelCage, length: float) -> tuple:
+    """Bodies of a squirrel cage, of its bars those at azimuth 0 [mm].
+
+    Parameters
+    ----------
+    part : SquirrelCage
+        ring, bars and flange
+    length : float
+        axial length of the loaded band [m]
+
+    Returns
+    -------
+    tuple
+        the ring, then a pair of bar and flange for each of `part.ends`
+    """
     ring = _outer_ring(part, length)
-    tube = _tube(start, stop, middle - half, middle + half)
-    bar = tube * occ.Box(occ.Pnt(start, -width / 2, 0), occ.Pnt(stop, width / 2, 2 * outer))
-    flange = _tube(stop, end, inner, outer, end="clamped")
+    return ring, *(_bar_and_flange(part, ring, end) for end in part.ends)
+
+
+def _bar_and_flange(part: SquirrelCage, ring, end: int) -> tuple:
+    """The bar at azimuth 0 and the flange at one end of the ring [mm]."""
+    inner, outer = _radii(part)
+    middle, half = (inner + outer) / 2, part.bar_thickness / 2 * MILLIMETRES
+    width, start = part.bar_width * MILLIMETRES, part.end_distance(end) * MILLIMETRES
+    stop = start + part.bar_length * MILLIMETRES
+    clamp = start + (part.bar_length + part.flange_length) * MILLIMETRES
+    left, right = sorted((end * start, end * stop))
+    near, far = sorted((end * stop, end * clamp))
+    bar = _tube(left, right, middle - half, middle + half)
+    bar *= occ.Box(occ.Pnt(left, -width / 2, 0), occ.Pnt(right, width / 2, 2 * outer))
+    flange = _tube(near, far, inner, outer, **{"end" if end > 0 else "start": "clamped"})
     if part.fillet > 0:
         bar = _flared(bar, ring, flange, part.fillet * MILLIMETRES)
     bar.mat("bars")
     flange.mat("flange")
-    return [ring, *(bar.Rotate(_AXIS, 360 * k / part.bars) for k in range(part.bars)), flange]
+    return bar.Rotate(_AXIS, 0), flange  # the copy is cut and meshed as the bars of other azimuths are
 
 
 def _flared(bar, ring, flange, radius):
@@ -211,18 +236,19 @@ def _(part: StepSolid, length):
     return [step_import.solid(part, length)]
 
 
-def _section(part):
-    """Inner radius, outer radius and half width of an outer ring [mm]."""
+def _radii(part):
+    """Inner and outer radius of an outer ring [mm]."""
     inner = part.raceway_diameter / 2
-    return inner * MILLIMETRES, (inner + part.thickness) * MILLIMETRES, part.width / 2 * MILLIMETRES
+    return inner * MILLIMETRES, (inner + part.thickness) * MILLIMETRES
 
 
 def _outer_ring(part, length, end=None, outside=None):
-    inner, outer, side = _section(part)
-    ring = _revolved([
-        (-side, inner, None), *_band(inner, length), (side, inner, None),
-        (side, outer, end), (-side, outer, outside),
-    ])  # fmt: skip
+    inner, outer = _radii(part)
+    left, right = (x * MILLIMETRES for x in part.sides)
+    top = [(right, outer, end), (left, outer, outside)]
+    if isinstance(part, SquirrelCage):
+        top = [(x * MILLIMETRES, r * MILLIMETRES, None) for x, r in part.outline]
+    ring = _revolved([(left, inner, None), *_band(inner, length), (right, inner, None), *top])
     ring.mat("ring")
     return ring
 

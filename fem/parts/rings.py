@@ -8,7 +8,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from math import isfinite, pi, sin
 
-from fem.parts.boundary_conditions import FreeMotions, Housing, Support, free_motions
+from fem.parts.boundary_conditions import (
+    FreeMotions,
+    Housing,
+    LineSupports,
+    PlanetGear,
+    Support,
+    free_motions,
+)
 from fem.parts.material import (
     Elastic,
     ImpossiblePart as ImpossiblePart,  # parts are where one expects it
@@ -29,15 +36,27 @@ class OuterRing:
     width: float  # [m] axial
     elastic: Elastic
     support: Support
+    offset: float = 0.0  # [m] axial, of the raceway's middle from the ring's, towards the clamped face
 
     def __post_init__(self):
         require_positive(self, "raceway_diameter", "thickness", "width")
         require(self.thickness > SLENDEREST_SLOT, "thickness", self.thickness, f"> {SLENDEREST_SLOT} m")
+        _require_inside(self.offset, self.width)
+        if self.offset and isinstance(self.support, LineSupports | PlanetGear):
+            raise ImpossiblePart(
+                f"offset = {self.offset!r} m: a ring with {type(self.support).__name__} is known with its "
+                "raceway in its middle only; allowed is zero"
+            )
 
     @property
     def track(self) -> float:
-        """Axial length on which rollers can run [m]."""
-        return self.width
+        """Axial length on which rollers can run, as long to either side of their middle [m]."""
+        return self.width - 2 * abs(self.offset)
+
+    @property
+    def sides(self) -> tuple[float, float]:
+        """x of both end faces [m]."""
+        return -self.width / 2 - self.offset, self.width / 2 - self.offset
 
     @property
     def bars(self) -> None:
@@ -85,7 +104,8 @@ class SquirrelCage:
     """An outer ring on axial bars, the bars on a flange whose far end face is clamped.
 
     The bars lie between two radii and have parallel sides, as slots milled from a tube leave them.
-    The flange has the section of the ring radially. The first bar is centred at azimuth 0.
+    The flange has the section of the ring radially. The first bar is centred at azimuth 0. A collar makes the
+    end of the ring thicker outwards; the bars on it stay where they are.
     """
 
     raceway_diameter: float  # [m] inner surface of the ring
@@ -98,6 +118,10 @@ class SquirrelCage:
     flange_length: float  # [m] axial
     elastic: Elastic
     fillet: float = 0.0  # [m] radius where bars meet ring and flange; 0 is a sharp edge
+    collar_length: float = 0.0  # [m] axial, part of the ring's width; 0 is a ring without a collar
+    collar_thickness: float = 0.0  # [m] radial, of the ring with its collar
+    two_sided: bool = False  # bars and flange, and the collar, at both ends of the ring, else at +x only
+    offset: float = 0.0  # [m] axial, of the raceway's middle from the ring's, towards +x
 
     def __post_init__(self):
         require_positive(
@@ -115,8 +139,26 @@ class SquirrelCage:
             self.bar_width <= widest, "bar_width", self.bar_width,
             f"at most {widest:.3g} m: {self.bars} bars leave slots of {SLENDEREST_SLOT:.1g} m or more",
         )  # fmt: skip
+        _require_inside(self.offset, self.width)
+        if self.collar_length != 0:
+            self._require_room_for_collars()
         if self.fillet != 0:
             self._require_room_for_fillets()
+
+    def _require_room_for_collars(self):
+        longest = self.width / len(self.ends)
+        least = longest - SLENDEREST_SLOT
+        require(
+            SLENDEREST_SLOT <= self.collar_length <= least or self.collar_length == longest,
+            "collar_length", self.collar_length,
+            f"zero, {SLENDEREST_SLOT:.1g} m to {least:.3g} m, or {longest:.3g} m, which is the whole ring",
+        )  # fmt: skip
+        thicker = self.thickness + SMALLEST_FILLET
+        require(
+            self.collar_thickness >= thicker or self.collar_thickness == self.thickness,
+            "collar_thickness", self.collar_thickness,
+            f"that of the ring, {self.thickness:.3g} m, or {thicker:.3g} m and more",
+        )  # fmt: skip
 
     def _require_room_for_fillets(self):
         step, gap = (self.thickness - self.bar_thickness) / 2, self.bar_length / 2
@@ -141,8 +183,40 @@ class SquirrelCage:
 
     @property
     def track(self) -> float:
-        """Axial length on which rollers can run [m]."""
-        return self.width
+        """Axial length on which rollers can run, as long to either side of their middle [m]."""
+        return self.width - 2 * abs(self.offset)
+
+    @property
+    def sides(self) -> tuple[float, float]:
+        """x of both end faces of the ring [m]."""
+        return -self.width / 2 - self.offset, self.width / 2 - self.offset
+
+    @property
+    def ends(self) -> tuple[int, ...]:
+        """Ends of the ring that bars stand on, as the sign of their x."""
+        return (1, -1) if self.two_sided else (1,)
+
+    def end_distance(self, end: int) -> float:
+        """From the middle of the raceway to the end face on which the bars of an end stand [m]."""
+        return self.width / 2 - end * self.offset
+
+    @property
+    def has_collar(self) -> bool:
+        """Whether a part of the ring is thicker than the rest."""
+        return self.collar_length > 0 and self.collar_thickness > self.thickness
+
+    @property
+    def outline(self) -> tuple[tuple[float, float], ...]:
+        """Corners (x, r) of the ring's outer surface, collars included, from +x to -x [m]."""
+        (left, right), inner = self.sides, self.raceway_diameter / 2
+        outer, top = inner + self.thickness, inner + self.collar_thickness
+        if not self.has_collar:
+            return (right, outer), (left, outer)
+        if self.collar_length == self.width / len(self.ends):
+            return (right, top), (left, top)
+        first, last = right - self.collar_length, left + self.collar_length
+        at_left = ((last, outer), (last, top), (left, top)) if self.two_sided else ((left, outer),)
+        return (right, top), (first, top), (first, outer), *at_left
 
     @property
     def materials(self) -> dict[str, Elastic]:
@@ -205,6 +279,11 @@ class RingOnShaft:
 
 
 Part = SquirrelCage | OuterRing | RingOnShaft
+
+
+def _require_inside(offset: float, width: float) -> None:
+    """Refuse a raceway whose middle lies beyond an end face; `require_on_track` sees to its length."""
+    require(abs(offset) < width / 2, "offset", offset, f"below half of the width, {width / 2:.4g} m")
 
 
 def require_on_track(length: float, track: float) -> None:

@@ -11,6 +11,11 @@ FORCES = 6  # axial force, radial moment at ring and flange, tangential moment a
 MIRRORED = 3  # of them that stay as they are when rollers change sides; the others turn round
 
 
+def is_mirrored(count: int) -> NDArray:
+    """Whether section forces (count,) of the bars of one end or both stay when rollers change sides."""
+    return np.arange(count) % FORCES < MIRRORED
+
+
 @dataclass(frozen=True)
 class BarResponse:
     r"""Section forces of every bar in harmonics of the roller forces.
@@ -25,21 +30,25 @@ class BarResponse:
     Cyclic symmetry with a plane of symmetry in each bar; derived here.
     """
 
-    bars: int  # equally spaced, one at azimuth 0
-    response: NDArray  # g (K, M, 6), harmonics -N .. N [N/N, N m/N]
+    bars: int  # equally spaced at each end of the ring that has any, one at azimuth 0
+    response: NDArray  # g (K, M, 6), harmonics -N .. N [N/N, N m/N]; or 12, then those of the end at -x
     neighbour: NDArray | None  # the same by displacements of another order, which tells the error
 
     def __post_init__(self):
         K, _, forces = self.response.shape
         same = self.neighbour is None or self.neighbour.shape == self.response.shape
-        if K % 2 == 0 or forces != FORCES or not same:
+        if K % 2 == 0 or forces not in (FORCES, 2 * FORCES) or not same:
             raise ImpossiblePart(
-                f"response of shape {self.response.shape}; allowed is (2 N + 1, M, {FORCES})"
+                f"response of shape {self.response.shape}; allowed is (2 N + 1, M, {FORCES} or {2 * FORCES})"
             )
 
     @property
     def azimuths(self) -> NDArray:
-        """Of the bars (B,) [rad]."""
+        """Of the bars (B,) [rad]; of both ends those at +x come first."""
+        return np.tile(self._around, self.response.shape[2] // FORCES)
+
+    @property
+    def _around(self) -> NDArray:
         return 2 * np.pi * np.arange(self.bars) / self.bars
 
     def under(self, azimuths: NDArray, forces: NDArray) -> tuple[NDArray, NDArray | None]:
@@ -60,12 +69,13 @@ class BarResponse:
         last = len(self.response) // 2
         n = np.arange(-last, last + 1)
         loads = np.exp(-1j * np.outer(n, azimuths)) @ forces
-        turn = np.exp(1j * np.outer(self.azimuths, n))
+        turn = np.exp(1j * np.outer(self._around, n))
 
         def of_bars(response):
             each = np.einsum("kmc,km->kc", response[:, : forces.shape[1]], loads)
-            each[:, MIRRORED:] *= 1j
-            return np.real(turn @ each)
+            each[:, ~is_mirrored(each.shape[1])] *= 1j
+            of_ends = np.split(np.real(turn @ each), each.shape[1] // FORCES, axis=1)
+            return np.concatenate(of_ends)
 
         return of_bars(self.response), None if self.neighbour is None else of_bars(self.neighbour)
 
@@ -77,14 +87,14 @@ def of_revolution(bars: int, cosines: NDArray) -> BarResponse:
     ----------
     bars : int
         on the whole circle
-    cosines : array (N + 1, M, 6)
+    cosines : array (N + 1, M, 6 or 12)
         section forces of a bar under the cosine of each harmonic [N/N, N m/N]: the factors of cos(n phi)
-        for the first three, of sin(n phi) for the others
+        for the first three, of sin(n phi) for the others; then those of a bar at the other end
 
     Returns
     -------
     BarResponse
         without a neighbouring order: the error of spreading is not known
     """
-    turned = np.repeat([1, -1], [MIRRORED, FORCES - MIRRORED])
+    turned = np.where(is_mirrored(cosines.shape[2]), 1, -1)
     return BarResponse(bars, np.concatenate([cosines[:0:-1], cosines * turned]), None)

@@ -281,7 +281,7 @@ def ring_on_foundation(
         ),
         face=at_points @ W[: N + 1, M:, M:] @ at_points.T,
         through=at_points @ W[: N + 1, M:, :M],
-        x=xi * part.width / 2,
+        x=xi * part.width / 2 - part.offset,
         area=2 * np.pi * radius / (2 * N + 1) * part.width * gauss / 2,
         radial=support.radial,
     )  # fmt: skip

@@ -41,7 +41,7 @@ def smeared_responses(cage: SquirrelCage, resolution: Resolution, last: int, sta
     Parameters
     ----------
     cage : SquirrelCage
-        ring, bars and flange; fillets are left out
+        ring with its collars, bars and flange; fillets are left out
     resolution : Resolution
         of band and mesh; order 5 or 6 pays
     last : int
@@ -67,15 +67,17 @@ def smeared_responses(cage: SquirrelCage, resolution: Resolution, last: int, sta
         body = _assembled(cage, resolution.length, resolution.mesh)
     with stage("condense"):
         modes = edge_modes(body, "raceway", resolution.axial_modes)
-        readings = _bar_readings(body, cage)
+        readings = np.hstack([_bar_readings(body, cage, end) for end in cage.ends])
         W = compliances(body.stiffness, np.hstack([modes, readings]), last) / (2 * np.pi)
     M = resolution.axial_modes
-    bars = of_revolution(cage.bars, _bar_forces(W[:, M:, :M], cage.bar_length))
+    read = np.split(W[:, M:, :M], len(cage.ends), axis=1)
+    in_bars = np.concatenate([_bar_forces(answers, cage.bar_length) for answers in read], axis=2)
+    bars = of_revolution(cage.bars, in_bars)
     return Responses(W[:, :M, :M], body.stiffness.unknowns, body.space.mesh.ne, bar_response=bars)
 
 
-def _bar_readings(body: Body, cage: SquirrelCage) -> NDArray:
-    r"""Load vectors (unknowns, 5) that read a bar in the sleeve, constant along it or straight on average.
+def _bar_readings(body: Body, cage: SquirrelCage, end: int) -> NDArray:
+    r"""Load vectors (unknowns, 5) that read a bar in a sleeve, constant along it or straight on average.
 
     They are N, M_n and the radial shear from its change along the bar, then the tangential shear as the parts
     without n and with n: :math:`b h \int G_t \gamma_{xt}` over the sleeve's length.
@@ -85,11 +87,11 @@ def _bar_readings(body: Body, cage: SquirrelCage) -> NDArray:
     v, sleeve = body.space.TestFunction(), body.space.mesh.Materials("bars")
     plain, turned = forms.strain(v)
     tension = E / (1 - nu**2) * (plain[0] + nu * plain[1])
-    n, xi = ngs.y / MILLIMETRES - sum(low_high) / 2, (ngs.x - cage.width / 2 * MILLIMETRES) / L
+    n, xi = ngs.y / MILLIMETRES - sum(low_high) / 2, (end * ngs.x - cage.end_distance(end) * MILLIMETRES) / L
     slope = 12 * (xi - 0.5) * tension * n  # of a straight line: its change from end to end
-    sheared = (_tangential_modulus(cage) * part[4] for part in (plain, turned))
+    sheared = (end * _tangential_modulus(cage) * part[4] for part in (plain, turned))
     # strains are per millimetre of metres, on an area in square millimetres over a length in millimetres
-    per_bar = cage.bar_width / L
+    per_bar = cage.bar_width / L * (ngs.IfPos(end * ngs.x, 1.0, 0.0) if cage.two_sided else 1.0)
     integrands = (tension, tension * n, slope, *sheared)
     return np.stack([body.load(per_bar * f * ngs.dx(definedon=sleeve)) for f in integrands], axis=1)
 
@@ -104,23 +106,39 @@ def _bar_forces(answers: NDArray, length: float) -> NDArray:
 
 
 def _sections(cage: SquirrelCage, length: float) -> list[AxialSection]:
-    """Ring, sleeve and flange as polygons that touch along whole edges."""
-    inner, side, half = cage.raceway_diameter / 2, cage.width / 2, length / 2
-    outer, foot = inner + cage.thickness, side + cage.bar_length
+    """Ring, sleeves and flanges as polygons that touch along whole edges."""
+    inner, half, (left, right) = cage.raceway_diameter / 2, length / 2, cage.sides
     low, high = cage.bar_radii
-    end = foot + cage.flange_length
+    feet = [[(right, low, None), (right, high, None)], [(left, high, None), (left, low, None)]]
+    at_right, at_left = feet if cage.two_sided else (feet[0], [])
+    outline = [(x, r, None) for x, r in cage.outline]
     ring = AxialSection("ring", (
-        (-side, inner, None), (-half, inner, None), (half, inner, "raceway"), (side, inner, None),
-        (side, low, None), (side, high, None), (side, outer, None), (-side, outer, None),
+        (left, inner, None), (-half, inner, None), (half, inner, "raceway"), (right, inner, None),
+        *at_right, *outline, *at_left,
     ))  # fmt: skip
-    sleeve = AxialSection(
-        "bars", ((side, low, None), (foot, low, None), (foot, high, None), (side, high, None))
-    )
-    flange = AxialSection("flange", (
-        (foot, inner, None), (end, inner, None), (end, outer, "clamped"), (foot, outer, None),
+    return [ring, *(section for end in cage.ends for section in _sleeve_and_flange(cage, end))]
+
+
+def _sleeve_and_flange(cage: SquirrelCage, end: int) -> tuple[AxialSection, AxialSection]:
+    """What stands on one end of the ring."""
+    inner, side, (low, high) = cage.raceway_diameter / 2, cage.end_distance(end), cage.bar_radii
+    outer, foot = inner + cage.thickness, side + cage.bar_length
+    last = foot + cage.flange_length
+    sleeve = ((side, low, None), (foot, low, None), (foot, high, None), (side, high, None))
+    flange = (
+        (foot, inner, None), (last, inner, None), (last, outer, "clamped"), (foot, outer, None),
         (foot, high, None), (foot, low, None),
-    ))  # fmt: skip
-    return [ring, sleeve, flange]
+    )  # fmt: skip
+    if end > 0:
+        return AxialSection("bars", sleeve), AxialSection("flange", flange)
+    return AxialSection("bars", _mirrored(sleeve)), AxialSection("flange", _mirrored(flange))
+
+
+def _mirrored(corners: tuple) -> tuple:
+    """The mirror image of a polygon at x = 0, counter-clockwise again; names stay with their edges."""
+    names = [name for _, _, name in corners]
+    backwards = zip(reversed(corners), [names[0], *reversed(names[1:])], strict=True)
+    return tuple((-x, r, name) for (x, r, _), name in backwards)
 
 
 def _assembled(cage: SquirrelCage, length: float, mesh: MeshSize) -> Body:

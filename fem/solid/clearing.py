@@ -120,11 +120,14 @@ def clearing(part: Part | StepSolid, patches: Patches, forces: NDArray, radius: 
 
 
 def _tips(cage: SquirrelCage) -> NDArray:
-    """Where fillets of neighbouring sides of the bar at azimuth 0 meet (8, 3) [m]."""
-    side, start = cage.bar_width / 2, cage.width / 2
-    ends = start + cage.fillet, start + cage.bar_length - cage.fillet
+    """Where fillets of neighbouring sides of a bar at azimuth 0 meet (8, 3) [m]; 16 with bars at both ends."""
+    side, tips = cage.bar_width / 2, []
+    for end in cage.ends:
+        start = cage.end_distance(end)
+        stop = start + cage.bar_length - cage.fillet
+        tips += [end * (start + cage.fillet), end * stop]
     radii = (np.sqrt(r**2 - side**2) for r in cage.bar_radii)
-    return np.array([(x, t, r) for r in radii for x in ends for t in (-side, side)])
+    return np.array([(x, t, r) for r in radii for x in tips for t in (-side, side)])
 
 
 def _beyond_tips(cage, tips: NDArray, places: NDArray) -> NDArray:

@@ -16,7 +16,7 @@ from fem.parts.resolution import Resolution, neighbour
 from fem.parts.rings import Part, SquirrelCage
 from fem.parts.step_solid import StepSolid
 from fem.raceway import symmetry
-from fem.raceway.bar_response import FORCES, MIRRORED, BarResponse
+from fem.raceway.bar_response import BarResponse, is_mirrored
 from fem.raceway.compliance import RacewayCompliance
 from fem.raceway.harmonics import FINENESS
 from fem.solid.factored_solid import FactoredSolid, factored_on
@@ -121,7 +121,7 @@ def _support_compliance(solid: FactoredSolid) -> float:
 
 
 def _bar_response(solid: FactoredSolid, cage: SquirrelCage) -> NDArray:
-    """Section forces of the bar at azimuth 0 by harmonics of roller forces (K, M, 6), by reciprocity."""
+    """Section forces of bars at azimuth 0 by harmonics of roller forces (K, M, 6), by reciprocity."""
     band, length, M = solid.band, solid.patches.length, solid.patches.axial_modes
     last = min(ceil(FINENESS * M * band.radius / length), MOST_OF_BARS)
     n = np.arange(-last, last + 1)
@@ -135,7 +135,7 @@ def _bar_response(solid: FactoredSolid, cage: SquirrelCage) -> NDArray:
         / (2 * pi * band.radius * length)
     )
     turn = n[:, None] * band.azimuth
-    waves = [np.cos(turn)] * MIRRORED + [np.sin(turn)] * (FORCES - MIRRORED)
+    waves = [np.cos(turn) if mirrored else np.sin(turn) for mirrored in is_mirrored(readings.shape[1])]
     return np.stack([(wave * w) @ shapes for wave, w in zip(waves, outward.T, strict=True)], axis=2)
 
 

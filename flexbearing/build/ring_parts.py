@@ -40,9 +40,19 @@ def outer_part(case: Case) -> "fem.SquirrelCage | fem.OuterRing | StepSolid | No
         return _drawn(case, **ring, scale=hot)
     if outer.kind == "ring":
         lengths = {name: getattr(outer, name) * hot for name in ("thickness", "width")}
-        return fem.OuterRing(**ring, **lengths, support=_support(case))
-    lengths = ("thickness", "width", "bar_width", "bar_thickness", "bar_length", "flange_length", "fillet")
-    return fem.SquirrelCage(**ring, bars=outer.bars, **{name: getattr(outer, name) * hot for name in lengths})
+        return fem.OuterRing(**ring, **lengths, support=_support(case), offset=outer.raceway_offset * hot)
+    lengths = (
+        "thickness", "width", "bar_width", "bar_thickness", "bar_length", "flange_length", "fillet",
+        "collar_length",
+    )  # fmt: skip
+    return fem.SquirrelCage(
+        **ring,
+        **{name: getattr(outer, name) * hot for name in lengths},
+        bars=outer.bars,
+        collar_thickness=(outer.collar_thickness or 0.0) * hot,
+        two_sided=outer.bar_ends == "both",
+        offset=outer.raceway_offset * hot,
+    )
 
 
 def _support(case: Case) -> Any:

@@ -201,8 +201,8 @@ RECORDS = {
         "fem.raceway.bar_response",
         {
             "bars": Count(),
-            "response": Array(("K M 6",), largest=FORCE),
-            "neighbour": Array(("K M 6",), largest=FORCE, optional=True),
+            "response": Array(("K M 6", "K M 12"), largest=FORCE),
+            "neighbour": Array(("K M 6", "K M 12"), largest=FORCE, optional=True),
         },
     ),
     "RacewayGrowth": Record(

@@ -240,7 +240,8 @@ QUANTITIES = (
 
     # bars of a squirrel cage
     Quantity("bar_azimuth", "", "B", "rad", "block",
-        f"middle of the bar, 0 on the z axis, positive towards y; {_NO_BARS}",
+        "middle of the bar, 0 on the z axis, positive towards y; of bars at both ends of the ring those at +x "
+        f"come first; {_NO_BARS}",
         source="bars.forces.azimuths", people=DEG, optional=True),
     Quantity("bar_axial_force", "N", "B", "N", "block",
         f"axial force of the bar, tension positive; {_NO_BARS}", source="bars.forces.axial", optional=True),

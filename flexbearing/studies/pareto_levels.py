@@ -89,7 +89,8 @@ def left_out(case: Case, *, solid: bool) -> tuple[str, ...]:
         words.append("beam, smeared, harmonics: the outer ring is a solid from a STEP file")
     else:
         if not _can_be_beams(case):
-            words.append(f'beam: a curved beam has no support "{case.outer.support}"')
+            missing = "collar" if case.outer.collar_length else f'support "{case.outer.support}"'
+            words.append(f"beam: a curved beam has no {missing}")
         if case.outer.kind != "squirrel_cage":
             words.append("smeared: there are no bars")
     if _solid_is_new(case) and not solid:
@@ -114,7 +115,9 @@ def _solid_is_new(case: Case) -> bool:
 
 def _can_be_beams(case: Case) -> bool:
     """Whether every flexible part can be a curved beam."""
-    return case.outer.kind in ("rigid", "squirrel_cage") or (
+    if case.outer.kind == "squirrel_cage":
+        return not case.outer.collar_length
+    return case.outer.kind == "rigid" or (
         case.outer.kind == "ring" and case.outer.support in ("side", "foundation")
     )
 

@@ -183,6 +183,7 @@ EFFECTS = (
      "outer_fit.heat.housing.values.{0,1}"),
     ("cage", "outer.kind", "rigid",
      "outer outer.{bar_length,bar_thickness,bar_width,bars,fillet,flange_length,is,raceway_diameter} "
+     "outer.{collar_length,collar_thickness,offset,two_sided} "
      "outer.{thickness,width} outer.elastic.{is,poisson_ratio,youngs_modulus}"),
     ("cage", "outer.thickness", "3.636 mm", "outer.thickness"),
     ("cage", "outer.width", "10.1 mm", "outer.width"),
@@ -210,6 +211,11 @@ EFFECTS = (
     ("cage", "outer.bar_length", "10.3525 mm", "outer.bar_length"),
     ("cage", "outer.fillet", "0.3 mm", "outer.fillet"),
     ("cage", "outer.flange_length", "5.05 mm", "outer.flange_length"),
+    ("cage", "outer.bar_ends", "both", "outer.two_sided"),
+    ("collar", "outer.collar_length", "2.02 mm", "outer.collar_length"),
+    ("collar", "outer.collar_thickness", "6.06 mm", "outer.collar_thickness"),
+    ("cage", "outer.raceway_offset", "0.5 mm", "outer.offset"),
+    ("seat", "outer.raceway_offset", "-0.5 mm", "outer.offset"),
     ("step", "outer.clamps", ["footx"], "outer.clamps.0.name"),
     ("step", "outer.raceway", "race", "outer.raceway outer.raceway.{is,name}"),
     ("step", "outer.axis", "x", "outer.axis.{0,2}"),

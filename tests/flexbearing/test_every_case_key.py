@@ -43,6 +43,7 @@ CONTEXTS = {  # file and settings in which a key belongs to the case
     "foundation": ("mao2016", {
         **_RING, "outer.support": "foundation", "outer.foundation_radial": "100 N/mm^3"}),
     "seat": ("mao2016", {**_RING, "outer.support": "seat"}),
+    "collar": ("mao2016", {"outer.collar_length": "2 mm", "outer.collar_thickness": "6 mm"}),
     "housing": ("mao2016", {**_HOUSED, "materials.housing": {
         "youngs_modulus": "110 GPa", "poisson_ratio": 0.26, "density": "7200 kg/m^3",
         "expansion": "10.5e-6 1/K"}}),

@@ -9,6 +9,7 @@ from flexbearing.case.quantity import Angle, Force, Foundation, Length, Section,
 Direction = Literal["x", "y", "z", "-x", "-y", "-z"]
 MOST = 360  # lines or teeth around a ring, clamped faces of a drawing
 _RING, _CAGE, _STEP = ({"kind": (kind,)} for kind in ("ring", "squirrel_cage", "step"))
+_HELD = {**_RING, "support": ("side", "seat", "foundation", "housing")}
 _ON_SHAFT = {"kind": ("ring_on_shaft",)}
 
 
@@ -23,6 +24,13 @@ class Outer(Section):
     )
     width: Length | None = key(
         "axial width of the ring", None, gt=0, only={"kind": ("ring", "squirrel_cage")}
+    )
+    raceway_offset: Length = key(
+        "axial distance from the middle of the ring's width to the middle of the rollers, positive towards "
+        "+x, where bars stand or the side face is held",
+        "0 mm",
+        example="1 mm",
+        only=(_HELD, _CAGE),
     )
     support: Literal["side", "seat", "foundation", "housing", "lines", "planet"] = key(
         "what holds a plain ring: its side face at the end of x; a rigid seat or springs per area on its "
@@ -115,6 +123,24 @@ class Outer(Section):
     bar_length: Length | None = key("axial length of the bars", None, gt=0, only=_CAGE)
     fillet: Length = key("fillet radius where bars meet ring and flange", "0 mm", ge=0, only=_CAGE)
     flange_length: Length | None = key("axial length of the flange behind the bars", None, gt=0, only=_CAGE)
+    bar_ends: Literal["one", "both"] = key(
+        "ends of the ring on which bars stand, with their flange: that at +x, or both alike",
+        "one",
+        only=_CAGE,
+    )
+    collar_length: Length = key(
+        "axial length of a thicker end of the ring under the bars, part of outer.width; 0 is a ring without",
+        "0 mm",
+        ge=0,
+        only=_CAGE,
+    )
+    collar_thickness: Length | None = key(
+        "radial thickness of the ring there: it grows outwards, bars and flange stay where they are",
+        None,
+        example="6 mm",
+        gt=0,
+        only=_CAGE,
+    )
 
     file: str | None = key("STEP file, next to the case file", None, example="ring.step", only=_STEP)
     clamps: tuple[str, ...] = key(
@@ -156,7 +182,22 @@ class Outer(Section):
             _, _, bar_thickness, _, _ = require(self, names, 'outer.kind = "squirrel_cage"')
             if bar_thickness >= thickness:
                 raise impossible("bar_thickness", "below outer.thickness: the raceway ends before the bars")
+            self._require_collar()
         return self
+
+    def _require_collar(self) -> None:
+        """Raise unless a collar is a thicker part of the ring."""
+        if not self.collar_length:
+            return
+        width, thickness, collar = require(
+            self, ("width", "thickness", "collar_thickness"), "outer.collar_length"
+        )
+        if collar < thickness:
+            raise impossible("collar_thickness", "at least outer.thickness, which it makes thicker")
+        ends = {"one": 1, "both": 2}[self.bar_ends]
+        if self.collar_length > width / ends:
+            part = "half of outer.width, as there are two" if ends == 2 else "outer.width"
+            raise impossible("collar_length", f"at most {part}: the collar is a part of the ring")
 
     def _require_support(self) -> None:
         """Raise unless what holds the ring is described."""
@@ -180,6 +221,10 @@ class Outer(Section):
         width, thickness = require(self, ("width", "thickness"), self.kind)
         if width < roller_length:
             raise impossible("width", "at least bearing.roller.length")
+        if width < roller_length + 2 * abs(self.raceway_offset):
+            most = (width - roller_length) / 2
+            allowed = f"{-most * 1e3:.4g} to {most * 1e3:.4g} mm, or the rollers leave the ring"
+            raise impossible("raceway_offset", allowed)
         if self.kind == "squirrel_cage":
             from fem.parts.rings import widest_bar  # only a cage needs them
 
