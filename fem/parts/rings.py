@@ -55,7 +55,7 @@ class OuterRing:
 
     @property
     def sides(self) -> tuple[float, float]:
-        """x of both end faces [m]."""
+        """Axial places of both end faces [m]."""
         return -self.width / 2 - self.offset, self.width / 2 - self.offset
 
     @property
@@ -188,7 +188,7 @@ class SquirrelCage:
 
     @property
     def sides(self) -> tuple[float, float]:
-        """x of both end faces of the ring [m]."""
+        """Axial places of both end faces of the ring [m]."""
         return -self.width / 2 - self.offset, self.width / 2 - self.offset
 
     @property

@@ -120,7 +120,7 @@ def clearing(part: Part | StepSolid, patches: Patches, forces: NDArray, radius: 
 
 
 def _tips(cage: SquirrelCage) -> NDArray:
-    """Where fillets of neighbouring sides of a bar at azimuth 0 meet (8, 3) [m]; 16 with bars at both ends."""
+    """Where fillets of neighbouring sides of a bar at azimuth 0 meet (8 an end, 3) [m]."""
     side, tips = cage.bar_width / 2, []
     for end in cage.ends:
         start = cage.end_distance(end)

@@ -240,7 +240,7 @@ QUANTITIES = (
 
     # bars of a squirrel cage
     Quantity("bar_azimuth", "", "B", "rad", "block",
-        "middle of the bar, 0 on the z axis, positive towards y; of bars at both ends of the ring those at +x "
+        "middle of the bar, 0 on the z axis, positive towards y; of bars at both ends those at +x "
         f"come first; {_NO_BARS}",
         source="bars.forces.azimuths", people=DEG, optional=True),
     Quantity("bar_axial_force", "N", "B", "N", "block",
