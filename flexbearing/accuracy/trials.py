@@ -58,7 +58,7 @@ class Trial:
         return {
             "life": self.state.life,
             "stiffness": self.state.tangent.radial_stiffness,
-            "total_stiffness": states.supported(self.state, tangent).tangent.radial_stiffness,
+            "total_stiffness": states.supported(self.state.cases, tangent).tangent[0].radial_stiffness,
         }
 
 

@@ -14,10 +14,59 @@ from flexbearing.coupling.raceway_pair import OUTWARD, radial
 from flexbearing.quantities.quantity import taken
 from flexbearing.quantities.roller import LAYOUT
 from quasidynamic import Equilibrium
+from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.balance.rollers.unknowns import Unknowns
+from quasidynamic.outcome.bearing_states import BearingStates
 from quasidynamic.outcome.ring_stiffness import Tangent
 
 MREV = 1e6  # revolutions
+
+
+@dataclass(frozen=True)
+class EndStates:
+    """Equilibria of C cases with what their rings and the roughness of surfaces add; cases first."""
+
+    states: BearingStates
+    rings: LinearPair
+    roughness: NDArray | None = None  # (C, 2) composite, or one for all cases [m]
+
+    @property
+    def life(self) -> NDArray:
+        """Basic rating life (C) [rev]."""
+        return self.states.life * MREV
+
+    @property
+    def relative_speed(self) -> NDArray:
+        """Speed of the inner ring less that of the outer ring (C) [rad/s]."""
+        return self.states.balance.points.relative_speed[:, 0]
+
+    @cached_property
+    def between_raceways(self) -> Tangent:
+        """Stiffness between raceways freed of their translation."""
+        return between_raceways(self.states, self.rings).tangent
+
+    @cached_property
+    def with_supports(self) -> Tangent:
+        """Stiffness from base to shaft ends."""
+        return supported(self.states, self.rings).tangent
+
+    @property
+    def support_stiffness_ratio(self) -> NDArray | None:
+        """Stiffness of the outer ring's support over that of the bearing (C) [-]; None where it is rigid."""
+        outer = self.rings.outer
+        if outer is None or not np.isfinite(outer.support_stiffness):
+            return None
+        return outer.support_stiffness / self.between_raceways.radial_stiffness
+
+    @property
+    def support_translation(self) -> NDArray:
+        """Rigid translation (C, 2, 2) of the raceways on their supports, by (y, z) [m]."""
+        return self.rings.translation(self.states.forces)
+
+    @property
+    def film_ratio(self) -> NDArray | None:
+        """Film over roughness (C, 2, Z), 0 without load; None where the roughness is not known."""
+        return None if self.roughness is None else self.states.loaded_film / self.roughness[..., None]
 
 
 @dataclass(frozen=True)
@@ -29,36 +78,47 @@ class EndState:
     roughness: NDArray | None = None  # (2) composite [m]
     life_error: float | None = None  # estimated, over the life; None where nothing was estimated [-]
 
+    @cached_property
+    def cases(self) -> EndStates:
+        """The same as an array of one case."""
+        return EndStates(self.equilibrium.cases, self.rings, self.roughness)
+
     @property
     def life(self) -> float:
         """Basic rating life [rev]."""
-        return self.equilibrium.life * MREV
+        return self.cases.life[0]
 
     @property
     def relative_speed(self) -> float:
         """Speed of the inner ring less that of the outer ring [rad/s]."""
-        points = self.equilibrium.balance.points
-        return float(points.inner_speed[0, 0] - points.outer_speed[0, 0])
+        return self.cases.relative_speed[0]
 
-    @cached_property
+    @property
     def between_raceways(self) -> Tangent:
         """Stiffness between raceways freed of their translation."""
-        return between_raceways(self.equilibrium, self.rings).tangent
+        return self.cases.between_raceways[0]
 
-    @cached_property
+    @property
     def with_supports(self) -> Tangent:
         """Stiffness from base to shaft ends."""
-        return supported(self.equilibrium, self.rings).tangent
+        return self.cases.with_supports[0]
+
+    @property
+    def support_stiffness_ratio(self) -> float | None:
+        """Stiffness of the outer ring's support over that of the bearing [-]; None where it is rigid."""
+        ratio = self.cases.support_stiffness_ratio
+        return None if ratio is None else ratio[0]
 
     @property
     def support_translation(self) -> NDArray:
         """Rigid translation (2, 2) of the raceways on their supports, by (y, z) [m]."""
-        return self.rings.translation(self.equilibrium.forces)
+        return self.cases.support_translation[0]
 
     @property
     def film_ratio(self) -> NDArray | None:
         """Film over roughness (2, Z), 0 without load; None where the roughness is not known."""
-        return None if self.roughness is None else self.equilibrium.loaded_film / self.roughness[:, None]
+        ratio = self.cases.film_ratio
+        return None if ratio is None else ratio[0]
 
     @property
     def unknowns(self) -> NDArray:
@@ -79,27 +139,28 @@ def block(end: EndState, **further: Any) -> dict[str, NDArray]:
     return taken(LAYOUT.datasets("block").values(), solved | further)
 
 
-def supported(state: Equilibrium, rings: LinearPair) -> Equilibrium:
-    """The same state, its ring displacement counted from shaft ends to base: with the elastic supports.
+def supported(states: BearingStates, rings: LinearPair) -> BearingStates:
+    """The same states, ring displacements counted from shaft ends to base: with the elastic supports.
 
     Between raceways freed of their translation, answers and loads are not of one kind, and the tangent
     is not symmetric; from base to shaft ends it is.
     """
     if rings.rigid:
-        return state
-    balance, unknowns = state.balance, state.unknowns
-    moved = rings.translation(state.forces)  # (inner and outer raceway, y and z)
+        return states
+    balance, unknowns = states.balance, states.unknowns
+    moved = np.moveaxis(rings.translation(states.forces), 0, -1)  # (inner and outer raceway, y and z, C)
     deviation, ring = unknowns.deviation.copy(), unknowns.ring.copy()
-    deviation[:, 0, 0] += radial(balance.roller.bearing.azimuths, moved.T).T
-    ring[:2, 0, 0] += OUTWARD @ moved
-    return _elastic(state, rings.absolute, unknowns._replace(ring=ring, deviation=deviation))
+    for race, translation in enumerate(moved):
+        deviation[race, 0] += radial(balance.roller.bearing.azimuths, translation).T
+    ring[:2, :, 0] += np.tensordot(OUTWARD, moved, axes=1)
+    return _elastic(states, balance, rings.absolute, unknowns._replace(ring=ring, deviation=deviation))
 
 
-def between_raceways(state: Equilibrium, rings: LinearPair) -> Equilibrium:
-    """The same state between elastic raceways, also where it was found between those of a given shape."""
-    if rings.rigid or state.balance.layout.elastic_raceways:
-        return state
-    return _elastic(state, rings.compliance, state.unknowns)
+def between_raceways(states: BearingStates, rings: LinearPair) -> BearingStates:
+    """The same states between elastic raceways, also where they were found between those of given shapes."""
+    if rings.rigid or states.balance.layout.elastic_raceways:
+        return states
+    return _elastic(states, states.balance, rings.compliance, states.unknowns)
 
 
 def elastic(state: Equilibrium, rings: LinearPair) -> Equilibrium:
@@ -109,13 +170,15 @@ def elastic(state: Equilibrium, rings: LinearPair) -> Equilibrium:
     initial = rings.initial_deviation
     deviation = state.deviation if initial is None else state.deviation - initial
     unknowns = state.unknowns._replace(deviation=np.moveaxis(deviation, -1, 1)[:, :, None])
-    between = replace(state, balance=replace(state.balance, deviation=initial))
-    return _elastic(between, rings.compliance, unknowns)
+    between = _elastic(state.cases, replace(state.balance, deviation=initial), rings.compliance, unknowns)
+    return replace(state, balance=between.balance, scaled=between.scaled[0])
 
 
-def _elastic(state: Equilibrium, compliance: Compliance, unknowns: Unknowns) -> Equilibrium:
-    """A state with other unknowns in equations that hold the compliance (Z, M, Z, M) of the raceways."""
-    size = state.balance.layout.rollers * state.balance.roller.axial_modes
+def _elastic(
+    states: BearingStates, balance: BearingBalance, compliance: Compliance, unknowns: Unknowns
+) -> BearingStates:
+    """States with other unknowns in equations that hold the compliance (Z, M, Z, M) of the raceways."""
+    size = balance.layout.rollers * balance.roller.axial_modes
     inner, outer = (None if matrix is None else matrix.reshape(size, size) for matrix in compliance)
-    balance = replace(state.balance, compliance=(inner, outer))
-    return replace(state, balance=balance, scaled=balance.pack(unknowns)[0])
+    with_compliance = replace(balance, compliance=(inner, outer))
+    return BearingStates(with_compliance, with_compliance.pack(unknowns), states.axial_modes)

@@ -93,6 +93,11 @@ class LinearRaceway(Protocol):
         ...
 
     @property
+    def support_stiffness(self) -> float:
+        """Resultant over mean translation under outward forces like the cosine of the azimuth [N/m]."""
+        ...
+
+    @property
     def bar_response(self) -> object | None:
         """What the bars carry by the same forces; None without bars."""
         ...

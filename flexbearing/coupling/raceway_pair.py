@@ -34,10 +34,13 @@ def from_mean_place(azimuths: NDArray, absolute: NDArray, translation: NDArray) 
 
 def linear_answer(raceway: LinearRaceway, outward: NDArray) -> tuple[NDArray, NDArray]:
     """Outward deviations (Z, M) and mean translation (2) [m] under outward forces (Z, M) [N]."""
-    return (
-        raceway.initial_deviation + np.tensordot(raceway.absolute, outward, axes=2),
-        raceway.initial_translation + np.tensordot(raceway.translation, outward, axes=2),
-    )
+    deviation = raceway.initial_deviation + np.tensordot(raceway.absolute, outward, axes=2)
+    return deviation, mean_translation(raceway, outward)
+
+
+def mean_translation(raceway: LinearRaceway, outward: NDArray) -> NDArray:
+    """Mean translation (..., 2) [m] under outward forces (..., Z, M) [N]."""
+    return raceway.initial_translation + np.tensordot(outward, raceway.translation, axes=([-2, -1], [1, 2]))
 
 
 @dataclass(frozen=True)
@@ -94,11 +97,11 @@ class LinearPair:
         return deviation
 
     def translation(self, forces: NDArray) -> NDArray:
-        """Mean translations (2, 2) of inner and outer raceway along (y, z) [m]."""
-        translation = np.zeros((2, 2))
+        """Mean translations (..., 2, 2) of both raceways along (y, z) [m] under forces (..., 2, Z, M) [N]."""
+        translation = np.zeros((*forces.shape[:-2], 2))
         for race, raceway in enumerate(self.raceways):
             if raceway is not None:
-                _, translation[race] = linear_answer(raceway, OUTWARD[race] * forces[race])
+                translation[..., race, :] = mean_translation(raceway, OUTWARD[race] * forces[..., race, :, :])
         return translation
 
 

@@ -16,7 +16,7 @@ from flexbearing.quantities.reductions import (
     at_inner_race,
     displacements,
     finite_range,
-    largest,
+    largest_of_all,
     loaded,
     tilts,
 )
@@ -55,7 +55,7 @@ QUANTITIES = (
             "balls that carry load", "d", unit=COUNT),
         SummaryValue("loaded_contacts", lambda load: int(loaded(load).sum()),
             "contacts that carry load", "d", unit=COUNT),
-        SummaryValue("max_contact_load_N", largest, "largest contact load", ",.1f"),
+        SummaryValue("max_contact_load_N", largest_of_all, "largest contact load", ",.1f"),
         SummaryValue("max_contact_loads_N", lambda load: load.max((0, 2))),
         SummaryValue("contact_loads_N", at_inner_race),
     )),
@@ -104,7 +104,7 @@ QUANTITIES = (
         )),
     Quantity("ball_imbalance", "", "Z", "1", "block",
         "power that is left unbalanced over the power of friction, of each ball",
-        source="balls.sliding.imbalance", summary=(SummaryValue("max_ball_imbalance", largest),)),
+        source="balls.sliding.imbalance", summary=(SummaryValue("max_ball_imbalance", largest_of_all),)),
 
     # torque
     Quantity("torque", "T", "2", "N m", "block", "torque of all balls on the rings, (inner, outer)",

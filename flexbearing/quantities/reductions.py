@@ -1,4 +1,7 @@
-"""From the arrays of a result to the numbers of its summary."""
+"""From the arrays of a result to the numbers of its summary.
+
+Those of roller bearings take arrays of one case or of many, whose axes come first: (..., Z) is (Z) or (C, Z).
+"""
 
 import numpy as np
 
@@ -8,124 +11,143 @@ EXTENT = ("smallest", "largest")  # entries of a range
 YZ, XYZ, ABOUT_YZ = ("y", "z"), ("x", "y", "z"), ("about_y", "about_z")
 
 
-def largest(values: np.ndarray) -> np.ndarray:
-    """Largest of all."""
+def largest_of_all(values: np.ndarray) -> np.ndarray:
+    """Largest of all of one case."""
     return values.max()
 
 
-def largest_size(*values: np.ndarray) -> np.ndarray:
-    """Largest of all, without their signs."""
-    return np.abs(values).max()
+def largest(values: np.ndarray) -> np.ndarray:
+    """Largest of values (..., Z)."""
+    return values.max(axis=-1)
 
 
-def largest_at_mid_roller(position: np.ndarray, *values: np.ndarray) -> float:
-    """Largest size at mid-roller of values (Z, K) at slices with middles (K), linear between them."""
-    return max(abs(float(np.interp(0.0, position, row))) for rows in values for row in rows)
+def largest_size(values: np.ndarray) -> np.ndarray:
+    """Largest of values (..., Z), without their signs."""
+    return np.abs(values).max(axis=-1)
+
+
+def largest_at_mid_roller(*values: np.ndarray) -> np.ndarray:
+    """Largest size at mid-roller of values (..., Z, K) at equal slices, linear between their middles."""
+    each = [
+        (array[..., (array.shape[-1] - 1) // 2] + array[..., array.shape[-1] // 2]) / 2 for array in values
+    ]
+    return largest_size(np.concatenate(each, axis=-1))
 
 
 def largest_at_roller_ends(*values: np.ndarray) -> np.ndarray:
-    """Largest size at both ends of the rollers of values (Z, K), linear over the last of K equal slices."""
-    rows = np.concatenate(values)
-    ends = [rows[:, end] + (rows[:, end] - rows[:, inwards]) / 2 for end, inwards in ((0, 1), (-1, -2))]
-    return np.abs(ends).max()
+    """Largest size at both ends of the rollers of values (..., Z, K), linear over the last equal slices."""
+    rows = np.concatenate(values, axis=-2)
+    ends = [rows[..., end] + (rows[..., end] - rows[..., inwards]) / 2 for end, inwards in ((0, 1), (-1, -2))]
+    return largest_size(np.concatenate(ends, axis=-1))
 
 
 def length(values: np.ndarray) -> np.ndarray:
-    """Length of a vector (2)."""
-    return np.hypot(*values)
+    """Length of vectors (..., 2)."""
+    return np.hypot(values[..., 0], values[..., 1])
 
 
 def finite_range(values: np.ndarray) -> np.ndarray:
-    """Smallest and largest of the finite values (2); NaN without any."""
+    """Smallest and largest of the finite values of one case (2); NaN without any."""
     finite = values[np.isfinite(values)]
     return np.array([finite.min(), finite.max()]) if finite.size else np.full(2, np.nan)
 
 
 def smallest_above_zero(*rows: np.ndarray) -> np.ndarray:
-    """Smallest of each row without the unloaded contacts, which are zero; NaN without any other."""
-    values = np.array(rows)
-    smallest = np.where(values == 0.0, np.inf, values).min(axis=1)
+    """Smallest of each row (..., Z) without the unloaded contacts, which are zero; NaN without any other."""
+    values = stacked(*rows)
+    smallest = np.where(values == 0.0, np.inf, values).min(axis=-1)
     return np.where(np.isinf(smallest), np.nan, smallest)
 
 
 def loaded(load: np.ndarray) -> np.ndarray:
-    """Which contacts carry load (...), of the loads of all of them [N], >= 0."""
+    """Which contacts carry load (...), of the loads of all of them in one case [N], >= 0."""
     return load > LOADED * load.max()
 
 
-def loaded_rollers(load: np.ndarray) -> float:
+def loaded_rollers(load: np.ndarray) -> np.ndarray:
     """Count the rollers that carry load.
 
     Parameters
     ----------
-    load : array (Z)
+    load : array (..., Z)
         load of the inner contacts [N], >= 0
 
     Returns
     -------
-    int
+    array (...)
         rollers above `LOADED`; NaN when a load is not finite
     """
-    return int(np.count_nonzero(loaded(load))) if np.isfinite(load).all() else np.nan
+    count, known = _loaded(load).sum(axis=-1), np.isfinite(load).all(axis=-1)
+    return count if known.all() else np.where(known, count, np.nan)
 
 
-def loaded_arc(azimuth: np.ndarray, load: np.ndarray) -> float:
+def loaded_arc(azimuth: np.ndarray, load: np.ndarray) -> np.ndarray:
     """Span the smallest arc that holds every loaded roller, from the first to the last.
 
     Parameters
     ----------
-    azimuth : array (Z)
+    azimuth : array (..., Z)
         places of the rollers [rad], in any order and on any branch
-    load : array (Z)
+    load : array (..., Z)
         load of the inner contacts [N], >= 0
 
     Returns
     -------
-    float
+    array (...)
         arc [rad]; 2 pi when every roller is loaded, 0 for fewer than two; NaN when a load is not finite
     """
-    if not np.isfinite(load).all():
-        return np.nan
-    places = np.sort(azimuth[loaded(load)] % (2 * np.pi))
-    if places.size == load.size:
-        return 2 * np.pi
-    if places.size < 2:
-        return 0.0
-    # the arc is what the widest gap between neighbours leaves of the circle
-    gaps = np.diff(places, append=places[0] + 2 * np.pi)
-    return 2 * np.pi - float(gaps.max())
+    turn, rollers = 2 * np.pi, load.shape[-1]
+    place = np.broadcast_to(azimuth % turn, load.shape)
+    order = np.argsort(place, axis=-1)
+    place, is_loaded = (np.take_along_axis(array, order, axis=-1) for array in (place, _loaded(load)))
+    # the arc is what the widest gap between neighbours leaves of the circle; twice around, so that every
+    # roller has one before it
+    around = [np.where(is_loaded, place + start, -turn) for start in (0.0, turn)]
+    last = np.maximum.accumulate(np.concatenate(around, axis=-1), axis=-1)[..., rollers - 1 : -1]
+    gap = np.where(is_loaded, around[1] - last, 0.0).max(axis=-1)
+    count = is_loaded.sum(axis=-1)
+    arc = np.where(count == rollers, turn, np.where(count < 2, 0.0, turn - gap))
+    return np.where(np.isfinite(load).all(axis=-1), arc, np.nan)
 
 
-def loaded_arc_in_degrees(azimuth: np.ndarray, load: np.ndarray) -> float:
-    """The loaded arc [deg], without digits that come from rounding."""
+def loaded_arc_in_degrees(azimuth: np.ndarray, load: np.ndarray) -> np.ndarray:
+    """The loaded arc (...) [deg], without digits that come from rounding."""
     return np.degrees(loaded_arc(azimuth, load)).round(9)
 
 
+def _loaded(load: np.ndarray) -> np.ndarray:
+    """Which rollers of each case carry load (..., Z)."""
+    return load > LOADED * load.max(axis=-1, keepdims=True)
+
+
 def along(displacement: np.ndarray, azimuth: np.ndarray) -> np.ndarray:
-    """Component of a displacement (y, z) towards an azimuth."""
-    y, z = displacement
-    return y * np.sin(azimuth) + z * np.cos(azimuth)
+    """Component of displacements (..., 2) along y and z towards azimuths (...)."""
+    return displacement[..., 0] * np.sin(azimuth) + displacement[..., 1] * np.cos(azimuth)
 
 
 def across(displacement: np.ndarray, azimuth: np.ndarray) -> np.ndarray:
-    """Component of a displacement (y, z) a quarter turn ahead of an azimuth."""
-    y, z = displacement
-    return y * np.cos(azimuth) - z * np.sin(azimuth)
+    """Component of displacements (..., 2) along y and z a quarter turn ahead of azimuths (...)."""
+    return displacement[..., 0] * np.cos(azimuth) - displacement[..., 1] * np.sin(azimuth)
 
 
 def total(*values: np.ndarray) -> np.ndarray:
-    """Sum of all."""
-    return np.sum(values)
+    """Sum (...) of all."""
+    return np.sum(values, axis=0)
 
 
 def stacked(*rows: np.ndarray) -> np.ndarray:
-    """Arrays of one shape as rows of one array."""
-    return np.array(rows)
+    """Arrays (..., Z) as rows of one array."""
+    return np.stack(rows, axis=-2)
 
 
-def touching_both(forces: np.ndarray) -> int:
-    """Count the rollers with a force at both ends, from the forces (2, Z) at either end."""
-    return int(np.count_nonzero((forces > 0).all(axis=0)))
+def touching_both(forces: np.ndarray) -> np.ndarray:
+    """Count the rollers with a force at both ends, from the forces (..., 2, Z) at either end."""
+    return (forces > 0).all(axis=-2).sum(axis=-1)
+
+
+def entry_along_z(matrix: np.ndarray) -> np.ndarray:
+    """Force along z per displacement along z, of matrices (..., 5, 5) over x, y, z and both tilts."""
+    return matrix[..., 2, 2]
 
 
 def at_inner_race(values: np.ndarray) -> np.ndarray:
@@ -135,9 +157,9 @@ def at_inner_race(values: np.ndarray) -> np.ndarray:
 
 def displacements(values: np.ndarray) -> np.ndarray:
     """The first three of five: displacements or forces along x, y, z."""
-    return values[:3]
+    return values[..., :3]
 
 
 def tilts(values: np.ndarray) -> np.ndarray:
     """The last two of five: tilts or moments about y and z."""
-    return values[3:]
+    return values[..., 3:]

@@ -220,6 +220,11 @@ class BearingStates:
         return self.balance.floating(self.unknowns, self.rollers.pocket)
 
     @property
+    def cage_offset(self) -> NDArray | None:
+        """Centre (C, 2) of a free cage from that of its guiding ring [m]; None for one that is held."""
+        return None if self.floating is None else self.floating.offset
+
+    @property
     def pocket_displacement(self) -> NDArray | None:
         """Rollers (C, Z) from the centre of their pockets along the motion [m], if its clearance is known."""
         bearing = self.balance.roller.bearing

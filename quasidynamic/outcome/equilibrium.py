@@ -220,6 +220,12 @@ class Equilibrium:
         return self.cases.floating
 
     @property
+    def cage_offset(self) -> NDArray | None:
+        """Centre of a free cage (2) from that of its guiding ring (y, z) [m]; None for one that is held."""
+        offset = self.cases.cage_offset
+        return None if offset is None else offset[0]
+
+    @property
     def pocket_displacement(self) -> NDArray | None:
         """Rollers (Z) from the centre of their pockets along the motion [m], if its clearance is known."""
         displacement = self.cases.pocket_displacement
