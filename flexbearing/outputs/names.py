@@ -40,8 +40,8 @@ class Output:
     declared: SummaryValue  # with its quantities and unit
     place: tuple[int, ...]  # among the numbers of its reduction
 
-    def number(self, block: Block) -> float:
-        """Its number in `unit`; NaN where the block is empty, or the case does not give it."""
+    def numbers(self, block: Block) -> Any:
+        """Its number in `unit`, an array (C) of a block of C cases; NaN where the case does not give it."""
         entry = self.declared
         try:
             arrays = [block[name] for name in entry.of]
@@ -49,9 +49,9 @@ class Output:
             return float("nan")
         value = entry.reduction(*arrays)
         if self.place:
-            value = value[self.place]
+            value = value[(..., *self.place)]
         assert entry.unit is not None  # a layout fills it in
-        return float(value if entry.in_si else value * entry.unit.scale)
+        return value if entry.in_si else value * entry.unit.scale
 
 
 @dataclass(frozen=True)
@@ -75,12 +75,16 @@ class Wanted:
 
     def number(self, blocks: Mapping[str, Block]) -> float:
         """Its number in `unit`, from the blocks `rigid` and `flexible` of a run; NaN where there is none."""
+        return float(self.numbers(blocks))
+
+    def numbers(self, blocks: Mapping[str, Block]) -> Any:
+        """The same of blocks of C cases (C), or of one."""
         block = self.chosen(blocks)
-        number = self.output.number(block) * self.conversion.factor
-        if self.conversion.per_speed and number == number:
-            speed = abs(float(block[self.output.declared.speed]))
-            return number / speed if speed else float("inf")
-        return number
+        numbers = self.output.numbers(block) * self.conversion.factor
+        if self.conversion.per_speed and self.output.declared.speed in block:
+            with np.errstate(divide="ignore"):  # for ever, where nothing turns
+                return numbers / np.abs(block[self.output.declared.speed])
+        return numbers
 
     def value(self, blocks: Mapping[str, Block]) -> Value:
         """The same with its unit.

@@ -92,7 +92,9 @@ def with_defaults(quantities: Iterable[Quantity]) -> tuple[SummaryValue, ...]:
     )
 
 
-def taken(quantities: Iterable[Quantity], solved: Mapping[str, Any]) -> dict[str, np.ndarray]:
+def taken(
+    quantities: Iterable[Quantity], solved: Mapping[str, Any], *, many: bool = False
+) -> dict[str, np.ndarray]:
     """Take quantities from the solved parts of a model, as their `source` says.
 
     Parameters
@@ -101,6 +103,8 @@ def taken(quantities: Iterable[Quantity], solved: Mapping[str, Any]) -> dict[str
         what is wanted
     solved : mapping
         parts of the solution by the first word of `source`; None or missing where the case has no such part
+    many : bool
+        whether the parts hold arrays of many cases, which are their first axis
 
     Returns
     -------
@@ -112,11 +116,12 @@ def taken(quantities: Iterable[Quantity], solved: Mapping[str, Any]) -> dict[str
     AttributeError
         if a part does not have the attribute that a source names
     """
-    values = {entry.name: _followed(entry.source or f"state.{entry.name}", solved) for entry in quantities}
+    sources = {entry.name: entry.source or f"state.{entry.name}" for entry in quantities}
+    values = {name: _followed(source, solved, many) for name, source in sources.items()}
     return {name: np.asarray(value, dtype=float) for name, value in values.items() if value is not None}
 
 
-def _followed(source: str, solved: Mapping[str, Any]) -> Any:
+def _followed(source: str, solved: Mapping[str, Any], many: bool) -> Any:
     """The value at a source: attributes, names of a mapping, numbers as indices, methods called."""
     part, *words = source.split(".")
     value: Any = solved.get(part)
@@ -124,7 +129,7 @@ def _followed(source: str, solved: Mapping[str, Any]) -> Any:
         if value is None:
             return None
         if word.isdigit():
-            value = value[int(word)]
+            value = value[:, int(word)] if many else value[int(word)]
         else:
             value = value[word] if isinstance(value, Mapping) else getattr(value, word)
         value = value() if callable(value) else value

@@ -166,6 +166,14 @@ def test_stiffness_from_base_to_shaft_is_that_of_a_state_in_balance(flexible):
     assert (np.diag(stiffness)[:2] < np.diag(rigid)[:2]).all()  # radially; more loaded rollers may tilt less
 
 
+def test_summary_has_the_stiffness_along_z_and_that_of_the_support_over_the_bearing(flexible):
+    numbers, support = flexible.summary()["flexible"], flexible.attributes["structure"]["outer"]
+    assert numbers["stiffness_zz_N_per_m"] == numbers["stiffness_matrix_SI"][2][2]
+    ratio = support["support_stiffness_N_per_m"] / numbers["stiffness_N_per_m"]
+    assert numbers["support_stiffness_ratio"] == approx(ratio, rel=1e-12)
+    assert flexible.summary()["rigid"]["support_stiffness_ratio"] is None
+
+
 def test_every_iteration_is_in_the_file(flexible):
     with h5py.File(flexible.path) as file:
         count, first = file.attrs["iterations"], file["iterations"]

@@ -1,0 +1,67 @@
+"""Numbers of the summary of many cases at once are those of each case."""
+
+import numpy as np
+import pytest
+from pytest import approx
+
+from flexbearing.outputs import outputs
+from flexbearing.quantities.reductions import loaded_arc, loaded_rollers
+from flexbearing.quantities.roller import LAYOUT
+
+CASES = 5
+SIZES = {"Z": 9, "K": 6, "B": 7, "N": 20}
+OF_ONE_CASE = ("bars.", "skew.", "life.")  # parts of the solution that are computed case by case
+NAMES = [
+    output.name
+    for output in outputs(LAYOUT)
+    if not any(LAYOUT[name].source.startswith(OF_ONE_CASE) for name in output.declared.of)
+]
+
+
+@pytest.fixture(scope="module")
+def block():
+    """Arrays of any numbers (C, ...); contacts without load among them."""
+    rng = np.random.default_rng(5)
+    arrays = {}
+    for name, entry in LAYOUT.datasets("block").items():
+        sizes = [int(axis) if axis.isdigit() else SIZES[axis] for axis in entry.shape]
+        arrays[name] = rng.uniform(-1.0, 1.0, (CASES, *sizes))
+    for name in ("inner_load", "outer_load", "inner_film_ratio", "outer_film_ratio"):
+        arrays[name] = np.maximum(arrays[name], 0.0)
+    arrays["inner_load"][0] = 0.0
+    arrays["inner_load"][1] += 1.0
+    return arrays
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_an_output_of_many_cases_is_that_of_each(block, name):
+    output = next(output for output in outputs(LAYOUT) if output.name == name)
+    of_each = [output.numbers({key: array[case] for key, array in block.items()}) for case in range(CASES)]
+    assert output.numbers(block) == approx(np.array(of_each), rel=1e-14, abs=0, nan_ok=True)
+
+
+def test_every_scalar_but_those_of_bars_skew_and_modified_life_has_many_cases():
+    assert len(NAMES) > 35
+    assert {"max_roller_load", "loaded_arc", "life_L10", "peak_pressure.inner", "stiffness_zz"} < set(NAMES)
+
+
+def test_a_load_that_is_no_number_spoils_its_own_case_alone():
+    azimuth, load = np.arange(4.0), np.array([[1.0, 2.0, 0.0, 0.0], [1.0, np.nan, 0.0, 0.0]])
+    assert loaded_rollers(load) == approx([2.0, np.nan], nan_ok=True)
+    assert loaded_arc(azimuth, load) == approx([1.0, np.nan], rel=1e-14, nan_ok=True)
+
+
+@pytest.mark.parametrize(
+    ("slices", "expected"), [(4, 2.5), (5, 3.0)], ids=["between two slices", "at a slice"]
+)
+def test_mid_roller_is_between_equal_slices(slices, expected):
+    values = np.arange(1.0, slices + 1) * np.ones((3, 1))
+    output = next(output for output in outputs(LAYOUT) if output.name == "mid_roller_deviation")
+    block = {"inner_deviation": values, "outer_deviation": -0.1 * values}
+    assert output.numbers(block) == approx(1e6 * expected, rel=1e-14)
+
+
+def test_stiffness_along_z_is_an_entry_of_the_matrix_with_supports():
+    output = next(output for output in outputs(LAYOUT) if output.name == "stiffness_zz")
+    matrix = np.diag([0.0, 3e8, 7e8, 2e3, 5e2])
+    assert (output.numbers({"stiffness_matrix": matrix}), output.unit) == (7e8, "N/m")
