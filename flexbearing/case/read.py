@@ -74,12 +74,37 @@ def understood(text: str, file: Path, overrides: Overrides, families: Families) 
     BadCase
         as `read`
     """
-    name = excerpt(file.name, LONGEST_NAME)
     try:
         raw = tables(text)
     except Unreadable as problem:
-        raise BadCase(f"{name}: {problem}") from problem
-    settings = _settings(overrides)
+        raise BadCase(f"{excerpt(file.name, LONGEST_NAME)}: {problem}") from problem
+    return with_settings(raw, Source(str(file), text, _settings(overrides)), families)
+
+
+def with_settings(raw: dict[str, Any], source: Source, families: Families) -> Head:
+    """Read the tables of a case file with the settings of its source.
+
+    Parameters
+    ----------
+    raw : dict
+        of `flexbearing.case.text.tables`; the settings are put into it, and what a kind of part that they
+        change leaves without use is taken out
+    source : Source
+        where the case comes from
+    families : mapping
+        as for `read`
+
+    Returns
+    -------
+    Head
+        as `read`
+
+    Raises
+    ------
+    BadCase
+        as `read`
+    """
+    name, settings = excerpt(Path(source.path).name, LONGEST_NAME), source.overrides
     model = _model(raw, settings, name, families)
     if settings:
         before = foreign(raw, model)
@@ -94,7 +119,7 @@ def understood(text: str, file: Path, overrides: Overrides, families: Families) 
     except ValidationError as error:
         raise BadCase(messages(error, raw, name, model, families)) from None
     _require_given(case, raw, name, families)
-    case._source = Source(str(file), text, settings)
+    case._source = source
     return case
 
 
@@ -111,9 +136,14 @@ def _leave_out_former_kinds(
             log.info("%s of the file is left out: %s", shown(path), why)
 
 
+def written(values: Mapping[str, object]) -> tuple[str, ...]:
+    """Write values of keys as settings, "key=value"."""
+    return tuple(f"{key}={toml(value)}" for key, value in values.items())
+
+
 def _settings(overrides: Sequence[str] | Mapping[str, object]) -> tuple[str, ...]:
     if isinstance(overrides, Mapping):
-        overrides = [f"{key}={toml(value)}" for key, value in overrides.items()]
+        overrides = written(overrides)
     if len(overrides) > MOST_SETTINGS or sum(map(len, overrides)) > LARGEST:
         raise BadCase(
             f"--set: more than {MOST_SETTINGS} settings, or {LARGEST // 1024} KiB of them; write a case file"
