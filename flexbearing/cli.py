@@ -1,4 +1,4 @@
-"""The command line: check, run, summary, plot, fields, trace, pareto, explain."""
+"""The command line: check, run, study, summary, plot, fields, trace, pareto, explain."""
 
 import sys
 from collections.abc import Iterator
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from flexbearing.results import Result
 
-CONVERGED, NOT_CONVERGED = 0, 1
+CONVERGED, NOT_CONVERGED, BAD_INPUT = range(3)
 UNMET_TARGET = "unmet-target"  # the one danger that is no success without --strict
 
 app = typer.Typer(
@@ -238,6 +238,35 @@ def pareto(
     store(found, table, picture)
     with _keeping([table, picture]):
         _say(f"\n{text(found)}\ntable: {table}\npicture: {picture}")
+
+
+@app.command()
+def study(
+    file: Annotated[Path, typer.Argument(help="study file (TOML)", metavar="FILE")],
+    check: Annotated[
+        bool, typer.Option("--check", help="list the variants, what is wrong and how long; compute nothing")
+    ] = False,
+    output: Annotated[
+        Path, typer.Option("-o", "--output", metavar="DIR", help="of the table and of what is finished")
+    ] = Path("results"),
+    retry_failed: Annotated[
+        bool, typer.Option("--retry-failed", help="compute rows that failed once more")
+    ] = False,
+    status: Annotated[bool, typer.Option("--status", help="count what is finished; compute nothing")] = False,
+) -> None:
+    """Compute the variants of a case into one table; a second start goes on where the first one ended."""
+    from flexbearing.studies import told
+    from flexbearing.studies.prepare import compute, prepared
+
+    settled = prepared(file)
+    if check or status:
+        _say(told.status(settled, output) if status else told.variants(settled))
+        sound = not settled.plan.problems
+        raise typer.Exit(CONVERGED if sound else BAD_INPUT)
+    with told.Shown(sys.stderr) as shown:
+        table = compute(settled, output, retry_failed=retry_failed, tell=shown)
+    _say(told.end(table, output))
+    raise typer.Exit(NOT_CONVERGED if table.failed else CONVERGED)
 
 
 def _tell(measured) -> None:

@@ -98,15 +98,26 @@ class Declaration:
         return toml(self.choices[0]) if self.choices else self.default
 
     @property
-    def _listed(self) -> bool:
+    def listed(self) -> bool:
         """Whether the key holds a list."""
         annotation = self.field.annotation
         members = get_args(annotation) if _is_union(annotation) else (annotation,)
         return any(get_origin(member) is tuple for member in members)
 
     @property
+    def number(self) -> bool:
+        """Whether the key holds a plain number."""
+        plain = any(part in (int, float) for part in _parts(self.field.annotation))
+        return plain and not (self.kind or self.choices or self.listed)
+
+    @property
+    def whole(self) -> bool:
+        """Whether the key holds a whole number."""
+        return self.number and float not in tuple(_parts(self.field.annotation))
+
+    @property
     def _what(self) -> str:
-        if self._listed:
+        if self.listed:
             return self._list
         if self.kind:
             return f"{self.kind.name} as text with its unit, such as {self.example}"

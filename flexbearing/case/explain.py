@@ -64,7 +64,8 @@ def reference_page(families: Families) -> str:
 def _limits() -> list[str]:
     """What holds for every value and every file."""
     from fem.parts import step_solid
-    from flexbearing.case import quantity, text, units
+    from flexbearing import units
+    from flexbearing.case import quantity, text
     from flexbearing.case.read import MOST_SETTINGS
 
     return [

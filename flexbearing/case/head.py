@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any
 
 from pydantic import PrivateAttr
 
@@ -23,8 +23,6 @@ class Source:
 
 class Head(Section):
     """Keys of every case."""
-
-    former: ClassVar[Mapping[str, str]] = {}  # keys of older versions to what has taken their place
 
     kind: str = key(KIND)
     title: str = key("what the case is, for people", example="A bearing between two rings")

@@ -9,7 +9,6 @@ from pydantic import ValidationError
 from flexbearing.case.declarations import Declaration, by_path, find, kinds_with, toml
 from flexbearing.case.excerpt import LONGEST, excerpt
 from flexbearing.case.family import Families
-from flexbearing.case.head import Head
 from flexbearing.case.quantity import Section
 from flexbearing.printable import printable
 
@@ -48,7 +47,7 @@ def listed(problems: Collection[Problem], file: str, line: Callable[[Problem], s
 
 
 def messages(
-    error: ValidationError, raw: Mapping[str, Any], file: str, model: type[Head], families: Families
+    error: ValidationError, raw: Mapping[str, Any], file: str, model: type[Section], families: Families
 ) -> str:
     """One line per problem: file, key, value found, what is allowed, nearest valid name."""
     details = {
@@ -59,7 +58,7 @@ def messages(
     return listed(details.items(), file, lambda item: _message(item[1], item[0][0], raw, model, families))
 
 
-def _message(detail: Any, path: str, raw: Mapping[str, Any], model: type[Head], families: Families) -> str:
+def _message(detail: Any, path: str, raw: Mapping[str, Any], model: type[Section], families: Families) -> str:
     context, kind = detail.get("ctx", {}), detail["type"]
     if kind == "extra_forbidden":
         return f"{shown(path)}{_found(raw, path)} is not a key here.{nearest(path, model, families)}"
@@ -112,7 +111,7 @@ def _allowed(path: str, model: type[Section]) -> str:
     return declaration.allowed if declaration else "something else"
 
 
-def nearest(path: str, model: type[Head], families: Families) -> str:
+def nearest(path: str, model: type[Section], families: Families) -> str:
     """Suggest the key that was probably meant, else list the keys of that table."""
     if len(path) > LONGEST:  # no key is so long, and none is near to it
         return ""

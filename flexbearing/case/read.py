@@ -105,7 +105,7 @@ def with_settings(raw: dict[str, Any], source: Source, families: Families) -> He
         as `read`
     """
     name, settings = excerpt(Path(source.path).name, LONGEST_NAME), source.overrides
-    model = _model(raw, settings, name, families)
+    model = model_of(raw, settings, name, families)
     if settings:
         before = foreign(raw, model)
         for setting in settings:
@@ -151,8 +151,30 @@ def _settings(overrides: Sequence[str] | Mapping[str, object]) -> tuple[str, ...
     return tuple(overrides)
 
 
-def _model(raw: Mapping[str, Any], settings: Sequence[str], file: str, families: Families) -> type[Head]:
-    """Schema of the kind that the file or a setting names."""
+def model_of(raw: Mapping[str, Any], settings: Sequence[str], file: str, families: Families) -> type[Head]:
+    """Schema of the kind that a file or a setting names.
+
+    Parameters
+    ----------
+    raw : mapping
+        tables of the file
+    settings : sequence of str
+        "key=value" on top of them
+    file : str
+        its name, for messages
+    families : mapping
+        kind to family, the first that of a file which names none
+
+    Returns
+    -------
+    type
+        the case model
+
+    Raises
+    ------
+    BadCase
+        where there is no such kind
+    """
     kind = raw.get("kind", next(iter(families)))
     for setting in settings:
         key, _, value = setting.partition("=")

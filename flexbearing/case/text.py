@@ -38,13 +38,15 @@ class Unreadable(ValueError):
     """A text that no case can have; the message completes a sentence that names file or setting."""
 
 
-def text_of(file: Path) -> str:
-    """Text of a case file, which may be a pipe.
+def text_of(file: Path, of: str = "case") -> str:
+    """Text of a case file, or of another one within the same bounds; it may be a pipe.
 
     Parameters
     ----------
     file : Path
         of at most `LARGEST` bytes; more are not read
+    of : str
+        what the file holds, for messages
 
     Returns
     -------
@@ -62,13 +64,13 @@ def text_of(file: Path) -> str:
     except FileNotFoundError:
         raise Unreadable("there is no such file") from None
     except IsADirectoryError:
-        raise Unreadable("is a folder; a case is a TOML file") from None
+        raise Unreadable(f"is a folder; a {of} is a TOML file") from None
     except OSError as problem:
         raise Unreadable(f"cannot be read: {problem.strerror}") from None
     except ValueError:  # a NUL in the name
         raise Unreadable("no file can have this name") from None
     if len(content) > LARGEST:
-        raise Unreadable(_too_large("larger"))
+        raise Unreadable(_too_large("larger", of))
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError as problem:
@@ -77,13 +79,15 @@ def text_of(file: Path) -> str:
         ) from None
 
 
-def tables(text: str) -> dict[str, Any]:
+def tables(text: str, of: str = "case") -> dict[str, Any]:
     """Tables of the text of a case file.
 
     Parameters
     ----------
     text : str
         TOML
+    of : str
+        what the file holds, for messages
 
     Returns
     -------
@@ -96,11 +100,11 @@ def tables(text: str) -> dict[str, Any]:
         where it is no TOML, is too large or too deep, or holds what no case can have
     """
     if len(text) > LARGEST:
-        raise Unreadable(_too_large("longer"))
+        raise Unreadable(_too_large("longer", of))
     if _deep(text):
         raise Unreadable(
             f"has arrays or tables more than {DEEPEST} deep, or a key of more than {DEEPEST} parts; "
-            "nothing in a case is so deep"
+            f"nothing in a {of} is so deep"
         )
     try:
         parsed = tomllib.loads(text)
@@ -142,8 +146,8 @@ def setting_value(text: str) -> Any:
     return given
 
 
-def _too_large(how: str) -> str:
-    return f"is {how} than {LARGEST // 1024} KiB, which no case file is"
+def _too_large(how: str, of: str) -> str:
+    return f"is {how} than {LARGEST // 1024} KiB, which no {of} file is"
 
 
 def _deep(text: str) -> bool:

@@ -1,0 +1,78 @@
+"""Tasks until each variant has its row, also those whose worker dies."""
+
+from collections import Counter, deque
+from collections.abc import Callable, Iterable, Iterator, Sequence
+
+from flexbearing.studies.engine.engine import Done, Engine
+from flexbearing.studies.plan import Row, Task
+from flexbearing.studies.plan.task import ERROR, WORKER_DIED
+
+ATTEMPTS = 3  # of a variant whose worker dies
+
+
+def finished(
+    tasks: Iterable[Task], function: Callable[[Task], Sequence[Row]], engine: Engine
+) -> Iterator[tuple[Row, ...]]:
+    """Yield the rows of every task as it is completed.
+
+    When a worker dies, the variants of its task go one by one, so that the deadly one is found; what dies
+    three times is a row that says so.
+
+    Parameters
+    ----------
+    tasks : iterable of Task
+        what is computed
+    function : callable (task)
+        its rows; both can be pickled
+    engine : Engine
+        where it is called
+
+    Yields
+    ------
+    tuple of Row
+        of one task
+    """
+    waiting, again, deaths = deque(tasks), deque[Task](), Counter[str]()
+    running: set[Task] = set()
+
+    def submit() -> None:
+        # Whoever waits behind a deadly task dies with it: suspects run with nothing waiting.
+        ahead = engine.workers if again or any(deaths[each.identity] for each in _variants(running)) else None
+        most = ahead or 2 * engine.workers
+        while (again or waiting) and len(running) < most:
+            task = again.popleft() if again else waiting.popleft()
+            running.add(task)
+            engine.submit(function, task)
+
+    submit()
+    for done in engine.as_completed():
+        running.discard(done.argument)
+        if done.died:
+            rows = tuple(_deaths(done.argument, deaths, again))
+        else:
+            rows = tuple(done.answer or _failed(done))
+        submit()
+        if rows:
+            yield rows
+
+
+def _variants(tasks: Iterable[Task]):
+    return (variant for task in tasks for variant in task.variants)
+
+
+def _deaths(task: Task, deaths: Counter[str], again: deque[Task]) -> Iterator[Row]:
+    """Rows of variants that died too often; the others are queued, each alone."""
+    for alone in task.alone:
+        identity = alone.variants[0].identity
+        deaths[identity] += 1
+        if deaths[identity] < ATTEMPTS:
+            again.append(alone)
+        else:
+            words = f"its worker process died {ATTEMPTS} times without a word, out of memory or by a crash"
+            yield Row(identity, WORKER_DIED, words, 0.0)
+
+
+def _failed(done: Done) -> Iterator[Row]:
+    """Rows of a task whose function raised what it should have turned into rows."""
+    for variant in done.argument.variants:
+        yield Row(variant.identity, ERROR, "; ".join(done.problem.splitlines()), 0.0)

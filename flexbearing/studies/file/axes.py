@@ -1,0 +1,88 @@
+"""Along what a study varies: each axis holds keys whose values belong together; axes are crossed."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from math import prod
+from pathlib import Path
+from typing import Any
+
+from flexbearing.case.declarations import Declaration
+from flexbearing.studies.file.rows import rows
+from flexbearing.studies.file.values import MOST, BadValues, values
+
+TOGETHER = "variant"  # name of an axis of several keys
+
+
+@dataclass(frozen=True)
+class Axis:
+    """Keys whose values change together, and what they are one after the other."""
+
+    keys: tuple[str, ...]
+    rows: tuple[tuple[Any, ...], ...]  # a value for each key, in the words of a case file
+
+    @property
+    def name(self) -> str:
+        """The key, where there is one."""
+        return self.keys[0] if len(self.keys) == 1 else TOGETHER
+
+
+def axes(
+    over: Mapping[str, Any], *, zipped: bool, table: Path | None, find: Callable[[str], Declaration]
+) -> tuple[Axis, ...]:
+    """Axes of the table [over].
+
+    Parameters
+    ----------
+    over : mapping
+        key of the case to what stands behind it
+    zipped : bool
+        whether all keys make one axis
+    table : Path, optional
+        file whose rows are one axis more
+    find : callable (key)
+        declaration of a key; raises BadValues where the case has none
+
+    Returns
+    -------
+    tuple of Axis
+        the last one changes fastest
+
+    Raises
+    ------
+    BadValues
+        naming the key
+    """
+    found = [Axis(*rows(table, find))] if table else []
+    columns: dict[str, tuple[Any, ...]] = {}
+    for key, given in over.items():
+        declaration = find(key)
+        try:
+            columns[key] = values(given, declaration)
+        except BadValues as problem:
+            raise BadValues(f"{key} {problem}") from None
+    if zipped and columns:
+        found.append(_zipped(columns))
+    elif columns:
+        found += [Axis((key,), tuple((value,) for value in column)) for key, column in columns.items()]
+    _require_each_once(found)
+    if (count := prod(len(axis.rows) for axis in found)) > MOST:
+        raise BadValues(f"gives {count} variants; a study has at most {MOST}")
+    return tuple(found)
+
+
+def _zipped(columns: Mapping[str, tuple[Any, ...]]) -> Axis:
+    """One axis of all keys; a single value belongs to every row."""
+    lengths = {key: len(column) for key, column in columns.items() if len(column) > 1}
+    if len({*lengths.values()}) > 1:
+        told = ", ".join(f"{key} has {length}" for key, length in lengths.items())
+        raise BadValues(f"zip = true needs as many values of every key: {told}")
+    count = max(lengths.values(), default=1)
+    full = [column if len(column) > 1 else column * count for column in columns.values()]
+    return Axis(tuple(columns), tuple(zip(*full, strict=True)))
+
+
+def _require_each_once(found: list[Axis]) -> None:
+    keys = [key for axis in found for key in axis.keys]
+    for key in keys:
+        if keys.count(key) > 1:
+            raise BadValues(f"{key} is varied twice")

@@ -1,0 +1,182 @@
+"""From a study file to what is varied and what is wanted."""
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+
+from flexbearing.case.declarations import Declaration, find
+from flexbearing.case.excerpt import excerpt
+from flexbearing.case.family import Families
+from flexbearing.case.head import Head
+from flexbearing.case.problems import BadCase, messages, nearest
+from flexbearing.case.read import LONGEST_NAME, model_of
+from flexbearing.case.text import Unreadable, tables, text_of
+from flexbearing.studies.file.axes import Axis, axes
+from flexbearing.studies.file.sampled import sampled
+from flexbearing.studies.file.schema import StudyFile
+from flexbearing.studies.file.values import BadValues
+
+_PLAIN_NAME = re.compile(r"[^./\\\x00-\x1f\x7f][^/\\\x00-\x1f\x7f]{0,99}")
+ENDS = "status", "message", "seconds"  # columns that every table has
+_COLUMN = re.compile(rf"(?!(?:{'|'.join(ENDS)})$)[\w.]{{1,100}}")
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """An output that becomes a column."""
+
+    column: str  # its heading without the unit
+    text: str  # such as "flexible.life_L10 [h]"
+
+
+@dataclass(frozen=True)
+class Study:
+    """A study file that was read."""
+
+    path: Path
+    name: str  # of the outputs
+    case: Path
+    text: str  # of the case file
+    kind: str  # of the case
+    inputs: tuple[Path, ...]  # files that are read, which no output may replace
+    axes: tuple[Axis, ...]  # crossed, the last one changes fastest
+    collect: tuple[Wanted, ...] | None  # None: every number of the summary
+
+    @property
+    def keys(self) -> tuple[str, ...]:
+        """Keys of the case that are varied."""
+        return tuple(key for axis in self.axes for key in axis.keys)
+
+
+def read(path: str | Path, families: Families) -> Study:
+    """Read a study file and the text of its case.
+
+    Parameters
+    ----------
+    path : path
+        TOML file
+    families : mapping
+        kind to family
+
+    Returns
+    -------
+    Study
+
+    Raises
+    ------
+    BadCase
+        one line for each problem: file, key, value found, what is allowed, nearest valid name
+    """
+    file = Path(path)
+    raw = _tables(file, "study")
+    _flatten(raw)
+    given = _validated(raw, file)
+    case = file.parent / given.case
+    model = model_of(_tables(case, "case"), (), excerpt(case.name, LONGEST_NAME), families)
+
+    return Study(
+        path=file,
+        name=_name(given, file),
+        case=case,
+        text=_text(case, "case"),
+        kind=next(kind for kind, family in families.items() if family.case() is model),
+        inputs=(file, case, *([file.parent / given.over.file] if given.over and given.over.file else ())),
+        axes=_axes(given, file, partial(_declared, model=model, families=families)),
+        collect=_collected(given.collect, file),
+    )
+
+
+def _declared(key: str, model: type[Head], families: Families) -> Declaration:
+    """Declaration of a key that may vary."""
+    declaration = find(key, model)
+    if declaration is None:
+        raise BadValues(f"{excerpt(key)} is not a key of the case.{nearest(key, model, families)}")
+    if key == "kind":
+        raise BadValues("kind is the same in every variant: other kinds have other keys and outputs")
+    return declaration
+
+
+def _tables(file: Path, of: str) -> dict[str, Any]:
+    try:
+        return tables(_text(file, of), of)
+    except Unreadable as problem:
+        raise BadCase(f"{excerpt(file.name, LONGEST_NAME)}: {problem}") from problem
+
+
+def _text(file: Path, of: str) -> str:
+    try:
+        return text_of(file, of)
+    except Unreadable as problem:
+        raise BadCase(f"{excerpt(str(file), LONGEST_NAME)}: {problem}") from problem
+
+
+def _flatten(raw: dict[str, Any]) -> None:
+    """Write keys without quotes, which TOML reads as tables in each other, with dots."""
+    for name in ("over", "sample"):
+        if isinstance(raw.get(name), dict):
+            raw[name] = dict(_dotted(raw[name], ""))
+
+
+def _dotted(table: Mapping[str, Any], prefix: str) -> list[tuple[str, Any]]:
+    found: list[tuple[str, Any]] = []
+    for key, value in table.items():
+        found += _dotted(value, f"{prefix}{key}.") if isinstance(value, dict) else [(f"{prefix}{key}", value)]
+    return found
+
+
+def _validated(raw: dict[str, Any], file: Path) -> StudyFile:
+    name = excerpt(file.name, LONGEST_NAME)
+    try:
+        given = StudyFile.model_validate(raw)
+    except ValidationError as error:
+        raise BadCase(messages(error, raw, name, StudyFile, {})) from None
+    if (given.over is None) == (given.sample is None):
+        both = "are both there" if given.over else "are missing"
+        raise BadCase(f"{name}: [over] and [sample] {both}; a study has one of them.")
+    return given
+
+
+def _name(given: StudyFile, file: Path) -> str:
+    name = file.stem if given.name is None else given.name
+    if not _PLAIN_NAME.fullmatch(name):
+        raise BadCase(
+            f"{excerpt(file.name, LONGEST_NAME)}: name = {excerpt(name)} cannot be; it must be the beginning "
+            "of names of files, at most 100 characters, without folders or a dot in front."
+        )
+    return name
+
+
+def _axes(given: StudyFile, file: Path, find: Callable[[str], Declaration]) -> tuple[Axis, ...]:
+    where = "over" if given.over else "sample"
+    try:
+        if given.sample:
+            return (sampled(given.sample, find),)
+        assert given.over
+        rows = None if given.over.file is None else file.parent / given.over.file
+        found = axes(given.over.model_extra or {}, zipped=given.over.zip, table=rows, find=find)
+    except BadValues as problem:
+        raise BadCase(f"{excerpt(file.name, LONGEST_NAME)}: [{where}] {problem}") from None
+    if not found:
+        raise BadCase(
+            f"{excerpt(file.name, LONGEST_NAME)}: [over] names no key; give one or more, such as "
+            '"operation.radial_load" = ["10 kN", "20 kN"].'
+        )
+    return found
+
+
+def _collected(given: Mapping[str, str] | None, file: Path) -> tuple[Wanted, ...] | None:
+    """Columns of the table [collect]; whether there are such outputs is told with the case."""
+    if given is None:
+        return None
+    for column in given:
+        if not _COLUMN.fullmatch(column):
+            raise BadCase(
+                f"{excerpt(file.name, LONGEST_NAME)}: [collect] {excerpt(column)} cannot be a heading; it "
+                f"must be a name of letters, digits, points and underscores, other than {', '.join(ENDS)}."
+            )
+    return tuple(Wanted(column, text) for column, text in given.items())

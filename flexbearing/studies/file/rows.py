@@ -1,0 +1,104 @@
+"""Variants written as a table: a CSV file whose header holds keys of the case, with units in brackets."""
+
+import csv
+import re
+from collections.abc import Callable
+from io import StringIO
+from pathlib import Path
+from typing import Any
+
+from flexbearing.case.declarations import Declaration
+from flexbearing.case.excerpt import excerpt
+from flexbearing.case.text import Unreadable, setting_value
+from flexbearing.studies.file.values import MOST, BadValues
+
+LARGEST = 2**27  # bytes: a million rows of ten numbers
+HEADING = re.compile(r"\s*(?P<name>[^\[\]]*?)\s*(?:\[(?P<unit>[^\[\]]*)\])?\s*")
+_HEADER = 'a header holds keys with units, such as "operation.radial_load [kN],operation.inner_speed [rpm]"'
+
+
+def rows(
+    file: Path, find: Callable[[str], Declaration]
+) -> tuple[tuple[str, ...], tuple[tuple[Any, ...], ...]]:
+    """Keys and rows of a table of variants.
+
+    Parameters
+    ----------
+    file : Path
+        CSV, with commas or semicolons
+    find : callable (key)
+        declaration of a key; raises BadValues where the case has none
+
+    Returns
+    -------
+    tuple
+        keys, and a row of values in the words of a case file for each variant
+
+    Raises
+    ------
+    BadValues
+        naming file, row and column
+    """
+    try:
+        return _rows(_text(file), find)
+    except BadValues as problem:
+        raise BadValues(f'file = "{file.name}": {problem}') from None
+
+
+def _text(file: Path) -> str:
+    try:
+        with file.open("rb") as opened:
+            content = opened.read(LARGEST + 1)
+        if len(content) > LARGEST:
+            raise BadValues(f"is larger than {LARGEST >> 20} MiB")
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        raise BadValues("is not text in UTF-8; save it as UTF-8") from None
+    except OSError as problem:
+        raise BadValues(f"cannot be read: {problem.strerror}") from None
+
+
+def _rows(
+    text: str, find: Callable[[str], Declaration]
+) -> tuple[tuple[str, ...], tuple[tuple[Any, ...], ...]]:
+    first = text.partition("\n")[0]
+    lines = csv.reader(StringIO(text), delimiter=";" if ";" in first and "," not in first else ",")
+    try:
+        header, *table = ([cell.strip() for cell in line] for line in lines if any(map(str.strip, line)))
+    except ValueError:
+        raise BadValues(f"is empty; {_HEADER}") from None
+    except csv.Error as problem:
+        raise BadValues(f"is no table: {problem}") from None
+    if not 0 < len(table) <= MOST:
+        raise BadValues(f"has {len(table)} rows below its header; a study has 1 to {MOST} variants")
+    columns = [_heading(cell) for cell in header]
+    kinds = [find(key).kind for key, _ in columns]
+    for place, ((key, unit), kind) in enumerate(zip(columns, kinds, strict=True)):
+        if unit and kind is None:
+            raise BadValues(f"column {place + 1}: {key} has no unit, found [{excerpt(unit)}]")
+    keys = tuple(key for key, _ in columns)
+    return keys, tuple(_row(line, number, columns) for number, line in enumerate(table, 1))
+
+
+def _heading(cell: str) -> tuple[str, str]:
+    parts = HEADING.fullmatch(cell)
+    if parts is None or not parts["name"]:
+        raise BadValues(f"has {excerpt(cell)!r} in its header; {_HEADER}")
+    return parts["name"], (parts["unit"] or "").strip()
+
+
+def _row(line: list[str], number: int, columns: list[tuple[str, str]]) -> tuple[Any, ...]:
+    if len(line) != len(columns):
+        raise BadValues(f"row {number} has {len(line)} cells, the header has {len(columns)}")
+    return tuple(_cell(cell, key, unit, number) for cell, (key, unit) in zip(line, columns, strict=True))
+
+
+def _cell(cell: str, key: str, unit: str, number: int) -> Any:
+    if not cell:
+        raise BadValues(f"row {number} has no value of {key}")
+    if unit:
+        return f"{cell} {unit}"
+    try:
+        return setting_value(cell)
+    except Unreadable as problem:
+        raise BadValues(f"row {number}, {key}: {problem}") from None

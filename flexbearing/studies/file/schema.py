@@ -1,0 +1,48 @@
+"""Keys of a study file."""
+
+from collections.abc import Mapping
+from typing import Literal
+
+from pydantic import ConfigDict
+
+from flexbearing.case.quantity import Section, key
+
+
+class Over(Section):
+    """Keys of the case and the values that they take; every other name in the table is such a key."""
+
+    model_config = ConfigDict(extra="allow")
+
+    zip: bool = key(
+        "whether the first values belong together, the second ones and so on; else crossed", False
+    )
+    file: str | None = key(
+        "table of variants (CSV) beside the study file, whose header holds keys, with units in brackets",
+        None,
+        example="variants.csv",
+    )
+
+
+class Sample(Section):
+    """Keys of the case and their distributions; every other name in the table is such a key."""
+
+    model_config = ConfigDict(extra="allow")
+
+    count: int = key("number of variants; a power of 2 for sobol", example=1000, ge=1, le=1_000_000)
+    method: Literal["latin_hypercube", "sobol"] = key("how points are spread", "latin_hypercube")
+    seed: int = key("of the random numbers: the same seed gives the same variants", 0, ge=0, le=2**32 - 1)
+
+
+class StudyFile(Section):
+    """A study file."""
+
+    case: str = key("case file, by its path from the folder of the study file", example="mao2016.toml")
+    name: str | None = key("of the outputs, such as NAME.csv; without it that of the study file", None)
+    over: Over | None = key("keys that are varied, each over a list, a range or a single value", None)
+    sample: Sample | None = key("keys that are drawn from distributions", None)
+    collect: Mapping[str, str] | None = key(
+        "columns of the table, each with the name of an output and a unit; without it every number of the "
+        "summary",
+        None,
+        example={"life": "flexible.life_L10 [h]"},
+    )

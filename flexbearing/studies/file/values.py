@@ -1,0 +1,117 @@
+"""Values of one varied key: a list, a range, a single value."""
+
+import re
+from typing import Any
+
+import numpy as np
+from pydantic_core import PydanticCustomError
+
+from flexbearing.case.declarations import Declaration, toml
+from flexbearing.case.excerpt import excerpt
+from flexbearing.case.quantity import LONGEST, Kind
+
+MOST = 1_000_000  # variants of a study
+DIGITS = 12  # of values within a range
+RANGE = 'a range is "FROM .. TO, COUNT", such as "2.9 mm .. 5.1 mm, 6", or "log 1 N .. 1 kN, 20"'
+_RANGE = re.compile(
+    r"\s*(?P<log>log\s)?\s*(?P<first>.+?)\s*\.\.\s*(?P<last>.+?)\s*,\s*(?P<count>[0-9]{1,7})\s*"
+)
+_NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
+
+
+class BadValues(ValueError):
+    """Values that a key cannot take; the message completes a sentence that names file and key."""
+
+
+def values(given: Any, declaration: Declaration) -> tuple[Any, ...]:
+    """Values of a key, in the words of a case file.
+
+    Parameters
+    ----------
+    given : any
+        a list, a range as text, or a single value
+    declaration : Declaration
+        of the key
+
+    Returns
+    -------
+    tuple
+        at least one; whether each is allowed is told when the case is read
+
+    Raises
+    ------
+    BadValues
+        for an empty list, or a range that is none
+    """
+    if isinstance(given, list) and not (declaration.listed and not _lists(given)):
+        if not given:
+            raise BadValues("is an empty list; give one value or more")
+        return tuple(given)
+    counts = not declaration.listed and (declaration.kind or declaration.number)
+    if counts and isinstance(given, str) and ".." in given:
+        return _range(given, declaration)
+    return (given,)
+
+
+def _lists(given: list[Any]) -> bool:
+    """Whether every value is a list itself, as the values of a key that holds a list are."""
+    return all(isinstance(value, list) for value in given)
+
+
+def _range(text: str, declaration: Declaration) -> tuple[Any, ...]:
+    parts = _RANGE.fullmatch(text) if len(text) <= 3 * LONGEST else None
+    if parts is None:
+        raise BadValues(f"is no range: {RANGE}")
+    count = int(parts["count"])
+    if not 2 <= count <= MOST:
+        raise BadValues(f"has {count} values; a range has 2 to {MOST}")
+    (first, last), unit = _ends(parts["first"], parts["last"], declaration)
+    if parts["log"] and min(first, last) <= 0:
+        raise BadValues("has an end that is not above zero, which a logarithmic range cannot have")
+    spread = np.geomspace if parts["log"] else np.linspace
+    numbers = [float(f"{number:.{DIGITS}g}") for number in spread(first, last, count)]
+    if declaration.whole:
+        return tuple(_whole(number) for number in numbers)
+    return tuple(f"{number!r} {unit}" for number in numbers) if unit else tuple(numbers)
+
+
+def _ends(first: str, last: str, declaration: Declaration) -> tuple[tuple[float, float], str]:
+    """Both ends in their common unit, or in SI; an empty unit where the key takes plain numbers."""
+    kind = declaration.kind
+    if kind is None:
+        return (_plain(first), _plain(last)), ""
+    in_si = in_si_units(first, kind), in_si_units(last, kind)
+    (one, unit), (other, unit_of_last) = _split(first), _split(last)
+    return ((one, other), unit) if unit == unit_of_last else (in_si, kind.unit)
+
+
+def in_si_units(text: str, kind: Kind) -> float:
+    """Value of a quantity in SI units.
+
+    Raises
+    ------
+    BadValues
+        with what is wrong with it
+    """
+    try:
+        return kind.to_si(text)
+    except PydanticCustomError as problem:
+        raise BadValues(f"has {toml(excerpt(text))}, which {problem.message()}") from None
+
+
+def _split(text: str) -> tuple[float, str]:
+    number = _NUMBER.match(text.strip())
+    assert number  # or it would not have had a value in SI units
+    return float(number[0]), text.strip()[number.end() :].strip()
+
+
+def _plain(text: str) -> float:
+    if not _NUMBER.fullmatch(text):
+        raise BadValues(f"has {toml(excerpt(text))}, which is no number; {RANGE}")
+    return float(text)
+
+
+def _whole(number: float) -> int:
+    if not number.is_integer():
+        raise BadValues(f"has {number:g} among its values, which is no whole number")
+    return int(number)

@@ -1,0 +1,35 @@
+"""The name of a variant: a digest of all that its numbers depend on."""
+
+import json
+from functools import lru_cache
+from hashlib import sha256
+from pathlib import Path
+
+from flexbearing.case import Head
+from flexbearing.quantities.attributes import FORMAT
+
+LENGTH = 32  # characters that are kept, 128 bits
+
+
+def identity(case: Head) -> str:
+    """Digest of a complete case in SI units and of the format of results.
+
+    Parameters
+    ----------
+    case : Head
+        as it was read; files that it names enter with their content
+
+    Returns
+    -------
+    str
+        32 hexadecimal characters
+    """
+    files = [_content(path) for path in case.input_files[1:]]
+    text = json.dumps([FORMAT, case.to_json(), files], sort_keys=True, separators=(",", ":"))
+    return sha256(text.encode()).hexdigest()[:LENGTH]
+
+
+@lru_cache(maxsize=64)
+def _content(path: Path) -> str:
+    """Digest of a file; that there is none is told when the part is made."""
+    return sha256(path.read_bytes()).hexdigest() if path.is_file() else ""

@@ -1,0 +1,141 @@
+"""The plan of a study, a frozen value: every variant with its identity, and what is wrong with it."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from itertools import chain, islice, product
+from typing import Any
+
+from flexbearing.case import BadCase, Head
+from flexbearing.case.declarations import toml
+from flexbearing.case.excerpt import excerpt
+from flexbearing.case.family import Families
+from flexbearing.case.problems import MOST
+from flexbearing.case.variants import Variants
+from flexbearing.studies.file import Axis, Study
+from flexbearing.studies.plan.identity import identity
+from flexbearing.studies.plan.task import Base, Task, Variant
+
+LARGEST_RIGID, LARGEST_ELASTIC = 128, 16  # variants of a task: some 0.1 s of work
+FEWEST = 8  # tasks into which a small study is cut, so that several workers have some
+
+
+@dataclass(frozen=True)
+class Problem:
+    """A variant that cannot be computed as it stands."""
+
+    number: int  # of the variant, from 0
+    message: str
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What a study computes."""
+
+    name: str
+    base: Base
+    axes: tuple[Axis, ...]
+    variants: tuple[Variant, ...]  # row by row
+    problems: tuple[Problem, ...]
+
+    def tasks(self, wanted: Callable[[Variant], bool]) -> tuple[Task, ...]:
+        """Bundle variants that are still wanted, each identity once, those between the same rings together.
+
+        Parameters
+        ----------
+        wanted : callable (variant)
+            whether a variant must be computed
+
+        Returns
+        -------
+        tuple of Task
+        """
+        groups: dict[tuple[str, ...], dict[str, Variant]] = {}
+        for variant in self.variants:
+            if wanted(variant):
+                groups.setdefault(variant.rings, {})[variant.identity] = variant
+        share = -(-sum(map(len, groups.values())) // FEWEST)
+        return tuple(
+            Task(self.base, bundle)
+            for rings, group in groups.items()
+            for bundle in _bundles([*group.values()], min(LARGEST_ELASTIC if rings else LARGEST_RIGID, share))
+        )
+
+    @property
+    def rings(self) -> frozenset[str]:
+        """Digests of all elastic rings."""
+        return frozenset(ring for variant in self.variants for ring in variant.rings)
+
+    def settings(self, number: int) -> str:
+        """Values of a variant in words, for messages."""
+        values = zip(self.base.keys, self.variants[number].values, strict=True)
+        return ", ".join(f"{key} = {excerpt(_in_words(value))}" for key, value in values)
+
+    def require_sound(self) -> None:
+        """Refuse a study with variants that cannot be computed.
+
+        Raises
+        ------
+        BadCase
+            a line for each of the first ones, and how many there are
+        """
+        if not self.problems:
+            return
+        lines = islice(map(self.told, self.problems), MOST)
+        count = f"{len(self.problems)} of {len(self.variants)} variants cannot be computed; none was."
+        raise BadCase("\n".join([*lines, f"{self.name}: {count}"]))
+
+    def told(self, problem: Problem) -> str:
+        """A line about a variant that cannot be computed."""
+        settings = self.settings(problem.number)
+        return f"{self.name}: variant {problem.number + 1} ({settings}): {problem.message}"
+
+
+def plan(
+    study: Study,
+    families: Families,
+    require_possible: Callable[[Head], None],
+    rings: Callable[[Head], tuple[str, ...]],
+) -> Plan:
+    """Settle what a study computes.
+
+    Parameters
+    ----------
+    study : Study
+        as it was read
+    families : mapping
+        kind to family
+    require_possible : callable (case)
+        raises BadCase where physics or geometry forbid a case
+    rings : callable (case)
+        digests of the elastic rings of a case
+
+    Returns
+    -------
+    Plan
+        also with variants that cannot be computed: `Plan.require_sound` refuses them
+    """
+    base = Base(study.case.resolve(), study.text, study.keys)
+    read, variants, problems = Variants(base.path, base.text, base.keys, families), [], []
+    for number, values in enumerate(_crossed(study.axes)):
+        try:
+            case = read.case(values)
+            require_possible(case)
+            variants.append(Variant(values, identity(case), rings(case)))
+        except BadCase as problem:
+            variants.append(Variant(values, ""))
+            problems.append(Problem(number, "; ".join(str(problem).splitlines())))
+    return Plan(study.name, base, study.axes, tuple(variants), tuple(problems))
+
+
+def _crossed(axes: tuple[Axis, ...]) -> Iterator[tuple[Any, ...]]:
+    for rows in product(*(axis.rows for axis in axes)):
+        yield tuple(chain.from_iterable(rows))
+
+
+def _bundles(group: list[Variant], size: int) -> Iterator[tuple[Variant, ...]]:
+    for first in range(0, len(group), size):
+        yield tuple(group[first : first + size])
+
+
+def _in_words(value: Any) -> str:
+    return value if isinstance(value, str) else toml(value)

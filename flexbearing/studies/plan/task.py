@@ -1,0 +1,55 @@
+"""What is handed to workers, and what they hand back."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+CONVERGED, BAD_INPUT, WORKER_DIED, ERROR = "converged", "bad input", "worker died", "error"
+
+
+@dataclass(frozen=True)
+class Base:
+    """The case file that variants are made of."""
+
+    path: Path
+    text: str
+    keys: tuple[str, ...]  # that vary
+
+
+@dataclass(frozen=True, slots=True)
+class Variant:
+    """One row of the table."""
+
+    values: tuple[Any, ...]  # of the keys, in the words of a case file
+    identity: str
+    rings: tuple[str, ...] = ()  # digests of its elastic rings
+
+
+@dataclass(frozen=True, eq=False)
+class Task:
+    """Variants between the same rings, which one worker computes."""
+
+    base: Base
+    variants: tuple[Variant, ...]
+
+    @property
+    def alone(self) -> tuple["Task", ...]:
+        """The same variants, each in a task of its own."""
+        return tuple(Task(self.base, (variant,)) for variant in self.variants)
+
+
+@dataclass(frozen=True)
+class Row:
+    """How a variant ended."""
+
+    identity: str
+    status: str  # an end of a run, or `BAD_INPUT`, `WORKER_DIED`, `ERROR`
+    message: str  # one line
+    seconds: float
+    values: Mapping[str, float] = field(default_factory=dict)  # by names of outputs; absent: not known
+
+    @property
+    def converged(self) -> bool:
+        """Whether the variant has its numbers."""
+        return self.status == CONVERGED

@@ -1,0 +1,176 @@
+"""The computing of a study: what is still lacking, by an engine, into journal and table."""
+
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from functools import partial
+from pathlib import Path
+from time import perf_counter
+
+from flexbearing.families import FAMILIES
+from flexbearing.files import NotStored, require_folder, require_output, write
+from flexbearing.studies.engine import Engine, finished
+from flexbearing.studies.file import Study
+from flexbearing.studies.plan import Plan, Row, Task
+from flexbearing.studies.table import Table, journal
+from flexbearing.studies.table.collected import Collected
+from flexbearing.studies.table.keys import key_columns
+from flexbearing.studies.table.table import ends
+from flexbearing.studies.table.text import csv_text
+
+NOT_COMPUTED = "not computed"  # status of a row whose variant is still to come
+Rows = Mapping[str, Row]  # by identity
+
+
+@dataclass(frozen=True)
+class Progress:
+    """How far a study is."""
+
+    done: int  # rows that are there
+    total: int
+    failed: int  # among them
+    begun: int  # rows that were there at the start
+    seconds: float  # since then
+
+    @property
+    def left(self) -> float | None:
+        """Time left [s], if the others take as long as those so far; None before the first."""
+        new = self.done - self.begun
+        return self.seconds / new * (self.total - self.done) if new else None
+
+
+Tell = Callable[[Progress], None]
+Work = Callable[..., Sequence[Row]]  # of a task and `texts`
+
+
+@dataclass(frozen=True)
+class Prepared:
+    """A study whose variants and columns are settled."""
+
+    study: Study
+    plan: Plan
+    columns: tuple[Collected, ...]
+
+    @property
+    def texts(self) -> tuple[str, ...]:
+        """Outputs that rows hold."""
+        return tuple(dict.fromkeys(column.text for column in self.columns))
+
+    def journal(self, folder: Path) -> Path:
+        """Where the rows are kept as they are finished."""
+        return folder / f"{self.study.name}{journal.SUFFIX}"
+
+    def rows(self, folder: Path, *, retry_failed: bool = False) -> dict[str, Row]:
+        """Rows of former runs that hold all that is wanted now."""
+        wanted = {*self.texts}
+        return {
+            row.identity: row
+            for row in journal.read(self.journal(folder)).values()
+            if wanted <= row.values.keys() and (row.converged or not retry_failed)
+        }
+
+    def table(self, rows: Rows) -> Table:
+        """The table of the rows that there are; the others are not computed."""
+        ordered = [
+            rows.get(variant.identity) or Row(variant.identity, NOT_COMPUTED, "", 0.0)
+            for variant in self.plan.variants
+        ]
+        keys = key_columns(self.plan, FAMILIES[self.study.kind].case())
+        outputs = (column.values(ordered) for column in self.columns)
+        return Table(self.study.name, (*keys, *outputs, *ends(ordered)))
+
+    def progress(self, rows: Rows) -> Progress:
+        """How far some rows are."""
+        there = [row for variant in self.plan.variants if (row := rows.get(variant.identity))]
+        failed = sum(not row.converged for row in there)
+        return Progress(len(there), len(self.plan.variants), failed, len(there), 0.0)
+
+
+def run(
+    settled: Prepared,
+    output: Path,
+    work: Work,
+    engine: Engine,
+    *,
+    retry_failed: bool = False,
+    tell: Tell | None = None,
+) -> Table:
+    """Compute what a study still lacks, and write its table.
+
+    Parameters
+    ----------
+    settled : Prepared
+        the study
+    output : Path
+        folder
+    work : callable (task, texts=...)
+        rows of a task with the outputs that the texts name
+    engine : Engine
+        where it is called; it is closed at the end
+    retry_failed : bool
+        whether rows that failed are computed again
+    tell : callable (Progress), optional
+        hears of every task that is finished
+
+    Returns
+    -------
+    Table
+
+    Raises
+    ------
+    BadOutput
+        for a folder that cannot be written, or where the same study runs already
+    NotStored
+        when there is no room left; what is finished stays
+    """
+    folder, inputs = require_folder(output), settled.study.inputs
+    csv = require_output(folder / f"{settled.study.name}.csv", inputs)
+    path = require_output(settled.journal(folder), inputs)
+    rows: dict[str, Row] = {}
+    try:
+        with journal.opened(path, settled.texts) as kept:
+            rows |= settled.rows(folder, retry_failed=retry_failed)
+            for progress in _compute(settled, rows, partial(work, texts=settled.texts), engine, kept):
+                if tell:
+                    tell(progress)
+    except BaseException as problem:
+        if rows:
+            done = settled.progress(rows)
+            problem.add_note(
+                f"{done.done} of {done.total} variants are kept, the same study goes on from there"
+            )
+            with suppress(NotStored):
+                write(csv, csv_text(settled.table(rows)).encode())
+        raise
+    finally:
+        engine.close()
+    table = settled.table(rows)
+    write(csv, csv_text(table).encode())
+    return table
+
+
+def _compute(
+    settled: Prepared,
+    rows: dict[str, Row],
+    work: Callable[[Task], Sequence[Row]],
+    engine: Engine,
+    kept: journal.Journal,
+) -> Iterator[Progress]:
+    """Add the rows that are lacking, task by task."""
+    began, progress = perf_counter(), settled.progress(rows)
+    rows_of = Counter(variant.identity for variant in settled.plan.variants)
+    tasks = settled.plan.tasks(lambda variant: variant.identity not in rows)
+    yield progress
+    for new in finished(tasks, work, engine):
+        kept.add(new)
+        rows |= {row.identity: row for row in new}
+        done = sum(rows_of[row.identity] for row in new)
+        failed = sum(rows_of[row.identity] for row in new if not row.converged)
+        progress = replace(
+            progress,
+            done=progress.done + done,
+            failed=progress.failed + failed,
+            seconds=perf_counter() - began,
+        )
+        yield progress

@@ -1,0 +1,53 @@
+"""What Python programs call for a study; nothing is loaded before."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from flexbearing.studies.run import Progress
+    from flexbearing.studies.table import Table
+
+
+def study(
+    file: str | Path,
+    output: str | Path = "results",
+    *,
+    retry_failed: bool = False,
+    tell: "Callable[[Progress], None] | None" = None,
+) -> "Table":
+    """Compute the variants of a study file.
+
+    Rows that a former call with the same folder finished are taken from there.
+
+    Parameters
+    ----------
+    file : path
+        study file
+    output : path
+        folder of the table and of what is finished so far
+    retry_failed : bool
+        whether rows that failed are computed again
+    tell : callable (Progress), optional
+        hears of every task that is finished
+
+    Returns
+    -------
+    Table
+        also with rows that failed: their status says how
+
+    Raises
+    ------
+    BadCase
+        for a wrong study file, or variants that cannot be computed; nothing is computed then
+    BadOutput
+        for a folder that cannot be written, or where the same study runs already
+    NotStored
+        when there is no room left; what is finished stays
+
+    >>> table = study("thickness.toml")                                      # doctest: +SKIP
+    >>> table["life [h]"].values                                             # doctest: +SKIP
+    """
+    from flexbearing.studies.prepare import compute, prepared
+
+    return compute(prepared(file), Path(output), retry_failed=retry_failed, tell=tell)

@@ -1,0 +1,99 @@
+"""Outputs that become columns, by the names of the summary."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from math import isnan
+
+from flexbearing.case import BadCase
+from flexbearing.case.family import Families
+from flexbearing.outputs import UnknownOutput, Wanted, WrongUnit, outputs, wanted
+from flexbearing.outputs.names import BLOCKS, Block
+from flexbearing.studies.file import Study
+from flexbearing.studies.plan import Row
+from flexbearing.studies.table.table import Column
+
+
+@dataclass(frozen=True)
+class Collected:
+    """An output that becomes a column."""
+
+    column: str  # its heading without the unit
+    text: str  # as `flexbearing.outputs.wanted` takes it, with its unit
+    unit: str  # empty for plain numbers
+
+    def values(self, rows: Sequence[Row]) -> Column:
+        """The column of some rows; NaN where a row has no such number."""
+        return Column(self.column, self.unit, tuple(row.values.get(self.text, float("nan")) for row in rows))
+
+
+def collected(study: Study, families: Families, *, elastic: bool) -> tuple[Collected, ...]:
+    """Columns that a study asks for; without [collect], every scalar of the summary.
+
+    Parameters
+    ----------
+    study : Study
+        as it was read
+    families : mapping
+        kind to family
+    elastic : bool
+        whether any variant has an elastic ring: then both blocks are collected, else there is one
+
+    Returns
+    -------
+    tuple of Collected
+
+    Raises
+    ------
+    BadCase
+        for a name that no output has, or a unit of another kind
+    """
+    layout = families[study.kind].layout()
+    if study.collect is None:
+        blocks = [f"{block}." for block in BLOCKS] if elastic else [""]
+        texts = [f"{block}{output.name}" for block in blocks for output in outputs(layout)]
+        return tuple(_collected(text, wanted(layout, text)) for text in texts)
+    columns = []
+    for each in study.collect:
+        try:
+            columns.append(_collected(each.column, wanted(layout, each.text)))
+        except (UnknownOutput, WrongUnit) as problem:
+            raise BadCase(f"{study.path.name}: [collect] {each.column}: {problem}") from None
+    return tuple(columns)
+
+
+def _collected(column: str, output: Wanted) -> Collected:
+    return Collected(column, f"{output.name} [{output.unit}]", "" if output.unit == "1" else output.unit)
+
+
+def numbers(
+    blocks: Mapping[str, Block], texts: tuple[str, ...], kind: str, families: Families
+) -> dict[str, float]:
+    """Numbers of one variant by the texts that name them; what it does not have is left out.
+
+    Parameters
+    ----------
+    blocks : mapping
+        ``rigid`` and ``flexible`` of its result
+    texts : tuple of str
+        outputs with units
+    kind : str
+        of its case
+    families : mapping
+        kind to family
+
+    Returns
+    -------
+    dict
+    """
+    found = {}
+    for text, output in _wanted(texts, kind, families[kind].layout):
+        number = output.number(blocks)
+        if not isnan(number):
+            found[text] = number
+    return found
+
+
+@lru_cache(maxsize=16)
+def _wanted(texts: tuple[str, ...], kind: str, layout) -> tuple[tuple[str, Wanted], ...]:
+    return tuple((text, wanted(layout(), text)) for text in texts)

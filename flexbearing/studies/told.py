@@ -1,0 +1,123 @@
+"""What people read of a study: its variants before, its progress, its end."""
+
+from collections import Counter
+from itertools import islice
+from pathlib import Path
+from time import perf_counter
+from typing import Self, TextIO
+
+from flexbearing.case.problems import MOST
+from flexbearing.studies.run import Prepared, Progress
+from flexbearing.studies.table import Table
+
+RING, ELASTIC, RIGID = (
+    5.0,
+    0.1,
+    0.005,
+)  # [s] usual time of a ring, and of variants between such and rigid rings
+PAUSE = 10.0  # [s] between lines that no terminal shows
+
+
+def variants(settled: Prepared) -> str:
+    """The table of variants, what is wrong with each, and what there is to do.
+
+    Parameters
+    ----------
+    settled : Prepared
+        the study
+
+    Returns
+    -------
+    str
+        the first variants and the first problems, and how many there are
+    """
+    plan = settled.plan
+    lines = [f"{number + 1}: {plan.settings(number)}" for number in range(min(MOST, len(plan.variants)))]
+    if len(plan.variants) > MOST:
+        lines.append(f"... and {len(plan.variants) - MOST} more")
+    lines += map(plan.told, islice(plan.problems, MOST))
+    columns = ", ".join(
+        f"{column.column} [{column.unit}]" if column.unit else column.column for column in settled.columns
+    )
+    bad = len(plan.problems)
+    return "\n".join([
+        *lines,
+        f"columns: {columns}",
+        f"{len(plan.variants)} variants, {bad or 'none'} of them cannot be computed",
+        f"{len(plan.rings)} elastic rings to be condensed, less those in the cache",
+        _expected(settled),
+    ])  # fmt: skip
+
+
+def _expected(settled: Prepared) -> str:
+    """Expected time by a rule that is said with it."""
+    plan = settled.plan
+    elastic = sum(bool(variant.rings) for variant in plan.variants)
+    rigid = len(plan.variants) - elastic
+    time = RING * len(plan.rings) + ELASTIC * elastic + RIGID * rigid
+    return (
+        f"expected time: about {duration(time)} on one core "
+        f"({RING:g} s a ring, {ELASTIC:g} s a variant between elastic rings, {RIGID:g} s between rigid ones)"
+    )
+
+
+def status(settled: Prepared, folder: Path) -> str:
+    """How far a study is, by its journal.
+
+    Parameters
+    ----------
+    settled : Prepared
+        the study
+    folder : Path
+        of its outputs
+
+    Returns
+    -------
+    str
+    """
+    progress = settled.progress(settled.rows(folder))
+    left = progress.total - progress.done
+    return (
+        f"{settled.study.name}: {progress.total} variants, {progress.done} finished, "
+        f"{progress.failed} of them failed, {left} not computed"
+    )
+
+
+def end(table: Table, folder: Path) -> str:
+    """How a study ended, and where its table is."""
+    counts = Counter(table["status"].values)
+    words = ", ".join(f"{count} {name}" for name, count in counts.most_common())
+    return f"{table.name}: {len(table)} variants: {words}\ntable: {folder / table.name}.csv"
+
+
+def duration(seconds: float) -> str:
+    """A time in the unit that suits it."""
+    for unit, size in (("h", 3600), ("min", 60)):
+        if seconds >= 2 * size:
+            return f"{seconds / size:.3g} {unit}"
+    return f"{seconds:.2g} s"
+
+
+class Shown:
+    """Shows progress in a line that changes, on a terminal, or in a line now and then; a context manager."""
+
+    def __init__(self, stream: TextIO):
+        self._stream, self._terminal, self._last = stream, stream.isatty(), perf_counter()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self._terminal:
+            self._stream.write("\n")
+
+    def __call__(self, progress: Progress) -> None:
+        """Take note of how far a study is."""
+        left = "" if progress.left is None else f", {duration(progress.left)} left"
+        line = f"{progress.done} of {progress.total} variants, {progress.failed} failed{left}"
+        if self._terminal:
+            self._stream.write(f"\r{line}\x1b[K")
+        elif progress.done == progress.total or perf_counter() - self._last >= PAUSE:
+            self._stream.write(f"{line}\n")
+            self._last = perf_counter()
+        self._stream.flush()

@@ -1,0 +1,149 @@
+"""The command `study`: what it prints, its exit codes, rows that are those of single runs."""
+
+import csv
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+import flexbearing
+from flexbearing import __main__ as program
+from tests.flexbearing.toy_studies import CASE
+
+ROOT = Path(__file__).parents[2]
+LOADS = (
+    '[over]\n"operation.radial_load" = ["2 kN", "4 kN"]\n"operation.inner_speed" = ["3000 rpm", "5000 rpm"]\n'
+)
+
+
+@pytest.fixture
+def file(tmp_path):
+    path = tmp_path / "loads.toml"
+    path.write_text(f'case = "{CASE}"\n{LOADS}')
+    return path
+
+
+def command(*words):
+    return program.command(["study", *map(str, words)])
+
+
+def table(folder, name="loads"):
+    with (folder / f"{name}.csv").open(newline="") as opened:
+        return list(csv.DictReader(opened))
+
+
+def test_a_row_equals_the_single_run(file, tmp_path, capsys):
+    assert command(file, "-o", tmp_path) == 0
+    rows = table(tmp_path)
+    for row in rows:
+        settings = {
+            "operation.radial_load": f"{row['operation.radial_load [N]']} N",
+            "operation.inner_speed": f"{row['operation.inner_speed [rpm]']} rpm",
+        }
+        summary = flexbearing.run(CASE, settings).summary()["flexible"]
+        assert float(row["max_roller_load [N]"]) == pytest.approx(summary["max_roller_load_N"], rel=1e-9)
+        assert float(row["cage_slip [%]"]) == pytest.approx(summary["cage_slip_percent"], rel=1e-9, abs=1e-12)
+        assert row["status"] == "converged"
+    assert "loads: 4 variants: 4 converged" in capsys.readouterr().out
+
+
+def test_a_check_lists_variants_and_computes_nothing(file, tmp_path, capsys):
+    assert command(file, "--check", "-o", tmp_path / "out") == 0
+    out = capsys.readouterr().out
+    assert "3: operation.radial_load = 4 kN, operation.inner_speed = 3000 rpm" in out
+    assert "4 variants, none of them cannot be computed" in out
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_check_of_bad_variants_tells_them_and_is_no_success(file, tmp_path, capsys):
+    file.write_text(f'case = "{CASE}"\n[over]\n"operation.radial_load" = "-10 N .. 100 N, 111"')
+    assert command(file, "--check") == 2
+    out = capsys.readouterr().out
+    assert "... and 91 more" in out
+    assert "loads: variant 1 (operation.radial_load = -10.0 N): nu209.toml: [operation] radial_load" in out
+    assert "111 variants, 10 of them cannot be computed" in out
+
+
+def test_bad_variants_are_bad_input_and_nothing_is_computed(file, tmp_path, capsys):
+    file.write_text(f'case = "{CASE}"\n[over]\n"operation.radial_load" = ["5 kN", "-5 kN"]')
+    assert command(file, "-o", tmp_path / "out") == 2
+    assert "loads: 1 of 2 variants cannot be computed; none was." in capsys.readouterr().err
+    assert not (tmp_path / "out").exists()
+
+
+def test_an_unknown_output_is_bad_input_with_the_nearest_name(file, capsys):
+    file.write_text(f'case = "{CASE}"\n{LOADS}[collect]\nlife = "life_L01 [h]"')
+    assert command(file) == 2
+    assert "loads.toml: [collect] life: 'life_L01 [h]': no output has this name. Did you mean life_L10?" in (
+        capsys.readouterr().err
+    )
+
+
+def test_a_study_that_leaves_a_row_without_an_answer_ends_with_1(file, tmp_path):
+    """Two iterations are too few between these rings."""
+    file.write_text(
+        f'case = "{ROOT / "configs" / "mao2016.toml"}"\n[over]\n"coupling.max_iterations" = [1, 300]\n'
+        '"coupling.fallback" = false\n"inner.kind" = "rigid"\n"outer.kind" = "ring"\n'
+        '"accuracy.structure" = "beam"\n'
+        '[collect]\nload = "max_roller_load [kN]"\nrigid = "rigid.max_roller_load [kN]"'
+    )
+    assert command(file, "-o", tmp_path) == 1
+    failed, solved = table(tmp_path)
+    assert (failed["status"], failed["load [kN]"]) == ("iteration limit", "")
+    assert solved["status"] == "converged"
+    assert failed["rigid [kN]"] == solved["rigid [kN]"] != ""
+
+
+def test_the_status_touches_nothing(file, tmp_path, capsys):
+    assert command(file, "--status", "-o", tmp_path / "out") == 0
+    assert "loads: 4 variants, 0 finished, 0 of them failed, 4 not computed" in capsys.readouterr().out
+    assert not (tmp_path / "out").exists()
+    command(file, "-o", tmp_path / "out")
+    capsys.readouterr()
+    before = {path: path.read_bytes() for path in (tmp_path / "out").iterdir()}
+    assert command(file, "--status", "-o", tmp_path / "out") == 0
+    assert "4 finished" in capsys.readouterr().out
+    assert before == {path: path.read_bytes() for path in (tmp_path / "out").iterdir()}
+
+
+def started(file, folder):
+    return subprocess.Popen(
+        [sys.executable, "-m", "flexbearing", "study", file, "-o", folder],
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=ROOT,
+    )  # fmt: skip
+
+
+def until(condition, limit=60):
+    began = time.monotonic()
+    while not condition():
+        assert time.monotonic() - began < limit
+        time.sleep(0.02)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGTERM, signal.SIGINT], ids=lambda n: n.name)
+def test_a_study_that_is_killed_goes_on_and_ends_with_the_same_table(file, tmp_path, number):
+    over = LOADS.replace('["2 kN", "4 kN"]', '"2 kN .. 8 kN, 20"')
+    file.write_text(f'case = "{CASE}"\n{over}')
+    assert command(file, "-o", tmp_path / "at once") == 0
+    journal = tmp_path / "out" / "loads.journal.jsonl"
+    process = started(file, tmp_path / "out")
+    until(lambda: journal.exists() and journal.read_bytes().count(b"\n") > 8)
+    os.kill(process.pid, number)
+    told = process.communicate()[1]
+    assert process.returncode == (-9 if number == signal.SIGKILL else 128 + number)
+    if number != signal.SIGKILL:
+        assert "of 40 variants are kept, the same study goes on from there" in told
+        assert len(table(tmp_path / "out")) == 40
+    finished = journal.read_bytes().count(b"identity")
+    assert command(file, "-o", tmp_path / "out") == 0
+    assert journal.read_bytes().count(b"identity") == 40 >= finished > 0
+    without_time = [
+        [{key: value for key, value in row.items() if key != "seconds"} for row in table(tmp_path / folder)]
+        for folder in ("out", "at once")
+    ]
+    assert without_time[0] == without_time[1]

@@ -1,0 +1,120 @@
+"""The journal of a study: what was finished is there again, whatever ended the process that wrote it."""
+
+import errno
+import os
+from math import inf, isnan, nan
+
+import pytest
+from hypothesis import given, strategies as st
+
+from flexbearing.files import BadOutput, NotStored
+from flexbearing.studies.plan import Row
+from flexbearing.studies.table import journal
+
+NAMES = "life_L10 [h]", "cage_slip [%]"
+
+
+def row(identity, *numbers, status="converged", message=""):
+    return Row(identity, status, message, 0.125, dict(zip(NAMES, numbers, strict=False)))
+
+
+ROWS = [row("a", 1.5, 0.1), row("b", inf, -2e-300), row("c", status="not solved", message='"line"\nbreak')]
+
+
+@pytest.fixture
+def path(tmp_path):
+    return tmp_path / f"s{journal.SUFFIX}"
+
+
+def write(path, *rows, names=NAMES):
+    with journal.opened(path, names) as kept:
+        for each in rows:
+            kept.add([each])
+
+
+def test_rows_come_back_as_they_were(path):
+    write(path, *ROWS)
+    back = journal.read(path)
+    assert back["a"] == ROWS[0]
+    assert back["b"] == ROWS[1]
+    assert (back["c"].status, back["c"].message) == ("not solved", '"line"\nbreak')
+    assert all(isnan(back["c"].values[name]) for name in NAMES)
+
+
+def test_without_a_journal_there_are_no_rows(path):
+    assert journal.read(path) == {}
+
+
+def test_a_row_that_is_written_again_takes_the_place_of_the_first(path):
+    write(path, row("a", status="not solved"))
+    write(path, row("a", 3.0, 4.0))
+    assert journal.read(path) == {"a": row("a", 3.0, 4.0)}
+
+
+def test_a_later_writer_may_ask_for_other_outputs(path):
+    write(path, ROWS[0])
+    write(path, Row("z", "converged", "", 0.0, {"max_roller_load [N]": 7.0}), names=("max_roller_load [N]",))
+    back = journal.read(path)
+    assert back["a"].values.keys() == {*NAMES}
+    assert back["z"].values == {"max_roller_load [N]": 7.0}
+
+
+def test_a_number_that_is_not_given_is_asked_for_and_absent(path):
+    write(path, row("a", 1.0, nan))
+    assert isnan(journal.read(path)["a"].values["cage_slip [%]"])
+
+
+@given(st.integers(0, 10_000))
+def test_a_torn_line_loses_its_row_alone(tmp_path_factory, place):
+    """Whatever part of the last line a kill leaves, those before stay, and those after are whole."""
+    path = tmp_path_factory.mktemp("torn") / "s.journal.jsonl"
+    write(path, ROWS[0])
+    whole = path.stat().st_size
+    write(path, ROWS[1])
+    last = path.read_bytes()[whole:]
+    path.write_bytes(path.read_bytes()[: whole + place % len(last)])
+    assert set(journal.read(path)) <= {"a", "b"}
+    assert journal.read(path)["a"] == ROWS[0]
+    write(path, row("d", 5.0, 6.0))
+    assert journal.read(path)["d"] == row("d", 5.0, 6.0)
+    assert journal.read(path)["a"] == ROWS[0]
+
+
+@given(st.integers(0, 10_000), st.integers(1, 255))
+def test_a_changed_byte_is_noticed(tmp_path_factory, place, change):
+    path = tmp_path_factory.mktemp("changed") / "s.journal.jsonl"
+    write(path, *ROWS[:2])
+    content = bytearray(path.read_bytes())
+    content[place % len(content)] ^= change
+    path.write_bytes(content)
+    for identity, back in journal.read(path).items():
+        assert back == {"a": ROWS[0], "b": ROWS[1]}[identity]
+
+
+def test_one_writer_at_a_time(path):
+    with journal.opened(path, NAMES), pytest.raises(BadOutput, match=r"is being written by process \d+"):
+        write(path, ROWS[0])
+
+
+def test_a_full_disk_is_told_and_keeps_what_was_written(path, monkeypatch):
+    with journal.opened(path, NAMES) as kept:
+        kept.add([ROWS[0]])
+
+        def full(line):
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+        monkeypatch.setattr(kept, "_file", type("Full", (), {"write": staticmethod(full)}))
+        with pytest.raises(NotStored, match=r"No space left on device.*goes on from there"):
+            kept.add([ROWS[1]])
+    assert journal.read(path) == {"a": ROWS[0]}
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="needs /dev/full")  # noqa: PTH110
+def test_a_device_without_room_refuses_the_first_line():
+    from pathlib import Path
+
+    with (
+        pytest.raises(NotStored, match="No space left"),
+        open("/dev/full", "wb", buffering=0) as file,  # noqa: PTH123
+    ):
+        journal.Journal(file, Path("/dev/full"), NAMES)

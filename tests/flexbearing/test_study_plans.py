@@ -1,0 +1,135 @@
+"""The plan of a study: identities of variants, bundles of them, what is wrong before anything is computed."""
+
+import json
+from dataclasses import replace
+from hashlib import sha256
+from pathlib import Path
+
+import pytest
+
+from flexbearing.api import read_case
+from flexbearing.case import BadCase
+from flexbearing.quantities.attributes import FORMAT
+from flexbearing.studies.plan import plan
+from flexbearing.studies.plan.identity import identity
+from flexbearing.studies.plan.task import Base, Variant
+from flexbearing.studies.prepare import prepared
+from tests.flexbearing.toy_studies import CASE, toy
+
+CONFIGS = Path(__file__).parents[2] / "configs"
+
+
+def test_the_identity_is_the_digest_of_the_complete_case_and_the_format():
+    case = read_case(CASE, {"operation.radial_load": "5 kN"})
+    text = json.dumps([FORMAT, case.to_json(), []], sort_keys=True, separators=(",", ":"))
+    assert identity(case) == sha256(text.encode()).hexdigest()[:32]
+
+
+def test_the_same_case_in_other_words_has_the_same_identity():
+    by_unit = [read_case(CASE, {"operation.radial_load": load}) for load in ("5 kN", "5000 N")]
+    assert identity(by_unit[0]) == identity(by_unit[1])
+    assert identity(by_unit[0]) != identity(read_case(CASE, {"operation.radial_load": "5.000001 kN"}))
+
+
+def test_a_drawing_enters_the_identity_with_its_content(tmp_path):
+    identities = set()
+    for number in range(2):
+        folder = tmp_path / str(number)
+        folder.mkdir()
+        for name in ("step_ring.toml", "step_ring.step"):
+            content = (CONFIGS / name).read_bytes()
+            (folder / name).write_bytes(content + b"\n" * (number if name.endswith("step") else 0))
+        identities.add(identity(read_case(folder / "step_ring.toml")))
+    assert len(identities) == 2
+
+
+def test_variants_are_those_of_single_runs_in_the_order_of_the_axes(tmp_path):
+    settled = toy(
+        tmp_path, '"operation.radial_load" = ["1 kN", "2 kN"]\n"bearing.clearance" = ["20 um", "30 um"]'
+    )
+    expected = [
+        identity(read_case(CASE, {"operation.radial_load": load, "bearing.clearance": clearance}))
+        for load in ("1 kN", "2 kN")
+        for clearance in ("20 um", "30 um")
+    ]
+    assert [variant.identity for variant in settled.plan.variants] == expected
+
+
+def test_all_bad_variants_are_told_before_anything_is_computed(tmp_path):
+    loads = [f"{number} kN" for number in range(1, 98)] + ["-1 N", "5 mm", "-2 N"]
+    settled = toy(tmp_path, f'"operation.radial_load" = {json.dumps(loads)}')
+    assert [problem.number for problem in settled.plan.problems] == [97, 98, 99]
+    with pytest.raises(BadCase) as told:
+        settled.plan.require_sound()
+    lines = str(told.value).splitlines()
+    assert len(lines) == 4
+    assert lines[1] == (
+        'toy: variant 99 (operation.radial_load = 5 mm): nu209.toml: [operation] radial_load = "5 mm" is '
+        'not a force; it must be a force as text with its unit, such as "20 kN", at least 0 N.'
+    )
+    assert lines[3] == "toy: 3 of 100 variants cannot be computed; none was."
+
+
+def test_of_many_bad_variants_twenty_are_told_and_all_counted(tmp_path):
+    settled = toy(tmp_path, '"operation.radial_load" = "-30 N .. -1 N, 30"')
+    with pytest.raises(BadCase) as told:
+        settled.plan.require_sound()
+    assert len(str(told.value).splitlines()) == 21
+    assert "30 of 30 variants cannot be computed" in str(told.value)
+
+
+def test_what_physics_forbids_is_told_as_well(tmp_path):
+    """A raceway larger than the ring that carries it is no ring, which reading the file does not see."""
+    file = tmp_path / "thin.toml"
+    file.write_text(
+        f'case = "{CONFIGS / "mao2016.toml"}"\n[over]\n"inner.shaft_thickness" = ["4 mm", "29.9 mm"]'
+    )
+    assert [problem.number for problem in prepared(file).plan.problems] == [1]
+
+
+def planned(variants):
+    settled = Base(CASE, "", ("operation.radial_load",))
+    from flexbearing.studies.plan import Plan
+
+    return Plan("toy", settled, (), tuple(variants), ())
+
+
+def test_bundles_hold_every_wanted_identity_once_and_the_same_rings():
+    rings = [(), ("a",), ("a", "b")]
+    variants = [Variant((number,), str(number % 900), rings[number % 3]) for number in range(1200)]
+    tasks = planned(variants).tasks(lambda variant: variant.identity != "5")
+    identities = [variant.identity for task in tasks for variant in task.variants]
+    assert sorted(identities) == sorted({variant.identity for variant in variants} - {"5"})
+    for task in tasks:
+        assert len({variant.rings for variant in task.variants}) == 1
+        assert len(task.variants) <= (16 if task.variants[0].rings else 128)
+
+
+def test_a_small_study_is_cut_for_several_workers():
+    tasks = planned([Variant((number,), str(number)) for number in range(24)]).tasks(lambda variant: True)
+    assert [len(task.variants) for task in tasks] == [3] * 8
+
+
+def test_the_plan_names_the_rings_that_are_condensed(tmp_path):
+    file = tmp_path / "thin.toml"
+    file.write_text(
+        f'case = "{CONFIGS / "mao2016.toml"}"\n[over]\n"outer.thickness" = ["3 mm", "4 mm"]\n'
+        '"operation.radial_load" = ["1 kN", "2 kN", "3 kN"]'
+    )
+    settled = prepared(file)
+    assert len(settled.plan.rings) == 3  # two outer ones and an inner one
+    assert [len(task.variants) for task in settled.plan.tasks(lambda variant: True)] == [1] * 6
+    again = replace(settled.plan, variants=tuple(replace(each, rings=()) for each in settled.plan.variants))
+    assert len(again.rings) == 0
+
+
+def test_a_plan_needs_no_bearing():
+    from flexbearing.families import FAMILIES
+    from flexbearing.studies.file import Axis, Study
+
+    study = Study(
+        path=Path("s.toml"), name="s", case=CASE, text=CASE.read_text(), kind="cylindrical_roller",
+        inputs=(), axes=(Axis(("operation.radial_load",), (("1 kN",), ("2 kN",))),), collect=None,
+    )  # fmt: skip
+    settled = plan(study, FAMILIES, lambda case: None, lambda case: ("ring",))
+    assert [variant.rings for variant in settled.variants] == [("ring",)] * 2

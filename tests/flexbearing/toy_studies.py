@@ -1,0 +1,35 @@
+"""Studies whose variants a plain function computes, in place of a bearing."""
+
+from pathlib import Path
+
+from flexbearing.studies.plan import Row
+from flexbearing.studies.prepare import prepared
+
+CASE = Path(__file__).parents[2] / "configs" / "nu209.toml"
+COLLECT = '[collect]\nlife = "life_L10 [Mrev]"\nslip = "cage_slip"'
+TEXTS = "life_L10 [Mrev]", "cage_slip [%]"
+
+
+def toy(folder, over='"operation.radial_load" = "1 kN .. 10 kN, 10"', name="toy", collect=COLLECT):
+    """A study file in a folder, and what follows from it."""
+    file = folder / f"{name}.toml"
+    file.write_text(f'case = "{CASE}"\n[over]\n{over}\n{collect}\n')
+    return prepared(file)
+
+
+def load(value):
+    return float(value.split()[0])
+
+
+def cubes(task, texts):
+    """Life and slip that the load alone decides; none of both below 2 kN."""
+    assert set(texts) <= {*TEXTS}
+    return [_row(variant, texts) for variant in task.variants]
+
+
+def _row(variant, texts):
+    number = load(variant.values[0])
+    if number < 2:
+        return Row(variant.identity, "iteration limit", "after 200 iterations", 0.25)
+    values = dict(zip(TEXTS, (1000 / number**3, 0.1 * number), strict=True))
+    return Row(variant.identity, "converged", "", 0.5, {text: values[text] for text in texts})
