@@ -95,7 +95,7 @@ def static_loads(
     return StaticLoads(
         loads=state.slice_load @ sliced.widths,
         slice_loads=sliced.unfolded(state.slice_load),
-        approach=rings.normal @ state.place[:, 0] - bearing.clearance / 2,
+        approach=rings.normal @ state.place[:, 0] - bearing.clearances / 2,
         ring_displacement=state.place[:, 0],
         ring_tilt=state.place[::-1, 1] / half if sliced.axial_modes > 1 else np.zeros(2),
         stiffness=state.stiffness[:, 0, :, 0],
@@ -109,7 +109,7 @@ def _check(bearing: CylindricalRollerBearing, load: float, moment: float) -> Non
         raise ImpossiblePart(f"load = {load} N must be finite and >= 0: turn `direction` instead")
     if not isfinite(moment):
         raise ImpossiblePart(f"moment = {moment} N m must be finite")
-    if load == 0.0 and moment == 0.0 and bearing.clearance >= 0.0:
+    if load == 0.0 and moment == 0.0 and np.min(bearing.clearances) >= 0.0:
         raise NotSolved(
             f"neither load nor moment, and a clearance of {bearing.clearance * 1e6:g} um: nothing holds "
             "the ring, its position is undetermined; give a load or a preload (negative clearance)",

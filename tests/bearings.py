@@ -48,6 +48,8 @@ def paper_bearing(**changes) -> RollerBearing:
         "misalignment": 0.0,
         "gravity": 9.81,
         "traction": "4109",
+        "inner_waves": None,
+        "outer_waves": None,
         **changes,
     }
     ring = Material(youngs_modulus=203e9, poisson_ratio=0.28, density=7850)
@@ -67,6 +69,8 @@ def paper_bearing(**changes) -> RollerBearing:
         outer_ring=ring,
         contact_law=value.pop("contact_law"),
         first_roller_azimuth=value.pop("azimuth"),
+        inner_waves=value.pop("inner_waves"),
+        outer_waves=value.pop("outer_waves"),
     )
     operation = Operation(
         radial_load=value.pop("load"),

@@ -1,6 +1,6 @@
 """From a case to the bearing: its rollers, cage and flanges at their temperatures."""
 
-from typing import Any
+from typing import Any, Literal
 
 import quasidynamic as qd
 from flexbearing.build import clearance
@@ -8,6 +8,7 @@ from flexbearing.build.expansion import hot_over_cold, material, outer_raceway_d
 from flexbearing.build.lubrication import lubrication
 from flexbearing.case.roller import Case
 from quasidynamic.parts.flange import Flange
+from quasidynamic.parts.raceway_waves import RacewayWaves
 
 
 def bearing(case: Case) -> "qd.RollerBearing":  # in quotes: checking a case loads no solver
@@ -38,6 +39,8 @@ def parts(case: Case) -> qd.CylindricalRollerBearing:
         outer_ring=_material(case, "outer_ring"),
         contact_law=case.bearing.contact_law,
         first_roller_azimuth=case.bearing.first_roller_azimuth,
+        inner_waves=_waves(case, "inner"),
+        outer_waves=_waves(case, "outer"),
     )
 
 
@@ -69,6 +72,14 @@ def flange(case: Case) -> Flange | None:
         stiffness=flange_case.stiffness,
         friction=flange_case.friction,
     )
+
+
+def _waves(case: Case, race: Literal["inner", "outer"]) -> RacewayWaves | None:
+    form = case.bearing.form_error
+    waves = None if form is None else getattr(form, race)
+    if waves is None:
+        return None
+    return RacewayWaves(numbers=waves.waves, amplitudes=waves.amplitude, crests=waves.crests)
 
 
 def _material(case: Case, part: str) -> qd.Material:

@@ -28,7 +28,7 @@ from flexbearing.quantities.reductions import (
 )
 from flexbearing.quantities.units import COUNT, DEG, KN_PER_MM, MM, MPA, MRAD, MREV, PERCENT, RPM, UM
 
-_DEVIATION = "positive outward, without local indentation and rigid translation"
+_DEVIATION = "positive outward, without form error, local indentation and rigid translation"
 _DEVIATIONS = ("inner_deviation", "outer_deviation")
 _FLANGED = "absent without [bearing.flange]"
 _NO_BARS = "absent without bars"

@@ -28,7 +28,22 @@ def of_case(case: Case) -> tuple[Note, ...]:
             ),
             outside("traction-data", f"traction: the 4109 regression is used with {oil_name(case)}"),
         )
-    return notes + _teeth(case) + clearance.notes(case) + ring_parts.notes(case)
+    return notes + _teeth(case) + _turning_waves(case) + clearance.notes(case) + ring_parts.notes(case)
+
+
+def _turning_waves(case: Case) -> tuple[Note, ...]:
+    """Say so when a raceway that is not round turns."""
+    form, operation = case.bearing.form_error, case.operation
+    speeds = {"inner": operation.inner_speed, "outer": operation.outer_speed}
+    turning = [race for race, speed in speeds.items() if form and getattr(form, race) and speed]
+    return tuple(
+        information(
+            "turning-waves",
+            f"bearing.form_error.{race}: the {race} ring turns; loads and life are those of one moment, with "
+            f"its crests at bearing.form_error.{race}.crest: other crests give those of other moments",
+        )
+        for race in turning
+    )
 
 
 def _teeth(case: Case) -> tuple[Note, ...]:

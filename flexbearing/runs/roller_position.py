@@ -97,6 +97,8 @@ def notes(case: Case, model: RollerBearing, rings: RacewayPair, end: Equilibrium
 
 def _may_matter(case: Case, end: Equilibrium, change: float) -> bool:
     """Whether half a pitch may change the largest load by so much [-]."""
+    if case.bearing.form_error is not None:
+        return True  # waves as many as the rollers hide between them
     if case.outer.kind == "squirrel_cage" and case.outer.bars and case.outer.bars % case.bearing.rollers == 0:
         return True  # every roller stands alike to the bars, and no load shows them
     azimuths, loads = end.balance.roller.bearing.azimuths, end.loads[0]

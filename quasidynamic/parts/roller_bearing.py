@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from quasidynamic.errors import ImpossiblePart, require_positive
 from quasidynamic.parts.cage import Cage
 from quasidynamic.parts.material import Material
+from quasidynamic.parts.raceway_waves import RacewayWaves
 from quasidynamic.parts.roller import Roller
 
 
@@ -26,6 +27,8 @@ class CylindricalRollerBearing:
     outer_ring: Material
     contact_law: Literal["palmgren", "iso16281"] = "palmgren"
     first_roller_azimuth: float = 0.0  # [rad] from the load line
+    inner_waves: RacewayWaves | None = None  # form errors; None: round
+    outer_waves: RacewayWaves | None = None
 
     def __post_init__(self):
         require_positive("bearing.outer_raceway_diameter", self.outer_raceway_diameter)
@@ -33,6 +36,10 @@ class CylindricalRollerBearing:
             raise ImpossiblePart(f"bearing.rollers = {self.rollers}: a ring needs at least 3")
         if self.rollers * self.roller.diameter >= np.pi * self.pitch_diameter:
             raise ImpossiblePart(f"{self.rollers} rollers do not fit on the pitch circle")
+        for race, radius in (("inner", self.inner_radius), ("outer", self.outer_radius)):
+            waves = getattr(self, f"{race}_waves")
+            if waves is not None:
+                waves.require_gentle(f"bearing.form_error.{race}", radius, self.roller.diameter / 2)
 
     @cached_property
     def pitch_diameter(self) -> float:
@@ -58,3 +65,20 @@ class CylindricalRollerBearing:
     def azimuths(self) -> NDArray:
         """Roller azimuths from the load line (Z) [rad]."""
         return self.first_roller_azimuth + 2 * np.pi * np.arange(self.rollers) / self.rollers
+
+    @cached_property
+    def clearances(self) -> float | NDArray:
+        r"""Diametral clearance at every roller (Z) [m]; one number between round raceways.
+
+        .. math:: G_j = G - 2\,(h_{ij} + h_{oj})
+
+        with the form errors h towards the rollers.
+
+        Source
+        ------
+        Geometry.
+        """
+        waves = [waves for waves in (self.inner_waves, self.outer_waves) if waves is not None]
+        if not waves:
+            return self.clearance
+        return self.clearance - 2 * np.sum([each.height(self.azimuths) for each in waves], axis=0)

@@ -34,6 +34,12 @@ STRUCTURES = {
     "ring that pulls": [*RING, "outer.bilateral=true"],
     "ring on lines": LINES,
     "clamped ring": [*RING[:5], "outer.support=side"],
+    "ring with waves": [
+        *RING[:5],
+        "outer.support=side",
+        "bearing.form_error.outer.waves=3",
+        "bearing.form_error.outer.amplitude=8 um",
+    ],
 }
 
 

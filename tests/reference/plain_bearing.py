@@ -13,6 +13,7 @@ PAPER = {
     "E_roller": 209e9, "nu_roller": 0.3, "density": 7860.0, "E_ring": 203e9, "nu_ring": 0.28,
     "load": 19621.1, "inner_speed": 38000 * 2 * pi / 60, "mu_pocket": 0.05, "t_cage": 2.5e-3,
     "land": (37.3e-3, 3e-3, 0.2e-3), "oil_fraction": 0.16, "traction": "4109", "direction": 0.0,
+    "waves": (),  # amplitude towards the rollers, number, azimuth of a crest; of either raceway
 }  # fmt: skip
 
 DRAG = [(0.1, 60), (1, 10), (10, 3), (100, 1.8), (1e3, 1.0), (1e4, 1.2), (1e5, 1.2), (2e5, 1.2),
@@ -83,6 +84,11 @@ def raceway(p, oil, approach, tilt, u, U, h, R, E):
     return Q, M, T, rolling_shear(p, oil, Q, U, R, E)
 
 
+def height(p, phi):
+    """Of both raceways over round ones, towards the rollers."""
+    return sum(a * cos(n * (phi - crest)) for a, n, crest in p["waves"])
+
+
 def evaluate(p, oil, y, z, slopes, omega_c, e, tilt, spin, films):
     """Residuals of ring, cage and rollers, and outputs; pairs are inner and outer, lists run over rollers."""
     Z, D, dm = p["Z"], p["D"], p["outer_race"] - p["D"]
@@ -100,7 +106,7 @@ def evaluate(p, oil, y, z, slopes, omega_c, e, tilt, spin, films):
             (spin[j] * r_w + omega_c * r_o) / 2,
         )
         h_i, h_o = films[0][j], films[1][j]
-        approach_i = z * cos(phi) + y * sin(phi) - p["clearance"] / 2 - e[j] + h_i + h_o
+        approach_i = z * cos(phi) + y * sin(phi) - p["clearance"] / 2 + height(p, phi) - e[j] + h_i + h_o
         slope = slopes[0] * cos(phi) + slopes[1] * sin(phi)
         Q_i, M_i, T_i, F_i = raceway(p, oil, approach_i, slope - tilt[j], u_i, U_i, h_i, R_i, E)
         Q_o, M_o, T_o, F_o = raceway(p, oil, e[j], tilt[j], u_o, U_o, h_o, R_o, E)

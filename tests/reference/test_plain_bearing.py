@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from pytest import approx
 
+from quasidynamic.parts.raceway_waves import RacewayWaves
 from tests.bearings import paper_bearing
 from tests.reference.plain_bearing import PAPER, evaluate
 
@@ -17,6 +18,14 @@ CASES = {
     "tilt held": {"misalignment": 1e-3},
     "tilt held, load between the axes": {"misalignment": -8e-4, "load_direction": 0.7},
     "free tilt under a moment": {"moment": 20.0, "load_direction": 2.0},
+    "two waves outside": {
+        "outer_waves": RacewayWaves(numbers=(2,), amplitudes=(10e-6,), crests=(0.0,)),
+    },
+    "waves of both raceways, tilt held": {
+        "inner_waves": RacewayWaves(numbers=(3,), amplitudes=(4e-6,), crests=(0.3,)),
+        "outer_waves": RacewayWaves(numbers=(2, 7), amplitudes=(-10e-6, 2e-6), crests=(0.1, -0.4)),
+        "misalignment": 1e-3,
+    },
 }
 
 OUTPUTS = {  # by the name in the plain model: from production, size that rounding is measured by
@@ -48,6 +57,13 @@ def plain(state, **changes):
         "k": oil.conductivity, "rho": oil.density, "T": oil.temperature,
     }  # fmt: skip
     changes["direction"] = changes.pop("load_direction", 0.0)
+    waves = [changes.pop(name, None) for name in ("inner_waves", "outer_waves")]
+    changes["waves"] = [
+        wave
+        for form in waves
+        if form
+        for wave in zip(form.amplitudes, form.numbers, form.crests, strict=True)
+    ]
     unknowns = state.unknowns
     return evaluate(
         PAPER | changes,

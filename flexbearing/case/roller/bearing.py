@@ -8,6 +8,7 @@ from pydantic import model_validator
 from flexbearing.case.quantity import Angle, Length, Mass, Section, impossible, key, needed, require
 from flexbearing.case.roller.fits import Fits
 from flexbearing.case.roller.flange import Flange
+from flexbearing.case.roller.form_error import FormError
 
 ROUNDING = 1e-9  # of a diameter
 _LAND = {"guidance": ("outer", "inner")}
@@ -131,6 +132,7 @@ class Bearing(Section):
     cage: Cage = key("the cage")
     roughness: Roughness | None = key("roughness of rollers and raceways, for film ratios", None)
     flange: Flange | None = key("guide flanges of one ring, for the skew of the rollers", None)
+    form_error: FormError | None = key("form errors of the raceways, which are round without it", None)
 
     @property
     def mounting(self) -> Fits | None:

@@ -140,13 +140,13 @@ class BearingBalance:
         if self.deviation is not None or self.layout.elastic_raceways or not idle.any():
             return np.zeros(len(points), bool)
         reach = np.hypot(points.slope_y, points.slope_z) * self.roller.bearing.roller.length / 2
-        return (idle & (2 * reach <= self.roller.bearing.clearance))[:, 0]
+        return (idle & (2 * reach <= self.roller.bearing.clearances)).all(axis=1)
 
     # -- approaches and speeds -----------------------------------------------------------------
 
     def inputs(self, x: Unknowns) -> RollerInputs:
         """Inputs of the rollers; outward deviations move the raceways towards (inner) or away from them."""
-        approach = self.kinematics.approach(x, self.roller.bearing.clearance)
+        approach = self.kinematics.approach(x, self.roller.bearing.clearances)
         if self.layout.elastic_raceways or self.deviation is not None:
             deviation = x.deviation
             if self.deviation is not None:

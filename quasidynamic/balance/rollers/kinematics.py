@@ -35,7 +35,10 @@ class ApproachKinematics:
         return np.array([np.sin(self.azimuths), np.cos(self.azimuths)])
 
     def approach(self, x: Unknowns, clearance: NDArray | float) -> NDArray:
-        """Coefficients (2, M, C, Z) of the axial modes of the approaches between even raceways [m]."""
+        """Coefficients (2, M, C, Z) of the axial modes of the approaches between even raceways [m].
+
+        `clearance` is diametral, one or that at every roller (Z) [m].
+        """
         m, (y, z) = self.layout.axial_modes, x.ring[:TILT_Z]
         sin, cos = self._radial
         approach = np.zeros((2, m, *x.spin_drift.shape))

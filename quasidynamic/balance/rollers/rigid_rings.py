@@ -28,7 +28,7 @@ class RigidRings:
     law: LoadLaw  # of both raceways together
     slices: Slices
     normal: NDArray  # (Z, 2) y, z of the outward radius at each roller
-    gap: NDArray  # (K) that has to close before a slice carries [m]
+    gap: NDArray  # (K), or (Z, K) with form errors, that has to close before a slice carries [m]
     load: NDArray  # (2, M) [N] force along y, z and moment over half the length
 
     @classmethod
@@ -40,7 +40,7 @@ class RigidRings:
             law=LoadLaw(softness**-EXPONENT, gap_rounding(bearing)),
             slices=slices,
             normal=np.array([np.sin(bearing.azimuths), np.cos(bearing.azimuths)]).T,
-            gap=bearing.clearance / 2 + 2 * drop,
+            gap=np.asarray(bearing.clearances)[..., None] / 2 + 2 * drop,
             load=load,
         )
 
@@ -73,6 +73,8 @@ class RigidRings:
         if size == 0.0:
             return place
         nearest = (self.normal @ load).max() / size
-        approach = self.gap.min() + self.law.approach(np.asarray(size / nearest / self.slices.length))
+        approach = self.gap.min(axis=-1).max() + self.law.approach(
+            np.asarray(size / nearest / self.slices.length)
+        )
         place[:, 0] = load / size * max(approach, 0.0) / nearest
         return place

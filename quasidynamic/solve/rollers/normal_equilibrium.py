@@ -70,7 +70,7 @@ def _pressed(
         film_of=film_of,
         thickest=film_of(np.zeros(force[:, 0].shape), np.arange(force.shape[-1]))[0],
         outward=unbalanced[BORDER : BORDER + len(normal)] - force[0, 0] + force[1, 0],
-        gap=balance.roller.bearing.clearance / 2,
+        gap=balance.roller.bearing.clearances / 2,
         load=load * free,
         length=balance.scales.length,
     ), free

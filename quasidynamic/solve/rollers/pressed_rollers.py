@@ -56,7 +56,7 @@ class PressedRollers:
     film_of: FilmOf
     thickest: NDArray  # (2, Z) films without load [m]
     outward: NDArray  # (Z) force that presses each roller outwards [N]
-    gap: float  # radial clearance [m]
+    gap: float | NDArray  # radial clearance, one or that at every roller (Z) [m]
     load: NDArray  # (2, M) on the ring: force along y, z and moment over half the length [N]
     length: float  # [m] usual size of a displacement
 

@@ -44,14 +44,14 @@ def static_unknowns(balance: BearingBalance, cage_drift: NDArray) -> Unknowns:
     film = film_at(balance, unknowns, usual)
     direction = np.arctan2(points.load_y, points.load_z)
     pressed = balance.roller.raceways.softness[1] * outward.mean(-1, keepdims=True) ** (1 / EXPONENT)
-    gap = balance.roller.bearing.clearance / 2 - film.sum(0).mean(-1, keepdims=True) + pressed
+    gap = balance.roller.bearing.clearances / 2 - film.sum(0).mean(-1, keepdims=True) + pressed
     shift = ring_shift(balance, direction, gap)
     unknowns.ring[:2] = shift * np.sin(direction), shift * np.cos(direction)
     return static_equilibrium(balance, unknowns._replace(film=film), outward=force)
 
 
 def ring_shift(balance: BearingBalance, direction: NDArray, gap: NDArray) -> NDArray:
-    """Displacement of the ring (C, 1) [m] along the load at which the rollers carry it, without friction.
+    """Displacement of the ring (C, 1) [m] along the load at which rollers of a gap (C, 1 or Z) [m] carry it.
 
     Newton's method from the usual share of the most loaded roller. The load grows convexly with the
     displacement: after one step at most it is approached from above.
@@ -63,7 +63,8 @@ def ring_shift(balance: BearingBalance, direction: NDArray, gap: NDArray) -> NDA
     nearest = cos.max(axis=-1, keepdims=True)
     usual = np.minimum(1.0, STRIBECK / balance.layout.rollers) * load / nearest
     room = soft.sum() * usual ** (1 / EXPONENT) + raceways.drop.min() / share
-    shift, drop = (np.maximum(gap, 0.0) + room) / nearest, raceways.drop[:, None, None]
+    widest, drop = gap.max(axis=-1, keepdims=True), raceways.drop[:, None, None]
+    shift = (np.maximum(widest, 0.0) + room) / nearest
     steepness = EXPONENT * share * cos * cos
     for _ in range(SHIFT_STEPS):
         # Of the room between the raceways, the inner one takes its share and has the profile to itself.

@@ -1,0 +1,73 @@
+"""Form error of a raceway: waves around its circumference."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.errors import ImpossiblePart
+
+FLATTEST = 0.01  # [-] steepest slope with which rollers still run on a circle (assumed)
+STRAIGHTEST = 0.1  # [-] most that waves may change the curvature of a contact, over a roller's (assumed)
+
+
+@dataclass(frozen=True, kw_only=True)
+class RacewayWaves:
+    """Waves that add up, each the same all along the rollers."""
+
+    numbers: tuple[int, ...]  # around the circumference, >= 2
+    amplitudes: tuple[float, ...]  # [m] positive: towards the rollers at the crest
+    crests: tuple[float, ...]  # [rad] azimuth of a crest of each
+
+    def __post_init__(self):
+        if not len(self.numbers) == len(self.amplitudes) == len(self.crests):
+            raise ImpossiblePart(
+                f"form error: {len(self.numbers)} numbers of waves, {len(self.amplitudes)} amplitudes and "
+                f"{len(self.crests)} crests; there must be one of each for every wave"
+            )
+        if any(number < 2 for number in self.numbers):
+            raise ImpossiblePart(
+                f"form error: numbers of waves {self.numbers} must be 2 or more: a mean belongs to the "
+                "clearance, a single wave to the place of the ring"
+            )
+        if not np.isfinite([*self.amplitudes, *self.crests]).all():
+            raise ImpossiblePart("form error: amplitudes and crests must be finite")
+
+    def height(self, azimuths: NDArray) -> NDArray:
+        r"""Form error where rollers are.
+
+        .. math:: h_j = \sum_k a_k \cos n_k (\varphi_j - \psi_k)
+
+        Parameters
+        ----------
+        azimuths : array (Z)
+            phi [rad]
+
+        Returns
+        -------
+        array (Z)
+            h, towards the rollers [m]
+
+        Source
+        ------
+        Fourier series of a roundness profile, peaks out of the material, as ISO 12181-1 counts them.
+        """
+        waves = np.cos(np.multiply.outer(azimuths, self.numbers) - np.multiply(self.numbers, self.crests))
+        return waves @ np.array(self.amplitudes)
+
+    def require_gentle(self, name: str, radius: float, roller_radius: float) -> None:
+        """Refuse waves that a roller would not run over as on a round raceway.
+
+        Raises
+        ------
+        ImpossiblePart
+            if a wave is too steep, or too much more or less curved than the raceway; radii in m
+        """
+        for number, amplitude in zip(self.numbers, self.amplitudes, strict=True):
+            steep, curved = FLATTEST * radius / number, STRAIGHTEST * radius**2 / number**2 / roller_radius
+            largest = min(steep, curved)
+            if abs(amplitude) > largest:
+                raise ImpossiblePart(
+                    f"{name}: {number} waves of {amplitude * 1e6:.4g} um; at most {largest * 1e6:.4g} um: a "
+                    "roller would not run over them as on a round raceway"
+                )
