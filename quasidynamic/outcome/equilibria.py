@@ -24,6 +24,11 @@ class Batch:
     def __len__(self) -> int:
         return len(self.outcomes)
 
+    def take(self, cases: NDArray) -> "Batch":
+        """Some of the cases."""
+        outcomes = tuple(self.outcomes[case] for case in cases)
+        return Batch(self.places[cases], self.states.take(cases), outcomes, self.evaluations[cases])
+
     def __getitem__(self, case: int) -> Equilibrium:
         one = self.states if len(self) == 1 else self.states.take(np.array([case]))
         number = int(self.evaluations[case])

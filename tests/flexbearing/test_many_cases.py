@@ -1,0 +1,143 @@
+"""Outputs of many cases at once are those of single runs, and a row says the dangers of its run."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from pytest import approx
+
+import flexbearing
+from flexbearing.api import read_case
+from flexbearing.outputs import outputs, wanted
+from flexbearing.quantities.roller import LAYOUT
+from flexbearing.runs.many import Answer, answers
+from quasidynamic.outcome.ring_stiffness import Tangent
+from tests.cold_oil import RIGID, cold_case, settings
+
+CONFIGS = Path(__file__).parents[2] / "configs"
+EVERY = [output.name for output in outputs(LAYOUT)]
+FLANGE = {
+    "bearing.flange.ring": "outer", "bearing.flange.clearance": "30 um", "bearing.flange.height": "2 mm",
+    "bearing.flange.roller_chamfer": "0.4 mm", "bearing.flange.stiffness": "100 N/um",
+    "bearing.flange.friction": 0.05, "operation.misalignment": "0.2 mrad",
+}  # fmt: skip
+ROUGH = {
+    "bearing.roughness.roller": "0.1 um", "bearing.roughness.inner_raceway": "0.2 um",
+    "bearing.roughness.outer_raceway": "0.2 um", "life.lubrication": "film",
+}  # fmt: skip
+KINDS = {
+    "as it is": {},
+    "flanges": FLANGE,
+    "rough surfaces": ROUGH,
+    "free tilt, known pockets": {
+        "operation.tilt": "free", "operation.moment": "20 N m", "bearing.cage.pocket_clearance": "0.1 mm",
+    },
+}  # fmt: skip
+
+
+def variants(path, changes, loads=(9000, 12000, 15000)):
+    return [
+        read_case(
+            path, changes | {"operation.radial_load": f"{load} N", "operation.inner_speed": f"{speed} rpm"}
+        )
+        for load, speed in zip(loads, (1500, 3000, 700), strict=False)
+    ]
+
+
+def single(case, texts):
+    """The answer of a run."""
+    result = flexbearing.api.compute(case)
+    blocks = {"rigid": result.rigid, "flexible": result.flexible}
+    numbers = {text: wanted(LAYOUT, text).number(blocks) for text in texts}
+    return Answer(
+        result.attributes["status"], "; ".join(f"danger: {note['text']}" for note in result.dangers), numbers
+    )
+
+
+def refused(place):
+    raise AssertionError(f"case {place} needed a run of its own")
+
+
+def assert_equal(found, cases, texts):
+    expected = [single(case, texts) for case in cases]
+    assert found.statuses == tuple(answer.status for answer in expected)
+    assert found.messages == tuple(answer.message for answer in expected)
+    for text in texts:
+        of_each = [answer.numbers[text] for answer in expected]
+        assert found.numbers[text] == approx(np.array(of_each), rel=1e-9, abs=0, nan_ok=True), text
+
+
+@pytest.mark.parametrize("changes", KINDS.values(), ids=KINDS)
+def test_every_output_of_many_rigid_cases_is_that_of_single_runs(changes):
+    cases, texts = variants(CONFIGS / "nu209.toml", changes), [*EVERY, "rigid.life_L10 [h]"]
+    found = answers(cases, texts, refused)
+    assert_equal(found, cases, texts)
+    assert sum(not np.isnan(values).any() for values in found.numbers.values()) > 30
+
+
+def test_cases_of_other_kinds_keep_their_places():
+    cases = [case for changes in KINDS.values() for case in variants(CONFIGS / "nu209.toml", changes)][::-1]
+    texts = ["max_roller_load", "rigid.skew.max_skew", "modified_life", "minimum_lambda.outer"]
+    assert_equal(answers(cases, texts, refused), cases, texts)
+
+
+def test_a_row_says_the_dangers_of_its_run():
+    cases = variants(CONFIGS / "nu209.toml", {}, (9000, 2e5, 1e5))
+    found = answers(cases, ["max_roller_load"], refused)
+    assert [message.count("danger: ") for message in found.messages] == [0, 2, 1]
+    assert "minutes at" in found.messages[1]
+    assert "contact pressure" in found.messages[2]
+    assert_equal(found, cases, ["max_roller_load"])
+
+
+@pytest.mark.slow
+def test_a_row_tells_other_equilibria_as_its_run_does(tmp_path):
+    case = read_case(cold_case(tmp_path), [*RIGID, *settings(13)])
+    found = answers([case], ["life_L10"], refused)
+    assert "several equilibria between rigid raceways" in found.messages[0]
+    assert_equal(found, [case], ["life_L10"])
+
+
+def test_without_a_search_a_row_says_that_other_equilibria_are_likely(tmp_path):
+    case = read_case(cold_case(tmp_path), [*RIGID, *settings(13)])
+    found = answers([case], ["life_L10"], refused, search=False)
+    assert "several equilibria are likely" in found.messages[0]
+
+
+OWN_RUN = {
+    "nothing holds the ring": {"operation.radial_load": "0 N"},
+    "a target": {"accuracy.target": "5 %"},
+    "roller positions": {"operation.roller_positions": 4},
+    "a_ISO outside its range": {
+        "life.lubrication": "a_ISO", "life.cleanliness": "grease, normal cleanliness",
+        "lubricant.viscosity": "0.1 mPa s",
+    },
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("changes", OWN_RUN.values(), ids=OWN_RUN)
+def test_what_needs_a_run_of_its_own_has_one(changes):
+    path, told = CONFIGS / "nu209.toml", Answer("told alone", "why", {"life_L10": 7.0})
+    cases = [read_case(path), read_case(path, changes), read_case(path)]
+    found = answers(cases, ["life_L10", "cage_slip"], lambda place: told)
+    assert found.statuses == ("converged", "told alone", "converged")
+    assert found.messages[1] == "why"
+    assert found.numbers["life_L10"][1] == 7.0
+    assert np.isnan(found.numbers["cage_slip"][1])
+    assert found.numbers["life_L10"][0] == found.numbers["life_L10"][2] != 7.0
+
+
+def test_nothing_is_computed_but_what_is_wanted(monkeypatch):
+    def never(*given):
+        raise AssertionError("not asked for")
+
+    monkeypatch.setattr(Tangent, "at", never)
+    monkeypatch.setattr("flexbearing.runs.solved_together.estimated", never)
+    monkeypatch.setattr("flexbearing.runs.solved_together.skew.at", never)
+    cases = variants(CONFIGS / "nu209.toml", FLANGE)
+    found = answers(cases, ["max_roller_load", "cage_slip", "life_L10 [h]", "driving_torque"], refused)
+    assert np.isfinite(list(found.numbers.values())).all()
+
+
+def test_no_cases_have_no_answers():
+    assert answers([], ["life_L10"], refused).statuses == ()
