@@ -9,6 +9,7 @@ from benchmarks.machine import describe, median_seconds
 from flexbearing import read, run
 from flexbearing.files import write
 from flexbearing.results import hdf5
+from flexbearing.results.image import image
 
 CASE = "configs/mao2016.toml"
 CASES = {
@@ -42,7 +43,7 @@ def main() -> None:
             content, _ = hdf5.content(data)
             steps = {
                 "run": whole,
-                "bytes of the file": median_seconds(lambda c=content: hdf5.image(c), RUNS)[0],
+                "bytes of the file": median_seconds(lambda c=content: image(c), RUNS)[0],
                 "written, brought to the disk, checked": median_seconds(lambda d=data: write(out, d), RUNS)[
                     0
                 ],

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from flexbearing.outputs.value import Conversion, Value, WrongUnit, conversion
 from flexbearing.quantities import Quantity, SummaryValue
+from flexbearing.quantities.axes import FIXED
 from flexbearing.quantities.layout import Layout
 from flexbearing.quantities.quantity import unchanged, with_defaults
 
@@ -195,8 +196,8 @@ def _scalars(
 
 def _trial(entry: SummaryValue, axes: Mapping[str, tuple[str, ...]]) -> Any:
     """The reduction of arrays of ones, whose shape tells a number from a list."""
-    shapes = [tuple(int(axis) if axis.isdigit() else 3 for axis in axes[name]) for name in entry.of]
-    return entry.reduction(*map(np.ones, shapes))
+    lengths = {axis: len(fixed.entries) for axis, fixed in FIXED.items()}
+    return entry.reduction(*(np.ones([lengths.get(axis, 3) for axis in axes[name]]) for name in entry.of))
 
 
 def _unit(quantity: Quantity, entry: SummaryValue) -> str:

@@ -6,6 +6,7 @@ The page of a result shows its rows in the order of declaration, those of two ra
 import numpy as np
 
 from flexbearing.quantities.attributes import HEAD
+from flexbearing.quantities.axes import Axis
 from flexbearing.quantities.layout import Layout
 from flexbearing.quantities.quantity import Quantity, SummaryValue, Unit
 from flexbearing.quantities.reductions import (
@@ -37,7 +38,7 @@ def _largest_of_races(values: np.ndarray) -> np.ndarray:
 # fmt: off
 QUANTITIES = (
     # contacts
-    Quantity("contact_load", "Q", "2 Z", "N", "block", "normal load, >= 0", source="state.loads", summary=(
+    Quantity("contact_load", "Q", "race Z", "N", "block", "normal load, >= 0", source="state.loads", summary=(
         SummaryValue("balls", lambda load: load.shape[1], "balls", "d", unit=COUNT),
         SummaryValue("balls_on_both_races", lambda load: int((load > 0).all(0).sum()),
             "balls on both races", "d", unit=COUNT),
@@ -48,27 +49,27 @@ QUANTITIES = (
     Quantity("ball_azimuth", "phi", "Z", "rad", "block",
         "place of the ball, 0 on the z axis, positive towards y", source="state.bearing.azimuths", people=DEG,
         summary=(SummaryValue("ball_azimuths_deg"),)),
-    Quantity("contact_angle", "alpha", "2 Z", "rad", "block", "contact angle from the radial plane",
+    Quantity("contact_angle", "alpha", "race Z", "rad", "block", "contact angle from the radial plane",
         source="state.contact_angles", people=DEG, summary=(
             SummaryValue("contact_angle_range_deg", _range_of_races, "contact angle", ".2f", parts=RACES,
                 entries=EXTENT),
             SummaryValue("contact_angles_deg", parts=RACES),
         )),
-    Quantity("peak_pressure", "p", "2 Z", "Pa", "block", "largest pressure, 0 without load",
+    Quantity("peak_pressure", "p", "race Z", "Pa", "block", "largest pressure, 0 without load",
         source="state.peak_pressures", people=MPA, summary=(
             SummaryValue("peak_pressure_MPa", _largest_of_races, "peak pressure", ",.0f", parts=RACES),
         )),
-    Quantity("semi_axis_across", "a", "2 Z", "m", "block",
+    Quantity("semi_axis_across", "a", "race Z", "m", "block",
         "semi-axis across the rolling direction, 0 without load", source="state.semi_axes.0", people=MM,
         summary=(SummaryValue("semi_axis_across_mm", _largest_of_races, "largest semi-axis across rolling",
             ".4f", parts=RACES),)),
-    Quantity("semi_axis_along", "b", "2 Z", "m", "block",
+    Quantity("semi_axis_along", "b", "race Z", "m", "block",
         "semi-axis along the rolling direction, 0 without load", source="state.semi_axes.1", people=MM,
         summary=(SummaryValue("semi_axis_along_mm", _largest_of_races, "largest semi-axis along rolling",
             ".4f", parts=RACES),)),
-    Quantity("traction", "T", "2 Z", "N", "block",
+    Quantity("traction", "T", "race Z", "N", "block",
         "friction along the groove section, which holds the gyroscopic moment", source="state.tractions"),
-    Quantity("needed_friction", "", "2 Z", "1", "block", "that traction over the load, 0 without load",
+    Quantity("needed_friction", "", "race Z", "1", "block", "that traction over the load, 0 without load",
         summary=(SummaryValue("needed_friction", _largest_of_races,
             "friction that holds the gyroscopic moment", ".4f", parts=RACES),)),
 
@@ -106,13 +107,13 @@ QUANTITIES = (
             entries=EXTENT),)),
 
     # ring
-    Quantity("ring_load", "P", "5", "N, N m", "block",
+    Quantity("ring_load", "P", "force", "N, N m", "block",
         f"what the balls carry for the inner ring ({_ORDER}): load or reaction",
         summary=(
             SummaryValue("ring_load_N", displacements, entries=XYZ),
             SummaryValue("ring_moment_Nm", tilts, entries=ABOUT_YZ),
         )),
-    Quantity("ring_displacement", "delta", "5", "m, rad", "block",
+    Quantity("ring_displacement", "delta", "displacement", "m, rad", "block",
         f"displacement of the inner ring ({_ORDER})", summary=(
             SummaryValue("ring_displacement_um", displacements, "displacement x, y, z", ".3f", unit=UM,
                 entries=XYZ,
@@ -120,34 +121,34 @@ QUANTITIES = (
             SummaryValue("ring_tilt_mrad", tilts, "turn about y, z", ".4f", unit=MRAD,
                 section=RING, entries=ABOUT_YZ),
         )),
-    Quantity("stiffness_matrix", "K", "5 5", "N/m, N/rad, N m/m, N m/rad", "block",
+    Quantity("stiffness_matrix", "K", "force displacement", "N/m, N/rad, N m/m, N m/rad", "block",
         f"load on the inner ring by its displacement ({_ORDER}), balls in balance", source="state.stiffness",
         summary=(SummaryValue("stiffness_matrix_SI"),)),
 
     # pure rolling lines
-    Quantity("line_parameter", "E", "2 Z", "1", "block",
+    Quantity("line_parameter", "E", "race Z", "1", "block",
         f"E of the pure rolling lines, c1 + c2 = -E; {_APART}", source="lines.line_parameter",
         optional=True, gaps=True,
         summary=(SummaryValue("line_parameter_range", _range_of_races, "E of the pure rolling lines", ".3f",
             parts=RACES, entries=EXTENT),)),
-    Quantity("net_friction", "e", "2 Z", "1", "block",
+    Quantity("net_friction", "e", "race Z", "1", "block",
         f"e, friction in the rolling direction over coefficient times load; {_APART}",
         source="lines.net_friction", optional=True, gaps=True),
-    Quantity("first_line", "c_1", "2 Z", "1", "block",
+    Quantity("first_line", "c_1", "race Z", "1", "block",
         "c1, place over the semi-axis, positive towards the bottom of the grooves; at or below -1 it "
         f"lies outside the contact; {_APART}", source="lines.first_line", optional=True, gaps=True, summary=(
             SummaryValue("first_line_range", _range_of_races, "c1, first pure rolling line", ".3f",
                 parts=RACES, entries=EXTENT),
             SummaryValue("first_lines", parts=RACES),
         )),
-    Quantity("second_line", "c_2", "2 Z", "1", "block",
+    Quantity("second_line", "c_2", "race Z", "1", "block",
         f"c2, place over the semi-axis, positive towards the bottom of the grooves; {_APART}",
         source="lines.second_line", optional=True, gaps=True, summary=(
             SummaryValue("second_line_range", _range_of_races, "c2, second pure rolling line", ".3f",
                 parts=RACES, entries=EXTENT),
             SummaryValue("second_lines", parts=RACES),
         )),
-    Quantity("line_count", "", "2 Z", "1", "block", f"lines inside the contact, 1 or 2; {_APART}",
+    Quantity("line_count", "", "race Z", "1", "block", f"lines inside the contact, 1 or 2; {_APART}",
         source="lines.line_count", optional=True, gaps=True, summary=(
             SummaryValue("balls_with_one_line", lambda count: (count == 1).sum(1), "balls with one line",
                 "d", parts=RACES),
@@ -155,10 +156,10 @@ QUANTITIES = (
                 "d", parts=RACES),
             SummaryValue("line_counts", parts=RACES),
         )),
-    Quantity("spin_torque", "M_s", "2 Z", "N m", "block",
+    Quantity("spin_torque", "M_s", "race Z", "N m", "block",
         f"friction torque about the contact normal, integrated over the contact; {_APART}",
         source="lines.spin_torque", optional=True, gaps=True),
-    Quantity("spin_torque_by_lines", "", "2 Z", "N m", "block",
+    Quantity("spin_torque_by_lines", "", "race Z", "N m", "block",
         f"the same from c1 and c2 alone, as for a narrow contact; {_APART}",
         source="lines.spin_torque_by_lines", optional=True, gaps=True),
     Quantity("spin_friction", "", "", "N m", "block",
@@ -172,7 +173,7 @@ QUANTITIES = (
     Quantity("slip_position", "x/a", "P", "1", "block",
         "place across the contact over the semi-axis, positive towards the bottom of the grooves",
         source="lines.slip_position", optional=True),
-    Quantity("slip_profile", "v_t", "2 Z P", "m/s", "block",
+    Quantity("slip_profile", "v_t", "race Z P", "m/s", "block",
         f"slip in the rolling direction, ball minus race, across the middle of the contact; {_APART}",
         source="lines.slip_profile", people=Unit("mm/s", 1e3), optional=True, gaps=True,
         summary=(SummaryValue("largest_slip_mm_per_s", lambda slip: np.nanmax(np.abs(slip), axis=(1, 2)),
@@ -182,10 +183,13 @@ QUANTITIES = (
 
 LAYOUT = Layout(
     conventions="""\
-Axes: 2 races (inner, outer), Z balls, P points of the slip profile. Directions: x axial, towards the side to
-which the inner ring pushes the balls, z along the load; azimuth from z towards y, which is the way a positive
-speed turns.
+Directions: x axial, towards the side to which the inner ring pushes the balls, z along the load; azimuth from
+z towards y, which is the way a positive speed turns.
 """,
+    axes=(
+        Axis("Z", "ball", coordinate="ball_azimuth"),
+        Axis("P", "point", coordinate="slip_position"),
+    ),
     quantities=QUANTITIES,
     blocks=("rigid",),
     head=("kind", *HEAD),

@@ -11,7 +11,7 @@ OLDER = {  # what the files of an older format are
     "slopes; see docs/reference/axes.md",
     5: "it has no checksums and no digest",
     6: "its notes have no grades and no codes",
-    7: "its lives have no speed by which they become hours",
+    7: "its axes have no names that other programs read",
 }
 ENDS = ("converged", "iteration limit", "diverging", "stagnating", "not finite", "not solved")
 STATUSES = (*ENDS, "unfinished")  # of a run that is at work, or was interrupted

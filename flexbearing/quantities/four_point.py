@@ -6,6 +6,7 @@ The page of a result shows its rows in the order of declaration, those of two ra
 import numpy as np
 
 from flexbearing.quantities.attributes import HEAD
+from flexbearing.quantities.axes import Axis
 from flexbearing.quantities.layout import Layout
 from flexbearing.quantities.quantity import Quantity, SummaryValue
 from flexbearing.quantities.reductions import (
@@ -49,7 +50,8 @@ _OF_PARTS = ("spin_torque", "roll_torque", "hysteresis_torque")
 # fmt: off
 QUANTITIES = (
     # loads
-    Quantity("contact_load", "Q", "Z G 2", "N", "block", "normal load, >= 0", source="balls.load", summary=(
+    Quantity("contact_load", "Q", "Z G race", "N", "block", "normal load, >= 0",
+        source="balls.load", summary=(
         SummaryValue("balls", len, "balls", "d", unit=COUNT),
         SummaryValue("loaded_balls", lambda load: int(loaded(load).any((1, 2)).sum()),
             "balls that carry load", "d", unit=COUNT),
@@ -62,29 +64,29 @@ QUANTITIES = (
     Quantity("ball_azimuth", "phi", "Z", "rad", "block",
         "place of the ball, 0 on the z axis, positive towards y", source="solution.azimuths", people=DEG,
         summary=(SummaryValue("ball_azimuths_deg"),)),
-    Quantity("contact_angle", "alpha", "Z G 2", "rad", "block", "contact angle from the radial plane",
+    Quantity("contact_angle", "alpha", "Z G race", "rad", "block", "contact angle from the radial plane",
         source="balls.contacts.angle", people=DEG, summary=(
             SummaryValue("contact_angle_range_deg", lambda angle, load: finite_range(angle[loaded(load)]),
                 "contact angle", ".2f", of=("contact_angle", "contact_load"), entries=EXTENT),
             SummaryValue("contact_angles_deg", at_inner_race),
         )),
-    Quantity("peak_pressure", "p", "Z G 2", "Pa", "block", "largest pressure, 0 without load",
+    Quantity("peak_pressure", "p", "Z G race", "Pa", "block", "largest pressure, 0 without load",
         source="balls.peak_pressure", people=MPA, summary=(
             SummaryValue("peak_pressure_MPa", _largest_of_races, "peak pressure", ",.0f", parts=RACES),
         )),
-    Quantity("semi_axis_across", "a", "Z G 2", "m", "block",
+    Quantity("semi_axis_across", "a", "Z G race", "m", "block",
         "semi-axis across the rolling direction, 0 without load", source="balls.ellipse.across", people=MM,
         summary=(SummaryValue("semi_axis_across_mm", _largest_of_races, "largest semi-axis across rolling",
             ".4f", parts=RACES),)),
-    Quantity("semi_axis_along", "b", "Z G 2", "m", "block",
+    Quantity("semi_axis_along", "b", "Z G race", "m", "block",
         "semi-axis along the rolling direction, 0 without load", source="balls.ellipse.along", people=MM,
         summary=(SummaryValue("semi_axis_along_mm", _largest_of_races, "largest semi-axis along rolling",
             ".4f", parts=RACES),)),
-    Quantity("friction_coefficient", "mu", "Z G 2", "1", "block", "Coulomb friction at the peak pressure",
+    Quantity("friction_coefficient", "mu", "Z G race", "1", "block", "Coulomb friction at the peak pressure",
         source="balls.friction"),
 
     # motion
-    Quantity("ball_motion", "Omega_o, omega_x, omega_r", "Z 3", "rad/s", "block",
+    Quantity("ball_motion", "Omega_o, omega_x, omega_r", "Z turning", "rad/s", "block",
         "angular velocity of the outer ring about x, of the ball about x and about the radial direction, "
         "right-handed (rings that turn towards growing azimuth turn about -x), seen from the orbiting "
         f"ball centre; {_UNDRIVEN}", source="solution.ball_motion", people=RPM, gaps=True),
@@ -107,10 +109,10 @@ QUANTITIES = (
         source="balls.sliding.imbalance", summary=(SummaryValue("max_ball_imbalance", largest_of_all),)),
 
     # torque
-    Quantity("torque", "T", "2", "N m", "block", "torque of all balls on the rings, (inner, outer)",
+    Quantity("torque", "T", "race", "N m", "block", "torque of all balls on the rings, (inner, outer)",
         source="solution.torque",
         summary=(SummaryValue("torque_Nm", label="torque of the bearing", digits=".5g", parts=RACES),)),
-    Quantity("spin_torque", "", "Z 2", "N m", "block",
+    Quantity("spin_torque", "", "Z race", "N m", "block",
         "torque on the ring by the moments about the contact normals, (inner, outer)",
         source="balls.torques.spin", summary=(
             SummaryValue("torque_parts_Nm", lambda *torques: _torques(*torques).sum(1),
@@ -120,10 +122,10 @@ QUANTITIES = (
             SummaryValue("largest_ball_torque_parts_Nm", _ball_of_largest_torque, of=_OF_PARTS,
                 parts=TORQUE_PARTS),
         )),
-    Quantity("roll_torque", "", "Z 2", "N m", "block",
+    Quantity("roll_torque", "", "Z race", "N m", "block",
         "torque on the ring by the forces along the rolling direction, (inner, outer)",
         source="balls.torques.roll"),
-    Quantity("circumferential_torque", "", "Z 2", "N m", "block",
+    Quantity("circumferential_torque", "", "Z race", "N m", "block",
         "torque on the ring by the tractions along the rolling direction alone, (inner, outer)",
         source="balls.torques.circumferential",
         summary=(SummaryValue("circumferential_torque_Nm",
@@ -131,7 +133,7 @@ QUANTITIES = (
             of=("circumferential_torque", "hysteresis_torque")),)),
     Quantity("hysteresis_torque", "", "Z", "N m", "block",
         "torque of elastic hysteresis, the same on both rings, >= 0", source="balls.hysteresis"),
-    Quantity("ball_torque", "", "Z 2", "N m", "block",
+    Quantity("ball_torque", "", "Z race", "N m", "block",
         "torque of the ball by the formula of friction.torque, hysteresis included, (inner, outer)",
         source="solution.ball_torque", summary=(SummaryValue("ball_torques_Nm", at_inner_race),)),
     Quantity("power_loss", "", "", "W", "block", "heat of friction and hysteresis at the speed of the case",
@@ -139,9 +141,9 @@ QUANTITIES = (
         summary=(SummaryValue("power_loss_W", label="power loss", digits=".4g"),)),
 
     # rings
-    Quantity("ring_load", "P", "5", "N, N m", "block", f"load on the inner ring ({_ORDER}); {_GIVEN}",
+    Quantity("ring_load", "P", "force", "N, N m", "block", f"load on the inner ring ({_ORDER}); {_GIVEN}",
         source="solution.ring_load", optional=True),
-    Quantity("ring_displacement", "delta", "5", "m, rad", "block",
+    Quantity("ring_displacement", "delta", "displacement", "m, rad", "block",
         f"displacement of the inner ring ({_ORDER}), of its bolted face when it is elastic; {_GIVEN}",
         source="ring.displacement", optional=True, summary=(
             SummaryValue("ring_displacement_um", displacements, "displacement x, y, z", ".3f", unit=UM,
@@ -150,13 +152,13 @@ QUANTITIES = (
             SummaryValue("ring_tilt_mrad", tilts, "turn about y, z", ".4f", unit=MRAD,
                 section=RING, entries=ABOUT_YZ),
         )),
-    Quantity("ring_yield", "s", "Z G 2", "m", "block",
+    Quantity("ring_yield", "s", "Z G race", "m", "block",
         "elastic deflection: by how much both rings let opposite groove centres come closer, (outward, along "
         "x), the indentation of the contacts left out; absent between rigid rings",
         source="solution.ring_deflection", people=UM, optional=True,
         summary=(SummaryValue("largest_ring_yield_um", lambda approach: np.hypot(*approach.T).max(),
             "largest deflection of the rings", ".2f", section="compared"),)),
-    Quantity("stiffness_matrix", "K", "5 5", "N/m, N/rad, N m/m, N m/rad", "block",
+    Quantity("stiffness_matrix", "K", "force displacement", "N/m, N/rad, N m/m, N m/rad", "block",
         f"tangent stiffness of the rings without friction ({_ORDER}); {_GIVEN}", source="ring.stiffness",
         optional=True, summary=(SummaryValue("stiffness_matrix_SI"),)),
     Quantity("ring_imbalance", "", "", "1", "block",
@@ -166,18 +168,18 @@ QUANTITIES = (
     # fields over the contacts of chosen balls
     Quantity("field_ball", "", "F", "1", "block", "numbers, from 0, of the balls of the fields below",
         source="fields.balls"),
-    Quantity("field_across", "x", "F G 2 P P", "m", "block",
+    Quantity("field_across", "x", "F G race P1 P2", "m", "block",
         "places in the contact across the rolling direction; 0 without load", source="fields.x", people=MM),
-    Quantity("field_along", "y", "F G 2 P P", "m", "block",
+    Quantity("field_along", "y", "F G race P1 P2", "m", "block",
         "places in the contact along the rolling direction; 0 without load", source="fields.y", people=MM),
-    Quantity("slip_along", "v_t", "F G 2 P P", "m/s", "block",
+    Quantity("slip_along", "v_t", "F G race P1 P2", "m/s", "block",
         "slip along the rolling direction, ball minus race; 0 without load", source="fields.slip_along"),
-    Quantity("slip_across", "v_1", "F G 2 P P", "m/s", "block",
+    Quantity("slip_across", "v_1", "F G race P1 P2", "m/s", "block",
         "slip across the rolling direction, ball minus race; 0 without load", source="fields.slip_across"),
-    Quantity("shear_along", "tau_t", "F G 2 P P", "Pa", "block",
+    Quantity("shear_along", "tau_t", "F G race P1 P2", "Pa", "block",
         "shear stress on the ball along the rolling direction; 0 outside the contact",
         source="fields.shear_along", people=MPA),
-    Quantity("shear_across", "tau_1", "F G 2 P P", "Pa", "block",
+    Quantity("shear_across", "tau_1", "F G race P1 P2", "Pa", "block",
         "shear stress on the ball across the rolling direction; 0 outside the contact",
         source="fields.shear_across", people=MPA),
 )
@@ -185,10 +187,17 @@ QUANTITIES = (
 
 LAYOUT = Layout(
     conventions="""\
-Axes: Z balls, G diagonals (one or two; the first leans outwards to positive x), 2 races (inner, outer),
-F balls and P points of the fields. Directions: x axial, z along the load, azimuth from z towards y.
+Directions: x axial, z along the load, azimuth from z towards y. There are one or two diagonals; the first
+leans outwards to positive x.
 Torques are what must be put in so that the inner ring runs ahead: positive there, negative at the outer ring.
 """,
+    axes=(
+        Axis("Z", "ball", coordinate="ball_azimuth"),
+        Axis("G", "diagonal"),
+        Axis("F", "chosen_ball", coordinate="field_ball"),
+        Axis("P1", "first_point"),
+        Axis("P2", "second_point"),
+    ),
     quantities=QUANTITIES,
     blocks=("rigid",),
     further_blocks=("flexible",),

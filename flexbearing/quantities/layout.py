@@ -5,6 +5,7 @@ from functools import cached_property
 from typing import Literal
 
 from flexbearing.quantities.attributes import COMMON, HEAD, Attribute
+from flexbearing.quantities.axes import FIXED, ITERATION, Axis
 from flexbearing.quantities.forms import TEXT, Anything, Record
 from flexbearing.quantities.quantity import Quantity, SummaryValue, with_defaults
 
@@ -13,7 +14,8 @@ from flexbearing.quantities.quantity import Quantity, SummaryValue, with_default
 class Layout:
     """Quantities, blocks and root attributes of one family of bearings."""
 
-    conventions: str  # axes of the arrays and directions, for the reference
+    conventions: str  # directions, for the reference
+    axes: tuple[Axis, ...] = ()  # beside those that every kind of bearing has
     quantities: tuple[Quantity, ...]
     blocks: tuple[str, ...]  # that a converged run has
     further_blocks: tuple[str, ...] = ()  # that only some cases have
@@ -46,6 +48,11 @@ class Layout:
             having = Record({table: Record({key: TEXT}, further=Anything())}, further=Anything())
             entries["case_si"] = replace(entries["case_si"], form=having)
         return entries
+
+    @cached_property
+    def axis(self) -> dict[str, Axis]:
+        """Every axis by its symbol."""
+        return {axis.symbol: axis for axis in (ITERATION, *self.axes, *FIXED.values())}
 
     @cached_property
     def summary(self) -> tuple[SummaryValue, ...]:

@@ -50,7 +50,7 @@ class Quantity:
 
     name: str
     symbol: str  # as in the theory pages; empty where those have none
-    axes: str  # Z rollers or balls, K slices, N unknowns, or a number, by spaces; empty for a scalar
+    axes: str  # symbols of its axes by spaces, "Z K" or "race"; empty for a scalar
     unit: str  # SI
     place: Place  # "state": in iterations and blocks; else only there
     meaning: str  # with its sign

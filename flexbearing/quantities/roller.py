@@ -5,6 +5,7 @@ The page of a result shows its rows in the order of declaration.
 
 from flexbearing.quantities import roller_records as records
 from flexbearing.quantities.attributes import HEAD, Attribute
+from flexbearing.quantities.axes import Axis
 from flexbearing.quantities.layout import Layout
 from flexbearing.quantities.quantity import Quantity, SummaryValue, Unit
 from flexbearing.quantities.reductions import (
@@ -111,7 +112,7 @@ QUANTITIES = (
         source="end.support_stiffness_ratio", optional=True,
         summary=(SummaryValue("support_stiffness_ratio", label="stiffness of the support over it",
                               digits=".3f"),)),
-    Quantity("stiffness_matrix", "K", "5 5", "N/m, N/rad, N m/m, N m/rad", "block",
+    Quantity("stiffness_matrix", "K", "force displacement", "N/m, N/rad, N m/m, N m/rad", "block",
         "tangent stiffness from base to shaft ends, supports included, x, y, z, about y, about z "
         "(right-handed: about y is -dz/dx, about z is dy/dx); zero along x",
         source="end.with_supports.stiffness",
@@ -119,23 +120,23 @@ QUANTITIES = (
             SummaryValue("stiffness_zz_N_per_m", entry_along_z, unit=Unit("N/m")),
             SummaryValue("stiffness_matrix_SI"),
         )),
-    Quantity("compliance_matrix", "K^-1", "5 5", "m/N, m/(N m), rad/N, rad/(N m)", "block",
+    Quantity("compliance_matrix", "K^-1", "displacement force", "m/N, m/(N m), rad/N, rad/(N m)", "block",
         "its inverse; infinite along x, where a bearing without flanges carries nothing", infinite=True,
         source="end.with_supports.compliance", summary=(SummaryValue("compliance_matrix_SI"),)),
     Quantity("load_direction", "", "", "rad", "block", "azimuth that the radial load points to", people=DEG),
-    Quantity("ring_displacement", "delta", "2", "m", "state", "displacement of the inner ring (y, z)",
-        people=UM, summary=(
+    Quantity("ring_displacement", "delta", "transverse", "m", "state",
+        "displacement of the inner ring (y, z)", people=UM, summary=(
             SummaryValue("displacement_along_load_um", along, "ring displacement along load", ".2f",
                          of=("ring_displacement", "load_direction")),
             SummaryValue("displacement_across_load_um", across, "ring displacement across load", ".2f",
                          of=("ring_displacement", "load_direction")),
             SummaryValue("ring_displacement_um", entries=YZ),
         )),
-    Quantity("ring_tilt", "", "2", "rad", "state", "slopes of the inner ring axis (dz/dx, dy/dx)",
+    Quantity("ring_tilt", "", "slope", "rad", "state", "slopes of the inner ring axis (dz/dx, dy/dx)",
         people=MRAD),
-    Quantity("ring_moment", "", "2", "N m", "block",
+    Quantity("ring_moment", "", "slope", "N m", "block",
         "moment on the inner ring, one for each slope of ring_tilt: applied (free) or reaction (held)"),
-    Quantity("support_translation", "", "2 2", "m", "block",
+    Quantity("support_translation", "", "race transverse", "m", "block",
         "rigid translation of the raceway on its support, (inner, outer) by (y, z)",
         source="end.support_translation", people=UM),
     Quantity("inner_deviation", "w_i", "Z K", "m", "state",
@@ -159,7 +160,7 @@ QUANTITIES = (
         people=RPM, summary=(SummaryValue("cage_speed_rpm", label="cage speed", digits=",.0f"),)),
     Quantity("cage_force", "F_c", "Z", "N", "state", "force of the cage on the roller, positive to +azimuth",
         summary=(SummaryValue("max_pocket_force_N", largest_size, "largest pocket force", ",.2f"),)),
-    Quantity("cage_offset", "", "2", "m", "block",
+    Quantity("cage_offset", "", "transverse", "m", "block",
         "centre of a free cage from that of its guiding ring (y, z); absent when it is held",
         people=UM, optional=True,
         summary=(SummaryValue("cage_offset_um", length, "offset of the cage centre", ",.1f"),)),
@@ -200,9 +201,9 @@ QUANTITIES = (
         "force of the oil-air mixture on the roller, positive to +azimuth", source="state.acting.drag"),
     Quantity("centrifugal_force", "F_z", "Z", "N", "block", "centrifugal force of the roller, outwards",
         source="state.acting.centrifugal"),
-    Quantity("roller_weight", "G", "2 Z", "N", "block",
+    Quantity("roller_weight", "G", "part Z", "N", "block",
         "weight of the roller, its parts outwards and to +azimuth", source="state.acting.weight"),
-    Quantity("pocket_friction", "F_p", "2 Z", "N", "block",
+    Quantity("pocket_friction", "F_p", "part Z", "N", "block",
         "friction of the pocket on the roller: outwards; at its surface against the spin, signed like it",
         source="state.acting.pocket_friction"),
     Quantity("churning_torque", "M_c", "Z", "N m", "block",
@@ -211,14 +212,14 @@ QUANTITIES = (
     Quantity("transport_torque", "M_J", "Z", "N m", "block",
         "torque that the change of spin around the bearing takes from the roller", source="state.transport"),
     Quantity("land_torque", "M_l", "", "N m", "block", "torque of the guiding land on the cage"),
-    Quantity("land_force", "F_l", "2", "N", "block",
+    Quantity("land_force", "F_l", "transverse", "N", "block",
         "force of the guiding land on a free cage (y, z); absent when it is held", source="state.acting.land",
         optional=True),
-    Quantity("cage_body_force", "", "2", "N", "block",
+    Quantity("cage_body_force", "", "transverse", "N", "block",
         "weight of a free cage and force of its unbalance (y, z); absent when it is held",
         source="state.acting.cage_body", optional=True),
-    Quantity("applied_load", "F", "2", "N", "block", "radial load on the inner ring (y, z)"),
-    Quantity("balance_radii", "r", "3", "m", "block",
+    Quantity("applied_load", "F", "transverse", "N", "block", "radial load on the inner ring (y, z)"),
+    Quantity("balance_radii", "r", "circle", "m", "block",
         "inner raceway, centres of the rollers, outer raceway: radii by which the forces turn",
         source="state.acting.radii", people=MM),
     Quantity("outer_torque", "", "", "N m", "block",
@@ -228,13 +229,14 @@ QUANTITIES = (
         summary=(SummaryValue("driving_torque_Nm", label="driving torque", digits=".4f"),)),
 
     # contacts
-    Quantity("peak_pressure", "p", "2", "Pa", "block", "largest contact pressure (inner, outer)", people=MPA,
+    Quantity("peak_pressure", "p", "race", "Pa", "block", "largest contact pressure (inner, outer)",
+        people=MPA,
         summary=(SummaryValue("peak_pressure_MPa", label="peak pressure", digits=",.0f", parts=RACES),)),
     Quantity("inner_film", "h_i", "Z", "m", "state", "film thickness of the inner contact, 0 without load",
         source="state.loaded_film.0", people=UM),
     Quantity("outer_film", "h_o", "Z", "m", "state", "film thickness of the outer contact, 0 without load",
         source="state.loaded_film.1", people=UM),
-    Quantity("minimum_film", "h", "2", "m", "block", "smallest film of a loaded contact (inner, outer)",
+    Quantity("minimum_film", "h", "race", "m", "block", "smallest film of a loaded contact (inner, outer)",
         people=UM,
         summary=(SummaryValue("minimum_film_um", label="smallest film", digits=".3f", parts=RACES),)),
     Quantity("inner_film_ratio", "Lambda_i", "Z", "1", "block",
@@ -256,16 +258,16 @@ QUANTITIES = (
         source="bars.forces.azimuths", people=DEG, optional=True),
     Quantity("bar_axial_force", "N", "B", "N", "block",
         f"axial force of the bar, tension positive; {_NO_BARS}", source="bars.forces.axial", optional=True),
-    Quantity("bar_radial_moment", "M_n", "B 2", "N m", "block",
+    Quantity("bar_radial_moment", "M_n", "B bar_end", "N m", "block",
         "moment that bends the bar radially, at its ends (ring, flange), positive: tension outside; "
         f"{_NO_BARS}", source="bars.forces.radial_moment", optional=True),
-    Quantity("bar_tangential_moment", "M_t", "B 2", "N m", "block",
+    Quantity("bar_tangential_moment", "M_t", "B bar_end", "N m", "block",
         "moment that bends the bar tangentially, at its ends (ring, flange), positive: tension at larger "
         f"azimuth; {_NO_BARS}", source="bars.forces.tangential_moment", optional=True),
     Quantity("bar_torque", "T", "B", "N m", "block",
         "torque in the bar, of the part nearer to the flange on that nearer to the ring, positive about +x; "
         f"{_NO_BARS}", source="bars.forces.torque", optional=True),
-    Quantity("nominal_bar_stress", "sigma", "B 2", "Pa", "block",
+    Quantity("nominal_bar_stress", "sigma", "B bar_end", "Pa", "block",
         "largest nominal normal stress at the ends of the bar (ring, flange) by magnitude, from axial force "
         f"and moments, without the stress concentration of its feet; {_NO_BARS}",
         source="bars.forces.stress", people=MPA, optional=True,
@@ -331,7 +333,7 @@ QUANTITIES = (
     Quantity("roller_thrust", "F_x", "Z", "N", "block",
         f"axial traction of both raceways on the skewed roller, positive to +x; {_FLANGED}",
         source="skew.axial_traction.thrust", optional=True, summary=(SummaryValue("skew.roller_thrusts_N"),)),
-    Quantity("flange_force", "N", "2 Z", "N", "block",
+    Quantity("flange_force", "N", "roller_end Z", "N", "block",
         f"force of the flange at the -x and at the +x end on the roller, >= 0; {_FLANGED}",
         source="skew.flange_forces", optional=True,
         summary=(
@@ -473,10 +475,15 @@ _ATTRIBUTES = (
 
 LAYOUT = Layout(
     conventions="""\
-Axes: Z rollers, K slices along a roller, B bars, N unknowns. Directions: x axial, z along the load unless
-`operation.load_direction` turns the load; azimuth from z towards y, which is the way a positive speed turns.
-A pair is (inner, outer) or (y, z) as stated.
+Directions: x axial, z along the load unless `operation.load_direction` turns the load; azimuth from z
+towards y, which is the way a positive speed turns.
 """,
+    axes=(
+        Axis("Z", "roller", coordinate="roller_azimuth"),
+        Axis("K", "slice", coordinate="slice_position"),
+        Axis("B", "bar", coordinate="bar_azimuth"),
+        Axis("N", "unknown"),
+    ),
     quantities=QUANTITIES,
     blocks=("rigid", "flexible"),
     further_attributes=_ATTRIBUTES,

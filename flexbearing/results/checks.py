@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from flexbearing.quantities import Quantity
+from flexbearing.quantities.axes import FIXED
 from flexbearing.quantities.layout import Layout
 
 Sizes = Mapping[str, int]  # symbol of an axis to its size
@@ -68,15 +69,15 @@ def fitted(entry: Quantity, array: np.ndarray, sizes: Sizes, where: str) -> Size
         for a shape that does not fit
     """
     new = dict(zip(entry.shape, array.shape, strict=False))
-    numbers = {axis: int(axis) for axis in entry.shape if axis.isdigit()}
+    numbers = {axis: len(FIXED[axis].entries) for axis in entry.shape if axis in FIXED}
     allowed = tuple({**new, **numbers, **sizes}.get(axis) for axis in entry.shape)
     if array.shape != allowed:
-        settled = ", ".join(f"{axis} = {size}" for axis, size in sizes.items())
+        settled = ", ".join(f"{axis} = {size}" for axis, size in {**numbers, **sizes}.items())
         raise NotInLayout(
             f"{where}: {entry.name} has shape {array.shape}; "
             f"the layout asks for ({', '.join(entry.shape)}){' with ' + settled if settled else ''}."
         )
-    return {**sizes, **{axis: size for axis, size in new.items() if not axis.isdigit()}}
+    return {**sizes, **{axis: size for axis, size in new.items() if axis not in FIXED}}
 
 
 def require_finite(entry: Quantity, array: np.ndarray, where: str) -> None:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-DIGEST = "digest"  # root attribute
+DIGEST, MEANINGS = "digest", "meanings"  # root attributes that are no part of a result
 
 
 @dataclass(frozen=True)
@@ -17,8 +17,9 @@ class Content:
     """Root attributes and arrays of a file."""
 
     attributes: Mapping[str, Any]  # texts, lists of texts, whole numbers and numbers; without the digest
-    arrays: Mapping[str, NDArray]  # of float64, by group and name, "rigid/inner_load"
-    texts: Mapping[str, Mapping[str, str]]  # unit, axes and meaning of each array
+    arrays: Mapping[str, NDArray]  # of float64, "rigid/inner_load" in a group and "roller", a scale
+    units: Mapping[str, str]  # of each array; empty for a scale that is a length and has no numbers
+    axes: Mapping[str, tuple[str, ...]]  # scales along each array; none of a scale
 
 
 def digest(content: Content) -> str:
@@ -26,7 +27,7 @@ def digest(content: Content) -> str:
 
     Of the bytes of a JSON text without spaces, keys sorted, ASCII alone, followed by the arrays in the order
     of their sorted names, each as little-endian float64, row by row. The text holds `attributes` (floats as
-    hexadecimal texts), `shapes` and `texts`.
+    hexadecimal texts), `shapes`, `units` and `axes`.
 
     Parameters
     ----------
@@ -41,7 +42,8 @@ def digest(content: Content) -> str:
     head = {
         "attributes": {name: _exact(value) for name, value in content.attributes.items()},
         "shapes": {name: array.shape for name, array in content.arrays.items()},
-        "texts": {name: dict(texts) for name, texts in content.texts.items()},
+        "units": dict(content.units),
+        "axes": dict(content.axes),
     }
     hashed = sha256(json.dumps(head, sort_keys=True, separators=(",", ":")).encode())
     for name in sorted(content.arrays):

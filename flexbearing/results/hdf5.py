@@ -1,7 +1,7 @@
-"""Content as the bytes of an HDF5 file, and back.
+"""Content from the bytes of an HDF5 file.
 
-The library works in memory only: a full disk cannot break it, and it follows no link and opens no other file.
-A file from elsewhere may claim anything, so every claim is checked before memory is taken for it.
+The library works in memory only: it follows no link and opens no other file. A file from elsewhere may claim
+anything, so every claim is checked before memory is taken for it.
 """
 
 import os
@@ -10,12 +10,22 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-import h5py
 import numpy as np
-from h5py import h5a, h5d, h5f, h5g, h5l, h5p, h5s, h5t, h5z  # pyright: ignore[reportAttributeAccessIssue]
+from h5py import h5a, h5d, h5ds, h5f, h5g, h5l, h5p, h5r, h5s, h5t, h5z  # pyright: ignore[reportAttributeAccessIssue]
 from numpy.typing import NDArray
 
-from flexbearing.results.content import DIGEST, Content, digest
+from flexbearing.quantities.attributes import FORMAT
+from flexbearing.results.content import DIGEST, Content
+from flexbearing.results.image import (
+    ALONG_AXIS,
+    ATTACHED,
+    LENGTH_ALONE,
+    LIST_OF_SCALES,
+    SCALES,
+    STRING,
+    UNITS,
+    name_in_memory,
+)
 
 MOST = 256  # groups of a file, arrays of a group, attributes of an array
 MOST_TEXTS = 10_000  # of a list
@@ -27,40 +37,12 @@ _SUPERBLOCKS = (
     b"\3",
 )  # versions that say the end of the file at this place; older ones are of older formats
 _END_OF_FILE = slice(28, 36)
-_STRING = h5py.string_dtype()
-_TEXT = h5t.py_create(_STRING, logical=True)
-_SCALAR = h5s.create(h5s.SCALAR)
+_OF_SCALES = b"CLASS", b"NAME", ATTACHED  # attributes that make an array a scale
 _LAYOUTS = (h5d.COMPACT, h5d.CONTIGUOUS, h5d.CHUNKED)
 
 
 class BadContent(ValueError):
     """A file that holds something else than such a content; the message says what."""
-
-
-def image(content: Content) -> bytes:
-    """Bytes of the file, which carries checksums of its arrays and a digest of everything.
-
-    Parameters
-    ----------
-    content : Content
-        without the attribute of the digest
-
-    Returns
-    -------
-    bytes
-        readable from HDF5 1.10 on
-    """
-    with h5py.File(_name(), "w", driver="core", backing_store=False, libver=("v110", "v110")) as file:
-        for name, value in {**content.attributes, DIGEST: digest(content)}.items():
-            _write_attribute(file.id, name, value)
-        for group in dict.fromkeys(name.partition("/")[0] for name in content.arrays):
-            file.create_group(group)
-        for name, array in content.arrays.items():
-            dataset = _written(file.id, name, array)
-            for key, text in content.texts[name].items():
-                _write_attribute(dataset, key, text)
-        file.flush()
-        return file.id.get_file_image()
 
 
 def stored(path: Path) -> bytes:
@@ -143,6 +125,29 @@ def attribute(data: bytes, name: str) -> Any:
         return _stated(root, name, len(data))
 
 
+def require_held(data: bytes, content: Content) -> None:
+    """Raise unless the arrays in a file's bytes are those of a content.
+
+    What a writer asks of its own bytes: names, units and axes of the content are not read again.
+
+    Parameters
+    ----------
+    data : bytes
+        from `image`
+    content : Content
+        that they were made of
+
+    Raises
+    ------
+    BadContent
+        where the library made something else of it
+    """
+    with _opened(data) as root:
+        for path, array in content.arrays.items():
+            if _array(h5d.open(root, path.encode()), path, len(data)).tobytes() != array.tobytes():
+                raise BadContent(f"{path} is not what was to be written")
+
+
 @contextmanager
 def _opened(data: bytes) -> Iterator[Any]:
     """Root of a file in memory."""
@@ -150,7 +155,7 @@ def _opened(data: bytes) -> Iterator[Any]:
     access.set_fapl_core(backing_store=False)
     access.set_file_image(data)
     try:
-        file = h5f.open(_name().encode(), h5f.ACC_RDONLY, fapl=access)
+        file = h5f.open(name_in_memory().encode(), h5f.ACC_RDONLY, fapl=access)
         try:
             yield h5g.open(file, b"/")
         finally:
@@ -162,37 +167,89 @@ def _opened(data: bytes) -> Iterator[Any]:
         raise BadContent(f"not an HDF5 file, or damaged ({_first_line(problem)})") from problem
 
 
-def _name() -> str:
-    """A name that no other file in memory has: the library takes files of one name for one file."""
-    return f"image-{os.urandom(8).hex()}"
-
-
 def _content(root: Any, size: int) -> tuple[Content, str]:
     """The content below the root, unchecked, and the digest that it claims."""
-    if not h5a.exists(root, DIGEST.encode()):
-        raise Foreign(*(_stated(root, name, size) for name in ("format", "versions")))
-    arrays: dict[str, NDArray] = {}
-    texts: dict[str, dict[str, str]] = {}
-    room = size
-    for group_name in _names(root, "file"):
-        group = h5g.open(root, group_name.encode())
-        for name in _names(group, group_name):
-            path = f"{group_name}/{name}"
-            dataset = h5d.open(group, name.encode())
-            arrays[path] = _array(dataset, path, room)
-            room -= arrays[path].nbytes
-            texts[path] = _attributes(dataset, room)
-            room -= sum(map(_length, texts[path].values()))
-    attributes = _attributes(root, room)  # last: the room that numbers leave is no room for texts
+    number = _stated(root, "format", size)
+    if number != FORMAT or not h5a.exists(root, DIGEST.encode()):
+        raise Foreign(number, _stated(root, "versions", size))
+    found = _Found(size)
+    for name in _names(root, "file"):
+        if h5g.get_objinfo(root, name.encode()).type == h5g.DATASET:
+            found.add_scale(root, name)
+        else:
+            group = h5g.open(root, name.encode())
+            for inside in _names(group, name):
+                found.add_array(group, f"{name}/{inside}")
+    attributes = _attributes(root, found.room)  # last: the room that numbers leave is no room for texts
     claimed = str(attributes.pop(DIGEST))
-    return Content(attributes, arrays, texts), claimed
+    return Content(attributes, found.arrays, found.units, found.axes), claimed
+
+
+class _Found:
+    """Arrays of a file so far, and the bytes that are left for others."""
+
+    def __init__(self, room: int):
+        self.room = room
+        self.arrays: dict[str, NDArray] = {}
+        self.units: dict[str, str] = {}
+        self.axes: dict[str, tuple[str, ...]] = {}
+
+    def add_scale(self, root: Any, name: str) -> None:
+        """Add the numbers along a named axis; those of a length alone have no unit."""
+        dataset = h5d.open(root, name.encode())
+        array = self._add(dataset, name, _OF_SCALES)
+        known_as = name if self.units[name] else LENGTH_ALONE % array.size
+        if not h5ds.is_scale(dataset) or h5ds.get_scale_name(dataset) != known_as.encode():
+            raise BadContent(f"{_shown(name.encode())} is no scale of an axis")
+
+    def add_array(self, group: Any, path: str) -> None:
+        """Add an array of a group with the names of its axes."""
+        dataset = h5d.open(group, path.partition("/")[2].encode())
+        array = self._add(dataset, path, (SCALES,))
+        self.axes[path] = _axes(dataset, path) if array.ndim else ()
+
+    def _add(self, dataset: Any, path: str, others: tuple[bytes, ...]) -> NDArray:
+        array = self.arrays[path] = _array(dataset, path, self.room)
+        self.room -= array.nbytes
+        unit = self.units[path] = _unit(dataset, path, self.room, others)
+        self.room -= len(unit)
+        return array
+
+
+def _unit(dataset: Any, path: str, room: int, others: tuple[bytes, ...]) -> str:
+    """The unit of an array, empty where it has none; beside it there are some attributes and no more."""
+    unit = ""
+    for place in range(h5a.get_num_attrs(dataset)):
+        attribute = h5a.open(dataset, index=place)
+        name = attribute.name
+        if name == UNITS:
+            unit = _attribute(attribute, room)
+        elif name not in others:
+            raise BadContent(f"{path} has an attribute {_shown(name)}, which is none of a result")
+    if not isinstance(unit, str) or len(unit) > room:
+        raise BadContent(f"{path} has a unit that is no text, or more of it than the file holds")
+    return unit
+
+
+def _axes(dataset: Any, path: str) -> tuple[str, ...]:
+    """Names of the scales along an array, one along each axis."""
+    names: list[bytes] = []
+    attribute = h5a.open(dataset, SCALES) if h5a.exists(dataset, SCALES) else None
+    if attribute and attribute.get_type() == LIST_OF_SCALES and attribute.shape == (dataset.rank,):
+        references: Any = np.empty(attribute.shape, dtype=ALONG_AXIS)
+        attribute.read(references)
+        single = [one[0] for one in references if one is not None and len(one) == 1]
+        names = [h5r.get_name(reference, dataset) or b"" for reference in single]
+    if len(names) != dataset.rank or not all(name.startswith(b"/") for name in names):
+        raise BadContent(f"{path} has no scale along each of its axes")
+    return tuple(name[1:].decode() for name in names)
 
 
 class Foreign(BadContent):
-    """An HDF5 file without digest: of another program, or of an older format."""
+    """An HDF5 file of another program, or of another format."""
 
     def __init__(self, number: Any, versions: Any):
-        super().__init__("an HDF5 file without a digest")
+        super().__init__("an HDF5 file of another format")
         self.number = number  # of its format, None for another program
         self.versions = versions
 
@@ -241,17 +298,6 @@ def _array(dataset: Any, path: str, room: int) -> NDArray:
     return array
 
 
-def _written(file: Any, path: str, array: NDArray) -> Any:
-    plan = h5p.create(h5p.DATASET_CREATE)
-    if array.ndim and array.size:  # a checksum needs a chunk; the digest is enough for the others
-        plan.set_chunk(array.shape)
-        plan.set_fletcher32()
-    space = h5s.create_simple(array.shape) if array.ndim else _SCALAR
-    dataset = h5d.create(file, path.encode(), h5t.IEEE_F64LE, space, plan)
-    dataset.write(h5s.ALL, h5s.ALL, np.ascontiguousarray(array, dtype="<f8"))
-    return dataset
-
-
 def _attributes(owner: Any, room: int) -> dict[str, Any]:
     """Attributes of the root or of an array, texts and numbers alone."""
     count = h5a.get_num_attrs(owner)
@@ -286,7 +332,7 @@ def _attribute(attribute: Any, room: int) -> Any:
         if len(shape) > 1 or count > MOST_TEXTS or count * room > max(_TEXT_MEMORY, room):
             name = _shown(attribute.name)
             raise BadContent(f"attribute {name} is no list of texts that the file could hold")
-        texts = np.empty(shape, dtype=_STRING)
+        texts = np.empty(shape, dtype=STRING)
         if count:
             attribute.read(texts)
         decoded = [_decoded(text) for text in texts.reshape(-1)]
@@ -296,18 +342,6 @@ def _attribute(attribute: Any, room: int) -> Any:
         attribute.read(number)
         return number.item()
     raise BadContent(f"attribute {_shown(attribute.name)} is neither text nor number")
-
-
-def _write_attribute(owner: Any, name: str, value: Any) -> None:
-    if isinstance(value, str | list):
-        space = h5s.create_simple((len(value),)) if isinstance(value, list) else _SCALAR
-        stored, kind = np.array(value, dtype=_STRING), _TEXT
-    else:
-        stored, space = np.array(value), _SCALAR
-        kind = h5t.NATIVE_DOUBLE if isinstance(value, float) else h5t.NATIVE_INT64
-    attribute = h5a.create(owner, name.encode(), kind, space)
-    if stored.size:
-        attribute.write(stored)
 
 
 def _decoded(text: Any) -> str:

@@ -15,6 +15,7 @@ from flexbearing.files import parts_of
 from flexbearing.files.whole import UNFINISHED
 from flexbearing.quantities import Quantity
 from flexbearing.quantities.attributes import FORMAT, OLDER
+from flexbearing.quantities.axes import ITERATION
 from flexbearing.quantities.layout import Layout
 from flexbearing.results import hdf5
 from flexbearing.results.attributes import decoded
@@ -26,8 +27,9 @@ from flexbearing.results.checks import (
     require_same_names,
     require_true_ending,
 )
-from flexbearing.results.content import Content, digest
+from flexbearing.results.content import MEANINGS, Content, digest
 from flexbearing.results.result import NOTHING, Arrays, Result
+from flexbearing.results.scales import ITERATIONS, Groups, named_axes, scales
 
 
 class BadResult(ValueError):
@@ -112,56 +114,72 @@ def of_content(content: Content, claimed: str, path: Path, families: Families) -
     BadResult
         for another format, another digest or an unknown family
     """
-    stored = content.attributes
-    if stored.get("format") != FORMAT:
-        raise BadResult(f"{path}: {_format(stored.get('format'), stored.get('versions'))}")
+    stored = dict(content.attributes)
     if digest(content) != claimed:
         raise BadResult(f"{path}: changed after it was written, as its digest tells. Run the case again.")
     kind = stored.get("kind")
     if not isinstance(kind, str) or kind not in families:
         raise BadResult(f"{path}: kind {kind!r} is none of {', '.join(families)}. Run the case again.")
     layout: Layout = families[kind].layout()
+    if not isinstance(stored.pop(MEANINGS, None), str):
+        raise NotInLayout(f"attribute {MEANINGS} is no text.")
     require_same_names(stored, layout.attributes, "root attributes")
     attributes = {name: decoded(layout.attributes[name], value) for name, value in stored.items()}
-    blocks, iterations = _groups(content, layout)
-    rows = len(iterations)
+    blocks, stacked = _groups(content, layout)
+    rows = len(next(iter(stacked.values()), ()))
     require_true_ending(attributes, layout, solved=[name for name in blocks if blocks[name]], iterations=rows)
     if attributes["status"] == "converged":
         for name, block in blocks.items():
             for entry in block:
                 require_finite(layout[entry], block[entry], name)
+    _require_described(content, layout, {**blocks, ITERATIONS: stacked})
     shown = {"rigid": NOTHING, "flexible": NOTHING, **blocks}
     return Result(
         path=path,
         attributes=MappingProxyType(attributes),
-        iterations=iterations,
+        iterations=tuple(
+            MappingProxyType({name: array[number, ...] for name, array in stacked.items()})
+            for number in range(rows)
+        ),
         family=families[kind],
         rigid=shown["rigid"],
         flexible=shown["flexible"],
     )
 
 
-def _groups(content: Content, layout: Layout) -> tuple[dict[str, Arrays], tuple[Arrays, ...]]:
-    """Blocks and iterations, of names and shapes that the layout asks for."""
+def _groups(content: Content, layout: Layout) -> tuple[dict[str, Arrays], Arrays]:
+    """Blocks and stacked iterations, of names and shapes that the layout asks for."""
     groups: dict[str, dict[str, np.ndarray]] = {}
     for place, array in content.arrays.items():
-        group, _, name = place.partition("/")
-        groups.setdefault(group, {})[name] = array
+        group, slash, name = place.partition("/")
+        if slash:
+            groups.setdefault(group, {})[name] = array
     possible = (*layout.blocks, *layout.further_blocks)
-    known = {**dict.fromkeys(possible), "iterations": None}
+    known = {**dict.fromkeys(possible), ITERATIONS: None}
     require_same_names({**known, **groups}, known, "groups")
     sizes: Sizes = {}
     blocks: dict[str, Arrays] = {}
     for name in possible:
         blocks[name], sizes = _fitted(groups.get(name), layout.datasets("block"), sizes, name)
     datasets = layout.datasets("iteration")
-    rows = {name: replace(entry, axes=f"iteration {entry.axes}") for name, entry in datasets.items()}
-    stacked, sizes = _fitted(groups.get("iterations"), rows, sizes, "iterations")
-    iterations = tuple(
-        MappingProxyType({name: array[number, ...] for name, array in stacked.items()})
-        for number in range(sizes.get("iteration", 0))
-    )
-    return blocks, iterations
+    rows = {name: replace(entry, axes=f"{ITERATION.symbol} {entry.axes}") for name, entry in datasets.items()}
+    stacked, sizes = _fitted(groups.get(ITERATIONS), rows, sizes, ITERATIONS)
+    return blocks, stacked
+
+
+def _require_described(content: Content, layout: Layout, groups: Groups) -> None:
+    """Raise unless units, axes and scales are those that follow from the layout and the arrays."""
+    expected = scales(layout, groups)
+    there = {name: array for name, array in content.arrays.items() if "/" not in name}
+    require_same_names(there, expected, "axes")
+    for name, scale in expected.items():
+        if content.units[name] != scale.unit or there[name].tobytes() != scale.values.tobytes():
+            raise NotInLayout(f"axis {name} does not have the places of the arrays along it")
+    for group, arrays in groups.items():
+        for name in arrays:
+            place, entry = f"{group}/{name}", layout[name]
+            if (content.units[place], content.axes[place]) != (entry.unit, named_axes(layout, group, entry)):
+                raise NotInLayout(f"{place} has another unit, or other axes, than the layout asks for")
 
 
 def _fitted(

@@ -14,8 +14,9 @@ One HDF5 file holds one run. A name without `.part` promises a complete file, al
 converge; `status` tells. What a run has finished so far stands in `OUT.h5.HOST-PROCESS-NUMBER.part` beside
 it, at most a second old and always whole; `flexbearing summary` reads it, with the status `unfinished`. A
 run that is interrupted leaves it, the next complete result of that name removes it. `OUT.h5.lock` names
-host, process and start of the run that is writing. Everything is in SI units, and every dataset carries its
-`unit`, its `axes` and its `meaning` as attributes.
+host, process and start of the run that is writing. Everything is in SI units.
+Every dataset carries its `units` as an attribute and HDF5 dimension scales along its axes; the root attribute
+`meanings` says what each of them is.
 
 ```python
 import h5py
@@ -23,9 +24,12 @@ import h5py
 with h5py.File("OUT.h5") as file:
     print(file.attrs["status"])
     load = file["flexible/inner_load"]
-    print(load[:], load.attrs["unit"], load.attrs["meaning"])
+    print(load[:], load.attrs["units"], load.dims[0][0].name)
     print(file["iterations/load_change"][:])
 ```
+
+`xarray.open_datatree("OUT.h5", engine="h5netcdf")` gives the same with named dimensions and coordinates, and
+so does netCDF4.
 
 | group | holds |
 |---|---|
@@ -40,10 +44,11 @@ A block that was never solved is absent, and so is a dataset whose meaning says 
 
 Every dataset that has an axis carries the HDF5 checksum fletcher32, and the root attribute `digest` is a
 SHA-256 over everything else in the file: of a JSON text (keys sorted, no spaces, ASCII alone) that holds
-`attributes` (floats as hexadecimal texts), `shapes` and `texts` (unit, axes, meaning) of all datasets by
-path, followed by the datasets in the order of their paths, each as little-endian 64-bit floats. flexbearing
-refuses a file whose content is another, that links to other files, or that does not follow the tables
-below. The file needs HDF5 1.10.
+`attributes` (floats as hexadecimal texts), and of all datasets by path `shapes`, `units` (an empty text for a
+scale that is a length alone) and `axes` (names of their scales; left out for a scale), followed by the
+datasets in the order of their paths, each as little-endian 64-bit floats. flexbearing refuses a file whose
+content is another, that links to other files, or that does not follow the tables below.
+The file needs HDF5 1.10.
 
 Scalars of a block also have names, as in `result["flexible.max_roller_load [kN]"]` in Python: the keys of the
 summary with the unit apart. In brackets stands any unit of the same kind; without brackets it is the unit
@@ -77,7 +82,7 @@ def reference_page(families: Families) -> str:
 
 def _family(family: Family) -> str:
     layout: Layout = family.layout()
-    sections = [f'## kind = "{family.kind}"\n', layout.conventions]
+    sections = [f'## kind = "{family.kind}"\n', layout.conventions, *_axes(layout)]
     for place, title in _PLACES.items():
         if rows := [_row(entry) for entry in layout.quantities if entry.place == place]:
             sections += [
@@ -93,6 +98,17 @@ def _family(family: Family) -> str:
     if layout.further_attributes:
         sections += ["### Further root attributes\n", *_attribute_table(layout.further_attributes)]
     return "\n".join(sections)
+
+
+def _axes(layout: Layout) -> list[str]:
+    """Table of the axes of a kind."""
+    used = {symbol for entry in layout.quantities for symbol in entry.shape}
+    rows = [
+        f"| {axis.symbol} | `{axis.name}` | {', '.join(axis.entries)} | {axis.coordinate} |"
+        for axis in layout.axis.values()
+        if axis.symbol in used
+    ]
+    return ["### Axes\n", "| symbol | dimension | entries | coordinate |", "|---|---|---|---|", *rows, ""]
 
 
 def _row(entry: Quantity) -> str:

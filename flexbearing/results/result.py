@@ -63,6 +63,12 @@ class Result:
         blocks = {"rigid": self.rigid, "flexible": self.flexible}
         return summary(self.family.layout(), self.attributes, blocks)
 
+    @property
+    def stacked(self) -> Arrays:
+        """Every dataset of the iterations, stacked over them; empty without any."""
+        names = self.iterations[0] if self.iterations else ()
+        return {name: np.stack([state[name] for state in self.iterations]) for name in names}
+
     def history(self, name: str) -> np.ndarray:
         """Stack a dataset over the iterations.
 

@@ -3,25 +3,25 @@
 import logging
 from collections.abc import Mapping
 from contextlib import ExitStack, suppress
+from dataclasses import replace
 from pathlib import Path
 from threading import RLock, Timer
 from typing import Any, Literal, Self
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from flexbearing.case.family import Family
 from flexbearing.files import NotStored, lock, parts_of, require_output, write
 from flexbearing.files.whole import host, part_name
-from flexbearing.quantities import Quantity
 from flexbearing.quantities.layout import Layout
 from flexbearing.results import hdf5
 from flexbearing.results.attributes import encoded
 from flexbearing.results.checks import NotInLayout
-from flexbearing.results.content import Content
-from flexbearing.results.read import of_content
+from flexbearing.results.content import MEANINGS, Content
+from flexbearing.results.image import image
 from flexbearing.results.record import Record
 from flexbearing.results.result import Result
+from flexbearing.results.scales import ITERATIONS, meanings, named_axes, scales
 
 LATEST = 0.5  # [s] that anything finished stays in memory only
 log = logging.getLogger(__name__)
@@ -71,7 +71,6 @@ class ResultFile:
         self.path = Path(path)
         self._place = require_output(path, inputs)  # where a link leads
         self.part = part_name(self._place)
-        self._family = family
         self._record = Record(attributes, family)
         self._open = ExitStack()
         self._is_open = False
@@ -148,7 +147,7 @@ class ResultFile:
         self._store_soon()
 
     def finish(self, **attributes: Any) -> Result:
-        """Write the result, read it back and give it its name.
+        """Write the result, make sure of it and give it its name.
 
         Parameters
         ----------
@@ -158,7 +157,7 @@ class ResultFile:
         Returns
         -------
         Result
-            as it stands in the file
+            whose arrays the bytes of the file were seen to hold
 
         Raises
         ------
@@ -168,8 +167,10 @@ class ResultFile:
             if it could not be written; what had its name before is unchanged
         """
         self._require_open()
-        data = hdf5.image(content_of(self._record.finish(**attributes)))
-        result = of_content(*hdf5.content(data), self.path, {self._family.kind: self._family})
+        result = replace(self._record.finish(**attributes), path=self.path)
+        content = content_of(result)
+        data = image(content)
+        hdf5.require_held(data, content)
         write(self._place, data)
         with self._guard:
             self._is_open = False
@@ -199,7 +200,7 @@ class ResultFile:
 
     def _store_part(self) -> None:
         """Store all there is so far as an unfinished result."""
-        data = hdf5.image(content_of(self._record.so_far()))
+        data = image(content_of(self._record.so_far()))
         write(self.part, data, beside=self._place, lasting=False)
 
     def _kept(self) -> str:
@@ -240,19 +241,14 @@ def content_of(result: Result) -> Content:
         without the attribute of the digest
     """
     layout: Layout = result.family.layout()
-    arrays: dict[str, np.ndarray] = {}
-    texts: dict[str, dict[str, str]] = {}
-    for name, block in (("rigid", result.rigid), ("flexible", result.flexible)):
-        for entry, array in block.items():
-            arrays[f"{name}/{entry}"] = array
-            texts[f"{name}/{entry}"] = _texts(layout[entry])
-    for entry in result.iterations[0] if result.iterations else ():
-        arrays[f"iterations/{entry}"] = result.history(entry)
-        texts[f"iterations/{entry}"] = _texts(layout.datasets("iteration")[entry], "iteration ")
+    groups = {"rigid": result.rigid, "flexible": result.flexible, ITERATIONS: result.stacked}
+    named = scales(layout, groups)
+    arrays = {name: scale.values for name, scale in named.items()}
+    units = {name: scale.unit for name, scale in named.items()}
+    axes: dict[str, tuple[str, ...]] = {}
+    for group, datasets in groups.items():
+        for name, array in datasets.items():
+            place, entry = f"{group}/{name}", layout[name]
+            arrays[place], units[place], axes[place] = array, entry.unit, named_axes(layout, group, entry)
     attributes = {name: encoded(layout.attributes[name], value) for name, value in result.attributes.items()}
-    return Content(attributes, arrays, texts)
-
-
-def _texts(entry: Quantity, leading: str = "") -> dict[str, str]:
-    """What a dataset says of itself."""
-    return {"unit": entry.unit, "axes": f"{leading}{entry.axes}".strip(), "meaning": entry.meaning}
+    return Content({**attributes, MEANINGS: meanings(layout)}, arrays, units, axes)

@@ -8,10 +8,12 @@ import h5py
 import numpy as np
 
 from flexbearing.quantities.attributes import FORMAT
+from flexbearing.results.image import LENGTH_ALONE
 from tests.flexbearing.resealed import resealed
 
 LOAD, LIFE = "rigid/inner_load", "rigid/life_L10"
 GROUPS = "rigid", "flexible", "iterations"
+COORDINATES = {"roller": "roller_azimuth", "slice": "slice_position", "bar": "bar_azimuth"}
 END_OF_FILE = slice(28, 36)  # of the superblock: where the file says that it ends
 TEXT = h5py.string_dtype()
 Change = Callable  # of a path
@@ -69,6 +71,26 @@ def put(file, name, value):
     file.attrs[name] = value
 
 
+def put_on(dataset, name, value):
+    """Another attribute of an array."""
+    if name in dataset.attrs:
+        del dataset.attrs[name]
+    dataset.attrs[name] = value
+
+
+def shortened_scale(file):
+    """An axis with a place fewer than its arrays."""
+    places = file["roller"][:-1]
+    del file["roller"]
+    file.create_dataset("roller", data=places).make_scale("roller")
+    file["roller"].attrs["units"] = "rad"
+    for group in GROUPS:
+        for dataset in file[group].values():
+            for axis in dataset.dims:
+                if not len(axis):
+                    axis.attach_scale(file["roller"])
+
+
 def attribute(name, value):
     return sealed(lambda file: put(file, name, value))
 
@@ -86,14 +108,15 @@ def text_of_case(change):
 
 
 def array(place, **form):
-    """Another array, with the texts of the good one."""
+    """Another array, with the unit and the axes of the good one."""
 
     def change(file):
-        texts = dict(file[place].attrs)
+        units, scales = file[place].attrs["units"], [axis[0] for axis in file[place].dims]
         del file[place]
         made = file.create_dataset(place, **form)
-        for name, text in texts.items():
-            made.attrs[name] = text
+        made.attrs["units"] = units
+        for axis, scale in zip(made.dims, scales, strict=False):
+            axis.attach_scale(scale)
 
     return change
 
@@ -120,8 +143,31 @@ def numbers(change, *names):
         for place in [f"{group}/{name}" for group in GROUPS for name in file[group]]:
             if not names or place.partition("/")[2] in names:
                 array(place, data=np.asarray(change(file[place][()]), dtype="<f8"))(file)
+        renew_scales(file)
 
     return changed
+
+
+def renew_scales(file):
+    """Places along the axes as the arrays have them now."""
+    everything = [dataset for group in GROUPS for dataset in file[group].values() if dataset.ndim]
+    axes = [[axis[0].name[1:] for axis in dataset.dims] for dataset in everything]
+    lengths = {}
+    for dataset, names in zip(everything, axes, strict=True):
+        lengths.update(zip(names, dataset.shape, strict=True))
+    for name, length in lengths.items():
+        units = file[name].attrs.get("units")
+        del file[name]
+        place = f"rigid/{COORDINATES.get(name)}"
+        alone = np.arange(1.0, length + 1) if name == "iteration" else np.zeros(length)
+        made = file.create_dataset(name, data=file[place][()] if place in file else alone)
+        made.make_scale(name if units else LENGTH_ALONE % length)
+        if units:
+            made.attrs["units"] = units
+    for dataset, names in zip(everything, axes, strict=True):
+        del dataset.attrs["DIMENSION_LIST"]
+        for axis, name in zip(dataset.dims, names, strict=True):
+            axis.attach_scale(file[name])
 
 
 def filled(value, *names):
@@ -249,11 +295,20 @@ def arrays(rollers):
         "name of 60000 letters": in_place("rigid/" + "x" * 60_000, 1.0),
         "name of control": sealed(lambda file: file.__setitem__("rigid/\x1b[31mred\n", 1.0)),
         "name that is no text": unsealed(lambda file: h5py.h5g.create(file["rigid"].id, b"\xff\xfe")),
-        "unit gone": sealed(lambda file: file[LOAD].attrs.__delitem__("unit")),
+        "axis gone": sealed(lambda file: file[LOAD].attrs.__delitem__("DIMENSION_LIST")),
+        "axis of text": unsealed(lambda file: put_on(file[LOAD], "DIMENSION_LIST", "roller")),
+        "axis nowhere": unsealed(lambda file: without("roller")(file)),
+        "axis of another array": unsealed(lambda file: file[LOAD].dims[0].attach_scale(file["slice"])),
+        "axis of other length": sealed(shortened_scale),
+        "axis without end": unsealed(lambda file: file.create_dataset("more", (10**12,), "<f8")),
+        "axis that is none": sealed(lambda file: file["roller"].attrs.__delitem__("CLASS")),
+        "axis of another name": sealed(lambda file: put_on(file["roller"], "NAME", np.bytes_("slice"))),
+        "axis more": sealed(lambda file: file.create_dataset("more", data=np.ones(3)).make_scale("more")),
+        "unit gone": sealed(lambda file: file[LOAD].attrs.__delitem__("units")),
         "unit more": sealed(lambda file: file[LOAD].attrs.__setitem__("more", "x")),
-        "unit a number": unsealed(lambda file: file[LOAD].attrs.__setitem__("unit", 1)),
-        "unit huge": sealed(lambda file: file[LOAD].attrs.__setitem__("unit", "x" * 60_000)),
-        "unit nothing": unsealed(lambda file: file[LOAD].attrs.__setitem__("unit", h5py.Empty("S1"))),
+        "unit a number": unsealed(lambda file: file[LOAD].attrs.__setitem__("units", 1)),
+        "unit huge": sealed(lambda file: file[LOAD].attrs.__setitem__("units", "x" * 60_000)),
+        "unit nothing": unsealed(lambda file: file[LOAD].attrs.__setitem__("units", h5py.Empty("S1"))),
     }.items()
     for name in ("inner_load", "unknowns", "roller_azimuth", "stiffness_matrix", "slice_position"):
         yield f"no {name}", sealed(without(f"rigid/{name}", f"flexible/{name}"))

@@ -10,20 +10,29 @@ import numpy as np
 
 def digest(path):
     """SHA-256 over everything in a file but the attribute `digest`."""
-    arrays, head = {}, {"attributes": {}, "shapes": {}, "texts": {}}
+    arrays, head = {}, {"attributes": {}, "shapes": {}, "units": {}, "axes": {}}
     with h5py.File(path) as file:
         for name, value in file.attrs.items():
             if name != "digest":
                 head["attributes"][name] = plain(value)
-        for group in file:
-            for name, dataset in file[group].items():
-                place = f"{group}/{name}"
-                arrays[place] = dataset[()]
-                head["shapes"][place] = list(dataset.shape)
-                head["texts"][place] = {key: plain(text) for key, text in dataset.attrs.items()}
+        for place, dataset in datasets(file):
+            arrays[place] = dataset[()]
+            head["shapes"][place] = list(dataset.shape)
+            head["units"][place] = plain(dataset.attrs.get("units", ""))
+            if not dataset.is_scale:
+                head["axes"][place] = [axis[0].name[1:] for axis in dataset.dims if len(axis)]
     text = json.dumps(head, sort_keys=True, separators=(",", ":"))
     data = b"".join(np.asarray(arrays[name], "<f8").tobytes() for name in sorted(arrays))
     return hashlib.sha256(text.encode() + data).hexdigest()
+
+
+def datasets(file):
+    """Every dataset with its path: scales at the top, the others in groups."""
+    for name, item in file.items():
+        if isinstance(item, h5py.Dataset):
+            yield name, item
+        else:
+            yield from ((f"{name}/{inside}", dataset) for inside, dataset in item.items())
 
 
 def plain(value):

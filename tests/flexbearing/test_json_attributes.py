@@ -2,6 +2,7 @@
 
 import json
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -13,7 +14,6 @@ from flexbearing.quantities.forms import COUNT, FLAG, NUMBER, TEXT, Each, ListOf
 from flexbearing.report import text
 from flexbearing.results import BadResult, NotInLayout, hdf5
 from flexbearing.results.attributes import checked, decoded
-from flexbearing.results.content import Content
 from flexbearing.results.read import of_content
 from flexbearing.results.reference import reference_page
 from tests.flexbearing.resealed import resealed
@@ -68,7 +68,7 @@ def changed(content, **records):
 
 def stored(content, **texts):
     """The same content with other texts of records."""
-    return Content({**content.attributes, **texts}, content.arrays, content.texts)
+    return replace(content, attributes={**content.attributes, **texts})
 
 
 def result_of(content):

@@ -179,7 +179,7 @@ def test_every_iteration_is_in_the_file(flexible):
         count, first = file.attrs["iterations"], file["iterations"]
         assert first["inner_load"].shape == (count, 30)
         assert first["inner_slice_load"].shape == (count, 30, 20)
-        assert first["inner_load"].attrs["unit"] == "N"
+        assert first["inner_load"].attrs["units"] == "N"
         assert "title" in file.attrs["case_text"]
     assert flexible.history("residual")[-1] < 1e-10
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import flexbearing
-from flexbearing.results.hdf5 import h5py
+from flexbearing.results import image
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 BEAM = {"inner.kind": "rigid", "outer.kind": "ring", "accuracy.structure": "beam"}  # nothing is meshed
@@ -39,7 +39,8 @@ def test_the_answer_is_that_of_the_file(name, empty):
 
 
 def test_nothing_is_serialised(empty, monkeypatch):
-    monkeypatch.setattr(h5py, "File", None)
+    monkeypatch.setattr(image, "image", None)
+    monkeypatch.setattr(image.h5py, "File", None)
     assert flexbearing.run(CONFIGS / "mao2016.toml", BEAM).attributes["status"] == "converged"
 
 
