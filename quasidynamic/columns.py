@@ -46,6 +46,13 @@ def with_columns(part: Part, numbers: NDArray) -> Part:
     return _changed(part, of_all)
 
 
+def stacked(*numbers: Number) -> NDArray:
+    """Numbers or columns one above the other (n, 1, 1) or (n, C, 1)."""
+    if any(isinstance(number, np.ndarray) for number in numbers):
+        return np.stack(np.broadcast_arrays(*np.atleast_2d(*numbers)))
+    return np.array(numbers)[:, None, None]  # the same, ten times faster
+
+
 def taken(part: Part, cases: NDArray) -> Part:
     """The same part for some of its cases; for a single one its columns become numbers.
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.balance.rollers.operating_points import OperatingPoints
 from quasidynamic.balance.rollers.roller import RollerBalance
-from quasidynamic.columns import kind_and_numbers, with_columns
+from quasidynamic.columns import kind_and_numbers, stacked, with_columns
 from quasidynamic.contact.film import FilmLaw
 from quasidynamic.contact.line import LoadLaw, Slices, gap_rounding, raceway_coefficients, reduced_radius
 from quasidynamic.contact.lubrication import Lubrication
@@ -126,13 +126,13 @@ class RollerBearing:
     def _raceways(self, axial_modes: int) -> Raceways:
         bearing, roller, lubrication = self.bearing, self.bearing.roller, self.lubrication
         slices = Slices(self.slices, roller.length, axial_modes)
-        radii = [
+        radii = (
             reduced_radius(roller.diameter / 2, r) for r in (bearing.inner_radius, -bearing.outer_radius)
-        ]
-        moduli = [contact_modulus(roller.material, ring) for ring in (bearing.inner_ring, bearing.outer_ring)]
-        radius, modulus = (np.array(values)[:, None, None] for values in (radii, moduli))
+        )
+        moduli = (contact_modulus(roller.material, ring) for ring in (bearing.inner_ring, bearing.outer_ring))
+        radius, modulus = stacked(*radii), stacked(*moduli)
         return Raceways(
-            law=LoadLaw(np.array(raceway_coefficients(bearing))[:, None, None], gap_rounding(bearing)),
+            law=LoadLaw(stacked(*raceway_coefficients(bearing)), gap_rounding(bearing)),
             traction=lubrication.traction(
                 radius=radius,
                 modulus=modulus,
@@ -148,7 +148,7 @@ class RollerBearing:
             ),
             lubrication=lubrication,
             slices=slices,
-            drop=roller.profile.drop(slices.centres, roller.length),
+            drop=slices.drop(roller.profile),
             radius=radius,
             modulus=modulus,
         )
@@ -157,8 +157,8 @@ class RollerBearing:
 def solve_many(bearings: Sequence[RollerBearing]) -> Equilibria:
     """Equilibria of many bearings between rigid, round raceways.
 
-    Those that differ in operation and clearance only are solved side by side; the answers are those of one
-    solve after the other.
+    Those that differ in numbers only are solved side by side; the answers are those of one solve after the
+    other.
 
     Returns
     -------
@@ -185,9 +185,7 @@ def side_by_side_batches(
     for place, bearing in enumerate(bearings):
         kind, own = kind_and_numbers(bearing)
         numbers.append(own)
-        parts = kind_and_numbers(replace(bearing.bearing, clearance=0.0))[1]
-        alike = (*parts, *kind_and_numbers(bearing.lubrication)[1])
-        kinds.setdefault((kind, alike, bearing.operation.tilts), []).append(place)
+        kinds.setdefault((kind, bearing.operation.tilts), []).append(place)
     for places in kinds.values():
         for first in range(0, len(places), at_once):
             some = np.array(places[first : first + at_once])

@@ -17,7 +17,7 @@ def lubrication(case: Case) -> qd.Lubrication:
     if lubricant.mixed is not None:
         from flexbearing.build.rough_surfaces import mixed
 
-        traction = partial(mixed, case, traction)
+        traction = mixed(case, traction)
     return qd.Lubrication(
         oil=oil(case),
         oil_fraction=lubricant.oil_fraction,
@@ -98,11 +98,13 @@ def _adore(case: Case) -> Callable[..., TractionLaw]:
 
 
 def _four_point(case: Case) -> Callable[..., TractionLaw]:
+    from quasidynamic.contact.traction.measured_curve import in_any_contact
+
     points: Any = case.lubricant.traction_curve
     curve = qd.FourPointCurve.through(
         at_rest=points.at_rest, peak=points.peak, peak_slip=points.peak_slip, far=points.far
     )
-    return lambda **_: curve  # it is the same in every contact
+    return partial(in_any_contact, curve)
 
 
 _FLUIDS: dict[str, Callable[[Case], Callable[..., TractionLaw]]] = {

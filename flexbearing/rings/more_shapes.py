@@ -72,7 +72,7 @@ def _worth(absolute: NDArray, state: "Equilibrium", race: int) -> bool:
     width = roller.raceways.slices.width
     forces = width * line_loads @ np.polynomial.legendre.legvander(positions, known + MORE - 1)[:, 1:]
     softest = np.abs(np.einsum("zmzm->zm", absolute)[:, -1]).max()
-    approach = roller.raceways.softness[race] * state.loads[race].max() ** 0.9
+    approach = roller.raceways.softness[race, 0, 0] * state.loads[race].max() ** 0.9
     return bool(softest * np.abs(forces).max() > WORTH * approach)
 
 

@@ -41,18 +41,18 @@ class Raceways:
     film_law: FilmLaw
     lubrication: Lubrication
     slices: Slices
-    drop: NDArray  # (K) profile drop [m]
-    radius: NDArray  # (2, 1, 1) [m] reduced
-    modulus: NDArray  # (2, 1, 1) [Pa] E'
+    drop: NDArray  # (K, 1, 1, 1) or (K, 1, C, 1) profile drop [m]
+    radius: NDArray  # (2, 1, 1) or (2, C, 1) [m] reduced
+    modulus: NDArray  # (2, 1, 1) or (2, C, 1) [Pa] E'
 
     @cached_property
     def softness(self) -> NDArray:
-        """Approach of a straight roller at either raceway per load^0.9 (2) [m/N^0.9]."""
-        return (np.ravel(self.law.coefficient) * self.slices.length) ** (-1 / EXPONENT)
+        """Approach of a straight roller at either raceway per load^0.9 (2, 1 or C, 1) [m/N^0.9]."""
+        return (self.law.coefficient * self.slices.length) ** (-1 / EXPONENT)
 
     @cached_property
     def smallest_load(self) -> NDArray:
-        """Load of a roller (2, 1, 1) below which its film keeps its value [N]: `SMALLEST_LOAD` E' R l."""
+        """Load of a roller (2, 1 or C, 1) [N] under which its film is held: `SMALLEST_LOAD` E' R l."""
         return SMALLEST_LOAD * self.slices.length * self.modulus * self.radius
 
     @cached_property
@@ -88,7 +88,7 @@ class Raceways:
         The laws named in `law`, `traction`, `film_law` and `lubrication`, summed over slices.
         """
         slices = self.slices  # first axis from here on: what is the same for all of them broadcasts
-        q, stiffness = self.law(slices.spread(approach.swapaxes(0, 1)) - self.drop[:, None, None, None])
+        q, stiffness = self.law(slices.spread(approach.swapaxes(0, 1)) - self.drop)
         pull = self.traction(q, sliding, entrainment, film)
         force = slices.summed(q).swapaxes(0, 1)
         load = force[:, 0]

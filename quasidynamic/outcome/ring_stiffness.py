@@ -32,7 +32,9 @@ class Tangent:
         """Tangents at the unknowns of equilibria of C cases, all from one linear solve."""
         raceways, points = balance.roller.raceways, balance.points
         slices = replace(raceways.slices, axial_modes=max(raceways.slices.axial_modes, 2))
-        whole_rollers = replace(raceways, slices=slices, drop=raceways.slices.unfolded(raceways.drop))
+        whole_rollers = replace(
+            raceways, slices=slices, drop=slices.drop(balance.roller.bearing.roller.profile)
+        )
         free = replace(
             balance,
             roller=replace(balance.roller, raceways=whole_rollers),

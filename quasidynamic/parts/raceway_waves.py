@@ -40,20 +40,22 @@ class RacewayWaves:
 
         Parameters
         ----------
-        azimuths : array (Z)
+        azimuths : array (..., Z)
             phi [rad]
 
         Returns
         -------
-        array (Z)
+        array (..., Z)
             h, towards the rollers [m]
 
         Source
         ------
         Fourier series of a roundness profile, peaks out of the material, as ISO 12181-1 counts them.
         """
-        waves = np.cos(np.multiply.outer(azimuths, self.numbers) - np.multiply(self.numbers, self.crests))
-        return waves @ np.array(self.amplitudes)
+        height = np.zeros_like(azimuths)
+        for number, amplitude, crest in zip(self.numbers, self.amplitudes, self.crests, strict=True):
+            height = height + amplitude * np.cos(number * (azimuths - crest))
+        return height
 
     def require_gentle(self, name: str, radius: float, roller_radius: float) -> None:
         """Refuse waves that a roller would not run over as on a round raceway.

@@ -81,4 +81,4 @@ class CylindricalRollerBearing:
         waves = [waves for waves in (self.inner_waves, self.outer_waves) if waves is not None]
         if not waves:
             return self.clearance
-        return self.clearance - 2 * np.sum([each.height(self.azimuths) for each in waves], axis=0)
+        return self.clearance - 2 * sum(each.height(self.azimuths) for each in waves)

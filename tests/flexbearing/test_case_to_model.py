@@ -206,9 +206,9 @@ def test_mixed_lubrication_wraps_the_chosen_law(name, share):
     found = law(settings)
     assert isinstance(found, qd.Mixed)
     assert isinstance(found.fluid, qd.Eyring)
-    assert found.roughness == approx(0.5e-6, rel=1e-12)
+    assert found.roughness == approx(np.full((2, 1, 1), 0.5e-6), rel=1e-12)
     assert (found.boundary_friction, found.sign_speed) == (0.12, approx(2e-3, rel=1e-12))
-    assert share is None or found.share.share is share
+    assert share is None or found.share is share
 
 
 def test_each_raceway_has_asperities_of_its_own_roughness():

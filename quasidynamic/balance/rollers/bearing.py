@@ -209,7 +209,7 @@ class BearingBalance:
         """Cage in its land; `pockets` (2, C, Z) [N] push rollers along the motion and outwards."""
         push = self.kinematics.pushed(*pockets[:, None])[:, 0].sum(-1).T
         bearing = self.roller.bearing
-        cage_speed = self.speeds(x)[1][:, 0]
+        cage_speed = self.speeds(x)[1]
         return floating_cage(push, cage_speed, self.points, bearing.cage, self.roller.lubrication.oil)
 
     def _add_floating_cage(self, x: Unknowns, response: NDArray, balances: NDArray) -> FloatingCage:

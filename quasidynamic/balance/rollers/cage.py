@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.operating_points import OperatingPoints
+from quasidynamic.columns import stacked
 from quasidynamic.contact.cage import land_offset, land_torque
 from quasidynamic.parts.cage import Cage
 from quasidynamic.parts.lubricant import Lubricant
@@ -39,7 +40,7 @@ def floating_cage(
     ----------
     push : array (C, 2)
         sum of the forces of all rollers on the cage, y and z [N]
-    cage_speed : array (C)
+    cage_speed : array (C, 1)
         omega_c [rad/s]
     points : OperatingPoints
         speeds of the rings, gravity
@@ -61,25 +62,21 @@ def floating_cage(
     One moment with the centre at rest: no squeeze of the film. Rollers run at cage speed, wherever
     the pockets are.
     """
-    ring_speed = points.guiding_speed(cage.guidance)[:, 0]
-    azimuth = cage.unbalance_azimuth
-    unit = cage.mass * cage.unbalance * np.array([np.sin(azimuth), np.cos(azimuth)])
+    ring_speed, clearance = points.guiding_speed(cage.guidance), cage.land_clearance / 2
+    towards = stacked(np.sin(cage.unbalance_azimuth), np.cos(cage.unbalance_azimuth))[..., 0].T
+    unit = cage.mass * cage.unbalance * towards
     weight = cage.mass * np.concatenate([points.gravity_y, points.gravity_z], axis=1)
-    body_force, by_speed = weight + unit * cage_speed[:, None] ** 2, 2 * unit * cage_speed[:, None]
-    speed_sum, smallest_sum = ring_speed + cage_speed, CREEP * np.abs(points.relative_speed)[:, 0]
+    body_force, by_speed = weight + unit * cage_speed**2, 2 * unit * cage_speed
+    speed_sum, smallest_sum = ring_speed + cage_speed, CREEP * np.abs(points.relative_speed)
     turning = np.abs(speed_sum) > smallest_sum
-    place = land_offset(-push - body_force, np.where(turning, speed_sum, smallest_sum), cage, oil)
-    clearance = cage.land_clearance / 2
-    size = np.hypot(*place.offset.T)
+    force = -push - body_force
+    place = land_offset(force[:, None], np.where(turning, speed_sum, smallest_sum), cage, oil)
+    offset, offset_by_force, offset_by_speed = (each[:, 0] for each in place)
+    size = np.hypot(*offset.T)[:, None]
     land = land_torque(ring_speed - cage_speed, cage, oil, size / clearance)
-    by_offset = land.by_eccentricity[:, None] * place.offset / (size * clearance)[:, None]
-    by_push = -np.einsum("ci,cij->cj", by_offset, place.by_force)
+    by_offset = land.by_eccentricity * offset / (size * clearance)
+    by_push = -np.einsum("ci,cij->cj", by_offset, offset_by_force)
+    turned = (turning * by_offset * offset_by_speed).sum(1) + (by_push * by_speed).sum(1)
     return FloatingCage(
-        place.offset,
-        -push - body_force,
-        land.torque,
-        by_push,
-        -land.by_speed + turning * (by_offset * place.by_speed).sum(1) + (by_push * by_speed).sum(1),
-        body_force,
-        by_speed,
+        offset, force, land.torque[:, 0], by_push, turned - land.by_speed[:, 0], body_force, by_speed
     )

@@ -26,13 +26,13 @@ class ApproachKinematics:
     """Approaches by the displacements of ring and raceways, and its transpose: loads by contact forces."""
 
     layout: UnknownLayout
-    azimuths: NDArray  # (Z) [rad] from axis z towards axis y
-    half_length: float  # [m] of the rollers
+    azimuths: NDArray  # (Z) or (C, Z) [rad] from axis z towards axis y
+    half_length: NDArray | float  # (C, 1) [m] of the rollers
 
     @cached_property
-    def _radial(self) -> NDArray:
-        """Sine and cosine of the roller azimuths (2, Z): components y and z of what points outwards."""
-        return np.array([np.sin(self.azimuths), np.cos(self.azimuths)])
+    def outwards(self) -> NDArray:
+        """Components y and z (2, 1 or C, Z) of what points outwards: sine and cosine of the azimuths."""
+        return np.array([np.sin(self.azimuths), np.cos(self.azimuths)]).reshape(2, -1, self.layout.rollers)
 
     def approach(self, x: Unknowns, clearance: NDArray | float) -> NDArray:
         """Coefficients (2, M, C, Z) of the axial modes of the approaches between even raceways [m].
@@ -40,7 +40,7 @@ class ApproachKinematics:
         `clearance` is diametral, one or that at every roller (Z) [m].
         """
         m, (y, z) = self.layout.axial_modes, x.ring[:TILT_Z]
-        sin, cos = self._radial
+        sin, cos = self.outwards
         approach = np.zeros((2, m, *x.spin_drift.shape))
         approach[INNER, 0] = y * sin + z * cos - x.approach + (x.film[0] + x.film[1] - clearance / 2)
         approach[OUTER, 0] = x.approach
@@ -87,10 +87,10 @@ class ApproachKinematics:
         np.subtract(outer[:, 0], inner[:, 0], out=table[:, 0])
         np.add(film, inner[:, :1], out=table[:, ring - 3 : ring - 1])
         table[:, ring - 1] = spin
-        np.multiply(self._radial[:, None], inner[:, :1], out=table[:, ring + Y : ring + Z + 1])
+        np.multiply(self.outwards, inner[:, :1], out=table[:, ring + Y : ring + Z + 1])
         table[:, ring + CAGE] = cage
         if m > 1:
-            sin, cos = self._radial
+            sin, cos = self.outwards
             table[:, 1] = outer[:, 1] - inner[:, 1]
             table[:, ring + TILT_Z] = self.half_length * cos * inner[:, 1]
             table[:, ring + TILT_Y] = self.half_length * sin * inner[:, 1]
@@ -117,7 +117,7 @@ class ApproachKinematics:
         rows[:ring] = response[:ring]
         rows[ring + Y : ring + Z + 1] = self.pushed(tangential, inner[0])
         if m > 1:
-            sin, cos = self._radial
+            sin, cos = self.outwards
             moment = -self.half_length * inner[1]
             rows[ring + TILT_Z], rows[ring + TILT_Y] = free_tilt * (moment * cos), free_tilt * (moment * sin)
         rows[ring + CAGE] = cage
@@ -128,6 +128,6 @@ class ApproachKinematics:
 
     def pushed(self, along: NDArray, outward: NDArray) -> NDArray:
         """Force (2, n, C, Z) [N], y and z, on what pushes rollers (n, C, Z) along the motion and outwards."""
-        sin, cos = self._radial
-        against_motion, inwards = np.array([[-cos, sin], [-sin, -cos]])[:, :, None, None]
+        sin, cos = self.outwards
+        against_motion, inwards = np.array([[-cos, sin], [-sin, -cos]])[:, :, None]
         return against_motion * along + inwards * outward

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.operating_points import OperatingPoints
+from quasidynamic.columns import stacked
 from quasidynamic.contact.drag import churning_torque, orbit_drag_force
 from quasidynamic.contact.lubrication import Lubrication
 from quasidynamic.contact.raceways import Raceways, RacewayState
@@ -104,18 +105,18 @@ class RollerBalance:
 
     @cached_property
     def cage_force(self) -> NDArray:
-        """Force of the pocket on the roller (forces) from the tangential balance, weights [-]."""
+        """Force of the pocket on the roller (forces) or (forces, C, 1) from the tangential balance [-]."""
         g = self.bearing.diameter_ratio
         return self._row(backward=1, T_i=-1, T_o=-1, R_i=-(1 - 2 * g), R_o=1 + 2 * g)
 
     @cached_property
     def levers(self) -> NDArray:
-        """Equations (rows, forces), the rows of `Response` [-] or [m]."""
+        """Equations (rows, forces) or (rows, forces, C, 1), the rows of `Response` [-] or [m]."""
         r_w, r_m = self.bearing.roller.diameter / 2, self.bearing.pitch_diameter / 2
         half, g = self.raceways.slices.length / 2, self.bearing.diameter_ratio
         radial = self._row(**{"inner 0": 1, "outer 0": -1, "outward": 1, "pocket up": 1})
         tilt = [self._row(**{"outer 1": half, "inner 1": -half})] if self.axial_modes > 1 else []
-        alone, m = np.eye(len(self.forces)), self.axial_modes
+        alone, m = np.multiply.outer(np.eye(len(self.forces)), np.ones(self._lever_shape)), self.axial_modes
         films, contact_forces = alone[2 * m + 4 : 2 * m + 6], alone[: 2 * m]
         spin = r_w * self._row(**{"T_i": 1, "T_o": -1, "R_i": -1, "R_o": -1, "pocket brake": -1})
         spin += self._row(churning=-1)
@@ -124,11 +125,16 @@ class RollerBalance:
         pocket = [self.cage_force, self._row(**{"pocket up": 1})] if self.bearing.cage.free else []
         return np.array([radial, *tilt, *films, spin, cage, tangential, *pocket, *contact_forces])
 
-    def _row(self, **weights: float) -> NDArray:
-        row = np.zeros(len(self.forces))
+    def _row(self, **weights: NDArray | float) -> NDArray:
+        row = np.zeros((len(self.forces), *self._lever_shape))
         for name, weight in weights.items():
             row[self.forces.index(name)] = weight
         return row
+
+    @cached_property
+    def _lever_shape(self) -> tuple[int, ...]:
+        """Shape of a lever: that of a number, or (C, 1) where dimensions differ between cases."""
+        return np.shape(self.bearing.inner_radius + self.bearing.roller.diameter + self.bearing.roller.length)
 
     def respond(self, inputs: RollerInputs, points: OperatingPoints) -> Response:
         """Evaluate the equations of all rollers."""
@@ -176,11 +182,11 @@ class RollerBalance:
 
     @cached_property
     def speed_slopes(self) -> tuple[NDArray, NDArray]:
-        """Sliding and mean surface speed by spin and by cage speed, (2, 2 raceways, 1, 1) [m]."""
+        """Sliding and mean surface speed by spin and by cage speed, (2, 2 raceways, 1 or C, 1) [m]."""
         r_w, r_i, r_o = self.bearing.roller.diameter / 2, self.bearing.inner_radius, self.bearing.outer_radius
-        sliding = np.array([[-r_w, r_w], [-r_i, -r_o]])
-        rolling = 0.5 * np.array([[r_w, r_w], [-r_i, r_o]])
-        return sliding[..., None, None], rolling[..., None, None]
+        sliding = stacked(-r_w, r_w, -r_i, -r_o)
+        rolling = 0.5 * stacked(r_w, r_w, -r_i, r_o)
+        return sliding.reshape(2, 2, -1, 1), rolling.reshape(2, 2, -1, 1)
 
     def _fill_friction(
         self, friction: NDArray, contact: RacewayState, entrainment: NDArray, sense: NDArray
@@ -253,7 +259,7 @@ class RollerBalance:
         coefficient = self.bearing.cage.pocket_friction
         speed = np.sqrt(motion.spin**2 + motion.standstill_spin**2)
         sense = motion.spin / speed
-        cage_force = _combined(self.cage_force, forces)
+        cage_force = _combined(self.cage_force[None], forces)[0]
         force = cage_force[VALUE]
         rounded = np.sqrt(force * force + self._pocket_rounding**2)
         share = force / rounded
@@ -269,11 +275,17 @@ class RollerBalance:
         return force
 
     @cached_property
-    def _pocket_rounding(self) -> float:
-        return POCKET_ROUNDING * float(self.raceways.smallest_load[0, 0, 0])
+    def _pocket_rounding(self) -> NDArray:
+        """Width (1 or C, 1) over which the pocket force changes side [N]."""
+        return POCKET_ROUNDING * self.raceways.smallest_load[0]
 
 
 def _combined(weights: NDArray, forces: NDArray) -> NDArray:
-    """Weighted sums (rows, ...) of forces (forces, ...) as one matrix product."""
+    """Sums (rows, ..., C, Z) of forces (forces, ..., C, Z), by weights (rows, forces) or of every case."""
+    if weights.ndim > 2:
+        summed = np.zeros((len(weights), *forces.shape[1:]))
+        for row, force in zip(*np.nonzero(weights.any((-2, -1))), strict=True):  # most are zero
+            summed[row] += weights[row, force] * forces[force]
+        return summed
     summed = weights.dot(forces.reshape(len(forces), -1))  # quicker than `@` where it is small
-    return summed.reshape(*weights.shape[:-1], *forces.shape[1:])
+    return summed.reshape(-1, *forces.shape[1:])

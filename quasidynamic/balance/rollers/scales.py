@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from quasidynamic.balance.rollers.operating_points import OperatingPoints
 from quasidynamic.balance.rollers.roller import RollerBalance
 from quasidynamic.balance.rollers.unknowns import BORDER, CAGE, TILT_Z, UnknownLayout
+from quasidynamic.columns import stacked
 from quasidynamic.motion.roller_speeds import rolling_cage_speed, rolling_roller_speed
 
 FRICTION = 1e-2  # usual size of friction over load
@@ -33,8 +34,8 @@ class Scales:
     points: OperatingPoints
 
     @cached_property
-    def length(self) -> float:
-        """Size of approaches and displacements [m]."""
+    def length(self) -> NDArray | float:
+        """Size of approaches and displacements, of all cases or (C, 1) [m]."""
         return LENGTH * self.roller.bearing.roller.diameter
 
     @cached_property
@@ -88,14 +89,14 @@ class Scales:
         Friction is about a hundredth of the load that causes it, and so is the size of its balances.
         """
         bearing, layout, ring = self.roller.bearing, self.layout, self.layout.per_roller
-        half = bearing.roller.length / 2
+        half, length = bearing.roller.length / 2, np.ravel(self.length)
         tilt = [half] if layout.axial_modes > 1 else []
         levers = [1.0, *tilt, 0.0, 0.0, FRICTION * bearing.roller.diameter / 2]
         levers += [1.0, 1.0, half, half, FRICTION * bearing.pitch_diameter / 2]
         rows = ring + BORDER + layout.axial_modes * len(layout.elastic_raceways)
-        scale = np.full((rows, len(self.points)), LARGE_DEVIATION * self.length)
-        scale[: ring + BORDER] = np.array(levers)[:, None] * self.force[:, 0]
-        scale[ring - 3 : ring - 1] = FILM_SCALE * self.length
+        scale = np.full((rows, len(self.points)), LARGE_DEVIATION * length)
+        scale[: ring + BORDER] = stacked(*levers)[..., 0] * self.force[:, 0]
+        scale[ring - 3 : ring - 1] = FILM_SCALE * length
         return scale
 
     @cached_property
@@ -103,7 +104,7 @@ class Scales:
         """Size of the unknowns in the columns of the table (columns, C, 1)."""
         layout = self.layout
         of_roller = self.unknown[:, BORDER : layout.fields_end : layout.rollers].T
-        deviations = np.full((layout.felt, len(self.points)), self.length)
+        deviations = np.full((layout.felt, len(self.points)), np.ravel(self.length))
         return np.concatenate([of_roller, self.unknown[:, :BORDER].T, deviations])[..., None]
 
     @cached_property

@@ -165,8 +165,8 @@ def land_force(
     shape = np.broadcast_shapes(offset.shape[:-1], speed.shape)
     if cage.guidance == "rollers":
         return LandForce(np.zeros((*shape, 2)), np.zeros((*shape, 2, 2)), np.zeros((*shape, 2)))
-    clearance, unit = cage.land_clearance / 2, _force_unit(cage, oil, lands)
-    ratio = offset / clearance
+    clearance, unit = np.asarray(cage.land_clearance / 2), np.asarray(_force_unit(cage, oil, lands))
+    ratio = offset / clearance[..., None]
     size = np.sqrt((ratio**2).sum(-1))
     direction = ratio / np.maximum(size, 1e-300)[..., None]
     back, back_slope = _film_power(size, -2.0)
@@ -176,9 +176,10 @@ def land_force(
     tangential, tangential_by = _central(ratio, direction, np.pi / 4 * along, np.pi / 4 * along_slope)
     turned = np.array([[0.0, 1.0], [-1.0, 0.0]])  # (y, z) by 90 degrees from z to y
     sense = np.sign(speed)[..., None]
-    by_speed = unit * (tangential @ turned.T - sense * radial)
-    by_ratio = unit * speed[..., None, None] * (turned @ tangential_by - sense[..., None] * radial_by)
-    return LandForce(by_speed * speed[..., None], by_ratio / clearance, by_speed)
+    by_speed = unit[..., None] * (tangential @ turned.T - sense * radial)
+    stiffness = (unit * speed / clearance)[..., None, None]
+    by_offset = stiffness * (turned @ tangential_by - sense[..., None] * radial_by)
+    return LandForce(by_speed * speed[..., None], by_offset, by_speed)
 
 
 def land_offset(force: NDArray, speed_sum: NDArray | float, cage: Cage, oil: Lubricant) -> LandOffset:

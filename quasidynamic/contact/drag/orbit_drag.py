@@ -128,7 +128,7 @@ def orbit_drag_force(
     radius = bearing.pitch_diameter / 2
     speed = cage_speed * radius
     size = np.abs(speed)
-    area = roller.length * max(roller.diameter - bearing.cage.thickness, 0.0)
+    area = roller.length * np.maximum(roller.diameter - bearing.cage.thickness, 0.0)
     if coefficient is None:
         value, slope = cylinder_drag(oil.density * roller.diameter / oil.viscosity * size)
     else:

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.errors import ImpossiblePart
+from quasidynamic.parts.roller import Profile
 
 
 @dataclass(frozen=True)
@@ -17,11 +18,11 @@ class Slices:
     F_m = sum_k q_k L_m(2 x_k/l) l/K. F_0 is the load, F_1 l/2 the moment about mid-roller.
 
     With one axial mode neither roller nor raceway tilts: both halves of the roller carry the same load, and
-    only one of them is computed.
+    only one of them is computed. Where lengths differ between cases, weights are shares of the length.
     """
 
     count: int
-    length: float  # [m]
+    length: NDArray | float  # [m] of all rollers, or (C, 1) of those of every case
     axial_modes: int = 2  # how many Legendre polynomials; 1 is an aligned roller, 2 has a tilt
 
     def __post_init__(self):
@@ -36,27 +37,46 @@ class Slices:
         return self.axial_modes == 1
 
     @cached_property
-    def all_centres(self) -> NDArray:
-        """Centres of all slices (count) from mid-roller [m]."""
-        return (np.arange(self.count) + 0.5) * self.length / self.count - self.length / 2
+    def all_places(self) -> NDArray:
+        """Centres of all slices (count) from mid-roller, over half of the length [-]."""
+        return (2 * np.arange(self.count) + 1) / self.count - 1
 
     @cached_property
+    def places(self) -> NDArray:
+        """Centres 2x/l (K) of the slices that are computed [-]."""
+        return self.all_places[self.count // 2 :] if self.halved else self.all_places
+
+    @property
+    def all_centres(self) -> NDArray:
+        """Centres of all slices (count) from mid-roller, lengths being alike [m]."""
+        return self.all_places * self.length / 2
+
+    @property
     def centres(self) -> NDArray:
-        """Centres x (K) of the slices that are computed, from mid-roller [m]."""
-        return self.all_centres[self.count // 2 :] if self.halved else self.all_centres
+        """Centres x (K) of the slices that are computed, lengths being alike [m]."""
+        return self.places * self.length / 2
 
     @cached_property
     def widths(self) -> NDArray:
-        """Length of roller (K) that each computed slice stands for [m]."""
-        widths = np.full(len(self.centres), (1 + self.halved) * self.width)
+        """Length of roller (K) that each computed slice stands for [m], or its share of the length [-]."""
+        width = (1 if self._lengths_differ else self.length) / self.count
+        widths = np.full(len(self.places), (1 + self.halved) * width)
         if self.halved and self.count % 2:
-            widths[0] = self.width  # the middle slice has no twin
+            widths[0] = width  # the middle slice has no twin
         return widths
 
     @property
-    def width(self) -> float:
+    def width(self) -> NDArray | float:
         """Width of a slice [m]."""
         return self.length / self.count
+
+    @cached_property
+    def _lengths_differ(self) -> bool:
+        return isinstance(self.length, np.ndarray)
+
+    def drop(self, profile: Profile) -> NDArray:
+        """Drop of a profile at the computed slices (K, 1, 1, 1) or (K, 1, C, 1) [m]."""
+        return profile.drop(self.places[:, None, None, None] * (self.length / 2), self.length)
 
     @cached_property
     def modes(self) -> NDArray:
@@ -68,7 +88,7 @@ class Slices:
         ------
         Bonnet's recurrence, in differences, which keep their digits at the ends of the roller.
         """
-        x = 2 * self.centres / self.length
+        x = self.places
         difference, modes = x - 1, [np.ones_like(x), x]
         for m in range(1, self.axial_modes - 1):
             difference = (2 * m + 1) / (m + 1) * (x - 1) * modes[-1] + m / (m + 1) * difference
@@ -77,31 +97,40 @@ class Slices:
 
     def spread(self, coefficients: NDArray) -> NDArray:
         """Values (K, ...) at the computed slices from coefficients (M, ...) of the axial modes."""
-        return _product(self.modes, coefficients)
+        # Quicker than `@` where it is small.
+        return self.modes.dot(coefficients.reshape(len(coefficients), -1)).reshape(
+            -1, *coefficients.shape[1:]
+        )
 
     def total(self, values: NDArray) -> NDArray:
         """Integral (...) along the roller of values (K, ...) per length."""
-        return self.widths.dot(values.reshape(len(values), -1)).reshape(values.shape[1:])
+        return self._integral(self.widths, values)
 
     def summed(self, values: NDArray) -> NDArray:
         """Integrals (M, ...) of values (K, ...) per length times the axial modes."""
-        return _product(self.weights.T, values)
+        return self._integral(self.weights.T, values)
 
     def paired(self, values: NDArray) -> NDArray:
         """Integrals (M, M, ...) of values (K, ...) per length times products of two axial modes."""
-        return _product(self.products.T, values).reshape(
+        return self._integral(self.products.T, values).reshape(
             self.axial_modes, self.axial_modes, *values.shape[1:]
         )
 
+    def _integral(self, weights: NDArray, values: NDArray) -> NDArray:
+        """Weighted sums (n, ...) over the slices of values (K, ...) per length, or (...) with weights (K)."""
+        total = weights.dot(values.reshape(len(values), -1))
+        total = total.reshape(*weights.shape[:-1], *values.shape[1:])
+        return self.length * total if self._lengths_differ else total
+
     @cached_property
     def weights(self) -> NDArray:
-        """Forces from loads per length: shape times width (K, M) [m]."""
+        """Forces from loads per length: shape times width (K, M) [m], or over the length [-]."""
         return self.modes * self.widths[:, None]
 
     @cached_property
     def products(self) -> NDArray:
         """Products of two axial modes times width (K, M M), for stiffness sums [m]."""
-        return (self.modes[:, :, None] * self.weights[:, None, :]).reshape(len(self.centres), -1)
+        return (self.modes[:, :, None] * self.weights[:, None, :]).reshape(len(self.places), -1)
 
     def unfolded(self, values: NDArray) -> NDArray:
         """Values (..., count) at all slices from those (..., K) at the computed ones."""
@@ -109,9 +138,3 @@ class Slices:
             return values
         twins = values[..., self.count % 2 :]
         return np.concatenate([twins[..., ::-1], values], axis=-1)
-
-
-def _product(matrix: NDArray, values: NDArray) -> NDArray:
-    """Weighted sums (n, ...) over the first axis of values (K, ...), weights (n, K)."""
-    # Quicker than `@` where it is small.
-    return matrix.dot(values.reshape(len(values), -1)).reshape(-1, *values.shape[1:])

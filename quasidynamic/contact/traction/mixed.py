@@ -1,11 +1,13 @@
 """Mixed lubrication: film and asperities share the load."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from quasidynamic.columns import stacked
 from quasidynamic.contact.traction.traction_law import Traction, TractionLaw
 from quasidynamic.errors import ImpossiblePart, require_positive
 
@@ -90,17 +92,17 @@ class Mixed:
 
     fluid: TractionLaw
     share: AsperityShare
-    roughness: float  # [m] sigma, composite: sqrt(Rq1^2 + Rq2^2)
-    boundary_friction: float  # [-] mu_b, 0.08 to 0.13 for oils on steel
-    sign_speed: float  # [m/s] v0, far below the sliding speeds of interest
+    roughness: NDArray | float  # [m] sigma, composite: sqrt(Rq1^2 + Rq2^2)
+    boundary_friction: NDArray | float  # [-] mu_b, 0.08 to 0.13 for oils on steel
+    sign_speed: NDArray | float  # [m/s] v0, far below the sliding speeds of interest
 
     def __post_init__(self):
         for name in ("roughness", "sign_speed"):
-            require_positive(f"mixed.{name}", getattr(self, name))
-        if not 0 <= self.boundary_friction < float("inf"):
-            raise ImpossiblePart(
-                f"mixed.boundary_friction = {self.boundary_friction!r} must be finite and >= 0"
-            )
+            for value in np.ravel(getattr(self, name)).tolist():
+                require_positive(f"mixed.{name}", value)
+        for value in np.ravel(self.boundary_friction).tolist():
+            if not 0 <= value < float("inf"):
+                raise ImpossiblePart(f"mixed.boundary_friction = {value!r} must be finite and >= 0")
 
     def __call__(self, line_load: NDArray, sliding: NDArray, entrainment: NDArray, film: NDArray) -> Traction:
         """Traction; entrainment and film act through the wrapped law, the film also through the share."""
@@ -117,4 +119,26 @@ class Mixed:
             by_entrainment=film_share * fluid.by_entrainment,
             by_film=film_share * fluid.by_film
             + by_ratio / self.roughness * (friction * line_load - fluid.force),
+        )
+
+
+@dataclass(frozen=True, kw_only=True)
+class RoughContacts:
+    """`Mixed` for the contacts of a bearing, whose raceways are not equally rough."""
+
+    fluid: Callable[..., TractionLaw]  # called with radius, modulus, length, oil
+    share: AsperityShare
+    inner_roughness: float  # [m] composite, see `Mixed`
+    outer_roughness: float  # [m]
+    boundary_friction: float  # [-]
+    sign_speed: float  # [m/s]
+
+    def __call__(self, **contact: Any) -> Mixed:
+        """Law of both contacts, from radius, modulus, length and oil."""
+        return Mixed(
+            fluid=self.fluid(**contact),
+            share=self.share,
+            roughness=stacked(self.inner_roughness, self.outer_roughness),
+            boundary_friction=self.boundary_friction,
+            sign_speed=self.sign_speed,
         )

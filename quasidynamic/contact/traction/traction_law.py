@@ -50,7 +50,7 @@ class Regression4109:
 
     radius: NDArray | float  # [m] R
     modulus: NDArray | float  # [Pa] E'
-    length: float  # [m] l, turns a load per length into Q
+    length: NDArray | float  # [m] l, turns a load per length into Q
     oil: Lubricant
     smallest_load: float = SMALLEST_LOAD  # [-] q/(E' R) below which coefficients keep their value
 
@@ -104,7 +104,7 @@ class Regression4109:
         oil, elastic = self.oil, self.modulus * self.radius
         pressure = np.log(self.smallest_load * self.length / self.radius)
         speed = np.log(oil.viscosity / elastic)
-        heat = log(oil.conductivity * oil.temperature / oil.viscosity)
+        heat = np.log(oil.conductivity * oil.temperature / oil.viscosity)
         return [
             (log(x0) + p * pressure + u * speed + t * heat, u - 2 * t, p / 2)
             for x0, p, u, t in self._FORMULA.tolist()

@@ -65,7 +65,7 @@ def _pressed(
     return PressedRollers(
         law=type(raceways.law)(np.reshape(raceways.law.coefficient, (-1, 1)), raceways.law.rounding),
         slices=raceways.slices,
-        drop=raceways.drop,
+        drop=np.ravel(raceways.drop),
         normal=normal,
         film_of=film_of,
         thickest=film_of(np.zeros(force[:, 0].shape), np.arange(force.shape[-1]))[0],

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
-from quasidynamic.balance.rollers.unknowns import CAGE, TILT_Z
+from quasidynamic.balance.rollers.unknowns import BORDER, CAGE, TILT_Z
 from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers import bordered_system
 from quasidynamic.solve.rollers.newton import Iterate, norm, step
@@ -122,8 +122,8 @@ def _step(balance: BearingBalance, system: Linearisation, limits: StepLimits) ->
 def scaled_inertia(balance: BearingBalance) -> NDArray:
     """Inertia (C, N) [s] of each scaled unknown in its scaled residual, zero but for cage and spins."""
     bearing, spins = balance.roller.bearing, balance.layout.field(-1)
-    inertia = np.zeros(balance.layout.size)
-    inertia[spins] = bearing.roller.inertia
+    inertia = np.zeros((len(balance.points), balance.layout.size))
+    inertia[:, spins] = bearing.roller.inertia
     orbiting = bearing.cage.mass + bearing.rollers * bearing.roller.mass
-    inertia[CAGE] = orbiting * (bearing.pitch_diameter / 2) ** 2
+    inertia[:, CAGE:BORDER] = orbiting * (bearing.pitch_diameter / 2) ** 2
     return inertia * balance.scales.unknown / balance.scales.residual

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.balance.rollers.unknowns import Unknowns
 from quasidynamic.contact.line import EXPONENT
+from quasidynamic.contact.raceways import Raceways
 
 LYING_STEPS, LYING = 60, 1e-6  # on the inner raceway by its weight: steps, and what is left of it
 MAX_STEPS = 8  # Newton on a nearly linear law inside a bracket
@@ -36,7 +37,7 @@ def slice_loads(balance: BearingBalance, unknowns: Unknowns, uneven: bool = Fals
     """Loads per length (K, 2, C, Z) [N/m] of rollers, as `frictionless_loads` has them."""
     raceways, beyond = balance.roller.raceways, axial_variation(balance, unknowns) if uneven else 0.0
     approach = balance.inputs(unknowns).approach[:, 0] + beyond
-    return raceways.law(approach - raceways.drop[:, None, None, None])[0]
+    return raceways.law(approach - raceways.drop)[0]
 
 
 def series_stiffness(balance: BearingBalance, unknowns: Unknowns) -> NDArray:
@@ -53,7 +54,7 @@ def _contact_loads(
     Slices are nearer by `beyond` (K, 2, C, Z) [m]; rollers without it are untilted.
     """
     raceways = balance.roller.raceways
-    line_load, slope = raceways.law(approach + beyond - raceways.drop[:, None, None, None])
+    line_load, slope = raceways.law(approach + beyond - raceways.drop)
     return raceways.slices.total(line_load), raceways.slices.total(slope)
 
 
@@ -75,7 +76,7 @@ def static_equilibrium(
     )
     falls, size = force < 0, np.abs(force)  # on the inner raceway
     pressed = np.where(falls, *raceways.softness) * size ** (1 / EXPONENT)  # of a straight roller
-    nearest = np.where(falls, *(raceways.drop[:, None, None] - beyond[:, race] for race in (0, 1)))
+    nearest = np.where(falls, *(raceways.drop[:, 0] - beyond[:, race] for race in (0, 1)))
     lowest, highest = pressed + nearest.min(0), np.maximum(room, pressed + nearest.max(0))
     side = np.maximum(room / 2, lowest)  # approach at the raceway that the roller rests on
     for _ in range(MAX_STEPS):
@@ -83,7 +84,7 @@ def static_equilibrium(
         (load_i, load_o), slopes = _contact_loads(balance, np.array([room - outer, outer]), beyond)
         change = (np.where(falls, load_i - load_o, load_o - load_i) - size) / slopes.sum(0)
         side = np.minimum(np.maximum(side - change, lowest), highest)
-        if np.abs(change).max() < NEAR_ENOUGH * balance.scales.length:
+        if (np.abs(change) < NEAR_ENOUGH * balance.scales.length).all():
             break
     return unknowns._replace(approach=np.where(falls, room - side, side))
 
@@ -92,7 +93,7 @@ def room_between_raceways(balance: BearingBalance, approach: NDArray) -> NDArray
     """Sum of both approaches (C, Z) [m] of the nearest slice; negative where a roller cannot be pressed."""
     raceways = balance.roller.raceways
     both = np.einsum("km,mcz->kcz", raceways.slices.modes, approach.sum(0))
-    return (both - 2 * raceways.drop[:, None, None]).max(0)
+    return (both - 2 * raceways.drop[:, 0]).max(0)
 
 
 def tilts_between_raceways(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
@@ -125,31 +126,32 @@ def lying_on_a_raceway(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
     for race, outward in enumerate((-1.0, 1.0)):
         lying = loose & (outward * force > 0)
         if lying.any():
-            here = approach[race][:, lying]
-            change = outward * (_rest(balance, race, here, np.abs(force[lying])) - here)
-            after.approach[lying] += change[0]
-            after.tilt[lying] += change[1]
+            raceways = balance.take(np.nonzero(lying)[0]).roller.raceways  # a case for each of the rollers
+            here = approach[race][:, lying, None]
+            change = outward * (_rest(raceways, race, here, np.abs(force[lying])[:, None]) - here)
+            after.approach[lying] += change[0, :, 0]
+            after.tilt[lying] += change[1, :, 0]
     return after
 
 
-def _rest(balance: BearingBalance, race: int, approach: NDArray, force: NDArray) -> NDArray:
-    """Approaches (M, n) [m] at which a raceway carries forces (n) [N] without a moment."""
-    raceways = balance.roller.raceways
-    law = replace(raceways.law, coefficient=np.ravel(raceways.law.coefficient)[race])
-    pressed = np.ravel(raceways.softness[race])[0] * force ** (1 / EXPONENT)  # of a straight roller
-    modes, drop = raceways.slices.modes, raceways.drop[:, None]
+def _rest(raceways: Raceways, race: int, approach: NDArray, force: NDArray) -> NDArray:
+    """Approaches (M, C, 1) [m] at which a raceway carries forces (C, 1) [N] without a moment."""
+    law = replace(raceways.law, coefficient=np.asarray(raceways.law.coefficient)[race])
+    pressed = raceways.softness[race] * force ** (1 / EXPONENT)  # of a straight roller
+    slices, drop = raceways.slices, raceways.drop[:, 0]
 
     def unbalanced(place: NDArray) -> tuple[NDArray, NDArray]:
-        load, slope = law(modes @ place - drop)
-        return raceways.slices.summed(load)[:2] - [force, 0 * force], raceways.slices.paired(slope)[:2, :2]
+        load, slope = law(slices.spread(place) - drop)
+        return slices.summed(load)[:2] - [force, 0 * force], slices.paired(slope)[:2, :2]
 
     place = approach.copy()
-    place[1] = 0.0
-    place[0] = pressed - (modes[:, 2:] @ place[2:] - drop).max(0)
+    place[:2] = 0.0
+    place[0] = pressed - (slices.spread(place) - drop).max(0)
     wrong, stiffness = unbalanced(place)
     length = np.ones_like(force)
     for _ in range(LYING_STEPS):
-        change = np.linalg.solve(stiffness.transpose(2, 0, 1), -wrong.T[..., None])[..., 0].T
+        side = -wrong.transpose(1, 2, 0)[..., None]
+        change = np.linalg.solve(stiffness.transpose(2, 3, 0, 1), side)[..., 0].transpose(2, 0, 1)
         trial = place.copy()
         trial[:2] += length * change
         there, by = unbalanced(trial)

@@ -92,14 +92,14 @@ class _Friction:
             by_spin - transport.by_spin, transport.by_before, transport.by_after, sides
         )
         torque, slope = self.rollers.cage_torque(np.concatenate([traction, shear]), cage_drift)
-        row, corner = r_m * by_speed[0].sum(0), slope + r_m * by_speed[1].sum((0, 2))
+        row, corner = r_m * by_speed[0].sum(0), slope + (r_m * by_speed[1].sum(0)).sum(-1)
         cage_step = -(torque + (row * alone).sum(-1)) / (corner - (row * per_cage).sum(-1))
         return _Drifts(
             cage_drift,
             spin_drift,
             cage_step[:, None],
             alone - per_cage * cage_step[:, None],
-            (((spin / r_w) ** 2).sum(-1) + (torque / r_m) ** 2)[:, None],
+            ((spin / r_w) ** 2).sum(-1, keepdims=True) + (torque[:, None] / r_m) ** 2,
         )
 
     def _traction(self, cage_drift: NDArray, spin_drift: NDArray) -> tuple[NDArray, NDArray, NDArray]:

@@ -58,12 +58,14 @@ def ring_shift(balance: BearingBalance, direction: NDArray, gap: NDArray) -> NDA
     """
     raceways, load = balance.roller.raceways, balance.points.load
     soft = raceways.softness
-    share, coefficient = soft[0] / soft.sum(), np.ravel(raceways.law.coefficient)[0]
+    both = soft.sum(0)
+    share, coefficient = soft[0] / both, np.asarray(raceways.law.coefficient)[0]
     cos = np.cos(balance.roller.bearing.azimuths - direction)
     nearest = cos.max(axis=-1, keepdims=True)
     usual = np.minimum(1.0, STRIBECK / balance.layout.rollers) * load / nearest
-    room = soft.sum() * usual ** (1 / EXPONENT) + raceways.drop.min() / share
-    widest, drop = gap.max(axis=-1, keepdims=True), raceways.drop[:, None, None]
+    drop = raceways.drop[:, 0]
+    room = both * usual ** (1 / EXPONENT) + drop.min(0) / share
+    widest = gap.max(axis=-1, keepdims=True)
     shift = (np.maximum(widest, 0.0) + room) / nearest
     steepness = EXPONENT * share * cos * cos
     for _ in range(SHIFT_STEPS):
@@ -74,7 +76,7 @@ def ring_shift(balance: BearingBalance, direction: NDArray, gap: NDArray) -> NDA
         slope = np.vecdot(raceways.slices.total(power), steepness)[:, None]
         change = np.divide(carried - load, slope, out=np.zeros(slope.shape), where=slope > 0)
         shift = shift - change
-        if np.abs(change).max() < SHIFT_DIGITS * balance.scales.length:
+        if (np.abs(change) < SHIFT_DIGITS * balance.scales.length).all():
             break
     return np.where(load > 0, shift, 0.0)
 
@@ -85,22 +87,21 @@ def frictionless_ring(balance: BearingBalance, unknowns: Unknowns, load: NDArray
     Newton's method on a convex energy, in limited steps; a direction in which nothing resists, such
     as sideways on a single roller, is given a small stiffness so that the ring moves until something does.
     """
-    azimuth = balance.roller.bearing.azimuths
-    normal = np.array([np.sin(azimuth), np.cos(azimuth)])
-    position, unit = unknowns.ring[:2], balance.scales.length
+    normal = balance.kinematics.outwards
+    position, unit = unknowns.ring[:2], np.ravel(balance.scales.length)
     for _ in range(RING_STEPS):
         unknowns = static_equilibrium(
             balance, unknowns._replace(ring=np.concatenate([position, unknowns.ring[2:]]))
         )
         force, stiffness = frictionless_loads(balance, unknowns)[0], series_stiffness(balance, unknowns)
-        excess = load - np.einsum("iz,cz->ic", normal, force)
-        matrix = np.einsum("iz,cz,kz->cik", normal, stiffness, normal)
+        excess = load - (normal * force).sum(-1)
+        matrix = np.einsum("icz,kcz->cik", normal * stiffness, normal + 0 * stiffness)
         floor = RING_FLOOR * np.trace(matrix, axis1=1, axis2=2) + SMALLEST_STIFFNESS
         change = np.linalg.solve(matrix + floor[:, None, None] * np.eye(2), excess.T[..., None])[..., 0].T
         length = np.hypot(*change)
         position = (
             position + (change * np.minimum(1.0, LONGEST_RING_STEP * unit / (length + 1e-30)))[..., None]
         )
-        if length.max() < RING_DIGITS * unit:
+        if (length < RING_DIGITS * unit).all():
             break
     return unknowns._replace(ring=np.concatenate([position, unknowns.ring[2:]]))

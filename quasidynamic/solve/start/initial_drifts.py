@@ -54,7 +54,7 @@ def guessed_drifts(balance: BearingBalance, static: Unknowns) -> tuple[NDArray, 
     case = np.arange(len(TRIAL_SLIPS) * cases) % cases  # all cases at each slip
     lumped = LumpedRollers(balance.take(case))
     cage_drift = -np.repeat(TRIAL_SLIPS, cases)[:, None] * lumped.balance.rolling_cage
-    line_load = load[:, case] / bearing.roller.length
+    line_load = load[:, case] / lumped.balance.roller.bearing.roller.length
     forces = lumped.forces(line_load, cage_drift, cage_drift * spin_per_cage[case])
     torque = lumped.driving_torque(forces, cage_drift).reshape(len(TRIAL_SLIPS), cases)
     slip = _sign_change(np.log(TRIAL_SLIPS), torque)

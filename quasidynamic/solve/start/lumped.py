@@ -44,7 +44,7 @@ class LumpedRollers:
         drift, forces = self._drifts(line_load, cage_drift)
         t_i, _, r_i, _ = forces
         tangential = (t_i + (1 - 2 * balance.roller.bearing.diameter_ratio) * r_i).sum(-1)
-        load = line_load[0].sum(-1) * balance.roller.raceways.slices.length
+        load = (line_load[0] * balance.roller.raceways.slices.length).sum(-1)
         friction = tangential / np.maximum(load, SMALLEST_LOAD)
         return drift, friction, self.driving_torque(forces, cage_drift)
 
@@ -56,9 +56,9 @@ class LumpedRollers:
         """Signed torque on the cage (C) [N m], its slope (C) [N m s] while forces of rollers stay."""
         bearing = self.balance.roller.bearing
         (t_i, t_o, r_i, r_o), g = forces, bearing.diameter_ratio
-        driving = (t_i + t_o + (1 - 2 * g) * r_i - (1 + 2 * g) * r_o).sum(-1)
+        driving = bearing.pitch_diameter / 2 * (t_i + t_o + (1 - 2 * g) * r_i - (1 + 2 * g) * r_o)
         resistance, slope = self._resistance(self.balance.rolling_cage + cage_drift)
-        return driving * bearing.pitch_diameter / 2 + resistance, slope
+        return driving.sum(-1) + resistance, slope
 
     def _drifts(self, line_load: NDArray, cage_drift: NDArray) -> tuple[NDArray, NDArray]:
         """Drifts at which the tractions balance, and the forces there.

@@ -57,7 +57,9 @@ def _of_case(unknowns: Unknowns, case: int) -> Unknowns:
 def _ring(balance: BearingBalance, unknowns: Unknowns) -> np.ndarray:
     """Displacement y, z and slopes dz/dx, dy/dx of the ring (4) of one case, or as they were."""
     points, raceways, half = balance.points, balance.roller.raceways, balance.kinematics.half_length
-    pressed = raceways.softness[OUTER] * np.abs(outward_force(balance, unknowns)).mean() ** (1 / EXPONENT)
+    pressed = raceways.softness[OUTER, 0, 0] * np.abs(outward_force(balance, unknowns)).mean() ** (
+        1 / EXPONENT
+    )
     forces = [points.load_y, points.load_z], [points.moment_y / half, points.moment_z / half]
     load = np.array(forces)[:, :, 0, 0].T
     slices = replace(raceways.slices, axial_modes=2)
