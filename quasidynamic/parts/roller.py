@@ -17,7 +17,7 @@ SLENDEREST = 50  # length over diameter of a roller, or diameter over length
 class Profile(Protocol):
     """How far the generatrix lies below the cylinder, at a distance from mid-roller."""
 
-    def drop(self, position: NDArray, length: float) -> NDArray:
+    def drop(self, position: NDArray, length: NDArray | float) -> NDArray:
         """Profile drop C >= 0 [m] at `position` [m] for a roller of `length` [m]."""
         ...
 
@@ -26,7 +26,7 @@ class Profile(Protocol):
 class Straight:
     """No crowning."""
 
-    def drop(self, position: NDArray, length: float) -> NDArray:
+    def drop(self, position: NDArray, length: NDArray | float) -> NDArray:
         """Zero everywhere [m]."""
         return np.zeros_like(position)
 
@@ -48,7 +48,7 @@ class Crowned:
             raise ImpossiblePart(f"straight_length = {self.straight_length} must not be negative")
         require_positive("crown_radius", self.crown_radius)
 
-    def drop(self, position: NDArray, length: float) -> NDArray:
+    def drop(self, position: NDArray, length: NDArray | float) -> NDArray:
         """Drop [m]; zero inside the straight part."""
         outside = np.maximum(np.abs(position), self.straight_length / 2)
         return np.sqrt(self.crown_radius**2 - self.straight_length**2 / 4) - np.sqrt(
@@ -65,7 +65,7 @@ class Logarithmic:
     def __post_init__(self):
         require_positive("profile drop", self.amplitude)
 
-    def drop(self, position: NDArray, length: float) -> NDArray:
+    def drop(self, position: NDArray, length: NDArray | float) -> NDArray:
         """Drop [m]; grows without bound towards the very end."""
         return -self.amplitude * np.log1p(-((2 * position / length) ** 2))
 

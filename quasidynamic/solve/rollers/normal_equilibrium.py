@@ -72,7 +72,7 @@ def _pressed(
         outward=unbalanced[BORDER : BORDER + len(normal)] - force[0, 0] + force[1, 0],
         gap=balance.roller.bearing.clearances / 2,
         load=load * free,
-        length=balance.scales.length,
+        length=float(balance.scales.length),
     ), free
 
 
