@@ -11,13 +11,14 @@ import typer
 
 from flexbearing import api
 from flexbearing.printable import printable
+from flexbearing.studies.command import study
 
 if TYPE_CHECKING:
     from rich.console import Console
 
     from flexbearing.results import Result
 
-CONVERGED, NOT_CONVERGED, BAD_INPUT = range(3)
+CONVERGED, NOT_CONVERGED = 0, 1
 UNMET_TARGET = "unmet-target"  # the one danger that is no success without --strict
 
 app = typer.Typer(
@@ -240,33 +241,7 @@ def pareto(
         _say(f"\n{text(found)}\ntable: {table}\npicture: {picture}")
 
 
-@app.command()
-def study(
-    file: Annotated[Path, typer.Argument(help="study file (TOML)", metavar="FILE")],
-    check: Annotated[
-        bool, typer.Option("--check", help="list the variants, what is wrong and how long; compute nothing")
-    ] = False,
-    output: Annotated[
-        Path, typer.Option("-o", "--output", metavar="DIR", help="of the table and of what is finished")
-    ] = Path("results"),
-    retry_failed: Annotated[
-        bool, typer.Option("--retry-failed", help="compute rows that failed once more")
-    ] = False,
-    status: Annotated[bool, typer.Option("--status", help="count what is finished; compute nothing")] = False,
-) -> None:
-    """Compute the variants of a case into one table; a second start goes on where the first one ended."""
-    from flexbearing.studies import told
-    from flexbearing.studies.prepare import compute, prepared
-
-    settled = prepared(file)
-    if check or status:
-        _say(told.status(settled, output) if status else told.variants(settled))
-        sound = not settled.plan.problems
-        raise typer.Exit(CONVERGED if sound else BAD_INPUT)
-    with told.Shown(sys.stderr) as shown:
-        table = compute(settled, output, retry_failed=retry_failed, tell=shown)
-    _say(told.end(table, output))
-    raise typer.Exit(NOT_CONVERGED if table.failed else CONVERGED)
+app.command(name="study")(study)
 
 
 def _tell(measured) -> None:

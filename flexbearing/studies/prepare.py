@@ -1,16 +1,19 @@
 """A study file, settled and computed with the bearings of this program."""
 
+from functools import partial
 from pathlib import Path
+from shutil import rmtree
 
+from flexbearing.cache import configured
 from flexbearing.families import FAMILIES
-from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.file import read
 from flexbearing.studies.plan import plan
-from flexbearing.studies.run import Prepared, Tell, run
+from flexbearing.studies.run import Prepared, Tell, Work, run
 from flexbearing.studies.table import Table
 from flexbearing.studies.table.collected import collected
+from flexbearing.studies.where import Where
 
-FOLDER = Path("results")
+FOLDER, HERE = Path("results"), Where()
 
 
 def prepared(file: str | Path) -> Prepared:
@@ -42,7 +45,12 @@ def prepared(file: str | Path) -> Prepared:
 
 
 def compute(
-    settled: Prepared, output: Path = FOLDER, *, retry_failed: bool = False, tell: Tell | None = None
+    settled: Prepared,
+    output: Path = FOLDER,
+    where: Where = HERE,
+    *,
+    retry_failed: bool = False,
+    tell: Tell = lambda progress: None,
 ) -> Table:
     """Compute the variants of a study.
 
@@ -52,6 +60,8 @@ def compute(
         the study
     output : Path
         folder of the table and of what is finished
+    where : Where
+        here or elsewhere
     retry_failed : bool
         whether rows that failed are computed again
     tell : callable (Progress), optional
@@ -68,7 +78,13 @@ def compute(
     BadOutput, NotStored
         as for `flexbearing.studies.run.run`
     """
-    from flexbearing.studies.worker import rows
+    from flexbearing.studies.worker import condense, rows
 
     settled.plan.require_sound()
-    return run(settled, output, rows, Serial(), retry_failed=retry_failed, tell=tell)
+    rings = output.resolve() / f"{settled.study.name}.rings" if configured().folder is None else None
+    cache = None if rings is None else str(rings)
+    work = Work(partial(rows, texts=settled.texts, cache=cache), partial(condense, cache=cache))
+    table = run(settled, output, work, where.engine(settled.plan), retry_failed=retry_failed, tell=tell)
+    if rings is not None:
+        rmtree(rings, ignore_errors=True)
+    return table

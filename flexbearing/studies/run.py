@@ -1,18 +1,17 @@
 """The computing of a study: what is still lacking, by an engine, into journal and table."""
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import partial
 from pathlib import Path
 from time import perf_counter
 
 from flexbearing.families import FAMILIES
 from flexbearing.files import NotStored, require_folder, require_output, write
-from flexbearing.studies.engine import Engine, finished
+from flexbearing.studies.engine import Engine, condensed, finished
 from flexbearing.studies.file import Study
-from flexbearing.studies.plan import Plan, Row, Task
+from flexbearing.studies.plan import Plan, Ring, Row, Task
 from flexbearing.studies.table import Table, journal
 from flexbearing.studies.table.collected import Collected
 from flexbearing.studies.table.keys import key_columns
@@ -31,7 +30,8 @@ class Progress:
     total: int
     failed: int  # among them
     begun: int  # rows that were there at the start
-    seconds: float  # since then
+    seconds: float  # since the first task began
+    rings: tuple[int, int] = (0, 0)  # condensed, of how many
 
     @property
     def left(self) -> float | None:
@@ -39,9 +39,22 @@ class Progress:
         new = self.done - self.begun
         return self.seconds / new * (self.total - self.done) if new else None
 
+    def after(self, rows: Sequence[Row], rows_of: Mapping[str, int], seconds: float) -> "Progress":
+        """With some rows more, each of which stands in the table as often as its variant does."""
+        done = sum(rows_of[row.identity] for row in rows)
+        failed = sum(rows_of[row.identity] for row in rows if not row.converged)
+        return replace(self, done=self.done + done, failed=self.failed + failed, seconds=seconds)
+
 
 Tell = Callable[[Progress], None]
-Work = Callable[..., Sequence[Row]]  # of a task and `texts`
+
+
+@dataclass(frozen=True)
+class Work:
+    """What workers do; both functions can be pickled."""
+
+    rows: Callable[[Task], Sequence[Row]]
+    condense: Callable[[Ring], None]
 
 
 @dataclass(frozen=True)
@@ -91,10 +104,10 @@ def run(
     settled: Prepared,
     output: Path,
     work: Work,
-    engine: Engine,
+    engine: Callable[[int], Engine],
     *,
     retry_failed: bool = False,
-    tell: Tell | None = None,
+    tell: Tell = lambda progress: None,
 ) -> Table:
     """Compute what a study still lacks, and write its table.
 
@@ -104,10 +117,10 @@ def run(
         the study
     output : Path
         folder
-    work : callable (task, texts=...)
-        rows of a task with the outputs that the texts name
-    engine : Engine
-        where it is called; it is closed at the end
+    work : Work
+        what is called for rings and tasks
+    engine : callable (tasks)
+        starts where it is called; not asked where nothing is lacking
     retry_failed : bool
         whether rows that failed are computed again
     tell : callable (Progress), optional
@@ -131,9 +144,8 @@ def run(
     try:
         with journal.opened(path, settled.texts) as kept:
             rows |= settled.rows(folder, retry_failed=retry_failed)
-            for progress in _compute(settled, rows, partial(work, texts=settled.texts), engine, kept):
-                if tell:
-                    tell(progress)
+            tell(settled.progress(rows))
+            _compute(settled, rows, work, engine, kept, tell)
     except BaseException as problem:
         if rows:
             done = settled.progress(rows)
@@ -143,8 +155,6 @@ def run(
             with suppress(NotStored):
                 write(csv, csv_text(settled.table(rows)).encode())
         raise
-    finally:
-        engine.close()
     table = settled.table(rows)
     write(csv, csv_text(table).encode())
     return table
@@ -153,24 +163,26 @@ def run(
 def _compute(
     settled: Prepared,
     rows: dict[str, Row],
-    work: Callable[[Task], Sequence[Row]],
-    engine: Engine,
+    work: Work,
+    engine: Callable[[int], Engine],
     kept: journal.Journal,
-) -> Iterator[Progress]:
+    tell: Tell,
+) -> None:
     """Add the rows that are lacking, task by task."""
-    began, progress = perf_counter(), settled.progress(rows)
-    rows_of = Counter(variant.identity for variant in settled.plan.variants)
     tasks = settled.plan.tasks(lambda variant: variant.identity not in rows)
-    yield progress
-    for new in finished(tasks, work, engine):
-        kept.add(new)
-        rows |= {row.identity: row for row in new}
-        done = sum(rows_of[row.identity] for row in new)
-        failed = sum(rows_of[row.identity] for row in new if not row.converged)
-        progress = replace(
-            progress,
-            done=progress.done + done,
-            failed=progress.failed + failed,
-            seconds=perf_counter() - began,
-        )
-        yield progress
+    rings = settled.plan.rings(lambda variant: variant.identity not in rows)
+    if not tasks:
+        return
+    started, progress = engine(len(tasks)), settled.progress(rows)
+    try:
+        for number, _ in enumerate(condensed(rings, work.condense, started), 1):
+            progress = replace(progress, rings=(number, len(rings)))
+            tell(progress)
+        began, rows_of = perf_counter(), Counter(variant.identity for variant in settled.plan.variants)
+        for new in finished(tasks, work.rows, started):
+            kept.add(new)
+            rows |= {row.identity: row for row in new}
+            progress = progress.after(new, rows_of, perf_counter() - began)
+            tell(progress)
+    finally:
+        started.close()

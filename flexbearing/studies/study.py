@@ -13,8 +13,10 @@ def study(
     file: str | Path,
     output: str | Path = "results",
     *,
+    jobs: int | None = None,
+    scheduler: str | None = None,
     retry_failed: bool = False,
-    tell: "Callable[[Progress], None] | None" = None,
+    tell: "Callable[[Progress], None]" = lambda progress: None,
 ) -> "Table":
     """Compute the variants of a study file.
 
@@ -26,6 +28,11 @@ def study(
         study file
     output : path
         folder of the table and of what is finished so far
+    jobs : int, optional
+        processes that compute; 1 is this one alone. Without it as many as there are cores, where the study is
+        long enough to be worth it
+    scheduler : str, optional
+        address of a running Dask scheduler that computes instead, tcp://HOST:PORT
     retry_failed : bool
         whether rows that failed are computed again
     tell : callable (Progress), optional
@@ -39,7 +46,8 @@ def study(
     Raises
     ------
     BadCase
-        for a wrong study file, or variants that cannot be computed; nothing is computed then
+        for a wrong study file, variants that cannot be computed, or what is missing for several jobs; nothing
+        is computed then
     BadOutput
         for a folder that cannot be written, or where the same study runs already
     NotStored
@@ -49,5 +57,7 @@ def study(
     >>> table["life [h]"].values                                             # doctest: +SKIP
     """
     from flexbearing.studies.prepare import compute, prepared
+    from flexbearing.studies.where import Where
 
-    return compute(prepared(file), Path(output), retry_failed=retry_failed, tell=tell)
+    where = Where(jobs, scheduler)
+    return compute(prepared(file), Path(output), where, retry_failed=retry_failed, tell=tell)

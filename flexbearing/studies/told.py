@@ -9,12 +9,8 @@ from typing import Self, TextIO
 from flexbearing.case.problems import MOST
 from flexbearing.studies.run import Prepared, Progress
 from flexbearing.studies.table import Table
+from flexbearing.studies.where import ELASTIC, RIGID, RING, expected
 
-RING, ELASTIC, RIGID = (
-    5.0,
-    0.1,
-    0.005,
-)  # [s] usual time of a ring, and of variants between such and rigid rings
 PAUSE = 10.0  # [s] between lines that no terminal shows
 
 
@@ -44,19 +40,21 @@ def variants(settled: Prepared) -> str:
         *lines,
         f"columns: {columns}",
         f"{len(plan.variants)} variants, {bad or 'none'} of them cannot be computed",
-        f"{len(plan.rings)} elastic rings to be condensed, less those in the cache",
+        f"{_rings(settled)} to be condensed, less those in the cache",
         _expected(settled),
     ])  # fmt: skip
 
 
+def _rings(settled: Prepared) -> str:
+    """How many rings of which kind."""
+    counts = Counter(ring.race for ring in settled.plan.rings())
+    return " and ".join(f"{count} {race} rings" for race, count in counts.items()) or "no elastic rings"
+
+
 def _expected(settled: Prepared) -> str:
     """Expected time by a rule that is said with it."""
-    plan = settled.plan
-    elastic = sum(bool(variant.rings) for variant in plan.variants)
-    rigid = len(plan.variants) - elastic
-    time = RING * len(plan.rings) + ELASTIC * elastic + RIGID * rigid
     return (
-        f"expected time: about {duration(time)} on one core "
+        f"expected time: about {duration(expected(settled.plan))} on one core "
         f"({RING:g} s a ring, {ELASTIC:g} s a variant between elastic rings, {RIGID:g} s between rigid ones)"
     )
 
@@ -113,11 +111,17 @@ class Shown:
 
     def __call__(self, progress: Progress) -> None:
         """Take note of how far a study is."""
-        left = "" if progress.left is None else f", {duration(progress.left)} left"
-        line = f"{progress.done} of {progress.total} variants, {progress.failed} failed{left}"
+        line = self._line(progress)
         if self._terminal:
             self._stream.write(f"\r{line}\x1b[K")
-        elif progress.done == progress.total or perf_counter() - self._last >= PAUSE:
+        elif progress.done == progress.total > progress.begun or perf_counter() - self._last >= PAUSE:
             self._stream.write(f"{line}\n")
             self._last = perf_counter()
         self._stream.flush()
+
+    def _line(self, progress: Progress) -> str:
+        condensed, rings = progress.rings
+        if condensed < rings:
+            return f"{condensed} of {rings} elastic rings condensed"
+        left = "" if progress.left is None else f", {duration(progress.left)} left"
+        return f"{progress.done} of {progress.total} variants, {progress.failed} failed{left}"

@@ -2,6 +2,7 @@
 
 import csv
 from dataclasses import replace
+from functools import partial
 from math import isnan
 
 import pytest
@@ -9,13 +10,14 @@ import pytest
 from flexbearing.files import BadOutput
 from flexbearing.studies.engine import Done, finished
 from flexbearing.studies.engine.serial import Serial
-from flexbearing.studies.run import run
+from flexbearing.studies.run import Work, run
 from flexbearing.studies.table import journal
-from tests.flexbearing.toy_studies import cubes, load, toy
+from tests.flexbearing.toy_studies import cubes, load, no_ring, toy
 
 
 def computed(settled, folder, work=cubes, engine=None, **options):
-    return run(settled, folder, work, engine or Serial(), **options)
+    done = Work(partial(work, texts=settled.texts), no_ring)
+    return run(settled, folder, done, lambda tasks: engine or Serial(), **options)
 
 
 def counting(work=cubes):

@@ -1,5 +1,8 @@
 """Studies whose variants a plain function computes, in place of a bearing."""
 
+import os
+import signal
+import time
 from pathlib import Path
 
 from flexbearing.studies.plan import Row
@@ -33,3 +36,24 @@ def _row(variant, texts):
         return Row(variant.identity, "iteration limit", "after 200 iterations", 0.25)
     values = dict(zip(TEXTS, (1000 / number**3, 0.1 * number), strict=True))
     return Row(variant.identity, "converged", "", 0.5, {text: values[text] for text in texts})
+
+
+def deadly(task, texts, place):
+    """As `cubes`, but the process of 7 kN is killed; the attempts stand in a file."""
+    loads = [load(variant.values[0]) for variant in task.variants]
+    if 7.0 in loads:
+        with place.open("a") as file:
+            file.write(f"{len(loads)}\n")
+        os.kill(os.getpid(), signal.SIGKILL)
+    return cubes(task, texts)
+
+
+def slow_cubes(task, texts, place):
+    """As `cubes`, in some time; the process stands in a file."""
+    (place / str(os.getpid())).touch()
+    time.sleep(0.2)
+    return cubes(task, texts)
+
+
+def no_ring(ring):
+    """Rings of toys are rigid."""

@@ -4,7 +4,7 @@ from collections import Counter, deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from flexbearing.studies.engine.engine import Done, Engine
-from flexbearing.studies.plan import Row, Task
+from flexbearing.studies.plan import Ring, Row, Task
 from flexbearing.studies.plan.task import ERROR, WORKER_DIED
 
 ATTEMPTS = 3  # of a variant whose worker dies
@@ -54,6 +54,38 @@ def finished(
         submit()
         if rows:
             yield rows
+
+
+def condensed(rings: Iterable[Ring], function: Callable[[Ring], None], engine: Engine) -> Iterator[Done]:
+    """Yield rings as they are condensed.
+
+    What goes wrong is told by the variants between them. A ring whose worker dies is tried again, twice.
+
+    Parameters
+    ----------
+    rings : iterable of Ring
+        each once
+    function : callable (ring)
+        keeps the ring where tasks find it
+    engine : Engine
+        where it is called
+
+    Yields
+    ------
+    Done
+        one for each ring
+    """
+    waiting, deaths = deque(rings), Counter[str]()
+    for _ in range(min(engine.workers, len(waiting))):
+        engine.submit(function, waiting.popleft())
+    for done in engine.as_completed():
+        deaths[done.argument.name] += done.died
+        if done.died and deaths[done.argument.name] < ATTEMPTS:
+            waiting.append(done.argument)
+        else:
+            yield done
+        if waiting:
+            engine.submit(function, waiting.popleft())
 
 
 def _variants(tasks: Iterable[Task]):

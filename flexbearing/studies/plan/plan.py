@@ -13,7 +13,7 @@ from flexbearing.case.problems import MOST
 from flexbearing.case.variants import Variants
 from flexbearing.studies.file import Axis, Study
 from flexbearing.studies.plan.identity import identity
-from flexbearing.studies.plan.task import Base, Task, Variant
+from flexbearing.studies.plan.task import Base, Ring, Task, Variant
 
 LARGEST_RIGID, LARGEST_ELASTIC = 128, 16  # variants of a task: some 0.1 s of work
 FEWEST = 8  # tasks into which a small study is cut, so that several workers have some
@@ -60,10 +60,13 @@ class Plan:
             for bundle in _bundles([*group.values()], min(LARGEST_ELASTIC if rings else LARGEST_RIGID, share))
         )
 
-    @property
-    def rings(self) -> frozenset[str]:
-        """Digests of all elastic rings."""
-        return frozenset(ring for variant in self.variants for ring in variant.rings)
+    def rings(self, wanted: Callable[[Variant], bool] = lambda variant: True) -> tuple[Ring, ...]:
+        """Elastic rings of variants that are still wanted, each once."""
+        found: dict[str, Ring] = {}
+        for variant in filter(wanted, self.variants):
+            for name in variant.rings:
+                found.setdefault(name, Ring(self.base, variant, name))
+        return tuple(found.values())
 
     def settings(self, number: int) -> str:
         """Values of a variant in words, for messages."""
@@ -107,7 +110,7 @@ def plan(
     require_possible : callable (case)
         raises BadCase where physics or geometry forbid a case
     rings : callable (case)
-        digests of the elastic rings of a case
+        races and digests of the elastic rings of a case
 
     Returns
     -------

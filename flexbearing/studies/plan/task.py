@@ -23,7 +23,7 @@ class Variant:
 
     values: tuple[Any, ...]  # of the keys, in the words of a case file
     identity: str
-    rings: tuple[str, ...] = ()  # digests of its elastic rings
+    rings: tuple[str, ...] = ()  # race and digest of its elastic rings, "outer 5f3a..."
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,6 +37,20 @@ class Task:
     def alone(self) -> tuple["Task", ...]:
         """The same variants, each in a task of its own."""
         return tuple(Task(self.base, (variant,)) for variant in self.variants)
+
+
+@dataclass(frozen=True, eq=False)
+class Ring:
+    """An elastic ring, which one worker condenses for all."""
+
+    base: Base
+    variant: Variant  # one that has it
+    name: str  # among its rings
+
+    @property
+    def race(self) -> str:
+        """Which raceway it carries."""
+        return self.name.partition(" ")[0]
 
 
 @dataclass(frozen=True)

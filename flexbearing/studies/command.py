@@ -1,0 +1,50 @@
+"""The command `study`; what it does not need is not loaded."""
+
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from flexbearing.printable import printable
+
+CONVERGED, NOT_CONVERGED, BAD_INPUT = range(3)
+
+
+def study(  # noqa: PLR0913  # an argument for each option
+    file: Annotated[Path, typer.Argument(help="study file (TOML)", metavar="FILE")],
+    check: Annotated[
+        bool, typer.Option("--check", help="list the variants, what is wrong and how long; compute nothing")
+    ] = False,
+    output: Annotated[
+        Path, typer.Option("-o", "--output", metavar="DIR", help="of the table and of what is finished")
+    ] = Path("results"),
+    jobs: Annotated[
+        int | None,
+        typer.Option("--jobs", metavar="N", min=1, help="processes that compute; else by cores and work"),
+    ] = None,
+    scheduler: Annotated[
+        str | None, typer.Option("--scheduler", metavar="ADDRESS", help="running Dask scheduler, tcp://...")
+    ] = None,
+    retry_failed: Annotated[
+        bool, typer.Option("--retry-failed", help="compute rows that failed once more")
+    ] = False,
+    status: Annotated[bool, typer.Option("--status", help="count what is finished; compute nothing")] = False,
+) -> None:
+    """Compute the variants of a case into one table; a second start goes on where the first one ended."""
+    from flexbearing.studies import told
+    from flexbearing.studies.prepare import compute, prepared
+    from flexbearing.studies.where import Where
+
+    settled = prepared(file)
+    if check or status:
+        _say(told.status(settled, output) if status else told.variants(settled))
+        raise typer.Exit(BAD_INPUT if settled.plan.problems else CONVERGED)
+    with told.Shown(sys.stderr) as shown:
+        table = compute(settled, output, Where(jobs, scheduler), retry_failed=retry_failed, tell=shown)
+    _say(told.end(table, output))
+    raise typer.Exit(NOT_CONVERGED if table.failed else CONVERGED)
+
+
+def _say(words: str) -> None:
+    sys.stdout.write(printable(words) + "\n")

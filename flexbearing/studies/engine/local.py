@@ -1,0 +1,107 @@
+"""Worker processes on this machine, under a Dask scheduler in this process.
+
+Workers are plain interpreters: those of `multiprocessing` would import the script that called. In a session
+of their own, what a terminal sends to all processes does not reach them; they end with the scheduler,
+however this process ends.
+"""
+
+import logging
+import os
+import signal
+import subprocess
+import sys
+from contextlib import suppress
+from tempfile import TemporaryFile
+from typing import IO, Any
+
+from flexbearing.studies.engine.cores import environment
+from flexbearing.studies.engine.on_dask import OnDask
+
+STARTS = 5  # of workers that end before any task does, until the study is given up
+LAST_WORDS = 400  # bytes of their error output that are quoted
+WAIT = 10.0  # [s] for a worker to end
+_CONFIGURATION = {
+    "distributed.scheduler.allowed-failures": 0,  # a study counts deaths itself
+    "distributed.logging.distributed": "critical",
+}
+
+
+class NoWorkers(RuntimeError):
+    """Worker processes end as soon as they are started."""
+
+
+class Local(OnDask):
+    """The engine of several jobs on one machine."""
+
+    def __init__(self, jobs: int):
+        from dask import config
+        from distributed import Client, LocalCluster
+
+        with config.set(_CONFIGURATION):
+            self._cluster = LocalCluster(
+                n_workers=0,
+                processes=True,
+                protocol="tcp://",
+                host="127.0.0.1",
+                silence_logs=logging.CRITICAL,
+                dashboard_address=None,  # pyright: ignore[reportArgumentType]  # none is served
+            )
+        super().__init__(Client(self._cluster, set_as_default=False), jobs)
+        self._failed_starts = 0
+        self._processes: list[tuple[subprocess.Popen, IO[bytes]]] = []
+        try:
+            for _ in range(jobs):
+                self._start()
+        except BaseException:
+            self.close()
+            raise
+
+    def _start(self) -> None:
+        errors = TemporaryFile()  # noqa: SIM115  # closed with its process
+        process = subprocess.Popen(
+            [
+                sys.executable, "-m", "distributed.cli.dask_worker", self._cluster.scheduler_address,
+                "--no-nanny", "--nthreads", "1", "--no-dashboard", "--death-timeout", "30",
+            ],
+            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=errors, start_new_session=True,
+            env=environment(self.workers) | {"DASK_DISTRIBUTED__LOGGING__DISTRIBUTED": "error"},
+        )  # fmt: skip
+        self._processes.append((process, errors))
+
+    def as_completed(self) -> Any:
+        """Yield calls as they end; a worker that died is replaced."""
+        for done in super().as_completed():
+            if done.died:
+                self._look_after_workers()
+            else:
+                self._failed_starts = 0
+            yield done
+
+    def _look_after_workers(self) -> None:
+        ended = [(process, errors) for process, errors in self._processes if process.poll() is not None]
+        for process, errors in ended:
+            self._processes.remove((process, errors))
+            words = _last_words(errors)
+            self._failed_starts += 1
+            if self._failed_starts > STARTS * self.workers:
+                raise NoWorkers(f"worker processes end with {process.returncode}: {words}")
+            self._start()
+
+    def close(self) -> None:
+        """End workers, scheduler and whatever they compute."""
+        for process, _ in self._processes:
+            with suppress(ProcessLookupError):  # with what it started to mesh; its answers arrived already
+                os.killpg(process.pid, signal.SIGKILL)
+        for process, errors in self._processes:
+            process.wait(WAIT)
+            errors.close()
+        self._processes.clear()
+        super().close()
+        self._cluster.close()
+
+
+def _last_words(errors: IO[bytes]) -> str:
+    with errors:
+        errors.seek(0)
+        words = errors.read().decode(errors="replace")[-LAST_WORDS:]
+    return "; ".join(line.strip() for line in words.splitlines() if line.strip()) or "without a word"

@@ -1,0 +1,219 @@
+"""Engines of studies: cores, worker processes that live and die, schedulers elsewhere."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from functools import partial
+from pathlib import Path
+
+import pytest
+
+from flexbearing.case import BadCase
+from flexbearing.studies.engine import Done, condensed, cores
+from flexbearing.studies.engine.local import Local, NoWorkers
+from flexbearing.studies.engine.on_dask import connected
+from flexbearing.studies.engine.serial import Serial
+from flexbearing.studies.plan import Ring
+from flexbearing.studies.plan.task import Base, Variant
+from flexbearing.studies.run import Work, run
+from flexbearing.studies.where import Where, expected
+from tests.flexbearing import toy_studies
+from tests.flexbearing.toy_studies import cubes, no_ring, toy
+
+ROOT = Path(__file__).parents[2]
+FORTY = '"operation.radial_load" = "2 kN .. 41 kN, 40"'
+
+
+def computed(settled, folder, engine, rows=cubes, **options):
+    work = Work(partial(rows, texts=settled.texts, **options), no_ring)
+    return run(settled, folder, work, lambda tasks: engine)
+
+
+def test_cores_are_those_of_the_queue_then_of_the_user_then_of_the_system(monkeypatch):
+    for name in cores.VARIABLES:
+        monkeypatch.delenv(name, raising=False)
+    assert cores.cores() == len(os.sched_getaffinity(0))
+    monkeypatch.setenv("FLEXBEARING_THREADS", "6")
+    assert cores.cores() == 6
+    monkeypatch.setenv("SLURM_CPUS_PER_TASK", "3")
+    assert cores.cores() == 3
+
+
+@pytest.mark.parametrize("text", ["0", "two", "-1", "1.5", "²"])
+def test_a_number_of_cores_that_is_none_is_refused(monkeypatch, text):
+    monkeypatch.setenv("SLURM_CPUS_PER_TASK", text)
+    with pytest.raises(cores.BadCount, match=r"SLURM_CPUS_PER_TASK=.* is no number of cores"):
+        cores.cores()
+
+
+def test_threads_times_workers_are_no_more_than_the_cores(monkeypatch):
+    monkeypatch.setenv("SLURM_CPUS_PER_TASK", "8")
+    for jobs, threads in ((1, 8), (3, 2), (8, 1), (20, 1)):
+        variables = cores.environment(jobs)
+        assert variables["FLEXBEARING_THREADS"] == str(threads)
+        assert variables["OPENBLAS_NUM_THREADS"] == "1"
+        assert "SLURM_CPUS_PER_TASK" not in variables
+
+
+def test_one_job_and_short_studies_start_no_process(tmp_path):
+    plan = toy(tmp_path).plan
+    assert expected(plan) < 1
+    for where in (Where(jobs=1), Where()):
+        assert isinstance(where.engine(plan)(10), Serial)
+    assert isinstance(Where(jobs=4).engine(plan)(1), Serial)
+
+
+def test_several_jobs_without_dask_say_what_to_install(tmp_path, monkeypatch):
+    monkeypatch.setattr("flexbearing.studies.where.find_spec", lambda name: None)
+    plan = toy(tmp_path).plan
+    for where in (Where(jobs=2), Where(scheduler="tcp://127.0.0.1:1")):
+        with pytest.raises(BadCase, match=r'need Dask: pip install "flexbearing\[studies\]"'):
+            where.engine(plan)
+    assert isinstance(Where().engine(plan)(1), Serial)
+
+
+def test_a_scheduler_that_does_not_answer_is_told(tmp_path):
+    start = Where(scheduler="no such protocol://x").engine(toy(tmp_path).plan)
+    with pytest.raises(BadCase, match=r"--scheduler no such protocol://x: nobody answers there"):
+        start(1)
+
+
+def test_every_ring_is_condensed_once_whatever_becomes_of_its_worker():
+    base = Base(Path("case.toml"), "", ())
+    rings = [Ring(base, Variant((), ""), f"outer {number}") for number in range(6)]
+    calls = []
+
+    class Mortal(Serial):
+        workers = 2
+
+        def as_completed(self):
+            for done in super().as_completed():
+                yield Done(done.argument, died=done.problem == "ValueError: dead")
+
+    def condense(ring):
+        calls.append(ring.name)
+        if ring.name == "outer 3" or calls == ["outer 0"]:
+            raise ValueError("dead")
+
+    assert len(list(condensed(rings, condense, Mortal()))) == 6
+    assert {name: calls.count(name) for name in set(calls)} == {
+        f"outer {number}": {0: 2, 3: 3}.get(number, 1) for number in range(6)
+    }
+
+
+@pytest.mark.slow
+def test_two_jobs_give_the_table_of_one(tmp_path):
+    settled = toy(tmp_path, FORTY)
+    one, two = (computed(settled, tmp_path / str(n), engine) for n, engine in enumerate((Serial(), Local(2))))
+    assert str(one.rows) == str(two.rows)
+    assert (tmp_path / "0" / "toy.csv").read_text() == (tmp_path / "1" / "toy.csv").read_text()
+
+
+@pytest.mark.slow
+def test_a_variant_that_kills_its_process_is_found_and_the_others_are_computed(tmp_path):
+    place = tmp_path / "attempts"
+    table = computed(toy(tmp_path, FORTY), tmp_path, Local(2), toy_studies.deadly, place=place)
+    died = [row["operation.radial_load [N]"] for row in table.rows if row["status"] == "worker died"]
+    assert died == [7e3]
+    assert table.failed == 1
+    assert place.read_text().split() == ["5", "1", "1"]
+
+
+@pytest.mark.slow
+def test_a_worker_that_somebody_kills_loses_nothing(tmp_path):
+    place = tmp_path / "processes"
+    place.mkdir()
+    settled, killed = toy(tmp_path, FORTY), []
+    work = Work(partial(toy_studies.slow_cubes, texts=settled.texts, place=place), no_ring)
+
+    def kill(progress):
+        if progress.done > 10 and not killed:
+            killed.append(int(next(place.iterdir()).name))
+            os.kill(killed[0], signal.SIGKILL)
+
+    table = run(settled, tmp_path, work, lambda tasks: Local(2), tell=kill)
+    assert len(killed) == 1
+    assert table.failed == 0
+    assert len(list(place.iterdir())) == 3
+
+
+DRIVER = """
+import sys
+from functools import partial
+from pathlib import Path
+from flexbearing.studies.engine.local import Local
+from flexbearing.studies.run import Work, run
+from tests.flexbearing.toy_studies import no_ring, slow_cubes, toy
+folder = Path(sys.argv[1])
+settled = toy(folder, sys.argv[2])
+work = Work(partial(slow_cubes, texts=settled.texts, place=folder / "processes"), no_ring)
+run(settled, folder, work, lambda tasks: Local(2), tell=lambda progress: print(progress.done, flush=True))
+"""
+
+
+@pytest.mark.slow
+def test_a_killed_driver_leaves_no_process_and_the_study_goes_on(tmp_path):
+    """Without a guard around the script: workers do not import it."""
+    place = tmp_path / "processes"
+    place.mkdir()
+    driver = subprocess.Popen(
+        [sys.executable, "-c", DRIVER, tmp_path, FORTY], stdout=subprocess.PIPE, text=True, cwd=ROOT
+    )
+    assert driver.stdout
+    while int(driver.stdout.readline()) < 10:
+        pass
+    driver.kill()
+    driver.wait()
+    driver.stdout.close()
+    gone_by = time.monotonic() + 20
+    while any(Path(f"/proc/{process.name}").exists() for process in place.iterdir()):
+        assert time.monotonic() < gone_by
+        time.sleep(0.1)
+    settled = toy(tmp_path, FORTY)
+    assert 10 <= settled.progress(settled.rows(tmp_path)).done < 40
+    table = computed(settled, tmp_path, Serial())
+    assert str(table.rows) == str(computed(settled, tmp_path / "at once", Serial()).rows)
+
+
+@pytest.mark.slow
+def test_workers_that_never_start_end_the_study_with_their_last_words(tmp_path, monkeypatch):
+    broken = os.environ | {"PYTHONHOME": str(tmp_path)}
+    monkeypatch.setattr("flexbearing.studies.engine.local.environment", lambda jobs: broken)
+    with pytest.raises(NoWorkers, match=r"worker processes end with 1: .*encodings"):
+        computed(toy(tmp_path, FORTY), tmp_path, Local(2))
+
+
+@pytest.mark.slow
+def test_a_running_scheduler_computes_and_stays(tmp_path):
+    from distributed import LocalCluster
+
+    settled = toy(tmp_path, FORTY)
+    with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=":0") as cluster:
+        for folder in ("one", "two"):
+            engine = connected(cluster.scheduler_address)
+            assert engine.workers == 2
+            assert str(computed(settled, tmp_path / folder, engine).rows) == str(
+                computed(settled, tmp_path, Serial()).rows
+            )
+
+
+@pytest.mark.slow
+def test_elastic_rings_are_shared_also_without_a_cache(tmp_path, monkeypatch):
+    """Two thicknesses and two loads: the rows of one job and two, and no ring is left behind."""
+    import flexbearing
+
+    monkeypatch.setenv("FLEXBEARING_CACHE", "off")
+    file = tmp_path / "thin.toml"
+    file.write_text(
+        f'case = "{ROOT / "configs" / "nu209.toml"}"\n[over]\n"outer.kind" = "ring"\n"outer.width" = "19 mm"'
+        '\n"operation.tilt" = "fixed"\n"outer.thickness" = ["3 mm", "4 mm"]\n'
+        '"operation.radial_load" = ["5 kN", "10 kN"]\n[collect]\nload = "flexible.max_roller_load [N]"\n'
+    )
+    tables = [flexbearing.study(file, tmp_path / str(jobs), jobs=jobs) for jobs in (1, 2)]
+    for rows in zip(*(table.rows for table in tables), strict=True):
+        one, two = ({**row, "seconds": None} for row in rows)
+        assert one == two
+    assert tables[0].failed == 0
+    assert sorted(path.name for path in (tmp_path / "2").iterdir()) == ["thin.csv", "thin.journal.jsonl"]
