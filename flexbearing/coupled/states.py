@@ -29,6 +29,7 @@ class EndStates:
     states: BearingStates
     rings: LinearPair
     roughness: NDArray | None = None  # (C, 2) composite, or one for all cases [m]
+    life_error: NDArray | None = None  # (C) estimated, over the life; None where nothing was estimated [-]
 
     @property
     def life(self) -> NDArray:

@@ -1,7 +1,7 @@
 """Roller cases that converged side by side, with what their end states give."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -22,11 +22,13 @@ from flexbearing.runs.life_error import estimated
 from quasidynamic import Equilibrium, RollerBearing
 from quasidynamic.note import Note, danger
 from quasidynamic.outcome.equilibria import Batch
+from quasidynamic.outcome.finer_life import life_errors
 from quasidynamic.outcome.skew import Skew
 from quasidynamic.several.indicator import each_several_likely
 
 QUANTITIES = LAYOUT.datasets("block")
-BY_CASE = ("life.", "skew.", "bars.", "end.life_error")  # sources that are found case by case
+BY_CASE = ("life.", "skew.", "bars.")  # sources that are found case by case
+LIFE_ERROR = "life_error"  # which needs more axial shapes of elastic raceways: found case by case there
 ANSWER = ("", "flexible")  # the block that answers a case, which is also that of outputs that name none
 
 
@@ -92,13 +94,19 @@ class Together:
     def numbers(self, output: Wanted) -> NDArray:
         """Numbers (C) of an output of these blocks; NaN where a case does not have it."""
         quantities, block = [QUANTITIES[name] for name in datasets(output)], output.block or ANSWER[1]
-        if any(entry.source.startswith(BY_CASE) for entry in quantities):
+        states, end, errors = self.batch.states, self._end, LIFE_ERROR in datasets(output)
+        if any(entry.source.startswith(BY_CASE) for entry in quantities) or (errors and not self._rigid):
             return np.array([output.number({block: case.quantities(quantities)}) for case in self._each])
-        states = self._end.states
-        solved: dict[str, Any] = {"state": states, "end": self._end}
+        if errors:
+            end = replace(end, life_error=life_errors(states))
+        solved: dict[str, Any] = {"state": states, "end": end}
         solved |= {"bearing": states.balance.roller.bearing, "losses": states.losses}
         numbers = output.numbers({block: taken(quantities, solved, many=True)})
         return np.broadcast_to(numbers, len(self.cases))
+
+    @property
+    def _rigid(self) -> bool:
+        return self.rings[0].rigid
 
     @cached_property
     def _end(self) -> EndStates:
@@ -139,7 +147,7 @@ class Together:
     def _others(self, case: int) -> Iterator[Note]:
         """Other equilibria that are found."""
         state, rings = self.batch[case], self.rings[case]
-        if rings.rigid:
+        if self._rigid:
             found = several.between_rigid_raceways(self.models[case], state)
         else:
             found = several.between_flexible_raceways(state, rings)

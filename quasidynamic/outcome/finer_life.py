@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from quasidynamic.contact.line import Slices
 from quasidynamic.contact.raceways import Raceways
 from quasidynamic.errors import NotSolved
+from quasidynamic.outcome.bearing_states import BearingStates
 from quasidynamic.outcome.equilibrium import Equilibrium
 from quasidynamic.outcome.life import basic_life
 from quasidynamic.solve.outcome import SolverOutcome
@@ -22,17 +23,14 @@ LIMIT = 20
 
 
 def life_error(state: Equilibrium, compliance: Compliances = (None, None)) -> float:
-    r"""Estimate how far the life is from that of fine slices and many axial modes.
-
-    .. math:: \epsilon = 1.6 \max_{n = 2, 4} |L_{10}(n K, M') / L_{10}(K, M) - 1|
+    """Estimate how far the life of one state is from that of fine slices and many axial modes.
 
     Parameters
     ----------
     state : Equilibrium
-        solved with K slices and M axial modes; loads and moments of its rollers are kept
+        solved
     compliance : pair of arrays (Z, M', Z, M') or None
-        outward deviation of each raceway per outward force [m/N], of more modes than the state has;
-        None where a raceway is rigid, or nothing is known of more modes
+        as for `life_errors` [m/N]
 
     Returns
     -------
@@ -46,109 +44,145 @@ def life_error(state: Equilibrium, compliance: Compliances = (None, None)) -> fl
 
     Source
     ------
+    `life_errors`.
+    """
+    error = float(life_errors(state.cases, compliance)[0])
+    if np.isnan(error):
+        raise NotSolved("life with more axial modes: no line loads were found", SolverOutcome.LIMIT)
+    return error
+
+
+def life_errors(states: BearingStates, compliance: Compliances = (None, None)) -> NDArray:
+    r"""Estimate how far lives are from those of fine slices and many axial modes.
+
+    .. math:: \epsilon = 1.6 \max_{n = 2, 4} |L_{10}(n K, M') / L_{10}(K, M) - 1|
+
+    Parameters
+    ----------
+    states : BearingStates
+        C of them, solved with K slices and M axial modes; loads and moments of rollers are kept
+    compliance : pair of arrays (Z, M', Z, M') or None
+        outward deviation of each raceway per outward force [m/N], of more modes than the states have;
+        None where a raceway is rigid, or nothing is known of more modes
+
+    Returns
+    -------
+    array (C)
+        errors over the lives [-]; not a number where no line loads were found that belong to the richer
+        deviations
+
+    Source
+    ------
     Derived here. The factor is that of the levels of `accuracy.target`.
 
     Valid
     -----
     Loads and moments of rollers that hardly change with the resolution.
     """
-    rich = [_finer_life(state, n * state.balance.roller.raceways.slices.count, compliance) for n in FINER]
-    return ERROR_OVER_CHANGE * max(abs(life / state.life - 1) for life in rich)
+    count = states.balance.roller.raceways.slices.count
+    with np.errstate(invalid="ignore"):  # a life that does not end has no error
+        changes = [np.abs(_finer_lives(states, n * count, compliance) / states.life - 1) for n in FINER]
+    return ERROR_OVER_CHANGE * np.maximum(*changes)
 
 
-def _finer_life(state: Equilibrium, slices: int, compliance: Compliances) -> float:
+def _finer_lives(states: BearingStates, slices: int, compliance: Compliances) -> NDArray:
     sides = []
     for race, matrix in enumerate(compliance):
-        finer = _FinerContacts.of(state, race, slices, matrix)
-        loads = finer.line_loads()
+        finer = _FinerContacts.of(states, race, slices, matrix)
+        loads = np.moveaxis(finer.line_loads(), 0, -1)
         sides.append(finer.slices.unfolded(loads) * finer.slices.width)
-    return float(basic_life(sides[0], sides[1], state.balance.roller.bearing, state.turning))
+    return basic_life(sides[0], sides[1], states.balance.roller.bearing, states.turning)
 
 
 @dataclass(frozen=True, kw_only=True)
 class _FinerContacts:
-    """Contacts of all rollers with one raceway; M' axial modes, of which the state knows M."""
+    """Contacts of the rollers of C cases with one raceway; M' axial modes, of which the states know M."""
 
     slices: Slices
     drop: NDArray  # (K) [m]
     raceways: Raceways
     race: int
-    approach: NDArray  # (Z, M') of the state, zero in the further modes [m]
-    force: NDArray  # (Z, M) of the state [N]
+    approach: NDArray  # (M', C, Z) of the states, zero in the further modes [m]
+    force: NDArray  # (M, C, Z) of the states [N]
     compliance: NDArray  # (Z, M', Z, M') [m/N]; zero for a rigid raceway
 
     @classmethod
-    def of(cls, state: Equilibrium, race: int, count: int, matrix: NDArray | None) -> "_FinerContacts":
-        balance = state.balance
+    def of(cls, states: BearingStates, race: int, count: int, matrix: NDArray | None) -> "_FinerContacts":
+        balance = states.balance
         raceways, roller = balance.roller.raceways, balance.roller.bearing.roller
-        known = np.moveaxis(balance.inputs(state.unknowns).approach[race, :, 0], 0, -1)
-        rollers, modes = known.shape
+        known = balance.inputs(states.unknowns).approach[race]
+        modes, cases, rollers = known.shape
         if matrix is None or matrix.shape[1] < modes:
             matrix = np.zeros((rollers, modes, rollers, modes))
         slices = Slices(count, roller.length, matrix.shape[1])
-        approach = np.zeros((rollers, matrix.shape[1]))
-        approach[:, :modes] = known
+        approach = np.zeros((matrix.shape[1], cases, rollers))
+        approach[:modes] = known
         return cls(
             slices=slices,
             drop=roller.profile.drop(slices.centres, roller.length),
             raceways=raceways,
             race=race,
             approach=approach,
-            force=state.rollers.contact.force[race, :, 0].T,
+            force=states.rollers.contact.force[race],
             compliance=matrix,
         )
 
     def line_loads(self) -> NDArray:
-        """Loads per length (Z, K) [N/m] under the load and moment of each roller in the state.
+        """Loads per length (K, C, Z) [N/m] under the load and moment of each roller in its state.
 
-        Raises
-        ------
-        NotSolved
-            if they were not found in `LIMIT` steps
+        Not a number in cases where they are not found in `LIMIT` steps; a case stands still once it is found.
         """
-        loaded = self.force[:, 0] > LOADED * self.force[:, 0].max()
-        approach = self.approach.copy()
+        load = self.force[0]
+        loaded = load > LOADED * load.max(axis=-1, keepdims=True)
+        approach, found = self.approach.copy(), np.full((len(self.drop), *load.shape), np.nan)
+        left = np.ones(len(load), bool)
         for _ in range(LIMIT):
             load, stiffness = self._contact(approach)
             residual, jacobian = self._equations(approach, load, stiffness)
-            if np.abs(residual[loaded] / self._scale[loaded]).max(initial=0.0) < TOLERANCE:
-                return load
-            step = np.linalg.solve(jacobian[loaded], residual[loaded, :, None])[..., 0]
-            approach[loaded] -= step
-        raise NotSolved("life with more axial modes: no line loads were found", SolverOutcome.LIMIT)
+            size = np.abs(residual / self._scale).max(axis=0, initial=0.0, where=loaded).max(axis=-1)
+            done = left & (size < TOLERANCE)
+            found[:, done], left = load[:, done], left & ~done
+            if not left.any():
+                break
+            moving = left[:, None] & loaded
+            step = np.linalg.solve(jacobian[moving], residual[:, moving].T[..., None])[..., 0]
+            approach[:, moving] -= step.T
+        return found
 
     def _contact(self, approach: NDArray) -> tuple[NDArray, NDArray]:
-        """Line loads (Z, K) [N/m] and their derivatives [N/m2]."""
-        law = replace(self.raceways.law, coefficient=np.ravel(self.raceways.law.coefficient)[self.race])
-        return law(approach @ self.slices.modes.T - self.drop)
+        """Line loads (K, C, Z) [N/m] and their derivatives [N/m2]."""
+        law = replace(self.raceways.law, coefficient=np.asarray(self.raceways.law.coefficient)[self.race])
+        return law(self.slices.spread(approach) - self.drop[:, None, None])
 
     def _equations(self, approach: NDArray, load: NDArray, stiffness: NDArray) -> tuple[NDArray, NDArray]:
-        """Residuals (Z, M'): load and moment as they were, further modes as the raceway deflects.
+        """Residuals (M', C, Z): load and moment as they were, further modes as the raceway deflects.
 
-        The Jacobian (Z, M', M') leaves out what rollers do to their neighbours.
+        The Jacobian (C, Z, M', M') leaves out what rollers do to their neighbours.
         """
-        known, kept = self.force.shape[1], self._kept
-        weights = self.slices.weights
-        force = load @ weights
-        tangent = np.einsum("zk,km,kn->zmn", stiffness, self.slices.modes, weights)
-        before = np.zeros_like(approach)
-        before[:, :known] = np.einsum("zmyn,yn->zm", self.compliance[:, :known, :, :known], self.force)
-        deflection = np.einsum("zmyn,yn->zm", self.compliance, force) - before
-        residual = approach - self.approach + deflection
+        kept = self._kept
+        force, tangent = self.slices.summed(load), self.slices.paired(stiffness).transpose(2, 3, 0, 1)
+        residual = approach - self.approach + self._deflection(force)
+        residual[: len(self.force)] -= self._deflection(self.force)[
+            : len(self.force)
+        ]  # which the state knows
         own = np.einsum("zmzn->zmn", self.compliance)
-        jacobian = np.eye(approach.shape[1]) + own @ tangent
-        residual[:, :kept] = force[:, :kept] - self.force[:, :kept]
-        jacobian[:, :kept] = tangent[:, :kept]
+        jacobian = np.eye(len(approach)) + own @ tangent
+        residual[:kept] = force[:kept] - self.force[:kept]
+        jacobian[..., :kept, :] = tangent[..., :kept, :]
         return residual, jacobian
+
+    def _deflection(self, force: NDArray) -> NDArray:
+        """Outward deviations (M', C, Z) [m] under forces of the first modes (.., C, Z) [N]."""
+        return np.einsum("zmyn,ncy->mcz", self.compliance[..., : len(force)], force)
 
     @property
     def _kept(self) -> int:
         """Modes whose force is that of the state: load and moment."""
-        return min(2, self.force.shape[1])
+        return min(2, len(self.force))
 
     @cached_property
     def _scale(self) -> NDArray:
-        """Size of the residuals (Z, M'): the load [N], and the approach of the roller [m]."""
-        scale = np.repeat(np.abs(self.approach[:, :1]) + 1e-9, self.approach.shape[1], axis=1)
-        scale[:, : self._kept] = self.force[:, :1]
+        """Size of the residuals (M', C, Z): the load [N], and the approach of the roller [m]."""
+        scale = np.repeat(np.abs(self.approach[:1]) + 1e-9, len(self.approach), axis=0)
+        scale[: self._kept] = self.force[:1]
         return scale

@@ -64,7 +64,7 @@ def assert_equal(found, cases, texts):
     assert found.messages == tuple(answer.message for answer in expected)
     for text in texts:
         of_each = [answer.numbers[text] for answer in expected]
-        assert found.numbers[text] == approx(np.array(of_each), rel=1e-9, abs=0, nan_ok=True), text
+        assert found.numbers[text] == approx(np.array(of_each), rel=1e-9, abs=1e-12, nan_ok=True), text
 
 
 @pytest.mark.parametrize("changes", KINDS.values(), ids=KINDS)

@@ -1,11 +1,13 @@
 """Line loads that a richer resolution finds at the loads of a coarser one."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from pytest import approx
 
-from quasidynamic import Logarithmic, NotSolved
-from quasidynamic.outcome.finer_life import _FinerContacts, life_error
+from quasidynamic import Logarithmic, NotSolved, solve_many
+from quasidynamic.outcome.finer_life import _FinerContacts, life_error, life_errors
 from tests.bearings import paper_bearing
 
 TILTED = {"misalignment": 1e-3, "load": 8000.0, "axial_modes": 3, "profile": Logarithmic(amplitude=1e-6)}
@@ -20,30 +22,30 @@ def soft(modes, size=2e-9):
 
 def test_nothing_richer_changes_nothing():
     state = paper_bearing(**TILTED).solve()
-    same = _FinerContacts.of(state, 0, 20, None)
-    assert same.line_loads() == approx(state.slice_loads[0], rel=1e-6, abs=1.0)
+    same = _FinerContacts.of(state.cases, 0, 20, None)
+    assert same.line_loads()[:, 0].T == approx(state.slice_loads[0], rel=1e-6, abs=1.0)
 
 
 def test_load_and_moment_are_kept():
     state = paper_bearing(**TILTED).solve()
-    finer = _FinerContacts.of(state, 1, 80, soft(5))
-    force = finer.line_loads() @ finer.slices.weights
+    finer = _FinerContacts.of(state.cases, 1, 80, soft(5))
+    force = finer.line_loads()[:, 0].T @ finer.slices.weights
     loaded = state.loads[1] > 1e-3 * state.loads[1].max()
     assert force[loaded, :2] == approx(state.forces[1, loaded, :2], rel=1e-5, abs=0.01)
 
 
 def test_further_shapes_are_those_of_the_deflected_raceway():
     state = paper_bearing(**TILTED).solve()
-    compliance, finer = soft(5), _FinerContacts.of(state, 1, 80, soft(5))
-    loads = finer.line_loads()
+    compliance, finer = soft(5), _FinerContacts.of(state.cases, 1, 80, soft(5))
+    loads = finer.line_loads()[:, 0].T
     closed = loads > 0.3 * loads.max()
     force = loads @ finer.slices.weights
     before = np.zeros((30, 5))
-    before[:, :3] = np.einsum("zmyn,yn->zm", compliance[:, :3, :, :3], finer.force)
+    before[:, :3] = np.einsum("zmyn,yn->zm", compliance[:, :3, :, :3], finer.force[:, 0].T)
     deflection = np.einsum("zmyn,yn->zm", compliance, force) - before
     law = finer.raceways.law
     approach = (loads / np.ravel(law.coefficient)[1]) ** 0.9 + finer.drop  # what carries these loads
-    wanted = finer.approach - deflection
+    wanted = finer.approach[:, 0].T - deflection
     for roller in np.flatnonzero(closed.sum(1) > 20):
         beyond = approach[roller] - finer.slices.modes[:, 2:] @ wanted[roller, 2:]
         x = finer.slices.centres[closed[roller]]
@@ -68,3 +70,19 @@ def test_what_is_not_found_is_said(monkeypatch):
     state = paper_bearing(**TILTED).solve()
     with pytest.raises(NotSolved, match="no line loads were found"):
         life_error(state, (None, soft(5)))
+
+
+@pytest.mark.parametrize("compliance", [(None, None), (None, soft(5))], ids=["rigid", "elastic"])
+def test_errors_of_many_states_are_those_of_each_alone(compliance):
+    model = paper_bearing(**TILTED)
+    models = [
+        replace(model, operation=replace(model.operation, radial_load=load)) for load in (900.0, 8e3, 3e4)
+    ]
+    (batch,) = solve_many(models).batches
+    of_each = [life_error(batch[case], compliance) for case in range(3)]
+    assert life_errors(batch.states, compliance) == approx(of_each, rel=1e-9)
+
+
+def test_an_error_that_is_not_found_is_no_number(monkeypatch):
+    monkeypatch.setattr("quasidynamic.outcome.finer_life.LIMIT", 1)
+    assert np.isnan(life_errors(paper_bearing(**TILTED).solve().cases, (None, soft(5)))).all()
