@@ -3,35 +3,35 @@
 Nothing of a family is imported before it is used.
 """
 
-from flexbearing.case.family import Family, entry
+from flexbearing.case.family import Entry, Family
 
 _ROLLER = Family(
     kind="cylindrical_roller",
-    case=entry("flexbearing.case.roller:Case"),
-    build=entry("flexbearing.runs.validate_roller:build"),
-    opening=entry("flexbearing.runs.roller:opening"),
-    solve=entry("flexbearing.runs.roller:solve"),
-    layout=entry("flexbearing.quantities.roller:LAYOUT"),
-    report=entry("flexbearing.report.roller.report:REPORT"),
-    initial_state=entry("flexbearing.coupled.initial_state:initial_state"),
+    case=Entry("flexbearing.case.roller:Case"),
+    build=Entry("flexbearing.runs.validate_roller:build"),
+    opening=Entry("flexbearing.runs.roller:opening"),
+    solve=Entry("flexbearing.runs.roller:solve"),
+    layout=Entry("flexbearing.quantities.roller:LAYOUT"),
+    report=Entry("flexbearing.report.roller.report:REPORT"),
+    initial_state=Entry("flexbearing.coupled.initial_state:initial_state"),
 )
 _FOUR_POINT = Family(
     kind="four_point_ball",
-    case=entry("flexbearing.case.balls.four_point:FourPointCase"),
-    build=entry("flexbearing.runs.four_point:bearing"),
-    opening=entry("flexbearing.runs.ball:opening"),
-    solve=entry("flexbearing.runs.ball:solve_four_point"),
-    layout=entry("flexbearing.quantities.four_point:LAYOUT"),
-    report=entry("flexbearing.report.balls.four_point_report:REPORT"),
+    case=Entry("flexbearing.case.balls.four_point:FourPointCase"),
+    build=Entry("flexbearing.runs.four_point:bearing"),
+    opening=Entry("flexbearing.runs.ball:opening"),
+    solve=Entry("flexbearing.runs.ball:solve_four_point"),
+    layout=Entry("flexbearing.quantities.four_point:LAYOUT"),
+    report=Entry("flexbearing.report.balls.four_point_report:REPORT"),
 )
 _ANGULAR = Family(
     kind="angular_contact_ball",
-    case=entry("flexbearing.case.balls.angular_contact:AngularCase"),
-    build=entry("flexbearing.runs.angular_contact:build"),
-    opening=entry("flexbearing.runs.ball:opening"),
-    solve=entry("flexbearing.runs.ball:solve_angular"),
-    layout=entry("flexbearing.quantities.angular_contact:LAYOUT"),
-    report=entry("flexbearing.report.balls.angular_contact_report:REPORT"),
+    case=Entry("flexbearing.case.balls.angular_contact:AngularCase"),
+    build=Entry("flexbearing.runs.angular_contact:build"),
+    opening=Entry("flexbearing.runs.ball:opening"),
+    solve=Entry("flexbearing.runs.ball:solve_angular"),
+    layout=Entry("flexbearing.quantities.angular_contact:LAYOUT"),
+    report=Entry("flexbearing.report.balls.angular_contact_report:REPORT"),
 )
 
 FAMILIES = {family.kind: family for family in (_ROLLER, _FOUR_POINT, _ANGULAR)}

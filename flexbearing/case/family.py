@@ -8,20 +8,16 @@ from typing import Any
 from flexbearing.case.head import Head
 
 
-def entry(place: str) -> Callable[[], Any]:
-    """Return a function that imports an object when it is called.
+@dataclass(frozen=True)
+class Entry:
+    """An object that is imported when it is asked for, by calling this."""
 
-    Parameters
-    ----------
-    place : str
-        module and name, "flexbearing.case.roller:Case"
-    """
+    place: str  # module and name, "flexbearing.case.roller:Case"
 
-    def imported() -> Any:
-        module, _, name = place.partition(":")
+    def __call__(self) -> Any:
+        """Import the object."""
+        module, _, name = self.place.partition(":")
         return getattr(import_module(module), name)
-
-    return imported
 
 
 @dataclass(frozen=True, kw_only=True)

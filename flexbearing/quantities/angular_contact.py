@@ -191,6 +191,13 @@ z towards y, which is the way a positive speed turns.
         Axis("P", "point", coordinate="slip_position"),
     ),
     quantities=QUANTITIES,
+    main=(
+        "balls_on_both_races",
+        "contact_load_range.outer.largest",
+        "peak_pressure.inner",
+        "contact_angle_range.inner.largest",
+        "orbital_speed_range.smallest",
+    ),
     blocks=("rigid",),
     head=("kind", *HEAD),
 )

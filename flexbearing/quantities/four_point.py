@@ -199,6 +199,7 @@ Torques are what must be put in so that the inner ring runs ahead: positive ther
         Axis("P2", "second_point"),
     ),
     quantities=QUANTITIES,
+    main=("max_contact_load", "loaded_balls", "peak_pressure.inner", "torque.inner", "power_loss"),
     blocks=("rigid",),
     further_blocks=("flexible",),
     head=("kind", *HEAD),

@@ -20,6 +20,7 @@ class Layout:
     blocks: tuple[str, ...]  # that a converged run has
     further_blocks: tuple[str, ...] = ()  # that only some cases have
     further_attributes: tuple[Attribute, ...] = ()  # beside the common ones
+    main: tuple[str, ...] = ()  # outputs that a result is known by, five at most
     head: tuple[str, ...] = HEAD  # root attributes that the summary repeats
     case_keys: tuple[
         tuple[str, str, str], ...

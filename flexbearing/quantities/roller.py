@@ -485,6 +485,7 @@ towards y, which is the way a positive speed turns.
         Axis("N", "unknown"),
     ),
     quantities=QUANTITIES,
+    main=("max_roller_load", "life_L10", "total_stiffness", "cage_slip", "driving_torque"),
     blocks=("rigid", "flexible"),
     further_attributes=_ATTRIBUTES,
     head=(

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -13,14 +13,25 @@ from flexbearing.outputs import Value, wanted
 from flexbearing.quantities.attributes import GRADES
 from flexbearing.quantities.summary import summary
 from flexbearing.results.checks import require_same_names
+from flexbearing.results.overview import overview
+from flexbearing.results.scales import ITERATIONS
+
+if TYPE_CHECKING:
+    from xarray import DataTree
 
 Arrays = Mapping[str, np.ndarray]
 NOTHING: Arrays = MappingProxyType({})
 
 
-@dataclass(frozen=True, kw_only=True)
+TIMES = "created", "wall_time_s", "seconds"  # by which two results of one case differ
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Result:
-    """What one run left behind, in SI units; names as in the layout."""
+    """What one run left behind, in SI units; names as in the layout.
+
+    Two results are equal where everything in them is but times and the place of the file.
+    """
 
     path: Path | None  # of its file; None where nothing was written
     attributes: Mapping[str, Any]  # JSON attributes are mappings again, lists are tuples
@@ -56,12 +67,56 @@ class Result:
 
     def __getitem__(self, output: str) -> Value:
         """A scalar by its name, "flexible.max_roller_load" or "cage_slip [%]"; see `flexbearing.outputs`."""
-        return wanted(self.family.layout(), output).value({"rigid": self.rigid, "flexible": self.flexible})
+        return wanted(self.family.layout(), output).value(self._blocks)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Result):
+            return NotImplemented
+        return (
+            self.kind == other.kind
+            and _timeless(dict(self.attributes)) == _timeless(dict(other.attributes))
+            and len(self.iterations) == len(other.iterations)
+            and all(map(_same, self._arrays, other._arrays))
+        )
+
+    def __repr__(self) -> str:
+        blocks = {name: block for name, block in self._blocks.items() if block}
+        return overview(self.family.layout(), self.attributes, blocks, self.place)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        arrays = [dict(block) for block in self._arrays]
+        return _restored, (self.path, dict(self.attributes), arrays, self.family)
+
+    @property
+    def _blocks(self) -> dict[str, Arrays]:
+        return {"rigid": self.rigid, "flexible": self.flexible}
+
+    @property
+    def _arrays(self) -> tuple[Arrays, ...]:
+        return (self.rigid, self.flexible, *self.iterations)
+
+    def to_xarray(self) -> "DataTree":
+        """Blocks and iterations with named dimensions, places along them and units.
+
+        Returns
+        -------
+        xarray.DataTree
+            groups `rigid`, `flexible` and `iterations`, in SI units; the attributes are texts and numbers
+
+        Raises
+        ------
+        ImportError
+            where xarray is not installed; it comes with `flexbearing[studies]`
+        """
+        from flexbearing.results.labelled import labelled
+
+        groups = {**self._blocks, ITERATIONS: self.stacked}
+        simple = {name: each for name, each in self.attributes.items() if isinstance(each, str | int | float)}
+        return labelled(self.family.layout(), groups, simple)
 
     def summary(self) -> dict[str, Any]:
         """Numbers of the run as one object that JSON can hold; a name carries its unit."""
-        blocks = {"rigid": self.rigid, "flexible": self.flexible}
-        return summary(self.family.layout(), self.attributes, blocks)
+        return summary(self.family.layout(), self.attributes, self._blocks)
 
     @property
     def stacked(self) -> Arrays:
@@ -93,3 +148,34 @@ class Result:
         if not self.iterations:
             return np.empty(0)
         return np.stack([state[name] for state in self.iterations])
+
+
+def _timeless(record: Any) -> Any:
+    """A record without times, at any depth."""
+    if isinstance(record, Mapping):
+        return {name: _timeless(item) for name, item in record.items() if name not in TIMES}
+    return [_timeless(item) for item in record] if isinstance(record, list) else record
+
+
+def _same(one: Arrays, other: Arrays) -> bool:
+    """Whether two groups hold the same numbers, but for times."""
+    return one.keys() == other.keys() and all(
+        np.array_equal(one[name], other[name], equal_nan=True) for name in one if name not in TIMES
+    )
+
+
+def _restored(
+    path: Path | None, attributes: dict[str, Any], arrays: list[dict[str, np.ndarray]], family: Family
+) -> Result:
+    """A result that was pickled; its arrays cannot change either."""
+    for array in (array for group in arrays for array in group.values()):
+        array.flags.writeable = False
+    rigid, flexible, *iterations = map(MappingProxyType, arrays)
+    return Result(
+        path=path,
+        attributes=MappingProxyType(attributes),
+        rigid=rigid,
+        flexible=flexible,
+        iterations=tuple(iterations),
+        family=family,
+    )

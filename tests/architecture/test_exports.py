@@ -1,4 +1,4 @@
-"""What `quasidynamic` and `fem` offer is told to the type checker and to the interpreter: both agree."""
+"""What each package offers is told to the type checker and to the interpreter: both agree."""
 
 import ast
 import subprocess
@@ -8,9 +8,10 @@ from pathlib import Path
 import pytest
 
 import fem
+import flexbearing
 import quasidynamic
 
-PACKAGES = (quasidynamic, fem)
+PACKAGES = (quasidynamic, fem, flexbearing)
 
 
 @pytest.mark.parametrize("package", PACKAGES, ids=lambda package: package.__name__)
