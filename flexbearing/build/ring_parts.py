@@ -49,7 +49,7 @@ def outer_part(case: Case) -> "fem.SquirrelCage | fem.OuterRing | StepSolid | No
         **ring,
         **{name: getattr(outer, name) * hot for name in lengths},
         bars=outer.bars,
-        collar_thickness=(outer.collar_thickness or 0.0) * hot,
+        collar_thickness=outer.collar_thickness * hot if outer.collar_length else 0.0,
         two_sided=outer.bar_ends == "both",
         offset=outer.raceway_offset * hot,
     )
