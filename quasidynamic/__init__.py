@@ -26,6 +26,7 @@ if TYPE_CHECKING:
         RingLoad as RingLoad,
         SlidingBalls as SlidingBalls,
     )
+    from quasidynamic.many_elastic import solve_many_elastic as solve_many_elastic
     from quasidynamic.outcome.angular_contact_state import AngularContactState as AngularContactState
     from quasidynamic.parts.angular_contact_bearing import (
         AngularContactBearing as AngularContactBearing,
@@ -69,6 +70,7 @@ EXPORTS = {
     "contact.traction.traction_law": ("Regression4109",),
     "errors": ("ImpossiblePart", "NotSolved", "OutOfRange"),
     "four_point": ("FourPointBallBearing", "RingLoad", "SlidingBalls"),
+    "many_elastic": ("solve_many_elastic",),
     "outcome.angular_contact_state": ("AngularContactState",),
     "parts.angular_contact_bearing": ("AngularContactBearing", "RingOperation"),
     "parts.ball": ("Ball", "FourPointBearing", "Groove"),

@@ -53,6 +53,19 @@ def stacked(*numbers: Number) -> NDArray:
     return np.array(numbers)[:, None, None]  # the same, ten times faster
 
 
+def columns_of(part: Any, cases: int) -> NDArray:
+    """Numbers (C, n) that differ between the C cases of a part `with_columns`."""
+    columns: list[NDArray] = []
+
+    def found(number: Number) -> Number:
+        if isinstance(number, np.ndarray) and number.shape == (cases, 1):
+            columns.append(number[:, 0])
+        return number
+
+    _changed(part, found)
+    return np.array(columns).T if columns else np.zeros((cases, 0))
+
+
 def taken(part: Part, cases: NDArray) -> Part:
     """The same part for some of its cases; for a single one its columns become numbers.
 

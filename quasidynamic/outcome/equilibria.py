@@ -1,5 +1,6 @@
 """Equilibria of many bearings, as they were solved side by side."""
 
+from collections import Counter
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -20,6 +21,7 @@ class Batch:
     states: BearingStates  # of C cases
     outcomes: tuple[SolverOutcome, ...]  # (C) how each solve ended
     evaluations: NDArray  # (C) that it took
+    ways: tuple[str, ...] = ()  # (C) by which way, where there are several
 
     def __len__(self) -> int:
         return len(self.outcomes)
@@ -69,6 +71,11 @@ class Equilibria:
     def evaluations(self) -> NDArray:
         """Evaluations (bearings) that the solves took."""
         return self.in_order(lambda batch: batch.evaluations)
+
+    @property
+    def ways(self) -> Counter[str]:
+        """How many bearings were solved by which way, where there are several."""
+        return Counter(way for batch in self.batches for way in batch.ways)
 
     def in_order(self, of_batch: Callable[[Batch], NDArray]) -> NDArray:
         """Values (bearings, ...) in the order of the bearings from those (C, ...) of every batch."""

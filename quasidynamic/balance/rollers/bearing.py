@@ -66,13 +66,16 @@ class BearingBalance:
     roller: RollerBalance
     points: OperatingPoints
     compliance: tuple[NDArray | None, NDArray | None] = (None, None)  # inner, outer (Z M, Z M) [m/N]
-    deviation: NDArray | None = None  # (2, Z, M) given shape of the raceways, outward [m]
+    deviation: NDArray | None = None  # (2, Z, M) or (C, 2, Z, M) given shape of the raceways, outward [m]
     spin_inertia: bool = True
 
     def take(self, cases: NDArray) -> "BearingBalance":
         """Balance of some of the cases."""
         roller = self.roller if self._rollers_alike else taken(self.roller, cases)
-        return replace(self, points=self.points.take(cases), roller=roller)
+        points, deviation = self.points.take(cases), self.deviation
+        if deviation is not None and deviation.ndim == 4:
+            deviation = deviation[cases] if len(points) > 1 else deviation[cases][0]
+        return replace(self, points=points, roller=roller, deviation=deviation)
 
     @cached_property
     def _rollers_alike(self) -> bool:
@@ -150,7 +153,8 @@ class BearingBalance:
         if self.layout.elastic_raceways or self.deviation is not None:
             deviation = x.deviation
             if self.deviation is not None:
-                deviation = deviation + np.moveaxis(self.deviation, -1, 1)[:, :, None]
+                given = self.deviation.reshape(-1, *self.deviation.shape[-3:])  # one, or one for each case
+                deviation = deviation + given.transpose(1, 3, 0, 2)
             self.kinematics.deviate(approach, deviation)
         return RollerInputs(approach, x.film, self.motion(x.cage_drift, x.spin_drift), self.weight)
 

@@ -1,7 +1,7 @@
 """Newton steps that find out which rollers touch elastic raceways."""
 
 from collections.abc import Iterator
-from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,10 +31,21 @@ SHORTEST_STEP = 2.0**-7  # of a step that is damped
 HELD = Shift(spin=1e9, cage=1e9)  # on the diagonal of the scaled matrix: spins and cage do not move
 
 
+class Start(NamedTuple):
+    """Where a search of C cases begins."""
+
+    unknowns: NDArray  # (C, N) scaled
+    leading: NDArray  # (C) the most loaded roller
+
+    def take(self, cases: NDArray) -> "Start":
+        """Start of some of the cases."""
+        return Start(self.unknowns[cases], self.leading[cases])
+
+
 def contact_search(
     balance: BearingBalance, unknowns: NDArray, near: bool = False, damped: bool = False
 ) -> Iterator[Iterate]:
-    """Yield steps of one case until displacements hardly change.
+    """Yield steps of the running cases; a case leaves when its displacements hardly change.
 
     The load law is nearly linear, so a full step solves the problem of the rollers that touched before it,
     however far it overshoots; damped steps would be many and small. After a step the rollers are put into
@@ -44,8 +55,8 @@ def contact_search(
     Parameters
     ----------
     balance : BearingBalance
-        of one case
-    unknowns : array (1, N)
+        of C cases
+    unknowns : array (C, N)
         start, scaled
     near : bool
         whether the start is nearly the solution, such as that of a similar case: then cage and spins
@@ -54,87 +65,108 @@ def contact_search(
         whether steps are halved until forces and deviations are nearer to balance: slower, and for very soft
         raceways, where full steps leap between sets of touching rollers
     """
-    case, accepted = np.array([0]), np.array([True])
+    cases = np.arange(len(unknowns))
     system = balance.evaluate(unknowns)
-    yield Iterate(0, case, unknowns, system, [SolverOutcome.RUNNING], accepted)
-    start = balance.unpack(unknowns)
-    shortest = SHORTEST_STEP if damped else 1.0
-    advance = _with_friction if near else partial(_with_spins_held, start, _most_loaded(system), shortest)
+    yield Iterate(0, cases, unknowns, system, [SolverOutcome.RUNNING] * len(cases), cases >= 0)
+    start, fast = Start(unknowns, _most_loaded(system)), not (near or damped)
+    found = fast & (_unbalanced(balance, system) < NEARLY)
     for number in range(1, (MAX_STEPS_NEAR if near else MAX_STEPS) + 1):
-        if not (near or damped) and _unbalanced(balance, system) < NEARLY:
+        if found.all():
             return
-        unknowns, contacts_kept = advance(balance, unknowns, system)
+        if found.any():
+            left = np.flatnonzero(~found)
+            cases, balance, unknowns, start = (
+                cases[left],
+                balance.take(left),
+                unknowns[left],
+                start.take(left),
+            )
+            system = balance.evaluate(unknowns)
+        if near:
+            unknowns, contacts_kept = _with_friction(balance, unknowns, system)
+        else:
+            unknowns, contacts_kept = _with_spins_held(balance, start, unknowns, system, damped)
         system = balance.evaluate(unknowns)
-        if contacts_kept or (not damped and _unbalanced(balance, system) < NEARLY):
-            unknowns, system = _without_slip(balance, unknowns, system)
-        outcome = SolverOutcome.RUNNING if np.isfinite(norm(system)[0]) else SolverOutcome.NOT_FINITE
-        yield Iterate(number, case, unknowns, system, [outcome], accepted)
-        if contacts_kept or outcome is not SolverOutcome.RUNNING:
-            return
+        ending = contacts_kept | ((not damped) & (_unbalanced(balance, system) < NEARLY))
+        unknowns, system = _without_slip(balance, unknowns, system, ending)
+        finite = np.isfinite(norm(system))
+        outcomes = [SolverOutcome.RUNNING if each else SolverOutcome.NOT_FINITE for each in finite]
+        yield Iterate(number, cases, unknowns, system, outcomes, cases >= 0)
+        found = contacts_kept | ~finite | (fast & (_unbalanced(balance, system) < NEARLY))
 
 
 def _with_spins_held(
-    start: Unknowns,
-    leading: int,
-    shortest: float,
-    balance: BearingBalance,
-    unknowns: NDArray,
-    system: Linearisation,
-) -> tuple[NDArray, bool]:
-    """Settled unknowns after a step in which cage and spins keep their speeds, and whether it was small."""
+    balance: BearingBalance, start: Start, unknowns: NDArray, system: Linearisation, damped: bool
+) -> tuple[NDArray, NDArray]:
+    """Settled unknowns after a step in which cage and spins keep their speeds; whether it was small (C)."""
     change = step(balance, system, shift=HELD)
     change[:, TILT_Z:CAGE] = np.clip(change[:, TILT_Z:CAGE], -LARGEST_TILT, LARGEST_TILT)
-    length, before = 1.0, _unbalanced(balance, system)
-    while True:
-        moved = _turning_alike(balance, start, leading, unknowns + length * change)
-        if length <= shortest or _unbalanced(balance, balance.evaluate(moved)) < before:
-            return moved, _is_small(balance, unknowns, change if length < 1.0 else moved - unknowns)
-        length /= 2
+    length, before = np.ones((len(unknowns), 1)), _unbalanced(balance, system)
+    moved = _turning_alike(balance, start, unknowns + change)
+    while damped:
+        worse = ~(_unbalanced(balance, balance.evaluate(moved)) < before) & (length[:, 0] > SHORTEST_STEP)
+        if not worse.any():
+            break
+        length[worse] /= 2
+        shorter = _turning_alike(balance, start, unknowns + length * change)
+        moved = np.where(worse[:, None], shorter, moved)
+    return moved, _is_small(balance, unknowns, np.where(length < 1.0, change, moved - unknowns))
 
 
-def _turning_alike(balance: BearingBalance, start: Unknowns, leading: int, unknowns: NDArray) -> NDArray:
+def _turning_alike(balance: BearingBalance, start: Start, unknowns: NDArray) -> NDArray:
     """Settled unknowns with the speeds of a start, loaded rollers with those of its most loaded one."""
-    free = balance.unpack(unknowns)._replace(cage_drift=start.cage_drift, spin_drift=start.spin_drift)
+    begin = balance.unpack(start.unknowns)
+    free = balance.unpack(unknowns)._replace(cage_drift=begin.cage_drift, spin_drift=begin.spin_drift)
     moved = _settled(balance, free)
     load = frictionless_loads(balance, moved, uneven=True)
-    loaded = load[INNER] > LOADED * load[INNER].max()
-    spins = np.where(loaded, start.spin_drift[:, leading, None], start.spin_drift)
-    moved = moved._replace(spin_drift=spins)
+    loaded = load[INNER] > LOADED * load[INNER].max(axis=1, keepdims=True)
+    leading = np.take_along_axis(begin.spin_drift, start.leading[:, None], axis=1)
+    moved = moved._replace(spin_drift=np.where(loaded, leading, begin.spin_drift))
     return balance.pack(moved._replace(film=film_at(balance, moved, load)))
 
 
 def _without_slip(
-    balance: BearingBalance, unknowns: NDArray, system: Linearisation
+    balance: BearingBalance, unknowns: NDArray, system: Linearisation, ending: NDArray
 ) -> tuple[NDArray, Linearisation]:
-    """The unknowns and their system, in pure rolling where slips are small and that is nearer to balance.
+    """Unknowns, system; ending cases (C) in pure rolling where slips are small and it is nearer to balance.
 
     Traction of a stiff oil reaches its limit at slips of 1e-11: those of one roller are far from balance at
     another, and Newton's method, which comes up from pure rolling in a few steps, overshoots from there.
     """
     x = balance.unpack(unknowns)
-    slip = np.abs(x.cage_drift / balance.rolling_cage).max()
-    if not slip < SMALL_SLIP:
+    ending = ending & (np.abs(x.cage_drift / balance.rolling_cage)[:, 0] < SMALL_SLIP)
+    if not ending.any():
         return unknowns, system
     rolling = x._replace(cage_drift=np.zeros_like(x.cage_drift), spin_drift=np.zeros_like(x.spin_drift))
     without = balance.pack(rolling)
     there = balance.evaluate(without)
-    return (without, there) if norm(there)[0] < norm(system)[0] else (unknowns, system)
+    nearer = ending & (norm(there) < norm(system))
+    if not nearer.any():
+        return unknowns, system
+    chosen = np.where(nearer[:, None], without, unknowns)
+    return chosen, there if nearer.all() else balance.evaluate(chosen)
 
 
-def _unbalanced(balance: BearingBalance, system: Linearisation) -> float:
-    """Length of the scaled residual without films, spins and cage."""
-    layout, residual = balance.layout, system.residual[0]
-    return float(np.linalg.norm(np.concatenate([residual[:CAGE], residual[layout.displacements[2:]]])))
+def _unbalanced(balance: BearingBalance, system: Linearisation) -> NDArray:
+    """Length of the scaled residual without films, spins and cage (C)."""
+    forces = np.append(np.arange(CAGE), balance.layout.displacements[2:])
+    return np.linalg.norm(system.residual[:, forces], axis=1)
 
 
-def _with_friction(balance: BearingBalance, unknowns: NDArray, system: Linearisation) -> tuple[NDArray, bool]:
-    """Unknowns after a step of all of them, settled unless it was small."""
+def _with_friction(
+    balance: BearingBalance, unknowns: NDArray, system: Linearisation
+) -> tuple[NDArray, NDArray]:
+    """Unknowns after a step of all of them, settled unless it was small; whether it was (C)."""
     change = step(balance, system)
-    if _is_small(balance, unknowns, change):
-        return bounded(balance, unknowns, unknowns + change), True
+    small = _is_small(balance, unknowns, change)
+    if small.all():
+        return bounded(balance, unknowns, unknowns + change), small
     moved = _settled(balance, balance.unpack(bounded_spins(balance, unknowns, unknowns + change)))
     film = film_at(balance, moved, frictionless_loads(balance, moved, uneven=True))
-    return balance.pack(moved._replace(film=film)), False
+    moved = balance.pack(moved._replace(film=film))
+    if small.any():
+        moved = np.where(small[:, None], bounded(balance, unknowns, unknowns + change), moved)
+    return moved, small
 
 
 def _settled(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
@@ -143,13 +175,13 @@ def _settled(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
     return lying_on_a_raceway(balance, static_equilibrium(balance, tilted, uneven=True))
 
 
-def _is_small(balance: BearingBalance, unknowns: NDArray, change: NDArray) -> bool:
-    """Whether displacements change by a small share of the largest approach."""
-    small = SMALL_CHANGE * unknowns[0, balance.layout.field(0)].max()
-    return bool(np.abs(change[0, balance.layout.displacements]).max() < small)
+def _is_small(balance: BearingBalance, unknowns: NDArray, change: NDArray) -> NDArray:
+    """Whether displacements change by a small share of the largest approach (C)."""
+    small = SMALL_CHANGE * unknowns[:, balance.layout.field(0)].max(axis=1)
+    return np.abs(change[:, balance.layout.displacements]).max(axis=1) < small
 
 
-def _most_loaded(system: Linearisation) -> int:
-    """The roller of the largest load on the inner raceway, or on the outer one where the inner has none."""
-    load = system.state.contact.force[:, 0, 0]
-    return int(load[INNER if load[INNER].any() else OUTER].argmax())
+def _most_loaded(system: Linearisation) -> NDArray:
+    """Roller of the largest load on the inner raceway, or on the outer one where the inner has none (C)."""
+    load = system.state.contact.force[:, 0]
+    return np.where(load[INNER].any(axis=1, keepdims=True), load[INNER], load[OUTER]).argmax(axis=1)

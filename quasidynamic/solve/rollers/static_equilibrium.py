@@ -102,6 +102,8 @@ def tilts_between_raceways(balance: BearingBalance, unknowns: Unknowns) -> Unkno
     Hardly any moment holds the tilt of a roller without load: a linearised step may tilt it by any amount,
     but it cannot rest where its moments at both raceways have one sense.
     """
+    if balance.roller.axial_modes == 1:
+        return unknowns
     approach = balance.inputs(unknowns).approach
     whole = approach[0, 1] + approach[1, 1]
     slack = 3 * np.abs(approach[:, 3::2]).sum((0, 1))

@@ -1,0 +1,106 @@
+"""Many bearings between the same elastic raceways."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.columns import columns_of
+from quasidynamic.outcome.bearing_states import BearingStates
+from quasidynamic.outcome.equilibria import Batch, Equilibria
+from quasidynamic.outcome.equilibrium import Equilibrium
+from quasidynamic.roller import Compliance, RollerBearing, side_by_side_batches
+from quasidynamic.several.indicator import each_several_likely
+from quasidynamic.solve.outcome import SolverOutcome
+from quasidynamic.solve.rollers.many_elastic import ManyCases, Way, a_few
+from quasidynamic.solve.rollers.parametric_balance import between
+from quasidynamic.solve.rollers.solved_neighbours import coordinates
+
+
+def solve_many_elastic(
+    bearings: Sequence[RollerBearing],
+    compliance: Compliance,
+    starts: Equilibria,
+    deviation: NDArray | None = None,
+) -> Equilibria:
+    """Equilibria of many bearings between the same elastic raceways.
+
+    The answers are those of `RollerBearing.iterate` one after the other. Bearings that differ in operation
+    and clearance only are solved side by side, most of them from a fit to solved ones around. Where several
+    equilibria are likely a bearing is solved from its own start, as it is alone: which one is reached never
+    depends on its neighbours.
+
+    Parameters
+    ----------
+    bearings : sequence of RollerBearing
+        whose rollers and axial modes are those of the raceways
+    compliance : pair of arrays (Z, M, Z, M) or None
+        outward deviation of inner and outer raceway per outward force [m/N]; None is rigid
+    starts : Equilibria
+        of the same bearings between rigid raceways, as `solve_many` finds them
+    deviation : array (2, Z, M) or (bearings, 2, Z, M), optional
+        outward deviations that are there without any roller load [m]
+
+    Returns
+    -------
+    Equilibria
+        one for each bearing, also where none was reached; its `ways` count how they were solved. A start that
+        was not reached is returned as it is
+    """
+    begun = np.setdiff1d(np.arange(len(bearings)), starts.unsolved)
+    batches = [_start(starts[place], place) for place in starts.unsolved]
+    kinds = side_by_side_batches([bearings[place] for place in begun], max(len(begun), 1))
+    for some, together in kinds:
+        places = begun[some]
+        given = deviation if deviation is None or deviation.ndim == 3 else deviation[places]
+        alike = _Alike(together, [bearings[place] for place in places], compliance, given)
+        batches += alike.solved(starts, places)
+    return Equilibria(tuple(batches))
+
+
+def _start(start: Equilibrium, place: int) -> Batch:
+    """A start as the answer."""
+    return Batch(np.array([place]), start.cases, (start.status,), np.array([0]), (Way.NONE,))
+
+
+@dataclass(frozen=True)
+class _Alike:
+    """Bearings that differ in numbers only."""
+
+    together: RollerBearing  # which stands for them
+    bearings: list[RollerBearing]
+    compliance: Compliance
+    deviation: NDArray | None  # (2, Z, M) or (bearings, 2, Z, M)
+
+    def solved(self, starts: Equilibria, places: NDArray) -> Iterator[Batch]:
+        """Yield the bearings in batches; they have places among the starts."""
+        each = self.deviation if self.deviation is not None and self.deviation.ndim == 4 else None
+
+        def alone(case: int) -> tuple[NDArray, SolverOutcome, int]:
+            shape = self.deviation if each is None else each[case]
+            *_, last = self.bearings[case].iterate(self.compliance, starts[places[case]], shape)
+            return last.scaled, last.status, last.number
+
+        balance = self.together.balance(len(places), aligned=False)
+        balance = between(balance, self.compliance, self.deviation)
+        numbers = columns_of(self.together, len(places))
+        begin = starts.in_order(lambda batch: balance.layout.joined(batch.states.unknowns))[places]
+        many = ManyCases.of(balance, coordinates(numbers, each), begin / balance.scales.unknown, alone)
+        with np.errstate(all="ignore"):  # a trial step may be absurd
+            many.solve()
+            for some in a_few(many.by_load(np.arange(len(places)))):
+                yield self._batch(many, some, places)
+
+    def _batch(self, many: ManyCases, cases: NDArray, places: NDArray) -> Batch:
+        """Some cases, those with several likely equilibria solved again as each is alone."""
+        states = BearingStates(
+            many.balance.take(cases), many.solved.unknowns[cases], self.together.axial_modes
+        )
+        fitted = np.array([many.ways[case] is Way.FITTED for case in cases])
+        doubtful = each_several_likely(states) & fitted
+        if doubtful.any():
+            many.search(cases[doubtful], Way.DOUBTFUL)
+            states = BearingStates(states.balance, many.solved.unknowns[cases], states.axial_modes)
+        outcomes, ways = (tuple(of[case] for case in cases) for of in (many.solved.outcomes, many.ways))
+        return Batch(places[cases], states, outcomes, many.solved.evaluations[cases], ways)

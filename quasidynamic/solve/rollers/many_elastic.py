@@ -1,0 +1,108 @@
+"""Many cases between the same elastic raceways: some by contact searches, others from those around."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from enum import StrEnum
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.rollers.bearing import BearingBalance
+from quasidynamic.solve.outcome import SolverOutcome
+from quasidynamic.solve.rollers.contact_search import contact_search
+from quasidynamic.solve.rollers.newton import newton
+from quasidynamic.solve.rollers.solved_neighbours import local_fit, spread_out
+from quasidynamic.solve.rollers.strategy import SolvedCases
+
+CASES_AT_ONCE = 24  # their matrices fit into the processor's cache
+FIRST = 8  # cases that are solved by contact searches, or twice the root of their number
+GROWTH = 4  # of the number of solved cases, before others are solved from them
+
+Alone = Callable[[int], tuple[NDArray, SolverOutcome, int]]  # unknowns (N), outcome, evaluations of a case
+
+
+class Way(StrEnum):
+    """How a case was solved."""
+
+    NONE = ""
+    FITTED = "from a fit to solved cases around"
+    SEARCHED = "after a contact search from its start"
+    DOUBTFUL = "after a contact search from its start, as several equilibria are likely"
+    ALONE = "alone"
+
+
+@dataclass(frozen=True)
+class ManyCases:
+    """C cases between the same elastic raceways and how far they are solved; filled while they are."""
+
+    balance: BearingBalance  # of C cases
+    coordinates: NDArray  # (C, P) of what differs between them
+    starts: NDArray  # (C, N) scaled, each what a solve alone begins with
+    alone: Alone
+    solved: SolvedCases
+    ways: list[Way]  # (C)
+
+    @classmethod
+    def of(cls, balance: BearingBalance, coordinates: NDArray, starts: NDArray, alone: Alone) -> "ManyCases":
+        """Cases that are not solved yet."""
+        count = len(starts)
+        solved = SolvedCases(starts.copy(), [SolverOutcome.RUNNING] * count, np.zeros(count, int))
+        return cls(balance, coordinates, starts, alone, solved, [Way.NONE] * count)
+
+    def solve(self) -> None:
+        """Solve all cases.
+
+        Some that are spread over all coordinates are searched, then more and more cases are solved from a fit
+        to the solved ones around; where Newton's method fails from there, they are searched.
+        """
+        count = len(self.coordinates)
+        end = min(count, max(FIRST, int(2 * np.sqrt(count))))
+        order = spread_out(self.coordinates, end)
+        self.search(self.by_load(order[:end]))
+        while end < count:
+            begin, end = end, GROWTH * end
+            self._solve_around(self.by_load(order[begin:end]), order[:begin])
+
+    def search(self, cases: NDArray, way: Way = Way.SEARCHED) -> None:
+        """Solve some cases as each is solved alone: by contact searches side by side, failures one by one."""
+        for some in a_few(cases):
+            found = self.starts[some]
+            for iterate in contact_search(self.balance.take(some), found):
+                self.solved.evaluations[some[iterate.cases]] += 1
+                found[iterate.cases] = iterate.unknowns
+            self._newton(some, found, way)
+        for case in self._unsolved(cases):
+            unknowns, outcome, evaluations = self.alone(int(case))
+            self.solved.unknowns[case], self.solved.outcomes[case] = unknowns, outcome
+            self.solved.evaluations[case] += evaluations
+            self.ways[case] = Way.ALONE
+
+    def by_load(self, cases: NDArray) -> NDArray:
+        """The same cases, those of similar loads and speeds side by side: similar rollers touch there."""
+        points = self.balance.points
+        return cases[np.lexsort((points.relative_speed[cases, 0], points.load[cases, 0]))]
+
+    def _solve_around(self, cases: NDArray, tried: NDArray) -> None:
+        """Solve some cases from those that were tried before."""
+        known = np.setdiff1d(tried, self._unsolved(tried))
+        if len(known):
+            fit = local_fit(self.coordinates[known], self.coordinates[cases])
+            for some in a_few(np.arange(len(cases))):
+                self._newton(cases[some], fit.take(some).of(self.solved.unknowns[known]), Way.FITTED)
+        self.search(self._unsolved(cases))
+
+    def _newton(self, cases: NDArray, starts: NDArray, way: Way) -> None:
+        """Try Newton's method from starts (n, N) of a few cases."""
+        self.solved.follow(newton(self.balance.take(cases), starts), cases)
+        for case in cases:
+            self.ways[case] = way
+
+    def _unsolved(self, cases: NDArray) -> NDArray:
+        """Those of some cases that are not solved."""
+        return np.array([c for c in cases if self.solved.outcomes[c] is not SolverOutcome.CONVERGED], int)
+
+
+def a_few(cases: NDArray) -> Iterator[NDArray]:
+    """Yield cases that are solved side by side."""
+    for first in range(0, len(cases), CASES_AT_ONCE):
+        yield cases[first : first + CASES_AT_ONCE]

@@ -1,0 +1,98 @@
+"""Starts of cases from solved ones around them, whatever differs between them."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+PRINCIPAL = 0.01  # of the largest variation of arrays: smaller ones are no coordinate
+SEED = 15  # of an order that shall be without order, and the same at every call
+NUGGET = 1e-3  # of the squared distance of the furthest neighbour: nearer ones count alike
+ALIKE = 1e-9  # distance of cases that are nearly the same
+STIFFENING = 1e-9  # of the moments of the neighbours, where they do not span all coordinates
+
+
+class Weights(NamedTuple):
+    """Values at n places as weighted sums of those at k solved places around each."""
+
+    neighbours: NDArray  # (n, k) which of the solved, the nearest first
+    weights: NDArray  # (n, k) [-]
+
+    def take(self, places: NDArray) -> "Weights":
+        """Weights at some of the places."""
+        return Weights(self.neighbours[places], self.weights[places])
+
+    def of(self, values: NDArray) -> NDArray:
+        """Values (n, N) from those of all solved places (S, N)."""
+        return (self.weights[:, None] @ values[self.neighbours])[:, 0]
+
+
+def coordinates(numbers: NDArray, arrays: NDArray | None = None) -> NDArray:
+    """Coordinates (C, P) of cases between 0 and 1, one for each number that differs; one if none does.
+
+    Parameters
+    ----------
+    numbers : array (C, n)
+        what may differ; logarithms are taken of those that are all positive
+    arrays : array (C, ...), optional
+        what may differ besides: the coordinates are its largest principal components
+    """
+    varied = numbers[:, np.ptp(numbers, axis=0) > 0]
+    scales = [np.log(column) if column.min() > 0 else column for column in varied.T]
+    if arrays is not None:
+        flat = arrays.reshape(len(arrays), -1)
+        components, sizes, _ = np.linalg.svd(flat - flat.mean(0), full_matrices=False)
+        scales += list(components[:, (sizes > PRINCIPAL * sizes[0]) & (sizes > 0)].T)
+    if not scales:
+        return np.zeros((len(numbers), 1))
+    columns = np.transpose(scales)
+    return (columns - columns.min(0)) / np.ptp(columns, axis=0)
+
+
+def spread_out(places: NDArray, count: int) -> NDArray:
+    """Order (C) of places (C, P): first `count` of them, each as far as possible from those before it."""
+    first = [int(((places - places.mean(0)) ** 2).sum(1).argmax())]
+    nearest = ((places - places[first[0]]) ** 2).sum(1)
+    while len(first) < count:
+        nearest[first] = -1.0  # also among cases that are alike
+        first.append(int(nearest.argmax()))
+        nearest = np.minimum(nearest, ((places - places[first[-1]]) ** 2).sum(1))
+    rest = np.setdiff1d(np.arange(len(places)), first)
+    return np.concatenate([first, np.random.default_rng(SEED).permutation(rest)])
+
+
+def local_fit(solved: NDArray, places: NDArray) -> Weights:
+    r"""Weights by which solved places give values elsewhere: those of a plane through the values around.
+
+    .. math:: \min_{a, b} \sum_j w_j (y_j - a - b \cdot (x_j - x))^2, \quad y(x) = a
+
+    Parameters
+    ----------
+    solved : array (S, P)
+        coordinates of solved cases
+    places : array (n, P)
+        coordinates of others
+
+    Returns
+    -------
+    Weights
+        exact for values that are linear in the coordinates, where enough solved cases span them
+
+    Source
+    ------
+    Moving least squares, Lancaster and Salkauskas (1981), with weights of inverse squared distances.
+    """
+    from scipy.spatial import KDTree  # costly to import
+
+    count = min(len(solved), 2 * places.shape[1] + 2)
+    nearest = KDTree(solved).query(places, k=count)  # without an axis where that is one
+    distances, neighbours = (np.reshape(values, (len(places), count)) for values in nearest)
+    squared = distances**2
+    nearness = 1 / (squared + NUGGET * squared.max(axis=1, keepdims=True) + ALIKE**2)
+    steps = solved[neighbours] - places[:, None]
+    terms = np.concatenate([np.ones((*neighbours.shape, 1)), steps], axis=-1)  # (n, k, 1 + P)
+    weighted = nearness[..., None] * terms
+    moments = weighted.swapaxes(1, 2) @ terms
+    moments += STIFFENING * np.trace(moments, axis1=1, axis2=2)[:, None, None] * np.eye(terms.shape[-1])
+    at_place = np.linalg.inv(moments)[:, :1]
+    return Weights(neighbours, (at_place @ weighted.swapaxes(1, 2))[:, 0])
