@@ -1,5 +1,5 @@
 # With Python 3.11 and make alone: `make run` computes the main case, `make test` runs the fast tests,
-# `make test-slow` the others.
+# `make test-slow` the slow ones, `make test-slurm` those with a queue.
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
@@ -8,7 +8,7 @@ READY := $(VENV)/.installed
 export OMP_NUM_THREADS ?= 2
 export OPENBLAS_NUM_THREADS ?= 2
 
-.PHONY: run test test-slow lint benchmark docs lock clean
+.PHONY: run test test-slow test-slurm lint benchmark docs lock clean
 
 run: $(READY)
 	$(BIN)/flexbearing run configs/mao2016.toml -o results/mao2016.h5
@@ -20,6 +20,10 @@ test: $(READY)
 
 test-slow: $(READY)
 	$(BIN)/python -m pytest -m slow
+
+# For root, with the Debian packages slurm-wlm and munge: a queue with two nodes on this machine.
+test-slurm: $(READY)
+	$(BIN)/python -m pytest -m slurm
 
 lint: $(READY)
 	$(BIN)/ruff format --check .

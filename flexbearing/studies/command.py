@@ -26,6 +26,9 @@ def study(  # noqa: PLR0913  # an argument for each option
     scheduler: Annotated[
         str | None, typer.Option("--scheduler", metavar="ADDRESS", help="running Dask scheduler, tcp://...")
     ] = None,
+    slurm: Annotated[
+        Path | None, typer.Option("--slurm", metavar="PROFILE.toml", help="workers in jobs of a SLURM queue")
+    ] = None,
     retry_failed: Annotated[
         bool, typer.Option("--retry-failed", help="compute rows that failed once more")
     ] = False,
@@ -41,7 +44,7 @@ def study(  # noqa: PLR0913  # an argument for each option
         _say(told.status(settled, output) if status else told.variants(settled))
         raise typer.Exit(BAD_INPUT if settled.plan.problems else CONVERGED)
     with told.Shown(sys.stderr) as shown:
-        table = compute(settled, output, Where(jobs, scheduler), retry_failed=retry_failed, tell=shown)
+        table = compute(settled, output, Where(jobs, scheduler, slurm), retry_failed=retry_failed, tell=shown)
     _say(told.end(table, output))
     raise typer.Exit(NOT_CONVERGED if table.failed else CONVERGED)
 

@@ -9,12 +9,13 @@ if TYPE_CHECKING:
     from flexbearing.studies.table import Table
 
 
-def study(
+def study(  # noqa: PLR0913  # an argument for each option
     file: str | Path,
     output: str | Path = "results",
     *,
     jobs: int | None = None,
     scheduler: str | None = None,
+    slurm: str | Path | None = None,
     retry_failed: bool = False,
     tell: "Callable[[Progress], None]" = lambda progress: None,
 ) -> "Table":
@@ -33,6 +34,8 @@ def study(
         long enough to be worth it
     scheduler : str, optional
         address of a running Dask scheduler that computes instead, tcp://HOST:PORT
+    slurm : path, optional
+        profile of a SLURM cluster whose jobs compute instead
     retry_failed : bool
         whether rows that failed are computed again
     tell : callable (Progress), optional
@@ -59,5 +62,5 @@ def study(
     from flexbearing.studies.prepare import compute, prepared
     from flexbearing.studies.where import Where
 
-    where = Where(jobs, scheduler)
+    where = Where(jobs, scheduler, None if slurm is None else Path(slurm))
     return compute(prepared(file), Path(output), where, retry_failed=retry_failed, tell=tell)

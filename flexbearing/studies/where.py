@@ -2,14 +2,18 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from importlib.util import find_spec
+from pathlib import Path
 
 from flexbearing.case import BadCase
 from flexbearing.studies.engine import Engine
 from flexbearing.studies.engine.cores import BadCount, cores
 from flexbearing.studies.engine.local import Local
 from flexbearing.studies.engine.on_dask import connected
+from flexbearing.studies.engine.on_slurm import NoQueue, OnSlurm
 from flexbearing.studies.engine.serial import Serial
+from flexbearing.studies.file.slurm_profile import SlurmProfile, profile
 from flexbearing.studies.plan import Plan
 
 RING, ELASTIC, RIGID = 5.0, 0.1, 0.005  # [s] a ring, a variant between elastic rings and between rigid ones
@@ -22,6 +26,7 @@ class Where:
 
     jobs: int | None = None  # processes here; None: as many as are worth it
     scheduler: str | None = None  # address of a running Dask scheduler instead
+    slurm: Path | None = None  # profile of a SLURM cluster instead
 
     def engine(self, plan: Plan) -> Callable[[int], Engine]:
         """What starts the engine, given the number of tasks.
@@ -29,21 +34,27 @@ class Where:
         Raises
         ------
         BadCase
-            when what it needs is not installed, or nobody answers at the address
+            when several places are named, the profile is wrong, what they need is not installed, or nobody
+            answers there
         """
-        if self.scheduler is None and self.jobs == 1:
+        options = {"--jobs": self.jobs, "--scheduler": self.scheduler, "--slurm": self.slurm}
+        named = [name for name, value in options.items() if value is not None]
+        if len(named) > 1:
+            raise BadCase(f"{' and '.join(named)}: a study is computed in one place; give one of them")
+        if self.jobs == 1 or (not named and find_spec("distributed") is None):
             return lambda tasks: Serial()
         if find_spec("distributed") is None:
-            if self.scheduler is None and self.jobs is None:
-                return lambda tasks: Serial()
             raise BadCase(
-                'several jobs and schedulers need Dask: pip install "flexbearing[studies]", or --jobs 1'
+                "several jobs, schedulers and queues need Dask: "
+                'pip install "flexbearing[studies]", or --jobs 1'
             )
-        return lambda tasks: self._on_dask(tasks, plan)
-
-    def _on_dask(self, tasks: int, plan: Plan) -> Engine:
+        if self.slurm is not None:
+            return partial(_queued, self.slurm, profile(self.slurm))
         if self.scheduler is not None:
-            return _connected(self.scheduler)
+            return partial(_connected, self.scheduler)
+        return lambda tasks: self._here(tasks, plan)
+
+    def _here(self, tasks: int, plan: Plan) -> Engine:
         try:
             most = self.jobs or (cores() if expected(plan) > WORTH_WORKERS else 1)
         except BadCount as problem:
@@ -52,7 +63,14 @@ class Where:
         return Serial() if jobs == 1 else Local(jobs)
 
 
-def _connected(address: str) -> Engine:
+def _queued(path: Path, settings: SlurmProfile, tasks: int) -> Engine:
+    try:
+        return OnSlurm(settings, tasks)
+    except NoQueue as problem:
+        raise BadCase(f"--slurm {path}: {problem}") from problem
+
+
+def _connected(address: str, tasks: int) -> Engine:
     try:
         return connected(address)
     except (OSError, ValueError) as problem:

@@ -1,0 +1,109 @@
+"""Studies in jobs of a SLURM queue: profiles, and a controller with two nodes on this machine."""
+
+import os
+import signal
+import subprocess
+from functools import partial
+from pathlib import Path
+
+import pytest
+
+from flexbearing.case import BadCase
+from flexbearing.studies.engine.on_slurm import NoQueue, OnSlurm
+from flexbearing.studies.engine.serial import Serial
+from flexbearing.studies.file.slurm_profile import profile
+from flexbearing.studies.run import Work, run
+from flexbearing.studies.where import Where
+from tests import one_machine_slurm
+from tests.flexbearing import toy_studies
+from tests.flexbearing.toy_studies import cubes, no_ring, toy
+
+ROOT = Path(__file__).parents[2]
+FORTY = '"operation.radial_load" = "2 kN .. 41 kN, 40"'
+PROFILE = 'jobs = 2\nmemory = "1 GB"\ninterface = "lo"\nqueue = "debug"\n'
+
+
+def written(folder, text=PROFILE):
+    file = folder / "site.toml"
+    logs = f'logs = "{folder / "logs"}"\nprologue = ["export PYTHONPATH={ROOT}"]\n'
+    file.write_text(text + logs)
+    return file
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        (
+            'memory = "1 GB"',
+            r"site\.toml: jobs is missing; it is a whole number, at least 1 and at most 10000",
+        ),
+        ('jobs = 2\nmemory = "much"', r'site\.toml: memory = "much" is not allowed'),
+        ('jobs = 2\nmemory = "1 GB"\nwalltime = "1 h"', r'site\.toml: walltime = "1 h" is not allowed'),
+        ('jobs = 2\nmemory = "1 GB"\nqeue = "x"', r'site\.toml: qeue = "x" is not a key here.*queue'),
+        ("jobs =", r"site\.toml: is not valid TOML"),
+    ],
+)
+def test_a_wrong_profile_is_told_before_anything_is_queued(tmp_path, text, words):
+    file = tmp_path / "site.toml"
+    file.write_text(text)
+    with pytest.raises(BadCase, match=words):
+        Where(slurm=file).engine(toy(tmp_path).plan)
+
+
+def test_a_study_is_computed_in_one_place(tmp_path):
+    with pytest.raises(BadCase, match="--jobs and --slurm: a study is computed in one place"):
+        Where(jobs=2, slurm=written(tmp_path)).engine(toy(tmp_path).plan)
+
+
+def test_where_there_is_no_queue_the_study_says_so(tmp_path, monkeypatch):
+    monkeypatch.setattr("flexbearing.studies.engine.on_slurm.which", lambda name: None)
+    start = Where(slurm=written(tmp_path)).engine(toy(tmp_path).plan)
+    with pytest.raises(BadCase, match="there is no sbatch here; start the study on a login node"):
+        start(1)
+
+
+@pytest.fixture(scope="module")
+def queue(tmp_path_factory):
+    if not one_machine_slurm.is_possible():
+        pytest.skip("needs root and the packages slurm-wlm and munge")
+    with one_machine_slurm.running(tmp_path_factory.mktemp("slurm")):
+        yield
+
+
+@pytest.mark.slurm
+def test_jobs_that_slurm_refuses_are_told_in_its_words(tmp_path, queue):
+    settings = profile(written(tmp_path, PROFILE.replace("debug", "none")))
+    with pytest.raises(NoQueue, match="invalid partition specified: none"):
+        OnSlurm(settings, 4)
+
+
+@pytest.mark.slurm
+def test_forty_variants_arrive_though_a_worker_is_killed_and_a_job_cancelled(tmp_path, queue):
+    place = tmp_path / "processes"
+    place.mkdir()
+    settled = toy(tmp_path, FORTY)
+    work = Work(partial(toy_studies.slow_cubes, texts=settled.texts, place=place), no_ring)
+    done = []
+
+    def disturb(progress):
+        done.append(progress.done)
+        if progress.done >= 10 and "killed" not in done:
+            done.append("killed")
+            os.kill(max(int(path.name) for path in place.iterdir()), signal.SIGKILL)
+        if progress.done >= 25 and "cancelled" not in done:
+            done.append("cancelled")
+            jobs = subprocess.run(
+                ["squeue", "-h", "-t", "running", "-o", "%i"], capture_output=True, text=True
+            )
+            subprocess.run(["scancel", jobs.stdout.split()[0]], check=True)
+
+    table = run(
+        settled, tmp_path, work, lambda tasks: OnSlurm(profile(written(tmp_path)), tasks), tell=disturb
+    )
+    assert {"killed", "cancelled"} <= {*done}
+    alone = run(
+        settled, tmp_path / "alone", Work(partial(cubes, texts=settled.texts), no_ring), lambda _: Serial()
+    )
+    assert len(table) == 40
+    assert table.failed == 0
+    assert str(table.rows) == str(alone.rows)
