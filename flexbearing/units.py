@@ -3,7 +3,7 @@
 import re
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from math import pi
 
 DIMENSIONS = ("m", "kg", "s", "K", "rad")  # an angle is one: turns and radians a second are not the same
@@ -49,7 +49,12 @@ class Unit:
 
     def to_si(self, number: float) -> float:
         """Value in SI units."""
-        return number * float(self.factor * Fraction(pi) ** self.pi_power) + float(self.offset)
+        return number * self.scale + float(self.offset)
+
+    @cached_property
+    def scale(self) -> float:
+        """Its factor as a number."""
+        return float(self.factor * Fraction(pi) ** self.pi_power)
 
 
 def _bounded(found: Unit) -> Unit:

@@ -3,6 +3,7 @@
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from math import isfinite
 from typing import Annotated, Any, ClassVar
 
@@ -39,7 +40,11 @@ class Kind:
             raise self._refused("has no unit")
         if len(value) > LONGEST:  # before any pattern is tried on it
             raise self._refused(f"is longer than {LONGEST} characters")
-        parts = _NUMBER_UNIT.fullmatch(value)
+        return _read(self, value)
+
+    def of_text(self, text: str) -> float:
+        """Value of a text of bounded length in SI units; refused as by `to_si`."""
+        parts = _NUMBER_UNIT.fullmatch(text)
         if parts is None:
             raise self._refused("does not begin with a number")
         number, unit = parts.groups()
@@ -80,6 +85,11 @@ class Kind:
 
     def _refused(self, why: str) -> PydanticCustomError:
         return PydanticCustomError("quantity", "{why}", {"why": why})
+
+
+@lru_cache(maxsize=4096)  # variants of a case have most of their texts in common
+def _read(kind: Kind, text: str) -> float:
+    return kind.of_text(text)
 
 
 Length = Annotated[float, Kind("a length", "m", "5 mm", 1e-12, 1000.0)]

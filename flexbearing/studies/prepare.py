@@ -83,7 +83,8 @@ def compute(
     settled.plan.require_sound()
     rings = output.resolve() / f"{settled.study.name}.rings" if configured().folder is None else None
     cache = None if rings is None else str(rings)
-    work = Work(partial(rows, texts=settled.texts, cache=cache), partial(condense, cache=cache))
+    solve = partial(rows, texts=settled.texts, cache=cache, search=settled.study.search)
+    work = Work(solve, partial(condense, cache=cache))
     table = run(settled, output, work, where.engine(settled.plan), retry_failed=retry_failed, tell=tell)
     if rings is not None:
         rmtree(rings, ignore_errors=True)

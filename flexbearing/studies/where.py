@@ -17,7 +17,7 @@ from flexbearing.studies.file.slurm_profile import SlurmProfile, profile
 from flexbearing.studies.plan import Plan
 
 RING, ELASTIC, RIGID = 5.0, 0.1, 0.005  # [s] a ring, a variant between elastic rings and between rigid ones
-WORTH_WORKERS = 5.0  # [s] of work; starting worker processes takes two
+WORTH_WORKERS = 10.0  # [s] of work; starting worker processes takes two
 
 
 @dataclass(frozen=True)

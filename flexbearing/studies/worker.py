@@ -1,9 +1,10 @@
-"""What a worker does with a task: every variant is computed as a single run would."""
+"""What a worker does with a task: variants side by side, with the answers of single runs."""
 
 import os
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from functools import lru_cache
+from math import isnan
 from time import perf_counter
 from typing import Any
 
@@ -19,6 +20,7 @@ from flexbearing.case.variants import Variants
 from flexbearing.coupling import PartnerFailed
 from flexbearing.families import FAMILIES
 from flexbearing.progress import Logged
+from flexbearing.runs.many import Answer, answers
 from flexbearing.studies.plan import Ring, Row, Task, Variant
 from flexbearing.studies.plan.task import BAD_INPUT, CONVERGED, ERROR, Base
 from flexbearing.studies.table.collected import numbers
@@ -26,7 +28,9 @@ from flexbearing.studies.table.collected import numbers
 LONGEST = 500  # characters of a message
 
 
-def rows(task: Task, texts: tuple[str, ...], cache: str | None = None) -> tuple[Row, ...]:
+def rows(
+    task: Task, texts: tuple[str, ...], cache: str | None = None, *, search: bool = False
+) -> tuple[Row, ...]:
     """Compute the variants of a task.
 
     Parameters
@@ -37,6 +41,8 @@ def rows(task: Task, texts: tuple[str, ...], cache: str | None = None) -> tuple[
         outputs that are wanted, with units
     cache : str, optional
         folder of condensed rings, where it is not that of the user
+    search : bool
+        whether other equilibria are searched where they are likely
 
     Returns
     -------
@@ -44,7 +50,7 @@ def rows(task: Task, texts: tuple[str, ...], cache: str | None = None) -> tuple[
         one for each variant, also where it failed
     """
     with _rings_in(cache):
-        return tuple(_row(variant, task.base, texts) for variant in task.variants)
+        return tuple(_rows(task, texts, search))
 
 
 def condense(ring: Ring, cache: str | None = None) -> None:
@@ -84,30 +90,50 @@ def _rings_in(folder: str | None) -> Iterator[None]:
             os.environ |= {} if before is None else {VARIABLE: before}
 
 
-def _row(variant: Variant, base: Base, texts: tuple[str, ...]) -> Row:
-    began, values, status = perf_counter(), {}, ERROR
+def _rows(task: Task, texts: tuple[str, ...], search: bool) -> Iterator[Row]:
+    """Rows of roller bearings from one batch, those of other kinds one by one."""
+    began, read = perf_counter(), _variants(task.base)
+    cases = [
+        read.case(variant.values) for variant in task.variants
+    ]  # none of them is bad: the plan read them
+    rollers = [case for case in cases if isinstance(case, Case)]
+    if len(rollers) == len(cases):
+        found = answers(rollers, texts, lambda place: _alone(cases[place], texts), search=search)
+        seconds = (perf_counter() - began) / len(cases)
+        columns = {text: numbers.tolist() for text, numbers in found.numbers.items()}
+        for place, variant in enumerate(task.variants):
+            values = {text: column[place] for text, column in columns.items()}
+            yield _row(variant, Answer(found.statuses[place], found.messages[place], values), seconds)
+        return
+    for case, variant in zip(cases, task.variants, strict=True):
+        began = perf_counter()
+        answer = _alone(case, texts)
+        yield _row(variant, answer, perf_counter() - began)
+
+
+def _row(variant: Variant, answer: Answer, seconds: float) -> Row:
+    words = excerpt("; ".join(answer.message.splitlines()), LONGEST)
+    values = {text: number for text, number in answer.numbers.items() if not isnan(number)}
+    return Row(variant.identity, answer.status, words, seconds, values)
+
+
+def _alone(case: Head, texts: tuple[str, ...]) -> Answer:
+    """The answer of a case from a run of its own; that between rigid raceways where it does not converge."""
     try:
-        status, message, values = _computed(_variants(base).case(variant.values), texts)
+        result = compute(case)
     except BadCase as problem:
-        status, message = BAD_INPUT, str(problem)
+        return Answer(BAD_INPUT, str(problem), {})
     except MemoryError:
-        message = "out of memory"
+        return Answer(ERROR, "out of memory", {})
     except Exception as problem:  # of one variant, which must not end the others
-        message = f"{type(problem).__name__}: {problem}"
-    words = excerpt("; ".join(message.splitlines()), LONGEST)
-    return Row(variant.identity, status, words, perf_counter() - began, values)
-
-
-def _computed(case: Head, texts: tuple[str, ...]) -> tuple[str, str, dict[str, float]]:
-    """Status, message and numbers; of a run that did not converge those between rigid raceways alone."""
-    result = compute(case)
+        return Answer(ERROR, f"{type(problem).__name__}: {problem}", {})
     status = result.attributes["status"]
     blocks: Mapping[str, Any] = {"rigid": result.rigid, "flexible": result.flexible}
     if status == CONVERGED:
         dangers = "; ".join(f"danger: {note['text']}" for note in result.dangers)
-        return status, dangers, numbers(blocks, texts, case.kind, FAMILIES)
+        return Answer(status, dangers, numbers(blocks, texts, case.kind, FAMILIES))
     of_rigid = tuple(text for text in texts if text.startswith("rigid."))
-    return status, result.attributes["message"], numbers(blocks, of_rigid, case.kind, FAMILIES)
+    return Answer(status, result.attributes["message"], numbers(blocks, of_rigid, case.kind, FAMILIES))
 
 
 @lru_cache(maxsize=4)

@@ -22,8 +22,9 @@ LAST_WORDS = 400  # bytes of their error output that are quoted
 WAIT = 10.0  # [s] for a worker to end
 _CONFIGURATION = {
     "distributed.scheduler.allowed-failures": 0,  # a study counts deaths itself
-    "distributed.logging.distributed": "critical",
+    "distributed.scheduler.http.routes": [],
 }
+_log = logging.getLogger("distributed")
 
 
 class NoWorkers(RuntimeError):
@@ -37,14 +38,16 @@ class Local(OnDask):
         from dask import config
         from distributed import Client, LocalCluster
 
+        self._level = _log.level
+        _log.setLevel(logging.CRITICAL)  # what becomes of workers is told by the study
         with config.set(_CONFIGURATION):
             self._cluster = LocalCluster(
                 n_workers=0,
                 processes=True,
                 protocol="tcp://",
                 host="127.0.0.1",
-                silence_logs=logging.CRITICAL,
-                dashboard_address=None,  # pyright: ignore[reportArgumentType]  # none is served
+                dashboard_address="127.0.0.1:0",  # any port: two studies at a time have two
+                silence_logs=False,
             )
         super().__init__(Client(self._cluster, set_as_default=False), jobs)
         self._failed_starts = 0
@@ -64,7 +67,7 @@ class Local(OnDask):
                 "--no-nanny", "--nthreads", "1", "--no-dashboard", "--death-timeout", "30",
             ],
             stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=errors, start_new_session=True,
-            env=environment(self.workers) | {"DASK_DISTRIBUTED__LOGGING__DISTRIBUTED": "error"},
+            env=environment(self.workers) | {"DASK_LOGGING__DISTRIBUTED": "error"},
         )  # fmt: skip
         self._processes.append((process, errors))
 
@@ -98,6 +101,7 @@ class Local(OnDask):
         self._processes.clear()
         super().close()
         self._cluster.close()
+        _log.setLevel(self._level)
 
 
 def _last_words(errors: IO[bytes]) -> str:

@@ -46,6 +46,7 @@ class Study:
     inputs: tuple[Path, ...]  # files that are read, which no output may replace
     axes: tuple[Axis, ...]  # crossed, the last one changes fastest
     collect: tuple[Wanted, ...] | None  # None: every number of the summary
+    search: bool = False  # whether other equilibria are searched
 
     @property
     def keys(self) -> tuple[str, ...]:
@@ -88,6 +89,7 @@ def read(path: str | Path, families: Families) -> Study:
         inputs=(file, case, *([file.parent / given.over.file] if given.over and given.over.file else ())),
         axes=_axes(given, file, partial(_declared, model=model, families=families)),
         collect=_collected(given.collect, file),
+        search=given.search_equilibria,
     )
 
 

@@ -38,6 +38,11 @@ class StudyFile(Section):
 
     case: str = key("case file, by its path from the folder of the study file", example="mao2016.toml")
     name: str | None = key("of the outputs, such as NAME.csv; without it that of the study file", None)
+    search_equilibria: bool = key(
+        "whether other equilibria are searched where they are likely, as a single run does, which takes as "
+        "long as a thousand variants between rigid rings; without it the message says that they are likely",
+        False,
+    )
     over: Over | None = key("keys that are varied, each over a list, a range or a single value", None)
     sample: Sample | None = key("keys that are drawn from distributions", None)
     collect: Mapping[str, str] | None = key(

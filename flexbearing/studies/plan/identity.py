@@ -1,6 +1,5 @@
 """The name of a variant: a digest of all that its numbers depend on."""
 
-import json
 from functools import lru_cache
 from hashlib import sha256
 from pathlib import Path
@@ -12,7 +11,7 @@ LENGTH = 32  # characters that are kept, 128 bits
 
 
 def identity(case: Head) -> str:
-    """Digest of a complete case in SI units and of the format of results.
+    """Digest of the format of results and of a complete case in SI units as JSON, keys in their order.
 
     Parameters
     ----------
@@ -24,8 +23,8 @@ def identity(case: Head) -> str:
     str
         32 hexadecimal characters
     """
-    files = [_content(path) for path in case.input_files[1:]]
-    text = json.dumps([FORMAT, case.to_json(), files], sort_keys=True, separators=(",", ":"))
+    files = "".join(_content(path) for path in case.input_files[1:])
+    text = f"{FORMAT} {case.model_dump_json()} {files}"
     return sha256(text.encode()).hexdigest()[:LENGTH]
 
 
