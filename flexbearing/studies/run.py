@@ -8,15 +8,15 @@ from pathlib import Path
 from time import perf_counter
 
 from flexbearing.families import FAMILIES
-from flexbearing.files import NotStored, require_folder, require_output, write
+from flexbearing.files import NotStored, require_folder, require_output
 from flexbearing.studies.engine import Engine, condensed, finished
 from flexbearing.studies.file import Study
 from flexbearing.studies.plan import Plan, Ring, Row, Task
 from flexbearing.studies.table import Table, journal
 from flexbearing.studies.table.collected import Collected
+from flexbearing.studies.table.column import ends
+from flexbearing.studies.table.files import places, store
 from flexbearing.studies.table.keys import key_columns
-from flexbearing.studies.table.table import ends
-from flexbearing.studies.table.text import csv_text
 
 NOT_COMPUTED = "not computed"  # status of a row whose variant is still to come
 Rows = Mapping[str, Row]  # by identity
@@ -91,7 +91,7 @@ class Prepared:
         ]
         keys = key_columns(self.plan, FAMILIES[self.study.kind].case())
         outputs = (column.values(ordered) for column in self.columns)
-        return Table(self.study.name, (*keys, *outputs, *ends(ordered)))
+        return Table(self.study.name, (*keys, *outputs, *ends(ordered)), self.plan.axes)
 
     def progress(self, rows: Rows) -> Progress:
         """How far some rows are."""
@@ -138,7 +138,7 @@ def run(
         when there is no room left; what is finished stays
     """
     folder, inputs = require_folder(output), settled.study.inputs
-    csv = require_output(folder / f"{settled.study.name}.csv", inputs)
+    paths = places(folder, settled.study.name, inputs)
     path = require_output(settled.journal(folder), inputs)
     rows: dict[str, Row] = {}
     try:
@@ -153,10 +153,10 @@ def run(
                 f"{done.done} of {done.total} variants are kept, the same study goes on from there"
             )
             with suppress(NotStored):
-                write(csv, csv_text(settled.table(rows)).encode())
+                store(settled.table(rows), paths)
         raise
     table = settled.table(rows)
-    write(csv, csv_text(table).encode())
+    store(table, paths)
     return table
 
 

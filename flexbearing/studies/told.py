@@ -9,6 +9,7 @@ from typing import Self, TextIO
 from flexbearing.case.problems import MOST
 from flexbearing.studies.run import Prepared, Progress
 from flexbearing.studies.table import Table
+from flexbearing.studies.table.files import EXTRA, FORMS, missing
 from flexbearing.studies.where import ELASTIC, RIGID, RING, expected
 
 PAUSE = 10.0  # [s] between lines that no terminal shows
@@ -85,7 +86,12 @@ def end(table: Table, folder: Path) -> str:
     """How a study ended, and where its table is."""
     counts = Counter(table["status"].values)
     words = ", ".join(f"{count} {name}" for name, count in counts.most_common())
-    return f"{table.name}: {len(table)} variants: {words}\ntable: {folder / table.name}.csv"
+    lines = [f"{table.name}: {len(table)} variants: {words}"]
+    for suffix in FORMS:
+        packages = missing(suffix)
+        without = f", not written without {' and '.join(packages)}: {EXTRA}" if packages else ""
+        lines.append(f"table: {folder / table.name}{suffix}{without}")
+    return "\n".join(lines)
 
 
 def duration(seconds: float) -> str:

@@ -128,9 +128,10 @@ def test_a_plan_needs_no_bearing():
     from flexbearing.families import FAMILIES
     from flexbearing.studies.file import Axis, Study
 
+    load = "operation.radial_load"
     study = Study(
         path=Path("s.toml"), name="s", case=CASE, text=CASE.read_text(), kind="cylindrical_roller",
-        inputs=(), axes=(Axis(("operation.radial_load",), (("1 kN",), ("2 kN",))),), collect=None,
+        inputs=(), axes=(Axis(load, (load,), (("1 kN",), ("2 kN",))),), collect=None,
     )  # fmt: skip
     settled = plan(study, FAMILIES, lambda case: None, lambda case: ("ring",))
     assert [variant.rings for variant in settled.variants] == [("ring",)] * 2

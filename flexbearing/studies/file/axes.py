@@ -10,20 +10,16 @@ from flexbearing.case.declarations import Declaration
 from flexbearing.studies.file.rows import rows
 from flexbearing.studies.file.values import MOST, BadValues, values
 
-TOGETHER = "variant"  # name of an axis of several keys
+TOGETHER, OF_FILE = "variant", "row"  # names of axes of several keys
 
 
 @dataclass(frozen=True)
 class Axis:
     """Keys whose values change together, and what they are one after the other."""
 
+    name: str  # the key, where there is one
     keys: tuple[str, ...]
     rows: tuple[tuple[Any, ...], ...]  # a value for each key, in the words of a case file
-
-    @property
-    def name(self) -> str:
-        """The key, where there is one."""
-        return self.keys[0] if len(self.keys) == 1 else TOGETHER
 
 
 def axes(
@@ -52,7 +48,7 @@ def axes(
     BadValues
         naming the key
     """
-    found = [Axis(*rows(table, find))] if table else []
+    found = [Axis(OF_FILE, *rows(table, find))] if table else []
     columns: dict[str, tuple[Any, ...]] = {}
     for key, given in over.items():
         declaration = find(key)
@@ -63,7 +59,7 @@ def axes(
     if zipped and columns:
         found.append(_zipped(columns))
     elif columns:
-        found += [Axis((key,), tuple((value,) for value in column)) for key, column in columns.items()]
+        found += [Axis(key, (key,), tuple((value,) for value in column)) for key, column in columns.items()]
     _require_each_once(found)
     if (count := prod(len(axis.rows) for axis in found)) > MOST:
         raise BadValues(f"gives {count} variants; a study has at most {MOST}")
@@ -78,7 +74,7 @@ def _zipped(columns: Mapping[str, tuple[Any, ...]]) -> Axis:
         raise BadValues(f"zip = true needs as many values of every key: {told}")
     count = max(lengths.values(), default=1)
     full = [column if len(column) > 1 else column * count for column in columns.values()]
-    return Axis(tuple(columns), tuple(zip(*full, strict=True)))
+    return Axis(TOGETHER, tuple(columns), tuple(zip(*full, strict=True)))
 
 
 def _require_each_once(found: list[Axis]) -> None:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from flexbearing.case.declarations import Declaration, toml
 from flexbearing.case.excerpt import excerpt
 from flexbearing.case.quantity import Kind
-from flexbearing.studies.file.axes import Axis
+from flexbearing.studies.file.axes import TOGETHER, Axis
 from flexbearing.studies.file.schema import Sample
 from flexbearing.studies.file.values import BadValues, in_si_units
 from flexbearing.units import BadUnit, UnknownUnit, unit
@@ -114,7 +114,7 @@ def sampled(sample: Sample, find: Callable[[str], Declaration]) -> Axis:
             columns.append(_drawn(text, column, declaration))
         except BadValues as problem:
             raise BadValues(f"{key} = {excerpt(toml(text))} {problem}") from None
-    return Axis(tuple(distributions), tuple(zip(*columns, strict=True)))
+    return Axis(TOGETHER, tuple(distributions), tuple(zip(*columns, strict=True)))
 
 
 def _points(sample: Sample, dimensions: int) -> "np.ndarray":

@@ -1,5 +1,6 @@
 """What a study leaves behind: a journal while it runs, a table at its end."""
 
-from flexbearing.studies.table.table import Column, Table
+from flexbearing.studies.table.column import Column
+from flexbearing.studies.table.table import Table
 
 __all__ = ["Column", "Table"]

@@ -11,7 +11,7 @@ from flexbearing.outputs import UnknownOutput, Wanted, WrongUnit, outputs, wante
 from flexbearing.outputs.names import BLOCKS, Block
 from flexbearing.studies.file import Study
 from flexbearing.studies.plan import Row
-from flexbearing.studies.table.table import Column
+from flexbearing.studies.table.column import Column
 
 
 @dataclass(frozen=True)

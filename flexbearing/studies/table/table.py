@@ -1,25 +1,14 @@
 """The table of a study, a row for every variant."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from flexbearing.studies.plan import Row
+from flexbearing.studies.file import Axis
+from flexbearing.studies.table.column import Column
 
-
-@dataclass(frozen=True)
-class Column:
-    """A column with its unit."""
-
-    name: str
-    unit: str  # empty for texts and plain numbers
-    values: Sequence[Any]  # row by row; NaN where there is no number
-    varied: bool = False  # whether it is a key of the case
-
-    @property
-    def heading(self) -> str:
-        """Name and unit, "life [h]"."""
-        return f"{self.name} [{self.unit}]" if self.unit else self.name
+if TYPE_CHECKING:
+    import pandas
+    import xarray
 
 
 @dataclass(frozen=True)
@@ -28,6 +17,7 @@ class Table:
 
     name: str
     columns: tuple[Column, ...]  # keys, outputs, then status, message and seconds
+    axes: tuple[Axis, ...]  # crossed, the last one changes fastest
 
     def __getitem__(self, heading: str) -> Column:
         """Column by its name or heading; KeyError names those that there are."""
@@ -46,16 +36,19 @@ class Table:
         values = zip(*(column.values for column in self.columns), strict=True)
         return [dict(zip(headings, row, strict=True)) for row in values]
 
+    def to_pandas(self) -> "pandas.DataFrame":
+        """The table as a frame, columns by their headings."""
+        from pandas import DataFrame
+
+        return DataFrame({column.heading: column.values for column in self.columns})
+
+    def to_xarray(self) -> "xarray.Dataset":
+        """The table as arrays over its axes, with units; names are those of the columns."""
+        from flexbearing.studies.table.arrays import dataset
+
+        return dataset(self.name, self.columns, self.axes)
+
     @property
     def failed(self) -> int:
         """Rows without an answer."""
         return len(self) - list(self["status"].values).count("converged")
-
-
-def ends(rows: Sequence[Row]) -> tuple[Column, ...]:
-    """Columns that say how each variant ended."""
-    return (
-        Column("status", "", tuple(row.status for row in rows)),
-        Column("message", "", tuple(row.message for row in rows)),
-        Column("seconds", "", tuple(row.seconds for row in rows)),
-    )

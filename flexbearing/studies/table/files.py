@@ -1,0 +1,84 @@
+"""The files of a table: each appears whole, or what had its name before stays."""
+
+from collections.abc import Callable, Iterable
+from importlib.util import find_spec
+from pathlib import Path
+
+from flexbearing.files import require_output, write
+from flexbearing.studies.table.table import Table
+from flexbearing.studies.table.text import csv_text
+
+EXTRA = 'pip install "flexbearing[studies]"'
+
+
+def _csv(table: Table) -> bytes:
+    return csv_text(table).encode()
+
+
+def _parquet(table: Table) -> bytes:
+    from flexbearing.studies.table.parquet import parquet_bytes
+
+    return parquet_bytes(table)
+
+
+def _netcdf(table: Table) -> bytes:
+    return bytes(table.to_xarray().to_netcdf(engine="h5netcdf"))
+
+
+FORMS: dict[str, tuple[Callable[[Table], bytes], tuple[str, ...]]] = {  # with the packages that they need
+    ".csv": (_csv, ()),
+    ".parquet": (_parquet, ("pyarrow",)),
+    ".nc": (_netcdf, ("xarray", "h5netcdf")),
+}
+
+
+def missing(suffix: str) -> list[str]:
+    """Packages that a form of the table needs and that are not installed."""
+    return [package for package in FORMS[suffix][1] if find_spec(package) is None]
+
+
+def places(folder: Path, name: str, inputs: Iterable[Path]) -> dict[str, Path]:
+    """Settle where the table goes, before anything is computed.
+
+    Parameters
+    ----------
+    folder : Path
+        is there
+    name : str
+        of the study
+    inputs : iterable of Path
+        files that are read
+
+    Returns
+    -------
+    dict
+        suffix to path, of every form that can be written
+
+    Raises
+    ------
+    BadOutput
+        for a file that cannot be written, or that is read
+    """
+    given = tuple(inputs)
+    return {
+        suffix: require_output(folder / f"{name}{suffix}", given) for suffix in FORMS if not missing(suffix)
+    }
+
+
+def store(table: Table, paths: dict[str, Path]) -> None:
+    """Write a table in every form.
+
+    Parameters
+    ----------
+    table : Table
+        whatever it holds
+    paths : dict
+        of `places`
+
+    Raises
+    ------
+    NotStored
+        if there is no room for a file
+    """
+    for suffix, path in paths.items():
+        write(path, FORMS[suffix][0](table))
