@@ -26,6 +26,7 @@ SAME = 1e-9  # half the difference of azimuths that are taken as one [rad]
 SAME_DIGITS = 12  # of azimuths in radians: equal pitches give equal differences
 MOST = 10_000  # harmonics that are solved for
 FEWEST = 8  # harmonics from which the fall of the rest can be told
+PLACES = 4  # sets of azimuths whose compliances are kept
 FINENESS = 6.0  # highest harmonic over M R/l, unless one is asked for
 DEPTH = 10.0  # highest harmonic over R/thickness: through the ring less than exp(-10) of it is felt
 MARGIN = 1.5  # highest harmonic over that of a band whose ends are far from the ends of its ring
@@ -225,7 +226,20 @@ class HarmonicCompliance:
         ------
         Fourier series of the answer less that of a half-space; derived here.
         """
-        phi = np.asarray(azimuths, dtype=float)
+        phi = np.array(azimuths, dtype=float)
+        known = self._at.get(phi.tobytes())
+        if known is None:
+            while len(self._at) >= PLACES:
+                self._at.pop(next(iter(self._at)), None)
+            known = self._at[phi.tobytes()] = self._computed_at(phi)
+        return known
+
+    @cached_property
+    def _at(self) -> "dict[bytes, RacewayCompliance]":
+        """Compliances for the azimuths that were asked for last."""
+        return {}
+
+    def _computed_at(self, phi: NDArray) -> RacewayCompliance:
         translation, support = self._translation(phi)
         return RacewayCompliance(
             azimuths=phi,

@@ -18,6 +18,7 @@ from typing import TypeVar
 from flexbearing.cache.archive import Damaged, packed, unpacked
 from flexbearing.cache.forms import WrongForm
 from flexbearing.cache.key import digest
+from flexbearing.cache.recent import recent, remember
 from flexbearing.files import NotStored, write
 
 VARIABLE = "FLEXBEARING_CACHE"  # of the environment: a folder, or "off"
@@ -86,8 +87,10 @@ class Cache:
         if self.folder is None:
             return compute()
         path = self.folder / f"{digest(parts)}{SUFFIX}"
-        kept = self._kept(path, kind, fits, note)
+        known = recent(path)
+        kept = known if known is not None and fits(known) else self._kept(path, kind, fits, note)
         if kept is not None:
+            remember(path, kept)
             note("taken from the cache")
             return kept
         value = compute()
@@ -134,8 +137,6 @@ class Cache:
         except (Damaged, OSError) as problem:
             _give_up(path, problem, note)
             return None
-        with suppress(OSError):  # a folder that may only be read: then its owner decides what goes
-            os.utime(path)
         return value
 
     def _keep(self, path: Path, kind: str, value: object, note: Note) -> None:
