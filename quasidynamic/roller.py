@@ -91,7 +91,10 @@ class RollerBearing:
         balance = replace(rigid, compliance=(inner, outer))
         near = bool(start.balance.layout.elastic_raceways) or start.balance.deviation is not None
         for step in iterate(balance, balance.pack(start.unknowns), near, STARTS):
-            yield Equilibrium(balance, step.unknowns[0], step.outcomes[0], step.number, self.axial_modes)
+            state = Equilibrium(balance, step.unknowns[0], step.outcomes[0], step.number, self.axial_modes)
+            if step.accepted[0]:  # or the system is that of a step too long
+                state.cases.know(step.system)
+            yield state
 
     # -- equations -----------------------------------------------------------------------------
 

@@ -12,6 +12,7 @@ from flexbearing.accuracy.levels import ladders
 from flexbearing.accuracy.trials import Trial, Trials, changes
 from flexbearing.case.roller import Case
 from flexbearing.coupling import RacewayPair
+from flexbearing.program.threads import of_solids
 from flexbearing.progress import Report
 from quasidynamic import Equilibrium, RollerBearing
 from quasidynamic.note import Note, danger, information
@@ -90,7 +91,7 @@ def adaptive_resolution(case: Case, report: Report) -> AdaptiveResolution:
     choices = ladders(case)
     trials = Trials(case, choices, report)
     with ThreadPoolExecutor() as pool:
-        if case.accuracy.threads > 1:
+        if of_solids(case.accuracy.threads) > 1:
             trials.foresee(pool)
         selection = climb(
             [ladder.choice for ladder in choices], trials, changes, case.accuracy.target, JUDGED

@@ -7,7 +7,9 @@ other; both are counted before.
 import re
 import tomllib
 from collections.abc import Iterator
+from copy import deepcopy
 from datetime import date, datetime, time
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -99,6 +101,12 @@ def tables(text: str, of: str = "case") -> dict[str, Any]:
     Unreadable
         where it is no TOML, is too large or too deep, or holds what no case can have
     """
+    return deepcopy(_parsed(text, of))  # callers put settings into them
+
+
+@lru_cache(maxsize=8)
+def _parsed(text: str, of: str) -> dict[str, Any]:
+    """The tables of a text that was read before, or reads now."""
     if len(text) > LARGEST:
         raise Unreadable(_too_large("longer", of))
     if _deep(text):

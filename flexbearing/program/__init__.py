@@ -1,4 +1,4 @@
-"""What the operating system gives a program: signals that end it, streams that it writes to.
+"""What the operating system gives a program: cores, signals that end it, streams that it writes to.
 
-Only `flexbearing.__main__` uses it: a library leaves both to the program that calls it.
+Signals and streams are for `flexbearing.__main__` alone: a library leaves them to the program that calls it.
 """

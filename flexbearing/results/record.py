@@ -57,6 +57,7 @@ class Record:
         self._layout: Layout = family.layout()
         self._attributes = self._allowed({**stamp(), "kind": family.kind, **attributes})
         self._sizes: Sizes = {}
+        self._shapes: dict[str, tuple[int, ...]] = {}  # of the datasets so far
         self._blocks: dict[str, Arrays] = {}
         self._converged: dict[str, bool] = {}  # block to whether it is a solution
         self._iterations: list[Arrays] = []
@@ -175,11 +176,13 @@ class Record:
         arrays = {name: np.array(values[name], dtype=float) for name in known if name in values}
         sizes = self._sizes
         for name, array in arrays.items():
-            sizes = fitted(known[name], array, sizes, where)
+            if self._shapes.get(name) != array.shape:  # the first array of a name settles its shape
+                sizes = fitted(known[name], array, sizes, where)
             if must_be_finite:
                 require_finite(known[name], array, where)
             array.flags.writeable = False
         self._sizes = sizes
+        self._shapes |= {name: array.shape for name, array in arrays.items()}
         return MappingProxyType(arrays)
 
     def _allowed(self, attributes: Mapping[str, Any]) -> dict[str, Any]:

@@ -22,6 +22,7 @@ from flexbearing.cache import configured
 from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
 from flexbearing.coupling import PartnerFailed, RacewayPair
+from flexbearing.program.threads import of_solids
 from flexbearing.progress import Report
 from flexbearing.rings.fits import RacewayInFit, inner_ring_in_fit, is_in_fit, outer_ring_in_housing
 from flexbearing.rings.raceways import CondensedRaceway, RigidRaceway
@@ -269,7 +270,7 @@ def _resolution(
         axial_modes=loads.axial_modes,
         mesh_size=mesh_size(case, usual),
         harmonics=None if discretisation is SOLID else case.accuracy.harmonics,
-        threads=case.accuracy.threads,
+        threads=of_solids(case.accuracy.threads),
         **rollers,
     )
 

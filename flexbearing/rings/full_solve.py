@@ -16,6 +16,7 @@ from flexbearing.build.expansion import roller_length
 from flexbearing.build.ring_parts import NAMES, Race, part_of
 from flexbearing.case.roller import Case
 from flexbearing.coupling import PartnerFailed, Raceway, RacewayPair
+from flexbearing.program.threads import of_solids
 from flexbearing.progress import Report
 from flexbearing.rings.condensed import IN_SPACE, mesh_size, named_failures, patches
 from flexbearing.rings.raceways import RigidRaceway, compliance_figures
@@ -111,6 +112,7 @@ def _raceway(case: Case, race: Race, azimuths: NDArray, report: Report) -> Racew
     report.stage(name, None)
     with named_failures(case, name):
         require_drawing(part, roller_length(case))
-        solid = factored(part, patches(case, azimuths), mesh_size(case, IN_SPACE), case.accuracy.threads)
+        threads = of_solids(case.accuracy.threads)
+        solid = factored(part, patches(case, azimuths), mesh_size(case, IN_SPACE), threads)
     report.stage(f"{name}: {solid.stiffness.unknowns} unknowns, {perf_counter() - began:.1f} s", None)
     return FullSolveRaceway(name, FullSolve(solid=solid))

@@ -12,6 +12,7 @@ import fem
 from fem.parts.surroundings import Surroundings
 from flexbearing.build import expansion, ring_parts, roller_bearing
 from flexbearing.case.roller import Case
+from flexbearing.program.threads import of_solids
 from flexbearing.rings.condensed import IN_SPACE, mesh_size, patches
 from flexbearing.runs.dangers import yielding
 from flexbearing.runs.part_fields import MEGA, NAMES, NoFields, PartFields, Race, Sizes
@@ -110,7 +111,7 @@ def fields(case: Case, race: Race, state: str, values: Arrays) -> PartFields:
         solid=mesh_size(case, WITHOUT_BARS if plain else IN_SPACE),
         stresses=(stresses := _of_two_orders(mesh_size(case, usual))),
         coarseness=stresses.size / (usual[1] * loads.length),
-        threads=case.accuracy.threads,
+        threads=of_solids(case.accuracy.threads),
     )
     turning = case.operation.outer_speed != 0 and not plain and race == "outer"
     return PartFields(

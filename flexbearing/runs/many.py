@@ -5,12 +5,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
-from threadpoolctl import threadpool_limits
 
 from flexbearing.build import roller_bearing
 from flexbearing.case.roller import Case
 from flexbearing.coupling import LinearPair
 from flexbearing.outputs import wanted
+from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.quantities.roller import LAYOUT
 from flexbearing.runs import validate_roller
 from flexbearing.runs.solved_together import ANSWER, Together
@@ -82,7 +82,7 @@ def answers(cases: Sequence[Case], texts: Sequence[str], alone: Alone, *, search
     numbers = {text: np.full(len(cases), np.nan) for text in texts}
     messages: dict[int, str] = {}
     # The bearings' matrices are small: threads of the linear algebra would only wait for each other.
-    with threadpool_limits(limits=1, user_api="blas"):
+    with linear_algebra_alone():
         for together in _solved(cases):
             try:
                 found = {

@@ -11,11 +11,11 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from threadpoolctl import threadpool_limits
 
 import fem
 from fem.parts.resolution import neighbour
 from fem.parts.surroundings import Surroundings
+from flexbearing.program.threads import linear_algebra_alone
 
 if TYPE_CHECKING:
     from fem.parts.rings import Part
@@ -141,7 +141,7 @@ class PartFields:
 
         try:
             # threads of the linear algebra would fight with those of the finite elements
-            with threadpool_limits(limits=1, user_api="blas"):
+            with linear_algebra_alone():
                 yield
         except (fem.ImpossiblePart, NotSolved) as problem:
             raise NoFields(f"{NAMES[self.race]}: {problem}") from problem

@@ -9,11 +9,10 @@ from os.path import exists  # Path.exists raises for names that no file can have
 from pathlib import Path
 from time import perf_counter
 
-from threadpoolctl import threadpool_limits
-
 from flexbearing.case import BadCase, Head
 from flexbearing.case.family import Family
 from flexbearing.files import BadOutput
+from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged, Report
 from flexbearing.results import Record, Result, ResultFile, case_file
 from flexbearing.runs.validate import require_possible
@@ -66,9 +65,8 @@ def run_case(
         solve = partial(solve, near=family.initial_state()(start, case))
     inputs = (*case.input_files, *(start.files if start else ()))
     head = _head(case) | family.opening()(case)
-    # The bearing's matrices are small: threads of the linear algebra would only wait for each other.
     with (
-        threadpool_limits(limits=1, user_api="blas"),
+        linear_algebra_alone(),
         ResultFile(output, head, family, inputs) if output else nullcontext(Record(head, family)) as record,
     ):
         ending = solve(case, record, report or Logged())

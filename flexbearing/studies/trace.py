@@ -9,7 +9,6 @@ from math import pi
 from pathlib import Path
 
 import numpy as np
-from threadpoolctl import threadpool_limits
 
 from flexbearing.api import check, read_case
 from flexbearing.build import roller_bearing
@@ -20,6 +19,7 @@ from flexbearing.coupled.coupled import BearingPartner, equilibrium
 from flexbearing.coupling import PartnerFailed, RacewayPair
 from flexbearing.coupling.partners import Compliance
 from flexbearing.files import require_output, write
+from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged
 from flexbearing.quantities.roller import CAGE_SLIP
 from flexbearing.rings.condensed import condensed_raceways
@@ -142,7 +142,7 @@ def trace(
         require_output(name, first.input_files)
     span = getattr(first.operation, axis.name), getattr(last.operation, axis.name)
     try:
-        with threadpool_limits(limits=1, user_api="blas"):
+        with linear_algebra_alone():
             branch = _branch(first, axis, span)
     except (ImpossiblePart, OutOfRange) as problem:
         raise BadCase(f"--over {excerpt(over)}: {problem}") from problem

@@ -7,8 +7,8 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from flexbearing.case import BadCase
+from flexbearing.program.threads import cores
 from flexbearing.studies.engine import Engine
-from flexbearing.studies.engine.cores import BadCount, cores
 from flexbearing.studies.engine.local import Local
 from flexbearing.studies.engine.on_dask import connected
 from flexbearing.studies.engine.on_slurm import NoQueue, OnSlurm
@@ -55,10 +55,7 @@ class Where:
         return lambda tasks: self._here(tasks, plan)
 
     def _here(self, tasks: int, plan: Plan) -> Engine:
-        try:
-            most = self.jobs or (cores() if expected(plan) > WORTH_WORKERS else 1)
-        except BadCount as problem:
-            raise BadCase(str(problem)) from None
+        most = self.jobs or (cores() if expected(plan) > WORTH_WORKERS else 1)
         jobs = min(tasks, most)
         return Serial() if jobs == 1 else Local(jobs)
 

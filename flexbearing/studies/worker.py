@@ -8,8 +8,6 @@ from math import isnan
 from time import perf_counter
 from typing import Any
 
-from threadpoolctl import threadpool_limits
-
 from flexbearing.api import compute
 from flexbearing.build.ring_parts import Race
 from flexbearing.cache.store import VARIABLE
@@ -19,6 +17,7 @@ from flexbearing.case.roller import Case
 from flexbearing.case.variants import Variants
 from flexbearing.coupling import PartnerFailed
 from flexbearing.families import FAMILIES
+from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged
 from flexbearing.runs.many import Answer, answers
 from flexbearing.studies.plan import Ring, Row, Task, Variant
@@ -72,7 +71,7 @@ def condense(ring: Ring, cache: str | None = None) -> None:
 
     race: Race = "inner" if ring.race == "inner" else "outer"
     if not is_in_fit(case, race):
-        with _rings_in(cache), suppress(BadCase, PartnerFailed), threadpool_limits(limits=1, user_api="blas"):
+        with _rings_in(cache), suppress(BadCase, PartnerFailed), linear_algebra_alone():
             raceway(case, race, bearing(case).bearing.azimuths, Logged())
 
 

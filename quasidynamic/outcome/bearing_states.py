@@ -39,6 +39,10 @@ class BearingStates:
         """Residual and derivatives."""
         return self.balance.evaluate(self.scaled)
 
+    def know(self, system: Linearisation) -> None:
+        """Take residual and derivatives that were evaluated at these unknowns before."""
+        self.__dict__["system"] = system
+
     @cached_property
     def unknowns(self) -> Unknowns:
         """Unknowns in SI units."""

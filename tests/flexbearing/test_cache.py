@@ -15,7 +15,7 @@ import fem
 from fem.parts.step_solid import Named, StepSolid
 from fem.raceway.compliance import RacewayCompliance
 from fem.raceway.harmonics import HarmonicCompliance
-from flexbearing.cache import Cache, configured, key, listing, store
+from flexbearing.cache import Cache, configured, key, listing, recent, store
 from flexbearing.cache.archive import Damaged, packed, unpacked
 from flexbearing.cache.forms import WrongForm
 from flexbearing.files.whole import part_name
@@ -281,3 +281,27 @@ def test_listing_and_clearing(cache, notes):
     assert lines[-1].startswith("2 rings, 0.00")
     assert {line.split()[0] for line in lines[:-1]} == {key.digest(number)[:12] for number in range(2)}
     assert (cache.clear(), cache.size) == (2, 0)
+
+
+def test_a_ring_is_not_read_again_while_its_file_is_the_same(cache, notes, monkeypatch):
+    cache.cached(RACEWAY, PARTS, Counted(), notes.append)
+    first = cache.cached(RACEWAY, PARTS, Counted(), notes.append)
+    monkeypatch.setattr("flexbearing.cache.store._content", None)
+    assert cache.cached(RACEWAY, PARTS, Counted(), notes.append) is first
+    monkeypatch.undo()
+    (entry,) = cache.entries()
+    entry.path.write_bytes(entry.path.read_bytes())
+    again = cache.cached(RACEWAY, PARTS, Counted(), notes.append)
+    assert again is not first
+    same(again, first)
+    assert cache.clear() == 1
+    anew = Counted()
+    cache.cached(RACEWAY, PARTS, anew, notes.append)
+    assert anew.calls == 1
+
+
+def test_memory_holds_no_more_than_some_rings(cache, notes):
+    for number in range(2 * recent.MOST):
+        for _ in range(2):  # written, then read
+            cache.cached(RACEWAY, (*PARTS, number), Counted(), notes.append)
+    assert len(recent._rings) == recent.MOST

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from flexbearing.case import BadCase
-from flexbearing.studies.engine import Done, condensed, cores
+from flexbearing.studies.engine import Done, condensed
 from flexbearing.studies.engine.local import Local, NoWorkers
 from flexbearing.studies.engine.on_dask import connected
 from flexbearing.studies.engine.serial import Serial
@@ -29,32 +29,6 @@ FORTY = '"operation.radial_load" = "2 kN .. 41 kN, 40"'
 def computed(settled, folder, engine, rows=cubes, **options):
     work = Work(partial(rows, texts=settled.texts, **options), no_ring)
     return run(settled, folder, work, lambda tasks: engine)
-
-
-def test_cores_are_those_of_the_queue_then_of_the_user_then_of_the_system(monkeypatch):
-    for name in cores.VARIABLES:
-        monkeypatch.delenv(name, raising=False)
-    assert cores.cores() == len(os.sched_getaffinity(0))
-    monkeypatch.setenv("FLEXBEARING_THREADS", "6")
-    assert cores.cores() == 6
-    monkeypatch.setenv("SLURM_CPUS_PER_TASK", "3")
-    assert cores.cores() == 3
-
-
-@pytest.mark.parametrize("text", ["0", "two", "-1", "1.5", "²"])
-def test_a_number_of_cores_that_is_none_is_refused(monkeypatch, text):
-    monkeypatch.setenv("SLURM_CPUS_PER_TASK", text)
-    with pytest.raises(cores.BadCount, match=r"SLURM_CPUS_PER_TASK=.* is no number of cores"):
-        cores.cores()
-
-
-def test_threads_times_workers_are_no_more_than_the_cores(monkeypatch):
-    monkeypatch.setenv("SLURM_CPUS_PER_TASK", "8")
-    for jobs, threads in ((1, 8), (3, 2), (8, 1), (20, 1)):
-        variables = cores.environment(jobs)
-        assert variables["FLEXBEARING_THREADS"] == str(threads)
-        assert variables["OPENBLAS_NUM_THREADS"] == "1"
-        assert "SLURM_CPUS_PER_TASK" not in variables
 
 
 def test_one_job_and_short_studies_start_no_process(tmp_path):

@@ -103,4 +103,10 @@ class Accuracy(Section):
         example="0.5 mm",
         gt=0,
     )
-    threads: int = key("threads of the finite element part", 2, ge=1, le=64)
+    threads: int | None = key(
+        "threads of NGSolve for whole solids, at most the cores that the run may use; left out: all of them",
+        None,
+        example=2,
+        ge=1,
+        le=64,
+    )

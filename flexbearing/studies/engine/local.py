@@ -14,7 +14,7 @@ from contextlib import suppress
 from tempfile import TemporaryFile
 from typing import IO, Any
 
-from flexbearing.studies.engine.cores import environment
+from flexbearing.program.threads import environment
 from flexbearing.studies.engine.on_dask import OnDask
 
 STARTS = 5  # of workers that end before any task does, until the study is given up

@@ -7,7 +7,7 @@ from shutil import which
 from tempfile import NamedTemporaryFile
 from typing import TYPE_CHECKING, Any
 
-from flexbearing.studies.engine.cores import ONE_THREAD, VARIABLES
+from flexbearing.program.threads import ONE_THREAD, VARIABLES
 from flexbearing.studies.engine.on_dask import OnDask
 
 if TYPE_CHECKING:

@@ -1,0 +1,72 @@
+"""How many threads and processes may work at once: the one place that decides.
+
+The cores are those of `--jobs` where a command has it, else what a queue says (`SLURM_CPUS_PER_TASK`), else
+what the user says (`FLEXBEARING_THREADS`), else those that the operating system lets this process use. Worker
+processes share them. NGSolve takes those of its process for whole solids, one for everything smaller. Linear
+algebra of NumPy has one thread: the matrices of a bearing are small, and threads would wait for each other.
+"""
+
+import os
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import lru_cache
+from typing import Any
+
+from flexbearing.case import BadCase
+
+VARIABLES = "SLURM_CPUS_PER_TASK", "FLEXBEARING_THREADS"  # of the environment, the first that is set counts
+ONE_THREAD = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
+
+
+class BadCount(BadCase):
+    """A number of cores that is none."""
+
+
+def cores() -> int:
+    """Cores that this process may use.
+
+    Returns
+    -------
+    int
+        what a queue or the user says in the environment, else those that the operating system gives
+
+    Raises
+    ------
+    BadCount
+        for a variable that holds no number above zero
+    """
+    for name in VARIABLES:
+        if text := os.environ.get(name):
+            if not (text.isascii() and text.isdigit() and int(text) > 0):
+                raise BadCount(f"{name}={text!r} is no number of cores; it must be a whole number above 0.")
+            return int(text)
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+def environment(jobs: int) -> dict[str, str]:
+    """Variables of a worker process, so that threads times workers are no more than the cores."""
+    left = {name: value for name, value in os.environ.items() if name != VARIABLES[0]}
+    return left | ONE_THREAD | {VARIABLES[1]: str(max(1, cores() // jobs))}
+
+
+def of_solids(wanted: int | None) -> int:
+    """Threads of NGSolve for a whole solid: what a case asks for, or else all; never more than the cores."""
+    return min(wanted or cores(), cores())
+
+
+@contextmanager
+def linear_algebra_alone() -> Iterator[None]:
+    """Give the linear algebra of NumPy and SciPy one thread inside."""
+    with _libraries("ngsolve" in sys.modules, "scipy" in sys.modules).limit(limits=1, user_api="blas"):
+        yield
+
+
+@lru_cache(maxsize=4)
+def _libraries(*loaded: bool) -> Any:
+    """Libraries of this process that have threads, looked for again when packages bring others."""
+    from threadpoolctl import ThreadpoolController
+
+    return ThreadpoolController()
