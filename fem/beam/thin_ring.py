@@ -82,7 +82,8 @@ def beam_responses(
 
     Valid
     -----
-    Section small against the radius, width up to about :math:`2\sqrt{R t}`: it keeps its shape. A clamped
+    Section small against the radius, width up to about :math:`2\sqrt{R t}`: it keeps its shape, also between
+    bars at both of its ends, where it bends (18 % in the support of the paper's cage). A clamped
     face is taken as a wall that bends along x only, bars as spread Timoshenko beams, a shaft as walls that
     bend along x with hoops that fade like a clamped beam.
     """

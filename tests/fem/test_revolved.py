@@ -228,9 +228,10 @@ def test_own_compliance_does_not_depend_on_mesh_or_harmonics(part):
     ("part", "solid"),
     [
         (RING, MeshSize(order=3, size=4e-3, raceway_size=1e-3)),
+        (replace(RING, offset=-2e-3), MeshSize(order=3, size=4e-3, raceway_size=1e-3)),
         (SHAFT, MeshSize(order=3, size=4e-3, raceway_size=1e-3)),
     ],
-    ids=["ring", "shaft"],
+    ids=["ring", "ring, raceway aside", "shaft"],
 )
 def test_tetrahedra_agree(part, solid):
     """The same Gaussian on both; its fixed direction costs (width/R)^2, sharp edges 1 % of the stiffness."""
