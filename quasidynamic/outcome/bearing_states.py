@@ -72,7 +72,8 @@ class BearingStates:
     @property
     def forces(self) -> NDArray:
         """Forces (C, 2, Z, M) [N] of the rollers on the raceways; [..., 0] is the load."""
-        return self.slice_loads @ self._whole(self.axial_modes).weights
+        load = self.slice_loads.transpose(3, 1, 0, 2)  # (K, 2, C, Z)
+        return self._whole(self.axial_modes).summed(load).transpose(2, 1, 3, 0)
 
     def _whole(self, axial_modes: int) -> Slices:
         """Slices along whole rollers."""
@@ -293,7 +294,8 @@ class BearingStates:
     @property
     def life(self) -> NDArray:
         """Basic reference life L10 (C) [10^6 revolutions]."""
-        inner, outer = (self.slice_loads * self.balance.roller.raceways.slices.width).swapaxes(0, 1)
+        width = np.reshape(self.balance.roller.raceways.slices.width, (-1, 1, 1, 1))
+        inner, outer = (self.slice_loads * width).swapaxes(0, 1)
         return basic_life(inner, outer, self.balance.roller.bearing, self.turning)
 
     @property

@@ -90,7 +90,7 @@ def _finer_lives(states: BearingStates, slices: int, compliance: Compliances) ->
     for race, matrix in enumerate(compliance):
         finer = _FinerContacts.of(states, race, slices, matrix)
         loads = np.moveaxis(finer.line_loads(), 0, -1)
-        sides.append(finer.slices.unfolded(loads) * finer.slices.width)
+        sides.append(finer.slices.unfolded(loads) * np.reshape(finer.slices.width, (-1, 1, 1)))
     return basic_life(sides[0], sides[1], states.balance.roller.bearing, states.turning)
 
 
@@ -99,7 +99,7 @@ class _FinerContacts:
     """Contacts of the rollers of C cases with one raceway; M' axial modes, of which the states know M."""
 
     slices: Slices
-    drop: NDArray  # (K) [m]
+    drop: NDArray  # (K, 1, 1), or (K, C, 1) of rollers that differ [m]
     raceways: Raceways
     race: int
     approach: NDArray  # (M', C, Z) of the states, zero in the further modes [m]
@@ -119,7 +119,7 @@ class _FinerContacts:
         approach[:modes] = known
         return cls(
             slices=slices,
-            drop=roller.profile.drop(slices.centres, roller.length),
+            drop=slices.drop(roller.profile)[:, 0],
             raceways=raceways,
             race=race,
             approach=approach,
@@ -152,7 +152,7 @@ class _FinerContacts:
     def _contact(self, approach: NDArray) -> tuple[NDArray, NDArray]:
         """Line loads (K, C, Z) [N/m] and their derivatives [N/m2]."""
         law = replace(self.raceways.law, coefficient=np.asarray(self.raceways.law.coefficient)[self.race])
-        return law(self.slices.spread(approach) - self.drop[:, None, None])
+        return law(self.slices.spread(approach) - self.drop)
 
     def _equations(self, approach: NDArray, load: NDArray, stiffness: NDArray) -> tuple[NDArray, NDArray]:
         """Residuals (M', C, Z): load and moment as they were, further modes as the raceway deflects.

@@ -61,7 +61,9 @@ def basic_life(
     -----
     Raceway fatigue from below the surface, reliability 90 %, no lubrication factor.
     """
-    return slice_life(inner, outer, raceway_capacity(bearing), turning)
+    # of bearings with other dimensions, capacities are columns (C, 1)
+    capacity = (each[:, 0] if np.ndim(each) else each for each in raceway_capacity(bearing))
+    return slice_life(inner, outer, tuple(capacity), turning)
 
 
 def reference_life(

@@ -7,10 +7,11 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from quasidynamic import Equilibrium, FourPointCurve
+from quasidynamic import Equilibrium, FourPointCurve, Logarithmic, solve_many
 from quasidynamic.balance.rollers.operating_points import OperatingPoints
-from quasidynamic.columns import side_by_side
+from quasidynamic.columns import kind_and_numbers, side_by_side, taken, with_columns
 from quasidynamic.outcome.bearing_states import BearingStates
+from quasidynamic.outcome.finer_life import life_error, life_errors
 from quasidynamic.several.indicator import (
     cage_balances_often,
     doubts,
@@ -157,3 +158,32 @@ def test_cage_is_in_balance_at_several_slips_between_the_folds_alone():
     loads = [replace(model.operation, radial_load=load) for load in (500.0, 3000.0, 20000.0)]
     states = [replace(model, operation=load).solve() for load in loads]
     assert cage_balances_often(together(states, loads)).tolist() == [False, True, False]
+
+
+@pytest.mark.parametrize("name", [*BEARINGS, "tilting, known pockets"])
+def test_states_of_bearings_that_differ_in_every_number(name):
+    model = paper_bearing(
+        **BEARINGS.get(name, {"cage": POCKETS, "moment": 3.0}), profile=Logarithmic(amplitude=2e-6)
+    )
+    numbers, rng = np.array(kind_and_numbers(model)[1]), np.random.default_rng(3)
+    (batch,) = solve_many(
+        [differing(model, numbers * rng.uniform(0.98, 1.02, len(numbers))) for _ in range(4)]
+    ).batches
+    states = [batch[case] for case in range(4)]
+    for quantity in QUANTITIES:
+        of_each = [getattr(state, quantity) for state in states]
+        if of_each[0] is not None:
+            assert_same(getattr(batch.states, quantity), of_each)
+    assert_same(batch.states.tangent.stiffness, [state.tangent.stiffness for state in states])
+    assert batch.states.losses.total == approx([state.losses.total for state in states], rel=1e-11)
+    assert_same(doubts(batch.states), [doubts(state.cases)[0] for state in states])
+    assert cage_balances_often(batch.states).tolist() == [
+        bool(cage_balances_often(s.cases)[0]) for s in states
+    ]
+    assert life_errors(batch.states) == approx([life_error(state) for state in states], rel=1e-9, abs=1e-13)
+
+
+def differing(model, numbers):
+    """The same bearing with other numbers."""
+    both = with_columns(model, np.array([kind_and_numbers(model)[1], numbers]))
+    return taken(both, np.array([1]))

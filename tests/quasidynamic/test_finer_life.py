@@ -44,7 +44,7 @@ def test_further_shapes_are_those_of_the_deflected_raceway():
     before[:, :3] = np.einsum("zmyn,yn->zm", compliance[:, :3, :, :3], finer.force[:, 0].T)
     deflection = np.einsum("zmyn,yn->zm", compliance, force) - before
     law = finer.raceways.law
-    approach = (loads / np.ravel(law.coefficient)[1]) ** 0.9 + finer.drop  # what carries these loads
+    approach = (loads / np.ravel(law.coefficient)[1]) ** 0.9 + finer.drop[:, 0, 0]  # what carries these loads
     wanted = finer.approach[:, 0].T - deflection
     for roller in np.flatnonzero(closed.sum(1) > 20):
         beyond = approach[roller] - finer.slices.modes[:, 2:] @ wanted[roller, 2:]
