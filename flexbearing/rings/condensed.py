@@ -1,6 +1,6 @@
 """Parts of a case, condensed to what rollers feel of them, or taken from the cache."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from time import perf_counter
@@ -21,7 +21,7 @@ from flexbearing.build.seat_growth import seat_growth, seat_strain
 from flexbearing.cache import configured
 from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
-from flexbearing.coupling import PartnerFailed, RacewayPair
+from flexbearing.coupling import LinearPair, PartnerFailed, RacewayPair
 from flexbearing.program.threads import of_solids
 from flexbearing.progress import Report
 from flexbearing.rings.fits import RacewayInFit, inner_ring_in_fit, is_in_fit, outer_ring_in_housing
@@ -40,6 +40,7 @@ if TYPE_CHECKING:
     from flexbearing.build.ring_parts import Part
 
 WITH_A_SLEEVE = (3, 1.2, 0.4)  # smeared bars are worth no more
+RACES: tuple[Race, Race] = ("inner", "outer")
 PATCH = 0.1  # width of a load patch over the roller length
 
 
@@ -106,6 +107,53 @@ def raceway(
             fitted = outer_ring_in_housing(case, part, azimuths, mesh_size(case, ON_A_SECTION))
         report.stage(f"{name}: about {fitted.fit.interface.unknowns} unknowns in the fit", None)
         return fitted
+
+
+def is_linear(case: Case) -> bool:
+    """Whether the raceways of a case answer linearly: no fit that may open, no one-sided support."""
+    if case.coupling.structure == "full" or is_on_supports(case):
+        return False
+    elastic = [race for race in RACES if part_of(case, race) is not None]
+    return not any(is_in_fit(case, race) for race in elastic)
+
+
+def linear_raceways(cases: Sequence[Case], azimuths: NDArray, report: Report) -> list[LinearPair]:
+    """Raceways of cases that share their parts, `accuracy` and rollers, and answer linearly.
+
+    Parameters
+    ----------
+    cases : sequence of Case
+        at least one
+    azimuths : array (Z)
+        of the rollers [rad]
+    report : Report
+        hears of parts that are condensed
+
+    Returns
+    -------
+    list of LinearPair
+        one for each case: only shapes that grow without load differ
+
+    Raises
+    ------
+    BadCase
+        when a part cannot be
+    PartnerFailed
+        when a part has no trustworthy answer
+    """
+    inner, outer = (_linear_raceways(cases, race, azimuths, report) for race in RACES)
+    return [LinearPair(*pair) for pair in zip(inner, outer, strict=True)]
+
+
+def _linear_raceways(
+    cases: Sequence[Case], race: Race, azimuths: NDArray, report: Report
+) -> "list[RacewayCompliance | None]":
+    part, name = part_of(cases[0], race), NAMES[race]
+    if part is None:
+        return [None] * len(cases)
+    with named_failures(cases[0], name):
+        linear: Any = condensed(name, part, cases[0], azimuths, report)  # not on lines or springs
+        return [_Growth.of(case, race, report).added(linear.at(azimuths)) for case in cases]
 
 
 def _on_supports(part: "Part", case: Case, azimuths: NDArray, report: Report) -> SupportedRaceway:

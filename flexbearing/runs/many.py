@@ -1,26 +1,20 @@
 """Outputs of many roller cases at once, equal to those of single runs."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from flexbearing.build import roller_bearing
 from flexbearing.case.roller import Case
-from flexbearing.coupling import LinearPair
 from flexbearing.outputs import wanted
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.quantities.roller import LAYOUT
-from flexbearing.runs import validate_roller
-from flexbearing.runs.solved_together import ANSWER, Together
-from quasidynamic import ImpossiblePart, NotSolved, OutOfRange, RollerBearing, SolverOutcome, solve_many
+from flexbearing.runs.solved_together import solved_together
+from quasidynamic import NotSolved, OutOfRange
 from quasidynamic.note import Note, graded
-from quasidynamic.outcome.equilibria import Batch, Equilibria
 
 CONVERGED = "converged"
-AT_ONCE = 32  # cases whose matrices fit into the processor's cache
-NO_RINGS = LinearPair(None, None)
 
 
 @dataclass(frozen=True)
@@ -52,9 +46,9 @@ def told(notes: Iterable[Note]) -> str:
 def answers(cases: Sequence[Case], texts: Sequence[str], alone: Alone, *, search: bool = True) -> Answers:
     """Compute the wanted outputs of many cases.
 
-    Cases that differ in numbers only are solved side by side, and their outputs are arrays. What needs a run
-    of its own has one: cases that are not solved there, those with `accuracy.target`, with several positions
-    of the rollers or with stresses. Nothing is computed but what is wanted, and what dangers need.
+    Cases that differ in numbers only, between rigid rings or between the same elastic ones, are solved side
+    by side, and their outputs are arrays. What needs a run of its own has one, see `solved_together`; so has
+    what is not solved. Nothing is computed but what is wanted, and what dangers need.
 
     Parameters
     ----------
@@ -79,68 +73,35 @@ def answers(cases: Sequence[Case], texts: Sequence[str], alone: Alone, *, search
         for texts that name no output
     """
     outputs = {text: wanted(LAYOUT, text) for text in texts}
+    blocks = {output.block for output in outputs.values()}
     numbers = {text: np.full(len(cases), np.nan) for text in texts}
     messages: dict[int, str] = {}
+    failed: set[int] = set()
     # The bearings' matrices are small: threads of the linear algebra would only wait for each other.
     with linear_algebra_alone():
-        for together in _solved(cases):
+        for together in solved_together(cases, blocks):
+            places = together.places.tolist()
             try:
                 found = {
                     text: together.numbers(output)
                     for text, output in outputs.items()
                     if output.block in together.blocks
                 }
-                dangers = together.dangers(search=search)
+                if together.answer:
+                    dangers = together.dangers(search=search)
+                    messages |= zip(places, map(told, dangers), strict=True)
             except (NotSolved, OutOfRange):  # of one of them, which its own run tells
+                failed |= set(places)
                 continue
             for text, values in found.items():
-                numbers[text][together.places] = values
-            messages |= zip(together.places.tolist(), map(told, dangers), strict=True)
+                numbers[text][places] = values
     statuses = dict.fromkeys(messages, CONVERGED)
-    for place in sorted(set(range(len(cases))) - messages.keys()):
+    for place in sorted(failed | (set(range(len(cases))) - messages.keys())):
         answer = alone(place)
         statuses[place], messages[place] = answer.status, answer.message
-        for text, number in answer.numbers.items():
-            numbers[text][place] = number
+        for text in texts:
+            numbers[text][place] = answer.numbers.get(text, np.nan)
     places = range(len(cases))
     return Answers(
         tuple(statuses[place] for place in places), tuple(messages[place] for place in places), numbers
     )
-
-
-def _solved(cases: Sequence[Case]) -> Iterator[Together]:
-    """Yield cases that converge side by side."""
-    models = {place: model for place, case in enumerate(cases) if (model := _model(case))}
-    places = np.array(list(models), int)
-    if not len(places):
-        return
-    for batch in _converged(solve_many(list(models.values()))):
-        own = places[batch.places].tolist()
-        yield Together(
-            [cases[place] for place in own],
-            [models[place] for place in own],
-            replace(batch, places=places[batch.places]),
-            [NO_RINGS] * len(own),
-            (*ANSWER, "rigid"),
-        )
-
-
-def _model(case: Case) -> RollerBearing | None:
-    """Bearing of a case that may be solved beside others; None where it needs a run of its own."""
-    elastic = case.inner.kind != "rigid" or case.outer.kind != "rigid"
-    if elastic or case.accuracy.target is not None or case.operation.roller_positions is not None:
-        return None
-    try:
-        validate_roller.build(case)
-        return roller_bearing.bearing(case)
-    except (ImpossiblePart, OutOfRange):  # which its own run tells
-        return None
-
-
-def _converged(found: Equilibria) -> Iterator[Batch]:
-    """Yield the cases that converged, some at once."""
-    for batch in found.batches:
-        solved = np.flatnonzero([outcome is SolverOutcome.CONVERGED for outcome in batch.outcomes])
-        for first in range(0, len(solved), AT_ONCE):
-            some = solved[first : first + AT_ONCE]
-            yield batch if len(some) == len(batch) else batch.take(some)

@@ -1,0 +1,172 @@
+"""Roller cases that converged side by side: outputs and dangers of their end states."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fem.cage.bar_forces import NominalStresses
+from flexbearing.build.rough_surfaces import roughness
+from flexbearing.case.roller import Case
+from flexbearing.coupled.states import EndState, EndStates
+from flexbearing.coupling import LinearPair
+from flexbearing.outputs import Wanted
+from flexbearing.progress import Logged
+from flexbearing.quantities.quantity import Quantity, taken
+from flexbearing.quantities.roller import LAYOUT
+from flexbearing.runs import bars, dangers, life, several, skew
+from flexbearing.runs.life_error import estimated
+from quasidynamic import Equilibrium, RollerBearing
+from quasidynamic.note import Note, danger
+from quasidynamic.outcome.equilibria import Batch
+from quasidynamic.outcome.finer_life import life_errors
+from quasidynamic.outcome.skew import Skew
+from quasidynamic.several.indicator import each_several_likely
+
+QUANTITIES = LAYOUT.datasets("block")
+BY_CASE = ("life.", "skew.", "bars.")  # sources that are found case by case
+LIFE_ERROR = "life_error"  # which needs more axial shapes of elastic raceways: found case by case there
+ANSWER = ("", "flexible")  # the block that answers a case, which is also that of outputs that name none
+
+
+@dataclass(frozen=True)
+class SolvedCase:
+    """One of them, with what is found case by case."""
+
+    case: Case
+    state: Equilibrium
+    rings: LinearPair
+
+    @property
+    def end(self) -> EndState:
+        """Its end state, without an estimate of its error."""
+        return EndState(self.state, self.rings, roughness(self.case))
+
+    @cached_property
+    def life(self) -> life.LifeOfState | None:
+        """Life after every factor."""
+        return life.modified(self.case, self.state)
+
+    @cached_property
+    def life_error(self) -> float | None:
+        """Estimated numerical error of the life, over it [-]."""
+        return estimated(self.case, self.state, self.rings, Logged()).value
+
+    @cached_property
+    def skew(self) -> Skew | None:
+        """Skew of the rollers between flanges."""
+        return skew.at(self.case, self.state)
+
+    @cached_property
+    def bars(self) -> NominalStresses | None:
+        """Nominal stresses of the bars of a squirrel cage."""
+        return bars.nominal_stresses(self.case, self.end)
+
+    @property
+    def relative_speed(self) -> float:
+        """Speed of the inner ring less that of the outer ring [rad/s]."""
+        return self.end.relative_speed
+
+    def quantities(self, wanted: list[Quantity]) -> dict[str, NDArray]:
+        """Quantities of `BY_CASE` and the speed; nothing else is computed."""
+        parts = {entry.source.partition(".")[0] for entry in wanted} - {"end"}
+        return taken(wanted, {"end": self} | {part: getattr(self, part) for part in parts})
+
+
+@dataclass(frozen=True)
+class Together:
+    """C cases that converged side by side between raceways of the same compliance."""
+
+    cases: list[Case]
+    models: list[RollerBearing]
+    batch: Batch
+    rings: list[LinearPair]  # of each case; only their deviations without load differ
+    blocks: tuple[str, ...]  # of their results that these states are
+
+    @property
+    def answer(self) -> bool:
+        """Whether these states answer the cases, and are not on the way to it."""
+        return "" in self.blocks
+
+    @property
+    def places(self) -> NDArray:
+        """Places (C) among all cases."""
+        return self.batch.places
+
+    def numbers(self, output: Wanted) -> NDArray:
+        """Numbers (C) of an output of these blocks; NaN where a case does not have it."""
+        quantities, block = [QUANTITIES[name] for name in datasets(output)], output.block or ANSWER[1]
+        states, end, errors = self.batch.states, self._end, LIFE_ERROR in datasets(output)
+        if any(entry.source.startswith(BY_CASE) for entry in quantities) or (errors and not self._rigid):
+            return np.array([output.number({block: case.quantities(quantities)}) for case in self._each])
+        if errors:
+            end = replace(end, life_error=life_errors(states))
+        solved: dict[str, Any] = {"state": states, "end": end}
+        solved |= {"bearing": states.balance.roller.bearing, "losses": states.losses}
+        numbers = output.numbers({block: taken(quantities, solved, many=True)})
+        return np.broadcast_to(numbers, len(self.cases))
+
+    @property
+    def _rigid(self) -> bool:
+        return self.rings[0].rigid
+
+    @cached_property
+    def _end(self) -> EndStates:
+        rough = [roughness(case) for case in self.cases]
+        known = [np.full(2, np.nan) if each is None else each for each in rough]
+        given = any(each is not None for each in rough)
+        return EndStates(self.batch.states, self.rings[0], np.array(known) if given else None)
+
+    @cached_property
+    def _each(self) -> list[SolvedCase]:
+        states = (self.batch[case] for case in range(len(self.cases)))
+        return [SolvedCase(*each) for each in zip(self.cases, states, self.rings, strict=True)]
+
+    def dangers(self, *, search: bool) -> list[tuple[Note, ...]]:
+        """What makes the answer of each case dangerous, as its own run says it.
+
+        Without a `search` for other equilibria it is told where they are likely.
+        """
+        states = self.batch.states
+        pressure, speed = states.peak_pressure.max(axis=1), states.balance.points.relative_speed[:, 0]
+        likely, others = each_several_likely(states), self._others if search else _not_searched
+        figures = zip(pressure.tolist(), states.life.tolist(), speed.tolist(), strict=True)
+        return [
+            (*self._dangers(case, *each), *(others(case) if likely[case] else ()))
+            for case, each in enumerate(figures)
+        ]
+
+    def _dangers(self, case: int, pressure: float, rated: float, speed: float) -> Iterator[Note]:
+        given = self.cases[case]
+        yield from dangers.pressed(pressure)
+        if given.life.model_dump(exclude_defaults=True):
+            modified = self._each[case].life
+            rated = modified.modified / life.MREV if modified else rated
+        yield from dangers.short_lived(rated, speed)
+        if given.materials.outer_ring.yield_stress is not None:
+            yield from bars.dangers(given, self._each[case].bars)
+
+    def _others(self, case: int) -> Iterator[Note]:
+        """Other equilibria that are found."""
+        state, rings = self.batch[case], self.rings[case]
+        if self._rigid:
+            found = several.between_rigid_raceways(self.models[case], state)
+        else:
+            found = several.between_flexible_raceways(state, rings)
+        if found:
+            yield found.note()
+
+
+def _not_searched(case: int) -> Iterator[Note]:
+    yield danger(
+        several.CODE, "several equilibria are likely; others than the computed one were not searched"
+    )
+
+
+def datasets(output: Wanted) -> list[str]:
+    """Names of the quantities that an output is computed from."""
+    declared = output.output.declared
+    return list(dict.fromkeys([*declared.of, *([declared.speed] if declared.speed else [])]))
