@@ -113,8 +113,7 @@ def is_linear(case: Case) -> bool:
     """Whether the raceways of a case answer linearly: no fit that may open, no one-sided support."""
     if case.coupling.structure == "full" or is_on_supports(case):
         return False
-    elastic = [race for race in RACES if part_of(case, race) is not None]
-    return not any(is_in_fit(case, race) for race in elastic)
+    return not any(part_of(case, race) is not None and is_in_fit(case, race) for race in RACES)
 
 
 def linear_raceways(cases: Sequence[Case], azimuths: NDArray, report: Report) -> list[LinearPair]:
@@ -153,7 +152,8 @@ def _linear_raceways(
         return [None] * len(cases)
     with named_failures(cases[0], name):
         linear: Any = condensed(name, part, cases[0], azimuths, report)  # not on lines or springs
-        return [_Growth.of(case, race, report).added(linear.at(azimuths)) for case in cases]
+        compliance = linear.at(azimuths)
+        return [_Growth.of(case, race, report).added(compliance) for case in cases]
 
 
 def _on_supports(part: "Part", case: Case, azimuths: NDArray, report: Report) -> SupportedRaceway:

@@ -43,7 +43,7 @@ def told(notes: Iterable[Note]) -> str:
     return "; ".join(f"danger: {note.text}" for note in graded(notes) if note.grade == "danger")
 
 
-def answers(cases: Sequence[Case], texts: Sequence[str], alone: Alone, *, search: bool = True) -> Answers:
+def answers(cases: Sequence[Case], texts: Sequence[str], alone: Alone, *, search: bool = False) -> Answers:
     """Compute the wanted outputs of many cases.
 
     Cases that differ in numbers only, between rigid rings or between the same elastic ones, are solved side
@@ -59,8 +59,8 @@ def answers(cases: Sequence[Case], texts: Sequence[str], alone: Alone, *, search
     alone : callable
         the answer of a case from a run of its own
     search : bool
-        whether other equilibria are searched where they are likely, as a run does, for about a thousand times
-        the cost of a case; else its message says that they are likely
+        whether other equilibria are searched where they are likely, as a run does, for some hundred times the
+        cost of a case; else the message says that they are likely, which is so for more cases than have any
 
     Returns
     -------
