@@ -61,9 +61,8 @@ def basic_life(
     -----
     Raceway fatigue from below the surface, reliability 90 %, no lubrication factor.
     """
-    # of bearings with other dimensions, capacities are columns (C, 1)
-    capacity = (each[:, 0] if np.ndim(each) else each for each in raceway_capacity(bearing))
-    return slice_life(inner, outer, tuple(capacity), turning)
+    inner_capacity, outer_capacity = raceway_capacity(bearing)
+    return slice_life(inner, outer, (_of_cases(inner_capacity), _of_cases(outer_capacity)), turning)
 
 
 def reference_life(
@@ -266,6 +265,11 @@ def turning_share(speed: Any, relative_speed: Any) -> Any:
     """
     turns = REVOLUTIONS * speed / relative_speed
     return turns**2 / (1 + turns**2)
+
+
+def _of_cases(number: Any) -> Any:
+    """Numbers (C) of bearings that differ, from a column (C, 1); that of all of them as it is."""
+    return number[:, 0] if np.ndim(number) else number
 
 
 def _damage(loads: NDArray, capacity: float, share: NDArray | float) -> Any:
