@@ -287,7 +287,8 @@ class BearingBalance:
         m, rollers, felt = self.layout.axial_modes, self.layout.rollers, self.kinematics.felt
         by_force = np.empty((rollers * len(felt), rollers, felt.shape[1]))
         for place, race in enumerate(self.layout.elastic_raceways):
-            own = slice(place * m, (place + 1) * m)
-            deflection = self.deflection(race, np.eye(rollers * m)).reshape(rollers, m, -1)
+            compliance, own = self.compliance[race], slice(place * m, (place + 1) * m)
+            assert compliance is not None  # or the raceway would not be elastic
+            deflection = OUTWARD[race] * compliance.reshape(rollers, m, -1)
             by_force[..., own] = (felt[:, own] @ deflection).reshape(-1, rollers, m)
         return by_force

@@ -10,6 +10,7 @@ from quasidynamic.balance.rollers.scales import LARGE_DEVIATION
 from quasidynamic.balance.rollers.unknowns import BORDER
 from quasidynamic.solve.rollers.small_systems import cyclic_tridiagonal, dense
 
+CASES_AT_ONCE = 16  # whose matrices stay in the processor's cache
 OPEN = 1e-13  # of the steepest slope of a contact: what the rounded load law leaves of it in a gap
 FELT = 1 + BORDER  # first column of felt deviations, first row of contact forces; before them spin and border
 
@@ -38,6 +39,9 @@ class Solution(NamedTuple):
     spins: NDArray  # (R, C, Z)
     felt: NDArray  # (P, R, C, Z)
     deviations: NDArray  # (C, Z D, R) in the order of the unknowns
+
+
+CASE_AXES = (2, 1, 2, 0)  # of these
 
 
 def between_elastic_raceways(
@@ -74,9 +78,24 @@ def between_elastic_raceways(
     -----
     A chain of spins that is singular by itself gives no numbers, also where the whole system is not singular.
     """
+    parts = []
+    for first in range(0, len(right), CASES_AT_ONCE):
+        some = slice(first, first + CASES_AT_ONCE)
+        around = system.before[some], system.after[some]
+        parts.append(_solved(balance, around, table[:, :, some], border[some], right[some]))
+    if len(parts) == 1:
+        return parts[0]
+    each = zip(zip(*parts, strict=True), CASE_AXES, strict=True)
+    return Solution(*(np.concatenate(values, axis) for values, axis in each))
+
+
+def _solved(
+    balance: BearingBalance, around: tuple[NDArray, NDArray], table: NDArray, border: NDArray, right: NDArray
+) -> Solution:
+    """Solve a few cases, spins with those before and after (C, 1)."""
     count = right.shape[2]
     given = LARGE_DEVIATION * right[:, balance.layout.fields_end :]
-    chain, closed = _chain(system, table, count), _closed(balance, table, count)
+    chain, closed = _chain(around, table, count), _closed(balance, table, count)
     matrix, side = _reduced(table, chain, closed)
     matrix[:, :BORDER, :BORDER] += border
     side[:, :BORDER] += right[:, :BORDER]
@@ -90,12 +109,12 @@ def between_elastic_raceways(
     return Solution(unknowns[:BORDER], spins, _felt(balance, deviations), deviations)
 
 
-def _chain(system: Linearisation, table: NDArray, count: int) -> Chain:
+def _chain(around: tuple[NDArray, NDArray], table: NDArray, count: int) -> Chain:
     """Spins by border, right-hand sides and torques."""
     cases, rollers = table.shape[2:]
     torques = np.broadcast_to(np.eye(rollers)[:, None], (rollers, cases, rollers))
     sides = np.concatenate([table[0, 1:FELT], table[0, -count:], torques])
-    spins = cyclic_tridiagonal(table[0, 0], system.before, system.after, sides)
+    spins = cyclic_tridiagonal(table[0, 0], *around, sides)
     border, right, spread = np.split(spins, [BORDER, BORDER + count])
     return Chain(border, right, np.ascontiguousarray(spread.transpose(1, 2, 0)))
 

@@ -14,7 +14,7 @@ from quasidynamic.solve.rollers.newton import newton
 from quasidynamic.solve.rollers.solved_neighbours import local_fit, spread_out
 from quasidynamic.solve.rollers.strategy import SolvedCases
 
-CASES_AT_ONCE = 24  # their matrices fit into the processor's cache
+CASES_AT_ONCE = 64  # their slices fit into the processor's cache
 FIRST = 8  # cases that are solved by contact searches, or twice the root of their number
 GROWTH = 4  # of the number of solved cases, before others are solved from them
 
