@@ -79,7 +79,7 @@ def _waves(case: Case, race: Literal["inner", "outer"]) -> RacewayWaves | None:
     waves = None if form is None else getattr(form, race)
     if waves is None:
         return None
-    return RacewayWaves(numbers=waves.waves, amplitudes=waves.amplitude, crests=waves.crests)
+    return RacewayWaves(numbers=waves.numbers, amplitudes=waves.amplitudes, crests=waves.crests)
 
 
 def _material(case: Case, part: str) -> qd.Material:

@@ -216,3 +216,31 @@ def test_example_of_every_key_is_a_value_it_takes(item):
     model: type[BaseModel] = create_model("Model", **{name: (item.field.annotation, item.field)})
     assert f"{name} = {item.example}" in explain(item.path)
     model.model_validate(tomllib.loads(f"{name} = {item.example}"))
+
+
+OVAL = ("bearing.form_error.outer.waves=2", "bearing.form_error.outer.amplitude=10 um")
+COLLAR = ("outer.collar_length=2 mm", "outer.collar_thickness=6 mm")
+
+
+@pytest.mark.parametrize(
+    ("settings", "told"),
+    [
+        ((*OVAL, "bearing.form_error.outer.waves=1"), "[bearing.form_error.outer] waves"),
+        ((*OVAL, "bearing.form_error.outer.further_waves=[1]"), "whole numbers from 2"),
+        ((*OVAL, "bearing.form_error.outer.further_waves=[3]"), "further_amplitudes"),
+        ((*COLLAR, "outer.collar_thickness=3 mm"), "at least outer.thickness"),
+        ((*COLLAR, "outer.collar_length=11 mm"), "at most outer.width"),
+        ((*COLLAR, "outer.collar_length=6 mm", "outer.bar_ends=both"), "at most half of outer.width"),
+        (COLLAR[:1], "collar_thickness is missing"),
+        (("outer.raceway_offset=2.6 mm",), "-2.5 to 2.5 mm"),
+        (
+            ("outer.kind=ring", "outer.support=lines", 'outer.line_azimuths=["0 deg", "120 deg", "240 deg"]',
+             "outer.raceway_offset=1 mm"),
+            'it belongs to outer.kind = "ring" with outer.support = "side"',
+        ),
+    ],
+    ids=lambda value: value if isinstance(value, str) else "",
+)  # fmt: skip
+def test_impossible_shape_of_a_raceway_is_named(settings, told):
+    kept = {setting.partition("=")[0]: setting for setting in settings}
+    assert told in refusal(*kept.values())

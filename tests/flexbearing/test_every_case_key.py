@@ -39,8 +39,9 @@ CONTEXTS = {  # file and settings in which a key belongs to the case
     "mounted": ("nu209_fits", {}),
     "floating cage": ("mao2016", {"bearing.cage.centre": "free"}),
     "waves": ("mao2016", {"bearing.form_error": {
-        "inner": {"waves": 2, "amplitude": "4 um", "crest": "10 deg"},
-        "outer": {"waves": [2, 5], "amplitude": ["10 um", "1 um"]}}}),
+        "inner": {"waves": 2, "amplitude": "4 um", "crest": "10 deg", "further_waves": [3],
+                  "further_amplitudes": ["2 um"], "further_crests": ["20 deg"]},
+        "outer": {"waves": 2, "amplitude": "10 um", "further_waves": [5], "further_amplitudes": ["1 um"]}}}),
     "crowned": ("nu209", {"bearing.roller.profile": "crowned", "bearing.roller.straight_length": "4 mm",
                           "bearing.roller.crown_radius": "600 mm"}),
     "foundation": ("mao2016", {
