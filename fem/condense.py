@@ -4,7 +4,8 @@ A discretisation is loaded with NGSolve when it is used: importing this module l
 """
 
 import logging
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, TypeVar, overload
 
@@ -15,7 +16,7 @@ from fem.parts.resolution import Discretisation, Resolution
 from fem.parts.rings import OuterRing, Part, RingOnShaft, SquirrelCage, require_on_track
 from fem.parts.step_solid import StepSolid
 from fem.stages import Report, Stage, stages, unheard
-from fem.subprocess import in_subprocess
+from fem.subprocess import in_subprocess, started
 
 if TYPE_CHECKING:
     from fem.raceway.compliance import RacewayCompliance
@@ -74,10 +75,34 @@ def condense(part, discretisation, resolution, report=unheard):
     -----
     Small displacement, perfect bonds, rigid clamps, supports without friction; no load outside the band.
     """
-    in_space = discretisation is SOLID or (isinstance(part, SquirrelCage) and discretisation is HARMONICS)
-    if in_space:
+    if discretisation is SOLID or is_cage_in_space(part, discretisation):
         return in_subprocess(condense_in_process, part, discretisation, resolution, report=report)
     return condense_in_process(part, discretisation, resolution, report)
+
+
+def is_cage_in_space(part: Any, discretisation: Discretisation) -> bool:
+    """Whether half a pitch of a cage is meshed: a ring that takes seconds, one thread and little memory."""
+    return isinstance(part, SquirrelCage) and discretisation is HARMONICS
+
+
+@contextmanager
+def condensing(
+    part: Part | StepSolid, discretisation: Discretisation, resolution: Resolution
+) -> "Iterator[Callable[[], HarmonicCompliance]]":
+    """Have a cage condensed in a process of its own while the block goes on.
+
+    Parameters
+    ----------
+    part, discretisation, resolution
+        as for `condense`, such that `is_cage_in_space`
+
+    Yields
+    ------
+    callable ()
+        waits for what `condense` returns, and raises what it raises
+    """
+    with started(condense_in_process, part, discretisation, resolution) as answer:
+        yield lambda: answer(unheard)
 
 
 def seat_growth(part: Part, resolution: Resolution) -> "RacewayGrowth":

@@ -52,8 +52,29 @@ def in_subprocess(function: Callable, *arguments: Any, report: Report = unheard,
         if the process ends without an answer or is silent for too long; ImpossiblePart and
         NotSolved of the function come through, its other exceptions are told in a NotSolved
     """
+    with started(function, *arguments, wait=wait) as answer:
+        return answer(report)
+
+
+@contextmanager
+def started(function: Callable, *arguments: Any, wait: float = WAIT) -> Iterator[Callable[[Report], Any]]:
+    """Have a function at work in a process of its own while the block goes on.
+
+    Start it while no threads of NGSolve are at work here: a process that starts beside them may hang.
+
+    Parameters
+    ----------
+    function, *arguments, wait
+        as for `in_subprocess`
+
+    Yields
+    ------
+    callable (report)
+        waits for the answer, as `in_subprocess` does; without it the process ends with the block
+    """
     with tempfile.TemporaryFile() as errors, _started(errors) as process:
-        return _answer(process, (function, arguments), report, wait, errors)
+        _hand_over(process, (function, arguments))
+        yield lambda report: _answer(process, report, wait, errors)
 
 
 @contextmanager
@@ -94,12 +115,15 @@ def _release(before: set[int]) -> None:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
-def _answer(process: subprocess.Popen, task: tuple, report: Report, wait: float, errors: BinaryIO) -> Any:
-    """Hand over the task, pass reports on, and take the answer."""
+def _hand_over(process: subprocess.Popen, task: tuple) -> None:
     assert process.stdin
-    with suppress(BrokenPipeError):  # the process has ended: what comes next tells how
+    with suppress(BrokenPipeError):  # the process has ended: its answer tells how
         pickle.dump(task, process.stdin)
         process.stdin.flush()
+
+
+def _answer(process: subprocess.Popen, report: Report, wait: float, errors: BinaryIO) -> Any:
+    """Pass reports on, and take the answer."""
     while True:
         word, *content = _next(process, wait, errors)
         if word == "result":

@@ -97,6 +97,10 @@ class Cache:
         self._keep(path, kind, value, note)
         return value
 
+    def holds(self, parts: object) -> bool:
+        """Whether there is a file for some data, readable or not."""
+        return self.folder is not None and (self.folder / f"{digest(parts)}{SUFFIX}").exists()
+
     def entries(self) -> list[Entry]:
         """Rings in the folder, the one used last first; none where it cannot be read."""
         entries = []

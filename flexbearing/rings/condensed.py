@@ -1,6 +1,6 @@
 """Parts of a case, condensed to what rollers feel of them, or taken from the cache."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from time import perf_counter
@@ -39,18 +39,22 @@ if TYPE_CHECKING:
     from fem.raceway.growth import RacewayGrowth
     from flexbearing.build.ring_parts import Part
 
+Ahead = Callable[[], Any] | None  # gives a ring that another process condenses
 WITH_A_SLEEVE = (3, 1.2, 0.4)  # smeared bars are worth no more
 RACES: tuple[Race, Race] = ("inner", "outer")
 PATCH = 0.1  # width of a load patch over the roller length
 
 
-def condensed_raceways(case: Case, azimuths: NDArray, report: Report) -> RacewayPair:
+def condensed_raceways(
+    case: Case, azimuths: NDArray, report: Report, outer_ahead: Ahead = None
+) -> RacewayPair:
     """Both raceways of a case, as `raceway` makes them."""
-    return RacewayPair(raceway(case, "inner", azimuths, report), raceway(case, "outer", azimuths, report))
+    inner = raceway(case, "inner", azimuths, report)
+    return RacewayPair(inner, raceway(case, "outer", azimuths, report, outer_ahead))
 
 
 def raceway(
-    case: Case, race: Race, azimuths: NDArray, report: Report
+    case: Case, race: Race, azimuths: NDArray, report: Report, ahead: Ahead = None
 ) -> RigidRaceway | CondensedRaceway | RacewayInFit | SupportedRaceway:
     """What carries one raceway: rigid, condensed, a ring in its fit or one on its supports.
 
@@ -64,6 +68,8 @@ def raceway(
         of the rollers [rad]
     report : Report
         hears of the part that is condensed
+    ahead : callable (), optional
+        gives the part that another process condenses
 
     Returns
     -------
@@ -85,7 +91,7 @@ def raceway(
         began, name = perf_counter(), NAMES[race]
         report.stage(name, None)
         with named_failures(case, name):
-            linear: Any = condensed(name, part, case, azimuths, report)  # not on lines or springs
+            linear: Any = condensed(name, part, case, azimuths, report, ahead)  # not on lines or springs
             growth = _Growth.of(case, race, report)
             compliance = growth.added(linear.at(azimuths))
 
@@ -235,7 +241,9 @@ def named_failures(case: Case, name: str) -> Iterator[None]:
         raise PartnerFailed(words, "not solved") from problem
 
 
-def condensed(name: str, part: "Part", case: Case, azimuths: NDArray, report: Report):
+def condensed(
+    name: str, part: "Part", case: Case, azimuths: NDArray, report: Report, ahead: Ahead = None
+) -> Any:
     """Raceway compliance of a part, from the cache where it is kept.
 
     Parameters
@@ -250,13 +258,15 @@ def condensed(name: str, part: "Part", case: Case, azimuths: NDArray, report: Re
         of the rollers [rad]
     report : Report
         hears of the part
+    ahead : callable (), optional
+        gives the part that another process condenses
 
     Returns
     -------
     HarmonicCompliance, RingOnFoundation, RingOnLines, PlanetRim or RacewayCompliance
     """
-    discretisation = _discretisation(part, case)
-    arguments = part, discretisation, _resolution(part, discretisation, case, azimuths)
+    arguments = resolved(part, case, azimuths)
+    discretisation = arguments[1]
     support = part.support if isinstance(part, fem.OuterRing) else None
     on_lines = isinstance(support, fem.LineSupports | fem.PlanetGear)
     on_springs = isinstance(support, fem.Foundation) and support.pushing
@@ -268,7 +278,7 @@ def condensed(name: str, part: "Part", case: Case, azimuths: NDArray, report: Re
 
     def computed():
         if discretisation is not SOLID:
-            return condense(*arguments)
+            return ahead() if ahead else condense(*arguments)
         return condense(*arguments, report=lambda stage, fraction: report.stage(f"{name}: {stage}", fraction))
 
     return configured().cached(
@@ -278,6 +288,15 @@ def condensed(name: str, part: "Part", case: Case, azimuths: NDArray, report: Re
         lambda note: report.stage(f"{name}: {note}", None),
         lambda kept: _is_of(*arguments, kept),
     )
+
+
+def resolved(
+    part: "Part", case: Case, azimuths: NDArray | None = None
+) -> "tuple[Part, fem.Discretisation, fem.Resolution]":
+    """What decides a condensed part; the azimuths (Z) [rad] of the rollers matter for whole solids alone."""
+    discretisation = _discretisation(part, case)
+    places = np.zeros(1) if azimuths is None else azimuths
+    return part, discretisation, _resolution(part, discretisation, case, places)
 
 
 def _is_of(part: "Part", discretisation: fem.Discretisation, resolution: fem.Resolution, kept) -> bool:

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Any
 
 from flexbearing.build import clearance, roller_bearing
@@ -11,6 +12,7 @@ from flexbearing.coupled.initial_state import InitialState
 from flexbearing.coupling import LinearPair, PartnerFailed, RacewayPair
 from flexbearing.progress import Report
 from flexbearing.results import Recorder
+from flexbearing.rings.ahead import Ahead, outer_ring_ahead
 from flexbearing.rings.condensed import condensed_raceways
 from flexbearing.rings.full_solve import full_fe_raceways
 from flexbearing.runs import notes, roller_position, several
@@ -47,17 +49,19 @@ def solve(
 ) -> dict[str, object]:
     """Write iterations and blocks; returns the root attributes that say how it ended."""
     postprocessing = Postprocessing(case, record, report)
-    resolved = _resolved(case, postprocessing, report)
-    ending = _solve(case, resolved, postprocessing, report, near)
+    with outer_ring_ahead(case) as ahead:
+        resolved = _resolved(case, postprocessing, report, ahead)
+        ending = _solve(case, resolved, postprocessing, report, near)
     if near is not None:
         ending |= _start(near, ending["attempts"], postprocessing)
     return ending | dict(resolved.attributes) | postprocessing.attributes()
 
 
-def _resolved(case: Case, postprocessing: Postprocessing, report: Report) -> Resolved:
+def _resolved(case: Case, postprocessing: Postprocessing, report: Report, ahead: Ahead | None) -> Resolved:
     """At the levels of the case, or at those that its target asks for."""
     model = roller_bearing.bearing(case)
-    raceways = full_fe_raceways if case.coupling.structure == "full" else condensed_raceways
+    condensed = partial(condensed_raceways, outer_ahead=ahead)
+    raceways = full_fe_raceways if case.coupling.structure == "full" else condensed
     usual = Resolved(model, lambda: raceways(case, model.bearing.azimuths, report))
     if case.accuracy.target is None:
         return usual
