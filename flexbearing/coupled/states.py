@@ -37,6 +37,11 @@ class EndStates:
         return self.states.life * MREV
 
     @property
+    def raceway_life(self) -> NDArray:
+        """Basic rating life (C, 2) of each raceway on its own [rev]."""
+        return self.states.raceway_lives * MREV
+
+    @property
     def relative_speed(self) -> NDArray:
         """Speed of the inner ring less that of the outer ring (C) [rad/s]."""
         return self.states.balance.points.relative_speed[:, 0]
@@ -88,6 +93,11 @@ class EndState:
     def life(self) -> float:
         """Basic rating life [rev]."""
         return self.cases.life[0]
+
+    @property
+    def raceway_life(self) -> NDArray:
+        """Basic rating life (2) of each raceway on its own [rev]."""
+        return self.cases.raceway_life[0]
 
     @property
     def relative_speed(self) -> float:

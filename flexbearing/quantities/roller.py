@@ -79,6 +79,11 @@ QUANTITIES = (
         "rating life of both raceways together, 90 % survival", source="end.life", people=MREV,
         summary=(SummaryValue("life_L10_Mrev", label="life L10", digits=",.2f", error="life",
                               speed="relative_speed"),)),
+    Quantity("raceway_life", "L_10,i, L_10,o", "race", "rev", "block",
+        "rating life of each raceway on its own (inner, outer), 90 % survival", source="end.raceway_life",
+        people=MREV, infinite=True,
+        summary=(SummaryValue("raceway_life_Mrev", label="life of each raceway", digits=",.2f", parts=RACES,
+                              speed="relative_speed"),)),
     Quantity("life_error", "", "", "1", "block",
         "estimated numerical error of the life by slices and axial shapes / life; absent with "
         "accuracy.target, "

@@ -12,7 +12,7 @@ from quasidynamic.balance.rollers.roller import RollerState
 from quasidynamic.balance.rollers.unknowns import CAGE, INNER, OUTER, TILT_Z, Unknowns
 from quasidynamic.contact.cage import displacement_in_pocket, land_torque
 from quasidynamic.contact.line import Slices, palmgren, peak_pressure
-from quasidynamic.outcome.life import basic_life, turning_share
+from quasidynamic.outcome.life import basic_life, raceway_lives, turning_share
 from quasidynamic.outcome.losses import Losses
 from quasidynamic.outcome.ring_stiffness import Tangent
 
@@ -294,9 +294,20 @@ class BearingStates:
     @property
     def life(self) -> NDArray:
         """Basic reference life L10 (C) [10^6 revolutions]."""
-        width = np.reshape(self.balance.roller.raceways.slices.width, (-1, 1, 1, 1))
-        inner, outer = (self.slice_loads * width).swapaxes(0, 1)
+        inner, outer = self._loads_of_slices
         return basic_life(inner, outer, self.balance.roller.bearing, self.turning)
+
+    @property
+    def raceway_lives(self) -> NDArray:
+        """Basic life (C, 2) of the inner and the outer raceway, each on its own [10^6 revolutions]."""
+        inner, outer = self._loads_of_slices
+        return raceway_lives(inner, outer, self.balance.roller.bearing, self.turning)
+
+    @property
+    def _loads_of_slices(self) -> NDArray:
+        """Load (2, C, Z, K) of each slice [N]."""
+        width = np.reshape(self.balance.roller.raceways.slices.width, (-1, 1, 1, 1))
+        return (self.slice_loads * width).swapaxes(0, 1)
 
     @property
     def turning(self) -> tuple[NDArray, NDArray]:

@@ -65,6 +65,39 @@ def basic_life(
     return slice_life(inner, outer, (_of_cases(inner_capacity), _of_cases(outer_capacity)), turning)
 
 
+def raceway_lives(
+    inner: NDArray, outer: NDArray, bearing: CylindricalRollerBearing, turning: Turning
+) -> NDArray:
+    r"""Basic life of each raceway on its own.
+
+    .. math:: L_{10,r} = \Big\{ \sum_k (q_{er,k}/q_{cr})^{4.5} \Big\}^{-8/9}
+
+    the terms of `slice_life`, with :math:`L_{10}^{-9/8} = L_{10,i}^{-9/8} + L_{10,o}^{-9/8}`.
+
+    Parameters
+    ----------
+    inner, outer, bearing, turning
+        as for `basic_life`
+
+    Returns
+    -------
+    array (..., 2)
+        of the inner and the outer raceway [10^6 revolutions of the ring]; infinite without load
+
+    Source
+    ------
+    Lundberg and Palmgren (1952); ISO/TS 16281 (2008).
+
+    Valid
+    -----
+    As `basic_life`.
+    """
+    sides = zip((inner, outer), raceway_capacity(bearing), turning, strict=True)
+    damage = [_damage(np.asarray(load), _of_cases(capacity), share) for load, capacity, share in sides]
+    with np.errstate(divide="ignore"):  # no load, no damage: for ever
+        return np.stack(damage, axis=-1) ** (-1 / WEIBULL)
+
+
 def reference_life(
     inner: NDArray,
     outer: NDArray,
