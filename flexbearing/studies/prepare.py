@@ -8,9 +8,10 @@ from flexbearing.cache import configured
 from flexbearing.families import FAMILIES
 from flexbearing.studies.file import read
 from flexbearing.studies.plan import plan
-from flexbearing.studies.run import Prepared, Tell, Work, run
-from flexbearing.studies.table import Table
-from flexbearing.studies.table.collected import collected
+from flexbearing.studies.run import Tell, Work, run
+from flexbearing.studies.settled import Prepared
+from flexbearing.studies.table import Table, duty
+from flexbearing.studies.table.collected import collected, require_outputs
 from flexbearing.studies.where import Where
 
 FOLDER, HERE = Path("results"), Where()
@@ -41,7 +42,10 @@ def prepared(file: str | Path) -> Prepared:
     family = FAMILIES[study.kind]
     settled = plan(study, FAMILIES, lambda case: require_possible(case, family), rings)
     elastic = any(variant.rings for variant in settled.variants)
-    return Prepared(study, settled, collected(study, FAMILIES, elastic=elastic))
+    columns = collected(study, FAMILIES, elastic=elastic)
+    if study.spectrum:
+        require_outputs(study, duty.texts(study.spectrum).values(), "duty", FAMILIES)
+    return Prepared(study, settled, columns)
 
 
 def compute(

@@ -1,50 +1,18 @@
 """The computing of a study: what is still lacking, by an engine, into journal and table."""
 
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from time import perf_counter
 
-from flexbearing.families import FAMILIES
 from flexbearing.files import NotStored, require_folder, require_output
 from flexbearing.studies.engine import Engine, condensed, finished
-from flexbearing.studies.file import Study
-from flexbearing.studies.plan import Plan, Ring, Row, Task
+from flexbearing.studies.plan import Ring, Row, Task
+from flexbearing.studies.settled import Prepared, Progress
 from flexbearing.studies.table import Table, journal
-from flexbearing.studies.table.collected import Collected
-from flexbearing.studies.table.column import ends
-from flexbearing.studies.table.files import places, store
-from flexbearing.studies.table.keys import key_columns
-
-NOT_COMPUTED = "not computed"  # status of a row whose variant is still to come
-Rows = Mapping[str, Row]  # by identity
-
-
-@dataclass(frozen=True)
-class Progress:
-    """How far a study is."""
-
-    done: int  # rows that are there
-    total: int
-    failed: int  # among them
-    begun: int  # rows that were there at the start
-    seconds: float  # since the first task began
-    rings: tuple[int, int] = (0, 0)  # condensed, of how many
-
-    @property
-    def left(self) -> float | None:
-        """Time left [s], if the others take as long as those so far; None before the first."""
-        new = self.done - self.begun
-        return self.seconds / new * (self.total - self.done) if new else None
-
-    def after(self, rows: Sequence[Row], rows_of: Mapping[str, int], seconds: float) -> "Progress":
-        """With some rows more, each of which stands in the table as often as its variant does."""
-        done = sum(rows_of[row.identity] for row in rows)
-        failed = sum(rows_of[row.identity] for row in rows if not row.converged)
-        return replace(self, done=self.done + done, failed=self.failed + failed, seconds=seconds)
-
+from flexbearing.studies.table.files import CYCLES, places, store
 
 Tell = Callable[[Progress], None]
 
@@ -55,49 +23,6 @@ class Work:
 
     rows: Callable[[Task], Sequence[Row]]
     condense: Callable[[Ring], None]
-
-
-@dataclass(frozen=True)
-class Prepared:
-    """A study whose variants and columns are settled."""
-
-    study: Study
-    plan: Plan
-    columns: tuple[Collected, ...]
-
-    @property
-    def texts(self) -> tuple[str, ...]:
-        """Outputs that rows hold."""
-        return tuple(dict.fromkeys(column.text for column in self.columns))
-
-    def journal(self, folder: Path) -> Path:
-        """Where the rows are kept as they are finished."""
-        return folder / f"{self.study.name}{journal.SUFFIX}"
-
-    def rows(self, folder: Path, *, retry_failed: bool = False) -> dict[str, Row]:
-        """Rows of former runs that hold all that is wanted now."""
-        wanted = {*self.texts}
-        return {
-            row.identity: row
-            for row in journal.read(self.journal(folder)).values()
-            if wanted <= row.values.keys() and (row.converged or not retry_failed)
-        }
-
-    def table(self, rows: Rows) -> Table:
-        """The table of the rows that there are; the others are not computed."""
-        ordered = [
-            rows.get(variant.identity) or Row(variant.identity, NOT_COMPUTED, "", 0.0)
-            for variant in self.plan.variants
-        ]
-        keys = key_columns(self.plan, FAMILIES[self.study.kind].case())
-        outputs = (column.values(ordered) for column in self.columns)
-        return Table(self.study.name, (*keys, *outputs, *ends(ordered)), self.plan.axes)
-
-    def progress(self, rows: Rows) -> Progress:
-        """How far some rows are."""
-        there = [row for variant in self.plan.variants if (row := rows.get(variant.identity))]
-        failed = sum(not row.converged for row in there)
-        return Progress(len(there), len(self.plan.variants), failed, len(there), 0.0)
 
 
 def run(
@@ -139,6 +64,8 @@ def run(
     """
     folder, inputs = require_folder(output), settled.study.inputs
     paths = places(folder, settled.study.name, inputs)
+    if settled.study.spectrum:
+        places(folder, f"{settled.study.name}{CYCLES}", inputs)
     path = require_output(settled.journal(folder), inputs)
     rows: dict[str, Row] = {}
     try:

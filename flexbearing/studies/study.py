@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from flexbearing.studies.run import Progress
+    from flexbearing.studies.settled import Progress
     from flexbearing.studies.table import Table
 
 

@@ -7,7 +7,7 @@ from time import perf_counter
 from typing import Self, TextIO
 
 from flexbearing.case.problems import MOST
-from flexbearing.studies.run import Prepared, Progress
+from flexbearing.studies.settled import Prepared, Progress
 from flexbearing.studies.table import Table
 from flexbearing.studies.table.files import EXTRA, FORMS, missing
 from flexbearing.studies.where import ELASTIC, RIGID, RING, expected
@@ -87,11 +87,25 @@ def end(table: Table, folder: Path) -> str:
     counts = Counter(table["status"].values)
     words = ", ".join(f"{count} {name}" for name, count in counts.most_common())
     lines = [f"{table.name}: {len(table)} variants: {words}"]
+    lines += _cycles(table.cycles) if table.cycles else []
     for suffix in FORMS:
         packages = missing(suffix)
         without = f", not written without {' and '.join(packages)}: {EXTRA}" if packages else ""
         lines.append(f"table: {folder / table.name}{suffix}{without}")
     return "\n".join(lines)
+
+
+def _cycles(cycles: Table) -> list[str]:
+    """A line for each of the first duty cycles."""
+    keys = [column for column in cycles.columns if column.varied]
+    lines = []
+    for number, row in enumerate(cycles.rows[:MOST]):
+        where = ", ".join(f"{column.heading} {column.values[number]}" for column in keys)
+        lives = f"life {row['life [h]']:.6g} h, inner {row['inner_life [h]']:.6g} h, outer " + (
+            f"{row['outer_life [h]']:.6g} h, mean speed {row['mean_speed [rpm]']:.6g} rpm"
+        )
+        lines.append(f"duty cycle{f' at {where}' if where else ''}: {row['message'] or lives}")
+    return lines
 
 
 def duration(seconds: float) -> str:

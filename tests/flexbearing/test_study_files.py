@@ -140,9 +140,33 @@ def test_the_seed_decides_the_samples_of_a_latin_hypercube(study_of):
     assert sorted(int(10 * value) for value in values[2]) == list(range(10))
 
 
+def test_a_duty_cycle_is_the_last_axis_and_its_shares_add_up_to_one(study_of):
+    study = study_of(
+        """[over]
+        "bearing.clearance" = ["50 um", "60 um"]
+        [duty]
+        time = ["10 h", "20 h", "10 h"]
+        operation.radial_load = ["1 kN", "2 kN", "3 kN"]
+        "operation.inner_speed" = "30000 rpm"
+        """
+    )
+    assert [axis.name for axis in study.axes] == ["bearing.clearance", "duty"]
+    assert study.axes[1].rows == tuple((f"{load} kN", "30000 rpm") for load in (1, 2, 3))
+    assert (study.spectrum.measure, study.spectrum.shares) == ("time", (0.25, 0.5, 0.25))
+
+
+def test_a_duty_cycle_is_read_from_a_table(study_of):
+    table = "revolutions [%],operation.radial_load [kN]\n33.3,1\n33.3,2\n33.3,3\n"
+    study = study_of('[duty]\nfile = "list.csv"\n"operation.inner_speed" = "30000 rpm"', list=table)
+    assert study.axes[0].keys == ("operation.inner_speed", "operation.radial_load")
+    assert study.spectrum.measure == "revolutions"
+    assert study.spectrum.shares == approx((1 / 3, 1 / 3, 1 / 3), rel=1e-15)
+    assert study.inputs[-1].name == "list.csv"
+
+
 OVER, LOAD = "[over]\n", '"operation.radial_load" = "1 kN"\n'
 WRONG = {
-    "": "[over] and [sample] are missing; a study has one of them.",
+    "": "[over], [sample] and [duty] are missing; a study has one of them.",
     OVER + LOAD + "[sample]\ncount = 2": "[over] and [sample] are both there; a study has one of them.",
     OVER: "[over] names no key; give one or more, such as",
     "[sample]\ncount = 2": "[sample] names no key; give one or more, such as",
@@ -162,7 +186,7 @@ WRONG = {
     OVER + '"lubricant.oil_fraction" = "0.1 .. x, 4"': '[over] lubricant.oil_fraction has "x", which is no',
     OVER + '"operation.radial_load" = "log 0 N .. 1 N, 4"': "[over] operation.radial_load has an end that",
     OVER + 'zip = true\n"operation.radial_load" = ["1 N", "2 N"]\n"outer.bars" = [1, 2, 3]':
-        "[over] zip = true needs as many values of every key: operation.radial_load has 2, outer.bars has 3",
+        "[over] needs as many values of every key: operation.radial_load has 2, outer.bars has 3",
     OVER + '"operation.radial_load" = "1 N .. 2 N, 2000"\n"outer.thickness" = "1 mm .. 2 mm, 2000"':
         "[over] gives 4000000 variants; a study has at most 1000000",
     OVER + 'file = "none.csv"': '[over] file = "none.csv": cannot be read: No such file or directory',
@@ -185,8 +209,23 @@ WRONG = {
         'has the deviation "5 degC": a difference of temperatures is in K',
     '[sample]\ncount = 3\n"outer.bars" = "uniform 10, 20"':
         "cannot be drawn: the key takes a whole number",
+    '[duty]\n' + LOAD: "[duty] needs the shares of its rows",
+    "[duty]\ntime = [1, 2]": "[duty] needs the shares of its rows",
+    "[duty]\ntime = [1, 2]\nrevolutions = [1, 2]\n" + LOAD: "[duty] needs the shares of",
+    '[duty]\ntime = [1, 2]\n"operation.radial_load" = ["1 N", "2 N", "3 N"]':
+        "[duty] needs as many values of every key: time has 2, operation.radial_load has 3",
+    '[duty]\ntime = ["30 %", "60 %"]\n' + LOAD: "[duty] time adds up to 90 %; percentages must",
+    '[duty]\ntime = ["30 %", "12 h"]\n' + LOAD: "[duty] time has shares in '%' and 'h'; write all",
+    '[duty]\ntime = ["30 N", "12 N"]\n' + LOAD: '[duty] time has "30 N", which is no share of time',
+    '[duty]\nrevolutions = ["3 h"]\n' + LOAD: '[duty] revolutions has "3 h", which is no share of',
+    '[duty]\ntime = [1, -2]\n' + LOAD: "[duty] time has -2.0; a share is at least 0",
+    '[duty]\ntime = [0, 0]\n' + LOAD: "[duty] time has no share above zero",
+    '[duty]\ntime = ["much", 1]\n' + LOAD: '[duty] time has "much"; a share is a number',
+    '[duty]\nfile = "loads.csv"\n' + LOAD: "[duty] operation.radial_load stands here and in loads.csv",
+    OVER + LOAD + '[duty]\nfile = "loads.csv"': "[duty] operation.radial_load is varied twice",
 }  # fmt: skip
 TABLES = {
+    "loads": "time [%],operation.radial_load [kN]\n100,5\n",
     "empty": "\n",
     "header": "outer.bars\n",
     "unit": "outer.bars [mm]\n1",

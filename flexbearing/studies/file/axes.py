@@ -1,6 +1,6 @@
 """Along what a study varies: each axis holds keys whose values belong together; axes are crossed."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from math import prod
 from pathlib import Path
@@ -48,37 +48,84 @@ def axes(
     BadValues
         naming the key
     """
-    found = [Axis(OF_FILE, *rows(table, find))] if table else []
-    columns: dict[str, tuple[Any, ...]] = {}
-    for key, given in over.items():
-        declaration = find(key)
-        try:
-            columns[key] = values(given, declaration)
-        except BadValues as problem:
-            raise BadValues(f"{key} {problem}") from None
+    found = [Axis(OF_FILE, *rows(table, lambda key: find(key).kind is not None))] if table else []
+    columns = columns_of(over, find)
     if zipped and columns:
-        found.append(_zipped(columns))
+        found.append(together(columns, TOGETHER))
     elif columns:
         found += [Axis(key, (key,), tuple((value,) for value in column)) for key, column in columns.items()]
-    _require_each_once(found)
-    if (count := prod(len(axis.rows) for axis in found)) > MOST:
-        raise BadValues(f"gives {count} variants; a study has at most {MOST}")
     return tuple(found)
 
 
-def _zipped(columns: Mapping[str, tuple[Any, ...]]) -> Axis:
-    """One axis of all keys; a single value belongs to every row."""
+def columns_of(given: Mapping[str, Any], find: Callable[[str], Declaration]) -> dict[str, tuple[Any, ...]]:
+    """Values of varied keys, one after the other.
+
+    Parameters
+    ----------
+    given : mapping
+        key of the case to what stands behind it
+    find : callable (key)
+        declaration of a key; raises BadValues where the case has none
+
+    Returns
+    -------
+    dict
+        key to its values
+
+    Raises
+    ------
+    BadValues
+        naming the key
+    """
+    columns: dict[str, tuple[Any, ...]] = {}
+    for key, text in given.items():
+        declaration = find(key)
+        try:
+            columns[key] = values(text, declaration)
+        except BadValues as problem:
+            raise BadValues(f"{key} {problem}") from None
+    return columns
+
+
+def together(columns: Mapping[str, tuple[Any, ...]], name: str) -> Axis:
+    """One axis of all keys.
+
+    Parameters
+    ----------
+    columns : mapping
+        key to its values, as many as every other one has; a single value belongs to every row
+    name : str
+        of the axis
+
+    Returns
+    -------
+    Axis
+
+    Raises
+    ------
+    BadValues
+        where the numbers of values differ
+    """
     lengths = {key: len(column) for key, column in columns.items() if len(column) > 1}
     if len({*lengths.values()}) > 1:
         told = ", ".join(f"{key} has {length}" for key, length in lengths.items())
-        raise BadValues(f"zip = true needs as many values of every key: {told}")
+        raise BadValues(f"needs as many values of every key: {told}")
     count = max(lengths.values(), default=1)
     full = [column if len(column) > 1 else column * count for column in columns.values()]
-    return Axis(TOGETHER, tuple(columns), tuple(zip(*full, strict=True)))
+    return Axis(name, tuple(columns), tuple(zip(*full, strict=True)))
 
 
-def _require_each_once(found: list[Axis]) -> None:
+def require_crossable(found: Sequence[Axis]) -> None:
+    """Refuse axes that vary a key twice, or have too many variants together.
+
+    Raises
+    ------
+    BadValues
+        naming the key or the number
+    """
     keys = [key for axis in found for key in axis.keys]
     for key in keys:
         if keys.count(key) > 1:
             raise BadValues(f"{key} is varied twice")
+    if (count := prod(len(axis.rows) for axis in found)) > MOST:
+        raise BadValues(f"gives {count} variants; a study has at most {MOST}")

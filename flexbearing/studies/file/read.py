@@ -16,9 +16,10 @@ from flexbearing.case.head import Head
 from flexbearing.case.problems import BadCase, messages, nearest
 from flexbearing.case.read import LONGEST_NAME, model_of
 from flexbearing.case.text import Unreadable, tables, text_of
-from flexbearing.studies.file.axes import Axis, axes
+from flexbearing.studies.file.axes import Axis, axes, require_crossable
 from flexbearing.studies.file.sampled import sampled
-from flexbearing.studies.file.schema import StudyFile
+from flexbearing.studies.file.schema import Over, StudyFile
+from flexbearing.studies.file.spectrum import Spectrum, spectrum
 from flexbearing.studies.file.values import BadValues
 
 _PLAIN_NAME = re.compile(r"[^./\\\x00-\x1f\x7f][^/\\\x00-\x1f\x7f]{0,99}")
@@ -47,6 +48,7 @@ class Study:
     axes: tuple[Axis, ...]  # crossed, the last one changes fastest
     collect: tuple[Wanted, ...] | None  # None: every number of the summary
     search: bool = False  # whether other equilibria are searched
+    spectrum: Spectrum | None = None  # weights of the axis "duty", which is the last one
 
     @property
     def keys(self) -> tuple[str, ...]:
@@ -79,17 +81,22 @@ def read(path: str | Path, families: Families) -> Study:
     given = _validated(raw, file)
     case = file.parent / given.case
     model = model_of(_tables(case, "case"), (), excerpt(case.name, LONGEST_NAME), families)
-
+    found, weights = _axes(given, file, partial(_declared, model=model, families=families))
     return Study(
         path=file,
         name=_name(given, file),
         case=case,
         text=_text(case, "case"),
         kind=next(kind for kind, family in families.items() if family.case() is model),
-        inputs=(file, case, *([file.parent / given.over.file] if given.over and given.over.file else ())),
-        axes=_axes(given, file, partial(_declared, model=model, families=families)),
+        inputs=(
+            file,
+            case,
+            *(file.parent / table.file for table in (given.over, given.duty) if table and table.file),
+        ),
+        axes=found,
         collect=_collected(given.collect, file),
         search=given.search_equilibria,
+        spectrum=weights,
     )
 
 
@@ -119,7 +126,7 @@ def _text(file: Path, of: str) -> str:
 
 def _flatten(raw: dict[str, Any]) -> None:
     """Write keys without quotes, which TOML reads as tables in each other, with dots."""
-    for name in ("over", "sample"):
+    for name in ("over", "sample", "duty"):
         if isinstance(raw.get(name), dict):
             raw[name] = dict(_dotted(raw[name], ""))
 
@@ -137,9 +144,10 @@ def _validated(raw: dict[str, Any], file: Path) -> StudyFile:
         given = StudyFile.model_validate(raw)
     except ValidationError as error:
         raise BadCase(messages(error, raw, name, StudyFile, {})) from None
-    if (given.over is None) == (given.sample is None):
-        both = "are both there" if given.over else "are missing"
-        raise BadCase(f"{name}: [over] and [sample] {both}; a study has one of them.")
+    if given.over and given.sample:
+        raise BadCase(f"{name}: [over] and [sample] are both there; a study has one of them.")
+    if not (given.over or given.sample or given.duty):
+        raise BadCase(f"{name}: [over], [sample] and [duty] are missing; a study has one of them.")
     return given
 
 
@@ -153,20 +161,32 @@ def _name(given: StudyFile, file: Path) -> str:
     return name
 
 
-def _axes(given: StudyFile, file: Path, find: Callable[[str], Declaration]) -> tuple[Axis, ...]:
-    where = "over" if given.over else "sample"
+def _axes(
+    given: StudyFile, file: Path, find: Callable[[str], Declaration]
+) -> tuple[tuple[Axis, ...], Spectrum | None]:
+    """Axes of all tables, that of the duty cycle last, and its weights."""
+    where, weights, found = "over" if given.over else "sample", None, ()
     try:
-        if given.sample:
-            return (sampled(given.sample, find),)
-        assert given.over
-        rows = None if given.over.file is None else file.parent / given.over.file
-        found = axes(given.over.model_extra or {}, zipped=given.over.zip, table=rows, find=find)
+        if given.over:
+            found = _varied(given.over, file.parent, find)
+        elif given.sample:
+            found = (sampled(given.sample, find),)
+        if given.duty:
+            where = "duty"
+            axis, weights = spectrum(given.duty, file.parent, find)
+            found = (*found, axis)
+        require_crossable(found)
     except BadValues as problem:
         raise BadCase(f"{excerpt(file.name, LONGEST_NAME)}: [{where}] {problem}") from None
+    return found, weights
+
+
+def _varied(over: Over, folder: Path, find: Callable[[str], Declaration]) -> tuple[Axis, ...]:
+    table = None if over.file is None else folder / over.file
+    found = axes(over.model_extra or {}, zipped=over.zip, table=table, find=find)
     if not found:
-        raise BadCase(
-            f"{excerpt(file.name, LONGEST_NAME)}: [over] names no key; give one or more, such as "
-            '"operation.radial_load" = ["10 kN", "20 kN"].'
+        raise BadValues(
+            'names no key; give one or more, such as "operation.radial_load" = ["10 kN", "20 kN"].'
         )
     return found
 

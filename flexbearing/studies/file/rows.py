@@ -7,7 +7,6 @@ from io import StringIO
 from pathlib import Path
 from typing import Any
 
-from flexbearing.case.declarations import Declaration
 from flexbearing.case.excerpt import excerpt
 from flexbearing.case.text import Unreadable, setting_value
 from flexbearing.studies.file.values import MOST, BadValues
@@ -17,17 +16,15 @@ HEADING = re.compile(r"\s*(?P<name>[^\[\]]*?)\s*(?:\[(?P<unit>[^\[\]]*)\])?\s*")
 _HEADER = 'a header holds keys with units, such as "operation.radial_load [kN],operation.inner_speed [rpm]"'
 
 
-def rows(
-    file: Path, find: Callable[[str], Declaration]
-) -> tuple[tuple[str, ...], tuple[tuple[Any, ...], ...]]:
+def rows(file: Path, has_unit: Callable[[str], bool]) -> tuple[tuple[str, ...], tuple[tuple[Any, ...], ...]]:
     """Keys and rows of a table of variants.
 
     Parameters
     ----------
     file : Path
         CSV, with commas or semicolons
-    find : callable (key)
-        declaration of a key; raises BadValues where the case has none
+    has_unit : callable (key)
+        whether a key takes quantities with units; raises BadValues where there is no such key
 
     Returns
     -------
@@ -40,7 +37,7 @@ def rows(
         naming file, row and column
     """
     try:
-        return _rows(_text(file), find)
+        return _rows(_text(file), has_unit)
     except BadValues as problem:
         raise BadValues(f'file = "{file.name}": {problem}') from None
 
@@ -58,9 +55,7 @@ def _text(file: Path) -> str:
         raise BadValues(f"cannot be read: {problem.strerror}") from None
 
 
-def _rows(
-    text: str, find: Callable[[str], Declaration]
-) -> tuple[tuple[str, ...], tuple[tuple[Any, ...], ...]]:
+def _rows(text: str, has_unit: Callable[[str], bool]) -> tuple[tuple[str, ...], tuple[tuple[Any, ...], ...]]:
     first = text.partition("\n")[0]
     lines = csv.reader(StringIO(text), delimiter=";" if ";" in first and "," not in first else ",")
     try:
@@ -72,10 +67,9 @@ def _rows(
     if not 0 < len(table) <= MOST:
         raise BadValues(f"has {len(table)} rows below its header; a study has 1 to {MOST} variants")
     columns = [_heading(cell) for cell in header]
-    kinds = [find(key).kind for key, _ in columns]
-    for place, ((key, unit), kind) in enumerate(zip(columns, kinds, strict=True)):
-        if unit and kind is None:
-            raise BadValues(f"column {place + 1}: {key} has no unit, found [{excerpt(unit)}]")
+    for place, (key, unit) in enumerate(columns, 1):
+        if not has_unit(key) and unit:
+            raise BadValues(f"column {place}: {key} has no unit, found [{excerpt(unit)}]")
     keys = tuple(key for key, _ in columns)
     return keys, tuple(_row(line, number, columns) for number, line in enumerate(table, 1))
 

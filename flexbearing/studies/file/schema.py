@@ -33,6 +33,28 @@ class Sample(Section):
     seed: int = key("of the random numbers: the same seed gives the same variants", 0, ge=0, le=2**32 - 1)
 
 
+class Duty(Section):
+    """Rows of a duty cycle; every other name in the table is a key of the case, with a value for each row."""
+
+    model_config = ConfigDict(extra="allow")
+
+    time: tuple[float | str, ...] | None = key(
+        'shares of the time, row by row: numbers, percentages or times, such as "30 %" or "12 h"',
+        None,
+        example=["30 %", "70 %"],
+        strict=False,
+    )
+    revolutions: tuple[float | str, ...] | None = key(
+        "shares of the revolutions instead", None, example=["30 %", "70 %"], strict=False
+    )
+    file: str | None = key(
+        'table of rows (CSV) beside the study file; its header holds keys and "time [%]" or "revolutions"',
+        None,
+        example="spectrum.csv",
+    )
+    life: Literal["life_L10", "modified_life"] = key("which life is cumulated for the bearing", "life_L10")
+
+
 class StudyFile(Section):
     """A study file."""
 
@@ -45,6 +67,9 @@ class StudyFile(Section):
     )
     over: Over | None = key("keys that are varied, each over a list, a range or a single value", None)
     sample: Sample | None = key("keys that are drawn from distributions", None)
+    duty: Duty | None = key(
+        "duty cycle: rows with their shares, whose damage adds up to the life of each other variant", None
+    )
     collect: Mapping[str, str] | None = key(
         "columns of the table, each with the name of an output and a unit; without it every number of the "
         "summary",

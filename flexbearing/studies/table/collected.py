@@ -1,6 +1,6 @@
 """Outputs that become columns, by the names of the summary."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from math import isnan
@@ -60,6 +60,22 @@ def collected(study: Study, families: Families, *, elastic: bool) -> tuple[Colle
         except (UnknownOutput, WrongUnit) as problem:
             raise BadCase(f"{study.path.name}: [collect] {each.column}: {problem}") from None
     return tuple(columns)
+
+
+def require_outputs(study: Study, texts: Iterable[str], table: str, families: Families) -> None:
+    """Refuse outputs that a table of the study file needs and that this kind of bearing does not have.
+
+    Raises
+    ------
+    BadCase
+        naming table and output
+    """
+    layout = families[study.kind].layout()
+    try:
+        for text in texts:
+            wanted(layout, text)
+    except UnknownOutput as problem:
+        raise BadCase(f"{study.path.name}: [{table}] {problem}") from None
 
 
 def _collected(column: str, output: Wanted) -> Collected:

@@ -8,6 +8,7 @@ from flexbearing.files import require_output, write
 from flexbearing.studies.table.table import Table
 from flexbearing.studies.table.text import csv_text
 
+CYCLES = "_duty"  # behind the name of the study, in that of the table of lives under its duty cycle
 EXTRA = 'pip install "flexbearing[studies]"'
 
 
@@ -82,3 +83,5 @@ def store(table: Table, paths: dict[str, Path]) -> None:
     """
     for suffix, path in paths.items():
         write(path, FORMS[suffix][0](table))
+        if table.cycles is not None:
+            write(path.with_name(f"{table.cycles.name}{suffix}"), FORMS[suffix][0](table.cycles))

@@ -18,6 +18,7 @@ class Table:
     name: str
     columns: tuple[Column, ...]  # keys, outputs, then status, message and seconds
     axes: tuple[Axis, ...]  # crossed, the last one changes fastest
+    cycles: "Table | None" = None  # lives under the duty cycle, where there is one
 
     def __getitem__(self, heading: str) -> Column:
         """Column by its name or heading; KeyError names those that there are."""

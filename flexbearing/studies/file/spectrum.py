@@ -1,0 +1,99 @@
+"""The rows of a duty cycle with their shares of time or of revolutions."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from math import fsum, isfinite
+from pathlib import Path
+from typing import Any
+
+from flexbearing.case.declarations import Declaration, toml
+from flexbearing.case.excerpt import excerpt
+from flexbearing.studies.file.axes import Axis, columns_of, together
+from flexbearing.studies.file.rows import rows
+from flexbearing.studies.file.schema import Duty
+from flexbearing.studies.file.values import BadValues
+from flexbearing.units import BadUnit, UnknownUnit, unit
+
+AXIS = "duty"
+MEASURES = {"time": "s", "revolutions": "rev"}  # with the units that shares may have
+COMPLETE = 0.005  # by how much percentages may miss 100 %, as rounded ones do
+
+
+@dataclass(frozen=True)
+class Spectrum:
+    """The weights of a duty cycle."""
+
+    measure: str  # what the shares are of, "time" or "revolutions"
+    shares: tuple[float, ...]  # row by row; the sum is 1
+    life: str  # output that is cumulated
+
+
+def spectrum(duty: Duty, folder: Path, find: Callable[[str], Declaration]) -> tuple[Axis, Spectrum]:
+    """The axis of the table [duty], and its weights.
+
+    Parameters
+    ----------
+    duty : Duty
+        with its keys
+    folder : Path
+        of the study file
+    find : callable (key)
+        declaration of a key; raises BadValues where the case has none
+
+    Returns
+    -------
+    tuple
+        axis and weights
+
+    Raises
+    ------
+    BadValues
+        naming key or row
+    """
+    weights = {name: tuple(given) for name in MEASURES if (given := getattr(duty, name)) is not None}
+    columns: dict[str, tuple[Any, ...]] = weights | columns_of(duty.model_extra or {}, find)
+    if duty.file is not None:
+        keys, table = rows(folder / duty.file, lambda key: key in MEASURES or find(key).kind is not None)
+        if twice := columns.keys() & {*keys}:
+            raise BadValues(f"{min(twice)} stands here and in {duty.file}")
+        columns |= zip(keys, zip(*table, strict=True), strict=True)
+    measures = [name for name in MEASURES if name in columns]
+    if len(measures) != 1 or len(columns) < 2:
+        raise BadValues(
+            "needs the shares of its rows, either time or revolutions, and keys such as operation.radial_load"
+        )
+    joined = together({measures[0]: columns.pop(measures[0]), **columns}, AXIS)
+    axis = Axis(AXIS, joined.keys[1:], tuple(row[1:] for row in joined.rows))
+    return axis, Spectrum(measures[0], _shares(measures[0], [row[0] for row in joined.rows]), duty.life)
+
+
+def _shares(measure: str, given: Sequence[Any]) -> tuple[float, ...]:
+    weights, units = zip(*(_weight(measure, value) for value in given), strict=True)
+    if len({*units}) > 1:
+        raise BadValues(
+            f"{measure} has shares in {' and '.join(map(repr, units))}; write all in the same unit"
+        )
+    total = fsum(weights)
+    if total <= 0:
+        raise BadValues(f"{measure} has no share above zero")
+    if units[0] == "%" and abs(total - 1) > COMPLETE:
+        raise BadValues(f"{measure} adds up to {100 * total:g} %; percentages must add up to 100 %")
+    return tuple(weight / total for weight in weights)
+
+
+def _weight(measure: str, value: Any) -> tuple[float, str]:
+    """A weight in SI units, and the unit that it is written in."""
+    number, _, name = value.strip().partition(" ") if isinstance(value, str) else (value, "", "")
+    words = f"{measure} has {excerpt(toml(value))}"
+    try:
+        of = unit(name.strip() or "1")
+        weight = of.to_si(float(number))
+    except (BadUnit, UnknownUnit, ValueError):
+        raise BadValues(
+            f'{words}; a share is a number, a percentage such as "30 %", or a {measure}'
+        ) from None
+    if of.powers not in (unit("1").powers, unit(MEASURES[measure]).powers):
+        raise BadValues(f"{words}, which is no share of {measure}")
+    if not (isfinite(weight) and weight >= 0):
+        raise BadValues(f"{words}; a share is at least 0")
+    return weight, name.strip()

@@ -1,0 +1,113 @@
+"""A study whose variants and columns are settled: its rows, how many there are, its table."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from flexbearing.case.variants import Variants
+from flexbearing.families import FAMILIES
+from flexbearing.studies.file import Study
+from flexbearing.studies.plan import Plan, Row
+from flexbearing.studies.table import Table, duty, journal
+from flexbearing.studies.table.collected import Collected
+from flexbearing.studies.table.column import ends
+from flexbearing.studies.table.duty import Cycles
+from flexbearing.studies.table.files import CYCLES
+from flexbearing.studies.table.keys import key_columns
+
+NOT_COMPUTED = "not computed"  # status of a row whose variant is still to come
+Rows = Mapping[str, Row]  # by identity
+
+
+@dataclass(frozen=True)
+class Progress:
+    """How far a study is."""
+
+    done: int  # rows that are there
+    total: int
+    failed: int  # among them
+    begun: int  # rows that were there at the start
+    seconds: float  # since the first task began
+    rings: tuple[int, int] = (0, 0)  # condensed, of how many
+
+    @property
+    def left(self) -> float | None:
+        """Time left [s], if the others take as long as those so far; None before the first."""
+        new = self.done - self.begun
+        return self.seconds / new * (self.total - self.done) if new else None
+
+    def after(self, rows: Sequence[Row], rows_of: Mapping[str, int], seconds: float) -> "Progress":
+        """With some rows more, each of which stands in the table as often as its variant does."""
+        done = sum(rows_of[row.identity] for row in rows)
+        failed = sum(rows_of[row.identity] for row in rows if not row.converged)
+        return replace(self, done=self.done + done, failed=self.failed + failed, seconds=seconds)
+
+
+@dataclass(frozen=True)
+class Prepared:
+    """A study whose variants and columns are settled."""
+
+    study: Study
+    plan: Plan
+    columns: tuple[Collected, ...]
+
+    @property
+    def texts(self) -> tuple[str, ...]:
+        """Outputs that rows hold."""
+        of_cycles = duty.texts(self.study.spectrum).values() if self.study.spectrum else ()
+        return tuple(dict.fromkeys([*(column.text for column in self.columns), *of_cycles]))
+
+    def journal(self, folder: Path) -> Path:
+        """Where the rows are kept as they are finished."""
+        return folder / f"{self.study.name}{journal.SUFFIX}"
+
+    def rows(self, folder: Path, *, retry_failed: bool = False) -> dict[str, Row]:
+        """Rows of former runs that hold all that is wanted now."""
+        wanted = {*self.texts}
+        return {
+            row.identity: row
+            for row in journal.read(self.journal(folder)).values()
+            if wanted <= row.values.keys() and (row.converged or not retry_failed)
+        }
+
+    def table(self, rows: Rows) -> Table:
+        """The table of the rows that there are; the others are not computed."""
+        ordered = [
+            rows.get(variant.identity) or Row(variant.identity, NOT_COMPUTED, "", 0.0)
+            for variant in self.plan.variants
+        ]
+        name, axes = self.study.name, self.plan.axes
+        keys = key_columns(self.plan, FAMILIES[self.study.kind].case())
+        outputs = [column.values(ordered) for column in self.columns]
+        if self.study.spectrum is None:
+            return Table(name, (*keys, *outputs, *ends(ordered)), axes)
+        length = len(axes[-1].rows)
+        cycles = Cycles(self.study.spectrum, self._speeds.reshape(-1, length), _cut(ordered, length))
+        others = [
+            replace(column, values=column.values[::length])
+            for column in keys
+            if column.name not in axes[-1].keys
+        ]
+        lives = Table(f"{name}{CYCLES}", (*others, *cycles.of_cycles()), axes[:-1])
+        return Table(name, (*keys, *outputs, *cycles.of_rows(), *ends(ordered)), axes, lives)
+
+    @property
+    def _speeds(self) -> np.ndarray:
+        """Speed of the inner ring against the outer one of each variant [rad/s]."""
+        base = self.plan.base
+        read = Variants(base.path, base.text, base.keys, FAMILIES)
+        cases: list[Any] = [read.case(variant.values) for variant in self.plan.variants]
+        return np.array([case.operation.inner_speed - case.operation.outer_speed for case in cases])
+
+    def progress(self, rows: Rows) -> Progress:
+        """How far some rows are."""
+        there = [row for variant in self.plan.variants if (row := rows.get(variant.identity))]
+        failed = sum(not row.converged for row in there)
+        return Progress(len(there), len(self.plan.variants), failed, len(there), 0.0)
+
+
+def _cut(rows: Sequence[Row], length: int) -> list[Sequence[Row]]:
+    return [rows[first : first + length] for first in range(0, len(rows), length)]

@@ -1,0 +1,102 @@
+"""The cumulated life of a duty cycle, and the share of each row in its damage."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from math import pi
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexbearing.studies.file.spectrum import Spectrum
+from flexbearing.studies.plan import Row
+from flexbearing.studies.plan.task import CONVERGED
+from flexbearing.studies.table.column import Column
+from quasidynamic.outcome.load_spectrum import (
+    cumulated_life,
+    damage,
+    mean_speed,
+    revolution_shares,
+    time_shares,
+)
+
+RPM, HOUR, MREV = pi / 30, 3600.0, 1e6
+RACEWAYS = {"inner": "raceway_life.inner [Mrev]", "outer": "raceway_life.outer [Mrev]"}
+INCOMPLETE = "rows without an answer"  # status of a cycle
+
+
+@dataclass(frozen=True)
+class Cycles:
+    """The same duty cycle of several bearings: C cycles of N rows each."""
+
+    spectrum: Spectrum
+    speed: NDArray  # (C, N) of the inner ring against the outer one [rad/s]
+    rows: Sequence[Sequence[Row]]  # C of N
+
+    @property
+    def texts(self) -> Mapping[str, str]:
+        """Outputs that are cumulated, by the words of their columns."""
+        return texts(self.spectrum)
+
+    @property
+    def _time(self) -> NDArray:
+        shares = np.broadcast_to(self.spectrum.shares, self.speed.shape)
+        return shares if self.spectrum.measure == "time" else time_shares(shares, self.speed)
+
+    @property
+    def _revolutions(self) -> NDArray:
+        shares = np.broadcast_to(self.spectrum.shares, self.speed.shape)
+        return shares if self.spectrum.measure == "revolutions" else revolution_shares(shares, self.speed)
+
+    def _lives(self, text: str) -> NDArray:
+        """Lives (C, N) [rev]; NaN where a row has no answer."""
+        lives = [[row.values.get(text, np.nan) for row in cycle] for cycle in self.rows]
+        return np.array(lives, dtype=float) * MREV
+
+    @property
+    def complete(self) -> NDArray:
+        """Whether all rows (C) of a cycle that take time have an answer."""
+        counts = np.array(self.spectrum.shares) > 0
+        solved = np.array([[row.status == CONVERGED for row in cycle] for cycle in self.rows])
+        return np.all(solved | ~counts, axis=1)
+
+    def of_rows(self) -> Iterator[Column]:
+        """Columns of the table of variants, C N long: shares of time, revolutions and damage."""
+        yield _column("time_share", "%", 100 * self._time)
+        yield _column("revolution_share", "%", 100 * self._revolutions)
+        for words, text in self.texts.items():
+            each = self._damage(text)
+            with np.errstate(invalid="ignore"):  # no load, no damage
+                yield _column(f"{words}damage_share", "%", 100 * each / each.sum(axis=1, keepdims=True))
+
+    def of_cycles(self) -> Iterator[Column]:
+        """Columns of the table of cycles, C long: lives in revolutions and hours, mean speed, ends."""
+        speed, complete = mean_speed(self._time, self.speed), self.complete
+        for words, text in self.texts.items():
+            life = np.where(complete, cumulated_life(self._revolutions, self._counted(text)), np.nan)
+            yield _column(f"{words}life", "h", life * 2 * pi / speed / HOUR)
+            yield _column(f"{words}revolutions", "Mrev", life / MREV)
+        yield _column("mean_speed", "rpm", speed / RPM)
+        yield Column("status", "", tuple(CONVERGED if each else INCOMPLETE for each in complete))
+        yield Column("message", "", tuple(map(self._message, range(len(self.rows)))))
+        yield Column("seconds", "", tuple(sum(row.seconds for row in cycle) for cycle in self.rows))
+
+    def _damage(self, text: str) -> NDArray:
+        return damage(self._revolutions, self._counted(text))
+
+    def _counted(self, text: str) -> NDArray:
+        """Lives of the rows that take time; the others do no damage."""
+        return np.where(np.array(self.spectrum.shares) > 0, self._lives(text), np.inf)
+
+    def _message(self, cycle: int) -> str:
+        counts = zip(self.rows[cycle], self.spectrum.shares, strict=True)
+        failed = [number for number, (row, share) in enumerate(counts, 1) if share and not row.converged]
+        return f"no answer of row {', '.join(map(str, failed))}" if failed else ""
+
+
+def texts(spectrum: Spectrum) -> dict[str, str]:
+    """Outputs that are cumulated, by the words of their columns: the bearing, and each raceway."""
+    return {"": f"{spectrum.life} [Mrev]"} | {f"{race}_": text for race, text in RACEWAYS.items()}
+
+
+def _column(name: str, unit: str, values: NDArray) -> Column:
+    return Column(name, unit, tuple(values.ravel().tolist()))

@@ -1,0 +1,156 @@
+"""Life under a load spectrum: rows of a duty cycle, each with its share of time or of revolutions."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+
+def revolution_shares(time: ArrayLike, speed: ArrayLike) -> NDArray:
+    r"""Share of the revolutions that each row turns.
+
+    .. math:: \varphi_i = t_i |n_i| / \sum_j t_j |n_j|
+
+    Parameters
+    ----------
+    time : array (..., N)
+        t, share of the time, or any measure of it [-], >= 0
+    speed : array (..., N)
+        n, of the inner ring against the outer one [rad/s]
+
+    Returns
+    -------
+    array (..., N)
+        phi [-], the sum is 1
+
+    Source
+    ------
+    Harris, Rolling Bearing Analysis, fatigue life with varying loads.
+
+    Valid
+    -----
+    Speeds constant within a row.
+
+    >>> revolution_shares([0.5, 0.5], [100.0, -300.0])
+    array([0.25, 0.75])
+    """
+    turned = np.asarray(time, dtype=float) * np.abs(speed)
+    return turned / turned.sum(axis=-1, keepdims=True)
+
+
+def time_shares(revolutions: ArrayLike, speed: ArrayLike) -> NDArray:
+    r"""Share of the time that each row takes.
+
+    .. math:: t_i = (\varphi_i / |n_i|) / \sum_j (\varphi_j / |n_j|)
+
+    Parameters
+    ----------
+    revolutions : array (..., N)
+        phi, share of the revolutions, or any measure of it [-], >= 0
+    speed : array (..., N)
+        n, of the inner ring against the outer one [rad/s], other than 0
+
+    Returns
+    -------
+    array (..., N)
+        t [-], the sum is 1
+
+    Source
+    ------
+    The inverse of `revolution_shares`.
+
+    Valid
+    -----
+    As `revolution_shares`.
+
+    >>> time_shares([0.25, 0.75], [100.0, -300.0])
+    array([0.5, 0.5])
+    """
+    taken = np.asarray(revolutions, dtype=float) / np.abs(speed)
+    return taken / taken.sum(axis=-1, keepdims=True)
+
+
+def mean_speed(time: ArrayLike, speed: ArrayLike) -> Any:
+    r"""Mean speed in time, by which cumulated revolutions become hours.
+
+    .. math:: n_m = \sum_i t_i |n_i|
+
+    Parameters
+    ----------
+    time : array (..., N)
+        t, share of the time, whose sum is 1 [-], >= 0
+    speed : array (..., N)
+        n, of the inner ring against the outer one [rad/s]
+
+    Returns
+    -------
+    float or array (...)
+        n_m [rad/s]
+
+    Source
+    ------
+    Harris, Rolling Bearing Analysis, fatigue life with varying loads.
+
+    Valid
+    -----
+    As `revolution_shares`.
+    """
+    return (np.asarray(time) * np.abs(speed)).sum(axis=-1)
+
+
+def damage(revolutions: ArrayLike, lives: ArrayLike) -> NDArray:
+    r"""Damage of each row in a revolution of the whole cycle, by the linear rule of Palmgren and Miner.
+
+    .. math:: d_i = \varphi_i / L_i
+
+    Parameters
+    ----------
+    revolutions : array (..., N)
+        phi, share of the revolutions, whose sum is 1 [-], >= 0
+    lives : array (..., N)
+        L, life if the row lasted for ever [rev], > 0; infinite without load
+
+    Returns
+    -------
+    array (..., N)
+        d [1/rev]; the cumulated life is one over their sum, the damage share of a row d over their sum
+
+    Source
+    ------
+    Palmgren (1924); Miner (1945), J. Appl. Mech. 12.
+
+    Valid
+    -----
+    The order of the rows does not matter; lives with the same survival probability.
+    """
+    return np.asarray(revolutions) / np.asarray(lives)
+
+
+def cumulated_life(revolutions: ArrayLike, lives: ArrayLike) -> Any:
+    r"""Life under all rows, one after the other again and again.
+
+    .. math:: L = 1 / \sum_i \varphi_i / L_i
+
+    Parameters
+    ----------
+    revolutions, lives : array (..., N)
+        as for `damage` [-], [rev]
+
+    Returns
+    -------
+    float or array (...)
+        L [rev]; infinite where no row carries load
+
+    Source
+    ------
+    Palmgren (1924); Miner (1945), J. Appl. Mech. 12.
+
+    Valid
+    -----
+    As `damage`.
+
+    >>> float(cumulated_life([0.5, 0.5], [1e6, 3e6]))
+    1500000.0
+    """
+    with np.errstate(divide="ignore"):  # no load, no damage
+        return 1 / damage(revolutions, lives).sum(axis=-1)

@@ -1,0 +1,171 @@
+"""Duty cycles: life under a load spectrum by the rule of Palmgren and Miner, against calculations by hand."""
+
+from math import inf, isnan, pi
+
+import numpy as np
+import pytest
+from pytest import approx
+
+import flexbearing
+from flexbearing.case import BadCase
+from flexbearing.studies.file.spectrum import Spectrum
+from flexbearing.studies.plan import Row
+from flexbearing.studies.prepare import prepared
+from flexbearing.studies.table.duty import Cycles, texts
+from quasidynamic.outcome.life import basic_life, raceway_lives
+from quasidynamic.outcome.load_spectrum import cumulated_life, revolution_shares, time_shares
+from tests.bearings import paper_bearing
+from tests.flexbearing.toy_studies import CASE
+
+LOADS = "50 N", "100 N", "2 kN", "5 kN", "8 kN", "10 kN", "12 kN", "15 kN"
+SPEEDS = 14000, 12000, 6000, 4000, 3000, 2500, 2000, 1500  # [rpm]
+TIMES = 5, 10, 15, 20, 20, 15, 10, 5  # [%]
+
+
+def study_of(folder, text, name="cycle"):
+    file = folder / f"{name}.toml"
+    file.write_text(f'case = "{CASE}"\n{text}')
+    return file
+
+
+@pytest.fixture(scope="module")
+def cycle(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("cycle")
+    rows = zip(TIMES, LOADS, SPEEDS, strict=True)
+    lines = [f"{time},{load},{speed}" for time, load, speed in rows]
+    table = "\n".join(["time [%],operation.radial_load,operation.inner_speed [rpm]", *lines])
+    (folder / "spectrum.csv").write_text(table)
+    file = study_of(folder, '[duty]\nfile = "spectrum.csv"\n[collect]\nslip = "cage_slip [%]"')
+    return flexbearing.study(file, folder, jobs=1)
+
+
+def test_eight_rows_against_a_calculation_by_hand(cycle):
+    """Lives of single runs; two rows under light load skid by more than half."""
+    lives = {name: [] for name in ("life_L10_Mrev", "inner", "outer")}
+    for load, speed in zip(LOADS, SPEEDS, strict=True):
+        settings = {"operation.radial_load": load, "operation.inner_speed": f"{speed} rpm"}
+        summary = flexbearing.run(CASE, settings).summary()["flexible"]
+        lives["life_L10_Mrev"].append(summary["life_L10_Mrev"])
+        for race in ("inner", "outer"):
+            lives[race].append(summary["raceway_life_Mrev"][race])
+    turned = [time / 100 * speed for time, speed in zip(TIMES, SPEEDS, strict=True)]  # [1/min]
+    mean = sum(turned)
+    assert sum(slip > 50 for slip in cycle["slip"].values) == 2
+    columns = {"life_L10_Mrev": "", "inner": "inner_", "outer": "outer_"}
+    for name, words in columns.items():
+        harm = [turns / mean / life for turns, life in zip(turned, lives[name], strict=True)]
+        million = 1 / sum(harm)
+        assert cycle.cycles[f"{words}revolutions"].values[0] == approx(million, rel=1e-6)
+        assert cycle.cycles[f"{words}life [h]"].values[0] == approx(1e6 * million / (60 * mean), rel=1e-6)
+        shares = [100 * each * million for each in harm]
+        assert cycle[f"{words}damage_share"].values == approx(shares, rel=1e-6)
+    assert cycle.cycles["mean_speed"].values[0] == approx(mean, rel=1e-12)
+    assert cycle["time_share"].values == approx(TIMES, rel=1e-12)
+    assert sum(cycle["revolution_share"].values) == approx(100, rel=1e-12)
+
+
+def test_the_lives_of_the_cycle_stand_in_files_and_words(cycle, tmp_path_factory):
+    from flexbearing.studies import told
+
+    words = told.end(cycle, tmp_path_factory.getbasetemp())
+    assert f"duty cycle: life {cycle.cycles['life [h]'].values[0]:.6g} h, inner" in words
+    assert cycle.cycles.name == "cycle_duty"
+    assert cycle.cycles.to_xarray()["life"].shape == ()
+
+
+def test_shares_of_revolutions_give_the_same_life(cycle, tmp_path):
+    shares = ", ".join(map(str, cycle["revolution_share"].values))
+    speeds = ", ".join(f'"{speed} rpm"' for speed in SPEEDS)
+    loads = ", ".join(f'"{load}"' for load in LOADS)
+    file = study_of(
+        tmp_path,
+        f'[duty]\nrevolutions = [{shares}]\n"operation.radial_load" = [{loads}]\n'
+        f'"operation.inner_speed" = [{speeds}]',
+    )
+    other = flexbearing.study(file, tmp_path, jobs=1).cycles
+    for column in ("life [h]", "inner_life [h]", "outer_life [h]", "mean_speed"):
+        assert other[column].values[0] == approx(cycle.cycles[column].values[0], rel=1e-12)
+
+
+def test_a_cycle_has_a_life_for_each_other_variant(tmp_path):
+    duty = '[duty]\ntime = [1, 3]\n"operation.radial_load" = ["5 kN", "10 kN"]\n'
+    duty += '[collect]\nlife = "life_L10 [Mrev]"'
+    file = study_of(tmp_path, f'[over]\n"bearing.clearance" = ["20 um", "40 um"]\n{duty}')
+    table = flexbearing.study(file, tmp_path, jobs=1)
+    assert table.cycles["bearing.clearance"].values == (20.0, 40.0)
+    lives = np.reshape(table["life"].values, (2, 2))
+    assert table.cycles["revolutions"].values == approx(
+        1 / (0.25 / lives[:, 0] + 0.75 / lives[:, 1]), rel=1e-9
+    )
+    assert (tmp_path / "cycle_duty.csv").read_text().startswith("bearing.clearance [um],life [h],")
+
+
+SPECTRUM = Spectrum("time", (0.25, 0.25, 0.5), "life_L10")
+
+
+def cycles(*lives, speed=100.0, spectrum=SPECTRUM):
+    names = texts(spectrum).values()
+    rows = [
+        Row(str(life), "not solved" if life is None else "converged", "", 1.0,
+            {} if life is None else dict.fromkeys(names, life))
+        for life in lives
+    ]  # fmt: skip
+    return Cycles(spectrum, np.full((1, len(rows)), speed), [rows])
+
+
+def column(columns, heading):
+    return next(each.values for each in columns if each.heading == heading)
+
+
+def test_a_row_without_load_does_no_damage():
+    found = cycles(2.0, inf, 4.0)
+    assert column(found.of_cycles(), "revolutions [Mrev]") == approx([1 / (0.25 / 2 + 0.5 / 4)], rel=1e-15)
+    assert column(found.of_rows(), "damage_share [%]") == approx([50.0, 0.0, 50.0], rel=1e-15)
+
+
+def test_a_cycle_without_any_load_lasts_for_ever():
+    found = cycles(inf, inf, inf)
+    assert column(found.of_cycles(), "life [h]") == (inf,)
+    assert all(isnan(share) for share in column(found.of_rows(), "damage_share [%]"))
+
+
+def test_a_row_without_an_answer_leaves_the_cycle_without_a_life():
+    found = list(cycles(2.0, None, 4.0).of_cycles())
+    assert isnan(column(found, "life [h]")[0])
+    assert column(found, "status") == ("rows without an answer",)
+    assert column(found, "message") == ("no answer of row 2",)
+
+
+def test_a_row_that_takes_no_time_needs_no_answer():
+    found = list(cycles(2.0, None, 4.0, spectrum=Spectrum("time", (0.5, 0.0, 0.5), "life_L10")).of_cycles())
+    assert column(found, "revolutions [Mrev]") == approx([1 / (0.5 / 2 + 0.5 / 4)], rel=1e-15)
+    assert column(found, "life [h]") == approx([8e6 / 3 * 2 * pi / 100 / 3600], rel=1e-15)
+
+
+def test_shares_of_time_and_of_revolutions_are_inverse_to_each_other():
+    time, speed = np.array([0.2, 0.3, 0.5]), np.array([100.0, -700.0, 20.0])
+    assert time_shares(revolution_shares(time, speed), speed) == approx(time, rel=1e-14)
+
+
+def test_cumulated_life_of_equal_rows_is_that_of_one():
+    assert cumulated_life([0.1, 0.2, 0.7], [3e6] * 3) == approx(3e6, rel=1e-14)
+
+
+def test_bearings_without_a_life_have_no_duty_cycle(tmp_path):
+    case = CASE.parent / "harris218.toml"
+    file = tmp_path / "cycle.toml"
+    file.write_text(
+        f'case = "{case}"\n[duty]\ntime = [1, 1]\n"operation.inner_speed" = ["5000 rpm", "6000 rpm"]'
+    )
+    with pytest.raises(BadCase, match=r"cycle\.toml: \[duty\] .*life_L10 .*: no output has this name"):
+        prepared(file)
+
+
+def test_lives_of_the_raceways_make_that_of_the_bearing():
+    bearing, generator = paper_bearing().bearing, np.random.default_rng(5)
+    inner, outer = generator.uniform(0, 300, (2, 4, bearing.rollers, 11))
+    turning = (np.array([1.0, 0.0, 0.3, 1.0]), np.array([0.0, 1.0, 0.3, 1.0]))
+    lives = raceway_lives(inner, outer, bearing, turning)
+    together = (lives ** (-9 / 8)).sum(axis=-1) ** (-8 / 9)
+    assert together == approx(basic_life(inner, outer, bearing, turning), rel=1e-13)
+    assert np.isinf(raceway_lives(0 * inner, outer, bearing, turning)[:, 0]).all()
