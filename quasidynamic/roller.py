@@ -32,7 +32,7 @@ __all__ = ["Batch", "Equilibria", "Equilibrium", "RollerBearing", "solve_many"]
 Compliance = tuple[NDArray | None, NDArray | None]
 STARTS = (slipping_start, *RESTARTS)
 BUDGET = 300  # evaluations between raceways of a given shape, which a coupling may have made absurd
-CASES_AT_ONCE = 128  # their slices fit into the processor's cache
+CASES_AT_ONCE = 64  # their slices fit into the processor's cache
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -181,7 +181,8 @@ def side_by_side_batches(
 ) -> Iterator[tuple[NDArray, RollerBearing]]:
     """Yield the places (C) of at most so many bearings of one kind, and the one bearing that stands for them.
 
-    Its numbers that differ are columns (C, 1), see `kind_and_numbers`.
+    Its numbers that differ are columns (C, 1), see `kind_and_numbers`. Bearings of about the same load over
+    squared speed stand together: they slip alike, and take about as many steps.
     """
     kinds: dict[Hashable, list[int]] = {}
     numbers = []
@@ -190,9 +191,15 @@ def side_by_side_batches(
         numbers.append(own)
         kinds.setdefault((kind, bearing.operation.tilts), []).append(place)
     for places in kinds.values():
+        places.sort(key=lambda place: _pressed(bearings[place].operation))
         for first in range(0, len(places), at_once):
             some = np.array(places[first : first + at_once])
             yield some, with_columns(bearings[some[0]], np.array([numbers[place] for place in some]))
+
+
+def _pressed(operation: Operation) -> float:
+    """Load over the square of the speed, as the centrifugal force of a roller has it."""
+    return operation.radial_load / (operation.inner_speed - operation.outer_speed) ** 2
 
 
 def _solved(

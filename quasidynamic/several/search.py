@@ -125,8 +125,7 @@ class _Search:
 def _started(many: BearingBalance, base: Unknowns, patterns: Patterns) -> Unknowns:
     """Unknowns of P cases with given spins and slips; films and the ring's place follow without friction."""
     cases = len(patterns.spin)
-    start = Unknowns(*(np.repeat(values, cases, axis) for values, axis in zip(base, CASE_AXES, strict=True)))
-    start = start._replace(
+    start = base.take(np.zeros(cases, int))._replace(
         cage_drift=patterns.cage_drift[:, None],
         spin_drift=(patterns.spin - 1) * many.rolling_spin,
     )
@@ -135,6 +134,3 @@ def _started(many: BearingBalance, base: Unknowns, patterns: Patterns) -> Unknow
         start = start._replace(film=film_at(many, start, frictionless_loads(many, start)))
         start = frictionless_ring(many, start, load)
     return start
-
-
-CASE_AXES = (1, 0, 0, 0, 1, 0, 2)  # of the unknowns, in their order

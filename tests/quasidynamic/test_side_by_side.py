@@ -141,6 +141,22 @@ def test_bearings_may_differ_in_all_numbers(name):
         same(state, solve_many([model])[0])
 
 
+def test_a_solve_does_not_depend_on_what_stands_beside_it():
+    """Slow and fast, light and heavy, tilted by load or by moment alone: as many evaluations as alone."""
+    points = ((3, 3e3), (7, 3e3), (450, 0.0), (450, 1.0), (450, 3e3), (1e3, 0.0), (13e3, 1.0), (3e4, 30.0))
+    clearances = np.linspace(1e-5, 1e-4, len(points))
+    models = [
+        paper_bearing(speed=speed * RPM, load=load, moment=3.0, clearance=clearance)
+        for (speed, load), clearance in zip(points, clearances, strict=True)
+    ]
+    many = solve_many(models)
+    assert len(many.batches) == 1
+    for model, state in zip(models, many, strict=True):
+        single = solve_many([model])[0]
+        assert state.number == single.number
+        same(state, single)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(40))
 def test_variants_of_random_designs(seed):

@@ -32,7 +32,6 @@ from quasidynamic.balance.rollers.unknowns import (
     Y,
     Z,
 )
-from quasidynamic.columns import taken
 from quasidynamic.contact.cage import land_torque
 
 
@@ -71,16 +70,11 @@ class BearingBalance:
 
     def take(self, cases: NDArray) -> "BearingBalance":
         """Balance of some of the cases."""
-        roller = self.roller if self._rollers_alike else taken(self.roller, cases)
+        roller = self.roller.take(cases) if len(self.points) > 1 else self.roller
         points, deviation = self.points.take(cases), self.deviation
         if deviation is not None and deviation.ndim == 4:
             deviation = deviation[cases] if len(points) > 1 else deviation[cases][0]
         return replace(self, points=points, roller=roller, deviation=deviation)
-
-    @cached_property
-    def _rollers_alike(self) -> bool:
-        """Whether all cases have the same rollers, raceways and oil."""
-        return len(self.points) == 1 or taken(self.roller, np.zeros(1, int)) is self.roller
 
     @cached_property
     def layout(self) -> UnknownLayout:

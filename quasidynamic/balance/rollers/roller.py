@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.operating_points import OperatingPoints
-from quasidynamic.columns import stacked
+from quasidynamic.columns import stacked, taken
 from quasidynamic.contact.drag import churning_torque, orbit_drag_force
 from quasidynamic.contact.lubrication import Lubrication
 from quasidynamic.contact.raceways import Raceways, RacewayState
@@ -87,6 +87,15 @@ class RollerBalance:
     bearing: CylindricalRollerBearing
     raceways: Raceways
     lubrication: Lubrication
+
+    def take(self, cases: NDArray) -> "RollerBalance":
+        """Equations of some of the cases."""
+        return self if self._alike else taken(self, cases)
+
+    @cached_property
+    def _alike(self) -> bool:
+        """Whether no number differs between cases."""
+        return taken(self, np.zeros(1, int)) is self
 
     @cached_property
     def axial_modes(self) -> int:

@@ -11,6 +11,7 @@ INNER, OUTER = 0, 1
 OUTWARD = (-1.0, 1.0)  # sense of the contact force on a raceway: rollers press the inner one inwards
 Y, Z, TILT_Z, TILT_Y, CAGE = range(5)
 BORDER = 5  # unknowns of ring and cage, before those of the rollers
+CASE_AXES = (1, 0, 0, 0, 1, 0, 2)  # of the fields of `Unknowns`
 
 
 class Unknowns(NamedTuple):
@@ -23,6 +24,17 @@ class Unknowns(NamedTuple):
     film: NDArray  # (2, C, Z) [m]
     spin_drift: NDArray  # (C, Z) spin less that of pure rolling [rad/s]
     deviation: NDArray  # (2, M, C, Z) outward, of elastic raceways [m]
+
+    def take(self, cases: NDArray) -> "Unknowns":
+        """Unknowns of some of the cases."""
+        return Unknowns(*(np.take(values, cases, axis) for values, axis in zip(self, CASE_AXES, strict=True)))
+
+    def with_cases(self, cases: NDArray, some: "Unknowns") -> "Unknowns":
+        """The same with other unknowns in some of the cases."""
+        changed = Unknowns(*(values.copy() for values in self))
+        for values, others, axis in zip(changed, some, CASE_AXES, strict=True):
+            np.moveaxis(values, axis, 0)[cases] = np.moveaxis(others, axis, 0)
+        return changed
 
 
 @dataclass(frozen=True, kw_only=True)

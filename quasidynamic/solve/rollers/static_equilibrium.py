@@ -79,12 +79,15 @@ def static_equilibrium(
     nearest = np.where(falls, *(raceways.drop[:, 0] - beyond[:, race] for race in (0, 1)))
     lowest, highest = pressed + nearest.min(0), np.maximum(room, pressed + nearest.max(0))
     side = np.maximum(room / 2, lowest)  # approach at the raceway that the roller rests on
+    running = np.ones((len(side), 1), bool)  # each case stops by itself, whatever others do
     for _ in range(MAX_STEPS):
         outer = np.where(falls, room - side, side)
         (load_i, load_o), slopes = _contact_loads(balance, np.array([room - outer, outer]), beyond)
         change = (np.where(falls, load_i - load_o, load_o - load_i) - size) / slopes.sum(0)
-        side = np.minimum(np.maximum(side - change, lowest), highest)
-        if (np.abs(change) < NEAR_ENOUGH * balance.scales.length).all():
+        side = np.where(running, np.minimum(np.maximum(side - change, lowest), highest), side)
+        near = np.abs(change) < NEAR_ENOUGH * balance.scales.length
+        running &= ~near.all(axis=1, keepdims=True)
+        if not running.any():
             break
     return unknowns._replace(approach=np.where(falls, room - side, side))
 
@@ -120,13 +123,14 @@ def lying_on_a_raceway(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
     holds the tilts, and nothing is done.
     """
     force = outward_force(balance, unknowns)
-    if balance.roller.axial_modes == 1 or force.min() > 0:
+    slow = ~(force.min(axis=1, keepdims=True) > 0)
+    if balance.roller.axial_modes == 1 or not slow.any():
         return unknowns
     approach = balance.inputs(unknowns).approach
     loose = room_between_raceways(balance, approach) < 0
     after = unknowns._replace(approach=unknowns.approach.copy(), tilt=unknowns.tilt.copy())
     for race, outward in enumerate((-1.0, 1.0)):
-        lying = loose & (outward * force > 0)
+        lying = slow & loose & (outward * force > 0)
         if lying.any():
             raceways = balance.take(np.nonzero(lying)[0]).roller.raceways  # a case for each of the rollers
             here = approach[race][:, lying, None]

@@ -49,7 +49,7 @@ def bounded(balance: BearingBalance, before: NDArray, after: NDArray) -> NDArray
     return settled(balance, before, held)
 
 
-def _lowest(approach: NDArray, grazing: float) -> NDArray:
+def _lowest(approach: NDArray, grazing: NDArray | float) -> NDArray:
     """Smallest approach after a step: a tenth of that before it, or a gap that is several times as wide."""
     return np.minimum(GROWTH * approach, KEPT * approach) - grazing
 
@@ -73,11 +73,13 @@ def settled(balance: BearingBalance, before: NDArray, after: NDArray) -> NDArray
         `after`, rollers without room to be pressed and out of balance in static equilibrium
     """
     cage_speed = balance.rolling_cage + after[:, CAGE:BORDER] * balance.scales.unknown[:, CAGE:BORDER]
-    if (np.abs(cage_speed) > balance.slow_cage).all():
+    slow = ~(np.abs(cage_speed) > balance.slow_cage)
+    if not slow.any():
         return after
     unknowns = balance.unpack(after)
     force = outward_force(balance, unknowns)
-    if force.min() > 0.0:
+    slow &= ~(force.min(axis=1, keepdims=True) > 0.0)
+    if not slow.any():
         return after
     approach, former = balance.inputs(unknowns).approach, balance.inputs(balance.unpack(before)).approach
     on_outer, touching = force >= 0, balance.roller.raceways.law.rounding
@@ -85,7 +87,7 @@ def settled(balance: BearingBalance, before: NDArray, after: NDArray) -> NDArray
     moved = np.abs(here - there) > MOVED * (np.abs(there) + touching)
     load_i, load_o = frictionless_loads(balance, unknowns, uneven=True)
     thrown = moved & (np.abs(load_o - load_i - force) > MOVED * np.abs(force))
-    thrown &= room_between_raceways(balance, approach) < 0
+    thrown &= slow & (room_between_raceways(balance, approach) < 0)
     if not thrown.any():
         return after
     if balance.roller.axial_modes > 1:

@@ -113,14 +113,13 @@ def solve_each(balance: BearingBalance, starts: NDArray, rounds: int) -> SolvedC
 def _find_spins(balance: BearingBalance, solved: SolvedCases) -> None:
     """Try Newton's method from where it ended, with the spins that pockets leave to unloaded rollers."""
     left = solved.unsolved()
-    if len(left):
-        solved.follow(_with_spins_found(_cases_of(balance, left), solved.unknowns[left]), left)
-
-
-def _with_spins_found(balance: BearingBalance, unknowns: NDArray) -> Iterator[Iterate]:
-    """Yield Newton iterates from where it ended, with the spins that pockets leave to unloaded rollers."""
-    held = balance.pack(held_back(balance, balance.unpack(unknowns)))
-    return newton(balance, held) if (held != unknowns).any() and np.isfinite(held).all() else iter(())
+    if not len(left):
+        return
+    balance_left, ended = _cases_of(balance, left), solved.unknowns[left]
+    held = balance_left.pack(held_back(balance_left, balance_left.unpack(ended)))
+    other = np.flatnonzero((held != ended).any(axis=1) & np.isfinite(held).all(axis=1))
+    if len(other):
+        solved.follow(newton(_cases_of(balance_left, other), held[other]), left[other])
 
 
 def _through_pseudo_time(

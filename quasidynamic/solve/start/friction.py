@@ -45,13 +45,14 @@ def balanced_drifts(
     cage, spin = np.abs(balance.rolling_cage), np.abs(balance.rolling_spin)
     for _ in range(STEPS):
         size = np.maximum(np.abs(best.cage_step) / cage, np.abs(best.spin_step).max(-1, keepdims=True) / spin)
-        if size.max() < NEAR_ENOUGH:
+        running = ~(size < NEAR_ENOUGH)
+        if not running.any():
             break
         trial = friction.at(
             best.cage + np.clip(damping * best.cage_step, -CAGE_CHANGE * cage, CAGE_CHANGE * cage),
             best.spin + np.clip(damping * best.spin_step, -SPIN_CHANGE * spin, SPIN_CHANGE * spin),
         )
-        better = trial.unbalanced < best.unbalanced
+        better = running & (trial.unbalanced < best.unbalanced)
         best, damping = trial.where(better, best), np.where(better, 1.0, damping / 2)
     return best.cage, best.spin
 

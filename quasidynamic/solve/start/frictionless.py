@@ -67,7 +67,7 @@ def ring_shift(balance: BearingBalance, direction: NDArray, gap: NDArray) -> NDA
     room = both * usual ** (1 / EXPONENT) + drop.min(0) / share
     widest = gap.max(axis=-1, keepdims=True)
     shift = (np.maximum(widest, 0.0) + room) / nearest
-    steepness = EXPONENT * share * cos * cos
+    steepness, running = EXPONENT * share * cos * cos, np.ones(load.shape, bool)
     for _ in range(SHIFT_STEPS):
         # Of the room between the raceways, the inner one takes its share and has the profile to itself.
         closed = np.maximum(share * (shift * cos - gap) - drop, 0.0)
@@ -75,8 +75,9 @@ def ring_shift(balance: BearingBalance, direction: NDArray, gap: NDArray) -> NDA
         carried = np.vecdot(raceways.slices.total(power * closed), cos)[:, None]
         slope = np.vecdot(raceways.slices.total(power), steepness)[:, None]
         change = np.divide(carried - load, slope, out=np.zeros(slope.shape), where=slope > 0)
-        shift = shift - change
-        if (np.abs(change) < SHIFT_DIGITS * balance.scales.length).all():
+        shift = np.where(running, shift - change, shift)
+        running &= ~(np.abs(change) < SHIFT_DIGITS * balance.scales.length)
+        if not running.any():
             break
     return np.where(load > 0, shift, 0.0)
 
@@ -89,6 +90,7 @@ def frictionless_ring(balance: BearingBalance, unknowns: Unknowns, load: NDArray
     """
     normal = balance.kinematics.outwards
     position, unit = unknowns.ring[:2], np.ravel(balance.scales.length)
+    running = np.ones(len(balance.points), bool)
     for _ in range(RING_STEPS):
         unknowns = static_equilibrium(
             balance, unknowns._replace(ring=np.concatenate([position, unknowns.ring[2:]]))
@@ -99,9 +101,9 @@ def frictionless_ring(balance: BearingBalance, unknowns: Unknowns, load: NDArray
         floor = RING_FLOOR * np.trace(matrix, axis1=1, axis2=2) + SMALLEST_STIFFNESS
         change = np.linalg.solve(matrix + floor[:, None, None] * np.eye(2), excess.T[..., None])[..., 0].T
         length = np.hypot(*change)
-        position = (
-            position + (change * np.minimum(1.0, LONGEST_RING_STEP * unit / (length + 1e-30)))[..., None]
-        )
-        if (length < RING_DIGITS * unit).all():
+        step = running * change * np.minimum(1.0, LONGEST_RING_STEP * unit / (length + 1e-30))
+        position = position + step[..., None]
+        running &= ~(length < RING_DIGITS * unit)
+        if not running.any():
             break
     return unknowns._replace(ring=np.concatenate([position, unknowns.ring[2:]]))

@@ -183,16 +183,26 @@ def held_back(balance: BearingBalance, start: Unknowns) -> Unknowns:
     Spins by loads, and loads by the lift of pocket friction, which goes with the spin; a sweep hands spins on
     to the next roller.
     """
-    if (np.abs(balance.rolling_cage + start.cage_drift) > balance.slow_cage).all():
+    slow = ~(np.abs(balance.rolling_cage + start.cage_drift) > balance.slow_cage)[:, 0]
+    if not slow.any():
         return start
-    if outward_force(balance, start).min() > 0.0:
-        return start
-    lumped = LumpedRollers(balance)
+    slow &= ~(outward_force(balance, start).min(axis=1) > 0.0)
+    if slow.all():
+        return _braked(balance, start)
+    cases = np.flatnonzero(slow)
+    return start.with_cases(cases, _braked(balance.take(cases), start.take(cases))) if len(cases) else start
+
+
+def _braked(balance: BearingBalance, start: Unknowns) -> Unknowns:
+    """Spins of rollers that pockets hold back, handed on until those of each case hardly change."""
+    lumped, running = LumpedRollers(balance), np.ones((len(balance.points), 1), bool)
     for _ in range(MAX_SWEEPS):
         slice_load = slice_loads(balance, start, uneven=True)
-        spin_drift = lumped.braked(slice_load, start.cage_drift, start.spin_drift)
-        change = np.abs((spin_drift - start.spin_drift) / balance.rolling_spin).max()
+        braked = lumped.braked(slice_load, start.cage_drift, start.spin_drift)
+        spin_drift = np.where(running, braked, start.spin_drift)
+        change = np.abs((spin_drift - start.spin_drift) / balance.rolling_spin).max(axis=1, keepdims=True)
         start = static_equilibrium(balance, start._replace(spin_drift=spin_drift), uneven=True)
-        if change < SMALL_CHANGE:
+        running &= ~(change < SMALL_CHANGE)
+        if not running.any():
             break
     return start

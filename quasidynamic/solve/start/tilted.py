@@ -28,30 +28,22 @@ def tilted_by_moments(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
     by_moment = (points.free_tilt & (points.moment > MOSTLY * points.load * length))[:, 0]
     if not by_moment.any() or balance.layout.elastic_raceways or balance.deviation is not None:
         return unknowns
+    cases = np.flatnonzero(by_moment)
+    return unknowns.with_cases(cases, _tilted(balance.take(cases), unknowns.take(cases)))
+
+
+def _tilted(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
+    """Rings of all cases where frictionless rollers carry load and moment, rollers pressed by both askew."""
     ring = unknowns.ring.copy()
-    for case in map(int, np.flatnonzero(by_moment)):
-        ring[:, case, 0] = _ring(balance.take(np.array([case])), _of_case(unknowns, case))
+    for case in range(len(balance.points)):
+        one = np.array([case])
+        ring[:, case, 0] = _ring(balance.take(one), unknowns.take(one))
     placed = unknowns._replace(ring=ring)
     straight = static_equilibrium(balance, placed, uneven=True)
-    between = frictionless_loads(balance, straight, uneven=True).min(0) > np.abs(
-        outward_force(balance, placed)
-    )
-    half = balance.inputs(placed).approach[:, 1].sum(0) / 2  # a roller pressed by both stands askew to each
-    tilt = np.where(by_moment[:, None] & between, half, placed.tilt)
+    load = frictionless_loads(balance, straight, uneven=True).min(0)
+    half = balance.inputs(placed).approach[:, 1].sum(0) / 2
+    tilt = np.where(load > np.abs(outward_force(balance, placed)), half, placed.tilt)
     return static_equilibrium(balance, placed._replace(tilt=tilt), uneven=True)
-
-
-def _of_case(unknowns: Unknowns, case: int) -> Unknowns:
-    one = slice(case, case + 1)
-    return Unknowns(
-        unknowns.ring[:, one],
-        unknowns.cage_drift[one],
-        unknowns.approach[one],
-        unknowns.tilt[one],
-        unknowns.film[:, one],
-        unknowns.spin_drift[one],
-        unknowns.deviation[:, :, one],
-    )
 
 
 def _ring(balance: BearingBalance, unknowns: Unknowns) -> np.ndarray:
