@@ -45,7 +45,7 @@ def study(  # noqa: PLR0913  # an argument for each option
         raise typer.Exit(BAD_INPUT if settled.plan.problems else CONVERGED)
     with told.Shown(sys.stderr) as shown:
         table = compute(settled, output, Where(jobs, scheduler, slurm), retry_failed=retry_failed, tell=shown)
-    _say(told.end(table, output))
+    _say(told.end(settled, table, output))
     raise typer.Exit(NOT_CONVERGED if table.failed else CONVERGED)
 
 

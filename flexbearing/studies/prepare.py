@@ -12,6 +12,7 @@ from flexbearing.studies.run import Tell, Work, run
 from flexbearing.studies.settled import Prepared
 from flexbearing.studies.table import Table, duty
 from flexbearing.studies.table.collected import collected, require_outputs
+from flexbearing.studies.table.drawn import drawn
 from flexbearing.studies.where import Where
 
 FOLDER, HERE = Path("results"), Where()
@@ -45,7 +46,8 @@ def prepared(file: str | Path) -> Prepared:
     columns = collected(study, FAMILIES, elastic=elastic)
     if study.spectrum:
         require_outputs(study, duty.texts(study.spectrum).values(), "duty", FAMILIES)
-    return Prepared(study, settled, columns)
+    plot, columns = drawn(study, columns, FAMILIES)
+    return Prepared(study, settled, columns, plot)
 
 
 def compute(

@@ -7,14 +7,17 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from time import perf_counter
 
-from flexbearing.files import NotStored, require_folder, require_output
+from flexbearing.files import NotStored, require_folder, require_output, write
+from flexbearing.report.picture import png_bytes
 from flexbearing.studies.engine import Engine, condensed, finished
 from flexbearing.studies.plan import Ring, Row, Task
 from flexbearing.studies.settled import Prepared, Progress
 from flexbearing.studies.table import Table, journal
 from flexbearing.studies.table.files import CYCLES, places, store
+from flexbearing.studies.table.plot import draw
 
 Tell = Callable[[Progress], None]
+PICTURE = ".png"
 
 
 @dataclass(frozen=True)
@@ -66,6 +69,7 @@ def run(
     paths = places(folder, settled.study.name, inputs)
     if settled.study.spectrum:
         places(folder, f"{settled.study.name}{CYCLES}", inputs)
+    picture = require_output(folder / f"{settled.study.name}{PICTURE}", inputs) if settled.plot else None
     path = require_output(settled.journal(folder), inputs)
     rows: dict[str, Row] = {}
     try:
@@ -84,6 +88,8 @@ def run(
         raise
     table = settled.table(rows)
     store(table, paths)
+    if picture and settled.plot:
+        write(picture, png_bytes(draw(table, settled.plot)))
     return table
 
 

@@ -17,6 +17,7 @@ from flexbearing.studies.table.column import ends
 from flexbearing.studies.table.duty import Cycles
 from flexbearing.studies.table.files import CYCLES
 from flexbearing.studies.table.keys import key_columns
+from flexbearing.studies.table.plot import Plot
 
 NOT_COMPUTED = "not computed"  # status of a row whose variant is still to come
 Rows = Mapping[str, Row]  # by identity
@@ -53,6 +54,7 @@ class Prepared:
     study: Study
     plan: Plan
     columns: tuple[Collected, ...]
+    plot: Plot | None = None
 
     @property
     def texts(self) -> tuple[str, ...]:

@@ -7,6 +7,7 @@ from time import perf_counter
 from typing import Self, TextIO
 
 from flexbearing.case.problems import MOST
+from flexbearing.studies.run import PICTURE
 from flexbearing.studies.settled import Prepared, Progress
 from flexbearing.studies.table import Table
 from flexbearing.studies.table.files import EXTRA, FORMS, missing
@@ -82,29 +83,30 @@ def status(settled: Prepared, folder: Path) -> str:
     )
 
 
-def end(table: Table, folder: Path) -> str:
-    """How a study ended, and where its table is."""
+def end(settled: Prepared, table: Table, folder: Path) -> str:
+    """How a study ended, and where its table and picture are."""
     counts = Counter(table["status"].values)
     words = ", ".join(f"{count} {name}" for name, count in counts.most_common())
     lines = [f"{table.name}: {len(table)} variants: {words}"]
-    lines += _cycles(table.cycles) if table.cycles else []
+    lines += cycles(table.cycles) if table.cycles else []
     for suffix in FORMS:
         packages = missing(suffix)
         without = f", not written without {' and '.join(packages)}: {EXTRA}" if packages else ""
         lines.append(f"table: {folder / table.name}{suffix}{without}")
+    lines += [f"picture: {folder / table.name}{PICTURE}"] if settled.plot else []
     return "\n".join(lines)
 
 
-def _cycles(cycles: Table) -> list[str]:
+def cycles(lives: Table) -> list[str]:
     """A line for each of the first duty cycles."""
-    keys = [column for column in cycles.columns if column.varied]
+    keys = [column for column in lives.columns if column.varied]
     lines = []
-    for number, row in enumerate(cycles.rows[:MOST]):
+    for number, row in enumerate(lives.rows[:MOST]):
         where = ", ".join(f"{column.heading} {column.values[number]}" for column in keys)
-        lives = f"life {row['life [h]']:.6g} h, inner {row['inner_life [h]']:.6g} h, outer " + (
+        words = f"life {row['life [h]']:.6g} h, inner {row['inner_life [h]']:.6g} h, outer " + (
             f"{row['outer_life [h]']:.6g} h, mean speed {row['mean_speed [rpm]']:.6g} rpm"
         )
-        lines.append(f"duty cycle{f' at {where}' if where else ''}: {row['message'] or lives}")
+        lines.append(f"duty cycle{f' at {where}' if where else ''}: {row['message'] or words}")
     return lines
 
 

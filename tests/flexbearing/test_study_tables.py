@@ -91,10 +91,11 @@ def test_without_the_extra_the_table_is_csv_and_the_rest_says_what_to_install(tm
     from flexbearing.studies import told
 
     monkeypatch.setattr(files, "find_spec", lambda name: None)
-    table = computed(toy(tmp_path), tmp_path)
+    settled = toy(tmp_path)
+    table = computed(settled, tmp_path)
     assert sorted(path.suffix for path in tmp_path.iterdir()) == [".csv", ".jsonl", ".toml"]
     assert (
-        told.end(table, tmp_path)
+        told.end(settled, table, tmp_path)
         .splitlines()[2]
         .endswith('toy.parquet, not written without pyarrow: pip install "flexbearing[studies]"')
     )

@@ -18,7 +18,7 @@ from flexbearing.case.read import LONGEST_NAME, model_of
 from flexbearing.case.text import Unreadable, tables, text_of
 from flexbearing.studies.file.axes import Axis, axes, require_crossable
 from flexbearing.studies.file.sampled import sampled
-from flexbearing.studies.file.schema import Over, StudyFile
+from flexbearing.studies.file.schema import Over, PlotTable, StudyFile
 from flexbearing.studies.file.spectrum import Spectrum, spectrum
 from flexbearing.studies.file.values import BadValues
 
@@ -49,6 +49,7 @@ class Study:
     collect: tuple[Wanted, ...] | None  # None: every number of the summary
     search: bool = False  # whether other equilibria are searched
     spectrum: Spectrum | None = None  # weights of the axis "duty", which is the last one
+    plot: PlotTable | None = None  # what is drawn
 
     @property
     def keys(self) -> tuple[str, ...]:
@@ -97,6 +98,7 @@ def read(path: str | Path, families: Families) -> Study:
         collect=_collected(given.collect, file),
         search=given.search_equilibria,
         spectrum=weights,
+        plot=given.plot,
     )
 
 

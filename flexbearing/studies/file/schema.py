@@ -55,6 +55,24 @@ class Duty(Section):
     life: Literal["life_L10", "modified_life"] = key("which life is cumulated for the bearing", "life_L10")
 
 
+class PlotTable(Section):
+    """What is drawn of the table."""
+
+    x: str = key("varied key, column of [collect], or output with its unit", example="outer.thickness")
+    lines: str | None = key(
+        "varied key with a line for each of its values, first among the keys that are crossed with x",
+        None,
+        example="operation.radial_load",
+    )
+    y: tuple[str, ...] = key(
+        "columns of [collect], or outputs with their units, each in a panel of its own",
+        example=["life", "cage_slip [%]"],
+        strict=False,
+        min_length=1,
+    )
+    rigid: bool = key("whether the same between rigid raceways is drawn dashed", False)
+
+
 class StudyFile(Section):
     """A study file."""
 
@@ -76,3 +94,4 @@ class StudyFile(Section):
         None,
         example={"life": "flexible.life_L10 [h]"},
     )
+    plot: PlotTable | None = key("picture NAME.png of outputs over a key; what it needs is collected", None)

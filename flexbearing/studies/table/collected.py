@@ -52,11 +52,11 @@ def collected(study: Study, families: Families, *, elastic: bool) -> tuple[Colle
     if study.collect is None:
         blocks = [f"{block}." for block in BLOCKS] if elastic else [""]
         texts = [f"{block}{output.name}" for block in blocks for output in outputs(layout)]
-        return tuple(_collected(text, wanted(layout, text)) for text in texts)
+        return tuple(of_output(text, wanted(layout, text)) for text in texts)
     columns = []
     for each in study.collect:
         try:
-            columns.append(_collected(each.column, wanted(layout, each.text)))
+            columns.append(of_output(each.column, wanted(layout, each.text)))
         except (UnknownOutput, WrongUnit) as problem:
             raise BadCase(f"{study.path.name}: [collect] {each.column}: {problem}") from None
     return tuple(columns)
@@ -78,7 +78,8 @@ def require_outputs(study: Study, texts: Iterable[str], table: str, families: Fa
         raise BadCase(f"{study.path.name}: [{table}] {problem}") from None
 
 
-def _collected(column: str, output: Wanted) -> Collected:
+def of_output(column: str, output: Wanted) -> Collected:
+    """Column of an output under a name."""
     return Collected(column, f"{output.name} [{output.unit}]", "" if output.unit == "1" else output.unit)
 
 

@@ -1,0 +1,105 @@
+"""Picture of outputs over a varied key: a panel for each output, a line for each value of another key."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from flexbearing.report.picture import titled
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+LABELLED = 12  # lines at most that the legend names
+WIDE = 100  # highest over lowest value from which a panel is logarithmic
+EVEN = 1e-6  # by how much ratios of a logarithmic range differ
+
+
+@dataclass(frozen=True)
+class Line:
+    """Points that belong together, in the order of x."""
+
+    label: str
+    x: Sequence[Any]  # numbers or texts
+    y: Sequence[float]  # NaN where there is none
+    rigid: Sequence[float] | None = None  # the same between rigid raceways, drawn dashed
+    joined: bool = True  # else points alone
+
+
+@dataclass(frozen=True)
+class Panel:
+    """The lines of one output."""
+
+    label: str  # name and unit
+    lines: tuple[Line, ...]
+
+
+def draw_lines(title: str, label: str, panels: Sequence[Panel]) -> Figure:
+    """Draw panels below each other over the same x.
+
+    Parameters
+    ----------
+    title : str
+        what the study is about
+    label : str
+        name and unit of x
+    panels : sequence of Panel
+        from the top
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+    """
+    from matplotlib.figure import Figure  # a second to load: only pictures pay for it
+
+    figure = Figure(figsize=(7.0, 1.6 + 2.6 * len(panels)), layout="constrained")
+    rows = figure.subplots(len(panels), sharex=True, squeeze=False)[:, 0]
+    for axes, panel in zip(rows, panels, strict=True):
+        _draw(axes, panel)
+    rows[-1].set_xlabel(label)
+    rows[0].set_title(titled(title, 70), fontsize=11, pad=12, parse_math=False)
+    handles, labels = rows[0].get_legend_handles_labels()
+    if len(labels) > 1:
+        figure.legend(
+            handles[:LABELLED], labels[:LABELLED], loc="outside lower center", ncols=3, frameon=False
+        )
+    return figure
+
+
+def _draw(axes: Axes, panel: Panel) -> None:
+    for line in panel.lines:
+        (drawn,) = axes.plot(
+            line.x, line.y, "o-" if line.joined else "o", markersize=3.5, linewidth=1.6, label=line.label
+        )
+        if line.rigid is not None:
+            style = "--" if line.joined else "x"
+            axes.plot(line.x, line.rigid, style, color=drawn.get_color(), linewidth=1.2, markersize=4)
+    if any(line.rigid is not None for line in panel.lines):
+        axes.plot([], [], "--", color="0.4", linewidth=1.2, label="rigid raceways")
+    axes.set_ylabel(panel.label.replace("_", " "))
+    if _is_wide(panel):
+        axes.set_yscale("log")
+    if all(_is_geometric(line.x) for line in panel.lines):
+        axes.set_xscale("log")
+    axes.grid(color="0.88", linewidth=0.6)
+    axes.spines[["top", "right"]].set_visible(False)
+
+
+def _is_wide(panel: Panel) -> bool:
+    """Whether values above zero span more than two decades."""
+    drawn = [each for line in panel.lines for each in (line.y, line.rigid) if each is not None]
+    values = np.concatenate(drawn)
+    values = values[np.isfinite(values)]
+    return bool(len(values) and values.min() > 0 and values.max() > WIDE * values.min())
+
+
+def _is_geometric(values: Sequence[Any]) -> bool:
+    """Whether values are those of a logarithmic range."""
+    if len(values) < 3 or isinstance(values[0], str) or min(values) <= 0:
+        return False
+    ratios = np.divide(values[1:], values[:-1])
+    return bool(ratios[0] > 1 and np.ptp(ratios) < EVEN * ratios[0])

@@ -1,0 +1,81 @@
+"""Columns that a picture needs, beside those that are collected."""
+
+from flexbearing.case import BadCase
+from flexbearing.case.excerpt import excerpt
+from flexbearing.case.family import Families
+from flexbearing.outputs import UnknownOutput, WrongUnit, wanted
+from flexbearing.studies.file import Study
+from flexbearing.studies.table.collected import Collected, of_output
+from flexbearing.studies.table.plot import Plot
+
+
+def drawn(
+    study: Study, columns: tuple[Collected, ...], families: Families
+) -> tuple[Plot | None, tuple[Collected, ...]]:
+    """What the table [plot] draws, and all columns with those that it needs.
+
+    Parameters
+    ----------
+    study : Study
+        as it was read
+    columns : tuple of Collected
+        of the table [collect]
+    families : mapping
+        kind to family
+
+    Returns
+    -------
+    tuple
+        plot, None where there is no such table, and columns
+
+    Raises
+    ------
+    BadCase
+        for a name that is no key, no column and no output
+    """
+    if study.plot is None:
+        return None, columns
+    needed, given = _Columns(study, families, {column.column: column for column in columns}), study.plot
+    if given.lines is not None and given.lines not in study.keys:
+        raise BadCase(
+            f"{study.path.name}: [plot] lines = {excerpt(given.lines)} is no key that varies; it must be "
+            f"{' or '.join(study.keys)}."
+        )
+    x = given.x if given.x in study.keys else needed.named(given.x)
+    y = tuple(map(needed.named, given.y))
+    rigid = tuple(needed.between_rigid_raceways(name) if given.rigid else None for name in y)
+    return Plot(x, given.lines, y, rigid), tuple(needed.columns.values())
+
+
+class _Columns:
+    """Columns by their names, which grow as more are needed."""
+
+    def __init__(self, study: Study, families: Families, columns: dict[str, Collected]):
+        self.columns = columns
+        self._file, self._layout = study.path.name, families[study.kind].layout()
+
+    def named(self, text: str) -> str:
+        """Name of the column of that name, or of an output."""
+        if text in self.columns:
+            return text
+        try:
+            output = wanted(self._layout, text)
+        except (UnknownOutput, WrongUnit) as problem:
+            known = ", ".join(self.columns)
+            raise BadCase(
+                f"{self._file}: [plot] {problem} Columns of [collect]: {known or 'none'}."
+            ) from None
+        return self._added(output.name, of_output(output.name, output))
+
+    def between_rigid_raceways(self, name: str) -> str:
+        """Name of the column of the same output between rigid raceways."""
+        output = wanted(self._layout, self.columns[name].text)
+        rigid = wanted(self._layout, f"rigid.{output.output.name} [{output.unit}]")
+        return self._added(f"{name}_rigid", of_output(f"{name}_rigid", rigid))
+
+    def _added(self, name: str, column: Collected) -> str:
+        for other in self.columns.values():
+            if other.text == column.text:
+                return other.column
+        self.columns[name] = column
+        return name
