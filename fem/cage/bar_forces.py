@@ -4,6 +4,7 @@ At a sharp foot of a bar the stress itself has no finite value; section forces h
 """
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +16,7 @@ from fem.raceway.bar_response import BarResponse
 
 @dataclass(frozen=True, kw_only=True)
 class BarForces:
-    """What the bars carry at their two ends: at the ring, at the flange."""
+    """What the bars carry at their two ends, at the ring and at the flange; of many cases (C, B, ..)."""
 
     azimuths: NDArray  # (B,) [rad]
     axial: NDArray  # (B,) [N] tension positive
@@ -35,12 +36,12 @@ class BarForces:
         ------
         Balance of the moments on a bar that is loaded at its ends only; derived here.
         """
-        return (self.radial_moment[:, 0] - self.radial_moment[:, 1]) / self.length
+        return (self.radial_moment[..., 0] - self.radial_moment[..., 1]) / self.length
 
     @property
     def tangential_shear(self) -> NDArray:
         """Force of the ring on the bar towards larger azimuth (B,) [N]."""
-        return (self.tangential_moment[:, 0] - self.tangential_moment[:, 1]) / self.length
+        return (self.tangential_moment[..., 0] - self.tangential_moment[..., 1]) / self.length
 
     @property
     def stress(self) -> NDArray:
@@ -57,8 +58,8 @@ class BarForces:
         Bars a few times longer than thick; without the stress concentration of feet and fillets.
         """
         bending = np.stack([self.radial_moment, self.tangential_moment], axis=-1) / self.section.inertia
-        at_corners = bending @ self.section.corners.T + (self.axial / self.section.area)[:, None, None]
-        return np.abs(at_corners).max(axis=2)
+        at_corners = bending @ self.section.corners.T + (self.axial / self.section.area)[..., None, None]
+        return np.abs(at_corners).max(axis=-1)
 
     @property
     def torsion_stress(self) -> NDArray:
@@ -71,12 +72,12 @@ class NominalStresses:
     """Section forces of the bars at a state, with the discretisation error of their stresses."""
 
     forces: BarForces
-    error: float | None  # [Pa] of the largest nominal stress, estimated; None where bars are spread
+    error: Any  # [Pa] or (C), of the largest nominal stress, estimated; None where bars are spread
 
     @property
-    def largest(self) -> float:
-        """Largest nominal normal stress of all bars, by magnitude [Pa]."""
-        return float(self.forces.stress.max())
+    def largest(self) -> Any:
+        """Largest nominal normal stress of all bars, by magnitude [Pa]; (C) of many cases."""
+        return self.forces.stress.max(axis=(-2, -1))
 
 
 def nominal_stresses(
@@ -92,7 +93,7 @@ def nominal_stresses(
         of its bars
     azimuths : array (Z,)
         of the rollers [rad]
-    forces : array (Z, M)
+    forces : array (..., Z, M)
         generalised forces on the raceway [N], positive outward
 
     Returns
@@ -105,16 +106,16 @@ def nominal_stresses(
     if others is None:
         return NominalStresses(forces=bars, error=None)
     change = bars.stress - _bar_forces(cage, response, others).stress
-    return NominalStresses(forces=bars, error=float(np.abs(change).max()))
+    return NominalStresses(forces=bars, error=np.abs(change).max(axis=(-2, -1)))
 
 
 def _bar_forces(cage: SquirrelCage, response: BarResponse, section_forces: NDArray) -> BarForces:
-    axial, near_n, far_n, near_t, far_t, torque = section_forces.T
+    axial, near_n, far_n, near_t, far_t, torque = np.moveaxis(section_forces, -1, 0)
     return BarForces(
         azimuths=response.azimuths,
         axial=axial,
-        radial_moment=np.stack([near_n, far_n], axis=1),
-        tangential_moment=np.stack([near_t, far_t], axis=1),
+        radial_moment=np.stack([near_n, far_n], axis=-1),
+        tangential_moment=np.stack([near_t, far_t], axis=-1),
         torque=torque,
         length=cage.bar_length,
         section=bar_section(cage),

@@ -58,12 +58,12 @@ class BarResponse:
         ----------
         azimuths : array (Z,)
             of the rollers [rad]
-        forces : array (Z, M)
+        forces : array (..., Z, M)
             generalised forces [N], positive outward; M at most that of the response
 
         Returns
         -------
-        tuple of array (B, 6)
+        tuple of array (..., B, 6)
             [N, N m], signs as in `fem.cage.bar_forces`; None for the second where there is no other order
         """
         last = len(self.response) // 2
@@ -72,10 +72,10 @@ class BarResponse:
         turn = np.exp(1j * np.outer(self._around, n))
 
         def of_bars(response):
-            each = np.einsum("kmc,km->kc", response[:, : forces.shape[1]], loads)
-            each[:, ~is_mirrored(each.shape[1])] *= 1j
-            of_ends = np.split(np.real(turn @ each), each.shape[1] // FORCES, axis=1)
-            return np.concatenate(of_ends)
+            each = np.einsum("kmc,...km->...kc", response[:, : forces.shape[-1]], loads)
+            each[..., ~is_mirrored(each.shape[-1])] *= 1j
+            of_ends = np.split(np.real(turn @ each), each.shape[-1] // FORCES, axis=-1)
+            return np.concatenate(of_ends, axis=-2)
 
         return of_bars(self.response), None if self.neighbour is None else of_bars(self.neighbour)
 

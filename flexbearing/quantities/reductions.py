@@ -21,6 +21,11 @@ def largest(values: np.ndarray) -> np.ndarray:
     return values.max(axis=-1)
 
 
+def largest_of_ends(values: np.ndarray) -> np.ndarray:
+    """Largest of values (..., B, 2) at both ends of bars."""
+    return values.max(axis=(-2, -1))
+
+
 def largest_size(values: np.ndarray) -> np.ndarray:
     """Largest of values (..., Z), without their signs."""
     return np.abs(values).max(axis=-1)

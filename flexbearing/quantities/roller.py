@@ -18,6 +18,7 @@ from flexbearing.quantities.reductions import (
     largest_at_mid_roller,
     largest_at_roller_ends,
     largest_of_all,
+    largest_of_ends,
     largest_size,
     length,
     loaded_arc_in_degrees,
@@ -276,7 +277,7 @@ QUANTITIES = (
         "largest nominal normal stress at the ends of the bar (ring, flange) by magnitude, from axial force "
         f"and moments, without the stress concentration of its feet; {_NO_BARS}",
         source="bars.forces.stress", people=MPA, optional=True,
-        summary=(SummaryValue("nominal_bar_stress_MPa", largest_of_all, "largest nominal bar stress",
+        summary=(SummaryValue("nominal_bar_stress_MPa", largest_of_ends, "largest nominal bar stress",
                               ",.0f"),)),
     Quantity("nominal_bar_stress_error", "", "", "Pa", "block",
         f"estimated discretisation error of the largest nominal bar stress; {_NO_BARS}", source="bars.error",

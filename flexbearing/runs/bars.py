@@ -8,21 +8,21 @@ from fem.cage.bar_forces import NominalStresses
 from fem.raceway.bar_response import BarResponse
 from flexbearing.build import ring_parts
 from flexbearing.case.roller import Case
-from flexbearing.coupled.states import EndState
+from flexbearing.coupled.states import EndState, EndStates
 from flexbearing.coupling.raceway_pair import OUTWARD
 from flexbearing.runs.dangers import yielding
 from quasidynamic.note import Note
 
 
-def nominal_stresses(case: Case, end: EndState) -> NominalStresses | None:
+def nominal_stresses(case: Case, end: EndState | EndStates) -> NominalStresses | None:
     """Section forces and nominal stresses of the bars, without a solve.
 
     Parameters
     ----------
     case : Case
         whose outer ring may be a squirrel cage
-    end : EndState
-        an equilibrium with the rings it was found between
+    end : EndState or EndStates
+        an equilibrium with the rings it was found between, or many between rings of the same parts
 
     Returns
     -------
@@ -33,25 +33,26 @@ def nominal_stresses(case: Case, end: EndState) -> NominalStresses | None:
     part = ring_parts.outer_part(case) if isinstance(response, BarResponse) else None
     if not isinstance(response, BarResponse) or not isinstance(part, fem.SquirrelCage):
         return None
-    azimuths = end.equilibrium.balance.roller.bearing.azimuths
-    return bar_forces.nominal_stresses(part, response, azimuths, OUTWARD[1] * end.equilibrium.forces[1])
+    states = end.states if isinstance(end, EndStates) else end.equilibrium
+    azimuths = states.balance.roller.bearing.azimuths
+    return bar_forces.nominal_stresses(part, response, azimuths, OUTWARD[1] * states.forces[..., 1, :, :])
 
 
-def dangers(case: Case, nominal: NominalStresses | None) -> Iterator[Note]:
+def dangers(case: Case, largest: float | None) -> Iterator[Note]:
     """Danger of bars whose nominal stress is above the yield stress of their material.
 
     Parameters
     ----------
     case : Case
         which may give a yield stress of the outer ring
-    nominal : NominalStresses or None
-        of its bars
+    largest : float or None
+        largest nominal stress of its bars [Pa]; None without bars
 
     Yields
     ------
     Note
         "yield-stress"
     """
-    if nominal is not None:
+    if largest is not None:
         limit = case.materials.outer_ring.yield_stress
-        yield from yielding("bars of the squirrel cage", nominal.largest, limit)
+        yield from yielding("bars of the squirrel cage", largest, limit)

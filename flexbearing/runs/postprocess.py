@@ -69,7 +69,7 @@ class Postprocessing:
         if not end.rings.rigid:
             self.add_equilibria(name, between_flexible_raceways(state, end.rings))
         nominal = bars.nominal_stresses(self.case, end)
-        self.of_state[name] += tuple(bars.dangers(self.case, nominal))
+        self.of_state[name] += tuple(bars.dangers(self.case, nominal and nominal.largest))
         return {"life": modified, "skew": skewed, "bars": nominal}
 
     def _add_stresses(self, block: Arrays) -> None:

@@ -27,7 +27,7 @@ from quasidynamic.outcome.skew import Skew
 from quasidynamic.several.indicator import each_several_likely
 
 QUANTITIES = LAYOUT.datasets("block")
-BY_CASE = ("life.", "skew.", "bars.")  # sources that are found case by case
+BY_CASE = ("life.", "skew.")  # sources that are found case by case
 LIFE_ERROR = "life_error"  # which needs more axial shapes of elastic raceways: found case by case there
 ANSWER = ("", "flexible")  # the block that answers a case, which is also that of outputs that name none
 
@@ -59,11 +59,6 @@ class SolvedCase:
     def skew(self) -> Skew | None:
         """Skew of the rollers between flanges."""
         return skew.at(self.case, self.state)
-
-    @cached_property
-    def bars(self) -> NominalStresses | None:
-        """Nominal stresses of the bars of a squirrel cage."""
-        return bars.nominal_stresses(self.case, self.end)
 
     @property
     def relative_speed(self) -> float:
@@ -106,6 +101,8 @@ class Together:
             end = replace(end, life_error=life_errors(states))
         solved: dict[str, Any] = {"state": states, "end": end}
         solved |= {"bearing": states.balance.roller.bearing, "losses": states.losses}
+        if any(entry.source.startswith("bars.") for entry in quantities):
+            solved["bars"] = self._bars
         numbers = output.numbers({block: taken(quantities, solved, many=True)})
         return np.broadcast_to(numbers, len(self.cases))
 
@@ -119,6 +116,11 @@ class Together:
         known = [np.full(2, np.nan) if each is None else each for each in rough]
         given = any(each is not None for each in rough)
         return EndStates(self.batch.states, self.rings[0], np.array(known) if given else None)
+
+    @cached_property
+    def _bars(self) -> NominalStresses | None:
+        """Nominal stresses of the bars of a squirrel cage."""
+        return bars.nominal_stresses(self.cases[0], self._end)
 
     @cached_property
     def _each(self) -> list[SolvedCase]:
@@ -146,8 +148,8 @@ class Together:
             modified = self._each[case].life
             rated = modified.modified / life.MREV if modified else rated
         yield from dangers.short_lived(rated, speed)
-        if given.materials.outer_ring.yield_stress is not None:
-            yield from bars.dangers(given, self._each[case].bars)
+        if given.materials.outer_ring.yield_stress is not None and self._bars:
+            yield from bars.dangers(given, float(self._bars.largest[case]))
 
     def _others(self, case: int) -> Iterator[Note]:
         """Other equilibria that are found."""
