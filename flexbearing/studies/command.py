@@ -32,17 +32,35 @@ def study(  # noqa: PLR0913  # an argument for each option
     retry_failed: Annotated[
         bool, typer.Option("--retry-failed", help="compute rows that failed once more")
     ] = False,
+    part: Annotated[
+        str | None, typer.Option("--part", metavar="k/N", help="compute a part; without it all are gathered")
+    ] = None,
+    emit: Annotated[
+        str | None, typer.Option("--emit", metavar="sbatch", help="print the script of a job array instead")
+    ] = None,
     status: Annotated[bool, typer.Option("--status", help="count what is finished; compute nothing")] = False,
 ) -> None:
     """Compute the variants of a case into one table; a second start goes on where the first one ended."""
+    from flexbearing.case import BadCase
+    from flexbearing.case.excerpt import excerpt
     from flexbearing.studies import told
+    from flexbearing.studies.job_array import sbatch
+    from flexbearing.studies.plan import Part
     from flexbearing.studies.prepare import compute, prepared
     from flexbearing.studies.where import Where
 
+    wanted = None if part is None else Part.parsed(part)
+    if emit not in (None, "sbatch"):
+        raise BadCase(f'--emit {excerpt(emit)}: it must be "sbatch"')
     settled = prepared(file)
     if check or status:
         _say(told.status(settled, output) if status else told.variants(settled))
         raise typer.Exit(BAD_INPUT if settled.plan.problems else CONVERGED)
+    settled.plan.require_sound()
+    if emit:
+        _say(sbatch(settled, output, jobs).rstrip())
+        raise typer.Exit(CONVERGED)
+    settled = settled.of_part(wanted) if wanted else settled
     with told.Shown(sys.stderr) as shown:
         table = compute(settled, output, Where(jobs, scheduler, slurm), retry_failed=retry_failed, tell=shown)
     _say(told.end(settled, table, output))

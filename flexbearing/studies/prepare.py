@@ -92,6 +92,6 @@ def compute(
     solve = partial(rows, texts=settled.texts, cache=cache, search=settled.study.search)
     work = Work(solve, partial(condense, cache=cache))
     table = run(settled, output, work, where.engine(settled.plan), retry_failed=retry_failed, tell=tell)
-    if rings is not None:
+    if rings is not None and settled.part is None:
         rmtree(rings, ignore_errors=True)
     return table

@@ -57,6 +57,7 @@ def run(
     Returns
     -------
     Table
+        that of a part is not written: the study without parts gathers them
 
     Raises
     ------
@@ -66,7 +67,7 @@ def run(
         when there is no room left; what is finished stays
     """
     folder, inputs = require_folder(output), settled.study.inputs
-    paths = places(folder, settled.study.name, inputs)
+    paths = {} if settled.part else places(folder, settled.study.name, inputs)
     if settled.study.spectrum:
         places(folder, f"{settled.study.name}{CYCLES}", inputs)
     picture = require_output(folder / f"{settled.study.name}{PICTURE}", inputs) if settled.plot else None
@@ -88,7 +89,7 @@ def run(
         raise
     table = settled.table(rows)
     store(table, paths)
-    if picture and settled.plot:
+    if picture and settled.plot and not settled.part:
         write(picture, png_bytes(draw(table, settled.plot)))
     return table
 

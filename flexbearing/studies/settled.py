@@ -1,5 +1,6 @@
 """A study whose variants and columns are settled: its rows, how many there are, its table."""
 
+import glob
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -10,7 +11,7 @@ import numpy as np
 from flexbearing.case.variants import Variants
 from flexbearing.families import FAMILIES
 from flexbearing.studies.file import Study
-from flexbearing.studies.plan import Plan, Row
+from flexbearing.studies.plan import Part, Plan, Row
 from flexbearing.studies.table import Table, duty, journal
 from flexbearing.studies.table.collected import Collected
 from flexbearing.studies.table.column import ends
@@ -55,6 +56,12 @@ class Prepared:
     plan: Plan
     columns: tuple[Collected, ...]
     plot: Plot | None = None
+    part: Part | None = None  # of the study, whose variants these are
+
+    def of_part(self, part: Part) -> "Prepared":
+        """A part of the study: a part of its variants."""
+        variants = part.variants(self.plan.tasks(lambda variant: True))
+        return replace(self, plan=replace(self.plan, variants=variants), part=part)
 
     @property
     def texts(self) -> tuple[str, ...]:
@@ -64,16 +71,19 @@ class Prepared:
 
     def journal(self, folder: Path) -> Path:
         """Where the rows are kept as they are finished."""
-        return folder / f"{self.study.name}{journal.SUFFIX}"
+        part = f".{self.part}" if self.part else ""
+        return folder / f"{self.study.name}{part}{journal.SUFFIX}"
 
     def rows(self, folder: Path, *, retry_failed: bool = False) -> dict[str, Row]:
-        """Rows of former runs that hold all that is wanted now."""
-        wanted = {*self.texts}
-        return {
-            row.identity: row
-            for row in journal.read(self.journal(folder)).values()
-            if wanted <= row.values.keys() and (row.converged or not retry_failed)
-        }
+        """Rows of former runs and of all parts that hold all that is wanted now; answers before failures."""
+        wanted, found = {*self.texts}, dict[str, Row]()
+        parts = sorted(folder.glob(f"{glob.escape(self.study.name)}.part-*-of-*{journal.SUFFIX}"))
+        for path in (*parts, folder / f"{self.study.name}{journal.SUFFIX}"):
+            for identity, row in journal.read(path).items():
+                answered = identity in found and found[identity].converged
+                if wanted <= row.values.keys() and (row.converged or not (retry_failed or answered)):
+                    found[identity] = row
+        return found
 
     def table(self, rows: Rows) -> Table:
         """The table of the rows that there are; the others are not computed."""
@@ -84,7 +94,7 @@ class Prepared:
         name, axes = self.study.name, self.plan.axes
         keys = key_columns(self.plan, FAMILIES[self.study.kind].case())
         outputs = [column.values(ordered) for column in self.columns]
-        if self.study.spectrum is None:
+        if self.study.spectrum is None or self.part:
             return Table(name, (*keys, *outputs, *ends(ordered)), axes)
         length = len(axes[-1].rows)
         cycles = Cycles(self.study.spectrum, self._speeds.reshape(-1, length), _cut(ordered, length))

@@ -88,6 +88,11 @@ def end(settled: Prepared, table: Table, folder: Path) -> str:
     counts = Counter(table["status"].values)
     words = ", ".join(f"{count} {name}" for name, count in counts.most_common())
     lines = [f"{table.name}: {len(table)} variants: {words}"]
+    if settled.part:
+        part = f"part {settled.part.number} of {settled.part.of}"
+        return (
+            f"{lines[0]}\n{part} is kept in {settled.journal(folder)}; the study without --part gathers all"
+        )
     lines += cycles(table.cycles) if table.cycles else []
     for suffix in FORMS:
         packages = missing(suffix)

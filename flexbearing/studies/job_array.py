@@ -1,0 +1,43 @@
+"""A script that computes a study as a job array, for queues without a Dask cluster."""
+
+import shlex
+import sys
+from pathlib import Path
+
+from flexbearing.studies.settled import Prepared
+
+USUAL = 10  # jobs
+
+
+def sbatch(settled: Prepared, output: Path, jobs: int | None) -> str:
+    """Write a script for SLURM: a job array whose jobs compute a part each, and one that gathers them.
+
+    Parameters
+    ----------
+    settled : Prepared
+        the study
+    output : Path
+        folder of its outputs, which all nodes see
+    jobs : int, optional
+        of the array; 10 if left out, and never more than there are tasks
+
+    Returns
+    -------
+    str
+        what `sbatch` takes; options of the site are added by hand, or on its command line
+    """
+    count = min(len(settled.plan.tasks(lambda variant: True)), jobs or USUAL)
+    folder = output.resolve()
+    file, program = settled.study.path.resolve(), f"{shlex.quote(sys.executable)} -m flexbearing"
+    command = f"{program} study {shlex.quote(str(file))} -o {shlex.quote(str(folder))} --jobs 1"
+    name = shlex.quote(settled.study.name)
+    return f"""\
+#!/bin/bash
+# {len(settled.plan.variants)} variants in {count} jobs. After them the table is gathered by
+#   sbatch --dependency=afterany:JOB --wrap {shlex.quote(command)}
+#SBATCH --job-name={name}
+#SBATCH --array=1-{count}
+#SBATCH --cpus-per-task=1
+#SBATCH --output={shlex.quote(str(folder / settled.study.name))}.%a.log
+exec {command} --part "$SLURM_ARRAY_TASK_ID/{count}"
+"""
