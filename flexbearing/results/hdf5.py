@@ -5,13 +5,13 @@ anything, so every claim is checked before memory is taken for it.
 """
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from h5py import h5a, h5d, h5ds, h5f, h5g, h5l, h5p, h5r, h5s, h5t, h5z  # pyright: ignore[reportAttributeAccessIssue]
+from h5py import h5a, h5d, h5ds, h5f, h5g, h5l, h5o, h5p, h5r, h5s, h5t, h5z  # pyright: ignore[reportAttributeAccessIssue]
 from numpy.typing import NDArray
 
 from flexbearing.quantities.attributes import FORMAT
@@ -172,14 +172,16 @@ def _content(root: Any, size: int) -> tuple[Content, str]:
     number = _stated(root, "format", size)
     if number != FORMAT or not h5a.exists(root, DIGEST.encode()):
         raise Foreign(number, _stated(root, "versions", size))
-    found = _Found(size)
+    found, groups = _Found(size), []
     for name in _names(root, "file"):
         if h5g.get_objinfo(root, name.encode()).type == h5g.DATASET:
             found.add_scale(root, name)
         else:
-            group = h5g.open(root, name.encode())
-            for inside in _names(group, name):
-                found.add_array(group, f"{name}/{inside}")
+            groups.append(name)
+    for name in groups:
+        group = h5g.open(root, name.encode())
+        for inside in _names(group, name):
+            found.add_array(group, f"{name}/{inside}")
     attributes = _attributes(root, found.room)  # last: the room that numbers leave is no room for texts
     claimed = str(attributes.pop(DIGEST))
     return Content(attributes, found.arrays, found.units, found.axes), claimed
@@ -193,6 +195,7 @@ class _Found:
         self.arrays: dict[str, NDArray] = {}
         self.units: dict[str, str] = {}
         self.axes: dict[str, tuple[str, ...]] = {}
+        self._scales: dict[int, str] = {}  # by their places in the file
 
     def add_scale(self, root: Any, name: str) -> None:
         """Add the numbers along a named axis; those of a length alone have no unit."""
@@ -201,12 +204,13 @@ class _Found:
         known_as = name if self.units[name] else LENGTH_ALONE % array.size
         if not h5ds.is_scale(dataset) or h5ds.get_scale_name(dataset) != known_as.encode():
             raise BadContent(f"{_shown(name.encode())} is no scale of an axis")
+        self._scales[h5o.get_info(dataset).addr] = name
 
     def add_array(self, group: Any, path: str) -> None:
         """Add an array of a group with the names of its axes."""
         dataset = h5d.open(group, path.partition("/")[2].encode())
         array = self._add(dataset, path, (SCALES,))
-        self.axes[path] = _axes(dataset, path) if array.ndim else ()
+        self.axes[path] = _axes(dataset, path, self._scales) if array.ndim else ()
 
     def _add(self, dataset: Any, path: str, others: tuple[bytes, ...]) -> NDArray:
         array = self.arrays[path] = _array(dataset, path, self.room)
@@ -231,18 +235,18 @@ def _unit(dataset: Any, path: str, room: int, others: tuple[bytes, ...]) -> str:
     return unit
 
 
-def _axes(dataset: Any, path: str) -> tuple[str, ...]:
-    """Names of the scales along an array, one along each axis."""
-    names: list[bytes] = []
+def _axes(dataset: Any, path: str, scales: Mapping[int, str]) -> tuple[str, ...]:
+    """Names of the scales along an array, one along each axis; the library would search the file for them."""
     attribute = h5a.open(dataset, SCALES) if h5a.exists(dataset, SCALES) else None
     if attribute and attribute.get_type() == LIST_OF_SCALES and attribute.shape == (dataset.rank,):
         references: Any = np.empty(attribute.shape, dtype=ALONG_AXIS)
         attribute.read(references)
         single = [one[0] for one in references if one is not None and len(one) == 1]
-        names = [h5r.get_name(reference, dataset) or b"" for reference in single]
-    if len(names) != dataset.rank or not all(name.startswith(b"/") for name in names):
-        raise BadContent(f"{path} has no scale along each of its axes")
-    return tuple(name[1:].decode() for name in names)
+        places = [h5o.get_info(h5r.dereference(reference, dataset)).addr for reference in single]
+        names = tuple(scales[place] for place in places if place in scales)
+        if len(names) == dataset.rank:
+            return names
+    raise BadContent(f"{path} has no scale along each of its axes")
 
 
 class Foreign(BadContent):

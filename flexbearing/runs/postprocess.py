@@ -32,6 +32,7 @@ class Postprocessing:
     notes: list[Note] = field(default_factory=list)  # of the run
     of_state: dict[str, tuple[Note, ...]] = field(default_factory=dict)  # by block
     stresses: dict[str, Any] = field(default_factory=dict)  # by part
+    blocks: dict[str, Arrays] = field(default_factory=dict)  # that were written
     several: dict[str, SeveralEquilibria | None] = field(default_factory=dict)  # by block that was examined
 
     def store(
@@ -50,7 +51,15 @@ class Postprocessing:
             self._add_stresses(block)
         if converged:
             self.of_state[name] += error.notes
+        self.blocks[name] = block
         self.record.block(name, block, converged=converged)
+
+    def repeat_rigid(self) -> None:
+        """Write the rigid solution as the flexible one, where no part is flexible."""
+        self.record.block("flexible", self.blocks["rigid"])
+        for said in (self.lives, self.regimes, self.of_state):
+            if "rigid" in said:
+                said["flexible"] = said["rigid"]
 
     def _of_solution(self, name: str, end: EndState) -> dict[str, Any]:
         """Modified life and skew of a solution, and other equilibria; its records and notes are collected."""

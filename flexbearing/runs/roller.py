@@ -130,7 +130,7 @@ def _solve(
 
 def _all_rigid(resolved: Resolved, rigid: Equilibrium, postprocessing: Postprocessing) -> dict[str, object]:
     """The end of a case without a flexible part."""
-    postprocessing.store("flexible", rigid, RIGID)
+    postprocessing.repeat_rigid()
     postprocessing.notes.extend(resolved.notes(rigid))
     ending = _ending("converged", "every part is rigid: nothing to iterate", 0)
     return ending | {"ending": str(rigid.status)}

@@ -31,7 +31,7 @@ READ = re.compile(
     r"|digest as (whole number|number|(empty )?text|(no )?texts)|wall_time_s as number|no case_file"
     r"|status (not solved|unfinished)|time huge|title of (control|mathematics|lines)|notes of control"
     r"|method of mathematics)"
-    r"|case: .*|array: (without limit|unit (gone|more|huge))|group: group beside"
+    r"|case: .*|array: without limit|group: group beside"
     r"|content: (one (roller|slice) (fewer|left)|one unknown fewer|numbers: (?!NaN).*|diverged: .*"
     r"|\w+: (zero|huge))"
 )

@@ -630,7 +630,7 @@ def test_files_in_memory_are_not_taken_for_each_other(path):
     images = [image(replace(stored, attributes={**stored.attributes, "title": title})) for title in titles]
     with ThreadPoolExecutor(4) as pool:
         contents = list(pool.map(hdf5.content, images))
-        again = list(pool.map(hdf5.image, [content for content, _ in contents]))
+        again = list(pool.map(image, [content for content, _ in contents]))
     assert [content.attributes["title"] for content, _ in contents] == titles
     assert [hdf5.content(image)[0].attributes["title"] for image in again] == titles
 
