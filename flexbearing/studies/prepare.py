@@ -84,14 +84,14 @@ def compute(
     BadOutput, NotStored
         as for `flexbearing.studies.run.run`
     """
-    from flexbearing.studies.worker import condense, rows
+    from flexbearing.studies.worker import Wish, condense, rows
 
     settled.plan.require_sound()
-    rings = output.resolve() / f"{settled.study.name}.rings" if configured().folder is None else None
-    cache = None if rings is None else str(rings)
-    solve = partial(rows, texts=settled.texts, cache=cache, search=settled.study.search)
-    work = Work(solve, partial(condense, cache=cache))
+    folder, name = output.resolve(), settled.study.name
+    cache = str(folder / f"{name}.rings") if configured().folder is None else None
+    wish = Wish(settled.texts, settled.study.search, settled.files(folder))
+    work = Work(partial(rows, wish=wish, cache=cache), partial(condense, cache=cache))
     table = run(settled, output, work, where.engine(settled.plan), retry_failed=retry_failed, tell=tell)
-    if rings is not None and settled.part is None:
-        rmtree(rings, ignore_errors=True)
+    if cache is not None and settled.part is None:
+        rmtree(cache, ignore_errors=True)
     return table

@@ -11,10 +11,11 @@ import numpy as np
 from flexbearing.case.variants import Variants
 from flexbearing.families import FAMILIES
 from flexbearing.studies.file import Study
-from flexbearing.studies.plan import Part, Plan, Row
+from flexbearing.studies.plan import Part, Plan, Row, Variant
+from flexbearing.studies.plan.task import file_name
 from flexbearing.studies.table import Table, duty, journal
 from flexbearing.studies.table.collected import Collected
-from flexbearing.studies.table.column import ends
+from flexbearing.studies.table.column import Column, ends
 from flexbearing.studies.table.duty import Cycles
 from flexbearing.studies.table.files import CYCLES
 from flexbearing.studies.table.keys import key_columns
@@ -74,16 +75,23 @@ class Prepared:
         part = f".{self.part}" if self.part else ""
         return folder / f"{self.study.name}{part}{journal.SUFFIX}"
 
+    def files(self, folder: Path) -> Path | None:
+        """Folder of result files; None where the table is all that is wanted."""
+        return folder / self.study.name if self.study.full else None
+
     def rows(self, folder: Path, *, retry_failed: bool = False) -> dict[str, Row]:
         """Rows of former runs and of all parts that hold all that is wanted now; answers before failures."""
-        wanted, found = {*self.texts}, dict[str, Row]()
+        wanted, found, files = {*self.texts}, dict[str, Row](), self.files(folder)
         parts = sorted(folder.glob(f"{glob.escape(self.study.name)}.part-*-of-*{journal.SUFFIX}"))
         for path in (*parts, folder / f"{self.study.name}{journal.SUFFIX}"):
             for identity, row in journal.read(path).items():
                 answered = identity in found and found[identity].converged
                 if wanted <= row.values.keys() and (row.converged or not (retry_failed or answered)):
                     found[identity] = row
-        return found
+        if files is None:
+            return found
+        stored = {each.identity for each in self.plan.variants if (files / file_name(each)).exists()}
+        return {key: row for key, row in found.items() if key in stored or not row.converged}
 
     def table(self, rows: Rows) -> Table:
         """The table of the rows that there are; the others are not computed."""
@@ -94,6 +102,8 @@ class Prepared:
         name, axes = self.study.name, self.plan.axes
         keys = key_columns(self.plan, FAMILIES[self.study.kind].case())
         outputs = [column.values(ordered) for column in self.columns]
+        if self.study.full:
+            outputs.append(Column("result", "", tuple(map(self._file, self.plan.variants, ordered))))
         if self.study.spectrum is None or self.part:
             return Table(name, (*keys, *outputs, *ends(ordered)), axes)
         length = len(axes[-1].rows)
@@ -105,6 +115,10 @@ class Prepared:
         ]
         lives = Table(f"{name}{CYCLES}", (*others, *cycles.of_cycles()), axes[:-1])
         return Table(name, (*keys, *outputs, *cycles.of_rows(), *ends(ordered)), axes, lives)
+
+    def _file(self, variant: Variant, row: Row) -> str:
+        """Result file of a row, from the folder of the table; empty where there is none."""
+        return f"{self.study.name}/{file_name(variant)}" if row.converged else ""
 
     @property
     def _speeds(self) -> np.ndarray:

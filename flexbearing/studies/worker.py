@@ -1,10 +1,13 @@
 """What a worker does with a task: variants side by side, with the answers of single runs."""
 
+import logging
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
+from dataclasses import dataclass
 from functools import lru_cache
 from math import isnan
+from pathlib import Path
 from time import perf_counter
 from typing import Any
 
@@ -21,35 +24,44 @@ from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged
 from flexbearing.runs.many import Answer, answers
 from flexbearing.studies.plan import Ring, Row, Task, Variant
-from flexbearing.studies.plan.task import BAD_INPUT, CONVERGED, ERROR, Base
+from flexbearing.studies.plan.task import BAD_INPUT, CONVERGED, ERROR, Base, file_name
 from flexbearing.studies.table.collected import numbers
 
 LONGEST = 500  # characters of a message
+log = logging.getLogger(__name__)
 
 
-def rows(
-    task: Task, texts: tuple[str, ...], cache: str | None = None, *, search: bool = False
-) -> tuple[Row, ...]:
+@dataclass(frozen=True)
+class Wish:
+    """What is wanted of every variant."""
+
+    texts: tuple[str, ...]  # outputs, with units
+    search: bool = False  # whether other equilibria are searched where they are likely
+    files: Path | None = None  # folder of a result file for each variant; None where the rows suffice
+
+
+def rows(task: Task, wish: Wish, cache: str | None = None) -> tuple[Row, ...]:
     """Compute the variants of a task.
 
     Parameters
     ----------
     task : Task
         variants between the same rings
-    texts : tuple of str
-        outputs that are wanted, with units
+    wish : Wish
+        what is wanted of them
     cache : str, optional
         folder of condensed rings, where it is not that of the user
-    search : bool
-        whether other equilibria are searched where they are likely
 
     Returns
     -------
     tuple of Row
         one for each variant, also where it failed
     """
+    read = _variants(task.base)
+    cases = [read.case(variant.values) for variant in task.variants]  # which the plan has read already
     with _rings_in(cache):
-        return tuple(_rows(task, texts, search))
+        found = list(zip(task.variants, cases, strict=True))
+        return tuple(_together(found, wish) or (_alone(*each, wish) for each in found))
 
 
 def condense(ring: Ring, cache: str | None = None) -> None:
@@ -89,37 +101,50 @@ def _rings_in(folder: str | None) -> Iterator[None]:
             os.environ |= {} if before is None else {VARIABLE: before}
 
 
-def _rows(task: Task, texts: tuple[str, ...], search: bool) -> Iterator[Row]:
-    """Rows of roller bearings from one batch, those of other kinds one by one."""
-    began, read = perf_counter(), _variants(task.base)
-    cases = [
-        read.case(variant.values) for variant in task.variants
-    ]  # none of them is bad: the plan read them
-    rollers = [case for case in cases if isinstance(case, Case)]
-    if len(rollers) == len(cases):
-        found = answers(rollers, texts, lambda place: _alone(cases[place], texts), search=search)
-        seconds = (perf_counter() - began) / len(cases)
-        columns = {text: numbers.tolist() for text, numbers in found.numbers.items()}
-        for place, variant in enumerate(task.variants):
-            values = {text: column[place] for text, column in columns.items()}
-            yield _row(variant, Answer(found.statuses[place], found.messages[place], values), seconds)
-        return
-    for case, variant in zip(cases, task.variants, strict=True):
-        began = perf_counter()
-        answer = _alone(case, texts)
-        yield _row(variant, answer, perf_counter() - began)
+def _together(found: Sequence[tuple[Variant, Head]], wish: Wish) -> list[Row]:
+    """Rows of roller bearings that are solved side by side; none where that is not possible."""
+    began, rollers = perf_counter(), [case for _, case in found if isinstance(case, Case)]
+    if len(rollers) < len(found) or wish.files is not None:
+        return []
+    try:
+        batch = answers(rollers, wish.texts, lambda place: _answer(rollers[place], wish), search=wish.search)
+    except Exception:  # of one of them, whose own run tells it
+        log.debug("a batch of %d variants is computed one by one", len(found), exc_info=True)
+        return []
+    seconds = (perf_counter() - began) / len(found)
+    columns = {text: numbers.tolist() for text, numbers in batch.numbers.items()}
+    return [
+        _row(
+            variant,
+            Answer(
+                batch.statuses[place],
+                batch.messages[place],
+                {text: column[place] for text, column in columns.items()},
+            ),
+            seconds,
+        )
+        for place, (variant, _) in enumerate(found)
+    ]
+
+
+def _alone(variant: Variant, case: Head, wish: Wish) -> Row:
+    """Row from a run of its own."""
+    began = perf_counter()
+    file = None if wish.files is None else wish.files / file_name(variant)
+    answer = _answer(case, wish, file)
+    return _row(variant, answer, perf_counter() - began)
 
 
 def _row(variant: Variant, answer: Answer, seconds: float) -> Row:
     words = excerpt("; ".join(answer.message.splitlines()), LONGEST)
     values = {text: number for text, number in answer.numbers.items() if not isnan(number)}
-    return Row(variant.identity, answer.status, words, seconds, values)
+    return Row(variant.identity, answer.status, words, round(seconds, 6), values)
 
 
-def _alone(case: Head, texts: tuple[str, ...]) -> Answer:
-    """The answer of a case from a run of its own; that between rigid raceways where it does not converge."""
+def _answer(case: Head, wish: Wish, file: Path | None = None) -> Answer:
+    """The answer of a run; that between rigid raceways where it does not converge."""
     try:
-        result = compute(case)
+        result = compute(case, output=file)
     except BadCase as problem:
         return Answer(BAD_INPUT, str(problem), {})
     except MemoryError:
@@ -130,8 +155,8 @@ def _alone(case: Head, texts: tuple[str, ...]) -> Answer:
     blocks: Mapping[str, Any] = {"rigid": result.rigid, "flexible": result.flexible}
     if status == CONVERGED:
         dangers = "; ".join(f"danger: {note['text']}" for note in result.dangers)
-        return Answer(status, dangers, numbers(blocks, texts, case.kind, FAMILIES))
-    of_rigid = tuple(text for text in texts if text.startswith("rigid."))
+        return Answer(status, dangers, numbers(blocks, wish.texts, case.kind, FAMILIES))
+    of_rigid = tuple(text for text in wish.texts if text.startswith("rigid."))
     return Answer(status, result.attributes["message"], numbers(blocks, of_rigid, case.kind, FAMILIES))
 
 

@@ -98,6 +98,30 @@ def test_a_study_that_leaves_a_row_without_an_answer_ends_with_1(file, tmp_path)
     assert failed["rigid [kN]"] == solved["rigid [kN]"] != ""
 
 
+def test_a_result_file_of_every_variant_comes_where_it_is_asked_for(file, tmp_path):
+    file.write_text(f'case = "{CASE}"\nresults = "full"\n{LOADS}')
+    assert command(file, "-o", tmp_path) == 0
+    rows = table(tmp_path)
+    assert len({row["result"] for row in rows}) == 4
+    for row in rows:
+        result = flexbearing.read(tmp_path / row["result"])
+        assert result.attributes["status"] == "converged"
+        assert result.flexible["inner_load"].max() == float(row["max_roller_load [N]"])
+    (tmp_path / rows[2]["result"]).unlink()
+    assert command(file, "-o", tmp_path) == 0
+    assert (tmp_path / rows[2]["result"]).exists()
+    assert [row["seconds"] for row in table(tmp_path)[:2]] == [row["seconds"] for row in rows[:2]]
+
+
+def test_a_batch_that_fails_as_a_whole_is_computed_one_by_one(file, tmp_path, monkeypatch):
+    def broken(*arguments, **options):
+        raise FloatingPointError("one of them")
+
+    monkeypatch.setattr("flexbearing.studies.worker.answers", broken)
+    assert command(file, "-o", tmp_path) == 0
+    assert {row["status"] for row in table(tmp_path)} == {"converged"}
+
+
 def test_the_status_touches_nothing(file, tmp_path, capsys):
     assert command(file, "--status", "-o", tmp_path / "out") == 0
     assert "loads: 4 variants, 0 finished, 0 of them failed, 4 not computed" in capsys.readouterr().out

@@ -50,6 +50,7 @@ class Study:
     search: bool = False  # whether other equilibria are searched
     spectrum: Spectrum | None = None  # weights of the axis "duty", which is the last one
     plot: PlotTable | None = None  # what is drawn
+    full: bool = False  # whether every variant has a result file
 
     @property
     def keys(self) -> tuple[str, ...]:
@@ -99,6 +100,7 @@ def read(path: str | Path, families: Families) -> Study:
         search=given.search_equilibria,
         spectrum=weights,
         plot=given.plot,
+        full=given.results == "full",
     )
 
 

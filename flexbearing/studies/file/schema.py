@@ -83,6 +83,11 @@ class StudyFile(Section):
         "long as a thousand variants between rigid rings; without it the message says that they are likely",
         False,
     )
+    results: Literal["table", "full"] = key(
+        "table: what is collected; full: also a result file for each variant, in the folder NAME; they are "
+        "computed one by one then",
+        "table",
+    )
     over: Over | None = key("keys that are varied, each over a list, a range or a single value", None)
     sample: Sample | None = key("keys that are drawn from distributions", None)
     duty: Duty | None = key(

@@ -26,6 +26,11 @@ class Variant:
     rings: tuple[str, ...] = ()  # race and digest of its elastic rings, "outer 5f3a..."
 
 
+def file_name(variant: Variant) -> str:
+    """Name of the result file of a variant, where there is one."""
+    return f"{variant.identity[:12]}.h5"
+
+
 @dataclass(frozen=True, eq=False)
 class Task:
     """Variants between the same rings, which one worker computes."""

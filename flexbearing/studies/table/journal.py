@@ -122,7 +122,7 @@ def _entry(row: Row, names: Sequence[str]) -> dict[str, Any]:
         "identity": row.identity,
         "status": row.status,
         "message": row.message,
-        "seconds": round(row.seconds, 6),
+        "seconds": row.seconds,
         "values": [_stored(row.values.get(name)) for name in names],
     }
 
