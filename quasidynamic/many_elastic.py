@@ -28,8 +28,8 @@ def solve_many_elastic(
 
     The answers are those of `RollerBearing.iterate` one after the other. Bearings that differ in operation
     and clearance only are solved side by side, most of them from a fit to solved ones around. Where several
-    equilibria are likely a bearing is solved from its own start, as it is alone: which one is reached never
-    depends on its neighbours.
+    equilibria are likely a bearing is solved from its own start besides, and alone where both differ: which
+    one is reached never depends on its neighbours.
 
     Parameters
     ----------
@@ -93,14 +93,13 @@ class _Alike:
                 yield self._batch(many, some, places)
 
     def _batch(self, many: ManyCases, cases: NDArray, places: NDArray) -> Batch:
-        """Some cases, those with several likely equilibria solved again as each is alone."""
+        """Some cases, those with several likely equilibria where each ends alone."""
         states = BearingStates(
             many.balance.take(cases), many.solved.unknowns[cases], self.together.axial_modes
         )
-        fitted = np.array([many.ways[case] is Way.FITTED for case in cases])
-        doubtful = each_several_likely(states) & fitted
+        doubtful = each_several_likely(states)
         if doubtful.any():
-            many.search(cases[doubtful], Way.DOUBTFUL)
+            many.confirm(cases[doubtful])
             states = BearingStates(states.balance, many.solved.unknowns[cases], states.axial_modes)
         outcomes, ways = (tuple(of[case] for case in cases) for of in (many.solved.outcomes, many.ways))
         return Batch(places[cases], states, outcomes, many.solved.evaluations[cases], ways)

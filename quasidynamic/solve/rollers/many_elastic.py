@@ -16,6 +16,7 @@ from quasidynamic.solve.rollers.strategy import SolvedCases
 
 CASES_AT_ONCE = 64  # their slices fit into the processor's cache
 FIRST = 8  # cases that are solved by contact searches, or twice the root of their number
+ALIKE = 1e-6  # scaled difference of unknowns of one equilibrium
 GROWTH = 4  # of the number of solved cases, before others are solved from them
 
 Alone = Callable[[int], tuple[NDArray, SolverOutcome, int]]  # unknowns (N), outcome, evaluations of a case
@@ -27,7 +28,7 @@ class Way(StrEnum):
     NONE = ""
     FITTED = "from a fit to solved cases around"
     SEARCHED = "after a contact search from its start"
-    DOUBTFUL = "after a contact search from its start, as several equilibria are likely"
+    CONFIRMED = "from a fit, and after a contact search from its start"
     ALONE = "alone"
 
 
@@ -71,7 +72,22 @@ class ManyCases:
                 self.solved.evaluations[some[iterate.cases]] += 1
                 found[iterate.cases] = iterate.unknowns
             self._newton(some, found, way)
-        for case in self._unsolved(cases):
+        self._solve_alone(self._unsolved(cases))
+
+    def confirm(self, cases: NDArray) -> None:
+        """Make sure that some cases, which may have several equilibria, end where each ends alone.
+
+        What a fit and a search lead to alike is taken; anything else is solved alone.
+        """
+        fitted = np.array([case for case in cases if self.ways[case] is Way.FITTED], int)
+        before = self.solved.unknowns[fitted]
+        self.search(fitted, Way.CONFIRMED)
+        apart = np.abs(self.solved.unknowns[fitted] - before).max(axis=1, initial=0.0)
+        doubtful = np.setdiff1d(cases, fitted[apart < ALIKE])
+        self._solve_alone(np.array([case for case in doubtful if self.ways[case] is not Way.ALONE], int))
+
+    def _solve_alone(self, cases: NDArray) -> None:
+        for case in cases:
             unknowns, outcome, evaluations = self.alone(int(case))
             self.solved.unknowns[case], self.solved.outcomes[case] = unknowns, outcome
             self.solved.evaluations[case] += evaluations
