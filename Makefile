@@ -37,6 +37,7 @@ benchmark: $(READY)
 docs: $(READY)
 	$(BIN)/python -m flexbearing.reference case > docs/reference/case.md
 	$(BIN)/python -m flexbearing.reference results > docs/reference/results.md
+	$(BIN)/python -m flexbearing.reference study > docs/reference/study.md
 
 $(READY): pyproject.toml requirements.lock
 	$(PYTHON) -m venv $(VENV)

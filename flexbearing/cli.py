@@ -280,8 +280,15 @@ def cache_path() -> None:
 
 @app.command(name="explain")
 def explain_key(key: Annotated[str | None, typer.Argument(metavar="[KEY]")] = None) -> None:
-    """Explain a key of the case file: unit, default, allowed values, meaning."""
-    _say(api.explain(key).rstrip())
+    """Explain a key of the case file: unit, default, allowed values, meaning; of a study file, study.KEY."""
+    first, _, rest = (key or "").partition(".")
+    if first == "study":
+        from flexbearing.case.explain import explain_file
+        from flexbearing.studies.file.schema import StudyFile
+
+        _say(explain_file(rest or None, StudyFile).rstrip())
+    else:
+        _say(api.explain(key).rstrip())
 
 
 def _terminal() -> "Console | None":

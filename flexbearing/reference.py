@@ -1,4 +1,4 @@
-"""The generated pages of the reference: `python -m flexbearing.reference case`, or `results`."""
+"""The generated pages of the reference: `python -m flexbearing.reference case`, `results` or `study`."""
 
 import sys
 
@@ -6,7 +6,11 @@ from flexbearing.families import FAMILIES
 
 
 def page(name: str) -> str:
-    """Return the page of case files, "case", or of result files, "results", in Markdown."""
+    """Return the page of case files, "case", of result files, "results", or of study files, in Markdown."""
+    if name == "study":
+        from flexbearing.studies.reference import reference_page as of_studies
+
+        return of_studies()
     if name == "case":
         from flexbearing.case.explain import reference_page
     else:

@@ -45,6 +45,42 @@ def explain(path: str | None, families: Families) -> str:
     return "\n\n".join(_of_kinds(kinds, families) + text for text, kinds in texts.items())
 
 
+def explain_file(path: str | None, model: type[Section]) -> str:
+    """Explain a key, a table, or all keys of another file than a case.
+
+    Parameters
+    ----------
+    path : str or None
+        dotted key; None lists every key
+    model : type
+        schema of the file
+
+    Returns
+    -------
+    str
+        lines of text
+
+    Raises
+    ------
+    BadCase
+        for an unknown key
+    """
+    items = list(declared(model))
+    if path is None:
+        return _lines(items)
+    item = find(path, model)
+    if item is None:
+        known = ", ".join(each.path for each in items)
+        raise BadCase(f"{excerpt(path)} is not a key of such a file; there are {known}.")
+    return _explained(item, model)
+
+
+def table_of_keys(model: type[Section]) -> list[str]:
+    """Keys of a file as lines of a table in Markdown."""
+    rows = [row for item in declared(model) for row in _rows(item)]
+    return ["| key | allowed | default | meaning |", "|---|---|---|---|", *rows]
+
+
 def reference_page(families: Families) -> str:
     """Reference page of the case file, in Markdown."""
     lines = [

@@ -171,3 +171,18 @@ def test_a_study_that_is_killed_goes_on_and_ends_with_the_same_table(file, tmp_p
         for folder in ("out", "at once")
     ]
     assert without_time[0] == without_time[1]
+
+
+def test_keys_of_a_study_file_are_explained_as_the_reference_page_says(capsys):
+    from flexbearing.reference import page
+
+    assert (ROOT / "docs" / "reference" / "study.md").read_text() == page("study")
+    assert program.command(["explain", "study"]) == 0
+    listed = capsys.readouterr().out
+    assert program.command(["explain", "study.sample.method"]) == 0
+    explained = capsys.readouterr().out
+    assert '"latin_hypercube" or "sobol"' in explained
+    assert "how points are spread" in explained
+    assert "how points are spread" in listed
+    assert program.command(["explain", "study.none"]) == 2
+    assert "none is not a key of such a file; there are case, name" in capsys.readouterr().err
