@@ -4,6 +4,7 @@ Shapes beyond the second bend the ring under one roller alone: whatever holds th
 that pass under it, hardly change them. A coarse axial section answers for them.
 """
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -15,11 +16,12 @@ from fem.parts.step_solid import StepSolid
 from flexbearing.build.ring_parts import NAMES, Race, part_of
 from flexbearing.case.roller import Case
 from flexbearing.coupling import LinearPair
+from flexbearing.coupling.partners import LinearRaceway
 from flexbearing.progress import Report
 from flexbearing.rings.condensed import condensed, named_failures
 
 if TYPE_CHECKING:
-    from quasidynamic import Equilibrium
+    from quasidynamic.outcome.bearing_states import BearingStates
 
 MORE = 2  # axial shapes: of a pair one may do nothing, for symmetry
 ORDER = 3  # of the elements: 13 % too compliant in the further shapes of a ring of 1.5 mm
@@ -27,57 +29,74 @@ SOFT = 1e9  # [N/m3] springs that hold a ring in place of lines or tooth forces
 WORTH = 0.05  # of a roller's approach; calibrated: below it further shapes change a life by less than 0.2 %
 
 
+def more_shapes_matter(states: "BearingStates", rings: LinearPair) -> NDArray:
+    """Whether further shapes of a raceway could change the life: they are no softer than the last one known.
+
+    Parameters
+    ----------
+    states : BearingStates
+        C of them, between rings of this compliance
+    rings : LinearPair
+        at the forces of the states
+
+    Returns
+    -------
+    array (C, 2)
+        of bool; of the inner and the outer raceway, where they are elastic
+    """
+    matter = np.zeros((len(states.scaled), 2), bool)
+    for place, raceway in enumerate(rings.raceways):
+        if raceway is not None:
+            matter[:, place] = _worth(raceway.absolute, states, place)
+    return matter
+
+
 def with_more_shapes(
-    case: Case, state: "Equilibrium", rings: LinearPair, report: Report
+    case: Case, rings: LinearPair, races: Sequence[bool], report: Report
 ) -> tuple[NDArray | None, NDArray | None]:
-    """Compliances in more axial shapes, where these matter.
+    """Compliances of some raceways in more axial shapes.
 
     Parameters
     ----------
     case : Case
         with its parts
-    state : Equilibrium
-        between these rings
     rings : LinearPair
-        at the forces of the state
+        of these parts
+    races : sequence of bool
+        whether further shapes of the inner and the outer raceway matter
     report : Report
         hears of parts that are condensed
 
     Returns
     -------
     tuple of arrays (Z, M', Z, M') or None
-        outward deviation per outward force [m/N] of the inner and the outer raceway; None where the raceway
-        is rigid, where further shapes cannot matter, and for a part from a drawing, which has no section
+        outward deviation per outward force [m/N] of the inner and the outer raceway; None where they do not
+        matter, and for a part from a drawing, which has no section
 
     Raises
     ------
     PartnerFailed
         when a part has no trustworthy answer
     """
-    pairs = zip(NAMES, rings.raceways, strict=True)
     found = [
-        _compliance(case, race, state, raceway.absolute.shape[1] + MORE, report)
-        if raceway and _worth(raceway.absolute, state, place)
-        else None
-        for place, (race, raceway) in enumerate(pairs)
+        _compliance(case, race, raceway, report) if raceway and matter else None
+        for race, raceway, matter in zip(NAMES, rings.raceways, races, strict=True)
     ]
     return found[0], found[1]
 
 
-def _worth(absolute: NDArray, state: "Equilibrium", race: int) -> bool:
-    """Whether further shapes could change the life: they are no softer than the last one known."""
-    known = absolute.shape[1]
-    line_loads, roller = state.slice_loads[race], state.balance.roller
-    positions = 2 * state.slice_positions / roller.raceways.slices.length
-    width = roller.raceways.slices.width
-    forces = width * line_loads @ np.polynomial.legendre.legvander(positions, known + MORE - 1)[:, 1:]
+def _worth(absolute: NDArray, states: "BearingStates", race: int) -> NDArray:
+    known, raceways = absolute.shape[1], states.balance.roller.raceways
+    line_loads, width = states.slice_loads[:, race], np.reshape(raceways.slices.width, (-1, 1, 1))
+    shapes = np.polynomial.legendre.legvander(raceways.slices.all_places, known + MORE - 1)[:, 1:]
+    largest = np.abs(width * line_loads @ shapes).max(axis=(1, 2))
     softest = np.abs(np.einsum("zmzm->zm", absolute)[:, -1]).max()
-    approach = roller.raceways.softness[race, 0, 0] * state.loads[race].max() ** 0.9
-    return bool(softest * np.abs(forces).max() > WORTH * approach)
+    approach = raceways.softness[race, :, 0] * states.loads[:, race].max(axis=-1) ** 0.9
+    return softest * largest > WORTH * approach
 
 
-def _compliance(case: Case, race: Race, state: "Equilibrium", shapes: int, report: Report) -> NDArray | None:
-    part = part_of(case, race)
+def _compliance(case: Case, race: Race, raceway: LinearRaceway, report: Report) -> NDArray | None:
+    part, shapes, azimuths = part_of(case, race), raceway.absolute.shape[1] + MORE, raceway.azimuths
     if part is None or isinstance(part, StepSolid):
         return None
     if isinstance(part, fem.OuterRing):
@@ -86,7 +105,6 @@ def _compliance(case: Case, race: Race, state: "Equilibrium", shapes: int, repor
     coarse = {"structure": structure, "element_order": ORDER, "mesh_size": None, "raceway_mesh_size": None}
     coarse |= {"axial_shapes": shapes, "harmonics": None}
     coarser = case.model_copy(update={"accuracy": case.accuracy.model_copy(update=coarse)})
-    azimuths = state.balance.roller.bearing.azimuths
     name = f"{NAMES[race]} in more shapes"
     with named_failures(case, name):
         linear: Any = condensed(name, part, coarser, azimuths, report)  # nothing lifts off

@@ -1,16 +1,19 @@
 """How far the resolution of a case may put its life off."""
 
+from contextlib import suppress
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from flexbearing.case.roller import Case
 from flexbearing.coupling import LinearPair, PartnerFailed
 from flexbearing.progress import Report
-from flexbearing.rings.more_shapes import with_more_shapes
+from flexbearing.rings.more_shapes import more_shapes_matter, with_more_shapes
 from quasidynamic import Equilibrium, NotSolved
 from quasidynamic.note import Note, outside
-from quasidynamic.outcome.finer_life import Compliances, life_error
+from quasidynamic.outcome.bearing_states import BearingStates
+from quasidynamic.outcome.finer_life import Compliances, life_error, life_errors
 
 RESOLVED = 0.05  # of the life: an error that is worth a word (assumed)
 
@@ -46,7 +49,7 @@ def estimated(case: Case, state: Equilibrium, rings: LinearPair, report: Report)
     notes: tuple[Note, ...] = ()
     richer: Compliances = (None, None)
     try:
-        richer = with_more_shapes(case, state, rings, report)
+        richer = with_more_shapes(case, rings, more_shapes_matter(state.cases, rings)[0].tolist(), report)
     except PartnerFailed as problem:
         notes = (outside("life-resolution", f"life: its error counts slices, not axial shapes: {problem}"),)
     try:
@@ -62,3 +65,32 @@ def estimated(case: Case, state: Equilibrium, rings: LinearPair, report: Report)
             ),
         )
     return LifeError(value, notes)
+
+
+def estimated_errors(case: Case, states: BearingStates, rings: LinearPair, report: Report) -> NDArray:
+    """Estimate the errors of many states between rings of the same parts.
+
+    Parameters
+    ----------
+    case : Case
+        of one of the states, with the parts and the `accuracy` of all
+    states : BearingStates
+        C of them, solved
+    rings : LinearPair
+        at their forces
+    report : Report
+        hears of parts that are condensed for it
+
+    Returns
+    -------
+    array (C)
+        as `estimated` has them, over the life [-]; not a number where it has none
+    """
+    matter, errors = more_shapes_matter(states, rings), np.full(len(states.scaled), np.nan)
+    for races in np.unique(matter, axis=0):
+        some, richer = np.flatnonzero((matter == races).all(axis=1)), (None, None)
+        with suppress(PartnerFailed):  # which leaves the error of the slices
+            richer = with_more_shapes(case, rings, races.tolist(), report)
+        of_some = states if len(some) == len(errors) else states.take(some)
+        errors[some] = life_errors(of_some, richer)
+    return errors

@@ -18,17 +18,16 @@ from flexbearing.progress import Logged
 from flexbearing.quantities.quantity import Quantity, taken
 from flexbearing.quantities.roller import LAYOUT
 from flexbearing.runs import bars, dangers, life, several, skew
-from flexbearing.runs.life_error import estimated
+from flexbearing.runs.life_error import estimated_errors
 from quasidynamic import Equilibrium, RollerBearing
 from quasidynamic.note import Note, danger
 from quasidynamic.outcome.equilibria import Batch
-from quasidynamic.outcome.finer_life import life_errors
 from quasidynamic.outcome.skew import Skew
 from quasidynamic.several.indicator import each_several_likely
 
 QUANTITIES = LAYOUT.datasets("block")
 BY_CASE = ("life.", "skew.")  # sources that are found case by case
-LIFE_ERROR = "life_error"  # which needs more axial shapes of elastic raceways: found case by case there
+LIFE_ERROR = "life_error"  # estimated where it is wanted
 ANSWER = ("", "flexible")  # the block that answers a case, which is also that of outputs that name none
 
 
@@ -49,11 +48,6 @@ class SolvedCase:
     def life(self) -> life.LifeOfState | None:
         """Life after every factor."""
         return life.modified(self.case, self.state)
-
-    @cached_property
-    def life_error(self) -> float | None:
-        """Estimated numerical error of the life, over it [-]."""
-        return estimated(self.case, self.state, self.rings, Logged()).value
 
     @cached_property
     def skew(self) -> Skew | None:
@@ -94,11 +88,12 @@ class Together:
     def numbers(self, output: Wanted) -> NDArray:
         """Numbers (C) of an output of these blocks; NaN where a case does not have it."""
         quantities, block = [QUANTITIES[name] for name in datasets(output)], output.block or ANSWER[1]
-        states, end, errors = self.batch.states, self._end, LIFE_ERROR in datasets(output)
-        if any(entry.source.startswith(BY_CASE) for entry in quantities) or (errors and not self._rigid):
+        if any(entry.source.startswith(BY_CASE) for entry in quantities):
             return np.array([output.number({block: case.quantities(quantities)}) for case in self._each])
-        if errors:
-            end = replace(end, life_error=life_errors(states))
+        states, end = self.batch.states, self._end
+        if LIFE_ERROR in datasets(output):
+            errors = estimated_errors(self.cases[0], states, self.rings[0], Logged())
+            end = replace(end, life_error=errors)
         solved: dict[str, Any] = {"state": states, "end": end}
         solved |= {"bearing": states.balance.roller.bearing, "losses": states.losses}
         if any(entry.source.startswith("bars.") for entry in quantities):

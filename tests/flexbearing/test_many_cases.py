@@ -178,7 +178,7 @@ def test_nothing_is_computed_but_what_is_wanted(monkeypatch):
         raise AssertionError("not asked for")
 
     monkeypatch.setattr(Tangent, "at", never)
-    monkeypatch.setattr("flexbearing.runs.together.estimated", never)
+    monkeypatch.setattr("flexbearing.runs.together.estimated_errors", never)
     monkeypatch.setattr("flexbearing.runs.together.skew.at", never)
     cases = variants(CONFIGS / "nu209.toml", FLANGE)
     found = answers(cases, ["max_roller_load", "cage_slip", "life_L10 [h]", "driving_torque"], refused)
