@@ -75,9 +75,19 @@ def test_a_torn_line_loses_its_row_alone(tmp_path_factory, place):
     path.write_bytes(path.read_bytes()[: whole + place % len(last)])
     assert set(journal.read(path)) <= {"a", "b"}
     assert journal.read(path)["a"] == ROWS[0]
-    write(path, row("d", 5.0, 6.0))
-    assert journal.read(path)["d"] == row("d", 5.0, 6.0)
+    others = dict(zip(("max_roller_load [N]", "stiffness_zz [N/m]"), (5.0, 6.0), strict=True))
+    write(path, Row("d", "converged", "", 0.0, others), names=tuple(others))
+    assert journal.read(path)["d"].values == others
     assert journal.read(path)["a"] == ROWS[0]
+
+
+def test_rows_whose_names_were_lost_are_not_taken_for_others(path):
+    """A damaged line with the names of outputs: the same number of values stands under others."""
+    write(path, ROWS[0])
+    write(path, Row("z", "converged", "", 0.0, {"a": 1.0, "b": 2.0}), names=("a", "b"))
+    content = path.read_bytes()
+    path.write_bytes(content.replace(b'["a", "b"]', b'["a", "c"]'))
+    assert journal.read(path).keys() == {"a"}
 
 
 @given(st.integers(0, 10_000), st.integers(1, 255))

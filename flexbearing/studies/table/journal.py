@@ -41,7 +41,7 @@ def read(path: Path) -> dict[str, Row]:
     for entry in _entries(path):
         if "names" in entry:
             names = entry["names"]
-        elif len(entry["values"]) == len(names):
+        elif entry["of"] == _of(names):  # else the line with its names was lost
             row = _row(entry, names)
             rows[row.identity] = row
     return rows
@@ -119,12 +119,18 @@ def _line(entry: Mapping[str, Any]) -> bytes:
 
 def _entry(row: Row, names: Sequence[str]) -> dict[str, Any]:
     return {
+        "of": _of(names),
         "identity": row.identity,
         "status": row.status,
         "message": row.message,
         "seconds": row.seconds,
         "values": [_stored(row.values.get(name)) for name in names],
     }
+
+
+def _of(names: Sequence[str]) -> str:
+    """A short digest of names, by which a row tells which ones its values have."""
+    return f"{crc32(json.dumps([*names]).encode()):08x}"
 
 
 def _stored(value: float | None) -> float | str | None:
