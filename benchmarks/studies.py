@@ -1,0 +1,159 @@
+"""Time of studies: `python -m benchmarks.studies PART ...`, without a part all of them.
+
+thickness: 8 thicknesses x 3 loads of the paper's bearing, rigid and flexible, no ring known, two jobs.
+hypercube: 100 000 variants of the paper's bearing between rigid rings, two jobs, with the largest memory.
+workers: 24 distinct rings by one job and by two.
+machinery: what planning, journal, table and engine take of a variant that itself takes no time.
+
+Studies run as commands, cold: their time holds the start of the program and of its workers.
+"""
+
+import os
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+from functools import partial
+from pathlib import Path
+
+import psutil
+
+from benchmarks.machine import describe
+from flexbearing.studies.engine.local import Local
+from flexbearing.studies.engine.serial import Serial
+from flexbearing.studies.plan import Row, Task
+from flexbearing.studies.prepare import prepared
+from flexbearing.studies.run import Work, run
+
+CASE = Path(__file__).parents[1] / "configs" / "mao2016.toml"
+COLLECT = """[collect]
+life = "life_L10 [h]"
+rigid_life = "rigid.life_L10 [h]"
+load = "max_roller_load [N]"
+slip = "cage_slip [%]"
+stiffness = "stiffness_zz [N/um]"
+"""
+THICKNESS = """[over]
+"outer.thickness" = "2.9 mm .. 5.1 mm, 8"
+"operation.radial_load" = ["10 kN", "19621.1 N", "30 kN"]
+"""
+RINGS = """[over]
+"outer.thickness" = "2.9 mm .. 5.1 mm, 24"
+"""
+HYPERCUBE = """[sample]
+count = {count}
+seed = 1
+"operation.radial_load" = "uniform 2 kN, 30 kN"
+"operation.inner_speed" = "uniform 5000 rpm, 40000 rpm"
+"bearing.clearance" = "normal 75.5 um, 5 um"
+"lubricant.oil_fraction" = "uniform 0.1, 0.4"
+"bearing.cage.pocket_friction" = "uniform 0.02, 0.1"
+"lubricant.inlet_temperature" = "uniform 180 degC, 220 degC"
+"""
+RIGID = 'outer.kind = "rigid"\ninner.kind = "rigid"\n'
+MEGABYTE = 1e6
+
+
+def main(parts: list[str]) -> None:
+    print(describe())
+    for part in parts or PARTS:
+        PARTS[part]()
+
+
+def thickness() -> None:
+    seconds, memory, words = command(THICKNESS + COLLECT)
+    print(f"8 thicknesses x 3 loads, cold, two jobs: {seconds:.1f} s, {memory:.0f} MB; {words}")
+    seconds, memory, words = command(THICKNESS)
+    print(f"the same with every number of the summary: {seconds:.1f} s, {memory:.0f} MB; {words}")
+
+
+def hypercube() -> None:
+    text = HYPERCUBE.format(count=100_000)
+    for name, collect in (("life, load, slip, stiffness", COLLECT), ("every number of the summary", "")):
+        seconds, memory, words = command(text + collect, rigid=True)
+        print(f"100 000 variants, {name}, two jobs: {seconds:.0f} s, {memory:.0f} MB; {words}")
+
+
+def workers() -> None:
+    one, _, words = command(RINGS + COLLECT, jobs=1)
+    two, _, _ = command(RINGS + COLLECT, jobs=2)
+    print(f"24 rings: one job {one:.1f} s, two jobs {two:.1f} s, {one / two:.2f} times faster; {words}")
+
+
+def command(text: str, *, jobs: int = 2, rigid: bool = False) -> tuple[float, float, str]:
+    """Seconds of a study as a command, its largest memory [MB] and how it ended."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        case = CASE.read_text()
+        if rigid:
+            case = case[: case.index("[outer]")] + '[outer]\nkind = "rigid"\n[inner]\nkind = "rigid"\n' + (
+                case[case.index("[coupling]") :]
+            )
+            case = "\n".join(
+                line for line in case.splitlines() if not line.lstrip().startswith(('"outer.', '"inner.'))
+            )
+        (folder / "case.toml").write_text(case)
+        (folder / "study.toml").write_text(f'case = "case.toml"\n{text}')
+        began = time.perf_counter()
+        process = subprocess.Popen(
+            [sys.executable, "-m", "flexbearing", "study", "study.toml", "--jobs", str(jobs), "-o", "out"],
+            cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
+            env=os.environ | {"FLEXBEARING_CACHE": str(folder / "cache")},
+        )  # fmt: skip
+        largest = [0.0]
+        watch = threading.Thread(target=_watch, args=(process.pid, largest))
+        watch.start()
+        words, _ = process.communicate()
+        seconds = time.perf_counter() - began
+        watch.join()
+        return seconds, largest[0] / MEGABYTE, words.partition("\n")[0]
+
+
+def _watch(pid: int, largest: list[float]) -> None:
+    """Keep the largest memory of a process and all that it started."""
+    while psutil.pid_exists(pid):
+        try:
+            process = psutil.Process(pid)
+            if process.status() == psutil.STATUS_ZOMBIE:
+                return
+            each = [process, *process.children(recursive=True)]
+            largest[0] = max(largest[0], sum(one.memory_info().rss for one in each))
+        except psutil.NoSuchProcess:
+            continue
+        time.sleep(0.1)
+
+
+def machinery() -> None:
+    for count, engine, name in ((20_000, Serial, "in batches"), (2_000, partial(Local, 1), "as a task of its own")):
+        with tempfile.TemporaryDirectory() as place:
+            file = Path(place) / "study.toml"
+            file.write_text(f'case = "{CASE}"\n' + HYPERCUBE.format(count=count) + COLLECT)
+            began = time.perf_counter()
+            settled = prepared(file)
+            planned = time.perf_counter()
+            work = Work(partial(nothing, texts=settled.texts), no_ring)
+            if engine is not Serial:
+                settled = one_by_one(settled)
+            run(settled, Path(place), work, lambda tasks, engine=engine: engine())
+            ended = time.perf_counter()
+            print(
+                f"{count} variants {name}: plan {(planned - began) / count * 1e3:.2f} ms a variant, engine, "
+                f"journal and table {(ended - planned) / count * 1e3:.2f} ms"
+            )
+
+
+def nothing(task: Task, texts: tuple[str, ...]) -> tuple[Row, ...]:
+    """Rows that cost nothing."""
+    values = dict.fromkeys(texts, 1.25)
+    return tuple(Row(variant.identity, "converged", "", 0.0, values) for variant in task.variants)
+
+
+def no_ring(ring) -> None:
+    """Rings that cost nothing."""
+
+
+PARTS = {"thickness": thickness, "hypercube": hypercube, "workers": workers, "machinery": machinery}
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
