@@ -15,11 +15,13 @@ import tempfile
 import threading
 import time
 from functools import partial
+from itertools import pairwise
 from pathlib import Path
 
 import psutil
 
 from benchmarks.machine import describe
+from flexbearing.studies.engine import finished
 from flexbearing.studies.engine.local import Local
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.plan import Row, Task
@@ -51,7 +53,6 @@ seed = 1
 "bearing.cage.pocket_friction" = "uniform 0.02, 0.1"
 "lubricant.inlet_temperature" = "uniform 180 degC, 220 degC"
 """
-RIGID = 'outer.kind = "rigid"\ninner.kind = "rigid"\n'
 MEGABYTE = 1e6
 
 
@@ -87,8 +88,10 @@ def command(text: str, *, jobs: int = 2, rigid: bool = False) -> tuple[float, fl
         folder = Path(name)
         case = CASE.read_text()
         if rigid:
-            case = case[: case.index("[outer]")] + '[outer]\nkind = "rigid"\n[inner]\nkind = "rigid"\n' + (
-                case[case.index("[coupling]") :]
+            case = (
+                case[: case.index("[outer]")]
+                + '[outer]\nkind = "rigid"\n[inner]\nkind = "rigid"\n'
+                + (case[case.index("[coupling]") :])
             )
             case = "\n".join(
                 line for line in case.splitlines() if not line.lstrip().startswith(('"outer.', '"inner.'))
@@ -125,22 +128,27 @@ def _watch(pid: int, largest: list[float]) -> None:
 
 
 def machinery() -> None:
-    for count, engine, name in ((20_000, Serial, "in batches"), (2_000, partial(Local, 1), "as a task of its own")):
-        with tempfile.TemporaryDirectory() as place:
-            file = Path(place) / "study.toml"
-            file.write_text(f'case = "{CASE}"\n' + HYPERCUBE.format(count=count) + COLLECT)
-            began = time.perf_counter()
-            settled = prepared(file)
-            planned = time.perf_counter()
-            work = Work(partial(nothing, texts=settled.texts), no_ring)
-            if engine is not Serial:
-                settled = one_by_one(settled)
-            run(settled, Path(place), work, lambda tasks, engine=engine: engine())
-            ended = time.perf_counter()
-            print(
-                f"{count} variants {name}: plan {(planned - began) / count * 1e3:.2f} ms a variant, engine, "
-                f"journal and table {(ended - planned) / count * 1e3:.2f} ms"
-            )
+    with tempfile.TemporaryDirectory() as place:
+        file = Path(place) / "study.toml"
+        file.write_text(f'case = "{CASE}"\n' + HYPERCUBE.format(count=20_000) + COLLECT)
+        times = [time.perf_counter()]
+        settled = prepared(file)
+        times.append(time.perf_counter())
+        work = Work(partial(nothing, texts=settled.texts), no_ring)
+        run(settled, Path(place), work, lambda tasks: Serial())
+        times.append(time.perf_counter())
+        each = [(after - before) / 20_000 * 1e3 for before, after in pairwise(times)]
+        print(f"a variant in a batch: plan {each[0]:.2f} ms; engine, journal, tables {each[1]:.2f} ms")
+        tasks = [alone for task in settled.plan.tasks(lambda _: True)[:8] for alone in task.alone]
+        engine = Local(1)
+        try:
+            for count in (20, len(tasks)):  # the first ones wait for the worker
+                began = time.perf_counter()
+                done = list(finished(tasks[:count], work.rows, engine))
+                each_alone = (time.perf_counter() - began) / len(done) * 1e3
+        finally:
+            engine.close()
+        print(f"a variant as a task of its own, {len(tasks)} of them: {each_alone:.1f} ms")
 
 
 def nothing(task: Task, texts: tuple[str, ...]) -> tuple[Row, ...]:

@@ -1,7 +1,7 @@
 """What the coupling asks of its partners: plain arrays, inner raceway first, outer second."""
 
 from collections.abc import Iterator
-from typing import Protocol, TypeVar
+from typing import Protocol, Self, TypeVar
 
 from numpy.typing import NDArray
 
@@ -36,6 +36,10 @@ class State(Protocol):
 
     def failure(self) -> str:
         """Say how the solve ended and how far it came."""
+        ...
+
+    def refined(self) -> Self:
+        """The state after another step of Newton's method, where that comes nearer to balance."""
         ...
 
 

@@ -1,6 +1,6 @@
 """A solved state of the bearing, in physical units."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -15,6 +15,8 @@ from quasidynamic.outcome.bearing_states import BearingStates
 from quasidynamic.outcome.losses import Losses
 from quasidynamic.outcome.ring_stiffness import Tangent
 from quasidynamic.solve.outcome import SolverOutcome
+from quasidynamic.solve.rollers.newton import step
+from quasidynamic.solve.rollers.step_bounds import bounded
 
 
 @dataclass(frozen=True)
@@ -73,6 +75,13 @@ class Equilibrium:
             f"{force:.2g} N and {moment:.2g} N m unbalanced; "
             f"the largest outer force is {self.balance.scales.force[0, 0]:.4g} N"
         )
+
+    def refined(self) -> "Equilibrium":
+        """State after another step of Newton's method, where that comes nearer to balance."""
+        with np.errstate(all="ignore"):  # a step from a singular matrix is not finite, and not taken
+            change = step(self.balance, self.system)
+            further = replace(self, scaled=bounded(self.balance, self.scaled[None], self.scaled + change)[0])
+            return further if further.residual < self.residual else self
 
     @property
     def rollers(self) -> RollerState:

@@ -1,6 +1,6 @@
 """The coupling loop on toy partners with a known answer."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import get_args
 
@@ -30,6 +30,9 @@ class ToyState:
 
     def failure(self):
         return f"the toy {self.status}"
+
+    def refined(self):
+        return replace(self, residual=self.residual / 1e4)
 
 
 @dataclass(frozen=True)
