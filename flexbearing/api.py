@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from flexbearing.accuracy.shared import Levels
     from flexbearing.progress import Report
     from flexbearing.results import Result
 
@@ -117,13 +118,17 @@ def compute(
     output: str | Path | None = None,
     report: "Report | None" = None,
     start: "str | Path | Result | None" = None,
+    levels: "Levels | None" = None,
 ) -> "Result":
-    """Compute a case that was read before; everything else as for `run`."""
+    """Compute a case that was read before; everything else as for `run`.
+
+    A roller case with a target takes the `levels` that it shares with others, where they are given.
+    """
     from flexbearing.families import FAMILIES
     from flexbearing.runs.run_case import run_case
 
     near = read(start) if isinstance(start, str | Path) else start
-    return run_case(case, FAMILIES[case.kind], output, report, near)
+    return run_case(case, FAMILIES[case.kind], output, report, near, levels)
 
 
 def read(path: str | Path) -> "Result":

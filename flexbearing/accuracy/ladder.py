@@ -11,7 +11,7 @@ One choice moves at a time, and the errors of all choices add up.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import islice
 from math import inf
 from typing import Generic, TypeVar
@@ -208,3 +208,43 @@ def climb(
         pass
     verdicts = tuple(state.verdict(k) for k in range(len(choices)))
     return Selection(tuple(state.place), verdicts, target)
+
+
+def climb_together(
+    choices: Sequence[Choice],
+    evaluates: Sequence[Callable[[Place], T]],
+    changes: Callable[[T, T], Changes],
+    target: float,
+    judged: tuple[str, ...],
+) -> tuple[Selection, ...]:
+    """Take the poorest levels that keep the target for each of several problems with the same choices.
+
+    Each problem climbs from where the one before it ended, until none of them moves any more.
+
+    Parameters
+    ----------
+    choices : sequence of Choice
+        the cheapest first
+    evaluates : sequence of callable (place)
+        as `evaluate` of `climb`, one for each problem
+    changes, target, judged
+        as for `climb`
+
+    Returns
+    -------
+    tuple of Selection
+        one for each problem, all at the same levels, with its own changes there
+
+    Raises
+    ------
+    Unusable
+        if a problem has no answer at the poorest levels, or at those where it begins
+    """
+    start, place, selections = None, tuple(choice.start for choice in choices), []
+    while place != start:
+        start, selections = place, []
+        for evaluate in evaluates:
+            begun = [replace(choice, start=level) for choice, level in zip(choices, place, strict=True)]
+            selections.append(climb(begun, evaluate, changes, target, judged))
+            place = selections[-1].place
+    return tuple(selections)

@@ -122,9 +122,17 @@ class Trials:
 
     def model(self, place: Place) -> RollerBearing:
         """The bearing at these levels."""
-        case = case_at(self.case, self.ladders, place, None)
-        assert case is not None  # only parts are left rigid
-        return replace(self._bearing, slices=case.accuracy.slices, axial_modes=case.accuracy.axial_shapes)
+        return model_at(self._bearing, self.case, self.ladders, place)
+
+    def rings(self, place: Place) -> RacewayPair:
+        """The parts at these levels.
+
+        Raises
+        ------
+        PartnerFailed, BadCase
+            if one of them could not be condensed there
+        """
+        return RacewayPair(self._raceway(place, "inner"), self._raceway(place, "outer"))
 
     @cached_property
     def _bearing(self) -> RollerBearing:
@@ -132,7 +140,7 @@ class Trials:
 
     def _solve(self, place: Place) -> Trial:
         partner = BearingPartner(self.model(place))
-        rings = RacewayPair(self._raceway(place, "inner"), self._raceway(place, "outer"))
+        rings = self.rings(place)
         if rings.rigid:
             return Trial(partner.solve(self._nearest(place)), rings)
         for iterations in self._attempts(place, partner, rings):
@@ -172,7 +180,7 @@ class Trials:
         if is_in_fit(case, race):
             return self._condensed(case, race)
         modes = case.accuracy.axial_shapes
-        raceway = self._condensed(with_accuracy(case, axial_shapes=max(modes, MOST_MODES)), race)
+        raceway = self._condensed(with_most_modes(case), race)
         fewer = isinstance(raceway, CondensedRaceway | SupportedRaceway)
         return raceway.with_axial_modes(modes) if fewer else raceway
 
@@ -200,7 +208,7 @@ class Trials:
                     at = (*place[:k], level, *place[k + 1 :])
                     case = case_at(self.case, self.ladders, at, ladder.race)
                     assert case is not None
-                    finest = with_accuracy(case, axial_shapes=max(case.accuracy.axial_shapes, MOST_MODES))
+                    finest = with_most_modes(case)
                     future = pool.submit(self._condense, finest, "outer")
                     self._begun[_raceway_key(finest, "outer")] = future
 
@@ -208,6 +216,19 @@ class Trials:
 def _raceway_key(case: Case, race: Race) -> tuple[Race, str]:
     """All settings of a level that a raceway depends on; it has no slices."""
     return race, repr(with_accuracy(case, slices=0).accuracy)
+
+
+def model_at(model: RollerBearing, case: Case, ladders: tuple[Ladder, ...], place: Place) -> RollerBearing:
+    """The bearing of a case at a level of each choice."""
+    resolved = case_at(case, ladders, place, None)
+    assert resolved is not None  # only parts are left rigid
+    accuracy = resolved.accuracy
+    return replace(model, slices=accuracy.slices, axial_modes=accuracy.axial_shapes)
+
+
+def with_most_modes(case: Case) -> Case:
+    """The case with as many axial modes as its rings are condensed for."""
+    return with_accuracy(case, axial_shapes=max(case.accuracy.axial_shapes, MOST_MODES))
 
 
 def with_accuracy(case: Case, **settings: Any) -> Case:

@@ -1,6 +1,6 @@
 """Parts of a case, condensed to what rollers feel of them, or taken from the cache."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from time import perf_counter
@@ -25,7 +25,7 @@ from flexbearing.coupling import LinearPair, PartnerFailed, RacewayPair
 from flexbearing.program.threads import of_solids
 from flexbearing.progress import Report
 from flexbearing.rings.fits import RacewayInFit, inner_ring_in_fit, is_in_fit, outer_ring_in_housing
-from flexbearing.rings.raceways import CondensedRaceway, RigidRaceway
+from flexbearing.rings.raceways import CondensedRaceway, RigidRaceway, with_axial_modes
 from flexbearing.rings.supported import (
     RINGS,
     SupportedRaceway,
@@ -122,15 +122,19 @@ def is_linear(case: Case) -> bool:
     return not any(part_of(case, race) is not None and is_in_fit(case, race) for race in RACES)
 
 
-def linear_raceways(cases: Sequence[Case], azimuths: NDArray, report: Report) -> list[LinearPair]:
+def linear_raceways(
+    cases: Mapping[Race, Sequence[Case | None]], azimuths: NDArray, axial_modes: int, report: Report
+) -> list[LinearPair]:
     """Raceways of cases that share their parts, `accuracy` and rollers, and answer linearly.
 
     Parameters
     ----------
-    cases : sequence of Case
-        at least one
+    cases : mapping of "inner" and "outer" to sequence of Case or None
+        the same cases as either part is resolved, at least one; None where that part is left rigid
     azimuths : array (Z)
         of the rollers [rad]
+    axial_modes : int
+        that rollers exchange with raceways, at most those of the cases
     report : Report
         hears of parts that are condensed
 
@@ -146,20 +150,22 @@ def linear_raceways(cases: Sequence[Case], azimuths: NDArray, report: Report) ->
     PartnerFailed
         when a part has no trustworthy answer
     """
-    inner, outer = (_linear_raceways(cases, race, azimuths, report) for race in RACES)
+    inner, outer = (_linear_raceways(cases[race], race, azimuths, axial_modes, report) for race in RACES)
     return [LinearPair(*pair) for pair in zip(inner, outer, strict=True)]
 
 
 def _linear_raceways(
-    cases: Sequence[Case], race: Race, azimuths: NDArray, report: Report
+    cases: Sequence[Case | None], race: Race, azimuths: NDArray, axial_modes: int, report: Report
 ) -> "list[RacewayCompliance | None]":
-    part, name = part_of(cases[0], race), NAMES[race]
-    if part is None:
+    first, name = cases[0], NAMES[race]
+    part = None if first is None else part_of(first, race)
+    if first is None or part is None:
         return [None] * len(cases)
-    with named_failures(cases[0], name):
-        linear: Any = condensed(name, part, cases[0], azimuths, report)  # not on lines or springs
+    with named_failures(first, name):
+        linear: Any = condensed(name, part, first, azimuths, report)  # not on lines or springs
         compliance = linear.at(azimuths)
-        return [_Growth.of(case, race, report).added(compliance) for case in cases]
+        grown = (case and _Growth.of(case, race, report).added(compliance) for case in cases)
+        return [each and with_axial_modes(each, axial_modes) for each in grown]
 
 
 def _on_supports(part: "Part", case: Case, azimuths: NDArray, report: Report) -> SupportedRaceway:

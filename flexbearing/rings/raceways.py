@@ -66,14 +66,7 @@ class CondensedRaceway:
 
     def with_axial_modes(self, count: int) -> "CondensedRaceway":
         """The same raceway for rollers that exchange fewer axial modes with it: a part of every array."""
-        compliance = self.compliance
-        fewer = replace(
-            compliance,
-            absolute=compliance.absolute[:, :count, :, :count],
-            translation=compliance.translation[..., :count],
-            initial_deviation=compliance.initial_deviation[:, :count],
-        )
-        return replace(self, compliance=fewer)
+        return replace(self, compliance=with_axial_modes(self.compliance, count))
 
     def under(self, azimuths: NDArray) -> "CondensedRaceway":
         """The same raceway under rollers at other azimuths (Z) [rad]; a solid is condensed anew for them.
@@ -86,6 +79,16 @@ class CondensedRaceway:
         assert self.at is not None  # of a raceway that was condensed for a case
         modes = self.compliance.absolute.shape[1]
         return replace(self, compliance=self.at(azimuths)).with_axial_modes(modes)
+
+
+def with_axial_modes(compliance: "RacewayCompliance", count: int) -> "RacewayCompliance":
+    """The same compliance in fewer axial modes."""
+    return replace(
+        compliance,
+        absolute=compliance.absolute[:, :count, :, :count],
+        translation=compliance.translation[..., :count],
+        initial_deviation=compliance.initial_deviation[:, :count],
+    )
 
 
 def compliance_figures(compliance: "RacewayCompliance") -> dict[str, object]:

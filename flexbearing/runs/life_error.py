@@ -86,7 +86,10 @@ def estimated_errors(case: Case, states: BearingStates, rings: LinearPair, repor
     array (C)
         as `estimated` has them, over the life [-]; not a number where it has none
     """
-    matter, errors = more_shapes_matter(states, rings), np.full(len(states.scaled), np.nan)
+    errors = np.full(len(states.scaled), np.nan)
+    if case.accuracy.target is not None:  # which has its own estimate
+        return errors
+    matter = more_shapes_matter(states, rings)
     for races in np.unique(matter, axis=0):
         some, richer = np.flatnonzero((matter == races).all(axis=1)), (None, None)
         with suppress(PartnerFailed):  # which leaves the error of the slices

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +14,9 @@ from flexbearing.quantities.roller import LAYOUT
 from flexbearing.runs.solved_together import solved_together
 from quasidynamic import NotSolved, OutOfRange
 from quasidynamic.note import Note, graded
+
+if TYPE_CHECKING:
+    from flexbearing.accuracy.shared import Levels
 
 CONVERGED = "converged"
 
@@ -43,7 +47,14 @@ def told(notes: Iterable[Note]) -> str:
     return "; ".join(f"danger: {note.text}" for note in graded(notes) if note.grade == "danger")
 
 
-def answers(cases: Sequence[Case], texts: Sequence[str], alone: Alone, *, search: bool = False) -> Answers:
+def answers(
+    cases: Sequence[Case],
+    texts: Sequence[str],
+    alone: Alone,
+    *,
+    search: bool = False,
+    levels: "Levels | None" = None,
+) -> Answers:
     """Compute the wanted outputs of many cases.
 
     Cases that differ in numbers only, between rigid rings or between the same elastic ones, are solved side
@@ -61,6 +72,8 @@ def answers(cases: Sequence[Case], texts: Sequence[str], alone: Alone, *, search
     search : bool
         whether other equilibria are searched where they are likely, as a run does, for some hundred times the
         cost of a case; else the message says that they are likely, which is so for more cases than have any
+    levels : Levels, optional
+        of cases with a target, which share them
 
     Returns
     -------
@@ -77,9 +90,10 @@ def answers(cases: Sequence[Case], texts: Sequence[str], alone: Alone, *, search
     numbers = {text: np.full(len(cases), np.nan) for text in texts}
     messages: dict[int, str] = {}
     failed: set[int] = set()
+    of_levels = levels.notes() if levels else ()
     # The bearings' matrices are small: threads of the linear algebra would only wait for each other.
     with linear_algebra_alone():
-        for together in solved_together(cases, blocks):
+        for together in solved_together(cases, blocks, levels):
             places = together.places.tolist()
             try:
                 found = {
@@ -89,7 +103,10 @@ def answers(cases: Sequence[Case], texts: Sequence[str], alone: Alone, *, search
                 }
                 if together.answer:
                     dangers = together.dangers(search=search)
-                    messages |= zip(places, map(told, dangers), strict=True)
+                    messages |= {
+                        place: told((*of_levels, *notes))
+                        for place, notes in zip(places, dangers, strict=True)
+                    }
             except (NotSolved, OutOfRange):  # of one of them, which its own run tells
                 failed |= set(places)
                 continue

@@ -1,9 +1,9 @@
 """A cylindrical roller bearing: between rigid raceways, then coupled with its rings."""
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from flexbearing.build import clearance, roller_bearing
 from flexbearing.case.roller import Case
@@ -19,7 +19,10 @@ from flexbearing.runs import notes, roller_position, several
 from flexbearing.runs.postprocess import Postprocessing
 from flexbearing.runs.tilt import TiltComparison
 from quasidynamic import Equilibrium, RollerBearing
-from quasidynamic.note import Note, danger, graded, information
+from quasidynamic.note import Note, graded, information
+
+if TYPE_CHECKING:
+    from flexbearing.accuracy.shared import Levels
 
 RIGID = LinearPair(None, None)
 
@@ -45,19 +48,28 @@ def opening(case: Case) -> dict[str, object]:
 
 
 def solve(
-    case: Case, record: Recorder, report: Report, near: InitialState | None = None
+    case: Case,
+    record: Recorder,
+    report: Report,
+    near: InitialState | None = None,
+    levels: "Levels | None" = None,
 ) -> dict[str, object]:
-    """Write iterations and blocks; returns the root attributes that say how it ended."""
+    """Write iterations and blocks; returns the root attributes that say how it ended.
+
+    A case with a target is solved at the `levels` that were chosen for it and others, where they are given.
+    """
     postprocessing = Postprocessing(case, record, report)
     with outer_ring_ahead(case) as ahead:
-        resolved = _resolved(case, postprocessing, report, ahead)
+        resolved = _resolved(case, postprocessing, report, ahead, levels)
         ending = _solve(case, resolved, postprocessing, report, near)
     if near is not None:
         ending |= _start(near, ending["attempts"], postprocessing)
     return ending | dict(resolved.attributes) | postprocessing.attributes()
 
 
-def _resolved(case: Case, postprocessing: Postprocessing, report: Report, ahead: Ahead | None) -> Resolved:
+def _resolved(
+    case: Case, postprocessing: Postprocessing, report: Report, ahead: Ahead | None, levels: "Levels | None"
+) -> Resolved:
     """At the levels of the case, or at those that its target asks for."""
     model = roller_bearing.bearing(case)
     condensed = partial(condensed_raceways, outer_ahead=ahead)
@@ -65,21 +77,31 @@ def _resolved(case: Case, postprocessing: Postprocessing, report: Report, ahead:
     usual = Resolved(model, lambda: raceways(case, model.bearing.azimuths, report))
     if case.accuracy.target is None:
         return usual
+    if levels is not None:
+        return _at_shared_levels(case, usual, levels, postprocessing, report)
     from flexbearing.accuracy import Unusable
     from flexbearing.accuracy.adaptive import adaptive_resolution
+    from flexbearing.accuracy.shared import UsualLevels
 
     try:
         resolution = adaptive_resolution(case, report)
     except Unusable as problem:
-        postprocessing.notes.append(
-            danger(
-                "unmet-target",
-                "accuracy.target: nothing could be chosen or estimated, so the usual levels are used: "
-                f"{problem}",
-            )
-        )
-        return Resolved(model, usual.rings, {"choices": {}, "error_estimate": {}})
+        return _at_shared_levels(case, usual, UsualLevels(str(problem)), postprocessing, report)
     return Resolved(resolution.model, lambda: resolution.rings, resolution.attributes(), resolution.notes)
+
+
+def _at_shared_levels(
+    case: Case, usual: Resolved, levels: "Levels", postprocessing: Postprocessing, report: Report
+) -> Resolved:
+    """At levels that were chosen for more cases than this one, or at the usual ones where none could be."""
+    postprocessing.notes.extend(levels.notes())
+    if levels.place is None:
+        return replace(usual, attributes=levels.attributes())
+    from flexbearing.accuracy.levels import ladders
+    from flexbearing.accuracy.trials import Trials
+
+    trials = Trials(case, ladders(case), report)
+    return Resolved(trials.model(levels.place), partial(trials.rings, levels.place), levels.attributes())
 
 
 def _solve(

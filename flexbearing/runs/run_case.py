@@ -8,6 +8,7 @@ from hashlib import sha256
 from os.path import exists  # Path.exists raises for names that no file can have
 from pathlib import Path
 from time import perf_counter
+from typing import TYPE_CHECKING
 
 from flexbearing.case import BadCase, Head
 from flexbearing.case.family import Family
@@ -16,6 +17,9 @@ from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged, Report
 from flexbearing.results import Record, Result, ResultFile, case_file
 from flexbearing.runs.validate import require_possible
+
+if TYPE_CHECKING:
+    from flexbearing.accuracy.shared import Levels
 
 LONGEST = 80  # characters of the settings in the name of a result
 
@@ -26,6 +30,7 @@ def run_case(
     output: str | Path | None = None,
     report: Report | None = None,
     start: Result | None = None,
+    levels: "Levels | None" = None,
 ) -> Result:
     """Compute a case, and store it where a file is asked for.
 
@@ -41,6 +46,8 @@ def run_case(
         hears of stages and iterations; default is the log
     start : Result, optional
         of a neighbouring case, at whose flexible end state newton begins; by default between rigid raceways
+    levels : Levels, optional
+        of a roller case with a target, which shares them with others
 
     Returns
     -------
@@ -63,6 +70,8 @@ def run_case(
         if family.initial_state is None:
             raise BadCase(f"start {start.place}: a {case.kind} bearing starts from no other result")
         solve = partial(solve, near=family.initial_state()(start, case))
+    if levels is not None:
+        solve = partial(solve, levels=levels)
     inputs = (*case.input_files, *(start.files if start else ()))
     head = _head(case) | family.opening()(case)
     with (

@@ -2,12 +2,17 @@
 
 from collections.abc import Iterator, Sequence, Set
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from flexbearing.accuracy.ladder import Place
+from flexbearing.accuracy.levels import case_at, ladders
+from flexbearing.accuracy.trials import model_at, with_most_modes
 from flexbearing.build import ring_parts, roller_bearing
 from flexbearing.build.expansion import roller_length
+from flexbearing.build.ring_parts import Race
 from flexbearing.cache.key import digest
 from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
@@ -26,16 +31,21 @@ from quasidynamic import (
 )
 from quasidynamic.outcome.equilibria import Equilibria
 
+if TYPE_CHECKING:
+    from flexbearing.accuracy.shared import Levels
+
 AT_ONCE = 32  # cases whose matrices fit into the processor's cache
 RIGID = "rigid"  # block of states between rigid raceways, which is also the answer of a case without others
 
 
-def solved_together(cases: Sequence[Case], blocks: Set[str]) -> Iterator[Together]:
+def solved_together(
+    cases: Sequence[Case], blocks: Set[str], levels: "Levels | None" = None
+) -> Iterator[Together]:
     """Yield cases that converge side by side.
 
-    Left out are cases with `accuracy.target`, with several positions of the rollers or with stresses, those
-    coupled by another method than newton, or with rings that are not linear or that no other case has; cases
-    that cannot be; and what does not converge.
+    Left out are cases with `accuracy.target` whose levels are not given, with several positions of the
+    rollers or with stresses, those coupled by another method than newton, or with rings that are not linear
+    or that no other case has; cases that cannot be; and what does not converge.
 
     Parameters
     ----------
@@ -43,18 +53,25 @@ def solved_together(cases: Sequence[Case], blocks: Set[str]) -> Iterator[Togethe
         as they were read
     blocks : set of str
         of the wanted outputs: states on the way to the answer are yielded for "rigid" only
+    levels : Levels, optional
+        of cases with a target, which share them
 
     Yields
     ------
     Together
     """
-    models = {place: model for place, case in enumerate(cases) if (model := _model(case))}
+    resolved = {
+        place: _Resolved(case, None if levels is None else levels.place)
+        for place, case in enumerate(cases)
+        if levels is not None or case.accuracy.target is None
+    }
+    models = {place: model for place, each in resolved.items() if (model := _model(each))}
     kinds: dict[str | None, list[int]] = {}
     for place, model in models.items():
-        kinds.setdefault(_rings(cases[place], model), []).append(place)
+        kinds.setdefault(_rings(resolved[place], model), []).append(place)
     for rings, places in kinds.items():
         alike = _Alike(
-            [cases[place] for place in places], [models[place] for place in places], np.array(places)
+            [resolved[place] for place in places], [models[place] for place in places], np.array(places)
         )
         if rings is None:
             yield from alike.between_rigid_rings()
@@ -62,15 +79,38 @@ def solved_together(cases: Sequence[Case], blocks: Set[str]) -> Iterator[Togethe
             yield from alike.between_elastic_rings(with_rigid=RIGID in blocks)
 
 
-def _model(case: Case) -> RollerBearing | None:
+@dataclass(frozen=True)
+class _Resolved:
+    """A case as it stands, or at a level of each choice."""
+
+    case: Case
+    levels: Place | None
+
+    def model(self) -> RollerBearing:
+        """The bearing."""
+        model = roller_bearing.bearing(self.case)
+        if self.levels is None:
+            return model
+        return model_at(model, self.case, ladders(self.case), self.levels)
+
+    def part(self, race: Race) -> Case | None:
+        """The case as a part is resolved, for at least as many axial modes as the bearing has."""
+        if self.levels is None:
+            return self.case
+        resolved = case_at(self.case, ladders(self.case), self.levels, race)
+        return None if resolved is None else with_most_modes(resolved)
+
+
+def _model(resolved: _Resolved) -> RollerBearing | None:
     """Bearing of a case that may be solved beside others; None where it needs a run of its own."""
-    if case.accuracy.target is not None or case.operation.roller_positions is not None:
+    case = resolved.case
+    if case.operation.roller_positions is not None:
         return None
     if _elastic(case) and (case.coupling.method != "newton" or case.outputs.stresses or not is_linear(case)):
         return None
     try:
         validate_roller.build(case)
-        return roller_bearing.bearing(case)
+        return resolved.model()
     except (ImpossiblePart, OutOfRange):  # which its own run tells
         return None
 
@@ -79,9 +119,10 @@ def _elastic(case: Case) -> bool:
     return case.inner.kind != "rigid" or case.outer.kind != "rigid"
 
 
-def _rings(case: Case, model: RollerBearing) -> str | None:
+def _rings(resolved: _Resolved, model: RollerBearing) -> str | None:
     """What names the elastic rings of a case, the accuracy they are condensed with and their rollers."""
-    if not _elastic(case):
+    case = resolved.case
+    if not _elastic(case) or not any(resolved.part(race) for race in RACES):
         return None
     parts = [ring_parts.part_of(case, race) for race in RACES]
     return digest([parts, case.accuracy.model_dump(), roller_length(case), model.bearing.azimuths])
@@ -91,7 +132,7 @@ def _rings(case: Case, model: RollerBearing) -> str | None:
 class _Alike:
     """Cases between the same rings."""
 
-    cases: list[Case]
+    resolved: list[_Resolved]
     models: list[RollerBearing]
     places: NDArray  # among all cases
 
@@ -102,7 +143,7 @@ class _Alike:
     def between_elastic_rings(self, *, with_rigid: bool) -> Iterator[Together]:
         """Cases between the same elastic rings; those between rigid raceways before, if they are wanted."""
         try:
-            rings = linear_raceways(self.cases, self.models[0].bearing.azimuths, Logged())
+            rings = self._raceways()
         except (BadCase, PartnerFailed):  # which the run of each of them tells
             return
         starts = solve_many(self.models)
@@ -115,20 +156,29 @@ class _Alike:
         found = solve_many_elastic(self.models, rings[0].compliance, starts, deviation)
         yield from self._converged(found, rings, ANSWER)
 
+    def _raceways(self) -> list[LinearPair]:
+        """Raceways of each case, in the axial modes of its bearing."""
+        first = self.models[0]
+        parts: dict[Race, list[Case | None]] = {
+            race: [each.part(race) for each in self.resolved] for race in RACES
+        }
+        return linear_raceways(parts, first.bearing.azimuths, first.axial_modes, Logged())
+
     @property
     def _no_rings(self) -> list[LinearPair]:
-        return [LinearPair(None, None)] * len(self.cases)
+        return [LinearPair(None, None)] * len(self.resolved)
 
     def _converged(
         self, found: Equilibria, rings: list[LinearPair], blocks: tuple[str, ...]
     ) -> Iterator[Together]:
         """What converged, some at once."""
+        of_all = [each.case for each in self.resolved]
         for batch in found.batches:
             solved = np.flatnonzero([outcome is SolverOutcome.CONVERGED for outcome in batch.outcomes])
             for first in range(0, len(solved), AT_ONCE):
                 some = solved[first : first + AT_ONCE]
                 part = batch if len(some) == len(batch) else batch.take(some)
                 cases, models, pairs = (
-                    [values[place] for place in part.places] for values in (self.cases, self.models, rings)
+                    [values[place] for place in part.places] for values in (of_all, self.models, rings)
                 )
                 yield Together(cases, models, replace(part, places=self.places[part.places]), pairs, blocks)

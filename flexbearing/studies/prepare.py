@@ -11,7 +11,7 @@ from flexbearing.studies.plan import plan
 from flexbearing.studies.run import Tell, Work, run
 from flexbearing.studies.settled import Prepared
 from flexbearing.studies.table import Table, duty
-from flexbearing.studies.table.collected import collected, require_outputs
+from flexbearing.studies.table.collected import collected, require_outputs, with_errors
 from flexbearing.studies.table.drawn import drawn
 from flexbearing.studies.where import Where
 
@@ -37,16 +37,18 @@ def prepared(file: str | Path) -> Prepared:
         one line for each problem of the study file, or of the case that its variants are made of
     """
     from flexbearing.runs.validate import require_possible
-    from flexbearing.studies.rings import rings
+    from flexbearing.studies.rings import levels, rings
 
     study = read(file, FAMILIES)
     family = FAMILIES[study.kind]
-    settled = plan(study, FAMILIES, lambda case: require_possible(case, family), rings)
+    settled = plan(study, FAMILIES, lambda case: require_possible(case, family), rings, levels)
     elastic = any(variant.rings for variant in settled.variants)
     columns = collected(study, FAMILIES, elastic=elastic)
     if study.spectrum:
         require_outputs(study, duty.texts(study.spectrum).values(), "duty", FAMILIES)
     plot, columns = drawn(study, columns, FAMILIES)
+    if settled.corners:
+        columns = with_errors(columns, family.layout())
     return Prepared(study, settled, columns, plot)
 
 
@@ -89,7 +91,7 @@ def compute(
     settled.plan.require_sound()
     folder, name = output.resolve(), settled.study.name
     cache = str(folder / f"{name}.rings") if configured().folder is None else None
-    wish = Wish(settled.texts, settled.study.search, settled.files(folder))
+    wish = Wish(settled.outputs, settled.study.search, settled.files(folder))
     work = Work(partial(rows, wish=wish, cache=cache), partial(condense, cache=cache))
     table = run(settled, output, work, where.engine(settled.plan), retry_failed=retry_failed, tell=tell)
     if cache is not None and settled.part is None:

@@ -1,5 +1,6 @@
-"""Which elastic rings a case has: variants between the same ones are computed together."""
+"""Which elastic rings a case has, and which choices of levels: variants with the same ones go together."""
 
+from flexbearing.accuracy.levels import ladders
 from flexbearing.build.ring_parts import Race, part_of
 from flexbearing.cache.key import digest
 from flexbearing.case import Head
@@ -29,3 +30,22 @@ def rings(case: Head) -> tuple[str, ...]:
     if isinstance(case, FourPointCase) and not case.rings.rigid:
         return (f"bolted {digest(case.model_dump(include={'bearing', 'materials', 'rings'}))}",)
     return ()
+
+
+def levels(case: Head) -> str:
+    """Digest of the parts of a case with a target and of all that its levels are chosen from.
+
+    Parameters
+    ----------
+    case : Head
+        as it was read
+
+    Returns
+    -------
+    str
+        empty where nothing is chosen
+    """
+    if not isinstance(case, Case) or case.accuracy.target is None:
+        return ""
+    choices = [(ladder.choice, ladder.settings, ladder.race) for ladder in ladders(case)]
+    return digest([[part_of(case, race) for race in RACES], case.accuracy.model_dump(), choices])

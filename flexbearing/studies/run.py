@@ -6,11 +6,12 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from time import perf_counter
+from typing import Any
 
 from flexbearing.files import NotStored, require_folder, require_output, write
 from flexbearing.report.picture import png_bytes
 from flexbearing.studies.engine import Engine, condensed, finished
-from flexbearing.studies.plan import Ring, Row, Task
+from flexbearing.studies.plan import Corners, Ring, Row, Task
 from flexbearing.studies.settled import Prepared, Progress
 from flexbearing.studies.table import Table, journal
 from flexbearing.studies.table.files import CYCLES, places, store
@@ -25,7 +26,7 @@ class Work:
     """What workers do; both functions can be pickled."""
 
     rows: Callable[[Task], Sequence[Row]]
-    condense: Callable[[Ring], None]
+    condense: Callable[[Ring | Corners], Any]  # gives the levels that are chosen at corners
 
 
 def run(
@@ -104,14 +105,18 @@ def _compute(
 ) -> None:
     """Add the rows that are lacking, task by task."""
     tasks = settled.plan.tasks(lambda variant: variant.identity not in rows)
-    rings = settled.plan.rings(lambda variant: variant.identity not in rows)
+    rings = settled.plan.rings(lambda variant: variant.identity not in rows and not variant.levels)
+    first = (*rings, *settled.plan.choices(lambda variant: variant.identity not in rows))
     if not tasks:
         return
     started, progress = engine(len(tasks)), settled.progress(rows)
     try:
-        for number, _ in enumerate(condensed(rings, work.condense, started), 1):
-            progress = replace(progress, rings=(number, len(rings)))
+        levels: dict[str, Any] = {}
+        for number, done in enumerate(condensed(first, work.condense, started), 1):
+            levels[done.argument.name] = done.answer or done.problem or "the worker process died"
+            progress = replace(progress, rings=(number, len(first)))
             tell(progress)
+        tasks = [replace(task, levels=levels.get(task.variants[0].levels)) for task in tasks]
         began, rows_of = perf_counter(), Counter(variant.identity for variant in settled.plan.variants)
         for new in finished(tasks, work.rows, started):
             kept.add(new)

@@ -34,7 +34,7 @@ class Progress:
     failed: int  # among them
     begun: int  # rows that were there at the start
     seconds: float  # since the first task began
-    rings: tuple[int, int] = (0, 0)  # condensed, of how many
+    rings: tuple[int, int] = (0, 0)  # condensed or resolved for a target, of how many
 
     @property
     def left(self) -> float | None:
@@ -65,10 +65,16 @@ class Prepared:
         return replace(self, plan=replace(self.plan, variants=variants), part=part)
 
     @property
-    def texts(self) -> tuple[str, ...]:
+    def outputs(self) -> tuple[str, ...]:
         """Outputs that rows hold."""
         of_cycles = duty.texts(self.study.spectrum).values() if self.study.spectrum else ()
-        return tuple(dict.fromkeys([*(column.text for column in self.columns), *of_cycles]))
+        of_columns = (column.text for column in self.columns if not column.error)
+        return tuple(dict.fromkeys([*of_columns, *of_cycles]))
+
+    @property
+    def texts(self) -> tuple[str, ...]:
+        """What rows hold: outputs and estimated errors."""
+        return (*self.outputs, *(column.text for column in self.columns if column.error))
 
     def journal(self, folder: Path) -> Path:
         """Where the rows are kept as they are finished."""

@@ -43,6 +43,7 @@ def variants(settled: Prepared) -> str:
         f"columns: {columns}",
         f"{len(plan.variants)} variants, {bad or 'none'} of them cannot be computed",
         f"{_rings(settled)} to be condensed, less those in the cache",
+        *_choices(settled),
         _expected(settled),
     ])  # fmt: skip
 
@@ -51,6 +52,13 @@ def _rings(settled: Prepared) -> str:
     """How many rings of which kind."""
     counts = Counter(ring.race for ring in settled.plan.rings())
     return " and ".join(f"{count} {race} rings" for race, count in counts.items()) or "no elastic rings"
+
+
+def _choices(settled: Prepared) -> list[str]:
+    """How often levels are chosen, where there is a target."""
+    corners = settled.plan.corners
+    looked_at = sum(len(each.variants) for each in corners)
+    return [f"levels for accuracy.target: {len(corners)} choices, at {looked_at} variants"] if corners else []
 
 
 def _expected(settled: Prepared) -> str:
@@ -149,6 +157,6 @@ class Shown:
     def _line(self, progress: Progress) -> str:
         condensed, rings = progress.rings
         if condensed < rings:
-            return f"{condensed} of {rings} elastic rings condensed"
+            return f"{condensed} of {rings} elastic rings condensed or resolved for the target"
         left = "" if progress.left is None else f", {duration(progress.left)} left"
         return f"{progress.done} of {progress.total} variants, {progress.failed} failed{left}"

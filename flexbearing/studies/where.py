@@ -77,4 +77,8 @@ def _connected(address: str, tasks: int) -> Engine:
 def expected(plan: Plan) -> float:
     """Usual time of all variants of a study on one core [s]."""
     elastic = sum(bool(variant.rings) for variant in plan.variants)
-    return RING * len(plan.rings()) + ELASTIC * elastic + RIGID * (len(plan.variants) - elastic)
+    rigid = len(plan.variants) - elastic
+    choices = sum(
+        len(corners.variants) for corners in plan.corners
+    )  # some solves each, as an elastic variant
+    return RING * len(plan.rings()) + ELASTIC * (elastic + choices) + RIGID * rigid

@@ -4,13 +4,14 @@ import logging
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from math import isnan
 from pathlib import Path
 from time import perf_counter
 from typing import Any
 
+from flexbearing.accuracy.shared import Levels, UsualLevels, shared_levels
 from flexbearing.api import compute
 from flexbearing.build.ring_parts import Race
 from flexbearing.cache.store import VARIABLE
@@ -23,9 +24,9 @@ from flexbearing.families import FAMILIES
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged
 from flexbearing.runs.many import Answer, answers
-from flexbearing.studies.plan import Ring, Row, Task, Variant
+from flexbearing.studies.plan import Corners, Ring, Row, Task, Variant
 from flexbearing.studies.plan.task import BAD_INPUT, CONVERGED, ERROR, Base, file_name
-from flexbearing.studies.table.collected import numbers
+from flexbearing.studies.table.collected import errors, numbers
 
 LONGEST = 500  # characters of a message
 log = logging.getLogger(__name__)
@@ -38,6 +39,7 @@ class Wish:
     texts: tuple[str, ...]  # outputs, with units
     search: bool = False  # whether other equilibria are searched where they are likely
     files: Path | None = None  # folder of a result file for each variant; None where the rows suffice
+    levels: Levels | None = None  # that variants with accuracy.target share
 
 
 def rows(task: Task, wish: Wish, cache: str | None = None) -> tuple[Row, ...]:
@@ -59,24 +61,46 @@ def rows(task: Task, wish: Wish, cache: str | None = None) -> tuple[Row, ...]:
     """
     read = _variants(task.base)
     cases = [read.case(variant.values) for variant in task.variants]  # which the plan has read already
+    levels = UsualLevels(task.levels) if isinstance(task.levels, str) else task.levels
+    wish = replace(wish, levels=levels)
     with _rings_in(cache):
         found = list(zip(task.variants, cases, strict=True))
         return tuple(_together(found, wish) or (_alone(*each, wish) for each in found))
 
 
-def condense(ring: Ring, cache: str | None = None) -> None:
+def condense(ring: Ring | Corners, cache: str | None = None) -> Levels | None:
     """Condense a ring into the cache; whatever goes wrong is told by the variants that have it.
 
     Parameters
     ----------
-    ring : Ring
-        of a variant
+    ring : Ring or Corners
+        of a variant, or variants at which levels are chosen
     cache : str, optional
         as for `rows`
+
+    Returns
+    -------
+    Levels or None
+        that variants share with these corners
     """
+    if isinstance(ring, Corners):
+        with _rings_in(cache), linear_algebra_alone():
+            return shared_levels(_cases(ring), Logged())
+    _keep(ring, cache)
+    return None
+
+
+def _cases(corners: Corners) -> list[Case]:
+    read = _variants(corners.base)
+    cases = (read.case(variant.values) for variant in corners.variants)
+    return [case for case in cases if isinstance(case, Case)]  # others have no target
+
+
+def _keep(ring: Ring, cache: str | None) -> None:
+    """Put a ring into the cache."""
     case = _variants(ring.base).case(ring.variant.values)
-    if not isinstance(case, Case) or case.accuracy.target is not None:
-        return  # not kept, or chosen with the loads
+    if not isinstance(case, Case):
+        return  # not kept
     from flexbearing.build.roller_bearing import bearing
     from flexbearing.rings.condensed import raceway
     from flexbearing.rings.fits import is_in_fit
@@ -107,7 +131,13 @@ def _together(found: Sequence[tuple[Variant, Head]], wish: Wish) -> list[Row]:
     if len(rollers) < len(found) or wish.files is not None:
         return []
     try:
-        batch = answers(rollers, wish.texts, lambda place: _answer(rollers[place], wish), search=wish.search)
+        batch = answers(
+            rollers,
+            wish.texts,
+            lambda place: _answer(rollers[place], wish),
+            search=wish.search,
+            levels=wish.levels,
+        )
     except Exception:  # of one of them, whose own run tells it
         log.debug("a batch of %d variants is computed one by one", len(found), exc_info=True)
         return []
@@ -116,14 +146,16 @@ def _together(found: Sequence[tuple[Variant, Head]], wish: Wish) -> list[Row]:
     return [
         _row(
             variant,
+            case,
             Answer(
                 batch.statuses[place],
                 batch.messages[place],
                 {text: column[place] for text, column in columns.items()},
             ),
             seconds,
+            wish,
         )
-        for place, (variant, _) in enumerate(found)
+        for place, (variant, case) in enumerate(found)
     ]
 
 
@@ -132,19 +164,21 @@ def _alone(variant: Variant, case: Head, wish: Wish) -> Row:
     began = perf_counter()
     file = None if wish.files is None else wish.files / file_name(variant)
     answer = _answer(case, wish, file)
-    return _row(variant, answer, perf_counter() - began)
+    return _row(variant, case, answer, perf_counter() - began, wish)
 
 
-def _row(variant: Variant, answer: Answer, seconds: float) -> Row:
+def _row(variant: Variant, case: Head, answer: Answer, seconds: float, wish: Wish) -> Row:
     words = excerpt("; ".join(answer.message.splitlines()), LONGEST)
     values = {text: number for text, number in answer.numbers.items() if not isnan(number)}
+    if wish.levels is not None and answer.status == CONVERGED:
+        values |= errors(wish.levels.estimate, wish.texts, case.kind, FAMILIES)
     return Row(variant.identity, answer.status, words, round(seconds, 6), values)
 
 
 def _answer(case: Head, wish: Wish, file: Path | None = None) -> Answer:
     """The answer of a run; that between rigid raceways where it does not converge."""
     try:
-        result = compute(case, output=file)
+        result = compute(case, output=file, levels=wish.levels)
     except BadCase as problem:
         return Answer(BAD_INPUT, str(problem), {})
     except MemoryError:

@@ -7,7 +7,7 @@ from hypothesis import given, strategies as st
 from pytest import approx
 
 from flexbearing.accuracy import Choice, Unusable, climb
-from flexbearing.accuracy.ladder import Verdict
+from flexbearing.accuracy.ladder import Verdict, climb_together
 
 LEVELS = 12
 RATIO = 0.3
@@ -155,3 +155,25 @@ def test_verdict_is_judged_by_the_largest_of_its_outputs():
     verdict = Verdict(SLICES, 0, (1,), {"load": 0.01, "life": 0.2}, 0.1, ("load", "life"))
     assert verdict.excess
     assert not replace(verdict, judged=("load",)).excess
+
+
+def test_problems_that_climb_together_take_the_finest_level_that_one_asks_for():
+    """The first needs fine slices, the second a fine part; both orders end at the same levels."""
+    target, load = 1e-3, lambda a, b: {"load": abs(a - b)}
+    problems = [Answers(series(0.5), series(0.0)), Answers(series(0.0), series(0.5, 0.2))]
+    alone = [problem.climb([SLICES, PART], target).place for problem in problems]
+    assert alone[0][0] > alone[1][0]
+    assert alone[0][1] < alone[1][1]
+    finest = tuple(map(max, *alone))
+    for order in (problems, problems[::-1]):
+        selections = climb_together([SLICES, PART], order, load, target, ("load",))
+        assert [selection.place for selection in selections] == [finest] * 2
+        assert all(selection.met for selection in selections)
+
+
+def test_a_problem_without_an_answer_where_others_are_ends_the_climb():
+    problems = [Answers(series(0.5), series(0.0)), Answers(series(0.0), series(0.0), broken=[(0, 0)])]
+    with pytest.raises(Unusable, match="choice 0 has no level 0"):
+        climb_together(
+            [replace(SLICES, last=0), PART], problems, lambda a, b: {"load": abs(a - b)}, 1e-3, ("load",)
+        )

@@ -2,9 +2,10 @@
 
 from collections import Counter, deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import Any
 
 from flexbearing.studies.engine.engine import Done, Engine
-from flexbearing.studies.plan import Ring, Row, Task
+from flexbearing.studies.plan import Corners, Ring, Row, Task
 from flexbearing.studies.plan.task import ERROR, WORKER_DIED
 
 ATTEMPTS = 3  # of a variant whose worker dies
@@ -56,17 +57,19 @@ def finished(
             yield rows
 
 
-def condensed(rings: Iterable[Ring], function: Callable[[Ring], None], engine: Engine) -> Iterator[Done]:
-    """Yield rings as they are condensed.
+def condensed(
+    rings: Iterable[Ring | Corners], function: Callable[[Ring | Corners], Any], engine: Engine
+) -> Iterator[Done]:
+    """Yield rings as they are condensed, and corners as levels are chosen at them.
 
     What goes wrong is told by the variants between them. A ring whose worker dies is tried again, twice.
 
     Parameters
     ----------
-    rings : iterable of Ring
+    rings : iterable of Ring or Corners
         each once
     function : callable (ring)
-        keeps the ring where tasks find it
+        keeps the ring where tasks find it; gives the levels of corners
     engine : Engine
         where it is called
 

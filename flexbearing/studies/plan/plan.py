@@ -12,8 +12,9 @@ from flexbearing.case.family import Families
 from flexbearing.case.problems import MOST
 from flexbearing.case.variants import Variants
 from flexbearing.studies.file import Axis, Study
+from flexbearing.studies.plan.corners import sharing_levels
 from flexbearing.studies.plan.identity import identity
-from flexbearing.studies.plan.task import Base, Ring, Task, Variant
+from flexbearing.studies.plan.task import Base, Corners, Ring, Task, Variant
 
 LARGEST_RIGID, LARGEST_ELASTIC = 128, 16  # variants of a task: some 0.1 s of work
 FEWEST = 8  # tasks into which a small study is cut, so that several workers have some
@@ -36,6 +37,7 @@ class Plan:
     axes: tuple[Axis, ...]
     variants: tuple[Variant, ...]  # row by row
     problems: tuple[Problem, ...]
+    corners: tuple[Corners, ...] = ()  # where levels are chosen that variants share
 
     def tasks(self, wanted: Callable[[Variant], bool]) -> tuple[Task, ...]:
         """Bundle variants that are still wanted, each identity once, those between the same rings together.
@@ -49,14 +51,14 @@ class Plan:
         -------
         tuple of Task
         """
-        groups: dict[tuple[str, ...], dict[str, Variant]] = {}
+        groups: dict[tuple[tuple[str, ...], str], dict[str, Variant]] = {}
         for variant in self.variants:
             if wanted(variant):
-                groups.setdefault(variant.rings, {})[variant.identity] = variant
+                groups.setdefault((variant.rings, variant.levels), {})[variant.identity] = variant
         share = -(-sum(map(len, groups.values())) // FEWEST)
         return tuple(
             Task(self.base, bundle)
-            for rings, group in groups.items()
+            for (rings, _), group in groups.items()
             for bundle in _bundles([*group.values()], min(LARGEST_ELASTIC if rings else LARGEST_RIGID, share))
         )
 
@@ -67,6 +69,11 @@ class Plan:
             for name in variant.rings:
                 found.setdefault(name, Ring(self.base, variant, name))
         return tuple(found.values())
+
+    def choices(self, wanted: Callable[[Variant], bool]) -> tuple[Corners, ...]:
+        """Where the levels of variants that are still wanted are chosen."""
+        names = {variant.levels for variant in filter(wanted, self.variants)}
+        return tuple(corners for corners in self.corners if corners.name in names)
 
     def settings(self, number: int) -> str:
         """Values of a variant in words, for messages."""
@@ -98,6 +105,7 @@ def plan(
     families: Families,
     require_possible: Callable[[Head], None],
     rings: Callable[[Head], tuple[str, ...]],
+    levels: Callable[[Head], str] = lambda case: "",
 ) -> Plan:
     """Settle what a study computes.
 
@@ -111,6 +119,8 @@ def plan(
         raises BadCase where physics or geometry forbid a case
     rings : callable (case)
         races and digests of the elastic rings of a case
+    levels : callable (case), optional
+        names the parts and the choices of a case with a target, empty of any other one
 
     Returns
     -------
@@ -119,15 +129,19 @@ def plan(
     """
     base = Base(study.case.resolve(), study.text, study.keys)
     read, variants, problems = Variants(base.path, base.text, base.keys, families), [], []
+    with_target: dict[int, Head] = {}
     for number, values in enumerate(_crossed(study.axes)):
         try:
             case = read.case(values)
             require_possible(case)
-            variants.append(Variant(values, identity(case), rings(case)))
+            variants.append(Variant(values, identity(case), rings(case), levels(case)))
+            if variants[-1].levels:
+                with_target[number] = case
         except BadCase as problem:
             variants.append(Variant(values, ""))
             problems.append(Problem(number, "; ".join(str(problem).splitlines())))
-    return Plan(study.name, base, study.axes, tuple(variants), tuple(problems))
+    found, corners = sharing_levels(base, variants, with_target)
+    return Plan(study.name, base, study.axes, found, tuple(problems), corners)
 
 
 def _crossed(axes: tuple[Axis, ...]) -> Iterator[tuple[Any, ...]]:

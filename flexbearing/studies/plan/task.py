@@ -1,7 +1,7 @@
 """What is handed to workers, and what they hand back."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -24,6 +24,7 @@ class Variant:
     values: tuple[Any, ...]  # of the keys, in the words of a case file
     identity: str
     rings: tuple[str, ...] = ()  # race and digest of its elastic rings, "outer 5f3a..."
+    levels: str = ""  # names the levels that it shares with others; empty without accuracy.target
 
 
 def file_name(variant: Variant) -> str:
@@ -37,11 +38,12 @@ class Task:
 
     base: Base
     variants: tuple[Variant, ...]
+    levels: Any = None  # that they share; None without accuracy.target
 
     @property
     def alone(self) -> tuple["Task", ...]:
         """The same variants, each in a task of its own."""
-        return tuple(Task(self.base, (variant,)) for variant in self.variants)
+        return tuple(replace(self, variants=(variant,)) for variant in self.variants)
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,6 +58,15 @@ class Ring:
     def race(self) -> str:
         """Which raceway it carries."""
         return self.name.partition(" ")[0]
+
+
+@dataclass(frozen=True, eq=False)
+class Corners:
+    """Variants at which the levels are chosen that others share with them."""
+
+    base: Base
+    variants: tuple[Variant, ...]
+    name: str  # of the levels
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ from flexbearing.case import BadCase
 from flexbearing.case.family import Families
 from flexbearing.outputs import UnknownOutput, Wanted, WrongUnit, outputs, wanted
 from flexbearing.outputs.names import BLOCKS, Block
+from flexbearing.quantities.layout import Layout
 from flexbearing.studies.file import Study
 from flexbearing.studies.plan import Row
 from flexbearing.studies.table.column import Column
@@ -21,6 +22,7 @@ class Collected:
     column: str  # its heading without the unit
     text: str  # as `flexbearing.outputs.wanted` takes it, with its unit
     unit: str  # empty for plain numbers
+    error: bool = False  # whether it is the estimated error of an output
 
     def values(self, rows: Sequence[Row]) -> Column:
         """The column of some rows; NaN where a row has no such number."""
@@ -109,6 +111,54 @@ def numbers(
         if not isnan(number):
             found[text] = number
     return found
+
+
+def with_errors(columns: Iterable[Collected], layout: Layout) -> tuple[Collected, ...]:
+    """Columns with those of their estimated errors behind them, where there are estimates."""
+    found = []
+    for column in columns:
+        found.append(column)
+        output = wanted(layout, column.text)
+        if _is_estimated(output):
+            unit = "%" if output.output.declared.error_relative else column.unit
+            found.append(Collected(f"{column.column} error", _of_error(column.text), unit, error=True))
+    return tuple(found)
+
+
+def errors(
+    estimates: Mapping[str, float], texts: tuple[str, ...], kind: str, families: Families
+) -> dict[str, float]:
+    """Estimated errors of outputs by the texts that name them.
+
+    Parameters
+    ----------
+    estimates : mapping
+        errors by the names of `SummaryValue.error`
+    texts, kind, families
+        as for `numbers`
+
+    Returns
+    -------
+    dict
+        in percent of the output, or in its unit where the estimate is not relative
+    """
+    found = {}
+    for text, output in _wanted(texts, kind, families[kind].layout):
+        declared = output.output.declared
+        if _is_estimated(output) and declared.error in estimates:
+            scale = 1.0 if declared.in_si or declared.unit is None else declared.unit.scale
+            factor = 100.0 if declared.error_relative else scale * output.conversion.factor
+            found[_of_error(text)] = factor * estimates[declared.error]
+    return found
+
+
+def _is_estimated(output: Wanted) -> bool:
+    """Whether there is an estimate of its error; of states between rigid raceways beside others is none."""
+    return bool(output.output.declared.error) and output.block != "rigid"
+
+
+def _of_error(text: str) -> str:
+    return f"{text} error"
 
 
 @lru_cache(maxsize=16)

@@ -1,0 +1,103 @@
+"""What is said of levels that a target led to: records, estimated errors, a target that is not met."""
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import numpy as np
+
+from flexbearing.accuracy.ladder import Selection, Unusable, Verdict
+from quasidynamic.note import Note, danger
+
+JUDGED = ("roller_load", "life")  # outputs that the target is of
+
+
+def require_resolved(selection: Selection) -> None:
+    """Refuse levels at which a part is rigid only since its own levels have no answer.
+
+    Raises
+    ------
+    Unusable
+        saying why they have none
+    """
+    for verdict in selection.verdicts:
+        if verdict.choice.converging > verdict.level and verdict.excess:
+            raise Unusable("; ".join(dict.fromkeys(verdict.unusable.values())))
+
+
+def largest(selections: Sequence[Selection]) -> dict[str, float]:
+    """Largest estimated error of each output over cases at the same levels."""
+    errors: dict[str, float] = {}
+    for selection in selections:
+        for name, error in selection.estimate.items():
+            errors[name] = max(error, errors.get(name, 0.0))
+    return errors
+
+
+def attributes(selections: Sequence[Selection]) -> dict[str, Any]:
+    """Root attributes of a result: choices of the case with the largest errors, and the largest errors.
+
+    Parameters
+    ----------
+    selections : sequence of Selection
+        one, or those of several cases at the same levels
+
+    Returns
+    -------
+    dict
+        `choices` and `error_estimate`, as JSON can hold them
+    """
+    errors = largest(selections)
+    return {
+        "choices": {verdict.choice.name: _record(verdict) for verdict in _worst(selections).verdicts},
+        "error_estimate": {
+            "target": selections[0].target,
+            "met": all(selection.met for selection in selections),
+            **{name: error if np.isfinite(error) else None for name, error in errors.items()},
+        },
+    }
+
+
+def unmet(selections: Sequence[Selection]) -> Iterator[Note]:
+    """Danger of a target that is not met, with what its errors are and what makes them."""
+    if all(selection.met for selection in selections):
+        return
+    selection = _worst(selections)
+    errors = " and ".join(
+        f"{percent(selection.estimate[name])} of the {words}"
+        for name, words in zip(JUDGED, ("largest load", "life"), strict=True)
+        if name in selection.estimate
+    )
+    worst = max(
+        selection.verdicts,
+        key=lambda verdict: max(verdict.estimate.get(name, 0.0) for name in JUDGED),
+    )
+    choice = worst.choice
+    fixed = ", which the case fixes" if worst.level == choice.highest and choice.last is not None else ""
+    yield danger(
+        "unmet-target",
+        f"accuracy.target of {percent(selection.target)} is not met: the estimated errors are {errors}, "
+        f"most of it from {choice.name} ({choice.levels[worst.level]}{fixed})",
+    )
+
+
+def percent(share: float) -> str:
+    """A share in two digits."""
+    return f"{100 * share:.2g} %"
+
+
+def _worst(selections: Sequence[Selection]) -> Selection:
+    return max(selections, key=lambda each: max(each.estimate.get(name, 0.0) for name in JUDGED))
+
+
+def _record(verdict: Verdict) -> dict[str, Any]:
+    """One choice as JSON can hold it."""
+    choice = verdict.choice
+    return {
+        "level": choice.levels[verdict.level],
+        "fixed": choice.last is not None and verdict.level == choice.highest,
+        "compared_with": [choice.levels[level] for level in verdict.against],
+        "changes": dict(verdict.changes),
+        "factor": verdict.factor,
+        "allowed": verdict.allowed,
+        "unusable": dict(verdict.unusable),
+    }
