@@ -1,17 +1,20 @@
 """The computing of a study: what is still lacking, by an engine, into journal and table."""
 
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Sequence, Set
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from time import perf_counter
 from typing import Any
 
 from flexbearing.files import NotStored, require_folder, require_output, write
 from flexbearing.report.picture import png_bytes
-from flexbearing.studies.engine import Engine, condensed, finished
+from flexbearing.studies.engine import Engine, completed, finished
+from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.plan import Corners, Ring, Row, Task
+from flexbearing.studies.plan.task import involves
 from flexbearing.studies.settled import Prepared, Progress
 from flexbearing.studies.table import Table, journal
 from flexbearing.studies.table.files import CYCLES, places, store
@@ -76,9 +79,10 @@ def run(
     rows: dict[str, Row] = {}
     try:
         with journal.opened(path, settled.texts) as kept:
+            suspects = journal.begun(path)
             rows |= settled.rows(folder, retry_failed=retry_failed)
             tell(settled.progress(rows))
-            _compute(settled, rows, work, engine, kept, tell)
+            _compute(settled, rows, work, partial(_guarded, engine, kept, suspects), kept, tell)
     except BaseException as problem:
         if rows:
             done = settled.progress(rows)
@@ -93,6 +97,16 @@ def run(
     if picture and settled.plot and not settled.part:
         write(picture, png_bytes(draw(table, settled.plot)))
     return table
+
+
+def _guarded(
+    engine: Callable[[int], Engine], kept: journal.Journal, suspects: Set[str], tasks: int
+) -> Engine:
+    """The engine; one in this process does not meet again there what ended a former one."""
+    started = engine(tasks)
+    if isinstance(started, Serial):
+        started.guard(kept.begins, partial(involves, suspects=suspects))
+    return started
 
 
 def _compute(
@@ -112,7 +126,7 @@ def _compute(
     started, progress = engine(len(tasks)), settled.progress(rows)
     try:
         levels: dict[str, Any] = {}
-        for number, done in enumerate(condensed(first, work.condense, started), 1):
+        for number, done in enumerate(completed(first, work.condense, started), 1):
             levels[done.argument.name] = done.answer or done.problem or "the worker process died"
             progress = replace(progress, rings=(number, len(first)))
             tell(progress)

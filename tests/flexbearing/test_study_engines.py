@@ -11,12 +11,13 @@ from pathlib import Path
 import pytest
 
 from flexbearing.case import BadCase
-from flexbearing.studies.engine import Done, condensed
+from flexbearing.studies.engine import Done, completed
+from flexbearing.studies.engine.apart import Apart
 from flexbearing.studies.engine.local import Local, NoWorkers
 from flexbearing.studies.engine.on_dask import connected
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.plan import Ring
-from flexbearing.studies.plan.task import Base, Variant
+from flexbearing.studies.plan.task import Base, Variant, involves
 from flexbearing.studies.run import Work, run
 from flexbearing.studies.where import Where, expected
 from tests.flexbearing import toy_studies
@@ -71,7 +72,7 @@ def test_every_ring_is_condensed_once_whatever_becomes_of_its_worker():
         if ring.name == "outer 3" or calls == ["outer 0"]:
             raise ValueError("dead")
 
-    assert len(list(condensed(rings, condense, Mortal()))) == 6
+    assert len(list(completed(rings, condense, Mortal()))) == 6
     assert {name: calls.count(name) for name in set(calls)} == {
         f"outer {number}": {0: 2, 3: 3}.get(number, 1) for number in range(6)
     }
@@ -191,3 +192,68 @@ def test_elastic_rings_are_shared_also_without_a_cache(tmp_path, monkeypatch):
         assert one == two
     assert tables[0].failed == 0
     assert not list((tmp_path / "2").glob("*.rings"))
+
+
+DRIVER_OF_ONE = """
+import sys
+from functools import partial
+from pathlib import Path
+from flexbearing.studies.engine.serial import Serial
+from flexbearing.studies.run import Work, run
+from tests.flexbearing.toy_studies import deadly, no_ring, toy
+folder = Path(sys.argv[1])
+settled = toy(folder, sys.argv[2])
+work = Work(partial(deadly, texts=settled.texts, place=folder / "attempts"), no_ring)
+table = run(settled, folder, work, lambda tasks: Serial())
+print([row["operation.radial_load [N]"] for row in table.rows if row["status"] == "worker died"])
+"""
+
+
+def test_a_variant_that_kills_the_only_process_does_so_once(tmp_path):
+    """The same study again finds it in a process beside, with the others of its task."""
+    words = [sys.executable, "-c", DRIVER_OF_ONE, tmp_path, FORTY]
+    first, second = (subprocess.run(words, capture_output=True, text=True, cwd=ROOT) for _ in range(2))
+    assert (first.returncode, first.stdout) == (-signal.SIGKILL, "")
+    assert (second.returncode, second.stdout) == (0, "[7000.0]\n")
+    assert (tmp_path / "attempts").read_text().split() == ["5", "5", "1", "1"]
+
+
+def test_a_ring_that_kills_the_only_process_is_condensed_beside_it(tmp_path):
+    base = Base(Path("case.toml"), "", ())
+    place, rings = tmp_path / "processes", [Ring(base, Variant((), ""), name) for name in ("inner", "outer")]
+    engine, noted = Serial(), []
+    engine.guard(lambda ring: noted.append(ring.name), lambda ring: involves(ring, {"outer"}))
+    ends = [*completed(rings, partial(toy_studies.deadly_outer, place=place), engine)]
+    engine.close()
+    assert [(done.argument.name, done.died) for done in ends] == [("inner", False), ("outer", True)]
+    assert noted == ["inner"]
+    assert place.read_text().split().count(str(os.getpid())) == 1
+    assert len(place.read_text().split()) == 4
+
+
+def test_a_process_beside_hands_back_answers_exceptions_and_deaths():
+    engine = Apart()
+    for call in ((abs, -3), (int, "three"), (os._exit, 1), (abs, -4)):
+        engine.submit(*call)
+    ends = [*engine.as_completed()]
+    engine.close()
+    assert [done.answer for done in ends] == [3, None, None, 4]
+    assert isinstance(ends[1].raised, ValueError)
+    assert [done.died for done in ends] == [False, False, True, False]
+
+
+def test_a_process_beside_ends_with_the_one_that_called(tmp_path):
+    script = (
+        "import sys\nfrom flexbearing.studies.engine.apart import Apart\nengine = Apart()\n"
+        "from tests.flexbearing.toy_studies import asleep\nengine.submit(asleep, sys.argv[1])\n"
+        "list(engine.as_completed())"
+    )
+    place = tmp_path / "process"
+    with subprocess.Popen([sys.executable, "-c", script, place], cwd=ROOT) as driver:
+        while not (place.exists() and place.read_text()):
+            time.sleep(0.02)
+        driver.kill()
+    gone_by = time.monotonic() + 20
+    while Path(f"/proc/{place.read_text()}").exists():
+        assert time.monotonic() < gone_by
+        time.sleep(0.05)

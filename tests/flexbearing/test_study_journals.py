@@ -8,7 +8,8 @@ import pytest
 from hypothesis import given, strategies as st
 
 from flexbearing.files import BadOutput, NotStored
-from flexbearing.studies.plan import Row
+from flexbearing.studies.plan import Row, Task, Variant
+from flexbearing.studies.plan.task import Base
 from flexbearing.studies.table import journal
 
 NAMES = "life_L10 [h]", "cage_slip [%]"
@@ -128,3 +129,19 @@ def test_a_device_without_room_refuses_the_first_line():
         open("/dev/full", "wb", buffering=0) as file,  # noqa: PTH123
     ):
         journal.Journal(file, Path("/dev/full"), NAMES)
+
+
+def test_what_a_process_was_at_work_at_is_known_until_it_has_rows_or_the_process_ends(path):
+    task = Task(Base(path, "", ()), (Variant((), "a"), Variant((), "b")))
+    assert journal.begun(path) == frozenset()
+    with journal.opened(path, NAMES) as kept:
+        kept.begins(task)
+        assert journal.begun(path) == {"a", "b"}
+        kept.add(ROWS[:1])
+        assert journal.begun(path) == {"b"}
+        killed = path.read_bytes()
+    assert journal.begun(path) == frozenset()
+    path.write_bytes(killed)
+    write(path)
+    assert journal.begun(path) == {"b"}  # nothing has come of it yet
+    assert journal.read(path) == {"a": ROWS[0]}

@@ -57,3 +57,17 @@ def slow_cubes(task, texts, place):
 
 def no_ring(ring):
     """Rings of toys are rigid."""
+
+
+def deadly_outer(ring, place):
+    """The process of an outer ring is killed; the processes stand in a file."""
+    with place.open("a") as file:
+        file.write(f"{os.getpid()}\n")
+    if ring.name == "outer":
+        os._exit(1)
+
+
+def asleep(place):
+    """As long as a test takes; the process stands in a file."""
+    Path(place).write_text(str(os.getpid()))
+    time.sleep(60)

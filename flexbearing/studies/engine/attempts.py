@@ -2,13 +2,23 @@
 
 from collections import Counter, deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from typing import Any
+from typing import Any, Protocol
 
 from flexbearing.studies.engine.engine import Done, Engine
-from flexbearing.studies.plan import Corners, Ring, Row, Task
+from flexbearing.studies.plan import Row, Task
 from flexbearing.studies.plan.task import ERROR, WORKER_DIED
 
 ATTEMPTS = 3  # of a variant whose worker dies
+DIED = f"its worker process died {ATTEMPTS} times without a word, out of memory or by a crash"
+
+
+class Named(Protocol):
+    """The argument of a call."""
+
+    @property
+    def name(self) -> str:
+        """By which its attempts are counted."""
+        ...
 
 
 def finished(
@@ -57,28 +67,24 @@ def finished(
             yield rows
 
 
-def condensed(
-    rings: Iterable[Ring | Corners], function: Callable[[Ring | Corners], Any], engine: Engine
-) -> Iterator[Done]:
-    """Yield rings as they are condensed, and corners as levels are chosen at them.
-
-    What goes wrong is told by the variants between them. A ring whose worker dies is tried again, twice.
+def completed(calls: Iterable[Named], function: Callable[[Any], Any], engine: Engine) -> Iterator[Done]:
+    """Yield calls as they are completed: one whose worker dies is tried again, twice.
 
     Parameters
     ----------
-    rings : iterable of Ring or Corners
-        each once
-    function : callable (ring)
-        keeps the ring where tasks find it; gives the levels of corners
+    calls : iterable of Ring, or of other arguments with a name
+        each name once
+    function : callable (argument)
+        what is called
     engine : Engine
         where it is called
 
     Yields
     ------
     Done
-        one for each ring
+        one for each argument
     """
-    waiting, deaths = deque(rings), Counter[str]()
+    waiting, deaths = deque(calls), Counter[str]()
     for _ in range(min(engine.workers, len(waiting))):
         engine.submit(function, waiting.popleft())
     for done in engine.as_completed():
@@ -103,8 +109,7 @@ def _deaths(task: Task, deaths: Counter[str], again: deque[Task]) -> Iterator[Ro
         if deaths[identity] < ATTEMPTS:
             again.append(alone)
         else:
-            words = f"its worker process died {ATTEMPTS} times without a word, out of memory or by a crash"
-            yield Row(identity, WORKER_DIED, words, 0.0)
+            yield Row(identity, WORKER_DIED, DIED, 0.0)
 
 
 def _failed(done: Done) -> Iterator[Row]:

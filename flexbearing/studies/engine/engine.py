@@ -11,8 +11,17 @@ class Done:
 
     argument: Any  # what was submitted
     answer: Any = None  # of the function
-    problem: str = ""  # why there is no answer: what the function raised
+    raised: Exception | None = None  # by the function, instead of an answer
     died: bool = False  # its worker ended without a word
+
+    @property
+    def problem(self) -> str:
+        """What the function raised, in words; empty where there is an answer."""
+        return f"{type(self.raised).__name__}: {self.raised}" if self.raised else ""
+
+
+class NoWorkers(RuntimeError):
+    """Worker processes end as soon as they are started."""
 
 
 class Engine(Protocol):

@@ -15,6 +15,7 @@ from tempfile import TemporaryFile
 from typing import IO, Any
 
 from flexbearing.program.threads import environment
+from flexbearing.studies.engine.engine import NoWorkers
 from flexbearing.studies.engine.on_dask import OnDask
 
 STARTS = 5  # of workers that end before any task does, until the study is given up
@@ -25,10 +26,6 @@ _CONFIGURATION = {
     "distributed.scheduler.http.routes": [],
 }
 _log = logging.getLogger("distributed")
-
-
-class NoWorkers(RuntimeError):
-    """Worker processes end as soon as they are started."""
 
 
 class Local(OnDask):

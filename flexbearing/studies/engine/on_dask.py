@@ -53,7 +53,7 @@ def _done(argument: Any, future: "Future") -> Done:
     except KilledWorker:
         return Done(argument, died=True)
     except Exception as problem:  # of one task, which must not end the others
-        return Done(argument, problem=f"{type(problem).__name__}: {problem}")
+        return Done(argument, raised=problem)
     finally:
         future.release()
 

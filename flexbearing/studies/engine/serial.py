@@ -4,6 +4,7 @@ from collections import deque
 from collections.abc import Callable, Iterator
 from typing import Any
 
+from flexbearing.studies.engine.apart import Apart
 from flexbearing.studies.engine.engine import Done
 
 
@@ -14,6 +15,21 @@ class Serial:
 
     def __init__(self):
         self._waiting: deque[tuple[Callable[[Any], Any], Any]] = deque()
+        self._apart = Apart()
+        self._begins: Callable[[Any], None] = lambda argument: None
+        self._suspected: Callable[[Any], bool] = lambda argument: False
+
+    def guard(self, begins: Callable[[Any], None], suspected: Callable[[Any], bool]) -> None:
+        """Have calls noted, and those that ended this process in a former run made in a process beside it.
+
+        Parameters
+        ----------
+        begins : callable (argument)
+            told of each call that is made in this process
+        suspected : callable (argument)
+            whether a call is made beside it
+        """
+        self._begins, self._suspected = begins, suspected
 
     def submit(self, function: Callable[[Any], Any], argument: Any) -> None:
         """Put a call into the queue."""
@@ -23,12 +39,18 @@ class Serial:
         """Call the functions in the order in which they were submitted."""
         while self._waiting:
             function, argument = self._waiting.popleft()
+            if self._suspected(argument):
+                self._apart.submit(function, argument)
+                yield from self._apart.as_completed()
+                continue
+            self._begins(argument)
             try:
                 done = Done(argument, function(argument))
             except Exception as problem:  # of one task, which must not end the others
-                done = Done(argument, problem=f"{type(problem).__name__}: {problem}")
+                done = Done(argument, raised=problem)
             yield done
 
     def close(self) -> None:
         """Forget what was not called."""
         self._waiting.clear()
+        self._apart.close()

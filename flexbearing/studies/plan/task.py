@@ -1,6 +1,6 @@
 """What is handed to workers, and what they hand back."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Set
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -67,6 +67,20 @@ class Corners:
     base: Base
     variants: tuple[Variant, ...]
     name: str  # of the levels
+
+
+Call = Task | Ring | Corners  # the argument of a call
+
+
+def names(call: Call) -> tuple[str, ...]:
+    """Identities of variants that are computed, or the name of what is made for several."""
+    return tuple(each.identity for each in call.variants) if isinstance(call, Task) else (call.name,)
+
+
+def involves(call: Call, suspects: Set[str]) -> bool:
+    """Whether a call computes something that has one of some names, or variants between such rings."""
+    rings = [ring for each in call.variants for ring in each.rings] if isinstance(call, Task) else ()
+    return not suspects.isdisjoint((*names(call), *rings))
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ tore is left out when the file is read; its variants are computed again.
 import json
 import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from io import FileIO
 from math import isfinite, isnan
 from pathlib import Path
@@ -16,6 +16,7 @@ from zlib import crc32
 
 from flexbearing.files import NotStored, lock
 from flexbearing.studies.plan import Row
+from flexbearing.studies.plan.task import Call, names as names_of
 
 SUFFIX = ".journal.jsonl"
 _HEAD = '{"crc": "%08x", '
@@ -41,17 +42,39 @@ def read(path: Path) -> dict[str, Row]:
     for entry in _entries(path):
         if "names" in entry:
             names = entry["names"]
-        elif entry["of"] == _of(names):  # else the line with its names was lost
+        elif entry.get("of") == _of(names):  # else the line with its names was lost, or a task began
             row = _row(entry, names)
             rows[row.identity] = row
     return rows
+
+
+def begun(path: Path) -> frozenset[str]:
+    """Variants, or the ring, at which a process of one job was at work when it ended without a word.
+
+    Parameters
+    ----------
+    path : Path
+        there or not
+
+    Returns
+    -------
+    frozenset of str
+        identities of variants without a row, or the name of a ring
+    """
+    names = frozenset[str]()
+    for entry in _entries(path):
+        if "begun" in entry:
+            names = frozenset(entry["begun"])
+        elif "identity" in entry:
+            names -= {entry["identity"]}
+    return names
 
 
 class Journal:
     """The writer of a journal."""
 
     def __init__(self, file: FileIO, path: Path, names: Sequence[str], after: bytes = b""):
-        self._file, self._path, self._names = file, path, names
+        self._file, self._path, self._names, self._at_work = file, path, names, False
         self._write(after + _line({"names": [*names]}))
 
     def add(self, rows: Iterable[Row]) -> None:
@@ -63,6 +86,22 @@ class Journal:
             if there is no room for them
         """
         self._write(b"".join(_line(_entry(row, self._names)) for row in rows))
+
+    def begins(self, call: Call) -> None:
+        """Note what this process is at work at from now on, for `begun`.
+
+        Raises
+        ------
+        NotStored
+            if there is no room for it
+        """
+        self._at_work = True
+        self._write(_line({"begun": names_of(call)}))
+
+    def ends(self) -> None:
+        """Note that this process ends and no call ended it."""
+        if self._at_work:
+            self._write(_line({"begun": []}))
 
     def _write(self, lines: bytes) -> None:
         left = memoryview(lines)
@@ -96,7 +135,12 @@ def opened(path: Path, names: Sequence[str]) -> Iterator[Journal]:
     """
     with lock(path), FileIO(path, "ab+") as file:
         torn = file.seek(0, os.SEEK_END) and os.pread(file.fileno(), 1, file.tell() - 1) != b"\n"
-        yield Journal(file, path, names, after=b"\n" if torn else b"")
+        kept = Journal(file, path, names, after=b"\n" if torn else b"")
+        try:
+            yield kept
+        finally:
+            with suppress(NotStored):  # then the same calls are only made more carefully
+                kept.ends()
         os.fsync(file.fileno())
 
 
