@@ -3,6 +3,7 @@
 import glob
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -68,7 +69,7 @@ class Prepared:
     def outputs(self) -> tuple[str, ...]:
         """Outputs that rows hold."""
         of_cycles = duty.texts(self.study.spectrum).values() if self.study.spectrum else ()
-        of_columns = (column.text for column in self.columns if not column.error)
+        of_columns = chain(*(column.texts for column in self.columns if not column.error))
         return tuple(dict.fromkeys([*of_columns, *of_cycles]))
 
     @property

@@ -1,10 +1,15 @@
 """Pictures of studies: which columns they need, which points are joined."""
 
+from dataclasses import replace
 from math import isnan
 
 import pytest
 
 from flexbearing.case import BadCase
+from flexbearing.quantities.roller import LAYOUT
+from flexbearing.studies.plan import Row
+from flexbearing.studies.table.collected import of_text
+from flexbearing.studies.table.marks import Mark
 from flexbearing.studies.table.plot import Plot, draw
 from tests.flexbearing.test_studies import computed
 from tests.flexbearing.test_study_tables import CROSSED
@@ -73,6 +78,75 @@ def test_rigid_raceways_are_dashed_in_the_colour_of_their_line(tmp_path):
 def test_outputs_over_an_output_are_points(tmp_path):
     _, (lines,) = drawn(computed(toy(tmp_path), tmp_path), x="slip", rigid=(None,))
     assert lines[0].get_linestyle() == "None"
+
+
+MARK = """
+[plot]
+x = "operation.radial_load"
+y = ["life", "cage_slip [%]"]
+[[plot.marks]]
+y = "life"
+value = "1 rev .. 2e6 rev"
+label = "printed"
+source = "Book, p. 3"
+[[plot.marks]]
+y = "cage_slip [%]"
+value = "0.5"
+x = "4 kN"
+label = "measured"
+source = "Report"
+"""
+
+
+def test_marks_are_drawn_in_the_units_of_their_axes(tmp_path):
+    settled = toy(tmp_path, collect=COLLECT + MARK)
+    assert settled.plot.marks == (
+        Mark("life", pytest.approx(1e-6), pytest.approx(2.0), None, "printed (Book, p. 3)"),
+        Mark("slip", pytest.approx(50.0), pytest.approx(50.0), 4000.0, "measured (Report)"),
+    )
+    figure = draw(computed(settled, tmp_path), settled.plot)
+    named = [[text.get_text() for text in axes.get_legend().get_texts()] for axes in figure.axes]
+    assert named == [["printed (Book, p. 3)"], ["measured (Report)"]]
+
+
+def test_quotients_are_columns_of_two_outputs_in_the_same_unit(tmp_path):
+    collect = '[collect]\ngain = "life_L10 / life_L10 [%]"\nslip = "cage_slip"'
+    settled = toy(tmp_path, collect=collect)
+    share = of_text("share", "flexible.max_roller_load / rigid.max_roller_load [%]", LAYOUT)
+    (above, below), row = share.texts, Row("", "converged", "", 0.0)
+    assert share.values([replace(row, values={above: 3.0, below: 4.0})]).values == (75.0,)
+    assert all(map(isnan, share.values([replace(row, values={above: 3.0, below: 0.0}), row]).values))
+    values = computed(settled, tmp_path)["gain"].values
+    assert isnan(values[0])
+    assert values[-1] == 100.0
+
+
+WRONG_QUOTIENTS = {
+    "life_L10 / cage_slip": r"'Mrev' is a unit of another kind than '%'",
+    "life_L10 / live": r"'live.*no output has this name",
+    "life_L10 / life_L10 [N]": r"'N' is a unit of another kind than '1'",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("text", "message"), WRONG_QUOTIENTS.items(), ids=list(WRONG_QUOTIENTS))
+def test_a_wrong_quotient_is_told(tmp_path, text, message):
+    with pytest.raises(BadCase, match=rf"^toy\.toml: \[collect\] gain: .*{message}"):
+        toy(tmp_path, collect=f'[collect]\ngain = "{text}"')
+
+
+WRONG_MARKS = {
+    ('y = "life"', 'y = "live"'): r"y = live has no panel; it must be life or cage_slip \[%\]",
+    ("2e6 rev", "2 N"): r"2 N: 'N' is a unit of another kind",
+    ("2e6 rev", "many"): r"many: could not convert",
+    ("2e6 rev", "2 rev .. 3 rev"): r"value = 1 rev \.\. 2 rev \.\. 3 rev is no number and no range",
+    ('"4 kN"', '"4 mm"'): r"x = 4 mm is not a force",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("change", "message"), WRONG_MARKS.items(), ids=lambda each: each[1])
+def test_a_wrong_mark_is_told(tmp_path, change, message):
+    with pytest.raises(BadCase, match=rf"^toy\.toml: \[plot\] marks: {message}"):
+        toy(tmp_path, collect=COLLECT + MARK.replace(*change, 1))
 
 
 WRONG = {

@@ -14,8 +14,12 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-LABELLED = 12  # lines at most that the legend names
+LABELLED = 16  # lines at most that the legend names
+STYLES = "o-", "s-.", "^:"  # one after the other, each with all colours
 WIDE = 100  # highest over lowest value from which a panel is logarithmic
+LONG = 30  # characters of a label from which the legend has two columns
+COLOURS = 10  # of lines, before they come again
+MARKERS = ("0.2", "D", 6.5), ("0.45", "X", 9.0)  # grey, form and size of printed points, in turn
 EVEN = 1e-6  # by how much ratios of a logarithmic range differ
 
 
@@ -31,11 +35,22 @@ class Line:
 
 
 @dataclass(frozen=True)
+class Printed:
+    """A number from elsewhere: a point, a level across the panel where x is not known, or a range."""
+
+    label: str
+    low: float
+    high: float
+    x: Any = None
+
+
+@dataclass(frozen=True)
 class Panel:
     """The lines of one output."""
 
     label: str  # name and unit
     lines: tuple[Line, ...]
+    printed: tuple[Printed, ...] = ()
 
 
 def draw_lines(title: str, label: str, panels: Sequence[Panel]) -> Figure:
@@ -56,30 +71,39 @@ def draw_lines(title: str, label: str, panels: Sequence[Panel]) -> Figure:
     """
     from matplotlib.figure import Figure  # a second to load: only pictures pay for it
 
-    figure = Figure(figsize=(7.0, 1.6 + 2.6 * len(panels)), layout="constrained")
+    entries = max(len(panel.lines) for panel in panels)
+    height = 1.6 + 2.6 * len(panels) + (2.5 if entries > COLOURS else 0.0)
+    figure = Figure(figsize=(7.0, height), layout="constrained")
     rows = figure.subplots(len(panels), sharex=True, squeeze=False)[:, 0]
     for axes, panel in zip(rows, panels, strict=True):
         _draw(axes, panel)
     rows[-1].set_xlabel(label)
-    rows[0].set_title(titled(title, 70), fontsize=11, pad=12, parse_math=False)
+    figure.suptitle(titled(title, 70), fontsize=11, parse_math=False)
     handles, labels = rows[0].get_legend_handles_labels()
     if len(labels) > 1:
+        columns, size = (2, 8.5) if max(map(len, labels)) > LONG else (3, 10.0)
         figure.legend(
-            handles[:LABELLED], labels[:LABELLED], loc="outside lower center", ncols=3, frameon=False
+            handles[:LABELLED],
+            labels[:LABELLED],
+            loc="outside lower center",
+            ncols=columns,
+            fontsize=size,
+            frameon=False,
         )
     return figure
 
 
 def _draw(axes: Axes, panel: Panel) -> None:
-    for line in panel.lines:
-        (drawn,) = axes.plot(
-            line.x, line.y, "o-" if line.joined else "o", markersize=3.5, linewidth=1.6, label=line.label
-        )
+    for number, line in enumerate(panel.lines):
+        style = STYLES[number // COLOURS % len(STYLES)] if line.joined else "o"
+        label = line.label or ("flexible" if line.rigid is not None else "")
+        (drawn,) = axes.plot(line.x, line.y, style, markersize=3.5, linewidth=1.6, label=label)
         if line.rigid is not None:
             style = "--" if line.joined else "x"
             axes.plot(line.x, line.rigid, style, color=drawn.get_color(), linewidth=1.2, markersize=4)
     if any(line.rigid is not None for line in panel.lines):
         axes.plot([], [], "--", color="0.4", linewidth=1.2, label="rigid raceways")
+    _draw_printed(axes, panel.printed)
     axes.set_ylabel(panel.label.replace("_", " "))
     if _is_wide(panel):
         axes.set_yscale("log")
@@ -87,6 +111,33 @@ def _draw(axes: Axes, panel: Panel) -> None:
         axes.set_xscale("log")
     axes.grid(color="0.88", linewidth=0.6)
     axes.spines[["top", "right"]].set_visible(False)
+
+
+def _draw_printed(axes: Axes, printed: Sequence[Printed]) -> None:
+    """Draw printed numbers in grey, named above the panel."""
+    shown: list[Any] = []
+    for number, each in enumerate(printed):
+        half = (each.high - each.low) / 2
+        grey, form, size = MARKERS[number % len(MARKERS)]
+        if each.x is not None:
+            bar = axes.errorbar([each.x], [each.low + half], [half] if half else None, fmt=form, capsize=4)
+            bar.lines[0].set(color=grey, markersize=size, markeredgecolor="white", zorder=5)
+            shown.append(bar)
+        elif half:
+            shown.append(axes.axhspan(each.low, each.high, color=grey, alpha=0.18, linewidth=0))
+        else:
+            shown.append(axes.axhline(each.low, color=grey, linestyle=":", linewidth=1.6))
+    if shown:
+        axes.legend(
+            shown,
+            [each.label for each in printed],
+            loc="lower right",
+            bbox_to_anchor=(1.0, 1.0),
+            ncols=2,
+            fontsize=8,
+            frameon=False,
+            borderaxespad=0.1,
+        )
 
 
 def _is_wide(panel: Panel) -> bool:

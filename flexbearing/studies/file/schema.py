@@ -55,6 +55,18 @@ class Duty(Section):
     life: Literal["life_L10", "modified_life"] = key("which life is cumulated for the bearing", "life_L10")
 
 
+class MarkTable(Section):
+    """A number from elsewhere, printed or measured, that is drawn beside those of the study."""
+
+    y: str = key("one of plot.y, whose panel it belongs to")
+    value: str = key('with the unit, or a range "FROM .. TO"', example="33.8 % .. 76.4 %")
+    x: str | None = key(
+        "place along x with the unit, or the text; without it a line or a band across the panel", None
+    )
+    label: str = key("what it is")
+    source: str = key("where it is from")
+
+
 class PlotTable(Section):
     """What is drawn of the table."""
 
@@ -71,6 +83,9 @@ class PlotTable(Section):
         min_length=1,
     )
     rigid: bool = key("whether the same between rigid raceways is drawn dashed", False)
+    marks: tuple[MarkTable, ...] = key(
+        "numbers from elsewhere that are drawn too, a table [[plot.marks]] for each", (), strict=False
+    )
 
 
 class StudyFile(Section):
@@ -94,8 +109,8 @@ class StudyFile(Section):
         "duty cycle: rows with their shares, whose damage adds up to the life of each other variant", None
     )
     collect: Mapping[str, str] | None = key(
-        "columns of the table, each with the name of an output and a unit; without it every number of the "
-        "summary",
+        "columns of the table, each with the name of an output and a unit, or with the quotient of two "
+        'outputs of the same kind, "flexible.life_L10 / rigid.life_L10"; without it all of the summary',
         None,
         example={"life": "flexible.life_L10 [h]"},
     )

@@ -1,18 +1,22 @@
 """Outputs that become columns, by the names of the summary."""
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from math import isnan
+from math import isnan, nan
 
 from flexbearing.case import BadCase
 from flexbearing.case.family import Families
 from flexbearing.outputs import UnknownOutput, Wanted, WrongUnit, outputs, wanted
 from flexbearing.outputs.names import BLOCKS, Block
+from flexbearing.outputs.value import conversion
 from flexbearing.quantities.layout import Layout
 from flexbearing.studies.file import Study
 from flexbearing.studies.plan import Row
 from flexbearing.studies.table.column import Column
+
+_QUOTIENT = re.compile(r"\s*(?P<dividend>[\w.]+)\s*/\s*(?P<divisor>[\w.]+)\s*(?:\[(?P<unit>[^]]*)\]\s*)?")
 
 
 @dataclass(frozen=True)
@@ -23,10 +27,24 @@ class Collected:
     text: str  # as `flexbearing.outputs.wanted` takes it, with its unit
     unit: str  # empty for plain numbers
     error: bool = False  # whether it is the estimated error of an output
+    over: str = ""  # output in the same unit that it is divided by; empty: none
+    factor: float = 1.0  # of the quotient in the unit
+
+    @property
+    def texts(self) -> tuple[str, ...]:
+        """Outputs that rows must hold."""
+        return (self.text, self.over) if self.over else (self.text,)
 
     def values(self, rows: Sequence[Row]) -> Column:
         """The column of some rows; NaN where a row has no such number."""
-        return Column(self.column, self.unit, tuple(row.values.get(self.text, float("nan")) for row in rows))
+        return Column(self.column, self.unit, tuple(map(self._value, rows)))
+
+    def _value(self, row: Row) -> float:
+        value = row.values.get(self.text, nan)
+        if not self.over:
+            return value
+        divisor = row.values.get(self.over, nan)
+        return value / divisor * self.factor if divisor else nan
 
 
 def collected(study: Study, families: Families, *, elastic: bool) -> tuple[Collected, ...]:
@@ -58,7 +76,7 @@ def collected(study: Study, families: Families, *, elastic: bool) -> tuple[Colle
     columns = []
     for each in study.collect:
         try:
-            columns.append(of_output(each.column, wanted(layout, each.text)))
+            columns.append(of_text(each.column, each.text, layout))
         except (UnknownOutput, WrongUnit) as problem:
             raise BadCase(f"{study.path.name}: [collect] {each.column}: {problem}") from None
     return tuple(columns)
@@ -83,6 +101,43 @@ def require_outputs(study: Study, texts: Iterable[str], table: str, families: Fa
 def of_output(column: str, output: Wanted) -> Collected:
     """Column of an output under a name."""
     return Collected(column, f"{output.name} [{output.unit}]", "" if output.unit == "1" else output.unit)
+
+
+def of_text(column: str, text: str, layout: Layout) -> Collected:
+    """Column of an output, or of the quotient of two, "flexible.life_L10 / rigid.life_L10 [%]".
+
+    Parameters
+    ----------
+    column : str
+        its heading without the unit
+    text : str
+        behind a quotient stands the unit of the quotient, without it it is a plain number
+    layout : Layout
+        of the kind of bearing
+
+    Returns
+    -------
+    Collected
+
+    Raises
+    ------
+    UnknownOutput, WrongUnit
+        for a name that no output has, a unit of another kind, or outputs of different kinds
+    """
+    quotient = _QUOTIENT.fullmatch(text)
+    if quotient is None:
+        return of_output(column, wanted(layout, text))
+    dividend = wanted(layout, quotient["dividend"])
+    divisor = wanted(layout, f"{quotient['divisor']} [{dividend.unit}]")
+    unit = (quotient["unit"] or "1").strip()
+    above, below = of_output(column, dividend), of_output(column, divisor)
+    return Collected(
+        column,
+        above.text,
+        "" if unit == "1" else unit,
+        over=below.text,
+        factor=conversion("1", unit).factor,
+    )
 
 
 def numbers(
@@ -114,12 +169,12 @@ def numbers(
 
 
 def with_errors(columns: Iterable[Collected], layout: Layout) -> tuple[Collected, ...]:
-    """Columns with those of their estimated errors behind them, where there are estimates."""
+    """Columns with those of their estimated errors behind them; quotients have none."""
     found = []
     for column in columns:
         found.append(column)
         output = wanted(layout, column.text)
-        if _is_estimated(output):
+        if _is_estimated(output) and not column.over:
             unit = "%" if output.output.declared.error_relative else column.unit
             found.append(Collected(f"{column.column} error", _of_error(column.text), unit, error=True))
     return tuple(found)

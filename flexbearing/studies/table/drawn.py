@@ -1,11 +1,14 @@
 """Columns that a picture needs, beside those that are collected."""
 
 from flexbearing.case import BadCase
+from flexbearing.case.declarations import by_path
 from flexbearing.case.excerpt import excerpt
 from flexbearing.case.family import Families
 from flexbearing.outputs import UnknownOutput, WrongUnit, wanted
 from flexbearing.studies.file import Study
+from flexbearing.studies.file.values import BadValues
 from flexbearing.studies.table.collected import Collected, of_output
+from flexbearing.studies.table.marks import mark
 from flexbearing.studies.table.plot import Plot
 
 
@@ -44,7 +47,13 @@ def drawn(
     x = given.x if given.x in study.keys else needed.named(given.x)
     y = tuple(map(needed.named, given.y))
     rigid = tuple(needed.between_rigid_raceways(name) if given.rigid else None for name in y)
-    return Plot(x, given.lines, y, rigid), tuple(needed.columns.values())
+    panels = {name: needed.columns[column] for name, column in zip(given.y, y, strict=True)}
+    along = by_path(families[study.kind].case())[x] if x in study.keys else needed.columns[x].unit
+    try:
+        found = tuple(mark(each, panels, along) for each in given.marks)
+    except BadValues as problem:
+        raise BadCase(f"{study.path.name}: [plot] marks: {problem}") from None
+    return Plot(x, given.lines, y, rigid, found), tuple(needed.columns.values())
 
 
 class _Columns:
@@ -67,15 +76,17 @@ class _Columns:
             ) from None
         return self._added(output.name, of_output(output.name, output))
 
-    def between_rigid_raceways(self, name: str) -> str:
-        """Name of the column of the same output between rigid raceways."""
+    def between_rigid_raceways(self, name: str) -> str | None:
+        """Name of the column of the same output between rigid raceways; None for a quotient."""
+        if self.columns[name].over:
+            return None
         output = wanted(self._layout, self.columns[name].text)
         rigid = wanted(self._layout, f"rigid.{output.output.name} [{output.unit}]")
         return self._added(f"{name}_rigid", of_output(f"{name}_rigid", rigid))
 
     def _added(self, name: str, column: Collected) -> str:
         for other in self.columns.values():
-            if other.text == column.text:
+            if other.texts == column.texts and other.unit == column.unit:
                 return other.column
         self.columns[name] = column
         return name

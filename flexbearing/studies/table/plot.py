@@ -6,12 +6,13 @@ from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
 from flexbearing.studies.table.column import Column
+from flexbearing.studies.table.marks import Mark
 from flexbearing.studies.table.table import Table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from flexbearing.report.studies.lines_figure import Line
+    from flexbearing.report.studies.lines_figure import Line, Printed
 
 
 @dataclass(frozen=True)
@@ -22,6 +23,7 @@ class Plot:
     lines: str | None  # key with a line for each of its values, beside those of other axes
     y: tuple[str, ...]
     rigid: tuple[str | None, ...]  # the same between rigid raceways
+    marks: tuple[Mark, ...] = ()
 
 
 def draw(table: Table, plot: Plot) -> "Figure":
@@ -41,10 +43,18 @@ def draw(table: Table, plot: Plot) -> "Figure":
     from flexbearing.report.studies.lines_figure import Panel, draw_lines
 
     panels: list[Panel] = [
-        Panel(table[y].heading, tuple(_lines(table, plot, y, rigid)))
+        Panel(table[y].heading, tuple(_lines(table, plot, y, rigid)), tuple(_printed(plot, y)))
         for y, rigid in zip(plot.y, plot.rigid, strict=True)
     ]
     return draw_lines(table.name, table[plot.x].heading, panels)
+
+
+def _printed(plot: Plot, y: str) -> Iterator["Printed"]:
+    from flexbearing.report.studies.lines_figure import Printed
+
+    for mark in plot.marks:
+        if mark.y == y:
+            yield Printed(mark.label, mark.low, mark.high, mark.x)
 
 
 def _lines(table: Table, plot: Plot, y: str, rigid: str | None) -> Iterator["Line"]:
@@ -82,8 +92,14 @@ def _place(keys: Sequence[Column], row: int) -> tuple[Any, ...]:
 def _label(keys: Sequence[Column], place: tuple[Any, ...]) -> str:
     values = zip(keys, place, strict=True)
     return ", ".join(
-        f"{column.name.rpartition('.')[2].replace('_', ' ')} {value:g} {column.unit}".strip()
-        if isinstance(value, float)
-        else f"{column.name.rpartition('.')[2].replace('_', ' ')} {value}"
+        value if column.name == "title" else f"{_words(column)} {_in_words(value)} {column.unit}".strip()
         for column, value in values
     )
+
+
+def _words(column: Column) -> str:
+    return column.name.rpartition(".")[2].replace("_", " ")
+
+
+def _in_words(value: Any) -> str:
+    return f"{value:g}" if isinstance(value, float) else str(value)

@@ -1,0 +1,76 @@
+"""Numbers from elsewhere that a picture of a study shows, in the units of its axes."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from pydantic_core import PydanticCustomError
+
+from flexbearing.case.declarations import Declaration
+from flexbearing.case.excerpt import excerpt
+from flexbearing.outputs.value import conversion
+from flexbearing.studies.file.schema import MarkTable
+from flexbearing.studies.file.values import BadValues
+from flexbearing.studies.table.collected import Collected
+from flexbearing.studies.table.keys import key_column
+
+
+@dataclass(frozen=True)
+class Mark:
+    """A printed or measured number."""
+
+    y: str  # column of its panel
+    low: float  # in the unit of the panel
+    high: float  # the same as `low` but for a range
+    x: Any  # in the unit of the axis; None where it is not known
+    label: str
+
+
+def mark(given: MarkTable, panels: Mapping[str, Collected], along: Declaration | str) -> Mark:
+    """Convert a mark to the units of a picture.
+
+    Parameters
+    ----------
+    given : MarkTable
+        as it was read
+    panels : mapping
+        what [plot] calls y to its column
+    along : Declaration or str
+        key that is x, or the unit of the output that is
+
+    Returns
+    -------
+    Mark
+
+    Raises
+    ------
+    BadValues
+        for another panel, or what is no number or has a unit of another kind
+    """
+    if given.y not in panels:
+        raise BadValues(f"y = {excerpt(given.y)} has no panel; it must be {' or '.join(panels)}.")
+    column = panels[given.y]
+    ends = [_number(text, column.unit) for text in given.value.split("..")]
+    if len(ends) > 2:
+        raise BadValues(f'value = {excerpt(given.value)} is no number and no range "FROM .. TO".')
+    place = None if given.x is None else _place(given.x, along)
+    return Mark(column.column, min(ends), max(ends), place, f"{given.label} ({given.source})")
+
+
+def _place(text: str, along: Declaration | str) -> Any:
+    if isinstance(along, str):
+        return _number(text, along)
+    if along.kind is None:
+        return float(text) if along.number else text
+    try:
+        return key_column(along, (text,)).values[0]
+    except PydanticCustomError as problem:
+        raise BadValues(f"x = {excerpt(text)} {problem.message()}") from None
+
+
+def _number(text: str, unit: str) -> float:
+    number, _, given = text.strip().partition(" ")
+    try:
+        return float(number) / conversion(unit or "1", given.strip() or "1").factor
+    except ValueError as problem:  # of float, and WrongUnit and BadUnit, which are such
+        raise BadValues(f"{excerpt(text.strip())}: {problem}") from None
