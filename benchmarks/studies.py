@@ -86,17 +86,7 @@ def command(text: str, *, jobs: int = 2, rigid: bool = False) -> tuple[float, fl
     """Seconds of a study as a command, its largest memory [MB] and how it ended."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        case = CASE.read_text()
-        if rigid:
-            case = (
-                case[: case.index("[outer]")]
-                + '[outer]\nkind = "rigid"\n[inner]\nkind = "rigid"\n'
-                + (case[case.index("[coupling]") :])
-            )
-            case = "\n".join(
-                line for line in case.splitlines() if not line.lstrip().startswith(('"outer.', '"inner.'))
-            )
-        (folder / "case.toml").write_text(case)
+        (folder / "case.toml").write_text(between_rigid_rings() if rigid else CASE.read_text())
         (folder / "study.toml").write_text(f'case = "case.toml"\n{text}')
         began = time.perf_counter()
         process = subprocess.Popen(
@@ -111,6 +101,16 @@ def command(text: str, *, jobs: int = 2, rigid: bool = False) -> tuple[float, fl
         seconds = time.perf_counter() - began
         watch.join()
         return seconds, largest[0] / MEGABYTE, words.partition("\n")[0]
+
+
+def between_rigid_rings() -> str:
+    """The case of the paper without its rings and shaft."""
+    head, rest = CASE.read_text().split("[materials.shaft]")
+    lubricant = rest[rest.index("[lubricant]") : rest.index("[outer]")]
+    rings = '[outer]\nkind = "rigid"\n[inner]\nkind = "rigid"\n'
+    lines = (head + lubricant + rings + rest[rest.index("[coupling]") :]).splitlines()
+    gone = '"outer.', '"inner.', "shaft ="
+    return "\n".join(line for line in lines if not line.lstrip().startswith(gone))
 
 
 def _watch(pid: int, largest: list[float]) -> None:

@@ -53,7 +53,7 @@ class Variants:
         Parameters
         ----------
         values : tuple
-            of the keys, in the words of a case file
+            of the keys, in the words of a case file; None leaves a key as the file has it
 
         Returns
         -------
@@ -65,7 +65,8 @@ class Variants:
         BadCase
             as `flexbearing.case.read`
         """
-        given = dict(zip(self.keys, values, strict=True))
+        both = zip(self.keys, values, strict=True)
+        given = {key: value for key, value in both if value is not None}
         near = self._read.get(self._choices(given))
         if near is None:
             return self._in_full(given)
@@ -88,8 +89,8 @@ class Variants:
         return Source(str(self.path), self.text, written(given))
 
     def _choices(self, given: Mapping[str, Any]) -> str:
-        """Values that decide which keys belong to the case, as a text; `kind` is among them."""
-        return repr([(key, value) for key, value in given.items() if key not in self._plain])
+        """Which keys are given, and values that decide which keys belong to the case, as a text."""
+        return repr([key if key in self._plain else (key, value) for key, value in given.items()])
 
     def _is_value_alone(self, key: str, model: type[Section]) -> bool:
         """Whether a key is a value in a table that stays, and no other key belongs to the case by it."""
@@ -102,7 +103,7 @@ class Variants:
     def _nested(self, given: Mapping[str, Any]) -> dict[str, Any]:
         """Values that differ, by dotted keys, as tables in each other."""
         nested: dict[str, Any] = {}
-        for key in self._plain:
+        for key in self._plain.intersection(given):
             *above, name = key.split(".")
             table = nested
             for part in above:

@@ -193,9 +193,7 @@ WRONG = {
     OVER + 'file = "empty.csv"': '[over] file = "empty.csv": is empty; a header holds keys with units',
     OVER + 'file = "header.csv"': '[over] file = "header.csv": has 0 rows below its header',
     OVER + 'file = "short.csv"': '[over] file = "short.csv": row 2 has 1 cells, the header has 2',
-    OVER + 'file = "gap.csv"': '[over] file = "gap.csv": row 1 has no value of outer.bars',
     OVER + 'file = "unit.csv"': '[over] file = "unit.csv": column 1: outer.bars has no unit, found [mm]',
-    OVER + 'file = "gap.csv"\n"outer.bars" = 3': "[over] file = \"gap.csv\": row 1 has no value",
     OVER + 'file = "good.csv"\n"outer.bars" = 3': "[over] outer.bars is varied twice",
     '[sample]\ncount = 3\nmethod = "sobol"\n' + '"operation.radial_load" = "uniform 1 N, 2 N"':
         "[sample] count = 3 is not a power of 2, for which Sobol points are even: 2 or 4",
@@ -221,6 +219,7 @@ WRONG = {
     '[duty]\ntime = [1, -2]\n' + LOAD: "[duty] time has -2.0; a share is at least 0",
     '[duty]\ntime = [0, 0]\n' + LOAD: "[duty] time has no share above zero",
     '[duty]\ntime = ["much", 1]\n' + LOAD: '[duty] time has "much"; a share is a number',
+    '[duty]\nfile = "gap.csv"': "[duty] time has an empty cell; every row has a share",
     '[duty]\nfile = "loads.csv"\n' + LOAD: "[duty] operation.radial_load stands here and in loads.csv",
     OVER + LOAD + '[duty]\nfile = "loads.csv"': "[duty] operation.radial_load is varied twice",
 }  # fmt: skip
@@ -229,7 +228,7 @@ TABLES = {
     "empty": "\n",
     "header": "outer.bars\n",
     "unit": "outer.bars [mm]\n1",
-    "gap": "operation.radial_load [N],outer.bars\n1,\n",
+    "gap": "operation.radial_load [N],time\n1,\n",
     "short": "outer.bars,operation.radial_load [N]\n1,2\n1\n",
     "good": "outer.bars\n12\n",
 }

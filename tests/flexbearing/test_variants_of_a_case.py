@@ -94,6 +94,20 @@ def test_a_bad_variant_is_refused_in_the_words_of_a_setting(changes):
     assert str(as_variant.value) == str(by_setting.value)
 
 
+def test_a_value_that_is_left_out_is_that_of_the_file():
+    variants, text = of_paper("operation.radial_load", "outer.kind", "outer.bars"), PAPER.read_text()
+    for values in (
+        ("5 kN", None, 30),
+        (None, "rigid", None),
+        (None, None, 12),
+        ("5 kN", None, None),
+        (None,) * 3,
+    ):
+        given = dict(zip(variants.keys, values, strict=True))
+        expected = understood(text, PAPER, {key: value for key, value in given.items() if value}, FAMILIES)
+        assert same(variants.case(values), expected)
+
+
 def test_kinds_of_parts_may_vary_from_one_variant_to_the_next():
     keys = ("outer.kind", "inner.kind", "operation.radial_load")
     variants, text = of_paper(*keys), PAPER.read_text()

@@ -89,7 +89,7 @@ def _row(line: list[str], number: int, columns: list[tuple[str, str]]) -> tuple[
 
 def _cell(cell: str, key: str, unit: str, number: int) -> Any:
     if not cell:
-        raise BadValues(f"row {number} has no value of {key}")
+        return None  # as the case has it
     if unit:
         return f"{cell} {unit}"
     try:

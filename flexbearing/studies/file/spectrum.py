@@ -83,6 +83,8 @@ def _shares(measure: str, given: Sequence[Any]) -> tuple[float, ...]:
 
 def _weight(measure: str, value: Any) -> tuple[float, str]:
     """A weight in SI units, and the unit that it is written in."""
+    if value is None:
+        raise BadValues(f"{measure} has an empty cell; every row has a share")
     number, _, name = value.strip().partition(" ") if isinstance(value, str) else (value, "", "")
     words = f"{measure} has {excerpt(toml(value))}"
     try:

@@ -78,7 +78,7 @@ class Plan:
     def settings(self, number: int) -> str:
         """Values of a variant in words, for messages."""
         values = zip(self.base.keys, self.variants[number].values, strict=True)
-        return ", ".join(f"{key} = {excerpt(_in_words(value))}" for key, value in values)
+        return ", ".join(f"{key} = {excerpt(_in_words(value))}" for key, value in values if value is not None)
 
     def require_sound(self) -> None:
         """Refuse a study with variants that cannot be computed.
@@ -86,18 +86,21 @@ class Plan:
         Raises
         ------
         BadCase
-            a line for each of the first ones, and how many there are
+            a line for each of the first ones that differ, and how many there are
         """
         if not self.problems:
             return
-        lines = islice(map(self.told, self.problems), MOST)
+        alike: dict[str, list[Problem]] = {}
+        for problem in self.problems:
+            alike.setdefault(problem.message, []).append(problem)
+        lines = [self.told(first, others=len(rest)) for first, *rest in islice(alike.values(), MOST)]
         count = f"{len(self.problems)} of {len(self.variants)} variants cannot be computed; none was."
         raise BadCase("\n".join([*lines, f"{self.name}: {count}"]))
 
-    def told(self, problem: Problem) -> str:
-        """A line about a variant that cannot be computed."""
-        settings = self.settings(problem.number)
-        return f"{self.name}: variant {problem.number + 1} ({settings}): {problem.message}"
+    def told(self, problem: Problem, *, others: int = 0) -> str:
+        """Line about a variant that cannot be computed, and how many others have the same message."""
+        settings, more = self.settings(problem.number), f" and {others} others" if others else ""
+        return f"{self.name}: variant {problem.number + 1} ({settings}){more}: {problem.message}"
 
 
 def plan(

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from fractions import Fraction
-from math import pi
+from math import nan, pi
 from typing import Any
 
 from flexbearing.case.declarations import Declaration, by_path, toml
@@ -31,21 +31,24 @@ def key_column(declaration: Declaration, values: Sequence[Any]) -> Column:
     declaration : Declaration
         of the key
     values : sequence
-        row by row, in the words of a case file
+        row by row, in the words of a case file; None where a row leaves the key as the case has it
 
     Returns
     -------
     Column
-        of numbers, or of texts where the key is no quantity and no number
+        of numbers, or of texts where the key is no quantity and no number; NaN or an empty text for None
     """
     kind = declaration.kind
     if kind is None or declaration.listed:
-        plain = declaration.number or bool in {*map(type, values)}
-        return Column(declaration.path, "", tuple(values if plain else map(_text, values)), varied=True)
+        if None not in values and (declaration.number or bool in {*map(type, values)}):
+            return Column(declaration.path, "", tuple(values), varied=True)
+        if declaration.number:
+            return Column(declaration.path, "", tuple(nan if v is None else v for v in values), varied=True)
+        return Column(declaration.path, "", tuple(map(_text, values)), varied=True)
     name = _unit(declaration.path, kind.unit)
     scale = unit(name or "1")
     factor, offset = float(scale.factor * Fraction(pi) ** scale.pi_power), float(scale.offset)
-    known: dict[Any, float] = {}
+    known: dict[Any, float] = {None: nan}
     for value in values:
         if value not in known:
             known[value] = float(f"{(kind.to_si(value) - offset) / factor:.{DIGITS}g}")
@@ -59,4 +62,6 @@ def _unit(path: str, si: str) -> str:
 
 
 def _text(value: Any) -> str:
+    if value is None:
+        return ""
     return value if isinstance(value, str) else toml(value)
