@@ -109,7 +109,7 @@ def between_rigid_rings() -> str:
     lubricant = rest[rest.index("[lubricant]") : rest.index("[outer]")]
     rings = '[outer]\nkind = "rigid"\n[inner]\nkind = "rigid"\n'
     lines = (head + lubricant + rings + rest[rest.index("[coupling]") :]).splitlines()
-    gone = '"outer.', '"inner.', "shaft ="
+    gone = '"outer.', '"inner.'
     return "\n".join(line for line in lines if not line.lstrip().startswith(gone))
 
 
