@@ -1,10 +1,15 @@
-"""Speed against error: one case on every level of its ladder, cold and with its rings in the cache."""
+"""Speed against error: one case on every level of its ladder, cold and with its rings in the cache.
+
+Levels are calls of a worker process, one after the other, so that nothing disturbs their times.
+"""
 
 import os
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import closing, contextmanager
+from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
-from tempfile import TemporaryDirectory
+from tempfile import TemporaryDirectory, gettempdir
 from time import perf_counter
 
 import numpy as np
@@ -19,15 +24,42 @@ from flexbearing.case.roller import Case
 from flexbearing.coupling import PartnerFailed
 from flexbearing.files import NotStored
 from flexbearing.quantities.roller import CAGE_SLIP
-from flexbearing.report.studies.pareto_table import OUTPUTS, Measured, Study
-from flexbearing.results import Result
+from flexbearing.report.studies.pareto_table import Measured, Study
+from flexbearing.studies.engine import DIED, Done, completed
+from flexbearing.studies.engine.apart import Apart
 from flexbearing.studies.pareto_levels import Level, ladder, left_out, richest
 
 CACHED_RUNS, SHORT = 3, 1.0  # [s] whatever else the machine does disturbs short runs most: they are repeated
 LEAST_SLIP = 0.01  # errors of smaller slips are relative to this one
 # Ends that a computation has a name for; anything else is a mistake in the program and ends the study.
 ENDS = PartnerFailed, ImpossiblePart, NotSolved, qd.ImpossiblePart, qd.OutOfRange, qd.NotSolved
+LOADS = "inner_load", "outer_load"
+NAMES = (*LOADS, CAGE_SLIP.name, "life_L10", "total_stiffness")
 Tell = Callable[[Measured], None]
+
+
+@dataclass(frozen=True)
+class Run:
+    """A case on one of its levels."""
+
+    case: str | Path
+    overrides: tuple[str, ...]
+    level: Level
+    folder: str  # of temporary files
+
+    @property
+    def name(self) -> str:
+        """That of the level."""
+        return self.level.name
+
+
+@dataclass(frozen=True)
+class Timed:
+    """What a run cost and what it gave."""
+
+    times: dict[str, float]  # [s] by the names in `flexbearing.report.studies.pareto_table.TIMES`
+    flexible: Mapping[str, np.ndarray]  # by the names in NAMES
+    message: str = ""  # why there is no answer
 
 
 class NoReference(RuntimeError):
@@ -53,7 +85,7 @@ def pareto(
     Returns
     -------
     Study
-        also of levels that failed, with their message
+        also of levels that failed, or whose process died, with their message
 
     Raises
     ------
@@ -66,38 +98,32 @@ def pareto(
     """
     roller_case = _rollers(check(case, overrides))
     tell = tell or (lambda measured: None)
-    if roller_case.outer.kind != "rigid" or roller_case.inner.kind != "rigid":
-        import fem.section.revolved  # noqa: F401  # loaded before any run is timed
-    best = richest(roller_case)
-    try:
-        times, exact = _timed(case, (*overrides, *best.settings))
-    except ENDS as problem:
-        raise NoReference(f"{case}: the reference has no answer: {problem}") from problem
-    if problem := _problem(exact):
-        raise NoReference(f"{case}: the reference is not converged: {problem}")
-    reference = Measured(
-        name=best.name, settings=best.settings, times=times, errors=dict.fromkeys(OUTPUTS, 0.0)
-    )
-    tell(reference)
-    levels = []
-    for level in ladder(roller_case, solid=solid):
-        levels.append(_measured(case, overrides, level, exact))
-        tell(levels[-1])
+    best, levels = richest(roller_case), ladder(roller_case, solid=solid)
+    with TemporaryDirectory() as folder, closing(Apart()) as engine:
+        runs = [Run(case, tuple(overrides), level, folder) for level in (best, *levels)]
+        (done,) = completed(runs[:1], timed, engine)
+        exact = _reference(done)
+        reference = _measured(done, exact)
+        tell(reference)
+        found: dict[str, Measured] = {}
+        for done in completed(runs[1:], timed, engine):
+            found[done.argument.name] = _measured(done, exact)
+            tell(found[done.argument.name])
     return Study(
         title=roller_case.title,
         reference=reference,
-        levels=tuple(levels),
+        levels=tuple(found[level.name] for level in levels),
         left_out=left_out(roller_case, solid=solid),
     )
 
 
-def errors(result: Result, exact: Result) -> dict[str, float]:
+def errors(result: Timed, exact: Timed) -> dict[str, float]:
     """How wrong a result is, by the names of `flexbearing.report.studies.pareto_table.OUTPUTS`.
 
     Parameters
     ----------
-    result, exact : Result
-        of the same case, converged
+    result, exact : Timed
+        of the same case, with an answer
 
     Returns
     -------
@@ -105,11 +131,10 @@ def errors(result: Result, exact: Result) -> dict[str, float]:
         relative errors [-]
     """
     approximate, true = result.flexible, exact.flexible
-    loads = ("inner_load", "outer_load")
-    largest = max(float(np.abs(approximate[name] - true[name]).max()) for name in loads)
+    largest = max(float(np.abs(approximate[name] - true[name]).max()) for name in LOADS)
     slip = abs(float(approximate[CAGE_SLIP.name] - true[CAGE_SLIP.name]))
     return {
-        "load": largest / max(float(true[name].max()) for name in loads),
+        "load": largest / max(float(true[name].max()) for name in LOADS),
         "slip": slip / max(abs(float(true[CAGE_SLIP.name])), LEAST_SLIP),
         "life": _relative_error(float(approximate["life_L10"]), float(true["life_L10"])),
         "stiffness": _relative_error(float(approximate["total_stiffness"]), float(true["total_stiffness"])),
@@ -133,41 +158,73 @@ def _rollers(case: Head) -> Case:
     return case
 
 
-def _measured(case: str | Path, overrides: Sequence[str], level: Level, exact: Result) -> Measured:
-    try:
-        times, result = _timed(case, (*overrides, *level.settings))
-    except (BadCase, *ENDS) as problem:
-        return Measured(name=level.name, settings=level.settings, message=str(problem))
-    if problem := _problem(result):
-        return Measured(name=level.name, settings=level.settings, times=times, message=problem)
-    return Measured(name=level.name, settings=level.settings, times=times, errors=errors(result, exact))
+def _reference(done: Done) -> Timed:
+    """The answer that errors are measured against."""
+    case, answer = done.argument.case, done.answer
+    if done.raised and not isinstance(done.raised, ENDS):
+        raise done.raised
+    if answer is None:
+        raise NoReference(f"{case}: the reference has no answer: {done.raised or DIED}") from done.raised
+    if answer.message:
+        raise NoReference(f"{case}: the reference is not converged: {answer.message}")
+    return answer
 
 
-def _problem(result: Result) -> str:
-    """Why a result is none, empty if it is one."""
-    return "" if result.attributes["status"] == "converged" else str(result.attributes["message"])
+def _measured(done: Done, exact: Timed) -> Measured:
+    """A level that ended, however that was; a mistake in the program goes on from here."""
+    level, answer = done.argument.level, done.answer
+    if done.raised and not isinstance(done.raised, (BadCase, *ENDS)):
+        raise done.raised
+    if answer is None:
+        return Measured(name=level.name, settings=level.settings, message=str(done.raised or DIED))
+    off = {} if answer.message else errors(answer, exact)
+    return Measured(
+        name=level.name, settings=level.settings, times=answer.times, errors=off, message=answer.message
+    )
 
 
-def _timed(case: str | Path, settings: Sequence[str]) -> tuple[dict[str, float], Result]:
-    """Seconds of a run with an empty cache and of the fastest of some with a filled one, and its result."""
-    with _temporary() as folder, _cache(folder):
-        seconds = []
+def timed(wanted: Run) -> Timed:
+    """Seconds of a run with an empty cache and of the fastest of some with a filled one, and its numbers.
+
+    Parameters
+    ----------
+    wanted : Run
+        what a worker process is given
+
+    Returns
+    -------
+    Timed
+    """
+    _load(wanted.case, wanted.overrides)
+    settings, seconds = (*wanted.overrides, *wanted.level.settings), []
+    with _temporary(wanted.folder) as folder, _cache(folder):
         while len(seconds) < 2 or (len(seconds) <= CACHED_RUNS and min(seconds) < SHORT):
             began = perf_counter()
-            result = run(case, settings, output=Path(folder) / "level.h5")
+            result = run(wanted.case, settings, output=Path(folder) / "level.h5")
             seconds.append(perf_counter() - began)
-    return {"cold": seconds[0], "cached": min(seconds[1:])}, result
+    times = {"cold": seconds[0], "cached": min(seconds[1:])}
+    if result.attributes["status"] != "converged":
+        return Timed(times, {}, str(result.attributes["message"]))
+    return Timed(times, {name: result.flexible[name] for name in NAMES})
+
+
+@lru_cache(maxsize=1)
+def _load(case: str | Path, overrides: tuple[str, ...]) -> None:
+    """Load what runs of a case need, before any is timed."""
+    found = check(case, overrides)
+    if found.outer.kind != "rigid" or found.inner.kind != "rigid":
+        import fem.section.revolved  # noqa: F401
 
 
 @contextmanager
-def _temporary() -> Iterator[str]:
+def _temporary(place: str) -> Iterator[str]:
     """A folder for results that nobody keeps, whatever an exception says of them."""
-    with TemporaryDirectory() as folder:
+    with TemporaryDirectory(dir=place) as folder:
         try:
             yield folder
         except NotStored as problem:
             raise NotStored(
-                f"{Path(folder).parent}: no room for the results of the levels. Free space there, or name "
+                f"{gettempdir()}: no room for the results of the levels. Free space there, or name "
                 "another folder for temporary files in TMPDIR."
             ) from problem
         except BaseException as problem:

@@ -24,7 +24,10 @@ from flexbearing.report.studies.pareto_figure import draw_pareto
 from flexbearing.report.studies.pareto_table import Measured, Study, cheapest, front, table, text
 from flexbearing.rings import condensed
 from flexbearing.studies import pareto, pareto_levels
+from flexbearing.studies.engine.serial import Serial
+from flexbearing.studies.pareto import Timed
 from flexbearing.studies.pareto_levels import Level, ladder, left_out, richest
+from tests.flexbearing.toy_studies import deadly_level
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 THIN = {"outer.kind": "ring", "outer.thickness": "1 mm", "outer.width": "10 mm"}
@@ -181,11 +184,16 @@ def command(capsys):
     return run
 
 
+@pytest.fixture
+def in_this_process(monkeypatch):
+    """Levels see what a test puts in the place of functions."""
+    monkeypatch.setattr(pareto, "Apart", Serial)
+
+
 def test_command_writes_table_and_picture(command, monkeypatch, tmp_path):
     few = Level("5 slices", ("accuracy.slices=5",)), Level("no roller", ("bearing.rollers=-1",))
     monkeypatch.setattr(pareto, "ladder", lambda case, solid: few)
     monkeypatch.setattr(pareto, "richest", lambda case: Level("reference", ("accuracy.slices=40",)))
-    monkeypatch.setattr(pareto, "CACHED_RUNS", 1)
     cache = os.environ["FLEXBEARING_CACHE"]
     code, words, progress = command(CONFIGS / "nu209.toml", "-o", tmp_path, "--name", "few")
     assert code == 0
@@ -216,9 +224,10 @@ def test_target_is_refused(command):
     assert "accuracy.target" in complaint
 
 
+@pytest.mark.usefixtures("in_this_process")
 def test_reference_without_an_answer_is_no_reference(command, monkeypatch):
-    broken = SimpleNamespace(attributes={"status": "not solved", "message": "no equilibrium"})
-    monkeypatch.setattr(pareto, "_timed", lambda case, settings: ({"cold": 1.0, "cached": 1.0}, broken))
+    broken = Timed({"cold": 1.0, "cached": 1.0}, {}, "no equilibrium")
+    monkeypatch.setattr(pareto, "timed", lambda run: broken)
     code, _, complaint = command(CONFIGS / "nu209.toml")
     assert code == 1
     assert "no equilibrium" in complaint
@@ -230,21 +239,42 @@ FAILURES = [PartnerFailed, fem.errors.NotSolved, fem.ImpossiblePart, qd.NotSolve
 def failing(problem, exact):
     """The level of 5 slices ends like that, all others alike."""
 
-    def timed(case, settings):
-        if "accuracy.slices=5" in settings:
+    def timed(run):
+        if "accuracy.slices=5" in run.level.settings:
             raise problem
-        return {"cold": 1.0, "cached": 1.0}, exact
+        return exact
 
     return timed
 
 
 def answer(**changes):
-    return SimpleNamespace(attributes={"status": "converged"}, flexible=result(**changes).flexible)
+    return Timed({"cold": 1.0, "cached": 1.0}, result(**changes).flexible)
 
 
+def test_level_whose_process_dies_is_a_row_and_the_study_goes_on(monkeypatch):
+    few = tuple(Level(f"{count} slices", (f"accuracy.slices={count}",)) for count in (5, 10))
+    monkeypatch.setattr(pareto, "ladder", lambda case, solid: few)
+    monkeypatch.setattr(pareto, "timed", deadly_level)
+    told = []
+    study = pareto.pareto(CONFIGS / "nu209.toml", tell=told.append)
+    assert [level.name for level in study.levels] == ["5 slices", "10 slices"]
+    assert study.levels[0].message.startswith("its worker process died 3 times")
+    assert study.levels[1].errors == dict.fromkeys(study.reference.errors, 0.0)
+    assert [level.name for level in told] == ["reference", "10 slices", "5 slices"]
+
+
+def test_reference_whose_process_dies_is_no_reference(command, monkeypatch):
+    monkeypatch.setattr(pareto, "timed", deadly_level)
+    monkeypatch.setattr(pareto, "richest", lambda case: Level("5 slices"))
+    code, _, complaint = command(CONFIGS / "nu209.toml")
+    assert code == 1
+    assert "the reference has no answer: its worker process died" in complaint
+
+
+@pytest.mark.usefixtures("in_this_process")
 @pytest.mark.parametrize("kind", FAILURES, ids=lambda kind: f"{kind.__module__}.{kind.__name__}")
 def test_level_that_fails_is_a_row_and_the_study_goes_on(monkeypatch, kind):
-    monkeypatch.setattr(pareto, "_timed", failing(kind("the ring lifts off"), answer()))
+    monkeypatch.setattr(pareto, "timed", failing(kind("the ring lifts off"), answer()))
     study = pareto.pareto(CONFIGS / "nu209.toml")
     found = {level.name: level for level in study.levels}
     assert found["5 slices"].message == "the ring lifts off"
@@ -254,6 +284,7 @@ def test_level_that_fails_is_a_row_and_the_study_goes_on(monkeypatch, kind):
     assert "- 5 slices: the ring lifts off" in text(study)
 
 
+@pytest.mark.usefixtures("in_this_process")
 def test_interrupted_study_promises_nothing_of_its_temporary_results(monkeypatch):
     def interrupted(*_, **__):
         problem = KeyboardInterrupt()
@@ -266,6 +297,7 @@ def test_interrupted_study_promises_nothing_of_its_temporary_results(monkeypatch
     assert ending.value.__notes__ == []
 
 
+@pytest.mark.usefixtures("in_this_process")
 def test_study_without_room_for_temporary_results_says_so(command, monkeypatch, tmp_path):
     def full(*_, **__):
         raise NotStored("level.h5: not written: choose another place with -o.")
@@ -277,18 +309,20 @@ def test_study_without_room_for_temporary_results_says_so(command, monkeypatch, 
     assert "TMPDIR" in complaint
 
 
+@pytest.mark.usefixtures("in_this_process")
 @pytest.mark.parametrize("mistake", [TypeError, KeyError, ValueError, RuntimeError, AssertionError])
 def test_mistake_in_the_program_ends_the_study(monkeypatch, mistake):
-    monkeypatch.setattr(pareto, "_timed", failing(mistake("a mistake"), answer()))
+    monkeypatch.setattr(pareto, "timed", failing(mistake("a mistake"), answer()))
     with pytest.raises(mistake, match="a mistake"):
         pareto.pareto(CONFIGS / "nu209.toml")
 
 
+@pytest.mark.usefixtures("in_this_process")
 def test_reference_that_fails_is_no_reference(command, monkeypatch):
-    def lost(case, settings):
+    def lost(run):
         raise fem.errors.NotSolved("the residual stayed at 0.1")
 
-    monkeypatch.setattr(pareto, "_timed", lost)
+    monkeypatch.setattr(pareto, "timed", lost)
     code, _, complaint = command(CONFIGS / "nu209.toml")
     assert code == 1
     assert "the residual stayed at 0.1" in complaint
@@ -300,7 +334,7 @@ def test_cheap_structures_of_a_cage_are_nearly_right(tmp_path, monkeypatch):
     path, found = CONFIGS / "mao2016.toml", {}
     for level in (Level("usual"), *pareto_levels.ladder(read_case(path), solid=False)):
         if level.name in ("usual", "beam", "smeared"):
-            found[level.name] = pareto.run(path, tmp_path / "one.h5", level.settings)
+            found[level.name] = pareto.run(path, level.settings, output=tmp_path / "one.h5")
     for name in ("beam", "smeared"):
         off = pareto.errors(found[name], found["usual"])
         assert off["load"] < 0.01

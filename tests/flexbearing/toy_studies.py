@@ -5,6 +5,9 @@ import signal
 import time
 from pathlib import Path
 
+import numpy as np
+
+from flexbearing.studies.pareto import NAMES, Timed
 from flexbearing.studies.plan import Row
 from flexbearing.studies.prepare import prepared
 
@@ -71,3 +74,10 @@ def asleep(place):
     """As long as a test takes; the process stands in a file."""
     Path(place).write_text(str(os.getpid()))
     time.sleep(60)
+
+
+def deadly_level(run):
+    """The same answer on every level of `pareto`, but the process of 5 slices is killed."""
+    if run.name == "5 slices":
+        os._exit(1)
+    return Timed({"cold": 1.0, "cached": 1.0}, dict.fromkeys(NAMES, np.array(1.0)))
