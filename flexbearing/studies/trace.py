@@ -1,6 +1,7 @@
 """Equilibria of a case over its load or speed, as a table and a picture."""
 
 from collections.abc import Sequence
+from contextlib import closing
 from csv import writer
 from dataclasses import dataclass
 from functools import partial
@@ -25,7 +26,10 @@ from flexbearing.quantities.roller import CAGE_SLIP
 from flexbearing.rings.condensed import condensed_raceways
 from flexbearing.runs import notes
 from flexbearing.runs.run_case import stem_of_outputs
-from quasidynamic import ImpossiblePart, OutOfRange
+from flexbearing.studies.engine import DIED, completed
+from flexbearing.studies.engine.apart import Apart
+from flexbearing.studies.engine.serial import Serial
+from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
 from quasidynamic.note import Note
 from quasidynamic.trace import Branch, BranchEnd, logarithms, trace as follow
 
@@ -47,6 +51,20 @@ AXES = {
     "operation.radial_load": Axis("radial_load", "radial_load_N", "radial load [N]", "N", 1.0),
     "operation.inner_speed": Axis("inner_speed", "inner_speed_rpm", "inner speed [rpm]", "rpm", RPM),
 }
+
+
+@dataclass(frozen=True)
+class Range:
+    """Where a branch begins and over what it is followed."""
+
+    case: Case
+    axis: Axis
+    span: tuple[float, float]  # in SI
+
+    @property
+    def name(self) -> str:
+        """That of the axis."""
+        return self.axis.name
 
 
 @dataclass(frozen=True)
@@ -126,7 +144,7 @@ def trace(
     NotStored
         if there is no room for them; a note says that the table is there when only the picture is missing
     NotSolved
-        when there is no equilibrium to begin with
+        when there is no equilibrium to begin with, or the process that follows the branch dies
     """
     from flexbearing.report.picture import png_bytes
     from flexbearing.report.studies.branch_figure import draw_branch
@@ -142,12 +160,11 @@ def trace(
         require_output(name, first.input_files)
     span = getattr(first.operation, axis.name), getattr(last.operation, axis.name)
     try:
-        with linear_algebra_alone():
-            branch = _branch(first, axis, span)
+        found = _followed(Range(first, axis, span))
     except (ImpossiblePart, OutOfRange) as problem:
         raise BadCase(f"--over {excerpt(over)}: {problem}") from problem
     traced = Traced(
-        first.title, axis, branch, notes.of_case(first), path, path.with_suffix(".png"), _raceways(first)
+        first.title, axis, found, notes.of_case(first), path, path.with_suffix(".png"), _raceways(first)
     )
     write(path.resolve(), _csv(traced.columns()).encode())
     try:
@@ -166,14 +183,44 @@ def _rollers(case: Head) -> Case:
 
 
 def _raceways(case: Case) -> str:
-    return "rigid raceways" if case.inner.kind == case.outer.kind == "rigid" else "flexible rings"
+    return "rigid raceways" if _is_rigid(case) else "flexible rings"
+
+
+def _is_rigid(case: Case) -> bool:
+    return case.inner.kind == case.outer.kind == "rigid"
+
+
+def _followed(wanted: Range) -> Branch:
+    """The branch over a range, a call of its own: that of flexible rings in a process that may die."""
+    with closing(Serial() if _is_rigid(wanted.case) else Apart()) as engine:
+        (done,) = completed([wanted], branch, engine)
+    if done.died:
+        raise NotSolved(DIED)
+    if done.raised:
+        raise done.raised
+    return done.answer
+
+
+def branch(wanted: Range) -> Branch:
+    """The branch that begins at the equilibrium of a case, with its rings in one system.
+
+    Parameters
+    ----------
+    wanted : Range
+        what a worker process is given
+
+    Returns
+    -------
+    Branch
+    """
+    with linear_algebra_alone():
+        return _branch(wanted.case, wanted.axis, wanted.span)
 
 
 def _branch(case: Case, axis: Axis, span: tuple[float, float]) -> Branch:
-    """The branch that begins at the equilibrium of a case, with its rings in one system."""
     model = roller_bearing.bearing(case)
     logarithms(model, axis.name, span)  # before anything is meshed
-    if case.inner.kind == case.outer.kind == "rigid":
+    if _is_rigid(case):
         return follow(model, over=axis.name, span=span)
     if case.outer.kind == "ring" and case.outer.support == "planet" and axis.name == "radial_load":
         raise BadCase(

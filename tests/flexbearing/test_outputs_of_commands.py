@@ -48,7 +48,7 @@ def nothing_computed(monkeypatch):
     def never(*_, **__):
         raise AssertionError("computed before the output was settled")
 
-    for module, name in ((fields, "fields"), (trace, "follow"), (pareto, "Apart")):
+    for module, name in ((fields, "fields"), (trace, "completed"), (pareto, "Apart")):
         monkeypatch.setattr(module, name, never)
 
 

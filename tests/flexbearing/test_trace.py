@@ -13,6 +13,7 @@ from flexbearing import __main__ as program
 from flexbearing.case import BadCase
 from flexbearing.report.studies.branch_figure import draw_branch
 from flexbearing.studies.trace import trace
+from tests.flexbearing.toy_studies import deadly_branch
 
 ROOT = Path(__file__).parents[2]
 PAPER = ROOT / "configs" / "mao2016.toml"
@@ -187,3 +188,11 @@ def test_planet_gear_is_not_traced_over_a_load_that_its_teeth_do_not_follow(tmp_
     ]  # fmt: skip
     with pytest.raises(BadCase, match="tooth forces stay as they are"):
         trace(TEXTBOOK, "operation.radial_load=4450 N..6 kN", tmp_path / "s.csv", teeth)
+
+
+def test_branch_whose_process_dies_has_no_table(command, monkeypatch, tmp_path):
+    monkeypatch.setattr("flexbearing.studies.trace.branch", deadly_branch)
+    code, said, complained = command(LOAD, "-o", tmp_path / "s.csv", settings=CAGE)
+    assert (code, said) == (1, "")
+    assert complained.startswith(f"{PAPER}: not converged: its worker process died 3 times")
+    assert not list(tmp_path.iterdir())

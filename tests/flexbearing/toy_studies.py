@@ -81,3 +81,8 @@ def deadly_level(run):
     if run.name == "5 slices":
         os._exit(1)
     return Timed({"cold": 1.0, "cached": 1.0}, dict.fromkeys(NAMES, np.array(1.0)))
+
+
+def deadly_branch(wanted):
+    """No branch: the process is killed."""
+    os._exit(1)
