@@ -3,7 +3,17 @@
 Names, units and reductions follow from `quantities`; files, cases and models are unknown here.
 """
 
-from flexbearing.outputs.names import AbsentOutput, Output, UnknownOutput, Wanted, outputs, wanted
+from flexbearing.outputs.names import AbsentOutput, Output, UnknownOutput, Wanted, of_rollers, outputs, wanted
 from flexbearing.outputs.value import Value, WrongUnit
 
-__all__ = ["AbsentOutput", "Output", "UnknownOutput", "Value", "Wanted", "WrongUnit", "outputs", "wanted"]
+__all__ = [
+    "AbsentOutput",
+    "Output",
+    "UnknownOutput",
+    "Value",
+    "Wanted",
+    "WrongUnit",
+    "of_rollers",
+    "outputs",
+    "wanted",
+]

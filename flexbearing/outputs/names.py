@@ -18,8 +18,10 @@ from flexbearing.quantities.layout import Layout
 from flexbearing.quantities.quantity import unchanged, with_defaults
 
 Block = Mapping[str, NDArray]  # the arrays of an end state, in SI units
+ROLLER = "roller"  # dimension of arrays
 BLOCKS = ("flexible", "rigid")  # a bare name means the first of them that there is
 _WANTED = re.compile(r"\s*(?:(?P<block>rigid|flexible)\.)?(?P<name>[\w.]+)\s*(?:\[(?P<unit>[^]]*)\]\s*)?")
+_OF_ROLLER = re.compile(r"(?P<quantity>\w+)\.(?P<number>[1-9][0-9]{0,3})")
 _PLAIN = "1"  # the unit of plain numbers
 
 
@@ -141,6 +143,33 @@ def outputs(layout: Layout) -> tuple[Output, ...]:
     return tuple(_by_name(layout.quantities).values())
 
 
+def of_rollers(layout: Layout) -> Mapping[str, Quantity]:
+    """Quantities with a number for every roller, by name; `wanted` takes them one by one, "inner_load.1".
+
+    Parameters
+    ----------
+    layout : Layout
+        of the family
+
+    Returns
+    -------
+    dict
+    """
+    symbols = {axis.symbol for axis in layout.axes if axis.name == ROLLER}
+    return {entry.name: entry for entry in layout.quantities if entry.axes in symbols}
+
+
+def _of_roller(layout: Layout, name: str) -> Output | None:
+    """The number of one roller, counted from 1."""
+    parts = _OF_ROLLER.fullmatch(name)
+    quantity = of_rollers(layout).get(parts["quantity"]) if parts else None
+    if parts is None or quantity is None:
+        return None
+    unit, place = quantity.unit_for_people, (int(parts["number"]) - 1,)
+    declared = SummaryValue(name, of=(quantity.name,), unit=unit)
+    return Output(name, unit.name or _PLAIN, quantity.meaning, declared, place)
+
+
 def wanted(layout: Layout, text: str) -> Wanted:
     """Understand a name with block and unit.
 
@@ -166,11 +195,11 @@ def wanted(layout: Layout, text: str) -> Wanted:
     known = _by_name(layout.quantities)
     parts = _WANTED.fullmatch(text)
     name = parts["name"] if parts else text
-    if parts is None or name not in known:
+    output = known.get(name) or _of_roller(layout, name)
+    if parts is None or output is None:
         near = get_close_matches(name, known, n=1, cutoff=0.4)
         hint = f" Did you mean {near[0]}?" if near else ""
         raise UnknownOutput(f"{text!r}: no output has this name.{hint} There are: {', '.join(known)}.")
-    output = known[name]
     unit = output.unit if parts["unit"] is None else parts["unit"].strip()
     try:
         way = conversion(output.unit, unit, turning=bool(output.declared.speed))

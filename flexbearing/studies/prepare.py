@@ -3,11 +3,13 @@
 from functools import partial
 from pathlib import Path
 from shutil import rmtree
+from typing import Any
 
 from flexbearing.cache import configured
+from flexbearing.case.variants import Variants
 from flexbearing.families import FAMILIES
 from flexbearing.studies.file import read
-from flexbearing.studies.plan import plan
+from flexbearing.studies.plan import Plan, plan
 from flexbearing.studies.run import Tell, Work, run
 from flexbearing.studies.settled import Prepared
 from flexbearing.studies.table import Table, duty
@@ -43,13 +45,23 @@ def prepared(file: str | Path) -> Prepared:
     family = FAMILIES[study.kind]
     settled = plan(study, FAMILIES, lambda case: require_possible(case, family), rings, levels)
     elastic = any(variant.rings for variant in settled.variants)
-    columns = collected(study, FAMILIES, elastic=elastic)
+    columns = collected(study, FAMILIES, elastic=elastic, rollers=_rollers(settled))
     if study.spectrum:
         require_outputs(study, duty.texts(study.spectrum).values(), "duty", FAMILIES)
     plot, columns = drawn(study, columns, FAMILIES)
     if settled.corners:
         columns = with_errors(columns, family.layout())
     return Prepared(study, settled, columns, plot)
+
+
+def _rollers(settled: Plan) -> int:
+    """How many rollers every variant has; 0 where they differ, or no case can be read."""
+    base = settled.base
+    sound = [variant for variant in settled.variants if variant.identity][:1]
+    if "bearing.rollers" in base.keys or not sound:
+        return 0
+    bearing: Any = Variants(base.path, base.text, base.keys, FAMILIES).case(sound[0].values)
+    return getattr(getattr(bearing, "bearing", None), "rollers", 0)
 
 
 def compute(

@@ -108,11 +108,12 @@ class Prepared:
         ]
         name, axes = self.study.name, self.plan.axes
         keys = key_columns(self.plan, FAMILIES[self.study.kind].case())
-        outputs = [column.values(ordered) for column in self.columns]
+        outputs = [column.values(ordered) for column in self.columns if not column.rollers]
+        arrays = tuple(column.values(ordered) for column in self.columns if column.rollers)
         if self.study.full:
             outputs.append(Column("result", "", tuple(map(self._file, self.plan.variants, ordered))))
         if self.study.spectrum is None or self.part:
-            return Table(name, (*keys, *outputs, *ends(ordered)), axes)
+            return Table(name, (*keys, *outputs, *ends(ordered)), axes, arrays=arrays)
         length = len(axes[-1].rows)
         cycles = Cycles(self.study.spectrum, self._speeds.reshape(-1, length), _cut(ordered, length))
         others = [
@@ -121,7 +122,7 @@ class Prepared:
             if column.name not in axes[-1].keys
         ]
         lives = Table(f"{name}{CYCLES}", (*others, *cycles.of_cycles()), axes[:-1])
-        return Table(name, (*keys, *outputs, *cycles.of_rows(), *ends(ordered)), axes, lives)
+        return Table(name, (*keys, *outputs, *cycles.of_rows(), *ends(ordered)), axes, lives, arrays)
 
     def _file(self, variant: Variant, row: Row) -> str:
         """Result file of a row, from the folder of the table; empty where there is none."""

@@ -1,10 +1,11 @@
 """Pictures of studies: which columns they need, which points are joined."""
 
 from dataclasses import replace
-from math import isnan
+from math import isnan, pi
 
 import pytest
 
+from flexbearing import run, study
 from flexbearing.case import BadCase
 from flexbearing.quantities.roller import LAYOUT
 from flexbearing.studies.plan import Row
@@ -13,7 +14,7 @@ from flexbearing.studies.table.marks import Mark
 from flexbearing.studies.table.plot import Plot, draw
 from tests.flexbearing.test_studies import computed
 from tests.flexbearing.test_study_tables import CROSSED
-from tests.flexbearing.toy_studies import COLLECT, toy
+from tests.flexbearing.toy_studies import CASE, COLLECT, toy
 
 PLOT = '\n[plot]\nx = "operation.radial_load"\nlines = "bearing.clearance"\ny = ["life", "cage_slip [%]"]\n'
 
@@ -147,6 +148,45 @@ WRONG_MARKS = {
 def test_a_wrong_mark_is_told(tmp_path, change, message):
     with pytest.raises(BadCase, match=rf"^toy\.toml: \[plot\] marks: {message}"):
         toy(tmp_path, collect=COLLECT + MARK.replace(*change, 1))
+
+
+ROLLERS = """[collect]
+azimuth = "roller_azimuth [deg]"
+load = "rigid.inner_load [kN]"
+sliding = "inner_sliding [m/s]"
+[plot]
+x = "azimuth"
+y = ["load", "sliding"]
+"""
+
+
+def test_quantities_of_every_roller_are_those_of_a_single_run(tmp_path):
+    over = '"operation.radial_load" = ["5 kN", "10 kN"]'
+    toy(tmp_path, over, collect=ROLLERS)
+    table = study(tmp_path / "toy.toml", tmp_path, jobs=1)
+    arrays = table.to_xarray()
+    assert arrays["load"].dims == ("operation.radial_load", "roller")
+    assert "load" not in (tmp_path / "toy.csv").read_text().partition("\n")[0].split(",")
+    for number, load in enumerate(["5 kN", "10 kN"]):
+        rigid = run(CASE, {"operation.radial_load": load}).rigid
+        assert arrays["load"].values[number] == pytest.approx(rigid["inner_load"] / 1e3, rel=1e-9, abs=1e-12)
+        assert arrays["sliding"].values[number] == pytest.approx(rigid["inner_sliding"], rel=1e-8, abs=1e-9)
+        assert arrays["azimuth"].values[number] == pytest.approx(rigid["roller_azimuth"] * 180 / pi)
+    line = draw(table, toy(tmp_path, over, collect=ROLLERS).plot).axes[0].get_lines()[1]
+    assert line.get_label() == "radial load 10000 N"
+    assert min(line.get_xdata()) == pytest.approx(-180)
+    assert list(line.get_xdata()) == sorted(line.get_xdata())
+    assert max(line.get_ydata()) == pytest.approx(arrays["load"].values[1].max())
+
+
+def test_rollers_must_be_as_many_in_every_variant(tmp_path):
+    with pytest.raises(BadCase, match=r"'roller_azimuth \[deg\]': a number for every roller needs the same"):
+        toy(tmp_path, '"bearing.rollers" = [12, 13]', collect=ROLLERS)
+
+
+def test_rollers_stand_over_rollers_alone(tmp_path):
+    with pytest.raises(BadCase, match=r"\[plot\] x and y must both have a number for every roller"):
+        toy(tmp_path, collect=ROLLERS.replace('x = "azimuth"', 'x = "operation.radial_load"'))
 
 
 WRONG = {

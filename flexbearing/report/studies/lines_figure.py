@@ -51,6 +51,7 @@ class Panel:
     label: str  # name and unit
     lines: tuple[Line, ...]
     printed: tuple[Printed, ...] = ()
+    linear: bool = False  # never logarithmic, as loads are not, which are next to nothing outside their zone
 
 
 def draw_lines(title: str, label: str, panels: Sequence[Panel]) -> Figure:
@@ -105,7 +106,7 @@ def _draw(axes: Axes, panel: Panel) -> None:
         axes.plot([], [], "--", color="0.4", linewidth=1.2, label="rigid raceways")
     _draw_printed(axes, panel.printed)
     axes.set_ylabel(panel.label.replace("_", " "))
-    if _is_wide(panel):
+    if _is_wide(panel) and not panel.linear:
         axes.set_yscale("log")
     if all(_is_geometric(line.x) for line in panel.lines):
         axes.set_xscale("log")

@@ -110,7 +110,8 @@ class StudyFile(Section):
     )
     collect: Mapping[str, str] | None = key(
         "columns of the table, each with the name of an output and a unit, or with the quotient of two "
-        'outputs of the same kind, "flexible.life_L10 / rigid.life_L10"; without it all of the summary',
+        'outputs of the same kind, "flexible.life_L10 / rigid.life_L10"; quantities of every roller, '
+        '"inner_load [N]", are arrays in NAME.nc; without it every number of the summary',
         None,
         example={"life": "flexible.life_L10 [h]"},
     )

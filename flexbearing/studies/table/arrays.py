@@ -6,11 +6,14 @@ from typing import Any
 import numpy as np
 import xarray
 
+from flexbearing.outputs.names import ROLLER
 from flexbearing.studies.file import Axis
 from flexbearing.studies.table.column import Column
 
 
-def dataset(name: str, columns: Sequence[Column], axes: Sequence[Axis]) -> xarray.Dataset:
+def dataset(
+    name: str, columns: Sequence[Column], axes: Sequence[Axis], of_rollers: Sequence[Column] = ()
+) -> xarray.Dataset:
     """Arrays over the axes of a study.
 
     Parameters
@@ -21,6 +24,8 @@ def dataset(name: str, columns: Sequence[Column], axes: Sequence[Axis]) -> xarra
         of its table
     axes : sequence of Axis
         crossed, the last one changes fastest
+    of_rollers : sequence of Column
+        outputs roller by roller
 
     Returns
     -------
@@ -34,6 +39,13 @@ def dataset(name: str, columns: Sequence[Column], axes: Sequence[Axis]) -> xarra
         column.name: (dimensions, _array(column).reshape(shape), _attributes(column))
         for column in columns
         if not column.varied
+    } | {
+        column.name: (
+            [*dimensions, ROLLER],
+            np.array(column.values, dtype=float).reshape([*shape, -1]),
+            _attributes(column),
+        )
+        for column in of_rollers
     }
     coordinates = {
         key: ([axis.name], _along(varied[key], number, shape), _attributes(varied[key]))

@@ -2,13 +2,13 @@
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from math import isnan, nan
 
 from flexbearing.case import BadCase
 from flexbearing.case.family import Families
-from flexbearing.outputs import UnknownOutput, Wanted, WrongUnit, outputs, wanted
+from flexbearing.outputs import UnknownOutput, Wanted, WrongUnit, of_rollers, outputs, wanted
 from flexbearing.outputs.names import BLOCKS, Block
 from flexbearing.outputs.value import conversion
 from flexbearing.quantities.layout import Layout
@@ -29,14 +29,22 @@ class Collected:
     error: bool = False  # whether it is the estimated error of an output
     over: str = ""  # output in the same unit that it is divided by; empty: none
     factor: float = 1.0  # of the quotient in the unit
+    rollers: int = 0  # how many numbers `text` has, one for each roller; 0: it is a single number
 
     @property
     def texts(self) -> tuple[str, ...]:
         """Outputs that rows must hold."""
+        if self.rollers:
+            name, _, unit = self.text.partition(" ")
+            return tuple(f"{name}.{number + 1} {unit}" for number in range(self.rollers))
         return (self.text, self.over) if self.over else (self.text,)
 
     def values(self, rows: Sequence[Row]) -> Column:
         """The column of some rows; NaN where a row has no such number."""
+        if self.rollers:
+            texts = self.texts
+            numbers = tuple(tuple(row.values.get(text, nan) for text in texts) for row in rows)
+            return Column(self.column, self.unit, numbers)
         return Column(self.column, self.unit, tuple(map(self._value, rows)))
 
     def _value(self, row: Row) -> float:
@@ -47,7 +55,7 @@ class Collected:
         return value / divisor * self.factor if divisor else nan
 
 
-def collected(study: Study, families: Families, *, elastic: bool) -> tuple[Collected, ...]:
+def collected(study: Study, families: Families, *, elastic: bool, rollers: int = 0) -> tuple[Collected, ...]:
     """Columns that a study asks for; without [collect], every scalar of the summary.
 
     Parameters
@@ -58,6 +66,8 @@ def collected(study: Study, families: Families, *, elastic: bool) -> tuple[Colle
         kind to family
     elastic : bool
         whether any variant has an elastic ring: then both blocks are collected, else there is one
+    rollers : int
+        in every variant, 0 where they differ: then there are no outputs roller by roller
 
     Returns
     -------
@@ -76,7 +86,7 @@ def collected(study: Study, families: Families, *, elastic: bool) -> tuple[Colle
     columns = []
     for each in study.collect:
         try:
-            columns.append(of_text(each.column, each.text, layout))
+            columns.append(of_text(each.column, each.text, layout, rollers))
         except (UnknownOutput, WrongUnit) as problem:
             raise BadCase(f"{study.path.name}: [collect] {each.column}: {problem}") from None
     return tuple(columns)
@@ -103,8 +113,8 @@ def of_output(column: str, output: Wanted) -> Collected:
     return Collected(column, f"{output.name} [{output.unit}]", "" if output.unit == "1" else output.unit)
 
 
-def of_text(column: str, text: str, layout: Layout) -> Collected:
-    """Column of an output, or of the quotient of two, "flexible.life_L10 / rigid.life_L10 [%]".
+def of_text(column: str, text: str, layout: Layout, rollers: int = 0) -> Collected:
+    """Column of an output, of the quotient of two, "life_L10 / rigid.life_L10 [%]", or of all rollers.
 
     Parameters
     ----------
@@ -114,6 +124,8 @@ def of_text(column: str, text: str, layout: Layout) -> Collected:
         behind a quotient stands the unit of the quotient, without it it is a plain number
     layout : Layout
         of the kind of bearing
+    rollers : int
+        of the bearing; 0 where there are no outputs roller by roller
 
     Returns
     -------
@@ -124,6 +136,14 @@ def of_text(column: str, text: str, layout: Layout) -> Collected:
     UnknownOutput, WrongUnit
         for a name that no output has, a unit of another kind, or outputs of different kinds
     """
+    name, bracket, unit = text.strip().partition("[")
+    if name.strip().rpartition(".")[2] in of_rollers(layout):
+        if not rollers:
+            raise UnknownOutput(
+                f"{text!r}: a number for every roller needs the same bearing.rollers in all variants."
+            )
+        first = of_output(column, wanted(layout, f"{name.strip()}.1 {bracket}{unit}"))
+        return replace(first, text=first.text.replace(".1 ", " ", 1), rollers=rollers)
     quotient = _QUOTIENT.fullmatch(text)
     if quotient is None:
         return of_output(column, wanted(layout, text))
@@ -173,7 +193,7 @@ def with_errors(columns: Iterable[Collected], layout: Layout) -> tuple[Collected
     found = []
     for column in columns:
         found.append(column)
-        output = wanted(layout, column.text)
+        output = wanted(layout, column.texts[0])
         if _is_estimated(output) and not column.over:
             unit = "%" if output.output.declared.error_relative else column.unit
             found.append(Collected(f"{column.column} error", _of_error(column.text), unit, error=True))

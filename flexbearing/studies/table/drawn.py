@@ -7,7 +7,7 @@ from flexbearing.case.family import Families
 from flexbearing.outputs import UnknownOutput, WrongUnit, wanted
 from flexbearing.studies.file import Study
 from flexbearing.studies.file.values import BadValues
-from flexbearing.studies.table.collected import Collected, of_output
+from flexbearing.studies.table.collected import Collected, of_output, of_text
 from flexbearing.studies.table.marks import mark
 from flexbearing.studies.table.plot import Plot
 
@@ -47,6 +47,11 @@ def drawn(
     x = given.x if given.x in study.keys else needed.named(given.x)
     y = tuple(map(needed.named, given.y))
     rigid = tuple(needed.between_rigid_raceways(name) if given.rigid else None for name in y)
+    if len({bool(name in needed.columns and needed.columns[name].rollers) for name in (x, *y)}) > 1:
+        raise BadCase(
+            f"{study.path.name}: [plot] x and y must both have a number for every roller, or both one; "
+            'x = "roller_azimuth [deg]" as a column of [collect] stands with the former.'
+        )
     panels = {name: needed.columns[column] for name, column in zip(given.y, y, strict=True)}
     along = by_path(families[study.kind].case())[x] if x in study.keys else needed.columns[x].unit
     try:
@@ -80,6 +85,10 @@ class _Columns:
         """Name of the column of the same output between rigid raceways; None for a quotient."""
         if self.columns[name].over:
             return None
+        if rollers := self.columns[name].rollers:
+            output, _, unit = self.columns[name].text.rpartition(".")[2].partition(" ")
+            text = f"rigid.{output} {unit}"
+            return self._added(f"{name}_rigid", of_text(f"{name}_rigid", text, self._layout, rollers))
         output = wanted(self._layout, self.columns[name].text)
         rigid = wanted(self._layout, f"rigid.{output.output.name} [{output.unit}]")
         return self._added(f"{name}_rigid", of_output(f"{name}_rigid", rigid))

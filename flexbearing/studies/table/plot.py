@@ -43,7 +43,12 @@ def draw(table: Table, plot: Plot) -> "Figure":
     from flexbearing.report.studies.lines_figure import Panel, draw_lines
 
     panels: list[Panel] = [
-        Panel(table[y].heading, tuple(_lines(table, plot, y, rigid)), tuple(_printed(plot, y)))
+        Panel(
+            table[y].heading,
+            tuple(_lines(table, plot, y, rigid)),
+            tuple(_printed(plot, y)),
+            linear=table[y] in table.arrays,
+        )
         for y, rigid in zip(plot.y, plot.rigid, strict=True)
     ]
     return draw_lines(table.name, table[plot.x].heading, panels)
@@ -60,6 +65,9 @@ def _printed(plot: Plot, y: str) -> Iterator["Printed"]:
 def _lines(table: Table, plot: Plot, y: str, rigid: str | None) -> Iterator["Line"]:
     from flexbearing.report.studies.lines_figure import Line
 
+    if table[plot.x] in table.arrays:
+        yield from _rows_of_rollers(table, plot, y, rigid)
+        return
     keys = [table[key] for key in _grouping(table, plot)]
     x, varied = table[plot.x], table[plot.x].varied
     rows = sorted(range(len(table)), key=lambda row: (_place(keys, row), x.values[row]))
@@ -71,6 +79,24 @@ def _lines(table: Table, plot: Plot, y: str, rigid: str | None) -> Iterator["Lin
             y=[table[y].values[row] for row in places],
             rigid=None if rigid is None else [table[rigid].values[row] for row in places],
             joined=varied,
+        )
+
+
+def _rows_of_rollers(table: Table, plot: Plot, y: str, rigid: str | None) -> Iterator["Line"]:
+    """A line for every row over the rollers, angles from -180 to 180 deg."""
+    from flexbearing.report.studies.lines_figure import Line
+
+    keys = [column for column in table.columns if column.varied]
+    for row, places in enumerate(table[plot.x].values):
+        if table[plot.x].unit == "deg":
+            places = [(place + 180) % 360 - 180 for place in places]
+        order = sorted(range(len(places)), key=places.__getitem__)
+        values, of_rigid = table[y].values[row], None if rigid is None else table[rigid].values[row]
+        yield Line(
+            label=_label(keys, _place(keys, row)),
+            x=[places[at] for at in order],
+            y=[values[at] for at in order],
+            rigid=None if of_rigid is None else [of_rigid[at] for at in order],
         )
 
 

@@ -19,10 +19,11 @@ class Table:
     columns: tuple[Column, ...]  # keys, outputs, then status, message and seconds
     axes: tuple[Axis, ...]  # crossed, the last one changes fastest
     cycles: "Table | None" = None  # lives under the duty cycle, where there is one
+    arrays: tuple[Column, ...] = ()  # outputs roller by roller, a tuple of numbers in each row
 
     def __getitem__(self, heading: str) -> Column:
         """Column by its name or heading; KeyError names those that there are."""
-        for column in self.columns:
+        for column in (*self.columns, *self.arrays):
             if heading in (column.name, column.heading):
                 return column
         raise KeyError(f"{heading}: there are {', '.join(column.heading for column in self.columns)}")
@@ -47,7 +48,7 @@ class Table:
         """The table as arrays over its axes, with units; names are those of the columns."""
         from flexbearing.studies.table.arrays import dataset
 
-        return dataset(self.name, self.columns, self.axes)
+        return dataset(self.name, self.columns, self.axes, self.arrays)
 
     @property
     def failed(self) -> int:
