@@ -43,6 +43,12 @@ COMMON = (
     Attribute("ending", "text", "how the last solve of the bearing itself ended; empty while it still ran"),
     Attribute("message", "text", "the ending in a sentence"),
     Attribute("iterations", "integer", "iterations of the coupling, 0 when no ring is flexible"),
+    Attribute(
+        "left_out",
+        "text",
+        "iterations, where a study stores end states alone (results = final); else absent",
+        optional=True,
+    ),
     Attribute("wall_time_s", "number", "time from case to result [s]"),
     Attribute("case_text", "text", "the case file, letter by letter", longest=100_000_000),
     Attribute("case_file", "text", "where the case file was; drawings lie beside it", optional=True),

@@ -7,7 +7,7 @@ from flexbearing.results.checks import NotInLayout
 from flexbearing.results.read import BadResult, case_file, read
 from flexbearing.results.record import Record, Recorder
 from flexbearing.results.result import Arrays, Result
-from flexbearing.results.write import ResultFile
+from flexbearing.results.write import ResultFile, store
 
 __all__ = [
     "Arrays",
@@ -19,4 +19,5 @@ __all__ = [
     "ResultFile",
     "case_file",
     "read",
+    "store",
 ]

@@ -1,7 +1,7 @@
 """What one run left behind, as arrays that cannot change."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
@@ -39,6 +39,12 @@ class Result:
     flexible: Arrays  # likewise; of ball bearings also between rigid rings
     iterations: tuple[Arrays, ...]  # from the first to the last
     family: Family  # of the bearing
+
+    @property
+    def end_states(self) -> "Result":
+        """The same without its iterations, which it then says."""
+        attributes = MappingProxyType({**self.attributes, "left_out": ITERATIONS})
+        return replace(self, path=None, iterations=(), attributes=attributes)
 
     @property
     def kind(self) -> str:

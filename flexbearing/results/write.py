@@ -168,10 +168,7 @@ class ResultFile:
         """
         self._require_open()
         result = replace(self._record.finish(**attributes), path=self.path)
-        content = content_of(result)
-        data = image(content)
-        hdf5.require_held(data, content)
-        write(self._place, data)
+        _write_whole(self._place, result)
         with self._guard:
             self._is_open = False
             if self._timer is not None:
@@ -225,6 +222,38 @@ class ResultFile:
     def _require_open(self) -> None:
         if not self._is_open:
             raise NotInLayout(f"{self.path}: the result file is not open; write inside its with-block.")
+
+
+def store(result: Result, path: Path, inputs: tuple[Path, ...] = ()) -> None:
+    """Write the file of a result that is complete.
+
+    Parameters
+    ----------
+    result : Result
+        such as the end states of a run
+    path : Path
+        replaced when the new file is complete
+    inputs : sequence of paths
+        files that it must not replace
+
+    Raises
+    ------
+    BadOutput
+        for a name that cannot be written, or that another run is writing
+    NotStored
+        if it could not be written; what had its name before is unchanged
+    """
+    place = require_output(path, inputs)
+    with lock(place):
+        _write_whole(place, result)
+
+
+def _write_whole(place: Path, result: Result) -> None:
+    """Write a file whose bytes were seen to hold the result."""
+    content = content_of(result)
+    data = image(content)
+    hdf5.require_held(data, content)
+    write(place, data)
 
 
 def content_of(result: Result) -> Content:

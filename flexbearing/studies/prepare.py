@@ -103,7 +103,7 @@ def compute(
     settled.plan.require_sound()
     folder, name = output.resolve(), settled.study.name
     cache = str(folder / f"{name}.rings") if configured().folder is None else None
-    wish = Wish(settled.outputs, settled.study.search, settled.files(folder))
+    wish = Wish(settled.outputs, settled.study.search, settled.files(folder), settled.study.final)
     work = Work(partial(rows, wish=wish, cache=cache), partial(condense, cache=cache))
     table = run(settled, output, work, where.engine(settled.plan), retry_failed=retry_failed, tell=tell)
     if cache is not None and settled.part is None:

@@ -97,7 +97,11 @@ class Prepared:
                     found[identity] = row
         if files is None:
             return found
-        stored = {each.identity for each in self.plan.variants if (files / file_name(each)).exists()}
+        stored = {
+            each.identity
+            for each in self.plan.variants
+            if (files / file_name(each, final=self.study.final)).exists()
+        }
         return {key: row for key, row in found.items() if key in stored or not row.converged}
 
     def table(self, rows: Rows) -> Table:
@@ -126,7 +130,7 @@ class Prepared:
 
     def _file(self, variant: Variant, row: Row) -> str:
         """Result file of a row, from the folder of the table; empty where there is none."""
-        return f"{self.study.name}/{file_name(variant)}" if row.converged else ""
+        return f"{self.study.name}/{file_name(variant, final=self.study.final)}" if row.converged else ""
 
     @property
     def _speeds(self) -> np.ndarray:

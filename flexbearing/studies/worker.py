@@ -23,6 +23,7 @@ from flexbearing.coupling import PartnerFailed
 from flexbearing.families import FAMILIES
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged
+from flexbearing.results import store
 from flexbearing.runs.many import Answer, answers
 from flexbearing.studies.plan import Corners, Ring, Row, Task, Variant
 from flexbearing.studies.plan.task import BAD_INPUT, CONVERGED, ERROR, Base, file_name
@@ -39,6 +40,7 @@ class Wish:
     texts: tuple[str, ...]  # outputs, with units
     search: bool = False  # whether other equilibria are searched where they are likely
     files: Path | None = None  # folder of a result file for each variant; None where the rows suffice
+    final: bool = False  # whether these files hold end states alone
     levels: Levels | None = None  # that variants with accuracy.target share
 
 
@@ -162,7 +164,7 @@ def _together(found: Sequence[tuple[Variant, Head]], wish: Wish) -> list[Row]:
 def _alone(variant: Variant, case: Head, wish: Wish) -> Row:
     """Row from a run of its own."""
     began = perf_counter()
-    file = None if wish.files is None else wish.files / file_name(variant)
+    file = None if wish.files is None else wish.files / file_name(variant, final=wish.final)
     answer = _answer(case, wish, file)
     return _row(variant, case, answer, perf_counter() - began, wish)
 
@@ -178,7 +180,9 @@ def _row(variant: Variant, case: Head, answer: Answer, seconds: float, wish: Wis
 def _answer(case: Head, wish: Wish, file: Path | None = None) -> Answer:
     """The answer of a run; that between rigid raceways where it does not converge."""
     try:
-        result = compute(case, output=file, levels=wish.levels)
+        result = compute(case, output=None if wish.final else file, levels=wish.levels)
+        if file is not None and wish.final:
+            store(result.end_states, file, case.input_files)
     except BadCase as problem:
         return Answer(BAD_INPUT, str(problem), {})
     except MemoryError:

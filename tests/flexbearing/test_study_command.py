@@ -6,12 +6,14 @@ import signal
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 import flexbearing
 from flexbearing import __main__ as program
+from flexbearing.results import BadResult, store
 from tests.flexbearing.toy_studies import CASE
 
 ROOT = Path(__file__).parents[2]
@@ -186,3 +188,38 @@ def test_keys_of_a_study_file_are_explained_as_the_reference_page_says(capsys):
     assert "how points are spread" in listed
     assert program.command(["explain", "study.none"]) == 2
     assert "none is not a key of such a file; there are case, name" in capsys.readouterr().err
+
+
+def test_final_result_files_hold_the_end_states_alone(file, tmp_path):
+    """And one kind of files is not taken for the other."""
+    elastic = (
+        f'case = "{CASE}"\nresults = "%s"\n[over]\n"outer.kind" = "ring"\n"outer.thickness" = "4 mm"\n'
+        '"outer.width" = "10 mm"\n"accuracy.structure" = "beam"\n"outer.support" = "foundation"\n'
+        '"outer.foundation_radial" = "100 N/mm^3"\n'
+    )
+    kept = {}
+    for kind in ("final", "full"):
+        file.write_text(elastic % kind)
+        assert command(file, "-o", tmp_path) == 0
+        (row,) = table(tmp_path)
+        kept[kind] = flexbearing.read(tmp_path / row["result"])
+    final, full = kept["final"], kept["full"]
+    assert full.attributes["iterations"] == final.attributes["iterations"] == len(full.iterations) > 0
+    assert (final.iterations, final.attributes["left_out"]) == ((), "iterations")
+    assert "left_out" not in full.attributes
+    for block in ("rigid", "flexible"):
+        one, other = getattr(final, block), getattr(full, block)
+        assert {name: one[name].tolist() for name in one} == {name: other[name].tolist() for name in other}
+    assert program.command(["plot", str(final.path), "-o", str(tmp_path)]) == 0
+
+
+def test_iterations_that_are_missing_or_too_many_are_refused(file, tmp_path):
+    result = flexbearing.run(CASE, {"outer.kind": "ring", "outer.thickness": "4 mm", "outer.width": "10 mm",
+                                    "accuracy.structure": "beam", "outer.support": "foundation",
+                                    "outer.foundation_radial": "100 N/mm^3"})  # fmt: skip
+    missing = replace(result, iterations=())
+    too_many = replace(result.end_states, iterations=result.iterations)
+    for wrong in (missing, too_many):
+        store(wrong, tmp_path / "r.h5")
+        with pytest.raises(BadResult, match="were written"):
+            flexbearing.read(tmp_path / "r.h5")

@@ -121,7 +121,9 @@ def convergence(result: Result) -> Figure:
     axes.set(xlabel="iteration", ylabel="relative size [-]")
     _title(axes, result, f"Convergence ({result.attributes['method']}): {result.attributes['status']}")
     if not result.iterations:
-        _say(axes, "no iterations: no part is flexible" if result.flexible else "no iterations")
+        rigid = result.flexible and not result.attributes["iterations"]
+        stored = "no iterations stored" if result.attributes["iterations"] else "no iterations"
+        _say(axes, "no iterations: no part is flexible" if rigid else stored)
         axes.set(xticks=[], yticks=[])
         return figure
     axes.set_yscale("log")
@@ -176,7 +178,7 @@ def deviations(result: Result) -> Figure:
     axes.set_xlim(-180, 180)
     axes.set_xticks(range(-180, 181, 60))
     _title(axes, result, "Raceway deviation at mid-roller; band: range along the roller")
-    if not result.flexible or not result.iterations:
+    if not result.flexible or not result.attributes["iterations"]:
         _say(axes, _caption(result))
     if result.flexible:
         figure.legend(loc="outside lower center", ncols=2, frameon=False)
@@ -221,7 +223,7 @@ def _blank() -> tuple[Figure, Axes]:
 
 def _blocks(result: Result) -> dict[str, Mapping[str, np.ndarray]]:
     blocks = {"rigid": result.rigid, "flexible": result.flexible}
-    if result.flexible and not result.iterations:
+    if result.flexible and not result.attributes["iterations"]:
         return {"rigid = flexible": result.rigid}
     return {name: values for name, values in blocks.items() if values}
 
@@ -229,7 +231,7 @@ def _blocks(result: Result) -> dict[str, Mapping[str, np.ndarray]]:
 def _caption(result: Result) -> str:
     if not result.flexible:
         return "the flexible state was not solved"
-    if not result.iterations:
+    if not result.attributes["iterations"]:
         return "no part is flexible: both states are the same"
     return "azimuth [deg]"
 

@@ -51,6 +51,7 @@ class Study:
     spectrum: Spectrum | None = None  # weights of the axis "duty", which is the last one
     plot: PlotTable | None = None  # what is drawn
     full: bool = False  # whether every variant has a result file
+    final: bool = False  # without iterations
 
     @property
     def keys(self) -> tuple[str, ...]:
@@ -100,7 +101,8 @@ def read(path: str | Path, families: Families) -> Study:
         search=given.search_equilibria,
         spectrum=weights,
         plot=given.plot,
-        full=given.results == "full",
+        full=given.results != "table",
+        final=given.results == "final",
     )
 
 

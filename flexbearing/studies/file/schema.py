@@ -98,9 +98,9 @@ class StudyFile(Section):
         "long as a thousand variants between rigid rings; without it the message says that they are likely",
         False,
     )
-    results: Literal["table", "full"] = key(
-        "table: what is collected; full: also a result file for each variant, in the folder NAME; they are "
-        "computed one by one then",
+    results: Literal["table", "final", "full"] = key(
+        "table: what is collected; full: also a result file for each variant, in the folder NAME; final: "
+        "the same without iterations; they are computed one by one then",
         "table",
     )
     over: Over | None = key("keys that are varied, each over a list, a range or a single value", None)

@@ -27,9 +27,9 @@ class Variant:
     levels: str = ""  # names the levels that it shares with others; empty without accuracy.target
 
 
-def file_name(variant: Variant) -> str:
-    """Name of the result file of a variant, where there is one."""
-    return f"{variant.identity[:12]}.h5"
+def file_name(variant: Variant, *, final: bool) -> str:
+    """Name of the result file of a variant, where there is one; another one for end states alone."""
+    return f"{variant.identity[:12]}{'_final' if final else ''}.h5"
 
 
 @dataclass(frozen=True, eq=False)
