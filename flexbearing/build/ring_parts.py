@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 Race = Literal["inner", "outer"]
 
-RACEWAY_GRID = 1e-4  # of the bore: inner raceways nearer to each other are one ring to the finite elements
+RACEWAY_GRID = 1e-4  # of the outer raceway: inner ones nearer to each other are one to the finite elements
 PARALLEL = 1e-9  # [rad] between directions that are taken as one
 NAMES: dict[Race, str] = {"inner": "inner ring and shaft", "outer": "outer ring"}
 
@@ -132,7 +132,7 @@ def inner_part(case: Case) -> "fem.RingOnShaft | None":
     hot = hot_over_cold(case, "inner_ring")
     track = max(inner.track_width * hot, roller_length(case))
     return fem.RingOnShaft(
-        raceway_diameter=_on_grid(_inner_raceway_diameter(case), inner.bore * hot),
+        raceway_diameter=_on_grid(_inner_raceway_diameter(case), case.bearing.outer_raceway_diameter),
         track_width=track,
         rib_diameter=(inner.bore + 2 * inner.thickness) * hot if inner.ribbed else None,
         bore=inner.bore * hot,
@@ -144,10 +144,10 @@ def inner_part(case: Case) -> "fem.RingOnShaft | None":
     )
 
 
-def _on_grid(raceway_diameter: float, bore: float) -> float:
-    """Nearest diameter [m] on a grid above the bore, so that clearances near each other have one ring."""
-    step = RACEWAY_GRID * bore
-    return bore + step * round((raceway_diameter - bore) / step)
+def _on_grid(diameter: float, outer_raceway_diameter: float) -> float:
+    """Nearest diameter [m] on a grid, so that clearances near each other have one ring."""
+    step = RACEWAY_GRID * outer_raceway_diameter
+    return step * round(diameter / step)
 
 
 def _inner_raceway_diameter(case: Case) -> float:
