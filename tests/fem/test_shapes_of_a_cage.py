@@ -64,6 +64,7 @@ def apart(found, true):
     return np.abs(found - true).max() / np.abs(true).max()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("condense", "_"), MODELS.values(), ids=MODELS)
 @pytest.mark.parametrize(
     "none", [{"collar_thickness": 9e-3}, {"collar_length": 2e-3, "collar_thickness": 3.6e-3}], ids=str
@@ -73,6 +74,7 @@ def test_collar_without_length_or_height_is_none(condense, _, none):
     assert np.array_equal(condense(replace(CAGE, **none)).response, condense(CAGE).response)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("condense", "allowed"), MODELS.values(), ids=MODELS)
 def test_bars_at_both_ends_neither_tilt_nor_prefer_a_side(condense, allowed):
     """The ring is its own mirror image, and about twice as stiff as on one end."""
@@ -99,6 +101,7 @@ def test_bars_at_both_ends_carry_half_the_load_each(condense, allowed):
     assert normal @ shear[:, 0] + along @ shear[:, 1] == approx(resultant, rel=5e-3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("condense", "allowed"), MODELS.values(), ids=MODELS)
 def test_raceways_aside_of_a_cage_on_both_ends_are_mirror_images(condense, allowed):
     there, here = (
@@ -126,6 +129,7 @@ def test_beam_on_springs_feels_its_raceway_aside():
     assert apart(there[:, 0, :, 0], fine[:, 0, :, 0]) < 0.05
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("shape", [COLLAR, {"two_sided": True}, {"offset": 1e-3}], ids=str)
 def test_smeared_bars_agree_with_half_a_pitch(shape):
     """6.1 % at most as measured, as without these shapes."""

@@ -91,6 +91,7 @@ def test_nominal_bar_stresses_come_from_the_condensed_state(result):
     assert result.summary()["rigid"].get("nominal_bar_stress_MPa") is None
 
 
+@pytest.mark.slow
 def test_nominal_bar_stresses_are_those_of_the_whole_solid(result, outer):
     found, solid = result.flexible["nominal_bar_stress"], bars_of(outer.loaded).stress
     assert found == approx(solid, rel=0, abs=0.1 * found.max())

@@ -38,6 +38,7 @@ def processes(monkeypatch, tmp_path):
     return told
 
 
+@pytest.mark.slow
 def test_the_answer_is_the_same_one_after_the_other(processes, monkeypatch, tmp_path):
     both = flexbearing.run(PAPER, COARSE)
     assert processes == ["started", "ended"]

@@ -120,6 +120,7 @@ def test_what_an_interruption_finished_stays_and_is_told(tmp_path):
     assert str(table.rows) == str(computed(settled, tmp_path / "at once").rows)
 
 
+@pytest.mark.slow
 def test_a_torn_journal_gives_the_same_table(tmp_path):
     settled = toy(tmp_path)
     at_once = computed(settled, tmp_path / "at once")

@@ -106,6 +106,7 @@ def test_levels_are_chosen_once_for_each_ring(chosen, table, tmp_path):
     assert numbers(again) == numbers(table)
 
 
+@pytest.mark.slow
 def test_a_resumed_study_has_the_same_table(table, tmp_path):
     file = study(tmp_path, THIN + LOADS + TARGET)
     flexbearing.study(file, tmp_path, jobs=1)
