@@ -263,6 +263,7 @@ def test_level_whose_process_dies_is_a_row_and_the_study_goes_on(monkeypatch):
     assert [level.name for level in told] == ["reference", "10 slices", "5 slices"]
 
 
+@pytest.mark.slow
 def test_reference_whose_process_dies_is_no_reference(command, monkeypatch):
     monkeypatch.setattr(pareto, "timed", deadly_level)
     monkeypatch.setattr(pareto, "richest", lambda case: Level("5 slices"))

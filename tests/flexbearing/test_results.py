@@ -680,6 +680,7 @@ def flipped(data, bit):
     return bytes(changed)
 
 
+@pytest.mark.slow
 def test_no_flipped_bit_changes_an_answer(path):
     """Where a bit means nothing the same content is read, everywhere else the file is refused."""
     data = written(path).read_bytes()

@@ -48,6 +48,7 @@ def test_the_answer_is_the_same_one_after_the_other(processes, monkeypatch, tmp_
     assert processes == ["started", "ended"]
 
 
+@pytest.mark.slow
 def test_a_known_ring_starts_no_process(processes):
     first = flexbearing.run(PAPER, CAGE)
     assert flexbearing.run(PAPER, CAGE) == first

@@ -190,6 +190,7 @@ def test_keys_of_a_study_file_are_explained_as_the_reference_page_says(capsys):
     assert "none is not a key of such a file; there are case, name" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_final_result_files_hold_the_end_states_alone(file, tmp_path):
     """And one kind of files is not taken for the other."""
     elastic = (

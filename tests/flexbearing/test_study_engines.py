@@ -219,6 +219,7 @@ def test_a_variant_that_kills_the_only_process_does_so_once(tmp_path):
     assert (tmp_path / "attempts").read_text().split() == ["5", "5", "1", "1"]
 
 
+@pytest.mark.slow
 def test_a_ring_that_kills_the_only_process_is_condensed_beside_it(tmp_path):
     base = Base(Path("case.toml"), "", ())
     place, rings = tmp_path / "processes", [Ring(base, Variant((), ""), name) for name in ("inner", "outer")]
@@ -243,6 +244,7 @@ def test_a_process_beside_hands_back_answers_exceptions_and_deaths():
     assert [done.died for done in ends] == [False, False, True, False]
 
 
+@pytest.mark.slow
 def test_a_process_beside_ends_with_the_one_that_called(tmp_path):
     script = (
         "import sys\nfrom flexbearing.studies.engine.apart import Apart\nengine = Apart()\n"

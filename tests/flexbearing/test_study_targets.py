@@ -124,6 +124,7 @@ def test_two_jobs_give_the_same_table(table, tmp_path):
     assert numbers(parallel) == numbers(table)
 
 
+@pytest.mark.slow
 def test_a_row_alone_has_the_numbers_of_the_row_beside_others(table, tmp_path):
     """Result files are those of runs alone, at the levels of the study."""
     file = study(tmp_path, THIN + LOADS + TARGET)
@@ -150,6 +151,7 @@ def test_levels_between_rigid_rings_are_chosen_too(chosen, tmp_path):
     assert 0 < table["life error"].values[0] <= 2
 
 
+@pytest.mark.slow
 def test_without_an_answer_the_usual_levels_are_used_and_told(tmp_path, monkeypatch):
     from flexbearing.accuracy import Unusable, shared
 

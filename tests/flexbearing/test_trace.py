@@ -190,6 +190,7 @@ def test_planet_gear_is_not_traced_over_a_load_that_its_teeth_do_not_follow(tmp_
         trace(TEXTBOOK, "operation.radial_load=4450 N..6 kN", tmp_path / "s.csv", teeth)
 
 
+@pytest.mark.slow
 def test_branch_whose_process_dies_has_no_table(command, monkeypatch, tmp_path):
     monkeypatch.setattr("flexbearing.studies.trace.branch", deadly_branch)
     code, said, complained = command(LOAD, "-o", tmp_path / "s.csv", settings=CAGE)

@@ -66,6 +66,7 @@ def test_one_elastic_raceway(modes, races):
     same_as_alone(models, raceways(models[0], *races))
 
 
+@pytest.mark.slow
 def test_clearances_tilts_and_shapes_that_differ():
     rng = np.random.default_rng(7)
     models, shapes = [], []
