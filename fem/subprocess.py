@@ -14,7 +14,7 @@ import sys
 import tempfile
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
-from threading import Event, Thread, Timer
+from threading import Event, Thread, Timer, current_thread, main_thread
 from typing import Any, BinaryIO
 
 from fem.parts.material import ImpossiblePart
@@ -84,7 +84,7 @@ def _started(errors: BinaryIO) -> Iterator[subprocess.Popen]:
     What a terminal or a queue sends to all processes of a job is for the caller to answer; the block of
     signals in which the process begins is inherited.
     """
-    before = _held(_ENDING)
+    release = _held(_ENDING)
     try:
         with subprocess.Popen(
             [sys.executable, "-c", _START.format(path=sys.path)],
@@ -92,27 +92,41 @@ def _started(errors: BinaryIO) -> Iterator[subprocess.Popen]:
         ) as process:  # fmt: skip
             assert process.stdin
             try:
-                _release(before)
+                release()
                 yield process
             finally:  # also after Ctrl-C; a process that has ended is not harmed
                 process.kill()
                 with suppress(BrokenPipeError):  # of a task that was not taken
                     process.stdin.close()
     finally:
-        _release(before)
+        release()
 
 
-def _held(numbers: set[int]) -> set[int]:
-    """Hold signals back in this thread; returns those that were held back before."""
+def _held(numbers: set[int]) -> Callable[[], None]:
+    """Hold signals back; what is returned lets them through again, those that came meanwhile at once.
+
+    They are blocked for the process that begins, and their handlers wait: what this thread blocks, another
+    thread takes for the whole program.
+    """
     if not hasattr(signal, "pthread_sigmask"):  # a system without
-        return set()
-    return signal.pthread_sigmask(signal.SIG_BLOCK, numbers)
+        return lambda: None
+    came: list[int] = []
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, numbers)
+    handlers = {}
+    if current_thread() is main_thread():  # the only one that may set them
+        handlers = {number: signal.getsignal(number) for number in numbers}
+        handlers = {number: handler for number, handler in handlers.items() if callable(handler)}
+    for number in handlers:
+        signal.signal(number, lambda number, _: came.append(number))
 
-
-def _release(before: set[int]) -> None:
-    """Let signals through again, those that came meanwhile at once."""
-    if hasattr(signal, "pthread_sigmask"):
+    def release() -> None:
+        while handlers:
+            signal.signal(*handlers.popitem())
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
+        while came:
+            signal.raise_signal(came.pop())
+
+    return release
 
 
 def _hand_over(process: subprocess.Popen, task: tuple) -> None:

@@ -6,7 +6,7 @@ import signal
 import subprocess
 import sys
 import time
-from threading import get_ident
+from threading import Event, Thread, get_ident
 
 import numpy as np
 import pytest
@@ -110,8 +110,12 @@ def test_signals_to_all_processes_of_a_job_are_for_the_caller_alone():
     assert signal.pthread_sigmask(signal.SIG_BLOCK, ()) == set()
 
 
-def test_interrupt_while_the_process_begins_ends_it(monkeypatch):
-    began = []
+@pytest.mark.parametrize("thread", ["this thread", "another thread"])
+def test_interrupt_while_the_process_begins_ends_it(monkeypatch, thread):
+    began, over = [], Event()
+    other = Thread(target=over.wait)
+    other.start()
+    receiver = get_ident() if thread == "this thread" else other.ident
 
     def stop(number, _):
         raise KeyboardInterrupt
@@ -120,7 +124,8 @@ def test_interrupt_while_the_process_begins_ends_it(monkeypatch):
         def __init__(self, *arguments, **options):
             super().__init__(*arguments, **options)
             began.append(self.pid)
-            signal.pthread_kill(get_ident(), signal.SIGTERM)  # held back until the process can be ended
+            signal.pthread_kill(receiver, signal.SIGTERM)  # held back until the process can be ended
+            time.sleep(0.1)  # long enough for a handler that is not held back
 
     before = signal.signal(signal.SIGTERM, stop)
     try:
@@ -129,6 +134,8 @@ def test_interrupt_while_the_process_begins_ends_it(monkeypatch):
             in_subprocess(silent)
     finally:
         signal.signal(signal.SIGTERM, before)
+        over.set()
+        other.join()
     assert gone(began[0])
 
 
