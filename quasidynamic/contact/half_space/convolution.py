@@ -1,0 +1,81 @@
+"""Displacements of all cells of a grid by the tractions on all of them, by Fourier transforms."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import fft
+
+from quasidynamic.contact.half_space.elastic_pair import ElasticPair
+from quasidynamic.contact.half_space.grid import CellGrid
+from quasidynamic.contact.half_space.influence import influence_number
+
+
+@dataclass(frozen=True)
+class Convolution:
+    """Displacements by tractions on a grid."""
+
+    spectrum: NDArray  # (displacements, tractions, px, py/2 + 1) [m/Pa] transform of the influence numbers
+    padded: tuple[int, int]  # px, py: cells of the transform, at least twice those of the grid less one
+
+    def __call__(self, tractions: NDArray) -> NDArray:
+        """Displacements (..., displacements, nx, ny) [m] of tractions (..., tractions, nx, ny) [Pa]."""
+        shape = tractions.shape[-2:]
+        waves = fft.fft(fft.rfft(tractions, self.padded[1], axis=-1), self.padded[0], axis=-2)
+        waves = np.einsum("ijxy,...jxy->...ixy", self.spectrum, waves)
+        columns = fft.ifft(waves, axis=-2, overwrite_x=True)[..., : shape[0], :]
+        return fft.irfft(columns, self.padded[1], axis=-1)[..., : shape[1]]
+
+    def __sub__(self, other: "Convolution") -> "Convolution":
+        """Difference of both displacements."""
+        return Convolution(self.spectrum - other.spectrum, self.padded)
+
+
+def convolution(
+    pair: ElasticPair,
+    grid: CellGrid,
+    displacements: tuple[int, ...],
+    tractions: tuple[int, ...],
+    shift: tuple[float, float] = (0.0, 0.0),
+) -> Convolution:
+    r"""Displacements at cell centres by tractions that are even over each cell.
+
+    .. math:: u_i(x_k) = \sum_{j,l} A_{ij}(x_k + d - x_l)\, p_j(x_l)
+
+    without wrapping around: the transform is padded by zeros.
+
+    Parameters
+    ----------
+    pair : ElasticPair
+        constants of both half-spaces [1/Pa]
+    grid : CellGrid
+        cells
+    displacements, tractions : tuple of int
+        directions i and j, see `influence_number`
+    shift : pair of float
+        d from the cell centres to the places of the displacements [m]
+
+    Returns
+    -------
+    Convolution
+
+    Source
+    ------
+    Influence numbers A of `influence_number`; Liu, Wang and Liu (2000), Wear 243, 101-111, for the padding.
+    """
+    padded = tuple(fft.next_fast_len(2 * cells - 1, real=True) for cells in grid.shape)
+    x, y = (
+        side * _lags(cells, size) + offset
+        for side, cells, size, offset in zip(grid.spacing, grid.shape, padded, shift, strict=True)
+    )
+    numbers = np.empty((len(displacements), len(tractions), *padded))
+    for i, displacement in enumerate(displacements):
+        for j, traction in enumerate(tractions):
+            numbers[i, j] = influence_number(pair, displacement, traction, (x[:, None], y), grid.spacing)
+    return Convolution(fft.rfft2(numbers), (padded[0], padded[1]))
+
+
+def _lags(cells: int, size: int) -> NDArray:
+    """Steps from a cell to another in the order of the transform; those that no pair has come last ahead."""
+    steps = np.arange(size)
+    return np.where(steps < cells, steps, steps - size)

@@ -1,0 +1,91 @@
+"""Displacement of half-spaces under an even traction on one rectangle."""
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from quasidynamic.contact.half_space.elastic_pair import ElasticPair
+
+X, Y, Z = 0, 1, 2  # directions; z normal, into the body on which tractions are counted
+
+
+def influence_number(
+    pair: ElasticPair, displacement: int, traction: int, place: tuple[ArrayLike, ArrayLike], cell: ArrayLike
+) -> NDArray:
+    r"""Relative displacement of two half-spaces by an even traction of one on a rectangle.
+
+    .. math:: \pi u_x &= \int \left[\frac{1-\nu}{G r} + \frac{\nu x^2}{G r^3}\right] p_x
+                         + \frac{\nu x y}{G r^3}\, p_y - \frac{K x}{G r^2}\, p_z\, dA, \\
+              \pi u_z &= \int \frac{K x}{G r^2}\, p_x + \frac{K y}{G r^2}\, p_y
+                         + \frac{1-\nu}{G r}\, p_z\, dA
+
+    and u_y as u_x, over the rectangle in closed form; (x, y) leads from there to the place, r is its length.
+
+    Parameters
+    ----------
+    pair : ElasticPair
+        1/G, nu/G and K/G [1/Pa]
+    displacement : int
+        direction `X`, `Y` or `Z` of u, of the first body against the second
+    traction : int
+        direction of p on the first body (on the second one acts -p); z points into the first body, so that
+        a pressure counts positive
+    place : pair of arrays (...)
+        x and y from the centre of the rectangle [m]
+    cell : array (2)
+        sides of the rectangle along x and y [m]
+
+    Returns
+    -------
+    array (...)
+        u/p [m/Pa]
+
+    Source
+    ------
+    Love, Phil. Trans. R. Soc. A 228 (1929), 377-420, for pressure; Johnson, Contact Mechanics (1985), Eqs
+    (3.18), (3.19) and sec. 3.6, for the point forces of Boussinesq and Cerruti, integrated here.
+
+    >>> steel = ElasticPair(shear=1 / 80e9, poisson=0.3 / 80e9)
+    >>> round(float(influence_number(steel, Z, Z, (0.0, 0.0), (1e-3, 1e-3))) * 80e9 * np.pi / 0.7e-3, 6)
+    3.525494
+    """
+    by_radius = pair.plane_compliance
+    if displacement == traction == Z:
+        return _integral(lambda x, y: by_radius * (_reach(x, y) + _reach(y, x)), place, cell)
+    if Z in (displacement, traction):
+        direction, sign = (traction, 1.0) if displacement == Z else (displacement, -1.0)
+        return sign * pair.coupling * _integral(_LATERAL[direction], place, cell)
+    if displacement != traction:
+        return _integral(lambda x, y: -pair.poisson * np.hypot(x, y), place, cell)
+    along, across = (pair.shear, by_radius) if displacement == X else (by_radius, pair.shear)
+    return _integral(lambda x, y: along * _reach(x, y) + across * _reach(y, x), place, cell)
+
+
+def _integral(
+    primitive: Callable[[NDArray, NDArray], NDArray], place: tuple[ArrayLike, ArrayLike], cell: ArrayLike
+) -> NDArray:
+    """Integral over a rectangle by its primitive at the corners, over pi."""
+    (x, y), (width, length) = (np.asarray(value, dtype=float) for value in place), np.asarray(cell) / 2
+    left, right, low, high = x - width, x + width, y - length, y + length
+    return (
+        primitive(right, high) - primitive(right, low) - primitive(left, high) + primitive(left, low)
+    ) / np.pi
+
+
+def _reach(x: NDArray, y: NDArray) -> NDArray:
+    """Primitive y arsinh(x/|y|) of x^2/r^3; that of 1/r is the sum of both directions."""
+    y = np.broadcast_arrays(x, y)[1]
+    apart = y != 0.0
+    return np.where(apart, y * np.arcsinh(x / np.where(apart, np.abs(y), 1.0)), 0.0)
+
+
+def _lateral(x: NDArray, y: NDArray) -> NDArray:
+    """Primitive of x/r^2, without the part y that cancels."""
+    radius = np.hypot(x, y)
+    apart = x != 0.0
+    turned = np.where(apart, x * np.arctan(y / np.where(apart, x, 1.0)), 0.0)
+    return y * np.log(np.where(radius > 0.0, radius, 1.0)) + turned
+
+
+_LATERAL = {X: _lateral, Y: lambda x, y: _lateral(y, x)}
