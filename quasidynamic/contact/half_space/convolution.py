@@ -21,10 +21,11 @@ class Convolution:
     def __call__(self, tractions: NDArray) -> NDArray:
         """Displacements (..., displacements, nx, ny) [m] of tractions (..., tractions, nx, ny) [Pa]."""
         shape = tractions.shape[-2:]
-        waves = fft.fft(fft.rfft(tractions, self.padded[1], axis=-1), self.padded[0], axis=-2)
+        waves = np.asarray(fft.rfft(tractions, self.padded[1], axis=-1))
+        waves = np.asarray(fft.fft(waves, self.padded[0], axis=-2))
         waves = np.einsum("ijxy,...jxy->...ixy", self.spectrum, waves)
-        columns = fft.ifft(waves, axis=-2, overwrite_x=True)[..., : shape[0], :]
-        return fft.irfft(columns, self.padded[1], axis=-1)[..., : shape[1]]
+        columns = np.asarray(fft.ifft(waves, axis=-2, overwrite_x=True))[..., : shape[0], :]
+        return np.asarray(fft.irfft(columns, self.padded[1], axis=-1))[..., : shape[1]]
 
     def __sub__(self, other: "Convolution") -> "Convolution":
         """Difference of both displacements."""
@@ -63,7 +64,7 @@ def convolution(
     ------
     Influence numbers A of `influence_number`; Liu, Wang and Liu (2000), Wear 243, 101-111, for the padding.
     """
-    padded = tuple(fft.next_fast_len(2 * cells - 1, real=True) for cells in grid.shape)
+    padded = _padded(grid.shape[0]), _padded(grid.shape[1])
     x, y = (
         side * _lags(cells, size) + offset
         for side, cells, size, offset in zip(grid.spacing, grid.shape, padded, shift, strict=True)
@@ -72,7 +73,13 @@ def convolution(
     for i, displacement in enumerate(displacements):
         for j, traction in enumerate(tractions):
             numbers[i, j] = influence_number(pair, displacement, traction, (x[:, None], y), grid.spacing)
-    return Convolution(fft.rfft2(numbers), (padded[0], padded[1]))
+    return Convolution(np.asarray(fft.rfft2(numbers)), padded)
+
+
+def _padded(cells: int) -> int:
+    """Cells of a transform that is fast, at least twice those of the grid less one."""
+    length = fft.next_fast_len(2 * cells - 1, real=True)
+    return int(length)  # pyright: ignore[reportArgumentType]
 
 
 def _lags(cells: int, size: int) -> NDArray:
