@@ -1,12 +1,13 @@
 """Slow ball bearings of two or four contact points, put together."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.contact.ellipse.full_sliding import Ellipse, slip_field
+from quasidynamic.contact.ellipse.full_sliding import Ellipse, sliding_friction, slip_field
 from quasidynamic.contact.ellipse.point_contact import PointContact, point_contact, race_curvatures
+from quasidynamic.contact.ellipse.rigid_slip import Spin
 from quasidynamic.errors import ImpossiblePart, OutOfRange
 from quasidynamic.motion.ball_slip import SIDE, BallContacts, pressed_height, pressed_radius
 from quasidynamic.note import Note, outside
@@ -75,6 +76,12 @@ class SlidingBalls:
         _, axial, radial = self.sliding.motion.T
         return np.mod(np.arctan2(radial, axial), 2 * np.pi)
 
+    def torque_with(self, spin: Spin) -> float:
+        """Torque at the same motion with another spin across [N m], above that of its own by second order."""
+        driven = self.sliding.driven
+        other = replace(self.ellipse.taken(driven), spin=spin)
+        return float(sliding_friction(self.sliding.slip[driven], other).power.sum() + self.hysteresis.sum())
+
     def truncated(self, race: int, groove_radius: float, groove_end: float) -> NDArray:
         """Whether shoulders at an angle [rad] cut off contacts with a race (N, G), see `truncation`."""
         edge = edge_angle(
@@ -86,7 +93,8 @@ class SlidingBalls:
         """Places [m], slip [m/s] and shear stress on the ball [Pa] over one contact, (points, points)."""
         contact = (np.array([ball]), diagonal, race)
         ellipse = Ellipse(
-            *(getattr(self.ellipse, name)[contact] for name in ("across", "along", "radius", "traction"))
+            *(getattr(self.ellipse, name)[contact] for name in ("across", "along", "radius", "traction")),
+            spin=self.ellipse.spin,
         )
         unit = np.linspace(-1.0, 1.0, points)
         x, y = np.meshgrid(unit * ellipse.across, unit * ellipse.along, indexing="ij")
@@ -115,6 +123,7 @@ class FourPointBallBearing:
     bearing: FourPointBearing
     friction: FrictionCurve
     hysteresis_loss: float = 0.0  # [-] part of the elastic work lost in rolling
+    spin: Spin = "centre"  # that makes slip across in contacts: of their middle as Jones, or of each point
 
     def __post_init__(self):
         if not 0.0 <= self.hysteresis_loss < 1.0:
@@ -172,7 +181,7 @@ class FourPointBallBearing:
         pressure = contact.peak_pressure(load)
         coefficient = self.friction.at(pressure)
         radius = self.bearing.ball.diameter / 2
-        ellipse = Ellipse(across, along, self._surface(angle), coefficient * load)
+        ellipse = Ellipse(across, along, self._surface(angle), coefficient * load, self.spin)
         if not np.all(across < radius):
             raise OutOfRange(
                 f"semi-axis {across.max():.4g} m of a contact is not below the ball radius {radius:.4g} m: "

@@ -19,6 +19,7 @@ def slow_bearing(
     friction=0.1,
     modulus=210e9,
     loss=0.0,
+    spin="centre",
 ):
     """Four-point bearing; angle in degrees, conformity r/D."""
     steel = Material(youngs_modulus=modulus, poisson_ratio=0.3, density=7850)
@@ -34,6 +35,7 @@ def slow_bearing(
         ),
         friction=constant_friction(friction) if isinstance(friction, float) else friction,
         hysteresis_loss=loss,
+        spin=spin,
     )
 
 

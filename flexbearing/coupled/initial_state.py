@@ -132,7 +132,7 @@ def _of_case(case: Case) -> str:
 def _of_result(result: Result, case: Case) -> str:
     """Why no case can start from a result; empty where one can."""
     if result.kind != case.kind:
-        return f"it is of a {result.kind} bearing; allowed is one of a {case.kind} bearing"
+        return f'it is of kind = "{result.kind}"; allowed is kind = "{case.kind}"'
     if result.attributes["status"] != "converged":
         return f"it did not converge ({result.attributes['status']}); allowed is a converged result"
     return ""

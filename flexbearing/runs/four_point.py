@@ -17,6 +17,7 @@ from quasidynamic.solve.balls.elastic_load_distribution import ElasticBallLoads
 from quasidynamic.solve.balls.load_distribution import BallLoads
 
 FEWEST = 3  # balls of a ring; a single one has the same pitch circle
+NOTABLE = 0.01  # of the torque: change by another reading of the spin that is told
 SIGN = np.array([1.0, -1.0])  # of the torques on inner and outer ring
 
 
@@ -84,6 +85,7 @@ def bearing(case: FourPointCase) -> qd.FourPointBallBearing:
         ),
         friction=_friction(case),
         hysteresis_loss=case.friction.hysteresis_loss,
+        spin=case.friction.spin,
     )
 
 
@@ -167,6 +169,7 @@ def notes(case: FourPointCase, solution: Solution) -> tuple[Note, ...]:
     if idle:
         words = f"{idle} of {len(balls.load)} balls are not pressed on both rings: they make no torque"
         lines += (information("idle-balls", words),)
+    lines += _local_spin(balls)
     if case.friction.torque == "circumferential":
         share = 100 * (balls.torques.circumferential.sum(0) / balls.torques.total.sum(0) - 1)
         lines += (
@@ -178,6 +181,22 @@ def notes(case: FourPointCase, solution: Solution) -> tuple[Note, ...]:
             ),
         )
     return lines
+
+
+def _local_spin(balls: qd.SlidingBalls) -> tuple[Note, ...]:
+    """How much torque the spin of the centre leaves out."""
+    if balls.ellipse.spin == "local" or not balls.torque:
+        return ()
+    change = balls.torque_with("local") / balls.torque - 1
+    if abs(change) < NOTABLE:
+        return ()
+    return (
+        information(
+            "spin-of-centre",
+            f'torque: with the local spin of each point of the contacts (friction.spin = "local") instead of '
+            f"that of their centres it would be {100 * change:+.1f} %",
+        ),
+    )
 
 
 def _on_shoulders(case: FourPointCase, balls: qd.SlidingBalls) -> tuple[Note, ...]:

@@ -68,7 +68,7 @@ def run_case(
     solve = family.solve()
     if start is not None:
         if family.initial_state is None:
-            raise BadCase(f"start {start.place}: a {case.kind} bearing starts from no other result")
+            raise BadCase(f'start {start.place}: a case of kind = "{case.kind}" starts from no other result')
         solve = partial(solve, near=family.initial_state()(start, case))
     if levels is not None:
         solve = partial(solve, levels=levels)

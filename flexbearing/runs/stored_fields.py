@@ -39,7 +39,7 @@ def case_of(result: Result) -> Case:
     if result.path and drawing and not exists(drawing):  # noqa: PTH110
         case = _understood(result, result.path)
     if not isinstance(case, Case):
-        raise BadCase(f"{result.place}: the rings of a {case.kind} bearing have no fields; only rollers have")
+        raise BadCase(f'{result.place}: rings have fields in roller bearings only; this case has kind = "{case.kind}"')
     return case
 
 

@@ -179,7 +179,7 @@ def trace(
 def _rollers(case: Head) -> Case:
     if isinstance(case, Case):
         return case
-    raise BadCase(f"{case.source.path}: only roller bearings are traced, this is a {case.kind}")
+    raise BadCase(f'{case.source.path}: only roller bearings are traced; this case has kind = "{case.kind}"')
 
 
 def _raceways(case: Case) -> str:

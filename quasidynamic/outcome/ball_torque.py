@@ -5,7 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.contact.ellipse.full_sliding import ROLL, SPIN, Ellipse, sliding_friction
+from quasidynamic.contact.ellipse.full_sliding import Ellipse, sliding_friction
+from quasidynamic.contact.ellipse.rigid_slip import ROLL, SPIN
 from quasidynamic.motion.ball_slip import ORBIT, BallContacts, slip_by_motion
 
 
@@ -59,7 +60,7 @@ def race_torques(contacts: BallContacts, slip: NDArray, ellipse: Ellipse) -> Rac
     axial = contacts.normal[0]
     whole = np.where(pressed, (by_race_speed * friction.by_slip).sum(-1), 0.0)
     spin = np.where(pressed, -axial * friction.by_slip[..., SPIN], 0.0)
-    lateral = np.where(pressed, -axial * friction.lateral, 0.0)
+    lateral = np.where(pressed, (by_race_speed * friction.lateral).sum(-1), 0.0)
     return RaceTorques(spin=spin.sum(1), roll=(whole - spin).sum(1), circumferential=(whole - lateral).sum(1))
 
 

@@ -323,6 +323,7 @@ EFFECTS = (
     ("friction curve", "friction.pressures", ["1.01 GPa", "3.03 GPa"], "model.friction.pressures.{0,1}"),
     ("friction curve", "friction.coefficients", [0.1212, 0.101], "model.friction.coefficients.{0,1}"),
     ("three balls", "friction.torque", "circumferential", "case.friction.torque"),
+    ("three balls", "friction.spin", "local", "model.spin"),
     ("balls in bolted rings", "friction.hysteresis_loss", 0.01, "model.hysteresis_loss"),
     ("three balls", "operation.mode", "ring_load",
      "case.operation.{contact_loads,mode} case.operation.contact_loads.0 "

@@ -191,7 +191,7 @@ def test_key_of_several_kinds_is_explained_for_each():
 
 
 def test_ball_bearing_is_not_traced():
-    with pytest.raises(BadCase, match="only roller bearings are traced, this is a angular_contact_ball"):
+    with pytest.raises(BadCase, match='only roller bearings are traced; this case has kind = "angular_'):
         trace(ANGULAR, "operation.inner_speed=100 rpm..200 rpm")
 
 

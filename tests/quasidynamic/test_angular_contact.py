@@ -184,6 +184,17 @@ def test_ring_that_nothing_holds_is_refused():
     assert caught.value.outcome is SolverOutcome.UNDETERMINED
 
 
+@pytest.mark.parametrize("thrust", [0.0, 100.0])
+def test_forces_beyond_all_numbers_are_told_without_a_share_of_them(thrust):
+    operation = RingOperation(
+        load=(thrust, 0.0, 0.0, 0.0, 0.0), displacement=(None, None, None, 0.0, 0.0), inner_speed=1e160
+    )
+    with pytest.raises(NotSolved, match="forces on ring and balls are not finite") as refused:
+        AngularContactBallBearing(bearing=BEARING).solve(operation)
+    assert "nan" not in str(refused.value)
+    assert refused.value.outcome is SolverOutcome.NOT_FINITE
+
+
 def test_impossible_parts_are_refused():
     with pytest.raises(ImpossiblePart, match="both a load"):
         RingOperation(load=LOAD, displacement=(1e-6, None, None, None, None))

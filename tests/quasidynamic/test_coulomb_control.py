@@ -9,7 +9,8 @@ from pytest import approx
 from quasidynamic.angular_contact import AngularContactBallBearing
 from quasidynamic.balance.balls.angular_contact import AngularBalance, race_contacts
 from quasidynamic.balance.balls.race_control import LoadedContacts
-from quasidynamic.contact.ellipse.full_sliding import Ellipse, sagitta
+from quasidynamic.contact.ellipse.full_sliding import Ellipse
+from quasidynamic.contact.ellipse.rigid_slip import sagitta
 from quasidynamic.errors import ImpossiblePart, NotSolved
 from quasidynamic.motion.ball_slip import BallContacts, pressed_height, pressed_radius
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation

@@ -6,8 +6,9 @@ from hypothesis import given, settings, strategies as st
 from pytest import approx
 
 from quasidynamic.balance.balls.driving_load import driving_load
-from quasidynamic.contact.ellipse.full_sliding import Ellipse, sagitta, sliding_friction
+from quasidynamic.contact.ellipse.full_sliding import Ellipse, sliding_friction
 from quasidynamic.contact.ellipse.general_sliding import EllipsePoints, sliding_ellipse, strip_points
+from quasidynamic.contact.ellipse.rigid_slip import rigid_slip, sagitta
 
 ACROSS, ALONG, RADIUS, TRACTION = 0.6e-3, 0.12e-3, 5e-3, 100.0  # [m] [m] [m] [N]
 FALL = ACROSS**2 / (2 * RADIUS)  # [m] of the surface to the edge
@@ -15,10 +16,10 @@ SIZES = TRACTION * np.array([1.0, FALL, ACROSS, 1.0, FALL])  # of the forces
 MANY = EllipsePoints(60, 40, 1e-5)
 
 
-def ellipse(growth=0.0):
+def ellipse(growth=0.0, spin="centre"):
     """Contact under a load that has grown by a factor exp(growth)."""
     values = np.array([ACROSS, ALONG, TRACTION]) * np.exp(np.array([1 / 3, 1 / 3, 1.0]) * growth)
-    return Ellipse(values[0], values[1], np.array(RADIUS), values[2])
+    return Ellipse(values[0], values[1], np.array(RADIUS), values[2], spin)
 
 
 def slip(centre, spin, across, pivot=0.0):
@@ -34,76 +35,104 @@ smooth = st.builds(
 )
 
 
-def summed(own, points=600):
-    """Heat and its derivatives by a plain sum over rings and rays."""
+def slips_at(own, x, y, spin):
+    """Slip along and across, by the spin of the centre as Jones or by the motion of rigid bodies."""
+    if spin == "centre":
+        rise = sagitta(x, np.array(RADIUS))
+        return own[0] + own[1] * rise + own[2] * x, own[3] + own[4] * rise - own[2] * y
+    normal = np.stack([x, np.sqrt(RADIUS**2 - x**2), 0 * x], -1) / RADIUS  # across, up, along
+    tangent = np.stack([normal[..., 1], -normal[..., 0], 0 * x], -1)
+    place = RADIUS * normal + y[..., None] * [0.0, 0.0, 1.0] - [0.0, RADIUS, 0.0]
+    velocity = np.cross([own[1], -own[2], -own[4]], place) + np.array([own[3], 0.0, own[0]])
+    return velocity[..., 2], (velocity * tangent).sum(-1)
+
+
+def summed(own, spin="centre", points=600):
+    """Heat and its derivatives by a plain sum over rings and rays, of the slip of units."""
     u = (np.arange(points) + 0.5) / points
     rho, angle = np.meshgrid(np.sin(np.pi / 2 * u), 2 * np.pi * u, indexing="ij")
     x, y = ACROSS * rho * np.cos(angle), ALONG * rho * np.sin(angle)
     area = ACROSS * ALONG * rho * np.pi / 2 * np.cos(np.pi / 2 * u)[:, None] / points * 2 * np.pi / points
     force = 1.5 * TRACTION / (np.pi * ACROSS * ALONG) * np.sqrt(1 - rho**2) * area
-    rise = sagitta(x, np.array(RADIUS))
-    along, across = own[0] + own[1] * rise + own[2] * x, own[3] + own[4] * rise - own[2] * y
+    along, across = slips_at(own, x, y, spin)
     size = np.hypot(along, across)
-    forward, sideward = force * along / size, force * across / size
-    parts = [forward, forward * rise, forward * x - sideward * y, sideward, sideward * rise]
-    return (force * size).sum(), np.array([part.sum() for part in parts])
+    units = [slips_at(unit, x, y, spin) for unit in np.eye(5)]
+    forces = [(force * (along * u + across * v) / size).sum() for u, v in units]
+    return (force * size).sum(), np.array(forces)
 
 
+spins = pytest.mark.parametrize("spin", ["centre", "local"])
+
+
+@spins
+def test_slip_at_points_is_that_of_rigid_bodies_or_of_the_spin_in_the_centre(spin):
+    x, y = np.array([-0.9, 0.0, 0.3, 0.8]) * ACROSS, np.array([0.1, 0.9, -0.5, 0.4]) * ALONG
+    own = slip(0.2, 0.5, 0.3, 20.0)
+    found = rigid_slip(x, y, np.array([RADIUS]), spin) @ own
+    assert found.T == approx(np.array(slips_at(own, x, y, spin)), rel=1e-12)
+
+
+@spins
 @pytest.mark.parametrize(
     "own",
     [slip(0.2, 0.5, 0.3, 20.0), slip(0.0, 8.0, 2.0), slip(-0.3, -4.0, -3.0), slip(0.4, 0.0, 9.0)],
     ids=["nearly rolling", "spinning", "spinning back", "turning across"],
 )
-def test_friction_is_that_of_a_plain_sum(own):
-    found, (power, forces) = sliding_ellipse(own, ellipse()), summed(own)
+def test_friction_is_that_of_a_plain_sum(own, spin):
+    found, (power, forces) = sliding_ellipse(own, ellipse(spin=spin)), summed(own, spin)
     assert found.power == approx(power, rel=2e-5)
     assert found.by_slip / SIZES == approx(forces / SIZES, abs=2e-4)
 
 
+@spins
 @settings(max_examples=30)
-@given(st.floats(-0.5, 1.5), st.floats(-8.0, 8.0))
-def test_without_slip_across_friction_is_the_closed_form_over_strips(centre, spin):
-    own = slip(centre, spin, 0.0)
-    found, known = sliding_ellipse(own, ellipse(), MANY), sliding_friction(own[:3], ellipse())
+@given(centre=st.floats(-0.5, 1.5), turn=st.floats(-8.0, 8.0))
+def test_without_slip_across_friction_is_the_closed_form_over_strips(centre, turn, spin):
+    own, contact = slip(centre, turn, 0.0), ellipse(spin=spin)
+    found, known = sliding_ellipse(own, contact, MANY), sliding_friction(own[:3], contact)
     assert found.power == approx(float(known.power), rel=1e-8)
     assert found.by_slip[:3] / SIZES[:3] == approx(known.by_slip / SIZES[:3], abs=3e-7)
     assert found.by_slip[3:] / SIZES[3:] == approx(np.zeros(2), abs=1e-12)
 
 
+@spins
 @settings(max_examples=30)
-@given(slips)
-def test_points_leave_a_small_error(own):
-    found, fine = sliding_ellipse(own, ellipse()), sliding_ellipse(own, ellipse(), MANY)
+@given(own=slips)
+def test_points_leave_a_small_error(own, spin):
+    found, fine = (sliding_ellipse(own, ellipse(spin=spin), *points) for points in ([], [MANY]))
     assert found.power == approx(float(fine.power), rel=2e-9)
     assert found.by_slip / SIZES == approx(fine.by_slip / SIZES, abs=2e-7)
 
 
+@spins
 @settings(max_examples=25)
-@given(smooth)
-def test_curvature_is_the_slope_of_the_force(own):
-    found = sliding_ellipse(own, ellipse())
+@given(own=smooth)
+def test_curvature_is_the_slope_of_the_force(own, spin):
+    found = sliding_ellipse(own, ellipse(spin=spin))
     scale = np.sqrt(np.diagonal(found.curvature))
     for component in range(5):
         step = np.eye(5)[component] * 1e-5 / scale[component] * np.sqrt(found.power)
-        ahead, behind = (sliding_ellipse(own + sign * step, ellipse()).by_slip for sign in (1, -1))
+        ahead, behind = (sliding_ellipse(own + sign * step, ellipse(spin=spin)).by_slip for sign in (1, -1))
         slope = (ahead - behind) / (2 * step[component])
         allowed = 3e-3 * scale * scale[component] + 1e-9 * SIZES / step[component]
         assert (np.abs(found.curvature[component] - slope) <= allowed).all()
 
 
+@spins
 @settings(max_examples=25)
-@given(smooth)
-def test_slope_by_the_load_is_that_of_a_growing_contact(own):
+@given(own=smooth)
+def test_slope_by_the_load_is_that_of_a_growing_contact(own, spin):
     step = 1e-4
-    ahead, behind = (sliding_ellipse(own, ellipse(sign * step)).by_slip for sign in (1, -1))
+    ahead, behind = (sliding_ellipse(own, ellipse(sign * step, spin)).by_slip for sign in (1, -1))
     slope = (ahead - behind) / (2 * step)
-    assert sliding_ellipse(own, ellipse()).by_load / SIZES == approx(slope / SIZES, abs=2e-4)
+    assert sliding_ellipse(own, ellipse(spin=spin)).by_load / SIZES == approx(slope / SIZES, abs=2e-4)
 
 
-@given(slips, slips)
-def test_heat_lies_between_its_tangent_and_its_majorant(here, there):
-    found, step = sliding_ellipse(here, ellipse()), there - here
-    tangent, heat = found.power + found.by_slip @ step, sliding_ellipse(there, ellipse()).power
+@spins
+@given(here=slips, there=slips)
+def test_heat_lies_between_its_tangent_and_its_majorant(here, there, spin):
+    found, step = sliding_ellipse(here, ellipse(spin=spin)), there - here
+    tangent, heat = found.power + found.by_slip @ step, sliding_ellipse(there, ellipse(spin=spin)).power
     assert tangent <= heat * (1 + 1e-7)
     assert heat <= (tangent + (found.majorant * step**2).sum() / 2) * (1 + 1e-7)
 

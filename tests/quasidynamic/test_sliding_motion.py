@@ -6,14 +6,13 @@ from hypothesis import given, settings, strategies as st
 from pytest import approx
 
 from quasidynamic.contact.ellipse.full_sliding import (
-    SPIN,
     Ellipse,
     no_slip_positions,
-    sagitta,
     sliding_friction,
     slip_field,
 )
 from quasidynamic.contact.ellipse.point_contact import point_contact, race_curvatures
+from quasidynamic.contact.ellipse.rigid_slip import SPIN, rigid_slip, sagitta
 from quasidynamic.errors import ImpossiblePart, OutOfRange
 from quasidynamic.motion.ball_slip import (
     SIDE,
@@ -31,8 +30,11 @@ from tests.ball_bearings import one_ball, slow_bearing
 RADIUS = 5e-3  # [m] R
 
 
-def ellipse(across=0.6e-3, along=0.12e-3, traction=100.0):
-    return Ellipse(*(np.array([value]) for value in (across, along, RADIUS, traction)))
+def ellipse(across=0.6e-3, along=0.12e-3, traction=100.0, spin="centre"):
+    return Ellipse(*(np.array([value]) for value in (across, along, RADIUS, traction)), spin)
+
+
+spins = pytest.mark.parametrize("spin", ["centre", "local"])
 
 
 def slip(centre, roll, spin, across=0.6e-3):
@@ -53,29 +55,34 @@ def summed(own, contact, points=400):
     x, y = a * rho * np.cos(angle), b * rho * np.sin(angle)
     area = a * b * rho / points * 2 * np.pi / points
     along, across, shear, cross = slip_field(own, contact, x, y)
-    parts = [-shear, -shear * sagitta(x, RADIUS), -(shear * x - cross * y)]
+    units = np.moveaxis(rigid_slip(x, y, np.array([RADIUS]), contact.spin)[..., :3], -1, 0)
+    parts = [-(shear * unit[..., 0] + cross * unit[..., 1]) for unit in units]
     return (-(shear * along + cross * across) * area).sum(), np.array([(part * area).sum() for part in parts])
 
 
+@spins
 @pytest.mark.parametrize(
     "own", [slip(0.2, 3.0, 0.5), slip(0.0, 3.0, 8.0), slip(-0.3, 9.0, 0.1)], ids=["two lines", "spin", "none"]
 )
-def test_friction_is_that_of_a_plain_sum(own):
-    found, (power, moments) = sliding_friction(own, ellipse()), summed(own, ellipse())
+def test_friction_is_that_of_a_plain_sum(own, spin):
+    contact = ellipse(spin=spin)
+    found, (power, moments) = sliding_friction(own, contact), summed(own, contact)
     size = np.array([100.0, 100.0 * 0.6e-3**2 / RADIUS, 100.0 * 0.6e-3])
     assert found.power[0] == approx(power, rel=1e-4)
     assert found.by_slip[0] / size == approx(moments / size, abs=5e-4)
 
 
+@spins
 @settings(max_examples=25)
-@given(smooth)
-def test_force_is_the_slope_of_the_heat_and_curvature_that_of_the_force(own):
-    found = sliding_friction(own, ellipse())
+@given(own=smooth)
+def test_force_is_the_slope_of_the_heat_and_curvature_that_of_the_force(own, spin):
+    contact = ellipse(spin=spin)
+    found = sliding_friction(own, contact)
     curvature, _ = found.curvatures()
     for component in range(3):
         step = np.zeros(3)
         step[component] = 1e-5 * max(abs(own[0, component]), abs(slip(0.1, own[0, 1], 1.0)[0, component]))
-        up, down = (sliding_friction(own + sign * step, ellipse()) for sign in (1, -1))
+        up, down = (sliding_friction(own + sign * step, contact) for sign in (1, -1))
         length = 2 * step[component]
         slope = (up.power - down.power)[0] / length
         assert found.by_slip[0, component] * length == approx(slope * length, abs=1e-8 * found.power[0])
@@ -86,12 +93,14 @@ def test_force_is_the_slope_of_the_heat_and_curvature_that_of_the_force(own):
         )
 
 
-@given(slips, slips)
-def test_heat_lies_between_its_tangent_and_its_majorant(here, there):
-    found, step = sliding_friction(here, ellipse()), (there - here)[0]
+@spins
+@given(here=slips, there=slips)
+def test_heat_lies_between_its_tangent_and_its_majorant(here, there, spin):
+    contact = ellipse(spin=spin)
+    found, step = sliding_friction(here, contact), (there - here)[0]
     _, majorant = found.curvatures()
     tangent = found.power[0] + found.by_slip[0] @ step
-    heat = sliding_friction(there, ellipse()).power[0]
+    heat = sliding_friction(there, contact).power[0]
     assert tangent <= heat * (1 + 1e-8)
     assert heat <= (tangent + step @ majorant[0] @ step / 2) * (1 + 1e-8)
 
@@ -128,23 +137,24 @@ def test_spin_moment_of_a_narrow_contact_follows_its_rolling_lines(lower, upper)
 
 
 BEARING = slow_bearing()
+EITHER = st.sampled_from([BEARING, slow_bearing(spin="local")])  # spin that makes slip across
 loads = st.tuples(st.floats(0.0, 4.0), st.floats(0.0, 4.0)).map(lambda powers: [10 * 10**p for p in powers])
 angles = st.tuples(st.floats(5.0, 75.0), st.floats(5.0, 75.0)).map(list)
 
 
 @settings(max_examples=25)
-@given(angles, loads)
-def test_torque_is_the_same_on_both_rings_and_the_heat_per_speed(angle, load):
-    balls = one_ball(BEARING, angle, load)
+@given(EITHER, angles, loads)
+def test_torque_is_the_same_on_both_rings_and_the_heat_per_speed(bearing, angle, load):
+    balls = one_ball(bearing, angle, load)
     inner, outer = balls.torques.total[0]
     assert inner == approx(balls.sliding.power[0], rel=1e-8)
     assert outer == approx(-inner, rel=1e-8)
 
 
 @settings(max_examples=15)
-@given(angles, loads)
-def test_diagonals_are_mirror_images(angle, load):
-    one, other = one_ball(BEARING, angle, load), one_ball(BEARING, angle[::-1], load[::-1])
+@given(EITHER, angles, loads)
+def test_diagonals_are_mirror_images(bearing, angle, load):
+    one, other = one_ball(bearing, angle, load), one_ball(bearing, angle[::-1], load[::-1])
     assert other.torque == approx(one.torque, rel=1e-8)
     assert other.axis_angle + one.axis_angle == approx(2 * np.pi, abs=1e-6)
     assert other.ball_speed == approx(one.ball_speed, rel=1e-6)
@@ -158,9 +168,9 @@ def test_torque_is_linear_in_the_friction_coefficient(angle, load, power):
 
 
 @settings(max_examples=15)
-@given(angles, loads, st.integers(0, 2**31))
-def test_no_other_motion_makes_less_heat(angle, load, seed):
-    balls = one_ball(BEARING, angle, load)
+@given(EITHER, angles, loads, st.integers(0, 2**31))
+def test_no_other_motion_makes_less_heat(bearing, angle, load, seed):
+    balls = one_ball(bearing, angle, load)
     best = balls.sliding
     change = np.random.default_rng(seed).normal(size=(1, 3)) * 10 ** np.linspace(-6, 0, 3)
     moved = slip_of(best.motion + change * best.motion, slip_by_motion(balls.contacts))

@@ -30,7 +30,7 @@ def hertz(case, side, angle, load):
 
 
 def contacts(case):
-    """Each contact as (side, normal, mesh, pressure times area), loaded ones only."""
+    """Each contact as (side, normal, mesh, tilt of the surface, pressure times area), loaded ones only."""
     found = []
     for diagonal, (angle, load) in enumerate(zip(case["angle"], case["load"], strict=True)):
         for side in (-1, 1):
@@ -43,18 +43,21 @@ def contacts(case):
             pressure = 1.5 * load / (np.pi * a * b) * np.sqrt(1 - RHO**2)
             R = 2 * case["r"] * (case["D"] / 2) / (case["r"] + case["D"] / 2)
             h = np.sqrt(R**2 - x**2) - np.sqrt(R**2 - a**2) + np.sqrt((case["D"] / 2) ** 2 - a**2)
-            found.append((side, normal, x, y, h, case["friction"] * pressure * area))
+            tilt = np.arcsin(x / R) if case.get("spin") == "local" else 0.0
+            found.append((side, normal, x, y, h, tilt, case["friction"] * pressure * area))
     return found
 
 
 def slip(case, contact, motion):
     """Velocity of the ball against the race along the orbit and along the groove section."""
-    side, (nx, nr), x, y, h, _ = contact
+    side, (nx, nr), x, y, h, tilt, _ = contact
     outer, wx, wr = motion
     race = outer + 1 if side < 0 else outer
     px, pr = h * nx - x * nr, h * nr + x * nx
     along = wx * pr - wr * px - race * (case["dm"] / 2 + pr)
-    spin = (wx - race) * nx + wr * nr
+    spin = (wx - race) * (nx * np.cos(tilt) - nr * np.sin(tilt)) + wr * (
+        nr * np.cos(tilt) + nx * np.sin(tilt)
+    )
     return along, -spin * y
 
 
@@ -66,11 +69,12 @@ def joshi(case, mesh, motion):
     """Force along the orbit and moments about the axial and the radial direction, on the ball."""
     force, axial, radial = 0.0, 0.0, 0.0
     for contact in mesh:
-        _, (nx, nr), x, y, h, weight = contact
+        _, (nx, nr), x, y, h, tilt, weight = contact
         along, across = slip(case, contact, motion)
         size = np.hypot(along, across)
         t, s = -weight * along / size, -weight * across / size
-        rolling, spinning = (t * h).sum(), (t * x - s * y).sum()
+        rolling = (t * h + s * y * np.sin(tilt)).sum()
+        spinning = (t * x - s * y * np.cos(tilt)).sum()
         force += t.sum()
         axial += nr * rolling + nx * spinning
         radial += -nx * rolling + nr * spinning

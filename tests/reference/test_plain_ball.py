@@ -11,17 +11,16 @@ CASES = {
     "two contacts": {"angle": [45.0], "load": [1000.0]},
     "spinning": {"angle": [45.0, 45.0], "load": [1000.0, 1000.0]},
     "between": {"angle": [40.0, 50.0], "load": [3000.0, 800.0]},
+    "local spin": {"angle": [45.0], "load": [1000.0], "spin": "local"},
+    "local spin between": {"angle": [40.0, 50.0], "load": [3000.0, 800.0], "spin": "local"},
 }
 
 
 def both(name):
-    case = CASES[name]
-    bearing = slow_bearing(20e-3, 0.2, 20, conformity=0.54, friction=0.1, modulus=207e9)
+    case = {"spin": "centre"} | CASES[name]
+    bearing = slow_bearing(20e-3, 0.2, 20, conformity=0.54, friction=0.1, modulus=207e9, spin=case["spin"])
     plain = {"D": 20e-3, "dm": 0.2, "r": 10.8e-3, "E": 207e9, "friction": 0.1}
-    return one_ball(bearing, case["angle"], case["load"]), plain | {
-        "angle": np.radians(case["angle"]),
-        "load": case["load"],
-    }
+    return one_ball(bearing, case["angle"], case["load"]), plain | case | {"angle": np.radians(case["angle"])}
 
 
 @pytest.mark.parametrize("name", CASES)

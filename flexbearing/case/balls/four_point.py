@@ -6,7 +6,7 @@ from typing import Literal, Self
 from pydantic import model_validator
 
 from flexbearing.case.balls import bolted_rings
-from flexbearing.case.balls.parts import BallBearing, Elastic, Number, RingLoad, Whole
+from flexbearing.case.balls.parts import SPIN, BallBearing, Elastic, Number, RingLoad, Whole
 from flexbearing.case.balls.renamed import LOAD
 from flexbearing.case.head import KIND, Head
 from flexbearing.case.quantity import (
@@ -89,6 +89,7 @@ class SlowFriction(Section):
         "along the rolling direction alone, as Heras et al. (2017)",
         "exact",
     )
+    spin: Literal["centre", "local"] = key(SPIN, "centre")
     hysteresis_loss: float = key("part of the elastic work that rolling loses", 0.0, ge=0, lt=1)
 
     @model_validator(mode="after")

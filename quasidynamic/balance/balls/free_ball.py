@@ -8,12 +8,12 @@ from numpy.typing import NDArray
 
 from quasidynamic.contact.ellipse.full_sliding import Ellipse
 from quasidynamic.contact.ellipse.general_sliding import (
-    CENTRE,
     FINE,
     EllipsePoints,
     GeneralSliding,
     sliding_ellipse,
 )
+from quasidynamic.contact.ellipse.rigid_slip import CENTRE
 from quasidynamic.motion.ball_slip import (
     INNER,
     ORBIT,

@@ -6,7 +6,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.contact.ellipse.full_sliding import CENTRE, SPIN, Ellipse, sliding_friction
+from quasidynamic.contact.ellipse.full_sliding import Ellipse, sliding_friction
+from quasidynamic.contact.ellipse.rigid_slip import CENTRE, SPIN
 from quasidynamic.motion.ball_slip import INNER, OUTER, BallContacts, slip_by_motion, slip_of
 
 

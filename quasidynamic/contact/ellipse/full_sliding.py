@@ -11,12 +11,19 @@ from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
 
 from quasidynamic.contact.ellipse.point_contact import require_narrow
+from quasidynamic.contact.ellipse.rigid_slip import (
+    CENTRE,
+    ROLL,
+    SPIN,
+    Spin,
+    rigid_slip,
+    sagitta,
+    turn_by_slip,
+)
 from quasidynamic.contact.ellipse.sliding_strip import SMALLEST, SlidingStrip, sliding_strip
 
 POINTS = 32  # Gauss points in each of three panels
 NARROWEST = 1e-3  # lateral over longitudinal slip below which the curvature is that of this ratio
-
-CENTRE, ROLL, SPIN = 0, 1, 2  # components of the slip of a contact
 
 
 @dataclass(frozen=True)
@@ -27,6 +34,7 @@ class Ellipse:
     along: NDArray  # [m] b, semi-axis along the rolling direction
     radius: NDArray  # [m] R of the pressed surface in the plane across, above a
     traction: NDArray  # [N] friction coefficient times load, zero where unloaded
+    spin: Spin = "centre"  # that makes slip across, see `strip_slip`
 
     def __post_init__(self):
         require_narrow(self.across, self.radius)
@@ -38,7 +46,7 @@ class Ellipse:
 
     def taken(self, keep: NDArray) -> "Ellipse":
         """Return the same contacts of some of the balls (leading axis)."""
-        return Ellipse(self.across[keep], self.along[keep], self.radius[keep], self.traction[keep])
+        return Ellipse(self.across[keep], self.along[keep], self.radius[keep], self.traction[keep], self.spin)
 
 
 @dataclass(frozen=True)
@@ -47,32 +55,8 @@ class SlidingFriction:
 
     power: NDArray  # (...) [W] heat
     by_slip: NDArray  # (..., 3) [N, N m, N m] derivative by centre slip, roll and spin
-    lateral: NDArray  # (...) [N m] part of `by_slip` of the spin that lateral slip makes
+    lateral: NDArray  # (..., 3) part of `by_slip` that slip across makes
     curvatures: Callable[[], tuple[NDArray, NDArray]]  # see `_curvatures`
-
-
-def sagitta(position: NDArray, radius: NDArray) -> NDArray:
-    r"""Height of the pressed surface over its middle, towards the ball's outside.
-
-    .. math:: \sigma(x) = \sqrt{R^2 - x^2} - R
-
-    Parameters
-    ----------
-    position : array (...)
-        x across the rolling direction [m], |x| < R
-    radius : array (...)
-        R [m]
-
-    Returns
-    -------
-    array (...)
-        sigma [m], <= 0
-
-    Source
-    ------
-    Jones (1959), J. Basic Eng. 81, 1-12.
-    """
-    return -(position**2) / (radius + np.sqrt(radius**2 - position**2))
 
 
 def no_slip_positions(slip: NDArray, radius: NDArray) -> tuple[NDArray, NDArray]:
@@ -113,10 +97,11 @@ def sliding_friction(slip: NDArray, ellipse: Ellipse) -> SlidingFriction:
     r"""Heat of full sliding with its first two derivatives by the slip.
 
     .. math:: \Phi = \int \mu p\, |v|\, dA,\quad p = \frac{3 Q}{2 \pi a b} \sqrt{1 - x^2/a^2 - y^2/b^2},\\
-              v_t = e + A\,\sigma(x) + w x,\quad v_1 = -w y
+              v_t = e + A\,\sigma(x) + w x,\quad v_1 = -w_l y
 
-    The integral over y is that of `sliding_strip`, in closed form; the integral over x is taken
-    by Gauss panels between the positions without slip, with points crowded at their ends.
+    with w_l = w or the spin of each point, as the ellipse says, see `turn_by_slip`. The integral over y is
+    that of `sliding_strip`, in closed form; the integral over x is taken by Gauss panels between the
+    positions without slip, with points crowded at their ends.
 
     Parameters
     ----------
@@ -124,7 +109,7 @@ def sliding_friction(slip: NDArray, ellipse: Ellipse) -> SlidingFriction:
         e slip at the centre of the contact along the rolling direction [m/s], A roll and w spin of the ball
         against the race [rad/s]
     ellipse : Ellipse
-        a, b, R and mu Q
+        a, b, R, mu Q and the spin that makes slip across
 
     Returns
     -------
@@ -146,20 +131,23 @@ def sliding_friction(slip: NDArray, ellipse: Ellipse) -> SlidingFriction:
     half = ellipse.along[..., None] * np.sqrt(share)  # of the strip at x
     rise = sagitta(x, ellipse.radius[..., None])
     centre, roll, spin = (slip[..., i, None] for i in (CENTRE, ROLL, SPIN))
-    along = centre + roll * rise
-    strip = sliding_strip(along + spin * x, spin * half)
+    by_roll, by_spin = turn_by_slip(x, ellipse.radius[..., None], ellipse.spin)
+    along, turn = centre + roll * rise + spin * x, roll * by_roll + spin * by_spin
+    strip = sliding_strip(along, turn * half)
     weight = weight * share * (1.5 / pi * ellipse.traction / ellipse.width)[..., None]
-    cross = weight * strip.by_along
-    lateral = (weight * strip.by_across * half).sum(-1)
-    moments = np.empty(slip.shape)
+    cross, across = weight * strip.by_along, weight * strip.by_across * half
+    moments, lateral = np.empty(slip.shape), np.zeros(slip.shape)
+    lateral[..., ROLL], lateral[..., SPIN] = (across * by_roll).sum(-1), (across * by_spin).sum(-1)
     moments[..., CENTRE] = cross.sum(-1)
     moments[..., ROLL] = (cross * rise).sum(-1)
-    moments[..., SPIN] = (cross * x).sum(-1) + lateral
+    moments[..., SPIN] = (cross * x).sum(-1)
+    moments += lateral
+    points = _StripPoints(x, rise, half, along, turn, (by_roll, by_spin), weight)
     return SlidingFriction(
         power=(slip * moments).sum(-1),
         by_slip=moments,
         lateral=lateral,
-        curvatures=lambda: _curvatures(slip, ellipse, _StripPoints(x, rise, half, along, weight), strip),
+        curvatures=lambda: _curvatures(slip, ellipse, points, strip),
     )
 
 
@@ -169,7 +157,9 @@ class _StripPoints(NamedTuple):
     x: NDArray  # [m]
     rise: NDArray  # [m] of the surface
     half: NDArray  # [m] half of the length
-    along: NDArray  # [m/s] slip without that of the spin
+    along: NDArray  # [m/s] slip
+    turn: NDArray  # [rad/s] spin, one for all or each its own
+    turn_by_slip: tuple[NDArray, NDArray]  # [-] by roll and spin
     weight: NDArray
 
 
@@ -204,29 +194,32 @@ def _curvatures(
     Where the lateral slip nearly vanishes the heat has a kink along a line, which would fall between the
     points: its second derivatives are taken at the ratio `NARROWEST`.
     """
-    roll, spin = slip[..., ROLL, None], slip[..., SPIN, None]
-    least = NARROWEST * np.abs(roll) * (ellipse.width**2 / (2 * ellipse.radius))[..., None]
-    narrow = (np.abs(spin) * ellipse.along[..., None] < least) & (ellipse.traction > 0.0)[..., None]
+    turn, (by_roll, by_spin) = points.turn, points.turn_by_slip
+    least = NARROWEST * np.abs(slip[..., ROLL, None]) * (ellipse.width**2 / (2 * ellipse.radius))[..., None]
+    narrow = (np.abs(turn) * ellipse.along[..., None] < least) & (ellipse.traction > 0.0)[..., None]
+    bend = strip.bend
     if narrow.any():
         short = np.maximum(ellipse.along[..., None], SMALLEST)
-        turning = np.where(narrow, np.copysign(least / short, spin), spin)
-        bend = sliding_strip(points.along + spin * points.x, turning * points.half).bend
-        spin = turning
-    else:
-        bend = strip.bend
+        turn = np.where(narrow, np.copysign(least / short, turn), turn)
+        bend = sliding_strip(points.along, turn * points.half).bend
     functions = np.empty((2, *slip.shape, points.x.shape[-1]))
-    functions[0, ..., CENTRE, :] = spin
-    functions[0, ..., ROLL, :] = spin * points.rise
-    functions[0, ..., SPIN, :] = -points.along
     functions[1, ..., CENTRE, :] = 1.0
     functions[1, ..., ROLL, :] = points.rise
     functions[1, ..., SPIN, :] = points.x
+    functions[0] = turn[..., None, :] * functions[1]
+    functions[0, ..., ROLL, :] -= by_roll * points.along
+    functions[0, ..., SPIN, :] -= by_spin * points.along
     square = points.weight * points.half**2
     weighted = functions.copy()
     weighted[0] *= (square * bend)[..., None, :]
     weighted[1] *= (points.weight * strip.secant_along)[..., None, :]
     curvature, majorant = weighted @ np.swapaxes(functions, -1, -2)
-    majorant[..., SPIN, SPIN] += (square * strip.secant_across).sum(-1)
+    lateral = square * strip.secant_across
+    majorant[..., ROLL, ROLL] += (lateral * by_roll**2).sum(-1)
+    majorant[..., SPIN, SPIN] += (lateral * by_spin**2).sum(-1)
+    mixed = (lateral * (by_roll * by_spin)).sum(-1)
+    majorant[..., ROLL, SPIN] += mixed
+    majorant[..., SPIN, ROLL] += mixed
     return curvature, majorant
 
 
@@ -235,7 +228,7 @@ def slip_field(
 ) -> tuple[NDArray, NDArray, NDArray, NDArray]:
     r"""Slip and shear stress at points of the ellipse, for pictures.
 
-    .. math:: v_t = e + A\,\sigma(x) + w x,\quad v_1 = -w y,\quad \tau = -\mu p\, v/|v|
+    .. math:: v_t = e + A\,\sigma(x) + w x,\quad v_1 = -w_l y,\quad \tau = -\mu p\, v/|v|
 
     Parameters
     ----------
@@ -254,13 +247,12 @@ def slip_field(
 
     Source
     ------
-    Jones (1959), J. Basic Eng. 81, 1-12.
+    Jones (1959), J. Basic Eng. 81, 1-12; see `rigid_slip` for the slip.
     """
     width = ellipse.width
     inside = np.maximum(1.0 - (x / width) ** 2 - (y / ellipse.along) ** 2, 0.0)
     limit = 1.5 * ellipse.traction / (pi * width * ellipse.along) * np.sqrt(inside)
-    rise = sagitta(np.clip(x, -width, width), ellipse.radius)
-    along = slip[..., CENTRE] + slip[..., ROLL] * rise + slip[..., SPIN] * x
-    across = -slip[..., SPIN] * y
+    by_slip = rigid_slip(np.clip(x, -width, width), y, ellipse.radius, ellipse.spin)[..., :3]
+    along, across = np.einsum("...ji,...i->j...", by_slip, slip)
     size = np.maximum(np.hypot(along, across), SMALLEST)
     return along, across, -limit * along / size, -limit * across / size

@@ -9,9 +9,16 @@ import numpy as np
 from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
 
-from quasidynamic.contact.ellipse.full_sliding import Ellipse, no_slip_positions, sagitta
+from quasidynamic.contact.ellipse.full_sliding import Ellipse, no_slip_positions
+from quasidynamic.contact.ellipse.rigid_slip import (
+    ACROSS,
+    PIVOT,
+    ROLL,
+    SPIN,
+    Spin,
+    strip_slip,
+)
 
-CENTRE, ROLL, SPIN, ACROSS, PIVOT = range(5)  # components of the slip of a contact
 FLATTEST = 1e-3  # of the slip of a strip: least change along the strip that its points follow
 NEAREST = 1e-9  # of the slip of a strip: least slip along the rolling direction that its points follow
 SMALLEST = 1e-200  # stands for the square of a slip of zero: a kink of |v|, met by rounding alone
@@ -33,28 +40,20 @@ _FAN = np.array([-1.0, 1.0, -1.0, 1.0])
 
 
 class _Strips(NamedTuple):
-    """Strips (..., n) of ellipses along the rolling direction, with points (..., n, m) on them."""
+    """Strips (..., n) of ellipses along the rolling direction, with points (..., n, m) on them.
 
-    basis: NDArray  # (..., 3, n) 1, sagitta [m] and place x [m]
-    half: NDArray  # [m] half of the length
-    along: NDArray  # [m/s] slip
+    The slip of a strip is v_t, and v_1 = k - s t at the place t over its half length.
+    """
+
+    x: NDArray  # [m]
+    by_slip: NDArray  # (..., 3, 5, n) v_t, k and -s by the slip of the contact
+    friction: NDArray  # (..., 3, n) [N] derivative of the heat by v_t, k and -s
+    along: NDArray  # [m/s] v_t
     whole: NDArray  # [N s/m] friction over slip
-    sideward: NDArray  # [N] friction across
     place: NDArray  # of the points, over the half length
     across: NDArray  # [m/s] slip of the points
     square: NDArray  # [m2/s2] of the whole slip of the points
     share: NDArray  # [N s/m] friction over slip of the points
-
-
-class _Bends(NamedTuple):
-    """Second derivatives (..., n) of the heat of strips by v_t, v_1 and v_1 over the place t on the strip."""
-
-    along: NDArray
-    along_across: NDArray
-    along_turn: NDArray
-    across: NDArray
-    across_turn: NDArray
-    turn: NDArray
 
 
 @dataclass(frozen=True)
@@ -75,33 +74,15 @@ class GeneralSliding:
     @cached_property
     def curvature(self) -> NDArray:
         """Second derivatives of the heat by the slip (..., 5, 5)."""
-        (basis, half), bends = self.strips[:2], self._bends
-        ones, rise, x = (basis[..., i, :] for i in range(3))
-        turned, leaned = half * bends.along_turn, half * bends.across_turn
-        right = [weight * bends.along for weight in (ones, rise, x)]
-        right += [bends.along_across, rise * bends.along_across, bends.across, rise * bends.across]
-        matrix = np.empty((*self.slip.shape, 5))
-        sums = basis @ np.stack([*right, turned, leaned], -1)  # (..., 3, 9)
-        matrix[..., :3, :3], matrix[..., :3, 3:], matrix[..., 3:, 3:] = (
-            sums[..., :3],
-            sums[..., 3:5],
-            sums[..., :2, 5:7],
-        )
-        matrix[..., :3, SPIN] -= sums[..., 7]
-        matrix[..., SPIN, :2] -= sums[..., :2, 7]
-        matrix[..., SPIN, SPIN] += (half**2 * bends.turn).sum(-1) - sums[..., 2, 7]
-        matrix[..., SPIN, 3:] -= sums[..., :2, 8]
-        matrix[..., 3:, :3] = np.swapaxes(matrix[..., :3, 3:], -1, -2)
-        return matrix
+        bends, by_slip = self._bends, self.strips.by_slip
+        bent = sum(bends[..., i, None, :] * by_slip[..., None, i, :, :] for i in range(3))
+        return (by_slip @ np.swapaxes(bent, -1, -2)).sum(-3)
 
     @property
     def majorant(self) -> NDArray:
         """Curvatures (..., 5) of a parabola without mixed terms that touches the heat and lies above it."""
-        (basis, half), whole = self.strips[:2], self.strips.whole
-        squares = (basis**2 @ whole[..., None])[..., 0]
-        spin = squares[..., 2] + (half**2 * whole).sum(-1)
-        flat, steep = squares[..., 0], squares[..., 1]
-        return np.stack([3 * flat, 3 * steep, 3 * spin, 2 * flat, 2 * steep], -1)
+        squares = (self.strips.by_slip**2).sum(-3) @ self.strips.whole[..., None]
+        return squares[..., 0] * [3.0, 3.0, 3.0, 2.0, 2.0]
 
     @property
     def by_load(self) -> NDArray:
@@ -109,24 +90,16 @@ class GeneralSliding:
 
         Friction grows with the load, the semi-axes with its cube root.
         """
-        strips, bends = self.strips, self._bends
-        x = strips.basis[..., 2, :]
-        steep = -(x**2) / np.sqrt(self.ellipse.radius[..., None] ** 2 - x**2)  # x sigma'
-        roll, spin, pivot = (self.slip[..., i, None] for i in (ROLL, SPIN, PIVOT))
-        along, across, turn = roll * steep + spin * x, pivot * steep, -spin * strips.half
-        forward = bends.along * along + bends.along_across * across + bends.along_turn * turn
-        sideward = bends.along_across * along + bends.across * across + bends.across_turn * turn
-        turning = bends.along_turn * along + bends.across_turn * across + bends.turn * turn
-        sums = strips.basis @ np.stack([forward, sideward], -1)
-        grown = np.concatenate([sums[..., 0], sums[..., :2, 1]], -1)
-        grown[..., SPIN] += self.by_slip[..., SPIN] - (strips.half * turning).sum(-1)
-        grown[..., ROLL] += (strips.along * strips.whole * steep).sum(-1)
-        grown[..., PIVOT] += (strips.sideward * steep).sum(-1)
-        return grown / 3 + self.by_slip
+        strips = self.strips
+        grown = _grown(strips, self.ellipse.radius[..., None], self.ellipse.spin)
+        change = (grown * self.slip[..., None, :, None]).sum(-2)
+        bent = (self._bends * change[..., None, :, :]).sum(-2)
+        parts = strips.by_slip * bent[..., None, :] + grown * strips.friction[..., None, :]
+        return parts.sum((-3, -1)) / 3 + self.by_slip
 
     @cached_property
-    def _bends(self) -> _Bends:
-        """Second derivatives of the heat of strips.
+    def _bends(self) -> NDArray:
+        """Second derivatives (..., 3, 3, n) of the heat of strips by v_t, k and -s.
 
         Where the slip across nearly vanishes the heat has a kink along a line, which would fall between the
         points: the derivative by v_t is taken at a slip across that the points still resolve.
@@ -134,20 +107,19 @@ class GeneralSliding:
         strips = self.strips
         cubed, along = strips.share / strips.square, strips.along
         turned, leaned = cubed * strips.across, cubed * strips.place
-        bends = _Bends(
-            along=np.einsum("...m,...m", turned, strips.across),
-            along_across=-along * turned.sum(-1),
-            along_turn=-along * np.einsum("...m,...m", turned, strips.place),
-            across=along**2 * cubed.sum(-1),
-            across_turn=along**2 * leaned.sum(-1),
-            turn=along**2 * np.einsum("...m,...m", leaned, strips.place),
-        )
+        bends = np.empty((*along.shape[:-1], 3, 3, along.shape[-1]))
+        bends[..., 0, 0, :] = np.einsum("...m,...m", turned, strips.across)
+        bends[..., 0, 1, :] = bends[..., 1, 0, :] = -along * turned.sum(-1)
+        bends[..., 0, 2, :] = bends[..., 2, 0, :] = -along * np.einsum("...m,...m", turned, strips.place)
+        bends[..., 1, 1, :] = along**2 * cubed.sum(-1)
+        bends[..., 1, 2, :] = bends[..., 2, 1, :] = along**2 * leaned.sum(-1)
+        bends[..., 2, 2, :] = along**2 * np.einsum("...m,...m", leaned, strips.place)
         least, narrow = self._narrow
         if narrow.any():
             shares, squares = strips.share[narrow], strips.square[narrow]
             lateral = least[narrow][..., None, None] + np.abs(strips.across[narrow])
             wider = along[narrow][..., None] ** 2 + lateral**2
-            bends.along[narrow] = (shares * np.sqrt(squares) * lateral**2 / wider**1.5).sum(-1)
+            bends[narrow, 0, 0, :] = (shares * np.sqrt(squares) * lateral**2 / wider**1.5).sum(-1)
         return bends
 
     @property
@@ -155,14 +127,19 @@ class GeneralSliding:
         """Least slip across that the points resolve, and the contacts with less (...)."""
         ellipse, (_, roll, spin, across, _) = self.ellipse, np.moveaxis(self.slip, -1, 0)
         least = 2 * self.points.narrowest * np.abs(roll) * ellipse.across**2 / (2 * ellipse.radius)
-        return least, (np.abs(across) + np.abs(spin) * ellipse.along < least) & (ellipse.traction > 0.0)
+        turn = np.abs(spin)
+        if ellipse.spin == "local":
+            turn = turn + np.abs(roll) * ellipse.across / ellipse.radius
+        return least, (np.abs(across) + turn * ellipse.along < least) & (ellipse.traction > 0.0)
 
 
 def sliding_ellipse(slip: NDArray, ellipse: Ellipse, points: EllipsePoints = FINE) -> GeneralSliding:
     r"""Friction of full sliding under slip in both directions.
 
     .. math:: \Phi = \int \mu p\, |v|\, dA,\quad p = \frac{3 Q}{2 \pi a b} \sqrt{1 - x^2/a^2 - y^2/b^2},\\
-              v_t = e + A\,\sigma(x) + w x,\quad v_1 = c + B\,\sigma(x) - w y
+              v_t = e + A\,\sigma(x) + w x,\quad v_1 = k(x) - w_l(x)\, y
+
+    with v_1 by the spin of the centre or of each point, as the ellipse says, see `strip_slip`.
 
     Parameters
     ----------
@@ -171,7 +148,7 @@ def sliding_ellipse(slip: NDArray, ellipse: Ellipse, points: EllipsePoints = FIN
         A roll and w spin [rad/s], c slip at the centre across the rolling direction [m/s], B turn about the
         rolling direction [rad/s]
     ellipse : Ellipse
-        a, b, R and mu Q
+        a, b, R, mu Q and the spin that makes slip across
     points : EllipsePoints
         panels between the lines v_t = 0, see `strip_points` for those of a strip
 
@@ -192,23 +169,34 @@ def sliding_ellipse(slip: NDArray, ellipse: Ellipse, points: EllipsePoints = FIN
     """
     x, width = _panels(slip, ellipse, points)
     part = np.maximum(1.0 - (x / ellipse.width[..., None]) ** 2, 0.0)  # rounding alone makes it negative
-    half = ellipse.along[..., None] * np.sqrt(part)
-    rise = sagitta(x, ellipse.radius[..., None])
-    centre, roll, spin, across, pivot = (slip[..., i, None] for i in range(5))
-    along, middle = centre + roll * rise + spin * x, across + pivot * rise
-    place, share = strip_points(along, middle, spin * half, points.along)
-    lateral = middle[..., None] - (spin * half)[..., None] * place
+    by_slip = strip_slip(x, ellipse.radius[..., None], ellipse.spin)
+    by_slip[..., 2, :, :] *= (ellipse.along[..., None] * np.sqrt(part))[..., None, :]
+    along, middle, turn = _slip_of_strips(slip, by_slip)
+    place, share = strip_points(along, middle, -turn, points.along)
+    lateral = middle[..., None] + turn[..., None] * place
     square = (along**2 + SMALLEST)[..., None] + lateral * lateral
     share /= np.sqrt(square)
     share *= (width * part * (1.5 / pi * ellipse.traction / ellipse.width)[..., None])[..., None]
-    pushed = share * lateral
-    whole, sideward, turning = share.sum(-1), pushed.sum(-1), np.einsum("...m,...m", pushed, place)
-    basis = np.stack([np.ones_like(x), rise, x], -2)
-    sums = basis @ np.stack([along * whole, sideward], -1)
-    by_slip = np.concatenate([sums[..., 0], sums[..., :2, 1]], -1)
-    by_slip[..., SPIN] -= (turning * half).sum(-1)
-    strips = _Strips(basis, half, along, whole, sideward, place, lateral, square, share)
-    return GeneralSliding(slip, by_slip, ellipse, points, strips)
+    pushed, whole = share * lateral, share.sum(-1)
+    friction = np.stack([along * whole, pushed.sum(-1), np.einsum("...m,...m", pushed, place)], -2)
+    by_all = (by_slip @ friction[..., None])[..., 0].sum(-2)
+    strips = _Strips(x, by_slip, friction, along, whole, place, lateral, square, share)
+    return GeneralSliding(slip, by_all, ellipse, points, strips)
+
+
+def _grown(strips: _Strips, radius: NDArray, spin: Spin) -> NDArray:
+    """Derivative (..., 3, 5, n) of the slip of strips by the logarithm of x and of their half length."""
+    x, by_slip, grown = strips.x, strips.by_slip, np.zeros_like(strips.by_slip)
+    steep = -(x**2) / np.sqrt(radius**2 - x**2)  # x sigma'
+    grown[..., 0, ROLL, :], grown[..., 0, SPIN, :] = steep, x
+    grown[..., 2, SPIN, :] = by_slip[..., 2, SPIN, :]
+    if spin == "centre":
+        grown[..., 1, PIVOT, :] = steep
+        return grown
+    grown[..., 1, ACROSS, :], grown[..., 1, PIVOT, :] = steep / radius, -steep
+    grown[..., 2, ROLL, :] = 2 * by_slip[..., 2, ROLL, :]
+    grown[..., 2, SPIN, :] *= 1 - x**2 / (radius**2 - x**2)
+    return grown
 
 
 def strip_points(along: NDArray, middle: NDArray, turn: NDArray, points: int) -> tuple[NDArray, NDArray]:
@@ -287,11 +275,15 @@ def _panels(slip: NDArray, ellipse: Ellipse, points: EllipsePoints) -> tuple[NDA
 
 def _turning_width(slip: NDArray, ellipse: Ellipse, x: NDArray) -> NDArray:
     """Length (..., 2) over which the direction of the slip turns next to x [m]."""
-    centre, roll, spin, across, pivot = (slip[..., i, None] for i in range(5))
+    roll, spin = slip[..., ROLL, None], slip[..., SPIN, None]
     radius, width = ellipse.radius[..., None], ellipse.width[..., None]
-    rise, tilt = sagitta(x, radius), -x / np.sqrt(radius**2 - x**2)
+    along, middle, turn = _slip_of_strips(slip, strip_slip(x, radius, ellipse.spin))
     half = ellipse.along[..., None] * np.sqrt(np.maximum(1 - (x / width) ** 2, 0.0))
-    lateral = np.abs(across + pivot * rise) + np.abs(spin) * half
-    size = np.sqrt((centre + roll * rise + spin * x) ** 2 + lateral**2)
-    slope, bend = np.abs(spin + roll * tilt), np.abs(roll) / radius
+    size = np.hypot(along, np.abs(middle) + np.abs(turn) * half)
+    slope, bend = np.abs(spin - roll * x / np.sqrt(radius**2 - x**2)), np.abs(roll) / radius
     return 2 * size / np.maximum(slope + np.sqrt(slope**2 + 2 * bend * size), SMALLEST)
+
+
+def _slip_of_strips(slip: NDArray, by_slip: NDArray) -> NDArray:
+    """Slip (3, ..., n) of strips by that of the contacts (..., 5), see `strip_slip`."""
+    return np.moveaxis((slip[..., None, None, :] @ by_slip)[..., 0, :], -2, 0)

@@ -6,7 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.balls.free_ball import FreeBalls
-from quasidynamic.contact.ellipse.general_sliding import ACROSS, CENTRE, PIVOT, ROLL, GeneralSliding
+from quasidynamic.contact.ellipse.general_sliding import GeneralSliding
+from quasidynamic.contact.ellipse.rigid_slip import ACROSS, CENTRE, PIVOT, ROLL
 from quasidynamic.motion.ball_slip import INNER, ORBIT, OUTER, TURN, BallContacts, turning_slip_by_motion
 from quasidynamic.solve.balls.free_ball_search import ONE_STEP_AWAY, nearly_balanced, searched_again
 

@@ -7,11 +7,10 @@ from quasidynamic.balance.balls.free_ball import FreeBallBalance, FreeBalls, gyr
 from quasidynamic.contact.ellipse.general_sliding import (
     COARSE,
     FINE,
-    ROLL,
-    SPIN,
     EllipsePoints,
     sliding_ellipse,
 )
+from quasidynamic.contact.ellipse.rigid_slip import ROLL, SPIN
 from quasidynamic.motion.ball_slip import TURN
 from quasidynamic.solve.step_length import shortened
 

@@ -12,7 +12,8 @@ from quasidynamic.balance.balls.sliding_balls import (
     sliding_ball_balance,
     stronger_diagonal,
 )
-from quasidynamic.contact.ellipse.full_sliding import ROLL, SPIN, Ellipse, sliding_friction
+from quasidynamic.contact.ellipse.full_sliding import Ellipse, sliding_friction
+from quasidynamic.contact.ellipse.rigid_slip import ROLL, SPIN
 from quasidynamic.errors import NotSolved
 from quasidynamic.motion.ball_slip import BallContacts, rolling_motion, spinning_motion
 from quasidynamic.solve.step_length import shortened
