@@ -161,7 +161,8 @@ def _not_solved(operation: RingOperation, outcome: SolverOutcome, imbalance: flo
         )
     if outcome is SolverOutcome.NOT_FINITE:
         return NotSolved(
-            f"{where}: forces on ring and balls are not finite; is a unit of load, speed or size wrong?", outcome
+            f"{where}: forces on ring and balls are not finite; is a unit of load, speed or size wrong?",
+            outcome,
         )
     return NotSolved(
         f"{where}: no balance of ring and balls, {imbalance:.1e} of the largest force left", outcome

@@ -39,7 +39,9 @@ def case_of(result: Result) -> Case:
     if result.path and drawing and not exists(drawing):  # noqa: PTH110
         case = _understood(result, result.path)
     if not isinstance(case, Case):
-        raise BadCase(f'{result.place}: rings have fields in roller bearings only; this case has kind = "{case.kind}"')
+        raise BadCase(
+            f'{result.place}: rings have fields in roller bearings only; this case has kind = "{case.kind}"'
+        )
     return case
 
 

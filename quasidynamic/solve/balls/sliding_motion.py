@@ -102,10 +102,12 @@ def sliding_motion(contacts: BallContacts, ellipse: Ellipse) -> SlidingMotion:
 def _require_balance(imbalance: NDArray, evaluations: int) -> None:
     bad = np.flatnonzero(~(imbalance <= ROUNDED))
     if len(bad):
+        share = imbalance[bad[0]]
+        left = f"{share:.1e} of its power is unbalanced, allowed {ROUNDED:.0e}"
         raise NotSolved(
             f"{len(bad)} of {len(imbalance)} balls found no balance of friction in {evaluations} "
-            f"evaluations, the first is ball {bad[0]}: {imbalance[bad[0]]:.1e} of its power is unbalanced, "
-            f"allowed {ROUNDED:.0e}",
+            f"evaluations, the first is ball {bad[0]}: "
+            + (left if np.isfinite(share) else "its load is too small for numbers"),
             "iteration limit" if evaluations >= LIMIT else "stalled",
         )
 
