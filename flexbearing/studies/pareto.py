@@ -149,7 +149,7 @@ def _relative_error(value: float, exact: float) -> float:
 def _rollers(case: Head) -> Case:
     if not isinstance(case, Case):
         raise BadCase(
-            f'{case.source.path}: only roller bearings have levels of accuracy; the case has kind = "{case.kind}"'
+            f'{case.source.path}: only roller bearings have a ladder of levels; kind is "{case.kind}"'
         )
     if case.accuracy.target is not None:
         raise BadCase(
