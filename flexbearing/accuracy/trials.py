@@ -16,8 +16,8 @@ from flexbearing.build import roller_bearing
 from flexbearing.build.ring_parts import Race
 from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
-from flexbearing.coupled import states
 from flexbearing.coupled.coupled import BearingPartner
+from flexbearing.coupled.states import EndState
 from flexbearing.coupling import (
     RULES,
     Iteration,
@@ -54,11 +54,11 @@ class Trial:
     @cached_property
     def numbers(self) -> dict[str, float]:
         """Life [10^6 revolutions], stiffness of the bearing and of bearing and supports [N/m]."""
-        tangent = self.rings.linearised(self.state.forces)
+        end = EndState(self.state, self.rings.linearised(self.state.forces))
         return {
             "life": self.state.life,
-            "stiffness": self.state.tangent.radial_stiffness,
-            "total_stiffness": states.supported(self.state.cases, tangent).tangent[0].radial_stiffness,
+            "stiffness": end.between_raceways.radial_stiffness,
+            "total_stiffness": end.with_supports.radial_stiffness,
         }
 
 

@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 from flexbearing.coupled.initial_state import flat
 from flexbearing.coupling import Iteration, LinearPair
 from flexbearing.coupling.partners import Compliance
-from flexbearing.coupling.raceway_pair import OUTWARD, radial
 from flexbearing.quantities.quantity import taken
 from flexbearing.quantities.roller import LAYOUT
 from quasidynamic import Equilibrium
@@ -47,14 +46,19 @@ class EndStates:
         return self.states.balance.points.relative_speed[:, 0]
 
     @cached_property
+    def elastic(self) -> BearingStates:
+        """The states between elastic raceways, also where they were found between those of given shapes."""
+        return between_elastic_raceways(self.states, self.rings)
+
+    @property
     def between_raceways(self) -> Tangent:
         """Stiffness between raceways freed of their translation."""
-        return between_raceways(self.states, self.rings).tangent
+        return self.elastic.tangent
 
     @cached_property
     def with_supports(self) -> Tangent:
         """Stiffness from base to shaft ends."""
-        return supported(self.states, self.rings).tangent
+        return with_supports(self.elastic, self.rings)
 
     @property
     def support_stiffness_ratio(self) -> NDArray | None:
@@ -150,24 +154,19 @@ def block(end: EndState, **further: Any) -> dict[str, NDArray]:
     return taken(LAYOUT.datasets("block").values(), solved | further)
 
 
-def supported(states: BearingStates, rings: LinearPair) -> BearingStates:
-    """The same states, ring displacements counted from shaft ends to base: with the elastic supports.
+def with_supports(states: BearingStates, rings: LinearPair) -> Tangent:
+    """Tangent of states `between_elastic_raceways`, from base to shaft ends: with the elastic supports.
 
-    Between raceways freed of their translation, answers and loads are not of one kind, and the tangent
-    is not symmetric; from base to shaft ends it is.
+    Raceways that also translate have the same approaches where they are, and no others in a linear solve.
+    Freed of their translation, answers and loads are not of one kind, and the tangent is not symmetric;
+    from base to shaft ends it is.
     """
     if rings.rigid:
-        return states
-    balance, unknowns = states.balance, states.unknowns
-    moved = np.moveaxis(rings.translation(states.forces), 0, -1)  # (inner and outer raceway, y and z, C)
-    deviation, ring = unknowns.deviation.copy(), unknowns.ring.copy()
-    for race, translation in enumerate(moved):
-        deviation[race, 0] += radial(balance.roller.bearing.azimuths, translation).T
-    ring[:2, :, 0] += np.tensordot(OUTWARD, moved, axes=1)
-    return _elastic(states, balance, rings.absolute, unknowns._replace(ring=ring, deviation=deviation))
+        return states.tangent
+    return states.tangent_between(_matrices(states, rings.absolute))
 
 
-def between_raceways(states: BearingStates, rings: LinearPair) -> BearingStates:
+def between_elastic_raceways(states: BearingStates, rings: LinearPair) -> BearingStates:
     """The same states between elastic raceways, also where they were found between those of given shapes."""
     if rings.rigid or states.balance.layout.elastic_raceways:
         return states
@@ -189,7 +188,12 @@ def _elastic(
     states: BearingStates, balance: BearingBalance, compliance: Compliance, unknowns: Unknowns
 ) -> BearingStates:
     """States with other unknowns in equations that hold the compliance (Z, M, Z, M) of the raceways."""
-    size = balance.layout.rollers * balance.roller.axial_modes
-    inner, outer = (None if matrix is None else matrix.reshape(size, size) for matrix in compliance)
-    with_compliance = replace(balance, compliance=(inner, outer))
+    with_compliance = replace(balance, compliance=_matrices(states, compliance))
     return BearingStates(with_compliance, with_compliance.pack(unknowns), states.axial_modes)
+
+
+def _matrices(states: BearingStates, compliance: Compliance) -> Compliance:
+    """The compliance (Z, M, Z, M) of each raceway as a matrix (Z M, Z M)."""
+    size = states.balance.layout.rollers * states.balance.roller.axial_modes
+    inner, outer = (None if matrix is None else matrix.reshape(size, size) for matrix in compliance)
+    return inner, outer

@@ -14,7 +14,7 @@ from quasidynamic.contact.cage import displacement_in_pocket, land_torque
 from quasidynamic.contact.line import Slices, palmgren, peak_pressure
 from quasidynamic.outcome.life import basic_life, raceway_lives, turning_share
 from quasidynamic.outcome.losses import Losses
-from quasidynamic.outcome.ring_stiffness import Tangent
+from quasidynamic.outcome.ring_stiffness import Tangent, free_to_tilt
 
 LOADED = 3e-4  # of the largest load of a raceway: contacts above it carry load and have a film worth telling
 
@@ -69,17 +69,18 @@ class BearingStates:
         """Roller loads (C, 2, Z) [N]."""
         return self.rollers.contact.force[:, 0].swapaxes(0, 1)
 
-    @property
+    @cached_property
     def forces(self) -> NDArray:
         """Forces (C, 2, Z, M) [N] of the rollers on the raceways; [..., 0] is the load."""
         load = self.slice_loads.transpose(3, 1, 0, 2)  # (K, 2, C, Z)
-        return self._whole(self.axial_modes).summed(load).transpose(2, 1, 3, 0)
+        return self._whole_slices.summed(load).transpose(2, 1, 3, 0)
 
-    def _whole(self, axial_modes: int) -> Slices:
+    @cached_property
+    def _whole_slices(self) -> Slices:
         """Slices along whole rollers."""
-        return replace(self.balance.roller.raceways.slices, axial_modes=max(axial_modes, 2))
+        return self.balance.roller.raceways.slices.with_axial_modes(max(self.axial_modes, 2))
 
-    @property
+    @cached_property
     def deviation(self) -> NDArray:
         """Outward raceway deviations (C, 2, Z, M) by axial modes [m]."""
         deviation = self.unknowns.deviation.transpose(2, 0, 3, 1)
@@ -88,11 +89,11 @@ class BearingStates:
         missing = self.axial_modes - deviation.shape[-1]
         return np.concatenate([deviation, np.zeros((*deviation.shape[:-1], missing))], axis=-1)
 
-    @property
+    @cached_property
     def deviation_along_rollers(self) -> NDArray:
         """Outward raceway deviations (C, 2, Z, K) [m]."""
         deviation = self.deviation
-        return deviation @ self._whole(deviation.shape[-1]).modes[:, : deviation.shape[-1]].T
+        return deviation @ self._whole_slices.modes[:, : deviation.shape[-1]].T
 
     @property
     def loaded(self) -> NDArray:
@@ -291,7 +292,7 @@ class BearingStates:
         largest = self.slice_loads.max(axis=(2, 3))
         return peak_pressure(largest, raceways.radius[..., 0].T, raceways.modulus[..., 0].T)
 
-    @property
+    @cached_property
     def life(self) -> NDArray:
         """Basic reference life L10 (C) [10^6 revolutions]."""
         inner, outer = self._loads_of_slices
@@ -303,7 +304,7 @@ class BearingStates:
         inner, outer = self._loads_of_slices
         return raceway_lives(inner, outer, self.balance.roller.bearing, self.turning)
 
-    @property
+    @cached_property
     def _loads_of_slices(self) -> NDArray:
         """Load (2, C, Z, K) of each slice [N]."""
         width = np.reshape(self.balance.roller.raceways.slices.width, (-1, 1, 1, 1))
@@ -321,4 +322,23 @@ class BearingStates:
     @cached_property
     def tangent(self) -> Tangent:
         """Compliance and stiffness of the ring in these states."""
-        return Tangent.at(self.balance, self.unknowns)
+        return self.tangent_between(self.balance.compliance)
+
+    def tangent_between(self, compliance: tuple[NDArray | None, NDArray | None]) -> Tangent:
+        """The same between elastic raceways of another compliance (Z M, Z M) [m/N], in the same shape."""
+        free = self._free_to_tilt
+        balance = free.balance
+        if compliance is not balance.compliance:
+            balance = replace(balance, compliance=compliance)
+        return Tangent.at(balance, free.system, ~self.balance.points.free_tilt[:, 0])
+
+    @cached_property
+    def _free_to_tilt(self) -> "BearingStates":
+        """These states with a ring that is free to tilt."""
+        balance = free_to_tilt(self.balance)
+        if balance is self.balance:
+            return self
+        free = replace(self, balance=balance, scaled=balance.pack(self.unknowns))
+        if balance.roller is self.balance.roller:  # rollers do not know who holds the ring
+            free.know(balance.evaluate(free.scaled, self.system.response))
+        return free

@@ -49,13 +49,16 @@ def with_other_tilt(state: Equilibrium) -> Equilibrium | None:
         ),
     )
     scaled = balance.pack(state.unknowns)
+    system = balance.evaluate(scaled, state.system.response)  # rollers do not know who holds the ring
     for step in range(MOST_STEPS):
-        system = balance.evaluate(scaled)
         size = np.abs(system.residual).max()
         if not np.isfinite(size):
             return None
         if size <= SMALL:
-            return Equilibrium(balance, scaled[0], SolverOutcome.CONVERGED, step, state.axial_modes)
+            other = Equilibrium(balance, scaled[0], SolverOutcome.CONVERGED, step, state.axial_modes)
+            other.cases.know(system)
+            return other
         change = bordered_system.solve(balance, system, -system.residual[..., None])[..., 0]
         scaled = bounded(balance, scaled, scaled + change)
+        system = balance.evaluate(scaled)
     return None

@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.rollers.bearing import BearingBalance
+from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
 from quasidynamic.balance.rollers.operating_points import OperatingPoints
-from quasidynamic.balance.rollers.unknowns import CAGE, TILT_Z, Unknowns, Y, Z
+from quasidynamic.balance.rollers.unknowns import CAGE, TILT_Z, Y, Z
 from quasidynamic.solve.rollers import bordered_system
 
 RING = (Y, Z, TILT_Z, TILT_Z + 1)  # the ring's places among the unknowns
@@ -28,19 +28,19 @@ class Tangent:
     held: NDArray  # (...) whether a guide holds the tilts of the real ring
 
     @classmethod
-    def at(cls, balance: BearingBalance, unknowns: Unknowns) -> "Tangent":
-        """Tangents at the unknowns of equilibria of C cases, all from one linear solve."""
-        raceways, points = balance.roller.raceways, balance.points
-        slices = replace(raceways.slices, axial_modes=max(raceways.slices.axial_modes, 2))
-        whole_rollers = replace(
-            raceways, slices=slices, drop=slices.drop(balance.roller.bearing.roller.profile)
-        )
-        free = replace(
-            balance,
-            roller=replace(balance.roller, raceways=whole_rollers),
-            points=replace(points, free_tilt=np.ones_like(points.free_tilt)),
-        )
-        return cls(_ring_response(free, free.pack(unknowns)), _direction(points), ~points.free_tilt[:, 0])
+    def at(cls, balance: BearingBalance, system: Linearisation, held: NDArray) -> "Tangent":
+        """Tangents at equilibria of C cases, all from one linear solve.
+
+        Parameters
+        ----------
+        balance : BearingBalance
+            of a ring that is `free_to_tilt`
+        system : Linearisation
+            there; the compliances of elastic raceways are those of `balance`
+        held : array (C)
+            whether a guide holds the tilts of the real ring
+        """
+        return cls(_ring_response(balance, system), _direction(balance.points), held)
 
     def __getitem__(self, case: int) -> "Tangent":
         return Tangent(self.response[case], self.direction[case], self.held[case])
@@ -80,11 +80,24 @@ class Tangent:
         return load
 
 
-def _ring_response(balance: BearingBalance, scaled: NDArray) -> NDArray:
+def free_to_tilt(balance: BearingBalance) -> BearingBalance:
+    """The same equations of rollers and a ring that can tilt; the same object where they can."""
+    raceways, points = balance.roller.raceways, balance.points
+    slices = raceways.slices.with_axial_modes(max(raceways.slices.axial_modes, 2))
+    if slices is raceways.slices and points.free_tilt.all():
+        return balance
+    roller = balance.roller
+    if slices is not raceways.slices:
+        drop = slices.drop(roller.bearing.roller.profile)
+        roller = replace(roller, raceways=replace(raceways, slices=slices, drop=drop))
+    return replace(balance, roller=roller, points=replace(points, free_tilt=np.ones_like(points.free_tilt)))
+
+
+def _ring_response(balance: BearingBalance, system: Linearisation) -> NDArray:
     """Change of the ring's place (C, 4, 4) per newton along y and z, per newton metre on dz/dx and dy/dx."""
-    loads = np.zeros((*scaled.shape, len(RING)))
+    loads = np.zeros((*system.residual.shape, len(RING)))
     loads[:, RING, range(len(RING))] = -1.0 / balance.scales.residual[:, RING]
-    change = bordered_system.solve(balance, balance.evaluate(scaled), loads)
+    change = bordered_system.solve(balance, system, loads)
     return change[:, :CAGE] * balance.scales.unknown[:, :CAGE, None]
 
 

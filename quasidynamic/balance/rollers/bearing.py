@@ -14,6 +14,7 @@ from quasidynamic.balance.rollers.roller import (
     POCKET_STANDSTILL,
     VALUE,
     Motion,
+    Response,
     RollerBalance,
     RollerInputs,
     RollerState,
@@ -51,7 +52,12 @@ class Linearisation(NamedTuple):
     after: NDArray  # (C, 1) the same for the roller after
     loading: NDArray  # (C) largest roller load over the reference force, at least 1
     cage_speed: NDArray  # (C) over its scale, without sign
-    state: RollerState
+    response: Response  # of the rollers, by their own inputs
+
+    @property
+    def state(self) -> RollerState:
+        """What happens at the rollers."""
+        return self.response.state
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -164,16 +170,16 @@ class BearingBalance:
 
     # -- evaluation ----------------------------------------------------------------------------
 
-    def evaluate(self, scaled: NDArray) -> Linearisation:
-        """Residual and derivatives at scaled unknowns (C, N)."""
+    def evaluate(self, scaled: NDArray, response: Response | None = None) -> Linearisation:
+        """Residual and derivatives at scaled unknowns (C, N); the `response` of rollers may be known."""
         # A trial step may be absurd: what overflows shows in its residual.
         with np.errstate(all="ignore"):
-            return self._evaluated(scaled)
+            return self._evaluated(scaled, response)
 
-    def _evaluated(self, scaled: NDArray) -> Linearisation:
+    def _evaluated(self, scaled: NDArray, response: Response | None) -> Linearisation:
         ring, scales, x = self.layout.per_roller, self.scales, self.unpack(scaled)
-        inputs = self.inputs(x)
-        response = self.roller.respond(inputs, self.points)
+        if response is None:
+            response = self.roller.respond(self.inputs(x), self.points)
         balances, floating = self.kinematics.rows(response.table, self.points.free_tilt), None
         if self.roller.bearing.cage.free:
             floating = self._add_floating_cage(x, response.table, balances)
@@ -182,7 +188,8 @@ class BearingBalance:
         values[ring - 1] -= transport.torque
         table[ring - 1, ring - 1] -= transport.by_spin
         table[ring - 1, ring + CAGE] -= transport.by_cage
-        border, border_by = self._border(x.ring[TILT_Z:CAGE, :, 0], inputs.motion.cage_speed, floating)
+        cage_speed = self.rolling_cage + x.cage_drift
+        border, border_by = self._border(x.ring[TILT_Z:CAGE, :, 0], cage_speed, floating)
         border += values[ring : ring + BORDER].sum(-1)
         residual = [border.T, values[:ring].transpose(1, 0, 2).reshape(len(scaled), -1)]
         residual += self._misfits(x, values[ring + BORDER :])
@@ -194,8 +201,8 @@ class BearingBalance:
             before=transport.by_before * scales.spin,
             after=transport.by_after * scales.spin,
             loading=np.maximum(1.0, response.state.contact.force[OUTER, 0].max(-1) / scales.force[:, 0]),
-            cage_speed=np.abs(inputs.motion.cage_speed / scales.unknown[:, CAGE:BORDER])[:, 0],
-            state=response.state,
+            cage_speed=np.abs(cage_speed / scales.unknown[:, CAGE:BORDER])[:, 0],
+            response=response,
         )
 
     def spin_transport(self, cage_drift: NDArray, spin_drift: NDArray) -> SpinTransport:

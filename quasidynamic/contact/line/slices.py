@@ -1,6 +1,6 @@
 """A roller's length cut into slices, and the axial modes that carry load and displacement."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -30,6 +30,10 @@ class Slices:
             raise ImpossiblePart("a roller needs at least 2 slices and 1 axial mode")
         if self.axial_modes > self.count:
             raise ImpossiblePart(f"{self.axial_modes} axial modes need as many slices, found {self.count}")
+
+    def with_axial_modes(self, count: int) -> "Slices":
+        """The same slices with so many axial modes."""
+        return self if count == self.axial_modes else replace(self, axial_modes=count)
 
     @property
     def halved(self) -> bool:

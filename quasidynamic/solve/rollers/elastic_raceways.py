@@ -118,7 +118,7 @@ def _newton_after(
     if found.outcomes[0] is not SolverOutcome.RUNNING:
         return found, found
     end = found
-    for step in newton(balance, found.unknowns):
+    for step in newton(balance, found.unknowns, found.system):
         end = step.numbered(found.number + step.number)
         if step.number and (step.outcomes[0] is SolverOutcome.CONVERGED or _is_step(step)):
             yield end

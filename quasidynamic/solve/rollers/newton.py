@@ -44,15 +44,17 @@ class Iterate:
         return _largest(self.system.residual)
 
 
-def newton(balance: BearingBalance, unknowns: NDArray) -> Iterator[Iterate]:
+def newton(
+    balance: BearingBalance, unknowns: NDArray, system: Linearisation | None = None
+) -> Iterator[Iterate]:
     """Yield Newton iterates of all cases; a case leaves when its residual is below `TOLERANCE`.
 
     A step is halved until the residual falls; one too short to help ends as `STALLED`. Every iterate
     evaluates each running case once, whether it tries a full step or a shorter one. Its
-    `unknowns` are the best so far, `system` belongs to what was tried.
+    `unknowns` are the best so far, `system` belongs to what was tried; that of the start may be known.
     """
-    cases = np.arange(len(unknowns))
-    system, accepted = balance.evaluate(unknowns), np.ones(len(unknowns), bool)
+    cases, accepted = np.arange(len(unknowns)), np.ones(len(unknowns), bool)
+    system = balance.evaluate(unknowns) if system is None else system
     yield Iterate(0, cases, unknowns, system, [SolverOutcome.RUNNING] * len(cases), accepted)
     # Types are declared where a checker would follow them around the loop for minutes.
     direction: NDArray = shortened(balance, unknowns, step(balance, system))
