@@ -29,17 +29,7 @@ class Tangent:
 
     @classmethod
     def at(cls, balance: BearingBalance, system: Linearisation, held: NDArray) -> "Tangent":
-        """Tangents at equilibria of C cases, all from one linear solve.
-
-        Parameters
-        ----------
-        balance : BearingBalance
-            of a ring that is `free_to_tilt`
-        system : Linearisation
-            there; the compliances of elastic raceways are those of `balance`
-        held : array (C)
-            whether a guide holds the tilts of the real ring
-        """
+        """Tangents of C cases whose ring is `free_to_tilt`, `held` (C) in truth: one linear solve."""
         return cls(_ring_response(balance, system), _direction(balance.points), held)
 
     def __getitem__(self, case: int) -> "Tangent":
