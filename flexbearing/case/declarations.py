@@ -15,6 +15,7 @@ from flexbearing.case.head import Head
 from flexbearing.case.quantity import Kind, Section
 
 _LIMITS = {"gt": "above", "ge": "at least", "lt": "below", "le": "at most"}
+_quoted = json.JSONEncoder(ensure_ascii=False).encode
 _PLAIN = {int: "a whole number", float: "a number", bool: "true or false", str: "text"}
 
 
@@ -153,7 +154,7 @@ def toml(value: Any) -> str:
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, str):
-        return json.dumps(value, ensure_ascii=False)
+        return _quoted(value)
     if isinstance(value, list | tuple):
         return "[" + ", ".join(toml(item) for item in value) + "]"
     if isinstance(value, dict):

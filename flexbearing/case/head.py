@@ -45,7 +45,12 @@ class Head(Section):
     @property
     def input_files(self) -> tuple[Path, ...]:
         """Files that the case was read from, which no output may replace."""
-        return (Path(self.source.path),) if self.source.path else ()
+        return (*((Path(self.source.path),) if self.source.path else ()), *self.named_files)
+
+    @property
+    def named_files(self) -> tuple[Path, ...]:
+        """Files that the case names, whose content is a part of it."""
+        return ()
 
     def to_json(self) -> dict[str, Any]:
         """Values in SI units, as JSON can hold them."""

@@ -1,13 +1,12 @@
 """Cases that differ from each other in the values of some keys, each read without its text being parsed."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from copy import deepcopy
 from dataclasses import dataclass
 from functools import cache
+from operator import attrgetter
 from pathlib import Path
-from typing import Any
-
-from pydantic import ValidationError
+from typing import Annotated, Any, TypeVar
 
 from flexbearing.case.declarations import by_path, find
 from flexbearing.case.excerpt import excerpt
@@ -18,23 +17,25 @@ from flexbearing.case.quantity import Section
 from flexbearing.case.read import LONGEST_NAME, with_settings, written
 from flexbearing.case.text import Unreadable, tables
 
-MOST_KINDS = 1000  # variants by choices such as outer.kind whose tables are kept
+MOST_KINDS = 1000  # variants by choices such as outer.kind that are kept
+Table = TypeVar("Table", bound=Section)
+Tree = dict[str, Any]  # names of keys and tables to dotted keys and such trees
 
 
 @dataclass(frozen=True)
 class _Read:
-    """A variant that was read in full: others with the same choices differ from it in values alone."""
+    """A case that was read in full: variants with the same choices differ from it in values alone."""
 
-    raw: dict[str, Any]  # with its settings
     case: Head
+    changed: Tree  # keys that are values alone
 
 
 class Variants:
     """Cases made of one file and other values of some keys, the same keys in every one.
 
     A case is equal to what `flexbearing.case.read` makes of the file with these values as settings. Only
-    tables that hold a changed key are validated again; what decides which keys belong to the case, such
-    as `outer.kind`, is read in full.
+    values that differ are read, and only tables that hold one are checked again; what decides which keys
+    belong to the case, such as `outer.kind`, is read in full.
     """
 
     def __init__(self, path: Path, text: str, keys: tuple[str, ...], families: Families):
@@ -44,8 +45,9 @@ class Variants:
             self._tables = tables(text)
         except Unreadable as problem:
             raise BadCase(f"{excerpt(path.name, LONGEST_NAME)}: {problem}") from problem
-        self._plain: frozenset[str] = frozenset()  # keys on which no other one depends
+        self._validators: dict[str, Callable[[Any], Any]] = {}  # of keys on which no other one depends
         self._read: dict[str, _Read] = {}
+        self._each = [attrgetter(key) for key in keys]
 
     def case(self, values: tuple[Any, ...]) -> Head:
         """Read one case.
@@ -65,24 +67,59 @@ class Variants:
         BadCase
             as `flexbearing.case.read`
         """
-        both = zip(self.keys, values, strict=True)
-        given = {key: value for key, value in both if value is not None}
+        given = self._given(values)
         near = self._read.get(self._choices(given))
         if near is None:
             return self._in_full(given)
         try:
-            case = type(near.case).model_validate(_mixed(near.raw, near.case, self._nested(given)))
-        except ValidationError:
+            read = {
+                key: self._validators[key](value) for key, value in given.items() if key in self._validators
+            }
+            case = _with(near.case, near.changed, read, checked=True)
+        except (ValueError, AssertionError):
             return self._in_full(given)  # which says what is wrong
         case._source = self._source(given)
         return case
 
+    def in_si(self, case: Head) -> tuple[Any, ...]:
+        """Values of the keys as a case of these variants has them, in SI units; None of a table it lacks."""
+        return tuple(_value(case, each) for each in self._each)
+
+    def known(self, values: tuple[Any, ...], in_si: tuple[Any, ...]) -> Head:
+        """Make a case that was read before, in whatever process: nothing is parsed or checked again.
+
+        Parameters
+        ----------
+        values : tuple
+            of the keys, as for `case`
+        in_si : tuple
+            as `in_si` gave them of the case that was read
+
+        Returns
+        -------
+        Head
+            equal to that case
+        """
+        given = self._given(values)
+        near = self._read.get(self._choices(given))
+        if near is None:
+            return self._in_full(given)
+        case = _with(near.case, near.changed, dict(zip(self.keys, in_si, strict=True)), checked=False)
+        case._source = self._source(given)
+        return case
+
+    def _given(self, values: tuple[Any, ...]) -> dict[str, Any]:
+        both = zip(self.keys, values, strict=True)
+        return {key: value for key, value in both if value is not None}
+
     def _in_full(self, given: Mapping[str, Any]) -> Head:
         raw = deepcopy(self._tables)
         case = with_settings(raw, self._source(given), self._families)
-        self._plain = frozenset(key for key in self.keys if self._is_value_alone(key, type(case)))
+        alone = [key for key in self.keys if self._is_value_alone(key, type(case))]
+        self._validators = {key: _validator(key, type(case)) for key in alone}
         if len(self._read) < MOST_KINDS:
-            self._read.setdefault(self._choices(given), _Read(raw, case))
+            tree = _tree([key for key in alone if key in given])
+            self._read.setdefault(self._choices(given), _Read(case, tree))
         return case
 
     def _source(self, given: Mapping[str, Any]) -> Source:
@@ -90,26 +127,17 @@ class Variants:
 
     def _choices(self, given: Mapping[str, Any]) -> str:
         """Which keys are given, and values that decide which keys belong to the case, as a text."""
-        return repr([key if key in self._plain else (key, value) for key, value in given.items()])
+        return repr([key if key in self._validators else (key, value) for key, value in given.items()])
 
     def _is_value_alone(self, key: str, model: type[Section]) -> bool:
         """Whether a key is a value in a table that stays, and no other key belongs to the case by it."""
         declaration = find(key, model)
         if declaration is None or declaration.section or "." not in key:
             return False
+        if key in _read_apart(model):
+            return False
         above = (*self.keys, *_deciding(model))
         return key not in _deciding(model) and not any(key.startswith(f"{other}.") for other in above)
-
-    def _nested(self, given: Mapping[str, Any]) -> dict[str, Any]:
-        """Values that differ, by dotted keys, as tables in each other."""
-        nested: dict[str, Any] = {}
-        for key in self._plain.intersection(given):
-            *above, name = key.split(".")
-            table = nested
-            for part in above:
-                table = table.setdefault(part, {})
-            table[name] = given[key]
-        return nested
 
 
 @cache
@@ -123,15 +151,62 @@ def _deciding(model: type[Section]) -> frozenset[str]:
     )
 
 
-def _mixed(raw: Mapping[str, Any], validated: Section, changed: Mapping[str, Any]) -> dict[str, Any]:
-    """Tables of a case: those without a changed key as they were validated, the others to be read."""
-    mixed: dict[str, Any] = {}
-    for name, value in raw.items():
-        before = getattr(validated, name)
-        if not isinstance(before, Section):
-            mixed[name] = changed.get(name, value)
-        elif name in changed:
-            mixed[name] = _mixed(value, before, changed[name])
-        else:
-            mixed[name] = before
-    return mixed
+@cache
+def _read_apart(model: type[Section]) -> frozenset[str]:
+    """Keys that their tables read with more than the declarations say."""
+    inside = {f"{item.path}.": item.section for item in by_path(model).values() if item.section}
+    return frozenset(
+        f"{path}{name}"
+        for path, table in ({"": model} | inside).items()
+        for validator in table.__pydantic_decorators__.field_validators.values()
+        for name in validator.info.fields
+    )
+
+
+@cache
+def _validator(key: str, model: type[Section]) -> Callable[[Any], Any]:
+    """What reads a single value of a key, as its table does."""
+    from pydantic import TypeAdapter
+
+    field = by_path(model)[key].field
+    annotated: Any = Annotated[field.annotation, field]
+    return TypeAdapter(annotated, config=Section.model_config).validate_python
+
+
+def _tree(keys: list[str]) -> Tree:
+    tree: Tree = {}
+    for key in keys:
+        *above, name = key.split(".")
+        table = tree
+        for part in above:
+            table = table.setdefault(part, {})
+        table[name] = key
+    return tree
+
+
+def _with(table: Table, changed: Tree, values: Mapping[str, Any], *, checked: bool) -> Table:
+    """A table with other values; every table on the way to one is checked again where that is asked for."""
+    update = {
+        name: values[below]
+        if isinstance(below, str)
+        else _with(getattr(table, name), below, values, checked=checked)
+        for name, below in changed.items()
+    }
+    copied = table.model_copy(update=update)
+    if checked:
+        for check in checks(type(table)):
+            check(copied)
+    return copied
+
+
+@cache
+def checks(model: type[Section]) -> tuple[Callable[[Section], Section], ...]:
+    """What a table checks after its values were read, in its order."""
+    return tuple(each.func for each in model.__pydantic_decorators__.model_validators.values())
+
+
+def _value(case: Head, each: attrgetter) -> Any:
+    try:
+        return each(case)
+    except AttributeError:
+        return None

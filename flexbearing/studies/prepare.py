@@ -60,7 +60,7 @@ def _rollers(settled: Plan) -> int:
     sound = [variant for variant in settled.variants if variant.identity][:1]
     if "bearing.rollers" in base.keys or not sound:
         return 0
-    bearing: Any = Variants(base.path, base.text, base.keys, FAMILIES).case(sound[0].values)
+    bearing: Any = Variants(base.path, base.text, base.keys, FAMILIES).known(sound[0].values, sound[0].in_si)
     return getattr(getattr(bearing, "bearing", None), "rollers", 0)
 
 

@@ -137,7 +137,7 @@ class Prepared:
         """Speed of the inner ring against the outer one of each variant [rad/s]."""
         base = self.plan.base
         read = Variants(base.path, base.text, base.keys, FAMILIES)
-        cases: list[Any] = [read.case(variant.values) for variant in self.plan.variants]
+        cases: list[Any] = [read.known(variant.values, variant.in_si) for variant in self.plan.variants]
         return np.array([case.operation.inner_speed - case.operation.outer_speed for case in cases])
 
     def progress(self, rows: Rows) -> Progress:

@@ -62,7 +62,7 @@ def rows(task: Task, wish: Wish, cache: str | None = None) -> tuple[Row, ...]:
         one for each variant, also where it failed
     """
     read = _variants(task.base)
-    cases = [read.case(variant.values) for variant in task.variants]  # which the plan has read already
+    cases = [read.known(variant.values, variant.in_si) for variant in task.variants]
     levels = UsualLevels(task.levels) if isinstance(task.levels, str) else task.levels
     wish = replace(wish, levels=levels)
     with _rings_in(cache):
@@ -94,13 +94,13 @@ def condense(ring: Ring | Corners, cache: str | None = None) -> Levels | None:
 
 def _cases(corners: Corners) -> list[Case]:
     read = _variants(corners.base)
-    cases = (read.case(variant.values) for variant in corners.variants)
+    cases = (read.known(variant.values, variant.in_si) for variant in corners.variants)
     return [case for case in cases if isinstance(case, Case)]  # others have no target
 
 
 def _keep(ring: Ring, cache: str | None) -> None:
     """Put a ring into the cache."""
-    case = _variants(ring.base).case(ring.variant.values)
+    case = _variants(ring.base).known(ring.variant.values, ring.variant.in_si)
     if not isinstance(case, Case):
         return  # not kept
     from flexbearing.build.roller_bearing import bearing

@@ -1,10 +1,9 @@
 """Oils as data: property curves with their source and range."""
 
+from bisect import bisect_left
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import exp, log, log10, sinh
-
-import numpy as np
 
 from quasidynamic.errors import ImpossiblePart, require_positive
 from quasidynamic.note import Note, information
@@ -197,7 +196,7 @@ def _exponential(name: str, points: tuple[Point, ...]) -> Callable[[float], floa
 
 def _piecewise_linear(temperature: float, temperatures: list[float], values: list[float]) -> float:
     """Property with straight lines between its points; beyond the ends the last line goes on."""
-    piece = int(np.clip(np.searchsorted(temperatures, temperature) - 1, 0, len(values) - 2))
+    piece = min(max(bisect_left(temperatures, temperature) - 1, 0), len(values) - 2)
     slope = (values[piece + 1] - values[piece]) / (temperatures[piece + 1] - temperatures[piece])
     return values[piece] + slope * (temperature - temperatures[piece])
 

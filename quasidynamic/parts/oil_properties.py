@@ -4,7 +4,7 @@ from difflib import get_close_matches
 from math import inf, log
 
 from quasidynamic.errors import OutOfRange
-from quasidynamic.note import outside
+from quasidynamic.note import Note, outside
 from quasidynamic.parts.lubricant import Lubricant
 from quasidynamic.parts.oil_curves import OILS, Oil, two_point_oil, walther_viscosity
 
@@ -53,10 +53,6 @@ def oil_at(oil: str | Oil, temperature: float) -> Lubricant:
         raise OutOfRange(
             f"oil {oil.name} at {temperature:.1f} K is outside {low:.0f} to {high:.0f} K, its usable range"
         )
-    extrapolated = outside(
-        "oil-temperature",
-        f"{oil.name} at {temperature:.0f} K is extrapolated: its data cover {coldest:.0f} to {hottest:.0f} K",
-    )
     step = 0.5  # [K] the property curves are smooth on this scale
     colder, viscosity, warmer = (
         _value(oil, "viscosity", temperature + change, THICKEST) for change in (-step, 0.0, step)
@@ -68,7 +64,17 @@ def oil_at(oil: str | Oil, temperature: float) -> Lubricant:
         temperature_viscosity=log(colder / warmer) / (2 * step),
         conductivity=oil.conductivity(temperature),
         density=oil.density(temperature),
-        notes=oil.notes if coldest <= temperature <= hottest else (extrapolated, *oil.notes),
+        notes=oil.notes
+        if coldest <= temperature <= hottest
+        else (_extrapolated(oil, temperature), *oil.notes),
+    )
+
+
+def _extrapolated(oil: Oil, temperature: float) -> Note:
+    coldest, hottest = oil.measured
+    return outside(
+        "oil-temperature",
+        f"{oil.name} at {temperature:.0f} K is extrapolated: its data cover {coldest:.0f} to {hottest:.0f} K",
     )
 
 

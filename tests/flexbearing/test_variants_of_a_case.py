@@ -5,9 +5,10 @@ import re
 import pytest
 
 from flexbearing.case import BadCase, understood
+from flexbearing.case.declarations import by_path
 from flexbearing.case.quantity import Section
 from flexbearing.case.text import tables
-from flexbearing.case.variants import Variants
+from flexbearing.case.variants import Variants, checks
 from flexbearing.families import FAMILIES
 from tests.flexbearing.case_key_effects import EFFECTS
 from tests.flexbearing.test_every_case_key import CONFIGS, CONTEXTS
@@ -62,7 +63,10 @@ def test_a_variant_equals_the_case_read_with_settings(context, key, value):
         variants.case(tuple({**changes, key: before}.values()))
     expected = understood(text, file, changes, FAMILIES)
     for _ in range(2):
-        assert same(variants.case(tuple(changes.values())), expected)
+        assert same(case := variants.case(tuple(changes.values())), expected)
+    elsewhere = Variants(file, text, tuple(changes), FAMILIES)
+    for _ in range(2):
+        assert same(elsewhere.known(tuple(changes.values()), variants.in_si(case)), expected)
 
 
 REFUSED = (
@@ -124,3 +128,29 @@ def test_only_the_first_variant_is_read_in_full(monkeypatch):
     variants.case(("1 kN", "50 um"))
     monkeypatch.setattr("flexbearing.case.variants.with_settings", None)
     assert variants.case(("2 kN", "60 um")).operation.radial_load == 2000.0
+
+
+def test_no_text_of_a_known_variant_is_parsed(monkeypatch):
+    keys, values = ("operation.radial_load", "bearing.clearance"), ("2 kN", "60 um")
+    there, here = of_paper(*keys), of_paper(*keys)
+    here.known(("1 kN", "50 um"), (1000.0, 50e-6))
+    in_si = there.in_si(there.case(values))
+    monkeypatch.setattr("flexbearing.case.quantity.Kind.to_si", None)
+    known = here.known(values, in_si)
+    assert (known.operation.radial_load, known.bearing.clearance) == in_si
+    assert known.source.overrides == ('operation.radial_load="2 kN"', 'bearing.clearance="60 um"')
+
+
+TABLES = [
+    table
+    for family in FAMILIES.values()
+    for table in (family.case(), *(item.section for item in by_path(family.case()).values() if item.section))
+]
+
+
+@pytest.mark.parametrize("table", dict.fromkeys(TABLES))
+def test_tables_check_their_values_after_they_are_read(table):
+    """So that a variant, whose values are read one by one, is checked as a whole."""
+    modes = [check.info.mode for check in table.__pydantic_decorators__.model_validators.values()]
+    assert set(modes) <= {"after"}
+    assert len(checks(table)) == len(modes)

@@ -56,9 +56,9 @@ class Case(Head):
         return housed and (fitted or self.outer.housing_clearance is not None)
 
     @property
-    def input_files(self) -> tuple[Path, ...]:
-        """The case file and the drawing."""
-        return (*super().input_files, *([self.drawing] if self.drawing else []))
+    def named_files(self) -> tuple[Path, ...]:
+        """The drawing."""
+        return (self.drawing,) if self.drawing else ()
 
     @model_validator(mode="after")
     def _parts_fit(self) -> Self:

@@ -1,15 +1,13 @@
 """The variants at which levels are chosen that others share: extremes of what varies, and some between."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
-from functools import reduce
 from hashlib import sha256
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from flexbearing.case import Head
 from flexbearing.studies.plan.identity import LENGTH
 from flexbearing.studies.plan.task import Base, Corners, Variant
 
@@ -18,7 +16,7 @@ FIRST = "operation."  # keys that come first: errors depend on loads before all
 
 
 def sharing_levels(
-    base: Base, variants: Sequence[Variant], cases: Mapping[int, Head]
+    base: Base, variants: Sequence[Variant]
 ) -> tuple[tuple[Variant, ...], tuple[Corners, ...]]:
     """Find which variants share their levels, and where these are chosen.
 
@@ -28,8 +26,6 @@ def sharing_levels(
         what the variants are made of
     variants : sequence of Variant
         of a study; those with the same `levels` have the same parts and the same choices
-    cases : mapping
-        number of a variant with `levels` to its case
 
     Returns
     -------
@@ -41,11 +37,13 @@ def sharing_levels(
     """
     keys = sorted(range(len(base.keys)), key=lambda number: not base.keys[number].startswith(FIRST))
     groups: dict[Any, dict[int, tuple[float, ...]]] = {}
-    for number, case in cases.items():
-        values = [_value(case, base.keys[key]) for key in keys]
+    for number, variant in enumerate(variants):
+        if not variant.levels:
+            continue
+        values = [variant.in_si[key] for key in keys]
         words = tuple(repr(value) for value in values if not _is_number(value))
         numbers = tuple(float(value) for value in values if _is_number(value))
-        groups.setdefault((variants[number].levels, words), {})[number] = numbers
+        groups.setdefault((variant.levels, words), {})[number] = numbers
     found, corners = list(variants), []
     for group in groups.values():
         places = [[*group][place] for place in extremes(np.array([*group.values()]))]
@@ -98,11 +96,6 @@ def _away(points: NDArray, taken: NDArray) -> NDArray:
     if not len(taken):
         return -points.sum(axis=1)
     return np.linalg.norm(points[:, None] - taken, axis=2).min(axis=1)
-
-
-def _value(case: Head, key: str) -> Any:
-    """Value of a key in SI units."""
-    return reduce(getattr, key.split("."), case)
 
 
 def _is_number(value: Any) -> bool:

@@ -23,7 +23,7 @@ def identity(case: Head) -> str:
     str
         32 hexadecimal characters
     """
-    files = "".join(_content(path) for path in case.input_files[1:])
+    files = "".join(_content(path) for path in case.named_files)
     text = f"{FORMAT} {case.model_dump_json()} {files}"
     return sha256(text.encode()).hexdigest()[:LENGTH]
 

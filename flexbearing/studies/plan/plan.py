@@ -132,18 +132,15 @@ def plan(
     """
     base = Base(study.case.resolve(), study.text, study.keys)
     read, variants, problems = Variants(base.path, base.text, base.keys, families), [], []
-    with_target: dict[int, Head] = {}
     for number, values in enumerate(_crossed(study.axes)):
         try:
             case = read.case(values)
             require_possible(case)
-            variants.append(Variant(values, identity(case), rings(case), levels(case)))
-            if variants[-1].levels:
-                with_target[number] = case
+            variants.append(Variant(values, identity(case), rings(case), levels(case), read.in_si(case)))
         except BadCase as problem:
             variants.append(Variant(values, ""))
             problems.append(Problem(number, "; ".join(str(problem).splitlines())))
-    found, corners = sharing_levels(base, variants, with_target)
+    found, corners = sharing_levels(base, variants)
     return Plan(study.name, base, study.axes, found, tuple(problems), corners)
 
 

@@ -25,6 +25,7 @@ class Variant:
     identity: str
     rings: tuple[str, ...] = ()  # race and digest of its elastic rings, "outer 5f3a..."
     levels: str = ""  # names the levels that it shares with others; empty without accuracy.target
+    in_si: tuple[Any, ...] = ()  # the values as its case has them; none where it cannot be read
 
 
 def file_name(variant: Variant, *, final: bool) -> str:

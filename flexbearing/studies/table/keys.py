@@ -1,12 +1,12 @@
 """Columns of varied keys, in the units that engineers write in tables."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from math import nan, pi
 from typing import Any
 
 from flexbearing.case.declarations import Declaration, by_path, toml
-from flexbearing.case.quantity import Section
+from flexbearing.case.quantity import Kind, Section
 from flexbearing.studies.plan import Plan
 from flexbearing.studies.table.column import Column
 from flexbearing.units import unit
@@ -17,42 +17,33 @@ DIGITS = 12  # of numbers that went through a conversion
 
 
 def key_columns(plan: Plan, model: type[Section]) -> tuple[Column, ...]:
-    """Columns of all varied keys of a plan, by the case model."""
+    """Columns of all varied keys of a plan whose cases were all read, by the case model."""
     columns = zip(*(variant.values for variant in plan.variants), strict=True)
-    keys = zip(plan.base.keys, columns, strict=True)
-    return tuple(key_column(by_path(model)[key], values) for key, values in keys)
+    in_si = zip(*(variant.in_si for variant in plan.variants), strict=True)
+    keys = zip(plan.base.keys, columns, in_si, strict=True)
+    return tuple(_key_column(by_path(model)[key], *values) for key, *values in keys)
 
 
-def key_column(declaration: Declaration, values: Sequence[Any]) -> Column:
-    """Column of a varied key.
-
-    Parameters
-    ----------
-    declaration : Declaration
-        of the key
-    values : sequence
-        row by row, in the words of a case file; None where a row leaves the key as the case has it
-
-    Returns
-    -------
-    Column
-        of numbers, or of texts where the key is no quantity and no number; NaN or an empty text for None
-    """
-    kind = declaration.kind
-    if kind is None or declaration.listed:
+def _key_column(declaration: Declaration, values: Sequence[Any], in_si: Sequence[Any]) -> Column:
+    """Column of a varied key; NaN or an empty text where a row leaves the key as the case has it."""
+    if declaration.kind is None or declaration.listed:
         if None not in values and (declaration.number or bool in {*map(type, values)}):
             return Column(declaration.path, "", tuple(values), varied=True)
         if declaration.number:
             return Column(declaration.path, "", tuple(nan if v is None else v for v in values), varied=True)
         return Column(declaration.path, "", tuple(map(_text, values)), varied=True)
-    name = _unit(declaration.path, kind.unit)
+    name, converted = in_table(declaration.path, declaration.kind)
+    both = zip(values, in_si, strict=True)
+    numbers = tuple(nan if value is None else converted(number) for value, number in both)
+    return Column(declaration.path, name, numbers, varied=True)
+
+
+def in_table(path: str, kind: Kind) -> tuple[str, Callable[[float], float]]:
+    """Unit of a quantity in the table, empty for plain numbers, and what converts to it from SI units."""
+    name = _unit(path, kind.unit)
     scale = unit(name or "1")
     factor, offset = float(scale.factor * Fraction(pi) ** scale.pi_power), float(scale.offset)
-    known: dict[Any, float] = {None: nan}
-    for value in values:
-        if value not in known:
-            known[value] = float(f"{(kind.to_si(value) - offset) / factor:.{DIGITS}g}")
-    return Column(declaration.path, name, tuple(known[value] for value in values), varied=True)
+    return name, lambda number: float(f"{(number - offset) / factor:.{DIGITS}g}")
 
 
 def _unit(path: str, si: str) -> str:

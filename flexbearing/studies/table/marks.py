@@ -12,7 +12,7 @@ from flexbearing.outputs.value import conversion
 from flexbearing.studies.file.schema import MarkTable
 from flexbearing.studies.file.values import BadValues
 from flexbearing.studies.table.collected import Collected
-from flexbearing.studies.table.keys import key_column
+from flexbearing.studies.table.keys import in_table
 
 
 @dataclass(frozen=True)
@@ -63,7 +63,7 @@ def _place(text: str, along: Declaration | str) -> Any:
     if along.kind is None:
         return float(text) if along.number else text
     try:
-        return key_column(along, (text,)).values[0]
+        return in_table(along.path, along.kind)[1](along.kind.to_si(text))
     except PydanticCustomError as problem:
         raise BadValues(f"x = {excerpt(text)} {problem.message()}") from None
 
