@@ -1,8 +1,9 @@
-"""Rows of studies against single runs: `python -m benchmarks.study_equality --n 1000 --seed S`.
+"""Rows of studies against single runs: `python -m benchmarks.study_equality --n 1000 --several 100 --seed S`.
 
 Random bearings between flexible rings (`benchmarks.random_coupled`), as studies whose variants stand in a
 table; by one job, by two that are killed in the middle and started again, and each variant as a run of its
-own. Every scalar that both have is compared.
+own. Every scalar that both have is compared. `--several`: as many bearings with cold oil between rigid rings
+of which a single run tells several equilibria, picked from random ones, in studies that search for them.
 """
 
 import argparse
@@ -22,7 +23,8 @@ from threadpoolctl import threadpool_limits
 from benchmarks.machine import describe
 from flexbearing import run
 from flexbearing.case import BadCase
-from tests.random_coupled import BASES, Design, design
+from flexbearing.runs.several import CODE as SEVERAL
+from tests.random_coupled import BASES, TEXTBOOK, Design, design
 
 ROOT = Path(__file__).parents[1]
 OUTPUTS = {
@@ -40,18 +42,56 @@ def main() -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("--n", type=int, default=1000)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--several", type=int, default=100)
     asked = parser.parse_args()
     print(describe())
     designs = [design(asked.seed, number) for number in range(asked.n)]
     with tempfile.TemporaryDirectory() as name:
         for base in BASES:
             chosen = [one for one in designs if one.case == base.case]
-            compare(chosen, Path(name))
+            if chosen:
+                compare(chosen, Path(name))
+        if asked.several:
+            compare(
+                with_several(asked.seed, asked.several), Path(name), "several", "search_equilibria = true\n"
+            )
 
 
-def compare(designs: list[Design], folder: Path) -> None:
-    stem = Path(designs[0].case).stem
-    file = written(designs, folder / f"{stem}_study.toml")
+def with_several(seed: int, wanted: int) -> list[Design]:
+    """Textbook bearings with cold oil of which a run tells several equilibria."""
+    found: list[Design] = []
+    for number in range(20 * wanted):
+        one = cold(seed, number)
+        notes = run(ROOT / one.case, one.settings).attributes["notes"]
+        if any(note["code"] == SEVERAL for note in notes):
+            found.append(one)
+        if len(found) == wanted:
+            print(f"{wanted} of {number + 1} random bearings with cold oil have several equilibria")
+            return found
+    raise SystemExit(f"only {len(found)} of {20 * wanted} bearings have several equilibria")
+
+
+def cold(seed: int, number: int) -> Design:
+    """A bearing with an oil of 0.15 to 2.5 Pa s under 40 N to 1.6 kN, at 200 to 6000 rpm."""
+    rng = np.random.default_rng([seed, number, 2])
+    settings = (
+        f"lubricant.viscosity={_log_uniform(rng, 0.15, 2.5):.6g} Pa s",
+        f"lubricant.oil_fraction={_log_uniform(rng, 1e-3, 0.3):.6g}",
+        f"operation.radial_load={_log_uniform(rng, 40, 1600):.6g} N",
+        f"operation.inner_speed={_log_uniform(rng, 200, 6000):.6g} rpm",
+        f"bearing.clearance={rng.uniform(0, 60):.6g} um",
+        f"bearing.first_roller_azimuth={rng.uniform(0, 25.7):.6g} deg",
+    )
+    return Design(TEXTBOOK, settings)
+
+
+def _log_uniform(rng: np.random.Generator, low: float, high: float) -> float:
+    return float(np.exp(rng.uniform(np.log(low), np.log(high))))
+
+
+def compare(designs: list[Design], folder: Path, stem: str = "", head: str = "") -> None:
+    stem = stem or Path(designs[0].case).stem
+    file = written(designs, folder / f"{stem}_study.toml", head)
     tables = {}
     for name, jobs in (("one job", 1), ("two jobs, killed once", 2)):
         out, began = folder / f"{stem}_{jobs}", time.perf_counter()
@@ -66,7 +106,7 @@ def compare(designs: list[Design], folder: Path) -> None:
         report(f"{stem}, {name}", table, singles)
 
 
-def written(designs: list[Design], file: Path) -> Path:
+def written(designs: list[Design], file: Path, head: str) -> Path:
     """A study of designs with the same case, and its table of variants."""
     settings = [dict(setting.split("=", 1) for setting in one.settings) for one in designs]
     keys = list(dict.fromkeys(key for each in settings for key in each))
@@ -76,7 +116,7 @@ def written(designs: list[Design], file: Path) -> Path:
         table.writerows([each.get(key, "") for key in keys] for each in settings)
     collect = "\n".join(f'{name} = "{text}"' for name, text in OUTPUTS.items())
     file.write_text(
-        f'case = "{ROOT / designs[0].case}"\n[over]\nfile = "{file.stem}.csv"\n[collect]\n{collect}\n'
+        f'case = "{ROOT / designs[0].case}"\n{head}[over]\nfile = "{file.stem}.csv"\n[collect]\n{collect}\n'
     )
     return file
 
