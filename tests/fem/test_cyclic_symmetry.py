@@ -325,7 +325,10 @@ def test_limits_of_the_geometry_can_be_meshed(change):
     "shape", [{}, SHAPES["both, raceway aside"], SHAPES["collar"]], ids=["plain", "both, aside", "collar"]
 )
 def test_agrees_with_gaussian_patches_on_the_whole_solid(shape, monkeypatch):
-    """The whole has coarser elements: finer ones take the support from 0.24 to 0.12 % apart."""
+    """The whole has coarser elements: finer ones take the support from 0.24 to 0.12 % apart.
+
+    With a collar the largest difference is 2.5, 0.8 and 0.2 % with orders 2, 3 and 4.
+    """
     monkeypatch.setattr(condensation, "meshed", refined)
     monkeypatch.setattr(half_pitch, "LAYERS", LAYERS)
     wishes = MeshSize(order=3, size=3e-3, raceway_size=1.2e-3)

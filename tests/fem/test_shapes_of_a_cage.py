@@ -76,6 +76,7 @@ def test_collar_without_length_or_height_is_none(condense, _, none):
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("condense", "allowed"), MODELS.values(), ids=MODELS)
+@pytest.mark.slow
 def test_bars_at_both_ends_neither_tilt_nor_prefer_a_side(condense, allowed):
     """The ring is its own mirror image, and about twice as stiff as on one end."""
     both, one = (condense(replace(CAGE, two_sided=two)).at(ROLLERS) for two in (True, False))
@@ -85,6 +86,7 @@ def test_bars_at_both_ends_neither_tilt_nor_prefer_a_side(condense, allowed):
 
 
 @pytest.mark.parametrize(("condense", "allowed"), MODELS.values(), ids=MODELS)
+@pytest.mark.slow
 def test_bars_at_both_ends_carry_half_the_load_each(condense, allowed):
     """Equal section forces in mirrored bars; together they carry the resultant of the rollers."""
     both = condense(replace(CAGE, two_sided=True))

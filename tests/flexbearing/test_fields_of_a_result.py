@@ -66,6 +66,7 @@ def test_largest_stresses_are_stored_and_shown(result):
 
 
 @pytest.mark.slow
+@pytest.mark.slow
 def test_stresses_of_a_stored_state_are_those_of_the_run(result, outer):
     stored = result.attributes["stresses"]["outer"]
     computed = outer.record()
@@ -91,6 +92,7 @@ def test_nominal_bar_stresses_come_from_the_condensed_state(result):
     assert result.summary()["rigid"].get("nominal_bar_stress_MPa") is None
 
 
+@pytest.mark.slow
 @pytest.mark.slow
 def test_nominal_bar_stresses_are_those_of_the_whole_solid(result, outer):
     found, solid = result.flexible["nominal_bar_stress"], bars_of(outer.loaded).stress
@@ -127,6 +129,7 @@ def test_record_holds_every_number_under_its_name_in_its_unit(monkeypatch):
     }  # fmt: skip
 
 
+@pytest.mark.slow
 def test_solid_moves_as_the_condensed_ring_did(result, outer):
     """Mean translation of the raceway, on two meshes and by two ways."""
     mesh, (_, u, v) = outer.loaded.mesh, outer.loaded.displacement
@@ -138,6 +141,7 @@ def test_solid_moves_as_the_condensed_ring_did(result, outer):
     assert found == approx(expected, abs=0.06 * np.abs(expected).max())
 
 
+@pytest.mark.slow
 def test_support_has_one_radial_stiffness_with_its_error(result, outer):
     """That of the condensed state; the whole solid on its coarser mesh is within both errors."""
     figures = result.attributes["structure"]["outer"]
@@ -149,6 +153,7 @@ def test_support_has_one_radial_stiffness_with_its_error(result, outer):
     assert "radial_N_per_m" not in result.attributes["stresses"]["outer"]["support"]
 
 
+@pytest.mark.slow
 def test_forces_of_a_state_are_those_of_its_rollers(result, outer):
     values = stored_fields.state_of(result, "flexible")
     assert outer.forces[:, 0] == approx(values["outer_load"], rel=1e-9, abs=1e-9)
@@ -165,6 +170,7 @@ def test_each_ring_is_loaded_by_its_own_contacts():
     assert outer[:, 0] == approx(2e3 * length, rel=1e-12)
 
 
+@pytest.mark.slow
 def test_solid_that_cannot_be_solved_is_said(monkeypatch, outer):
     def refused(*_):
         raise NotSolved("nothing is solved here")
@@ -209,6 +215,7 @@ def test_rigid_parts_have_no_fields(result, rigid):
     assert list(pictures(rigid, Path())) == []
 
 
+@pytest.mark.slow
 def test_fields_command_writes_what_paraview_opens(result, outer, tmp_path, monkeypatch):
     stored = result.attributes["stresses"]["outer"]
     monkeypatch.setattr(fields, "fields", lambda case, race, state, values: outer)  # solved before
@@ -220,6 +227,7 @@ def test_fields_command_writes_what_paraview_opens(result, outer, tmp_path, monk
     assert (tmp_path / "cage_outer_flexible.vtu").stat().st_size > 10_000
 
 
+@pytest.mark.slow
 @pytest.mark.slow
 def test_picture_shows_the_deformed_part(result, outer, tmp_path, monkeypatch):
     monkeypatch.setattr(fields, "fields", lambda case, race, state, values: outer)  # solved before

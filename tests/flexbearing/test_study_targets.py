@@ -69,6 +69,7 @@ def table(folder):
     return flexbearing.study(study(folder, THIN + LOADS + TARGET), folder, jobs=1)
 
 
+@pytest.mark.slow
 def test_rows_keep_the_target_and_errors_are_below_their_estimates(table, tmp_path):
     fine = flexbearing.study(study(tmp_path, THIN + LOADS + FINE), tmp_path, jobs=1)
     for name in ("life", "load"):
