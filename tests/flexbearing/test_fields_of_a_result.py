@@ -66,7 +66,6 @@ def test_largest_stresses_are_stored_and_shown(result):
 
 
 @pytest.mark.slow
-@pytest.mark.slow
 def test_stresses_of_a_stored_state_are_those_of_the_run(result, outer):
     stored = result.attributes["stresses"]["outer"]
     computed = outer.record()
@@ -92,7 +91,6 @@ def test_nominal_bar_stresses_come_from_the_condensed_state(result):
     assert result.summary()["rigid"].get("nominal_bar_stress_MPa") is None
 
 
-@pytest.mark.slow
 @pytest.mark.slow
 def test_nominal_bar_stresses_are_those_of_the_whole_solid(result, outer):
     found, solid = result.flexible["nominal_bar_stress"], bars_of(outer.loaded).stress
@@ -227,7 +225,6 @@ def test_fields_command_writes_what_paraview_opens(result, outer, tmp_path, monk
     assert (tmp_path / "cage_outer_flexible.vtu").stat().st_size > 10_000
 
 
-@pytest.mark.slow
 @pytest.mark.slow
 def test_picture_shows_the_deformed_part(result, outer, tmp_path, monkeypatch):
     monkeypatch.setattr(fields, "fields", lambda case, race, state, values: outer)  # solved before
