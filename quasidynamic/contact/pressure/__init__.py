@@ -1,0 +1,23 @@
+"""Normal contact beyond Hertz: the pressure on true profiles with their ends, on a grid.
+
+The elastic half-spaces are those of `half_space`; friction and motion belong elsewhere.
+"""
+
+from quasidynamic.contact.pressure.groove import BallInGroove
+from quasidynamic.contact.pressure.normal_contact import (
+    NormalCompliance,
+    NormalContact,
+    RigidMotions,
+    contact_pressure,
+)
+from quasidynamic.contact.pressure.roller import RollerOnRaceway, RollerPressure
+
+__all__ = [
+    "BallInGroove",
+    "NormalCompliance",
+    "NormalContact",
+    "RigidMotions",
+    "RollerOnRaceway",
+    "RollerPressure",
+    "contact_pressure",
+]
