@@ -109,10 +109,11 @@ def _model(resolved: _Resolved) -> RollerBearing | None:
     if _elastic(case) and (case.coupling.method != "newton" or case.outputs.stresses or not is_linear(case)):
         return None
     try:
-        validate_roller.build(case)
-        return resolved.model()
+        model = resolved.model()
+        validate_roller.require_around(case, model.bearing)
     except (ImpossiblePart, OutOfRange):  # which its own run tells
         return None
+    return model
 
 
 def _elastic(case: Case) -> bool:

@@ -3,6 +3,7 @@
 from flexbearing.build import ring_parts, roller_bearing
 from flexbearing.build.lubrication import lubrication
 from flexbearing.case.roller import Case
+from quasidynamic import CylindricalRollerBearing
 
 
 def build(case: Case) -> None:
@@ -23,6 +24,26 @@ def build(case: Case) -> None:
     bearing = roller_bearing.parts(case)
     roller_bearing.operation(case)
     lubrication(case)
+    require_around(case, bearing)
+
+
+def require_around(case: Case, bearing: CylindricalRollerBearing) -> None:
+    """Build what a bearing is rated by, guided by and mounted in.
+
+    Parameters
+    ----------
+    case : Case
+        as it was read
+    bearing : CylindricalRollerBearing
+        its bearing
+
+    Raises
+    ------
+    ImpossiblePart
+        where a part cannot be
+    OutOfRange
+        where a law does not hold for it
+    """
     if case.life.model_dump(exclude_defaults=True):
         from flexbearing.runs import life
 

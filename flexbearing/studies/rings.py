@@ -31,11 +31,8 @@ def rings(case: Head) -> tuple[str, ...]:
     """
     if isinstance(case, Case):
         parts = {race: part_of(case, race) for race in RACES}
-        return tuple(
-            f"{race} {_name(part, case.accuracy.model_dump_json())}"
-            for race, part in parts.items()
-            if part is not None
-        )
+        accuracy = case.accuracy.model_dump_json()
+        return tuple(f"{race} {_name(part, accuracy)}" for race, part in parts.items() if part is not None)
     if isinstance(case, FourPointCase) and not case.rings.rigid:
         return (f"bolted {digest(case.model_dump(include={'bearing', 'materials', 'rings'}))}",)
     return ()

@@ -38,11 +38,11 @@ def read(path: Path) -> dict[str, Row]:
         none
     """
     rows: dict[str, Row] = {}
-    names: list[str] = []
+    names, of = list[str](), ""
     for entry in _entries(path):
         if "names" in entry:
-            names = entry["names"]
-        elif entry.get("of") == _of(names):  # else the line with its names was lost, or a task began
+            names, of = entry["names"], _of(entry["names"])
+        elif of and entry.get("of") == of:  # else the line with its names was lost, or a task began
             row = _row(entry, names)
             rows[row.identity] = row
     return rows
@@ -74,7 +74,8 @@ class Journal:
     """The writer of a journal."""
 
     def __init__(self, file: FileIO, path: Path, names: Sequence[str], after: bytes = b""):
-        self._file, self._path, self._names, self._at_work = file, path, names, False
+        self._file, self._path, self._at_work = file, path, False
+        self._names, self._of = names, _of(names)
         self._write(after + _line({"names": [*names]}))
 
     def add(self, rows: Iterable[Row]) -> None:
@@ -85,7 +86,7 @@ class Journal:
         NotStored
             if there is no room for them
         """
-        self._write(b"".join(_line(_entry(row, self._names)) for row in rows))
+        self._write(b"".join(_line(_entry(row, self._names, self._of)) for row in rows))
 
     def begins(self, call: Call) -> None:
         """Note what this process is at work at from now on, for `begun`.
@@ -161,9 +162,9 @@ def _line(entry: Mapping[str, Any]) -> bytes:
     return (_HEAD % crc32(rest)).encode() + rest[1:] + b"\n"
 
 
-def _entry(row: Row, names: Sequence[str]) -> dict[str, Any]:
+def _entry(row: Row, names: Sequence[str], of: str) -> dict[str, Any]:
     return {
-        "of": _of(names),
+        "of": of,
         "identity": row.identity,
         "status": row.status,
         "message": row.message,
