@@ -8,7 +8,7 @@ from scipy import fft
 
 from quasidynamic.contact.half_space.elastic_pair import ElasticPair
 from quasidynamic.contact.half_space.grid import CellGrid
-from quasidynamic.contact.half_space.influence import influence_number
+from quasidynamic.contact.half_space.influence import influence_lattice
 
 
 @dataclass(frozen=True)
@@ -65,14 +65,18 @@ def convolution(
     Influence numbers A of `influence_number`; Liu, Wang and Liu (2000), Wear 243, 101-111, for the padding.
     """
     padded = _padded(grid.shape[0]), _padded(grid.shape[1])
-    x, y = (
-        side * _lags(cells, size) + offset
-        for side, cells, size, offset in zip(grid.spacing, grid.shape, padded, shift, strict=True)
+    edges = [
+        side * (np.arange(2 * cells) - cells + 0.5) + offset
+        for side, cells, offset in zip(grid.spacing, grid.shape, shift, strict=True)
+    ]
+    numbers = np.zeros((len(displacements), len(tractions), *padded))
+    first, second = (
+        np.arange(1 - cells, cells) % size for cells, size in zip(grid.shape, padded, strict=True)
     )
-    numbers = np.empty((len(displacements), len(tractions), *padded))
     for i, displacement in enumerate(displacements):
         for j, traction in enumerate(tractions):
-            numbers[i, j] = influence_number(pair, displacement, traction, (x[:, None], y), grid.spacing)
+            lattice = influence_lattice(pair, displacement, traction, edges[0], edges[1])
+            numbers[i, j, first[:, None], second] = lattice
     return Convolution(np.asarray(fft.rfft2(numbers)), padded)
 
 
@@ -80,9 +84,3 @@ def _padded(cells: int) -> int:
     """Cells of a transform that is fast, at least twice those of the grid less one."""
     length = fft.next_fast_len(2 * cells - 1, real=True)
     return int(length)  # pyright: ignore[reportArgumentType]
-
-
-def _lags(cells: int, size: int) -> NDArray:
-    """Steps from a cell to another in the order of the transform; those that no pair has come last ahead."""
-    steps = np.arange(size)
-    return np.where(steps < cells, steps, steps - size)

@@ -50,27 +50,51 @@ def influence_number(
     >>> round(float(influence_number(steel, Z, Z, (0.0, 0.0), (1e-3, 1e-3))) * 80e9 * np.pi / 0.7e-3, 6)
     3.525494
     """
-    by_radius = pair.plane_compliance
+    (x, y), (width, length) = (np.asarray(value, dtype=float) for value in place), np.asarray(cell) / 2
+    corner = _primitive(pair, displacement, traction)
+    left, right, low, high = x - width, x + width, y - length, y + length
+    return corner(right, high) - corner(right, low) - corner(left, high) + corner(left, low)
+
+
+def influence_lattice(pair: ElasticPair, displacement: int, traction: int, x: NDArray, y: NDArray) -> NDArray:
+    """Influence numbers at places that are whole cells apart, where cells share their corners.
+
+    Parameters
+    ----------
+    pair : ElasticPair
+        constants of both half-spaces [1/Pa]
+    displacement, traction : int
+        directions, see `influence_number`
+    x, y : array (nx), array (ny)
+        places from the centre of the cell, half a cell to their left and right [m]
+
+    Returns
+    -------
+    array (nx - 1, ny - 1)
+        u/p [m/Pa] in the middle between neighbours of x and y
+
+    Source
+    ------
+    Differences of the primitive of `influence_number`.
+    """
+    corners = _primitive(pair, displacement, traction)(x[:, None], y)
+    return np.diff(np.diff(corners, axis=0), axis=1)
+
+
+def _primitive(pair: ElasticPair, displacement: int, traction: int) -> Callable[[NDArray, NDArray], NDArray]:
+    """Integral over a rectangle as a function of its corners."""
+    by_radius, along = pair.plane_compliance / np.pi, pair.shear / np.pi
     if displacement == traction == Z:
-        return _integral(lambda x, y: by_radius * (_reach(x, y) + _reach(y, x)), place, cell)
+        return lambda x, y: by_radius * (_reach(x, y) + _reach(y, x))
     if Z in (displacement, traction):
         direction, sign = (traction, 1.0) if displacement == Z else (displacement, -1.0)
-        return sign * pair.coupling * _integral(_LATERAL[direction], place, cell)
+        coupling = sign * pair.coupling / np.pi
+        return lambda x, y: coupling * (_lateral(x, y) if direction == X else _lateral(y, x))
     if displacement != traction:
-        return _integral(lambda x, y: -pair.poisson * np.hypot(x, y), place, cell)
-    along, across = (pair.shear, by_radius) if displacement == X else (by_radius, pair.shear)
-    return _integral(lambda x, y: along * _reach(x, y) + across * _reach(y, x), place, cell)
-
-
-def _integral(
-    primitive: Callable[[NDArray, NDArray], NDArray], place: tuple[ArrayLike, ArrayLike], cell: ArrayLike
-) -> NDArray:
-    """Integral over a rectangle by its primitive at the corners, over pi."""
-    (x, y), (width, length) = (np.asarray(value, dtype=float) for value in place), np.asarray(cell) / 2
-    left, right, low, high = x - width, x + width, y - length, y + length
-    return (
-        primitive(right, high) - primitive(right, low) - primitive(left, high) + primitive(left, low)
-    ) / np.pi
+        return lambda x, y: -pair.poisson / np.pi * np.hypot(x, y)
+    if displacement == X:
+        return lambda x, y: along * _reach(x, y) + by_radius * _reach(y, x)
+    return lambda x, y: by_radius * _reach(x, y) + along * _reach(y, x)
 
 
 def _reach(x: NDArray, y: NDArray) -> NDArray:
@@ -86,6 +110,3 @@ def _lateral(x: NDArray, y: NDArray) -> NDArray:
     apart = x != 0.0
     turned = np.where(apart, x * np.arctan(y / np.where(apart, x, 1.0)), 0.0)
     return y * np.log(np.where(radius > 0.0, radius, 1.0)) + turned
-
-
-_LATERAL = {X: _lateral, Y: lambda x, y: _lateral(y, x)}

@@ -1,0 +1,42 @@
+"""Full sliding on a grid: the limit of stiff bodies."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.contact.rolling.rolling_contact import Rolled, RollingContacts
+
+STANDING = 1e-300  # keeps the direction of a slip of zero defined
+
+
+def full_sliding(contacts: RollingContacts, creep: NDArray, start: NDArray | None = None) -> Rolled:
+    r"""Coulomb friction of rigid bodies.
+
+    .. math:: p = -\mu p_n\, W/|W|
+
+    Parameters
+    ----------
+    contacts : RollingContacts
+        mu p_n [Pa]
+    creep : array (C, 2, nx, ny)
+        W, rigid slip of the first body against the second over the rolling speed [-]
+    start : array (C, 2, nx, ny), optional
+        not needed: there is nothing to iterate [Pa]
+
+    Returns
+    -------
+    Rolled
+        sticking nowhere; where nothing slips the traction is zero
+
+    Source
+    ------
+    Coulomb's law.
+    """
+    size = np.maximum(np.hypot(creep[:, 0], creep[:, 1]), STANDING)[:, None]
+    direction, limit = creep / size, contacts.limit[:, None]
+
+    def changes(creep_changes: NDArray) -> NDArray:
+        towards = direction[:, None]
+        along = (towards * creep_changes).sum(2, keepdims=True)
+        return -(limit / size)[:, None] * (creep_changes - along * towards)
+
+    return Rolled(contacts, creep, -limit * direction, np.zeros(contacts.limit.shape, bool), changes)

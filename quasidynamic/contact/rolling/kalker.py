@@ -1,0 +1,119 @@
+"""Steady rolling of elastic half-spaces with stick and slip."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.contact.half_space import CellGrid, ElasticPair, X, Y, influence_number
+from quasidynamic.contact.rolling.rolling_contact import Rolled, RollingContacts
+from quasidynamic.contact.rolling.stick_slip import StickSlip, StickSlipLaw, stick_slip, traction_changes
+from quasidynamic.errors import NotSolved
+
+
+def kalker(contacts: RollingContacts, creep: NDArray, start: NDArray | None = None) -> Rolled:
+    r"""Steady rolling with Coulomb friction.
+
+    .. math:: S = W\, \Delta x + u(x) - u(x + \Delta x),\quad u = A p,\quad |p| \le \mu p_n,\\
+              S = 0 \ \text{(stick)} \quad\text{or}\quad p = -\mu p_n\, S/|S| \ \text{(slip)}
+
+    Material comes from x + dx, one cell ahead, with the displacement u there.
+
+    Parameters
+    ----------
+    contacts : RollingContacts
+        grids, elastic constants, mu p_n [Pa]
+    creep : array (C, 2, nx, ny)
+        W, rigid slip of the first body against the second over the rolling speed [-], best taken `MID_STEP`
+        ahead of the cell centres
+    start : array (C, 2, nx, ny), optional
+        tractions of a neighbouring state [Pa]; none at all without it
+
+    Returns
+    -------
+    Rolled
+
+    Raises
+    ------
+    NotSolved
+        when Newton's method finds no solution from any start
+
+    Source
+    ------
+    Kalker, Three-Dimensional Elastic Bodies in Rolling Contact (1990), ch. 4, solved as a semi-smooth system.
+
+    Valid
+    -----
+    Quasi-static, contact far smaller than the bodies; pressure given; equal coefficients of stick and slip.
+    The discretisation is of first order.
+    """
+    first = np.zeros_like(creep) if start is None else start
+    laws = [_law(contacts, creep, number) for number in range(len(creep))]
+    states = [_settled(law, traction) for law, traction in zip(laws, first, strict=True)]
+
+    def changes(creep_changes: NDArray) -> NDArray:
+        offsets = creep_changes * contacts.step[:, None, None, None, None]
+        return np.stack([traction_changes(*each) for each in zip(laws, states, offsets, strict=True)])
+
+    return Rolled(
+        contacts,
+        creep,
+        np.stack([state.traction for state in states]),
+        np.stack([state.stick for state in states]),
+        changes,
+    )
+
+
+def elastic_slip(rolled: Rolled) -> NDArray:
+    r"""Slip over rolling speed of a steady state, with what the elastic displacements make.
+
+    .. math:: s/V = W + \frac{u(x) - u(x + \Delta x)}{\Delta x}
+
+    Parameters
+    ----------
+    rolled : Rolled
+        of `kalker`
+
+    Returns
+    -------
+    array (C, 2, nx, ny)
+        [-], zero to the tolerance of the solution where the surfaces stick
+
+    Source
+    ------
+    Kalker, Three-Dimensional Elastic Bodies in Rolling Contact (1990), Eq. (1.14).
+    """
+    laws = [_law(rolled.contacts, rolled.creep, number) for number in range(len(rolled.creep))]
+    grown = [law.displacement(traction) for law, traction in zip(laws, rolled.traction, strict=True)]
+    return rolled.creep + np.stack(grown) / rolled.contacts.step[:, None, None, None]
+
+
+def _law(contacts: RollingContacts, creep: NDArray, number: int) -> StickSlipLaw:
+    """Law of one contact."""
+    step, grown = contacts.step[number], contacts.step_displacements[number]
+    self_influence = _self_influence(contacts.pairs[number], contacts.grids[number])
+    offset, limit = creep[number] * step, contacts.limit[number]
+    if contacts.compliance is None:
+        return StickSlipLaw(grown, offset, limit, 1 / self_influence)
+    layer = contacts.compliance[number]
+
+    def with_layer(traction: NDArray) -> NDArray:
+        displacement, sheared = grown(traction), layer * traction
+        displacement += sheared
+        displacement[:, :-1] -= sheared[:, 1:]
+        return displacement
+
+    return StickSlipLaw(with_layer, offset, limit, 1 / (self_influence + layer))
+
+
+def _self_influence(pair: ElasticPair, grid: CellGrid) -> float:
+    """Displacement of a step by the traction of the cell itself, the mean of both directions [m/Pa]."""
+    places = np.array([0.0, grid.spacing[0]]), np.zeros(2)
+    numbers = [influence_number(pair, direction, direction, places, grid.spacing) for direction in (X, Y)]
+    return float(np.mean([here - ahead for here, ahead in numbers]))
+
+
+def _settled(law: StickSlipLaw, start: NDArray) -> StickSlip:
+    """Solution from a start, else from no traction at all."""
+    try:
+        return stick_slip(law, start)
+    except NotSolved:
+        return stick_slip(law, np.zeros_like(start))

@@ -1,0 +1,90 @@
+"""Contacts that roll with friction, on grids of one shape."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.contact.half_space import CellGrid, Convolution, ElasticPair, X, Y, convolution
+from quasidynamic.errors import ImpossiblePart
+
+ALONG, ACROSS = 0, 1  # directions of slip and traction: x against the motion of the material, y across
+MID_STEP = 1 / 6  # of a cell, ahead of its centre: where the rigid slip of a step is taken
+
+
+@dataclass(frozen=True)
+class RollingContacts:
+    """C contacts through which material rolls from large to small x; tractions act on the first body."""
+
+    grids: tuple[CellGrid, ...]
+    pairs: tuple[ElasticPair, ...]
+    limit: NDArray  # (C, nx, ny) [Pa] friction coefficient times pressure, zero outside the contacts
+    compliance: NDArray | None = None  # (C, nx, ny) [m/Pa] of a layer between the bodies along their surfaces
+
+    def __post_init__(self):
+        shapes = {grid.shape for grid in self.grids}
+        if not len(self.grids) == len(self.pairs) == len(self.limit) or shapes != {self.limit.shape[1:]}:
+            raise ImpossiblePart(
+                f"rolling contacts: {len(self.grids)} grids of shapes {sorted(shapes)} and {len(self.pairs)} "
+                f"elastic pairs do not fit to limits of shape {self.limit.shape}"
+            )
+        for name, values in (("limit", self.limit), ("compliance", self.compliance)):
+            if values is not None and not np.all((values >= 0.0) & np.isfinite(values)):
+                raise ImpossiblePart(f"rolling contacts: {name} must be finite and >= 0 everywhere")
+
+    @cached_property
+    def step(self) -> NDArray:
+        """Side of a cell along x, by which material moves in a step (C) [m]."""
+        return np.array([grid.spacing[0] for grid in self.grids])
+
+    @cached_property
+    def cell_area(self) -> NDArray:
+        """Area of a cell (C) [m2]."""
+        return np.array([grid.cell_area for grid in self.grids])
+
+    @cached_property
+    def step_displacements(self) -> tuple[Convolution, ...]:
+        """Displacements along the surfaces in steady rolling, by which they grow over a step."""
+        return tuple(
+            convolution(pair, grid, (X, Y), (X, Y)) - convolution(pair, grid, (X, Y), (X, Y), (step, 0.0))
+            for pair, grid, step in zip(self.pairs, self.grids, self.step, strict=True)
+        )
+
+    def places(self, ahead: float = 0.0) -> tuple[NDArray, NDArray]:
+        """Places x (C, nx, 1) and y (C, 1, ny) [m] of the cells, a part of a cell ahead of their centres."""
+        centres = [grid.centres for grid in self.grids]
+        x, y = (np.stack(values) for values in zip(*centres, strict=True))
+        return x + ahead * self.step[:, None, None], y
+
+
+@dataclass(frozen=True)
+class Rolled:
+    """Friction of rolling contacts."""
+
+    contacts: RollingContacts
+    creep: NDArray  # (C, 2, nx, ny) [-] rigid slip over rolling speed, first body against second
+    traction: NDArray  # (C, 2, nx, ny) [Pa] on the first body
+    stick: NDArray  # (C, nx, ny) where the surfaces do not slip
+    changes: Callable[
+        [NDArray], NDArray
+    ]  # of the traction (C, k, 2, nx, ny) [Pa] by those of the creep (same)
+
+    @property
+    def force(self) -> NDArray:
+        """Force on the first body (C, 2) [N]."""
+        return self.traction.sum((-2, -1)) * self.contacts.cell_area[:, None]
+
+    @property
+    def moment(self) -> NDArray:
+        """Moment about the normal on the first body, from x to y (C) [N m]."""
+        x, y = self.contacts.places()
+        turning = x * self.traction[:, ACROSS] - y * self.traction[:, ALONG]
+        return turning.sum((-2, -1)) * self.contacts.cell_area
+
+    @property
+    def stick_share(self) -> NDArray:
+        """Part of the cells in contact that stick (C) [-]."""
+        touching = self.contacts.limit > 0.0
+        return (self.stick & touching).sum((1, 2)) / np.maximum(touching.sum((1, 2)), 1)

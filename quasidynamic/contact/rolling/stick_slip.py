@@ -1,0 +1,161 @@
+"""Tractions that stick or slip: Newton's method on the projection onto the friction limit."""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse.linalg import LinearOperator, gmres
+
+from quasidynamic.errors import NotSolved
+
+TOLERANCE = 1e-6  # of the residual with no traction at all
+LIMIT = 60  # Newton steps, rarely more than ten
+BASIS = 80  # vectors of a linear solve before it starts again
+RESTARTS = 3
+SHORTEST = 1 / 64  # part of a Newton step
+SLIPPING = 1e-300  # [Pa] keeps the direction of a traction of zero defined
+
+
+class StickSlipLaw(NamedTuple):
+    """Slip of a step as the sum of what the traction makes and what it does not."""
+
+    displacement: Callable[[NDArray], NDArray]  # (2, nx, ny) [m] of tractions (2, nx, ny) [Pa], linear
+    offset: NDArray  # (2, nx, ny) [m] slip without traction
+    limit: NDArray  # (nx, ny) [Pa] largest traction
+    stiffness: NDArray | float  # [Pa/m] of a cell alone
+
+
+class StickSlip(NamedTuple):
+    """Tractions near or at a solution."""
+
+    traction: NDArray  # (2, nx, ny) [Pa]
+    left: NDArray  # (2, nx, ny) [Pa] what the projection would change
+    direction: NDArray  # (2, nx, ny) of the traction where it slips, zero where it sticks
+    reduced: NDArray  # (nx, ny) [-] limit over trial traction where it slips, one where it sticks
+    stick: NDArray  # (nx, ny)
+
+
+def at_traction(law: StickSlipLaw, traction: NDArray) -> StickSlip:
+    r"""Evaluate the law of Coulomb.
+
+    .. math:: F = p - P_g(z),\quad z = p - \rho S(p),\quad
+              P_g(z) = z \min(1, g/|z|)
+
+    F = 0 is stick (S = 0, |p| <= g) or slip (p = -g S/|S|), for any rho > 0.
+
+    Parameters
+    ----------
+    law : StickSlipLaw
+        S [m], g [Pa], rho [Pa/m]
+    traction : array (2, nx, ny)
+        p [Pa]
+
+    Returns
+    -------
+    StickSlip
+        with F [Pa]; the projection has a kink at |z| = g
+
+    Source
+    ------
+    Alart and Curnier, Comput. Methods Appl. Mech. Eng. 92 (1991), 353-375.
+    """
+    trial = traction - law.stiffness * (law.offset + law.displacement(traction))
+    size = np.hypot(trial[0], trial[1])
+    stick = size <= law.limit
+    size = np.maximum(size, SLIPPING)
+    reduced = np.where(stick, 1.0, law.limit / size)
+    return StickSlip(traction, traction - reduced * trial, np.where(stick, 0.0, trial / size), reduced, stick)
+
+
+def stick_slip(law: StickSlipLaw, start: NDArray) -> StickSlip:
+    """Tractions that obey the law.
+
+    Parameters
+    ----------
+    law : StickSlipLaw
+        slip [m] and limit [Pa]
+    start : array (2, nx, ny)
+        tractions [Pa] to start from
+
+    Returns
+    -------
+    StickSlip
+
+    Raises
+    ------
+    NotSolved
+        when Newton's method stalls or reaches its limit
+
+    Source
+    ------
+    Semi-smooth Newton method; Qi and Sun, Math. Program. 58 (1993), 353-367.
+    """
+    scale = float(np.linalg.norm(np.minimum(law.limit, law.stiffness * np.hypot(*law.offset))))
+    state = at_traction(law, start)
+    size = float(np.linalg.norm(state.left))
+    for _ in range(LIMIT):
+        if size <= TOLERANCE * scale:
+            return state
+        change = _solved(law, state, -state.left, min(1e-2, max(1e-4, size / scale)))
+        part = 1.0
+        trial = at_traction(law, state.traction + change)
+        while not (smaller := np.linalg.norm(trial.left) < (1 - 1e-4 * part) * size) and part > SHORTEST:
+            part /= 2
+            trial = at_traction(law, state.traction + part * change)
+        if not smaller:
+            raise NotSolved(f"stick and slip: stalled at {size / scale:.1e} of the friction", "stalled")
+        state, size = trial, float(np.linalg.norm(trial.left))
+    raise NotSolved(
+        f"stick and slip: {size / scale:.1e} of the friction left after {LIMIT} Newton steps, allowed "
+        f"{TOLERANCE:.0e}",
+        "iteration limit",
+    )
+
+
+def traction_changes(
+    law: StickSlipLaw, state: StickSlip, offsets: NDArray, tolerance: float = 1e-2
+) -> NDArray:
+    """Changes of the tractions with the slip, the regions of stick and slip as they are.
+
+    Parameters
+    ----------
+    law : StickSlipLaw
+        at the solution
+    state : StickSlip
+        the solution
+    offsets : array (k, 2, nx, ny)
+        changes of the slip without traction [m]
+    tolerance : float
+        of the linear solves, relative [-]
+
+    Returns
+    -------
+    array (k, 2, nx, ny)
+        [Pa]
+
+    Source
+    ------
+    Derivative of the projection in `at_traction`.
+    """
+    stiffness = law.stiffness
+    return np.stack([_solved(law, state, -_turned(state, stiffness * part), tolerance) for part in offsets])
+
+
+def _turned(state: StickSlip, change: NDArray) -> NDArray:
+    """Change of the projection with that of its argument."""
+    along = (state.direction * change).sum(0)
+    return state.reduced * (change - along * state.direction)
+
+
+def _solved(law: StickSlipLaw, state: StickSlip, right: NDArray, tolerance: float) -> NDArray:
+    """Solution of the linearised law; a linear solve that ends early leaves the rest to the next step."""
+
+    def multiply(vector: NDArray) -> NDArray:
+        change = vector.reshape(right.shape)
+        trial = change - law.stiffness * law.displacement(change)
+        return (change - _turned(state, trial)).ravel()
+
+    system = LinearOperator((right.size, right.size), matvec=multiply, dtype=float)  # pyright: ignore
+    solution, _ = gmres(system, right.ravel(), rtol=tolerance, atol=0.0, restart=BASIS, maxiter=RESTARTS)
+    return solution.reshape(right.shape)

@@ -1,0 +1,128 @@
+"""Rolling contact against closed solutions, Kalker's table and the program CONTACT."""
+
+import numpy as np
+import pytest
+from pytest import approx
+
+from quasidynamic.contact.half_space import CellGrid, ElasticPair, grid_over
+from quasidynamic.contact.rolling.creep_coefficients import creep_coefficients
+from quasidynamic.contact.rolling.hertz_pressure import hertz_pressure
+from quasidynamic.contact.rolling.kalker import kalker
+from quasidynamic.contact.rolling.rolling_contact import MID_STEP, RollingContacts
+from quasidynamic.contact.rolling.transient import RollingSteps
+
+# Kalker (1990), Three-Dimensional Elastic Bodies in Rolling Contact, App. E: a/b, then C11, C22, C23
+TABLE = {
+    0.0: [
+        (0.1, 2.51, 2.51, 0.334),
+        (0.3, 2.68, 2.68, 0.607),
+        (0.5, 2.88, 2.88, 0.827),
+        (1.0, 3.40, 3.40, 1.33),
+    ],
+    0.25: [
+        (0.1, 3.31, 2.52, 0.473),
+        (0.2, 3.37, 2.63, 0.603),
+        (0.5, 3.62, 3.01, 0.929),
+        (1.0, 4.12, 3.67, 1.47),
+    ],
+    0.5: [
+        (0.1, 4.85, 2.53, 0.731),
+        (0.3, 4.80, 2.81, 0.889),
+        (0.5, 4.83, 3.14, 1.07),
+        (1.0, 5.20, 3.98, 1.63),
+    ],
+}
+ROWS = [(poisson, *row) for poisson, rows in TABLE.items() for row in rows]
+STICKING = 1e15  # [Pa] friction limit above any traction
+
+
+def pair(poisson):
+    return ElasticPair(shear=1 / 80e9, poisson=poisson / 80e9)
+
+
+def ellipse(semi_axes, shape, poisson, limit):
+    """Contact of the cells whose centres lie in the ellipse, with a limit on each."""
+    grid = grid_over(semi_axes, shape)
+    x, y = grid.centres
+    inside = (x / semi_axes[0]) ** 2 + (y / semi_axes[1]) ** 2 < 1
+    return RollingContacts((grid,), (pair(poisson),), np.where(inside, limit, 0.0)[None])
+
+
+@pytest.mark.parametrize(("poisson", "ratio", *("c11", "c22", "c23")), ROWS)
+def test_tabulated_coefficients_are_those_of_kalker(poisson, ratio, c11, c22, c23):
+    assert creep_coefficients(ratio, poisson) == approx([c11, c22, c23], rel=0.015)
+    assert creep_coefficients(ratio, poisson)[:2] == approx([c11, c22], rel=0.006)
+
+
+@pytest.mark.parametrize("row", [row for row in ROWS if row[0] == 0.25 and row[1] < 0.5], ids=str)
+def test_small_creep_gives_the_coefficients_of_kalker(row):
+    check_creep_forces(*row)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("row", [row for row in ROWS if row[0] == 0.25 and row[1] >= 0.5], ids=str)
+def test_small_creep_on_wide_contacts_gives_the_coefficients_of_kalker(row):
+    check_creep_forces(*row)
+
+
+def check_creep_forces(poisson, ratio, *coefficients):
+    b, size = 1e-3, 1e-6
+    a = ratio * b
+    contacts = ellipse((a, b), (80, 80), poisson, STICKING)
+    x, y = contacts.places(MID_STEP)
+    fields = np.zeros((3, 1, 2, 80, 80))
+    fields[0, :, 0], fields[1, :, 1] = 1.0, 1.0
+    fields[2, :, 0], fields[2, :, 1] = -y / b, x / b
+    forces = [-kalker(contacts, size * field).force[0] for field in fields]
+    unit = a * b * 80e9 * size
+    found = forces[0][0] / unit, forces[1][1] / unit, forces[2][1] / (unit * np.sqrt(a / b))
+    assert found[:2] == approx(coefficients[:2], rel=0.006)
+    assert found[2] == approx(coefficients[2], rel=0.015)
+
+
+@pytest.mark.parametrize("share", [0.4375, 0.75, 0.96])
+def test_long_cylinders_roll_as_carter_found(share):
+    """Johnson (1985), sec. 8.3: creep of a force of that share of the limit, and the length that sticks."""
+    cells, a, friction, peak, poisson = 200, 1e-3, 0.3, 1e9, 0.25
+    grid = CellGrid((2 * a / cells, 1000 * a), (cells, 1))  # a strip so wide that it is a line contact
+    edges = np.linspace(-1, 1, cells + 1)
+    area = (edges * np.sqrt(1 - edges**2) + np.arcsin(edges)) / 2
+    limit = friction * peak * np.diff(area) * cells / 2
+    contacts = RollingContacts((grid,), (pair(poisson),), limit[None, :, None])
+    creep = np.zeros((1, 2, cells, 1))
+    creep[0, 0] = friction * 2 * peak * (1 - poisson) / 80e9 * (1 - np.sqrt(1 - share))
+    rolled = kalker(contacts, creep)
+    assert -rolled.force[0, 0] / (limit.sum() * grid.cell_area) == approx(share, rel=0.005)
+    assert rolled.stick_share[0] == approx(np.sqrt(1 - share), abs=1e-9)
+    assert np.flatnonzero(rolled.stick[0])[-1] == cells - 1  # at the leading edge
+
+
+@pytest.mark.parametrize("share", [0.2, 0.5, 0.9])
+def test_spheres_under_a_side_force_slip_in_a_ring(share):
+    """Cattaneo and Mindlin; Johnson (1985), Eqs (7.41) and (7.42)."""
+    cells, a, load, friction, poisson = 64, 1e-3, 100.0, 0.3, 0.25
+    grid = grid_over((a, a), (cells, cells))
+    pressure = hertz_pressure(grid, (a, a), load)
+    shift = np.zeros((2, cells, cells))
+    shift[0] = -3 * friction * load * (2 - poisson) / (8 * 80e9 * a) * (1 - (1 - share) ** (2 / 3))
+    state = RollingSteps(grid, pair(poisson), cells=0).after(np.zeros_like(shift), shift, friction * pressure)
+    assert state.traction[0].sum() * grid.cell_area == approx(share * friction * load, rel=0.002)
+    radius = np.sqrt((state.stick & (pressure > 0)).sum() * grid.cell_area / np.pi)
+    assert radius == approx(a * (1 - share) ** (1 / 3), abs=2 * a / cells)
+
+
+def test_lateral_creep_and_spin_as_in_contact():
+    """Example fastsim.inp of CONTACT (first case), 44 by 44 cells: forces to its printed digits."""
+    a, b, load, cells = 8e-3, 4e-3, 82000.0, 44
+    grid = grid_over((1.1 * a, 1.1 * b), (cells, cells))
+    x, y = grid.centres
+    pressure = np.where((x / a) ** 2 + (y / b) ** 2 < 1, hertz_pressure(grid, (a, b), load), 0.0)
+    pressure *= load / (pressure.sum() * grid.cell_area)
+    steel = ElasticPair(shear=1 / 82e9, poisson=0.28 / 82e9)
+    contacts = RollingContacts((grid,), (steel,), 0.3 * pressure[None])
+    x, y = contacts.places(MID_STEP)
+    creep = np.stack([-0.625 * y + 0 * x, -6.25e-4 + 0.625 * x + 0 * y], 1)
+    rolled = kalker(contacts, creep)
+    assert rolled.force[0, 0] == approx(0.0, abs=0.01)
+    assert rolled.force[0, 1] == approx(-14940, rel=0.001)
+    assert rolled.moment[0] == approx(-48.21, rel=0.002)

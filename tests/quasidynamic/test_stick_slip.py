@@ -1,0 +1,179 @@
+"""Rolling with stick and slip: what must hold whatever the contact."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings, strategies as st
+from pytest import approx
+
+from quasidynamic.contact.half_space import ElasticPair, grid_over
+from quasidynamic.contact.rolling.fastsim import fastsim, flexibility
+from quasidynamic.contact.rolling.full_sliding import full_sliding
+from quasidynamic.contact.rolling.hertz_pressure import hertz_pressure
+from quasidynamic.contact.rolling.kalker import elastic_slip, kalker
+from quasidynamic.contact.rolling.rolling_contact import MID_STEP, RollingContacts
+from quasidynamic.contact.rolling.transient import RollingSteps
+from quasidynamic.errors import ImpossiblePart, NotSolved, OutOfRange
+from tests.random_contacts import STEEL, drawn
+
+LAWS = pytest.mark.parametrize("law", [kalker, fastsim, full_sliding])
+
+
+def power(rolled):
+    """Heat over rolling speed, counted by the rigid slip."""
+    return -(rolled.traction * rolled.creep).sum((1, 2, 3)) * rolled.contacts.cell_area
+
+
+def heathcote(shape, size=2e-4, axes=(3e-4, 2e-3)):
+    """A narrow contact with spin, and slip along that changes its sign across, partly sticking."""
+    grid = grid_over(axes, shape)
+    contacts = RollingContacts((grid,), (STEEL,), 0.1 * hertz_pressure(grid, axes, 2000.0)[None])
+    x, y = contacts.places(MID_STEP)
+    along = size * (4 * (y / axes[1]) ** 2 - 0.7) - 0.5 * size * y / axes[1] + 0 * x
+    return contacts, np.stack([along, 0.5 * size * x / axes[1] + 0 * y], 1)
+
+
+def check_coulomb(seed):
+    contacts, creep = drawn(seed, layers=seed % 3 == 0)
+    rolled, most = kalker(contacts, creep), contacts.limit.max()
+    slip, size = elastic_slip(rolled), np.hypot(rolled.traction[:, 0], rolled.traction[:, 1])
+    assert np.all(size <= contacts.limit + 1e-4 * most)
+    assert np.all((rolled.traction * slip).sum(1) <= 1e-5 * most * np.abs(creep).max())
+    assert power(rolled)[0] <= power(full_sliding(contacts, creep))[0] * (1 + 1e-5)
+    assert power(rolled)[0] >= 0.0
+
+
+@settings(max_examples=20, deadline=None)
+@given(seed=st.integers(0, 2**31))
+def test_traction_keeps_its_limit_and_opposes_slip_and_heats_less_than_full_sliding(seed):
+    check_coulomb(seed)
+
+
+@pytest.mark.slow
+@settings(max_examples=1000, deadline=None)
+@given(seed=st.integers(0, 2**31))
+def test_a_thousand_contacts_heat_less_than_full_sliding(seed):
+    check_coulomb(seed)
+
+
+def test_nothing_slips_where_it_sticks_and_traction_is_at_its_limit_where_it_slips():
+    contacts, creep = heathcote((20, 40))
+    rolled = kalker(contacts, creep)
+    slip, size = elastic_slip(rolled), np.hypot(rolled.traction[:, 0], rolled.traction[:, 1])
+    assert 0.1 < rolled.stick_share[0] < 0.9
+    assert np.abs(slip[:, :, rolled.stick[0] & (contacts.limit[0] > 0)]).max() < 1e-5 * np.abs(creep).max()
+    assert size[~rolled.stick] == approx(contacts.limit[~rolled.stick], rel=1e-5)
+
+
+def test_stiff_bodies_slide_everywhere():
+    contacts, creep = heathcote((20, 40))
+    stiff = replace(contacts, pairs=(ElasticPair(STEEL.shear / 1e3, STEEL.poisson / 1e3),))
+    sliding = power(full_sliding(contacts, creep))
+    for law in (kalker, fastsim):
+        assert power(law(stiff, creep)) == approx(sliding, rel=1e-4)
+
+
+def test_heat_converges_with_the_cells():
+    """By at least half with cells of half the size."""
+    heats = [power(kalker(*heathcote(shape, size=1e-3)))[0] for shape in ((10, 20), (20, 40), (40, 80))]
+    changes = np.abs(np.diff(heats)) / heats[-1]
+    assert changes[1] < 0.5 * changes[0]
+    assert changes[1] < 0.012
+
+
+def test_rolling_from_rest_ends_in_the_steady_state():
+    contacts, creep = heathcote((10, 20))
+    steps = RollingSteps(contacts.grids[0], STEEL)
+    traction = np.zeros_like(creep[0])
+    for _ in range(60):
+        traction = steps.after(traction, creep[0] * contacts.step[0], contacts.limit[0]).traction
+    steady = kalker(contacts, creep).traction[0]
+    assert traction == approx(steady, abs=2e-3 * contacts.limit.max())
+
+
+def test_first_contact_without_rolling_does_not_stick_at_the_leading_edge_alone():
+    """Symmetric before rolling, by the kernel that has no direction."""
+    contacts, creep = heathcote((20, 40))
+    even = np.stack([np.broadcast_to(creep[0, 0, :1], (20, 40)), np.zeros((20, 40))]) * contacts.step[0]
+    steps = RollingSteps(contacts.grids[0], STEEL, cells=0)
+    traction = steps.after(np.zeros_like(even), even, contacts.limit[0]).traction
+    assert traction[0] == approx(traction[0, ::-1], abs=1e-5 * contacts.limit.max())
+
+
+def test_fastsim_heats_as_half_spaces_do():
+    contacts, creep = heathcote((20, 40), size=1e-3)
+    assert power(fastsim(contacts, creep)) == approx(power(kalker(contacts, creep)), rel=0.05)
+
+
+@LAWS
+def test_changes_of_traction_are_its_derivative(law, monkeypatch):
+    """That of FASTSIM with the flexibility as it is."""
+    contacts, creep = heathcote((10, 20))
+    springs = flexibility(contacts, creep)
+    monkeypatch.setattr("quasidynamic.contact.rolling.fastsim.flexibility", lambda *_: springs)
+    way = np.array([[np.ones((10, 20)), np.zeros((10, 20))], [np.zeros((10, 20)), np.ones((10, 20))]])[None]
+    step = 1e-4 * np.abs(creep).max()
+    rolled = law(contacts, creep)
+    for change, each in zip(rolled.changes(way)[0], way[0], strict=True):
+        up, down = (law(contacts, creep + sign * step * each).force[0] for sign in (1, -1))
+        found = change.sum((-2, -1)) * contacts.cell_area[0]
+        assert found == approx((up - down) / (2 * step), rel=0.03, abs=0.02 * np.abs(found).max())
+
+
+@LAWS
+def test_contacts_side_by_side_are_those_alone(law):
+    first, second = heathcote((10, 20)), heathcote((10, 20), size=5e-4, axes=(4e-4, 1e-3))
+    both = RollingContacts(
+        first[0].grids + second[0].grids, (STEEL, STEEL), np.concatenate([first[0].limit, second[0].limit])
+    )
+    together = law(both, np.concatenate([first[1], second[1]]))
+    for number, (contacts, creep) in enumerate((first, second)):
+        alone = law(contacts, creep)
+        assert together.traction[number] == approx(alone.traction[0], rel=1e-9, abs=1e-3)
+
+
+@pytest.mark.parametrize("law", [kalker, fastsim])
+def test_a_soft_layer_makes_more_stick_and_less_heat(law):
+    contacts, creep = heathcote((20, 40))
+    layer = np.full_like(contacts.limit, 2e-6 / contacts.limit.max())  # 2 um at the largest traction
+    stiff, soft = law(contacts, creep), law(replace(contacts, compliance=layer), creep)
+    assert soft.stick_share[0] > stiff.stick_share[0]
+    assert power(soft)[0] < power(stiff)[0]
+
+
+def test_a_start_near_the_solution_finds_the_same_one():
+    contacts, creep = heathcote((20, 40))
+    cold = kalker(contacts, creep)
+    warm = kalker(contacts, creep, fastsim(contacts, creep).traction)
+    assert warm.traction == approx(cold.traction, abs=1e-5 * contacts.limit.max())
+
+
+def test_pressure_of_cells_sums_to_the_load():
+    for shape in ((1, 1), (7, 12), (40, 80)):
+        grid = grid_over((1e-3, 2e-3), shape)
+        pressure = hertz_pressure(grid, (1e-3, 2e-3), 500.0)
+        assert pressure.sum() * grid.cell_area == approx(500.0, rel=2e-3)
+        assert pressure.max() <= 1.5 * 500.0 / (np.pi * 2e-6)
+
+
+def test_newton_that_ends_too_early_is_told(monkeypatch):
+    monkeypatch.setattr("quasidynamic.contact.rolling.stick_slip.LIMIT", 2)
+    with pytest.raises(NotSolved, match="left after 2 Newton steps") as stopped:
+        kalker(*heathcote((10, 20)))
+    assert stopped.value.outcome == "iteration limit"
+
+
+def test_impossible_contacts_are_refused():
+    contacts, _ = heathcote((10, 20))
+    with pytest.raises(ImpossiblePart, match="limit must be finite"):
+        replace(contacts, limit=-contacts.limit)
+    with pytest.raises(ImpossiblePart, match="compliance must be finite"):
+        replace(contacts, compliance=np.full_like(contacts.limit, np.nan))
+    with pytest.raises(ImpossiblePart, match="do not fit"):
+        replace(contacts, limit=contacts.limit[:, 1:])
+
+
+def test_fastsim_refuses_patches_beyond_its_table():
+    with pytest.raises(OutOfRange, match="a/b = 0\\.01"):
+        fastsim(*heathcote((10, 20), axes=(2e-5, 2e-3)))
