@@ -56,6 +56,7 @@ def fastsim(contacts: RollingContacts, creep: NDArray, start: NDArray | None = N
     stick = size <= contacts.limit
 
     def changes(creep_changes: NDArray) -> NDArray:
+        """Changes of the tractions [Pa] by those of the creep."""
         return _changes(flexible, traction, np.where(stick, 0.0, size), creep_changes * step[:, None, None])
 
     return Rolled(contacts, creep, traction, stick, changes)

@@ -35,6 +35,7 @@ def full_sliding(contacts: RollingContacts, creep: NDArray, start: NDArray | Non
     direction, limit = creep / size, contacts.limit[:, None]
 
     def changes(creep_changes: NDArray) -> NDArray:
+        """Changes of the tractions [Pa] by those of the creep."""
         towards = direction[:, None]
         along = (towards * creep_changes).sum(2, keepdims=True)
         return -(limit / size)[:, None] * (creep_changes - along * towards)

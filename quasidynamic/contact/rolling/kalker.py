@@ -50,6 +50,7 @@ def kalker(contacts: RollingContacts, creep: NDArray, start: NDArray | None = No
     states = [_settled(law, traction) for law, traction in zip(laws, first, strict=True)]
 
     def changes(creep_changes: NDArray) -> NDArray:
+        """Changes of the tractions [Pa] by those of the creep."""
         offsets = creep_changes * contacts.step[:, None, None, None, None]
         return np.stack([traction_changes(*each) for each in zip(laws, states, offsets, strict=True)])
 
@@ -96,6 +97,7 @@ def _law(contacts: RollingContacts, creep: NDArray, number: int) -> StickSlipLaw
     layer = contacts.compliance[number]
 
     def with_layer(traction: NDArray) -> NDArray:
+        """Displacement of half-spaces and layer over a step."""
         displacement, sheared = grown(traction), layer * traction
         displacement += sheared
         displacement[:, :-1] -= sheared[:, 1:]

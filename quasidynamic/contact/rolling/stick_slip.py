@@ -152,6 +152,7 @@ def _solved(law: StickSlipLaw, state: StickSlip, right: NDArray, tolerance: floa
     """Solution of the linearised law; a linear solve that ends early leaves the rest to the next step."""
 
     def multiply(vector: NDArray) -> NDArray:
+        """Multiply by the derivative of what is left."""
         change = vector.reshape(right.shape)
         trial = change - law.stiffness * law.displacement(change)
         return (change - _turned(state, trial)).ravel()
