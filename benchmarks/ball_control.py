@@ -45,7 +45,7 @@ CURVES = [
     *(
         Curve(
             f"Coulomb, µ = {friction}",
-            {"operation.control": "coulomb", "operation.friction": friction},
+            {"operation.control": "coulomb", "friction.coefficient": friction},
             color,
         )
         for friction, color in FRICTIONS

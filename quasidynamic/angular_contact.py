@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from quasidynamic.balance.balls.angular_contact import AngularBalance, race_contacts
 from quasidynamic.balance.balls.race_control import PrescribedControl, RaceControl
 from quasidynamic.contact.ellipse.point_contact import PointContact
+from quasidynamic.contact.ellipse.rigid_slip import Spin
 from quasidynamic.errors import ImpossiblePart, NotSolved, require_positive
 from quasidynamic.outcome.angular_contact_state import AngularContactState
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
@@ -42,13 +43,13 @@ class AngularContactBallBearing:
 
     bearing: AngularContactBearing
     control: Literal["outer", "inner", "equal", "coulomb"] = "outer"  # "coulomb": none, friction decides
-    friction: float | None = None  # [-] Coulomb coefficient of the contacts; with control "coulomb" only
+    friction: float | None = None  # [-] Coulomb coefficient of the contacts; no torque of friction without it
+    spin: Spin = "centre"  # that makes slip across in contacts: of their middle as Jones, or of each point
 
     def __post_init__(self):
-        if (self.control == "coulomb") != (self.friction is not None):
+        if self.control == "coulomb" and self.friction is None:
             raise ImpossiblePart(
-                f'control = {self.control!r} with friction = {self.friction!r}: "coulomb" needs a '
-                "coefficient of friction, no other control takes one"
+                'control = "coulomb" with friction = None: it needs a coefficient of friction'
             )
         if self.friction is not None:
             require_positive("friction", self.friction)
@@ -92,7 +93,6 @@ class AngularContactBallBearing:
                 AngularContactState(
                     bearing=self.bearing,
                     operation=operation,
-                    contacts=balance.contacts,
                     ring_displacement=solution.ring[case] / scale,
                     ring_load=ring.carried[case] * scale,
                     stiffness=ring.stiffness[case] * np.outer(scale, scale),
@@ -107,7 +107,8 @@ class AngularContactBallBearing:
                     gyroscopic_moment=kinematics.gyroscopic[case],
                     evaluations=int(solution.evaluations[case]),
                     friction=self.friction,
-                    friction_heat=None if heat is None else heat[case],
+                    spin=self.spin,
+                    sliding_heat=None if heat is None else heat[case],
                 )
             )
         return states
@@ -119,7 +120,7 @@ class AngularContactBallBearing:
     @cached_property
     def _race_control(self) -> RaceControl:
         if self.control == "coulomb":
-            return CoulombControl(self.bearing, self._contacts, cast(float, self.friction))
+            return CoulombControl(self.bearing, self._contacts, cast(float, self.friction), self.spin)
         return PrescribedControl(self.bearing, self.control)
 
     def _too_wide(self, loads: NDArray) -> bool:

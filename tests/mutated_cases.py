@@ -122,7 +122,7 @@ VARIANTS: dict[str, tuple[str, tuple[str, ...]]] = {
     )),
     "measured friction": ("joshi2015_qj309", ("friction.coefficient=",
         'friction.pressures=["1 GPa", "3 GPa"]', "friction.coefficients=[0.12, 0.1]")),
-    "angular coulomb": ("harris218", ("operation.control=coulomb", "operation.friction=0.08")),
+    "angular coulomb": ("harris218", ("operation.control=coulomb", "friction.coefficient=0.08")),
     "angular inner control": ("harris218", ("operation.control=inner",)),
     "angular radial": ("rivera2021_7008", ("operation.load.radial_z=300 N",
         "bearing.inner.shoulder=1.5 mm", "bearing.outer.shoulder=1.5 mm")),

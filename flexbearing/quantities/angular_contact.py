@@ -21,8 +21,8 @@ from flexbearing.quantities.reductions import (
 from flexbearing.quantities.units import COUNT, DEG, MM, MPA, MRAD, RPM, UM
 
 RING = "ring"  # section of the page
-_APART = "NaN for a ball that does not touch both races"
-_COULOMB = "with control coulomb"
+_APART = "NaN for a ball without lines, as one that does not touch both races"
+_FRICTION = "absent where a contact is as wide as the surface it presses"
 _ORDER = "x, y, z, about y, about z"
 
 
@@ -88,9 +88,10 @@ QUANTITIES = (
             entries=EXTENT),)),
     Quantity("ball_yaw", "psi", "Z", "rad", "block",
         "angle of the ball's axis out of the plane of the section, positive: -x end leads towards "
-        "+azimuth; 0 but with control coulomb", source="state.yaw", people=DEG,
+        "+azimuth; absent but with control coulomb, zero by assumption", source="free.yaw", people=DEG,
+        optional=True,
         summary=(SummaryValue("ball_yaw_range_deg", finite_range, "yaw of the ball's axis", ".3f",
-            beside="friction_torque_Nm", entries=EXTENT),)),
+            entries=EXTENT),)),
     Quantity("centrifugal_force", "F_c", "Z", "N", "block", "force of the orbit, outwards",
         summary=(SummaryValue("centrifugal_force_range_N", finite_range, "centrifugal force", ".3f",
             entries=EXTENT),)),
@@ -98,10 +99,10 @@ QUANTITIES = (
         "moment that turns the ball's axis with the orbit", people=Unit("mN m", 1e3),
         summary=(SummaryValue("gyroscopic_moment_range_Nm", finite_range, "gyroscopic moment", ".4f",
             in_si=True, entries=EXTENT),)),
-    Quantity("friction_torque", "", "", "N m", "block", f"torque between the rings by friction; {_COULOMB}",
-        optional=True,
+    Quantity("friction_torque", "", "", "N m", "block", "torque between the rings by Coulomb friction in "
+        f"the contacts, whatever the race control; {_FRICTION}", optional=True,
         summary=(SummaryValue("friction_torque_Nm", label="friction torque", digits=".4g"),)),
-    Quantity("friction_heat", "Phi", "Z", "W", "block", f"heat of friction of both contacts; {_COULOMB}",
+    Quantity("friction_heat", "Phi", "Z", "W", "block", f"heat of friction of both contacts; {_FRICTION}",
         optional=True,
         summary=(SummaryValue("friction_heat_range_W", finite_range, "heat of friction of a ball", ".4g",
             entries=EXTENT),)),
@@ -135,14 +136,15 @@ QUANTITIES = (
         f"e, friction in the rolling direction over coefficient times load; {_APART}",
         source="lines.net_friction", optional=True, gaps=True),
     Quantity("first_line", "c_1", "race Z", "1", "block",
-        "c1, place over the semi-axis, positive towards the bottom of the grooves; at or below -1 it "
+        "c1, place over the semi-axis, positive towards smaller contact angles; at or below -1 it "
         f"lies outside the contact; {_APART}", source="lines.first_line", optional=True, gaps=True, summary=(
             SummaryValue("first_line_range", _range_of_races, "c1, first pure rolling line", ".3f",
                 parts=RACES, entries=EXTENT),
             SummaryValue("first_lines", parts=RACES),
         )),
     Quantity("second_line", "c_2", "race Z", "1", "block",
-        f"c2, place over the semi-axis, positive towards the bottom of the grooves; {_APART}",
+        "c2 > c1, place over the semi-axis, positive towards smaller contact angles; at or above 1 it lies "
+        f"outside the contact; {_APART}",
         source="lines.second_line", optional=True, gaps=True, summary=(
             SummaryValue("second_line_range", _range_of_races, "c2, second pure rolling line", ".3f",
                 parts=RACES, entries=EXTENT),
@@ -157,21 +159,25 @@ QUANTITIES = (
             SummaryValue("line_counts", parts=RACES),
         )),
     Quantity("spin_torque", "M_s", "race Z", "N m", "block",
-        f"friction torque about the contact normal, integrated over the contact; {_APART}",
+        "friction torque about the contact normal, integrated over the contact, of the sign of E; "
+        f"{_APART}",
         source="lines.spin_torque", optional=True, gaps=True),
     Quantity("spin_torque_by_lines", "", "race Z", "N m", "block",
         f"the same from c1 and c2 alone, as for a narrow contact; {_APART}",
         source="lines.spin_torque_by_lines", optional=True, gaps=True),
     Quantity("spin_friction", "", "", "N m", "block",
-        "sum of spin_torque times the sine of the contact angle over all contacts, Eq. (24) of Rivera, "
-        "Tong and Hong (2021)", source="lines.spin_friction", optional=True,
-        summary=(SummaryValue("spin_friction_Nm", label="spin torque on the shaft", digits=".4g"),)),
+        "sum of spin_torque times the sine of the contact angle over the contacts of both races, Eq. (24) of "
+        "Rivera, Tong and Hong (2021); not the torque between the rings, which is friction_torque",
+        source="lines.spin_friction", optional=True,
+        summary=(SummaryValue("spin_friction_Nm", label="sum of spin torques, Rivera Eq. (24)",
+            digits=".4g"),)),
     Quantity("spin_friction_by_lines", "", "", "N m", "block", "the same of spin_torque_by_lines",
         source="lines.spin_friction_by_lines", optional=True,
         summary=(SummaryValue("spin_friction_by_lines_Nm", label="  by the pure rolling lines",
             digits=".4g"),)),
     Quantity("slip_position", "x/a", "P", "1", "block",
-        "place across the contact over the semi-axis, positive towards the bottom of the grooves",
+        "place across the contact over the semi-axis, positive towards smaller contact angles: towards the "
+        "bottom of the grooves where these are above zero",
         source="lines.slip_position", optional=True),
     Quantity("slip_profile", "v_t", "race Z P", "m/s", "block",
         f"slip in the rolling direction, ball minus race, across the middle of the contact; {_APART}",

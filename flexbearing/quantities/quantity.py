@@ -38,7 +38,6 @@ class SummaryValue:
     entries: tuple[str, ...] = ()  # names of the numbers of a short list, such as y and z, or that of a part
     speed: str = ""  # quantity by which its revolutions become a time
     section: str = ""  # of the page
-    beside: str = ""  # key without which it has no row: a value that then is zero by assumption
     compared: bool = True  # whether its change from block to block means something
     error: str = ""  # name of its estimated numerical error in the attribute error_estimate
     error_relative: bool = True  # the estimate is over the value

@@ -21,8 +21,7 @@ class Solution:
     """A solved case."""
 
     state: qd.AngularContactState
-    contact: RollingContact | None  # None when the pure rolling lines do not exist
-    reason: str = ""  # why they do not
+    contact: RollingContact
 
 
 def bearing(case: AngularCase) -> qd.AngularContactBallBearing:
@@ -39,7 +38,8 @@ def bearing(case: AngularCase) -> qd.AngularContactBallBearing:
             first_ball_azimuth=parts.first_ball_azimuth,
         ),
         control=case.operation.control,
-        friction=case.operation.friction,
+        friction=case.friction.coefficient,
+        spin=case.friction.spin,
     )
 
 
@@ -62,23 +62,19 @@ def solved(case: AngularCase) -> Solution:
     """Balance and pure rolling lines; raises `NotSolved`, `OutOfRange` or `ImpossiblePart`."""
     state = bearing(case).solve(operation(case))
     lines = case.rolling_lines
-    if not (state.loads > 0).all(0).any():
-        return Solution(state, None, "no ball touches both races")
-    try:
-        return Solution(state, state.rolling_contact(spin=lines.spin, friction=lines.net_force))
-    except (qd.OutOfRange, qd.NotSolved) as problem:
-        return Solution(state, None, str(problem))
+    return Solution(state, state.rolling_contact(spin=lines.spin, friction=lines.net_force))
 
 
 def block(case: AngularCase, solution: Solution) -> dict[str, NDArray]:
     """Quantities of the solution."""
     state, contact = solution.state, solution.contact
-    lines = None if contact is None else _lines(case, state, contact)
-    return taken(LAYOUT.quantities, {"state": state, "lines": lines})
+    lines = _lines(case, state, contact) if len(contact.balls) else None
+    free = {"yaw": state.yaw} if case.operation.control == "coulomb" else None
+    return taken(LAYOUT.quantities, {"state": state, "lines": lines, "free": free})
 
 
 def _lines(case: AngularCase, state: qd.AngularContactState, contact: RollingContact) -> dict[str, NDArray]:
-    """Pure rolling lines; not a number for balls that do not touch both races."""
+    """Pure rolling lines; not a number for balls without any."""
 
     def spread(values: NDArray) -> NDArray:
         whole = np.full((2, state.loads.shape[1], *values.shape[2:]), np.nan)
@@ -86,8 +82,8 @@ def _lines(case: AngularCase, state: qd.AngularContactState, contact: RollingCon
         return whole
 
     position = np.linspace(-1.0, 1.0, case.rolling_lines.points)
-    integral = contact.spin_torques(case.rolling_lines.coefficient)
-    by_lines = contact.spin_torques(case.rolling_lines.coefficient, "lines")
+    integral = contact.spin_torques(case.friction.coefficient)
+    by_lines = contact.spin_torques(case.friction.coefficient, "lines")
     weight = np.sin(state.contact_angles[:, contact.balls])
     return {
         "line_parameter": spread(contact.parameter),
@@ -126,16 +122,30 @@ def notes(case: AngularCase, solution: Solution) -> tuple[Note, ...]:
                 "their orbit, spin and tractions are estimates",
             ),
         )
-    if solution.contact is None:
-        near = "; next to a controlling race the spin may be against the contact angle"
-        reason = f"{solution.reason}{near * (case.operation.control != 'equal')}"
-        lines += (information("no-rolling-lines", f"no pure rolling lines: {reason}"),)
-    return lines + _gyroscopic(case, state)
+    return lines + _lineless(solution) + _gyroscopic(case, state)
+
+
+def _lineless(solution: Solution) -> tuple[Note, ...]:
+    """Balls that touch both races and have no pure rolling lines, and why."""
+    contact, count = solution.contact, solution.state.loads.shape[1]
+    if not (solution.state.loads > 0).all(0).any():
+        return (information("no-rolling-lines", "no pure rolling lines: no ball touches both races"),)
+    reasons = {
+        "a contact is as wide as the surface it presses, nor is there a friction torque: the load is far too "
+        "high": len(contact.wide),
+        'their friction moments about the spin axis do not balance (rolling_lines.net_force = "balanced"), '
+        "they slide on one race": len(contact.sliding),
+    }
+    return tuple(
+        information("no-rolling-lines", f"no pure rolling lines of {balls} of {count} balls: {reason}")
+        for reason, balls in reasons.items()
+        if balls
+    )
 
 
 def _gyroscopic(case: AngularCase, state: qd.AngularContactState) -> tuple[Note, ...]:
     """Whether friction holds the gyroscopic moments."""
-    if state.friction is not None:
+    if case.operation.control == "coulomb":
         lying = state.on_inner & ~state.upright
         if not lying.any():
             return ()
@@ -146,14 +156,14 @@ def _gyroscopic(case: AngularCase, state: qd.AngularContactState) -> tuple[Note,
                 f"towards the shaft, down to {np.degrees(np.abs(state.attitude[lying]).min()):.1f} deg",
             ),
         )
-    needed, coefficient = state.needed_friction.max(), case.rolling_lines.coefficient
+    needed, coefficient = state.needed_friction.max(), case.friction.coefficient
     if needed <= coefficient:
         return ()
     return (
         outside(
             "gyroscopic-moment",
             f"gyroscopic moment: held by friction with a coefficient of up to {needed:.3g}, more than "
-            f"rolling_lines.coefficient = {coefficient:g}: in reality balls would turn about the rolling "
+            f"friction.coefficient = {coefficient:g}: in reality balls would turn about the rolling "
             "direction",
         ),
     )

@@ -6,17 +6,17 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from quasidynamic.errors import NotSolved, OutOfRange
+from quasidynamic.errors import OutOfRange
 
 PANEL_POINTS = (48, 48)  # across and along the rolling direction, on each panel
 ROUNDS = 60  # of the friction of a ball, each a factor of about a/D closer
 
 
 class RollingLines(NamedTuple):
-    """Pure rolling lines, counted along the groove section, towards the bottom of both grooves."""
+    """Pure rolling lines, counted along the groove section, towards smaller contact angles."""
 
     first: NDArray  # (...) c1, over the semi-axis a; at or below -1 it lies outside the contact
-    second: NDArray  # (...) c2, over the semi-axis a
+    second: NDArray  # (...) c2 > c1, over the semi-axis a; at or above 1 it lies outside the contact
     count: NDArray  # (...) lines inside the contact, 1 or 2
 
 
@@ -88,7 +88,7 @@ def rolling_lines(parameter: ArrayLike, net_force: ArrayLike = 0.0) -> RollingLi
     Parameters
     ----------
     parameter : array (...)
-        E [-], >= 0; mirror the section where it is negative
+        E [-]; where it is negative, lines are those of -E in the mirrored section
     net_force : array (...)
         e, friction in the rolling direction over mu Q [-], in (-1, 1), positive where the outside of the
         lines prevails; zero for a ball that neither drives nor brakes
@@ -100,7 +100,7 @@ def rolling_lines(parameter: ArrayLike, net_force: ArrayLike = 0.0) -> RollingLi
     Raises
     ------
     OutOfRange
-        E below zero or |e| not below one
+        |e| not below one
 
     Source
     ------
@@ -115,18 +115,20 @@ def rolling_lines(parameter: ArrayLike, net_force: ArrayLike = 0.0) -> RollingLi
     0.3473
     """
     spin, force = np.broadcast_arrays(np.asarray(parameter, float), np.asarray(net_force, float))
-    if not np.all(spin >= 0.0):
-        raise OutOfRange("spin parameter E must be >= 0: mirror the section of the contact")
     if not np.all(np.abs(force) < 1.0):
         raise OutOfRange("net friction e must lie in (-1, 1): beyond it the ball slides everywhere")
     alone = -2 * np.sin(np.arcsin(force) / 3)
-    single = spin >= 1 - alone
-    inside = np.where(single, 0.0, spin)
+    size = np.abs(spin)
+    single = size >= 1 - alone
+    inside = np.where(single, 0.0, size)
     slack = np.sqrt(np.maximum(4 - inside**2, 0.0))  # of d^3 - 3 slack^2 d + 8 (1 - e) = 0, d = c2 - c1
     turn = np.arccos(np.clip(-4 * (1 - force) / slack**3, -1.0, 1.0))
     apart = 2 * slack * np.cos((turn - 2 * np.pi) / 3)
-    second = np.where(single, alone, (apart - inside) / 2)
-    return RollingLines(-spin - second, second, np.where(single, 1, 2))
+    near = np.where(single, alone, (apart - inside) / 2)
+    far, mirrored = -size - near, spin < 0
+    return RollingLines(
+        np.where(mirrored, -near, far), np.where(mirrored, -far, near), np.where(single, 1, 2)
+    )
 
 
 def slip_velocity(
@@ -139,20 +141,20 @@ def slip_velocity(
 ) -> NDArray:
     r"""Slip of the ball over the race along the section of the contact, in the rolling direction.
 
-    .. math:: v(x) = \omega_{roll} [h(x) - h(c_2 a) - S (x - c_2 a)],\quad h(x) = \sqrt{R^2 - x^2}
+    .. math:: v(x) = \omega_{roll} [h(x) - h(c a) - S (x - c a)],\quad h(x) = \sqrt{R^2 - x^2}
 
     Parameters
     ----------
     position : array (...)
-        x/a, from -1 to 1 [-], positive towards the bottom of the groove
+        x/a, from -1 to 1 [-], positive towards smaller contact angles
     lines : RollingLines
-        c2 fixes where the ball rolls
+        c, the one nearer to the middle of the contact, fixes where the ball rolls
     semi_axis, section_radius : array (...)
         a, R [m]
     rolling : array (...)
         omega_roll, the speed of the race against the cage over gamma [rad/s]
     spin_to_roll : array (...)
-        S [-]; with E = 2 R S/a the second zero is c1 up to (a/R)^2
+        S [-]; with E = 2 R S/a the second zero is the other line up to (a/R)^2
 
     Returns
     -------
@@ -163,7 +165,8 @@ def slip_velocity(
     ------
     Jones, J. Basic Eng. 81 (1959); Rivera, Tong and Hong (2021), Eqs (1) and (2), with their spin (7), (8).
     """
-    x, line = np.asarray(position) * semi_axis, lines.second * semi_axis
+    x = np.asarray(position) * semi_axis
+    line = np.where(np.abs(lines.first) < np.abs(lines.second), lines.first, lines.second) * semi_axis
     height = (line**2 - x**2) / (np.sqrt(section_radius**2 - x**2) + np.sqrt(section_radius**2 - line**2))
     return rolling * (height - spin_to_roll * (x - line))
 
@@ -173,6 +176,8 @@ def spin_torque_factor(lines: RollingLines) -> NDArray:
 
     .. math:: \tfrac38 [2 (c_1^2 - c_2^2) - (c_1^4 - c_2^4)]\ \text{(two lines)},\quad
               \tfrac38 (1 - c_2^2)^2\ \text{(one line)}
+
+    with the sign of E.
 
     Parameters
     ----------
@@ -192,7 +197,7 @@ def spin_torque_factor(lines: RollingLines) -> NDArray:
     -----
     The limit b/a -> 0 of `spin_torque_integral`.
     """
-    first, second = np.maximum(lines.first, -1.0) ** 2, lines.second**2
+    first, second = np.maximum(lines.first, -1.0) ** 2, np.minimum(lines.second, 1.0) ** 2
     return 0.375 * (2 * (first - second) - (first**2 - second**2))
 
 
@@ -266,7 +271,7 @@ def ball_friction(
     Parameters
     ----------
     parameters : array (2, ...)
-        E, inner then outer race [-], >= 0
+        E, inner then outer race [-]
     loads, semi_axes : array (2, ...)
         Q [N], > 0, and a [m]
     angles : array (2, ...)
@@ -277,12 +282,8 @@ def ball_friction(
     Returns
     -------
     array (2, ...)
-        e, inner then outer race [-]
-
-    Raises
-    ------
-    NotSolved
-        when the friction moments do not balance with |e| below one
+        e, inner then outer race [-]; not a number for a ball whose moments do not balance with |e| below
+        one: it slides on one race
 
     Source
     ------
@@ -293,13 +294,15 @@ def ball_friction(
     The attitude of the ball is that of a raceway control: the moment across its spin axis is not balanced.
     """
     force = np.zeros(np.shape(loads)[1:])
+    least, balanced = loads.min(0), np.zeros(force.shape, bool)
     lever = 0.5 * ball_diameter * np.cos(angles).sum(0)
     for _ in range(ROUNDS):
-        part = force / loads
-        if not np.all(np.abs(part) < 1):
-            break
+        rolling = np.abs(force) < least
+        part = np.where(rolling, force, 0.0) / loads
         moments = loads * semi_axes * spin_torque_factor(rolling_lines(parameters, part))
-        before, force = force, (moments[0] * np.sin(angles[0]) - moments[1] * np.sin(angles[1])) / lever
-        if np.all(np.abs(force - before) <= 1e-13 * loads.min(0)):
-            return force / loads
-    raise NotSolved("friction moments of a ball do not balance: it slides on one race", "iteration limit")
+        before, turning = force, (moments[0] * np.sin(angles[0]) - moments[1] * np.sin(angles[1])) / lever
+        force = np.where(rolling, turning, before)
+        balanced = rolling & (np.abs(force - before) <= 1e-13 * least)
+        if (balanced | ~rolling).all():
+            break
+    return np.where(balanced, force, np.nan) / loads

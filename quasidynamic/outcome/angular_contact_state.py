@@ -1,13 +1,18 @@
 """How an angular-contact ball bearing carries its load."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
+from functools import cached_property
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from quasidynamic.balance.balls.angular_contact import race_contacts
 from quasidynamic.balance.balls.light_ball import FULL_ANGLE, FULL_GRIP
-from quasidynamic.contact.ellipse.point_contact import INNER, OUTER, PointContact, require_narrow
+from quasidynamic.contact.ellipse.full_sliding import Ellipse
+from quasidynamic.contact.ellipse.point_contact import INNER, OUTER, PointContact
+from quasidynamic.contact.ellipse.rigid_slip import Spin
+from quasidynamic.motion.ball_slip import BallContacts, pressed_height
 from quasidynamic.motion.ball_speeds import Control, ball_attitude, spin_to_roll
 from quasidynamic.motion.rolling_lines import (
     ball_friction,
@@ -18,6 +23,7 @@ from quasidynamic.motion.rolling_lines import (
 from quasidynamic.outcome.rolling_contact import RollingContact
 from quasidynamic.outcome.truncation import USUAL_SHOULDER, edge_angle, height_above_bottom
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
+from quasidynamic.solve.balls.sliding_motion import guided_heat
 
 CONTROLS: tuple[Control, ...] = ("outer", "inner")
 UPRIGHT = 0.9  # of the attitude under race control: what is left of it where friction holds
@@ -29,7 +35,6 @@ class AngularContactState:
 
     bearing: AngularContactBearing
     operation: RingOperation
-    contacts: tuple[PointContact, PointContact]
     ring_displacement: NDArray  # (5) [m, m, m, rad, rad] of the inner ring: x, y, z, about y, about z
     ring_load: NDArray  # (5) [N, N, N, N m, N m] that the balls take up
     stiffness: NDArray  # (5, 5) load per displacement, balls in balance [N/m, N, N m]
@@ -43,8 +48,36 @@ class AngularContactState:
     centrifugal_force: NDArray  # (Z) [N]
     gyroscopic_moment: NDArray  # (Z) [N m]
     evaluations: int  # of all balls
-    friction: float | None = None  # [-] Coulomb coefficient, where friction decides what balls do
-    friction_heat: NDArray | None = None  # (Z) [W] of both contacts, known there
+    friction: float | None = None  # [-] Coulomb coefficient of the contacts
+    spin: Spin = "centre"  # that makes slip across in contacts, see `strip_slip`
+    sliding_heat: NDArray | None = None  # (Z) [W] of both contacts, where friction decides what balls do
+
+    @cached_property
+    def friction_heat(self) -> NDArray | None:
+        """Heat of friction of both contacts (Z) [W]; zero for balls that do not touch both races.
+
+        Where a race control sets the axes, forces along the orbit and about the axis balance for each ball,
+        see `guided_heat`. None without a coefficient of friction, or where a contact is as wide as the ball.
+        """
+        if self.sliding_heat is not None or self.friction is None:
+            return self.sliding_heat
+        if self._wide.any():
+            return None
+        heat, balls = np.zeros(self.loads.shape[1]), np.flatnonzero((self.loads > 0).all(0))
+        speed = abs(self.operation.inner_speed - self.operation.outer_speed)
+        if speed:
+            across, along = (axis[:, balls].T[:, None] for axis in self.semi_axes)
+            radius, surface = np.full(len(balls), self.bearing.ball.diameter / 2), self._surfaces.T[:, None]
+            places = BallContacts(
+                ball_radius=radius,
+                pitch_radius=np.full(len(balls), self.bearing.pitch_diameter / 2),
+                angle=self.contact_angles[:, balls].T[:, None],
+                height=pressed_height(radius[:, None, None], surface, across),
+            )
+            traction = self.friction * self.loads[:, balls].T[:, None]
+            ellipse = Ellipse(across, along, surface + np.zeros_like(across), traction, self.spin)
+            heat[balls] = speed * guided_heat(places, ellipse, self.attitude[balls])
+        return heat
 
     @property
     def friction_torque(self) -> float | None:
@@ -54,11 +87,29 @@ class AngularContactState:
         speed = abs(self.operation.inner_speed - self.operation.outer_speed)
         return float(self.friction_heat.sum() / speed) if speed else 0.0
 
+    @cached_property
+    def contacts(self) -> PointContact:
+        """Hertz contacts (2, Z) at the loaded contact angles."""
+        inner, outer = race_contacts(self.bearing, self.contact_angles)
+        names = [field.name for field in fields(PointContact)]
+        return PointContact(*(np.stack([getattr(inner, name), getattr(outer, name)]) for name in names))
+
     @property
     def semi_axes(self) -> tuple[NDArray, NDArray]:
-        """Semi-axes a across and b along the rolling direction (2, Z) [m]."""
-        axes = [contact.semi_axes(load) for contact, load in zip(self.contacts, self.loads, strict=True)]
-        return np.stack([a for a, _ in axes]), np.stack([b for _, b in axes])
+        """Semi-axes a across and b along the rolling direction (2, Z) [m], at the loaded contact angles."""
+        return self.contacts.semi_axes(self.loads)
+
+    @property
+    def _surfaces(self) -> NDArray:
+        """R of the pressed surfaces (2, 1) [m]."""
+        grooves = [[self.bearing.inner.conformity], [self.bearing.outer.conformity]]
+        return hertz_section_radius(self.bearing.ball.diameter, grooves)
+
+    @property
+    def _wide(self) -> NDArray:
+        """Balls (Z) with a contact as wide as the surface it presses, or as the ball."""
+        across = self.semi_axes[0]
+        return (across >= np.minimum(self._surfaces, self.bearing.ball.diameter / 2)).any(0)
 
     @property
     def needed_shoulders(self) -> NDArray:
@@ -80,8 +131,7 @@ class AngularContactState:
     @property
     def peak_pressures(self) -> NDArray:
         """p0 (2, Z) [Pa]."""
-        pairs = zip(self.contacts, self.loads, strict=True)
-        return np.stack([contact.peak_pressure(load) for contact, load in pairs])
+        return self.contacts.peak_pressure(self.loads)
 
     @property
     def needed_friction(self) -> NDArray:
@@ -94,7 +144,7 @@ class AngularContactState:
         spin: Literal["slip field", "contact angle"] = "slip field",
         friction: Literal["none", "balanced"] = "none",
     ) -> RollingContact:
-        """Pure rolling lines of the balls that touch both races.
+        """Pure rolling lines of the balls that touch both races, each for itself.
 
         Parameters
         ----------
@@ -104,44 +154,42 @@ class AngularContactState:
             no net friction in the rolling direction (e = 0), or as much as balances the friction moments
             about the spin axis, see `ball_friction`
 
-        Raises
-        ------
-        OutOfRange
-            where E is negative: spin against the contact angle, as on a race next to a controlling one; or a
-            contact is wider than the surface that is pressed
+        Returns
+        -------
+        RollingContact
+            says which balls have no lines
 
         Source
         ------
         Rivera, Tong and Hong (2021); see `quasidynamic.motion.rolling_lines`.
         """
-        touching, bearing = np.flatnonzero((self.loads > 0).all(0)), self.bearing
-        loads, angles, attitude = (
-            self.loads[:, touching],
-            self.contact_angles[:, touching],
-            self.attitude[touching],
-        )
-        side = np.array([[INNER], [OUTER]])
-        across, along = (axis[:, touching] for axis in self.semi_axes)
-        ratio = bearing.diameter_ratio
-        ratios = spin_to_roll(angles, angles if spin == "contact angle" else attitude, ratio, side)
-        conformity = [[bearing.inner.conformity], [bearing.outer.conformity]]
-        radius = hertz_section_radius(bearing.ball.diameter, conformity)
-        require_narrow(across, radius)
-        parameter = spin_parameter(ratios, radius, across)
-        net = np.zeros_like(loads)
+        bearing, (across, along), side = self.bearing, self.semi_axes, np.array([[INNER], [OUTER]])
+        ratio, diameter = bearing.diameter_ratio, bearing.ball.diameter
+        radius, touching = self._surfaces, (self.loads > 0).all(0)
+        wide = touching & self._wide
+        keep = np.flatnonzero(touching & ~wide)
+        lean = self.contact_angles if spin == "contact angle" else self.attitude
+        ratios = spin_to_roll(self.contact_angles, lean, ratio, side)
+        parameter = spin_parameter(ratios[:, keep], radius, across[:, keep])
+        net, slides = np.zeros_like(parameter), np.zeros(len(keep), bool)
         if friction == "balanced":
-            net = ball_friction(parameter, loads, across, angles - attitude, bearing.ball.diameter)
+            ahead = (self.contact_angles - self.attitude)[:, keep]
+            net = ball_friction(parameter, self.loads[:, keep], across[:, keep], ahead, diameter)
+            slides = np.isnan(net[0])
+        parameter, net, balls = parameter[:, ~slides], net[:, ~slides], keep[~slides]
         rings = np.array([[self.operation.inner_speed], [self.operation.outer_speed]])
         return RollingContact(
-            balls=touching,
+            balls=balls,
+            wide=np.flatnonzero(wide),
+            sliding=keep[slides],
             parameter=parameter,
             net_force=net,
             lines=rolling_lines(parameter, net),
-            semi_axes=(across, along),
-            loads=loads,
+            semi_axes=(across[:, balls], along[:, balls]),
+            loads=self.loads[:, balls],
             section_radius=radius,
-            rolling=(rings - self.orbital_speed[touching]) / ratio,
-            spin_to_roll=ratios,
+            rolling=(rings - self.orbital_speed[balls]) / ratio,
+            spin_to_roll=ratios[:, balls],
         )
 
     @property
@@ -159,7 +207,7 @@ class AngularContactState:
         """
         apart = np.abs(self.contact_angles[0] - self.contact_angles[1])
         pressed = self.loads[0] > FULL_GRIP * self.centrifugal_force
-        if self.friction is not None:
+        if self.sliding_heat is not None:
             return pressed
         needed = 2 * np.abs(self.gyroscopic_moment) / self.bearing.ball.diameter
         held = np.abs(self.tractions.sum(0)) >= (1 - 1e-9) * needed

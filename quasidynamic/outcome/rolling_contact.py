@@ -15,9 +15,14 @@ from quasidynamic.motion.rolling_lines import (
 
 @dataclass(frozen=True)
 class RollingContact:
-    """Where balls roll without slip; index 0 the inner and 1 the outer race, only balls that touch both."""
+    """Where balls roll without slip; index 0 the inner and 1 the outer race.
+
+    Only balls that touch both, by contacts that are narrower than what they press, and slide on neither race.
+    """
 
     balls: NDArray  # (B) numbers of these balls
+    wide: NDArray  # numbers of balls with a contact as wide as the surface it presses
+    sliding: NDArray  # numbers of balls whose friction moments do not balance in rolling, see `ball_friction`
     parameter: NDArray  # (2, B) E [-]
     net_force: NDArray  # (2, B) e, friction in the rolling direction over mu Q [-]
     lines: RollingLines  # (2, B)

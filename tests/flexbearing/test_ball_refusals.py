@@ -83,15 +83,17 @@ IMPOSSIBLE = {
     "control by nothing": (
         ANGULAR, ["operation.control=none"], "[operation] control", '"outer" or "inner" or "equal"',
     ),
-    "friction decides, but there is none": (
-        ANGULAR, ["operation.control=coulomb"], "[operation] friction is missing",
-        'control = "coulomb" needs it',
+    "friction of the motion as it was named": (
+        ANGULAR, ["operation.friction=0.06"], "operation.friction is now friction.coefficient",
+        "one for every use",
     ),
-    "friction beside an assumption on control": (
-        ANGULAR, ["operation.friction=0.06"], "[operation] friction = 0.06", 'operation.control = "coulomb"',
+    "friction of the lines as it was named": (
+        ANGULAR, ["rolling_lines.coefficient=0.06"], "rolling_lines.coefficient is now friction.coefficient",
+        "one for every use",
     ),
     "friction of nothing": (
-        ANGULAR, ["operation.control=coulomb", "operation.friction=0"], "[operation] friction", "at least",
+        ANGULAR, ["operation.control=coulomb", "friction.coefficient=0"], "[friction] coefficient",
+        "at least",
     ),
     "shoulder above the groove": (
         ANGULAR, ["bearing.outer.shoulder=4.2 mm"],

@@ -112,7 +112,7 @@ CONTEXTS = {  # file and settings in which a key belongs to the case
     "friction curve": ("heras2017_a1", {
         "friction": {"pressures": ["1 GPa", "3 GPa"], "coefficients": [0.12, 0.1]}}),
     "fast balls": ("harris218", {}),
-    "fast, ruled by friction": ("harris218", {"operation.control": "coulomb", "operation.friction": 0.08}),
+    "fast, ruled by friction": ("harris218", {"operation.control": "coulomb", "friction.coefficient": 0.08}),
     "fast, by conformity": ("harris218", {
         "bearing.inner": {"conformity": 0.52}, "bearing.outer": {"conformity": 0.53}}),
     "fast, held": ("harris218", {"operation.load.axial": "0 N", "operation.displacement": {

@@ -8,6 +8,7 @@ from hypothesis import given, settings, strategies as st
 from pytest import approx
 
 from quasidynamic.angular_contact import AngularContactBallBearing
+from quasidynamic.balance.balls.angular_contact import race_contacts
 from quasidynamic.contact.ellipse.point_contact import in_series
 from quasidynamic.errors import ImpossiblePart, NotSolved
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
@@ -29,9 +30,9 @@ FREE = (None,) * 5
 CONTROLS = pytest.mark.parametrize("control", ["outer", "inner", "equal"])
 
 
-def solved(load=LOAD, speed=1000.0, control="outer", bearing=BEARING, **changes):
+def solved(load=LOAD, speed=1000.0, control="outer", bearing=BEARING, friction=None, **changes):
     operation = RingOperation(load=load, inner_speed=speed, **changes)
-    return AngularContactBallBearing(bearing=bearing, control=control).solve(operation)
+    return AngularContactBallBearing(bearing=bearing, control=control, friction=friction).solve(operation)
 
 
 def ring_load(state):
@@ -117,7 +118,7 @@ def test_thrust_at_rest_in_closed_form():
     distance = BEARING.inner_reach + BEARING.outer_reach
     axial = distance * np.sin(BEARING.contact_angle) + state.ring_displacement[0]
     length = np.hypot(axial, distance * np.cos(BEARING.contact_angle))
-    force = in_series(*state.contacts) * (length - distance) ** 1.5 * axial / length
+    force = in_series(*race_contacts(BEARING)) * (length - distance) ** 1.5 * axial / length
     assert 16 * force == approx(9000.0, rel=1e-10)
 
 
@@ -182,6 +183,68 @@ def test_ring_that_nothing_holds_is_refused():
     with pytest.raises(NotSolved, match="nothing holds") as caught:
         solved(load=(0.0,) * 5, speed=500.0)
     assert caught.value.outcome is SolverOutcome.UNDETERMINED
+
+
+@CONTROLS
+@pytest.mark.parametrize("seed", range(10))
+def test_every_ball_on_both_races_of_an_ordinary_bearing_has_rolling_lines(control, seed):
+    random = np.random.default_rng(seed)
+    bearing = replace(
+        BEARING, ball=Ball(diameter=9.5e-3, material=STEEL), pitch_diameter=60e-3, balls=14,
+        contact_angle=np.radians(random.uniform(15.0, 40.0)),
+    )  # fmt: skip
+    load = (random.uniform(500.0, 3000.0), 0.0, random.uniform(0.0, 500.0), 0.0, 0.0)
+    state = solved(load, random.uniform(100.0, 2000.0), control, bearing)
+    contact = state.rolling_contact()
+    assert contact.balls.tolist() == np.flatnonzero((state.loads > 0).all(0)).tolist()
+    assert np.isfinite(contact.slip_velocity(np.linspace(-1, 1, 5))).all()
+    if control != "equal":
+        race = {"outer": 1, "inner": 0}[control]
+        guided = state.guided[contact.balls]
+        assert guided.any()
+        assert contact.parameter[race, guided] == approx(0.0, abs=1e-3)  # their spin as good as fades out
+        assert contact.lines.second[race, guided] == approx(0.3472963553, abs=1e-3)  # Heathcote's line
+
+
+@CONTROLS
+def test_thrust_the_other_way_mirrors_rolling_lines_and_keeps_the_torque(control):
+    bearing = replace(BEARING, contact_angle=0.0)
+    there, back = (
+        solved((sign * 9000.0, 0.0, 0.0, 0.0, 0.0), control=control, bearing=bearing, friction=0.1)
+        for sign in (1, -1)
+    )
+    lines, mirrored = (state.rolling_contact(friction="balanced") for state in (there, back))
+    assert there.contact_angles.min() > 0.1
+    assert mirrored.parameter == approx(-lines.parameter, abs=1e-9)
+    assert mirrored.lines.first == approx(-lines.lines.second, abs=1e-9)
+    assert back.friction_torque == approx(there.friction_torque, rel=1e-9)
+
+
+def test_radial_bearing_without_thrust_has_heathcotes_lines():
+    bearing = replace(BEARING, contact_angle=0.0)
+    held = (0.0, None, None, 0.0, 0.0)
+    contact = solved(
+        (0.0, 0.0, 9000.0, 0.0, 0.0), 100.0, "outer", bearing, displacement=held
+    ).rolling_contact()
+    assert len(contact.balls) > 3
+    assert contact.parameter == approx(np.zeros_like(contact.parameter), abs=1e-12)
+    assert contact.lines.second == approx(np.full(contact.parameter.shape, 0.3472963553), abs=1e-9)
+
+
+def test_no_race_control_makes_less_friction_than_free_balls():
+    """Slow balls: their heat is least where friction decides, and nearly so with as much spin on both."""
+    torque = {control: solved(speed=1.0, control=control, friction=0.1).friction_torque for control in
+              ("outer", "inner", "equal", "coulomb")}  # fmt: skip
+    assert all(torque[control] > 1.001 * torque["coulomb"] for control in ("outer", "inner"))
+    assert torque["equal"] == approx(torque["coulomb"], rel=0.02)
+
+
+@CONTROLS
+def test_friction_torque_is_in_proportion_to_the_coefficient_and_none_without(control):
+    one, other = (solved(control=control, friction=friction).friction_torque for friction in (0.05, 0.1))
+    assert other == approx(2 * one, rel=1e-9)
+    assert solved(control=control).friction_torque is None
+    assert solved(control=control, friction=0.1, outer_speed=1000.0).friction_torque == 0.0
 
 
 @pytest.mark.parametrize("thrust", [0.0, 100.0])

@@ -81,6 +81,25 @@ def joshi(case, mesh, motion):
     return np.array([force, axial, radial])
 
 
+def guided(case, attitude):
+    """Least heat of one diagonal about an axis at an angle to the shaft: the torque under race control."""
+    mesh, ratio = contacts(case), case["dm"] / case["D"]
+    inner = (ratio + np.cos(case["angle"][0])) / (2 * ratio)
+    start = np.array([inner - 1, inner * (ratio - np.cos(case["angle"][0]))])
+
+    def about(m):
+        return heat(case, mesh, (m[0], -m[1] * np.cos(attitude), m[1] * np.sin(attitude)))
+
+    for size in (1e-2, 1e-3):
+        options = {
+            "xatol": 1e-9,
+            "fatol": 1e-13,
+            "initial_simplex": start + size * np.array([[0, 0], [1, 0], [0, start[1]]]),
+        }
+        start = minimize(about, start, method="Nelder-Mead", options=options).x
+    return about(start)
+
+
 def solve(case):
     """Motion of least heat, and that heat: the torque of the ball."""
     mesh, ratio = contacts(case), case["dm"] / case["D"]

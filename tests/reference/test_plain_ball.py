@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 from pytest import approx
 
+from quasidynamic.solve.balls.sliding_motion import guided_heat
 from tests.ball_bearings import one_ball, slow_bearing
-from tests.reference.plain_ball import contacts, heat, joshi, solve
+from tests.reference.plain_ball import contacts, guided, heat, joshi, solve
 
 CASES = {
     "two contacts": {"angle": [45.0], "load": [1000.0]},
@@ -40,6 +41,14 @@ def test_plain_model_sees_a_motion_that_is_not_in_balance():
     mesh, motion = contacts(case), balls.sliding.motion[0] * [1, 1.001, 1.001]
     assert heat(case, mesh, motion) > 1.01 * balls.torque
     assert abs(joshi(case, mesh, motion)[1]) > 5e-2 * 0.1 * sum(case["load"]) * 2e-3
+
+
+@pytest.mark.parametrize(("name", "attitude"), [("two contacts", 0.6), ("local spin", 0.85)])
+def test_least_heat_about_a_given_axis_is_that_of_the_plain_model(name, attitude):
+    balls, case = both(name)
+    found = guided_heat(balls.contacts, balls.ellipse, np.array([attitude]))
+    assert found == approx(guided(case, attitude), rel=2e-3)
+    assert found[0] > 1.01 * balls.torque
 
 
 @pytest.mark.slow

@@ -5,10 +5,10 @@ from typing import Literal, Self
 
 from pydantic import model_validator
 
-from flexbearing.case.balls.parts import BallBearing, Elastic, Groove, HeavyElastic, RingLoad
-from flexbearing.case.balls.renamed import DISPLACEMENT, LOAD
+from flexbearing.case.balls.parts import SPIN, BallBearing, Elastic, Groove, HeavyElastic, RingLoad
+from flexbearing.case.balls.renamed import DISPLACEMENT, LOAD, ONE_FRICTION
 from flexbearing.case.head import KIND, Head
-from flexbearing.case.quantity import Angle, Length, Section, Speed, impossible, key, require
+from flexbearing.case.quantity import Angle, Length, Section, Speed, impossible, key
 
 RIGHT_ANGLE = pi / 2  # [rad]
 DIRECTIONS = {  # name of a load, and of the displacement that may be held instead
@@ -90,22 +90,8 @@ class FastOperation(Section):
         "race on which the balls do not spin; equal: the spin axis halves the angle between both contacts; "
         "coulomb: no assumption, friction in both contacts decides"
     )
-    friction: float | None = key(
-        "Coulomb friction of the contacts; needed with control coulomb, left out with any other",
-        None,
-        example=0.06,
-        ge=1e-6,
-        le=1,
-        only={"control": ("coulomb",)},
-    )
     load: RingLoad = key("load on the inner ring; axial pushes the balls against their shoulders", {})
     displacement: Displacement = key("where the inner ring is held instead of loaded", {})
-
-    @model_validator(mode="after")
-    def _friction_decides(self) -> Self:
-        if self.control == "coulomb":
-            require(self, ("friction",), 'control = "coulomb"')
-        return self
 
     @model_validator(mode="after")
     def _load_or_displacement(self) -> Self:
@@ -117,12 +103,22 @@ class FastOperation(Section):
         return self
 
 
+class FastFriction(Section):
+    """Coulomb friction of the contacts."""
+
+    coefficient: float = key(
+        "coefficient of the contacts: for the friction torque, for the spin torque of the rolling lines, and "
+        "with control coulomb for the motion of the balls",
+        example=0.1,
+        ge=1e-6,
+        le=1,
+    )
+    spin: Literal["centre", "local"] = key(SPIN, "centre")
+
+
 class RollingLines(Section):
     """Lines of the contacts on which balls roll without slip."""
 
-    coefficient: float = key(
-        "Coulomb friction of the contacts, for their spin torque", example=0.1, ge=1e-6, le=1
-    )
     spin: Literal["slip field", "contact angle"] = key(
         "spin over roll: of the whole motion of the ball; or by the contact angle alone, as Eq. (15) of "
         "Rivera, Tong and Hong (2021)",
@@ -138,10 +134,11 @@ class RollingLines(Section):
 class AngularCase(Head):
     """A fast angular-contact ball bearing."""
 
-    former = LOAD | DISPLACEMENT
+    former = LOAD | DISPLACEMENT | ONE_FRICTION
 
     kind: Literal["angular_contact_ball"] = key(KIND)
     bearing: AngularBearing = key("the bearing")
     materials: FastMaterials = key("the materials")
     operation: FastOperation = key("load and speed")
-    rolling_lines: RollingLines = key("lines on which the balls roll without slip")
+    friction: FastFriction = key("friction of the contacts")
+    rolling_lines: RollingLines = key("lines on which the balls roll without slip", {})

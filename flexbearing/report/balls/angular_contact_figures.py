@@ -64,8 +64,10 @@ def rolling_lines(result: Result) -> Figure:
         around(axes, values["ball_azimuth"], second, STYLES[0])
         around(axes, values["ball_azimuth"], first, STYLES[1])
         lowest = min(-1.15, 1.1 * float(np.nanmin(first)))
-        axes.axhspan(lowest, -1, color="0.92", linewidth=0)
-        axes.set(ylim=(lowest, 1), ylabel=f"x/a, {name} race")
+        highest = max(1.0, 1.1 * float(np.nanmax(second)))
+        for outside in ((lowest, -1.0), (1.0, highest)):
+            axes.axhspan(*outside, color="0.92", linewidth=0)
+        axes.set(ylim=(lowest, highest), ylabel=f"x/a, {name} race")
     close_ring(panels[-1])
     return figure
 
@@ -85,7 +87,7 @@ def slip_profiles(result: Result) -> Figure:
             _draw_slip(axes, values, (race, ball), style["color"], label)
         axes.axhline(0, color="0.4", linewidth=0.8)
         axes.set_ylabel(f"slip, {name} race [mm/s]")
-    panels[-1].set(xlabel="x/a, positive towards the bottom of the groove", xlim=(-1, 1))
+    panels[-1].set(xlabel="x/a, positive towards smaller contact angles", xlim=(-1, 1))
     figure.legend(loc="outside lower center", ncols=2, frameon=False)
     return figure
 

@@ -17,7 +17,7 @@ def single_values(block: dict[str, Any], layout: Layout) -> Table:
     """What is one number, or one range, of the bearing."""
     table = right_aligned("", "value")
     for entry in rows(layout):
-        if not entry.parts and block[entry.key] is not None and block[entry.beside or entry.key] is not None:
+        if not entry.parts and block[entry.key] is not None:
             table.add_row(Text(label(entry)), shown(entry, value(entry, block)))
     return table
 

@@ -217,20 +217,25 @@ class AngularBalance:
         return lever * self.ring_to_groove.real * [0.0, 0.0, 0.0, 1.0, 1.0]
 
 
-def race_contacts(bearing: AngularContactBearing) -> tuple[PointContact, PointContact]:
-    """Hertz contacts with the inner and with the outer race, at the unloaded contact angle."""
+def race_contacts(
+    bearing: AngularContactBearing, angles: NDArray | None = None
+) -> tuple[PointContact, PointContact]:
+    """Hertz contacts with the inner and with the outer race, at angles (2, ...) or the unloaded one."""
     inner, outer = (
         point_contact(
             race_curvatures(
                 bearing.ball.diameter,
                 groove.conformity * bearing.ball.diameter,
                 bearing.pitch_diameter,
-                bearing.contact_angle,
+                angle,
                 side,
             ),
             contact_modulus(bearing.ball.material, groove.material),
         )
-        for groove, side in ((bearing.inner, INNER), (bearing.outer, OUTER))
+        for groove, side, angle in (
+            (bearing.inner, INNER, bearing.contact_angle if angles is None else angles[0]),
+            (bearing.outer, OUTER, bearing.contact_angle if angles is None else angles[1]),
+        )
     )
     return inner, outer
 

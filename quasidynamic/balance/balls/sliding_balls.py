@@ -8,16 +8,25 @@ from numpy.typing import NDArray
 
 from quasidynamic.contact.ellipse.full_sliding import Ellipse, sliding_friction
 from quasidynamic.contact.ellipse.rigid_slip import CENTRE, SPIN
-from quasidynamic.motion.ball_slip import INNER, OUTER, BallContacts, slip_by_motion, slip_of
+from quasidynamic.motion.ball_slip import (
+    AXIAL,
+    INNER,
+    ORBIT,
+    OUTER,
+    RADIAL,
+    BallContacts,
+    slip_by_motion,
+    slip_of,
+)
 
 
 class FrictionHeat(NamedTuple):
     """Heat of friction of balls near one motion."""
 
     power: NDArray  # (n)
-    slope: NDArray  # (n, 3)
-    curvature: NDArray  # (n, 3, 3)
-    majorant: NDArray  # (n, 3, 3) curvature of the parabola that touches the heat and lies above everywhere
+    slope: NDArray  # (n, k) by the unknowns
+    curvature: NDArray  # (n, k, k)
+    majorant: NDArray  # (n, k, k) curvature of the parabola that touches the heat and lies above everywhere
 
     def taken(self, keep: NDArray) -> "FrictionHeat":
         """Return that of some of the balls."""
@@ -33,16 +42,17 @@ class FrictionHeat(NamedTuple):
 
 @dataclass(frozen=True)
 class SlidingBallBalance:
-    """Balls in unknowns that no rounding spoils: slip on their stronger diagonal.
+    """Balls in k unknowns that no rounding spoils: slip on their stronger diagonal.
 
-    The unknowns are both centre slips there and the spin, as differences from rolling on that diagonal.
+    The unknowns are both centre slips there and, where the axis is free, the spin, as differences from
+    rolling on that diagonal.
     """
 
     base: NDArray  # (n, G, 2, 3) slip when rolling on the stronger diagonal
-    by_unknown: NDArray  # (n, G, 2, 3, 3) slip by the unknowns
+    by_unknown: NDArray  # (n, G, 2, 3, k) slip by the unknowns
     ellipse: Ellipse
-    by_motion: NDArray  # (n, 3, 3) unknowns by the components of the motion
-    scale: NDArray  # (n, 3, 3) the same, each component in parts of its speed
+    by_motion: NDArray  # (n, k, k) unknowns by the components of the motion
+    scale: NDArray  # (n, k, k) the same, each component in parts of its speed
 
     def taken(self, keep: NDArray) -> "SlidingBallBalance":
         """Return some of the balls."""
@@ -55,7 +65,7 @@ class SlidingBallBalance:
         )
 
     def slip(self, unknowns: NDArray) -> NDArray:
-        """Slip (n, G, 2, 3) at unknowns (n, 3)."""
+        """Slip (n, G, 2, 3) at unknowns (n, k)."""
         return self.base + np.einsum("ngsij,nj->ngsi", self.by_unknown, unknowns)
 
     def imbalance(self, heat: FrictionHeat) -> NDArray:
@@ -63,7 +73,7 @@ class SlidingBallBalance:
         return np.abs(np.einsum("nij,ni->nj", self.scale, heat.slope)).max(axis=1) / heat.power
 
     def at(self, unknowns: NDArray) -> FrictionHeat:
-        """Heat at unknowns (n, 3)."""
+        """Heat at unknowns (n, k)."""
         friction = sliding_friction(self.slip(unknowns), self.ellipse)
         slope = np.einsum("ngsij,ngsi->nj", self.by_unknown, friction.by_slip)
         turned = np.swapaxes(self.by_unknown, -1, -2)
@@ -86,6 +96,26 @@ def sliding_ball_balance(contacts: BallContacts, ellipse: Ellipse, rolling: NDAr
     base[ball, strong, :, CENTRE] = 0.0  # as rolling is made and the unknowns are chosen: exactly so
     by_unknown[ball, strong, :, CENTRE] = np.eye(3)[:2]
     return SlidingBallBalance(base, by_unknown, ellipse, unknowns, unknowns * motion_scale(rolling)[:, None])
+
+
+def guided_ball_balance(contacts: BallContacts, ellipse: Ellipse, attitude: NDArray) -> SlidingBallBalance:
+    """Balance of balls (N) of one diagonal whose axis stands at an attitude [rad], see `AngularContactState`.
+
+    The motion is that of the outer ring and the speed about this axis; two forces, along the orbit and about
+    the axis, balance.
+    """
+    by_motion = slip_by_motion(contacts)
+    axis = np.zeros((len(attitude), 3, 2))
+    axis[:, ORBIT, 0], axis[:, AXIAL, 1], axis[:, RADIAL, 1] = 1.0, -np.cos(attitude), np.sin(attitude)
+    guided = by_motion @ axis[:, None, None]  # (N, 1, 2, 3, 2)
+    unknowns, driven = guided[:, 0, :, CENTRE], by_motion[:, 0, INNER, :, ORBIT]
+    by_unknown = guided @ np.linalg.inv(unknowns)[:, None, None]
+    rolling = np.linalg.solve(unknowns, np.stack([-driven[:, CENTRE], 0.0 * attitude], -1)[..., None])
+    base = (guided @ rolling[:, None, None])[..., 0]
+    base[:, 0, INNER] += driven
+    base[:, 0, :, CENTRE], by_unknown[:, 0, :, CENTRE] = 0.0, np.eye(2)  # as they are chosen: exactly so
+    scale = unknowns * np.stack([np.ones_like(attitude), np.abs(rolling[:, 1, 0])], -1)[:, None]
+    return SlidingBallBalance(base, by_unknown, ellipse, unknowns, scale)
 
 
 def stronger_diagonal(ellipse: Ellipse) -> NDArray:

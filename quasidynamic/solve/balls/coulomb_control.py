@@ -12,6 +12,7 @@ from quasidynamic.balance.balls.light_ball import RELEASE
 from quasidynamic.balance.balls.race_control import BallKinematics, LoadedContacts, PrescribedControl
 from quasidynamic.contact.ellipse.full_sliding import Ellipse
 from quasidynamic.contact.ellipse.point_contact import PointContact
+from quasidynamic.contact.ellipse.rigid_slip import Spin
 from quasidynamic.motion.ball_slip import (
     AXIAL,
     INNER,
@@ -65,6 +66,7 @@ class CoulombControl:
     bearing: AngularContactBearing
     contacts: tuple[PointContact, PointContact]  # with the inner and with the outer race
     friction: float  # [-] Coulomb coefficient
+    spin: Spin = "centre"  # that makes slip across
 
     @property
     def simpler(self) -> PrescribedControl:
@@ -170,7 +172,8 @@ class CoulombControl:
     def _ellipses(self, axes: NDArray, loads: NDArray) -> Ellipse:
         """Contacts (N, 2) of semi-axes (2, 2, N) and loads (2, N)."""
         across, along = axes[:, 0].T, axes[:, 1].T
-        return Ellipse(across, along, self._surfaces + np.zeros_like(across), self.friction * loads.T)
+        surfaces = self._surfaces + np.zeros_like(across)
+        return Ellipse(across, along, surfaces, self.friction * loads.T, self.spin)
 
     def _places(self, angles: NDArray, across: NDArray) -> BallContacts:
         """Contacts at angles (N, 2) of semi-axes (N, 2)."""

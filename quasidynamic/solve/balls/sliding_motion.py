@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from quasidynamic.balance.balls.sliding_balls import (
     FrictionHeat,
     SlidingBallBalance,
+    guided_ball_balance,
     motion_scale,
     sliding_ball_balance,
     stronger_diagonal,
@@ -25,7 +26,7 @@ SLOPE_LEFT = 0.5  # of the slope at the start of a step that may be left at its 
 ROUNDING = 1e-13  # of the power: too small to tell two powers apart
 LINES = 0.347**2 / 2  # of A a^2/R: slip of the centre of a contact that rolls on two lines, without spin
 CAUTION = np.array([0.0, 0.0, 0.0, 0.0, 0.01, 0.1, 1.0])  # share of the majorant in one try after the other
-_RIDGE = 1e-13 * np.eye(3)  # added to the curvature, whose diagonal is scaled to one
+RIDGE = 1e-13  # added to the diagonal of the curvature, scaled to one
 
 
 @dataclass(frozen=True)
@@ -99,6 +100,48 @@ def sliding_motion(contacts: BallContacts, ellipse: Ellipse) -> SlidingMotion:
     return SlidingMotion(motion, balls.slip(unknowns), power, driven, imbalance, evaluations)
 
 
+def guided_heat(contacts: BallContacts, ellipse: Ellipse, attitude: NDArray) -> NDArray:
+    r"""Heat of balls that roll on two races about an axis that is given.
+
+    .. math:: \min_{\Omega_o, \omega} \Phi,\quad (\omega_x, \omega_r) = \omega (-\cos\beta, \sin\beta)
+
+    What holds the axis does no work, so the heat is the power of the rings.
+
+    Parameters
+    ----------
+    contacts : BallContacts
+        N balls, one diagonal
+    ellipse : Ellipse
+        (N, 1, 2) semi-axes and friction forces, above zero
+    attitude : array (N)
+        beta, of the axis to the shaft [rad]
+
+    Returns
+    -------
+    array (N)
+        Phi [W], for an inner ring that turns by one rad/s against the outer one: a torque [N m]
+
+    Raises
+    ------
+    NotSolved
+        when a ball is not in balance
+
+    Source
+    ------
+    The heat of `sliding_motion`; Jones (1959), J. Basic Eng. 81, 1-12, for race control.
+
+    Valid
+    -----
+    Friction across the rolling direction, which holds gyroscopic moments, takes nothing from that along it.
+    """
+    if not len(attitude):
+        return np.zeros(0)
+    balls = guided_ball_balance(contacts, ellipse, attitude)
+    _, power, imbalance, evaluations = _least_power(balls, _on_two_lines(balls)[:, 0])
+    _require_balance(imbalance, evaluations)
+    return power
+
+
 def _require_balance(imbalance: NDArray, evaluations: int) -> None:
     bad = np.flatnonzero(~(imbalance <= ROUNDED))
     if len(bad):
@@ -119,12 +162,17 @@ def _starts(balls: SlidingBallBalance, changes: NDArray) -> NDArray:
     control = np.zeros((3, len(ball), 3))  # no spin on the inner, on the outer race, as much on both
     control[:2, :, 2] = (-balls.base[ball, strong, :, SPIN] / balls.by_unknown[ball, strong, :, SPIN, 2]).T
     control[2, :, 2] = control[:2, :, 2].mean(0)
-    control[:, :, :2] = (LINES * balls.base[..., ROLL] * ellipse.across**2 / ellipse.radius)[ball, strong]
+    control[:, :, :2] = _on_two_lines(balls)[ball, strong]
     return np.concatenate([np.einsum("nij,snj->sni", balls.by_motion, changes), control])
 
 
+def _on_two_lines(balls: SlidingBallBalance) -> NDArray:
+    """Slip (N, G, 2) of the centres of contacts that roll on two lines, without spin."""
+    return LINES * balls.base[..., ROLL] * balls.ellipse.across**2 / balls.ellipse.radius
+
+
 def _least_power(balls: SlidingBallBalance, start: NDArray) -> tuple[NDArray, NDArray, NDArray, int]:
-    """Unknowns (n, 3) with the least power, that power, what is unbalanced there (n), and evaluations.
+    """Unknowns (n, k) with the least power, that power, what is unbalanced there (n), and evaluations.
 
     Newton steps, shortened when they go too far; where that does not help, steps towards the minimum of the
     majorant, which always lower the power but creep along its valleys.
@@ -158,9 +206,9 @@ def _least_power(balls: SlidingBallBalance, start: NDArray) -> tuple[NDArray, ND
 
 
 def _step(heat: FrictionHeat, caution: NDArray) -> NDArray:
-    """Step (n, 3) to the minimum of a parabola between the tangent one and the majorant."""
+    """Step (n, k) to the minimum of a parabola between the tangent one and the majorant."""
     share = caution[:, None, None]
     matrix = (1 - share) * heat.curvature + share * heat.majorant
     size = np.sqrt(np.einsum("nii->ni", heat.majorant))
-    scaled = matrix / (size[:, :, None] * size[:, None, :]) + _RIDGE
+    scaled = matrix / (size[:, :, None] * size[:, None, :]) + RIDGE * np.eye(size.shape[1])
     return -np.linalg.solve(scaled, (heat.slope / size)[..., None])[..., 0] / size
