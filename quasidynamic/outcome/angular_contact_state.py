@@ -109,7 +109,7 @@ class AngularContactState:
     def _wide(self) -> NDArray:
         """Balls (Z) with a contact as wide as the surface it presses, or as the ball."""
         across = self.semi_axes[0]
-        return (across >= np.minimum(self._surfaces, self.bearing.ball.diameter / 2)).any(0)
+        return np.any(across >= np.minimum(self._surfaces, self.bearing.ball.diameter / 2), axis=0)
 
     @property
     def needed_shoulders(self) -> NDArray:
