@@ -1,13 +1,12 @@
 """What the life would be with finer slices, and with more axial modes of the raceways."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.contact.line import Slices
-from quasidynamic.contact.raceways import Raceways
+from quasidynamic.contact.line import LoadLaw, Slices
 from quasidynamic.errors import NotSolved
 from quasidynamic.outcome.bearing_states import BearingStates
 from quasidynamic.outcome.equilibrium import Equilibrium
@@ -86,94 +85,94 @@ def life_errors(states: BearingStates, compliance: Compliances = (None, None)) -
 
 
 def _finer_lives(states: BearingStates, slices: int, compliance: Compliances) -> NDArray:
-    sides = []
-    for race, matrix in enumerate(compliance):
-        finer = _FinerContacts.of(states, race, slices, matrix)
-        loads = np.moveaxis(finer.line_loads(), 0, -1)
-        sides.append(finer.slices.unfolded(loads) * np.reshape(finer.slices.width, (-1, 1, 1)))
-    return basic_life(sides[0], sides[1], states.balance.roller.bearing, states.turning)
+    finer = _FinerContacts.of(states, slices, compliance)
+    loads = finer.slices.unfolded(np.moveaxis(finer.line_loads(), 0, -1))
+    inner, outer = loads * np.reshape(finer.slices.width, (-1, 1, 1))
+    return basic_life(inner, outer, states.balance.roller.bearing, states.turning)
 
 
 @dataclass(frozen=True, kw_only=True)
 class _FinerContacts:
-    """Contacts of the rollers of C cases with one raceway; M' axial modes, of which the states know M."""
+    """Contacts of the rollers of C cases with both raceways; M' axial modes, of which the states know M."""
 
     slices: Slices
-    drop: NDArray  # (K, 1, 1), or (K, C, 1) of rollers that differ [m]
-    raceways: Raceways
-    race: int
-    approach: NDArray  # (M', C, Z) of the states, zero in the further modes [m]
-    force: NDArray  # (M, C, Z) of the states [N]
-    compliance: NDArray  # (Z, M', Z, M') [m/N]; zero for a rigid raceway
+    drop: NDArray  # (K, 1, 1, 1), or (K, 1, C, 1) of rollers that differ [m]
+    law: LoadLaw
+    approach: NDArray  # (M', 2, C, Z) of the states, zero in the further modes [m]
+    force: NDArray  # (M, 2, C, Z) of the states [N]
+    compliance: NDArray  # (2, Z, M', Z, M') [m/N]; zero for a rigid raceway
 
     @classmethod
-    def of(cls, states: BearingStates, race: int, count: int, matrix: NDArray | None) -> "_FinerContacts":
+    def of(cls, states: BearingStates, count: int, matrices: Compliances) -> "_FinerContacts":
         balance = states.balance
         raceways, roller = balance.roller.raceways, balance.roller.bearing.roller
-        known = balance.inputs(states.unknowns).approach[race]
-        modes, cases, rollers = known.shape
-        if matrix is None or matrix.shape[1] < modes:
-            matrix = np.zeros((rollers, modes, rollers, modes))
-        slices = Slices(count, roller.length, matrix.shape[1])
-        approach = np.zeros((matrix.shape[1], cases, rollers))
+        known = balance.inputs(states.unknowns).approach.swapaxes(0, 1)
+        modes, rollers = len(known), known.shape[-1]
+        further = max((matrix.shape[1] for matrix in matrices if matrix is not None), default=modes)
+        slices = Slices(count, roller.length, max(modes, further))
+        approach = np.zeros((slices.axial_modes, *known.shape[1:]))
         approach[:modes] = known
+        compliance = np.zeros((2, rollers, slices.axial_modes, rollers, slices.axial_modes))
+        for race, matrix in enumerate(matrices):
+            if matrix is not None and matrix.shape[1] >= modes:
+                own = matrix.shape[1]
+                compliance[race, :, :own, :, :own] = matrix
         return cls(
             slices=slices,
-            drop=slices.drop(roller.profile)[:, 0],
-            raceways=raceways,
-            race=race,
+            drop=slices.drop(roller.profile),
+            law=raceways.law,
             approach=approach,
-            force=states.rollers.contact.force[race],
-            compliance=matrix,
+            force=states.rollers.contact.force.swapaxes(0, 1),
+            compliance=compliance,
         )
 
     def line_loads(self) -> NDArray:
-        """Loads per length (K, C, Z) [N/m] under the load and moment of each roller in its state.
+        """Loads per length (K, 2, C, Z) [N/m] under the load and moment of each roller in its state.
 
-        Not a number in cases where they are not found in `LIMIT` steps; a case stands still once it is found.
+        Not a number where they are not found in `LIMIT` steps; the contacts of a case with a raceway stand
+        still once theirs are found.
         """
         load = self.force[0]
         loaded = load > LOADED * load.max(axis=-1, keepdims=True)
         approach, found = self.approach.copy(), np.full((len(self.drop), *load.shape), np.nan)
-        left = np.ones(len(load), bool)
+        left = np.ones(load.shape[:2], bool)
         for _ in range(LIMIT):
-            load, stiffness = self._contact(approach)
+            load, stiffness = self.law(self.slices.spread(approach) - self.drop)
             residual, jacobian = self._equations(approach, load, stiffness)
             size = np.abs(residual / self._scale).max(axis=0, initial=0.0, where=loaded).max(axis=-1)
             done = left & (size < TOLERANCE)
             found[:, done], left = load[:, done], left & ~done
             if not left.any():
                 break
-            moving = left[:, None] & loaded
+            moving = left[..., None] & loaded
             step = np.linalg.solve(jacobian[moving], residual[:, moving].T[..., None])[..., 0]
             approach[:, moving] -= step.T
         return found
 
-    def _contact(self, approach: NDArray) -> tuple[NDArray, NDArray]:
-        """Line loads (K, C, Z) [N/m] and their derivatives [N/m2]."""
-        law = replace(self.raceways.law, coefficient=np.asarray(self.raceways.law.coefficient)[self.race])
-        return law(self.slices.spread(approach) - self.drop)
-
     def _equations(self, approach: NDArray, load: NDArray, stiffness: NDArray) -> tuple[NDArray, NDArray]:
-        """Residuals (M', C, Z): load and moment as they were, further modes as the raceway deflects.
+        """Residuals (M', 2, C, Z): load and moment as they were, further modes as the raceway deflects.
 
-        The Jacobian (C, Z, M', M') leaves out what rollers do to their neighbours.
+        The Jacobian (2, C, Z, M', M') leaves out what rollers do to their neighbours.
         """
         kept = self._kept
-        force, tangent = self.slices.summed(load), self.slices.paired(stiffness).transpose(2, 3, 0, 1)
-        residual = approach - self.approach + self._deflection(force)
-        residual[: len(self.force)] -= self._deflection(self.force)[
-            : len(self.force)
-        ]  # which the state knows
-        own = np.einsum("zmzn->zmn", self.compliance)
-        jacobian = np.eye(len(approach)) + own @ tangent
-        residual[:kept] = force[:kept] - self.force[:kept]
-        jacobian[..., :kept, :] = tangent[..., :kept, :]
+        force, tangent = self.slices.summed(load), self.slices.paired(stiffness).transpose(2, 3, 4, 0, 1)
+        own = np.einsum("rzmzn->rzmn", self.compliance)[:, None]
+        residual, jacobian = np.empty_like(approach), np.empty_like(tangent)
+        residual[:kept], jacobian[..., :kept, :] = force[:kept] - self.force[:kept], tangent[..., :kept, :]
+        residual[kept:] = (approach + self._deflection(force) - self._unloaded)[kept:]
+        jacobian[..., kept:, :] = (np.eye(len(approach)) + own @ tangent)[..., kept:, :]
         return residual, jacobian
 
+    @cached_property
+    def _unloaded(self) -> NDArray:
+        """Approaches (M', 2, C, Z) [m] without the deflections that the states know of."""
+        unloaded, modes = self.approach.copy(), len(self.force)
+        unloaded[:modes] += self._deflection(self.force)[:modes]
+        return unloaded
+
     def _deflection(self, force: NDArray) -> NDArray:
-        """Outward deviations (M', C, Z) [m] under forces of the first modes (.., C, Z) [N]."""
-        return np.einsum("zmyn,ncy->mcz", self.compliance[..., : len(force)], force)
+        """Outward deviations (M', 2, C, Z) [m] under forces of the first modes (.., 2, C, Z) [N]."""
+        return np.einsum("rzmyn,nrcy->mrcz", self.compliance[..., : len(force)], force)
 
     @property
     def _kept(self) -> int:
@@ -182,7 +181,7 @@ class _FinerContacts:
 
     @cached_property
     def _scale(self) -> NDArray:
-        """Size of the residuals (M', C, Z): the load [N], and the approach of the roller [m]."""
+        """Size of the residuals (M', 2, C, Z): the load [N], and the approach of the roller [m]."""
         scale = np.repeat(np.abs(self.approach[:1]) + 1e-9, len(self.approach), axis=0)
         scale[: self._kept] = self.force[:1]
         return scale
