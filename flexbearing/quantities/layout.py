@@ -39,9 +39,17 @@ class Layout:
         dict
             name to :class:`Quantity`, in the order of declaration
         """
-        return {entry.name: entry for entry in self.quantities if entry.place in ("state", place)}
+        return self._datasets[place]
 
-    @property
+    @cached_property
+    def _datasets(self) -> dict[str, dict[str, Quantity]]:
+        places = ("iteration", "block")
+        return {
+            place: {entry.name: entry for entry in self.quantities if entry.place in ("state", place)}
+            for place in places
+        }
+
+    @cached_property
     def attributes(self) -> dict[str, Attribute]:
         """Root attributes, by name; the case has the keys that the summary repeats."""
         entries = {entry.name: entry for entry in (*COMMON, *self.further_attributes)}

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import KW_ONLY, dataclass, replace
+from functools import cached_property
 from typing import Any, Literal
 
 import numpy as np
@@ -66,6 +67,12 @@ class Quantity:
         """Axes one by one, ``("Z", "K")``."""
         return tuple(self.axes.split())
 
+    @cached_property
+    def path(self) -> tuple[str | int, ...]:
+        """The words of `source`, indices among them as numbers."""
+        words = (self.source or f"state.{self.name}").split(".")
+        return tuple(int(word) if word.isdigit() else word for word in words)
+
     @property
     def unit_for_people(self) -> Unit:
         """Unit of tables and pictures."""
@@ -115,20 +122,18 @@ def taken(
     AttributeError
         if a part does not have the attribute that a source names
     """
-    sources = {entry.name: entry.source or f"state.{entry.name}" for entry in quantities}
-    values = {name: _followed(source, solved, many) for name, source in sources.items()}
+    values = {entry.name: _followed(entry.path, solved, many) for entry in quantities}
     return {name: np.asarray(value, dtype=float) for name, value in values.items() if value is not None}
 
 
-def _followed(source: str, solved: Mapping[str, Any], many: bool) -> Any:
+def _followed(path: tuple[str | int, ...], solved: Mapping[str, Any], many: bool) -> Any:
     """The value at a source: attributes, names of a mapping, numbers as indices, methods called."""
-    part, *words = source.split(".")
-    value: Any = solved.get(part)
-    for word in words:
+    value: Any = solved.get(str(path[0]))
+    for word in path[1:]:
         if value is None:
             return None
-        if word.isdigit():
-            value = value[:, int(word)] if many else value[int(word)]
+        if isinstance(word, int):
+            value = value[:, word] if many else value[word]
         else:
             value = value[word] if isinstance(value, Mapping) else getattr(value, word)
         value = value() if callable(value) else value

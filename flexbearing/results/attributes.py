@@ -200,13 +200,13 @@ def _records(value: Sequence[Mapping[str, Any]]) -> Any:
 
 def _plain(value: Any, depth: int = DEEPEST) -> Any:
     """Python's own numbers, lists and dicts; raises for what readers of JSON would stumble over."""
+    if isinstance(value, str):
+        value.encode()  # half a pair of UTF-16 is no text
+        return str.__str__(value)
     if isinstance(value, np.ndarray | np.generic):
         value = value.tolist()
     if value is None or isinstance(value, bool):
         return value
-    if isinstance(value, str):
-        value.encode()  # half a pair of UTF-16 is no text
-        return str.__str__(value)
     if isinstance(value, int | float):
         return _finite(value)
     if depth == 0:

@@ -34,7 +34,7 @@ class Batch:
     def __getitem__(self, case: int) -> Equilibrium:
         one = self.states if len(self) == 1 else self.states.take(np.array([case]))
         number = int(self.evaluations[case])
-        return Equilibrium(one.balance, one.scaled[0], self.outcomes[case], number, one.axial_modes)
+        return Equilibrium.of(one, self.outcomes[case], number)
 
 
 @dataclass(frozen=True)

@@ -29,6 +29,13 @@ class Equilibrium:
     number: int  # evaluations it took
     axial_modes: int  # M, axial modes that loads are handed on with
 
+    @classmethod
+    def of(cls, states: BearingStates, status: SolverOutcome, number: int) -> "Equilibrium":
+        """The state of a single case, with what is known of it."""
+        state = cls(states.balance, states.scaled[0], status, number, states.axial_modes)
+        state.__dict__["cases"] = states
+        return state
+
     @cached_property
     def cases(self) -> BearingStates:
         """The same as an array of one case."""

@@ -106,7 +106,7 @@ class _FinerContacts:
     def of(cls, states: BearingStates, count: int, matrices: Compliances) -> "_FinerContacts":
         balance = states.balance
         raceways, roller = balance.roller.raceways, balance.roller.bearing.roller
-        known = balance.inputs(states.unknowns).approach.swapaxes(0, 1)
+        known = balance.approach(states.unknowns).swapaxes(0, 1)
         modes, rollers = len(known), known.shape[-1]
         further = max((matrix.shape[1] for matrix in matrices if matrix is not None), default=modes)
         slices = Slices(count, roller.length, max(modes, further))

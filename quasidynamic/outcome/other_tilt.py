@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from quasidynamic.outcome.bearing_states import BearingStates
 from quasidynamic.outcome.equilibrium import Equilibrium
 from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers import bordered_system
@@ -55,9 +56,9 @@ def with_other_tilt(state: Equilibrium) -> Equilibrium | None:
         if not np.isfinite(size):
             return None
         if size <= SMALL:
-            other = Equilibrium(balance, scaled[0], SolverOutcome.CONVERGED, step, state.axial_modes)
-            other.cases.know(system)
-            return other
+            states = BearingStates(balance, scaled, state.axial_modes)
+            states.know(system)
+            return Equilibrium.of(states, SolverOutcome.CONVERGED, step)
         change = bordered_system.solve(balance, system, -system.residual[..., None])[..., 0]
         scaled = bounded(balance, scaled, scaled + change)
         system = balance.evaluate(scaled)

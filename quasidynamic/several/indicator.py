@@ -74,7 +74,7 @@ def doubts(states: BearingStates) -> NDArray:
     outward = states.loads[:, OUTER] - states.loads[:, INNER]  # presses a roller on one raceway alone
     load = np.maximum([-outward, outward], 0.0)
     pressed = (raceways.softness * load ** (1 / EXPONENT)).sum(0) + 2 * raceways.drop.min(0)[0]
-    gap = pressed - balance.inputs(unknowns).approach[:, 0].sum(0) + unknowns.film.sum(0)
+    gap = pressed - balance.approach(unknowns)[:, 0].sum(0) + unknowns.film.sum(0)
     rolling, standing = (
         film_at(balance, unknowns._replace(spin_drift=drift), load).sum(0)
         for drift in (0 * unknowns.spin_drift, 0 * unknowns.spin_drift - balance.rolling_spin)

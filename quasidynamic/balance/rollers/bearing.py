@@ -148,7 +148,14 @@ class BearingBalance:
     # -- approaches and speeds -----------------------------------------------------------------
 
     def inputs(self, x: Unknowns) -> RollerInputs:
-        """Inputs of the rollers; outward deviations move the raceways towards (inner) or away from them."""
+        """Inputs of the rollers."""
+        return RollerInputs(self.approach(x), x.film, self.motion(x.cage_drift, x.spin_drift), self.weight)
+
+    def approach(self, x: Unknowns) -> NDArray:
+        """Approaches of the rollers by axial modes (2, M, C, Z) at inner and outer raceway [m].
+
+        Outward deviations move the raceways towards (inner) or away from them.
+        """
         approach = self.kinematics.approach(x, self.roller.bearing.clearances)
         if self.layout.elastic_raceways or self.deviation is not None:
             deviation = x.deviation
@@ -156,7 +163,7 @@ class BearingBalance:
                 given = self.deviation.reshape(-1, *self.deviation.shape[-3:])  # one, or one for each case
                 deviation = deviation + given.transpose(1, 3, 0, 2)
             self.kinematics.deviate(approach, deviation)
-        return RollerInputs(approach, x.film, self.motion(x.cage_drift, x.spin_drift), self.weight)
+        return approach
 
     def speeds(self, x: Unknowns) -> tuple[NDArray, NDArray]:
         """Spins (C, Z) and cage speed (C, 1) [rad/s]."""

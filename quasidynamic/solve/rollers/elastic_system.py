@@ -28,7 +28,7 @@ class Closed(NamedTuple):
 
     roller: NDArray  # (n)
     combination: NDArray  # (n) among the P of a roller
-    slopes: NDArray  # (n, 1 + 5 + D, C) of spin, border and contact forces
+    slopes: NDArray  # (n, 1 + 5, C) of spin and border
     deflections: NDArray  # (n, Z, D) by contact forces
 
 
@@ -126,7 +126,7 @@ def _closed(balance: BearingBalance, table: NDArray, count: int) -> Closed:
     roller, combination = np.nonzero(closed.T)
     places = roller * len(closed) + combination
     deflections = LARGE_DEVIATION * balance.felt_deflections[places]
-    return Closed(roller, combination, table[:, FELT + combination, :, roller], deflections)
+    return Closed(roller, combination, table[:FELT, FELT + combination, :, roller], deflections)
 
 
 def _reduced(table: NDArray, chain: Chain, closed: Closed) -> tuple[NDArray, NDArray]:
@@ -139,12 +139,14 @@ def _reduced(table: NDArray, chain: Chain, closed: Closed) -> tuple[NDArray, NDA
     by_spin[:, BORDER:] = -(by_roller @ table[FELT:, 0].transpose(2, 0, 1)).transpose(2, 1, 0)
     through_spins = (by_spin @ chain.spread)[:, :, closed.roller]
     through_spins *= closed.slopes[:, 0].T[:, None]
-    own = closed.deflections[:, closed.roller].transpose(1, 0, 2)  # (n, n, D)
+    forces = table[FELT:, FELT:-count].transpose(3, 0, 1, 2)  # (Z, D, P, C) of what each roller feels
+    by_felt = by_roller @ forces.reshape(rollers, -1, forces[0, 0].size)
+    by_felt = by_felt.reshape(rollers, -1, *forces.shape[2:])[closed.roller, :, closed.combination]
     matrix = np.empty((cases, size, size))
-    matrix[:, :BORDER, BORDER:] = closed.slopes[:, 1:FELT].transpose(2, 1, 0)
-    matrix[:, BORDER:, BORDER:] = -(own @ closed.slopes[:, FELT:]).transpose(2, 1, 0)
+    matrix[:, :BORDER, BORDER:] = closed.slopes[:, 1:].transpose(2, 1, 0)
+    matrix[:, BORDER:, BORDER:] = -by_felt.transpose(2, 1, 0)
     matrix[:, :, BORDER:] -= through_spins
-    matrix[:, range(BORDER, size), range(BORDER, size)] += 1.0
+    np.einsum("cii->ci", matrix)[:, BORDER:] += 1.0
     spins = np.concatenate([chain.border, chain.right])
     rest = np.concatenate([table[1:, 1:FELT], table[1:, -count:]], axis=1) - table[1:, :1] * spins
     forces = rest[BORDER:].transpose(3, 0, 1, 2).reshape(-1, len(spins) * cases)

@@ -29,20 +29,21 @@ def outward_force(balance: BearingBalance, unknowns: Unknowns) -> NDArray:
 
 def frictionless_loads(balance: BearingBalance, unknowns: Unknowns, uneven: bool = False) -> NDArray:
     """Loads (2, C, Z) [N] of rollers, untilted on even raceways or, if `uneven`, as they are."""
-    beyond = axial_variation(balance, unknowns) if uneven else 0.0
-    return _contact_loads(balance, balance.inputs(unknowns).approach[:, 0], beyond)[0]
+    approach = balance.approach(unknowns)
+    beyond = axial_variation(balance, approach) if uneven else 0.0
+    return _contact_loads(balance, approach[:, 0], beyond)[0]
 
 
 def slice_loads(balance: BearingBalance, unknowns: Unknowns, uneven: bool = False) -> NDArray:
     """Loads per length (K, 2, C, Z) [N/m] of rollers, as `frictionless_loads` has them."""
-    raceways, beyond = balance.roller.raceways, axial_variation(balance, unknowns) if uneven else 0.0
-    approach = balance.inputs(unknowns).approach[:, 0] + beyond
-    return raceways.law(approach - raceways.drop)[0]
+    raceways, approach = balance.roller.raceways, balance.approach(unknowns)
+    beyond = axial_variation(balance, approach) if uneven else 0.0
+    return raceways.law(approach[:, 0] + beyond - raceways.drop)[0]
 
 
 def series_stiffness(balance: BearingBalance, unknowns: Unknowns) -> NDArray:
     """Stiffness (C, Z) [N/m] of both raceways of an untilted roller in series."""
-    inner, outer = _contact_loads(balance, balance.inputs(unknowns).approach[:, 0])[1]
+    inner, outer = _contact_loads(balance, balance.approach(unknowns)[:, 0])[1]
     return inner * outer / (inner + outer)
 
 
@@ -68,8 +69,9 @@ def static_equilibrium(
     `uneven`, tilted as they are on raceways of the shape that they have. What presses them outwards
     (C, Z) [N] is that of `outward_force`, unless it is known.
     """
-    beyond = axial_variation(balance, unknowns) if uneven else np.zeros((1, 2, 1, 1))
-    room = balance.inputs(unknowns).approach[:, 0].sum(0)  # both approaches, wherever the roller is
+    approach = balance.approach(unknowns)
+    beyond = axial_variation(balance, approach) if uneven else np.zeros((1, 2, 1, 1))
+    room = approach[:, 0].sum(0)  # both of them, wherever the roller is
     raceways, force = (
         balance.roller.raceways,
         outward_force(balance, unknowns) if outward is None else outward,
@@ -107,7 +109,7 @@ def tilts_between_raceways(balance: BearingBalance, unknowns: Unknowns) -> Unkno
     """
     if balance.roller.axial_modes == 1:
         return unknowns
-    approach = balance.inputs(unknowns).approach
+    approach = balance.approach(unknowns)
     whole = approach[0, 1] + approach[1, 1]
     slack = 3 * np.abs(approach[:, 3::2]).sum((0, 1))
     low, high = np.minimum(whole, 0.0) - slack, np.maximum(whole, 0.0) + slack
@@ -126,7 +128,7 @@ def lying_on_a_raceway(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
     slow = ~(force.min(axis=1, keepdims=True) > 0)
     if balance.roller.axial_modes == 1 or not slow.any():
         return unknowns
-    approach = balance.inputs(unknowns).approach
+    approach = balance.approach(unknowns)
     loose = room_between_raceways(balance, approach) < 0
     after = unknowns._replace(approach=unknowns.approach.copy(), tilt=unknowns.tilt.copy())
     for race, outward in enumerate((-1.0, 1.0)):
@@ -169,10 +171,10 @@ def _rest(raceways: Raceways, race: int, approach: NDArray, force: NDArray) -> N
     return place
 
 
-def axial_variation(balance: BearingBalance, unknowns: Unknowns) -> NDArray:
-    """Approaches (K, 2, C, Z) [m] of the slices beyond that of mid-roller, by tilt and uneven raceways."""
+def axial_variation(balance: BearingBalance, approach: NDArray) -> NDArray:
+    """Approaches (K, 2, C, Z) [m] of the slices beyond mid-roller, by higher modes (2, M, C, Z)."""
     higher = balance.roller.raceways.slices.modes[:, 1:]
-    return np.einsum("km,rmcz->krcz", higher, balance.inputs(unknowns).approach[:, 1:])
+    return np.einsum("km,rmcz->krcz", higher, approach[:, 1:])
 
 
 def film_at(balance: BearingBalance, unknowns: Unknowns, load: NDArray) -> NDArray:

@@ -81,7 +81,7 @@ def settled(balance: BearingBalance, before: NDArray, after: NDArray) -> NDArray
     slow &= ~(force.min(axis=1, keepdims=True) > 0.0)
     if not slow.any():
         return after
-    approach, former = balance.inputs(unknowns).approach, balance.inputs(balance.unpack(before)).approach
+    approach, former = balance.approach(unknowns), balance.approach(balance.unpack(before))
     on_outer, touching = force >= 0, balance.roller.raceways.law.rounding
     here, there = (np.where(on_outer, *side[::-1, 0]) for side in (approach, former))
     moved = np.abs(here - there) > MOVED * (np.abs(there) + touching)
@@ -167,6 +167,6 @@ def _largest_approach(balance: BearingBalance, scaled: NDArray) -> NDArray:
         return centre
     if not layout.elastic_raceways and balance.deviation is None:
         return centre + np.abs(scaled[:, layout.field(1)])
-    beyond = balance.inputs(balance.unpack(scaled)).approach[OUTER, 1:] / balance.scales.length
+    beyond = balance.approach(balance.unpack(scaled))[OUTER, 1:] / balance.scales.length
     shape = balance.roller.raceways.slices.modes[:, 1:]
     return centre + np.einsum("km,mcz->kcz", shape, beyond).max(0)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.rollers.bearing import BearingBalance
+from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
 from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.load_continuation import from_heavier_load
 from quasidynamic.solve.rollers.newton import Iterate, newton
@@ -20,7 +20,7 @@ ROUNDS = (3, 9, 3)
 Start = Callable[[BearingBalance], NDArray]
 
 
-@dataclass(frozen=True)
+@dataclass
 class SolvedCases:
     """How the solves of C cases ended; filled while they are solved."""
 
@@ -28,6 +28,15 @@ class SolvedCases:
     outcomes: list[SolverOutcome]
     evaluations: NDArray  # (C)
     budget: int | None = None  # evaluations of a case after which no other way is tried
+    last: Iterate | None = None  # of Newton's method
+
+    @property
+    def system(self) -> Linearisation | None:
+        """Residual and derivatives of a single case where Newton's method ended; None where it did not."""
+        last = self.last
+        if last is None or len(self.unknowns) > 1 or not last.accepted[0]:
+            return None
+        return last.system if np.array_equal(last.unknowns, self.unknowns) else None
 
     def unsolved(self) -> NDArray:
         """Cases that may still be solved."""
@@ -38,7 +47,7 @@ class SolvedCases:
     def follow(self, iterates: Iterator[Iterate], cases: NDArray) -> None:
         """Store how the solves of some cases end."""
         for iterate in iterates:
-            running = cases[iterate.cases]
+            running, self.last = cases[iterate.cases], iterate
             self.evaluations[running] += 1
             for case, unknowns, outcome in zip(running, iterate.unknowns, iterate.outcomes, strict=True):
                 if outcome is not SolverOutcome.RUNNING:

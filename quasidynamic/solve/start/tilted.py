@@ -41,7 +41,7 @@ def _tilted(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
     placed = unknowns._replace(ring=ring)
     straight = static_equilibrium(balance, placed, uneven=True)
     load = frictionless_loads(balance, straight, uneven=True).min(0)
-    half = balance.inputs(placed).approach[:, 1].sum(0) / 2
+    half = balance.approach(placed)[:, 1].sum(0) / 2
     tilt = np.where(load > np.abs(outward_force(balance, placed)), half, placed.tilt)
     return static_equilibrium(balance, placed._replace(tilt=tilt), uneven=True)
 
