@@ -22,30 +22,40 @@ def soft(modes, size=2e-9):
 
 def test_nothing_richer_changes_nothing():
     state = paper_bearing(**TILTED).solve()
-    same = _FinerContacts.of(state.cases, 0, 20, None)
-    assert same.line_loads()[:, 0].T == approx(state.slice_loads[0], rel=1e-6, abs=1.0)
+    same = _FinerContacts.of(state.cases, 20, (None, None))
+    assert same.line_loads()[:, :, 0].transpose(1, 2, 0) == approx(state.slice_loads, rel=1e-6, abs=1.0)
+
+
+def test_shapes_of_one_raceway_change_nothing_at_the_other():
+    state = paper_bearing(**TILTED).solve()
+    alone, beside = (
+        _FinerContacts.of(state.cases, 40, (None, outer)).line_loads() for outer in (None, soft(5))
+    )
+    assert beside[:, 0] == approx(alone[:, 0], rel=1e-9, abs=1e-6)
+    assert np.abs(beside[:, 1] - alone[:, 1]).max() > 1e-3 * alone[:, 1].max()
 
 
 def test_load_and_moment_are_kept():
     state = paper_bearing(**TILTED).solve()
-    finer = _FinerContacts.of(state.cases, 1, 80, soft(5))
-    force = finer.line_loads()[:, 0].T @ finer.slices.weights
+    finer = _FinerContacts.of(state.cases, 80, (None, soft(5)))
+    force = finer.line_loads()[:, 1, 0].T @ finer.slices.weights
     loaded = state.loads[1] > 1e-3 * state.loads[1].max()
     assert force[loaded, :2] == approx(state.forces[1, loaded, :2], rel=1e-5, abs=0.01)
 
 
 def test_further_shapes_are_those_of_the_deflected_raceway():
     state = paper_bearing(**TILTED).solve()
-    compliance, finer = soft(5), _FinerContacts.of(state.cases, 1, 80, soft(5))
-    loads = finer.line_loads()[:, 0].T
+    compliance, finer = soft(5), _FinerContacts.of(state.cases, 80, (None, soft(5)))
+    loads = finer.line_loads()[:, 1, 0].T
     closed = loads > 0.3 * loads.max()
     force = loads @ finer.slices.weights
     before = np.zeros((30, 5))
-    before[:, :3] = np.einsum("zmyn,yn->zm", compliance[:, :3, :, :3], finer.force[:, 0].T)
+    before[:, :3] = np.einsum("zmyn,yn->zm", compliance[:, :3, :, :3], finer.force[:, 1, 0].T)
     deflection = np.einsum("zmyn,yn->zm", compliance, force) - before
-    law = finer.raceways.law
-    approach = (loads / np.ravel(law.coefficient)[1]) ** 0.9 + finer.drop[:, 0, 0]  # what carries these loads
-    wanted = finer.approach[:, 0].T - deflection
+    approach = (loads / np.ravel(finer.law.coefficient)[1]) ** 0.9 + finer.drop[
+        :, 0, 0, 0
+    ]  # what carries these loads
+    wanted = finer.approach[:, 1, 0].T - deflection
     for roller in np.flatnonzero(closed.sum(1) > 20):
         beyond = approach[roller] - finer.slices.modes[:, 2:] @ wanted[roller, 2:]
         x = finer.slices.centres[closed[roller]]
