@@ -27,7 +27,7 @@ LIMIT = 500_000_000  # bytes
 SUFFIX = ".ring"
 ABANDONED = 3600.0  # [s] after which an unfinished file has no writer any more
 _ENTRY = re.compile(r"[0-9a-f]{64}\.ring")
-_UNFINISHED = re.compile(_ENTRY.pattern + r"\.[\w-]+-\d+-[0-9a-f]{8}\.part")  # of `flexbearing.files.write`
+_UNFINISHED = re.compile(_ENTRY.pattern + r"\.[\w-]+-\d+-[0-9a-f]{8}\.tmp")  # of `flexbearing.files.write`
 # neither follow a link nor wait for a pipe; the names are not those of every system
 _OPEN = os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
 

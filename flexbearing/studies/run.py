@@ -1,7 +1,7 @@
 """The computing of a study: what is still lacking, by an engine, into journal and table."""
 
 from collections import Counter
-from collections.abc import Callable, Sequence, Set
+from collections.abc import Callable, Iterable, Sequence, Set
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
@@ -14,7 +14,7 @@ from flexbearing.report.picture import png_bytes
 from flexbearing.studies.engine import Engine, completed, finished
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.plan import Corners, Ring, Row, Task
-from flexbearing.studies.plan.task import involves
+from flexbearing.studies.plan.task import NOT_STORED, involves
 from flexbearing.studies.settled import Prepared, Progress
 from flexbearing.studies.table import Table, journal
 from flexbearing.studies.table.files import CYCLES, places, store
@@ -132,10 +132,19 @@ def _compute(
             tell(progress)
         tasks = [replace(task, levels=levels.get(task.variants[0].levels)) for task in tasks]
         began, rows_of = perf_counter(), Counter(variant.identity for variant in settled.plan.variants)
-        for new in finished(tasks, work.rows, started):
-            kept.add(new)
-            rows |= {row.identity: row for row in new}
-            progress = progress.after(new, rows_of, perf_counter() - began)
+        for end in finished(tasks, work.rows, started):
+            stored = [row for row in end.rows if row.status != NOT_STORED]
+            kept.add(stored)
+            rows |= {row.identity: row for row in stored}
+            _require_stored(end.rows)
+            progress = progress.after(end, rows_of, perf_counter() - began)
             tell(progress)
     finally:
         started.close()
+
+
+def _require_stored(rows: Iterable[Row]) -> None:
+    """End the study where a result file finds no place: the next ones would find none either."""
+    for row in rows:
+        if row.status == NOT_STORED:
+            raise NotStored(row.message)

@@ -11,6 +11,7 @@ import numpy as np
 
 from flexbearing.case.variants import Variants
 from flexbearing.families import FAMILIES
+from flexbearing.studies.engine import Ended
 from flexbearing.studies.file import Study
 from flexbearing.studies.plan import Part, Plan, Row, Variant
 from flexbearing.studies.plan.task import file_name
@@ -36,6 +37,7 @@ class Progress:
     begun: int  # rows that were there at the start
     seconds: float  # since the first task began
     rings: tuple[int, int] = (0, 0)  # condensed or resolved for a target, of how many
+    repeated: int = 0  # tasks whose worker process died
 
     @property
     def left(self) -> float | None:
@@ -43,11 +45,17 @@ class Progress:
         new = self.done - self.begun
         return self.seconds / new * (self.total - self.done) if new else None
 
-    def after(self, rows: Sequence[Row], rows_of: Mapping[str, int], seconds: float) -> "Progress":
-        """With some rows more, each of which stands in the table as often as its variant does."""
-        done = sum(rows_of[row.identity] for row in rows)
-        failed = sum(rows_of[row.identity] for row in rows if not row.converged)
-        return replace(self, done=self.done + done, failed=self.failed + failed, seconds=seconds)
+    def after(self, end: Ended, rows_of: Mapping[str, int], seconds: float) -> "Progress":
+        """With a task more, whose rows stand in the table as often as their variants do."""
+        done = sum(rows_of[row.identity] for row in end.rows)
+        failed = sum(rows_of[row.identity] for row in end.rows if not row.converged)
+        return replace(
+            self,
+            done=self.done + done,
+            failed=self.failed + failed,
+            seconds=seconds,
+            repeated=self.repeated + end.died,
+        )
 
 
 @dataclass(frozen=True)

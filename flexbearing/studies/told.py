@@ -159,4 +159,6 @@ class Shown:
         if condensed < rings:
             return f"{condensed} of {rings} elastic rings condensed or resolved for the target"
         left = "" if progress.left is None else f", {duration(progress.left)} left"
-        return f"{progress.done} of {progress.total} variants, {progress.failed} failed{left}"
+        tasks = f"{progress.repeated} task{'s' if progress.repeated > 1 else ''}"
+        repeated = f", {tasks} repeated because a worker process died" if progress.repeated else ""
+        return f"{progress.done} of {progress.total} variants, {progress.failed} failed{repeated}{left}"

@@ -21,12 +21,13 @@ from flexbearing.case.roller import Case
 from flexbearing.case.variants import Variants
 from flexbearing.coupling import PartnerFailed
 from flexbearing.families import FAMILIES
+from flexbearing.files import BadOutput, NotStored
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged
 from flexbearing.results import store
 from flexbearing.runs.many import Answer, answers
 from flexbearing.studies.plan import Corners, Ring, Row, Task, Variant
-from flexbearing.studies.plan.task import BAD_INPUT, CONVERGED, ERROR, Base, file_name
+from flexbearing.studies.plan.task import BAD_INPUT, CONVERGED, ERROR, NOT_STORED, Base, file_name
 from flexbearing.studies.table.collected import errors, numbers
 
 LONGEST = 500  # characters of a message
@@ -59,7 +60,7 @@ def rows(task: Task, wish: Wish, cache: str | None = None) -> tuple[Row, ...]:
     Returns
     -------
     tuple of Row
-        one for each variant, also where it failed
+        one for each variant, also where it failed; none behind one whose result file could not be written
     """
     read = _variants(task.base)
     cases = [read.known(variant.values, variant.in_si) for variant in task.variants]
@@ -67,7 +68,7 @@ def rows(task: Task, wish: Wish, cache: str | None = None) -> tuple[Row, ...]:
     wish = replace(wish, levels=levels)
     with _rings_in(cache):
         found = list(zip(task.variants, cases, strict=True))
-        return tuple(_together(found, wish) or (_alone(*each, wish) for each in found))
+        return tuple(_together(found, wish) or _one_by_one(found, wish))
 
 
 def condense(ring: Ring | Corners, cache: str | None = None) -> Levels | None:
@@ -161,6 +162,15 @@ def _together(found: Sequence[tuple[Variant, Head]], wish: Wish) -> list[Row]:
     ]
 
 
+def _one_by_one(found: Sequence[tuple[Variant, Head]], wish: Wish) -> Iterator[Row]:
+    """Rows from runs of their own, up to a result file that cannot be written."""
+    for variant, case in found:
+        row = _alone(variant, case, wish)
+        yield row
+        if row.status == NOT_STORED:
+            return
+
+
 def _alone(variant: Variant, case: Head, wish: Wish) -> Row:
     """Row from a run of its own."""
     began = perf_counter()
@@ -185,6 +195,8 @@ def _answer(case: Head, wish: Wish, file: Path | None = None) -> Answer:
             store(result.end_states, file, case.input_files)
     except BadCase as problem:
         return Answer(BAD_INPUT, str(problem), {})
+    except (BadOutput, NotStored) as problem:
+        return Answer(NOT_STORED, str(problem), {})
     except MemoryError:
         return Answer(ERROR, "out of memory", {})
     except Exception as problem:  # of one variant, which must not end the others

@@ -18,7 +18,6 @@ from fem.raceway.harmonics import HarmonicCompliance
 from flexbearing.cache import Cache, configured, key, listing, recent, store
 from flexbearing.cache.archive import Damaged, packed, unpacked
 from flexbearing.cache.forms import WrongForm
-from flexbearing.files.whole import part_name
 
 STEEL = fem.Elastic(youngs_modulus=203e9, poisson_ratio=0.28)
 CAGE = fem.SquirrelCage(
@@ -250,11 +249,16 @@ def test_full_disk_leaves_nothing_behind(cache, notes, monkeypatch):
     assert not list(cache.folder.iterdir())
 
 
-def test_what_a_killed_process_left_is_removed_after_an_hour(cache, notes):
-    cache.folder.mkdir()
-    old, new = (part_name(cache.folder / f"{key.digest(name)}{store.SUFFIX}") for name in ("old", "new"))
-    for path in (old, new):
-        path.touch()
+def test_what_a_killed_process_left_is_removed_after_an_hour(cache, notes, monkeypatch):
+    def killed(*_):
+        raise OSError
+
+    with monkeypatch.context() as patch:
+        patch.setattr(Path, "replace", killed)
+        patch.setattr("flexbearing.files.whole._remove", lambda part: None)
+        for name in ("old", "new"):
+            cache.cached(RACEWAY, name, Counted(), notes.append)
+    old, new = cache.folder.iterdir()
     os.utime(old, (time.time() - 4000,) * 2)
     cache.cached(RACEWAY, PARTS, Counted(), notes.append)
     assert (old.exists(), new.exists()) == (False, True)

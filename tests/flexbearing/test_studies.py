@@ -7,9 +7,10 @@ from math import isnan
 
 import pytest
 
-from flexbearing.files import BadOutput
+from flexbearing.files import BadOutput, NotStored
 from flexbearing.studies.engine import Done, finished
 from flexbearing.studies.engine.serial import Serial
+from flexbearing.studies.plan.task import NOT_STORED
 from flexbearing.studies.run import Work, run
 from flexbearing.studies.table import journal
 from tests.flexbearing.toy_studies import cubes, load, no_ring, toy
@@ -150,6 +151,27 @@ def test_three_failures_of_a_hundred_are_rows_of_their_own(tmp_path):
     assert table.failed == 3 + 1
 
 
+def test_a_result_file_that_finds_no_place_ends_the_study_and_is_no_row(tmp_path):
+    """Also where variants of the same task were finished before."""
+    settled = toy(tmp_path)
+
+    def full(task, texts):
+        rows = cubes(task, texts)
+        lost = [
+            replace(row, status=NOT_STORED, message="x.h5: not written: the disk is full") for row in rows
+        ]
+        return [row if load(each.values[0]) < 6 else other
+                for row, other, each in zip(rows, lost, task.variants, strict=True)]  # fmt: skip
+
+    with pytest.raises(NotStored, match=r"x\.h5: not written: the disk is full") as problem:
+        computed(settled, tmp_path, full)
+    assert problem.value.__notes__ == ["5 of 10 variants are kept, the same study goes on from there"]
+    work, loads = counting()
+    table = computed(settled, tmp_path, work)
+    assert sorted(loads) == [6.0, 7.0, 8.0, 9.0, 10.0]
+    assert str(table.rows) == str(computed(settled, tmp_path / "at once").rows)
+
+
 def replaced_by_single(settled):
     """The same study, each variant in a task of its own."""
     variants = tuple(replace(each, rings=(each.identity,)) for each in settled.plan.variants)
@@ -211,7 +233,7 @@ def test_an_engine_is_never_given_more_than_twice_its_workers(tmp_path):
             self.largest = max(self.largest, len(self._waiting))
 
     engine = Counted()
-    rows = [row for rows in finished(tasks, lambda task: cubes(task, ()), engine) for row in rows]
+    rows = [row for end in finished(tasks, lambda task: cubes(task, ()), engine) for row in end.rows]
     assert len(rows) == 80
     assert engine.largest == 4
 

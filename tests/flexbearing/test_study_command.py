@@ -1,11 +1,6 @@
 """The command `study`: what it prints, its exit codes, rows that are those of single runs."""
 
 import csv
-import os
-import signal
-import subprocess
-import sys
-import time
 from dataclasses import replace
 from pathlib import Path
 
@@ -134,45 +129,6 @@ def test_the_status_touches_nothing(file, tmp_path, capsys):
     assert command(file, "--status", "-o", tmp_path / "out") == 0
     assert "4 finished" in capsys.readouterr().out
     assert before == {path: path.read_bytes() for path in (tmp_path / "out").iterdir()}
-
-
-def started(file, folder):
-    return subprocess.Popen(
-        [sys.executable, "-m", "flexbearing", "study", file, "-o", folder, "--jobs", "1"],
-        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=ROOT,
-    )  # fmt: skip
-
-
-def until(condition, limit=60):
-    began = time.monotonic()
-    while not condition():
-        assert time.monotonic() - began < limit
-        time.sleep(0.02)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGTERM, signal.SIGINT], ids=lambda n: n.name)
-def test_a_study_that_is_killed_goes_on_and_ends_with_the_same_table(file, tmp_path, number):
-    over = LOADS.replace('["2 kN", "4 kN"]', '"2 kN .. 8 kN, 1000"')
-    file.write_text(f'case = "{CASE}"\n{over}')
-    assert command(file, "-o", tmp_path / "at once") == 0
-    journal = tmp_path / "out" / "loads.journal.jsonl"
-    process = started(file, tmp_path / "out")
-    until(lambda: journal.exists() and journal.read_bytes().count(b"identity") > 200)
-    os.kill(process.pid, number)
-    told = process.communicate()[1]
-    assert process.returncode == (-9 if number == signal.SIGKILL else 128 + number)
-    if number != signal.SIGKILL:
-        assert "of 2000 variants are kept, the same study goes on from there" in told
-        assert len(table(tmp_path / "out")) == 2000
-    finished = journal.read_bytes().count(b"identity")
-    assert command(file, "-o", tmp_path / "out") == 0
-    assert journal.read_bytes().count(b"identity") == 2000 >= finished > 0
-    without_time = [
-        [{key: value for key, value in row.items() if key != "seconds"} for row in table(tmp_path / folder)]
-        for folder in ("out", "at once")
-    ]
-    assert without_time[0] == without_time[1]
 
 
 def test_keys_of_a_study_file_are_explained_as_the_reference_page_says(capsys):

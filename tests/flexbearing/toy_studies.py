@@ -58,6 +58,16 @@ def slow_cubes(task, texts, place):
     return cubes(task, texts)
 
 
+def replaced_cubes(task, texts, place):
+    """As `slow_cubes`; when one of two processes was killed, after a third one has begun."""
+    rows = slow_cubes(task, texts, place / "processes")
+    gone_by = time.monotonic() + 60
+    while (place / "killed").exists() and len(list((place / "processes").iterdir())) < 3:
+        assert time.monotonic() < gone_by
+        time.sleep(0.02)
+    return rows
+
+
 def no_ring(ring):
     """Rings of toys are rigid."""
 

@@ -2,6 +2,7 @@
 
 from collections import Counter, deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
 from typing import Any, Protocol
 
 from flexbearing.studies.engine.engine import Done, Engine
@@ -21,10 +22,18 @@ class Named(Protocol):
         ...
 
 
+@dataclass(frozen=True)
+class Ended:
+    """How a task ended."""
+
+    rows: tuple[Row, ...]  # of its variants; those without a row are in a task that is still to come
+    died: bool = False  # with its worker process
+
+
 def finished(
     tasks: Iterable[Task], function: Callable[[Task], Sequence[Row]], engine: Engine
-) -> Iterator[tuple[Row, ...]]:
-    """Yield the rows of every task as it is completed.
+) -> Iterator[Ended]:
+    """Yield the end of every task.
 
     When a worker dies, the variants of its task go one by one, so that the deadly one is found; what dies
     three times is a row that says so.
@@ -40,8 +49,8 @@ def finished(
 
     Yields
     ------
-    tuple of Row
-        of one task
+    Ended
+        one for each task, also for those into which the task of a dead worker is taken apart
     """
     waiting, again, deaths = deque(tasks), deque[Task](), Counter[str]()
     running: set[Task] = set()
@@ -63,8 +72,7 @@ def finished(
         else:
             rows = tuple(done.answer or _failed(done))
         submit()
-        if rows:
-            yield rows
+        yield Ended(rows, done.died)
 
 
 def completed(calls: Iterable[Named], function: Callable[[Any], Any], engine: Engine) -> Iterator[Done]:

@@ -71,10 +71,9 @@ class Local(OnDask):
     def as_completed(self) -> Any:
         """Yield calls as they end; a worker that died is replaced."""
         for done in super().as_completed():
-            if done.died:
-                self._look_after_workers()
-            else:
+            if not done.died:
                 self._failed_starts = 0
+            self._look_after_workers()
             yield done
 
     def _look_after_workers(self) -> None:

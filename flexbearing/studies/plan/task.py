@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 CONVERGED, BAD_INPUT, WORKER_DIED, ERROR = "converged", "bad input", "worker died", "error"
+NOT_STORED = "not stored"  # the result file of a variant: that ends the study
 
 
 @dataclass(frozen=True)
@@ -89,7 +90,7 @@ class Row:
     """How a variant ended."""
 
     identity: str
-    status: str  # an end of a run, or `BAD_INPUT`, `WORKER_DIED`, `ERROR`
+    status: str  # an end of a run, or `BAD_INPUT`, `WORKER_DIED`, `ERROR`, `NOT_STORED`
     message: str  # one line
     seconds: float
     values: Mapping[str, float] = field(default_factory=dict)  # by names of outputs; absent: not known
