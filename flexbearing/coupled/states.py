@@ -17,6 +17,7 @@ from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.balance.rollers.unknowns import Unknowns
 from quasidynamic.outcome.bearing_states import BearingStates
 from quasidynamic.outcome.ring_stiffness import Tangent
+from quasidynamic.outcome.whole_roller import WholeRoller
 
 MREV = 1e6  # revolutions
 
@@ -39,6 +40,11 @@ class EndStates:
     def raceway_life(self) -> NDArray:
         """Basic rating life (C, 2) of each raceway on its own [rev]."""
         return self.states.raceway_lives * MREV
+
+    @property
+    def peak_pressure(self) -> NDArray:
+        """Largest pressure (C, 2) at the inner and outer raceway [Pa]."""
+        return self.states.peak_pressure
 
     @property
     def relative_speed(self) -> NDArray:
@@ -87,6 +93,7 @@ class EndState:
     rings: LinearPair
     roughness: NDArray | None = None  # (2) composite [m]
     life_error: float | None = None  # estimated, over the life; None where nothing was estimated [-]
+    whole: WholeRoller | None = None  # its most loaded roller on half-spaces; None where slices answer
 
     @cached_property
     def cases(self) -> EndStates:
@@ -96,12 +103,22 @@ class EndState:
     @property
     def life(self) -> float:
         """Basic rating life [rev]."""
-        return self.cases.life[0]
+        return self.cases.life[0] if self.whole is None else self.whole.life * MREV
 
     @property
     def raceway_life(self) -> NDArray:
         """Basic rating life (2) of each raceway on its own [rev]."""
-        return self.cases.raceway_life[0]
+        return self.cases.raceway_life[0] if self.whole is None else self.whole.raceway_lives * MREV
+
+    @property
+    def peak_pressure(self) -> NDArray:
+        """Largest pressure (2) at the inner and outer raceway [Pa]."""
+        return self.cases.peak_pressure[0] if self.whole is None else self.whole.peak_pressure
+
+    @property
+    def sliced_life(self) -> float:
+        """Basic rating life by slices alone [rev]."""
+        return self.cases.life[0]
 
     @property
     def relative_speed(self) -> float:
@@ -151,6 +168,8 @@ def block(end: EndState, **further: Any) -> dict[str, NDArray]:
     """Quantities of an end state, with those of its `skew` and modified `life` where these are given."""
     state = end.equilibrium
     solved = {"state": state, "end": end, "bearing": state.balance.roller.bearing, "losses": state.losses}
+    if end.whole is not None:
+        solved |= {"whole": end.whole, "sliced": end}
     return taken(LAYOUT.datasets("block").values(), solved | further)
 
 

@@ -35,6 +35,7 @@ _DEVIATIONS = ("inner_deviation", "outer_deviation")
 _FLANGED = "absent without [bearing.flange]"
 _NO_BARS = "absent without bars"
 _NO_ROUGHNESS = "absent without roughness"
+_SLICED = 'absent without bearing.contact = "half_space"'
 LOSSES = ("sliding", "rolling", "drag", "pocket", "land", "churning", "transport")
 SKEW = "skew"  # section of the page
 
@@ -235,8 +236,9 @@ QUANTITIES = (
         summary=(SummaryValue("driving_torque_Nm", label="driving torque", digits=".4f"),)),
 
     # contacts
-    Quantity("peak_pressure", "p", "race", "Pa", "block", "largest contact pressure (inner, outer)",
-        people=MPA,
+    Quantity("peak_pressure", "p", "race", "Pa", "block",
+        "largest contact pressure (inner, outer), by slices as bearing.contact says or of the whole roller",
+        source="end.peak_pressure", people=MPA,
         summary=(SummaryValue("peak_pressure_MPa", label="peak pressure", digits=",.0f", parts=RACES),)),
     Quantity("inner_film", "h_i", "Z", "m", "state", "film thickness of the inner contact, 0 without load",
         source="state.loaded_film.0", people=UM),
@@ -256,6 +258,38 @@ QUANTITIES = (
     Quantity("outer_film_ratio", "Lambda_o", "Z", "1", "block",
         f"film over composite roughness of the outer contact, 0 without load; {_NO_ROUGHNESS}",
         source="end.film_ratio.1", optional=True),
+
+    # the most loaded roller as a whole
+    Quantity("whole_roller", "", "", "1", "block",
+        f"number of the roller, from 0, whose contacts were solved on half-spaces; {_SLICED}",
+        source="whole.number", optional=True),
+    Quantity("whole_roller_position", "y", "Y", "m", "block",
+        f"axial place of the cells' middles, 0 at mid-roller; {_SLICED}", source="whole.positions",
+        people=MM, optional=True),
+    Quantity("whole_roller_across", "x", "race X", "m", "block",
+        f"place of the cells' middles along the rolling direction, 0 in the middle; {_SLICED}",
+        source="whole.across", people=MM, optional=True),
+    Quantity("whole_roller_pressure", "p", "race X Y", "Pa", "block",
+        f"pressure of the cells, >= 0; {_SLICED}", source="whole.pressure", people=MPA, optional=True),
+    Quantity("whole_roller_line_load", "q", "race Y", "N/m", "block",
+        f"load per length along the roller, >= 0; {_SLICED}", source="whole.line_load", optional=True),
+    Quantity("whole_roller_tilt", "t", "race", "rad", "block",
+        "tilt of the roller against the raceway that its moment asks for on half-spaces, positive: +x end "
+        f"pressed in; {_SLICED}", source="whole.tilt", people=MRAD, optional=True),
+    Quantity("peak_pressure_error", "", "race", "Pa", "block",
+        "estimated discretisation error of the whole roller's peak pressure: its change with cells of twice "
+        f"the size; at a sharp end there is no limit; {_SLICED}", source="whole.pressure_error", people=MPA,
+        optional=True,
+        summary=(SummaryValue("peak_pressure_error_MPa", label="  its error, estimated", digits=",.1f",
+                              parts=RACES, compared=False),)),
+    Quantity("sliced_peak_pressure", "", "race", "Pa", "block",
+        f"largest pressure that slices alone have, each a line contact; {_SLICED}",
+        source="sliced.equilibrium.peak_pressure", people=MPA, optional=True,
+        summary=(SummaryValue("sliced_peak_pressure_MPa", label="  by slices alone", digits=",.0f",
+                              parts=RACES),)),
+    Quantity("sliced_life", "", "", "rev", "block", f"rating life that slices alone give; {_SLICED}",
+        source="sliced.sliced_life", people=MREV, optional=True,
+        summary=(SummaryValue("sliced_life_Mrev", label="life L10 by slices alone", digits=",.2f"),)),
 
     # bars of a squirrel cage
     Quantity("bar_azimuth", "", "B", "rad", "block",
@@ -488,6 +522,8 @@ towards y, which is the way a positive speed turns.
         Axis("Z", "roller", coordinate="roller_azimuth"),
         Axis("K", "slice", coordinate="slice_position"),
         Axis("B", "bar", coordinate="bar_azimuth"),
+        Axis("X", "place_across"),
+        Axis("Y", "place_along", coordinate="whole_roller_position"),
         Axis("N", "unknown"),
     ),
     quantities=QUANTITIES,

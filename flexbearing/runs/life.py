@@ -39,6 +39,7 @@ from quasidynamic.outcome.life_factors import (
 
 if TYPE_CHECKING:  # checking a case loads no solver
     from quasidynamic import Equilibrium
+    from quasidynamic.outcome.whole_roller import WholeRoller
 
 MREV = 1e6  # revolutions
 
@@ -70,7 +71,7 @@ class LifeOfState:
         }
 
 
-def modified(case: Case, state: "Equilibrium") -> LifeOfState | None:
+def modified(case: Case, state: "Equilibrium", whole: "WholeRoller | None" = None) -> LifeOfState | None:
     """Life after every factor of a case; None when nothing modifies it or nothing carries load.
 
     Parameters
@@ -79,6 +80,8 @@ def modified(case: Case, state: "Equilibrium") -> LifeOfState | None:
         with its section [life]
     state : Equilibrium
         with its loads and films
+    whole : WholeRoller, optional
+        the roller of the state that half-spaces answer for
 
     Returns
     -------
@@ -92,18 +95,22 @@ def modified(case: Case, state: "Equilibrium") -> LifeOfState | None:
     asked = case.life.model_dump(exclude_defaults=True)
     if not asked or not np.isfinite(state.life):
         return None
-    by_slices = tuple(_slice_factors(case, state))
-    rated = state.life * float(np.prod([factor["value"] for factor in by_slices]))
-    life = ModifiedLife(basic=rated, factors=(*_lubrication_factors(case, state), *_fixed_factors(case)))
-    factors = tuple({**asdict(factor), "value": float(factor.value)} for factor in life.factors)
-    return LifeOfState(state.life, by_slices + factors, float(life.life) * MREV)
+    basic, loads = state.life if whole is None else whole.life, _slice_loads(state, whole)
+    by_slices = tuple(_slice_factors(case, state, basic, loads))
+    rated = basic * float(np.prod([factor["value"] for factor in by_slices]))
+    factors = (*_lubrication_factors(case, state, loads), *_fixed_factors(case))
+    life = ModifiedLife(basic=rated, factors=factors)
+    further = tuple({**asdict(factor), "value": float(factor.value)} for factor in life.factors)
+    return LifeOfState(basic, by_slices + further, float(life.life) * MREV)
 
 
-def _slice_factors(case: Case, state: "Equilibrium") -> Iterator[dict[str, Any]]:
+def _slice_factors(
+    case: Case, state: "Equilibrium", basic: float, loads: NDArray
+) -> Iterator[dict[str, Any]]:
     """What capacity, edge stress and rollers make of the basic life, one after the other."""
     bearing = state.balance.roller.bearing
-    inner, outer = _slice_loads(state)
-    before, edge, capacity = state.life, None, raceway_capacity(bearing)
+    inner, outer = loads
+    before, edge, capacity = basic, None, raceway_capacity(bearing)
 
     def life(rollers: RollerBody | None = None) -> float:
         return float(slice_life(inner, outer, capacity, state.turning, edge=edge, rollers=rollers))
@@ -130,12 +137,12 @@ def _slice_factors(case: Case, state: "Equilibrium") -> Iterator[dict[str, Any]]
         yield {"name": "roller body", "value": after / before, "effect": "load", "note": note}
 
 
-def _lubrication_factors(case: Case, state: "Equilibrium") -> Iterator[LifeFactor]:
+def _lubrication_factors(case: Case, state: "Equilibrium", loads: NDArray) -> Iterator[LifeFactor]:
     if case.life.lubrication == "film":
         ratio = float((state.minimum_film / roughness(case)).min())
         yield _explained(film_factor(ratio), f"smallest film ratio {ratio:.3g}")
     elif case.life.lubrication == "a_ISO":
-        bearing, (inner, outer) = state.balance.roller.bearing, _slice_loads(state)
+        bearing, (inner, outer) = state.balance.roller.bearing, loads
         rating, kappa = _rating(case, bearing), _kappa(case, bearing)
         edge = case.life.edge_stress
         life = reference_life(inner, outer, bearing, state.turning, edge_stress=edge, rating=rating)
@@ -157,9 +164,10 @@ def _fixed_factors(case: Case) -> list[LifeFactor]:
     return factors
 
 
-def _slice_loads(state: "Equilibrium") -> NDArray:
+def _slice_loads(state: "Equilibrium", whole: "WholeRoller | None") -> NDArray:
     """Load (2, Z, K) of each slice [N]."""
-    return state.slice_loads * state.balance.roller.raceways.slices.width
+    loads = state.slice_loads if whole is None else whole.slice_loads
+    return loads * state.balance.roller.raceways.slices.width
 
 
 def _rating(case: Case, bearing: CylindricalRollerBearing) -> float:

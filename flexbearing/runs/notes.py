@@ -12,6 +12,7 @@ from flexbearing.runs import dangers
 from quasidynamic import Equilibrium
 from quasidynamic.note import Note, information, outside
 from quasidynamic.outcome.validity import validity
+from quasidynamic.outcome.whole_roller import WholeRoller
 
 LARGE_SHARE = 0.5  # of the losses: worth a word (assumed)
 ALONE = 0.01  # of the largest line force: below it the other lines only keep the ring from rolling away
@@ -57,7 +58,9 @@ def _teeth(case: Case) -> tuple[Note, ...]:
     return (information("tooth-forces-at-rim", words),)
 
 
-def of_state(case: Case, state: Equilibrium, modified_life: float | None) -> tuple[Note, ...]:
+def of_state(
+    case: Case, state: Equilibrium, modified_life: float | None, whole: WholeRoller | None = None
+) -> tuple[Note, ...]:
     """What a solved state adds: dangers, limits of laws that it is beyond, what a reader should weigh.
 
     Parameters
@@ -68,18 +71,23 @@ def of_state(case: Case, state: Equilibrium, modified_life: float | None) -> tup
         solved
     modified_life : float or None
         life after every factor [10^6 revolutions]; None where the case modifies nothing
+    whole : WholeRoller, optional
+        the roller of the state that half-spaces answer for
 
     Returns
     -------
     tuple of Note
     """
-    life = state.life if modified_life is None else modified_life
-    return (*_dangers(state, life), *validity(state), *_information(case, state))
+    basic = state.life if whole is None else whole.life
+    life = basic if modified_life is None else modified_life
+    return (*_dangers(state, life, whole), *validity(state), *_information(case, state))
 
 
-def _dangers(state: Equilibrium, life: float) -> Iterator[Note]:
+def _dangers(state: Equilibrium, life: float, whole: WholeRoller | None) -> Iterator[Note]:
     points = state.balance.points
-    yield from dangers.pressed(float(state.peak_pressure.max()))
+    # A pressure without bound, at a sharp end, says nothing.
+    pressure = state.peak_pressure if whole is None or whole.at_ends else whole.peak_pressure
+    yield from dangers.pressed(float(pressure.max()))
     yield from dangers.short_lived(life, float(points.inner_speed[0, 0] - points.outer_speed[0, 0]))
 
 

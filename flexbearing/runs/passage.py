@@ -15,6 +15,7 @@ from flexbearing.coupled.initial_state import InitialState, flat, unknowns
 from flexbearing.coupling import LinearPair, PartnerFailed, RacewayPair
 from flexbearing.progress import Report
 from flexbearing.quantities.roller import LAYOUT
+from flexbearing.runs import half_space
 from quasidynamic import Equilibrium, RollerBearing
 from quasidynamic.note import Note, danger, information
 
@@ -174,7 +175,8 @@ def solved_near(case: Case, model: RollerBearing, rings: RacewayPair, near: Equi
 def _values(case: Case, state: Equilibrium, rings: RacewayPair) -> dict[str, float]:
     """Every single number that the page of a result shows, by its name in the summary."""
     tangent = RIGID if rings.rigid else rings.linearised(state.forces)
-    block = states.block(states.EndState(state, tangent, roughness(case)))
+    whole, _ = half_space.most_loaded(case, state)
+    block = states.block(states.EndState(state, tangent, roughness(case), whole=whole))
     values = {}
     for entry in LAYOUT.summary:
         if entry.label and not entry.section and all(name in block for name in entry.of):

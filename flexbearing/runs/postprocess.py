@@ -11,7 +11,7 @@ from flexbearing.coupled.states import EndState
 from flexbearing.coupling import LinearPair
 from flexbearing.progress import Report
 from flexbearing.results import Arrays, Recorder
-from flexbearing.runs import bars, fields, life, notes, skew
+from flexbearing.runs import bars, fields, half_space, life, notes, skew
 from flexbearing.runs.life_error import LifeError, estimated
 from flexbearing.runs.part_fields import NoFields
 from flexbearing.runs.several import SeveralEquilibria, between_flexible_raceways
@@ -45,12 +45,13 @@ class Postprocessing:
     ) -> None:
         """Write a block; lives, regimes, skew, stresses and notes are those of solutions only."""
         error = estimated(self.case, state, rings, self.report) if converged else LifeError(None)
-        end = EndState(state, rings, roughness(self.case), error.value)
+        whole, of_whole = half_space.most_loaded(self.case, state) if converged else (None, ())
+        end = EndState(state, rings, roughness(self.case), error.value, whole)
         block = states.block(end, **self._of_solution(name, end)) if converged else states.block(end)
         if converged and name == "flexible" and self.case.outputs.stresses:
             self._add_stresses(block)
         if converged:
-            self.of_state[name] += error.notes
+            self.of_state[name] += error.notes + of_whole
         self.blocks[name] = block
         self.record.block(name, block, converged=converged)
 
@@ -64,7 +65,7 @@ class Postprocessing:
     def _of_solution(self, name: str, end: EndState) -> dict[str, Any]:
         """Modified life and skew of a solution, and other equilibria; its records and notes are collected."""
         state = end.equilibrium
-        modified = life.modified(self.case, state)
+        modified = life.modified(self.case, state, end.whole)
         skewed = skew.at(self.case, state)
         if modified:
             self.lives[name] = modified.record()
@@ -72,7 +73,7 @@ class Postprocessing:
             words = (str(word) for word in regime(lambda_ratio(state.minimum_film, end.roughness)))
             self.regimes[name] = dict(zip(("inner", "outer"), words, strict=True))
         rated = modified.modified / life.MREV if modified else None
-        self.of_state[name] = notes.of_state(self.case, state, rated)
+        self.of_state[name] = notes.of_state(self.case, state, rated, end.whole)
         if skewed:
             self.of_state[name] += skew.notes(skewed, state, state.minimum_film)
         if not end.rings.rigid:

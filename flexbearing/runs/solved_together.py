@@ -44,8 +44,9 @@ def solved_together(
     """Yield cases that converge side by side.
 
     Left out are cases with `accuracy.target` whose levels are not given, with several positions of the
-    rollers or with stresses, those coupled by another method than newton, or with rings that are not linear
-    or that no other case has; cases that cannot be; and what does not converge.
+    rollers, with a roller on half-spaces or with stresses, those coupled by another method than newton, or
+    with rings that are not linear or that no other case has; cases that cannot be; and what does not
+    converge.
 
     Parameters
     ----------
@@ -104,7 +105,7 @@ class _Resolved:
 def _model(resolved: _Resolved) -> RollerBearing | None:
     """Bearing of a case that may be solved beside others; None where it needs a run of its own."""
     case = resolved.case
-    if case.operation.roller_positions is not None:
+    if case.operation.roller_positions is not None or case.bearing.contact == "half_space":
         return None
     if _elastic(case) and (case.coupling.method != "newton" or case.outputs.stresses or not is_linear(case)):
         return None

@@ -39,7 +39,11 @@ def built(case):
     FAMILIES[case.kind].build()(case)
     makers = {"cylindrical_roller": _roller, "four_point_ball": _four_point}
     models = makers.get(case.kind, _angular)(case)
-    models["case"] = {path: value for path, value in leaves(case.model_dump()) if path.startswith(DIRECT)}
+    models["case"] = {
+        path: value
+        for path, value in leaves(case.model_dump())
+        if path.startswith(DIRECT) or path == "bearing.contact"
+    }
     return dict(leaves(models))
 
 

@@ -19,6 +19,7 @@ EFFECTS = (
     ("pressed housing", "bearing.fits.housing.diameter", "121 mm", "model.bearing.clearance"),
     ("pressed housing", "bearing.fits.housing.interference", "21 um", "model.bearing.clearance"),
     ("cage", "bearing.contact_law", "iso16281", "model.bearing.contact_law"),
+    ("cage", "bearing.contact", "half_space", "case.bearing.contact"),
     ("cage", "bearing.first_roller_azimuth", "12 deg", "model.bearing.first_roller_azimuth"),
     ("cage", "bearing.roller.diameter", "5.05 mm", "inner.raceway_diameter model.bearing.roller.diameter"),
     ("cage", "bearing.roller.length", "5.05 mm",

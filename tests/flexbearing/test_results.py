@@ -22,7 +22,15 @@ from flexbearing.results.image import image
 from tests.flexbearing.resealed import digest, resealed
 
 ROLLERS = FAMILIES["cylindrical_roller"]
-SIZE = {"Z": 5, "K": 3, "B": 4, "N": 7, **{name: len(axis.entries) for name, axis in FIXED.items()}}
+SIZE = {
+    "Z": 5,
+    "K": 3,
+    "B": 4,
+    "N": 7,
+    "X": 6,
+    "Y": 8,
+    **{name: len(axis.entries) for name, axis in FIXED.items()},
+}
 PAGE = Path(__file__).parents[2] / "docs" / "reference" / "results.md"
 BEGINNING = {
     "title": "Rollenlager, Außenring weich",

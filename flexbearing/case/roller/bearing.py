@@ -127,6 +127,12 @@ class Bearing(Section):
     )
     fits: Fits | None = key("how the rings are mounted; with cold_clearance the operating one follows", None)
     contact_law: Literal["palmgren", "iso16281"] = key("load law of a roller on a raceway", "palmgren")
+    contact: Literal["slices", "half_space"] = key(
+        "how the most loaded roller is resolved for peak pressure and life: slices, each a line contact of "
+        "its own; half_space: both its contacts as a whole on elastic half-spaces, with their ends, under "
+        "the load and moment of its slices; loads, and all other rollers, are those of the slices anyway",
+        "slices",
+    )
     first_roller_azimuth: Angle = key("azimuth of a roller, from z towards y", "0 deg")
     roller: Roller = key("the rollers")
     cage: Cage = key("the cage")

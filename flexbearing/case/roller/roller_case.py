@@ -104,6 +104,9 @@ class Case(Head):
         if self.life.edge_stress and self.bearing.roller.profile == "straight":
             allowed = '"crowned" or "logarithmic" for life.edge_stress: a straight roller has no known edge'
             raise impossible("bearing.roller.profile", allowed)
+        if self.life.edge_stress and self.bearing.contact == "half_space":
+            allowed = 'false for bearing.contact = "half_space", whose loads per length hold the ends already'
+            raise impossible("life.edge_stress", allowed)
         if self.life.edge_stress and self.accuracy.slices < FEWEST_SLICES:
             raise impossible("accuracy.slices", f"at least {FEWEST_SLICES} for life.edge_stress")
         return self

@@ -10,9 +10,10 @@ from quasidynamic.contact.pressure.normal_contact import (
     RigidMotions,
     contact_pressure,
 )
-from quasidynamic.contact.pressure.roller import RollerOnRaceway, RollerPressure
+from quasidynamic.contact.pressure.roller import CELLS, RollerOnRaceway, RollerPressure
 
 __all__ = [
+    "CELLS",
     "BallInGroove",
     "NormalCompliance",
     "NormalContact",

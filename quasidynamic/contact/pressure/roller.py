@@ -16,7 +16,7 @@ from quasidynamic.contact.pressure.normal_contact import (
 )
 from quasidynamic.errors import NotSolved, OutOfRange, require_positive
 
-CELLS = (32, 256)  # across and along: 0.1 % of peak pressure and life of profiled rollers, 30 to 40 ms
+CELLS = (32, 512)  # across and along: 0.2 % of the peak pressure of profiled rollers, also near their ends
 MARGIN = 1.5  # width of the grid over that of the contact under the mean load, and its growth where too small
 WIDEST = 12  # times that the grid may grow
 

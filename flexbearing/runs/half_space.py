@@ -1,0 +1,66 @@
+"""The most loaded roller of a case on half-spaces, where the case asks for it."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from flexbearing.case.roller import Case
+from quasidynamic import Equilibrium, NotSolved, OutOfRange
+from quasidynamic.note import Note, information, outside
+from quasidynamic.outcome.whole_roller import WholeRoller, whole_roller
+
+MICROMETRE = 1e-6
+RESOLVED = 0.02  # of the peak pressure: an estimated error that is worth a word (assumed)
+
+
+def most_loaded(case: Case, state: Equilibrium) -> tuple[WholeRoller | None, tuple[Note, ...]]:
+    """Whole roller of a solved state, with what must be said of it.
+
+    Parameters
+    ----------
+    case : Case
+        of the state
+    state : Equilibrium
+        solved
+
+    Returns
+    -------
+    tuple
+        the roller and notes; None and no notes without bearing.contact = "half_space", None and the reason
+        where its contacts could not be solved
+    """
+    if case.bearing.contact != "half_space":
+        return None, ()
+    try:
+        whole = whole_roller(state)
+    except (NotSolved, OutOfRange) as problem:
+        reason = f"peak pressure and life are those of the slices, half-spaces were not solved: {problem}"
+        return None, (outside("no-whole-roller", reason),)
+    return whole, tuple(_notes(state, whole))
+
+
+def _notes(state: Equilibrium, whole: WholeRoller) -> Iterator[Note]:
+    pressure = whole.peak_pressure / state.peak_pressure - 1
+    azimuth = np.degrees(state.balance.roller.bearing.azimuths[whole.number])
+    yield information(
+        "whole-roller",
+        f"most loaded roller, at {azimuth:.4g} deg: solved on half-spaces; peak pressures {pressure[0]:+.1%} "
+        f"(inner) and {pressure[1]:+.1%} (outer), life {whole.life / state.life - 1:+.1%} beside slices "
+        "alone; loads and moments are those of the slices, free end faces and flanges are left out",
+    )
+    if whole.at_ends:
+        cell = state.balance.roller.bearing.roller.length / len(whole.positions)
+        yield outside(
+            "sharp-roller-end",
+            "the contact of the most loaded roller reaches an end of it, where pressure has no bound: the "
+            f"peak pressure is the mean of a cell of {cell / MICROMETRE:.3g} um along the roller, and the "
+            "life depends on accuracy.slices; a profile that keeps the ends apart has neither",
+        )
+        return
+    share = float((whole.pressure_error / whole.peak_pressure).max())
+    if share > RESOLVED:
+        yield outside(
+            "whole-roller-resolution",
+            f"peak pressure: numerical error of about {share:.0%}, of cells on the most loaded roller whose "
+            "pressure rises close to an end",
+        )

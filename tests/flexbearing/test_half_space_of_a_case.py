@@ -1,0 +1,101 @@
+"""bearing.contact = "half_space": from the case file to datasets, summary, notes and page."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from pytest import approx
+
+import flexbearing
+from flexbearing.api import read_case
+from flexbearing.build import roller_bearing
+from flexbearing.case import BadCase
+from flexbearing.report import text
+from flexbearing.runs import half_space, life
+from quasidynamic.errors import NotSolved
+
+PLAIN = Path(__file__).parents[2] / "configs" / "nu209.toml"
+WHOLE = ['bearing.contact="half_space"']
+TILTED = ["operation.misalignment=3 arcmin"]
+PROFILED = ["bearing.roller.profile=logarithmic", "bearing.roller.drop=3.5 um"]
+
+
+@pytest.fixture(scope="module")
+def runs(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("run")
+    return tuple(
+        flexbearing.run(PLAIN, [*settings, *TILTED], output=folder / f"{number}.h5")
+        for number, settings in enumerate((WHOLE, []))
+    )
+
+
+def codes(result):
+    return {note["code"] for note in result.summary()["notes"]}
+
+
+def test_pressure_and_life_are_those_of_the_whole_roller_and_loads_those_of_slices(runs):
+    whole, sliced = (run.rigid for run in runs)
+    assert whole["inner_slice_load"] == approx(sliced["inner_slice_load"], rel=1e-12)
+    assert whole["sliced_life"] == approx(sliced["life_L10"], rel=1e-12)
+    assert whole["sliced_peak_pressure"] == approx(sliced["peak_pressure"], rel=1e-12)
+    assert whole["peak_pressure"] == approx(whole["whole_roller_pressure"].max(axis=(1, 2)), rel=1e-12)
+    assert abs(whole["life_L10"] / whole["sliced_life"] - 1) > 1e-3
+    assert "whole_roller_pressure" not in sliced
+
+
+def test_stored_pressure_carries_the_load_of_the_roller(runs):
+    block = runs[0].rigid
+    cell = np.diff(block["whole_roller_position"])[0]
+    roller = int(block["whole_roller"])
+    loads = [block["inner_load"][roller], block["outer_load"][roller]]
+    assert block["whole_roller_line_load"].sum(axis=1) * cell == approx(loads, rel=1e-6)
+
+
+def test_summary_page_and_notes_tell_of_the_whole_roller(runs):
+    numbers = json.loads(json.dumps(runs[0].summary()))["rigid"]
+    assert len(numbers["sliced_peak_pressure_MPa"]) == 2
+    assert numbers["sliced_life_Mrev"] == approx(float(runs[0].rigid["sliced_life"]) / 1e6, rel=1e-12)
+    assert "by slices alone, inner" in text(runs[0])
+    assert "by slices alone" not in text(runs[1])
+    assert "whole-roller" in codes(runs[0])
+    assert "whole-roller" not in codes(runs[1])
+
+
+def test_modified_life_starts_from_the_whole_roller():
+    case = read_case(PLAIN, [*WHOLE, *TILTED, "life.capacity=iso281"])
+    state = roller_bearing.bearing(case).solve()
+    whole, _ = half_space.most_loaded(case, state)
+    rated, sliced = life.modified(case, state, whole), life.modified(case, state)
+    assert rated.basic == approx(whole.life, rel=1e-12)
+    assert rated.modified / sliced.modified == approx(whole.life / state.life, rel=1e-2)
+
+
+def test_sharp_end_is_told():
+    case = read_case(PLAIN, [*WHOLE, *TILTED, "bearing.roller.profile=straight"])
+    _, notes = half_space.most_loaded(case, roller_bearing.bearing(case).solve())
+    assert [note.code for note in notes] == ["whole-roller", "sharp-roller-end"]
+
+
+def test_roller_that_is_not_solved_leaves_the_slices_with_a_note(monkeypatch):
+    def fails(state):
+        raise NotSolved("contact pressure: no step", "stalled")
+
+    monkeypatch.setattr(half_space, "whole_roller", fails)
+    case = read_case(PLAIN, WHOLE)
+    whole, (note,) = half_space.most_loaded(case, roller_bearing.bearing(case).solve())
+    assert whole is None
+    assert (note.grade, note.code) == ("outside validity", "no-whole-roller")
+
+
+def test_edge_stress_of_the_standard_is_refused_beside_the_true_ends():
+    with pytest.raises(BadCase, match=r"\[life\] edge_stress"):
+        read_case(PLAIN, [*WHOLE, *PROFILED, "life.edge_stress=true", "accuracy.slices=30"])
+
+
+def test_case_with_a_whole_roller_answers_a_study_like_its_own_run(runs):
+    """Cases side by side leave it to a run of its own."""
+    from flexbearing.runs.solved_together import solved_together
+
+    cases = [read_case(PLAIN, [*WHOLE, *TILTED]), read_case(PLAIN, TILTED)]
+    assert [together.places.tolist() for together in solved_together(cases, {""})] == [[1]]
