@@ -157,7 +157,7 @@ def nothing(task: Task, texts: tuple[str, ...]) -> tuple[Row, ...]:
     return tuple(Row(variant.identity, "converged", "", 0.0, values) for variant in task.variants)
 
 
-def no_ring(ring) -> None:
+def no_ring(ring, *, here: bool = False) -> None:
     """Rings that cost nothing."""
 
 

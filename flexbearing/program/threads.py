@@ -46,6 +46,22 @@ def cores() -> int:
     return os.cpu_count() or 1
 
 
+@contextmanager
+def limited_to(jobs: int | None) -> Iterator[None]:
+    """Let this process and those that it starts use no more cores than `--jobs` says, where it is given."""
+    if jobs is None:
+        yield
+        return
+    most = min(jobs, cores())
+    before = {name: os.environ.pop(name) for name in VARIABLES if name in os.environ}
+    os.environ[VARIABLES[1]] = str(most)
+    try:
+        yield
+    finally:
+        del os.environ[VARIABLES[1]]
+        os.environ |= before
+
+
 def environment(jobs: int) -> dict[str, str]:
     """Variables of a worker process, so that threads times workers are no more than the cores."""
     left = {name: value for name, value in os.environ.items() if name != VARIABLES[0]}

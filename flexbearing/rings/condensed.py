@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from fem.raceway.growth import RacewayGrowth
     from flexbearing.build.ring_parts import Part
 
-Ahead = Callable[[], Any] | None  # gives a ring that another process condenses
+Ahead = Callable[[], Any] | None  # gives a ring that is condensed in another place than usual
 WITH_A_SLEEVE = (3, 1.2, 0.4)  # smeared bars are worth no more
 RACES: tuple[Race, Race] = ("inner", "outer")
 PATCH = 0.1  # width of a load patch over the roller length
@@ -69,7 +69,7 @@ def raceway(
     report : Report
         hears of the part that is condensed
     ahead : callable (), optional
-        gives the part that another process condenses
+        gives the part that is condensed in another place than usual
 
     Returns
     -------
@@ -265,7 +265,7 @@ def condensed(
     report : Report
         hears of the part
     ahead : callable (), optional
-        gives the part that another process condenses
+        gives the part that is condensed in another place than usual
 
     Returns
     -------

@@ -21,7 +21,9 @@ def study(  # noqa: PLR0913  # an argument for each option
     ] = Path("results"),
     jobs: Annotated[
         int | None,
-        typer.Option("--jobs", metavar="N", min=1, help="processes that compute; else by cores and work"),
+        typer.Option(
+            "--jobs", metavar="N", min=1, help="processes that compute, a core each; else by cores and work"
+        ),
     ] = None,
     scheduler: Annotated[
         str | None, typer.Option("--scheduler", metavar="ADDRESS", help="running Dask scheduler, tcp://...")

@@ -8,6 +8,7 @@ from typing import Any
 from flexbearing.cache import configured
 from flexbearing.case.variants import Variants
 from flexbearing.families import FAMILIES
+from flexbearing.program.threads import limited_to
 from flexbearing.studies.file import read
 from flexbearing.studies.plan import Plan, plan
 from flexbearing.studies.run import Tell, Work, run
@@ -105,7 +106,8 @@ def compute(
     cache = str(folder / f"{name}.rings") if configured().folder is None else None
     wish = Wish(settled.outputs, settled.study.search, settled.files(folder), settled.study.final)
     work = Work(partial(rows, wish=wish, cache=cache), partial(condense, cache=cache))
-    table = run(settled, output, work, where.engine(settled.plan), retry_failed=retry_failed, tell=tell)
+    with limited_to(where.jobs):
+        table = run(settled, output, work, where.engine(settled.plan), retry_failed=retry_failed, tell=tell)
     if cache is not None and settled.part is None:
         rmtree(cache, ignore_errors=True)
     return table

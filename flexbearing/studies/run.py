@@ -1,7 +1,7 @@
 """The computing of a study: what is still lacking, by an engine, into journal and table."""
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Sequence, Set
+from collections.abc import Callable, Iterable, Iterator, Sequence, Set
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
@@ -11,7 +11,7 @@ from typing import Any
 
 from flexbearing.files import NotStored, require_folder, require_output, write
 from flexbearing.report.picture import png_bytes
-from flexbearing.studies.engine import Engine, completed, finished
+from flexbearing.studies.engine import Done, Engine, completed, finished
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.plan import Corners, Ring, Row, Task
 from flexbearing.studies.plan.task import NOT_STORED, involves
@@ -29,7 +29,8 @@ class Work:
     """What workers do; both functions can be pickled."""
 
     rows: Callable[[Task], Sequence[Row]]
-    condense: Callable[[Ring | Corners], Any]  # gives the levels that are chosen at corners
+    condense: Callable[..., Any]  # of a Ring or Corners, gives the levels that are chosen at these; with
+    # here=True what may crash is done in the calling process itself
 
 
 def run(
@@ -109,6 +110,16 @@ def _guarded(
     return started
 
 
+def _condensed(calls: Iterable[Ring | Corners], work: Work, started: Engine) -> Iterator[Done]:
+    """Condense rings: in the process of a worker, if it is one whose death ends nothing else.
+
+    A process of its own for each ring would load the finite elements once more.
+    """
+    if isinstance(started, Serial):
+        return completed(calls, work.condense, started)
+    return completed(calls, partial(work.condense, here=True), started, again=work.condense)
+
+
 def _compute(
     settled: Prepared,
     rows: dict[str, Row],
@@ -126,7 +137,7 @@ def _compute(
     started, progress = engine(len(tasks)), settled.progress(rows)
     try:
         levels: dict[str, Any] = {}
-        for number, done in enumerate(completed(first, work.condense, started), 1):
+        for number, done in enumerate(_condensed(first, work, started), 1):
             levels[done.argument.name] = done.answer or done.problem or "the worker process died"
             progress = replace(progress, rings=(number, len(first)))
             tell(progress)

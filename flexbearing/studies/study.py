@@ -30,8 +30,8 @@ def study(  # noqa: PLR0913  # an argument for each option
     output : path
         folder of the table and of what is finished so far
     jobs : int, optional
-        processes that compute; 1 is this one alone. Without it as many as there are cores, where the study is
-        long enough to be worth it
+        processes that compute, a core each; 1 is this one alone. Without it as many as there are cores, where
+        the study is long enough to be worth it
     scheduler : str, optional
         address of a running Dask scheduler that computes instead, tcp://HOST:PORT
     slurm : path, optional

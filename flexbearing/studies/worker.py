@@ -13,7 +13,7 @@ from typing import Any
 
 from flexbearing.accuracy.shared import Levels, UsualLevels, shared_levels
 from flexbearing.api import compute
-from flexbearing.build.ring_parts import Race
+from flexbearing.build.ring_parts import Race, part_of
 from flexbearing.cache.store import VARIABLE
 from flexbearing.case import BadCase, Head
 from flexbearing.case.excerpt import excerpt
@@ -71,7 +71,7 @@ def rows(task: Task, wish: Wish, cache: str | None = None) -> tuple[Row, ...]:
         return tuple(_together(found, wish) or _one_by_one(found, wish))
 
 
-def condense(ring: Ring | Corners, cache: str | None = None) -> Levels | None:
+def condense(ring: Ring | Corners, cache: str | None = None, *, here: bool = False) -> Levels | None:
     """Condense a ring into the cache; whatever goes wrong is told by the variants that have it.
 
     Parameters
@@ -80,6 +80,8 @@ def condense(ring: Ring | Corners, cache: str | None = None) -> Levels | None:
         of a variant, or variants at which levels are chosen
     cache : str, optional
         as for `rows`
+    here : bool
+        whether a cage is meshed in this process, which a crash of the mesh generator ends
 
     Returns
     -------
@@ -89,7 +91,7 @@ def condense(ring: Ring | Corners, cache: str | None = None) -> Levels | None:
     if isinstance(ring, Corners):
         with _rings_in(cache), linear_algebra_alone():
             return shared_levels(_cases(ring), Logged())
-    _keep(ring, cache)
+    _keep(ring, cache, here=here)
     return None
 
 
@@ -99,19 +101,26 @@ def _cases(corners: Corners) -> list[Case]:
     return [case for case in cases if isinstance(case, Case)]  # others have no target
 
 
-def _keep(ring: Ring, cache: str | None) -> None:
+def _keep(ring: Ring, cache: str | None, *, here: bool) -> None:
     """Put a ring into the cache."""
     case = _variants(ring.base).known(ring.variant.values, ring.variant.in_si)
     if not isinstance(case, Case):
         return  # not kept
+    from fem.condense import condense_in_process
     from flexbearing.build.roller_bearing import bearing
-    from flexbearing.rings.condensed import raceway
+    from flexbearing.rings.condensed import raceway, resolved
     from flexbearing.rings.fits import is_in_fit
 
     race: Race = "inner" if ring.race == "inner" else "outer"
-    if not is_in_fit(case, race):
-        with _rings_in(cache), suppress(BadCase, PartnerFailed), linear_algebra_alone():
-            raceway(case, race, bearing(case).bearing.azimuths, Logged())
+    part = part_of(case, race)
+    if part is None or is_in_fit(case, race):
+        return
+
+    def meshed_here() -> Any:
+        return condense_in_process(*resolved(part, case))
+
+    with _rings_in(cache), suppress(BadCase, PartnerFailed), linear_algebra_alone():
+        raceway(case, race, bearing(case).bearing.azimuths, Logged(), meshed_here if here else None)
 
 
 @contextmanager

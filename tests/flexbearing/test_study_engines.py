@@ -78,6 +78,15 @@ def test_every_ring_is_condensed_once_whatever_becomes_of_its_worker():
     }
 
 
+def test_a_ring_that_ended_its_worker_is_condensed_by_the_careful_function():
+    rings = [Ring(Base(Path("case.toml"), "", ()), Variant((), ""), name) for name in ("inner", "outer")]
+    engine = Apart()
+    ends = [*completed(rings, toy_studies.deadly_ring, engine, again=toy_studies.no_ring)]
+    engine.close()
+    assert [(done.argument.name, done.answer) for done in ends] == [("inner", "condensed"), ("outer", None)]
+    assert not any(done.died for done in ends)
+
+
 @pytest.mark.slow
 def test_two_jobs_give_the_table_of_one(tmp_path):
     settled = toy(tmp_path, FORTY)

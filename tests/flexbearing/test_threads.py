@@ -42,6 +42,15 @@ def test_threads_times_workers_are_no_more_than_the_cores(monkeypatch):
         assert "SLURM_CPUS_PER_TASK" not in variables
 
 
+def test_jobs_limit_the_cores_and_never_add_some(monkeypatch):
+    monkeypatch.setenv("SLURM_CPUS_PER_TASK", "4")
+    for jobs, most in ((None, 4), (1, 1), (3, 3), (9, 4)):
+        with threads.limited_to(jobs):
+            assert threads.cores() == most
+            assert threads.environment(jobs or 4)["FLEXBEARING_THREADS"] == "1"
+        assert (threads.cores(), os.environ["SLURM_CPUS_PER_TASK"]) == (4, "4")
+
+
 def test_solids_take_what_a_case_asks_for_and_no_more_than_the_cores(monkeypatch):
     monkeypatch.setenv("SLURM_CPUS_PER_TASK", "3")
     assert [threads.of_solids(wanted) for wanted in (None, 1, 3, 64)] == [3, 1, 3, 3]

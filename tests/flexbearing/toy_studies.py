@@ -68,7 +68,7 @@ def replaced_cubes(task, texts, place):
     return rows
 
 
-def no_ring(ring):
+def no_ring(ring, *, here=False):
     """Rings of toys are rigid."""
 
 
@@ -78,6 +78,13 @@ def deadly_outer(ring, place):
         file.write(f"{os.getpid()}\n")
     if ring.name == "outer":
         os._exit(1)
+
+
+def deadly_ring(ring):
+    """The process of an outer ring ends without a word."""
+    if ring.name == "outer":
+        os._exit(1)
+    return "condensed"
 
 
 def asleep(place):

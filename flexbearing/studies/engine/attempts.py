@@ -75,7 +75,12 @@ def finished(
         yield Ended(rows, done.died)
 
 
-def completed(calls: Iterable[Named], function: Callable[[Any], Any], engine: Engine) -> Iterator[Done]:
+def completed(
+    calls: Iterable[Named],
+    function: Callable[[Any], Any],
+    engine: Engine,
+    again: Callable[[Any], Any] | None = None,
+) -> Iterator[Done]:
     """Yield calls as they are completed: one whose worker dies is tried again, twice.
 
     Parameters
@@ -86,6 +91,8 @@ def completed(calls: Iterable[Named], function: Callable[[Any], Any], engine: En
         what is called
     engine : Engine
         where it is called
+    again : callable (argument), optional
+        what is called instead for an argument whose worker died
 
     Yields
     ------
@@ -93,8 +100,13 @@ def completed(calls: Iterable[Named], function: Callable[[Any], Any], engine: En
         one for each argument
     """
     waiting, deaths = deque(calls), Counter[str]()
+
+    def submit() -> None:
+        argument = waiting.popleft()
+        engine.submit(again if again and deaths[argument.name] else function, argument)
+
     for _ in range(min(engine.workers, len(waiting))):
-        engine.submit(function, waiting.popleft())
+        submit()
     for done in engine.as_completed():
         deaths[done.argument.name] += done.died
         if done.died and deaths[done.argument.name] < ATTEMPTS:
@@ -102,7 +114,7 @@ def completed(calls: Iterable[Named], function: Callable[[Any], Any], engine: En
         else:
             yield done
         if waiting:
-            engine.submit(function, waiting.popleft())
+            submit()
 
 
 def _variants(tasks: Iterable[Task]):

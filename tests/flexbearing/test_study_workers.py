@@ -1,0 +1,108 @@
+"""What a worker does with rings: where it meshes them, and how many of them it holds."""
+
+import gc
+from pathlib import Path
+
+import pytest
+
+import flexbearing
+from fem import condense as finite_elements
+from fem.raceway.harmonics import HarmonicCompliance
+from flexbearing.cache import configured, recent
+from flexbearing.program.threads import cores
+from flexbearing.studies import worker
+from flexbearing.studies.plan import Row
+from flexbearing.studies.prepare import prepared
+from tests.flexbearing.toy_studies import CASE
+
+PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
+CAGES = """
+[over]
+"outer.thickness" = ["4 mm", "5 mm"]
+"accuracy.element_order" = 2
+"""
+PLAIN_RINGS = """
+[over]
+"outer.kind" = "ring"
+"outer.width" = "19 mm"
+"outer.thickness" = "3 mm .. 6 mm, 5"
+"operation.tilt" = "fixed"
+"accuracy.element_order" = 2
+[collect]
+load = "flexible.max_roller_load [N]"
+"""
+
+
+@pytest.fixture
+def rings(monkeypatch, tmp_path):
+    """Folder of an empty cache, none of whose rings is in memory."""
+    folder = tmp_path / "rings"
+    monkeypatch.setenv("FLEXBEARING_CACHE", str(folder))
+    monkeypatch.setattr(recent, "_rings", type(recent._rings)())
+    return folder
+
+
+def study(folder, case, text):
+    file = folder / "study.toml"
+    file.write_text(f'case = "{case}"\n{text}')
+    return prepared(file)
+
+
+def held():
+    gc.collect()
+    return sum(isinstance(each, HarmonicCompliance) for each in gc.get_objects())
+
+
+@pytest.mark.slow
+def test_a_worker_meshes_in_its_own_process_and_a_driver_does_not(rings, monkeypatch, tmp_path):
+    """Both keep the same ring."""
+    begun, beside = [], finite_elements.in_subprocess
+
+    def told(function, *arguments, **options):
+        begun.append(function)
+        return beside(function, *arguments, **options)
+
+    monkeypatch.setattr(finite_elements, "in_subprocess", told)
+    ring = next(each for each in study(tmp_path, PAPER, CAGES).plan.rings() if each.race == "outer")
+    kept = []
+    for here in (True, False):
+        worker.condense(ring, str(tmp_path / str(here)), here=here)
+        kept.append({path.name for path in (tmp_path / str(here)).iterdir()})
+        assert len(begun) == (0 if here else 1)
+    assert kept[0] == kept[1]
+    assert len(kept[0]) == 1
+
+
+@pytest.mark.slow
+def test_a_worker_holds_the_rings_of_few_bearings_however_many_it_meets(rings, monkeypatch, tmp_path):
+    monkeypatch.setattr(recent, "MOST", 2)
+    settled, before = study(tmp_path, CASE, PLAIN_RINGS), held()
+    assert len(settled.plan.rings()) == 5
+    for ring in settled.plan.rings():
+        worker.condense(ring, here=True)
+        assert held() - before <= 2
+    for task in settled.plan.tasks(lambda variant: True):
+        (row,) = worker.rows(task, worker.Wish(settled.outputs))
+        assert row.converged
+        assert held() - before <= 2
+    assert len(configured().entries()) >= 5
+
+
+def test_one_job_is_one_core_however_many_there_are(rings, monkeypatch, tmp_path):
+    """What is given explicitly limits; with nothing given a study in one process may use all cores."""
+    monkeypatch.setenv("FLEXBEARING_THREADS", "4")
+    monkeypatch.delenv("SLURM_CPUS_PER_TASK", raising=False)
+    seen = []
+
+    def rows(task, wish, cache):
+        seen.append(cores())
+        return [
+            Row(each.identity, "converged", "", 0.0, dict.fromkeys(wish.texts, 1.0)) for each in task.variants
+        ]
+
+    monkeypatch.setattr(worker, "rows", rows)
+    file = tmp_path / "one.toml"
+    file.write_text(f'case = "{CASE}"\n[over]\n"operation.radial_load" = "5 kN"\n')
+    for jobs in (1, None):
+        flexbearing.study(file, tmp_path / str(jobs), jobs=jobs)
+    assert seen == [1, 4]
