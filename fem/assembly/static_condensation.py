@@ -89,7 +89,7 @@ def owners(elements: Sequence[NDArray], centres: NDArray, unknowns: int) -> NDAr
     return np.where(last > 0, first >> (1 + _depth(np.where(last > 0, first ^ last, 0))), 0)
 
 
-def eliminate(stiffness: sparse.csr_array, owner: NDArray, kept: NDArray) -> Substructure:
+def eliminate(stiffness: sparse.coo_array | sparse.csr_array, owner: NDArray, kept: NDArray) -> Substructure:
     r"""Schur complement of a symmetric matrix at its kept unknowns.
 
     .. math:: S = K_{kk} - K_{ki} K_{ii}^{-1} K_{ik}
@@ -122,12 +122,12 @@ def eliminate(stiffness: sparse.csr_array, owner: NDArray, kept: NDArray) -> Sub
         np.argsort(-owner[eliminated], kind="stable")
     ]  # children have higher numbers than their parents
     order = np.concatenate([eliminated, kept])
-    upper = sparse.csr_array(sparse.triu(sparse.csr_array(stiffness[order][:, order])))
+    upper = _upper(sparse.coo_array(stiffness), order)
     groups, starts = np.unique(-owner[eliminated], return_index=True)
     stops = np.append(starts, eliminated.size)[1:]
     updates, fronts, position = defaultdict(list), [], np.zeros(order.size, dtype=int)
     for group, start, stop in zip(-groups, starts, stops, strict=True):
-        front = _assembled(upper[start:stop], start, updates.pop(group, []), position)
+        front = _assembled(upper, slice(start, stop), updates.pop(group, []), position)
         fronts.append((slice(start, stop), *_reduced(*front, stop - start, updates, owner[eliminated])))
     schur = np.triu(upper[eliminated.size :, eliminated.size :].toarray())
     schur += np.triu(schur, 1).T
@@ -178,14 +178,28 @@ def _depth(number):
     return np.frexp(np.asarray(number, dtype=float))[1] - 1
 
 
-def _assembled(rows, start, children, position):
+def _upper(stiffness, order):
+    """Upper triangle of a matrix whose unknowns stand in another order; those that are left out have none."""
+    place = np.full(stiffness.shape[0], -1, dtype=stiffness.row.dtype)
+    place[order] = np.arange(order.size)
+    row, column = place[stiffness.row], place[stiffness.col]
+    above = (row >= 0) & (row <= column)
+    entries = stiffness.data[above], (row[above], column[above])
+    return sparse.csr_array(entries, shape=(order.size, order.size))
+
+
+def _assembled(upper, pivots, children, position):
     """Unknowns of a front, first those to eliminate, and its dense matrix; other rows are without K."""
-    pivots = np.arange(start, start + rows.shape[0])
-    front = np.unique(np.concatenate([pivots, rows.indices, *(unknowns for unknowns, _ in children)]))
+    starts = upper.indptr[pivots.start : pivots.stop + 1]
+    entries = slice(starts[0], starts[-1])
+    in_front = np.zeros(position.size, dtype=bool)
+    for unknowns in (pivots, upper.indices[entries], *(unknowns for unknowns, _ in children)):
+        in_front[unknowns] = True
+    front = np.flatnonzero(in_front)
     position[front] = np.arange(front.size)
     matrix = np.zeros((front.size, front.size))
-    entries = rows.tocoo()
-    matrix[entries.row, position[entries.col]] = entries.data
+    rows = np.repeat(np.arange(starts.size - 1), np.diff(starts))
+    matrix[rows, position[upper.indices[entries]]] = upper.data[entries]
     for unknowns, part in children:
         matrix[np.ix_(position[unknowns], position[unknowns])] += part
     return front, matrix

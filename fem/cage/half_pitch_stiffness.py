@@ -159,9 +159,10 @@ def reduced_under(half: HalfPitch, patterns: NDArray, share: NDArray, symmetric:
     owner[half.cut] = 0
     owner[half.middle[[1]] if symmetric else half.middle[[0, 2]]] = 0
     reading = half.readings[:, is_mirrored(half.readings.shape[1]) == symmetric]
-    border, width = sparse.csr_array(np.hstack([patterns, reading])), count + reading.shape[1]
+    border, width = sparse.coo_array(np.hstack([patterns, reading])), count + reading.shape[1]
     kept = np.concatenate([half.cut.ravel(), size + np.arange(width)])
-    bordered = sparse.csr_array(sparse.block_array([[half.stiffness, -border], [-border.T, None]]))
+    blocks = [[half.stiffness, -border], [-border.T, None]]
+    bordered = sparse.coo_array(sparse.block_array(blocks, format="coo"))
     inside = eliminate(bordered, np.append(owner, np.zeros(width, dtype=int)), kept)
     places = half.cut.size
     force, bar = slice(places, places + count), slice(places + count, None)
@@ -265,10 +266,11 @@ def _unknowns(space, boundary: str, free: NDArray) -> NDArray:
 def _turn(cut: NDArray, azimuth: float, size: int) -> sparse.csr_array:
     """Cartesian from cylindrical components on a plane through the axis; r replaces y and t replaces z."""
     _, y, z = cut
-    turn = sparse.lil_array(sparse.eye_array(size))
-    turn[y, y], turn[y, z] = np.sin(azimuth), np.cos(azimuth)
-    turn[z, y], turn[z, z] = np.cos(azimuth), -np.sin(azimuth)
-    return sparse.csr_array(turn)
+    itself = np.ones(size)
+    itself[y], itself[z] = np.sin(azimuth), -np.sin(azimuth)
+    crosswise = np.full(y.size, np.cos(azimuth))
+    places = np.concatenate([np.arange(size), y, z]), np.concatenate([np.arange(size), z, y])
+    return sparse.csr_array((np.concatenate([itself, crosswise, crosswise]), places), shape=(size, size))
 
 
 def _patterns(
