@@ -1,13 +1,16 @@
 """Slow ball bearings of two or four contact points, put together."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from quasidynamic.balance.balls.rolling_ball import RollingBall, rolling_ball
 from quasidynamic.contact.ellipse.full_sliding import Ellipse, sliding_friction, slip_field
 from quasidynamic.contact.ellipse.point_contact import PointContact, point_contact, race_curvatures
 from quasidynamic.contact.ellipse.rigid_slip import Spin
+from quasidynamic.contact.half_space import elastic_pair
 from quasidynamic.errors import ImpossiblePart, OutOfRange
 from quasidynamic.motion.ball_slip import SIDE, BallContacts, pressed_height, pressed_radius
 from quasidynamic.note import Note, outside
@@ -17,6 +20,7 @@ from quasidynamic.parts.ball import FourPointBearing
 from quasidynamic.parts.ball_friction import FrictionCurve
 from quasidynamic.solve.balls.elastic_load_distribution import elastic_ball_loads
 from quasidynamic.solve.balls.load_distribution import BallLoads, ball_loads
+from quasidynamic.solve.balls.refined_rolling import RefinedRolling, RollingModel, refined_rolling
 from quasidynamic.solve.balls.sliding_motion import SlidingMotion, sliding_motion
 
 STEEPEST = np.pi / 2  # [rad] a contact angle stays below
@@ -205,6 +209,43 @@ class FourPointBallBearing:
             hysteresis=hysteresis_torque(sliding.slip, load, along, self.hysteresis_loss),
             notes=self._notes(pressure, coefficient * load),
         )
+
+    def roll(
+        self, sliding: SlidingBalls, model: RollingModel, cells: tuple[int, int] = (40, 80)
+    ) -> Iterator[tuple[int, RefinedRolling]]:
+        """Motion and torque of balls whose contacts stick and slip, one after the other.
+
+        Parameters
+        ----------
+        sliding : SlidingBalls
+            the same balls in full sliding, from which each starts
+        model : {"full_sliding", "fastsim", "kalker"}
+            friction of the contacts
+        cells : pair of int
+            over each contact, along and across the rolling direction
+
+        Yields
+        ------
+        pair
+            number of the ball, of those pressed on both rings, and how it rolls
+
+        Raises
+        ------
+        OutOfRange, NotSolved
+            see `refined_rolling`
+        """
+        ball, races = self.bearing.ball.material, (self.bearing.inner, self.bearing.outer)
+        pairs = (elastic_pair(ball, races[0].material), elastic_pair(ball, races[1].material))
+        for number in np.flatnonzero(sliding.sliding.driven):
+            one = np.array([number])
+            contacts, ellipse = sliding.contacts.taken(one), sliding.ellipse.taken(one)
+            load = sliding.load[one]
+            motion = np.append(sliding.sliding.motion[number], 0.0)
+
+            def ball_on(cells, contacts=contacts, ellipse=ellipse, load=load) -> RollingBall:
+                return rolling_ball(contacts, ellipse, load, pairs, cells)
+
+            yield int(number), refined_rolling(ball_on, model, cells, motion)
 
     def _contact(self, angle: NDArray) -> PointContact:
         bearing = self.bearing

@@ -5,7 +5,7 @@ positive by the right hand about -x, -r and -t (docs/reference/axes.md): x, r, t
 products of vectors are the usual ones.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cached_property
 
 import numpy as np
@@ -31,6 +31,10 @@ class BallContacts:
         """Axial and radial component of the direction from the ball centre to a contact (N, G, 2)."""
         axial = DIAGONAL[: self.angle.shape[1], None] * SIDE * np.sin(self.angle)
         return axial, SIDE * np.cos(self.angle)
+
+    def taken(self, keep: NDArray) -> "BallContacts":
+        """Return the contacts of some of the balls."""
+        return BallContacts(*(getattr(self, field.name)[keep] for field in fields(self)))
 
 
 def pressed_height(ball_radius: NDArray, surface_radius: NDArray, across: NDArray) -> NDArray:

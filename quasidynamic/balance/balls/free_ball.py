@@ -89,10 +89,9 @@ class FreeBalls:
 
     def taken(self, keep: NDArray) -> "FreeBalls":
         """Return some of the balls."""
-        contacts = BallContacts(*(getattr(self.contacts, field.name)[keep] for field in fields(BallContacts)))
         names = [field.name for field in fields(self)[2:]]
         arrays = {name: getattr(self, name)[keep] for name in names}
-        return FreeBalls(contacts=contacts, ellipse=self.ellipse.taken(keep), **arrays)
+        return FreeBalls(contacts=self.contacts.taken(keep), ellipse=self.ellipse.taken(keep), **arrays)
 
     def slip(self, unknowns: NDArray) -> NDArray:
         """Slip (N, 2, 5) at unknowns (N, 4)."""
@@ -128,7 +127,7 @@ def free_balls(
     base = np.einsum("ngij,nj->ngi", by_motion, rolling)
     base[:, INNER] += by_motion[:, INNER, :, ORBIT]  # the inner ring is one faster than the outer one
     base[..., CENTRE] = 0.0  # as rolling is made: exactly so
-    unknowns = _unknowns(by_motion[:, :, CENTRE, :TURN], contacts.ball_radius)
+    unknowns = motion_by_slip(by_motion[:, :, CENTRE, :TURN], contacts.ball_radius)
     by_unknown = by_motion @ unknowns[:, None]
     by_unknown[..., CENTRE, :] = np.eye(4)[:2]  # as the unknowns are chosen: exactly so
     fall = ellipse.across**2 / (2 * ellipse.radius)
@@ -140,8 +139,22 @@ def free_balls(
     )
 
 
-def _unknowns(centre: NDArray, ball_radius: NDArray) -> NDArray:
-    """Motion (N, 4, 4) by the unknowns, from the slip (N, 2, 3) of contact middles by the motion."""
+def motion_by_slip(centre: NDArray, ball_radius: NDArray) -> NDArray:
+    """Motion by unknowns that no rounding spoils.
+
+    Parameters
+    ----------
+    centre : array (N, 2, 3)
+        slip in the middle of two contacts, by ring speed and ball speeds in axial and radial direction [m]
+    ball_radius : array (N)
+        D/2 [m]
+
+    Returns
+    -------
+    array (N, 4, 4)
+        motion by slip in both middles, by the spin with neither and by the speed of the surface from turning
+        about the rolling direction
+    """
     turned = np.swapaxes(centre, -1, -2)
     spinning = np.cross(centre[:, INNER], centre[:, OUTER])
     motion = np.zeros((len(centre), 4, 4))

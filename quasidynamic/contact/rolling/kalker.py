@@ -82,16 +82,17 @@ def elastic_slip(rolled: Rolled) -> NDArray:
     ------
     Kalker, Three-Dimensional Elastic Bodies in Rolling Contact (1990), Eq. (1.14).
     """
-    laws = [_law(rolled.contacts, rolled.creep, number) for number in range(len(rolled.creep))]
+    contacts = rolled.contacts
+    laws = [_law(contacts, rolled.creep, number) for number in range(len(rolled.creep))]
     grown = [law.displacement(traction) for law, traction in zip(laws, rolled.traction, strict=True)]
-    return rolled.creep + np.stack(grown) / rolled.contacts.step[:, None, None, None]
+    return rolled.creep + (np.stack(grown) + contacts.pressed_slip) / contacts.step[:, None, None, None]
 
 
 def _law(contacts: RollingContacts, creep: NDArray, number: int) -> StickSlipLaw:
     """Law of one contact."""
     step, grown = contacts.step[number], contacts.step_displacements[number]
     self_influence = _self_influence(contacts.pairs[number], contacts.grids[number])
-    offset, limit = creep[number] * step, contacts.limit[number]
+    offset, limit = creep[number] * step + contacts.pressed_slip[number], contacts.limit[number]
     if contacts.compliance is None:
         return StickSlipLaw(grown, offset, limit, 1 / self_influence)
     layer = contacts.compliance[number]

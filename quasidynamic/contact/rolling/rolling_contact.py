@@ -7,7 +7,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.contact.half_space import CellGrid, Convolution, ElasticPair, X, Y, convolution
+from quasidynamic.contact.half_space import CellGrid, Convolution, ElasticPair, X, Y, Z, convolution
 from quasidynamic.errors import ImpossiblePart
 
 ALONG, ACROSS = 0, 1  # directions of slip and traction: x against the motion of the material, y across
@@ -21,6 +21,7 @@ class RollingContacts:
     grids: tuple[CellGrid, ...]
     pairs: tuple[ElasticPair, ...]
     limit: NDArray  # (C, nx, ny) [Pa] friction coefficient times pressure, zero outside the contacts
+    pressure: NDArray | None = None  # (C, nx, ny) [Pa] needed only where it shears unequal bodies
     compliance: NDArray | None = None  # (C, nx, ny) [m/Pa] of a layer between the bodies along their surfaces
 
     def __post_init__(self):
@@ -30,9 +31,14 @@ class RollingContacts:
                 f"rolling contacts: {len(self.grids)} grids of shapes {sorted(shapes)} and {len(self.pairs)} "
                 f"elastic pairs do not fit to limits of shape {self.limit.shape}"
             )
-        for name, values in (("limit", self.limit), ("compliance", self.compliance)):
+        for name in ("limit", "pressure", "compliance"):
+            values = getattr(self, name)
             if values is not None and not np.all((values >= 0.0) & np.isfinite(values)):
                 raise ImpossiblePart(f"rolling contacts: {name} must be finite and >= 0 everywhere")
+        if self.pressure is None and any(pair.coupling for pair in self.pairs):
+            raise ImpossiblePart(
+                "rolling contacts: bodies of unequal materials shear under pressure: `pressure` is needed"
+            )
 
     @cached_property
     def step(self) -> NDArray:
@@ -51,6 +57,17 @@ class RollingContacts:
             convolution(pair, grid, (X, Y), (X, Y)) - convolution(pair, grid, (X, Y), (X, Y), (step, 0.0))
             for pair, grid, step in zip(self.pairs, self.grids, self.step, strict=True)
         )
+
+    @cached_property
+    def pressed_slip(self) -> NDArray:
+        """Slip of a step that pressure makes on bodies of unequal materials (C, 2, nx, ny) [m]."""
+        slip = np.zeros((len(self.grids), 2, *self.limit.shape[1:]))
+        for number, (pair, grid, step) in enumerate(zip(self.pairs, self.grids, self.step, strict=True)):
+            if self.pressure is not None and pair.coupling:
+                here = convolution(pair, grid, (X, Y), (Z,))
+                ahead = convolution(pair, grid, (X, Y), (Z,), (step, 0.0))
+                slip[number] = (here - ahead)(self.pressure[number, None])
+        return slip
 
     def places(self, ahead: float = 0.0) -> tuple[NDArray, NDArray]:
         """Places x (C, nx, 1) and y (C, 1, ny) [m] of the cells, a part of a cell ahead of their centres."""

@@ -5,7 +5,6 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse.linalg import LinearOperator, gmres
 
 from quasidynamic.errors import NotSolved
 
@@ -150,6 +149,7 @@ def _turned(state: StickSlip, change: NDArray) -> NDArray:
 
 def _solved(law: StickSlipLaw, state: StickSlip, right: NDArray, tolerance: float) -> NDArray:
     """Solution of the linearised law; a linear solve that ends early leaves the rest to the next step."""
+    from scipy.sparse.linalg import LinearOperator, gmres  # costly to import, and few cases stick
 
     def multiply(vector: NDArray) -> NDArray:
         """Multiply by the derivative of what is left."""

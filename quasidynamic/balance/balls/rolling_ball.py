@@ -1,0 +1,161 @@
+"""Balance of a slow ball whose contacts stick and slip."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.balls.free_ball import motion_by_slip
+from quasidynamic.balance.balls.sliding_balls import stronger_diagonal
+from quasidynamic.contact.ellipse.full_sliding import Ellipse
+from quasidynamic.contact.ellipse.rigid_slip import CENTRE, sagitta, strip_slip
+from quasidynamic.contact.half_space import ElasticPair, grid_over
+from quasidynamic.contact.rolling.hertz_pressure import hertz_pressure
+from quasidynamic.contact.rolling.rolling_contact import ACROSS, ALONG, MID_STEP, Rolled, RollingContacts
+from quasidynamic.motion.ball_slip import INNER, ORBIT, TURN, BallContacts, turning_slip_by_motion
+
+
+@dataclass(frozen=True)
+class RollingBall:
+    r"""One ball in C loaded contacts; speeds are over that of the inner against the outer ring.
+
+    .. math:: \sum_{contacts} \int \frac{\partial s}{\partial u_k} \cdot p\, dA = 0,\quad
+              M = -\sum_{contacts} \int s \cdot p\, dA
+
+    with the rigid slip s, ball minus race, linear in the motion u = (Omega_o, omega_x, omega_r, omega_t), and
+    the traction p on the ball: no force along the orbit, no moment; M is the torque.
+
+    Source
+    ------
+    Virtual power of rigid bodies; for full sliding these are Eqs (1) to (3) of Joshi et al. (2015),
+    Lubricants 3, 181-196.
+    """
+
+    contacts: RollingContacts  # x along the rolling direction, y across it
+    race: NDArray  # (C) inner or outer
+    by_motion: NDArray  # (C, 5, 4) slip of the contacts by the motion
+    strips: NDArray  # (C, 3, 5, ny) slip of strips along the rolling direction by that of the contact
+    race_speed: NDArray  # (C, ny) [m] speed of the surface of the race where it turns by one
+    unknowns: NDArray  # (4, 4) motion by the unknowns, see `motion_by_slip`
+
+    @cached_property
+    def scale(self) -> NDArray:
+        """Largest friction by each unknown (4)."""
+        by_unknown = np.swapaxes(self.by_motion @ self.unknowns, 1, 2)
+        slip = self._slip_fields(by_unknown, np.ones(len(self.race)), 0.0)
+        size = np.hypot(slip[:, :, ALONG], slip[:, :, ACROSS])
+        return np.einsum("c,cxy,ckxy->k", self.contacts.cell_area, self.contacts.limit, size)
+
+    def contact_slip(self, motion: NDArray) -> NDArray:
+        """Slip of the contacts (C, 5) at a motion (4)."""
+        inner = np.where(self.race == INNER, 1.0, 0.0)  # the inner ring is one faster than the outer one
+        return self.by_motion @ motion + inner[:, None] * self.by_motion[:, :, ORBIT]
+
+    def material_speed(self, motion: NDArray) -> NDArray:
+        """Mean speed of both surfaces through the contacts towards growing azimuth (C, ny) [m]."""
+        turn = motion[ORBIT] + np.where(self.race == INNER, 1.0, 0.0)
+        along = np.einsum("ciy,ci->cy", self.strips[:, 0], self.contact_slip(motion))
+        return turn[:, None] * self.race_speed + along / 2
+
+    def creep(self, motion: NDArray) -> NDArray:
+        """Rigid slip over the speed of the material (C, 2, nx, ny) [-], `MID_STEP` ahead of the centres."""
+        return self._over_speed(self.contact_slip(motion)[:, None], motion)[:, 0]
+
+    def full_sliding_power(self, motion: NDArray) -> float:
+        """Power of friction if it slid everywhere [N m], the most that it can be at any motion."""
+        direction = -np.sign(self.material_speed(motion).mean(1))
+        slip = self._slip_fields(self.contact_slip(motion)[:, None], direction, 0.0)[:, 0]
+        size = np.hypot(slip[:, ALONG], slip[:, ACROSS])
+        return float(np.einsum("c,cxy,cxy->", self.contacts.cell_area, self.contacts.limit, size))
+
+    def left(self, motion: NDArray, rolled: Rolled) -> NDArray:
+        """Forces that are not balanced, by unknown (4)."""
+        return self._by_unknown(self._by_slip(rolled.traction[:, None], motion)[:, 0])
+
+    def slopes(self, motion: NDArray, rolled: Rolled) -> NDArray:
+        """Derivative of `left` by the unknowns (4, 4), the speed of the material as it is."""
+        by_unknown = np.swapaxes(self.by_motion @ self.unknowns, 1, 2)
+        changes = rolled.changes(self._over_speed(by_unknown, motion))
+        return np.stack(
+            [self._by_unknown(part) for part in np.moveaxis(self._by_slip(changes, motion), 1, 0)], 1
+        )
+
+    def power(self, motion: NDArray, rolled: Rolled) -> float:
+        """Power of friction over the speed of the inner against the outer ring: the torque [N m]."""
+        by_slip = self._by_slip(rolled.traction[:, None], motion)[:, 0]
+        return -float((by_slip * self.contact_slip(motion)).sum())
+
+    def _by_unknown(self, by_slip: NDArray) -> NDArray:
+        return np.einsum("ci,cij->j", by_slip, self.by_motion @ self.unknowns)
+
+    def _over_speed(self, slips: NDArray, motion: NDArray) -> NDArray:
+        """Creep (C, m, 2, nx, ny) by slips of the contacts (C, m, 5)."""
+        speed = self.material_speed(motion)
+        fields = self._slip_fields(slips, -np.sign(speed.mean(1)), MID_STEP)
+        return fields / np.abs(speed)[:, None, None, None]
+
+    def _slip_fields(self, slips: NDArray, direction: NDArray, ahead: float) -> NDArray:
+        """Rigid slip (C, m, 2, nx, ny) on grids that point along (1) or against (-1) growing azimuth."""
+        along, middle, turning = np.moveaxis(np.einsum("csiy,cmi->cmsy", self.strips, slips), 2, 0)
+        x = direction[:, None, None, None] * self.contacts.places(ahead)[0][:, None]
+        fields = np.empty((*slips.shape[:2], 2, *self.contacts.limit.shape[1:]))
+        fields[:, :, ALONG] = (direction[:, None, None] * along)[:, :, None]
+        fields[:, :, ACROSS] = middle[:, :, None] + x * turning[:, :, None]
+        return fields
+
+    def _by_slip(self, tractions: NDArray, motion: NDArray) -> NDArray:
+        """Power (C, m, 5) of tractions (C, m, 2, nx, ny) on a unit of each slip of the contacts."""
+        direction = -np.sign(self.material_speed(motion).mean(1))[:, None, None]
+        x = direction[:, None] * self.contacts.places()[0][:, None]
+        across = tractions[:, :, ACROSS]
+        sums = [direction * tractions[:, :, ALONG].sum(-2), across.sum(-2), (x * across).sum(-2)]
+        return np.einsum("c,cmsy,csiy->cmi", self.contacts.cell_area, np.stack(sums, 2), self.strips)
+
+
+def rolling_ball(
+    ball: BallContacts,
+    ellipse: Ellipse,
+    load: NDArray,
+    pairs: tuple[ElasticPair, ElasticPair],
+    cells: tuple[int, int],
+) -> RollingBall:
+    """One ball on Hertz ellipses.
+
+    Parameters
+    ----------
+    ball : BallContacts
+        of this ball alone (1, G, 2)
+    ellipse : Ellipse
+        (1, G, 2)
+    load : array (1, G, 2)
+        [N]; contacts without are left out
+    pairs : pair of ElasticPair
+        ball and inner, ball and outer race
+    cells : pair of int
+        along and across the rolling direction, over each ellipse
+
+    Returns
+    -------
+    RollingBall
+    """
+    by_motion = turning_slip_by_motion(ball)[0]
+    diagonal, race = np.nonzero(load[0] > 0.0)
+    semi_axes = list(zip(ellipse.along[0, diagonal, race], ellipse.across[0, diagonal, race], strict=True))
+    grids = tuple(grid_over((float(a), float(b)), cells) for a, b in semi_axes)
+    pressed = zip(grids, semi_axes, load[0, diagonal, race], strict=True)
+    pressure = np.stack([hertz_pressure(*each) for each in pressed])
+    friction = (ellipse.traction / np.where(load > 0.0, load, 1.0))[0, diagonal, race, None, None]
+    contacts = RollingContacts(grids, tuple(pairs[side] for side in race), friction * pressure, pressure)
+    y, radius = contacts.places()[1][:, 0], ellipse.radius[0, diagonal, race, None]
+    axial, radial = (normal[0, diagonal, race, None] for normal in ball.normal)
+    height = ball.height[0, diagonal, race, None] + sagitta(y, radius)
+    strong = by_motion[stronger_diagonal(ellipse)[0], :, CENTRE, :TURN]
+    return RollingBall(
+        contacts=contacts,
+        race=race,
+        by_motion=by_motion[diagonal, race],
+        strips=strip_slip(y, radius, ellipse.spin),
+        race_speed=ball.pitch_radius[0] + radial * height + axial * y,
+        unknowns=motion_by_slip(strong[None], ball.ball_radius)[0],
+    )

@@ -1,0 +1,84 @@
+"""Motion of a ball with stick and slip on two grids, which tell the error of the finer one."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Literal
+
+from numpy.typing import NDArray
+
+from quasidynamic.balance.balls.rolling_ball import RollingBall
+from quasidynamic.contact.rolling.fastsim import fastsim
+from quasidynamic.contact.rolling.full_sliding import full_sliding
+from quasidynamic.contact.rolling.kalker import kalker
+from quasidynamic.errors import OutOfRange
+from quasidynamic.solve.balls.rolling_motion import RollingLaw, RollingMotion, rolling_motion
+
+RollingModel = Literal["full_sliding", "fastsim", "kalker"]  # friction of contacts on a grid
+LAWS: dict[RollingModel, RollingLaw] = {"full_sliding": full_sliding, "fastsim": fastsim, "kalker": kalker}
+FEWEST = 4  # cells along and across of the coarser grid
+
+
+@dataclass(frozen=True)
+class RefinedRolling:
+    """A ball on a grid and on one of half the cells in each direction."""
+
+    fine: RollingMotion
+    coarse: RollingMotion
+
+    @property
+    def torque(self) -> float:
+        """Torque on the finer grid [N m]."""
+        return self.fine.power
+
+    @property
+    def grid_error(self) -> float:
+        """Change of the torque from the coarser grid [N m], the error of the finer one if of first order."""
+        return abs(self.fine.power - self.coarse.power)
+
+    @property
+    def extrapolated_torque(self) -> float:
+        """Torque on cells of no size, if its error is of first order (Richardson) [N m]."""
+        return 2 * self.fine.power - self.coarse.power
+
+
+def refined_rolling(
+    ball_on: Callable[[tuple[int, int]], RollingBall],
+    model: RollingModel,
+    cells: tuple[int, int],
+    motion: NDArray,
+) -> RefinedRolling:
+    """Ball with stick and slip, first on the coarser grid.
+
+    Parameters
+    ----------
+    ball_on : callable
+        the ball on a number of cells along and across the rolling direction
+    model : {"full_sliding", "fastsim", "kalker"}
+        friction of the contacts
+    cells : pair of int
+        of the finer grid, even
+    motion : array (4)
+        of full sliding, to start from: outer ring, ball axial, radial, about the rolling direction
+
+    Returns
+    -------
+    RefinedRolling
+
+    Raises
+    ------
+    OutOfRange
+        when the cells cannot be halved
+    NotSolved
+        when no balance is found, see `rolling_motion`
+    """
+    if any(number % 2 or number < 2 * FEWEST for number in cells):
+        raise OutOfRange(f"cells = {cells} of a contact must be even numbers of at least {2 * FEWEST}")
+    law, coarse_ball = LAWS[model], ball_on((cells[0] // 2, cells[1] // 2))
+    start, slopes = None, None
+    if model == "kalker":
+        near = rolling_motion(coarse_ball, fastsim, motion)
+        motion, start, slopes = near.motion, near.rolled.traction, near.slopes
+    coarse = rolling_motion(coarse_ball, law, motion, start, slopes)
+    ball = ball_on(cells)
+    start = fastsim(ball.contacts, ball.creep(coarse.motion)).traction if model == "kalker" else None
+    return RefinedRolling(rolling_motion(ball, law, coarse.motion, start, coarse.slopes), coarse)

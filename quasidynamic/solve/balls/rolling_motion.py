@@ -1,0 +1,140 @@
+"""Motion of a slow ball whose contacts stick and slip."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import NamedTuple, NoReturn
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.balls.rolling_ball import RollingBall
+from quasidynamic.contact.rolling.rolling_contact import Rolled
+from quasidynamic.errors import NotSolved, OutOfRange
+
+TOLERANCE = 1e-4  # of the largest friction: forces that are not balanced; the torque is off by 1e-6 of itself
+LIMIT = 40  # evaluations, rarely more than four
+GAIN = 0.3  # of what was left: more left after a step asks for new slopes
+SHORTEST = 1 / 256  # part of a step
+
+RollingLaw = Callable[..., Rolled]  # contacts, creep and tractions to start from
+
+
+@dataclass(frozen=True)
+class RollingMotion:
+    """How a ball moves when the inner ring turns by one rad/s against the outer ring."""
+
+    ball: RollingBall
+    motion: NDArray  # (4) [rad/s] outer ring, ball axial, radial, about the rolling direction, from the orbit
+    rolled: Rolled
+    slopes: NDArray | None  # (4, 4) of the balance by the unknowns near the end, if they were needed
+    imbalance: float  # [-] largest force left over the largest friction
+    evaluations: int
+
+    @property
+    def power(self) -> float:
+        """Heat of friction [W], the torque of the ball [N m]."""
+        return self.ball.power(self.motion, self.rolled)
+
+
+def rolling_motion(
+    ball: RollingBall,
+    law: RollingLaw,
+    motion: NDArray,
+    start: NDArray | None = None,
+    slopes: NDArray | None = None,
+) -> RollingMotion:
+    """Motion in which friction is in balance.
+
+    Newton's method with slopes of the linearised contacts, kept with Broyden's correction while they serve.
+
+    Parameters
+    ----------
+    ball : RollingBall
+        one ball
+    law : callable
+        friction of the contacts: `kalker`, `fastsim` or `full_sliding`
+    motion : array (4)
+        to start from, such as that of `sliding_motion`
+    start : array (C, 2, nx, ny), optional
+        tractions [Pa] to start from
+    slopes : array (4, 4), optional
+        of the balance near the start
+
+    Returns
+    -------
+    RollingMotion
+
+    Raises
+    ------
+    NotSolved
+        when no balance is found; the message has what is left
+    OutOfRange
+        when the material stands still in a contact
+
+    Source
+    ------
+    Broyden, Math. Comp. 19 (1965), 577-593.
+    """
+    state, evaluations = _at(ball, law, motion, start), 1
+    if state is None:
+        raise OutOfRange("rolling ball: the material in a contact stands still or flows both ways")
+    while state.size > TOLERANCE:
+        fresh = slopes is None
+        slopes = ball.slopes(state.motion, state.rolled) if slopes is None else slopes
+        step, part = -np.linalg.solve(slopes, state.left), 1.0
+        trial, evaluations = _stepped(ball, law, state, step), evaluations + 1
+        while fresh and not _smaller(trial, state.size) and part > SHORTEST and evaluations < LIMIT:
+            part /= 2
+            trial, evaluations = _stepped(ball, law, state, part * step), evaluations + 1
+        if trial is not None and trial.size < state.size:
+            useful = trial.size < GAIN * state.size
+            slopes = _corrected(slopes, part * step, trial.left - state.left) if useful else None
+            state = trial
+        elif not fresh:
+            slopes = None
+        else:
+            _give_up(state.size, evaluations)
+        if evaluations >= LIMIT and state.size > TOLERANCE:
+            _give_up(state.size, evaluations)
+    return RollingMotion(ball, state.motion, state.rolled, slopes, state.size, evaluations)
+
+
+class _State(NamedTuple):
+    """A ball at one motion."""
+
+    motion: NDArray  # (4)
+    rolled: Rolled
+    left: NDArray  # (4)
+    size: float  # largest part of `left` over the largest friction
+
+
+def _at(ball: RollingBall, law: RollingLaw, motion: NDArray, start: NDArray | None) -> _State | None:
+    """State at a motion, None where the material of a contact flows both ways."""
+    speed = ball.material_speed(motion)
+    if np.any(speed * speed[:, :1] <= 0.0):
+        return None
+    rolled = law(ball.contacts, ball.creep(motion), start)
+    left = ball.left(motion, rolled)
+    return _State(motion, rolled, left, float(np.max(np.abs(left) / ball.scale)))
+
+
+def _stepped(ball: RollingBall, law: RollingLaw, state: _State, step: NDArray) -> _State | None:
+    return _at(ball, law, state.motion + ball.unknowns @ step, state.rolled.traction)
+
+
+def _smaller(trial: _State | None, size: float) -> bool:
+    return trial is not None and trial.size < size
+
+
+def _corrected(slopes: NDArray, step: NDArray, change: NDArray) -> NDArray:
+    """Slopes that give the change seen over a step, else as before."""
+    return slopes + np.outer(change - slopes @ step, step) / (step @ step)
+
+
+def _give_up(size: float, evaluations: int) -> NoReturn:
+    outcome = "iteration limit" if evaluations >= LIMIT else "stalled"
+    raise NotSolved(
+        f"rolling ball: no balance of friction in {evaluations} evaluations, {size:.1e} of the friction is "
+        f"left, allowed {TOLERANCE:.0e}",
+        outcome,
+    )
