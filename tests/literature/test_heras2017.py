@@ -116,14 +116,14 @@ STICK_SLIP = {  # torque with the loads above [N m], half-spaces on 80 by 160 ce
 
 @pytest.mark.parametrize("name", CASES)
 def test_torque_with_stick_and_slip_is_that_of_an_independent_program(name):
-    """Which rolls on the radius of the ball instead of the height of the pressed surface: 0.1 to 0.4 % less."""
+    """Which rolls on the ball radius instead of the height of the pressed surface: 0.1 to 0.4 % less."""
     bearing = bearing_of(name, "local")
     sliding = one_ball(bearing, [45.0, 45.0], 1e3 * np.array(FITTED[name][0]))
     ((_, ball),) = bearing.roll(sliding, "kalker", (40, 80))
     assert ball.extrapolated_torque == approx(STICK_SLIP[name], rel=0.005)
     assert ball.torque <= sliding.torque
     ((_, simple),) = bearing.roll(sliding, "fastsim", (20, 40))
-    assert simple.torque == approx(ball.torque, rel=0.016)
+    assert simple.torque == approx(ball.torque, rel=0.021)
 
 
 @pytest.mark.slow
