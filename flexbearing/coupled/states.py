@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,7 +17,9 @@ from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.balance.rollers.unknowns import Unknowns
 from quasidynamic.outcome.bearing_states import BearingStates
 from quasidynamic.outcome.ring_stiffness import Tangent
-from quasidynamic.outcome.whole_roller import WholeRoller
+
+if TYPE_CHECKING:
+    from quasidynamic.outcome.whole_roller import WholeRoller
 
 MREV = 1e6  # revolutions
 
@@ -93,7 +95,7 @@ class EndState:
     rings: LinearPair
     roughness: NDArray | None = None  # (2) composite [m]
     life_error: float | None = None  # estimated, over the life; None where nothing was estimated [-]
-    whole: WholeRoller | None = None  # its most loaded roller on half-spaces; None where slices answer
+    whole: "WholeRoller | None" = None  # its most loaded roller on half-spaces; None where slices answer
 
     @cached_property
     def cases(self) -> EndStates:

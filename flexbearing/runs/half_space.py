@@ -1,19 +1,22 @@
 """The most loaded roller of a case on half-spaces, where the case asks for it."""
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from flexbearing.case.roller import Case
 from quasidynamic import Equilibrium, NotSolved, OutOfRange
 from quasidynamic.note import Note, information, outside
-from quasidynamic.outcome.whole_roller import WholeRoller, whole_roller
+
+if TYPE_CHECKING:
+    from quasidynamic.outcome.whole_roller import WholeRoller
 
 MICROMETRE = 1e-6
 RESOLVED = 0.02  # of the peak pressure: an estimated error that is worth a word (assumed)
 
 
-def most_loaded(case: Case, state: Equilibrium) -> tuple[WholeRoller | None, tuple[Note, ...]]:
+def most_loaded(case: Case, state: Equilibrium) -> "tuple[WholeRoller | None, tuple[Note, ...]]":
     """Whole roller of a solved state, with what must be said of it.
 
     Parameters
@@ -31,6 +34,8 @@ def most_loaded(case: Case, state: Equilibrium) -> tuple[WholeRoller | None, tup
     """
     if case.bearing.contact != "half_space":
         return None, ()
+    from quasidynamic.outcome.whole_roller import whole_roller  # brings Fourier transforms
+
     try:
         whole = whole_roller(state)
     except (NotSolved, OutOfRange) as problem:
@@ -39,7 +44,7 @@ def most_loaded(case: Case, state: Equilibrium) -> tuple[WholeRoller | None, tup
     return whole, tuple(_notes(state, whole))
 
 
-def _notes(state: Equilibrium, whole: WholeRoller) -> Iterator[Note]:
+def _notes(state: Equilibrium, whole: "WholeRoller") -> Iterator[Note]:
     pressure = whole.peak_pressure / state.peak_pressure - 1
     azimuth = np.degrees(state.balance.roller.bearing.azimuths[whole.number])
     yield information(

@@ -1,7 +1,7 @@
 """What a reader of the results must know besides the numbers."""
 
 from collections.abc import Iterator, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,7 +12,9 @@ from flexbearing.runs import dangers
 from quasidynamic import Equilibrium
 from quasidynamic.note import Note, information, outside
 from quasidynamic.outcome.validity import validity
-from quasidynamic.outcome.whole_roller import WholeRoller
+
+if TYPE_CHECKING:
+    from quasidynamic.outcome.whole_roller import WholeRoller
 
 LARGE_SHARE = 0.5  # of the losses: worth a word (assumed)
 ALONE = 0.01  # of the largest line force: below it the other lines only keep the ring from rolling away
@@ -59,7 +61,7 @@ def _teeth(case: Case) -> tuple[Note, ...]:
 
 
 def of_state(
-    case: Case, state: Equilibrium, modified_life: float | None, whole: WholeRoller | None = None
+    case: Case, state: Equilibrium, modified_life: float | None, whole: "WholeRoller | None" = None
 ) -> tuple[Note, ...]:
     """What a solved state adds: dangers, limits of laws that it is beyond, what a reader should weigh.
 
@@ -83,7 +85,7 @@ def of_state(
     return (*_dangers(state, life, whole), *validity(state), *_information(case, state))
 
 
-def _dangers(state: Equilibrium, life: float, whole: WholeRoller | None) -> Iterator[Note]:
+def _dangers(state: Equilibrium, life: float, whole: "WholeRoller | None") -> Iterator[Note]:
     points = state.balance.points
     # A pressure without bound, at a sharp end, says nothing.
     pressure = state.peak_pressure if whole is None or whole.at_ends else whole.peak_pressure
