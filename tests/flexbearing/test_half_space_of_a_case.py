@@ -14,6 +14,7 @@ from flexbearing.case import BadCase
 from flexbearing.report import text
 from flexbearing.runs import half_space, life
 from quasidynamic.errors import NotSolved
+from quasidynamic.outcome import whole_roller
 
 PLAIN = Path(__file__).parents[2] / "configs" / "nu209.toml"
 WHOLE = ['bearing.contact="half_space"']
@@ -81,7 +82,7 @@ def test_roller_that_is_not_solved_leaves_the_slices_with_a_note(monkeypatch):
     def fails(state):
         raise NotSolved("contact pressure: no step", "stalled")
 
-    monkeypatch.setattr(half_space, "whole_roller", fails)
+    monkeypatch.setattr(whole_roller, "whole_roller", fails)
     case = read_case(PLAIN, WHOLE)
     whole, (note,) = half_space.most_loaded(case, roller_bearing.bearing(case).solve())
     assert whole is None
