@@ -92,8 +92,7 @@ def modified(case: Case, state: "Equilibrium", whole: "WholeRoller | None" = Non
     OutOfRange
         where a factor does not hold for this bearing, speed and oil
     """
-    asked = case.life.model_dump(exclude_defaults=True)
-    if not asked or not np.isfinite(state.life):
+    if case.life.is_basic or not np.isfinite(state.life):
         return None
     basic, loads = state.life if whole is None else whole.life, _slice_loads(state, whole)
     by_slices = tuple(_slice_factors(case, state, basic, loads))

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from fem.cage.bar_forces import NominalStresses
 from flexbearing.build.rough_surfaces import roughness
 from flexbearing.case.roller import Case
-from flexbearing.coupled.states import EndState, EndStates
+from flexbearing.coupled.states import EndStates
 from flexbearing.coupling import LinearPair
 from flexbearing.outputs import Wanted
 from flexbearing.progress import Logged
@@ -36,28 +36,24 @@ class SolvedCase:
     """One of them, with what is found case by case."""
 
     case: Case
-    state: Equilibrium
-    rings: LinearPair
+    batch: Batch
+    place: int  # in the batch
+    relative_speed: float  # of the inner ring less that of the outer ring [rad/s]
 
-    @property
-    def end(self) -> EndState:
-        """Its end state, without an estimate of its error."""
-        return EndState(self.state, self.rings, roughness(self.case))
+    @cached_property
+    def state(self) -> Equilibrium:
+        """Its state, taken out of the batch, which takes as long as some of its outputs."""
+        return self.batch[self.place]
 
     @cached_property
     def life(self) -> life.LifeOfState | None:
-        """Life after every factor."""
-        return life.modified(self.case, self.state)
+        """Life after every factor; None where nothing modifies it."""
+        return None if self.case.life.is_basic else life.modified(self.case, self.state)
 
     @cached_property
     def skew(self) -> Skew | None:
-        """Skew of the rollers between flanges."""
-        return skew.at(self.case, self.state)
-
-    @property
-    def relative_speed(self) -> float:
-        """Speed of the inner ring less that of the outer ring [rad/s]."""
-        return self.end.relative_speed
+        """Skew of the rollers between flanges; None without."""
+        return None if self.case.bearing.flange is None else skew.at(self.case, self.state)
 
     def quantities(self, wanted: list[Quantity]) -> dict[str, NDArray]:
         """Quantities of `BY_CASE` and the speed; nothing else is computed."""
@@ -119,8 +115,9 @@ class Together:
 
     @cached_property
     def _each(self) -> list[SolvedCase]:
-        states = (self.batch[case] for case in range(len(self.cases)))
-        return [SolvedCase(*each) for each in zip(self.cases, states, self.rings, strict=True)]
+        speeds = self.batch.states.balance.points.relative_speed[:, 0].tolist()
+        each = enumerate(zip(self.cases, speeds, strict=True))
+        return [SolvedCase(case, self.batch, place, speed) for place, (case, speed) in each]
 
     def dangers(self, *, search: bool) -> list[tuple[Note, ...]]:
         """What makes the answer of each case dangerous, as its own run says it.
@@ -139,7 +136,7 @@ class Together:
     def _dangers(self, case: int, pressure: float, rated: float, speed: float) -> Iterator[Note]:
         given = self.cases[case]
         yield from dangers.pressed(pressure)
-        if given.life.model_dump(exclude_defaults=True):
+        if not given.life.is_basic:
             modified = self._each[case].life
             rated = modified.modified / life.MREV if modified else rated
         yield from dangers.short_lived(rated, speed)

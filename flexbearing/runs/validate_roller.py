@@ -44,7 +44,7 @@ def require_around(case: Case, bearing: CylindricalRollerBearing) -> None:
     OutOfRange
         where a law does not hold for it
     """
-    if case.life.model_dump(exclude_defaults=True):
+    if not case.life.is_basic:
         from flexbearing.runs import life
 
         life.require_possible(case, bearing)

@@ -54,6 +54,11 @@ class Life(Section):
     )
     cleanliness: CleanlinessName | None = key('cleanliness by ISO 281, lubrication = "a_ISO"', None)
 
+    @property
+    def is_basic(self) -> bool:
+        """Whether nothing modifies the basic life."""
+        return not self.model_dump(exclude_defaults=True)
+
     @model_validator(mode="after")
     def _complete(self) -> Self:
         if self.steel:
