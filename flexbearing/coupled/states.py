@@ -69,12 +69,18 @@ class EndStates:
         return with_supports(self.elastic, self.rings)
 
     @property
-    def support_stiffness_ratio(self) -> NDArray | None:
-        """Stiffness of the outer ring's support over that of the bearing (C) [-]; None where it is rigid."""
+    def support_stiffness(self) -> NDArray | None:
+        """Stiffness of the outer ring's support (C) [N/m], the same in all cases; None where it is rigid."""
         outer = self.rings.outer
         if outer is None or not np.isfinite(outer.support_stiffness):
             return None
-        return outer.support_stiffness / self.between_raceways.radial_stiffness
+        return np.full(len(self.relative_speed), outer.support_stiffness)
+
+    @property
+    def support_stiffness_ratio(self) -> NDArray | None:
+        """Stiffness of the outer ring's support over that of the bearing (C) [-]; None where it is rigid."""
+        support = self.support_stiffness
+        return None if support is None else support / self.between_raceways.radial_stiffness
 
     @property
     def support_translation(self) -> NDArray:
@@ -136,6 +142,12 @@ class EndState:
     def with_supports(self) -> Tangent:
         """Stiffness from base to shaft ends."""
         return self.cases.with_supports[0]
+
+    @property
+    def support_stiffness(self) -> float | None:
+        """Stiffness of the outer ring's support [N/m]; None where it is rigid."""
+        stiffness = self.cases.support_stiffness
+        return None if stiffness is None else stiffness[0]
 
     @property
     def support_stiffness_ratio(self) -> float | None:

@@ -131,13 +131,20 @@ class BearingStates:
     @property
     def cage_slip(self) -> NDArray:
         """Lag of the cage behind pure rolling (C), as a fraction [-]; not a number when that stands still."""
-        drift, rolling = self.unknowns.cage_drift, self.balance.rolling_cage
-        return np.divide(-drift, rolling, out=np.full(drift.shape, np.nan), where=rolling != 0)[:, 0]
+        return _lag(self.unknowns.cage_drift, self.balance.rolling_cage)[:, 0]
 
     @property
     def roller_speed(self) -> NDArray:
         """Spin (C, Z) relative to the cage [rad/s]."""
         return self.balance.speeds(self.unknowns)[0]
+
+    @property
+    def roller_slip(self) -> NDArray:
+        """Lag of the spins behind pure rolling (C, Z), as a fraction [-]; not a number when they stand still.
+
+        Of spins as `cage_slip` is of the cage: 0 in pure rolling, 1 where a roller does not spin.
+        """
+        return _lag(self.unknowns.spin_drift, self.balance.rolling_spin)
 
     @property
     def roller_tilt(self) -> NDArray:
@@ -342,3 +349,8 @@ class BearingStates:
         if balance.roller is self.balance.roller:  # rollers do not know who holds the ring
             free.know(balance.evaluate(free.scaled, self.system.response))
         return free
+
+
+def _lag(drift: NDArray, rolling: NDArray) -> NDArray:
+    """How far speeds (C, N) fall short of those in pure rolling (C, 1), as a fraction of these."""
+    return np.divide(-drift, rolling, out=np.full(drift.shape, np.nan), where=rolling != 0)

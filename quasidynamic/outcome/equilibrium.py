@@ -163,6 +163,11 @@ class Equilibrium:
         return self.cases.roller_speed[0]
 
     @property
+    def roller_slip(self) -> NDArray:
+        """Lag of the spins behind pure rolling (Z), as a fraction [-]; not a number when they stand still."""
+        return self.cases.roller_slip[0]
+
+    @property
     def roller_tilt(self) -> NDArray:
         """Tilt (Z) of the rollers in the plane through the bearing axis [rad]."""
         return self.cases.roller_tilt[0]

@@ -8,6 +8,7 @@ from pytest import approx
 
 from quasidynamic import Crowned, NotSolved, SolverOutcome, solve_many
 from quasidynamic.contact.traction import RollingShear
+from quasidynamic.motion.roller_speeds import rolling_cage_speed, rolling_roller_speed
 from tests.bearings import RPM, paper_bearing
 
 CASES = {
@@ -98,6 +99,19 @@ def test_nothing_slips_when_nothing_resists():
     state = paper_bearing(cage=bare, spin_inertia=False, rolling=no_rolling_shear).solve()
     assert state.cage_slip == approx(0.0, abs=1e-12)
     assert state.sliding == approx(np.zeros((2, 30)), abs=1e-9)
+
+
+def test_slips_of_rollers_and_cage_are_the_sliding(state):
+    """What a roller lacks in spin and the cage in speed, the raceways slide over its surface."""
+    bearing, operation = state.balance.roller.bearing, state.balance.points
+    speeds = operation.inner_speed.item(), operation.outer_speed.item()
+    ratio, roller = bearing.diameter_ratio, bearing.roller.diameter / 2
+    by_spin = state.roller_slip * rolling_roller_speed(*speeds, ratio) * roller
+    by_cage = state.cage_slip * rolling_cage_speed(*speeds, ratio) * bearing.pitch_diameter / 2
+    expected = (1 - ratio) * by_cage + by_spin, (1 + ratio) * by_cage - by_spin
+    assert state.sliding == approx(np.array(expected), rel=1e-9, abs=1e-9)
+    spin = (1 - state.roller_slip) * rolling_roller_speed(*speeds, ratio)
+    assert state.roller_speed == approx(spin, rel=1e-12)
 
 
 def test_turning_the_other_way_mirrors_everything():
