@@ -57,9 +57,9 @@ def _notes(state: Equilibrium, whole: "WholeRoller") -> Iterator[Note]:
         cell = state.balance.roller.bearing.roller.length / len(whole.positions)
         yield outside(
             "sharp-roller-end",
-            "the contact of the most loaded roller reaches an end of it, where pressure has no bound: the "
-            f"peak pressure is the mean of a cell of {cell / MICROMETRE:.3g} um along the roller, and the "
-            "life depends on accuracy.slices; a profile that keeps the ends apart has neither",
+            "the contact of the most loaded roller reaches an end of it, where a sharp end has pressure "
+            f"without bound: the peak is the mean of a cell of {cell / MICROMETRE:.3g} um along the roller, "
+            "and the life depends on accuracy.slices; a profile that keeps the ends apart has neither",
         )
         return
     share = float((whole.pressure_error / whole.peak_pressure).max())

@@ -11,7 +11,8 @@ import flexbearing
 from flexbearing.api import read_case
 from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase
-from flexbearing.report import text
+from flexbearing.report import text, write_figures
+from flexbearing.report.roller.figures import pictures
 from flexbearing.runs import half_space, life
 from quasidynamic.errors import NotSolved
 from quasidynamic.outcome import whole_roller
@@ -61,6 +62,15 @@ def test_summary_page_and_notes_tell_of_the_whole_roller(runs):
     assert "by slices alone" not in text(runs[1])
     assert "whole-roller" in codes(runs[0])
     assert "whole-roller" not in codes(runs[1])
+
+
+def test_picture_shows_both_contacts_beside_their_slices(runs, tmp_path):
+    names = [path.name for path in write_figures(runs[0], tmp_path)]
+    assert "0_whole_roller.png" in names
+    figure = pictures(runs[0])["whole_roller"]
+    line = figure.axes[1].get_lines()[-1]
+    assert line.get_ydata() == approx(runs[0].rigid["whole_roller_line_load"][0] / 1e3, rel=1e-12)
+    assert "whole_roller" not in pictures(runs[1])
 
 
 def test_modified_life_starts_from_the_whole_roller():

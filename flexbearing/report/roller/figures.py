@@ -10,6 +10,7 @@ import numpy as np
 from flexbearing.quantities.reductions import loaded
 from flexbearing.quantities.roller import LAYOUT
 from flexbearing.report.picture import titled
+from flexbearing.report.roller.whole_roller_figure import whole_roller
 from flexbearing.results import Result
 
 if TYPE_CHECKING:
@@ -199,11 +200,15 @@ def _draw_deviation(axes: Axes, values: Mapping[str, np.ndarray], race: str, sty
 
 def pictures(result: Result) -> dict[str, Figure]:
     """Draw every picture of a roller bearing, by the name of its file."""
-    return {
+    drawn = {
         "roller_loads": polar_loads(result),
         "convergence": convergence(result),
         "raceway_deviation": deviations(result),
     }
+    last = result.flexible or result.rigid
+    if last and "whole_roller_pressure" in last:
+        drawn["whole_roller"] = whole_roller(last, result.attributes["title"])
+    return drawn
 
 
 def _figure(width: float, height: float) -> Figure:
