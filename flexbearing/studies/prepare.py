@@ -14,7 +14,7 @@ from flexbearing.studies.plan import Plan, plan
 from flexbearing.studies.run import Tell, Work, run
 from flexbearing.studies.settled import Prepared
 from flexbearing.studies.table import Table, duty
-from flexbearing.studies.table.collected import collected, require_outputs, with_errors
+from flexbearing.studies.table.collected import collected, estimated, require_outputs, with_errors
 from flexbearing.studies.table.drawn import drawn
 from flexbearing.studies.where import Where
 
@@ -47,12 +47,13 @@ def prepared(file: str | Path) -> Prepared:
     settled = plan(study, FAMILIES, lambda case: require_possible(case, family), rings, levels)
     elastic = any(variant.rings for variant in settled.variants)
     columns = collected(study, FAMILIES, elastic=elastic, rollers=_rollers(settled))
-    if study.spectrum:
-        require_outputs(study, duty.texts(study.spectrum).values(), "duty", FAMILIES)
+    lives = duty.texts(study.spectrum).values() if study.spectrum else ()
+    require_outputs(study, lives, "duty", FAMILIES)
     plot, columns = drawn(study, columns, FAMILIES)
-    if settled.corners:
-        columns = with_errors(columns, family.layout())
-    return Prepared(study, settled, columns, plot)
+    if not settled.corners:
+        return Prepared(study, settled, columns, plot)
+    layout = family.layout()
+    return Prepared(study, settled, with_errors(columns, layout), plot, estimated(lives, layout))
 
 
 def _rollers(settled: Plan) -> int:

@@ -66,6 +66,7 @@ class Prepared:
     plan: Plan
     columns: tuple[Collected, ...]
     plot: Plot | None = None
+    life_errors: tuple[str, ...] = ()  # estimated ones of the lives that a duty cycle cumulates
     part: Part | None = None  # of the study, whose variants these are
 
     def of_part(self, part: Part) -> "Prepared":
@@ -83,7 +84,8 @@ class Prepared:
     @property
     def texts(self) -> tuple[str, ...]:
         """What rows hold: outputs and estimated errors."""
-        return (*self.outputs, *(column.text for column in self.columns if column.error))
+        of_columns = (column.text for column in self.columns if column.error)
+        return tuple(dict.fromkeys([*self.outputs, *of_columns, *self.life_errors]))
 
     def journal(self, folder: Path) -> Path:
         """Where the rows are kept as they are finished."""
@@ -127,7 +129,8 @@ class Prepared:
         if self.study.spectrum is None or self.part:
             return Table(name, (*keys, *outputs, *ends(ordered)), axes, arrays=arrays)
         length = len(axes[-1].rows)
-        cycles = Cycles(self.study.spectrum, self._speeds.reshape(-1, length), _cut(ordered, length))
+        speeds = self._speeds.reshape(-1, length)
+        cycles = Cycles(self.study.spectrum, speeds, _cut(ordered, length), self.life_errors)
         others = [
             replace(column, values=column.values[::length])
             for column in keys

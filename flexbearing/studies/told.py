@@ -13,6 +13,7 @@ from flexbearing.studies.table import Table
 from flexbearing.studies.table.files import EXTRA, FORMS, missing
 from flexbearing.studies.where import ELASTIC, RIGID, RING, expected
 
+LIFE_ERROR = "life error [%]"  # column of duty cycles with a target
 PAUSE = 10.0  # [s] between lines that no terminal shows
 
 
@@ -116,7 +117,8 @@ def cycles(lives: Table) -> list[str]:
     lines = []
     for number, row in enumerate(lives.rows[:MOST]):
         where = ", ".join(f"{column.heading} {column.values[number]}" for column in keys)
-        words = f"life {row['life [h]']:.6g} h, inner {row['inner_life [h]']:.6g} h, outer " + (
+        error = f" (error {row[LIFE_ERROR]:.2g} %)" if LIFE_ERROR in row else ""
+        words = f"life {row['life [h]']:.6g} h{error}, inner {row['inner_life [h]']:.6g} h, outer " + (
             f"{row['outer_life [h]']:.6g} h, mean speed {row['mean_speed [rpm]']:.6g} rpm"
         )
         lines.append(f"duty cycle{f' at {where}' if where else ''}: {row['message'] or words}")

@@ -154,3 +154,36 @@ def cumulated_life(revolutions: ArrayLike, lives: ArrayLike) -> Any:
     """
     with np.errstate(divide="ignore"):  # no load, no damage
         return 1 / damage(revolutions, lives).sum(axis=-1)
+
+
+def cumulated_life_error(revolutions: ArrayLike, lives: ArrayLike, errors: ArrayLike) -> Any:
+    r"""Largest error of the cumulated life, to first order, where lives of rows may err to either side.
+
+    .. math:: e = \sum_i d_i e_i / \sum_j d_j
+
+    Parameters
+    ----------
+    revolutions, lives : array (..., N)
+        as for `damage` [-], [rev]
+    errors : array (..., N)
+        e, error of the life of each row over it, or any multiple such as percent [-], >= 0
+
+    Returns
+    -------
+    float or array (...)
+        error of the cumulated life over it, in the same multiple; not a number where no row does damage
+
+    Source
+    ------
+    The derivative of `cumulated_life`.
+
+    Valid
+    -----
+    Errors far below 1. Rows without damage may have any error.
+
+    >>> round(float(cumulated_life_error([0.5, 0.5], [1e6, 3e6], [0.01, 0.02])), 6)
+    0.0125
+    """
+    each = damage(revolutions, lives)
+    with np.errstate(invalid="ignore"):  # no load, no damage
+        return np.where(each > 0, each * errors, 0.0).sum(axis=-1) / each.sum(axis=-1)

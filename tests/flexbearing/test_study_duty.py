@@ -1,6 +1,7 @@
 """Duty cycles: life under a load spectrum by the rule of Palmgren and Miner, against calculations by hand."""
 
-from math import inf, isnan, pi
+from dataclasses import replace
+from math import inf, isnan, nan, pi
 
 import numpy as np
 import pytest
@@ -111,6 +112,26 @@ def cycles(*lives, speed=100.0, spectrum=SPECTRUM):
         for life in lives
     ]  # fmt: skip
     return Cycles(spectrum, np.full((1, len(rows)), speed), [rows])
+
+
+def test_the_error_of_a_cycle_is_that_of_its_rows_by_their_damage():
+    """Row 3 does no damage, and may have no estimate."""
+    lives, errors, turned = (2.0, 8.0, inf), (1.0, 4.0, nan), (0.25, 0.25, 0.5)
+    found = cycles(*lives)
+    name = f"{texts(SPECTRUM)['']} error"
+    rows = [
+        replace(row, values={**row.values, name: error})
+        for row, error in zip(found.rows[0], errors, strict=True)
+    ]
+    estimated = replace(found, rows=[rows], errors=(name,))
+    harm = [turns / life for turns, life in zip(turned, lives, strict=True)]
+    expected = (harm[0] * 1.0 + harm[1] * 4.0) / sum(harm)
+    assert column(estimated.of_cycles(), "life error [%]") == approx([expected], rel=1e-14)
+    step = 1e-6  # of the errors: the change of the life when every row errs by that much, to one side
+    higher = cycles(*(life * (1 + step * error) for life, error in zip(lives, (1.0, 4.0, 0.0), strict=True)))
+    one, other = (column(each.of_cycles(), "life [h]")[0] for each in (found, higher))
+    assert (other / one - 1) / step == approx(expected, rel=1e-5)
+    assert "life error [%]" not in [each.heading for each in found.of_cycles()]
 
 
 def column(columns, heading):

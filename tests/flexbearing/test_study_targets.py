@@ -8,7 +8,7 @@ import pytest
 from pytest import approx
 
 import flexbearing
-from flexbearing.studies import worker
+from flexbearing.studies import told, worker
 from flexbearing.studies.plan.corners import extremes
 from flexbearing.studies.prepare import prepared
 from flexbearing.studies.table import journal
@@ -143,6 +143,24 @@ def test_a_target_that_is_not_met_is_told_in_every_row_that_shares_the_levels(tm
     table = flexbearing.study(study(tmp_path, coarse + LOADS), tmp_path, jobs=1)
     assert all("accuracy.target of 0.01 % is not met" in words for words in table["message"].values)
     assert min(table["life error"].values) > 0.01
+
+
+def test_the_life_under_a_duty_cycle_has_an_error_below_its_estimate(tmp_path):
+    duty = '[duty]\ntime = [1, 2, 1]\n"operation.radial_load" = ["2 kN", "5 kN", "12 kN"]\n'
+
+    def lives(name, over):
+        file = tmp_path / f"{name}.toml"
+        clearances = '"bearing.clearance" = ["20 um", "40 um"]\n'
+        file.write_text(f'case = "{CONFIGS / "nu209.toml"}"\n[over]\n{clearances}{over}{duty}')
+        return flexbearing.study(file, tmp_path, jobs=1).cycles
+
+    coarse, fine = lives("coarse", '"accuracy.target" = "5 %"\n'), lives("fine", '"accuracy.slices" = 320\n')
+    true = np.abs(np.array(coarse["life [h]"].values) / fine["life [h]"].values - 1) * 100
+    estimate = np.array(coarse["life error [%]"].values)
+    assert (true <= estimate).all()
+    assert (estimate <= 5).all()
+    assert "life error [%]" not in [column.heading for column in fine.columns]
+    assert f"h (error {estimate[1]:.2g} %), inner" in told.cycles(coarse)[1]
 
 
 def test_levels_between_rigid_rings_are_chosen_too(chosen, tmp_path):

@@ -196,8 +196,13 @@ def with_errors(columns: Iterable[Collected], layout: Layout) -> tuple[Collected
         output = wanted(layout, column.texts[0])
         if _is_estimated(output) and not column.over:
             unit = "%" if output.output.declared.error_relative else column.unit
-            found.append(Collected(f"{column.column} error", _of_error(column.text), unit, error=True))
+            found.append(Collected(f"{column.column} error", of_error(column.text), unit, error=True))
     return tuple(found)
+
+
+def estimated(texts: Iterable[str], layout: Layout) -> tuple[str, ...]:
+    """Names of the estimated errors of outputs, of those that have one."""
+    return tuple(of_error(text) for text in texts if _is_estimated(wanted(layout, text)))
 
 
 def errors(
@@ -223,7 +228,7 @@ def errors(
         if _is_estimated(output) and declared.error in estimates:
             scale = 1.0 if declared.in_si or declared.unit is None else declared.unit.scale
             factor = 100.0 if declared.error_relative else scale * output.conversion.factor
-            found[_of_error(text)] = factor * estimates[declared.error]
+            found[of_error(text)] = factor * estimates[declared.error]
     return found
 
 
@@ -232,7 +237,8 @@ def _is_estimated(output: Wanted) -> bool:
     return bool(output.output.declared.error) and output.block != "rigid"
 
 
-def _of_error(text: str) -> str:
+def of_error(text: str) -> str:
+    """What the estimated error of an output is called among the numbers of a row."""
     return f"{text} error"
 
 

@@ -1,6 +1,6 @@
 """The cumulated life of a duty cycle, and the share of each row in its damage."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import pi
 
@@ -10,9 +10,11 @@ from numpy.typing import NDArray
 from flexbearing.studies.file.spectrum import Spectrum
 from flexbearing.studies.plan import Row
 from flexbearing.studies.plan.task import CONVERGED
+from flexbearing.studies.table.collected import of_error
 from flexbearing.studies.table.column import Column
 from quasidynamic.outcome.load_spectrum import (
     cumulated_life,
+    cumulated_life_error,
     damage,
     mean_speed,
     revolution_shares,
@@ -31,6 +33,7 @@ class Cycles:
     spectrum: Spectrum
     speed: NDArray  # (C, N) of the inner ring against the outer one [rad/s]
     rows: Sequence[Sequence[Row]]  # C of N
+    errors: Collection[str] = ()  # estimates that rows have, by the texts that name them
 
     @property
     def texts(self) -> Mapping[str, str]:
@@ -47,10 +50,9 @@ class Cycles:
         shares = np.broadcast_to(self.spectrum.shares, self.speed.shape)
         return shares if self.spectrum.measure == "revolutions" else revolution_shares(shares, self.speed)
 
-    def _lives(self, text: str) -> NDArray:
-        """Lives (C, N) [rev]; NaN where a row has no answer."""
-        lives = [[row.values.get(text, np.nan) for row in cycle] for cycle in self.rows]
-        return np.array(lives, dtype=float) * MREV
+    def _numbers(self, text: str) -> NDArray:
+        """Numbers (C, N) of the rows; NaN where one has none."""
+        return np.array([[row.values.get(text, np.nan) for row in cycle] for cycle in self.rows], dtype=float)
 
     @property
     def complete(self) -> NDArray:
@@ -75,6 +77,8 @@ class Cycles:
             life = np.where(complete, cumulated_life(self._revolutions, self._counted(text)), np.nan)
             yield _column(f"{words}life", "h", life * 2 * pi / speed / HOUR)
             yield _column(f"{words}revolutions", "Mrev", life / MREV)
+            if of_error(text) in self.errors:
+                yield _column(f"{words}life error", "%", np.where(complete, self._error(text), np.nan))
         yield _column("mean_speed", "rpm", speed / RPM)
         yield Column("status", "", tuple(CONVERGED if each else INCOMPLETE for each in complete))
         yield Column("message", "", tuple(map(self._message, range(len(self.rows)))))
@@ -84,8 +88,12 @@ class Cycles:
         return damage(self._revolutions, self._counted(text))
 
     def _counted(self, text: str) -> NDArray:
-        """Lives of the rows that take time; the others do no damage."""
-        return np.where(np.array(self.spectrum.shares) > 0, self._lives(text), np.inf)
+        """Lives (C, N) [rev] of the rows that take time; the others do no damage."""
+        return np.where(np.array(self.spectrum.shares) > 0, self._numbers(text) * MREV, np.inf)
+
+    def _error(self, text: str) -> NDArray:
+        """Estimated error (C) of the cumulated life, in percent of it."""
+        return cumulated_life_error(self._revolutions, self._counted(text), self._numbers(of_error(text)))
 
     def _message(self, cycle: int) -> str:
         counts = zip(self.rows[cycle], self.spectrum.shares, strict=True)
