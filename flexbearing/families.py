@@ -11,6 +11,7 @@ _ROLLER = Family(
     build=Entry("flexbearing.runs.validate_roller:build"),
     opening=Entry("flexbearing.runs.roller:opening"),
     solve=Entry("flexbearing.runs.roller:solve"),
+    ahead=Entry("flexbearing.rings.ahead:outer_ring_ahead"),
     layout=Entry("flexbearing.quantities.roller:LAYOUT"),
     report=Entry("flexbearing.report.roller.report:REPORT"),
     initial_state=Entry("flexbearing.coupled.initial_state:initial_state"),

@@ -9,7 +9,7 @@ from flexbearing.build.ring_parts import part_of
 from flexbearing.cache import configured
 from flexbearing.case.roller import Case
 from flexbearing.program.threads import cores
-from flexbearing.rings.condensed import resolved
+from flexbearing.rings.resolution import resolved
 
 if TYPE_CHECKING:
     from fem.raceway.harmonics import HarmonicCompliance

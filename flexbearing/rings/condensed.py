@@ -10,22 +10,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 import fem
-from fem.condense import BEAM, HARMONICS, SMEARED, SOLID, condense
+from fem.condense import BEAM, HARMONICS, SOLID, condense
 from fem.errors import NotSolved
-from fem.parts.step_solid import StepSolid
 from flexbearing.build.bonded_growth import bonded_shape
-from flexbearing.build.expansion import roller_length
-from flexbearing.build.mesh_sizes import IN_SPACE, ON_A_SECTION, mesh_size
+from flexbearing.build.mesh_sizes import ON_A_SECTION, mesh_size
 from flexbearing.build.ring_parts import NAMES, Race, part_of
 from flexbearing.build.seat_growth import seat_growth, seat_strain
 from flexbearing.cache import configured
 from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
 from flexbearing.coupling import LinearPair, PartnerFailed, RacewayPair
-from flexbearing.program.threads import of_solids
 from flexbearing.progress import Report
 from flexbearing.rings.fits import RacewayInFit, inner_ring_in_fit, is_in_fit, outer_ring_in_housing
 from flexbearing.rings.raceways import CondensedRaceway, RigidRaceway, with_axial_modes
+from flexbearing.rings.resolution import discretisation_of, resolved
 from flexbearing.rings.supported import (
     RINGS,
     SupportedRaceway,
@@ -40,9 +38,7 @@ if TYPE_CHECKING:
     from flexbearing.build.ring_parts import Part
 
 Ahead = Callable[[], Any] | None  # gives a ring that is condensed in another place than usual
-WITH_A_SLEEVE = (3, 1.2, 0.4)  # smeared bars are worth no more
 RACES: tuple[Race, Race] = ("inner", "outer")
-PATCH = 0.1  # width of a load patch over the roller length
 
 
 def condensed_raceways(
@@ -97,7 +93,7 @@ def raceway(
 
         def at(places: NDArray) -> "RacewayCompliance":
             with named_failures(case, name):
-                solid = _discretisation(part, case) is SOLID  # which knows its own rollers only
+                solid = discretisation_of(part, case) is SOLID  # which knows its own rollers only
                 anew: Any = condensed(name, part, case, places, report) if solid else linear
                 return growth.added(anew.at(places))
 
@@ -296,15 +292,6 @@ def condensed(
     )
 
 
-def resolved(
-    part: "Part", case: Case, azimuths: NDArray | None = None
-) -> "tuple[Part, fem.Discretisation, fem.Resolution]":
-    """What decides a condensed part; the azimuths (Z) [rad] of the rollers matter for whole solids alone."""
-    discretisation = _discretisation(part, case)
-    places = np.zeros(1) if azimuths is None else azimuths
-    return part, discretisation, _resolution(part, discretisation, case, places)
-
-
 def _is_of(part: "Part", discretisation: fem.Discretisation, resolution: fem.Resolution, kept) -> bool:
     """Whether a compliance from the cache is that of a part, as far as it says so."""
     if discretisation is SOLID:
@@ -318,42 +305,3 @@ def _is_of(part: "Part", discretisation: fem.Discretisation, resolution: fem.Res
     wanted = part.raceway_diameter / 2, resolution.length, part.materials["ring"], bars
     same = (kept.radius, kept.length, kept.elastic, kept.bars) == wanted
     return same and kept.response.shape[1] == resolution.axial_modes
-
-
-def _discretisation(part: "Part", case: Case) -> fem.Discretisation:
-    """Choice of the case, or what suits the part."""
-    if case.accuracy.structure == "solid" or isinstance(part, StepSolid):
-        return SOLID
-    if case.accuracy.structure == "beam":
-        return BEAM
-    if case.accuracy.structure == "smeared" and isinstance(part, fem.SquirrelCage):
-        return SMEARED
-    return HARMONICS
-
-
-def _resolution(
-    part: "Part", discretisation: fem.Discretisation, case: Case, azimuths: NDArray
-) -> fem.Resolution:
-    in_space = discretisation is SOLID or isinstance(part, fem.SquirrelCage)
-    usual = WITH_A_SLEEVE if discretisation is SMEARED else IN_SPACE if in_space else ON_A_SECTION
-    loads = patches(case, azimuths)
-    rollers = {"azimuths": loads.azimuths, "patch_width": loads.width} if discretisation is SOLID else {}
-    return fem.Resolution(
-        length=loads.length,
-        axial_modes=loads.axial_modes,
-        mesh_size=mesh_size(case, usual),
-        harmonics=None if discretisation is SOLID else case.accuracy.harmonics,
-        threads=of_solids(case.accuracy.threads),
-        **rollers,
-    )
-
-
-def patches(case: Case, azimuths: NDArray) -> fem.Patches:
-    """What rollers load of a whole solid."""
-    length = roller_length(case)
-    return fem.Patches(
-        azimuths=tuple(azimuths),
-        length=length,
-        axial_modes=case.accuracy.axial_shapes,
-        width=case.accuracy.patch_width or PATCH * length,
-    )

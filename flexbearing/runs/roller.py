@@ -12,7 +12,6 @@ from flexbearing.coupled.initial_state import InitialState
 from flexbearing.coupling import LinearPair, PartnerFailed, RacewayPair
 from flexbearing.progress import Report
 from flexbearing.results import Recorder
-from flexbearing.rings.ahead import Ahead, outer_ring_ahead
 from flexbearing.rings.condensed import condensed_raceways
 from flexbearing.rings.full_solve import full_fe_raceways
 from flexbearing.runs import notes, roller_position, several
@@ -23,6 +22,7 @@ from quasidynamic.note import Note, graded, information
 
 if TYPE_CHECKING:
     from flexbearing.accuracy.shared import Levels
+    from flexbearing.rings.ahead import Ahead
 
 RIGID = LinearPair(None, None)
 
@@ -53,22 +53,23 @@ def solve(
     report: Report,
     near: InitialState | None = None,
     levels: "Levels | None" = None,
+    ahead: "Ahead | None" = None,
 ) -> dict[str, object]:
     """Write iterations and blocks; returns the root attributes that say how it ended.
 
     A case with a target is solved at the `levels` that were chosen for it and others, where they are given.
+    The outer ring may be condensed `ahead`, in a process of its own.
     """
     postprocessing = Postprocessing(case, record, report)
-    with outer_ring_ahead(case) as ahead:
-        resolved = _resolved(case, postprocessing, report, ahead, levels)
-        ending = _solve(case, resolved, postprocessing, report, near)
+    resolved = _resolved(case, postprocessing, report, ahead, levels)
+    ending = _solve(case, resolved, postprocessing, report, near)
     if near is not None:
         ending |= _start(near, ending["attempts"], postprocessing)
     return ending | dict(resolved.attributes) | postprocessing.attributes()
 
 
 def _resolved(
-    case: Case, postprocessing: Postprocessing, report: Report, ahead: Ahead | None, levels: "Levels | None"
+    case: Case, postprocessing: Postprocessing, report: Report, ahead: "Ahead | None", levels: "Levels | None"
 ) -> Resolved:
     """At the levels of the case, or at those that its target asks for."""
     model = roller_bearing.bearing(case)

@@ -1,14 +1,14 @@
 """One case, given its family, from what was read to its result."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import nullcontext
 from functools import partial
 from hashlib import sha256
 from os.path import exists  # Path.exists raises for names that no file can have
 from pathlib import Path
 from time import perf_counter
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from flexbearing.case import BadCase, Head
 from flexbearing.case.family import Family
@@ -65,21 +65,26 @@ def run_case(
     """
     began = perf_counter()
     require_possible(case, family)
-    solve = family.solve()
+    inputs = (*case.input_files, *(start.files if start else ()))
+    with family.ahead()(case) if family.ahead else nullcontext() as ahead:  # of all that is loaded to solve
+        solve = _solver(case, family, start, levels=levels, ahead=ahead)
+        head = _head(case) | family.opening()(case)
+        kept = ResultFile(output, head, family, inputs) if output else nullcontext(Record(head, family))
+        with linear_algebra_alone(), kept as record:
+            ending = solve(case, record, report or Logged())
+            return record.finish(**ending, wall_time_s=perf_counter() - began)
+
+
+def _solver(
+    case: Head, family: Family, start: Result | None, **further: Any
+) -> Callable[..., dict[str, Any]]:
+    """The solve of a family, with its further arguments where they are not None."""
+    given = {name: value for name, value in further.items() if value is not None}
     if start is not None:
         if family.initial_state is None:
             raise BadCase(f'start {start.place}: a case of kind = "{case.kind}" starts from no other result')
-        solve = partial(solve, near=family.initial_state()(start, case))
-    if levels is not None:
-        solve = partial(solve, levels=levels)
-    inputs = (*case.input_files, *(start.files if start else ()))
-    head = _head(case) | family.opening()(case)
-    with (
-        linear_algebra_alone(),
-        ResultFile(output, head, family, inputs) if output else nullcontext(Record(head, family)) as record,
-    ):
-        ending = solve(case, record, report or Logged())
-        return record.finish(**ending, wall_time_s=perf_counter() - began)
+        given["near"] = family.initial_state()(start, case)
+    return partial(family.solve(), **given)
 
 
 def default_output(case: Head) -> Path:

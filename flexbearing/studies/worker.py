@@ -108,8 +108,9 @@ def _keep(ring: Ring, cache: str | None, *, here: bool) -> None:
         return  # not kept
     from fem.condense import condense_in_process
     from flexbearing.build.roller_bearing import bearing
-    from flexbearing.rings.condensed import raceway, resolved
+    from flexbearing.rings.condensed import raceway
     from flexbearing.rings.fits import is_in_fit
+    from flexbearing.rings.resolution import resolved
 
     race: Race = "inner" if ring.race == "inner" else "outer"
     part = part_of(case, race)

@@ -9,11 +9,12 @@ import numpy as np
 
 import quasidynamic as qd
 from flexbearing.build import expansion, ring_parts, roller_bearing, seat_growth
+from flexbearing.build.mesh_sizes import IN_SPACE, mesh_size
 from flexbearing.build.rough_surfaces import roughness
 from flexbearing.case.roller import Case
 from flexbearing.families import FAMILIES
 from flexbearing.progress import Logged
-from flexbearing.rings import bolted, condensed
+from flexbearing.rings import bolted, condensed, resolution
 from flexbearing.runs import angular_contact, four_point
 
 OIL = qd.Lubricant(
@@ -77,8 +78,8 @@ def _roller(case: Case):
         "flange": roller_bearing.flange(case),
         "outer": outer,
         "inner": inner,
-        "mesh": condensed.mesh_size(case, condensed.IN_SPACE),
-        "patches": condensed.patches(case, np.zeros(1)),
+        "mesh": mesh_size(case, IN_SPACE),
+        "patches": resolution.patches(case, np.zeros(1)),
         "inner_fit": _fit(lambda: condensed.raceway(case, "inner", np.zeros(1), Logged()))
         if inner and case.inner.fit != "bonded"
         else None,

@@ -12,12 +12,13 @@ from pytest import approx
 import flexbearing
 from flexbearing.api import read_case
 from flexbearing.build import clearance, ring_parts
+from flexbearing.build.mesh_sizes import mesh_size
 from flexbearing.case import BadCase
 from flexbearing.case.read import understood
 from flexbearing.coupling import RacewayPair
 from flexbearing.families import FAMILIES
 from flexbearing.progress import Logged
-from flexbearing.rings.condensed import mesh_size, raceway
+from flexbearing.rings.condensed import raceway
 from flexbearing.rings.fits import (
     _shaft_fit_figures,
     expansions_along,
