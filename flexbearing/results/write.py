@@ -99,19 +99,12 @@ class ResultFile:
             self._open.close()
 
     def iteration(self, number: int, values: Mapping[str, ArrayLike]) -> None:
-        """Add an iteration; its numbers need not be finite.
-
-        Parameters
-        ----------
-        number : int
-            1 for the first, then without gaps
-        values : mapping
-            every dataset of an iteration, by name
+        """Add an iteration to the `Record`, which is stored soon.
 
         Raises
         ------
         NotInLayout
-            for a number out of turn, an unknown or missing name, or a wrong shape
+            where the record takes no such iteration
         NotStored
             if earlier ones could not be stored
         """
@@ -123,21 +116,12 @@ class ResultFile:
     def block(
         self, name: Literal["rigid", "flexible"], values: Mapping[str, ArrayLike], *, converged: bool = True
     ) -> None:
-        """Add the end state with rigid or with flexible raceways.
-
-        Parameters
-        ----------
-        name : "rigid" or "flexible"
-            which of the two
-        values : mapping
-            every dataset of a block that is not optional, by name
-        converged : bool
-            whether this is a solution; only then every number must be finite
+        """Add an end state to the `Record`, which is stored soon.
 
         Raises
         ------
         NotInLayout
-            for an unknown or missing name, a wrong shape, or a solution that is not finite
+            where the record takes no such block
         NotStored
             if what came before could not be stored
         """

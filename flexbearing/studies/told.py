@@ -10,7 +10,7 @@ from flexbearing.case.problems import MOST
 from flexbearing.studies.run import PICTURE
 from flexbearing.studies.settled import Prepared, Progress
 from flexbearing.studies.table import Table
-from flexbearing.studies.table.files import EXTRA, FORMS, missing
+from flexbearing.studies.table.forms import EXTRA, FORMS, missing
 from flexbearing.studies.where import ELASTIC, RIGID, RING, expected
 
 LIFE_ERROR = "life error [%]"  # column of duty cycles with a target

@@ -10,7 +10,7 @@ import pytest
 
 from flexbearing.files import BadOutput, NotStored
 from flexbearing.studies.engine.serial import Serial
-from flexbearing.studies.table import files
+from flexbearing.studies.table import forms
 from tests.flexbearing.test_studies import computed, counting
 from tests.flexbearing.toy_studies import toy
 
@@ -90,7 +90,7 @@ def test_parquet_carries_units(tmp_path):
 def test_without_the_extra_the_table_is_csv_and_the_rest_says_what_to_install(tmp_path, monkeypatch):
     from flexbearing.studies import told
 
-    monkeypatch.setattr(files, "find_spec", lambda name: None)
+    monkeypatch.setattr(forms, "find_spec", lambda name: None)
     settled = toy(tmp_path)
     table = computed(settled, tmp_path)
     assert sorted(path.suffix for path in tmp_path.iterdir()) == [".csv", ".jsonl", ".toml"]

@@ -1,41 +1,13 @@
 """The files of a table: each appears whole, or what had its name before stays."""
 
-from collections.abc import Callable, Iterable
-from importlib.util import find_spec
+from collections.abc import Iterable
 from pathlib import Path
 
 from flexbearing.files import require_output, write
+from flexbearing.studies.table.forms import FORMS, missing
 from flexbearing.studies.table.table import Table
-from flexbearing.studies.table.text import csv_text
 
 CYCLES = "_duty"  # behind the name of the study, in that of the table of lives under its duty cycle
-EXTRA = 'pip install "flexbearing[studies]"'
-
-
-def _csv(table: Table) -> bytes:
-    return csv_text(table).encode()
-
-
-def _parquet(table: Table) -> bytes:
-    from flexbearing.studies.table.parquet import parquet_bytes
-
-    return parquet_bytes(table)
-
-
-def _netcdf(table: Table) -> bytes:
-    return bytes(table.to_xarray().to_netcdf(engine="h5netcdf"))
-
-
-FORMS: dict[str, tuple[Callable[[Table], bytes], tuple[str, ...]]] = {  # with the packages that they need
-    ".csv": (_csv, ()),
-    ".parquet": (_parquet, ("pyarrow",)),
-    ".nc": (_netcdf, ("xarray", "h5netcdf")),
-}
-
-
-def missing(suffix: str) -> list[str]:
-    """Packages that a form of the table needs and that are not installed."""
-    return [package for package in FORMS[suffix][1] if find_spec(package) is None]
 
 
 def places(folder: Path, name: str, inputs: Iterable[Path]) -> dict[str, Path]:

@@ -1,0 +1,63 @@
+"""The forms of a table: the bytes of each file, with units in all of them."""
+
+import csv
+import json
+from collections.abc import Callable
+from importlib.util import find_spec
+from io import BytesIO, StringIO
+from math import isnan
+from typing import Any
+
+from flexbearing.studies.table.table import Table
+
+EXTRA = 'pip install "flexbearing[studies]"'
+
+
+def csv_bytes(table: Table) -> bytes:
+    """A table as CSV: headings with units, then the rows; nothing stands where there is no number."""
+    file = StringIO(newline="")
+    writer = csv.writer(file, lineterminator="\n")
+    writer.writerow(column.heading for column in table.columns)
+    writer.writerows(zip(*(map(_cell, column.values) for column in table.columns), strict=True))
+    return file.getvalue().encode()
+
+
+def _cell(value: Any) -> Any:
+    return "" if isinstance(value, float) and isnan(value) else value
+
+
+def parquet_bytes(table: Table) -> bytes:
+    """A table as Parquet, fields called as the headings.
+
+    Each field has its unit as metadata, and the metadata of the file hold all of them as JSON, "units".
+    """
+    import pyarrow
+    from pyarrow import parquet
+
+    arrays = [pyarrow.array(column.values) for column in table.columns]
+    fields = [
+        pyarrow.field(column.heading, array.type, metadata={"unit": column.unit})
+        for column, array in zip(table.columns, arrays, strict=True)
+    ]
+    units = json.dumps({column.heading: column.unit for column in table.columns if column.unit})
+    schema = pyarrow.schema(fields, metadata={"title": table.name, "units": units})
+    file = BytesIO()
+    parquet.write_table(pyarrow.table(arrays, schema=schema), file, compression="zstd")
+    return file.getvalue()
+
+
+def netcdf_bytes(table: Table) -> bytes:
+    """A table as netCDF4, arrays over its axes with units as attributes."""
+    return bytes(table.to_xarray().to_netcdf(engine="h5netcdf"))
+
+
+FORMS: dict[str, tuple[Callable[[Table], bytes], tuple[str, ...]]] = {  # with the packages that they need
+    ".csv": (csv_bytes, ()),
+    ".parquet": (parquet_bytes, ("pyarrow",)),
+    ".nc": (netcdf_bytes, ("xarray", "h5netcdf")),
+}
+
+
+def missing(suffix: str) -> list[str]:
+    """Packages that a form of the table needs and that are not installed."""
+    return [package for package in FORMS[suffix][1] if find_spec(package) is None]
