@@ -57,8 +57,8 @@ def check_bound(seed):
     bearing, sliding = drawn(seed)
     ball = rolled(bearing, sliding)
     model, start = ball.fine.ball, np.append(sliding.sliding.motion[0], 0.0)
-    assert 0.0 < ball.torque <= model.full_sliding_power(start) * (1 + 1e-6)
-    assert ball.fine.imbalance <= 1e-4
+    assert 0.0 < ball.torque <= model.full_sliding_power(start) * (1 + 1e-5)
+    assert ball.fine.imbalance <= 1e-3
 
 
 @settings(max_examples=4, deadline=None)

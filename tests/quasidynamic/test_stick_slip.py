@@ -11,7 +11,8 @@ from quasidynamic.contact.half_space import ElasticPair, grid_over
 from quasidynamic.contact.rolling.fastsim import fastsim, flexibility
 from quasidynamic.contact.rolling.full_sliding import full_sliding
 from quasidynamic.contact.rolling.hertz_pressure import hertz_pressure
-from quasidynamic.contact.rolling.kalker import elastic_slip, kalker
+from quasidynamic.contact.rolling.kalker import kalker
+from quasidynamic.contact.rolling.linear_solve import solved
 from quasidynamic.contact.rolling.rolling_contact import MID_STEP, RollingContacts
 from quasidynamic.contact.rolling.transient import RollingSteps
 from quasidynamic.errors import ImpossiblePart, NotSolved, OutOfRange
@@ -37,7 +38,7 @@ def heathcote(shape, size=2e-4, axes=(3e-4, 2e-3)):
 def check_coulomb(seed):
     contacts, creep = drawn(seed, layers=seed % 3 == 0)
     rolled, most = kalker(contacts, creep), contacts.limit.max()
-    slip, size = elastic_slip(rolled), np.hypot(rolled.traction[:, 0], rolled.traction[:, 1])
+    slip, size = rolled.slip, np.hypot(rolled.traction[:, 0], rolled.traction[:, 1])
     assert np.all(size <= contacts.limit + 1e-4 * most)
     assert np.all((rolled.traction * slip).sum(1) <= 1e-5 * most * np.abs(creep).max())
     assert power(rolled)[0] <= power(full_sliding(contacts, creep))[0] * (1 + 1e-5)
@@ -60,10 +61,36 @@ def test_a_thousand_contacts_heat_less_than_full_sliding(seed):
 def test_nothing_slips_where_it_sticks_and_traction_is_at_its_limit_where_it_slips():
     contacts, creep = heathcote((20, 40))
     rolled = kalker(contacts, creep)
-    slip, size = elastic_slip(rolled), np.hypot(rolled.traction[:, 0], rolled.traction[:, 1])
+    slip, size = rolled.slip, np.hypot(rolled.traction[:, 0], rolled.traction[:, 1])
     assert 0.1 < rolled.stick_share[0] < 0.9
     assert np.abs(slip[:, :, rolled.stick[0] & (contacts.limit[0] > 0)]).max() < 1e-5 * np.abs(creep).max()
     assert size[~rolled.stick] == approx(contacts.limit[~rolled.stick], rel=1e-5)
+
+
+@pytest.mark.parametrize("law", [kalker, fastsim])
+def test_slip_heats_as_the_rigid_slip_does(law):
+    """Elastic displacements have no power in a steady state, to the first order of the cells."""
+    errors = []
+    for shape in ((20, 40), (40, 80)):
+        contacts, creep = heathcote(shape, size=1e-3)
+        rolled = law(contacts, creep)
+        by_slip = -(rolled.traction * rolled.slip).sum() * contacts.cell_area[0]
+        errors.append(abs(by_slip / power(rolled)[0] - 1))
+    assert errors[1] < 0.7 * errors[0] < 0.15
+
+
+def test_unequal_bodies_are_sheared_by_pressure():
+    """Of bodies that pressure draws outwards, each half resists; without creep the forces cancel."""
+    contacts, creep = heathcote((20, 40))
+    unequal = (ElasticPair(STEEL.shear, STEEL.poisson, 0.2 * STEEL.shear),)
+    with pytest.raises(ImpossiblePart, match="`pressure` is needed"):
+        replace(contacts, pairs=unequal)
+    pressed = replace(contacts, pairs=unequal, pressure=10 * contacts.limit)
+    rolled = kalker(pressed, 0 * creep)
+    largest = contacts.limit.sum() * contacts.cell_area[0]
+    assert np.hypot(*rolled.traction[0]).max() > 0.1 * contacts.limit.max()
+    assert rolled.force[0, 1] == approx(0.0, abs=1e-6 * largest)
+    assert rolled.traction[0, 1] == approx(-rolled.traction[0, 1, :, ::-1], abs=1e-5 * contacts.limit.max())
 
 
 def test_stiff_bodies_slide_everywhere():
@@ -155,6 +182,15 @@ def test_pressure_of_cells_sums_to_the_load():
         pressure = hertz_pressure(grid, (1e-3, 2e-3), 500.0)
         assert pressure.sum() * grid.cell_area == approx(500.0, rel=2e-3)
         assert pressure.max() <= 1.5 * 500.0 / (np.pi * 2e-6)
+
+
+def test_linear_solve_meets_a_direct_one_also_after_a_new_start(monkeypatch):
+    matrix = np.eye(30) + 0.3 * np.random.default_rng(3).normal(size=(30, 30)) / np.sqrt(30)
+    right = np.random.default_rng(4).normal(size=(2, 5, 3))
+    for basis in (80, 8):
+        monkeypatch.setattr("quasidynamic.contact.rolling.linear_solve.BASIS", basis)
+        found = solved(lambda change: (matrix @ change.ravel()).reshape(right.shape), right, 1e-9)
+        assert found.ravel() == approx(np.linalg.solve(matrix, right.ravel()), abs=1e-8)
 
 
 def test_newton_that_ends_too_early_is_told(monkeypatch):

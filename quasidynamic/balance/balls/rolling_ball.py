@@ -1,7 +1,6 @@
 """Balance of a slow ball whose contacts stick and slip."""
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -38,14 +37,6 @@ class RollingBall:
     strips: NDArray  # (C, 3, 5, ny) slip of strips along the rolling direction by that of the contact
     race_speed: NDArray  # (C, ny) [m] speed of the surface of the race where it turns by one
     unknowns: NDArray  # (4, 4) motion by the unknowns, see `motion_by_slip`
-
-    @cached_property
-    def scale(self) -> NDArray:
-        """Largest friction by each unknown (4)."""
-        by_unknown = np.swapaxes(self.by_motion @ self.unknowns, 1, 2)
-        slip = self._slip_fields(by_unknown, np.ones(len(self.race)), 0.0)
-        size = np.hypot(slip[:, :, ALONG], slip[:, :, ACROSS])
-        return np.einsum("c,cxy,ckxy->k", self.contacts.cell_area, self.contacts.limit, size)
 
     def contact_slip(self, motion: NDArray) -> NDArray:
         """Slip of the contacts (C, 5) at a motion (4)."""
@@ -85,6 +76,13 @@ class RollingBall:
         """Power of friction over the speed of the inner against the outer ring: the torque [N m]."""
         by_slip = self._by_slip(rolled.traction[:, None], motion)[:, 0]
         return -float((by_slip * self.contact_slip(motion)).sum())
+
+    def imbalance(self, motion: NDArray, rolled: Rolled) -> float:
+        """Unbalanced power of each component of the motion over the power of friction, the largest."""
+        by_motion = np.linalg.solve(self.unknowns.T, self.left(motion, rolled))
+        ball = np.linalg.norm(motion[1:])
+        parts = np.abs(by_motion) * np.array([1.0, ball, ball, ball])
+        return float(parts.max() / np.abs(self.power(motion, rolled)))
 
     def _by_unknown(self, by_slip: NDArray) -> NDArray:
         return np.einsum("ci,cij->j", by_slip, self.by_motion @ self.unknowns)

@@ -44,7 +44,7 @@ def fastsim(contacts: RollingContacts, creep: NDArray, start: NDArray | None = N
     if contacts.compliance is not None:
         flexible = flexible + contacts.compliance
     step = contacts.step[:, None, None]
-    traction, size = np.zeros_like(creep), np.zeros_like(contacts.limit)
+    traction, slip, size = np.zeros_like(creep), creep.copy(), np.zeros_like(contacts.limit)
     behind = np.zeros((*creep.shape[:2], creep.shape[-1]))  # displacement of the cells passed last
     for column in reversed(range(creep.shape[2])):
         spring, limit = flexible[:, None, column], contacts.limit[:, None, column]
@@ -52,14 +52,16 @@ def fastsim(contacts: RollingContacts, creep: NDArray, start: NDArray | None = N
         length = np.hypot(trial[:, ALONG], trial[:, ACROSS])
         size[:, column] = length
         traction[:, :, column] = trial * np.minimum(1.0, limit / np.maximum(length, SLIPPING)[:, None])
-        behind = spring * traction[:, :, column]
+        grown = spring * traction[:, :, column] - behind
+        slip[:, :, column] += grown / step
+        behind = behind + grown
     stick = size <= contacts.limit
 
     def changes(creep_changes: NDArray) -> NDArray:
         """Changes of the tractions [Pa] by those of the creep."""
         return _changes(flexible, traction, np.where(stick, 0.0, size), creep_changes * step[:, None, None])
 
-    return Rolled(contacts, creep, traction, stick, changes)
+    return Rolled(contacts, creep, traction, slip, stick, changes)
 
 
 def flexibility(contacts: RollingContacts, creep: NDArray) -> NDArray:

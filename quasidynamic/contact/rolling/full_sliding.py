@@ -40,4 +40,4 @@ def full_sliding(contacts: RollingContacts, creep: NDArray, start: NDArray | Non
         along = (towards * creep_changes).sum(2, keepdims=True)
         return -(limit / size)[:, None] * (creep_changes - along * towards)
 
-    return Rolled(contacts, creep, -limit * direction, np.zeros(contacts.limit.shape, bool), changes)
+    return Rolled(contacts, creep, -limit * direction, creep, np.zeros(contacts.limit.shape, bool), changes)

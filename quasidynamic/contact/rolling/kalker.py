@@ -54,38 +54,10 @@ def kalker(contacts: RollingContacts, creep: NDArray, start: NDArray | None = No
         offsets = creep_changes * contacts.step[:, None, None, None, None]
         return np.stack([traction_changes(*each) for each in zip(laws, states, offsets, strict=True)])
 
-    return Rolled(
-        contacts,
-        creep,
-        np.stack([state.traction for state in states]),
-        np.stack([state.stick for state in states]),
-        changes,
-    )
-
-
-def elastic_slip(rolled: Rolled) -> NDArray:
-    r"""Slip over rolling speed of a steady state, with what the elastic displacements make.
-
-    .. math:: s/V = W + \frac{u(x) - u(x + \Delta x)}{\Delta x}
-
-    Parameters
-    ----------
-    rolled : Rolled
-        of `kalker`
-
-    Returns
-    -------
-    array (C, 2, nx, ny)
-        [-], zero to the tolerance of the solution where the surfaces stick
-
-    Source
-    ------
-    Kalker, Three-Dimensional Elastic Bodies in Rolling Contact (1990), Eq. (1.14).
-    """
-    contacts = rolled.contacts
-    laws = [_law(contacts, rolled.creep, number) for number in range(len(rolled.creep))]
-    grown = [law.displacement(traction) for law, traction in zip(laws, rolled.traction, strict=True)]
-    return rolled.creep + (np.stack(grown) + contacts.pressed_slip) / contacts.step[:, None, None, None]
+    traction, stick = (np.stack([getattr(state, name) for state in states]) for name in ("traction", "stick"))
+    grown = np.stack([law.displacement(each) for law, each in zip(laws, traction, strict=True)])
+    slip = creep + (grown + contacts.pressed_slip) / contacts.step[:, None, None, None]
+    return Rolled(contacts, creep, traction, slip, stick, changes)
 
 
 def _law(contacts: RollingContacts, creep: NDArray, number: int) -> StickSlipLaw:

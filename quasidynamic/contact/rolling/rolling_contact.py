@@ -83,6 +83,7 @@ class Rolled:
     contacts: RollingContacts
     creep: NDArray  # (C, 2, nx, ny) [-] rigid slip over rolling speed, first body against second
     traction: NDArray  # (C, 2, nx, ny) [Pa] on the first body
+    slip: NDArray  # (C, 2, nx, ny) [-] slip over rolling speed, elastic displacements included
     stick: NDArray  # (C, nx, ny) where the surfaces do not slip
     changes: Callable[
         [NDArray], NDArray

@@ -6,12 +6,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from quasidynamic.contact.rolling.linear_solve import solved
 from quasidynamic.errors import NotSolved
 
 TOLERANCE = 1e-6  # of the residual with no traction at all
 LIMIT = 60  # Newton steps, rarely more than ten
-BASIS = 80  # vectors of a linear solve before it starts again
-RESTARTS = 3
 SHORTEST = 1 / 64  # part of a Newton step
 SLIPPING = 1e-300  # [Pa] keeps the direction of a traction of zero defined
 
@@ -149,14 +148,8 @@ def _turned(state: StickSlip, change: NDArray) -> NDArray:
 
 def _solved(law: StickSlipLaw, state: StickSlip, right: NDArray, tolerance: float) -> NDArray:
     """Solution of the linearised law; a linear solve that ends early leaves the rest to the next step."""
-    from scipy.sparse.linalg import LinearOperator, gmres  # costly to import, and few cases stick
-
-    def multiply(vector: NDArray) -> NDArray:
-        """Multiply by the derivative of what is left."""
-        change = vector.reshape(right.shape)
-        trial = change - law.stiffness * law.displacement(change)
-        return (change - _turned(state, trial)).ravel()
-
-    system = LinearOperator((right.size, right.size), matvec=multiply, dtype=float)  # pyright: ignore
-    solution, _ = gmres(system, right.ravel(), rtol=tolerance, atol=0.0, restart=BASIS, maxiter=RESTARTS)
-    return solution.reshape(right.shape)
+    return solved(
+        lambda change: change - _turned(state, change - law.stiffness * law.displacement(change)),
+        right,
+        tolerance,
+    )

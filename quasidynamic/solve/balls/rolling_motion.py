@@ -11,7 +11,7 @@ from quasidynamic.balance.balls.rolling_ball import RollingBall
 from quasidynamic.contact.rolling.rolling_contact import Rolled
 from quasidynamic.errors import NotSolved, OutOfRange
 
-TOLERANCE = 1e-4  # of the largest friction: forces that are not balanced; the torque is off by 1e-6 of itself
+TOLERANCE = 1e-3  # unbalanced power over the power of friction; the torque is off by 1e-6 of itself
 LIMIT = 40  # evaluations, rarely more than four
 GAIN = 0.3  # of what was left: more left after a step asks for new slopes
 SHORTEST = 1 / 256  # part of a step
@@ -27,7 +27,7 @@ class RollingMotion:
     motion: NDArray  # (4) [rad/s] outer ring, ball axial, radial, about the rolling direction, from the orbit
     rolled: Rolled
     slopes: NDArray | None  # (4, 4) of the balance by the unknowns near the end, if they were needed
-    imbalance: float  # [-] largest force left over the largest friction
+    imbalance: float  # [-] unbalanced power over the power of friction
     evaluations: int
 
     @property
@@ -105,7 +105,7 @@ class _State(NamedTuple):
     motion: NDArray  # (4)
     rolled: Rolled
     left: NDArray  # (4)
-    size: float  # largest part of `left` over the largest friction
+    size: float  # unbalanced power over that of friction
 
 
 def _at(ball: RollingBall, law: RollingLaw, motion: NDArray, start: NDArray | None) -> _State | None:
@@ -114,8 +114,7 @@ def _at(ball: RollingBall, law: RollingLaw, motion: NDArray, start: NDArray | No
     if np.any(speed * speed[:, :1] <= 0.0):
         return None
     rolled = law(ball.contacts, ball.creep(motion), start)
-    left = ball.left(motion, rolled)
-    return _State(motion, rolled, left, float(np.max(np.abs(left) / ball.scale)))
+    return _State(motion, rolled, ball.left(motion, rolled), ball.imbalance(motion, rolled))
 
 
 def _stepped(ball: RollingBall, law: RollingLaw, state: _State, step: NDArray) -> _State | None:
@@ -134,7 +133,7 @@ def _corrected(slopes: NDArray, step: NDArray, change: NDArray) -> NDArray:
 def _give_up(size: float, evaluations: int) -> NoReturn:
     outcome = "iteration limit" if evaluations >= LIMIT else "stalled"
     raise NotSolved(
-        f"rolling ball: no balance of friction in {evaluations} evaluations, {size:.1e} of the friction is "
-        f"left, allowed {TOLERANCE:.0e}",
+        f"rolling ball: no balance of friction in {evaluations} evaluations, {size:.1e} of the power is "
+        f"unbalanced, allowed {TOLERANCE:.0e}",
         outcome,
     )
