@@ -13,7 +13,8 @@ from threadpoolctl import threadpool_limits
 
 from benchmarks.machine import describe
 from quasidynamic.errors import NotSolved, OutOfRange
-from quasidynamic.four_point import FourPointBallBearing, SlidingBalls
+from quasidynamic.four_point import FourPointBallBearing
+from quasidynamic.outcome.slow_balls import SlidingBalls
 from quasidynamic.parts.ball import Ball, FourPointBearing, Groove
 from quasidynamic.parts.ball_friction import constant_friction
 from quasidynamic.parts.material import Material
@@ -90,7 +91,7 @@ def robustness(count: int) -> None:
         bearing, balls = drawn(seed)
         most, began = balls.torque, time.process_time()
         try:
-            ((_, ball),) = bearing.roll(balls, "kalker", (20, 40))
+            (ball,) = bearing.roll(balls, "kalker", (20, 40)).rolled
         except (NotSolved, OutOfRange) as error:
             unsolved.append((seed, str(error)))
             continue
@@ -116,7 +117,7 @@ def timed(job: Callable[[], RefinedRolling], runs: int = RUNS) -> tuple[RefinedR
 def rolled(
     bearing: FourPointBallBearing, name: str, model: RollingModel, cells: tuple[int, int]
 ) -> RefinedRolling:
-    ((_, ball),) = bearing.roll(sliding(bearing, name), model, cells)
+    (ball,) = bearing.roll(sliding(bearing, name), model, cells).rolled
     return ball
 
 

@@ -24,10 +24,10 @@ if TYPE_CHECKING:
     from quasidynamic.four_point import (
         FourPointBallBearing as FourPointBallBearing,
         RingLoad as RingLoad,
-        SlidingBalls as SlidingBalls,
     )
     from quasidynamic.many_elastic import solve_many_elastic as solve_many_elastic
     from quasidynamic.outcome.angular_contact_state import AngularContactState as AngularContactState
+    from quasidynamic.outcome.slow_balls import RollingBalls as RollingBalls, SlidingBalls as SlidingBalls
     from quasidynamic.parts.angular_contact_bearing import (
         AngularContactBearing as AngularContactBearing,
         RingOperation as RingOperation,
@@ -69,9 +69,10 @@ EXPORTS = {
     "contact.traction.rheology": ("BairWiner", "Eyring"),
     "contact.traction.traction_law": ("Regression4109",),
     "errors": ("ImpossiblePart", "NotSolved", "OutOfRange"),
-    "four_point": ("FourPointBallBearing", "RingLoad", "SlidingBalls"),
+    "four_point": ("FourPointBallBearing", "RingLoad"),
     "many_elastic": ("solve_many_elastic",),
     "outcome.angular_contact_state": ("AngularContactState",),
+    "outcome.slow_balls": ("RollingBalls", "SlidingBalls"),
     "parts.angular_contact_bearing": ("AngularContactBearing", "RingOperation"),
     "parts.ball": ("Ball", "FourPointBearing", "Groove"),
     "parts.ball_friction": ("FrictionCurve", "constant_friction"),

@@ -1,27 +1,28 @@
 """Slow ball bearings of two or four contact points, put together."""
 
-from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.balls.rolling_ball import RollingBall, rolling_ball
-from quasidynamic.contact.ellipse.full_sliding import Ellipse, sliding_friction, slip_field
+from quasidynamic.balance.balls.rolling_ball import rolling_ball
+from quasidynamic.contact.ellipse.full_sliding import Ellipse
 from quasidynamic.contact.ellipse.point_contact import PointContact, point_contact, race_curvatures
 from quasidynamic.contact.ellipse.rigid_slip import Spin
 from quasidynamic.contact.half_space import elastic_pair
 from quasidynamic.errors import ImpossiblePart, OutOfRange
 from quasidynamic.motion.ball_slip import SIDE, BallContacts, pressed_height, pressed_radius
 from quasidynamic.note import Note, outside
-from quasidynamic.outcome.ball_torque import RaceTorques, hysteresis_torque, race_torques
-from quasidynamic.outcome.truncation import edge_angle
+from quasidynamic.outcome.ball_torque import hysteresis_torque, race_torques
+from quasidynamic.outcome.slow_balls import RollingBalls, SlidingBalls, rolling_balls
 from quasidynamic.parts.ball import FourPointBearing
 from quasidynamic.parts.ball_friction import FrictionCurve
 from quasidynamic.solve.balls.elastic_load_distribution import elastic_ball_loads
 from quasidynamic.solve.balls.load_distribution import BallLoads, ball_loads
-from quasidynamic.solve.balls.refined_rolling import RefinedRolling, RollingModel, refined_rolling
-from quasidynamic.solve.balls.sliding_motion import SlidingMotion, sliding_motion
+from quasidynamic.solve.balls.refined_rolling import RollingModel, refined_rolling
+from quasidynamic.solve.balls.sliding_motion import sliding_motion
 
 STEEPEST = np.pi / 2  # [rad] a contact angle stays below
 
@@ -39,72 +40,6 @@ class RingLoad:
     def vector(self) -> NDArray:
         """Fx, Fy, Fz [N], My, Mz [N m]."""
         return np.array([self.axial, self.radial_y, self.radial_z, self.moment_y, self.moment_z])
-
-
-@dataclass(frozen=True)
-class SlidingBalls:
-    """Balls that slide slowly between the rings: N balls, G diagonals, inner and outer race.
-
-    Speeds are those for an inner ring that turns by one rad/s against the outer ring.
-    """
-
-    load: NDArray  # (N, G, 2) [N]
-    contacts: BallContacts
-    ellipse: Ellipse
-    peak_pressure: NDArray  # (N, G, 2) [Pa]
-    friction: NDArray  # (N, G, 2) [-] coefficient
-    sliding: SlidingMotion
-    torques: RaceTorques
-    hysteresis: NDArray  # (N) [N m]
-    notes: tuple[Note, ...]  # what a user must know
-
-    @property
-    def ball_torques(self) -> NDArray:
-        """Torque of each ball (N) [N m], the heat of its sliding and hysteresis per speed of the ring."""
-        return self.sliding.power + self.hysteresis
-
-    @property
-    def torque(self) -> float:
-        """Torque of all balls [N m]."""
-        return float(self.ball_torques.sum())
-
-    @property
-    def ball_speed(self) -> NDArray:
-        """Speed of each ball over that of the inner ring, both seen from the orbiting ball centre (N) [-]."""
-        outer, axial, radial = self.sliding.motion.T
-        return np.hypot(axial, radial) / (1.0 + outer)
-
-    @property
-    def axis_angle(self) -> NDArray:
-        """Angle of the ball speed from that of the inner ring (N) [rad], pi where the axes are parallel."""
-        _, axial, radial = self.sliding.motion.T
-        return np.mod(np.arctan2(radial, axial), 2 * np.pi)
-
-    def torque_with(self, spin: Spin) -> float:
-        """Torque at the same motion with another spin across [N m], above that of its own by second order."""
-        driven = self.sliding.driven
-        other = replace(self.ellipse.taken(driven), spin=spin)
-        return float(sliding_friction(self.sliding.slip[driven], other).power.sum() + self.hysteresis.sum())
-
-    def truncated(self, race: int, groove_radius: float, groove_end: float) -> NDArray:
-        """Whether shoulders at an angle [rad] cut off contacts with a race (N, G), see `truncation`."""
-        edge = edge_angle(
-            self.contacts.angle[..., race], self.ellipse.across[..., race], groove_radius, "arc"
-        )
-        return (edge > groove_end) & (self.load[..., race] > 0)
-
-    def field(self, ball: int, diagonal: int, race: int, points: int = 41) -> dict[str, NDArray]:
-        """Places [m], slip [m/s] and shear stress on the ball [Pa] over one contact, (points, points)."""
-        contact = (np.array([ball]), diagonal, race)
-        ellipse = Ellipse(
-            *(getattr(self.ellipse, name)[contact] for name in ("across", "along", "radius", "traction")),
-            spin=self.ellipse.spin,
-        )
-        unit = np.linspace(-1.0, 1.0, points)
-        x, y = np.meshgrid(unit * ellipse.across, unit * ellipse.along, indexing="ij")
-        names = ("slip_along", "slip_across", "shear_along", "shear_across")
-        fields = slip_field(self.sliding.slip[contact], ellipse, x, y)
-        return {"x": x, "y": y} | dict(zip(names, fields, strict=True))
 
 
 @dataclass(frozen=True)
@@ -211,9 +146,13 @@ class FourPointBallBearing:
         )
 
     def roll(
-        self, sliding: SlidingBalls, model: RollingModel, cells: tuple[int, int] = (40, 80)
-    ) -> Iterator[tuple[int, RefinedRolling]]:
-        """Motion and torque of balls whose contacts stick and slip, one after the other.
+        self,
+        sliding: SlidingBalls,
+        model: RollingModel,
+        cells: tuple[int, int] = (40, 80),
+        told: Callable[[float], None] = lambda _: None,
+    ) -> RollingBalls:
+        """Motion and torque of balls whose contacts stick and slip.
 
         Parameters
         ----------
@@ -223,11 +162,12 @@ class FourPointBallBearing:
             friction of the contacts
         cells : pair of int
             over each contact, along and across the rolling direction
+        told : callable, optional
+            takes the part of the balls that are solved, after each
 
-        Yields
-        ------
-        pair
-            number of the ball, of those pressed on both rings, and how it rolls
+        Returns
+        -------
+        RollingBalls
 
         Raises
         ------
@@ -236,16 +176,15 @@ class FourPointBallBearing:
         """
         ball, races = self.bearing.ball.material, (self.bearing.inner, self.bearing.outer)
         pairs = (elastic_pair(ball, races[0].material), elastic_pair(ball, races[1].material))
-        for number in np.flatnonzero(sliding.sliding.driven):
+        rolled, driven = {}, np.flatnonzero(sliding.sliding.driven)
+        for number in map(int, driven):
             one = np.array([number])
             contacts, ellipse = sliding.contacts.taken(one), sliding.ellipse.taken(one)
-            load = sliding.load[one]
+            ball_on = partial(rolling_ball, contacts, ellipse, sliding.load[one], pairs)
             motion = np.append(sliding.sliding.motion[number], 0.0)
-
-            def ball_on(cells, contacts=contacts, ellipse=ellipse, load=load) -> RollingBall:
-                return rolling_ball(contacts, ellipse, load, pairs, cells)
-
-            yield int(number), refined_rolling(ball_on, model, cells, motion)
+            rolled[number] = refined_rolling(ball_on, model, cells, motion)
+            told(len(rolled) / len(driven))
+        return rolling_balls(sliding, rolled, self.hysteresis_loss)
 
     def _contact(self, angle: NDArray) -> PointContact:
         bearing = self.bearing

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from quasidynamic.four_point import FourPointBallBearing, SlidingBalls
+from quasidynamic.four_point import FourPointBallBearing
+from quasidynamic.outcome.slow_balls import SlidingBalls
 from tests.ball_bearings import slow_bearing
 
 

@@ -55,13 +55,35 @@ def race_torques(contacts: BallContacts, slip: NDArray, ellipse: Ellipse) -> Rac
     """
     driven = np.all(np.isfinite(slip), axis=(1, 2, 3), keepdims=True)
     friction = sliding_friction(np.where(driven, slip, 1.0), ellipse)
-    by_race_speed = slip_by_motion(contacts)[..., ORBIT]
-    pressed = driven[..., 0]
-    axial = contacts.normal[0]
-    whole = np.where(pressed, (by_race_speed * friction.by_slip).sum(-1), 0.0)
-    spin = np.where(pressed, -axial * friction.by_slip[..., SPIN], 0.0)
-    lateral = np.where(pressed, (by_race_speed * friction.lateral).sum(-1), 0.0)
-    return RaceTorques(spin=spin.sum(1), roll=(whole - spin).sum(1), circumferential=(whole - lateral).sum(1))
+    by_slip, lateral = (np.where(driven, part, 0.0) for part in (friction.by_slip, friction.lateral))
+    return torques_by_slip(contacts, by_slip, lateral)
+
+
+def torques_by_slip(contacts: BallContacts, by_slip: NDArray, lateral: NDArray) -> RaceTorques:
+    """Torque of every ball on both rings, in parts, by friction that is known, see `race_torques`.
+
+    Parameters
+    ----------
+    contacts : BallContacts
+        N balls, G diagonals
+    by_slip : array (N, G, 2, 3)
+        minus the power of the tractions on the ball on a unit of centre slip [N], roll and spin [N m]
+    lateral : array (N, G, 2, 3)
+        its part of tractions across the rolling direction
+
+    Returns
+    -------
+    RaceTorques
+        [N m]
+
+    Source
+    ------
+    Joshi et al. (2015), Lubricants 3, 181-196, Eqs (4) and (5).
+    """
+    by_race_speed, axial = slip_by_motion(contacts)[..., ORBIT], contacts.normal[0]
+    whole, across = ((by_race_speed * part).sum(-1) for part in (by_slip, lateral))
+    spin = -axial * by_slip[..., SPIN]
+    return RaceTorques(spin=spin.sum(1), roll=(whole - spin).sum(1), circumferential=(whole - across).sum(1))
 
 
 def hysteresis_torque(slip: NDArray, load: NDArray, along: NDArray, loss: float) -> NDArray:

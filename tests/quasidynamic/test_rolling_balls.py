@@ -8,7 +8,7 @@ from hypothesis import given, settings, strategies as st
 from pytest import approx
 
 from quasidynamic.contact.half_space import ElasticPair
-from quasidynamic.contact.rolling.kalker import kalker
+from quasidynamic.contact.rolling.kalker import KALKER
 from quasidynamic.errors import NotSolved, OutOfRange
 from quasidynamic.solve.balls.refined_rolling import refined_rolling
 from quasidynamic.solve.balls.rolling_motion import rolling_motion
@@ -20,8 +20,7 @@ MODELS = pytest.mark.parametrize("model", ["full_sliding", "fastsim", "kalker"])
 
 
 def rolled(bearing, sliding, model="kalker", cells=CELLS):
-    ((number, ball),) = bearing.roll(sliding, model, cells)
-    assert number == 0
+    (ball,) = bearing.roll(sliding, model, cells).rolled
     return ball
 
 
@@ -81,7 +80,7 @@ def test_full_sliding_on_cells_is_that_of_ellipses():
     assert ball.torque == approx(sliding.torque, rel=1e-3)
     assert ball.fine.motion[:3] == approx(sliding.sliding.motion[0], rel=1e-3)
     assert ball.fine.motion[3] == approx(0.0, abs=0.01)
-    assert abs(ball.torque - sliding.torque) < 0.5 * abs(ball.coarse.power - sliding.torque)
+    assert abs(ball.torque - sliding.torque) < 0.5 * abs(ball.coarse_torque - sliding.torque)
 
 
 def test_stiff_bodies_slide():
@@ -92,7 +91,7 @@ def test_stiff_bodies_slide():
     full = rolled(bearing, sliding, "full_sliding")
     stiff = tuple(ElasticPair(pair.shear / 1e3, pair.poisson / 1e3) for pair in model.contacts.pairs)
     rigid = replace(model, contacts=replace(model.contacts, pairs=stiff))
-    motion = rolling_motion(rigid, kalker, full.fine.motion)
+    motion = rolling_motion(rigid, KALKER, full.fine.motion)
     assert motion.power == approx(full.torque, rel=1e-4)
     assert elastic.torque < 0.95 * full.torque
 
@@ -138,8 +137,10 @@ def test_balls_without_load_are_left_out():
     bearing = slow_bearing(friction=0.1, spin="local")
     angle, load = np.full((3, 1, 2), np.pi / 4), np.zeros((3, 1, 2))
     load[1] = 5e3
-    numbers = [number for number, _ in bearing.roll(bearing.slide(angle, load), "fastsim", (10, 20))]
-    assert numbers == [1]
+    balls = bearing.roll(bearing.slide(angle, load), "fastsim", (10, 20))
+    assert [ball is None for ball in balls.rolled] == [True, False, True]
+    assert balls.ball_torques == approx([0.0, balls.rolled[1].torque, 0.0])
+    assert np.isnan(balls.ball_speed).tolist() == [True, False, True]
 
 
 @pytest.mark.parametrize("cells", [(7, 20), (20, 6), (20, 31)])
@@ -165,3 +166,27 @@ def test_material_that_flows_both_ways_is_refused():
     still = motion + middle / (middle - other) * (turned - motion)
     with pytest.raises(OutOfRange, match="stands still or flows both ways"):
         refined_rolling(lambda _: ball, "fastsim", CELLS, still)
+
+
+def test_a_bearing_with_stick_and_slip_reads_as_one_in_full_sliding():
+    """Torque, its parts, motion and fields stand where those of full sliding do."""
+    bearing, sliding = sliding_ball()
+    balls = bearing.roll(sliding, "full_sliding", (40, 80))
+    assert balls.torque == approx(sliding.torque, rel=1e-3)
+    for part in ("spin", "roll", "circumferential", "total"):
+        expected = getattr(sliding.torques, part)
+        assert getattr(balls.torques, part) == approx(expected, abs=5e-3 * sliding.torque)
+    assert balls.ball_speed == approx(sliding.ball_speed, rel=1e-3)
+    field, smooth = balls.field(0, 1, 0), sliding.field(0, 1, 0, 101)
+    for name in ("slip_along", "slip_across", "shear_along", "shear_across"):
+        assert np.abs(field[name]).max() == approx(np.abs(smooth[name]).max(), rel=0.2)
+        inner = slice(30, 50), slice(15, 25)  # the middle of the contact, of 80 by 40 cells
+        outer = slice(37, 63, 2), slice(37, 63, 2)
+        assert np.mean(field[name][inner]) == approx(
+            np.mean(smooth[name][outer]), abs=0.02 * np.abs(smooth[name]).max()
+        )
+    assert field["x"].shape == field["stick"].shape == (80, 40)
+    assert np.all(np.diff(field["x"], axis=0) > 0)
+    assert np.all(np.diff(field["y"], axis=1) > 0)
+    area = np.prod(np.diff(field["x"], axis=0)[0, 0] * np.diff(field["y"], axis=1)[0, 0])
+    assert field["pressure"].sum() * area == approx(sliding.load[0, 1, 0], rel=1e-3)

@@ -64,10 +64,12 @@ class RollingBall:
         """Forces that are not balanced, by unknown (4)."""
         return self._by_unknown(self._by_slip(rolled.traction[:, None], motion)[:, 0])
 
-    def slopes(self, motion: NDArray, rolled: Rolled) -> NDArray:
-        """Derivative of `left` by the unknowns (4, 4), the speed of the material as it is."""
-        by_unknown = np.swapaxes(self.by_motion @ self.unknowns, 1, 2)
-        changes = rolled.changes(self._over_speed(by_unknown, motion))
+    def creep_changes(self, motion: NDArray) -> NDArray:
+        """Changes of the creep by the unknowns (C, 4, 2, nx, ny), the speed of the material as it is."""
+        return self._over_speed(np.swapaxes(self.by_motion @ self.unknowns, 1, 2), motion)
+
+    def left_changes(self, motion: NDArray, changes: NDArray) -> NDArray:
+        """Derivative of `left` by the unknowns (4, 4), by that of the tractions (C, 4, 2, nx, ny)."""
         return np.stack(
             [self._by_unknown(part) for part in np.moveaxis(self._by_slip(changes, motion), 1, 0)], 1
         )
@@ -76,6 +78,11 @@ class RollingBall:
         """Power of friction over the speed of the inner against the outer ring: the torque [N m]."""
         by_slip = self._by_slip(rolled.traction[:, None], motion)[:, 0]
         return -float((by_slip * self.contact_slip(motion)).sum())
+
+    def power_by_slip(self, motion: NDArray, rolled: Rolled) -> NDArray:
+        """Power of tractions along and across on a unit of each slip of the contacts (2, C, 5)."""
+        along, across, turning = self._by_strip(rolled.traction[:, None], motion)[:, 0].swapaxes(0, 1)
+        return np.stack([along, across + turning])
 
     def imbalance(self, motion: NDArray, rolled: Rolled) -> float:
         """Unbalanced power of each component of the motion over the power of friction, the largest."""
@@ -104,11 +111,15 @@ class RollingBall:
 
     def _by_slip(self, tractions: NDArray, motion: NDArray) -> NDArray:
         """Power (C, m, 5) of tractions (C, m, 2, nx, ny) on a unit of each slip of the contacts."""
+        return self._by_strip(tractions, motion).sum(2)
+
+    def _by_strip(self, tractions: NDArray, motion: NDArray) -> NDArray:
+        """The same by what strips do (C, m, 3, 5): slip along, across, and turn."""
         direction = -np.sign(self.material_speed(motion).mean(1))[:, None, None]
         x = direction[:, None] * self.contacts.places()[0][:, None]
         across = tractions[:, :, ACROSS]
         sums = [direction * tractions[:, :, ALONG].sum(-2), across.sum(-2), (x * across).sum(-2)]
-        return np.einsum("c,cmsy,csiy->cmi", self.contacts.cell_area, np.stack(sums, 2), self.strips)
+        return np.einsum("c,cmsy,csiy->cmsi", self.contacts.cell_area, np.stack(sums, 2), self.strips)
 
 
 def rolling_ball(

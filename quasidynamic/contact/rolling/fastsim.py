@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.contact.rolling.creep_coefficients import creep_coefficients
-from quasidynamic.contact.rolling.rolling_contact import ACROSS, ALONG, Rolled, RollingContacts
+from quasidynamic.contact.rolling.rolling_contact import ACROSS, ALONG, Rolled, RollingContacts, RollingLaw
 
 SLIPPING = 1e-300  # [Pa] keeps the direction of a traction of zero defined
 
@@ -40,28 +40,63 @@ def fastsim(contacts: RollingContacts, creep: NDArray, start: NDArray | None = N
     -----
     Forces within a few per cent of `kalker` in one kind of creep; areas of stick come out too large.
     """
-    flexible = flexibility(contacts, creep)[:, None, None] + np.zeros_like(contacts.limit)
-    if contacts.compliance is not None:
-        flexible = flexible + contacts.compliance
-    step = contacts.step[:, None, None]
+    flexible, step = _flexible(contacts, creep), contacts.step[:, None, None]
     traction, slip, size = np.zeros_like(creep), creep.copy(), np.zeros_like(contacts.limit)
     behind = np.zeros((*creep.shape[:2], creep.shape[-1]))  # displacement of the cells passed last
     for column in reversed(range(creep.shape[2])):
         spring, limit = flexible[:, None, column], contacts.limit[:, None, column]
         trial = (behind - creep[:, :, column] * step) / spring
-        length = np.hypot(trial[:, ALONG], trial[:, ACROSS])
-        size[:, column] = length
-        traction[:, :, column] = trial * np.minimum(1.0, limit / np.maximum(length, SLIPPING)[:, None])
+        size[:, column] = np.hypot(trial[:, ALONG], trial[:, ACROSS])
+        traction[:, :, column] = trial * np.minimum(1.0, limit / np.maximum(size[:, None, column], SLIPPING))
         grown = spring * traction[:, :, column] - behind
         slip[:, :, column] += grown / step
         behind = behind + grown
-    stick = size <= contacts.limit
+    return Rolled(contacts, creep, traction, slip, size <= contacts.limit)
 
-    def changes(creep_changes: NDArray) -> NDArray:
-        """Changes of the tractions [Pa] by those of the creep."""
-        return _changes(flexible, traction, np.where(stick, 0.0, size), creep_changes * step[:, None, None])
 
-    return Rolled(contacts, creep, traction, slip, stick, changes)
+def fastsim_changes(rolled: Rolled, creep_changes: NDArray) -> NDArray:
+    """Changes of the tractions with the creep, the flexibility as it is.
+
+    Parameters
+    ----------
+    rolled : Rolled
+        of `fastsim`
+    creep_changes : array (C, k, 2, nx, ny)
+        [-]
+
+    Returns
+    -------
+    array (C, k, 2, nx, ny)
+        [Pa]
+
+    Source
+    ------
+    Derivative of the sweep of `fastsim`.
+    """
+    flexible = _flexible(rolled.contacts, rolled.creep)
+    displaced, step = flexible[:, None] * rolled.traction, rolled.contacts.step[:, None, None, None]
+    before = np.concatenate([displaced[:, :, 1:], np.zeros_like(displaced[:, :, :1])], 2)
+    trial = (before - rolled.creep * step) / flexible[:, None]
+    size = np.maximum(np.hypot(trial[:, ALONG], trial[:, ACROSS]), SLIPPING)
+    direction = np.where(rolled.stick[:, None], 0.0, trial / size[:, None])
+    reduced = np.where(rolled.stick, 1.0, rolled.contacts.limit / size)
+    changes, behind = np.empty_like(creep_changes), np.zeros_like(creep_changes[:, :, :, 0])
+    for column in reversed(range(creep_changes.shape[3])):
+        spring, towards = flexible[:, None, None, column], direction[:, None, :, column]
+        pushed = (behind - creep_changes[:, :, :, column] * step) / spring
+        along = (towards * pushed).sum(2, keepdims=True)
+        changes[:, :, :, column] = reduced[:, None, None, column] * (pushed - along * towards)
+        behind = spring * changes[:, :, :, column]
+    return changes
+
+
+FASTSIM = RollingLaw(fastsim, fastsim_changes)
+
+
+def _flexible(contacts: RollingContacts, creep: NDArray) -> NDArray:
+    """Flexibility of every cell (C, nx, ny) [m/Pa], with that of a layer."""
+    flexible = flexibility(contacts, creep)[:, None, None] + np.zeros_like(contacts.limit)
+    return flexible if contacts.compliance is None else flexible + contacts.compliance
 
 
 def flexibility(contacts: RollingContacts, creep: NDArray) -> NDArray:
@@ -117,19 +152,3 @@ def _springs(contacts: RollingContacts, number: int) -> NDArray:
     b = touching.any(0).sum() * grid.spacing[1] / 2
     first, second, third = creep_coefficients(a / b, pair.poisson / pair.shear)
     return a * pair.shear * np.array([8 / (3 * first), 8 / (3 * second), pi * np.sqrt(a / b) / (4 * third)])
-
-
-def _changes(flexible: NDArray, traction: NDArray, size: NDArray, offsets: NDArray) -> NDArray:
-    """Changes of tractions (C, k, 2, nx, ny) by the slip of a step; size (C, nx, ny) is zero in stick."""
-    length = np.hypot(traction[:, ALONG], traction[:, ACROSS])
-    slips = size > 0.0
-    direction = np.where(slips[:, None], traction / np.maximum(length, SLIPPING)[:, None], 0.0)
-    reduced = np.where(slips, length / np.where(slips, size, 1.0), 1.0)
-    changes, behind = np.empty_like(offsets), np.zeros_like(offsets[:, :, :, 0])
-    for column in reversed(range(offsets.shape[3])):
-        spring, towards = flexible[:, None, None, column], direction[:, None, :, column]
-        trial = (behind - offsets[:, :, :, column]) / spring
-        along = (towards * trial).sum(2, keepdims=True)
-        changes[:, :, :, column] = reduced[:, None, None, column] * (trial - along * towards)
-        behind = spring * changes[:, :, :, column]
-    return changes

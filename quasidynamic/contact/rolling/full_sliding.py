@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.contact.rolling.rolling_contact import Rolled, RollingContacts
+from quasidynamic.contact.rolling.rolling_contact import Rolled, RollingContacts, RollingLaw
 
 STANDING = 1e-300  # keeps the direction of a slip of zero defined
 
@@ -32,12 +32,33 @@ def full_sliding(contacts: RollingContacts, creep: NDArray, start: NDArray | Non
     Coulomb's law.
     """
     size = np.maximum(np.hypot(creep[:, 0], creep[:, 1]), STANDING)[:, None]
-    direction, limit = creep / size, contacts.limit[:, None]
+    traction = -contacts.limit[:, None] * creep / size
+    return Rolled(contacts, creep, traction, creep, np.zeros(contacts.limit.shape, bool))
 
-    def changes(creep_changes: NDArray) -> NDArray:
-        """Changes of the tractions [Pa] by those of the creep."""
-        towards = direction[:, None]
-        along = (towards * creep_changes).sum(2, keepdims=True)
-        return -(limit / size)[:, None] * (creep_changes - along * towards)
 
-    return Rolled(contacts, creep, -limit * direction, creep, np.zeros(contacts.limit.shape, bool), changes)
+def sliding_changes(rolled: Rolled, creep_changes: NDArray) -> NDArray:
+    """Changes of the tractions with the creep.
+
+    Parameters
+    ----------
+    rolled : Rolled
+        of `full_sliding`
+    creep_changes : array (C, k, 2, nx, ny)
+        [-]
+
+    Returns
+    -------
+    array (C, k, 2, nx, ny)
+        [Pa]
+
+    Source
+    ------
+    Derivative of Coulomb's law.
+    """
+    size = np.maximum(np.hypot(rolled.creep[:, 0], rolled.creep[:, 1]), STANDING)[:, None]
+    towards = (rolled.creep / size)[:, None]
+    along = (towards * creep_changes).sum(2, keepdims=True)
+    return -(rolled.contacts.limit[:, None] / size)[:, None] * (creep_changes - along * towards)
+
+
+FULL_SLIDING = RollingLaw(full_sliding, sliding_changes)

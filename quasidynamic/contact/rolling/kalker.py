@@ -4,8 +4,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.contact.half_space import CellGrid, ElasticPair, X, Y, influence_number
-from quasidynamic.contact.rolling.rolling_contact import Rolled, RollingContacts
-from quasidynamic.contact.rolling.stick_slip import StickSlip, StickSlipLaw, stick_slip, traction_changes
+from quasidynamic.contact.rolling.rolling_contact import Rolled, RollingContacts, RollingLaw
+from quasidynamic.contact.rolling.stick_slip import (
+    StickSlip,
+    StickSlipLaw,
+    at_traction,
+    stick_slip,
+    traction_changes,
+)
 from quasidynamic.errors import NotSolved
 
 
@@ -49,15 +55,37 @@ def kalker(contacts: RollingContacts, creep: NDArray, start: NDArray | None = No
     laws = [_law(contacts, creep, number) for number in range(len(creep))]
     states = [_settled(law, traction) for law, traction in zip(laws, first, strict=True)]
 
-    def changes(creep_changes: NDArray) -> NDArray:
-        """Changes of the tractions [Pa] by those of the creep."""
-        offsets = creep_changes * contacts.step[:, None, None, None, None]
-        return np.stack([traction_changes(*each) for each in zip(laws, states, offsets, strict=True)])
-
     traction, stick = (np.stack([getattr(state, name) for state in states]) for name in ("traction", "stick"))
     grown = np.stack([law.displacement(each) for law, each in zip(laws, traction, strict=True)])
     slip = creep + (grown + contacts.pressed_slip) / contacts.step[:, None, None, None]
-    return Rolled(contacts, creep, traction, slip, stick, changes)
+    return Rolled(contacts, creep, traction, slip, stick)
+
+
+def kalker_changes(rolled: Rolled, creep_changes: NDArray) -> NDArray:
+    """Changes of the tractions with the creep, the regions of stick and slip as they are.
+
+    Parameters
+    ----------
+    rolled : Rolled
+        of `kalker`
+    creep_changes : array (C, k, 2, nx, ny)
+        [-]
+
+    Returns
+    -------
+    array (C, k, 2, nx, ny)
+        [Pa]
+
+    Source
+    ------
+    Derivative of the projection, see `traction_changes`.
+    """
+    offsets = creep_changes * rolled.contacts.step[:, None, None, None, None]
+    changes = np.empty_like(offsets)
+    for number, traction in enumerate(rolled.traction):
+        law = _law(rolled.contacts, rolled.creep, number)
+        changes[number] = traction_changes(law, at_traction(law, traction), offsets[number])
+    return changes
 
 
 def _law(contacts: RollingContacts, creep: NDArray, number: int) -> StickSlipLaw:
@@ -92,3 +120,6 @@ def _settled(law: StickSlipLaw, start: NDArray) -> StickSlip:
         return stick_slip(law, start)
     except NotSolved:
         return stick_slip(law, np.zeros_like(start))
+
+
+KALKER = RollingLaw(kalker, kalker_changes)

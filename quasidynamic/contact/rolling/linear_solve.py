@@ -32,7 +32,7 @@ def solved(multiply: Callable[[NDArray], NDArray], right: NDArray, tolerance: fl
     ------
     Saad and Schultz, SIAM J. Sci. Stat. Comput. 7 (1986), 856-869; orthogonalised twice.
     """
-    target, solution, left = tolerance * np.linalg.norm(right), np.zeros_like(right), right
+    target, solution, left = tolerance * float(np.linalg.norm(right)), np.zeros_like(right), right
     for cycle in range(CYCLES):
         if cycle:
             left = right - multiply(solution)

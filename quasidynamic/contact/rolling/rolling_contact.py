@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -85,9 +86,6 @@ class Rolled:
     traction: NDArray  # (C, 2, nx, ny) [Pa] on the first body
     slip: NDArray  # (C, 2, nx, ny) [-] slip over rolling speed, elastic displacements included
     stick: NDArray  # (C, nx, ny) where the surfaces do not slip
-    changes: Callable[
-        [NDArray], NDArray
-    ]  # of the traction (C, k, 2, nx, ny) [Pa] by those of the creep (same)
 
     @property
     def force(self) -> NDArray:
@@ -106,3 +104,10 @@ class Rolled:
         """Part of the cells in contact that stick (C) [-]."""
         touching = self.contacts.limit > 0.0
         return (self.stick & touching).sum((1, 2)) / np.maximum(touching.sum((1, 2)), 1)
+
+
+class RollingLaw(NamedTuple):
+    """Friction of rolling contacts, and how it changes."""
+
+    friction: Callable[..., Rolled]  # of contacts at a creep (C, 2, nx, ny), from tractions to start from
+    changes: Callable[[Rolled, NDArray], NDArray]  # of tractions by those of the creep (C, k, 2, nx, ny)

@@ -1,20 +1,21 @@
 """Motion of a ball with stick and slip on two grids, which tell the error of the finer one."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from numpy.typing import NDArray
 
 from quasidynamic.balance.balls.rolling_ball import RollingBall
-from quasidynamic.contact.rolling.fastsim import fastsim
-from quasidynamic.contact.rolling.full_sliding import full_sliding
-from quasidynamic.contact.rolling.kalker import kalker
+from quasidynamic.contact.rolling.fastsim import FASTSIM
+from quasidynamic.contact.rolling.full_sliding import FULL_SLIDING
+from quasidynamic.contact.rolling.kalker import KALKER
+from quasidynamic.contact.rolling.rolling_contact import RollingLaw
 from quasidynamic.errors import OutOfRange
-from quasidynamic.solve.balls.rolling_motion import RollingLaw, RollingMotion, rolling_motion
+from quasidynamic.solve.balls.rolling_motion import RollingMotion, rolling_motion
 
 RollingModel = Literal["full_sliding", "fastsim", "kalker"]  # friction of contacts on a grid
-LAWS: dict[RollingModel, RollingLaw] = {"full_sliding": full_sliding, "fastsim": fastsim, "kalker": kalker}
+LAWS: dict[RollingModel, RollingLaw] = {"full_sliding": FULL_SLIDING, "fastsim": FASTSIM, "kalker": KALKER}
 FEWEST = 4  # cells along and across of the coarser grid
 
 
@@ -23,7 +24,7 @@ class RefinedRolling:
     """A ball on a grid and on one of half the cells in each direction."""
 
     fine: RollingMotion
-    coarse: RollingMotion
+    coarse_torque: float  # [N m]
 
     @property
     def torque(self) -> float:
@@ -33,12 +34,12 @@ class RefinedRolling:
     @property
     def grid_error(self) -> float:
         """Change of the torque from the coarser grid [N m], the error of the finer one if of first order."""
-        return abs(self.fine.power - self.coarse.power)
+        return abs(self.fine.power - self.coarse_torque)
 
     @property
     def extrapolated_torque(self) -> float:
         """Torque on cells of no size, if its error is of first order (Richardson) [N m]."""
-        return 2 * self.fine.power - self.coarse.power
+        return 2 * self.fine.power - self.coarse_torque
 
 
 def refined_rolling(
@@ -76,9 +77,18 @@ def refined_rolling(
     law, coarse_ball = LAWS[model], ball_on((cells[0] // 2, cells[1] // 2))
     start, slopes = None, None
     if model == "kalker":
-        near = rolling_motion(coarse_ball, fastsim, motion)
+        near = rolling_motion(coarse_ball, FASTSIM, motion)
         motion, start, slopes = near.motion, near.rolled.traction, near.slopes
     coarse = rolling_motion(coarse_ball, law, motion, start, slopes)
     ball = ball_on(cells)
-    start = fastsim(ball.contacts, ball.creep(coarse.motion)).traction if model == "kalker" else None
-    return RefinedRolling(rolling_motion(ball, law, coarse.motion, start, coarse.slopes), coarse)
+    start = FASTSIM.friction(ball.contacts, ball.creep(coarse.motion)).traction if model == "kalker" else None
+    fine = rolling_motion(ball, law, coarse.motion, start, coarse.slopes)
+    return RefinedRolling(_lean(fine), coarse.power)
+
+
+def _lean(motion: RollingMotion) -> RollingMotion:
+    """Return the same without the transforms that only a search needs."""
+    contacts = replace(motion.ball.contacts)
+    return replace(
+        motion, ball=replace(motion.ball, contacts=contacts), rolled=replace(motion.rolled, contacts=contacts)
+    )

@@ -1,6 +1,5 @@
 """Motion of a slow ball whose contacts stick and slip."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple, NoReturn
 
@@ -8,15 +7,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.balls.rolling_ball import RollingBall
-from quasidynamic.contact.rolling.rolling_contact import Rolled
+from quasidynamic.contact.rolling.rolling_contact import Rolled, RollingLaw
 from quasidynamic.errors import NotSolved, OutOfRange
 
 TOLERANCE = 1e-3  # unbalanced power over the power of friction; the torque is off by 1e-6 of itself
 LIMIT = 40  # evaluations, rarely more than four
 GAIN = 0.3  # of what was left: more left after a step asks for new slopes
 SHORTEST = 1 / 256  # part of a step
-
-RollingLaw = Callable[..., Rolled]  # contacts, creep and tractions to start from
 
 
 @dataclass(frozen=True)
@@ -51,8 +48,8 @@ def rolling_motion(
     ----------
     ball : RollingBall
         one ball
-    law : callable
-        friction of the contacts: `kalker`, `fastsim` or `full_sliding`
+    law : RollingLaw
+        friction of the contacts: `KALKER`, `FASTSIM` or `FULL_SLIDING`
     motion : array (4)
         to start from, such as that of `sliding_motion`
     start : array (C, 2, nx, ny), optional
@@ -80,7 +77,7 @@ def rolling_motion(
         raise OutOfRange("rolling ball: the material in a contact stands still or flows both ways")
     while state.size > TOLERANCE:
         fresh = slopes is None
-        slopes = ball.slopes(state.motion, state.rolled) if slopes is None else slopes
+        slopes = _slopes(ball, law, state) if slopes is None else slopes
         step, part = -np.linalg.solve(slopes, state.left), 1.0
         trial, evaluations = _stepped(ball, law, state, step), evaluations + 1
         while fresh and not _smaller(trial, state.size) and part > SHORTEST and evaluations < LIMIT:
@@ -113,12 +110,17 @@ def _at(ball: RollingBall, law: RollingLaw, motion: NDArray, start: NDArray | No
     speed = ball.material_speed(motion)
     if np.any(speed * speed[:, :1] <= 0.0):
         return None
-    rolled = law(ball.contacts, ball.creep(motion), start)
+    rolled = law.friction(ball.contacts, ball.creep(motion), start)
     return _State(motion, rolled, ball.left(motion, rolled), ball.imbalance(motion, rolled))
 
 
 def _stepped(ball: RollingBall, law: RollingLaw, state: _State, step: NDArray) -> _State | None:
     return _at(ball, law, state.motion + ball.unknowns @ step, state.rolled.traction)
+
+
+def _slopes(ball: RollingBall, law: RollingLaw, state: _State) -> NDArray:
+    changes = law.changes(state.rolled, ball.creep_changes(state.motion))
+    return ball.left_changes(state.motion, changes)
 
 
 def _smaller(trial: _State | None, size: float) -> bool:

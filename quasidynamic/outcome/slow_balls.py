@@ -1,0 +1,174 @@
+"""Slow balls between their rings: loads, motion, torque, and fields over their contacts."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, fields, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.contact.ellipse.full_sliding import Ellipse, sliding_friction, slip_field
+from quasidynamic.contact.ellipse.rigid_slip import Spin
+from quasidynamic.contact.rolling.rolling_contact import ACROSS, ALONG
+from quasidynamic.motion.ball_slip import BallContacts, slip_by_motion, slip_of
+from quasidynamic.note import Note
+from quasidynamic.outcome.ball_torque import RaceTorques, hysteresis_torque, torques_by_slip
+from quasidynamic.outcome.truncation import edge_angle
+from quasidynamic.solve.balls.refined_rolling import RefinedRolling
+from quasidynamic.solve.balls.sliding_motion import SlidingMotion
+
+
+@dataclass(frozen=True)
+class SlidingBalls:
+    """Balls that slide slowly between the rings: N balls, G diagonals, inner and outer race.
+
+    Speeds are those for an inner ring that turns by one rad/s against the outer ring.
+    """
+
+    load: NDArray  # (N, G, 2) [N]
+    contacts: BallContacts
+    ellipse: Ellipse
+    peak_pressure: NDArray  # (N, G, 2) [Pa]
+    friction: NDArray  # (N, G, 2) [-] coefficient
+    sliding: SlidingMotion
+    torques: RaceTorques
+    hysteresis: NDArray  # (N) [N m]
+    notes: tuple[Note, ...]  # what a user must know
+
+    @property
+    def ball_torques(self) -> NDArray:
+        """Torque of each ball (N) [N m], the heat of its sliding and hysteresis per speed of the ring."""
+        return self.sliding.power + self.hysteresis
+
+    @property
+    def torque(self) -> float:
+        """Torque of all balls [N m]."""
+        return float(self.ball_torques.sum())
+
+    @property
+    def ball_speed(self) -> NDArray:
+        """Speed of each ball over that of the inner ring, both seen from the orbiting ball centre (N) [-]."""
+        outer, axial, radial = self.sliding.motion.T
+        return np.hypot(axial, radial) / (1.0 + outer)
+
+    @property
+    def axis_angle(self) -> NDArray:
+        """Angle of the ball speed from that of the inner ring (N) [rad], pi where the axes are parallel."""
+        _, axial, radial = self.sliding.motion.T
+        return np.mod(np.arctan2(radial, axial), 2 * np.pi)
+
+    def torque_with(self, spin: Spin) -> float:
+        """Torque at the same motion with another spin across [N m], above that of its own by second order."""
+        driven = self.sliding.driven
+        other = replace(self.ellipse.taken(driven), spin=spin)
+        return float(sliding_friction(self.sliding.slip[driven], other).power.sum() + self.hysteresis.sum())
+
+    def truncated(self, race: int, groove_radius: float, groove_end: float) -> NDArray:
+        """Whether shoulders at an angle [rad] cut off contacts with a race (N, G), see `truncation`."""
+        edge = edge_angle(
+            self.contacts.angle[..., race], self.ellipse.across[..., race], groove_radius, "arc"
+        )
+        return (edge > groove_end) & (self.load[..., race] > 0)
+
+    def field(self, ball: int, diagonal: int, race: int, points: int = 41) -> dict[str, NDArray]:
+        """Places [m], slip [m/s] and shear stress on the ball [Pa] over one contact, (points, points)."""
+        contact = (np.array([ball]), diagonal, race)
+        ellipse = Ellipse(
+            *(getattr(self.ellipse, name)[contact] for name in ("across", "along", "radius", "traction")),
+            spin=self.ellipse.spin,
+        )
+        unit = np.linspace(-1.0, 1.0, points)
+        x, y = np.meshgrid(unit * ellipse.across, unit * ellipse.along, indexing="ij")
+        names = ("slip_along", "slip_across", "shear_along", "shear_across")
+        fields = slip_field(self.sliding.slip[contact], ellipse, x, y)
+        return {"x": x, "y": y} | dict(zip(names, fields, strict=True))
+
+
+@dataclass(frozen=True)
+class RollingBalls(SlidingBalls):
+    """Balls whose contacts stick and slip; what the fields of full sliding hold is that of stick and slip."""
+
+    rolled: tuple[RefinedRolling | None, ...]  # (N) None for balls that are not pressed on both rings
+
+    @property
+    def grid_error(self) -> NDArray:
+        """Error of the torque of each ball by its grid (N) [N m], see `RefinedRolling.grid_error`."""
+        return np.array([0.0 if ball is None else ball.grid_error for ball in self.rolled])
+
+    @property
+    def turn(self) -> NDArray:
+        """Turn of each ball about the rolling direction (N) [rad/s]."""
+        return np.array([np.nan if ball is None else ball.fine.motion[3] for ball in self.rolled])
+
+    @property
+    def stick_share(self) -> NDArray:
+        """Part of the cells of each contact that stick (N, G, 2) [-]."""
+        share = np.zeros(self.load.shape)
+        for number, ball in enumerate(self.rolled):
+            if ball is not None:
+                share[number][self.load[number] > 0.0] = ball.fine.rolled.stick_share
+        return share
+
+    def field(self, ball: int, diagonal: int, race: int, points: int = 0) -> dict[str, NDArray]:
+        """Places [m], pressure, shear stress on the ball [Pa], slip [m/s] and stick of the cells (ny, nx)."""
+        solved = self.rolled[ball]
+        assert solved is not None  # of a ball that is driven
+        state, number = solved.fine, int((self.load[ball].ravel() > 0.0)[: 2 * diagonal + race].sum())
+        rolled, contacts = state.rolled, state.ball.contacts
+        speed = state.ball.material_speed(state.motion)[number]
+        direction = -np.sign(speed.mean())
+        x, y = (np.broadcast_to(part[number], contacts.limit.shape[1:]) for part in contacts.places())
+        slip, shear = np.abs(speed) * rolled.slip[number], rolled.traction[number]
+        pressure = contacts.limit[number] if contacts.pressure is None else contacts.pressure[number]
+        touching = contacts.limit[number] > 0.0
+        cells = {
+            "x": y,
+            "y": direction * x,
+            "slip_along": direction * slip[ALONG] * touching,
+            "slip_across": slip[ACROSS] * touching,
+            "shear_along": direction * shear[ALONG],
+            "shear_across": shear[ACROSS],
+            "pressure": pressure,
+            "stick": (rolled.stick[number] & touching).astype(float),
+        }
+        order = slice(None, None, int(direction))  # places along grow with the azimuth
+        return {name: values[order].T for name, values in cells.items()}
+
+
+def rolling_balls(
+    sliding: SlidingBalls, rolled: Mapping[int, RefinedRolling], hysteresis_loss: float
+) -> RollingBalls:
+    """Balls with stick and slip, in the place of those in full sliding.
+
+    Parameters
+    ----------
+    sliding : SlidingBalls
+        the same balls in full sliding
+    rolled : mapping
+        those that are driven, by their number
+    hysteresis_loss : float
+        part of the elastic work lost in rolling [-]
+
+    Returns
+    -------
+    RollingBalls
+
+    Source
+    ------
+    Forces and moments of the tractions, see `RollingBall` and `race_torques`.
+    """
+    motion, contacts = sliding.sliding.motion.copy(), sliding.contacts
+    power, imbalance = np.zeros((2, len(motion)))
+    by_slip = np.zeros((2, *sliding.sliding.slip.shape))  # of tractions along and across
+    for number, ball in rolled.items():
+        state, loaded = ball.fine, sliding.load[number] > 0.0
+        motion[number], power[number], imbalance[number] = state.motion[:3], state.power, state.imbalance
+        by_slip[:, number, loaded] = -state.ball.power_by_slip(state.motion, state.rolled)[..., :3]
+    slip = slip_of(motion, slip_by_motion(contacts))
+    changed = {
+        "sliding": replace(sliding.sliding, motion=motion, slip=slip, power=power, imbalance=imbalance),
+        "torques": torques_by_slip(contacts, by_slip.sum(0), by_slip[1]),
+        "hysteresis": hysteresis_torque(slip, sliding.load, sliding.ellipse.along, hysteresis_loss),
+    }
+    kept = {part.name: getattr(sliding, part.name) for part in fields(SlidingBalls)} | changed
+    balls = [rolled.get(number) for number in range(len(motion))]
+    return RollingBalls(**kept, rolled=tuple(balls))
