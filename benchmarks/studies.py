@@ -3,7 +3,7 @@
 thickness: 8 thicknesses x 3 loads of the paper's bearing, rigid and flexible, no ring known, two jobs.
 hypercube: 100 000 variants of the paper's bearing between rigid rings, two jobs, with the largest memory.
 workers: 24 distinct rings by one job and by two.
-machinery: what planning, journal, table and engine take of a variant that itself takes no time.
+machinery: what planning, journal, table, engine and the models take of a variant that is not solved.
 
 Studies run as commands, cold: their time holds the start of the program and of its workers.
 """
@@ -21,6 +21,9 @@ from pathlib import Path
 import psutil
 
 from benchmarks.machine import describe
+from flexbearing.build.roller_bearing import bearing
+from flexbearing.case.variants import Variants
+from flexbearing.families import FAMILIES
 from flexbearing.studies.engine import finished
 from flexbearing.studies.engine.local import Local
 from flexbearing.studies.engine.serial import Serial
@@ -137,8 +140,16 @@ def machinery() -> None:
         work = Work(partial(nothing, texts=settled.texts), no_ring)
         run(settled, Path(place), work, lambda tasks: Serial())
         times.append(time.perf_counter())
+        base = settled.plan.base
+        read = Variants(base.path, base.text, base.keys, FAMILIES)
+        for variant in settled.plan.variants:
+            bearing(read.known(variant.values, variant.in_si))
+        times.append(time.perf_counter())
         each = [(after - before) / 20_000 * 1e3 for before, after in pairwise(times)]
-        print(f"a variant in a batch: plan {each[0]:.2f} ms; engine, journal, tables {each[1]:.2f} ms")
+        print(
+            f"a variant in a batch: plan {each[0]:.2f} ms; engine, journal, tables {each[1]:.2f} ms; "
+            f"its case and bearing in a worker {each[2]:.2f} ms; together {sum(each):.2f} ms"
+        )
         tasks = [alone for task in settled.plan.tasks(lambda _: True)[:8] for alone in task.alone]
         engine = Local(1)
         try:
