@@ -22,6 +22,7 @@ from flexbearing.case.variants import Variants
 from flexbearing.coupling import PartnerFailed
 from flexbearing.families import FAMILIES
 from flexbearing.files import BadOutput, NotStored
+from flexbearing.program.memory import keep_freed
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged
 from flexbearing.results import store
@@ -62,6 +63,7 @@ def rows(task: Task, wish: Wish, cache: str | None = None) -> tuple[Row, ...]:
     tuple of Row
         one for each variant, also where it failed; none behind one whose result file could not be written
     """
+    keep_freed()
     read = _variants(task.base)
     cases = [read.known(variant.values, variant.in_si) for variant in task.variants]
     levels = UsualLevels(task.levels) if isinstance(task.levels, str) else task.levels
