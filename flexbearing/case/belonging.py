@@ -26,8 +26,9 @@ def foreign(raw: Raw, model: type[Section]) -> dict[str, str]:
     """
     foreign_keys: dict[str, str] = {}
     for item in by_path(model).values():
-        inside = any(item.path.startswith(f"{table}.") for table in foreign_keys)
-        if item.only and not inside and _value(raw, item.path) is not None:
+        if not item.only or any(item.path.startswith(f"{table}.") for table in foreign_keys):
+            continue
+        if _value(raw, item.path) is not None:
             broken = [_broken(choices, item, raw, model) for choices in item.only]
             if all(broken):
                 foreign_keys[item.path] = f"it belongs to {belonging(item)}; this case has {broken[0]}"

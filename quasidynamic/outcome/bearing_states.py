@@ -95,7 +95,7 @@ class BearingStates:
         deviation = self.deviation
         return deviation @ self._whole_slices.modes[:, : deviation.shape[-1]].T
 
-    @property
+    @cached_property
     def loaded(self) -> NDArray:
         """Which contacts carry load (C, 2, Z)."""
         return self.loads > LOADED * self.loads.max(axis=-1, keepdims=True)
@@ -105,7 +105,7 @@ class BearingStates:
         """Film (C, 2, Z) [m]."""
         return self.unknowns.film.swapaxes(0, 1)
 
-    @property
+    @cached_property
     def loaded_film(self) -> NDArray:
         """Film (C, 2, Z) [m] of the contacts that carry load, 0 elsewhere."""
         return np.where(self.loaded, self.film, 0.0)
@@ -126,7 +126,12 @@ class BearingStates:
     @property
     def _cage_speed(self) -> NDArray:
         """The same as a column (C, 1)."""
-        return self.balance.speeds(self.unknowns)[1]
+        return self._speeds[1]
+
+    @cached_property
+    def _speeds(self) -> tuple[NDArray, NDArray]:
+        """Spins (C, Z) and cage speed (C, 1) [rad/s]."""
+        return self.balance.speeds(self.unknowns)
 
     @property
     def cage_slip(self) -> NDArray:
@@ -136,7 +141,7 @@ class BearingStates:
     @property
     def roller_speed(self) -> NDArray:
         """Spin (C, Z) relative to the cage [rad/s]."""
-        return self.balance.speeds(self.unknowns)[0]
+        return self._speeds[0]
 
     @property
     def roller_slip(self) -> NDArray:
