@@ -16,7 +16,7 @@ from quasidynamic.errors import ImpossiblePart, NotSolved, require_positive
 from quasidynamic.outcome.angular_contact_state import AngularContactState
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
 from quasidynamic.solve.balls.coulomb_control import CoulombControl
-from quasidynamic.solve.balls.ring_on_balls import solve
+from quasidynamic.solve.balls.ring_on_balls import RingSolution, solve
 from quasidynamic.solve.outcome import SolverOutcome
 
 
@@ -78,7 +78,7 @@ class AngularContactBallBearing:
         states: list[AngularContactState | NotSolved] = []
         for case, operation in enumerate(operations):
             if solution.outcomes[case] is not SolverOutcome.CONVERGED:
-                states.append(_not_solved(operation, solution.outcomes[case], solution.imbalance[case]))
+                states.append(_not_solved(operation, solution, case))
                 continue
             if self._too_wide(balls.contacts.loads[:, case]):
                 states.append(
@@ -152,7 +152,8 @@ class AngularContactBallBearing:
         )
 
 
-def _not_solved(operation: RingOperation, outcome: SolverOutcome, imbalance: float) -> NotSolved:
+def _not_solved(operation: RingOperation, solution: RingSolution, case: int) -> NotSolved:
+    outcome, evaluations = solution.outcomes[case], solution.evaluations[case]
     where = f"load {operation.load}, inner ring {operation.inner_speed:.5g} rad/s"
     if outcome is SolverOutcome.UNDETERMINED:
         return NotSolved(
@@ -166,5 +167,8 @@ def _not_solved(operation: RingOperation, outcome: SolverOutcome, imbalance: flo
             outcome,
         )
     return NotSolved(
-        f"{where}: no balance of ring and balls, {imbalance:.1e} of the largest force left", outcome
+        f"{where}: no balance of ring and balls in {evaluations} evaluations by Newton's method, along a "
+        f"path of growing inertia and from slower rings; {solution.imbalance[case]:.1e} of the largest force "
+        "is left by the first; a heavier load or an axial displacement as preload would press the balls",
+        outcome,
     )

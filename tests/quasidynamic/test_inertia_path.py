@@ -6,19 +6,24 @@ import numpy as np
 import pytest
 from pytest import approx
 
+from quasidynamic.angular_contact import AngularContactBallBearing
 from quasidynamic.balance.balls.angular_contact import AngularBalance, race_contacts
 from quasidynamic.balance.balls.race_control import PrescribedControl
-from quasidynamic.parts.angular_contact_bearing import AngularContactBearing
+from quasidynamic.errors import NotSolved
+from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
 from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.parts.material import Material
 from quasidynamic.solve.arclength import LinearisedEquations, follow
+from quasidynamic.solve.balls import ring_on_balls
 from quasidynamic.solve.balls.ball_equilibrium import balanced, force_scales, resolved
+from quasidynamic.solve.balls.bordered_matrix import BorderedMatrix
 from quasidynamic.solve.balls.frozen_solve import frozen_solve
 from quasidynamic.solve.balls.inertia_homotopy import InertiaFamily, inertia_homotopy
-from quasidynamic.solve.balls.ring_on_balls import RingSolution, newton, solve, start
+from quasidynamic.solve.balls.ring_on_balls import BUDGET, RingSolution, newton, solve, start
 from quasidynamic.solve.balls.ring_on_springs import LONGEST, newton_step
 from quasidynamic.solve.corners import followed_through
 from quasidynamic.solve.outcome import SolverOutcome
+from tests.random_balls import unbalanced
 
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
 BEARING = AngularContactBearing(
@@ -51,13 +56,18 @@ def balance(load, control, speed=SPEED):
     return own
 
 
+def on_path(own):
+    """Ring and balls at the end of the path."""
+    places, _ = inertia_homotopy(own, BUDGET)
+    assert places is not None
+    return places
+
+
 @pytest.mark.parametrize("control", ["outer", "inner"])
 @pytest.mark.parametrize("load", LOADS.values(), ids=LOADS.keys())
 def test_path_of_growing_inertia_ends_in_balance(load, control):
     own = balance(load, control)
-    found = inertia_homotopy(own)
-    assert found is not None
-    ring, centres, _ = found
+    ring, centres = on_path(own)
     balls = own.balls(own.grooves(ring), centres)
     _, force, traction = balls.forces
     largest = max(balls.loads.max(), np.abs(own.load).max())
@@ -67,7 +77,7 @@ def test_path_of_growing_inertia_ends_in_balance(load, control):
 
 def test_path_ends_where_newtons_method_does_when_all_balls_are_pressed():
     own = balance((60.0, 2.0, 5.0, 2.0, -1.0), "outer")
-    ring, centres, _ = inertia_homotopy(own) or (None, None, 0)
+    ring, centres = on_path(own)
     direct = newton(own, *start(own))
     assert direct.outcomes == [SolverOutcome.CONVERGED]
     assert ring == approx(direct.ring, rel=1e-7, abs=1e-13)
@@ -76,10 +86,8 @@ def test_path_ends_where_newtons_method_does_when_all_balls_are_pressed():
 
 def test_derivatives_of_the_path():
     own = balance(LOADS["heavier"], "inner")
-    ring, centres, _ = inertia_homotopy(own) or (None, None, 0)
-    assert ring is not None
-    assert centres is not None
-    family = InertiaFamily(own, 1j * own.free_centrifugal + np.zeros_like(centres))
+    ring, centres = on_path(own)
+    family = InertiaFamily(own, 1j * own.free_centrifugal + np.zeros_like(centres), BUDGET)
     state, step = family.packed(ring, centres) * (1 + 1e-4 * np.cos(np.arange(19))), 1e-7
     for parameter in (0.3, 1.0):
         columns = [
@@ -104,12 +112,60 @@ def test_case_that_stalls_newtons_method_is_solved_along_the_path():
     assert solve(own).outcomes == [SolverOutcome.CONVERGED]
 
 
+def test_ring_on_200_balls_under_35_newton_is_solved_from_slower_rings():
+    """A bearing drawn at random, its balls hardly pressed by the inner race."""
+    groove = Groove(conformity=0.5397677357672424, material=STEEL)
+    bearing = replace(
+        BEARING,
+        ball=Ball(diameter=19.875562585599946e-3, material=STEEL),
+        inner=groove,
+        outer=groove,
+        balls=200,
+        pitch_diameter=1.4241253168364139,
+        contact_angle=np.radians(14.837084423299562),
+    )
+    load = (8.38653720127054, 25.720931939692452, 22.205847291319774, -8.120795133139508, -0.12317355166917)
+    operation = RingOperation(load=load, inner_speed=6.848912898783027)
+    state = AngularContactBallBearing(bearing=bearing, control="inner").solve(operation)
+    assert unbalanced(state) < 1e-9
+    assert state.evaluations < 2 * BUDGET
+
+
+def test_search_along_a_path_ends_with_its_budget():
+    places, count = inertia_homotopy(balance(LOADS["heavier"], "outer"), 20)
+    assert places is None
+    assert 20 <= count <= 22
+
+
+def test_searches_that_end_with_their_budgets_are_told_with_what_they_cost(monkeypatch):
+    monkeypatch.setattr(ring_on_balls, "BUDGET", 0)
+    model = AngularContactBallBearing(bearing=BEARING, control="inner")
+    force = float(balance(LOADS["heavier"], "inner", 1111.6).free_centrifugal[0, 0])
+    lever = np.array([1.0, 1.0, 1.0, *[BEARING.inner_groove_radius] * 2])
+    force *= (SPEED / 1111.6) ** 2  # the load is counted in forces at the lower speed
+    load = tuple(np.array([0.152, 0.061, 0.304, 0.001, -0.061]) * force * lever)
+    with pytest.raises(NotSolved, match=r"in \d+ evaluations by Newton's method, along a path") as refused:
+        model.solve(RingOperation(load=load, inner_speed=1111.6))
+    assert refused.value.outcome is SolverOutcome.STALLED
+
+
+def test_bordered_equations_have_the_solution_of_the_whole_matrix():
+    random = np.random.default_rng(0)
+    parts = random.normal(size=(5, 5)), random.normal(size=(5, 12)), random.normal(size=(12, 5))
+    matrix = BorderedMatrix(*parts, balls=random.normal(size=(6, 2, 2)))
+    whole, right = matrix.times(np.eye(17)), random.normal(size=(17, 2))
+    assert whole[5:7, 7:] == approx(np.zeros((2, 10)), abs=0)
+    assert matrix.solved(right) == approx(np.linalg.solve(whole, right), rel=1e-10)
+    assert matrix.sign() == np.linalg.slogdet(whole)[0]
+    singular = matrix._replace(balls=np.zeros((6, 2, 2)))
+    assert np.isnan(singular.solved(right)).all()
+    assert singular.sign() == 0.0
+
+
 def test_path_and_balls_call_the_same_forces_balance():
     own = balance((0.05, -8e-3, 2e-3, 0.0, 0.0), "outer")
-    ring, centres, _ = inertia_homotopy(own) or (None, None, 0)
-    assert ring is not None
-    assert centres is not None
-    family = InertiaFamily(own, 1j * own.free_centrifugal + np.zeros_like(centres))
+    ring, centres = on_path(own)
+    family = InertiaFamily(own, 1j * own.free_centrifugal + np.zeros_like(centres), BUDGET)
     balls = own.balls(own.grooves(ring), centres)
     limit = force_scales(own, balls, own.grooves(ring)).noise[0]
     for share, holds in (

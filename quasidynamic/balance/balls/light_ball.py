@@ -106,9 +106,10 @@ def held_traction(needed: NDArray, load: NDArray) -> tuple[NDArray, NDArray | fl
     -----
     Exact up to kappa = `FULL_TRACTION`, far above friction of lubricated contacts.
     """
-    if (np.abs(needed) <= FULL_TRACTION * load).all():
+    if (np.abs(needed) < FULL_TRACTION * load).all():
         return needed, 1.0, 0.0
     ratio = np.minimum(np.abs(needed) / np.maximum(load, LEAST_LOAD), LARGEST_RATIO)
+    ratio = np.where(load > 0, ratio, LARGEST_RATIO)  # without load none, nor a slope
     beyond = ratio - FULL_TRACTION
     part = np.tanh(beyond / (LARGEST_TRACTION - FULL_TRACTION))
     share, growth = FULL_TRACTION + (LARGEST_TRACTION - FULL_TRACTION) * part, 1 - part**2

@@ -48,6 +48,11 @@ class RaceControl(Protocol):
         """Part of the largest force by which its forces are uncertain, beyond rounding of places [-]."""
         ...
 
+    @property
+    def cost(self) -> int:
+        """Time of an evaluation over that of closed forms, roughly."""
+        ...
+
     def kinematics(self, contacts: LoadedContacts, speeds: NDArray, centrifugal: NDArray) -> BallKinematics:
         """Motion of balls and what it asks of the races.
 
@@ -94,6 +99,11 @@ class PrescribedControl:
     def noise(self) -> float:
         """Zero: closed forms."""
         return 0.0
+
+    @property
+    def cost(self) -> int:
+        """One: closed forms."""
+        return 1
 
     def kinematics(self, contacts: LoadedContacts, speeds: NDArray, centrifugal: NDArray) -> BallKinematics:
         """Motion of balls and what it asks of the races, see `RaceControl`."""

@@ -78,6 +78,11 @@ class CoulombControl:
         """What the search for the motion of balls leaves of their friction."""
         return NOISE
 
+    @property
+    def cost(self) -> int:
+        """A search for the motion of every ball, and less of all else."""
+        return 20
+
     def kinematics(self, contacts: LoadedContacts, speeds: NDArray, centrifugal: NDArray) -> BallKinematics:
         """Motion of balls and what it asks of the races, see `RaceControl`."""
         bearing, shape = self.bearing, contacts.angles.shape[1:]

@@ -10,6 +10,7 @@ from quasidynamic.balance.balls.angular_contact import AngularBalance
 from quasidynamic.balance.balls.ball_position import Vectors
 from quasidynamic.solve.arclength import LinearisedEquations
 from quasidynamic.solve.balls.ball_equilibrium import force_scales
+from quasidynamic.solve.balls.bordered_matrix import BorderedMatrix
 from quasidynamic.solve.balls.frozen_solve import frozen_solve
 from quasidynamic.solve.balls.ring_on_springs import first_place
 from quasidynamic.solve.corners import followed_through
@@ -23,7 +24,11 @@ SCALES = (1.0, 0.5, 2.0)  # s, of the constant centrifugal forces at the beginni
 FLOATING = 1e-15  # of the largest derivative, given to balls that touch nothing
 
 
-def inertia_homotopy(balance: AngularBalance) -> tuple[NDArray, Vectors, int] | None:
+class BudgetSpent(Exception):
+    """A path has cost all evaluations that it may."""
+
+
+def inertia_homotopy(balance: AngularBalance, budget: int) -> tuple[tuple[NDArray, Vectors] | None, int]:
     r"""Balance of one case at the end of a path that begins where there is one balance only.
 
     .. math:: (1 - p)\,[R_0(x) + s F_{c0}] + p\, R(x) = 0, \qquad 0 \le p \le 1
@@ -38,12 +43,14 @@ def inertia_homotopy(balance: AngularBalance) -> tuple[NDArray, Vectors, int] | 
     ----------
     balance : AngularBalance
         equations of one case, at speed
+    budget : int
+        evaluations of all balls that it may take
 
     Returns
     -------
-    triple or None
-        ring (1, 5) and ball centres (1, Z) [m] in balance, evaluations of all balls; None where
-        every path was lost
+    pair
+        ring (1, 5) and ball centres (1, Z) [m] in balance, None where every path was lost or the budget is
+        spent; evaluations of all balls
 
     Source
     ------
@@ -52,24 +59,33 @@ def inertia_homotopy(balance: AngularBalance) -> tuple[NDArray, Vectors, int] | 
     first = first_place(balance)
     resting, evaluations = balance.places.resting(balance.grooves(first)), 0
     for scale in SCALES:
+        if evaluations >= budget:
+            break
         pull = scale * 1j * balance.free_centrifugal + np.zeros_like(resting)
         start = frozen_solve(
             balance, (first, resting), (pull, np.zeros_like(first)), START_TOLERANCE, START_STEPS
         )
-        family = InertiaFamily(balance, pull)
-        end = followed_through(family, family.packed(*start))
+        family = InertiaFamily(balance, pull, budget - evaluations)
+        try:
+            end = followed_through(family, family.packed(*start))
+        except BudgetSpent:
+            end = None
         evaluations += family.evaluations
         if end is not None:
-            return *family.unpacked(end.state), evaluations
-    return None
+            return family.unpacked(end.state), evaluations
+    return None, evaluations
 
 
 @dataclass
 class InertiaFamily:
-    """Equations of one case; unknowns are the free ring displacements, then the ball places, over a reach."""
+    """Equations of one case; unknowns are the free ring displacements, then the ball places, over a reach.
+
+    They raise `BudgetSpent` beyond their budget.
+    """
 
     balance: AngularBalance
     pull: Vectors  # (1, Z) [N] constant forces on the balls at parameter 0
+    budget: int  # evaluations of all balls that are allowed
     evaluations: int = 0
 
     @property
@@ -94,8 +110,7 @@ class InertiaFamily:
 
     def orientation(self, state: NDArray, parameter: float) -> float:
         """Sign of the determinant of the derivatives."""
-        sign, _ = np.linalg.slogdet(self._linear(state, parameter)[2])
-        return float(sign)
+        return self._linear(state, parameter)[2].sign()
 
     def at(self, state: NDArray, parameter: float) -> LinearisedEquations:
         """Forces on ring and balls, over the largest one."""
@@ -103,12 +118,14 @@ class InertiaFamily:
         return LinearisedEquations(
             residual=residual,
             by_parameter=by_parameter,
-            solve=lambda right: _solution(matrix, right),
+            solve=matrix.solved,
             converged=self._largest(residual) <= allowed,
         )
 
-    def _linear(self, state: NDArray, parameter: float) -> tuple[NDArray, NDArray, NDArray, float]:
+    def _linear(self, state: NDArray, parameter: float) -> tuple[NDArray, NDArray, BorderedMatrix, float]:
         """Forces over the largest one, derivatives by parameter and unknowns, size that counts as none."""
+        if self.evaluations >= self.budget:
+            raise BudgetSpent
         ring, centres = self.unpacked(state)
         grooves = self.balance.grooves(ring)
         rest, full = (system.balls(grooves, centres) for system in (self._at_rest, self.balance))
@@ -121,10 +138,10 @@ class InertiaFamily:
         def blended(start: NDArray, end: NDArray) -> NDArray:
             return (1 - parameter) * start + parameter * end
 
-        matrix = self._matrix(blended(rest.by_ball, full.by_ball), blended(rest.by_groove, full.by_groove))
-        matrix *= self._length / largest
-        places = np.arange(len(self._free), len(matrix))
-        matrix[places, places] -= FLOATING * np.abs(matrix).max()
+        matrix = self._matrix(
+            self._length / largest * blended(rest.by_ball, full.by_ball),
+            self._length / largest * blended(rest.by_groove, full.by_groove),
+        )
         return (
             self._residual(blended(begin, full.forces), 1.0) / largest,
             self._residual(full.forces - begin, 0.0) / largest,
@@ -143,23 +160,23 @@ class InertiaFamily:
         ring, balls = np.split(residual, [len(self._free)])
         return float(max(np.abs(ring).max(initial=0.0), np.abs(balls.view(complex)).max()))
 
-    def _matrix(self, by_ball: Vectors, by_groove: Vectors) -> NDArray:
-        """Derivatives (N, N) of the unbalanced forces by the places, from (2, 3, 1, Z)."""
-        balance, free, count = self.balance, self._free, self.balance.bearing.balls
-        matrix = np.zeros((len(free) + 2 * count,) * 2)
+    def _matrix(self, by_ball: Vectors, by_groove: Vectors) -> BorderedMatrix:
+        """Derivatives of the unbalanced forces by the places, from (2, 3, 1, Z)."""
+        balance, free = self.balance, self._free
         to_groove = balance.ring_to_groove[:, free].T  # (F, Z)
         by_ring = by_groove[0, :, 0, None] * to_groove.real + by_groove[1, :, 0, None] * to_groove.imag
         excess, force, traction = by_ring  # (F, Z)
-        matrix[: len(free), : len(free)] = -balance.on_ring(force, traction)[:, free].T
-        parts = np.stack([excess.real, excess.imag], axis=-1).reshape(len(free), -1)
-        matrix[len(free) :, : len(free)] = parts.T
-        for way in range(2):
-            excess, force, traction = by_ball[way, :, 0]
-            columns = len(free) + way + 2 * np.arange(count)
-            matrix[columns - way, columns], matrix[columns - way + 1, columns] = excess.real, excess.imag
-            on_ring = balance.on_ring(np.diag(force), np.diag(traction))  # (Z, 5)
-            matrix[: len(free), columns] = -on_ring[:, free].T
-        return matrix
+        _, ball_force, ball_traction = np.moveaxis(by_ball[:, :, 0], 1, 0)  # (2, Z)
+        on_ring = ball_force[..., None] * balance.groove_to_ring[:, free]
+        on_ring = (on_ring - ball_traction[..., None] * balance.ring_to_lever[:, free]).real  # (2, Z, F)
+        balls = np.stack([by_ball[:, 0, 0].real, by_ball[:, 0, 0].imag]).T.swapaxes(-1, -2)  # (Z, 2, 2)
+        largest = max(np.abs(balls).max(), np.abs(on_ring).max(initial=0.0))
+        return BorderedMatrix(
+            ring=-balance.on_ring(force, traction)[:, free].T,
+            ring_by_balls=-on_ring.transpose(2, 1, 0).reshape(len(free), -1),
+            balls_by_ring=np.stack([excess.real, excess.imag], axis=-1).reshape(len(free), -1).T,
+            balls=balls - FLOATING * largest * np.eye(2),
+        )
 
     @cached_property
     def _free(self) -> NDArray:
@@ -173,11 +190,3 @@ class InertiaFamily:
     @property
     def _length(self) -> float:
         return min(self.balance.bearing.inner_reach, self.balance.bearing.outer_reach)
-
-
-def _solution(matrix: NDArray, right: NDArray) -> NDArray:
-    """Solution of linear equations; not a number where they are singular, which ends a correction."""
-    try:
-        return np.linalg.solve(matrix, right)
-    except np.linalg.LinAlgError:
-        return np.full_like(right, np.nan)

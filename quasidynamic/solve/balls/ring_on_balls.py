@@ -24,6 +24,9 @@ LIMIT = 60  # Newton steps of the ring, rarely more than ten
 BALL_SHARE = 0.1  # of the imbalance before a step: what the balls may leave to the next one
 SHORTEST = 2.0**-6  # part of a Newton step; a path of growing inertia is quicker than shorter ones
 TOUCHING = 10  # times what may be left: least load that counts as contact of the ring
+SLOWER = (0.7, 0.3, 0.1, 0.01)  # parts of the speed from which Newton's method is tried once more
+LEAST_SPEED_STEP = 2e-3  # part of the speed by which rings become faster at least
+BUDGET = 12000  # evaluations of all balls along a path, rarely more than two thousand
 TINY = float(np.finfo(float).tiny)
 ANSWERED = (SolverOutcome.CONVERGED, SolverOutcome.UNDETERMINED)  # that no other path would change
 SINGULAR = 1e-12  # of the whole stiffness: a direction that nothing holds
@@ -66,7 +69,7 @@ class _RingState:
 
 
 def solve(balance: AngularBalance) -> RingSolution:
-    """Balance of all cases: in one go, else along a path of growing inertia."""
+    """Balance of all cases: in one go, else along a path of growing inertia, else from slower rings."""
     with np.errstate(all="ignore"):  # places tried on the way may overflow: such a step is not taken
         return _solve(balance)
 
@@ -78,13 +81,15 @@ def _solve(balance: AngularBalance) -> RingSolution:
         return solution
     outcomes, pieces = list(solution.outcomes), {}
     for case in failed:
-        piece = along_path(balance.take(np.array([case])))
-        if piece is not None:
-            pieces[case], outcomes[case] = piece, piece.outcomes[0]
-    arrays = [solution.ring, solution.centres, solution.imbalance, solution.evaluations]
+        for search in (along_path, from_slower_rings):
+            piece, count = search(balance.take(np.array([case])))
+            solution.evaluations[case] += count
+            if piece is not None:
+                pieces[case], outcomes[case] = piece, piece.outcomes[0]
+                break
+    arrays = [solution.ring, solution.centres, solution.imbalance]
     for case, piece in pieces.items():
-        new = [piece.ring, piece.centres, piece.imbalance, solution.evaluations[case] + piece.evaluations]
-        for array, value in zip(arrays, new, strict=True):
+        for array, value in zip(arrays, [piece.ring, piece.centres, piece.imbalance], strict=True):
             array[case] = value[0]
     return RingSolution(solution.ring, solution.centres, outcomes, solution.imbalance, solution.evaluations)
 
@@ -111,15 +116,43 @@ def inertia_forces(balance: AngularBalance, ring: NDArray, centres: Vectors) -> 
     return balls.pull, balance.dragged(balls)
 
 
-def along_path(balance: AngularBalance) -> RingSolution | None:
-    """Balance of one case at the end of a path of growing inertia; None where the path was lost."""
-    end = inertia_homotopy(balance)
-    if end is None:
-        return None
-    ring, centres, count = end
-    state = _at(balance, ring, at_places(balance, balance.grooves(ring), centres, evaluations=count + 1))
+def from_slower_rings(balance: AngularBalance) -> tuple[RingSolution | None, int]:
+    """Balance of one case by Newton's method from that of slower rings, else None, and evaluations.
+
+    Slower rings have the ratio of inertia to load that a heavier load has at the full speed. The search
+    ends when it has spent half of `BUDGET`, being quicker where it succeeds.
+    """
+    count, budget = 0, BUDGET // 2 // balance.control.cost
+    for share in SLOWER:
+        slow = replace(balance, speeds=share * balance.speeds)
+        known = newton(slow, *start(slow))
+        step, count = (1.0 - share) / 4, count + int(known.evaluations[0])
+        if known.outcomes[0] is not SolverOutcome.CONVERGED:
+            continue
+        while share < 1.0 and step >= LEAST_SPEED_STEP and count < budget:
+            faster = min(1.0, share + step)
+            trial = newton(replace(balance, speeds=faster * balance.speeds), known.ring, known.centres)
+            count += int(trial.evaluations[0])
+            if trial.outcomes[0] is SolverOutcome.CONVERGED:
+                share, known, step = faster, trial, 2 * step
+            else:
+                step /= 2
+        if share == 1.0:
+            return known, count
+        if count >= budget:
+            break
+    return None, count
+
+
+def along_path(balance: AngularBalance) -> tuple[RingSolution | None, int]:
+    """Balance of one case at the end of a path of growing inertia, else None, and evaluations."""
+    places, count = inertia_homotopy(balance, BUDGET // balance.control.cost)
+    if places is None:
+        return None, count
+    ring, centres = places
+    state = _at(balance, ring, at_places(balance, balance.grooves(ring), centres))
     outcome = _outcome(balance, state, 0, 1.0, last=True)
-    return RingSolution(ring, centres, [outcome], state.imbalance, np.array([state.evaluations]))
+    return RingSolution(ring, centres, [outcome], state.imbalance, np.array([count])), count + 1
 
 
 def newton(balance: AngularBalance, ring: NDArray, centres: NDArray | None = None) -> RingSolution:
