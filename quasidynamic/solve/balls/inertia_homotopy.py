@@ -138,9 +138,10 @@ class InertiaFamily:
         def blended(start: NDArray, end: NDArray) -> NDArray:
             return (1 - parameter) * start + parameter * end
 
+        scale = self._length / largest
         matrix = self._matrix(
-            self._length / largest * blended(rest.by_ball, full.by_ball),
-            self._length / largest * blended(rest.by_groove, full.by_groove),
+            blended(scale * rest.by_ball, scale * full.by_ball),
+            blended(scale * rest.by_groove, scale * full.by_groove),
         )
         return (
             self._residual(blended(begin, full.forces), 1.0) / largest,
