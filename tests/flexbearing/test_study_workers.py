@@ -1,6 +1,7 @@
 """What a worker does with rings: where it meshes them, and how many of them it holds."""
 
 import gc
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -11,8 +12,11 @@ from fem.raceway.harmonics import HarmonicCompliance
 from flexbearing.cache import configured, recent
 from flexbearing.program.threads import cores
 from flexbearing.studies import worker
-from flexbearing.studies.plan import Row
+from flexbearing.studies.engine.apart import Apart
+from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.prepare import prepared
+from flexbearing.studies.run import Work, run
+from tests.flexbearing import toy_studies
 from tests.flexbearing.toy_studies import CASE
 
 PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
@@ -74,6 +78,19 @@ def test_a_worker_meshes_in_its_own_process_and_a_driver_does_not(rings, monkeyp
 
 
 @pytest.mark.slow
+def test_a_worker_that_meshing_ended_hands_the_ring_to_a_process_of_its_own(tmp_path):
+    """Rings of a driver are never meshed in its own process."""
+    settled = study(tmp_path, PAPER, '[over]\n"operation.radial_load" = "5 kN"\n[collect]\nlife = "life_L10"')
+    for engine in (Apart(), Serial()):
+        folder = tmp_path / type(engine).__name__
+        folder.mkdir()
+        condense = partial(toy_studies.deadly_here, place=folder / "meshed")
+        work = Work(partial(toy_studies.lives, texts=settled.texts), condense)
+        assert run(settled, folder, work, lambda tasks, engine=engine: engine).failed == 0
+        assert (folder / "meshed").read_text().split() == ["inner", "outer"]
+
+
+@pytest.mark.slow
 def test_a_worker_holds_the_rings_of_few_bearings_however_many_it_meets(rings, monkeypatch, tmp_path):
     monkeypatch.setattr(recent, "MOST", 2)
     settled, before = study(tmp_path, CASE, PLAIN_RINGS), held()
@@ -96,9 +113,7 @@ def test_one_job_is_one_core_however_many_there_are(rings, monkeypatch, tmp_path
 
     def rows(task, wish, cache):
         seen.append(cores())
-        return [
-            Row(each.identity, "converged", "", 0.0, dict.fromkeys(wish.texts, 1.0)) for each in task.variants
-        ]
+        return toy_studies.lives(task, wish.texts)
 
     monkeypatch.setattr(worker, "rows", rows)
     file = tmp_path / "one.toml"

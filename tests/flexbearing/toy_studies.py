@@ -41,6 +41,11 @@ def _row(variant, texts):
     return Row(variant.identity, "converged", "", 0.5, {text: values[text] for text in texts})
 
 
+def lives(task, texts):
+    """The same number of everything."""
+    return [Row(each.identity, "converged", "", 0.5, dict.fromkeys(texts, 1.0)) for each in task.variants]
+
+
 def deadly(task, texts, place):
     """As `cubes`, but the process of 7 kN is killed; the attempts stand in a file."""
     loads = [load(variant.values[0]) for variant in task.variants]
@@ -85,6 +90,14 @@ def deadly_ring(ring):
     if ring.name == "outer":
         os._exit(1)
     return "condensed"
+
+
+def deadly_here(ring, place, *, here=False):
+    """The process that meshes a ring itself ends without a word; rings that another one meshes are noted."""
+    if here:
+        os._exit(1)
+    with place.open("a") as file:
+        file.write(f"{ring.race}\n")
 
 
 def asleep(place):
