@@ -157,6 +157,7 @@ class Cache:
             write(path, data, lasting=False)  # the digest tells what the disk did not keep
         except (OSError, NotStored) as problem:
             note(f"the cache {path.parent} cannot be written: {_reason(problem)}")
+            remember(path, value)  # else every variant of a study would compute it again
             return
         self._shrink()
 

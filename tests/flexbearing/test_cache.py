@@ -249,6 +249,23 @@ def test_full_disk_leaves_nothing_behind(cache, notes, monkeypatch):
     assert not list(cache.folder.iterdir())
 
 
+def test_what_finds_no_room_on_the_disk_is_computed_once_by_each_process(cache, notes, monkeypatch):
+    def full(self, target):
+        raise OSError(28, "No space left on device")
+
+    compute = Counted()
+    with monkeypatch.context() as patch:
+        patch.setattr(Path, "replace", full)
+        found = [cache.cached(RACEWAY, PARTS, compute, notes.append) for _ in range(3)]
+    assert compute.calls == 1
+    assert found[1] is found[2] is compute.value
+    assert cache.cached(RACEWAY, PARTS, compute, notes.append) is compute.value
+    recent._rings.clear()  # as in another process
+    cache.cached(RACEWAY, PARTS, compute, notes.append)
+    assert compute.calls == 2
+    assert [entry.path.exists() for entry in cache.entries()] == [True]
+
+
 def test_what_a_killed_process_left_is_removed_after_an_hour(cache, notes, monkeypatch):
     def killed(*_):
         raise OSError

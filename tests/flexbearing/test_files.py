@@ -28,7 +28,7 @@ from pathlib import Path
 from flexbearing.files import lock
 with lock(Path(sys.argv[1])):
     print("held", flush=True)
-    time.sleep(60)
+    time.sleep(600)
 """
 
 

@@ -22,7 +22,7 @@ def shell(line, cwd, **environment):
     line = line.replace("flexbearing", PROGRAM) + "; exit ${PIPESTATUS[0]}"
     environment = os.environ | {"PYTHONPATH": str(ROOT), "PYTHONUNBUFFERED": ""} | environment
     done = subprocess.run(
-        ["bash", "-c", line], capture_output=True, cwd=cwd, env=environment, check=False, timeout=60
+        ["bash", "-c", line], capture_output=True, cwd=cwd, env=environment, check=False, timeout=300
     )
     return done.returncode, done.stdout.decode(errors="replace"), done.stderr.decode()
 

@@ -77,6 +77,6 @@ def connected(address: str) -> OnDask:
     """
     from distributed import Client
 
-    client = Client(address, timeout=10, set_as_default=False)
+    client = Client(address, timeout=30, set_as_default=False)
     threads = sum(worker["nthreads"] for worker in client.scheduler_info(n_workers=-1)["workers"].values())
     return OnDask(client, max(1, threads))
