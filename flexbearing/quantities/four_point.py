@@ -104,6 +104,14 @@ QUANTITIES = (
                 entries=EXTENT),
             SummaryValue("ball_attitudes_deg"),
         )),
+    Quantity("ball_turn", "omega_t", "Z", "rad/s", "block",
+        "turn of the ball about the rolling direction, counted as that about x; NaN for a ball that is not "
+        "pressed on both rings; absent in full sliding, where it is zero",
+        source="solution.ball_turn", gaps=True, optional=True),
+    Quantity("stick_share", "", "Z G race", "1", "block",
+        "part of the cells in contact that stick; absent in full sliding", source="rolling.stick_share",
+        optional=True, summary=(SummaryValue("largest_stick_share", largest_of_all,
+            "largest part of a contact that sticks", ".3f"),)),
     Quantity("ball_imbalance", "", "Z", "1", "block",
         "power that is left unbalanced over the power of friction, of each ball",
         source="balls.sliding.imbalance", summary=(SummaryValue("max_ball_imbalance", largest_of_all),)),
@@ -112,6 +120,11 @@ QUANTITIES = (
     Quantity("torque", "T", "race", "N m", "block", "torque of all balls on the rings, (inner, outer)",
         source="solution.torque",
         summary=(SummaryValue("torque_Nm", label="torque of the bearing", digits=".5g", parts=RACES),)),
+    Quantity("grid_error", "", "Z", "N m", "block",
+        "error of the torque of the ball by the cells: the change from half as many along and across; absent "
+        "in full sliding", source="rolling.grid_error", optional=True, summary=(
+            SummaryValue("torque_grid_error_Nm", lambda error: error.sum(),
+                "error of the torque by the cells", ".2g"),)),
     Quantity("spin_torque", "", "Z race", "N m", "block",
         "torque on the ring by the moments about the contact normals, (inner, outer)",
         source="balls.torques.spin", summary=(
@@ -182,6 +195,11 @@ QUANTITIES = (
     Quantity("shear_across", "tau_1", "F G race P1 P2", "Pa", "block",
         "shear stress on the ball across the rolling direction; 0 outside the contact",
         source="fields.shear_across", people=MPA),
+    Quantity("field_pressure", "p", "F G race P1 P2", "Pa", "block",
+        "pressure, mean of each cell; absent in full sliding", source="fields.pressure", people=MPA,
+        optional=True),
+    Quantity("field_stick", "", "F G race P1 P2", "1", "block",
+        "1 where the surfaces stick, else 0; absent in full sliding", source="fields.stick", optional=True),
 )
 # fmt: on
 

@@ -29,14 +29,19 @@ def solve_four_point(case: FourPointCase, record: Recorder, report: Report) -> d
     BadCase
         when no such bearing can exist
     """
+
+    def told(part: float) -> None:
+        """Tell how many balls are solved."""
+        report.stage("stick and slip, ball by ball", part)
+
     try:
         report.stage("slow balls between rigid rings", None)
-        solution = four_point.solved(case)
+        solution = four_point.solved(case, told=told)
         record.block("rigid", four_point.block(solution))
         if not case.rings.rigid:
             compliance = bolted.compliance(case, report)
             report.stage("slow balls between elastic rings", None)
-            solution = four_point.solved(case, compliance)
+            solution = four_point.solved(case, compliance, told)
             record.block("flexible", four_point.block(solution))
     except (NotSolved, RingNotSolved) as failure:
         return _not_solved(failure)

@@ -1,5 +1,6 @@
 """From a case to a slow ball bearing, and from its solution to the arrays of a result file."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -28,6 +29,7 @@ class Solution:
     case: FourPointCase
     balls: qd.SlidingBalls
     distribution: BallLoads | None  # None when contact loads are given
+    full_sliding_torque: float  # [N m] of all balls, before parts of their contacts stick
 
     @property
     def azimuths(self) -> NDArray:
@@ -56,6 +58,16 @@ class Solution:
     def power_loss(self) -> float:
         """Heat of friction and hysteresis at the speed of the case [W]."""
         return self.balls.torque * self.case.operation.speed
+
+    @property
+    def rolling(self) -> qd.RollingBalls | None:
+        """Balls whose contacts stick and slip; None in full sliding."""
+        return self.balls if isinstance(self.balls, qd.RollingBalls) else None
+
+    @property
+    def ball_turn(self) -> NDArray | None:
+        """Turn of each ball about the rolling direction (Z) [rad/s] at the speed of the case."""
+        return None if self.rolling is None else -self.rolling.turn * self.case.operation.speed
 
     @property
     def ring_load(self) -> NDArray | None:
@@ -98,13 +110,19 @@ def _friction(case: FourPointCase) -> qd.FrictionCurve:
     return qd.FrictionCurve(pressures=friction.pressures, coefficients=friction.coefficients)
 
 
-def solved(case: FourPointCase, compliance: NDArray | None = None) -> Solution:
+def solved(
+    case: FourPointCase,
+    compliance: NDArray | None = None,
+    told: Callable[[float], None] = lambda _: None,
+) -> Solution:
     """Loads and motion of the balls between rigid rings, or between those of a compliance [m/N].
+
+    The part of the balls whose stick and slip is found is `told`.
 
     Raises
     ------
     NotSolved, OutOfRange, ImpossiblePart
-        see `qd.FourPointBallBearing.solve`
+        see `qd.FourPointBallBearing.solve` and `qd.FourPointBallBearing.roll`
     """
     model = bearing(case)
     if case.operation.mode == "ring_load":
@@ -119,11 +137,26 @@ def solved(case: FourPointCase, compliance: NDArray | None = None) -> Solution:
             ),
             compliance,
         )
-        return Solution(case, equilibrium.balls, equilibrium.distribution)
+        return _rolled(case, model, (equilibrium.balls, equilibrium.distribution), told)
     loads = np.array(case.operation.contact_loads)
     shape = (case.balls, len(loads), 2)
     angle = np.full(shape, case.bearing.contact_angle)
-    return Solution(case, model.slide(angle, np.broadcast_to(loads[:, None], shape)), None)
+    return _rolled(case, model, (model.slide(angle, np.broadcast_to(loads[:, None], shape)), None), told)
+
+
+def _rolled(
+    case: FourPointCase,
+    model: qd.FourPointBallBearing,
+    sliding: tuple[qd.SlidingBalls, BallLoads | None],
+    told: Callable[[float], None],
+) -> Solution:
+    """Solution with the friction of the case, from full sliding."""
+    balls, distribution = sliding
+    torque = balls.torque
+    if case.friction.model != "full_sliding":
+        along, across = case.friction.cells
+        balls = model.roll(balls, case.friction.model, (along, across), told)
+    return Solution(case, balls, distribution, torque)
 
 
 def block(solution: Solution) -> dict[str, NDArray]:
@@ -132,25 +165,30 @@ def block(solution: Solution) -> dict[str, NDArray]:
         "solution": solution,
         "balls": solution.balls,
         "ring": solution.distribution,
+        "rolling": solution.rolling,
         "fields": _fields(solution.case, solution.balls),
     }
     return taken(LAYOUT.quantities, parts)
 
 
-def _fields(case: FourPointCase, balls: qd.SlidingBalls) -> dict[str, NDArray]:
+def _fields(case: FourPointCase, balls: qd.SlidingBalls) -> dict[str, NDArray | None]:
     """Slip and shear over every contact of the chosen balls."""
     chosen = case.fields.balls or (int(balls.load.sum((1, 2)).argmax()),)
     diagonals, points, speed = balls.load.shape[1], case.fields.points, case.operation.speed
     scales = {"x": 1.0, "y": 1.0, "slip_along": speed, "slip_across": speed}
     scales |= {"shear_along": 1.0, "shear_across": 1.0}
-    fields = {name: np.zeros((len(chosen), diagonals, 2, points, points)) for name in scales}
+    shape = (points, points)
+    if case.friction.model != "full_sliding":
+        scales |= {"pressure": 1.0, "stick": 1.0}
+        shape = case.friction.cells[::-1]
+    fields = {name: np.zeros((len(chosen), diagonals, 2, *shape)) for name in scales}
     for place in np.ndindex(len(chosen), diagonals, 2):
         contact = (chosen[place[0]], place[1], place[2])
         if balls.load[contact] > 0 and balls.sliding.driven[contact[0]]:
             field = balls.field(*contact, points)
             for name, scale in scales.items():
                 fields[name][place] = scale * field[name]
-    return {"balls": np.array(chosen), **fields}
+    return {"balls": np.array(chosen), "pressure": None, "stick": None, **fields}
 
 
 def notes(case: FourPointCase, solution: Solution) -> tuple[Note, ...]:
@@ -169,7 +207,7 @@ def notes(case: FourPointCase, solution: Solution) -> tuple[Note, ...]:
     if idle:
         words = f"{idle} of {len(balls.load)} balls are not pressed on both rings: they make no torque"
         lines += (information("idle-balls", words),)
-    lines += _local_spin(balls)
+    lines += _local_spin(balls) if solution.rolling is None else _stick(solution, solution.rolling)
     if case.friction.torque == "circumferential":
         share = 100 * (balls.torques.circumferential.sum(0) / balls.torques.total.sum(0) - 1)
         lines += (
@@ -181,6 +219,20 @@ def notes(case: FourPointCase, solution: Solution) -> tuple[Note, ...]:
             ),
         )
     return lines
+
+
+def _stick(solution: Solution, balls: qd.RollingBalls) -> tuple[Note, ...]:
+    """What stick makes of the torque, and how exact it is."""
+    friction, share = solution.case.friction, balls.torque / solution.full_sliding_torque - 1
+    along, across = friction.cells
+    return (
+        information(
+            "stick-and-slip",
+            f"torque: {friction.model} on {along} by {across} cells a contact, within "
+            f"{balls.grid_error.sum():.2g} N m of finer ones; {100 * share:+.1f} % against full sliding with "
+            f"the same slip, of {solution.full_sliding_torque:.5g} N m",
+        ),
+    )
 
 
 def _local_spin(balls: qd.SlidingBalls) -> tuple[Note, ...]:

@@ -16,6 +16,8 @@ from quasidynamic.outcome.truncation import edge_angle
 from quasidynamic.solve.balls.refined_rolling import RefinedRolling
 from quasidynamic.solve.balls.sliding_motion import SlidingMotion
 
+RING_SIGN = np.array([1.0, -1.0])  # of the torques on inner and outer ring
+
 
 @dataclass(frozen=True)
 class SlidingBalls:
@@ -164,9 +166,11 @@ def rolling_balls(
         motion[number], power[number], imbalance[number] = state.motion[:3], state.power, state.imbalance
         by_slip[:, number, loaded] = -state.ball.power_by_slip(state.motion, state.rolled)[..., :3]
     slip = slip_of(motion, slip_by_motion(contacts))
+    torques = torques_by_slip(contacts, by_slip.sum(0), by_slip[1])
+    unbalanced = torques.total - RING_SIGN * power[:, None]  # heat tells the torque a thousand times better
     changed = {
         "sliding": replace(sliding.sliding, motion=motion, slip=slip, power=power, imbalance=imbalance),
-        "torques": torques_by_slip(contacts, by_slip.sum(0), by_slip[1]),
+        "torques": replace(torques, roll=torques.roll - unbalanced),
         "hysteresis": hysteresis_torque(slip, sliding.load, sliding.ellipse.along, hysteresis_loss),
     }
     kept = {part.name: getattr(sliding, part.name) for part in fields(SlidingBalls)} | changed

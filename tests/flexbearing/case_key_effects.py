@@ -325,6 +325,8 @@ EFFECTS = (
     ("friction curve", "friction.coefficients", [0.1212, 0.101], "model.friction.coefficients.{0,1}"),
     ("three balls", "friction.torque", "circumferential", "case.friction.torque"),
     ("three balls", "friction.spin", "local", "model.spin"),
+    ("three balls", "friction.model", "fastsim", "case.friction.model"),
+    ("balls that stick", "friction.cells", [20, 60], "case.friction.cells.{0,1}"),
     ("balls in bolted rings", "friction.hysteresis_loss", 0.01, "model.hysteresis_loss"),
     ("three balls", "operation.mode", "ring_load",
      "case.operation.{contact_loads,mode} case.operation.contact_loads.0 "

@@ -444,3 +444,31 @@ def test_balls_that_friction_hardly_holds_are_told(run):
     assert "does not hold the axes of 18 balls" in note
     assert f"{np.degrees(result.rigid['ball_attitude']).min():.1f} deg" in note
     assert not any(note.startswith("gyroscopic") for note in texts(run(RIVERA, *COULOMB)))
+
+
+@pytest.mark.parametrize("model", ["kalker", "fastsim"])
+def test_a_case_with_stick_and_slip_stores_cells_and_their_error(run, model):
+    """B1 with the load that meets the printed torque of full sliding: 2.76 N m of 3.08."""
+    settings = [
+        'operation.contact_loads=["9.40 kN", "0 N"]', "friction.spin=local", "friction.coefficient=0.13",
+        f"friction.model={model}", "friction.cells=[20, 40]",
+    ]  # fmt: skip
+    result = run("heras2017_b1", *settings)
+    values, numbers = result.rigid, result.summary()["rigid"]
+    assert numbers["torque_Nm"]["inner"] == approx(2.76, rel=0.06)
+    assert numbers["torque_Nm"]["inner"] == approx(-numbers["torque_Nm"]["outer"], rel=1e-9)
+    assert 0.0 < numbers["torque_grid_error_Nm"] < 0.1
+    assert 0.1 < numbers["largest_stick_share"] < 0.6
+    assert values["field_stick"].shape[-2:] == values["shear_along"].shape[-2:] == (40, 20)
+    assert values["field_stick"][0, 0, 0].mean() == approx(
+        np.pi / 4 * values["stick_share"][0, 0, 0], abs=0.05
+    )
+    told = [note["text"] for note in result.summary()["notes"]]
+    assert any("within" in text and "against full sliding" in text for text in told)
+    (figure,) = FAMILIES["four_point_ball"].report().pictures(result).values()
+    assert len(figure.axes) == 3  # two contacts and the colours
+
+
+def test_full_sliding_stores_neither_cells_nor_stick(run):
+    values = run("heras2017_a1").rigid
+    assert not {"field_stick", "field_pressure", "grid_error", "stick_share", "ball_turn"} & set(values)

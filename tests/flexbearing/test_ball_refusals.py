@@ -52,6 +52,16 @@ IMPOSSIBLE = {
     "ring load without balls": (
         ONE_BALL, ["operation.mode=ring_load"], "[bearing] balls is missing", 'mode = "ring_load" needs it',
     ),
+    "odd cells": (
+        ONE_BALL, ["friction.model=kalker", "friction.cells=[40, 31]"],
+        "[friction] cells", "two even numbers",
+    ),
+    "cells without stick": (
+        ONE_BALL, ["friction.cells=[20, 40]"], "[friction] cells", "kalker",
+    ),
+    "points beside cells": (
+        ONE_BALL, ["friction.model=fastsim", "fields.points=31"], "[fields] points", "full_sliding",
+    ),
     "three diagonals": (
         ONE_BALL, ['operation.contact_loads=["1 N", "1 N", "1 N"]'],
         "[operation] contact_loads", "one or two",

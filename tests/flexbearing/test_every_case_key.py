@@ -111,6 +111,7 @@ CONTEXTS = {  # file and settings in which a key belongs to the case
     "contact loads": ("heras2017_a1", {}),
     "friction curve": ("heras2017_a1", {
         "friction": {"pressures": ["1 GPa", "3 GPa"], "coefficients": [0.12, 0.1]}}),
+    "balls that stick": ("heras2017_a1", {"friction.model": "kalker"}),
     "fast balls": ("harris218", {}),
     "fast, ruled by friction": ("harris218", {"operation.control": "coulomb", "friction.coefficient": 0.08}),
     "fast, by conformity": ("harris218", {

@@ -23,6 +23,7 @@ from flexbearing.case.quantity import (
 )
 
 RIGHT_ANGLE = pi / 2  # [rad]
+MOST_CELLS = 400  # along or across a contact
 
 
 class FourPointBearing(BallBearing):
@@ -90,7 +91,24 @@ class SlowFriction(Section):
         "exact",
     )
     spin: Literal["centre", "local"] = key(SPIN, "centre")
+    model: Literal["full_sliding", "fastsim", "kalker"] = key(
+        "full_sliding: contacts slide everywhere; kalker: they stick and slip on half-spaces; fastsim: "
+        "the same on springs, quicker and less exact",
+        "full_sliding",
+    )
+    cells: tuple[Whole, ...] = key(
+        "cells over each contact along and across the rolling direction, even: half as many tell the error",
+        [40, 80],
+        strict=False,
+        only={"model": ("fastsim", "kalker")},
+    )
     hysteresis_loss: float = key("part of the elastic work that rolling loses", 0.0, ge=0, lt=1)
+
+    @model_validator(mode="after")
+    def _cells_can_be_halved(self) -> Self:
+        if len(self.cells) != 2 or any(cells % 2 or not 8 <= cells <= MOST_CELLS for cells in self.cells):
+            raise impossible("cells", f"two even numbers from 8 to {MOST_CELLS}")
+        return self
 
     @model_validator(mode="after")
     def _one_of_both(self) -> Self:
@@ -151,7 +169,13 @@ class Fields(Section):
         example=[0, 3],
         strict=False,
     )
-    points: int = key("points across and along each contact", 21, ge=3, le=401)
+    points: int = key(
+        "points across and along each contact; with stick and slip it is the cells that are stored",
+        21,
+        ge=3,
+        le=401,
+        only={"friction.model": ("full_sliding",)},
+    )
 
 
 class FourPointCase(Head):

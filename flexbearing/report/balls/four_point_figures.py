@@ -130,6 +130,8 @@ def contact_fields(result: Result, place: int = 0) -> Figure:
     field = None
     for axes, contact in zip(panels, drawn, strict=False):
         field = _draw_shear(axes, values, (place, *contact), largest)
+        if "field_stick" in values:
+            _draw_stick(axes, values, (place, *contact))
         diagonal, race = contact
         axes.set_title(
             f"diagonal {diagonal + 1}, {RACES[race]} race: {load[contact]:,.0f} N, "
@@ -167,7 +169,9 @@ def _draw_shear(axes: Axes, values: Any, index: tuple[int, ...], largest: float)
     size = np.hypot(*shear)
     levels = np.linspace(0, 1.0001 * largest, 41)
     field = axes.contourf(across, along, 1e-6 * size, levels, cmap="YlOrRd")
-    edge = Ellipse((0, 0), np.ptp(across), np.ptp(along), fill=False, edgecolor="0.4", linewidth=0.8)
+    contact = (int(values["field_ball"][index[0]]), *index[1:])
+    width, height = (2e3 * values[f"semi_axis_{name}"][contact] for name in ("across", "along"))
+    edge = Ellipse((0, 0), width, height, fill=False, edgecolor="0.4", linewidth=0.8)
     axes.add_patch(edge)
     field.set_clip_path(edge)
     kept = np.zeros(size.shape, bool)
@@ -188,6 +192,15 @@ def _draw_shear(axes: Axes, values: Any, index: tuple[int, ...], largest: float)
     axes.spines[["top", "right"]].set_visible(False)
     axes.tick_params(labelsize=8)
     return field
+
+
+def _draw_stick(axes: Axes, values: Any, index: tuple[int, ...]) -> None:
+    """Hatch where the surfaces stick."""
+    stick = values["field_stick"][index]
+    if stick.any():
+        across, along = 1e3 * values["field_across"][index], 1e3 * values["field_along"][index]
+        axes.contour(across, along, stick, [0.5], colors="tab:blue", linewidths=1.0)
+        axes.contourf(across, along, stick, [0.5, 1.5], colors="none", hatches=["////"])
 
 
 def _thinned(points: int, most: int) -> np.ndarray:
