@@ -24,8 +24,8 @@ OIL = qd.Lubricant(
 CONTACT = {"radius": 2e-3, "modulus": 2e11, "length": 5e-3, "oil": OIL}
 DIRECT = (  # tables and keys that are read where they are used, without a model between
     "title", "life.", "outputs.", "coupling.", "accuracy.target", "accuracy.structure",
-    "accuracy.threads", "accuracy.harmonics", "rolling_lines.", "fields.", "friction.torque", "friction.model", "friction.cells",
-    "operation.mode",
+    "accuracy.threads", "accuracy.harmonics", "rolling_lines.", "fields.", "friction.torque",
+    "friction.model", "friction.cells", "operation.mode",
     "operation.roller_positions", "operation.contact_loads", "operation.speed", "bearing.inner.shoulder",
     "bearing.outer.shoulder", "rings.harmonics",
 )  # fmt: skip
