@@ -110,6 +110,15 @@ def test_pressure_at_the_edge_of_a_punch_grows_with_the_root_of_the_cells():
     assert punch(96).peak_pressure / punch(24).peak_pressure == approx(2.0, rel=0.2)
 
 
+def test_mirrored_pressure_displaces_like_its_images_on_a_longer_grid():
+    grid, longer = CellGrid((1e-5, 3e-5), (6, 10)), CellGrid((1e-5, 3e-5), (6, 30))
+    pressure = np.random.default_rng(1).uniform(0, 1e9, grid.shape)
+    image = 0.5 * pressure[:, ::-1]
+    extended = np.concatenate([image, pressure, image], axis=1)
+    expected = NormalCompliance.of(STEEL, longer).displaced(extended)[:, 10:20]
+    assert NormalCompliance.of(STEEL, grid, 0.5).displaced(pressure) == approx(expected, rel=1e-12)
+
+
 def test_moment_tilts_a_punch():
     """A square block under an eccentric force: more pressure on that side, tilt and its moment agree."""
     grid = CellGrid((1e-4, 1e-4), (20, 20))

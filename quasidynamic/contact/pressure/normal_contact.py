@@ -25,12 +25,19 @@ class NormalCompliance:
     grid: CellGrid
     displacement: Convolution  # [m/Pa]
     inverse: Convolution  # [Pa/m] spectrum inverted wave by wave: exact but for the ends of the grid
+    images: tuple[Convolution, ...] = ()  # [m/Pa] of the pressure mirrored at the ends of y
 
     @classmethod
-    def of(cls, pair: ElasticPair, grid: CellGrid) -> "NormalCompliance":
-        """Compliance of a pair on a grid."""
+    def of(cls, pair: ElasticPair, grid: CellGrid, mirrored: float = 0.0) -> "NormalCompliance":
+        """Compliance of a pair on a grid, with a share of the pressure mirrored at both ends of y."""
         forward = convolution(pair, grid, (Z,), (Z,))
-        return cls(grid, forward, Convolution(1 / np.abs(forward.spectrum), forward.padded))
+        inverse = Convolution(1 / np.abs(forward.spectrum), forward.padded)
+        if not mirrored:
+            return cls(grid, forward, inverse)
+        length = grid.shape[1] * grid.spacing[1]
+        beyond = (convolution(pair, grid, (Z,), (Z,), (0.0, shift)) for shift in (-length, length))
+        images = tuple(Convolution(mirrored * each.spectrum, each.padded) for each in beyond)
+        return cls(grid, forward, inverse, images)
 
     @cached_property
     def stiffness(self) -> float:
@@ -41,7 +48,8 @@ class NormalCompliance:
 
     def displaced(self, pressure: NDArray) -> NDArray:
         """Displacement (nx, ny) [m] by a pressure (nx, ny) [Pa]."""
-        return self.displacement(pressure[None])[0]
+        image = pressure[None, :, ::-1]
+        return self.displacement(pressure[None])[0] + sum(beyond(image)[0] for beyond in self.images)
 
     def pressed(self, displacement: NDArray) -> NDArray:
         """Pressure (nx, ny) [Pa] that nearly causes a displacement (nx, ny) [m]."""
@@ -219,7 +227,10 @@ class _Search:
         )
 
     def advanced(self, state: _State, responses: NDArray) -> _State:
-        """State after a step that is halved until it neither loses contact nor goes far too far."""
+        """State after a step that is halved until it neither loses contact nor goes far too far.
+
+        Where no step can be judged as the state itself is too inexact, the same one more exactly.
+        """
         tangent = np.array([self._carried(response) for response in responses])
         change = np.linalg.solve(tangent, state.missing)
         ahead, iterations = float(state.missing @ change), state.iterations
@@ -230,6 +241,8 @@ class _Search:
             as_exact = next_state.error <= UNCERTAIN * state.held.tolerance
             if next_state.held.pressure.any() and (as_exact or left <= OVERSHOOT * ahead):
                 return next_state
+            if next_state.held.tolerance < state.held.tolerance:
+                return self._at(state.amounts, state.held.pressure, state.error, iterations)
             change, ahead = change / 2, ahead / 2
         raise NotSolved(
             f"contact pressure: no step lowers the loads' error of {state.error:.1e}, allowed "

@@ -75,9 +75,11 @@ class RollerOnRaceway:
 
     Valid
     -----
-    Half-width far below R. Roller and raceway are half-spaces, also below the ends of the roller: its free
-    end faces and the flanges are left out. A sharp end, which the contact reaches, has the pressure of a
-    rigid punch, without bound: its value is that of a cell, only loads per length converge.
+    Half-width far below R. Roller and raceway are half-spaces, also below the ends of the roller, unless
+    `free_ends` mirrors a share of the pressure there: that of the roller in the compliance of both makes its
+    end faces free of shear, not of normal stress, the first step of Hetenyi, J. Appl. Mech. 37 (1970), 70-76.
+    A sharp end, which the contact reaches, has the pressure of a rigid punch, without bound: its value is
+    that of a cell, only loads per length converge.
     """
 
     pair: ElasticPair
@@ -85,6 +87,7 @@ class RollerOnRaceway:
     length: float  # [m] of the roller
     drop: Callable[[NDArray], NDArray]  # [m] C at places y [m] from mid-roller, profile and raceway together
     cells: tuple[int, int] = CELLS  # across and along
+    free_ends: float = 0.0  # [-] share of the pressure that is mirrored at the ends of the roller
 
     def __post_init__(self):
         for name in ("radius", "length"):
@@ -141,7 +144,8 @@ class RollerOnRaceway:
         loads = [force] + [moment] * (moment is not None)
         motions = RigidMotions(np.stack(shapes), np.array(loads))
         start = _strip(x / x[-1], y / y[:, -1:], (moment or 0.0) / (force * self.length / 2))
-        contact = contact_pressure(NormalCompliance.of(self.pair, grid), gap, motions, start)
+        compliance = NormalCompliance.of(self.pair, grid, self.free_ends)
+        contact = contact_pressure(compliance, gap, motions, start)
         approach, *turned = contact.motions
         carried = float((contact.pressure * y).sum() * grid.cell_area)
         return RollerPressure(contact, carried, float(approach), float(turned[0]) if turned else tilt)
