@@ -60,6 +60,11 @@ def test_pressure_of_hertz_is_approached_with_the_power_three_halves_of_the_cell
     assert rate == approx(1.5, abs=0.25)
 
 
+def test_inverted_spectrum_keeps_iterations_few():
+    """Influence numbers at all lags of the transform; zeros at those without a pair would double them."""
+    assert ellipse(4.0, 100.0, 64)[0].iterations < 45
+
+
 def test_pressure_carries_the_force_and_nothing_overlaps():
     contact, gap, _ = ellipse(4.0, 100.0, 48)
     separation = (

@@ -65,14 +65,13 @@ def convolution(
     Influence numbers A of `influence_number`; Liu, Wang and Liu (2000), Wear 243, 101-111, for the padding.
     """
     padded = _padded(grid.shape[0]), _padded(grid.shape[1])
+    # Lags that no pair of cells has hold their influence too: zeros there would ripple the spectrum.
     edges = [
-        side * (np.arange(2 * cells) - cells + 0.5) + offset
-        for side, cells, offset in zip(grid.spacing, grid.shape, shift, strict=True)
+        side * (np.arange(size + 1) - size // 2 - 0.5) + offset
+        for side, size, offset in zip(grid.spacing, padded, shift, strict=True)
     ]
-    numbers = np.zeros((len(displacements), len(tractions), *padded))
-    first, second = (
-        np.arange(1 - cells, cells) % size for cells, size in zip(grid.shape, padded, strict=True)
-    )
+    numbers = np.empty((len(displacements), len(tractions), *padded))
+    first, second = ((np.arange(size) - size // 2) % size for size in padded)
     for i, displacement in enumerate(displacements):
         for j, traction in enumerate(tractions):
             lattice = influence_lattice(pair, displacement, traction, edges[0], edges[1])
