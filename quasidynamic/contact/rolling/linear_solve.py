@@ -30,7 +30,8 @@ def solved(multiply: Callable[[NDArray], NDArray], right: NDArray, tolerance: fl
 
     Source
     ------
-    Saad and Schultz, SIAM J. Sci. Stat. Comput. 7 (1986), 856-869; orthogonalised twice.
+    Saad and Schultz, SIAM J. Sci. Stat. Comput. 7 (1986), 856-869; orthogonalised once, which
+    is enough for the tolerances of a Newton step.
     """
     target, solution, left = tolerance * float(np.linalg.norm(right)), np.zeros_like(right), right
     for cycle in range(CYCLES):
@@ -48,11 +49,8 @@ def _cycle(multiply: Callable[[NDArray], NDArray], right: NDArray, size: float, 
     basis[0], rotations, sides = right.ravel() / size, [], [size]
     for count in range(1, BASIS + 1):
         vector = multiply(basis[count - 1].reshape(right.shape)).ravel()
-        column = np.zeros(count + 1)
-        for _ in range(2):
-            parts = basis[:count] @ vector
-            vector = vector - parts @ basis[:count]
-            column[:count] += parts
+        column = np.append(basis[:count] @ vector, 0.0)
+        vector = vector - column[:count] @ basis[:count]
         column[count] = length = np.sqrt(vector @ vector)
         for place, (cosine, sine) in enumerate(rotations):
             above, below = column[place : place + 2]

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from quasidynamic.contact.rolling.linear_solve import solved
 from quasidynamic.errors import NotSolved
 
-TOLERANCE = 1e-6  # of the residual with no traction at all
+TOLERANCE = 1e-8  # of the friction left; the torque of a slewing bearing is a small part of it
 LIMIT = 60  # Newton steps, rarely more than ten
 SHORTEST = 1 / 64  # part of a Newton step
 SLIPPING = 1e-300  # [Pa] keeps the direction of a traction of zero defined
