@@ -6,7 +6,7 @@ bodies as half-spaces, at equal tilt or at equal moment. Then time against error
 
 import statistics
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -127,6 +127,22 @@ def table(pressure: float, ratios: tuple[float, ...]) -> None:
             print(f"| {name} | {tilt}' | " + " | ".join(cells) + " |")
 
 
+def ends() -> None:
+    """What end faces of the roller that are free of shear would change."""
+    print(
+        "\nEnds of the roller free of shear, l/D 1, 1.5 GPa: load of the last slice over the mean, lives [%]"
+    )
+    print("| profile | tilt | load at the end | life | life by slices over it |\n|---|---|---|---|---|")
+    for name in PROFILES:
+        for tilt in (0, 4):
+            case = Case(name, 1.0, 1.5e9, tilt)
+            half = case.whole().slice_loads(SLICES)
+            free = replace(case.roller(), free_ends=0.5).tilted(case.force, tilt * ARCMIN).slice_loads(SLICES)
+            last = (free[-1] - half[-1]) / case.force * case.length
+            lives = life(free) / life(half) - 1, life(case.sliced) / life(free) - 1
+            print(f"| {name} | {tilt}' | {100 * last:+.0f} | {100 * lives[0]:+.0f} | {100 * lives[1]:+.0f} |")
+
+
 def resolution() -> None:
     """Time and error of the cells, largest over tilts and two loads."""
     print("\nTime [ms of the processor], error of peak pressure and life [%]")
@@ -170,6 +186,7 @@ def main() -> None:
     with threadpool_limits(limits=1):
         for pressure in (1.5e9, 2.5e9):
             table(pressure, (0.5, 1.0, 2.5))
+        ends()
         resolution()
 
 
