@@ -23,7 +23,7 @@ from flexbearing.quantities.units import COUNT, DEG, MM, MPA, MRAD, RPM, UM
 RING = "ring"  # section of the page
 _APART = "NaN for a ball without lines, as one that does not touch both races"
 _FRICTION = "absent where a contact is as wide as the surface it presses"
-_ORDER = "x, y, z, about y, about z"
+_ORDER = "x, y, z, about y, about z; about the point of the axis in the plane of the inner groove centres"
 
 
 def _range_of_races(values: np.ndarray) -> np.ndarray:

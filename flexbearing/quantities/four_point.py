@@ -27,7 +27,7 @@ RING = "ring"  # section of the page
 TORQUE_PARTS = ("spin", "roll", "hysteresis", "total")
 _UNDRIVEN = "NaN for a ball that is not pressed on both rings"
 _GIVEN = "absent when contact loads are given"
-_ORDER = "x, y, z, about y, about z"
+_ORDER = "x, y, z, about y, about z; these about the point of the axis in the plane of the ball centres"
 
 
 def _largest_of_races(values: np.ndarray) -> np.ndarray:

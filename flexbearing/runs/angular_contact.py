@@ -10,10 +10,9 @@ from flexbearing.build.ball_parts import ball, groove
 from flexbearing.case.balls.angular_contact import AngularCase
 from flexbearing.quantities.angular_contact import LAYOUT
 from flexbearing.quantities.quantity import taken
-from flexbearing.runs import dangers
-from quasidynamic.note import Note, danger, information, outside
+from flexbearing.runs import dangers, shoulders
+from quasidynamic.note import Note, information, outside
 from quasidynamic.outcome.rolling_contact import RollingContact
-from quasidynamic.outcome.truncation import USUAL_SHOULDER
 
 
 @dataclass(frozen=True)
@@ -109,9 +108,11 @@ def notes(case: AngularCase, solution: Solution) -> tuple[Note, ...]:
         lines += (
             information("idle-balls", f"{lifted} of {len(state.on_inner)} balls do not touch the inner race"),
         )
-    shoulders = case.bearing.inner.shoulder, case.bearing.outer.shoulder
-    beyond = (_beyond(state, race, shoulder) for race, shoulder in enumerate(shoulders))
-    lines += tuple(note for note in beyond if note)
+    for name, heights, angles in zip(
+        ("inner", "outer"), state.needed_shoulders, state.contact_angles, strict=True
+    ):
+        shoulder = getattr(case.bearing, name).shoulder
+        lines += shoulders.reached_over(name, heights, angles, case.bearing.ball.diameter, shoulder)
     unguided = int((state.on_inner & ~state.guided).sum())
     if unguided:
         far = "" if case.operation.control == "coulomb" else " or too far round"
@@ -166,27 +167,4 @@ def _gyroscopic(case: AngularCase, state: qd.AngularContactState) -> tuple[Note,
             f"friction.coefficient = {coefficient:g}: in reality balls would turn about the rolling "
             "direction",
         ),
-    )
-
-
-def _beyond(state: qd.AngularContactState, race: int, shoulder: float | None) -> Note | None:
-    """What is left out of contacts above a shoulder [m], one of usual height unless given."""
-    name, needed = ("inner", "outer")[race], state.needed_shoulders[race]
-    diameter = state.bearing.ball.diameter
-    over = state.truncated(race, shoulder)
-    if not over.any():
-        return None
-    steepest = np.degrees(np.abs(state.contact_angles[race, over]).max())
-    at = f"at contact angles of up to {steepest:.1f} deg"
-    if shoulder is None:
-        return outside(
-            "shoulder-not-given",
-            f"contacts reach {needed.max() / diameter:.3g} ball diameters up the {name} race, {at}; "
-            f"shoulders end at some {USUAL_SHOULDER:g}, and beyond theirs contacts are cut off, "
-            "which is left out",
-        )
-    return danger(
-        "truncated-contact",
-        f"{int(over.sum())} contacts are cut off on the shoulder of the {name} race, {1e3 * shoulder:.4g} mm "
-        f"high: they reach up to {1e3 * needed.max():.4g} mm, {at}; that is left out, as if the race went on",
     )

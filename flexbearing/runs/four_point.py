@@ -12,7 +12,7 @@ from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.quantities.four_point import LAYOUT
 from flexbearing.quantities.quantity import taken
 from flexbearing.rings import bolted
-from flexbearing.runs import dangers
+from flexbearing.runs import dangers, shoulders
 from quasidynamic.note import Note, danger, information
 from quasidynamic.solve.balls.elastic_load_distribution import ElasticBallLoads
 from quasidynamic.solve.balls.load_distribution import BallLoads
@@ -252,15 +252,16 @@ def _local_spin(balls: qd.SlidingBalls) -> tuple[Note, ...]:
 
 
 def _on_shoulders(case: FourPointCase, balls: qd.SlidingBalls) -> tuple[Note, ...]:
-    """Contacts that reach over the arches of rings whose shoulders are known."""
+    """Contacts that reach over the arches of their rings."""
     lines: tuple[Note, ...] = ()
     for race, name in enumerate(("inner", "outer")):
-        ring = getattr(case.rings, name)
+        ring, arches, diameter = getattr(case.rings, name), case.arches(name), case.bearing.ball.diameter
         if ring.kind == "rigid":
+            heights = balls.needed_shoulders(race, arches.radius, arches.aside)
+            angles, shoulder = balls.contacts.angle[..., race], getattr(case.bearing, name).shoulder
+            lines += shoulders.reached_over(name, heights, angles, diameter, shoulder)
             continue
-        diameter = case.bearing.ball.diameter
-        radius = getattr(case.bearing, name).over(diameter) * diameter
-        over = int(balls.truncated(race, radius, ring.groove_end).sum())
+        over = int(balls.truncated(race, arches.radius, ring.groove_end).sum())
         if over:
             lines += (
                 danger(

@@ -21,7 +21,7 @@ from quasidynamic.motion.rolling_lines import (
     spin_parameter,
 )
 from quasidynamic.outcome.rolling_contact import RollingContact
-from quasidynamic.outcome.truncation import USUAL_SHOULDER, edge_angle, height_above_bottom
+from quasidynamic.outcome.truncation import edge_angle, height_above_bottom
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
 from quasidynamic.solve.balls.sliding_motion import guided_heat
 
@@ -122,11 +122,6 @@ class AngularContactState:
         radii = diameter * np.array([[self.bearing.inner.conformity], [self.bearing.outer.conformity]])
         edge = edge_angle(np.abs(self.contact_angles), self.semi_axes[0], diameter / 2, "chord")
         return np.where(self.loads > 0, height_above_bottom(edge, radii), 0.0)
-
-    def truncated(self, race: int, shoulder: float | None) -> NDArray:
-        """Whether a shoulder of a height [m], a usual one without it, cuts off contacts with a race (Z)."""
-        usual = USUAL_SHOULDER * self.bearing.ball.diameter
-        return self.needed_shoulders[race] > (usual if shoulder is None else shoulder)
 
     @property
     def peak_pressures(self) -> NDArray:

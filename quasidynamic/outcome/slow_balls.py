@@ -12,7 +12,7 @@ from quasidynamic.contact.rolling.rolling_contact import ACROSS, ALONG
 from quasidynamic.motion.ball_slip import BallContacts, slip_by_motion, slip_of
 from quasidynamic.note import Note
 from quasidynamic.outcome.ball_torque import RaceTorques, hysteresis_torque, torques_by_slip
-from quasidynamic.outcome.truncation import edge_angle
+from quasidynamic.outcome.truncation import edge_angle, height_above_bottom
 from quasidynamic.solve.balls.refined_rolling import RefinedRolling
 from quasidynamic.solve.balls.sliding_motion import SlidingMotion
 
@@ -70,6 +70,16 @@ class SlidingBalls:
             self.contacts.angle[..., race], self.ellipse.across[..., race], groove_radius, "arc"
         )
         return (edge > groove_end) & (self.load[..., race] > 0)
+
+    def needed_shoulders(self, race: int, groove_radius: float, aside: float) -> NDArray:
+        """Height of a race above the bottom of its groove up to which contacts reach (N, G) [m].
+
+        The centres of its arches lie a distance [m] aside of the middle; zero without a load. The arches of
+        the model have no end: on a lower shoulder contacts are cut off.
+        """
+        angle, across = (values[..., race] for values in (self.contacts.angle, self.ellipse.across))
+        edge = edge_angle(np.abs(angle), across, groove_radius, "arc")
+        return np.where(self.load[..., race] > 0, height_above_bottom(edge, groove_radius, aside), 0.0)
 
     def field(self, ball: int, diagonal: int, race: int, points: int = 41) -> dict[str, NDArray]:
         """Places [m], slip [m/s] and shear stress on the ball [Pa] over one contact, (points, points)."""

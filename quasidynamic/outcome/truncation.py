@@ -49,10 +49,12 @@ def edge_angle(
     return np.minimum(contact_angle + np.arcsin(np.minimum(across / radius, 1.0)), np.pi / 2)
 
 
-def height_above_bottom(angle: NDArray, groove_radius: NDArray) -> NDArray:
+def height_above_bottom(
+    angle: NDArray, groove_radius: NDArray | float, aside: NDArray | float = 0.0
+) -> NDArray:
     r"""Height of a point of a groove above its bottom.
 
-    .. math:: h = r (1 - \cos\theta)
+    .. math:: h = \sqrt{r^2 - s^2} - r \cos\theta
 
     Parameters
     ----------
@@ -60,14 +62,17 @@ def height_above_bottom(angle: NDArray, groove_radius: NDArray) -> NDArray:
         theta of the point from the radial plane [rad]
     groove_radius : array (...)
         r [m]
+    aside : float or array (...)
+        s, of the centre of the circle from the middle of the groove, where two arches meet [m]; zero for a
+        groove of one circle
 
     Returns
     -------
     array (...)
-        h [m], >= 0; a shoulder of this height ends at the point
+        h [m]; a shoulder of this height ends at the point
 
     Source
     ------
-    Geometry of a circular groove.
+    Geometry of a groove of one or two circles.
     """
-    return groove_radius * (1 - np.cos(angle))
+    return np.sqrt(groove_radius**2 - np.square(aside)) - groove_radius * np.cos(angle)

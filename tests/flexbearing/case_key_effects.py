@@ -324,6 +324,8 @@ EFFECTS = (
     ("friction curve", "friction.pressures", ["1.01 GPa", "3.03 GPa"], "model.friction.pressures.{0,1}"),
     ("friction curve", "friction.coefficients", [0.1212, 0.101], "model.friction.coefficients.{0,1}"),
     ("three balls", "friction.torque", "circumferential", "case.friction.torque"),
+    ("three balls", "bearing.inner.shoulder", "3.5 mm", "case.bearing.inner.shoulder"),
+    ("three balls", "bearing.outer.shoulder", "3.5 mm", "case.bearing.outer.shoulder"),
     ("three balls", "friction.spin", "local", "model.spin"),
     ("three balls", "friction.model", "fastsim", "case.friction.model"),
     ("balls that stick", "friction.cells", [20, 60], "case.friction.cells.{0,1}"),

@@ -10,7 +10,7 @@ import pytest
 from pytest import approx
 
 import flexbearing
-from flexbearing import read
+from flexbearing import explain, read
 from flexbearing.api import read_case
 from flexbearing.families import FAMILIES
 from flexbearing.report import text, write_figures
@@ -204,6 +204,17 @@ def test_groove_radius_says_the_same_as_conformity(run):
     )
 
 
+def test_moments_and_tilts_say_about_which_point_they_are(run):
+    for name, plane in ((RIVERA, "inner groove centres"), ("joshi2015_fourpoint", "ball centres")):
+        result = run(name)
+        entries = result.family.layout().datasets("block")
+        for dataset in ("ring_load", "ring_displacement", "stiffness_matrix"):
+            assert f"the point of the axis in the plane of the {plane}" in entries[dataset].meaning
+    told = explain("operation.load.moment_y")
+    assert "in the plane of the inner groove centres" in told
+    assert "in the plane of the ball centres" in told
+
+
 def test_held_ring_reports_the_load_it_takes(run):
     loaded = run(RIVERA)
     place = float(loaded.rigid["ring_displacement"][0])
@@ -277,6 +288,25 @@ def test_given_shoulder_counts_instead_of_the_usual_one(run):
     assert not shoulder_notes(run(HARRIS, "bearing.inner.shoulder=5.9 mm"))
     (note,) = shoulder_notes(run(HARRIS, "bearing.inner.shoulder=5.9 mm", "bearing.outer.shoulder=2 mm"))
     assert note.startswith("16 contacts are cut off on the shoulder of the outer race, 2 mm high")
+
+
+def test_contacts_of_rigid_four_point_races_reach_over_their_shoulders(run):
+    """A contact to 45 deg + a/r reaches sqrt(r^2 - s^2) - r cos of that above where the arches meet."""
+    name, few = "heras2017_nominal", "fields.points=5"
+    plain = run(name, few)
+    radius = 0.5263158 * 30e-3
+    aside = (radius - 15e-3) * np.sin(np.pi / 4)
+    edge = np.pi / 4 + plain.rigid["semi_axis_across"][0, 0] / radius
+    inner, outer = np.sqrt(radius**2 - aside**2) - radius * np.cos(edge)
+    notes = shoulder_notes(plain)
+    assert [note.split(",")[0] for note in notes] == [
+        f"contacts reach {inner / 30e-3:.3g} ball diameters up the inner race",
+        f"contacts reach {outer / 30e-3:.3g} ball diameters up the outer race",
+    ]
+    high, low = (f"bearing.{race}.shoulder={height!r} m" for race, height in
+                 (("inner", float(inner) * 1.001), ("outer", float(outer) * 0.999)))  # fmt: skip
+    (note,) = shoulder_notes(run(name, few, high, low))
+    assert note.startswith("1 contacts are cut off on the shoulder of the outer race, ")
 
 
 def test_balls_that_no_race_guides_are_told(run):

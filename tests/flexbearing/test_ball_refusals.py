@@ -112,9 +112,13 @@ IMPOSSIBLE = {
     "shoulder of no height": (
         ANGULAR, ["bearing.inner.shoulder=0 mm"], "[bearing.inner] shoulder", "above 0 m",
     ),
-    "shoulder of arches": (
-        FOUR_POINT, ["bearing.inner.shoulder=4 mm"], "[bearing.inner] shoulder is not a key of this case",
-        'It belongs to kind = "angular_contact_ball"',
+    "shoulder above the arches": (
+        FOUR_POINT, ["bearing.inner.shoulder=18.4 mm"],
+        "[bearing.inner] shoulder", "at most the depth of the arches, 18.36 mm",
+    ),
+    "shoulder of a bolted ring": (
+        CONFIGS / "slewing_bolted.toml", ["bearing.outer.shoulder=4 mm"],
+        "[bearing.outer] shoulder", "left out beside rings.outer.groove_end",
     ),
     "key of a roller bearing": (
         ANGULAR, ["bearing.rollers=5"], "[bearing] rollers is not a key of this case",

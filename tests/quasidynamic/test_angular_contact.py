@@ -36,7 +36,7 @@ def solved(load=LOAD, speed=1000.0, control="outer", bearing=BEARING, friction=N
 
 
 def ring_load(state):
-    """Load from the contact forces of the balls, by vectors in space."""
+    """Load from the contact forces of the balls, by vectors from the plane of the inner groove centres."""
     own, azimuth = state.bearing, state.bearing.azimuths
     axial, radial = np.array([[1.0, 0.0, 0.0]]).T, np.array([0 * azimuth, np.sin(azimuth), np.cos(azimuth)])
     sine, cosine = np.sin(state.contact_angles[0]), np.cos(state.contact_angles[0])

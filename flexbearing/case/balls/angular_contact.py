@@ -5,12 +5,13 @@ from typing import Literal, Self
 
 from pydantic import model_validator
 
-from flexbearing.case.balls.parts import SPIN, BallBearing, Elastic, Groove, HeavyElastic, RingLoad
+from flexbearing.case.balls.parts import SPIN, BallBearing, Elastic, EndingGroove, HeavyElastic, RingLoad
 from flexbearing.case.balls.renamed import DISPLACEMENT, LOAD, ONE_FRICTION
 from flexbearing.case.head import KIND, Head
-from flexbearing.case.quantity import Angle, Length, Section, Speed, impossible, key
+from flexbearing.case.quantity import Angle, Length, Moment, Section, Speed, impossible, key
 
 RIGHT_ANGLE = pi / 2  # [rad]
+PLANE = "about the point of the bearing axis in the plane of the inner groove centres"
 DIRECTIONS = {  # name of a load, and of the displacement that may be held instead
     "axial": "axial",
     "radial_y": "radial_y",
@@ -18,18 +19,6 @@ DIRECTIONS = {  # name of a load, and of the displacement that may be held inste
     "moment_y": "tilt_y",
     "moment_z": "tilt_z",
 }
-
-
-class EndingGroove(Groove):
-    """A groove that may end on a shoulder."""
-
-    shoulder: Length | None = key(
-        "height of the shoulder above the bottom of the groove, of both where there are two; "
-        "contacts that reach over it are told",
-        None,
-        example="4.5 mm",
-        gt=0,
-    )
 
 
 class AngularBearing(BallBearing):
@@ -66,14 +55,25 @@ class FastMaterials(Section):
     outer_ring: Elastic | None = key("of the outer ring; without it as the balls", None)
 
 
+class FastLoad(RingLoad):
+    """Load on the inner ring, moments about a point in the plane of the inner groove centres."""
+
+    moment_y: Moment = key(f"moment about y, by the right hand, {PLANE}", "0 N m")
+    moment_z: Moment = key(f"moment about z, by the right hand, {PLANE}", "0 N m")
+
+
 class Displacement(Section):
     """Where the inner ring is held; it is free in every direction that is left out."""
 
     axial: Length | None = key("displacement along x, instead of a load", None, example="20 um")
     radial_y: Length | None = key("displacement along y, instead of a load", None, example="0 um")
     radial_z: Length | None = key("displacement along z, instead of a load", None, example="0 um")
-    tilt_y: Angle | None = key("turn about y by the right hand, instead of a moment", None, example="0 deg")
-    tilt_z: Angle | None = key("turn about z by the right hand, instead of a moment", None, example="0 deg")
+    tilt_y: Angle | None = key(
+        f"turn about y by the right hand, {PLANE}, instead of a moment", None, example="0 deg"
+    )
+    tilt_z: Angle | None = key(
+        f"turn about z by the right hand, {PLANE}, instead of a moment", None, example="0 deg"
+    )
 
     @property
     def values(self) -> tuple[float | None, ...]:
@@ -90,7 +90,7 @@ class FastOperation(Section):
         "race on which the balls do not spin; equal: the spin axis halves the angle between both contacts; "
         "coulomb: no assumption, friction in both contacts decides"
     )
-    load: RingLoad = key("load on the inner ring; axial pushes the balls against their shoulders", {})
+    load: FastLoad = key("load on the inner ring; axial pushes the balls against their shoulders", {})
     displacement: Displacement = key("where the inner ring is held instead of loaded", {})
 
     @model_validator(mode="after")

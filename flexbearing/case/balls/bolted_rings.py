@@ -23,12 +23,21 @@ class Groove(NamedTuple):
 
     def half_width(self, end: float) -> float:
         """From the plane of the ball centres to where arches end at a contact angle [m]."""
-        return self.radius * sin(end) - self._offset * sin(self.angle)
+        return self.radius * sin(end) - self.aside
+
+    @property
+    def aside(self) -> float:
+        """Of the centres of the arches from the plane of the ball centres [m]."""
+        return self._offset * sin(self.angle)
+
+    @property
+    def depth(self) -> float:
+        """From the centres of the arches to where both arches meet, along the radius [m]."""
+        return sqrt(self.radius**2 - self.aside**2)
 
     def bottom_diameter(self, outward: int) -> float:
         """Diameter where both arches meet [m]."""
-        reach = sqrt(self.radius**2 - (self._offset * sin(self.angle)) ** 2) - self._offset * cos(self.angle)
-        return self.pitch_diameter + 2 * outward * reach
+        return self.pitch_diameter + 2 * outward * (self.depth - self._offset * cos(self.angle))
 
     @property
     def _offset(self) -> float:

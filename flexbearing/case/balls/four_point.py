@@ -6,13 +6,14 @@ from typing import Literal, Self
 from pydantic import model_validator
 
 from flexbearing.case.balls import bolted_rings
-from flexbearing.case.balls.parts import SPIN, BallBearing, Elastic, Number, RingLoad, Whole
+from flexbearing.case.balls.parts import SPIN, BallBearing, Elastic, EndingGroove, Number, RingLoad, Whole
 from flexbearing.case.balls.renamed import LOAD
 from flexbearing.case.head import KIND, Head
 from flexbearing.case.quantity import (
     Angle,
     Force,
     Length,
+    Moment,
     Pressure,
     Section,
     Speed,
@@ -24,11 +25,14 @@ from flexbearing.case.quantity import (
 
 RIGHT_ANGLE = pi / 2  # [rad]
 MOST_CELLS = 400  # along or across a contact
+PLANE = "about the point of the bearing axis in the plane of the ball centres"
 
 
 class FourPointBearing(BallBearing):
     """The bearing."""
 
+    inner: EndingGroove = key("groove of the inner ring, of both its arches")
+    outer: EndingGroove = key("groove of the outer ring, of both its arches")
     balls: int | None = key(
         'number of balls; without it one ball, for operation.mode = "contact_loads"',
         None,
@@ -126,6 +130,13 @@ class SlowFriction(Section):
         return self
 
 
+class SlowLoad(RingLoad):
+    """Load on the inner ring, moments about a point in the plane of the ball centres."""
+
+    moment_y: Moment = key(f"moment about y, by the right hand, {PLANE}", "0 N m")
+    moment_z: Moment = key(f"moment about z, by the right hand, {PLANE}", "0 N m")
+
+
 class SlowOperation(Section):
     """What is given: the load of the ring, or that of the contacts."""
 
@@ -134,7 +145,7 @@ class SlowOperation(Section):
         "loads of the contacts of every ball, at the contact angle without load",
         "ring_load",
     )
-    load: RingLoad = key(
+    load: SlowLoad = key(
         'load on the inner ring, for operation.mode = "ring_load"', {}, only={"mode": ("ring_load",)}
     )
     contact_loads: tuple[Force, ...] | None = key(
@@ -211,13 +222,29 @@ class FourPointCase(Head):
             raise impossible("fields.balls", f"different numbers of balls, from 0 to {self.balls - 1}")
         return self
 
+    def arches(self, name: str) -> bolted_rings.Groove:
+        """The groove of the "inner" or the "outer" ring."""
+        own, ball = self.bearing, self.bearing.ball.diameter
+        radius = getattr(own, name).over(ball) * ball
+        return bolted_rings.Groove(own.pitch_diameter, ball, radius, own.contact_angle)
+
     @model_validator(mode="after")
     def _grooves_fit_into_the_rings(self) -> Self:
-        own, ball = self.bearing, self.bearing.ball.diameter
-        self.rings.require_room(
-            *(
-                bolted_rings.Groove(own.pitch_diameter, ball, groove.over(ball) * ball, own.contact_angle)
-                for groove in (own.inner, own.outer)
-            )
-        )
+        self.rings.require_room(self.arches("inner"), self.arches("outer"))
+        return self
+
+    @model_validator(mode="after")
+    def _shoulders_end_the_arches(self) -> Self:
+        for name in ("inner", "outer"):
+            shoulder, arches = getattr(self.bearing, name).shoulder, self.arches(name)
+            if shoulder is None:
+                continue
+            if getattr(self.rings, name).kind != "rigid":
+                raise impossible(
+                    f"bearing.{name}.shoulder",
+                    f"left out beside rings.{name}.groove_end",
+                )
+            if shoulder > arches.depth:
+                most = f"{1e3 * arches.depth:.4g} mm"
+                raise impossible(f"bearing.{name}.shoulder", f"at most the depth of the arches, {most}")
         return self

@@ -61,6 +61,18 @@ class Groove(Section):
         return self.radius / ball_diameter
 
 
+class EndingGroove(Groove):
+    """A groove that may end on a shoulder."""
+
+    shoulder: Length | None = key(
+        "height of the shoulder above the bottom of the groove, where arches meet if there are two; of both "
+        "shoulders where there are two; contacts that reach over it are told",
+        None,
+        example="4.5 mm",
+        gt=0,
+    )
+
+
 class Elastic(Section):
     """An elastic material."""
 

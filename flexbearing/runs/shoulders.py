@@ -1,0 +1,43 @@
+"""Notes on contacts that reach over the shoulders of races."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.note import Note, danger, outside
+from quasidynamic.outcome.truncation import USUAL_SHOULDER
+
+
+def reached_over(
+    race: str, heights: NDArray, angles: NDArray, ball_diameter: float, shoulder: float | None
+) -> tuple[Note, ...]:
+    """What is left out of contacts above a shoulder, one of usual height unless given.
+
+    Parameters
+    ----------
+    race : {"inner", "outer"}
+        for the text
+    heights : array (...)
+        up to which contacts reach above the bottom of the groove [m], zero without load
+    angles : array (...)
+        contact angles [rad]
+    ball_diameter : float
+        [m]
+    shoulder : float or None
+        its height above the bottom of the groove [m]
+    """
+    over = heights > (USUAL_SHOULDER * ball_diameter if shoulder is None else shoulder)
+    if not over.any():
+        return ()
+    at = f"at contact angles of up to {np.degrees(np.abs(angles[over]).max()):.1f} deg"
+    if shoulder is None:
+        text = (
+            f"contacts reach {heights.max() / ball_diameter:.3g} ball diameters up the {race} race, {at}; "
+            f"shoulders end at some {USUAL_SHOULDER:g}, and beyond theirs contacts are cut off, "
+            "which is left out"
+        )
+        return (outside("shoulder-not-given", text),)
+    text = (
+        f"{int(over.sum())} contacts are cut off on the shoulder of the {race} race, {1e3 * shoulder:.4g} mm "
+        f"high: they reach up to {1e3 * heights.max():.4g} mm, {at}; that is left out, as if the race went on"
+    )
+    return (danger("truncated-contact", text),)
