@@ -143,3 +143,21 @@ def test_sticking_contacts_lower_the_torque_of_b1_by_a_tenth():
     (ball,) = bearing.roll(sliding, "kalker", (20, 40)).rolled
     assert ball.extrapolated_torque / sliding.torque == approx(0.892, abs=0.005)
     assert ball.fine.rolled.stick_share == approx(0.22, abs=0.03)
+
+
+def stuck(osculation=0.95, friction=0.10, interference=0.5, pitch=1.0):
+    """Part of a contact that sticks, by the interference that Table 2 counts by."""
+    bearing = slow_bearing(
+        30e-3, pitch, 3, 45.0, 0.5 / osculation, friction=friction, modulus=200e9, spin="local"
+    )
+    capacity = (4200e6 / one_ball(bearing, [45.0], [1.0]).peak_pressure[0, 0, 0]) ** 3
+    sliding = one_ball(bearing, [45.0], [interference**1.5 * capacity])
+    return float(bearing.roll(sliding, "kalker", (20, 40)).stick_share.max())
+
+
+def test_stick_areas_change_as_in_fig_6():
+    """More with friction, less with osculation and interference, as much with another pitch diameter."""
+    assert stuck(friction=0.3) > stuck(friction=0.2) > stuck() + 0.1
+    assert stuck(osculation=0.92) > stuck(osculation=0.935) > stuck(osculation=0.98)
+    assert stuck(interference=0.25) > stuck() + 0.03
+    assert stuck(friction=0.3, pitch=2.5) == approx(stuck(friction=0.3, pitch=0.5), abs=0.03)
