@@ -100,23 +100,18 @@ class _FinerContacts:
     law: LoadLaw
     approach: NDArray  # (M', 2, C, Z) of the states, zero in the further modes [m]
     force: NDArray  # (M, 2, C, Z) of the states [N]
-    compliance: NDArray  # (2, Z, M', Z, M') [m/N]; zero for a rigid raceway
+    compliance: NDArray | None  # (2, Z, M', Z, M') [m/N], zero for a rigid raceway; None for two of them
 
     @classmethod
     def of(cls, states: BearingStates, count: int, matrices: Compliances) -> "_FinerContacts":
         balance = states.balance
         raceways, roller = balance.roller.raceways, balance.roller.bearing.roller
         known = balance.approach(states.unknowns).swapaxes(0, 1)
-        modes, rollers = len(known), known.shape[-1]
-        further = max((matrix.shape[1] for matrix in matrices if matrix is not None), default=modes)
-        slices = Slices(count, roller.length, max(modes, further))
-        approach = np.zeros((slices.axial_modes, *known.shape[1:]))
-        approach[:modes] = known
-        compliance = np.zeros((2, rollers, slices.axial_modes, rollers, slices.axial_modes))
-        for race, matrix in enumerate(matrices):
-            if matrix is not None and matrix.shape[1] >= modes:
-                own = matrix.shape[1]
-                compliance[race, :, :own, :, :own] = matrix
+        compliance = _together(matrices, len(known), known.shape[-1])
+        modes = len(known) if compliance is None else compliance.shape[2]
+        slices = Slices(count, roller.length, modes)
+        approach = np.zeros((modes, *known.shape[1:]))
+        approach[: len(known)] = known
         return cls(
             slices=slices,
             drop=slices.drop(roller.profile),
@@ -156,23 +151,22 @@ class _FinerContacts:
         """
         kept = self._kept
         force, tangent = self.slices.summed(load), self.slices.paired(stiffness).transpose(2, 3, 4, 0, 1)
-        own = np.einsum("rzmzn->rzmn", self.compliance)[:, None]
-        residual, jacobian = np.empty_like(approach), np.empty_like(tangent)
+        residual, jacobian = approach - self._unloaded, np.zeros_like(tangent)
+        jacobian[:] = np.eye(len(approach))
+        if self.compliance is not None:
+            residual += _deflection(self.compliance, force)
+            jacobian += np.einsum("rzmzn->rzmn", self.compliance)[:, None] @ tangent
         residual[:kept], jacobian[..., :kept, :] = force[:kept] - self.force[:kept], tangent[..., :kept, :]
-        residual[kept:] = (approach + self._deflection(force) - self._unloaded)[kept:]
-        jacobian[..., kept:, :] = (np.eye(len(approach)) + own @ tangent)[..., kept:, :]
         return residual, jacobian
 
     @cached_property
     def _unloaded(self) -> NDArray:
         """Approaches (M', 2, C, Z) [m] without the deflections that the states know of."""
+        if self.compliance is None:
+            return self.approach
         unloaded, modes = self.approach.copy(), len(self.force)
-        unloaded[:modes] += self._deflection(self.force)[:modes]
+        unloaded[:modes] += _deflection(self.compliance, self.force)[:modes]
         return unloaded
-
-    def _deflection(self, force: NDArray) -> NDArray:
-        """Outward deviations (M', 2, C, Z) [m] under forces of the first modes (.., 2, C, Z) [N]."""
-        return np.einsum("rzmyn,nrcy->mrcz", self.compliance[..., : len(force)], force)
 
     @property
     def _kept(self) -> int:
@@ -185,3 +179,21 @@ class _FinerContacts:
         scale = np.repeat(np.abs(self.approach[:1]) + 1e-9, len(self.approach), axis=0)
         scale[: self._kept] = self.force[:1]
         return scale
+
+
+def _together(matrices: Compliances, known: int, rollers: int) -> NDArray | None:
+    """Compliances (2, Z, M', Z, M') [m/N] that have the `known` axial modes or more; None without any."""
+    richer = {race: m for race, m in enumerate(matrices) if m is not None and m.shape[1] >= known}
+    if not richer:
+        return None
+    modes = max(matrix.shape[1] for matrix in richer.values())
+    compliance = np.zeros((2, rollers, modes, rollers, modes))
+    for race, matrix in richer.items():
+        own = matrix.shape[1]
+        compliance[race, :, :own, :, :own] = matrix
+    return compliance
+
+
+def _deflection(compliance: NDArray, force: NDArray) -> NDArray:
+    """Outward deviations (M', 2, C, Z) [m] under forces of the first modes (.., 2, C, Z) [N]."""
+    return np.einsum("rzmyn,nrcy->mrcz", compliance[..., : len(force)], force)
