@@ -115,7 +115,7 @@ def _chain(around: tuple[NDArray, NDArray], table: NDArray, count: int) -> Chain
     torques = np.broadcast_to(np.eye(rollers)[:, None], (rollers, cases, rollers))
     sides = np.concatenate([table[0, 1:FELT], table[0, -count:], torques])
     spins = cyclic_tridiagonal(table[0, 0], *around, sides)
-    border, right, spread = np.split(spins, [BORDER, BORDER + count])
+    border, right, spread = spins[:BORDER], spins[BORDER:-rollers], spins[-rollers:]
     return Chain(border, right, np.ascontiguousarray(spread.transpose(1, 2, 0)))
 
 
@@ -146,7 +146,7 @@ def _reduced(table: NDArray, chain: Chain, closed: Closed) -> tuple[NDArray, NDA
     matrix[:, :BORDER, BORDER:] = closed.slopes[:, 1:].transpose(2, 1, 0)
     matrix[:, BORDER:, BORDER:] = -by_felt.transpose(2, 1, 0)
     matrix[:, :, BORDER:] -= through_spins
-    np.einsum("cii->ci", matrix)[:, BORDER:] += 1.0
+    matrix.reshape(cases, -1)[:, BORDER * (size + 1) :: size + 1] += 1.0  # on the diagonal
     spins = np.concatenate([chain.border, chain.right])
     rest = np.concatenate([table[1:, 1:FELT], table[1:, -count:]], axis=1) - table[1:, :1] * spins
     forces = rest[BORDER:].transpose(3, 0, 1, 2).reshape(-1, len(spins) * cases)
@@ -185,4 +185,5 @@ def _felt(balance: BearingBalance, deviations: NDArray) -> NDArray:
     layout, (cases, _, count) = balance.layout, deviations.shape
     shape = (cases, len(layout.elastic_raceways), layout.rollers, layout.axial_modes, count)
     by_roller = deviations.reshape(shape).transpose(1, 3, 4, 0, 2).reshape(-1, count, cases, layout.rollers)
-    return np.tensordot(balance.kinematics.felt, by_roller, axes=1)
+    felt = balance.kinematics.felt.dot(by_roller.reshape(len(by_roller), -1))
+    return felt.reshape(-1, *by_roller.shape[1:])
