@@ -59,7 +59,8 @@ def _notes(state: Equilibrium, whole: "WholeRoller") -> Iterator[Note]:
             "sharp-roller-end",
             "the contact of the most loaded roller reaches an end of it, where a sharp end has pressure "
             f"without bound: the peak is the mean of a cell of {cell / MICROMETRE:.3g} um along the roller, "
-            "and the life depends on accuracy.slices; a profile that keeps the ends apart has neither",
+            "an upper bound as free end faces are softer, and the life depends on accuracy.slices; a profile "
+            "that keeps the ends apart has none of it",
         )
         return
     share = float((whole.pressure_error / whole.peak_pressure).max())

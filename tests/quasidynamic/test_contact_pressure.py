@@ -191,7 +191,7 @@ def test_random_ellipses_are_solved(seed):
 
 
 def in_groove(force, *, offset, conformity=0.5208333, cells=40, shoulder=np.inf):
-    """Ball of 30 mm pressed into the groove of an inner race; second moment of its pressure over Hertz's."""
+    """Ball of 30 mm in the groove of an inner race; second moment of its pressure over Hertz's, groove."""
     radius = conformity * 30e-3
     hertz = point_contact(race_curvatures(30e-3, radius, 1.0, np.pi / 4, INNER), MODULUS)
     a, b = hertz.semi_axes(force)
@@ -208,12 +208,12 @@ def in_groove(force, *, offset, conformity=0.5208333, cells=40, shoulder=np.inf)
     shape = np.ones(grid.shape) if offset else np.broadcast_to(groove.approach(y), grid.shape)
     motions = RigidMotions(shape[None], np.array([force]))
     contact = contact_pressure(NormalCompliance.of(STEEL, grid), groove.gap(x, y), motions)
-    return contact, (contact.pressure * y**2).sum() / contact.pressure.sum() / (a**2 / 5)
+    return contact, (contact.pressure * y**2).sum() / contact.pressure.sum() / (a**2 / 5), groove
 
 
 def test_light_ball_in_a_groove_is_that_of_hertz():
     for offset in (True, False):
-        contact, second_moment = in_groove(100.0, offset=offset)
+        contact, second_moment, _ = in_groove(100.0, offset=offset)
         assert second_moment == approx(1.0, abs=3e-3)
         assert contact.force == approx(100.0, rel=1e-3)
 
@@ -226,19 +226,21 @@ def test_uniform_offset_spreads_the_pressure_and_a_real_load_does_not():
 
 
 def test_force_on_a_conforming_groove_is_the_part_of_the_pressure_along_it():
-    contact, _ = in_groove(61380.0, offset=False)
+    contact, *_ = in_groove(61380.0, offset=False)
     assert contact.force > 1.02 * 61380.0
 
 
 def test_shoulder_cuts_the_patch():
-    whole, _ = in_groove(20000.0, offset=True)
+    whole, _, groove = in_groove(20000.0, offset=True)
+    assert not groove.cut(whole)
     reach = np.abs(whole.grid.centres[1][:, whole.touching.any(axis=0)]).max()
-    cut, _ = in_groove(20000.0, offset=True, shoulder=reach / 2)
-    beyond = cut.grid.centres[1][0] > reach / 2
-    assert not cut.touching[:, beyond].any()
-    assert cut.touching[:, ~beyond][:, -1].any()
+    cut, _, groove = in_groove(20000.0, offset=True, shoulder=reach / 2)
+    assert groove.cut(cut)
+    assert not cut.touching[:, cut.grid.centres[1][0] > reach / 2].any()
     assert cut.force == approx(20000.0, rel=1e-7)
     assert cut.peak_pressure > 1.2 * whole.peak_pressure
+    beyond, _, groove = in_groove(20000.0, offset=True, shoulder=1.05 * reach)
+    assert not groove.cut(beyond)
 
 
 def test_groove_must_be_wider_than_the_ball():

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from quasidynamic.contact.pressure.normal_contact import NormalContact
 from quasidynamic.errors import ImpossiblePart, require_positive
 
 
@@ -73,3 +74,8 @@ class BallInGroove:
         A uniform offset of both surfaces, as an interference in finite elements is applied, is 1 instead.
         """
         return np.cos(y / self.section_radius)
+
+    def cut(self, contact: NormalContact) -> bool:
+        """Whether the shoulder cuts a contact: its last cells before the shoulder carry pressure."""
+        inside = contact.grid.centres[1][0] <= self.shoulder
+        return bool(contact.touching[:, inside][:, -1:].any() and not inside.all())

@@ -226,13 +226,25 @@ class _Search:
             ]
         )
 
+    def _newton_step(self, state: _State, responses: NDArray) -> NDArray:
+        """Changes of the amounts (m) that would carry the loads missing, if no cell came or left."""
+        tangent = np.array([self._carried(response) for response in responses])
+        try:
+            return np.linalg.solve(tangent, state.missing)
+        except np.linalg.LinAlgError:
+            cells = int((state.held.pressure > 0).sum())
+            raise NotSolved(
+                f"contact pressure: {cells} cells under pressure cannot carry {len(responses)} loads; do "
+                "they act on the grid, and is it fine enough?",
+                "stalled",
+            ) from None
+
     def advanced(self, state: _State, responses: NDArray) -> _State:
         """State after a step that is halved until it neither loses contact nor goes far too far.
 
         Where no step can be judged as the state itself is too inexact, the same one more exactly.
         """
-        tangent = np.array([self._carried(response) for response in responses])
-        change = np.linalg.solve(tangent, state.missing)
+        change = self._newton_step(state, responses)
         ahead, iterations = float(state.missing @ change), state.iterations
         for _ in range(LIMIT):
             pressure = state.held.pressure + np.tensordot(change, responses, 1)
