@@ -270,6 +270,25 @@ def test_coulomb_control_needs_a_coefficient_of_friction():
         AngularContactBallBearing(bearing=BEARING, control="coulomb", friction=-0.1)
 
 
+@pytest.mark.parametrize("seed", [3, 12, 25])
+def test_semi_axes_of_the_loaded_angle_hardly_change_the_friction_of_free_balls(seed):
+    """The motion is found with those of the angle without load, an error that the documents state."""
+    model, operation = drawn_sliding(seed)
+    state = model.solve(operation)
+    contacts = LoadedContacts(state.contact_angles, state.loads, np.full_like(state.loads, 1e7))
+    speeds = np.array([[operation.inner_speed], [operation.outer_speed]])
+    pairs = race_contacts(model.bearing), race_contacts(model.bearing, state.contact_angles)
+    with np.errstate(all="ignore"):  # balls far above their driving load
+        heat = [
+            CoulombControl(model.bearing, pair, state.friction)
+            .heat(contacts, speeds, state.centrifugal_force)
+            .sum()
+            for pair in pairs
+        ]
+    assert heat[1] == approx(heat[0], rel=0.01)
+    assert heat[1] != heat[0]
+
+
 def test_contacts_as_wide_as_the_ball_are_refused():
     soft = replace(BEARING, inner=Groove(conformity=0.5005, material=STEEL))
     operation = RingOperation(load=(2e5, 0.0, 0.0, 0.0, 0.0), displacement=STRAIGHT, inner_speed=100.0)
