@@ -72,14 +72,14 @@ def with_several(seed: int, wanted: int) -> list[Design]:
 
 
 def cold(seed: int, number: int) -> Design:
-    """A bearing with an oil of 0.15 to 2.5 Pa s under 40 N to 1.6 kN, at 200 to 6000 rpm."""
+    """A bearing whose cage finds several speeds: half of these have several equilibria."""
     rng = np.random.default_rng([seed, number, 2])
     settings = (
-        f"lubricant.viscosity={_log_uniform(rng, 0.15, 2.5):.6g} Pa s",
-        f"lubricant.oil_fraction={_log_uniform(rng, 1e-3, 0.3):.6g}",
-        f"operation.radial_load={_log_uniform(rng, 40, 1600):.6g} N",
-        f"operation.inner_speed={_log_uniform(rng, 200, 6000):.6g} rpm",
-        f"bearing.clearance={rng.uniform(0, 60):.6g} um",
+        f"lubricant.viscosity={_log_uniform(rng, 1.2, 2.5):.6g} Pa s",
+        f"lubricant.oil_fraction={_log_uniform(rng, 2e-3, 1e-2):.6g}",
+        f"operation.radial_load={_log_uniform(rng, 80, 600):.6g} N",
+        f"operation.inner_speed={_log_uniform(rng, 200, 1600):.6g} rpm",
+        f"bearing.clearance={rng.uniform(0, 25):.6g} um",
         f"bearing.first_roller_azimuth={rng.uniform(0, 25.7):.6g} deg",
     )
     return Design(TEXTBOOK, settings)
