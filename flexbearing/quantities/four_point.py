@@ -121,7 +121,7 @@ QUANTITIES = (
         source="solution.torque",
         summary=(SummaryValue("torque_Nm", label="torque of the bearing", digits=".5g", parts=RACES),)),
     Quantity("grid_error", "", "Z", "N m", "block",
-        "error of the torque of the ball by the cells: the change from half as many along and across; absent "
+        "error of the torque of the ball by the cells: 1.25 times the change from half as many; absent "
         "in full sliding", source="rolling.grid_error", optional=True, summary=(
             SummaryValue("torque_grid_error_Nm", lambda error: error.sum(),
                 "error of the torque by the cells", ".2g"),)),

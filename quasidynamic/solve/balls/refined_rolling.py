@@ -16,6 +16,7 @@ from quasidynamic.solve.balls.rolling_motion import RollingMotion, rolling_motio
 
 RollingModel = Literal["full_sliding", "fastsim", "kalker"]  # friction of contacts on a grid
 LAWS: dict[RollingModel, RollingLaw] = {"full_sliding": FULL_SLIDING, "fastsim": FASTSIM, "kalker": KALKER}
+SAFETY = 1.25  # Roache (1994), J. Fluids Eng. 116, 405-413; the error is of first order or better
 FEWEST = 4  # cells along and across of the coarser grid
 
 
@@ -33,8 +34,8 @@ class RefinedRolling:
 
     @property
     def grid_error(self) -> float:
-        """Change of the torque from the coarser grid [N m], the error of the finer one if of first order."""
-        return abs(self.fine.power - self.coarse_torque)
+        """Error of the torque by the cells [N m]: its change from the coarser grid, times `SAFETY`."""
+        return SAFETY * abs(self.fine.power - self.coarse_torque)
 
     @property
     def extrapolated_torque(self) -> float:
