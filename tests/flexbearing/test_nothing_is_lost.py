@@ -138,7 +138,7 @@ def test_full_disk_ends_with_one_line_and_leaves_the_earlier_result(tmp_path):
     assert list(tmp_path.iterdir()) == [out]
 
 
-SLOW = [*RING, "coupling.method=relaxed", "coupling.relaxation=0.001", "coupling.max_iterations=100000"]
+SLOW = [*RING, "coupling.method=relaxed", "coupling.relaxation=0.01", "coupling.max_iterations=100000"]
 
 
 @pytest.fixture
