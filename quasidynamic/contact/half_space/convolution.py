@@ -23,9 +23,10 @@ class Convolution:
         shape = tractions.shape[-2:]
         waves = np.asarray(fft.rfft(tractions, self.padded[1], axis=-1))
         waves = np.asarray(fft.fft(waves, self.padded[0], axis=-2))
-        by_traction = enumerate(np.moveaxis(waves, -3, 0))
-        waves = sum(self.spectrum[:, number] * part[..., None, :, :] for number, part in by_traction)
-        columns = np.asarray(fft.ifft(waves, axis=-2, overwrite_x=True))[..., : shape[0], :]
+        moved = self.spectrum[:, 0] * waves[..., None, 0, :, :]
+        for number in range(1, waves.shape[-3]):
+            moved += self.spectrum[:, number] * waves[..., None, number, :, :]
+        columns = np.asarray(fft.ifft(moved, axis=-2, overwrite_x=True))[..., : shape[0], :]
         return np.asarray(fft.irfft(columns, self.padded[1], axis=-1))[..., : shape[1]]
 
     def __sub__(self, other: "Convolution") -> "Convolution":

@@ -95,7 +95,8 @@ def stick_slip(law: StickSlipLaw, start: NDArray) -> StickSlip:
     for _ in range(LIMIT):
         if size <= TOLERANCE * scale:
             return state
-        change = _solved(law, state, -state.left, min(1e-2, max(1e-4, size / scale)))
+        tolerance = max(TOLERANCE * scale / size, min(2e-2, size / scale)) / 2  # not beyond what is asked
+        change = _solved(law, state, -state.left, tolerance)
         part = 1.0
         trial = at_traction(law, state.traction + change)
         while not (smaller := np.linalg.norm(trial.left) < (1 - 1e-4 * part) * size) and part > SHORTEST:

@@ -12,7 +12,7 @@ from quasidynamic.errors import NotSolved, OutOfRange
 
 TOLERANCE = 1e-3  # unbalanced power over the power of friction; the torque is off by 1e-6 of itself
 LIMIT = 40  # evaluations, rarely more than four
-GAIN = 0.3  # of what was left: more left after a step asks for new slopes
+GAIN = 0.5  # of what was left: more left after a step asks for new slopes
 SHORTEST = 1 / 256  # part of a step
 
 
