@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     )
     from quasidynamic.many_elastic import solve_many_elastic as solve_many_elastic
     from quasidynamic.outcome.angular_contact_state import AngularContactState as AngularContactState
+    from quasidynamic.outcome.fast_balls import FastRollingBalls as FastRollingBalls
     from quasidynamic.outcome.slow_balls import RollingBalls as RollingBalls, SlidingBalls as SlidingBalls
     from quasidynamic.parts.angular_contact_bearing import (
         AngularContactBearing as AngularContactBearing,
@@ -72,6 +73,7 @@ EXPORTS = {
     "four_point": ("FourPointBallBearing", "RingLoad"),
     "many_elastic": ("solve_many_elastic",),
     "outcome.angular_contact_state": ("AngularContactState",),
+    "outcome.fast_balls": ("FastRollingBalls",),
     "outcome.slow_balls": ("RollingBalls", "SlidingBalls"),
     "parts.angular_contact_bearing": ("AngularContactBearing", "RingOperation"),
     "parts.ball": ("Ball", "FourPointBearing", "Groove"),

@@ -1,8 +1,8 @@
 """The angular-contact ball bearing at speed."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Literal, cast
 
 import numpy as np
@@ -10,12 +10,16 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.balls.angular_contact import AngularBalance, race_contacts
 from quasidynamic.balance.balls.race_control import PrescribedControl, RaceControl
+from quasidynamic.balance.balls.rolling_ball import rolling_ball
 from quasidynamic.contact.ellipse.point_contact import PointContact
 from quasidynamic.contact.ellipse.rigid_slip import Spin
-from quasidynamic.errors import ImpossiblePart, NotSolved, require_positive
+from quasidynamic.contact.half_space import elastic_pair
+from quasidynamic.errors import ImpossiblePart, NotSolved, OutOfRange, require_positive
 from quasidynamic.outcome.angular_contact_state import AngularContactState
+from quasidynamic.outcome.fast_balls import FastRollingBalls
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
 from quasidynamic.solve.balls.coulomb_control import CoulombControl
+from quasidynamic.solve.balls.refined_rolling import RefinedRolling, RollingModel, refined_kept_motion
 from quasidynamic.solve.balls.ring_on_balls import RingSolution, solve
 from quasidynamic.solve.outcome import SolverOutcome
 
@@ -112,6 +116,58 @@ class AngularContactBallBearing:
                 )
             )
         return states
+
+    def roll(
+        self,
+        state: AngularContactState,
+        model: RollingModel,
+        cells: tuple[int, int] = (40, 80),
+        told: Callable[[float], None] = lambda _: None,
+    ) -> FastRollingBalls:
+        """Friction of contacts that stick and slip, loads and motion of the balance kept.
+
+        Parameters
+        ----------
+        state : AngularContactState
+            of `solve`
+        model : {"full_sliding", "fastsim", "kalker"}
+            friction of the contacts
+        cells : pair of int
+            over each contact, along and across the rolling direction
+        told : callable, optional
+            takes the part of the balls that are solved, after each
+
+        Returns
+        -------
+        FastRollingBalls
+
+        Raises
+        ------
+        OutOfRange
+            when friction is not known: no coefficient, or a contact as wide as the ball; see also
+            `refined_kept_motion`
+        NotSolved
+            when a contact is not solved
+        """
+        if state.friction_heat is None:
+            raise OutOfRange(
+                "stick and slip: no coefficient of friction is given, or a contact is as wide as the surface "
+                "it presses"
+            )
+        moving = state.operation.inner_speed != state.operation.outer_speed
+        balls = np.flatnonzero((state.loads > 0).all(0)) if moving else np.zeros(0, int)
+        motions = state.motion(balls) if moving else np.zeros((0, 4))
+        contacts, ellipse = state.touching(balls)
+        ball, races = self.bearing.ball.material, (self.bearing.inner, self.bearing.outer)
+        pairs = (elastic_pair(ball, races[0].material), elastic_pair(ball, races[1].material))
+        rolled: list[RefinedRolling | None] = [None] * state.loads.shape[1]
+        for place, number in enumerate(map(int, balls)):
+            one = np.array([place])
+            load = state.loads[:, [number]].T[:, None]
+            ball_on = partial(rolling_ball, contacts.taken(one), ellipse.taken(one), load, pairs)
+            rolled[number] = refined_kept_motion(ball_on, model, cells, motions[place])
+            told((place + 1) / len(balls))
+        return FastRollingBalls(state, tuple(rolled))
 
     @cached_property
     def _contacts(self) -> tuple[PointContact, PointContact]:

@@ -23,6 +23,8 @@ from flexbearing.quantities.units import COUNT, DEG, MM, MPA, MRAD, RPM, UM
 RING = "ring"  # section of the page
 _APART = "NaN for a ball without lines, as one that does not touch both races"
 _FRICTION = "absent where a contact is as wide as the surface it presses"
+_SLIDING = "absent in full sliding"
+_CELLS = "of the ball that carries most on both races; absent in full sliding"
 _ORDER = "x, y, z, about y, about z; about the point of the axis in the plane of the inner groove centres"
 
 
@@ -100,12 +102,27 @@ QUANTITIES = (
         summary=(SummaryValue("gyroscopic_moment_range_Nm", finite_range, "gyroscopic moment", ".4f",
             in_si=True, entries=EXTENT),)),
     Quantity("friction_torque", "", "", "N m", "block", "torque between the rings by Coulomb friction in "
-        f"the contacts, whatever the race control; {_FRICTION}", optional=True,
+        f"the contacts, by friction.model, whatever the race control; {_FRICTION}",
+        source="friction.friction_torque", optional=True,
         summary=(SummaryValue("friction_torque_Nm", label="friction torque", digits=".4g"),)),
     Quantity("friction_heat", "Phi", "Z", "W", "block", f"heat of friction of both contacts; {_FRICTION}",
-        optional=True,
+        source="friction.friction_heat", optional=True,
         summary=(SummaryValue("friction_heat_range_W", finite_range, "heat of friction of a ball", ".4g",
             entries=EXTENT),)),
+    Quantity("grid_error", "", "Z", "N m", "block",
+        "error of the friction torque by the cells, part of the ball: 1.25 times the change from half as "
+        f"many; {_SLIDING}", source="rolling.grid_error", optional=True, summary=(
+            SummaryValue("torque_grid_error_Nm", lambda error: error.sum(),
+                "error of the friction torque by the cells", ".2g"),)),
+    Quantity("stick_share", "", "race Z", "1", "block",
+        f"part of the cells in contact that stick; {_SLIDING}", source="rolling.stick_share", optional=True,
+        summary=(SummaryValue("largest_stick_share", _largest_of_races,
+            "largest part of a contact that sticks", ".3f", parts=RACES),)),
+    Quantity("unbalanced_moment", "", "Z", "1", "block",
+        "moment on the ball by which stick changes the friction of the balance, over that of the largest "
+        f"friction forces about the ball centre; {_SLIDING}", source="rolling.unbalanced_moment",
+        optional=True, summary=(SummaryValue("largest_unbalanced_moment", lambda moment: moment.max(),
+            "moment on a ball that stick leaves unbalanced", ".2g"),)),
 
     # ring
     Quantity("ring_load", "P", "force", "N, N m", "block",
@@ -184,6 +201,32 @@ QUANTITIES = (
         source="lines.slip_profile", people=Unit("mm/s", 1e3), optional=True, gaps=True,
         summary=(SummaryValue("largest_slip_mm_per_s", lambda slip: np.nanmax(np.abs(slip), axis=(1, 2)),
             "largest slip across the middle", ",.1f", parts=RACES),)),
+
+    # fields over the contacts of one ball
+    Quantity("field_ball", "", "", "1", "block", f"number, from 0, {_CELLS}", source="fields.ball",
+        optional=True),
+    Quantity("field_across", "x", "race P1 P2", "m", "block",
+        f"places in the contact across the rolling direction, {_CELLS}", source="fields.x", people=MM,
+        optional=True),
+    Quantity("field_along", "y", "race P1 P2", "m", "block",
+        f"places in the contact along the rolling direction, {_CELLS}", source="fields.y", people=MM,
+        optional=True),
+    Quantity("slip_along", "v_t", "race P1 P2", "m/s", "block",
+        f"slip along the rolling direction, ball minus race, {_CELLS}", source="fields.slip_along",
+        optional=True),
+    Quantity("slip_across", "v_1", "race P1 P2", "m/s", "block",
+        f"slip across the rolling direction, ball minus race, {_CELLS}", source="fields.slip_across",
+        optional=True),
+    Quantity("shear_along", "tau_t", "race P1 P2", "Pa", "block",
+        f"shear stress on the ball along the rolling direction, {_CELLS}", source="fields.shear_along",
+        people=MPA, optional=True),
+    Quantity("shear_across", "tau_1", "race P1 P2", "Pa", "block",
+        f"shear stress on the ball across the rolling direction, {_CELLS}", source="fields.shear_across",
+        people=MPA, optional=True),
+    Quantity("field_pressure", "p", "race P1 P2", "Pa", "block", f"pressure, mean of each cell, {_CELLS}",
+        source="fields.pressure", people=MPA, optional=True),
+    Quantity("field_stick", "", "race P1 P2", "1", "block", f"1 where the surfaces stick, else 0, {_CELLS}",
+        source="fields.stick", optional=True),
 )
 # fmt: on
 
@@ -195,6 +238,8 @@ z towards y, which is the way a positive speed turns.
     axes=(
         Axis("Z", "ball", coordinate="ball_azimuth"),
         Axis("P", "point", coordinate="slip_position"),
+        Axis("P1", "first_point"),
+        Axis("P2", "second_point"),
     ),
     quantities=QUANTITIES,
     main=(

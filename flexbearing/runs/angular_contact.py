@@ -1,5 +1,6 @@
 """From a case to a fast angular-contact bearing, and from its solution to the arrays of a result file."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -21,6 +22,12 @@ class Solution:
 
     state: qd.AngularContactState
     contact: RollingContact
+    rolling: qd.FastRollingBalls | None  # balls whose contacts stick and slip; None in full sliding
+
+    @property
+    def friction(self) -> qd.AngularContactState | qd.FastRollingBalls:
+        """What tells heat and torque of friction."""
+        return self.state if self.rolling is None else self.rolling
 
 
 def bearing(case: AngularCase) -> qd.AngularContactBallBearing:
@@ -57,11 +64,22 @@ def build(case: AngularCase) -> tuple[qd.AngularContactBallBearing, qd.RingOpera
     return bearing(case), operation(case)
 
 
-def solved(case: AngularCase) -> Solution:
-    """Balance and pure rolling lines; raises `NotSolved`, `OutOfRange` or `ImpossiblePart`."""
-    state = bearing(case).solve(operation(case))
-    lines = case.rolling_lines
-    return Solution(state, state.rolling_contact(spin=lines.spin, friction=lines.net_force))
+def solved(case: AngularCase, told: Callable[[float], None] = lambda _: None) -> Solution:
+    """Balance, pure rolling lines, and stick and slip where the case asks for them.
+
+    The part of the balls whose stick and slip is found is `told`.
+
+    Raises
+    ------
+    NotSolved, OutOfRange, ImpossiblePart
+        see `qd.AngularContactBallBearing.solve` and `qd.AngularContactBallBearing.roll`
+    """
+    model, lines = bearing(case), case.rolling_lines
+    state, rolling = model.solve(operation(case)), None
+    if case.friction.model != "full_sliding":
+        along, across = case.friction.cells
+        rolling = model.roll(state, case.friction.model, (along, across), told)
+    return Solution(state, state.rolling_contact(spin=lines.spin, friction=lines.net_force), rolling)
 
 
 def block(case: AngularCase, solution: Solution) -> dict[str, NDArray]:
@@ -69,7 +87,25 @@ def block(case: AngularCase, solution: Solution) -> dict[str, NDArray]:
     state, contact = solution.state, solution.contact
     lines = _lines(case, state, contact) if len(contact.balls) else None
     free = {"yaw": state.yaw} if case.operation.control == "coulomb" else None
-    return taken(LAYOUT.quantities, {"state": state, "lines": lines, "free": free})
+    parts = {
+        "state": state,
+        "friction": solution.friction,
+        "rolling": solution.rolling,
+        "fields": _fields(solution),
+        "lines": lines,
+        "free": free,
+    }
+    return taken(LAYOUT.quantities, parts)
+
+
+def _fields(solution: Solution) -> dict[str, NDArray] | None:
+    """Cells of both contacts of the ball that carries most; None in full sliding, or where none rolls."""
+    rolling = solution.rolling
+    if rolling is None or all(ball is None for ball in rolling.rolled):
+        return None
+    ball = int(np.where(solution.state.on_inner, solution.state.loads.sum(0), 0.0).argmax())
+    fields = [rolling.field(ball, race) for race in range(2)]
+    return {"ball": np.array(ball)} | {name: np.stack([each[name] for each in fields]) for name in fields[0]}
 
 
 def _lines(case: AngularCase, state: qd.AngularContactState, contact: RollingContact) -> dict[str, NDArray]:
@@ -123,7 +159,30 @@ def notes(case: AngularCase, solution: Solution) -> tuple[Note, ...]:
                 "their orbit, spin and tractions are estimates",
             ),
         )
-    return lines + _lineless(solution) + _gyroscopic(case, state)
+    return lines + _lineless(solution) + _gyroscopic(case, state) + _stick(case, solution)
+
+
+def _stick(case: AngularCase, solution: Solution) -> tuple[Note, ...]:
+    """What stick makes of the friction torque, how exact it is, and what it leaves unbalanced."""
+    rolling, sliding = solution.rolling, solution.state.friction_torque
+    if rolling is None or not sliding:
+        return ()
+    along, across = case.friction.cells
+    share = 100 * (rolling.friction_torque / sliding - 1)
+    return (
+        information(
+            "stick-and-slip",
+            f"friction torque: {case.friction.model} on {along} by {across} cells a contact, within "
+            f"{rolling.grid_error.sum():.2g} N m of finer ones; {share:+.1f} % against full sliding, of "
+            f"{sliding:.5g} N m",
+        ),
+        information(
+            "kept-motion",
+            "friction torque: loads and motion of the balls are those of full sliding; what stick changes in "
+            "the friction is not balanced, a moment on a ball of up to "
+            f"{rolling.unbalanced_moment.max():.1%} of the most that friction can hold",
+        ),
+    )
 
 
 def _lineless(solution: Solution) -> tuple[Note, ...]:

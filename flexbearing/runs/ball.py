@@ -1,5 +1,6 @@
 """A ball bearing, from case to result file."""
 
+from functools import partial
 from typing import Any
 
 from fem.errors import NotSolved as RingNotSolved
@@ -12,6 +13,8 @@ from flexbearing.rings import bolted
 from flexbearing.runs import angular_contact, four_point
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
 from quasidynamic.note import Note, graded
+
+STICK = "stick and slip, ball by ball"  # what is told while it is found
 
 
 def opening(case: Head) -> dict[str, object]:
@@ -29,11 +32,7 @@ def solve_four_point(case: FourPointCase, record: Recorder, report: Report) -> d
     BadCase
         when no such bearing can exist
     """
-
-    def told(part: float) -> None:
-        """Tell how many balls are solved."""
-        report.stage("stick and slip, ball by ball", part)
-
+    told = partial(report.stage, STICK)
     try:
         report.stage("slow balls between rigid rings", None)
         solution = four_point.solved(case, told=told)
@@ -64,7 +63,7 @@ def solve_angular(case: AngularCase, record: Recorder, report: Report) -> dict[s
     """
     report.stage("fast balls between rigid rings", None)
     try:
-        solution = angular_contact.solved(case)
+        solution = angular_contact.solved(case, partial(report.stage, STICK))
     except NotSolved as failure:
         return _not_solved(failure)
     except (ImpossiblePart, OutOfRange) as problem:

@@ -23,7 +23,7 @@ from quasidynamic.motion.rolling_lines import (
 from quasidynamic.outcome.rolling_contact import RollingContact
 from quasidynamic.outcome.truncation import edge_angle, height_above_bottom
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
-from quasidynamic.solve.balls.sliding_motion import guided_heat
+from quasidynamic.solve.balls.sliding_motion import guided_motion
 
 CONTROLS: tuple[Control, ...] = ("outer", "inner")
 UPRIGHT = 0.9  # of the attitude under race control: what is left of it where friction holds
@@ -57,7 +57,8 @@ class AngularContactState:
         """Heat of friction of both contacts (Z) [W]; zero for balls that do not touch both races.
 
         Where a race control sets the axes, forces along the orbit and about the axis balance for each ball,
-        see `guided_heat`. None without a coefficient of friction, or where a contact is as wide as the ball.
+        see `guided_motion`. None without a coefficient of friction, or where a contact is as wide as the
+        ball.
         """
         if self.sliding_heat is not None or self.friction is None:
             return self.sliding_heat
@@ -66,18 +67,40 @@ class AngularContactState:
         heat, balls = np.zeros(self.loads.shape[1]), np.flatnonzero((self.loads > 0).all(0))
         speed = abs(self.operation.inner_speed - self.operation.outer_speed)
         if speed:
-            across, along = (axis[:, balls].T[:, None] for axis in self.semi_axes)
-            radius, surface = np.full(len(balls), self.bearing.ball.diameter / 2), self._surfaces.T[:, None]
-            places = BallContacts(
-                ball_radius=radius,
-                pitch_radius=np.full(len(balls), self.bearing.pitch_diameter / 2),
-                angle=self.contact_angles[:, balls].T[:, None],
-                height=pressed_height(radius[:, None, None], surface, across),
-            )
-            traction = self.friction * self.loads[:, balls].T[:, None]
-            ellipse = Ellipse(across, along, surface + np.zeros_like(across), traction, self.spin)
-            heat[balls] = speed * guided_heat(places, ellipse, self.attitude[balls])
+            heat[balls] = speed * guided_motion(*self.touching(balls), self.attitude[balls]).power
         return heat
+
+    def touching(self, balls: NDArray) -> tuple[BallContacts, Ellipse]:
+        """Contacts of some balls (n), by their numbers, that touch both races, as friction takes them.
+
+        One diagonal, (n, 1, 2); a coefficient of friction is known.
+        """
+        across, along = (axis[:, balls].T[:, None] for axis in self.semi_axes)
+        radius, surface = np.full(len(balls), self.bearing.ball.diameter / 2), self._surfaces.T[:, None]
+        places = BallContacts(
+            ball_radius=radius,
+            pitch_radius=np.full(len(balls), self.bearing.pitch_diameter / 2),
+            angle=self.contact_angles[:, balls].T[:, None],
+            height=pressed_height(radius[:, None, None], surface, across),
+        )
+        traction = np.asarray(self.friction) * self.loads[:, balls].T[:, None]
+        return places, Ellipse(across, along, surface + np.zeros_like(across), traction, self.spin)
+
+    def motion(self, balls: NDArray) -> NDArray:
+        """Motion of some balls (n, 4) that touch both races, over the speed of the rings [-].
+
+        Outer ring, ball axial, radial, about the rolling direction, from the orbiting ball centre; the
+        speed is that of the inner against the outer ring, not zero. Where a race control sets the axes, see
+        `guided_motion`.
+        """
+        if self.sliding_heat is None:
+            guided = guided_motion(*self.touching(balls), self.attitude[balls]).motion
+            return np.concatenate([guided, np.zeros((len(balls), 1))], 1)
+        ahead = self.operation.inner_speed - self.operation.outer_speed
+        outer = (self.operation.outer_speed - self.orbital_speed[balls]) / ahead
+        attitude, yaw, size = self.attitude[balls], self.yaw[balls], self.ball_speed[balls] / ahead
+        axial, radial = -size * np.cos(yaw) * np.cos(attitude), size * np.cos(yaw) * np.sin(attitude)
+        return np.stack([outer, axial, radial, np.sign(ahead) * size * np.sin(yaw)], -1)
 
     @property
     def friction_torque(self) -> float | None:

@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 
 from quasidynamic.contact.ellipse.full_sliding import Ellipse, sliding_friction, slip_field
 from quasidynamic.contact.ellipse.rigid_slip import Spin
-from quasidynamic.contact.rolling.rolling_contact import ACROSS, ALONG
 from quasidynamic.motion.ball_slip import BallContacts, slip_by_motion, slip_of
 from quasidynamic.note import Note
 from quasidynamic.outcome.ball_torque import RaceTorques, hysteresis_torque, torques_by_slip
@@ -124,26 +123,7 @@ class RollingBalls(SlidingBalls):
         """Places [m], pressure, shear stress on the ball [Pa], slip [m/s] and stick of the cells (ny, nx)."""
         solved = self.rolled[ball]
         assert solved is not None  # of a ball that is driven
-        state, number = solved.fine, int((self.load[ball].ravel() > 0.0)[: 2 * diagonal + race].sum())
-        rolled, contacts = state.rolled, state.ball.contacts
-        speed = state.ball.material_speed(state.motion)[number]
-        direction = -np.sign(speed.mean())
-        x, y = (np.broadcast_to(part[number], contacts.limit.shape[1:]) for part in contacts.places())
-        slip, shear = np.abs(speed) * rolled.slip[number], rolled.traction[number]
-        pressure = contacts.limit[number] if contacts.pressure is None else contacts.pressure[number]
-        touching = contacts.limit[number] > 0.0
-        cells = {
-            "x": y,
-            "y": direction * x,
-            "slip_along": direction * slip[ALONG] * touching,
-            "slip_across": slip[ACROSS] * touching,
-            "shear_along": direction * shear[ALONG],
-            "shear_across": shear[ACROSS],
-            "pressure": pressure,
-            "stick": (rolled.stick[number] & touching).astype(float),
-        }
-        order = slice(None, None, int(direction))  # places along grow with the azimuth
-        return {name: values[order].T for name, values in cells.items()}
+        return solved.fine.cells(int((self.load[ball].ravel() > 0.0)[: 2 * diagonal + race].sum()))
 
 
 def rolling_balls(

@@ -413,6 +413,8 @@ EFFECTS = (
     ("fast balls", "operation.control", "inner", "model.control"),
     ("fast, ruled by friction", "friction.coefficient", 0.0808, "model.friction"),
     ("fast balls", "friction.spin", "local", "model.spin"),
+    ("fast balls", "friction.model", "fastsim", "case.friction.model"),
+    ("fast balls that stick", "friction.cells", [20, 60], "case.friction.cells.{0,1}"),
     ("fast balls", "operation.load.axial", "17.978 kN", "operation.load.0"),
     ("fast balls", "operation.load.radial_y", "2 kN", "operation.load.1"),
     ("fast balls", "operation.load.radial_z", "2 kN", "operation.load.2"),

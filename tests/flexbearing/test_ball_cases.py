@@ -502,3 +502,29 @@ def test_a_case_with_stick_and_slip_stores_cells_and_their_error(run, model):
 def test_full_sliding_stores_neither_cells_nor_stick(run):
     values = run("heras2017_a1").rigid
     assert not {"field_stick", "field_pressure", "grid_error", "stick_share", "ball_turn"} & set(values)
+
+
+@pytest.mark.parametrize("control", ["outer", "coulomb"])
+def test_fast_balls_with_stick_and_slip_keep_their_balance(run, control):
+    settings = [f"operation.control={control}", "operation.load.radial_z=3 kN", "friction.spin=local"]
+    sliding = run(HARRIS, *settings)
+    result = run(HARRIS, *settings, "friction.model=kalker", "friction.cells=[16, 32]")
+    values, numbers = result.rigid, result.summary()["rigid"]
+    for name in ("contact_load", "contact_angle", "ball_attitude", "orbital_speed"):
+        assert values[name] == approx(sliding.rigid[name], rel=1e-12)
+    assert 0.97 * sliding.rigid["friction_torque"] < values["friction_torque"]
+    assert values["friction_torque"] < sliding.rigid["friction_torque"]
+    assert values["friction_heat"].sum() == approx(values["friction_torque"] * 10000 * np.pi / 30, rel=1e-9)
+    assert 0.0 < numbers["torque_grid_error_Nm"] < 0.01 * numbers["friction_torque_Nm"]
+    assert values["field_ball"] == values["contact_load"].sum(0).argmax()
+    assert values["field_stick"].shape == (2, 32, 16)
+    codes = {note["code"] for note in result.summary()["notes"]}
+    assert {"stick-and-slip", "kept-motion"} <= codes
+    assert any(f"{100 * values['unbalanced_moment'].max():.1f}%" in text for text in texts(result))
+    figure = FAMILIES[result.attributes["kind"]].report().pictures(result)["contacts_of_ball_0"]
+    assert len(figure.axes) == 3  # two contacts and the colours
+
+
+def test_fast_balls_in_full_sliding_store_neither_cells_nor_stick(run):
+    values = run(HARRIS).rigid
+    assert not {"field_stick", "field_ball", "grid_error", "stick_share", "unbalanced_moment"} & set(values)

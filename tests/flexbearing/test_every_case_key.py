@@ -113,6 +113,7 @@ CONTEXTS = {  # file and settings in which a key belongs to the case
         "friction": {"pressures": ["1 GPa", "3 GPa"], "coefficients": [0.12, 0.1]}}),
     "balls that stick": ("heras2017_a1", {"friction.model": "kalker"}),
     "fast balls": ("harris218", {}),
+    "fast balls that stick": ("harris218", {"friction.model": "kalker"}),
     "fast, ruled by friction": ("harris218", {"operation.control": "coulomb", "friction.coefficient": 0.08}),
     "fast, by conformity": ("harris218", {
         "bearing.inner": {"conformity": 0.52}, "bearing.outer": {"conformity": 0.53}}),

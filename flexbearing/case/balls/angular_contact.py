@@ -5,7 +5,21 @@ from typing import Literal, Self
 
 from pydantic import model_validator
 
-from flexbearing.case.balls.parts import SPIN, BallBearing, Elastic, EndingGroove, HeavyElastic, RingLoad
+from flexbearing.case.balls.parts import (
+    CELLS,
+    MODEL,
+    SPIN,
+    STICKING,
+    USUAL_CELLS,
+    BallBearing,
+    Elastic,
+    EndingGroove,
+    FrictionModel,
+    HeavyElastic,
+    RingLoad,
+    Whole,
+    require_even,
+)
 from flexbearing.case.balls.renamed import DISPLACEMENT, LOAD, ONE_FRICTION
 from flexbearing.case.head import KIND, Head
 from flexbearing.case.quantity import Angle, Length, Moment, Section, Speed, impossible, key
@@ -114,6 +128,15 @@ class FastFriction(Section):
         le=1,
     )
     spin: Literal["centre", "local"] = key(SPIN, "centre")
+    model: FrictionModel = key(
+        f"for the friction torque, loads and motion of the balls kept: {MODEL}", "full_sliding"
+    )
+    cells: tuple[Whole, ...] = key(CELLS, USUAL_CELLS, strict=False, only=STICKING)
+
+    @model_validator(mode="after")
+    def _cells_can_be_halved(self) -> Self:
+        require_even(self.cells)
+        return self
 
 
 class RollingLines(Section):

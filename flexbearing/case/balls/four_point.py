@@ -6,7 +6,21 @@ from typing import Literal, Self
 from pydantic import model_validator
 
 from flexbearing.case.balls import bolted_rings
-from flexbearing.case.balls.parts import SPIN, BallBearing, Elastic, EndingGroove, Number, RingLoad, Whole
+from flexbearing.case.balls.parts import (
+    CELLS,
+    MODEL,
+    SPIN,
+    STICKING,
+    USUAL_CELLS,
+    BallBearing,
+    Elastic,
+    EndingGroove,
+    FrictionModel,
+    Number,
+    RingLoad,
+    Whole,
+    require_even,
+)
 from flexbearing.case.balls.renamed import LOAD
 from flexbearing.case.head import KIND, Head
 from flexbearing.case.quantity import (
@@ -24,7 +38,6 @@ from flexbearing.case.quantity import (
 )
 
 RIGHT_ANGLE = pi / 2  # [rad]
-MOST_CELLS = 400  # along or across a contact
 PLANE = "about the point of the bearing axis in the plane of the ball centres"
 
 
@@ -95,23 +108,13 @@ class SlowFriction(Section):
         "exact",
     )
     spin: Literal["centre", "local"] = key(SPIN, "centre")
-    model: Literal["full_sliding", "fastsim", "kalker"] = key(
-        "full_sliding: contacts slide everywhere; kalker: they stick and slip on half-spaces; fastsim: "
-        "the same on springs, quicker and less exact",
-        "full_sliding",
-    )
-    cells: tuple[Whole, ...] = key(
-        "cells over each contact along and across the rolling direction, even: half as many tell the error",
-        [40, 80],
-        strict=False,
-        only={"model": ("fastsim", "kalker")},
-    )
+    model: FrictionModel = key(MODEL, "full_sliding")
+    cells: tuple[Whole, ...] = key(CELLS, USUAL_CELLS, strict=False, only=STICKING)
     hysteresis_loss: float = key("part of the elastic work that rolling loses", 0.0, ge=0, lt=1)
 
     @model_validator(mode="after")
     def _cells_can_be_halved(self) -> Self:
-        if len(self.cells) != 2 or any(cells % 2 or not 8 <= cells <= MOST_CELLS for cells in self.cells):
-            raise impossible("cells", f"two even numbers from 8 to {MOST_CELLS}")
+        require_even(self.cells)
         return self
 
     @model_validator(mode="after")

@@ -1,7 +1,7 @@
 """The parts of a ball bearing, whatever its kind."""
 
 from math import asin, pi
-from typing import Annotated, Self
+from typing import Annotated, Literal, Self
 
 from pydantic import Strict, model_validator
 
@@ -25,6 +25,23 @@ SPIN = (
     "formulas of the literature; local, at each point that about the normal of the surface there, as rigid "
     "bodies have it: up to 7 % more torque where balls roll, as much where they spin"
 )
+
+
+FrictionModel = Literal["full_sliding", "fastsim", "kalker"]
+MODEL = (
+    "full_sliding: contacts slide everywhere; kalker: they stick and slip on half-spaces; fastsim: "
+    "the same on springs, quicker and less exact"
+)
+CELLS = "cells over each contact along and across the rolling direction, even: half as many tell the error"
+USUAL_CELLS = [40, 80]
+STICKING = {"model": ("fastsim", "kalker")}  # where cells count
+MOST_CELLS = 400  # along or across a contact
+
+
+def require_even(cells: tuple[int, ...]) -> None:
+    """Require two numbers of cells that can be halved; raises `ValueError` otherwise."""
+    if len(cells) != 2 or any(number % 2 or not 8 <= number <= MOST_CELLS for number in cells):
+        raise impossible("cells", f"two even numbers from 8 to {MOST_CELLS}")
 
 
 class Ball(Section):

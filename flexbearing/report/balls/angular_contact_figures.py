@@ -8,6 +8,7 @@ import numpy as np
 
 from flexbearing.quantities.angular_contact import LAYOUT
 from flexbearing.quantities.reductions import RACES
+from flexbearing.report.balls.contact_fields import drawn_contact, shear_figure
 from flexbearing.report.balls.panels import STYLES, around, close_ring, stacked
 from flexbearing.results import Result
 
@@ -27,14 +28,26 @@ def pictures(result: Result) -> dict[str, Figure]:
     Returns
     -------
     dict
-        loads around the ring, and pure rolling lines where they exist; empty when nothing was solved
+        loads around the ring, pure rolling lines where they exist, and the contacts of one ball with stick
+        and slip; empty when nothing was solved
     """
     if not result.rigid:
         return {}
     figures = {"ball_loads": ball_loads(result)}
     if "line_count" in result.rigid:
         figures |= {"rolling_lines": rolling_lines(result), "slip_profiles": slip_profiles(result)}
+    if "field_ball" in result.rigid:
+        ball = int(result.rigid["field_ball"])
+        figures[f"contacts_of_ball_{ball}"] = contact_fields(result, ball)
     return figures
+
+
+def contact_fields(result: Result, ball: int) -> Figure:
+    """Draw the shear stress on the ball that carries most."""
+    contacts = [
+        drawn_contact(result.rigid, f"{name} race", (race, ball), (race,)) for race, name in enumerate(RACES)
+    ]
+    return shear_figure(result, ball, contacts)
 
 
 def ball_loads(result: Result) -> Figure:

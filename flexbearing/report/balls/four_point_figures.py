@@ -7,15 +7,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from flexbearing.quantities.reductions import RACES, loaded
+from flexbearing.report.balls.contact_fields import drawn_contact, shear_figure
 from flexbearing.report.balls.panels import STYLES, around, close_ring, stacked
-from flexbearing.report.picture import titled
 from flexbearing.results import Result
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-
-ARROWS = (23, 7)  # at most, across and along a contact
 
 
 def pictures(result: Result) -> dict[str, Figure]:
@@ -122,88 +119,9 @@ def contact_fields(result: Result, place: int = 0) -> Figure:
     load = values["contact_load"][ball]
     width = np.ptp(values["field_across"][place], axis=(2, 3))
     drawn = [contact for contact in np.ndindex(load.shape) if width[contact] > 0]
-    shear = np.hypot(values["shear_along"][place], values["shear_across"][place])
-    largest = 1e-6 * float(shear.max()) if drawn else 1.0
-    along, across = values["semi_axis_along"][ball], values["semi_axis_across"][ball]
-    heights = [float(along[contact] / across[contact]) for contact in drawn]  # over their widths
-    figure, panels = _panels(result, f"Shear stress on ball {ball} and its direction", heights)
-    field = None
-    for axes, contact in zip(panels, drawn, strict=False):
-        field = _draw_shear(axes, values, (place, *contact), largest)
-        if "field_stick" in values:
-            _draw_stick(axes, values, (place, *contact))
-        diagonal, race = contact
-        axes.set_title(
-            f"diagonal {diagonal + 1}, {RACES[race]} race: {load[contact]:,.0f} N, "
-            f"{np.degrees(values['contact_angle'][ball][contact]):.2f}°, "
-            f"{1e-6 * values['peak_pressure'][ball][contact]:,.0f} MPa",
-            fontsize=9,
-        )
-        axes.set_ylabel("rolling [mm]", fontsize=8)
-    if field is None:
-        panels[0].text(0.5, 0.5, "this ball carries no load", transform=panels[0].transAxes, ha="center")
-        return figure
-    panels[-1].set_xlabel("across the groove [mm]")
-    figure.colorbar(field, ax=panels, label="shear stress [MPa]", fraction=0.03, format="%.0f")
-    return figure
-
-
-def _panels(result: Result, what: str, heights: list[float]) -> tuple[Figure, list[Axes]]:
-    from matplotlib.figure import Figure
-
-    width, rows = 8.0, heights or [0.3]
-    inches = [0.8 * width * height + 0.75 for height in rows]
-    figure = Figure(figsize=(width, sum(inches) + 1.1), layout="constrained")
-    heading = f"{titled(result.attributes['title'], 80)}\n{what}"
-    figure.suptitle(heading, fontsize=11, parse_math=False)
-    grid = figure.subplots(len(rows), 1, squeeze=False, gridspec_kw={"height_ratios": inches})
-    return figure, list(grid[:, 0])
-
-
-def _draw_shear(axes: Axes, values: Any, index: tuple[int, ...], largest: float) -> Any:
-    """Size in colours, cut at the edge of the contact, and direction in arrows."""
-    from matplotlib.patches import Ellipse
-
-    across, along = 1e3 * values["field_across"][index], 1e3 * values["field_along"][index]
-    shear = np.array([values["shear_across"][index], values["shear_along"][index]])
-    size = np.hypot(*shear)
-    levels = np.linspace(0, 1.0001 * largest, 41)
-    field = axes.contourf(across, along, 1e-6 * size, levels, cmap="YlOrRd")
-    contact = (int(values["field_ball"][index[0]]), *index[1:])
-    width, height = (2e3 * values[f"semi_axis_{name}"][contact] for name in ("across", "along"))
-    edge = Ellipse((0, 0), width, height, fill=False, edgecolor="0.4", linewidth=0.8)
-    axes.add_patch(edge)
-    field.set_clip_path(edge)
-    kept = np.zeros(size.shape, bool)
-    kept[
-        tuple(np.ix_(*(_thinned(points, most) for points, most in zip(size.shape, ARROWS, strict=True))))
-    ] = True
-    kept &= size > 0
-    axes.quiver(
-        across[kept],
-        along[kept],
-        *(shear[:, kept] / size[kept]),
-        color="0.15",
-        pivot="mid",
-        scale=42,
-        width=0.0018,
-    )
-    axes.set_aspect("equal")
-    axes.spines[["top", "right"]].set_visible(False)
-    axes.tick_params(labelsize=8)
-    return field
-
-
-def _draw_stick(axes: Axes, values: Any, index: tuple[int, ...]) -> None:
-    """Hatch where the surfaces stick."""
-    stick = values["field_stick"][index]
-    if stick.any():
-        across, along = 1e3 * values["field_across"][index], 1e3 * values["field_along"][index]
-        axes.contour(across, along, stick, [0.5], colors="tab:blue", linewidths=1.0)
-        axes.contourf(across, along, stick, [0.5, 1.5], colors="none", hatches=["////"])
-
-
-def _thinned(points: int, most: int) -> np.ndarray:
-    """Evenly spaced places among so many points, the middle one of an odd number included."""
-    step = max(1, -(-(points - 1) // (most + 1)))
-    return np.arange((points - 1) // 2 % step, points, step)
+    names = [f"diagonal {diagonal + 1}, {RACES[race]} race" for diagonal, race in drawn]
+    contacts = [
+        drawn_contact(values, name, (ball, *contact), (place, *contact))
+        for name, contact in zip(names, drawn, strict=True)
+    ]
+    return shear_figure(result, ball, contacts)

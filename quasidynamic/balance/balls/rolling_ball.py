@@ -84,9 +84,14 @@ class RollingBall:
         along, across, turning = self._by_strip(rolled.traction[:, None], motion)[:, 0].swapaxes(0, 1)
         return np.stack([along, across + turning])
 
+    def power_by_motion(self, motion: NDArray, rolled: Rolled) -> NDArray:
+        """Power of the tractions on a unit of each component of the motion (4): moments on the ball [N m]."""
+        by_slip = self._by_slip(rolled.traction[:, None], motion)[:, 0]
+        return np.einsum("ci,cij->j", by_slip, self.by_motion)
+
     def imbalance(self, motion: NDArray, rolled: Rolled) -> float:
         """Unbalanced power of each component of the motion over the power of friction, the largest."""
-        by_motion = np.linalg.solve(self.unknowns.T, self.left(motion, rolled))
+        by_motion = self.power_by_motion(motion, rolled)
         ball = np.linalg.norm(motion[1:])
         parts = np.abs(by_motion) * np.array([1.0, ball, ball, ball])
         return float(parts.max() / np.abs(self.power(motion, rolled)))

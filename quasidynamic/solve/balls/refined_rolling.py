@@ -12,7 +12,7 @@ from quasidynamic.contact.rolling.full_sliding import FULL_SLIDING
 from quasidynamic.contact.rolling.kalker import KALKER
 from quasidynamic.contact.rolling.rolling_contact import RollingLaw
 from quasidynamic.errors import OutOfRange
-from quasidynamic.solve.balls.rolling_motion import RollingMotion, rolling_motion
+from quasidynamic.solve.balls.rolling_motion import RollingMotion, kept_motion, rolling_motion
 
 RollingModel = Literal["full_sliding", "fastsim", "kalker"]  # friction of contacts on a grid
 LAWS: dict[RollingModel, RollingLaw] = {"full_sliding": FULL_SLIDING, "fastsim": FASTSIM, "kalker": KALKER}
@@ -73,9 +73,7 @@ def refined_rolling(
     NotSolved
         when no balance is found, see `rolling_motion`
     """
-    if any(number % 2 or number < 2 * FEWEST for number in cells):
-        raise OutOfRange(f"cells = {cells} of a contact must be even numbers of at least {2 * FEWEST}")
-    law, coarse_ball = LAWS[model], ball_on((cells[0] // 2, cells[1] // 2))
+    law, coarse_ball = LAWS[model], ball_on(_halved(cells))
     start, slopes = None, None
     if model == "kalker":
         near = rolling_motion(coarse_ball, FASTSIM, motion)
@@ -85,6 +83,51 @@ def refined_rolling(
     start = FASTSIM.friction(ball.contacts, ball.creep(coarse.motion)).traction if model == "kalker" else None
     fine = rolling_motion(ball, law, coarse.motion, start, coarse.slopes)
     return RefinedRolling(_lean(fine), coarse.power)
+
+
+def refined_kept_motion(
+    ball_on: Callable[[tuple[int, int]], RollingBall],
+    model: RollingModel,
+    cells: tuple[int, int],
+    motion: NDArray,
+) -> RefinedRolling:
+    """Ball with stick and slip that moves as is given, on both grids.
+
+    Parameters
+    ----------
+    ball_on : callable
+        the ball on a number of cells along and across the rolling direction
+    model : {"full_sliding", "fastsim", "kalker"}
+        friction of the contacts
+    cells : pair of int
+        of the finer grid, even
+    motion : array (4)
+        outer ring, ball axial, radial, about the rolling direction
+
+    Returns
+    -------
+    RefinedRolling
+
+    Raises
+    ------
+    OutOfRange
+        when the cells cannot be halved, or the material stands still in a contact
+    NotSolved
+        when a contact is not solved
+    """
+    states = []
+    for ball in (ball_on(_halved(cells)), ball_on(cells)):
+        near = FASTSIM.friction(ball.contacts, ball.creep(motion)).traction if model == "kalker" else None
+        states.append(kept_motion(ball, LAWS[model], motion, near))
+    coarse, fine = states
+    return RefinedRolling(_lean(fine), coarse.power)
+
+
+def _halved(cells: tuple[int, int]) -> tuple[int, int]:
+    """Cells of the coarser grid."""
+    if any(number % 2 or number < 2 * FEWEST for number in cells):
+        raise OutOfRange(f"cells = {cells} of a contact must be even numbers of at least {2 * FEWEST}")
+    return cells[0] // 2, cells[1] // 2
 
 
 def _lean(motion: RollingMotion) -> RollingMotion:

@@ -7,13 +7,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.balls.rolling_ball import RollingBall
-from quasidynamic.contact.rolling.rolling_contact import Rolled, RollingLaw
+from quasidynamic.contact.rolling.rolling_contact import ACROSS, ALONG, Rolled, RollingLaw
 from quasidynamic.errors import NotSolved, OutOfRange
 
 TOLERANCE = 1e-3  # unbalanced power over the power of friction; the torque is off by 1e-6 of itself
 LIMIT = 40  # evaluations, rarely more than four
 GAIN = 0.5  # of what was left: more left after a step asks for new slopes
 SHORTEST = 1 / 256  # part of a step
+STANDING = "rolling ball: the material in a contact stands still or flows both ways"
 
 
 @dataclass(frozen=True)
@@ -31,6 +32,31 @@ class RollingMotion:
     def power(self) -> float:
         """Heat of friction [W], the torque of the ball [N m]."""
         return self.ball.power(self.motion, self.rolled)
+
+    def cells(self, number: int, ring_speed: float = 1.0) -> dict[str, NDArray]:
+        """Places [m], pressure, shear stress on the ball [Pa], slip [m/s] and stick of a contact (ny, nx).
+
+        x is across the rolling direction, y along it, towards growing azimuth. The ring speed is that of the
+        inner against the outer ring [rad/s].
+        """
+        contacts, speed = self.ball.contacts, ring_speed * self.ball.material_speed(self.motion)[number]
+        direction = -np.sign(speed.mean())
+        x, y = (np.broadcast_to(part[number], contacts.limit.shape[1:]) for part in contacts.places())
+        slip, shear = np.abs(speed) * self.rolled.slip[number], self.rolled.traction[number]
+        pressure = contacts.limit[number] if contacts.pressure is None else contacts.pressure[number]
+        touching = contacts.limit[number] > 0.0
+        cells = {
+            "x": y,
+            "y": direction * x,
+            "slip_along": direction * slip[ALONG] * touching,
+            "slip_across": slip[ACROSS] * touching,
+            "shear_along": direction * shear[ALONG],
+            "shear_across": shear[ACROSS],
+            "pressure": pressure,
+            "stick": (self.rolled.stick[number] & touching).astype(float),
+        }
+        order = slice(None, None, int(direction))  # places along grow with the azimuth
+        return {name: values[order].T for name, values in cells.items()}
 
 
 def rolling_motion(
@@ -74,7 +100,7 @@ def rolling_motion(
     """
     state, evaluations = _at(ball, law, motion, start), 1
     if state is None:
-        raise OutOfRange("rolling ball: the material in a contact stands still or flows both ways")
+        raise OutOfRange(STANDING)
     while state.size > TOLERANCE:
         fresh = slopes is None
         slopes = _slopes(ball, law, state) if slopes is None else slopes
@@ -94,6 +120,40 @@ def rolling_motion(
         if evaluations >= LIMIT and state.size > TOLERANCE:
             _give_up(state.size, evaluations)
     return RollingMotion(ball, state.motion, state.rolled, slopes, state.size, evaluations)
+
+
+def kept_motion(
+    ball: RollingBall, law: RollingLaw, motion: NDArray, start: NDArray | None = None
+) -> RollingMotion:
+    """Friction of a ball that moves as is given, in balance or not.
+
+    Parameters
+    ----------
+    ball : RollingBall
+        one ball
+    law : RollingLaw
+        friction of the contacts
+    motion : array (4)
+        see `RollingMotion`
+    start : array (C, 2, nx, ny), optional
+        tractions [Pa] to start from
+
+    Returns
+    -------
+    RollingMotion
+        `imbalance` tells what is left
+
+    Raises
+    ------
+    NotSolved
+        when a contact is not solved
+    OutOfRange
+        when the material stands still in a contact
+    """
+    state = _at(ball, law, motion, start)
+    if state is None:
+        raise OutOfRange(STANDING)
+    return RollingMotion(ball, state.motion, state.rolled, None, state.size, 1)
 
 
 class _State(NamedTuple):

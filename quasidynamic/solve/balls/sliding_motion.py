@@ -14,9 +14,9 @@ from quasidynamic.balance.balls.sliding_balls import (
     stronger_diagonal,
 )
 from quasidynamic.contact.ellipse.full_sliding import Ellipse, sliding_friction
-from quasidynamic.contact.ellipse.rigid_slip import ROLL, SPIN
+from quasidynamic.contact.ellipse.rigid_slip import CENTRE, ROLL, SPIN
 from quasidynamic.errors import NotSolved
-from quasidynamic.motion.ball_slip import BallContacts, rolling_motion, spinning_motion
+from quasidynamic.motion.ball_slip import ORBIT, BallContacts, rolling_motion, slip_by_motion, spinning_motion
 from quasidynamic.solve.step_length import shortened
 
 TOLERANCE = 1e-10  # unbalanced power over the power of friction
@@ -100,8 +100,8 @@ def sliding_motion(contacts: BallContacts, ellipse: Ellipse) -> SlidingMotion:
     return SlidingMotion(motion, balls.slip(unknowns), power, driven, imbalance, evaluations)
 
 
-def guided_heat(contacts: BallContacts, ellipse: Ellipse, attitude: NDArray) -> NDArray:
-    r"""Heat of balls that roll on two races about an axis that is given.
+def guided_motion(contacts: BallContacts, ellipse: Ellipse, attitude: NDArray) -> SlidingMotion:
+    r"""Motion and heat of balls that roll on two races about an axis that is given.
 
     .. math:: \min_{\Omega_o, \omega} \Phi,\quad (\omega_x, \omega_r) = \omega (-\cos\beta, \sin\beta)
 
@@ -118,8 +118,8 @@ def guided_heat(contacts: BallContacts, ellipse: Ellipse, attitude: NDArray) -> 
 
     Returns
     -------
-    array (N)
-        Phi [W], for an inner ring that turns by one rad/s against the outer one: a torque [N m]
+    SlidingMotion
+        all of them driven
 
     Raises
     ------
@@ -134,12 +134,16 @@ def guided_heat(contacts: BallContacts, ellipse: Ellipse, attitude: NDArray) -> 
     -----
     Friction across the rolling direction, which holds gyroscopic moments, takes nothing from that along it.
     """
+    driven = np.ones(len(attitude), bool)
     if not len(attitude):
-        return np.zeros(0)
+        return SlidingMotion(np.zeros((0, 3)), np.zeros((0, 1, 2, 3)), np.zeros(0), driven, np.zeros(0), 0)
     balls = guided_ball_balance(contacts, ellipse, attitude)
-    _, power, imbalance, evaluations = _least_power(balls, _on_two_lines(balls)[:, 0])
+    centre_slip, power, imbalance, evaluations = _least_power(balls, _on_two_lines(balls)[:, 0])
     _require_balance(imbalance, evaluations)
-    return power
+    by_ring = slip_by_motion(contacts)[:, 0, :, CENTRE, ORBIT] * np.array([1.0, 0.0])
+    outer, speed = np.linalg.solve(balls.by_motion, (centre_slip - by_ring)[..., None])[..., 0].T
+    motion = np.stack([outer, -speed * np.cos(attitude), speed * np.sin(attitude)], -1)
+    return SlidingMotion(motion, balls.slip(centre_slip), power, driven, imbalance, evaluations)
 
 
 def _require_balance(imbalance: NDArray, evaluations: int) -> None:
