@@ -59,6 +59,10 @@ IMPOSSIBLE = {
     "cells without stick": (
         ONE_BALL, ["friction.cells=[20, 40]"], "[friction] cells", "kalker",
     ),
+    "odd cells of fast balls": (
+        ANGULAR, ["friction.model=kalker", "friction.cells=[40, 31]"],
+        "[friction] cells", "two even numbers",
+    ),
     "points beside cells": (
         ONE_BALL, ["friction.model=fastsim", "fields.points=31"], "[fields] points", "full_sliding",
     ),
