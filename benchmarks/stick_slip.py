@@ -1,17 +1,21 @@
 """Balls with stick and slip beside those of Heras et al. (2017): `python -m benchmarks.stick_slip`.
 
-`--grids` shows convergence with the cells of a contact, `--robustness N` solves N random balls.
+`--grids` shows convergence with the cells of a contact, `--robustness N` solves N random balls,
+`--slewing` the bearing of 156 balls of Joshi et al. (2015) on one core and on all.
 """
 
 import argparse
 import statistics
 import time
 from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 from threadpoolctl import threadpool_limits
 
+import flexbearing
 from benchmarks.machine import describe
+from flexbearing.program.threads import cores, limited_to
 from quasidynamic.errors import NotSolved, OutOfRange
 from quasidynamic.four_point import FourPointBallBearing
 from quasidynamic.outcome.slow_balls import SlidingBalls
@@ -31,12 +35,14 @@ CASES = {  # osculation, friction, loads of both diagonals [kN]; printed torques
 }
 GRIDS = [(20, 40), (40, 80), (80, 160), (160, 320)]
 RUNS = 5
+SLEWING = Path(__file__).parents[1] / "configs" / "joshi2015_fourpoint.toml"
 
 
 def main() -> None:
     options = argparse.ArgumentParser()
     options.add_argument("--grids", action="store_true")
     options.add_argument("--robustness", type=int, default=0, metavar="N")
+    options.add_argument("--slewing", action="store_true")
     wanted = options.parse_args()
     print(describe())
     with threadpool_limits(limits=1, user_api="blas"):
@@ -45,6 +51,8 @@ def main() -> None:
             grids()
         if wanted.robustness:
             robustness(wanted.robustness)
+        if wanted.slewing:
+            slewing()
 
 
 def cases() -> None:
@@ -102,6 +110,19 @@ def robustness(count: int) -> None:
     print(f"{count} random balls on 20 by 40 cells: {len(unsolved)} unsolved {unsolved[:5]}")
     print(f"{len(above)} above full sliding {above[:5]}")
     print(f"mean {1e3 * statistics.mean(seconds):.0f} ms, most {1e3 * max(seconds):.0f} ms")
+
+
+def slewing() -> None:
+    """Whole runs of a case, no result of a ball used for another one."""
+    print("156 balls, radial and moment load, half-spaces 40x80 and 20x40 for the error; wall time")
+    results = []
+    for jobs in sorted({1, cores()}):
+        with limited_to(jobs):
+            began = time.perf_counter()
+            results.append(flexbearing.run(SLEWING, {"friction.model": "kalker"}))
+        torque = results[-1].summary()["rigid"]["torque_Nm"]["inner"]
+        print(f"{jobs} cores: {time.perf_counter() - began:.1f} s, torque {torque:.1f} N m", flush=True)
+    print(f"all results are identical: {all(each == results[0] for each in results)}")
 
 
 def timed(job: Callable[[], RefinedRolling], runs: int = RUNS) -> tuple[RefinedRolling, float]:

@@ -1,8 +1,9 @@
 """Slow ball bearings of two or four contact points, put together."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,7 +12,7 @@ from quasidynamic.balance.balls.rolling_ball import rolling_ball
 from quasidynamic.contact.ellipse.full_sliding import Ellipse
 from quasidynamic.contact.ellipse.point_contact import PointContact, point_contact, race_curvatures
 from quasidynamic.contact.ellipse.rigid_slip import Spin
-from quasidynamic.contact.half_space import elastic_pair
+from quasidynamic.contact.half_space import ElasticPair, elastic_pair
 from quasidynamic.errors import ImpossiblePart, OutOfRange
 from quasidynamic.motion.ball_slip import SIDE, BallContacts, pressed_height, pressed_radius
 from quasidynamic.note import Note, outside
@@ -21,7 +22,7 @@ from quasidynamic.parts.ball import FourPointBearing
 from quasidynamic.parts.ball_friction import FrictionCurve
 from quasidynamic.solve.balls.elastic_load_distribution import elastic_ball_loads
 from quasidynamic.solve.balls.load_distribution import BallLoads, ball_loads
-from quasidynamic.solve.balls.refined_rolling import RollingModel, refined_rolling
+from quasidynamic.solve.balls.refined_rolling import RefinedRolling, RollingModel, refined_rolling
 from quasidynamic.solve.balls.sliding_motion import sliding_motion
 
 STEEPEST = np.pi / 2  # [rad] a contact angle stays below
@@ -151,6 +152,7 @@ class FourPointBallBearing:
         model: RollingModel,
         cells: tuple[int, int] = (40, 80),
         told: Callable[[float], None] = lambda _: None,
+        mapped: Callable[..., Iterable[RefinedRolling]] = map,
     ) -> RollingBalls:
         """Motion and torque of balls whose contacts stick and slip.
 
@@ -164,6 +166,8 @@ class FourPointBallBearing:
             over each contact, along and across the rolling direction
         told : callable, optional
             takes the part of the balls that are solved, after each
+        mapped : callable, optional
+            calls a function for each ball as `map` does, such as on several cores
 
         Returns
         -------
@@ -176,13 +180,10 @@ class FourPointBallBearing:
         """
         ball, races = self.bearing.ball.material, (self.bearing.inner, self.bearing.outer)
         pairs = (elastic_pair(ball, races[0].material), elastic_pair(ball, races[1].material))
-        rolled, driven = {}, np.flatnonzero(sliding.sliding.driven)
-        for number in map(int, driven):
-            one = np.array([number])
-            contacts, ellipse = sliding.contacts.taken(one), sliding.ellipse.taken(one)
-            ball_on = partial(rolling_ball, contacts, ellipse, sliding.load[one], pairs)
-            motion = np.append(sliding.sliding.motion[number], 0.0)
-            rolled[number] = refined_rolling(ball_on, model, cells, motion)
+        rolled, driven = {}, list(map(int, np.flatnonzero(sliding.sliding.driven)))
+        refined = mapped(partial(_refined, pairs, model, cells), [_Ball.of(sliding, one) for one in driven])
+        for number, one in zip(driven, refined, strict=True):
+            rolled[number] = one
             told(len(rolled) / len(driven))
         return rolling_balls(sliding, rolled, self.hysteresis_loss)
 
@@ -212,6 +213,27 @@ class FourPointBallBearing:
                 "end is used",
             ),
         )
+
+
+class _Ball(NamedTuple):
+    """One ball in full sliding, for itself."""
+
+    contacts: BallContacts  # (1, G, 2)
+    ellipse: Ellipse
+    load: NDArray
+    motion: NDArray  # (4)
+
+    @classmethod
+    def of(cls, sliding: SlidingBalls, number: int) -> "_Ball":
+        one, motion = np.array([number]), np.append(sliding.sliding.motion[number], 0.0)
+        return cls(sliding.contacts.taken(one), sliding.ellipse.taken(one), sliding.load[one], motion)
+
+
+def _refined(
+    pairs: tuple[ElasticPair, ElasticPair], model: RollingModel, cells: tuple[int, int], ball: _Ball
+) -> RefinedRolling:
+    ball_on = partial(rolling_ball, ball.contacts, ball.ellipse, ball.load, pairs)
+    return refined_rolling(ball_on, model, cells, ball.motion)
 
 
 def _check(angle: NDArray, load: NDArray) -> None:

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 import quasidynamic as qd
 from flexbearing.build.ball_parts import ball, groove
 from flexbearing.case.balls.four_point import FourPointCase
+from flexbearing.program.workers import shared_map
 from flexbearing.quantities.four_point import LAYOUT
 from flexbearing.quantities.quantity import taken
 from flexbearing.rings import bolted
@@ -155,7 +156,8 @@ def _rolled(
     torque = balls.torque
     if case.friction.model != "full_sliding":
         along, across = case.friction.cells
-        balls = model.roll(balls, case.friction.model, (along, across), told)
+        with shared_map() as mapped:
+            balls = model.roll(balls, case.friction.model, (along, across), told, mapped)
     return Solution(case, balls, distribution, torque)
 
 

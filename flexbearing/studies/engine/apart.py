@@ -5,7 +5,6 @@ session of its own it does not hear what a terminal sends; it ends with this pro
 """
 
 import os
-import pickle
 import signal
 import subprocess
 import sys
@@ -18,6 +17,7 @@ from threading import Thread
 from typing import Any
 
 from flexbearing.program.threads import environment
+from flexbearing.program.workers import portable
 from flexbearing.studies.engine.engine import Done, NoWorkers
 
 _START = (
@@ -99,19 +99,10 @@ def serve(end: int) -> None:
         try:
             answer = function(argument), None
         except Exception as problem:  # of one call, which must not end the others
-            answer = None, _portable(problem)
+            answer = None, portable(problem)
         calls.send(answer)
 
 
 def _end_with_caller() -> None:
     sys.stdin.buffer.read()
     os.killpg(0, signal.SIGKILL)  # with what it started to mesh
-
-
-def _portable(problem: Exception) -> Exception:
-    """An exception as it can be sent; its words where it cannot."""
-    try:
-        pickle.loads(pickle.dumps(problem))
-    except Exception:  # whatever its class does there
-        return RuntimeError(f"{type(problem).__name__}: {problem}")
-    return problem

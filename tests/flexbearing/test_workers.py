@@ -1,0 +1,102 @@
+"""Calls that worker processes share: the same answers, and nothing left running."""
+
+import os
+import signal
+import time
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from flexbearing.program.workers import FEWEST, WorkerDied, shared_map
+from quasidynamic.errors import NotSolved
+from tests.ball_bearings import slow_bearing
+from tests.flexbearing.test_interruptions import started, wait_for
+
+JOSHI = Path(__file__).parents[2] / "configs" / "joshi2015_fourpoint.toml"
+NUMBERS = range(2 * FEWEST)
+
+
+def process_of(number):
+    time.sleep(0.01 * (number % 3))
+    return number, os.getpid()
+
+
+def unsolved(number):
+    if number == 3:
+        raise NotSolved("number 3", "stalled")
+    return number
+
+
+def dead(_):
+    os._exit(1)
+
+
+def in_two_processes(function):
+    with shared_map() as mapped:
+        return list(mapped(function, NUMBERS))
+
+
+@pytest.fixture(autouse=True)
+def two_cores(monkeypatch):
+    monkeypatch.delenv("SLURM_CPUS_PER_TASK", raising=False)
+    monkeypatch.setenv("FLEXBEARING_THREADS", "2")
+
+
+def children(process):
+    return Path(f"/proc/{process}/task/{process}/children").read_text().split()
+
+
+def test_answers_come_in_the_order_of_the_arguments_from_two_processes():
+    numbers, processes = zip(*in_two_processes(process_of), strict=True)
+    assert numbers == tuple(NUMBERS)
+    assert len(set(processes)) == 2
+    assert os.getpid() not in processes
+    assert not any(Path(f"/proc/{process}").exists() for process in processes)
+
+
+def test_few_calls_stay_in_this_process():
+    with shared_map() as mapped:
+        assert {process for _, process in mapped(process_of, NUMBERS[1:])} == {os.getpid()}
+
+
+def test_what_a_call_raises_is_raised_here():
+    with pytest.raises(NotSolved, match="number 3") as raised:
+        in_two_processes(unsolved)
+    assert raised.value.outcome == "stalled"
+    assert children(os.getpid()) == []
+
+
+def test_a_worker_that_dies_is_told():
+    with pytest.raises(WorkerDied, match="worker process ended"):
+        in_two_processes(dead)
+
+
+def test_balls_are_the_same_by_one_and_by_two_workers():
+    bearing = slow_bearing(friction=0.1, conformity=0.53, spin="local")
+    load = np.linspace(1e3, 20e3, len(NUMBERS))[:, None, None] * np.ones((1, 1, 2))
+    balls = bearing.slide(np.full(load.shape, np.pi / 4), load)
+    parts = []
+    roll = partial(bearing.roll, balls, "kalker", (8, 16))
+    with shared_map() as mapped:
+        shared, alone = roll(parts.append, mapped), roll()
+    for one, other in zip(shared.rolled, alone.rolled, strict=True):
+        assert np.array_equal(one.fine.rolled.traction, other.fine.rolled.traction)
+        assert np.array_equal(one.fine.motion, other.fine.motion)
+    assert np.array_equal(shared.ball_torques, alone.ball_torques)
+    assert parts == [(number + 1) / len(NUMBERS) for number in NUMBERS]
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_signal_ends_the_workers_too(number, tmp_path):
+    process = started("run", JOSHI, "-o", tmp_path / "out.h5", "--set", "friction.model=kalker")
+    wait_for(process, "stick and slip")
+    workers = children(process.pid)
+    os.killpg(process.pid, number)
+    _, complaint = process.communicate(timeout=120)
+    assert len(workers) == 2
+    assert process.returncode == 128 + number
+    assert complaint.startswith("interrupted")
+    assert complaint.count("\n") == 1
+    assert not any(Path(f"/proc/{worker}").exists() for worker in workers)
