@@ -57,7 +57,10 @@ def test_rollers_free_in_their_pockets_settle_to_the_snapshot(snapshot, gap, lea
         snapshot.roller_speed, rel=1e-2, abs=0.0
     )
     slip = 1 - cage / kinematic
-    record_property("slip in the time domain and of the snapshot [%]", (100 * slip, 100 * snapshot.cage_slip))
+    record_property(
+        "slip in the time domain and of the snapshot [%]",
+        (float(100 * slip), float(100 * snapshot.cage_slip)),
+    )
     assert least < snapshot.cage_slip / slip < 1.0
 
 
