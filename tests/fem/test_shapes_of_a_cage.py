@@ -141,6 +141,7 @@ def test_smeared_bars_agree_with_half_a_pitch(shape):
     assert apart(smeared.relative[:, 0, :, 0], true.relative[:, 0, :, 0]) < 0.08
 
 
+@pytest.mark.slow
 def test_collar_over_the_whole_ring_is_a_thicker_ring_with_bars_inside():
     """Stiffer against ovalising nearly by the third power of its thickness."""
     oval = np.zeros((30, M))

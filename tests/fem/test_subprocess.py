@@ -162,6 +162,7 @@ def test_what_a_process_logs_is_logged_by_its_caller(caplog):
     assert ("fem.mesh.expense", 20, "about 12 unknowns") in caplog.record_tuples
 
 
+@pytest.mark.slow
 def test_condensing_in_a_subprocess_is_condensing():
     stages, asked = [], (RING, SOLID, of_a_solid(ROLLERS, COARSE, 1))
     found = condense(*asked, report=lambda stage, _: stages.append(stage))

@@ -116,6 +116,7 @@ def test_output_is_no_file_that_is_read(tmp_path, file, link):
     assert target.read_bytes() == before
 
 
+@pytest.mark.slow
 def test_case_named_like_an_unfinished_result_is_not_touched(tmp_path):
     for name in ("x.h5.part", "x.h5.lock"):
         case = Path(shutil.copy(PAPER, tmp_path / name))
@@ -183,6 +184,7 @@ def test_killed_run_leaves_the_earlier_result_and_the_next_one_cleans_up(at_work
     np.testing.assert_array_equal(new.rigid["inner_load"], old)
 
 
+@pytest.mark.slow
 def test_whoever_reads_an_unfinished_result_does_not_disturb_the_run(tmp_path):
     out = tmp_path / "out.h5"
     run = command("run", PAPER, "-o", out, "--quiet", *settings([*RING, "coupling.method=relaxed"]))

@@ -148,6 +148,7 @@ def test_lines_hold_what_they_can(settings, tmp_path):
     assert lines["pull"] or min(lines["force_N"]) >= 0
 
 
+@pytest.mark.slow
 def test_line_pressure_balances_a_tilting_moment(tmp_path):
     """It grows linearly along the line, 19 mm wide; 5 N m come with a slope that the rollers share."""
     result = run(tmp_path, *LINES, "operation.moment=5 N m", "operation.tilt=free")

@@ -74,6 +74,7 @@ def test_the_lives_of_the_cycle_stand_in_files_and_words(cycle):
     assert cycle.cycles.to_xarray()["life"].shape == ()
 
 
+@pytest.mark.slow
 def test_shares_of_revolutions_give_the_same_life(cycle, tmp_path):
     shares = ", ".join(map(str, cycle["revolution_share"].values))
     speeds = ", ".join(f'"{speed} rpm"' for speed in SPEEDS)

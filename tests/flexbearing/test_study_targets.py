@@ -101,6 +101,7 @@ def test_without_a_target_there_are_no_columns_of_errors(tmp_path):
     assert not any(column.error for column in prepared(study(tmp_path, THIN + LOADS)).columns)
 
 
+@pytest.mark.slow
 def test_levels_are_chosen_once_for_each_ring(chosen, table, tmp_path):
     again = flexbearing.study(study(tmp_path, THIN + LOADS + TARGET), tmp_path, jobs=1)
     assert chosen == [4, 4]

@@ -146,6 +146,7 @@ def largest_difference(point, case, settings, path):
     return np.abs(point.equilibrium.loads[0] - load).max() / load.max()
 
 
+@pytest.mark.slow
 def test_branch_between_flexible_rings_is_that_of_the_coupled_system(command, tmp_path):
     """The branch was that between rigid raceways, which a note said."""
     traced = trace(PAPER, "operation.radial_load=7 kN..7.5 kN", tmp_path / "s.csv", CAGE)

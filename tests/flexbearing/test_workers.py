@@ -62,10 +62,11 @@ def test_few_calls_stay_in_this_process():
 
 
 def test_what_a_call_raises_is_raised_here():
+    before = children(os.getpid())
     with pytest.raises(NotSolved, match="number 3") as raised:
         in_two_processes(unsolved)
     assert raised.value.outcome == "stalled"
-    assert children(os.getpid()) == []
+    assert set(children(os.getpid())) <= set(before)
 
 
 def test_a_worker_that_dies_is_told():
@@ -88,6 +89,7 @@ def test_balls_are_the_same_by_one_and_by_two_workers():
     assert parts == [(number + 1) / len(NUMBERS) for number in NUMBERS]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_a_signal_ends_the_workers_too(number, tmp_path):
     process = started("run", JOSHI, "-o", tmp_path / "out.h5", "--set", "friction.model=kalker")

@@ -10,6 +10,7 @@ from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
+import pytest
 from hypothesis import assume, example, given, settings, strategies as st
 from pytest import approx
 
@@ -119,6 +120,7 @@ def test_rollers_ring_and_cage_are_in_balance(seed, spin_inertia):
     assert sliding == approx(np.full(sliding.shape, pitch * lag), rel=0, abs=1e-12 * pitch * rolling)
 
 
+@pytest.mark.slow
 @FEWER
 @given(SEEDS, INERTIA)
 def test_rollers_shifted_by_one_pitch_share_the_load_alike(seed, spin_inertia):
