@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings, strategies as st
+from hypothesis import example, given, settings, strategies as st
 from pytest import approx
 
 from quasidynamic.contact.half_space import ElasticPair
@@ -62,6 +62,7 @@ def check_bound(seed):
 
 @settings(max_examples=4, deadline=None)
 @given(seed=st.integers(0, 2**31))
+@example(seed=60)  # FASTSIM on the coarser grid finds no balance
 def test_stick_and_slip_never_turn_harder_than_full_sliding(seed):
     check_bound(seed)
 

@@ -1,6 +1,7 @@
 """Motion of a ball with stick and slip on two grids, which tell the error of the finer one."""
 
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -11,7 +12,7 @@ from quasidynamic.contact.rolling.fastsim import FASTSIM
 from quasidynamic.contact.rolling.full_sliding import FULL_SLIDING
 from quasidynamic.contact.rolling.kalker import KALKER
 from quasidynamic.contact.rolling.rolling_contact import RollingLaw
-from quasidynamic.errors import OutOfRange
+from quasidynamic.errors import NotSolved, OutOfRange
 from quasidynamic.solve.balls.rolling_motion import RollingMotion, kept_motion, rolling_motion
 
 RollingModel = Literal["full_sliding", "fastsim", "kalker"]  # friction of contacts on a grid
@@ -76,8 +77,9 @@ def refined_rolling(
     law, coarse_ball = LAWS[model], ball_on(_halved(cells))
     start, slopes = None, None
     if model == "kalker":
-        near = rolling_motion(coarse_ball, FASTSIM, motion)
-        motion, start, slopes = near.motion, near.rolled.traction, near.slopes
+        with suppress(NotSolved):  # full sliding is a start, too, farther away
+            near = rolling_motion(coarse_ball, FASTSIM, motion)
+            motion, start, slopes = near.motion, near.rolled.traction, near.slopes
     coarse = rolling_motion(coarse_ball, law, motion, start, slopes)
     ball = ball_on(cells)
     start = FASTSIM.friction(ball.contacts, ball.creep(coarse.motion)).traction if model == "kalker" else None
