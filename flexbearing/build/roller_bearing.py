@@ -105,7 +105,7 @@ def _cage(case: Case) -> qd.Cage:
         guidance=cage.guidance,
         pocket_friction=cage.pocket_friction,
         thickness=cage.thickness,
-        mass=cage.mass,
+        mass=cage.mass or 0.0,
         land_flow=cage.land_flow,
         free=cage.centre == "free",
         unbalance=cage.unbalance,

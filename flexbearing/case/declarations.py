@@ -90,6 +90,11 @@ class Declaration:
         return f"{self._what}{self._range}"
 
     @property
+    def brief(self) -> str:
+        """What may stand there, where many keys are told in one line."""
+        return f"such as {self.example}" if self.kind and not self.choices else self.allowed
+
+    @property
     def example(self) -> str:
         """A value as it would be written."""
         if self.field.examples:

@@ -25,7 +25,11 @@ class Head(Section):
     """Keys of every case."""
 
     kind: str = key(KIND)
-    title: str = key("what the case is, for people", example="A bearing between two rings")
+    title: str = key(
+        "what the case is, for people; without it the name of the file",
+        "",
+        example="A bearing between two rings",
+    )
     assumed: tuple[str, ...] = key(
         "keys whose values the source of the case does not give", (), example=["outer.bars"], strict=False
     )

@@ -9,6 +9,7 @@ from pydantic import ValidationError
 from flexbearing.case.declarations import Declaration, by_path, find, kinds_with, toml
 from flexbearing.case.excerpt import LONGEST, excerpt
 from flexbearing.case.family import Families
+from flexbearing.case.missing import LACKING, of_every_layer
 from flexbearing.case.quantity import Section
 from flexbearing.printable import printable
 
@@ -49,36 +50,62 @@ def listed(problems: Collection[Problem], file: str, line: Callable[[Problem], s
 def messages(
     error: ValidationError, raw: Mapping[str, Any], file: str, model: type[Section], families: Families
 ) -> str:
-    """One line per problem: file, key, value found, what is allowed, nearest valid name."""
-    details = {
-        (path, detail["type"], str(detail.get("ctx"))): detail
-        for detail in error.errors(include_url=False)
-        for path in _paths(detail)
-    }
-    return listed(details.items(), file, lambda item: _message(item[1], item[0][0], raw, model, families))
+    """One line per problem: file, key, value found, what is allowed, nearest valid name.
+
+    Keys that lack are told at once, those of a table that lacks in the line of the table.
+    """
+    found = of_every_layer(error, raw, model)
+    lacking = {path: detail for (path, kind, _), detail in found.items() if kind in LACKING}
+    lines = [item for item in found.items() if not _told_above(item[0][0], lacking, model)]
+    return listed(lines, file, lambda item: _message(item[1], item[0][0], raw, model, families, lacking))
 
 
-def _message(detail: Any, path: str, raw: Mapping[str, Any], model: type[Section], families: Families) -> str:
+def _told_above(path: str, lacking: Mapping[str, Any], model: type[Section]) -> bool:
+    """Whether the line of a table above, or those of tables beneath, say what lacks."""
+    declaration = find(path, model)
+    if path not in lacking or declaration is None:
+        return False
+    if not declaration.section:
+        return path.rpartition(".")[0] in lacking
+    beneath = [one for one in lacking if one.startswith(f"{path}.")]
+    return bool(beneath) and not _values_of(path, lacking, model)
+
+
+def _message(
+    detail: Any,
+    path: str,
+    raw: Mapping[str, Any],
+    model: type[Section],
+    families: Families,
+    lacking: Mapping[str, Any],
+) -> str:
     context, kind = detail.get("ctx", {}), detail["type"]
     if kind == "extra_forbidden":
         return f"{shown(path)}{_found(raw, path)} is not a key here.{nearest(path, model, families)}"
-    if kind == "missing":
-        return f"{shown(path)} is missing; it is {_allowed(path, model)}."
-    if kind == "needed":
-        return f"{shown(path)} is missing: {context['choice']} needs it; it is {_allowed(path, model)}."
+    if kind in LACKING:
+        why = f": {context['choice']} needs it" if kind == "needed" else ""
+        return f"{shown(path)} is missing{why}; it is {_allowed(path, model)}{_with(path, lacking, model)}."
     if kind == "impossible":
         return f"{shown(path)}{_found(raw, path)} cannot be; it must be {context['allowed']}."
     reason = f" {context['why']}" if kind == "quantity" else " is not allowed"
     return f"{shown(path)}{_found(raw, path)}{reason}; it must be {_allowed(path, model)}."
 
 
-def _paths(detail: Any) -> list[str]:
-    """Dotted keys that a problem is about; an entry of a list or a table of texts has none of its own."""
-    place = [part for part in detail["loc"] if isinstance(part, str)]
-    if place and place[0] in ("assumed", "calibrated"):
-        return place[:1]
-    names = detail.get("ctx", {}).get("names", [])
-    return [".".join([*place, name]) for name in names] or [".".join(place)]
+def _with(path: str, lacking: Mapping[str, Any], model: type[Section]) -> str:
+    """Keys that a table which lacks must hold, and those that it must unless another one stands there."""
+    by_reason: dict[str, list[str]] = {}
+    for item in _values_of(path, lacking, model):
+        reason = lacking[item.path].get("ctx", {}).get("choice", "")
+        by_reason.setdefault(reason, []).append(f"{item.path.rpartition('.')[2]} ({item.brief})")
+    words = [
+        f"{f'{reason} needs' if reason else 'with'} {', '.join(by_reason[reason])}" for reason in by_reason
+    ]
+    return f" {'; '.join(words)}" if words else ""
+
+
+def _values_of(table: str, lacking: Mapping[str, Any], model: type[Section]) -> list[Declaration]:
+    """Keys of a table that lack, other tables left out."""
+    return [item for item in _children(table, model) if item.path in lacking and not item.section]
 
 
 def refused(raw: Mapping[str, Any], path: str, why: str) -> str:

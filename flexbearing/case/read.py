@@ -112,6 +112,7 @@ def with_settings(raw: dict[str, Any], source: Source, families: Families) -> He
             _override(raw, setting, model, families)
         changed = {setting.partition("=")[0].strip() for setting in settings}
         _leave_out_former_kinds(raw, before, changed, model)
+    raw.setdefault("title", excerpt(Path(source.path).stem, LONGEST_NAME))
     if foreign_keys := foreign(raw, model):
         raise BadCase(listed(foreign_keys.items(), name, lambda item: refused(raw, *item)))
     try:

@@ -61,7 +61,12 @@ class Cage(Section):
     thickness: Length = key(
         "radial thickness; that part of each roller is hidden from the oil-air mixture", ge=0
     )
-    mass: Mass = key("mass, used when a start from rest is followed in time", gt=0)
+    mass: Mass | None = key(
+        "mass: the weight of a free cage and its unbalance; elsewhere it only slows the cage where a start "
+        "from rest is followed in time, and that of the rollers will do",
+        None,
+        gt=0,
+    )
     land_diameter: Length | None = key(
         "diameter of the guiding land, between the pitch circle and the raceway of the ring that guides",
         None,
@@ -102,6 +107,8 @@ class Cage(Section):
             require(self, names, f'guidance = "{self.guidance}"')
         elif self.centre == "free":
             raise impossible("centre", '"held" where rollers guide the cage: only a land carries a free one')
+        if self.centre == "free":
+            require(self, ("mass",), 'centre = "free"')
         return self
 
 

@@ -170,7 +170,7 @@ class Lubricant(Section):
         if self.oil and self.data_sheet:
             raise impossible("oil", "left out where [lubricant.data_sheet] describes the oil, not both")
         if self.oil is None and self.data_sheet is None:
-            require(self, DATA, "an oil without a name")
+            require(self, DATA, "an oil without name (oil) or data sheet (data_sheet)")
         elif given:
             other = "lubricant.oil" if self.oil else "[lubricant.data_sheet]"
             raise impossible(given[0], f"either {other} or its data, not both")
