@@ -1,9 +1,9 @@
 """The angular-contact ball bearing at speed."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property, partial
-from typing import Literal, cast
+from typing import Literal, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,10 +11,12 @@ from numpy.typing import NDArray
 from quasidynamic.balance.balls.angular_contact import AngularBalance, race_contacts
 from quasidynamic.balance.balls.race_control import PrescribedControl, RaceControl
 from quasidynamic.balance.balls.rolling_ball import rolling_ball
+from quasidynamic.contact.ellipse.full_sliding import Ellipse
 from quasidynamic.contact.ellipse.point_contact import PointContact
 from quasidynamic.contact.ellipse.rigid_slip import Spin
-from quasidynamic.contact.half_space import elastic_pair
+from quasidynamic.contact.half_space import ElasticPair, elastic_pair
 from quasidynamic.errors import ImpossiblePart, NotSolved, OutOfRange, require_positive
+from quasidynamic.motion.ball_slip import BallContacts
 from quasidynamic.outcome.angular_contact_state import AngularContactState
 from quasidynamic.outcome.fast_balls import FastRollingBalls
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
@@ -123,6 +125,7 @@ class AngularContactBallBearing:
         model: RollingModel,
         cells: tuple[int, int] = (40, 80),
         told: Callable[[float], None] = lambda _: None,
+        mapped: Callable[..., Iterable[RefinedRolling]] = map,
     ) -> FastRollingBalls:
         """Friction of contacts that stick and slip, loads and motion of the balance kept.
 
@@ -136,6 +139,8 @@ class AngularContactBallBearing:
             over each contact, along and across the rolling direction
         told : callable, optional
             takes the part of the balls that are solved, after each
+        mapped : callable, optional
+            calls a function for each ball as `map` does, such as on several cores
 
         Returns
         -------
@@ -154,19 +159,14 @@ class AngularContactBallBearing:
                 "stick and slip: no coefficient of friction is given, or a contact is as wide as the surface "
                 "it presses"
             )
-        moving = state.operation.inner_speed != state.operation.outer_speed
-        balls = np.flatnonzero((state.loads > 0).all(0)) if moving else np.zeros(0, int)
-        motions = state.motion(balls) if moving else np.zeros((0, 4))
-        contacts, ellipse = state.touching(balls)
+        touching = _touching(state)
         ball, races = self.bearing.ball.material, (self.bearing.inner, self.bearing.outer)
         pairs = (elastic_pair(ball, races[0].material), elastic_pair(ball, races[1].material))
+        refined = mapped(partial(_refined, pairs, model, cells), list(touching.values()))
         rolled: list[RefinedRolling | None] = [None] * state.loads.shape[1]
-        for place, number in enumerate(map(int, balls)):
-            one = np.array([place])
-            load = state.loads[:, [number]].T[:, None]
-            ball_on = partial(rolling_ball, contacts.taken(one), ellipse.taken(one), load, pairs)
-            rolled[number] = refined_kept_motion(ball_on, model, cells, motions[place])
-            told((place + 1) / len(balls))
+        for done, (number, one) in enumerate(zip(touching, refined, strict=True), start=1):
+            rolled[number] = one
+            told(done / len(touching))
         return FastRollingBalls(state, tuple(rolled))
 
     @cached_property
@@ -206,6 +206,35 @@ class AngularContactBallBearing:
             place=place * self._scale,
             speeds=speeds.T[..., None],
         )
+
+
+class _Ball(NamedTuple):
+    """One ball that touches both races, for itself."""
+
+    contacts: BallContacts  # (1, 1, 2)
+    ellipse: Ellipse
+    load: NDArray
+    motion: NDArray  # (4)
+
+
+def _touching(state: AngularContactState) -> dict[int, _Ball]:
+    """Balls that touch both races between rings that turn against each other, by their number."""
+    if state.operation.inner_speed == state.operation.outer_speed:
+        return {}
+    balls = np.flatnonzero((state.loads > 0).all(0))
+    motions, (contacts, ellipse), loads = state.motion(balls), state.touching(balls), state.loads[:, balls].T
+    places = [np.array([place]) for place in range(len(balls))]
+    return {
+        int(balls[one[0]]): _Ball(contacts.taken(one), ellipse.taken(one), loads[one, None], motions[one[0]])
+        for one in places
+    }
+
+
+def _refined(
+    pairs: tuple[ElasticPair, ElasticPair], model: RollingModel, cells: tuple[int, int], ball: _Ball
+) -> RefinedRolling:
+    ball_on = partial(rolling_ball, ball.contacts, ball.ellipse, ball.load, pairs)
+    return refined_kept_motion(ball_on, model, cells, ball.motion)
 
 
 def _not_solved(operation: RingOperation, solution: RingSolution, case: int) -> NotSolved:

@@ -123,6 +123,11 @@ QUANTITIES = (
         f"friction forces about the ball centre; {_SLIDING}", source="rolling.unbalanced_moment",
         optional=True, summary=(SummaryValue("largest_unbalanced_moment", lambda moment: moment.max(),
             "moment on a ball that stick leaves unbalanced", ".2g"),)),
+    Quantity("unbalanced_force", "", "Z", "1", "block",
+        "force on the ball along the orbit, towards growing azimuth, by which stick changes the friction of "
+        f"the balance, over the largest friction forces; {_SLIDING}", source="rolling.unbalanced_force",
+        optional=True, summary=(SummaryValue("largest_unbalanced_force", lambda force: abs(force).max(),
+            "force along the orbit that stick leaves unbalanced", ".2g"),)),
 
     # ring
     Quantity("ring_load", "P", "force", "N, N m", "block",

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 import quasidynamic as qd
 from flexbearing.build.ball_parts import ball, groove
 from flexbearing.case.balls.angular_contact import AngularCase
+from flexbearing.program.workers import shared_map
 from flexbearing.quantities.angular_contact import LAYOUT
 from flexbearing.quantities.quantity import taken
 from flexbearing.runs import dangers, shoulders
@@ -78,7 +79,8 @@ def solved(case: AngularCase, told: Callable[[float], None] = lambda _: None) ->
     state, rolling = model.solve(operation(case)), None
     if case.friction.model != "full_sliding":
         along, across = case.friction.cells
-        rolling = model.roll(state, case.friction.model, (along, across), told)
+        with shared_map() as mapped:
+            rolling = model.roll(state, case.friction.model, (along, across), told, mapped)
     return Solution(state, state.rolling_contact(spin=lines.spin, friction=lines.net_force), rolling)
 
 
@@ -179,8 +181,9 @@ def _stick(case: AngularCase, solution: Solution) -> tuple[Note, ...]:
         information(
             "kept-motion",
             "friction torque: loads and motion of the balls are those of full sliding; what stick changes in "
-            "the friction is not balanced, a moment on a ball of up to "
-            f"{rolling.unbalanced_moment.max():.1%} of the most that friction can hold",
+            "the friction is not balanced, on a ball a moment of up to "
+            f"{rolling.unbalanced_moment.max():.1%} and a force along the orbit of up to "
+            f"{np.abs(rolling.unbalanced_force).max():.1%} of the most that friction can hold",
         ),
     )
 

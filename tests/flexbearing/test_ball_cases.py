@@ -371,7 +371,9 @@ def test_file_says_what_it_holds(run, name):
     with h5py.File(result.path) as file:
         assert file.attrs["kind"] == result.kind
         assert [name for name in file if isinstance(file[name], h5py.Group)] == ["rigid"]
-        for dataset, item in file["rigid"].items():
+        rigid = file["rigid"]
+        assert isinstance(rigid, h5py.Group)
+        for dataset, item in rigid.items():
             assert item.attrs["units"] == table[dataset].unit
     again = read(result.path)
     assert again.flexible == {}
@@ -521,6 +523,9 @@ def test_fast_balls_with_stick_and_slip_keep_their_balance(run, control):
     codes = {note["code"] for note in result.summary()["notes"]}
     assert {"stick-and-slip", "kept-motion"} <= codes
     assert any(f"{100 * values['unbalanced_moment'].max():.1f}%" in text for text in texts(result))
+    force = np.abs(values["unbalanced_force"]).max()
+    assert numbers["largest_unbalanced_force"] == approx(force)
+    assert any(f"along the orbit of up to {100 * force:.1f}%" in text for text in texts(result))
     figure = FAMILIES[result.attributes["kind"]].report().pictures(result)["contacts_of_ball_0"]
     assert len(figure.axes) == 3  # two contacts and the colours
 

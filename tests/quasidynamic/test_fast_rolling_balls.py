@@ -1,5 +1,7 @@
 """Fast balls whose contacts stick and slip, at the motion of their balance."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 from pytest import approx
@@ -30,13 +32,13 @@ SPINS = pytest.mark.parametrize("spin", ["centre", "local"])
 STICKING = pytest.mark.parametrize("model", ["fastsim", "kalker"])
 
 
-def balanced(control="outer", spin="centre", speed=FAST, friction=0.1, outer_speed=0.0):
+def balanced(control: Any = "outer", spin: Any = "centre", speed=FAST, friction: Any = 0.1, outer_speed=0.0):
     model = AngularContactBallBearing(bearing=BEARING, control=control, friction=friction, spin=spin)
     operation = RingOperation(load=LOAD, displacement=UPRIGHT, inner_speed=speed, outer_speed=outer_speed)
     return model, model.solve(operation)
 
 
-def rolled(model="kalker", cells=CELLS, **changes):
+def rolled(model: Any = "kalker", cells=CELLS, **changes):
     bearing, state = balanced(**changes)
     return bearing.roll(state, model, cells)
 
@@ -75,11 +77,32 @@ def test_heat_is_the_power_of_the_cells_and_that_of_the_torque(model, tolerance)
 @STICKING
 def test_stick_takes_from_full_sliding_at_the_same_slip(control, spin, model):
     balls = rolled(model, control=control, spin=spin)
-    for ball in balls.rolled:
+    for ball in filter(None, balls.rolled):
         most = ball.fine.ball.full_sliding_power(ball.fine.motion)
         assert 0.9 * most < ball.torque <= most
     assert balls.friction_torque <= balls.state.friction_torque + balls.grid_error.sum()
     assert np.all((balls.unbalanced_moment > 0.0) & (balls.unbalanced_moment < 0.1))
+
+
+def force_along_orbit(balls, ball):
+    """Force on a ball towards growing azimuth [N], from the cells of both contacts."""
+    fields = [balls.field(ball, race) for race in (0, 1)]
+    return sum(
+        field["shear_along"].sum() * abs(np.diff(field["x"][:, 0])[0] * np.diff(field["y"][0])[0])
+        for field in fields
+    )
+
+
+@CONTROLS
+@pytest.mark.parametrize("speed", [FAST, -FAST])
+def test_force_along_the_orbit_that_stick_leaves_is_that_of_the_cells(control, speed):
+    """Beyond that of full sliding on the same cells."""
+    sticking, sliding = (rolled(model, control=control, speed=speed) for model in ("fastsim", "full_sliding"))
+    for ball in range(4):
+        largest = 0.1 * sticking.state.loads[:, ball].sum()
+        left = force_along_orbit(sticking, ball) - force_along_orbit(sliding, ball)
+        assert sticking.unbalanced_force[ball] == approx(left / largest, rel=5e-3)
+    assert np.abs(sticking.unbalanced_force).max() > 1e-4
 
 
 def test_contacts_stick_on_the_race_that_rolls_without_spin():
@@ -94,7 +117,7 @@ def test_contacts_stick_on_the_race_that_rolls_without_spin():
 def test_centrifugal_force_loads_the_grid_of_the_outer_race_more():
     fast, slow = (rolled("full_sliding", control="equal", speed=speed) for speed in (FAST, 0.01 * FAST))
     for balls, differ in ((fast, True), (slow, False)):
-        contacts = balls.rolled[0].fine.ball.contacts
+        (contacts, *_) = [ball.fine.ball.contacts for ball in filter(None, balls.rolled)]
         force = contacts.limit.sum((1, 2)) * contacts.cell_area
         assert force == approx(0.1 * balls.state.loads[:, 0], rel=5e-3)
         assert (force[1] > 1.1 * force[0]) == differ
@@ -103,7 +126,7 @@ def test_centrifugal_force_loads_the_grid_of_the_outer_race_more():
 def test_friction_of_the_kept_motion_holds_the_gyroscopic_moment():
     """With Coulomb control the moment of full sliding about the rolling direction is that of the balance."""
     balls = rolled("full_sliding", control="coulomb", cells=(40, 80))
-    for number, ball in enumerate(balls.rolled):
+    for number, ball in enumerate(filter(None, balls.rolled)):
         state = ball.fine
         moment = state.ball.power_by_motion(
             state.motion, full_sliding(state.ball.contacts, state.ball.creep(state.motion))
