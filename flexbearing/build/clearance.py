@@ -3,6 +3,8 @@
 from typing import TYPE_CHECKING, Any
 
 from flexbearing.case.roller import Case
+from flexbearing.case.roller.bands import CLEARANCE, HOUSING, SHAFT
+from flexbearing.case.roller.tolerances import Place
 from quasidynamic.note import Note, information
 
 if TYPE_CHECKING:
@@ -12,7 +14,7 @@ if TYPE_CHECKING:
 def operating(case: Case) -> float:
     """Operating diametral clearance [m], negative is a preload."""
     chain = computed(case)
-    return case.bearing.stated_clearance if chain is None else chain.clearance
+    return case.stated_clearance if chain is None else chain.clearance
 
 
 def computed(case: Case) -> "OperatingClearance | None":
@@ -28,7 +30,7 @@ def record(case: Case) -> dict[str, Any]:
     """The clearance and how it came about, for the result file; lengths are diametral."""
     chain = computed(case)
     if chain is None:
-        return {"operating_m": operating(case), "steps": []}
+        return {"operating_m": operating(case), "steps": [], **_of_classes(case)}
     return {
         "operating_m": chain.clearance,
         "cold_m": chain.cold,
@@ -44,18 +46,59 @@ def record(case: Case) -> dict[str, Any]:
         "shaft_fit": chain.shaft_seat.words,
         "housing_fit": chain.housing_seat.words if chain.housing_seat else "free ring, no housing",
         "verdict": chain.verdict,
+        **_of_classes(case),
     }
 
 
+def _of_classes(case: Case) -> dict[str, Any]:
+    """Tolerance bands of the classes that the case names, and the clearance at both ends; empty without."""
+    if not case.bands:
+        return {}
+    bearing = case.bearing
+    fits: Any = bearing.fits
+    values = {  # of the classes that are given
+        CLEARANCE: lambda: ("clearance", bearing.clearance_class, case.stated_clearance),
+        SHAFT: lambda: ("shaft", fits.shaft, case.shaft_interference),
+        HOUSING: lambda: ("housing", fits.housing.tolerance_class, case.housing_interference),
+    }
+    classes = []
+    for path, band in case.bands.items():
+        of, name, used = values[path]()
+        limits = {"least_m": band.least, "greatest_m": band.greatest}
+        classes.append({"name": of, "class": name, "used_m": used, **limits})
+    tolerances: dict[str, Any] = {"at": case.place, "classes": classes}
+    if bearing.mounting:
+        ends = {"loosest_m": _at_end(case, "loosest"), "tightest_m": _at_end(case, "tightest")}
+        tolerances["ends"] = ends
+    return {"tolerances": tolerances}
+
+
+def _at_end(case: Case, place: Place) -> float:
+    """Operating clearance at an end of the tolerances [m]; the chain alone is computed, no bearing."""
+    return operating(case.within_tolerances(place))
+
+
 def notes(case: Case) -> tuple[Note, ...]:
-    """Say so when the bearing runs under preload."""
-    clearance = operating(case)
+    """Say so when the bearing runs under preload, and between which clearances its classes leave it."""
+    clearance, within = operating(case), ()
+    if case.bands and case.bearing.mounting:
+        within = (_tolerance_note(case, clearance),)
     if clearance >= 0.0:
-        return ()
+        return within
     return (
         information(
             "preload",
             "clearance: the bearing is preloaded, its rollers interfere by "
             f"{-clearance * 1e6:.3f} um diametral",
         ),
+        *within,
     )
+
+
+def _tolerance_note(case: Case, clearance: float) -> Note:
+    loosest, tightest = _at_end(case, "loosest"), _at_end(case, "tightest")
+    words = (
+        f"clearance: the tolerances of the fits leave {tightest * 1e6:.1f} to {loosest * 1e6:.1f} um in "
+        f'operation; computed with {clearance * 1e6:.1f} um, bearing.fits.at = "{case.place}"'
+    )
+    return information("fit-tolerances", words + (", and preload at the tight end" if tightest < 0 else ""))

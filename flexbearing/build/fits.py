@@ -44,7 +44,7 @@ def _mounting(case: Case) -> Mounting:
     fits: Any = case.bearing.mounting  # its companions were checked on reading
     bore, shaft_bore = _bores(case)
     raceway = case.bearing.outer_raceway_diameter
-    inner_raceway = raceway - 2 * case.bearing.roller.diameter - fits.cold_clearance
+    inner_raceway = raceway - 2 * case.bearing.roller.diameter - case.stated_clearance
     outside = fits.outer_diameter or raceway + 2 * (case.outer.thickness or 0.0)
     ring = _annulus(case, "outer_ring", raceway, outside)
     outer: PressFit | Annulus = ring
@@ -52,14 +52,14 @@ def _mounting(case: Case) -> Mounting:
         outer = PressFit(
             inside=ring,
             outside=_annulus(case, "housing", outside, _housing_diameter(case, outside)),
-            interference=fits.housing.interference,
+            interference=case.housing_interference,
         )
     return Mounting(
-        cold_clearance=fits.cold_clearance,
+        cold_clearance=case.stated_clearance,
         shaft_fit=PressFit(
             inside=_annulus(case, "shaft", shaft_bore, bore),
             outside=_annulus(case, "inner_ring", bore, inner_raceway),
-            interference=fits.shaft_interference,
+            interference=case.shaft_interference,
         ),
         outer=outer,
         roller=_annulus(case, "roller", 0.0, case.bearing.roller.diameter),

@@ -11,10 +11,8 @@ from fem.errors import NotSolved
 from flexbearing.build.expansion import hot_over_cold, material, roller_length
 from flexbearing.build.mesh_sizes import ON_A_SECTION, mesh_size
 from flexbearing.build.ring_parts import (
-    housing_interference,
     inner_part,
     outer_part,
-    shaft_interference,
 )
 from flexbearing.build.seat_growth import seat_growth, seat_strain
 from flexbearing.case import BadCase
@@ -75,7 +73,7 @@ def _pressed_inner(case: Case, conditions: FitConditions) -> "PreloadedFit":
     assert seat  # or the ring would be rigid
     ring, shaft = material(case, "inner_ring"), material(case, "shaft")
     fit = Fit(
-        interference=shaft_interference(case),
+        interference=case.shaft_interference,
         friction=0.0,
         clamping=case.inner.clamping,
         thermal_strains=(
@@ -100,7 +98,7 @@ def _outer(case: Case) -> Expansion:
 
     def expansion(conditions: FitConditions) -> RacewayExpansion:
         fit = Fit(
-            interference=housing_interference(case),
+            interference=case.housing_interference,
             friction=0.0,
             thermal_strains=(
                 ring.expansion * conditions.inside_rise,

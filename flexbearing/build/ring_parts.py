@@ -155,8 +155,8 @@ def _inner_raceway_diameter(case: Case) -> float:
     diameter, roller = case.bearing.outer_raceway_diameter, case.bearing.roller.diameter
     if case.bearing.mounting is None:
         hot_roller = roller * hot_over_cold(case, "roller")
-        return outer_raceway_diameter(case) - 2 * hot_roller - case.bearing.stated_clearance
-    return (diameter - 2 * roller - case.bearing.stated_clearance) * hot_over_cold(case, "inner_ring")
+        return outer_raceway_diameter(case) - 2 * hot_roller - case.stated_clearance
+    return (diameter - 2 * roller - case.stated_clearance) * hot_over_cold(case, "inner_ring")
 
 
 def notes(case: Case) -> tuple[Note, ...]:
@@ -168,21 +168,6 @@ def notes(case: Case) -> tuple[Note, ...]:
         f"inner.thickness = {1e3 * inner.thickness:g} mm is not used: a ring without ribs ends at its raceway"
     )
     return (information("inner-thickness", words),)
-
-
-def housing_interference(case: Case) -> float:
-    """Diametral interference of a flexible outer ring in its housing, cold [m]; negative is a clearance."""
-    if case.outer.housing_clearance is not None:
-        return -case.outer.housing_clearance
-    assert case.bearing.fits
-    assert case.bearing.fits.housing  # or the ring would be bonded
-    return case.bearing.fits.housing.interference
-
-
-def shaft_interference(case: Case) -> float:
-    """Diametral interference of a flexible inner ring on its shaft, cold [m]."""
-    fits = case.bearing.fits
-    return 0.0 if fits is None or fits.shaft_interference is None else fits.shaft_interference
 
 
 def require_held_in_housing(case: Case) -> None:
@@ -197,7 +182,7 @@ def require_held_in_housing(case: Case) -> None:
     if not case.lifts_off or case.operation.radial_load > 0:
         return
     diameter = case.bearing.outer_raceway_diameter + 2 * outer.thickness
-    interference = housing_interference(case)
+    interference = case.housing_interference
     gap = -interference + diameter * (hot_over_cold(case, "housing") - hot_over_cold(case, "outer_ring"))
     if gap >= 0:
         raise fem.ImpossiblePart(

@@ -17,6 +17,8 @@ from flexbearing.quantities.forms import (
 
 BLOCKS = "rigid or flexible"
 OF_STEPS = ("cold_m", "shaft_fit", "housing_fit", "verdict")
+OF_ENDS = Record({"loosest_m": NUMBER, "tightest_m": NUMBER})
+OF_CLASS = Record({"name": TEXT, "class": TEXT, "used_m": NUMBER, "least_m": NUMBER, "greatest_m": NUMBER})
 OF_RACES = Record({"inner": TEXT, "outer": TEXT})
 
 
@@ -52,7 +54,13 @@ CLEARANCE: Form = Such(
                 Record({"name": TEXT, "change_m": NUMBER, "clearance_m": NUMBER, "explanation": TEXT})
             ),
         },
-        optional={"cold_m": NUMBER, "shaft_fit": TEXT, "housing_fit": TEXT, "verdict": TEXT},
+        optional={
+            "cold_m": NUMBER,
+            "shaft_fit": TEXT,
+            "housing_fit": TEXT,
+            "verdict": TEXT,
+            "tolerances": Record({"at": TEXT, "classes": ListOf(OF_CLASS)}, optional={"ends": OF_ENDS}),
+        },
         empty=True,
     ),
     _explained,

@@ -103,6 +103,22 @@ def clearance_steps(clearance: dict[str, Any]) -> Iterator[RenderableType]:
     yield from listed("in operation", [clearance["verdict"], *fits])
 
 
+def tolerances(clearance: dict[str, Any]) -> Iterator[RenderableType]:
+    """What the classes of fits and clearance allow; nothing where the case names none."""
+    found = clearance.get("tolerances")
+    if not found:
+        return
+    yield Text(f'tolerances, diametral; computed at bearing.fits.at = "{found["at"]}"', style="bold")
+    table = right_aligned("", "least [um]", "computed [um]", "greatest [um]")
+    for row in found["classes"]:
+        limits = (f"{row[name] * 1e6:.1f}" for name in ("least_m", "used_m", "greatest_m"))
+        table.add_row(Text(f"{row['name']} {row['class']}"), *limits)
+    if ends := found.get("ends"):
+        across = (ends["tightest_m"], clearance["operating_m"], ends["loosest_m"])
+        table.add_row("operating clearance", *(f"{value * 1e6:.1f}" for value in across))
+    yield table
+
+
 def life_factors(lives: dict[str, Any]) -> Iterator[RenderableType]:
     """Every factor between the basic and the modified life; nothing when none was asked for."""
     if not lives:

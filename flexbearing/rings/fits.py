@@ -12,7 +12,7 @@ import fem
 from fem.errors import NotSolved
 from flexbearing.build.expansion import hot_over_cold, material, roller_length
 from flexbearing.build.growth import expansions_along, mean_growth
-from flexbearing.build.ring_parts import Race, housing_interference, shaft_interference
+from flexbearing.build.ring_parts import Race
 from flexbearing.case.roller import Case
 from flexbearing.coupling import PartnerFailed
 from flexbearing.coupling.raceway_pair import linear_answer
@@ -133,7 +133,7 @@ def inner_ring_in_fit(
         variations=expansions_along(case, ring="inner_ring", shaft="shaft"),
     )
     fit = Fit(
-        interference=shaft_interference(case),
+        interference=case.shaft_interference,
         friction=0.0 if inner.fit == "frictionless" else inner.fit_friction,
         clamping=inner.clamping,
         thermal_strains=(hot_over_cold(case, "inner_ring") - 1, hot_over_cold(case, "shaft") - 1),
@@ -181,7 +181,7 @@ def outer_ring_in_housing(
         variations=expansions_along(case, ring="outer_ring", housing="housing"),
     )
     fit = Fit(
-        interference=housing_interference(case),
+        interference=case.housing_interference,
         friction=0.0,
         thermal_strains=(hot_over_cold(case, "outer_ring") - 1, hot_over_cold(case, "housing") - 1),
         densities=(material(case, "outer_ring").density, material(case, "housing").density),

@@ -2,10 +2,11 @@
 
 import re
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 import numpy as np
 import pytest
+from hypothesis import given, settings, strategies as st
 from pytest import approx
 
 import flexbearing
@@ -16,6 +17,7 @@ from flexbearing.build.growth import expansions, mean_growth
 from flexbearing.build.mesh_sizes import ON_A_SECTION, mesh_size
 from flexbearing.case import BadCase
 from flexbearing.case.read import understood
+from flexbearing.case.roller.tolerances import ClearanceClass, HousingClass, ShaftClass
 from flexbearing.families import FAMILIES
 from flexbearing.report import text
 from flexbearing.rings.fits import inner_ring_in_fit, outer_ring_in_housing
@@ -208,7 +210,8 @@ def test_no_clearance_is_one_too_few(tmp_path):
     file.write_text(PLAIN.read_text().replace('clearance = "41 um"', ""))
     message = refusal(file, {})
     assert (
-        "[bearing] clearance is missing: a bearing without [bearing.fits] cold_clearance needs it" in message
+        "[bearing] clearance is missing: a bearing without [bearing.fits] cold_clearance or clearance_class "
+        "needs it" in message
     )
 
 
@@ -293,6 +296,115 @@ def test_temperature_of_a_housing_that_is_not_there_is_refused():
     assert "belongs to a given bearing.fits.housing" in message
 
 
+# -- classes of clearance and fits ---------------------------------------------------------------
+
+
+CLASSES = {  # a bearing 45 x 85 mm: C3 50 to 80 um, k5 2 to 25 um, N7 -5 to 45 um
+    "bearing.clearance_class": "C3", "bearing.fits.shaft": "k5",
+    "bearing.fits.housing.tolerance_class": "N7",
+}  # fmt: skip
+NUMBERS = ("cold_clearance", "shaft_interference", "interference")
+
+
+def by_class(settings=None) -> Any:
+    """The case with fits, by classes instead of numbers."""
+    lines = FITS.read_text().splitlines()
+    text = "\n".join(line for line in lines if not line.strip().startswith(NUMBERS))
+    for name in ("cold_clearance", "shaft_interference", "housing.interference"):
+        text = text.replace(f'"bearing.fits.{name}",', "")
+    return understood(text, FITS, {**CLASSES, **(settings or {})}, FAMILIES)
+
+
+@pytest.mark.parametrize(
+    ("place", "cold", "shaft", "housing"),
+    [("loosest", 80, 2, -5), ("mean", 65, 13.5, 20), ("tightest", 50, 25, 45)],
+)
+def test_classes_are_the_numbers_that_they_stand_for(place, cold, shaft, housing):
+    numbers = {
+        "bearing.fits.cold_clearance": f"{cold} um",
+        "bearing.fits.shaft_interference": f"{shaft} um",
+        "bearing.fits.housing.interference": f"{housing} um",
+    }
+    named, stated = by_class({"bearing.fits.at": place}), read_case(FITS, numbers)
+    assert clearance.operating(named) == approx(clearance.operating(stated), rel=1e-9, abs=0.0)
+    assert named.stated_clearance == approx(cold * 1e-6, rel=1e-12)
+
+
+def test_result_tells_the_tolerances_and_the_clearance_at_both_ends():
+    case = by_class()
+    record = clearance.record(case)["tolerances"]
+    found = {row["name"]: [1e6 * row[f"{end}_m"] for end in ("least", "used", "greatest")]
+             for row in record["classes"]}  # fmt: skip
+    assert found["clearance"] == approx([50, 65, 80])
+    assert found["shaft"] == approx([2, 13.5, 25])
+    assert found["housing"] == approx([-5, 20, 45])
+    assert [row["class"] for row in record["classes"]] == ["C3", "k5", "N7"]
+    ends = {end: clearance.operating(by_class({"bearing.fits.at": end})) for end in ("loosest", "tightest")}
+    assert record["ends"] == {f"{end}_m": value for end, value in ends.items()}
+    assert ends["tightest"] < clearance.operating(case) < ends["loosest"]
+    (note,) = (each for each in clearance.notes(case) if each.code == "fit-tolerances")
+    assert f"{ends['tightest'] * 1e6:.1f} to {ends['loosest'] * 1e6:.1f} um" in note.text
+
+
+def test_a_class_of_the_shaft_alone_presses_a_fit_beside_a_stated_clearance():
+    case = read_case(PAPER, {"inner.fit": "friction", "bearing.fits.shaft": "k5"})
+    assert case.shaft_interference == approx((2 + 15 + 15) / 2 * 1e-6)  # 59.6 mm: k5 +2 to +15, bore 0 to -15
+    assert "ends" not in clearance.record(case)["tolerances"]
+    assert clearance.notes(case) == ()
+
+
+@pytest.mark.parametrize(
+    ("setting", "said"),
+    [
+        ({"bearing.fits.bore": "5 mm"}, "bearing.fits.bore = 5 mm: C3 is tabulated over 6 mm up to 250 mm"),
+        ({"bearing.fits.shaft": "r7"}, "r7 is tabulated over 80 mm up to 250 mm; give the value"),
+        ({"bearing.fits.housing.tolerance_class": "R7"}, '"F7" or "G6" or "G7"'),
+        ({"bearing.fits.shaft": "H7"}, '"f5" or "f6" or "g5"'),
+        ({"bearing.clearance_class": "C9"}, '"C2" or "CN" or "C3" or "C4"'),
+        ({"bearing.fits.shaft_interference": "9 um"}, "left out beside shaft_interference; give one of"),
+        ({"bearing.fits.housing.interference": "9 um"}, "left out beside interference; give one of the two"),
+        ({"bearing.fits.cold_clearance": "60 um"}, "left out where [bearing.fits] cold_clearance is given"),
+        ({"bearing.clearance": "60 um"}, "left out where clearance_class is given; give one of the two"),
+    ],
+    ids=lambda value: next(iter(value)) if isinstance(value, dict) else "",
+)
+def test_classes_without_a_printed_value_or_beside_a_number_are_refused(setting, said):
+    with pytest.raises(BadCase) as problem:
+        by_class(setting)
+    assert said in str(problem.value)
+
+
+def test_a_class_of_clearance_needs_the_fit_of_the_shaft(tmp_path):
+    file = tmp_path / "case.toml"
+    file.write_text(PLAIN.read_text().replace('clearance = "41 um"', 'clearance_class = "C3"'))
+    assert "[bearing.fits] shaft is missing: bearing.clearance_class needs it" in refusal(file, {})
+
+
+def test_a_place_within_tolerances_needs_a_class():
+    assert "[bearing.fits] at" in refusal(FITS, {"bearing.fits.at": "loosest"})
+
+
+@given(
+    st.sampled_from(get_args(ShaftClass)),
+    st.sampled_from(get_args(HousingClass)),
+    st.sampled_from(get_args(ClearanceClass)),
+)
+@settings(max_examples=30)
+def test_tighter_classes_never_open_a_bearing(shaft, housing, clearance_class):
+    if shaft in ("p7", "r7"):
+        return
+    found = {
+        "bearing.fits.shaft": shaft,
+        "bearing.fits.housing.tolerance_class": housing,
+        "bearing.clearance_class": clearance_class,
+    }
+    case = by_class(found)
+    tight, mean, loose = (
+        clearance.operating(case.within_tolerances(place)) for place in ("tightest", "mean", "loosest")
+    )
+    assert tight < mean < loose
+
+
 # -- one fit, one interference, one pressure -------------------------------------------------------
 
 
@@ -373,7 +485,7 @@ def test_interference_that_changes_nothing_is_refused(settings, told):
 def test_interference_presses_a_fit_beside_a_stated_clearance():
     case = read_case(PAPER, {"inner.fit": "friction", "bearing.fits.shaft_interference": "10 um"})
     assert clearance.operating(case) == approx(75.5e-6, rel=1e-12)
-    assert ring_parts.shaft_interference(case) == approx(10e-6, rel=1e-12)
+    assert case.shaft_interference == approx(10e-6, rel=1e-12)
 
 
 def test_ring_pressed_into_a_flexible_housing_loses_its_clearance_as_the_finite_elements_say():

@@ -94,6 +94,10 @@ CONTEXTS = {  # file and settings in which a key belongs to the case
         "operation.outer_speed": "100 rpm"}),
     "shaft fit, even heat": ("mao2016", {
         "inner.fit": "friction", "bearing.fits.shaft_interference": "40 um"}),
+    "classes": ("nu209_fits", {
+        "bearing.clearance_class": "C3", "bearing.fits.cold_clearance": None,
+        "bearing.fits.shaft": "k5", "bearing.fits.shaft_interference": None,
+        "bearing.fits.housing.tolerance_class": "N7", "bearing.fits.housing.interference": None}),
     "pressed housing": ("nu209_fits", {"bearing.fits.housing.interference": "20 um"}),
     "three balls": ("joshi2015_ed20", {}),
     "newton alone": ("mao2016", {"coupling.fallback": False, "coupling.relaxation": None}),

@@ -9,6 +9,7 @@ from flexbearing.case.quantity import Angle, Length, Mass, Section, impossible, 
 from flexbearing.case.roller.fits import Fits
 from flexbearing.case.roller.flange import Flange
 from flexbearing.case.roller.form_error import FormError
+from flexbearing.case.roller.tolerances import ClearanceClass
 
 ROUNDING = 1e-9  # of a diameter
 _LAND = {"guidance": ("outer", "inner")}
@@ -128,11 +129,19 @@ class Bearing(Section):
     outer_raceway_diameter: Length = key("diameter of the outer raceway", example="75 mm", ge=1e-3, le=100)
     clearance: Length | None = key(
         "operating diametral clearance, warm and running; negative is a preload; instead of "
-        "bearing.fits.cold_clearance",
+        "bearing.fits.cold_clearance or bearing.clearance_class",
         None,
         example="50 um",
     )
-    fits: Fits | None = key("how the rings are mounted; with cold_clearance the operating one follows", None)
+    clearance_class: ClearanceClass | None = key(
+        "class of the clearance before mounting by ISO 5753, bores over 6 mm up to 250 mm; the operating "
+        "clearance then follows from [bearing.fits]",
+        None,
+        example="C3",
+    )
+    fits: Fits | None = key(
+        "how the rings are mounted; with cold_clearance or a clearance_class the operating one follows", None
+    )
     contact_law: Literal["palmgren", "iso16281"] = key("load law of a roller on a raceway", "palmgren")
     contact: Literal["slices", "half_space"] = key(
         "how the most loaded roller is resolved for peak pressure and life: slices, each a line contact of "
@@ -150,25 +159,33 @@ class Bearing(Section):
     @property
     def mounting(self) -> Fits | None:
         """The fits from which the operating clearance follows; None where the case states it."""
-        return self.fits if self.fits and self.fits.cold_clearance is not None else None
-
-    @property
-    def stated_clearance(self) -> float:
-        """The clearance that the case gives, operating or cold [m]."""
-        given = self.clearance if self.mounting is None else self.mounting.cold_clearance
-        assert given is not None  # checked on reading
-        return given
+        cold = self.fits is not None and self.fits.cold_clearance is not None
+        return self.fits if cold or self.clearance_class is not None else None
 
     @model_validator(mode="after")
     def _one_clearance(self) -> Self:
-        if self.clearance is None and self.mounting is None:
-            raise needed(["clearance"], "a bearing without [bearing.fits] cold_clearance")
-        if self.clearance is not None and self.mounting is not None:
-            allowed = "left out where [bearing.fits] cold_clearance is given; give one of the two"
-            raise impossible("clearance", allowed)
-        if self.mounting and self.mounting.shaft_interference is None:
-            raise needed(["fits.shaft_interference"], "bearing.fits.cold_clearance")
+        cold = None if self.fits is None else self.fits.cold_clearance
+        ways = {
+            "clearance": self.clearance,
+            "clearance_class": self.clearance_class,
+            "fits.cold_clearance": cold,
+        }
+        given = [name for name, value in ways.items() if value is not None]
+        if not given:
+            choice = "a bearing without [bearing.fits] cold_clearance or clearance_class"
+            raise needed(["clearance"], choice)
+        if len(given) > 1:
+            other = "[bearing.fits] cold_clearance" if given[1] != "clearance_class" else "clearance_class"
+            raise impossible(given[0], f"left out where {other} is given; give one of the two")
+        if self.clearance is None:
+            self._require_shaft_fit(given[0])
         return self
+
+    def _require_shaft_fit(self, way: str) -> None:
+        """Raise unless a clearance before mounting comes with the fit that takes it away."""
+        if self.fits is None or (self.fits.shaft is None and self.fits.shaft_interference is None):
+            name = "shaft" if way == "clearance_class" else "shaft_interference"
+            raise needed([f"fits.{name}"], f"bearing.{way}")
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
@@ -180,19 +197,18 @@ class Bearing(Section):
             raise impossible("rollers", f"at most {most}, or they touch on the pitch circle")
         if self.flange and self.flange.height >= self.roller.diameter / 2:
             raise impossible("flange.height", "below half of bearing.roller.diameter")
-        if abs(self.stated_clearance) > self.roller.diameter / 2:
-            name = "fits.cold_clearance" if self.mounting else "clearance"
-            raise impossible(name, "below half a roller diameter; is the unit right?")
-        self._require_land(pitch)
         return self
 
-    def _require_land(self, pitch: float) -> None:
-        """Raise unless the guiding land lies between the raceway of its ring and the pitch circle."""
+    def require_room(self, clearance: float) -> None:
+        """Raise unless the clearance is small, and the guiding land between pitch circle and its raceway."""
+        if abs(clearance) > self.roller.diameter / 2:
+            name = "fits.cold_clearance" if self.mounting else "clearance"
+            raise impossible(name, "below half a roller diameter; is the unit right?")
         land, guidance = self.cage.land_diameter, self.cage.guidance
         if land is None:
             return
-        outer = self.outer_raceway_diameter
-        inner = outer - 2 * self.roller.diameter - self.stated_clearance
+        outer, pitch = self.outer_raceway_diameter, self.outer_raceway_diameter - self.roller.diameter
+        inner = outer - 2 * self.roller.diameter - clearance
         low, high = (pitch, outer) if guidance == "outer" else (inner, pitch)
         if not (1 - ROUNDING) * low <= land <= (1 + ROUNDING) * high:
             where = (

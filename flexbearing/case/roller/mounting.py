@@ -8,7 +8,12 @@ from flexbearing.case.roller.surroundings import Materials, Temperatures
 
 
 def require_mounting(
-    bearing: Bearing, materials: Materials, temperatures: Temperatures | None, inner: Inner, outer: Outer
+    bearing: Bearing,
+    clearance: float,
+    materials: Materials,
+    temperatures: Temperatures | None,
+    inner: Inner,
+    outer: Outer,
 ) -> None:
     """Raise unless every dimension, material and temperature of a mounting is given exactly once."""
     housing = bearing.fits.housing if bearing.fits else None
@@ -27,7 +32,7 @@ def require_mounting(
     fits = bearing.mounting
     if fits is None:
         return
-    _require_bore(bearing, fits, inner)
+    _require_bore(bearing, clearance, fits, inner)
     _require_outside(bearing, fits, outer)
     if materials.shaft is None:
         raise needed(["materials.shaft"], "[bearing.fits]")
@@ -35,7 +40,7 @@ def require_mounting(
         raise needed(["materials.housing"], "[bearing.fits.housing]")
 
 
-def _require_bore(bearing: Bearing, fits: Fits, inner: Inner) -> None:
+def _require_bore(bearing: Bearing, clearance: float, fits: Fits, inner: Inner) -> None:
     """Bore and shaft come from [bearing.fits] inside a rigid ring, else from [inner]."""
     if inner.kind != "rigid":
         for name, owner in (("bore", "inner.bore"), ("shaft_bore", "inner.shaft_thickness")):
@@ -44,7 +49,7 @@ def _require_bore(bearing: Bearing, fits: Fits, inner: Inner) -> None:
         return
     if fits.bore is None:
         raise needed(["bearing.fits.bore"], 'inner.kind = "rigid" with [bearing.fits]')
-    raceway = bearing.outer_raceway_diameter - 2 * bearing.roller.diameter - bearing.stated_clearance
+    raceway = bearing.outer_raceway_diameter - 2 * bearing.roller.diameter - clearance
     if fits.bore >= raceway:
         raise impossible("bearing.fits.bore", f"below the inner raceway diameter {raceway * 1e3:.4g} mm")
     if fits.shaft_bore is not None and fits.shaft_bore >= fits.bore:

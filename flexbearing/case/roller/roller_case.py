@@ -9,6 +9,7 @@ from pydantic_core import PydanticCustomError
 
 from flexbearing.case.head import KIND, Head
 from flexbearing.case.quantity import impossible, key, needed
+from flexbearing.case.roller.bands import CLEARANCE, HOUSING, SHAFT, bands
 from flexbearing.case.roller.bearing import Bearing
 from flexbearing.case.roller.full_solids import require_solids
 from flexbearing.case.roller.life import FEWEST_SLICES, Life
@@ -18,6 +19,7 @@ from flexbearing.case.roller.numerics import Accuracy, Coupling
 from flexbearing.case.roller.outputs import Outputs
 from flexbearing.case.roller.rings import Inner, Outer
 from flexbearing.case.roller.surroundings import Materials, Operation
+from flexbearing.case.roller.tolerances import Band, Place
 
 FORMER = {  # keys of older versions, and what has taken their place
     "inner.interference": "bearing.fits.shaft_interference, and that of the housing is "
@@ -60,11 +62,64 @@ class Case(Head):
         """The drawing."""
         return (self.drawing,) if self.drawing else ()
 
+    @property
+    def bands(self) -> dict[str, Band]:
+        """Key of each class of clearance and fits that the case names, to what it allows [m]."""
+        return bands(self.bearing, self.inner, self.outer)
+
+    @property
+    def place(self) -> Place:
+        """Where the classes are taken within their tolerances."""
+        return self.bearing.fits.at if self.bearing.fits else "mean"
+
+    @property
+    def stated_clearance(self) -> float:
+        """The clearance that the case gives, operating or before mounting [m]."""
+        if self.bearing.clearance is not None:
+            return self.bearing.clearance
+        if self.bearing.clearance_class is not None:
+            return self.bands[CLEARANCE].open(self.place)
+        assert self.bearing.fits  # checked on reading, here and below
+        assert self.bearing.fits.cold_clearance is not None
+        return self.bearing.fits.cold_clearance
+
+    @property
+    def shaft_interference(self) -> float:
+        """Diametral interference of shaft and inner ring, cold [m]; zero where no fit is given."""
+        fits = self.bearing.fits
+        if fits and fits.shaft is not None:
+            return self.bands[SHAFT].tight(self.place)
+        return 0.0 if fits is None or fits.shaft_interference is None else fits.shaft_interference
+
+    @property
+    def housing_interference(self) -> float:
+        """Diametral interference of outer ring and housing, cold [m]; negative is a clearance."""
+        if self.outer.housing_clearance is not None:
+            return -self.outer.housing_clearance
+        assert self.bearing.fits
+        assert self.bearing.fits.housing  # or the ring would be bonded or free
+        housing = self.bearing.fits.housing
+        if housing.tolerance_class is not None:
+            return self.bands[HOUSING].tight(self.place)
+        assert housing.interference is not None
+        return housing.interference
+
+    def within_tolerances(self, place: Place) -> "Case":
+        """The same case with its classes taken at another place within their tolerances."""
+        fits = self.bearing.fits and self.bearing.fits.model_copy(update={"at": place})
+        return self.model_copy(update={"bearing": self.bearing.model_copy(update={"fits": fits})})
+
+    @model_validator(mode="after")
+    def _classes_are_tabulated(self) -> Self:
+        bands(self.bearing, self.inner, self.outer)
+        return self
+
     @model_validator(mode="after")
     def _parts_fit(self) -> Self:
         raceway, roller = self.bearing.outer_raceway_diameter, self.bearing.roller
+        _at("bearing", lambda: self.bearing.require_room(self.stated_clearance))
         _at("outer", lambda: self.outer.require_room(raceway, roller.length))
-        inner_raceway = raceway - 2 * roller.diameter - self.bearing.stated_clearance
+        inner_raceway = raceway - 2 * roller.diameter - self.stated_clearance
         _at("inner", lambda: self.inner.require_room(inner_raceway, roller.length))
         if self.bearing.cage.thickness >= roller.diameter:
             raise impossible("bearing.cage.thickness", "below bearing.roller.diameter")
@@ -122,7 +177,8 @@ class Case(Head):
 
     @model_validator(mode="after")
     def _mounting_is_complete(self) -> Self:
-        require_mounting(self.bearing, self.materials, self.operation.temperatures, self.inner, self.outer)
+        clearance, temperatures = self.stated_clearance, self.operation.temperatures
+        require_mounting(self.bearing, clearance, self.materials, temperatures, self.inner, self.outer)
         return self
 
 

@@ -21,7 +21,7 @@ from flexbearing.case.quantity import (
     impossible,
     key,
 )
-from flexbearing.case.roller.fits import COLD, FITTED, IN_HOUSING, LIFTING_OFF
+from flexbearing.case.roller.fits import FITTED, IN_HOUSING, LIFTING_OFF, MOUNTED
 
 ON_SEAT = ({"outer.kind": ("squirrel_cage",)}, {"outer.kind": ("ring",), "outer.support": ("side", "seat")})
 SAME = 1e-3  # [K] by which two statements of a temperature may differ
@@ -54,9 +54,9 @@ class Materials(Section):
     inner_ring: RingMaterial = key("of the inner ring")
     outer_ring: RingMaterial = key("of the outer ring, and of the squirrel cage that is one piece with it")
     shaft: RingMaterial | None = key(
-        'of the shaft; needed for inner.kind = "ring_on_shaft" and for bearing.fits.cold_clearance',
+        'of the shaft; needed for inner.kind = "ring_on_shaft" and for a clearance that follows from fits',
         None,
-        only=({"inner.kind": ("ring_on_shaft",)}, COLD),
+        only=({"inner.kind": ("ring_on_shaft",)}, *MOUNTED),
     )
     housing: RingMaterial | None = key(
         'of the housing; needed for [bearing.fits.housing]; without it that of outer.support = "housing" is '

@@ -25,6 +25,7 @@ from flexbearing.report.sections import (
     skew,
     stresses,
     tilt,
+    tolerances,
 )
 from flexbearing.report.supports import supports
 
@@ -70,6 +71,7 @@ def page(numbers: dict[str, Any]) -> Iterator[RenderableType]:
     yield from supports(numbers["structure"])
     yield from skew({name: numbers[name] for name in ("rigid", "flexible")})
     yield from clearance_steps(numbers["clearance"])
+    yield from tolerances(numbers["clearance"])
     yield from life_factors(numbers["life"])
     yield from stresses(numbers["stresses"])
     yield from closing(numbers, ending(numbers))

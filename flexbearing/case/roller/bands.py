@@ -1,0 +1,81 @@
+"""Tolerance bands of a case: what its classes of clearance and fits come to at its diameters."""
+
+from collections.abc import Callable, Iterator
+
+from flexbearing.case.quantity import impossible, needed
+from flexbearing.case.roller.bearing import Bearing
+from flexbearing.case.roller.rings import Inner, Outer
+from flexbearing.case.roller.tolerances import (
+    Band,
+    Untabulated,
+    housing_interference,
+    initial_clearance,
+    shaft_interference,
+)
+
+CLEARANCE, SHAFT, HOUSING = (
+    "bearing.clearance_class",
+    "bearing.fits.shaft",
+    "bearing.fits.housing.tolerance_class",
+)
+_Read = tuple[str, str, Callable[[float], Band], float | None, str]  # key, class, table, diameter, its key
+
+
+def bore_diameter(bearing: Bearing, inner: Inner) -> float | None:
+    """Nominal bore of the inner ring [m]; None where the case does not give it."""
+    if inner.kind != "rigid":
+        return inner.bore
+    return bearing.fits.bore if bearing.fits else None
+
+
+def outside_diameter(bearing: Bearing, outer: Outer) -> float | None:
+    """Nominal outside diameter of the outer ring [m]; None where the case does not give it."""
+    if outer.kind == "rigid":
+        return bearing.fits.outer_diameter if bearing.fits else None
+    return bearing.outer_raceway_diameter + 2 * (outer.thickness or 0.0)
+
+
+def bands(bearing: Bearing, inner: Inner, outer: Outer) -> dict[str, Band]:
+    """Bands of a case's clearance before mounting and of its interferences.
+
+    Parameters
+    ----------
+    bearing, inner, outer : Bearing, Inner, Outer
+        of a case
+
+    Returns
+    -------
+    dict
+        key of each class that is given to its band [m]
+
+    Raises
+    ------
+    PydanticCustomError
+        where a diameter is missing, or none of the printed tables has it
+    """
+    found = {}
+    for path, name, table, diameter, owner in _read(bearing, inner, outer):
+        if diameter is None:
+            raise needed([owner], path)
+        try:
+            found[path] = table(diameter)
+        except Untabulated as problem:
+            given = f"{owner} = {diameter * 1e3:.6g} mm"
+            raise impossible(
+                path, f"left out for {given}: {name} is tabulated {problem}; give the value"
+            ) from None
+    return found
+
+
+def _read(bearing: Bearing, inner: Inner, outer: Outer) -> Iterator[_Read]:
+    """The classes that are given."""
+    fits, bore = bearing.fits, bore_diameter(bearing, inner)
+    of_bore = "bearing.fits.bore" if inner.kind == "rigid" else "inner.bore"
+    if (clearance := bearing.clearance_class) is not None:
+        yield CLEARANCE, clearance, lambda size: initial_clearance(clearance, size), bore, of_bore
+    if fits and (shaft := fits.shaft) is not None:
+        yield SHAFT, shaft, lambda size: shaft_interference(shaft, size), bore, of_bore
+    if fits and fits.housing and (housing := fits.housing.tolerance_class) is not None:
+        outside = outside_diameter(bearing, outer)
+        owner = "bearing.fits.outer_diameter"
+        yield HOUSING, housing, lambda size: housing_interference(housing, size), outside, owner
