@@ -58,7 +58,7 @@ def attributes(selections: Sequence[Selection]) -> dict[str, Any]:
 
 
 def unmet(selections: Sequence[Selection]) -> Iterator[Note]:
-    """Danger of a target that is not met, with what its errors are and what makes them."""
+    """Danger of a target that is not met: its errors, what makes them, and the keys that hold it back."""
     if all(selection.met for selection in selections):
         return
     selection = _worst(selections)
@@ -71,13 +71,29 @@ def unmet(selections: Sequence[Selection]) -> Iterator[Note]:
         selection.verdicts,
         key=lambda verdict: max(verdict.estimate.get(name, 0.0) for name in JUDGED),
     )
-    choice = worst.choice
-    fixed = ", which the case fixes" if worst.level == choice.highest and choice.last is not None else ""
     yield danger(
         "unmet-target",
         f"accuracy.target of {percent(selection.target)} is not met: the estimated errors are {errors}, "
-        f"most of it from {choice.name} ({choice.levels[worst.level]}{fixed})",
+        f"most of it from {worst.choice.name} ({worst.choice.levels[worst.level]}){_held_back(selection)}",
     )
+
+
+def _held_back(selection: Selection) -> str:
+    """Keys that fix choices at levels which leave more than their parts of the target; empty for none."""
+    coarse = (verdict for verdict in selection.verdicts if verdict.excess and _is_fixed(verdict))
+    keys = dict.fromkeys(f"accuracy.{key}" for verdict in coarse for key in verdict.choice.fixed_by)
+    if not keys:
+        return ""
+    them = "it" if len(keys) == 1 else "them"
+    return (
+        f"; held back by {' and '.join(keys)}, which the case fixes: "
+        f"leave {them} out for the program to choose, or make {them} finer"
+    )
+
+
+def _is_fixed(verdict: Verdict) -> bool:
+    """Whether the case fixes the level that was taken; a part may be left rigid below it."""
+    return bool(verdict.choice.fixed_by) and verdict.level == verdict.choice.highest
 
 
 def percent(share: float) -> str:
@@ -94,7 +110,7 @@ def _record(verdict: Verdict) -> dict[str, Any]:
     choice = verdict.choice
     return {
         "level": choice.levels[verdict.level],
-        "fixed": choice.last is not None and verdict.level == choice.highest,
+        "fixed": _is_fixed(verdict),
         "compared_with": [choice.levels[level] for level in verdict.against],
         "changes": dict(verdict.changes),
         "factor": verdict.factor,

@@ -37,6 +37,7 @@ class Choice:
     converging: int = 0  # first level of the sequence; those before leave something out altogether
     start: int = 0  # first level that may be taken
     last: int | None = None  # highest level that may be taken, those beyond only measure; None: any
+    fixed_by: tuple[str, ...] = ()  # keys of the case that fix its highest level; none: it is chosen
 
     @property
     def highest(self) -> int:

@@ -5,7 +5,7 @@ case on their levels.
 """
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import IntEnum
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -92,51 +92,58 @@ def ladders(case: Case) -> tuple[Ladder, ...]:
     return tuple(sorted(choices, key=lambda ladder: ladder.cost))
 
 
-def _is_given(case: Case, *keys: str) -> bool:
-    """Whether the case itself sets one of these keys."""
-    return not case.accuracy.model_fields_set.isdisjoint(keys)
+def _given(case: Case, *keys: str) -> tuple[str, ...]:
+    """Those of these keys that the case itself sets."""
+    return tuple(key for key in keys if key in case.accuracy.model_fields_set)
 
 
 def _slices(case: Case) -> Ladder:
     """Slices double: what sharp ends of the line load leave falls as (log K) / K."""
-    if _is_given(case, "slices"):
-        return _counted("slices", "slices", tuple(n * case.accuracy.slices for n in (1, 2, 4)), 0)
+    if _given(case, "slices"):
+        return _fixed("slices", "slices", tuple(n * case.accuracy.slices for n in (1, 2, 4)))
     least = max(FEWEST_FOR_A_TARGET, FEWEST_SLICES if case.life.edge_stress else 0)
-    return _counted("slices", "slices", tuple(n for n in SLICES if n >= least), -2)
+    return _counted("slices", "slices", tuple(n for n in SLICES if n >= least))
 
 
 def _axial_modes(case: Case, parts: "Mapping[Race, Part]") -> Ladder:
     """Axial modes come two at a time. A raceway with few of them has too few harmonics for a fit."""
-    if _is_given(case, "axial_shapes"):
+    if _given(case, "axial_shapes"):
         modes = tuple(case.accuracy.axial_shapes + more for more in (0, 2, 4))
-        return _counted("axial shapes", "axial_shapes", modes, 0)
+        return _fixed("axial shapes", "axial_shapes", modes)
     in_fits = [part.raceway_diameter / 2 for race, part in parts.items() if is_in_fit(case, race)]
     least = FEWEST_OF_A_FIT * roller_length(case) / (PER_MODE * min(in_fits)) if in_fits else 0
-    return _counted("axial shapes", "axial_shapes", tuple(n for n in AXIAL_MODES if n >= least), -2)
+    return _counted("axial shapes", "axial_shapes", tuple(n for n in AXIAL_MODES if n >= least))
 
 
-def _counted(name: str, key: str, counts: tuple[int, ...], last: int) -> Ladder:
-    """A number that grows; the levels beyond the last one only measure."""
+def _counted(name: str, key: str, counts: tuple[int, ...]) -> Ladder:
+    """A number that grows; the richest level only measures."""
     choice = Choice(
         name=name,
         levels=tuple(str(count) for count in counts),
         weight=WEIGHT[Cost.BEARING],
         above=ABOVE[Cost.BEARING],
         compared=COMPARED,
-        last=range(len(counts))[last],
+        last=len(counts) - 2,
     )
     return Ladder(choice, tuple({key: count} for count in counts))
 
 
+def _fixed(name: str, key: str, counts: tuple[int, ...]) -> Ladder:
+    """A number that the case gives; the richer levels only measure."""
+    counted = _counted(name, key, counts)
+    return replace(counted, choice=replace(counted.choice, last=0, fixed_by=(key,)))
+
+
 def _harmonics(case: Case) -> Iterator[Ladder]:
     """Harmonics are those that a mesh resolves, a level of the part; unless the case says how many."""
-    if _is_given(case, "harmonics"):
+    if fixed_by := _given(case, "harmonics"):
         counts = (case.accuracy.harmonics, None)
         choice = Choice(
             name="harmonics",
             levels=(f"{counts[0]}", "as many as the mesh resolves"),
             weight=WEIGHT[Cost.BEARING],
             last=0,
+            fixed_by=fixed_by,
             above=ABOVE[Cost.BEARING],
         )
         yield Ladder(choice, tuple({"harmonics": n} for n in counts))
@@ -144,10 +151,11 @@ def _harmonics(case: Case) -> Iterator[Ladder]:
 
 def _part(case: Case, race: Race, part: "Part") -> Ladder:
     """Rigid, then finer and finer; a mesh or structure that the case gives is only measured."""
-    meshes, last = mesh_levels(case, part), None
-    if _is_given(case, *MESH_KEYS) or case.accuracy.structure not in ("harmonics", "solid"):
+    meshes, last, of_mesh = mesh_levels(case, part), None, _given(case, *MESH_KEYS)
+    fixed_by = of_mesh if case.accuracy.structure in ("harmonics", "solid") else (*of_mesh, "structure")
+    if fixed_by:
         usual, _, _ = ON_A_SECTION if meshes is ON_SECTIONS else IN_SPACE
-        order = (case.accuracy.element_order or usual) + _is_given(case, *MESH_KEYS)
+        order = (case.accuracy.element_order or usual) + bool(of_mesh)
         structure = "solid" if meshes is ON_SOLIDS else "harmonics"
         settings, last = ({}, {"element_order": order, "structure": structure}), 1
         words = ("as given", f"{structure}, order {order}")
@@ -163,6 +171,7 @@ def _part(case: Case, race: Race, part: "Part") -> Ladder:
         weight=WEIGHT[cost],
         converging=1,
         last=last,
+        fixed_by=fixed_by,
         above=ABOVE[cost],
         below=BELOW[cost],
     )

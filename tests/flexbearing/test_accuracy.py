@@ -7,7 +7,8 @@ from hypothesis import given, strategies as st
 from pytest import approx
 
 from flexbearing.accuracy import Choice, Unusable, climb
-from flexbearing.accuracy.ladder import Verdict, climb_together
+from flexbearing.accuracy.estimates import attributes, unmet
+from flexbearing.accuracy.ladder import Selection, Verdict, climb_together
 
 LEVELS = 12
 RATIO = 0.3
@@ -177,3 +178,36 @@ def test_a_problem_without_an_answer_where_others_are_ends_the_climb():
         climb_together(
             [replace(SLICES, last=0), PART], problems, lambda a, b: {"load": abs(a - b)}, 1e-3, ("load",)
         )
+
+
+FIXED = replace(SLICES, last=0, fixed_by=("slices",))
+MESH = replace(FIXED, name="outer ring", fixed_by=("element_order", "mesh_size"))
+
+
+def told(*verdicts):
+    """What is said of a target that these do not meet."""
+    (note,) = unmet([Selection(tuple(verdict.level for verdict in verdicts), verdicts, 0.01)])
+    return note.text
+
+
+def with_change(choice, life, level=0):
+    return Verdict(choice, level, (level + 1,), {"life": life}, 0.005, ("roller_load", "life"))
+
+
+def test_an_unmet_target_names_the_keys_that_hold_it_back_and_no_others():
+    text = told(with_change(replace(FIXED, fixed_by=("axial_shapes",)), 1e-4), with_change(FIXED, 0.04))
+    assert "held back by accuracy.slices, which the case fixes: leave it out" in text
+    assert "axial_shapes" not in text  # they keep their part of the target
+    text = told(with_change(FIXED, 0.006), with_change(MESH, 0.04))
+    assert "by accuracy.slices and accuracy.element_order and accuracy.mesh_size, which" in text
+    assert "leave them out" in text
+
+
+def test_the_finest_level_of_an_open_choice_is_not_called_fixed():
+    """It was, and no key could be left out."""
+    finest = with_change(replace(SLICES, last=LEVELS - 2), 0.04, level=LEVELS - 2)
+    assert "the case fixes" not in told(finest)
+    (record,) = attributes([Selection((LEVELS - 2,), (finest,), 0.01)])["choices"].values()
+    assert not record["fixed"]
+    (record,) = attributes([Selection((0,), (with_change(FIXED, 0.04),), 0.01)])["choices"].values()
+    assert record["fixed"]
