@@ -37,11 +37,17 @@ class Curve:
     color: str
 
 
+UNDER_RACE_CONTROL = 0.1  # [-] coefficient of friction, where a race controls the balls
 FRICTIONS = ((0.03, "#E5A5C4"), (0.06, "#CC79A7"), (0.1, "#6F2E53"))
 CURVES = [
-    Curve("outer control", {"operation.control": "outer"}, BLUE),
-    Curve("inner control", {"operation.control": "inner"}, ORANGE),
-    Curve("equal", {"operation.control": "equal"}, "0.45"),
+    *(
+        Curve(name, {"operation.control": control, "friction.coefficient": UNDER_RACE_CONTROL}, color)
+        for name, control, color in (
+            ("outer control", "outer", BLUE),
+            ("inner control", "inner", ORANGE),
+            ("equal", "equal", "0.45"),
+        )
+    ),
     *(
         Curve(
             f"Coulomb, µ = {friction}",
@@ -61,7 +67,7 @@ class Found:
     share: NDArray  # (N) [-] attitude of the axis, from 0, outer control, to 1, inner control
     tractions: NDArray  # (N, 2) [N]
     needed: NDArray  # (N, 2) [-] traction over load
-    torque: NDArray  # (N) [N m] of friction, where known
+    torque: NDArray  # (N) [N m] of friction
     ratio: NDArray  # (N) [-] above 1 by Harris' rule the outer race controls
     upright: NDArray  # (N) bool, friction holds the axis
 
@@ -84,9 +90,7 @@ def found(curve: Curve) -> Found:
         share=np.array([share_of_inner(state) for state in solved]),
         tractions=np.array([state.tractions[:, 0] for state in solved]),
         needed=np.array([state.needed_friction[:, 0] for state in solved]),
-        torque=np.array(
-            [np.nan if state.friction_torque is None else state.friction_torque for state in solved]
-        ),
+        torque=np.array([state.friction_torque for state in solved], dtype=float),
         ratio=np.array([control_ratio(state) for state in solved]),
         upright=np.array([state.upright[0] for state in solved]),
     )
@@ -150,7 +154,7 @@ def drawn(sheets: list[Found]) -> Figure:
     share.set(title="axis of the balls between outer (0) and inner (1) control", ylabel="share [-]")
     needed.set(title="traction over load: inner (solid), outer (dashed)", ylabel="T/Q [-]", ylim=(0, 0.15))
     needed.annotate("inner control,\n0.46 at 15 000 rpm", (8900, 0.125), ha="right", fontsize=9, color=ORANGE)
-    torque.set(title="friction torque, which Coulomb friction alone gives", ylabel="[N m]")
+    torque.set(title=f"friction torque; race control with µ = {UNDER_RACE_CONTROL}", ylabel="[N m]")
     torque.set_ylim(0, None)
     for axes in (angles, share, needed, torque):
         axes.set(xlabel="speed [rpm]", xlim=(0, 15000))
