@@ -131,6 +131,39 @@ def compute(
     return run_case(case, FAMILIES[case.kind], output, report, near, levels)
 
 
+def against_catalogue(case: str | Path, overrides: Overrides = ()) -> dict[str, Any]:
+    """Compare the life of a roller bearing with that of a catalogue, factor by factor.
+
+    Parameters
+    ----------
+    case : path
+        case file
+    overrides : sequence of str or mapping
+        as for `run`
+
+    Returns
+    -------
+    dict
+        "ratings" (C_r, C_0r, C_u, static safety, rating life) and "stages", each a life with its name, the
+        settings that give it, and its factor over the life before
+
+    Raises
+    ------
+    BadCase
+        as `run`; and without a radial load, or where a case in between has no solution
+    """
+    from flexbearing.case.read import written
+    from flexbearing.runs.catalogue_life import against_catalogue as compared
+
+    given = written(overrides) if isinstance(overrides, Mapping) else tuple(overrides)
+    wanted = check(case, given)
+    if not hasattr(wanted, "life"):
+        from flexbearing.case import BadCase
+
+        raise BadCase(f'{case}: the life of kind = "{wanted.kind}" is not computed yet, so none is compared.')
+    return compared(wanted, lambda further: read_case(case, [*given, *further]), compute)
+
+
 def read(path: str | Path) -> "Result":
     """Read a complete result file.
 

@@ -32,7 +32,11 @@ CaseFile = Annotated[Path, typer.Argument(help="case file (TOML)", metavar="CASE
 ResultPath = Annotated[Path, typer.Argument(help="result file (HDF5)", metavar="OUT.h5")]
 Settings = Annotated[
     list[str] | None,
-    typer.Option("--set", metavar="KEY=VALUE", help='replace a key of the case, "bearing.clearance=50 um"'),
+    typer.Option(
+        "--set",
+        metavar="KEY=VALUE",
+        help='replace a key of the case, "bearing.clearance=50 um"; "KEY=" takes it out',
+    ),
 ]
 
 
@@ -101,6 +105,28 @@ def _what_went_wrong(result: "Result", *, strict: bool) -> list[str]:
     missed = [note["text"] for note in result.dangers if strict or note["code"] == UNMET_TARGET]
     converged = result.attributes["status"] == "converged"
     return missed if converged else [f"not converged: {result.attributes['message']}", *missed]
+
+
+@app.command()
+def life(
+    case: CaseFile,
+    settings: Settings = None,
+    as_json: Annotated[bool, typer.Option("--json", help="one JSON object instead of text")] = False,
+) -> None:
+    """Compare the life of a case with that of a catalogue, and tell what lies between, factor by factor."""
+    from flexbearing.printable import all_printable
+
+    found = api.against_catalogue(case, settings or [])
+    if as_json:
+        import json
+
+        sys.stdout.write(json.dumps(all_printable(found), indent=2, allow_nan=False) + "\n")
+        return
+    from flexbearing.report import laid_out
+    from flexbearing.report.roller.catalogue_life import sections
+
+    page = sections(all_printable(found))
+    sys.stdout.write(laid_out(page, _terminal(), encoding=sys.stdout.encoding))
 
 
 @app.command()

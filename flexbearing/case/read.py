@@ -119,7 +119,7 @@ def with_settings(raw: dict[str, Any], source: Source, families: Families) -> He
         case = model.model_validate(raw)
     except ValidationError as error:
         raise BadCase(messages(error, raw, name, model, families)) from None
-    _require_given(case, raw, name, families)
+    _requiregiven(case, raw, name, families)
     case._source = source
     return case
 
@@ -128,12 +128,16 @@ def _leave_out_former_kinds(
     raw: dict[str, Any], before: Mapping[str, str], given: set[str], model: type[Section]
 ) -> None:
     """Leave out keys of the file that a setting made foreign_keys, as `outer.kind=ring` does with bars."""
-    for path, why in foreign(raw, model).items():
-        if path not in before and not any(key == path or key.startswith(f"{path}.") for key in given):
-            without(raw, path)
-            import logging  # most cases need none
+    while unused := {
+        path: why
+        for path, why in foreign(raw, model).items()
+        if path not in before and not any(key == path or key.startswith(f"{path}.") for key in given)
+    }:  # what goes may have been what others belong to
+        import logging  # most cases need none
 
-            log = logging.getLogger(__name__)
+        log = logging.getLogger(__name__)
+        for path, why in unused.items():
+            without(raw, path)
             log.info("%s of the file is left out: %s", shown(path), why)
 
 
@@ -195,14 +199,24 @@ def model_of(raw: Mapping[str, Any], settings: Sequence[str], file: str, familie
 
 
 def _override(raw: dict[str, Any], setting: str, model: type[Head], families: Families) -> None:
-    """Put a "key=value" setting into the raw case; what a user sets is no longer assumed."""
+    """Put a "key=value" setting into the raw case, or take a key out by "key="."""
     key, separator, value = setting.partition("=")
     key, named = key.strip(), f"--set {excerpt(setting)}"
     if not separator or not key:
-        raise BadCase(f"{named}: a setting is KEY=VALUE, such as bearing.clearance=50 um")
+        raise BadCase(
+            f"{named}: a setting is KEY=VALUE, such as bearing.clearance=50 um; KEY= takes a key out"
+        )
     declaration = find(key, model)
     if declaration is None and not key.startswith("calibrated."):
         raise BadCase(f"{named}: {shown(key)} is not a key of this case.{nearest(key, model, families)}")
+    if value.strip():
+        _put(raw, key, value.strip(), declaration, named)
+    elif _given(raw, key):
+        without(raw, key)
+
+
+def _put(raw: dict[str, Any], key: str, value: str, declaration: Declaration | None, named: str) -> None:
+    """Give a key a value; what a user sets is no longer assumed."""
     table = raw
     *sections, name = _place(key)
     for section in sections:
@@ -210,7 +224,7 @@ def _override(raw: dict[str, Any], setting: str, model: type[Head], families: Fa
         if not isinstance(table, dict):
             raise BadCase(f"{named}: {section} is not a table in this case")
     try:
-        table[name] = _value(value.strip(), declaration)
+        table[name] = _value(value, declaration)
     except Unreadable as problem:
         raise BadCase(f"{named}: {problem}") from problem
     if isinstance(raw.get("assumed"), list) and key in raw["assumed"]:
@@ -233,7 +247,7 @@ def _value(text: str, declaration: Declaration | None) -> Any:
     return setting_value(text)
 
 
-def _require_given(case: Head, raw: Mapping[str, Any], file: str, families: Families) -> None:
+def _requiregiven(case: Head, raw: Mapping[str, Any], file: str, families: Families) -> None:
     """Raise when `assumed` or `calibrated` names a key that the file does not give."""
     model = type(case)
     problems = [

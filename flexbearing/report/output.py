@@ -1,10 +1,10 @@
 """Text and pictures of a result, by the record of its family."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from io import StringIO
 from pathlib import Path
 
-from rich.console import Console, Group
+from rich.console import Console, Group, RenderableType
 
 from flexbearing.files import require_folder, require_output, write
 from flexbearing.printable import all_printable
@@ -30,9 +30,16 @@ def text(result: Result, console: Console | None = None, encoding: str = "utf-8"
         tables, the assumed and calibrated keys, the notes, and how the run ended; nothing is printed, and
         nothing in it but colours controls a terminal
     """
+    return laid_out(result.family.report().page(all_printable(result.summary())), console, encoding)
+
+
+def laid_out(
+    sections: Iterable[RenderableType], console: Console | None = None, encoding: str = "utf-8"
+) -> str:
+    """Lay sections out as text; everything else as for `text`."""
     console = console or _plain(encoding)
     with console.capture() as capture:
-        console.print(Group(*result.family.report().page(all_printable(result.summary()))))
+        console.print(Group(*sections))
     return "\n".join(line.rstrip() for line in capture.get().splitlines()) + "\n"
 
 

@@ -12,11 +12,13 @@ from flexbearing.build.rough_surfaces import roughness
 from flexbearing.case.roller import Case
 from quasidynamic import CylindricalRollerBearing
 from quasidynamic.outcome.capacity import (
+    STRESS_REDUCTION,
     dynamic_rating,
     fatigue_load_limit,
     raceway_capacity,
     reference_raceway_capacity,
     roller_capacity,
+    static_rating,
 )
 from quasidynamic.outcome.life import (
     RollerBody,
@@ -36,6 +38,7 @@ from quasidynamic.outcome.life_factors import (
     reliability_factor,
     viscosity_ratio,
 )
+from quasidynamic.outcome.rating_life import LINE_EXPONENT, ROLLER_EXPONENT, rating_life
 
 if TYPE_CHECKING:  # checking a case loads no solver
     from quasidynamic import Equilibrium
@@ -46,11 +49,11 @@ MREV = 1e6  # revolutions
 
 def require_possible(case: Case, bearing: CylindricalRollerBearing) -> None:
     """Raise where a factor does not hold for this bearing, speed and oil; loads are not needed."""
-    if case.life.capacity == "iso281":
-        _rating(case, bearing)
+    if case.life.capacity == "iso281" or case.life.loads == "rating":
+        dynamic(case, bearing)
     if case.life.lubrication == "a_ISO":
-        _rating(case, bearing)
-        modification_factor(_kappa(case, bearing), _fatigue_share(case, bearing))
+        dynamic(case, bearing)
+        modification_factor(kappa(case, bearing), fatigue_share(case, bearing))
     _fixed_factors(case)
 
 
@@ -114,8 +117,14 @@ def _slice_factors(
     def life(rollers: RollerBody | None = None) -> float:
         return float(slice_life(inner, outer, capacity, state.turning, edge=edge, rollers=rollers))
 
+    if case.life.loads == "rating":
+        after = _by_rating(case, bearing)
+        reduced = "" if case.life.stress_reduction else f", C_r / {STRESS_REDUCTION}"
+        note = f"ISO 281: (C_r/P)^({case.life.load_exponent}){reduced}"
+        yield {"name": "rating", "value": after / before, "effect": "load", "note": note}
+        return
     if case.life.capacity == "iso281":
-        rating = _rating(case, bearing)
+        rating = dynamic(case, bearing)
         capacity = reference_raceway_capacity(bearing, rating)
         after = life()
         origin = "formula of ISO 281" if case.life.dynamic_rating is None else "given"
@@ -136,19 +145,28 @@ def _slice_factors(
         yield {"name": "roller body", "value": after / before, "effect": "load", "note": note}
 
 
+def _by_rating(case: Case, bearing: CylindricalRollerBearing) -> float:
+    """L10 of the radial load [10^6 revolutions]."""
+    rating = dynamic(case, bearing) / (1.0 if case.life.stress_reduction else STRESS_REDUCTION)
+    exponent = ROLLER_EXPONENT if case.life.load_exponent == "10/3" else LINE_EXPONENT
+    return float(rating_life(rating, case.operation.radial_load, exponent))
+
+
 def _lubrication_factors(case: Case, state: "Equilibrium", loads: NDArray) -> Iterator[LifeFactor]:
     if case.life.lubrication == "film":
         ratio = float((state.minimum_film / roughness(case)).min())
         yield _explained(film_factor(ratio), f"smallest film ratio {ratio:.3g}")
     elif case.life.lubrication == "a_ISO":
         bearing, (inner, outer) = state.balance.roller.bearing, loads
-        rating, kappa = _rating(case, bearing), _kappa(case, bearing)
+        rating, ratio_of_oil = dynamic(case, bearing), kappa(case, bearing)
         edge = case.life.edge_stress
-        life = reference_life(inner, outer, bearing, state.turning, edge_stress=edge, rating=rating)
-        load = float(reference_load(life, rating))
-        ratio = _fatigue_share(case, bearing) / load
-        words = f"kappa {kappa:.3g}, e_C C_u/P {ratio:.3g}, equivalent load {load:.4g} N"
-        yield _explained(modification_factor(kappa, ratio), words)
+        load = case.operation.radial_load
+        if case.life.loads == "rollers":
+            life = reference_life(inner, outer, bearing, state.turning, edge_stress=edge, rating=rating)
+            load = float(reference_load(life, rating))
+        ratio = fatigue_share(case, bearing) / load
+        words = f"kappa {ratio_of_oil:.3g}, e_C C_u/P {ratio:.3g}, equivalent load {load:.4g} N"
+        yield _explained(modification_factor(ratio_of_oil, ratio), words)
 
 
 def _fixed_factors(case: Case) -> list[LifeFactor]:
@@ -169,23 +187,36 @@ def _slice_loads(state: "Equilibrium", whole: "WholeRoller | None") -> NDArray:
     return loads * state.balance.roller.raceways.slices.width
 
 
-def _rating(case: Case, bearing: CylindricalRollerBearing) -> float:
-    """C_r of the case or of ISO 281 [N]."""
+def dynamic(case: Case, bearing: CylindricalRollerBearing) -> float:
+    """C_r of the case, or of ISO 281 [N]."""
     rating = case.life.dynamic_rating
     return dynamic_rating(bearing) if rating is None else rating
 
 
-def _kappa(case: Case, bearing: CylindricalRollerBearing) -> float:
+def static(case: Case, bearing: CylindricalRollerBearing) -> float:
+    """C_0r of the case, or of ISO 76 [N]."""
+    rating = case.life.static_rating
+    return static_rating(bearing) if rating is None else rating
+
+
+def fatigue_limit(case: Case, bearing: CylindricalRollerBearing) -> float:
+    """C_u of the case, or of ISO 281 from C_0r [N]."""
+    limit = case.life.fatigue_limit_load
+    return fatigue_load_limit(bearing, static(case, bearing)) if limit is None else limit
+
+
+def kappa(case: Case, bearing: CylindricalRollerBearing) -> float:
+    """Viscosity ratio of ISO 281 [-]."""
     lubricant, operation = oil(case), case.operation
     speed = operation.inner_speed - operation.outer_speed
     return float(viscosity_ratio(lubricant.viscosity / lubricant.density, speed, bearing.pitch_diameter))
 
 
-def _fatigue_share(case: Case, bearing: CylindricalRollerBearing) -> float:
+def fatigue_share(case: Case, bearing: CylindricalRollerBearing) -> float:
     """Fatigue load limit that hard particles leave [N]."""
     cleanliness = CLEANLINESS[str(case.life.cleanliness)]
-    left = contamination_factor(_kappa(case, bearing), bearing.pitch_diameter, cleanliness)
-    return float(left) * fatigue_load_limit(bearing)
+    left = contamination_factor(kappa(case, bearing), bearing.pitch_diameter, cleanliness)
+    return float(left) * fatigue_limit(case, bearing)
 
 
 def _explained(factor: LifeFactor, words: str) -> LifeFactor:

@@ -202,7 +202,7 @@ def static_rating(bearing: CylindricalRollerBearing) -> float:
     return 44 * (1 - bearing.diameter_ratio) * bearing.rollers * area
 
 
-def fatigue_load_limit(bearing: CylindricalRollerBearing) -> float:
+def fatigue_load_limit(bearing: CylindricalRollerBearing, rating: float | None = None) -> float:
     r"""Radial load at which the most loaded contact just reaches the fatigue limit of the steel.
 
     .. math:: C_u = \frac{C_0}{8.2} \min\Big(1, \frac{100}{D_{pw}}\Big)^{0.3} \quad \text{(N, mm)}
@@ -211,6 +211,8 @@ def fatigue_load_limit(bearing: CylindricalRollerBearing) -> float:
     ----------
     bearing : CylindricalRollerBearing
         for C_0 and D_pw
+    rating : float, optional
+        C_0 [N]; `static_rating` if left out
 
     Returns
     -------
@@ -226,7 +228,8 @@ def fatigue_load_limit(bearing: CylindricalRollerBearing) -> float:
     Fatigue limit of 1500 MPa contact pressure, good bearing steel; the exponent 0.3 acts above 100 mm only.
     """
     pitch = bearing.pitch_diameter / MILLIMETRE
-    return static_rating(bearing) / 8.2 * float(np.minimum(1.0, 100 / pitch)) ** 0.3
+    rating = static_rating(bearing) if rating is None else rating
+    return rating / 8.2 * float(np.minimum(1.0, 100 / pitch)) ** 0.3
 
 
 def _roller_size(bearing: CylindricalRollerBearing) -> float:

@@ -66,9 +66,23 @@ def test_given_rating_reaches_a_iso(state):
     assert notes[0] != notes[1]  # P_ref = C_r / L^(3/10) with L ~ C_r^4
 
 
-def test_rating_that_nothing_uses_is_refused():
-    with pytest.raises(BadCase, match="dynamic_rating"):
-        read_case(PLAIN, {"life.dynamic_rating": "40 kN"})
+def test_ratings_of_a_catalogue_modify_no_life():
+    """They are compared with the formulas by `flexbearing life`."""
+    given = {"life.dynamic_rating": "40 kN", "life.static_rating": "45 kN", "life.fatigue_limit_load": "5 kN"}
+    assert read_case(PLAIN, given).life.is_basic
+    assert not read_case(PLAIN, {**given, "life.capacity": "iso281"}).life.is_basic
+
+
+def test_life_by_rating_needs_a_radial_load():
+    with pytest.raises(BadCase, match=r'radial_load = "0 N" cannot be; it must be above 0 N for life.loads'):
+        read_case(PLAIN, {"life.loads": "rating", "operation.radial_load": "0 N"})
+
+
+def test_static_rating_of_a_catalogue_gives_its_fatigue_limit(state):
+    notes = []
+    for further in ({}, {"life.static_rating": "25 kN"}, {"life.fatigue_limit_load": "1 kN"}):
+        notes.append(lived(state, CLEAN | further)["factors"][0])
+    assert len({note["value"] for note in notes}) == 3
 
 
 def test_formula_of_iso_281_stops_where_its_table_ends():

@@ -23,6 +23,8 @@ CleanlinessName = Literal[
     "grease, very severe contamination",
 ]
 FEWEST_SLICES = 30  # of ISO/TS 16281, for the edge stress
+BY_RATING = {"loads": ("rating",)}
+RATINGS = {"dynamic_rating", "static_rating", "fatigue_limit_load"}  # of a catalogue; they modify nothing
 
 
 class Life(Section):
@@ -32,11 +34,37 @@ class Life(Section):
         "capacity of the raceways: of Lundberg and Palmgren, or from C_r of ISO 281 as in ISO/TS 16281",
         "lundberg-palmgren",
     )
+    loads: Literal["rollers", "rating"] = key(
+        "rollers: life under the loads of all rollers, as in ISO/TS 16281; rating: as a catalogue has it, "
+        "from the radial load P and C_r, (C_r/P)^(10/3) of ISO 281",
+        "rollers",
+    )
+    load_exponent: Literal["10/3", "4"] = key(
+        "10/3 of ISO 281, or 4 of line contacts everywhere under their load", "10/3", only=BY_RATING
+    )
+    stress_reduction: bool = key(
+        "whether C_r keeps the lambda nu = 0.83 that ISO 281 has for uneven loads along the rollers; "
+        "ISO/TS 16281 takes it out, as slices carry their own loads",
+        True,
+        only=BY_RATING,
+    )
     dynamic_rating: Force | None = key(
         "basic dynamic radial load rating C_r of a catalogue, instead of the formula of ISO 281; "
-        'for capacity = "iso281" or lubrication = "a_ISO"',
+        'for capacity = "iso281", loads = "rating", lubrication = "a_ISO" and `flexbearing life`',
         None,
         example="44 kN",
+        gt=0,
+    )
+    static_rating: Force | None = key(
+        "basic static radial load rating C_0 of a catalogue, instead of the formula of ISO 76",
+        None,
+        example="45 kN",
+        gt=0,
+    )
+    fatigue_limit_load: Force | None = key(
+        "fatigue load limit C_u of a catalogue, instead of that of ISO 281 from C_0",
+        None,
+        example="5.5 kN",
         gt=0,
     )
     edge_stress: bool = key(
@@ -57,7 +85,7 @@ class Life(Section):
     @property
     def is_basic(self) -> bool:
         """Whether nothing modifies the basic life."""
-        return not self.model_dump(exclude_defaults=True)
+        return not self.model_dump(exclude_defaults=True, exclude=RATINGS)
 
     @model_validator(mode="after")
     def _complete(self) -> Self:
@@ -65,9 +93,6 @@ class Life(Section):
             require(self, ("melting",), "life.steel")
         if self.melting:
             require(self, ("steel",), "life.melting")
-        if self.dynamic_rating and self.capacity != "iso281" and self.lubrication != "a_ISO":
-            allowed = 'left out without life.capacity = "iso281" or life.lubrication = "a_ISO"'
-            raise impossible("dynamic_rating", allowed)
         if self.lubrication == "a_ISO":
             require(self, ("cleanliness",), 'lubrication = "a_ISO"')
         elif self.cleanliness:

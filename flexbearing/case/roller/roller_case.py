@@ -155,6 +155,12 @@ class Case(Head):
         return self
 
     @model_validator(mode="after")
+    def _rated_load(self) -> Self:
+        if self.life.loads == "rating" and not self.operation.radial_load > 0:
+            raise impossible("operation.radial_load", 'above 0 N for life.loads = "rating"')
+        return self
+
+    @model_validator(mode="after")
     def _edge_stress_is_known(self) -> Self:
         if self.life.edge_stress and self.bearing.roller.profile == "straight":
             allowed = '"crowned" or "logarithmic" for life.edge_stress: a straight roller has no known edge'

@@ -1,0 +1,72 @@
+"""The life of a case against that of a catalogue, as text."""
+
+from collections.abc import Iterator
+from typing import Any
+
+from rich.console import RenderableType
+from rich.text import Text
+
+from flexbearing.report.sections import listed, right_aligned
+
+_NAMES = {
+    "C_r": "dynamic, C_r",
+    "C_0r": "static, C_0r",
+    "C_u": "fatigue limit, C_u",
+}
+_STANDARDS = {"C_r": "ISO 281", "C_0r": "ISO 76", "C_u": "ISO 281, from C_0r"}
+
+
+def sections(found: dict[str, Any]) -> Iterator[RenderableType]:
+    """Ratings, then every life from the catalogue's to that of the case with what lies between.
+
+    Parameters
+    ----------
+    found : dict
+        of `flexbearing.runs.catalogue_life.against_catalogue`
+    """
+    yield Text(found["title"], style="bold")
+    yield from _ratings(found["ratings"])
+    yield from _way(found["stages"])
+
+
+def _ratings(found: dict[str, Any]) -> Iterator[RenderableType]:
+    table = right_aligned("load rating [kN]", "used", "by formula")
+    table.add_column("source")
+    for name, words in _NAMES.items():
+        source = "given by the case" if name in found["given"] else f"formula of {_STANDARDS[name]}"
+        used, formula = (f"{values[name] / 1e3:,.4g}" for values in (found["ratings_N"], found["formulas_N"]))
+        table.add_row(words, used, formula, source)
+    yield table
+    load = found["load_N"]
+    rows = [
+        f"radial load P = {load / 1e3:,.4g} kN, C_r/P = {found['ratings_N']['C_r'] / load:.4g}",
+        f"static safety s_0 = {found['static_safety']:.3g}",
+        f"basic rating life L10 = {_life(found['life_Mrev'], found['life_h'])}",
+    ]
+    if "a_ISO" in found:
+        rows.append(
+            f"modified rating life = {_life(found['modified_Mrev'], found['modified_h'])}, with a_ISO = "
+            f"{found['a_ISO']:.3g} at kappa = {found['viscosity_ratio']:.3g}"
+        )
+    yield from listed("as a catalogue computes it", rows)
+
+
+def _life(turns: float, hours: float) -> str:
+    return f"{turns:,.4g} Mrev, {hours:,.4g} h"
+
+
+def _way(stages: list[dict[str, Any]]) -> Iterator[RenderableType]:
+    yield Text("from the life of the catalogue to that of the case", style="bold")
+    table = right_aligned("", "factor", "life [Mrev]", "life [h]")
+    for stage in stages:
+        factor = "" if stage["factor"] is None else f"{stage['factor']:.4g}"
+        table.add_row(Text(stage["name"]), factor, f"{stage['life_Mrev']:,.4g}", f"{stage['life_h']:,.4g}")
+    yield table
+    lines = [f"{stage['name']}: {_options(stage['left_out_by'])}" for stage in stages if stage["left_out_by"]]
+    yield from listed("a line is left out of `flexbearing run` by", lines)
+    yield Text("A life is that of the case without what stands in the lines below it. The first one alone:")
+    yield Text(f"  {_options(stages[0]['settings'])}")
+
+
+def _options(settings: list[str]) -> str:
+    return " ".join(f'--set "{setting}"' for setting in settings)

@@ -1,0 +1,70 @@
+"""Life and safety as a catalogue has them: from ratings and one load."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+ROLLER_EXPONENT = 10 / 3  # p of ISO 281 for roller bearings, between 3 and 4
+LINE_EXPONENT = 4.0  # of line contact at both raceways
+BALL_EXPONENT = 3.0  # of point contact
+
+
+def rating_life(rating: float, load: ArrayLike, exponent: float = ROLLER_EXPONENT) -> Any:
+    r"""Basic rating life.
+
+    .. math:: L_{10} = (C_r / P_r)^p
+
+    Parameters
+    ----------
+    rating : float
+        C_r, dynamic load rating [N]
+    load : float or array (...)
+        P_r, equivalent radial load [N], >= 0
+    exponent : float
+        p [-]
+
+    Returns
+    -------
+    float or array (...)
+        L10 [10^6 revolutions]; infinite without load
+
+    Source
+    ------
+    ISO 281 (2007).
+
+    Valid
+    -----
+    Ordinary clearance, aligned rings that stay round, loads up to about C_r / 2, no skidding.
+    """
+    with np.errstate(divide="ignore"):
+        return (rating / np.asarray(load, dtype=float))[()] ** exponent
+
+
+def static_safety(rating: float, load: ArrayLike) -> Any:
+    r"""Static safety factor.
+
+    .. math:: s_0 = C_{0r} / P_{0r}
+
+    Parameters
+    ----------
+    rating : float
+        C_0r, static load rating [N]
+    load : float or array (...)
+        P_0r, equivalent static load [N], >= 0
+
+    Returns
+    -------
+    float or array (...)
+        s_0 [-]; infinite without load
+
+    Source
+    ------
+    ISO 76 (2006).
+
+    Valid
+    -----
+    As the rating: permanent deformation of 1e-4 of the rolling element at s_0 = 1.
+    """
+    with np.errstate(divide="ignore"):
+        return (rating / np.asarray(load, dtype=float))[()]
