@@ -37,7 +37,10 @@ RATING: tuple[tuple[str, Settings], ...] = (
     ("loads of all rollers at speed, straight, without clearance or tilt, rigid rings", {}),
 )
 INFLUENCES = (
-    Influence("operating clearance", {"bearing.clearance": "0 um", "bearing.fits.cold_clearance": ""}),
+    Influence(
+        "operating clearance",
+        {"bearing.clearance": "0 um", "bearing.fits.cold_clearance": "", "bearing.clearance_class": ""},
+    ),
     Influence(
         "tilt of the inner ring",
         {"operation.misalignment": "0 deg", "operation.moment": "0 N m", "operation.tilt": "fixed"},
