@@ -14,9 +14,10 @@ run: $(READY)
 	$(BIN)/flexbearing run configs/mao2016.toml -o results/mao2016.h5
 	$(BIN)/flexbearing plot results/mao2016.h5 -o results
 
-# One thread for each of the workers: threads of several would fight over the cores.
+# One thread for each of the workers: threads of several would fight over the cores. Compiled modules are kept, as
+# the tests start many processes; an environment may forbid it.
 test: $(READY)
-	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest -n auto --maxprocesses 4 --dist loadscope
+	env -u PYTHONDONTWRITEBYTECODE OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest -n auto --maxprocesses 4 --dist loadscope
 
 test-slow: $(READY)
 	$(BIN)/python -m pytest -m slow

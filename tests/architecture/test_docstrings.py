@@ -90,7 +90,9 @@ ALL = documented("quasidynamic", "fem", "flexbearing")
 FUNCTIONS = [each for each in ALL if isinstance(each.node, ast.FunctionDef) and each.public]
 WITH_PARAMETERS = [each for each in FUNCTIONS if "Parameters" in each.sections]
 RAISING = [each for each in FUNCTIONS if each.raised and not each.name.startswith(HELP_TEXTS)]
-EQUATIONS = [each for each in documented("quasidynamic", "fem") if ".. math::" in each.text]
+EQUATIONS = [
+    each for each in ALL if each.name.startswith(("quasidynamic.", "fem.")) and ".. math::" in each.text
+]
 
 
 def each(of: list[Documented]):

@@ -41,6 +41,13 @@ SHAPES = {
     "collar": {"collar_length": 1.5e-3, "collar_thickness": 5e-3},
     "both with collars": {"two_sided": True, "collar_length": 1e-3, "collar_thickness": 5e-3},
 }  # fmt: skip
+QUICK = ("one bar", "three bars", "both, raceway aside", "collar")  # each feature once
+
+
+def shaped(names):
+    """Shapes by their names; those that only combine others are left to the slow tests."""
+    slow = pytest.mark.slow
+    return [pytest.param(SHAPES[name], id=name, marks=() if name in QUICK else slow) for name in names]
 
 
 @pytest.fixture(scope="module")
@@ -85,7 +92,7 @@ def whole(piece: ngs.Mesh, bars: int) -> ngs.Mesh:
     return ngs.Mesh(mesh)
 
 
-@pytest.mark.parametrize("shape", SHAPES.values(), ids=SHAPES)
+@pytest.mark.parametrize("shape", shaped(SHAPES))
 def test_half_a_pitch_answers_like_the_whole_cage(shape, monkeypatch):
     """The same elements all around, solved without any use of symmetry, to rounding."""
     monkeypatch.setattr(half_pitch, "LAYERS", 0)  # layers have prisms, which are tedious to mirror
@@ -117,7 +124,13 @@ def test_half_a_pitch_answers_like_the_whole_cage(shape, monkeypatch):
 
 
 @pytest.mark.parametrize(
-    "shape", [{"bars": 2}, {"bars": 3}, {"bars": 2, "two_sided": True, "offset": 0.4e-3}], ids=str
+    "shape",
+    [
+        pytest.param({"bars": 2}, marks=pytest.mark.slow),
+        {"bars": 3},
+        {"bars": 2, "two_sided": True, "offset": 0.4e-3},
+    ],
+    ids=str,
 )
 def test_every_half_pitch_is_loaded_as_in_the_whole_cage(shape, monkeypatch):
     """The same elements all around under the same patches, solved without any use of symmetry."""
@@ -196,6 +209,7 @@ class RigidRing(SquirrelCage):
         return {"ring": rigid, "bars": self.elastic, "flange": rigid}
 
 
+@pytest.mark.slow
 def test_slender_bars_under_a_rigid_ring():
     """24 bars of 4 x 3 x 40 mm on R 50 mm, E 200 GPa: 11083 N/mm in an order-4 model of the whole."""
     slender = RigidRing(
@@ -256,7 +270,7 @@ def test_impossible_feet_of_bars_are_named(change, name):
 
 
 @pytest.mark.parametrize("fillet", [0.0, 0.3e-3])
-@pytest.mark.parametrize("shape", list(SHAPES.values())[2:], ids=list(SHAPES)[2:])
+@pytest.mark.parametrize("shape", shaped(list(SHAPES)[2:]))
 def test_half_pitches_make_the_whole_body(shape, fillet):
     """Exact volumes of ring, bars and flanges, from the geometry kernel; with fillets also all in one."""
     part = replace(STUMPS, **shape, fillet=fillet)

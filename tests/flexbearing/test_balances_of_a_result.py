@@ -43,7 +43,14 @@ CASES = {
 }
 
 
-@pytest.fixture(scope="module", params=CASES.values(), ids=CASES.keys())
+SLOW = {"slow and light"}  # dear
+PARAMS = [
+    pytest.param(case, id=name, marks=pytest.mark.slow if name in SLOW else ())
+    for name, case in CASES.items()
+]
+
+
+@pytest.fixture(scope="module", params=PARAMS)
 def result(request, tmp_path_factory):
     path, settings = request.param
     return flexbearing.run(path, list(settings), output=tmp_path_factory.mktemp("balances") / "r.h5")

@@ -17,7 +17,11 @@ ROOT = Path(__file__).parents[2]
 PAPER = ROOT / "configs" / "mao2016.toml"
 PROGRAM = [sys.executable, "-m", "flexbearing"]
 CODES = {signal.SIGINT: 130, signal.SIGTERM: 143, signal.SIGHUP: 129}
-EVERY_SIGNAL = pytest.mark.parametrize("number", CODES, ids=lambda number: number.name)
+EVERY_SIGNAL = pytest.mark.parametrize(
+    "number",
+    [signal.SIGINT, signal.SIGTERM, pytest.param(signal.SIGHUP, marks=pytest.mark.slow)],
+    ids=lambda number: number.name,
+)
 BEAM = ["inner.kind=rigid", "outer.kind=ring", "accuracy.structure=beam", "accuracy.slices=8"]
 NEVER_ENDING = ["coupling.method=relaxed", "coupling.relaxation=0.01", "coupling.max_iterations=100000"]
 

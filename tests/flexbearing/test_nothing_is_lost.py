@@ -1,5 +1,6 @@
 """Cases and results survive whatever users do to their names, and whatever ends a run."""
 
+import itertools
 import os
 import shutil
 import signal
@@ -92,8 +93,17 @@ def test_case_of_the_same_name_in_another_folder_keeps_its_result(case):
     assert run_by_default_name(other).path == Path("results/mine.h5")  # of nobody any more
 
 
-@pytest.mark.parametrize("link", ["itself", "symbolic link", "hard link"])
-@pytest.mark.parametrize("file", ["case", "drawing", "start"])
+FILES, LINKS = ("case", "drawing", "start"), ("itself", "symbolic link", "hard link")
+QUICK = tuple(zip(FILES, LINKS, strict=True))
+
+
+@pytest.mark.parametrize(
+    ("file", "link"),
+    [
+        pytest.param(*pair, marks=() if pair in QUICK else pytest.mark.slow)
+        for pair in itertools.product(FILES, LINKS)
+    ],
+)
 def test_output_is_no_file_that_is_read(tmp_path, file, link):
     case = Path(shutil.copy(DRAWN, tmp_path / "drawn.toml"))
     drawing = Path(shutil.copy(DRAWN.with_name("step_ring.step"), tmp_path / "step_ring.step"))

@@ -1,5 +1,6 @@
 """Lines and foundations of a case push only, unless it says that they pull; their forces are told."""
 
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -22,8 +23,16 @@ SPRINGS = ["outer.support=foundation", "outer.foundation_radial=10 N/mm^3"]
 BEAM = [*SPRINGS, "accuracy.structure=beam"]
 
 
-def run(folder, *settings):
-    return flexbearing.run(CASE, [*RING, *settings], output=folder / "r.h5")
+@pytest.fixture(scope="module")
+def run(tmp_path_factory):
+    """The result of the case with some settings, computed once for all tests."""
+    folder = tmp_path_factory.mktemp("supports")
+
+    @cache
+    def result(*settings):
+        return flexbearing.run(CASE, [*RING, *settings], output=folder / "r.h5")
+
+    return result
 
 
 def carried(result):
@@ -32,9 +41,9 @@ def carried(result):
     return load @ np.sin(azimuth), load @ np.cos(azimuth)
 
 
-def test_lines_push_only_and_balance_the_rollers(tmp_path):
+def test_lines_push_only_and_balance_the_rollers(run):
     """The example of the documents: without `bilateral` lines at 120 and 240 degrees pulled 120 N each."""
-    result = run(tmp_path, *LINES)
+    result = run(*LINES)
     assert result.attributes["status"] == "converged"
     lines = result.attributes["structure"]["outer"]["lines"]
     force, psi = np.array(lines["force_N"]), np.radians(lines["azimuth_deg"])
@@ -47,8 +56,8 @@ def test_lines_push_only_and_balance_the_rollers(tmp_path):
     assert [c for c, f in zip(lines["carries"], force, strict=True) if f == 0] == [False]
 
 
-def test_lines_pull_where_the_case_says_so(tmp_path):
-    result = run(tmp_path, *LINES, "outer.bilateral=true")
+def test_lines_pull_where_the_case_says_so(run):
+    result = run(*LINES, "outer.bilateral=true")
     lines = result.attributes["structure"]["outer"]["lines"]
     assert lines["pull"] is True
     assert lines["force_N"][1:] == approx([-119.5, -113.4], rel=0.1)
@@ -57,8 +66,8 @@ def test_lines_pull_where_the_case_says_so(tmp_path):
 
 
 @pytest.mark.parametrize("springs", [SPRINGS, BEAM], ids=["section", "beam"])
-def test_foundation_pushes_only_and_balances_the_rollers(springs, tmp_path):
-    result = run(tmp_path, *springs)
+def test_foundation_pushes_only_and_balances_the_rollers(springs, run):
+    result = run(*springs)
     assert result.attributes["status"] == "converged"
     told = result.attributes["structure"]["outer"]["foundation"]
     pressure, azimuth = np.array(told["pressure_MPa"]), np.radians(told["azimuths_deg"])
@@ -74,31 +83,31 @@ def test_foundation_pushes_only_and_balances_the_rollers(springs, tmp_path):
     assert "is lifted off" in text(result)
 
 
-def test_foundation_that_pulls_says_how_much(tmp_path):
-    both, one = run(tmp_path, *BEAM, "outer.bilateral=true"), None
+def test_foundation_that_pulls_says_how_much(run):
+    both, one = run(*BEAM, "outer.bilateral=true"), None
     told = both.attributes["structure"]["outer"]["foundation"]
     assert told["pull"] is True
     assert told["least_pressure_MPa"] < -0.1
     assert told["resultant_N"] == approx(carried(both), rel=1e-6, abs=1e-2)
     assert "is pulled, by up to" in text(both)
-    one = run(tmp_path, *BEAM).attributes["structure"]["outer"]
+    one = run(*BEAM).attributes["structure"]["outer"]
     assert one["foundation"]["largest_pressure_MPa"] > 1.2 * told["largest_pressure_MPa"]
     assert (
         one["support_stiffness_N_per_m"] < both.attributes["structure"]["outer"]["support_stiffness_N_per_m"]
     )
 
 
-def test_shear_springs_take_what_pressure_does_not(tmp_path):
+def test_shear_springs_take_what_pressure_does_not(run):
     """They hold the ring all around; the summary shows what is left to the radial ones."""
-    result = run(tmp_path, *BEAM, "outer.foundation_tangential=3 N/mm^3")
+    result = run(*BEAM, "outer.foundation_tangential=3 N/mm^3")
     told = result.attributes["structure"]["outer"]["foundation"]
     assert 0.5 * told["rollers_N"][1] < told["resultant_N"][1] < 0.95 * told["rollers_N"][1]
     assert "tangential springs the rest" in " ".join(text(result).split())
-    assert "tangential springs the rest" not in " ".join(text(run(tmp_path, *BEAM)).split())
+    assert "tangential springs the rest" not in " ".join(text(run(*BEAM)).split())
 
 
-def test_summary_names_line_forces_and_what_lifts_off(tmp_path):
-    result = run(tmp_path, *LINES)
+def test_summary_names_line_forces_and_what_lifts_off(run):
+    result = run(*LINES)
     printed = text(result)
     assert "lines that hold the outer ring: they push only" in printed
     assert "lifted off" in printed
@@ -106,9 +115,9 @@ def test_summary_names_line_forces_and_what_lifts_off(tmp_path):
     assert result.summary()["structure"]["outer"]["lines"]["force_N"][0] == approx(2000, rel=0.01)
 
 
-def test_ring_that_rests_on_one_line_is_noted(tmp_path):
-    assert "ring-on-one-line" in codes(run(tmp_path, *LINES))
-    spread = run(tmp_path, "outer.support=lines", 'outer.line_azimuths=["60 deg", "180 deg", "300 deg"]')
+def test_ring_that_rests_on_one_line_is_noted(run):
+    assert "ring-on-one-line" in codes(run(*LINES))
+    spread = run("outer.support=lines", 'outer.line_azimuths=["60 deg", "180 deg", "300 deg"]')
     assert "ring-on-one-line" not in codes(spread)
     assert spread.attributes["structure"]["outer"]["lines"]["force_N"][1] == 0
 
@@ -125,9 +134,9 @@ def test_ring_that_rests_on_one_line_is_noted(tmp_path):
         ([*LINES, "operation.load_direction=60 deg", 'outer.line_azimuths=["0 deg", "30 deg"]'], "60 deg"),
     ],
 )
-def test_lines_that_leave_the_ring_unheld_are_refused(settings, told, tmp_path):
+def test_lines_that_leave_the_ring_unheld_are_refused(settings, told, run):
     with pytest.raises(BadCase, match=told):
-        run(tmp_path, *settings)
+        run(*settings)
 
 
 @pytest.mark.parametrize(
@@ -140,8 +149,8 @@ def test_lines_that_leave_the_ring_unheld_are_refused(settings, told, tmp_path):
     ],
     ids=["pulled", "preloaded alone", "straight at a line", "between lines"],
 )
-def test_lines_hold_what_they_can(settings, tmp_path):
-    result = run(tmp_path, *settings)
+def test_lines_hold_what_they_can(settings, run):
+    result = run(*settings)
     assert result.attributes["status"] == "converged"
     lines = result.attributes["structure"]["outer"]["lines"]
     assert lines["resultant_N"] == approx(carried(result), rel=1e-6, abs=1e-3)
@@ -149,32 +158,30 @@ def test_lines_hold_what_they_can(settings, tmp_path):
 
 
 @pytest.mark.slow
-def test_line_pressure_balances_a_tilting_moment(tmp_path):
+def test_line_pressure_balances_a_tilting_moment(run):
     """It grows linearly along the line, 19 mm wide; 5 N m come with a slope that the rollers share."""
-    result = run(tmp_path, *LINES, "operation.moment=5 N m", "operation.tilt=free")
+    result = run(*LINES, "operation.moment=5 N m", "operation.tilt=free")
     ends = np.array(result.attributes["structure"]["outer"]["lines"]["end_forces_N"])
     assert ends.min() >= 0
     assert 19e-3 / 6 * abs(ends[0, 1] - ends[0, 0]) == approx(5.0, rel=0.02)
 
 
 @pytest.mark.parametrize("supports", [LINES, BEAM], ids=["lines", "springs"])
-def test_methods_agree_on_rings_that_lift_off(supports, tmp_path):
+def test_methods_agree_on_rings_that_lift_off(supports, run):
     alone = ["coupling.fallback=false", "coupling.tolerance=1e-8"]
-    found = [
-        run(tmp_path, *supports, *alone, f"coupling.method={method}") for method in ("newton", "iqn-ils")
-    ]
+    found = [run(*supports, *alone, f"coupling.method={method}") for method in ("newton", "iqn-ils")]
     assert [result.attributes["status"] for result in found] == ["converged", "converged"]
     newton, secant = (result.flexible["outer_load"] for result in found)
     assert newton == approx(secant, rel=0, abs=1e-7 * secant.max())
 
 
 @pytest.mark.parametrize("supports", [LINES, BEAM], ids=["lines", "springs"])
-def test_stiffness_of_a_ring_that_lifts_off_is_that_of_differences(supports, tmp_path):
+def test_stiffness_of_a_ring_that_lifts_off_is_that_of_differences(supports, run):
     """Bearing, ring and supports in one tangent: the shaft moves by it from 1990 to 2010 N."""
     exact = [*supports, "coupling.tolerance=1e-9"]
     places, blocks = [], []
     for load in (1990, 2000, 2010):
-        blocks.append(run(tmp_path, *exact, f"operation.radial_load={load} N").flexible)
+        blocks.append(run(*exact, f"operation.radial_load={load} N").flexible)
         inner, outer = blocks[-1]["support_translation"]
         places.append(blocks[-1]["ring_displacement"] - inner + outer)
     across_and_along = np.linalg.inv(blocks[1]["stiffness_matrix"][1:, 1:])[:2, 1]

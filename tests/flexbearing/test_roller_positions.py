@@ -32,7 +32,7 @@ STRUCTURES = {
     "rigid": RIGID,
     "ring that only pushes": RING,
     "ring that pulls": [*RING, "outer.bilateral=true"],
-    "ring on lines": LINES,
+    "ring on lines": pytest.param(LINES, marks=pytest.mark.slow),
     "clamped ring": [*RING[:5], "outer.support=side"],
     "ring with waves": [
         *RING[:5],

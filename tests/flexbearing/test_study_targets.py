@@ -146,6 +146,7 @@ def test_a_target_that_is_not_met_is_told_in_every_row_that_shares_the_levels(tm
     assert min(table["life error"].values) > 0.01
 
 
+@pytest.mark.slow
 def test_the_life_under_a_duty_cycle_has_an_error_below_its_estimate(tmp_path):
     duty = '[duty]\ntime = [1, 2, 1]\n"operation.radial_load" = ["2 kN", "5 kN", "12 kN"]\n'
 

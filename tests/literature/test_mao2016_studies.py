@@ -51,7 +51,7 @@ def test_life_hardly_depends_on_the_thickness_where_the_tilt_is_free():
     [
         lambda t: {"outer.bar_thickness": f"{t - 1:.3g} mm"},
         lambda t: {"outer.bar_length": "5 mm"},
-        lambda t: {"outer.bar_ends": "both"},
+        pytest.param(lambda t: {"outer.bar_ends": "both"}, marks=pytest.mark.slow),
         lambda t: {"bearing.clearance": f"{75.5 - 5 * (t - 3.6):.6g} um"},
     ],
     ids=["bars that thicken", "bars of 5 mm", "bars at both ends", "clearance that shrinks"],

@@ -215,6 +215,7 @@ def test_stiffness_is_the_inverse_of_compliance_and_nothing_holds_the_ring_axial
     assert np.isinf(state.tangent.compliance[0, 0])
 
 
+@pytest.mark.slow
 def test_many_operating_points_are_those_of_one_after_the_other():
     bearing = paper_bearing()
     points = [

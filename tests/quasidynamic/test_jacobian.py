@@ -40,7 +40,7 @@ CASES = {
 }
 
 
-@pytest.fixture(params=CASES.values(), ids=CASES.keys())
+@pytest.fixture(scope="module", params=CASES.values(), ids=CASES.keys())
 def state(request):
     """A balance, and scaled unknowns away from its equilibrium."""
     changes, elastic = request.param
@@ -64,8 +64,10 @@ def state(request):
     return balance, unknowns
 
 
-def jacobian(balance, unknowns):
-    """Central differences (N, N)."""
+@pytest.fixture(scope="module")
+def differenced(state):
+    """The Jacobian by central differences (N, N)."""
+    balance, unknowns = state
     # Speeds are scaled by their nominal value, displacements and films by a micrometre.
     steps = np.full(balance.layout.size, 1e-8)
     steps[balance.layout.displacements] = 1e-5
@@ -79,10 +81,9 @@ def jacobian(balance, unknowns):
     return np.array(columns).T
 
 
-def test_solve_inverts_the_difference_jacobian(state):
+def test_solve_inverts_the_difference_jacobian(state, differenced):
     """The matrix is never written down: its inverse times the differenced one must be the unit matrix."""
     balance, unknowns = state
-    differenced = jacobian(balance, unknowns)
     scale = np.abs(differenced).max(axis=1)
     system = balance.evaluate(unknowns)
     unit = bordered_system.solve(balance, system, differenced[None])[0]
@@ -92,12 +93,12 @@ def test_solve_inverts_the_difference_jacobian(state):
     assert np.abs(back).max() < 1e-6
 
 
-def test_shifted_solve_is_that_of_the_shifted_matrix(state):
+def test_shifted_solve_is_that_of_the_shifted_matrix(state, differenced):
     balance, unknowns = state
     system, shift = balance.evaluate(unknowns), bordered_system.Shift(3.0, 5.0, 7.0)
     right = np.random.default_rng(1).normal(size=(1, balance.layout.size, 2))
     found = bordered_system.solve(balance, system, right, shift)
-    matrix = jacobian(balance, unknowns)
+    matrix = differenced.copy()
     spins = np.arange(balance.layout.size)[balance.layout.field(-1)]
     matrix[spins, spins] -= 3.0
     matrix[[0, 1, 4], [0, 1, 4]] -= [7.0, 7.0, 5.0]

@@ -13,8 +13,10 @@ from quasidynamic.several.search import between_elastic_raceways
 from tests.bearings import RPM, paper_bearing
 from tests.thick_films import DIFFERENT, apart, decays, design, others_by_search
 
-SEVERAL = (2, 8, 29)  # designs of seed 1 with few rollers
-ONE = (0, 16, 20)
+SLOW = pytest.mark.slow
+# Designs of seed 1 with few rollers.
+SEVERAL = (pytest.param(2, marks=SLOW), 8, pytest.param(29, marks=SLOW))
+ONE = (0, pytest.param(16, marks=SLOW), pytest.param(20, marks=SLOW))
 
 
 def designed(number):
@@ -53,6 +55,7 @@ def test_restarts_span_the_loads_of_an_exhaustive_search(state, others):
     assert np.ptp(spans[0]) > 0.9 * np.ptp(spans[1])
 
 
+@pytest.mark.slow
 def test_equilibrium_that_differs_in_two_rollers_is_told():
     """Where three rollers carry, the other one has the one under the load alone: both beside it are slow."""
     state = design(np.random.default_rng([3, 14])).solve()

@@ -129,7 +129,9 @@ def test_bearings_may_differ_in_any_number(name, index):
     same(there, solve_many([other])[0])
 
 
-@pytest.mark.parametrize("name", BEARINGS)
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=pytest.mark.slow) if name == "slow" else name for name in BEARINGS]
+)
 def test_bearings_may_differ_in_all_numbers(name):
     model, rng = bearing(name), np.random.default_rng(7)
     numbers = np.array(kind_and_numbers(model)[1])

@@ -180,9 +180,10 @@ def test_slip_follows_an_s_over_load_through_two_folds():
 
 def test_folds_are_where_sweeps_over_the_load_jump():
     upper, lower = branch().folds
-    low, high = jump([1500, 2500, 3500, *np.geomspace(4500, 5600, 23)])  # steps of 1 %
+    close = np.array([0.98, 0.99, 0.995, 1.005, 1.01, 1.02])
+    low, high = jump([1500, 2500, 3500, 4500, *close * upper.value])
     assert low < upper.value < high
-    low, high = jump(np.geomspace(2200, 1600, 33))
+    low, high = jump([2200, *close[::-1] * lower.value])
     assert low < lower.value < high
 
 
