@@ -2,9 +2,10 @@
 
 Envelope: see `wide_design` of `tests/random_rollers.py`; with `--envelope usual` that of `design`, 10 N to
 100 kN, 100 to 100 000 rpm, clearance -50 to 300 um, 6 to 59 rollers, four traction laws, any direction of the
-load, a third of them tilted by a moment. Of every answer the arrays are taken that a result file holds; each
-balance is summed up again from them alone, and a number that is not finite or a warning counts as a silent
-fault.
+load, a third of them tilted by a moment; with `--envelope slow` those at 0.1 to 20 rpm on rough surfaces that
+creep (`slow_design`), with `slow-rounded` the same under rounded Coulomb friction. Of every answer the arrays
+are taken that a result file holds; each balance is summed up again from them alone, and a number that is not
+finite or a warning counts as a silent fault.
 """
 
 import argparse
@@ -23,11 +24,16 @@ from flexbearing.quantities.roller import LAYOUT
 from flexbearing.results.checks import NotInLayout, require_finite
 from quasidynamic import Equilibrium, RollerBearing, SolverOutcome, solve_many
 from tests.balances import largest_imbalance
-from tests.random_rollers import RPM, design, imbalance, wide_design
+from tests.random_rollers import RPM, design, imbalance, slow_design, slow_rounded_design, wide_design
 
 CHECKED_TO = 1e-8  # of the largest force on the bearing
 RIGID = LinearPair(None, None)
-ENVELOPES = {"wide": wide_design, "usual": design}
+ENVELOPES = {
+    "wide": wide_design,
+    "usual": design,
+    "slow": slow_design,
+    "slow-rounded": slow_rounded_design,
+}
 
 
 def main() -> None:

@@ -1,6 +1,8 @@
 """Random roller bearings, and a check of their forces that the solver does not use."""
 
+from dataclasses import replace
 from functools import partial
+from typing import Any
 
 import numpy as np
 
@@ -19,6 +21,9 @@ from quasidynamic import (
     RollerBearing,
     oil_at,
 )
+from quasidynamic.contact.traction import in_any_contact
+from quasidynamic.contact.traction.asperity_friction import Carter, RoundedCoulomb
+from quasidynamic.contact.traction.mixed import ZHOU_HOEPRICH, RoughContacts
 
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7850)
 CERAMIC = Material(youngs_modulus=310e9, poisson_ratio=0.26, density=3200)
@@ -33,10 +38,10 @@ def design(rng: np.random.Generator) -> tuple[RollerBearing, str]:
     share = rng.uniform(0.5, 0.9)  # of the pitch circle that rollers fill
     pitch = max(rollers * diameter / (np.pi * share), 2.5 * diameter)
     length = diameter * rng.uniform(0.8, 1.8)
-    guidance = rng.choice(["outer", "inner", "rollers"])
+    guidance: Any = str(rng.choice(["outer", "inner", "rollers"]))
     land = pitch + (0.8 if guidance == "outer" else -0.8) * diameter
     cage = Cage(
-        guidance=str(guidance),
+        guidance=guidance,
         pocket_friction=rng.uniform(0.0, 0.1),
         thickness=diameter * rng.uniform(0.3, 0.7),
         mass=1.2e3 * pitch * diameter * length,
@@ -74,6 +79,40 @@ def design(rng: np.random.Generator) -> tuple[RollerBearing, str]:
     return RollerBearing(bearing=bearing, operation=operation, lubrication=lubrication), name
 
 
+def slow_design(rng: np.random.Generator, asperities=None) -> tuple[RollerBearing, str]:
+    """A bearing of `design` at 0.1 to 20 rpm in hot thin oil, whose rough surfaces touch.
+
+    `asperities` makes their friction from a coefficient, by default `Carter`.
+    """
+    model, name = design(rng)
+    oil = oil_at("MIL-PRF-23699", rng.uniform(423.15, 473.15))
+    name, fluid = law(str(rng.choice(["4109", "eyring", "bair-winer", "four points"])), oil, rng)
+    friction = rng.uniform(0.05, 0.15)
+    rough = RoughContacts(
+        fluid=fluid,
+        share=ZHOU_HOEPRICH,
+        asperities=(asperities or _creeping)(friction),
+        inner_roughness=log_uniform(rng, 0.1e-6, 1e-6),
+        outer_roughness=log_uniform(rng, 0.1e-6, 1e-6),
+    )
+    operation = replace(model.operation, inner_speed=log_uniform(rng, 0.1, 20.0) * RPM)
+    lubrication = replace(model.lubrication, oil=oil, traction=rough)
+    return replace(model, operation=operation, lubrication=lubrication), name
+
+
+def slow_rounded_design(rng: np.random.Generator) -> tuple[RollerBearing, str]:
+    """The same bearing as `slow_design` with Coulomb friction rounded over 1 mm/s."""
+    return slow_design(rng, _rounded)
+
+
+def _creeping(friction):
+    return partial(Carter, coefficient=friction)
+
+
+def _rounded(friction):
+    return partial(in_any_contact, RoundedCoulomb(coefficient=friction, sign_speed=1e-3))
+
+
 def wide_design(rng: np.random.Generator) -> tuple[RollerBearing, str]:
     """A random bearing from far beyond what is built, and what is special about it.
 
@@ -104,7 +143,7 @@ def _wide_bearing(rng) -> CylindricalRollerBearing:
     rollers = round(log_uniform(rng, 3.0, min(700.4, 2.5 * pitch / SMALLEST)))
     diameter = min(np.pi * pitch * rng.uniform(0.4, 0.95) / rollers, pitch / 2.5)
     length = diameter * log_uniform(rng, 0.2, 10.0)
-    guidance = str(rng.choice(["outer", "inner", "rollers"]))
+    guidance: Any = str(rng.choice(["outer", "inner", "rollers"]))
     free = guidance != "rollers" and rng.random() < 0.4
     cage = Cage(
         guidance=guidance,

@@ -6,7 +6,7 @@ from typing import Any
 
 import quasidynamic as qd
 from flexbearing.case.roller import Case
-from quasidynamic.contact.traction import ROLLING_LAWS, TractionLaw
+from quasidynamic.contact.traction import ROLLING_LAWS, TractionLaw, in_any_contact
 from quasidynamic.parts.oil_properties import two_point_oil
 
 
@@ -98,8 +98,6 @@ def _adore(case: Case) -> Callable[..., TractionLaw]:
 
 
 def _four_point(case: Case) -> Callable[..., TractionLaw]:
-    from quasidynamic.contact.traction.measured_curve import in_any_contact
-
     points: Any = case.lubricant.traction_curve
     curve = qd.FourPointCurve.through(
         at_rest=points.at_rest, peak=points.peak, peak_slip=points.peak_slip, far=points.far

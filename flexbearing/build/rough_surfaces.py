@@ -1,12 +1,15 @@
 """Rough surfaces of a case: composite roughness, and asperities that carry some of the load."""
 
 from collections.abc import Callable
+from functools import partial
 
 from numpy.typing import NDArray
 
 from flexbearing.case.roller import Case
+from flexbearing.case.roller.lubricant import Mixed
 from quasidynamic.contact.film import composite_roughness
-from quasidynamic.contact.traction import TractionLaw
+from quasidynamic.contact.traction import TractionLaw, in_any_contact
+from quasidynamic.contact.traction.asperity_friction import AsperityFriction, Carter, RoundedCoulomb
 from quasidynamic.contact.traction.mixed import (
     FILM_SHARE_1_8,
     ZHOU_HOEPRICH,
@@ -39,8 +42,22 @@ def mixed(case: Case, fluid: Callable[..., TractionLaw]) -> RoughContacts:
     return RoughContacts(
         fluid=fluid,
         share=SHARES[given.share],
+        asperities=_ASPERITIES[given.asperity_friction](given),
         inner_roughness=inner,
         outer_roughness=outer,
-        boundary_friction=given.boundary_friction,
-        sign_speed=given.sign_speed,
     )
+
+
+def _rounded(given: Mixed) -> Callable[..., AsperityFriction]:
+    law = RoundedCoulomb(coefficient=given.boundary_friction, sign_speed=given.sign_speed)
+    return partial(in_any_contact, law)
+
+
+def _carter(given: Mixed) -> Callable[..., AsperityFriction]:
+    return partial(Carter, coefficient=given.boundary_friction)
+
+
+_ASPERITIES: dict[str, Callable[[Mixed], Callable[..., AsperityFriction]]] = {
+    "rounded": _rounded,
+    "carter": _carter,
+}

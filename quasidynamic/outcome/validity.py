@@ -9,6 +9,7 @@ from quasidynamic.contact.cage import land_notes
 from quasidynamic.contact.drag import drag_notes
 from quasidynamic.contact.line import half_width
 from quasidynamic.contact.traction.adore import AdoreType
+from quasidynamic.contact.traction.asperity_friction import Carter, RoundedCoulomb, full_slip_creep
 from quasidynamic.contact.traction.mixed import Mixed
 from quasidynamic.contact.traction.rheology import BairWiner, Eyring
 from quasidynamic.note import Note, outside
@@ -25,6 +26,7 @@ SPARSE = 0.1  # [-] assumed: share of oil below which nobody would call a contac
 STEEL = 206e9, 0.1  # [Pa] modulus of bearing steel, and by how much of it steels differ (assumed)
 LENGTHS = (0.5, 2.5)  # [-] assumed: length over diameter of rollers "about as long as thick", `palmgren`
 SMALL = 0.1  # [-] assumed: half-width over reduced radius or length that is no longer "far below"
+TOUCHING = 0.1  # [-] assumed: share of the load on asperities whose friction matters
 VORTICES = 41.0  # [-] Taylor number, `couette_factor`
 TURBULENCE = 2500.0  # [-] Reynolds number, `couette_factor`
 
@@ -84,6 +86,35 @@ def _peclet(state: Equilibrium) -> Iterator[Note]:
             "is an "
             f"order of magnitude below {FAST_SOURCE:g}",
         )
+
+
+def _asperity_slip(state: Equilibrium) -> Iterator[Note]:
+    raceways = state.balance.roller.raceways
+    law = raceways.traction
+    if not isinstance(law, Mixed):
+        return
+    friction = law.asperities
+    if isinstance(friction, Carter):
+        share = float(_half_width(state).max() / raceways.slices.width)
+        if share > 1.0:
+            yield outside(
+                "slice-creep",
+                f"asperity friction: half-width up to {share:.2g} widths of a slice; that slices shear each "
+                "other is left out",
+            )
+    if isinstance(friction, RoundedCoulomb):
+        carried = law.share(state.film / np.reshape(law.roughness, (-1, 1)))[0]
+        touching = _loaded(state) & (carried > TOUCHING)
+        mean = half_width(state.loads / raceways.slices.length, raceways.radius[:, 0], raceways.modulus[:, 0])
+        slipping = full_slip_creep(carried * friction.coefficient, mean, raceways.radius[:, 0])
+        speed = float(np.min(slipping * state.entrainment, where=touching, initial=np.inf))
+        if friction.sign_speed > speed:
+            yield outside(
+                "sign-speed",
+                f"asperity friction: its sign changes over {friction.sign_speed:.2g} m/s, though rolling "
+                f"elastic surfaces slip as a whole from {speed:.2g} m/s on: slips of cage and rollers are "
+                'those of the rounding; lubricant.mixed.asperity_friction = "carter"',
+            )
 
 
 def _regime(state: Equilibrium) -> Iterator[Note]:
@@ -220,6 +251,7 @@ def _traction_data(state: Equilibrium) -> Iterator[Note]:
 _CHECKS: tuple[Callable[[Equilibrium], Iterator[Note]], ...] = (
     _slide_to_roll,
     _peclet,
+    _asperity_slip,
     _regime,
     _flooding,
     _materials,

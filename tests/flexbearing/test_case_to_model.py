@@ -1,7 +1,7 @@
 """Every key of a case reaches the model that it is about."""
 
 from pathlib import Path
-from typing import get_args
+from typing import Any, get_args
 
 import numpy as np
 import pytest
@@ -24,6 +24,7 @@ from flexbearing.case.roller.lubricant import (
 from flexbearing.runs import notes
 from quasidynamic.contact.traction import ROLLING_LAWS
 from quasidynamic.contact.traction.adore import ADORE_OILS
+from quasidynamic.contact.traction.asperity_friction import Carter, RoundedCoulomb
 from quasidynamic.contact.traction.mixed import FILM_SHARE_1_8, ZHOU_HOEPRICH
 from quasidynamic.outcome.life_factors import CLEANLINESS
 from quasidynamic.parts.oil_properties import OILS
@@ -47,7 +48,7 @@ def built(file, settings):
     return roller_bearing.bearing(read_case(file, settings))
 
 
-def law(settings, file=PLAIN):
+def law(settings, file=PLAIN) -> Any:
     """Traction law of the bearing, built for its contacts."""
     return built(file, settings)._aligned_rollers.raceways.traction
 
@@ -207,8 +208,17 @@ def test_mixed_lubrication_wraps_the_chosen_law(name, share):
     assert isinstance(found, qd.Mixed)
     assert isinstance(found.fluid, qd.Eyring)
     assert found.roughness == approx(np.full((2, 1, 1), 0.5e-6), rel=1e-12)
-    assert (found.boundary_friction, found.sign_speed) == (0.12, approx(2e-3, rel=1e-12))
+    assert found.asperities == RoundedCoulomb(coefficient=0.12, sign_speed=2e-3)
     assert share is None or found.share is share
+
+
+def test_creeping_asperities_are_those_of_the_contacts():
+    settings = {"lubricant.mixed.boundary_friction": 0.12, "lubricant.mixed.asperity_friction": "carter"}
+    found = law({**ROUGH, **settings})
+    assert isinstance(found.asperities, Carter)
+    assert found.asperities.coefficient == 0.12
+    assert found.asperities.radius == approx(found.fluid.radius, rel=1e-12)
+    assert found.asperities.modulus == approx(found.fluid.modulus, rel=1e-12)
 
 
 def test_each_raceway_has_asperities_of_its_own_roughness():

@@ -7,6 +7,8 @@ import pytest
 from hypothesis import assume, given, strategies as st
 from pytest import approx
 
+from quasidynamic.contact.line import SMALLEST_LOAD, half_width
+from quasidynamic.contact.traction.asperity_friction import Carter, RoundedCoulomb
 from quasidynamic.contact.traction.mixed import FILM_SHARE_1_8, ZHOU_HOEPRICH, ErrorFunctionShare, Mixed
 from quasidynamic.contact.traction.rheology import BairWiner
 from quasidynamic.errors import ImpossiblePart
@@ -19,8 +21,11 @@ OIL = Lubricant(
 FLUID = BairWiner(
     radius=2.32e-3, modulus=2.2487e11, length=5e-3, oil=OIL, limiting_ratio=0.05, film_heating=True
 )
-ROUGH: dict[str, Any] = {"fluid": FLUID, "roughness": 0.1e-6, "boundary_friction": 0.1, "sign_speed": 1e-3}
+ROUNDED = RoundedCoulomb(coefficient=0.1, sign_speed=1e-3)
+CARTER = Carter(radius=2.32e-3, modulus=2.2487e11, coefficient=0.1)
+ROUGH: dict[str, Any] = {"fluid": FLUID, "asperities": ROUNDED, "roughness": 0.1e-6}
 SHARES = {"stretched": ZHOU_HOEPRICH, "film share": FILM_SHARE_1_8, "error function": ErrorFunctionShare()}
+every_friction = pytest.mark.parametrize("asperities", [ROUNDED, CARTER], ids=["rounded", "carter"])
 every_share = pytest.mark.parametrize("share", SHARES.values(), ids=list(SHARES))
 
 loads = st.floats(0.0, 2e6)
@@ -58,23 +63,39 @@ def test_thick_film_is_the_fluid_and_no_film_is_boundary_friction():
     assert law(*point, thin).force == approx(0.1 * 1e5, rel=1e-6)
 
 
+@every_friction
 @every_share
 @given(load=loads, slide=slides, speed=speeds, film=films)
-def test_mixed_traction_is_odd_between_its_parts(share, load, slide, speed, film):
-    law = Mixed(**ROUGH, share=share)
+def test_mixed_traction_is_odd(share, asperities, load, slide, speed, film):
+    law = Mixed(**{**ROUGH, "asperities": asperities}, share=share)
     forward, backward = (law(*map(np.array, (load, u, speed, film))).force for u in (slide, -slide))
     assert forward == approx(-backward, rel=1e-12, abs=0)
+
+
+@every_share
+@given(load=loads, slide=slides, speed=speeds, film=films)
+def test_mixed_traction_is_between_its_parts(share, load, slide, speed, film):
+    forward = Mixed(**ROUGH, share=share)(*map(np.array, (load, slide, speed, film))).force
     fluid = abs(FLUID(*map(np.array, (load, slide, speed, film))).force)
     boundary = 0.1 * load * abs(slide) / np.hypot(slide, 1e-3)
     assert min(fluid, boundary) * (1 - 1e-12) <= abs(forward) <= max(fluid, boundary) * (1 + 1e-12)
 
 
+def away_from_full_slip(load, slide, speed, share):
+    """Whether differences stay on one side of the kink of Carter's law."""
+    width = half_width(np.hypot(load, SMALLEST_LOAD * 2.2487e11 * 2.32e-3), 2.32e-3, 2.2487e11)
+    full_slip = 0.1 * share * width / 2.32e-3
+    return abs(abs(slide) / speed - full_slip) > 0.05 * full_slip
+
+
+@every_friction
 @every_share
 @given(load=loads, slide=slides, speed=speeds, film=films)
-def test_every_derivative_is_the_slope_of_the_force(share, load, slide, speed, film):
-    law = Mixed(**ROUGH, share=share)
+def test_every_derivative_is_the_slope_of_the_force(share, asperities, load, slide, speed, film):
+    law = Mixed(**{**ROUGH, "asperities": asperities}, share=share)
     point = np.array([load, slide, speed, film])
     assume(load == 0.0 or load > 1e-3)
+    assume(asperities is ROUNDED or away_from_full_slip(load, slide, speed, share(film / 0.1e-6)[0]))
     sizes = point + np.array([200.0, 0.0, 0.0, 0.0])
     here = law(*map(np.array, point))
     for index, size in enumerate(sizes):
@@ -85,17 +106,20 @@ def test_every_derivative_is_the_slope_of_the_force(share, load, slide, speed, f
         assert here[1 + index] == approx(slope, rel=1e-6, abs=floor)
 
 
+@every_friction
 @every_share
-def test_everything_stays_finite_at_the_corners(share):
+def test_everything_stays_finite_at_the_corners(share, asperities):
     corners = np.meshgrid([0.0, 1e-3, 8e6], [-60.0, 0.0, 60.0], [1e-6, 200.0], [5e-9, 2e-6])
-    for value in Mixed(**ROUGH, share=share)(*corners):
+    for value in Mixed(**{**ROUGH, "asperities": asperities}, share=share)(*corners):
         assert value.shape == corners[0].shape
         assert np.all(np.isfinite(value))
 
 
-@pytest.mark.parametrize(
-    ("name", "value"), [("roughness", 0.0), ("sign_speed", -1.0), ("boundary_friction", -0.1)]
-)
-def test_impossible_surfaces_are_refused(name, value):
-    with pytest.raises(ImpossiblePart, match=name):
-        Mixed(**{**ROUGH, name: value}, share=ZHOU_HOEPRICH)
+def test_impossible_surfaces_are_refused():
+    with pytest.raises(ImpossiblePart, match="roughness"):
+        Mixed(**{**ROUGH, "roughness": 0.0}, share=ZHOU_HOEPRICH)
+    with pytest.raises(ImpossiblePart, match="sign_speed"):
+        RoundedCoulomb(coefficient=0.1, sign_speed=-1.0)
+    for law, values in ((RoundedCoulomb, {"sign_speed": 1e-3}), (Carter, {"radius": 1e-3, "modulus": 2e11})):
+        with pytest.raises(ImpossiblePart, match="coefficient"):
+            law(coefficient=-0.1, **values)

@@ -2,6 +2,7 @@
 
 from dataclasses import fields, is_dataclass, replace
 from functools import cache, partial
+from typing import Any
 
 import numpy as np
 import pytest
@@ -18,9 +19,9 @@ from quasidynamic import (
     solve_many,
 )
 from quasidynamic.columns import kind_and_numbers, taken, with_columns
-from quasidynamic.contact.traction import ROLLING_LAWS
+from quasidynamic.contact.traction import ROLLING_LAWS, in_any_contact
 from quasidynamic.contact.traction.adore import ADORE_OILS
-from quasidynamic.contact.traction.measured_curve import in_any_contact
+from quasidynamic.contact.traction.asperity_friction import Carter, RoundedCoulomb
 from quasidynamic.contact.traction.mixed import ZHOU_HOEPRICH, RoughContacts
 from quasidynamic.parts.raceway_waves import RacewayWaves
 from tests.bearings import RPM, paper_bearing
@@ -32,11 +33,11 @@ CURVE = FourPointCurve.through(at_rest=0.01, peak=0.05, peak_slip=0.02, far=0.03
 ROUGH = RoughContacts(
     fluid=partial(Eyring, limiting_ratio=0.05, eyring_stress=6e6, film_heating=True),
     share=ZHOU_HOEPRICH,
+    asperities=partial(in_any_contact, RoundedCoulomb(coefficient=0.1, sign_speed=1e-3)),
     inner_roughness=3e-7,
     outer_roughness=2e-7,
-    boundary_friction=0.1,
-    sign_speed=1e-3,
 )
+CREEPING = replace(ROUGH, asperities=partial(Carter, coefficient=0.1))
 ADORE = partial(AdoreType, rheology=ADORE_OILS["MIL-L-23699"], limiting_ratio=0.07)
 BEARINGS = {
     "aligned": {"profile": DROP, "load": 5e3},
@@ -57,6 +58,7 @@ BEARINGS = {
     "adore": {"traction": ADORE, "rolling": ROLLING_LAWS["goksem-hargreaves"]},
     "four points": {"traction": partial(in_any_contact, CURVE), "rolling": ROLLING_LAWS["zhou-hoeprich"]},
     "rough": {"traction": ROUGH, "rolling": ROLLING_LAWS["dowson-higginson"], "load": 1e3},
+    "rough and slow": {"traction": CREEPING, "load": 1e3, "speed": 20 * RPM},
 }
 FEW = ("aligned", "free tilt", "free cage", "rough")  # of these every number in the fast tests
 STEP = 1e-4  # of a number that is zero
@@ -195,7 +197,7 @@ def test_a_single_case_of_many_holds_numbers():
 
 def test_what_is_the_same_in_all_cases_stays_a_number():
     many = solve_many([paper_bearing(load=load, clearance=c) for load, c in ((1e3, 5e-5), (2e3, 6e-5))])
-    roller = many.batches[0].states.balance.roller
+    roller: Any = many.batches[0].states.balance.roller
     assert roller.bearing.clearance.shape == (2, 1)
     assert isinstance(roller.bearing.roller.diameter, float)
     assert roller.levers.ndim == 2

@@ -1,12 +1,16 @@
 """A law that is left is told; inside all of them nothing is."""
 
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import pytest
 
 from quasidynamic import AdoreType, Material
+from quasidynamic.contact.traction import in_any_contact
 from quasidynamic.contact.traction.adore import ADORE_OILS
+from quasidynamic.contact.traction.asperity_friction import Carter, RoundedCoulomb
+from quasidynamic.contact.traction.mixed import ZHOU_HOEPRICH, RoughContacts
 from quasidynamic.outcome.validity import LOADED, validity
 from quasidynamic.parts.oil_properties import oil_at
 from tests.bearings import RPM, eyring, paper_bearing
@@ -44,6 +48,18 @@ BEYOND = {
 }
 
 
+def rough(asperities, size=0.3e-6):
+    """Surfaces that touch where the bearing is slow."""
+    return RoughContacts(
+        fluid=QUIET["traction"], share=ZHOU_HOEPRICH, asperities=asperities,
+        inner_roughness=size, outer_roughness=size,
+    )  # fmt: skip
+
+
+ROUNDED = partial(in_any_contact, RoundedCoulomb(coefficient=0.1, sign_speed=1e-3))
+CREEPING = partial(Carter, coefficient=0.1)
+
+
 def codes(**changes):
     state = paper_bearing(**QUIET | changes).solve()
     return {note.code: note for note in validity(state)}
@@ -58,6 +74,21 @@ def test_a_law_that_is_left_is_told(changes, code):
     found = codes(**changes)
     assert code in found
     assert {note.grade for note in found.values()} == {"outside validity"}
+
+
+def test_rounded_friction_of_slow_rough_rollers_is_told():
+    slow = {"speed": 20 * RPM}
+    assert "sign-speed" in codes(**slow, traction=rough(ROUNDED))
+    assert "sign-speed" not in codes(**slow, traction=rough(CREEPING))
+    assert "sign-speed" not in codes(traction=rough(ROUNDED))
+    assert "sign-speed" not in codes(**slow, traction=rough(ROUNDED, size=1e-9))  # nothing touches
+
+
+def test_slices_below_the_width_of_their_contact_are_told_where_they_creep():
+    thin = {"speed": 20 * RPM, "slices": 100}
+    assert "slice-creep" in codes(**thin, traction=rough(CREEPING))
+    assert "slice-creep" not in codes(**thin, traction=rough(ROUNDED))
+    assert "slice-creep" not in codes(speed=20 * RPM, traction=rough(CREEPING))
 
 
 def with_roller(**changes):

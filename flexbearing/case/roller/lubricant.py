@@ -30,6 +30,7 @@ FilmName = Literal["dowson_higginson", "dowson", "dowson_toyoda", "pan_hamrock",
 RollingName = Literal["biboulet-houpert", "dowson-higginson", "zhou-hoeprich", "goksem-hargreaves"]
 TractionName = Literal["4109", "eyring", "bair-winer", "adore", "four-point"]
 ShareName = Literal["zhou-hoeprich", "film-1.8", "error-function"]
+AsperityFrictionName = Literal["rounded", "carter"]
 
 DATA = ("viscosity", "pressure_viscosity", "temperature_viscosity", "conductivity", "density")
 HEATED = ("eyring", "bair-winer")  # laws whose film can warm by its own shear
@@ -89,8 +90,17 @@ class Mixed(Section):
 
     boundary_friction: float = key("friction coefficient where asperities touch", example=0.1, ge=0, le=1)
     share: ShareName = key("share of the load on asperities as a function of the film ratio", "zhou-hoeprich")
+    asperity_friction: AsperityFrictionName = key(
+        "how the boundary friction sets in with the slip: rounded, over sign_speed; carter, by the elastic "
+        "creep of rolling cylinders, which slow rollers need",
+        "rounded",
+    )
     sign_speed: Velocity = key(
-        "sliding speed over which the boundary friction changes its sign", "1 mm/s", example="1 mm/s", gt=0
+        "sliding speed over which the boundary friction changes its sign; asperity_friction rounded",
+        "1 mm/s",
+        example="1 mm/s",
+        gt=0,
+        only={"asperity_friction": ("rounded",)},
     )
 
 

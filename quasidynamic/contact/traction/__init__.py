@@ -5,7 +5,7 @@ law has is exported; a law itself is imported from its module, by who chooses it
 """
 
 from quasidynamic.contact.traction.inlet_shear import ROLLING_LAWS, RollingShear, biboulet_houpert
-from quasidynamic.contact.traction.traction_law import Regression4109, Traction, TractionLaw
+from quasidynamic.contact.traction.traction_law import Regression4109, Traction, TractionLaw, in_any_contact
 
 __all__ = [
     "ROLLING_LAWS",
@@ -14,4 +14,5 @@ __all__ = [
     "Traction",
     "TractionLaw",
     "biboulet_houpert",
+    "in_any_contact",
 ]

@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass
 from math import e, isfinite
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -135,8 +134,3 @@ class FourPointCurve:
             by_entrainment=-by_sliding * slip * entrainment / speed,
             by_film=np.zeros_like(by_sliding),
         )
-
-
-def in_any_contact(curve: FourPointCurve, **_: Any) -> FourPointCurve:
-    """The law of any contact, whatever its radius, modulus, length and oil: the curve itself."""
-    return curve

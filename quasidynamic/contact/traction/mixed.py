@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.columns import stacked
+from quasidynamic.contact.traction.asperity_friction import AsperityFriction
 from quasidynamic.contact.traction.traction_law import Traction, TractionLaw
-from quasidynamic.errors import ImpossiblePart, require_positive
+from quasidynamic.errors import require_positive
 
 
 class AsperityShare(Protocol):
@@ -75,11 +76,10 @@ class ErrorFunctionShare:
 class Mixed:
     r"""Film and asperities share the load, each with its own friction.
 
-    .. math:: F = (1 - f_a(\Lambda))\, F_f + f_a(\Lambda)\, \mu_b\, q\, \frac{u_s}{\sqrt{u_s^2 + v_0^2}},
-              \quad \Lambda = h/\sigma
+    .. math:: F = (1 - f_a(\Lambda))\, F_f + F_a(f_a),\quad \Lambda = h/\sigma
 
     F_f is the traction of the wrapped law under the whole load, so that its coefficient keeps its
-    value. The boundary friction changes sign over the speed v0 (99 % at 7 v0).
+    value; F_a is that of the asperities under their share, see `RoundedCoulomb` and `Carter`.
 
     Source
     ------
@@ -87,38 +87,31 @@ class Mixed:
 
     Valid
     -----
-    Film > 0; asperities do not change the film. Kinks are those of the wrapped law.
+    Film > 0; asperities do not change the film. Kinks are those of the wrapped law and of the asperities'.
     """
 
     fluid: TractionLaw
     share: AsperityShare
+    asperities: AsperityFriction
     roughness: NDArray | float  # [m] sigma, composite: sqrt(Rq1^2 + Rq2^2)
-    boundary_friction: NDArray | float  # [-] mu_b, 0.08 to 0.13 for oils on steel
-    sign_speed: NDArray | float  # [m/s] v0, far below the sliding speeds of interest
 
     def __post_init__(self):
-        for name in ("roughness", "sign_speed"):
-            for value in np.ravel(getattr(self, name)).tolist():
-                require_positive(f"mixed.{name}", value)
-        for value in np.ravel(self.boundary_friction).tolist():
-            if not 0 <= value < float("inf"):
-                raise ImpossiblePart(f"mixed.boundary_friction = {value!r} must be finite and >= 0")
+        for value in np.ravel(self.roughness).tolist():
+            require_positive("mixed.roughness", value)
 
     def __call__(self, line_load: NDArray, sliding: NDArray, entrainment: NDArray, film: NDArray) -> Traction:
-        """Traction; entrainment and film act through the wrapped law, the film also through the share."""
+        """Traction; the film acts through the wrapped law and the share."""
         fluid = self.fluid(line_load, sliding, entrainment, film)
         share, by_ratio = self.share(film / self.roughness)
-        rounded = np.hypot(sliding, self.sign_speed)
-        friction = self.boundary_friction * sliding / rounded
-        steepness = self.boundary_friction * (self.sign_speed / rounded) ** 2 / rounded
+        asperities = self.asperities(line_load, sliding, entrainment, share)
         film_share = 1 - share
         return Traction(
-            force=film_share * fluid.force + share * friction * line_load,
-            by_load=film_share * fluid.by_load + share * friction,
-            by_sliding=film_share * fluid.by_sliding + share * steepness * line_load,
-            by_entrainment=film_share * fluid.by_entrainment,
+            force=film_share * fluid.force + asperities.force,
+            by_load=film_share * fluid.by_load + asperities.by_load,
+            by_sliding=film_share * fluid.by_sliding + asperities.by_sliding,
+            by_entrainment=film_share * fluid.by_entrainment + asperities.by_entrainment,
             by_film=film_share * fluid.by_film
-            + by_ratio / self.roughness * (friction * line_load - fluid.force),
+            + by_ratio / self.roughness * (asperities.by_share - fluid.force),
         )
 
 
@@ -128,17 +121,15 @@ class RoughContacts:
 
     fluid: Callable[..., TractionLaw]  # called with radius, modulus, length, oil
     share: AsperityShare
+    asperities: Callable[..., AsperityFriction]  # called with radius and modulus
     inner_roughness: float  # [m] composite, see `Mixed`
     outer_roughness: float  # [m]
-    boundary_friction: float  # [-]
-    sign_speed: float  # [m/s]
 
-    def __call__(self, **contact: Any) -> Mixed:
+    def __call__(self, *, radius: Any, modulus: Any, **contact: Any) -> Mixed:
         """Law of both contacts, from radius, modulus, length and oil."""
         return Mixed(
-            fluid=self.fluid(**contact),
+            fluid=self.fluid(radius=radius, modulus=modulus, **contact),
             share=self.share,
+            asperities=self.asperities(radius=radius, modulus=modulus),
             roughness=stacked(self.inner_roughness, self.outer_roughness),
-            boundary_friction=self.boundary_friction,
-            sign_speed=self.sign_speed,
         )

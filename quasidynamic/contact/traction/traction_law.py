@@ -3,13 +3,15 @@
 from dataclasses import dataclass
 from functools import cached_property
 from math import log
-from typing import NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.contact.line import SMALLEST_LOAD
 from quasidynamic.parts.lubricant import Lubricant
+
+Law = TypeVar("Law")
 
 
 class Traction(NamedTuple):
@@ -28,6 +30,11 @@ class TractionLaw(Protocol):
     def __call__(self, line_load: NDArray, sliding: NDArray, entrainment: NDArray, film: NDArray) -> Traction:
         """Evaluate on arrays that broadcast against each other."""
         ...
+
+
+def in_any_contact(law: Law, **_: Any) -> Law:
+    """The law of any contact, whatever its radius, modulus, length and oil: the law itself."""
+    return law
 
 
 @dataclass(frozen=True, kw_only=True)
