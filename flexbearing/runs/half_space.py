@@ -12,7 +12,8 @@ from quasidynamic.note import Note, information, outside
 if TYPE_CHECKING:
     from quasidynamic.outcome.whole_roller import WholeRoller
 
-MICROMETRE = 1e-6
+MICROMETRE, GIGAPASCAL = 1e-6, 1e9
+RACEWAYS = ("inner", "outer")
 RESOLVED = 0.02  # of the peak pressure: an estimated error that is worth a word (assumed)
 
 
@@ -53,20 +54,38 @@ def _notes(state: Equilibrium, whole: "WholeRoller") -> Iterator[Note]:
         f"(inner) and {pressure[1]:+.1%} (outer), life {whole.life / state.life - 1:+.1%} beside slices "
         "alone; loads and moments are those of the slices, free end faces and flanges are left out",
     )
-    if whole.at_ends:
-        cell = state.balance.roller.bearing.roller.length / len(whole.positions)
-        yield outside(
-            "sharp-roller-end",
-            "the contact of the most loaded roller reaches an end of it, where a sharp end has pressure "
-            f"without bound: the peak is the mean of a cell of {cell / MICROMETRE:.3g} um along the roller, "
-            "an upper bound as free end faces are softer, and the life depends on accuracy.slices; a profile "
-            "that keeps the ends apart has none of it",
-        )
-        return
-    share = float((whole.pressure_error / whole.peak_pressure).max())
+    yield from _sharp_end(state, whole)
+    share = np.where(whole.peak_at_ends, 0.0, whole.pressure_error / whole.peak_pressure).max()
     if share > RESOLVED:
         yield outside(
             "whole-roller-resolution",
             f"peak pressure: numerical error of about {share:.0%}, of cells on the most loaded roller whose "
             "pressure rises close to an end",
         )
+
+
+def _sharp_end(state: Equilibrium, whole: "WholeRoller") -> Iterator[Note]:
+    """What must be said where a contact reaches an end of the roller."""
+    if not whole.at_ends:
+        return
+    rest = "the life depends on accuracy.slices; a profile that keeps the ends apart has none of it"
+    if not whole.peak_at_ends.any():
+        yield outside(
+            "sharp-roller-end",
+            "the contact of the most loaded roller reaches an end of it, where a sharp end has pressure "
+            f"without bound; the largest stands elsewhere, but {rest}",
+        )
+        return
+    cell = state.balance.roller.bearing.roller.length / len(whole.positions)
+    pairs = zip(RACEWAYS, whole.peak_pressure, whole.coarser_peak_pressure, whole.peak_at_ends, strict=True)
+    places = " and ".join(
+        f"{race} {fine / GIGAPASCAL:.3g} GPa, on cells of twice the size {coarse / GIGAPASCAL:.3g} GPa"
+        for race, fine, coarse, at_end in pairs
+        if at_end
+    )
+    yield outside(
+        "sharp-roller-end",
+        "peak pressure: no number to rely on; the largest pressure of the most loaded roller stands in the "
+        f"cells at an end without relief, where it has no bound: {places}. It is the mean of a cell of "
+        f"{cell / MICROMETRE:.3g} um along the roller, and overstated as free end faces are softer; {rest}",
+    )

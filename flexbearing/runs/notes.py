@@ -88,7 +88,9 @@ def of_state(
 def _dangers(state: Equilibrium, life: float, whole: "WholeRoller | None") -> Iterator[Note]:
     points = state.balance.points
     # A pressure without bound, at a sharp end, says nothing.
-    pressure = state.peak_pressure if whole is None or whole.at_ends else whole.peak_pressure
+    pressure = state.peak_pressure
+    if whole is not None:
+        pressure = np.where(whole.peak_at_ends, pressure, whole.peak_pressure)
     yield from dangers.pressed(float(pressure.max()))
     yield from dangers.short_lived(life, float(points.inner_speed[0, 0] - points.outer_speed[0, 0]))
 

@@ -42,6 +42,11 @@ class WholeRoller:
         return any(any(contact.at_ends) for contact in self.contacts)
 
     @property
+    def peak_at_ends(self) -> NDArray:
+        """Whether the largest pressure of each contact (2) stands at an end of the roller: no number."""
+        return np.array([contact.peak_at_ends for contact in self.contacts])
+
+    @property
     def life(self) -> float:
         """Basic reference life L10 [10^6 revolutions], see `whole_roller`."""
         inner, outer = self._loads
@@ -92,7 +97,12 @@ class WholeRoller:
     @property
     def pressure_error(self) -> NDArray:
         """Change of the peak pressure (2) from cells of twice the size [Pa]."""
-        return np.abs(self.peak_pressure - [contact.peak_pressure for contact in self.coarser])
+        return np.abs(self.peak_pressure - self.coarser_peak_pressure)
+
+    @property
+    def coarser_peak_pressure(self) -> NDArray:
+        """Largest pressure (2) on cells of twice the size [Pa]."""
+        return np.array([contact.peak_pressure for contact in self.coarser])
 
 
 def whole_roller(state: Equilibrium) -> WholeRoller:

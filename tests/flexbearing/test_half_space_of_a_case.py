@@ -13,7 +13,7 @@ from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase
 from flexbearing.report import text, write_figures
 from flexbearing.report.roller.figures import pictures
-from flexbearing.runs import half_space, life
+from flexbearing.runs import half_space, life, notes
 from quasidynamic.errors import NotSolved
 from quasidynamic.outcome import whole_roller
 
@@ -77,15 +77,66 @@ def test_modified_life_starts_from_the_whole_roller():
     case = read_case(PLAIN, [*WHOLE, *TILTED, "life.capacity=iso281"])
     state = roller_bearing.bearing(case).solve()
     whole, _ = half_space.most_loaded(case, state)
+    assert whole is not None
     rated, sliced = life.modified(case, state, whole), life.modified(case, state)
+    assert rated is not None
+    assert sliced is not None
     assert rated.basic == approx(whole.life, rel=1e-12)
     assert rated.modified / sliced.modified == approx(whole.life / state.life, rel=1e-2)
 
 
-def test_sharp_end_is_told():
-    case = read_case(PLAIN, [*WHOLE, *TILTED, "bearing.roller.profile=straight"])
-    _, notes = half_space.most_loaded(case, roller_bearing.bearing(case).solve())
-    assert [note.code for note in notes] == ["whole-roller", "sharp-roller-end"]
+SHALLOW = ["bearing.roller.profile=crowned", "bearing.roller.straight_length=0 mm",
+           "bearing.roller.crown_radius=1 m"]  # fmt: skip
+
+
+def most_loaded(settings):
+    """Whole roller of a case with those of its notes that are about its ends."""
+    case = read_case(PLAIN, [*WHOLE, *settings])
+    whole, told = half_space.most_loaded(case, roller_bearing.bearing(case).solve())
+    assert whole is not None
+    assert told[0].code == "whole-roller"
+    return whole, told[1:]
+
+
+@pytest.mark.parametrize("tilt", [[], TILTED], ids=["aligned", "tilted"])
+def test_largest_pressure_in_the_cells_at_a_sharp_end_is_called_no_number(tilt):
+    whole, (note,) = most_loaded([*tilt, "bearing.roller.profile=straight"])
+    ends = whole.pressure[:, :, [0, -1]].max(axis=(1, 2))
+    assert ends == approx(whole.peak_pressure, rel=1e-12)
+    assert (note.grade, note.code) == ("outside validity", "sharp-roller-end")
+    assert "no number to rely on" in note.text
+    for pressure in (*whole.peak_pressure, *whole.coarser_peak_pressure):
+        assert f"{pressure / 1e9:.3g} GPa" in note.text
+    assert np.all(whole.peak_pressure > 1.25 * whole.coarser_peak_pressure)  # without bound
+
+
+def test_contact_that_reaches_an_end_with_its_peak_elsewhere_has_a_peak():
+    whole, (note,) = most_loaded([*SHALLOW, "operation.radial_load=12 kN"])
+    assert (note.grade, note.code) == ("outside validity", "sharp-roller-end")
+    assert "the largest stands elsewhere" in note.text
+    assert whole.peak_pressure == approx(whole.coarser_peak_pressure, rel=0.02)
+
+
+def test_ends_that_are_kept_apart_need_no_note():
+    whole, told = most_loaded([*SHALLOW, "operation.radial_load=6 kN"])
+    assert told == ()
+    assert not whole.at_ends
+
+
+@pytest.mark.parametrize(
+    ("profile", "of_slices"),
+    [(["bearing.roller.profile=straight"], True), ([*SHALLOW, "operation.radial_load=12 kN"], False)],
+    ids=["peak at the end", "peak elsewhere"],
+)
+def test_danger_of_pressure_is_that_of_slices_where_the_peak_is_no_number(profile, of_slices, monkeypatch):
+    case = read_case(PLAIN, [*WHOLE, *profile])
+    state = roller_bearing.bearing(case).solve()
+    whole, _ = half_space.most_loaded(case, state)
+    assert whole is not None
+    pressures = []
+    monkeypatch.setattr(notes.dangers, "pressed", lambda pressure: pressures.append(pressure) or ())
+    notes.of_state(case, state, None, whole)
+    assert pressures == [(state if of_slices else whole).peak_pressure.max()]
 
 
 def test_roller_that_is_not_solved_leaves_the_slices_with_a_note(monkeypatch):

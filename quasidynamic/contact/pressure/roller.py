@@ -55,6 +55,12 @@ class RollerPressure:
         """Whether the contact reaches the -y and the +y end of the roller, where pressure has no bound."""
         return self.contact.cut[1]
 
+    @property
+    def peak_at_ends(self) -> bool:
+        """Whether the largest pressure stands in the outermost cells: it is that of a cell at a sharp end."""
+        along = self.largest_along
+        return bool(max(along[0], along[-1]) == along.max())
+
     def slice_loads(self, count: int) -> NDArray:
         """Mean load per length (K) [N/m] of equal slices, from the cells that they share."""
         cells = len(self.line_load)
