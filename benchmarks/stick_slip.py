@@ -1,7 +1,7 @@
 """Balls with stick and slip beside those of Heras et al. (2017): `python -m benchmarks.stick_slip`.
 
-`--grids` shows convergence with the cells of a contact, `--robustness N` solves N random balls,
-`--slewing` the bearing of 156 balls of Joshi et al. (2015) on one core and on all.
+Instead of that `--grids` shows convergence with the cells of a contact, `--slewing` the bearing of 156 balls
+of Joshi et al. (2015) on one core and on all.
 """
 
 import argparse
@@ -16,7 +16,7 @@ from threadpoolctl import threadpool_limits
 import flexbearing
 from benchmarks.machine import describe
 from flexbearing.program.threads import cores, limited_to
-from quasidynamic.errors import NotSolved, OutOfRange
+from quasidynamic.contact.ellipse.rigid_slip import Spin
 from quasidynamic.four_point import FourPointBallBearing
 from quasidynamic.outcome.slow_balls import SlidingBalls
 from quasidynamic.parts.ball import Ball, FourPointBearing, Groove
@@ -41,18 +41,16 @@ SLEWING = Path(__file__).parents[1] / "configs" / "joshi2015_fourpoint.toml"
 def main() -> None:
     options = argparse.ArgumentParser()
     options.add_argument("--grids", action="store_true")
-    options.add_argument("--robustness", type=int, default=0, metavar="N")
     options.add_argument("--slewing", action="store_true")
     wanted = options.parse_args()
     print(describe())
     with threadpool_limits(limits=1, user_api="blas"):
-        cases()
         if wanted.grids:
             grids()
-        if wanted.robustness:
-            robustness(wanted.robustness)
         if wanted.slewing:
             slewing()
+        if not (wanted.grids or wanted.slewing):
+            cases()
 
 
 def cases() -> None:
@@ -82,34 +80,22 @@ def cases() -> None:
 
 
 def grids() -> None:
-    print("half-spaces, torque [N m] +- told error and processor time [s], by cells along and across")
+    print("half-spaces: torque [N m] +- told error (processor time [s], once), by cells along and across")
+    print("last column: orders of convergence by three grids each")
     for name in CASES:
-        bearing, row = heras(name, "local"), []
+        bearing, torques = heras(name, "local"), []
+        rolled(bearing, name, "kalker", GRIDS[0])  # what the first call prepares is not counted
+        print(f"{name:7}", end="")
         for cells in GRIDS:
-            ball, seconds = timed(
-                lambda bearing=bearing, name=name, cells=cells: rolled(bearing, name, "kalker", cells), 1
-            )
-            row.append(f"{cells[0]}x{cells[1]} {ball.torque:.4f} +- {ball.grid_error:.4f} ({seconds:.2f} s)")
-        print(f"{name:7} {'; '.join(row)}; limit {ball.extrapolated_torque:.4f}", flush=True)
-
-
-def robustness(count: int) -> None:
-    unsolved, above, seconds = [], [], []
-    for seed in range(count):
-        bearing, balls = drawn(seed)
-        most, began = balls.torque, time.process_time()
-        try:
-            (ball,) = bearing.roll(balls, "kalker", (20, 40)).rolled
-        except (NotSolved, OutOfRange) as error:
-            unsolved.append((seed, str(error)))
-            continue
-        seconds.append(time.process_time() - began)
-        start = np.append(balls.sliding.motion[0], 0.0)
-        if ball.torque > ball.fine.ball.full_sliding_power(start) * (1 + 1e-6):
-            above.append((seed, ball.torque, most))
-    print(f"{count} random balls on 20 by 40 cells: {len(unsolved)} unsolved {unsolved[:5]}")
-    print(f"{len(above)} above full sliding {above[:5]}")
-    print(f"mean {1e3 * statistics.mean(seconds):.0f} ms, most {1e3 * max(seconds):.0f} ms")
+            began = time.process_time()
+            ball = rolled(bearing, name, "kalker", cells)
+            seconds = time.process_time() - began
+            torques.append(ball.torque)
+            told = f"{ball.torque:.4f} +- {ball.grid_error:.4f} ({seconds:.2f})"
+            print(f" | {cells[0]}x{cells[1]} {told}", end="", flush=True)
+        changes = np.abs(np.diff(torques))
+        orders = ", ".join(f"{order:.1f}" for order in np.log2(changes[:-1] / changes[1:]))
+        print(f" | {orders}", flush=True)
 
 
 def slewing() -> None:
@@ -125,10 +111,10 @@ def slewing() -> None:
     print(f"all results are identical: {all(each == results[0] for each in results)}")
 
 
-def timed(job: Callable[[], RefinedRolling], runs: int = RUNS) -> tuple[RefinedRolling, float]:
-    """Result and the median of processor times."""
+def timed(job: Callable[[], RefinedRolling]) -> tuple[RefinedRolling, float]:
+    """Result and the median of processor times, without the first."""
     ball, seconds = job(), []
-    for _ in range(runs):
+    for _ in range(RUNS):
         began = time.process_time()
         ball = job()
         seconds.append(time.process_time() - began)
@@ -148,35 +134,15 @@ def sliding(bearing: FourPointBallBearing, name: str) -> SlidingBalls:
     return bearing.slide(np.full(load.shape, np.pi / 4), load)
 
 
-def heras(name: str, spin: str) -> FourPointBallBearing:
+def heras(name: str, spin: Spin) -> FourPointBallBearing:
     osculation, friction, *_ = CASES[name]
-    return slow_bearing((30e-3, 1.0), (0.5 / osculation, 0.5 / osculation), friction, spin)
-
-
-def slow_bearing(diameters, conformities, friction, spin) -> FourPointBallBearing:
     steel = Material(youngs_modulus=200e9, poisson_ratio=0.3, density=7850)
-    inner, outer = (Groove(conformity=float(each), material=steel) for each in conformities)
+    groove = Groove(conformity=0.5 / osculation, material=steel)
     bearing = FourPointBearing(
-        ball=Ball(diameter=diameters[0], material=steel), inner=inner, outer=outer, balls=3,
-        pitch_diameter=diameters[1], contact_angle=np.pi / 4,
+        ball=Ball(diameter=30e-3, material=steel), inner=groove, outer=groove, balls=3, pitch_diameter=1.0,
+        contact_angle=np.pi / 4,
     )  # fmt: skip
     return FourPointBallBearing(bearing=bearing, friction=constant_friction(friction), spin=spin)
-
-
-def drawn(seed: int) -> tuple[FourPointBallBearing, SlidingBalls]:
-    """Osculation 0.9 to 0.99, friction 0.005 to 0.5, loads over four decades, two or four contacts."""
-    random = np.random.default_rng(seed)
-    diameter, slender, friction = np.exp(random.uniform(*np.log([(5e-3, 6.0, 0.005), (60e-3, 80.0, 0.5)])))
-    conformities = 0.5 / random.uniform(0.9, 0.99, size=2)
-    bearing = slow_bearing(
-        (float(diameter), float(slender * diameter)), conformities, float(friction), "local"
-    )
-    diagonals = 1 if random.random() < 0.4 else 2
-    loads = 80e6 * diameter**2 * np.exp(random.uniform(np.log(1e-4), 0.0, size=diagonals))  # to 4 GPa or so
-    angles = np.radians(random.uniform(25, 65, size=diagonals))
-    shape = (1, diagonals, 2)
-    angle, load = (np.broadcast_to(values[None, :, None], shape) for values in (angles, loads))
-    return bearing, bearing.slide(angle, load)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Random balls in four-point bearings, on one or both diagonals."""
+"""Random balls in four-point bearings, on two to four contacts."""
 
 import numpy as np
 
@@ -8,7 +8,10 @@ from tests.ball_bearings import slow_bearing
 
 
 def drawn(seed: int) -> tuple[FourPointBallBearing, SlidingBalls]:
-    """Osculation 0.9 to 0.99, friction 0.005 to 0.5, loads over four decades; one ball in full sliding."""
+    """Osculation 0.9 to 0.99, friction 0.005 to 0.5, loads over four decades; one ball in full sliding.
+
+    It is pressed on one diagonal or on both, and on the weaker one by one race alone at times.
+    """
     random = np.random.default_rng(seed)
 
     def between(low, high):
@@ -33,4 +36,7 @@ def drawn(seed: int) -> tuple[FourPointBallBearing, SlidingBalls]:
         loads[1] = loads[0]
     shape = (1, 2, 2) if loads[1] else (1, 1, 2)
     angle, load = (np.broadcast_to(values[None, : shape[1], None], shape) for values in (angles, loads))
+    if loads[1] and random.random() < 0.3:  # three contacts: the ball leaves a race
+        load = load.copy()
+        load[0, np.argmin(loads), random.integers(2)] = 0.0
     return bearing, bearing.slide(angle, load)

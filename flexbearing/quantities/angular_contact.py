@@ -110,8 +110,8 @@ QUANTITIES = (
         summary=(SummaryValue("friction_heat_range_W", finite_range, "heat of friction of a ball", ".4g",
             entries=EXTENT),)),
     Quantity("grid_error", "", "Z", "N m", "block",
-        "error of the friction torque by the cells, part of the ball: 1.25 times the change from half as "
-        f"many; {_SLIDING}", source="rolling.grid_error", optional=True, summary=(
+        "error of the friction torque by the cells, part of the ball, from its changes with half and a "
+        f"quarter of them; {_SLIDING}", source="rolling.grid_error", optional=True, summary=(
             SummaryValue("torque_grid_error_Nm", lambda error: error.sum(),
                 "error of the friction torque by the cells", ".2g"),)),
     Quantity("stick_share", "", "race Z", "1", "block",

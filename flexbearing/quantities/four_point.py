@@ -121,8 +121,8 @@ QUANTITIES = (
         source="solution.torque",
         summary=(SummaryValue("torque_Nm", label="torque of the bearing", digits=".5g", parts=RACES),)),
     Quantity("grid_error", "", "Z", "N m", "block",
-        "error of the torque of the ball by the cells: 1.25 times the change from half as many; absent "
-        "in full sliding", source="rolling.grid_error", optional=True, summary=(
+        "error of the torque of the ball by the cells, from its changes with half and a quarter of them; "
+        "absent in full sliding", source="rolling.grid_error", optional=True, summary=(
             SummaryValue("torque_grid_error_Nm", lambda error: error.sum(),
                 "error of the torque by the cells", ".2g"),)),
     Quantity("spin_torque", "", "Z race", "N m", "block",

@@ -52,16 +52,16 @@ IMPOSSIBLE = {
     "ring load without balls": (
         ONE_BALL, ["operation.mode=ring_load"], "[bearing] balls is missing", 'mode = "ring_load" needs it',
     ),
-    "odd cells": (
-        ONE_BALL, ["friction.model=kalker", "friction.cells=[40, 31]"],
-        "[friction] cells", "two even numbers",
+    "cells without quarters": (
+        ONE_BALL, ["friction.model=kalker", "friction.cells=[40, 30]"],
+        "[friction] cells", "two multiples of four",
     ),
     "cells without stick": (
         ONE_BALL, ["friction.cells=[20, 40]"], "[friction] cells", "kalker",
     ),
-    "odd cells of fast balls": (
-        ANGULAR, ["friction.model=kalker", "friction.cells=[40, 31]"],
-        "[friction] cells", "two even numbers",
+    "cells of fast balls without quarters": (
+        ANGULAR, ["friction.model=kalker", "friction.cells=[40, 30]"],
+        "[friction] cells", "two multiples of four",
     ),
     "points beside cells": (
         ONE_BALL, ["friction.model=fastsim", "fields.points=31"], "[fields] points", "full_sliding",

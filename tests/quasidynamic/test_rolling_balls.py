@@ -81,7 +81,7 @@ def test_full_sliding_on_cells_is_that_of_ellipses():
     assert ball.torque == approx(sliding.torque, rel=1e-3)
     assert ball.fine.motion[:3] == approx(sliding.sliding.motion[0], rel=1e-3)
     assert ball.fine.motion[3] == approx(0.0, abs=0.01)
-    assert abs(ball.torque - sliding.torque) < 0.5 * abs(ball.coarse_torque - sliding.torque)
+    assert abs(ball.torque - sliding.torque) < 0.5 * abs(ball.coarse_torques[0] - sliding.torque)
 
 
 def test_stiff_bodies_slide():
@@ -118,13 +118,14 @@ def test_the_error_told_is_that_of_the_grid(model):
 
 @pytest.mark.slow
 def test_the_error_told_holds_for_nearly_all_random_balls():
-    """In 95 of 100, against the limit of four times as many cells in each direction."""
-    held = []
-    for seed in range(48):
+    """Against the limit of four times as many cells in each direction, and without telling far too much."""
+    told_over_true = []
+    for seed in range(50):
         bearing, sliding = drawn(seed)
         ball, finer = (rolled(bearing, sliding, cells=cells) for cells in ((20, 40), (80, 160)))
-        held.append(abs(ball.torque - finer.extrapolated_torque) <= ball.grid_error)
-    assert np.mean(held) >= 0.95
+        told_over_true.append(ball.grid_error / abs(ball.torque - finer.extrapolated_torque))
+    assert (np.array(told_over_true) >= 1.0).sum() >= 48
+    assert np.median(told_over_true) < 5.0
 
 
 def test_torque_grows_as_the_cube_of_the_size_of_everything():
@@ -149,16 +150,16 @@ def test_balls_without_load_are_left_out():
     bearing = slow_bearing(friction=0.1, spin="local")
     angle, load = np.full((3, 1, 2), np.pi / 4), np.zeros((3, 1, 2))
     load[1] = 5e3
-    balls = bearing.roll(bearing.slide(angle, load), "fastsim", (10, 20))
+    balls = bearing.roll(bearing.slide(angle, load), "fastsim", (12, 24))
     assert [ball is None for ball in balls.rolled] == [True, False, True]
     assert balls.ball_torques == approx([0.0, balls.rolled[1].torque, 0.0])
     assert np.isnan(balls.ball_speed).tolist() == [True, False, True]
 
 
-@pytest.mark.parametrize("cells", [(7, 20), (20, 6), (20, 31)])
-def test_grids_that_cannot_be_halved_are_refused(cells):
+@pytest.mark.parametrize("cells", [(18, 20), (20, 8), (20, 31)])
+def test_grids_that_cannot_be_halved_twice_are_refused(cells):
     bearing, sliding = sliding_ball()
-    with pytest.raises(OutOfRange, match="must be even numbers"):
+    with pytest.raises(OutOfRange, match="must be multiples of four"):
         rolled(bearing, sliding, cells=cells)
 
 

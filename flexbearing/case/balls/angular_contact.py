@@ -18,7 +18,7 @@ from flexbearing.case.balls.parts import (
     HeavyElastic,
     RingLoad,
     Whole,
-    require_even,
+    require_quarters,
 )
 from flexbearing.case.balls.renamed import DISPLACEMENT, LOAD, ONE_FRICTION
 from flexbearing.case.head import KIND, Head
@@ -135,7 +135,7 @@ class FastFriction(Section):
 
     @model_validator(mode="after")
     def _cells_can_be_halved(self) -> Self:
-        require_even(self.cells)
+        require_quarters(self.cells)
         return self
 
 

@@ -19,7 +19,7 @@ from flexbearing.case.balls.parts import (
     Number,
     RingLoad,
     Whole,
-    require_even,
+    require_quarters,
 )
 from flexbearing.case.balls.renamed import LOAD
 from flexbearing.case.head import KIND, Head
@@ -114,7 +114,7 @@ class SlowFriction(Section):
 
     @model_validator(mode="after")
     def _cells_can_be_halved(self) -> Self:
-        require_even(self.cells)
+        require_quarters(self.cells)
         return self
 
     @model_validator(mode="after")

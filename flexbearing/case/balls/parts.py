@@ -32,16 +32,16 @@ MODEL = (
     "full_sliding: contacts slide everywhere; kalker: they stick and slip on half-spaces; fastsim: "
     "the same on springs, quicker and less exact"
 )
-CELLS = "cells over each contact along and across the rolling direction, even: half as many tell the error"
+CELLS = "cells over each contact along and across the rolling direction, multiples of 4: fewer tell the error"
 USUAL_CELLS = [40, 80]
 STICKING = {"model": ("fastsim", "kalker")}  # where cells count
 MOST_CELLS = 400  # along or across a contact
 
 
-def require_even(cells: tuple[int, ...]) -> None:
-    """Require two numbers of cells that can be halved; raises `ValueError` otherwise."""
-    if len(cells) != 2 or any(number % 2 or not 8 <= number <= MOST_CELLS for number in cells):
-        raise impossible("cells", f"two even numbers from 8 to {MOST_CELLS}")
+def require_quarters(cells: tuple[int, ...]) -> None:
+    """Require two numbers of cells that can be halved twice; raises `ValueError` otherwise."""
+    if len(cells) != 2 or any(number % 4 or not 12 <= number <= MOST_CELLS for number in cells):
+        raise impossible("cells", f"two multiples of four from 12 to {MOST_CELLS}")
 
 
 class Ball(Section):
