@@ -125,6 +125,26 @@ def test_a_worker_that_somebody_kills_loses_nothing(tmp_path):
     assert str(table.rows) == str(computed(settled, tmp_path / "undisturbed", Serial()).rows)
 
 
+@pytest.mark.slow
+def test_an_answer_that_died_with_the_only_worker_is_computed_again(tmp_path):
+    """A worker ended between its answer and the fetching of it."""
+    place = tmp_path / "processes"
+    place.mkdir()
+    engine = Local(1)
+    try:
+        engine.submit(toy_studies.own_process, place)
+        while engine._ended.empty():  # it has its answer, which nobody fetched
+            time.sleep(0.02)
+        (first,) = place.iterdir()
+        os.kill(int(first.name), signal.SIGKILL)
+        (done,) = engine.as_completed()
+    finally:
+        engine.close()
+    assert not done.died
+    assert {first.name, str(done.answer)} == {path.name for path in place.iterdir()}
+    assert done.answer != int(first.name)
+
+
 DRIVER = """
 import sys
 from functools import partial
@@ -166,7 +186,7 @@ def test_a_killed_driver_leaves_no_process_and_the_study_goes_on(tmp_path):
 @pytest.mark.slow
 def test_workers_that_never_start_end_the_study_with_their_last_words(tmp_path, monkeypatch):
     broken = os.environ | {"PYTHONHOME": str(tmp_path)}
-    monkeypatch.setattr("flexbearing.studies.engine.local.environment", lambda jobs: broken)
+    monkeypatch.setattr("flexbearing.program.interpreter.environment", lambda jobs: broken)
     with pytest.raises(NoWorkers, match=r"worker processes end with 1: .*encodings"):
         computed(toy(tmp_path, FORTY), tmp_path, Local(2))
 

@@ -9,7 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from flexbearing.program.workers import FEWEST, WorkerDied, shared_map
+from flexbearing.program.interpreter import Died
+from flexbearing.program.workers import FEWEST, shared_map
 from quasidynamic.angular_contact import AngularContactBallBearing
 from quasidynamic.errors import NotSolved
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
@@ -75,7 +76,7 @@ def test_what_a_call_raises_is_raised_here():
 
 
 def test_a_worker_that_dies_is_told():
-    with pytest.raises(WorkerDied, match="worker process ended"):
+    with pytest.raises(Died, match="worker process ended"):
         in_two_processes(dead)
 
 

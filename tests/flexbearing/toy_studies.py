@@ -100,6 +100,12 @@ def deadly_here(ring, place, *, here=False):
         file.write(f"{ring.race}\n")
 
 
+def own_process(place):
+    """The process, which stands in a file, too."""
+    (place / str(os.getpid())).touch()
+    return os.getpid()
+
+
 def asleep(place):
     """As long as a test takes; the process stands in a file."""
     Path(place).write_text(str(os.getpid()))

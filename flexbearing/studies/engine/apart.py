@@ -1,28 +1,14 @@
 """One call after the other in a process beside this one, whose death is the end of its call alone.
 
-The process is a plain interpreter, which does not import the script that called, and needs no Dask. In a
-session of its own it does not hear what a terminal sends; it ends with this process, however that ends.
+It needs no Dask.
 """
 
-import os
-import signal
-import subprocess
-import sys
 from collections import deque
 from collections.abc import Callable, Iterator
-from contextlib import suppress
-from multiprocessing import Pipe
-from multiprocessing.connection import Connection
-from threading import Thread
 from typing import Any
 
-from flexbearing.program.threads import environment
-from flexbearing.program.workers import portable
+from flexbearing.program.interpreter import Died, Interpreter, NeverStarted
 from flexbearing.studies.engine.engine import Done, NoWorkers
-
-_START = (
-    "import sys; sys.path[:] = {path!r}; from flexbearing.studies.engine import apart; apart.serve({end})"
-)
 
 
 class Apart:
@@ -32,8 +18,7 @@ class Apart:
 
     def __init__(self):
         self._waiting: deque[tuple[Callable[[Any], Any], Any]] = deque()
-        self._process: subprocess.Popen | None = None
-        self._calls: Connection
+        self._process: Interpreter | None = None
 
     def submit(self, function: Callable[[Any], Any], argument: Any) -> None:
         """Put a call into the queue; the process starts with the first one that is made."""
@@ -42,15 +27,14 @@ class Apart:
     def as_completed(self) -> Iterator[Done]:
         """Call the functions in the order in which they were submitted."""
         while self._waiting:
-            call = self._waiting.popleft()
-            if self._process is None:
-                self._start()
+            function, argument = self._waiting.popleft()
+            process = self._process or self._started()
+            process.send(function, argument)
             try:
-                self._calls.send(call)
-                done = Done(call[1], *self._calls.recv())
-            except (EOFError, ConnectionError):
+                done = Done(argument, *process.answer())
+            except Died:
                 self._stop()
-                done = Done(call[1], died=True)
+                done = Done(argument, died=True)
             yield done
 
     def close(self) -> None:
@@ -58,51 +42,15 @@ class Apart:
         self._waiting.clear()
         self._stop()
 
-    def _start(self) -> None:
-        self._calls, theirs = Pipe()
-        with theirs:
-            self._process = subprocess.Popen(
-                [sys.executable, "-c", _START.format(path=sys.path, end=theirs.fileno())],
-                stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, env=environment(self.workers),
-                pass_fds=[theirs.fileno()], start_new_session=True,
-            )  # fmt: skip
+    def _started(self) -> Interpreter:
+        self._process = Interpreter(self.workers)
         try:
-            self._calls.recv()
-        except EOFError as problem:
-            raise NoWorkers("the worker process ends as soon as it is started") from problem
+            self._process.await_start()
+        except NeverStarted as problem:
+            raise NoWorkers(str(problem)) from problem
+        return self._process
 
     def _stop(self) -> None:
-        if self._process is None:
-            return
-        with suppress(ProcessLookupError):  # with what it started to mesh
-            os.killpg(self._process.pid, signal.SIGKILL)
-        self._process.wait()
-        if self._process.stdin:
-            self._process.stdin.close()
-        self._calls.close()
+        if self._process:
+            self._process.end()
         self._process = None
-
-
-def serve(end: int) -> None:
-    """Answer calls in the process beside, until the other one is gone.
-
-    Parameters
-    ----------
-    end : int
-        file descriptor of this end of the connection
-    """
-    Thread(target=_end_with_caller, daemon=True).start()
-    calls = Connection(end)
-    calls.send("ready")
-    while True:
-        function, argument = calls.recv()
-        try:
-            answer = function(argument), None
-        except Exception as problem:  # of one call, which must not end the others
-            answer = None, portable(problem)
-        calls.send(answer)
-
-
-def _end_with_caller() -> None:
-    sys.stdin.buffer.read()
-    os.killpg(0, signal.SIGKILL)  # with what it started to mesh

@@ -1,26 +1,17 @@
-"""Worker processes on this machine, under a Dask scheduler in this process.
-
-Workers are plain interpreters: those of `multiprocessing` would import the script that called. In a session
-of their own, what a terminal sends to all processes does not reach them; they end with the scheduler,
-however this process ends.
-"""
+"""Worker processes on this machine, under a Dask scheduler in this process, with which they end."""
 
 import logging
 import os
-import signal
-import subprocess
 import sys
-from contextlib import suppress
 from tempfile import TemporaryFile
 from typing import IO, Any
 
-from flexbearing.program.threads import environment
+from flexbearing.program.interpreter import Interpreter
 from flexbearing.studies.engine.engine import NoWorkers
 from flexbearing.studies.engine.on_dask import OnDask
 
 STARTS = 5  # of workers that end before any task does, until the study is given up
 LAST_WORDS = 400  # bytes of their error output that are quoted
-WAIT = 10.0  # [s] for a worker to end
 _CONFIGURATION = {
     "distributed.scheduler.allowed-failures": 0,  # a study counts deaths itself
     "distributed.scheduler.http.routes": [],
@@ -48,7 +39,7 @@ class Local(OnDask):
             )
         super().__init__(Client(self._cluster, set_as_default=False), jobs)
         self._failed_starts = 0
-        self._processes: list[tuple[subprocess.Popen, IO[bytes]]] = []
+        self._processes: list[tuple[Interpreter, IO[bytes]]] = []
         try:
             for _ in range(jobs):
                 self._start()
@@ -58,14 +49,8 @@ class Local(OnDask):
 
     def _start(self) -> None:
         errors = TemporaryFile()  # noqa: SIM115  # closed with its process
-        process = subprocess.Popen(
-            [
-                sys.executable, "-m", "distributed.cli.dask_worker", self._cluster.scheduler_address,
-                "--no-nanny", "--nthreads", "1", "--no-dashboard", "--death-timeout", "30",
-            ],
-            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=errors, start_new_session=True,
-            env=environment(self.workers) | {"DASK_LOGGING__DISTRIBUTED": "error"},
-        )  # fmt: skip
+        process = Interpreter(self.workers, errors)
+        process.send(_work_for, self._cluster.scheduler_address)
         self._processes.append((process, errors))
 
     def as_completed(self) -> Any:
@@ -77,22 +62,20 @@ class Local(OnDask):
             yield done
 
     def _look_after_workers(self) -> None:
-        ended = [(process, errors) for process, errors in self._processes if process.poll() is not None]
+        ended = [(process, errors) for process, errors in self._processes if process.code is not None]
         for process, errors in ended:
             self._processes.remove((process, errors))
+            process.end()
             words = _last_words(errors)
             self._failed_starts += 1
             if self._failed_starts > STARTS * self.workers:
-                raise NoWorkers(f"worker processes end with {process.returncode}: {words}")
+                raise NoWorkers(f"worker processes end with {process.code}: {words}")
             self._start()
 
     def close(self) -> None:
         """End workers, scheduler and whatever they compute."""
-        for process, _ in self._processes:
-            with suppress(ProcessLookupError):  # with what it started to mesh; its answers arrived already
-                os.killpg(process.pid, signal.SIGKILL)
         for process, errors in self._processes:
-            process.wait(WAIT)
+            process.end()
             errors.close()
         self._processes.clear()
         super().close()
@@ -105,3 +88,14 @@ def _last_words(errors: IO[bytes]) -> str:
         errors.seek(0)
         words = errors.read().decode(errors="replace")[-LAST_WORDS:]
     return "; ".join(line.strip() for line in words.splitlines() if line.strip()) or "without a word"
+
+
+def _work_for(scheduler: str) -> None:
+    """What a worker process does; its end is that of the process."""
+    os.environ["DASK_LOGGING__DISTRIBUTED"] = "error"
+    try:
+        from distributed.cli.dask_worker import main
+
+        main([scheduler, "--no-nanny", "--nthreads", "1", "--no-dashboard", "--death-timeout", "30"])
+    except Exception as problem:
+        sys.exit(f"{type(problem).__name__}: {problem}")

@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from distributed import Client, Future
 
 PAUSE = 0.2  # [s] between looks at the workers
+FETCHING = 5.0  # [s] for an answer to arrive until the workers are looked at
 
 
 class OnDask:
@@ -35,7 +36,29 @@ class OnDask:
             except Empty:
                 self._look_after_workers()
                 continue
-            yield _done(self._running.pop(future.key), future)
+            yield self._done(self._running.pop(future.key), future)
+
+    def _done(self, argument: Any, future: "Future") -> Done:
+        from distributed.scheduler import KilledWorker
+
+        try:
+            return Done(argument, self._fetched(future))
+        except KilledWorker:
+            return Done(argument, died=True)
+        except Exception as problem:  # of one task, which must not end the others
+            return Done(argument, raised=problem)
+        finally:
+            future.release()
+
+    def _fetched(self, future: "Future") -> Any:
+        """The answer; one that died with its worker is computed again, which may need another worker."""
+        while True:
+            try:
+                return future.result(FETCHING)
+            except TimeoutError:
+                if future.status == "error":  # of the function itself
+                    raise
+                self._look_after_workers()
 
     def _look_after_workers(self) -> None:
         """Whoever runs the scheduler runs its workers, too."""
@@ -43,19 +66,6 @@ class OnDask:
     def close(self) -> None:
         """Let go of calls that did not end."""
         self._client.close()
-
-
-def _done(argument: Any, future: "Future") -> Done:
-    from distributed.scheduler import KilledWorker
-
-    try:
-        return Done(argument, future.result())
-    except KilledWorker:
-        return Done(argument, died=True)
-    except Exception as problem:  # of one task, which must not end the others
-        return Done(argument, raised=problem)
-    finally:
-        future.release()
 
 
 def connected(address: str) -> OnDask:
