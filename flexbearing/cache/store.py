@@ -9,8 +9,8 @@ import os
 import re
 import stat
 import time
-from collections.abc import Callable
-from contextlib import suppress
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeVar
@@ -33,6 +33,7 @@ _OPEN = os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0
 
 Value = TypeVar("Value")
 Note = Callable[[str], None]
+_listening: list[list[str]] = []
 
 
 @dataclass(frozen=True)
@@ -156,7 +157,10 @@ class Cache:
             path.parent.mkdir(parents=True, exist_ok=True)
             write(path, data, lasting=False)  # the digest tells what the disk did not keep
         except (OSError, NotStored) as problem:
-            note(f"the cache {path.parent} cannot be written: {_reason(problem)}")
+            words = f"the cache {path.parent} cannot be written: {_reason(problem)}"
+            note(words)
+            for complaints in _listening:
+                complaints.append(words)
             remember(path, value)  # else every variant of a study would compute it again
             return
         self._shrink()
@@ -175,6 +179,23 @@ class Cache:
             with suppress(OSError):
                 if time.time() - path.lstat().st_mtime > ABANDONED:
                     path.unlink()
+
+
+@contextmanager
+def complaints() -> Iterator[list[str]]:
+    """Collect why rings cannot be kept, while the block goes on; in any thread, as batches have some.
+
+    Yields
+    ------
+    list of str
+        a line for each ring that was not kept, the same one for the same reason
+    """
+    words: list[str] = []
+    _listening.append(words)
+    try:
+        yield words
+    finally:
+        _listening[:] = [each for each in _listening if each is not words]
 
 
 def configured(folder: str | None = None, limit: int = LIMIT) -> Cache:

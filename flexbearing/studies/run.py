@@ -13,7 +13,7 @@ from flexbearing.files import NotStored, require_folder, require_output, write
 from flexbearing.report.picture import png_bytes
 from flexbearing.studies.engine import Done, Engine, completed, finished
 from flexbearing.studies.engine.serial import Serial
-from flexbearing.studies.plan import Corners, Ring, Row, Task
+from flexbearing.studies.plan import Condensed, Corners, Ring, Row, Task
 from flexbearing.studies.plan.task import NOT_STORED, involves
 from flexbearing.studies.settled import Prepared, Progress
 from flexbearing.studies.table import Table, journal
@@ -29,7 +29,7 @@ class Work:
     """What workers do; both functions can be pickled."""
 
     rows: Callable[[Task], Sequence[Row]]
-    condense: Callable[..., Any]  # of a Ring or Corners, gives the levels that are chosen at these; with
+    condense: Callable[..., Any]  # of a Ring or Corners, gives a Condensed, or nothing for rigid rings; with
     # here=True what may crash is done in the calling process itself
 
 
@@ -83,7 +83,7 @@ def run(
             suspects = journal.begun(path)
             rows |= settled.rows(folder, retry_failed=retry_failed)
             tell(settled.progress(rows))
-            _compute(settled, rows, work, partial(_guarded, engine, kept, suspects), kept, tell)
+            complaints = _compute(settled, rows, work, partial(_guarded, engine, kept, suspects), kept, tell)
     except BaseException as problem:
         if rows:
             done = settled.progress(rows)
@@ -93,7 +93,7 @@ def run(
             with suppress(NotStored):
                 store(settled.table(rows), paths)
         raise
-    table = settled.table(rows)
+    table = replace(settled.table(rows), complaints=complaints)
     store(table, paths)
     if picture and settled.plot and not settled.part:
         write(picture, png_bytes(draw(table, settled.plot)))
@@ -127,19 +127,20 @@ def _compute(
     engine: Callable[[int], Engine],
     kept: journal.Journal,
     tell: Tell,
-) -> None:
-    """Add the rows that are lacking, task by task."""
+) -> tuple[str, ...]:
+    """Add the rows that are lacking, task by task; gives what workers complained of."""
     tasks = settled.plan.tasks(lambda variant: variant.identity not in rows)
     rings = settled.plan.rings(lambda variant: variant.identity not in rows and not variant.levels)
     first = (*rings, *settled.plan.choices(lambda variant: variant.identity not in rows))
     if not tasks:
-        return
+        return ()
     started, progress = engine(len(tasks)), settled.progress(rows)
     try:
         levels: dict[str, Any] = {}
         for number, done in enumerate(_condensed(first, work, started), 1):
-            levels[done.argument.name] = done.answer or done.problem or "the worker process died"
-            progress = replace(progress, rings=(number, len(first)))
+            ended = done.answer or Condensed()
+            levels[done.argument.name] = ended.levels or done.problem or "the worker process died"
+            progress = replace(progress.heard(ended.complaints), rings=(number, len(first)))
             tell(progress)
         tasks = [replace(task, levels=levels.get(task.variants[0].levels)) for task in tasks]
         began, rows_of = perf_counter(), Counter(variant.identity for variant in settled.plan.variants)
@@ -152,6 +153,7 @@ def _compute(
             tell(progress)
     finally:
         started.close()
+    return progress.complaints
 
 
 def _require_stored(rows: Iterable[Row]) -> None:

@@ -1,7 +1,7 @@
 """A study whose variants and columns are settled: its rows, how many there are, its table."""
 
 import glob
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain
 from pathlib import Path
@@ -38,6 +38,7 @@ class Progress:
     seconds: float  # since the first task began
     rings: tuple[int, int] = (0, 0)  # condensed or resolved for a target, of how many
     repeated: int = 0  # tasks whose worker process died
+    complaints: tuple[str, ...] = ()  # of workers about the cache of rings, each once
 
     @property
     def left(self) -> float | None:
@@ -50,12 +51,16 @@ class Progress:
         done = sum(rows_of[row.identity] for row in end.rows)
         failed = sum(rows_of[row.identity] for row in end.rows if not row.converged)
         return replace(
-            self,
+            self.heard(chain.from_iterable(row.complaints for row in end.rows)),
             done=self.done + done,
             failed=self.failed + failed,
             seconds=seconds,
             repeated=self.repeated + end.died,
         )
+
+    def heard(self, complaints: Iterable[str]) -> "Progress":
+        """With what a worker complained of."""
+        return replace(self, complaints=tuple(dict.fromkeys((*self.complaints, *complaints))))
 
 
 @dataclass(frozen=True)

@@ -7,6 +7,7 @@ from time import perf_counter
 from typing import Self, TextIO
 
 from flexbearing.case.problems import MOST
+from flexbearing.printable import printable
 from flexbearing.studies.run import PICTURE
 from flexbearing.studies.settled import Prepared, Progress
 from flexbearing.studies.table import Table
@@ -14,6 +15,7 @@ from flexbearing.studies.table.forms import EXTRA, FORMS, missing
 from flexbearing.studies.where import ELASTIC, RIGID, RING, expected
 
 LIFE_ERROR = "life error [%]"  # column of duty cycles with a target
+ADVICE = "the next study condenses its rings again, FLEXBEARING_CACHE names another folder"
 PAUSE = 10.0  # [s] between lines that no terminal shows
 
 
@@ -134,10 +136,14 @@ def duration(seconds: float) -> str:
 
 
 class Shown:
-    """Shows progress in a line that changes, on a terminal, or in a line now and then; a context manager."""
+    """Shows progress in a line that changes, on a terminal, or in a line now and then; a context manager.
+
+    What workers complained of is told at the end.
+    """
 
     def __init__(self, stream: TextIO):
         self._stream, self._terminal, self._last = stream, stream.isatty(), perf_counter()
+        self._complaints: tuple[str, ...] = ()
 
     def __enter__(self) -> Self:
         return self
@@ -145,10 +151,12 @@ class Shown:
     def __exit__(self, *_: object) -> None:
         if self._terminal:
             self._stream.write("\n")
+        for words in self._complaints:
+            self._stream.write(printable(f"{words}; {ADVICE}") + "\n")
 
     def __call__(self, progress: Progress) -> None:
         """Take note of how far a study is."""
-        line = self._line(progress)
+        line, self._complaints = self._line(progress), progress.complaints
         if self._terminal:
             self._stream.write(f"\r{line}\x1b[K")
         elif progress.done == progress.total > progress.begun or perf_counter() - self._last >= PAUSE:

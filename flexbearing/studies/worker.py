@@ -14,6 +14,7 @@ from typing import Any
 from flexbearing.accuracy.shared import Levels, UsualLevels, shared_levels
 from flexbearing.api import compute
 from flexbearing.build.ring_parts import Race, part_of
+from flexbearing.cache import complaints
 from flexbearing.cache.store import VARIABLE
 from flexbearing.case import BadCase, Head
 from flexbearing.case.excerpt import excerpt
@@ -27,7 +28,7 @@ from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged
 from flexbearing.results import store
 from flexbearing.runs.many import Answer, answers
-from flexbearing.studies.plan import Corners, Ring, Row, Task, Variant
+from flexbearing.studies.plan import Condensed, Corners, Ring, Row, Task, Variant
 from flexbearing.studies.plan.task import BAD_INPUT, CONVERGED, ERROR, NOT_STORED, Base, file_name
 from flexbearing.studies.table.collected import errors, numbers
 
@@ -68,12 +69,14 @@ def rows(task: Task, wish: Wish, cache: str | None = None) -> tuple[Row, ...]:
     cases = [read.known(variant.values, variant.in_si) for variant in task.variants]
     levels = UsualLevels(task.levels) if isinstance(task.levels, str) else task.levels
     wish = replace(wish, levels=levels)
-    with _rings_in(cache):
+    with _rings_in(cache), complaints() as heard:
         found = list(zip(task.variants, cases, strict=True))
-        return tuple(_together(found, wish) or _one_by_one(found, wish))
+        ended = _together(found, wish) or list(_one_by_one(found, wish))
+    told = tuple(dict.fromkeys(heard))
+    return tuple(replace(row, complaints=told) for row in ended) if told else tuple(ended)
 
 
-def condense(ring: Ring | Corners, cache: str | None = None, *, here: bool = False) -> Levels | None:
+def condense(ring: Ring | Corners, cache: str | None = None, *, here: bool = False) -> Condensed:
     """Condense a ring into the cache; whatever goes wrong is told by the variants that have it.
 
     Parameters
@@ -87,14 +90,17 @@ def condense(ring: Ring | Corners, cache: str | None = None, *, here: bool = Fal
 
     Returns
     -------
-    Levels or None
-        that variants share with these corners
+    Condensed
+        with the levels that variants share with these corners
     """
-    if isinstance(ring, Corners):
-        with _rings_in(cache), linear_algebra_alone():
-            return shared_levels(_cases(ring), Logged())
-    _keep(ring, cache, here=here)
-    return None
+    with complaints() as heard:
+        levels = None
+        if isinstance(ring, Corners):
+            with _rings_in(cache), linear_algebra_alone():
+                levels = shared_levels(_cases(ring), Logged())
+        else:
+            _keep(ring, cache, here=here)
+    return Condensed(levels, tuple(dict.fromkeys(heard)))
 
 
 def _cases(corners: Corners) -> list[Case]:

@@ -17,6 +17,7 @@ import pytest
 from pytest import approx
 
 import fem.condense
+import flexbearing
 from flexbearing import __main__ as program
 from tests.fem.processes import aborting
 from tests.flexbearing.toy_studies import CASE
@@ -324,3 +325,48 @@ def test_three_bad_variants_of_a_hundred(tmp_path, capsys):
     assert before == {path: path.read_bytes() for path in folder.iterdir()}
     write({})
     assert_the_same_in_the_end(file, folder, rows)
+
+
+THIN_RINGS = f"""
+case = "{CASE}"
+[over]
+"outer.kind" = "ring"
+"outer.width" = "19 mm"
+"operation.tilt" = "fixed"
+"accuracy.element_order" = 2
+"outer.thickness" = ["3 mm", "4 mm"]
+"operation.radial_load" = ["2 kN", "5 kN"]
+[collect]
+load = "max_roller_load [N]"
+"""
+
+
+@pytest.mark.parametrize("jobs", ["1", pytest.param("2", marks=pytest.mark.slow)])
+def test_a_cache_that_cannot_be_written_is_told_once(tmp_path, monkeypatch, capsys, jobs):
+    """Root may write to any folder, but not to one below a file."""
+    file, place = tmp_path / "rings.toml", tmp_path / "no folder"
+    file.write_text(THIN_RINGS)
+    place.write_text("")
+    monkeypatch.setenv("FLEXBEARING_CACHE", str(place / "cache"))
+    assert command(file, "-o", tmp_path / "out", "--jobs", jobs) == 0
+    (message,) = told(capsys.readouterr().err)
+    assert message == (
+        f"the cache {place / 'cache'} cannot be written: Not a directory; "
+        "the next study condenses its rings again, FLEXBEARING_CACHE names another folder"
+    )
+    assert command(file, "-o", tmp_path / "out", "--jobs", jobs) == 0
+    assert told(capsys.readouterr().err) == []
+    place.unlink()
+    assert command(file, "-o", tmp_path / "kept", "--jobs", jobs) == 0
+    assert told(capsys.readouterr().err) == []
+    assert_same(table(tmp_path / "kept", "rings"), table(tmp_path / "out", "rings"))
+
+
+def test_python_is_told_what_workers_complained_of(tmp_path, monkeypatch):
+    file = tmp_path / "rings.toml"
+    file.write_text(THIN_RINGS)
+    (tmp_path / "no folder").write_text("")
+    monkeypatch.setenv("FLEXBEARING_CACHE", str(tmp_path / "no folder"))
+    table = flexbearing.study(file, tmp_path / "out", jobs=1)
+    assert table.complaints == (f"the cache {tmp_path / 'no folder'} cannot be written: File exists",)
+    assert flexbearing.study(file, tmp_path / "out", jobs=1).complaints == ()

@@ -2,6 +2,6 @@
 
 from flexbearing.studies.plan.part import Part
 from flexbearing.studies.plan.plan import Plan, Problem, plan
-from flexbearing.studies.plan.task import Corners, Ring, Row, Task, Variant
+from flexbearing.studies.plan.task import Condensed, Corners, Ring, Row, Task, Variant
 
-__all__ = ["Corners", "Part", "Plan", "Problem", "Ring", "Row", "Task", "Variant", "plan"]
+__all__ = ["Condensed", "Corners", "Part", "Plan", "Problem", "Ring", "Row", "Task", "Variant", "plan"]

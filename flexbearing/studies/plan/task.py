@@ -94,8 +94,17 @@ class Row:
     message: str  # one line
     seconds: float
     values: Mapping[str, float] = field(default_factory=dict)  # by names of outputs; absent: not known
+    complaints: tuple[str, ...] = ()  # of its worker, about the cache of rings; not kept in a journal
 
     @property
     def converged(self) -> bool:
         """Whether the variant has its numbers."""
         return self.status == CONVERGED
+
+
+@dataclass(frozen=True)
+class Condensed:
+    """What became of a ring, or of a choice of levels."""
+
+    levels: Any = None  # that are chosen; None of a ring
+    complaints: tuple[str, ...] = ()  # as of a row

@@ -20,6 +20,7 @@ class Table:
     axes: tuple[Axis, ...]  # crossed, the last one changes fastest
     cycles: "Table | None" = None  # lives under the duty cycle, where there is one
     arrays: tuple[Column, ...] = ()  # outputs roller by roller, a tuple of numbers in each row
+    complaints: tuple[str, ...] = ()  # of workers about the cache of rings: no row is worse for it
 
     def __getitem__(self, heading: str) -> Column:
         """Column by its name or heading; KeyError names those that there are."""
