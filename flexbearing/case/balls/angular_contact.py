@@ -1,6 +1,5 @@
 """A fast angular-contact ball bearing, as a case."""
 
-from math import pi
 from typing import Literal, Self
 
 from pydantic import model_validator
@@ -8,6 +7,7 @@ from pydantic import model_validator
 from flexbearing.case.balls.parts import (
     CELLS,
     MODEL,
+    RIGHT_ANGLE,
     SPIN,
     STICKING,
     USUAL_CELLS,
@@ -24,7 +24,6 @@ from flexbearing.case.balls.renamed import DISPLACEMENT, LOAD, ONE_FRICTION
 from flexbearing.case.head import KIND, Head
 from flexbearing.case.quantity import Angle, Length, Moment, Section, Speed, impossible, key
 
-RIGHT_ANGLE = pi / 2  # [rad]
 PLANE = "about the point of the bearing axis in the plane of the inner groove centres"
 DIRECTIONS = {  # name of a load, and of the displacement that may be held instead
     "axial": "axial",

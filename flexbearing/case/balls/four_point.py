@@ -1,6 +1,5 @@
 """A slow ball bearing of two or four contact points, as a case."""
 
-from math import pi
 from typing import Literal, Self
 
 from pydantic import model_validator
@@ -9,6 +8,7 @@ from flexbearing.case.balls import bolted_rings
 from flexbearing.case.balls.parts import (
     CELLS,
     MODEL,
+    RIGHT_ANGLE,
     SPIN,
     STICKING,
     USUAL_CELLS,
@@ -37,7 +37,6 @@ from flexbearing.case.quantity import (
     require,
 )
 
-RIGHT_ANGLE = pi / 2  # [rad]
 PLANE = "about the point of the bearing axis in the plane of the ball centres"
 
 

@@ -17,6 +17,7 @@ from flexbearing.case.quantity import (
     needed,
 )
 
+RIGHT_ANGLE = pi / 2  # [rad]
 CLOSEST = 0.5001  # conformity: closer grooves touch the ball all around, usual are 0.505 and more
 Number = Annotated[float, Strict()]  # of a list, which is not strict itself: TOML's lists are no tuples
 Whole = Annotated[int, Strict()]

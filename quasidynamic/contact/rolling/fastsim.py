@@ -21,12 +21,8 @@ def fastsim(contacts: RollingContacts, creep: NDArray, start: NDArray | None = N
 
     Parameters
     ----------
-    contacts : RollingContacts
-        grids, elastic constants, mu p_n [Pa]; a layer between the bodies adds to L
-    creep : array (C, 2, nx, ny)
-        W, rigid slip of the first body against the second over the rolling speed [-]
-    start : array (C, 2, nx, ny), optional
-        not needed: there is nothing to iterate [Pa]
+    contacts, creep, start
+        see `RollingLaw`; a layer between the bodies adds to L [m/Pa], nothing is iterated
 
     Returns
     -------
@@ -59,10 +55,8 @@ def fastsim_changes(rolled: Rolled, creep_changes: NDArray) -> NDArray:
 
     Parameters
     ----------
-    rolled : Rolled
-        of `fastsim`
-    creep_changes : array (C, k, 2, nx, ny)
-        [-]
+    rolled, creep_changes
+        see `RollingLaw`
 
     Returns
     -------

@@ -15,12 +15,8 @@ def full_sliding(contacts: RollingContacts, creep: NDArray, start: NDArray | Non
 
     Parameters
     ----------
-    contacts : RollingContacts
-        mu p_n [Pa]
-    creep : array (C, 2, nx, ny)
-        W, rigid slip of the first body against the second over the rolling speed [-]
-    start : array (C, 2, nx, ny), optional
-        not needed: there is nothing to iterate [Pa]
+    contacts, creep, start
+        see `RollingLaw`; of the contacts mu p_n [Pa] alone counts, nothing is iterated
 
     Returns
     -------
@@ -41,10 +37,8 @@ def sliding_changes(rolled: Rolled, creep_changes: NDArray) -> NDArray:
 
     Parameters
     ----------
-    rolled : Rolled
-        of `full_sliding`
-    creep_changes : array (C, k, 2, nx, ny)
-        [-]
+    rolled, creep_changes
+        see `RollingLaw`
 
     Returns
     -------

@@ -25,13 +25,8 @@ def kalker(contacts: RollingContacts, creep: NDArray, start: NDArray | None = No
 
     Parameters
     ----------
-    contacts : RollingContacts
-        grids, elastic constants, mu p_n [Pa]
-    creep : array (C, 2, nx, ny)
-        W, rigid slip of the first body against the second over the rolling speed [-], best taken `MID_STEP`
-        ahead of the cell centres
-    start : array (C, 2, nx, ny), optional
-        tractions of a neighbouring state [Pa]; none at all without it
+    contacts, creep, start
+        see `RollingLaw`; the creep [-] is best taken `MID_STEP` ahead of the cell centres
 
     Returns
     -------
@@ -66,10 +61,8 @@ def kalker_changes(rolled: Rolled, creep_changes: NDArray) -> NDArray:
 
     Parameters
     ----------
-    rolled : Rolled
-        of `kalker`
-    creep_changes : array (C, k, 2, nx, ny)
-        [-]
+    rolled, creep_changes
+        see `RollingLaw`
 
     Returns
     -------

@@ -107,7 +107,20 @@ class Rolled:
 
 
 class RollingLaw(NamedTuple):
-    """Friction of rolling contacts, and how it changes."""
+    """Friction of rolling contacts, and how it changes: two functions that every law has.
 
-    friction: Callable[..., Rolled]  # of contacts at a creep (C, 2, nx, ny), from tractions to start from
-    changes: Callable[[Rolled, NDArray], NDArray]  # of tractions by those of the creep (C, k, 2, nx, ny)
+    `friction(contacts, creep, start)` gives a `Rolled`:
+
+    - contacts : RollingContacts, grids, elastic constants, mu p_n [Pa]
+    - creep : array (C, 2, nx, ny), W, rigid slip of the first body against the second over the
+      rolling speed [-]
+    - start : array (C, 2, nx, ny), optional, tractions of a neighbouring state [Pa], where a law iterates
+
+    `changes(rolled, creep_changes)` gives the changes of the tractions (C, k, 2, nx, ny) [Pa]:
+
+    - rolled : Rolled, of the same law
+    - creep_changes : array (C, k, 2, nx, ny) [-]
+    """
+
+    friction: Callable[..., Rolled]
+    changes: Callable[[Rolled, NDArray], NDArray]

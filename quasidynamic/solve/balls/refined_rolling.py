@@ -115,12 +115,8 @@ def refined_kept_motion(
 
     Parameters
     ----------
-    ball_on : callable
-        the ball on a number of cells along and across the rolling direction
-    model : {"full_sliding", "fastsim", "kalker"}
-        friction of the contacts
-    cells : pair of int
-        of the finest grid, multiples of four
+    ball_on, model, cells
+        as for `refined_rolling`
     motion : array (4)
         outer ring, ball axial, radial, about the rolling direction
 
