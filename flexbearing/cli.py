@@ -148,6 +148,15 @@ def summary(
 @app.command()
 def plot(
     result: ResultPath,
+    against: Annotated[
+        Path | None,
+        typer.Option(
+            "--against",
+            metavar="OTHER.h5",
+            help="draw only the contacts of a ball, beside those of this result, such as of another "
+            "friction.model",
+        ),
+    ] = None,
     output: Annotated[
         Path | None, typer.Option("-o", "--output", metavar="DIR", help="default: where the result is")
     ] = None,
@@ -157,6 +166,9 @@ def plot(
     from flexbearing.report.roller import deformed
 
     found, directory, written = api.read(result), output or result.parent, []
+    if against is not None:
+        _plot_against(found, api.read(against), directory)
+        return
     with _keeping(written):
         for picture in pictures(found, directory):
             written.append(picture)
@@ -169,6 +181,20 @@ def plot(
                 _say(f"no picture of a deformed part: {picture}")
     if not written:
         _say(f"{result}: nothing was solved, so there is nothing to draw")
+
+
+def _plot_against(one: "Result", other: "Result", directory: Path) -> None:
+    """Draw contacts of two results side by side, and say what else differs in their cases."""
+    from flexbearing.report import compared_pictures
+    from flexbearing.report.balls.side_by_side import notes
+
+    written: list[Path] = []
+    with _keeping(written):
+        for picture in compared_pictures(one, other, directory):
+            written.append(picture)
+            _say(f"picture: {picture}")
+        for note in notes(one, other):
+            _say(note)
 
 
 @app.command()

@@ -2,9 +2,10 @@
 
 import numpy as np
 
+from quasidynamic.contact.ellipse.rigid_slip import Spin
 from quasidynamic.four_point import FourPointBallBearing
 from quasidynamic.parts.ball import Ball, FourPointBearing, Groove
-from quasidynamic.parts.ball_friction import constant_friction
+from quasidynamic.parts.ball_friction import FrictionCurve, constant_friction
 from quasidynamic.parts.material import Material
 
 
@@ -16,10 +17,10 @@ def slow_bearing(
     conformity=0.525,
     outer_conformity=None,
     clearance=0.0,
-    friction=0.1,
+    friction: float | FrictionCurve = 0.1,
     modulus=210e9,
     loss=0.0,
-    spin="centre",
+    spin: Spin = "centre",
 ):
     """Four-point bearing; angle in degrees, conformity r/D."""
     steel = Material(youngs_modulus=modulus, poisson_ratio=0.3, density=7850)
@@ -33,7 +34,7 @@ def slow_bearing(
             contact_angle=np.radians(angle),
             clearance=clearance,
         ),
-        friction=constant_friction(friction) if isinstance(friction, float) else friction,
+        friction=friction if isinstance(friction, FrictionCurve) else constant_friction(friction),
         hysteresis_loss=loss,
         spin=spin,
     )

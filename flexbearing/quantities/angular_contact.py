@@ -243,8 +243,8 @@ z towards y, which is the way a positive speed turns.
     axes=(
         Axis("Z", "ball", coordinate="ball_azimuth"),
         Axis("P", "point", coordinate="slip_position"),
-        Axis("P1", "first_point"),
-        Axis("P2", "second_point"),
+        Axis("P1", "across"),
+        Axis("P2", "along"),
     ),
     quantities=QUANTITIES,
     main=(
@@ -256,4 +256,5 @@ z towards y, which is the way a positive speed turns.
     ),
     blocks=("rigid",),
     head=("kind", *HEAD),
+    case_keys=(("friction_model", "friction", "model"), ("friction_spin", "friction", "spin")),
 )

@@ -5,13 +5,14 @@ from typing import Literal
 
 from flexbearing.quantities.forms import TEXT, Anything, Each, Form, ListOf, OneOf, Record
 
-FORMAT = 8
+FORMAT = 9
 OLDER = {  # what the files of an older format are
     4: "its axes are older: of balls z axial and x along the load, tilts in stiffness_matrix of rollers as "
     "slopes; see docs/reference/axes.md",
     5: "it has no checksums and no digest",
     6: "its notes have no grades and no codes",
     7: "its axes have no names that other programs read",
+    8: "its contacts in full sliding have no pressure, and axes of contacts have other names",
 }
 ENDS = ("converged", "iteration limit", "diverging", "stagnating", "not finite", "not solved")
 STATUSES = (*ENDS, "unfinished")  # of a run that is at work, or was interrupted

@@ -12,6 +12,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from rich.console import RenderableType
 
+    from flexbearing.report.balls.contact_fields import DrawnBall
+
 
 @dataclass(frozen=True)
 class FamilyReport:
@@ -20,3 +22,4 @@ class FamilyReport:
     page: Callable[[dict[str, Any]], Iterator[RenderableType]]  # of the summary
     pictures: Callable[[Result], dict[str, Figure]]  # by the names of their files
     deformed: bool = False  # whether deformed rings can be drawn
+    balls: Callable[[Result], tuple[DrawnBall, ...]] | None = None  # whose cells a result holds

@@ -1,15 +1,22 @@
 """Text and pictures of a result, by the record of its family."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Iterator
 from io import StringIO
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from rich.console import Console, Group, RenderableType
 
 from flexbearing.files import require_folder, require_output, write
 from flexbearing.printable import all_printable
+from flexbearing.report.balls import side_by_side
 from flexbearing.report.picture import png_bytes
 from flexbearing.results import Result
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 
 def text(result: Result, console: Console | None = None, encoding: str = "utf-8") -> str:
@@ -71,14 +78,50 @@ def pictures(result: Result, directory: str | Path) -> Iterator[Path]:
     NotStored
         if there is no room for a picture
     """
+    figures = result.family.report().pictures(result)
+    yield from _drawn(
+        {f"{result.stem}_{name}": figure for name, figure in figures.items()}, directory, result
+    )
+
+
+def compared_pictures(one: Result, other: Result, directory: str | Path) -> Iterator[Path]:
+    """Draw the contacts of two results side by side into PNG files.
+
+    Parameters
+    ----------
+    one, other : Result
+        of the same kind of ball bearing; `one` stands on the left
+    directory : path
+        where to write; it is made when missing
+
+    Yields
+    ------
+    Path
+        each file when it is complete, one for each ball whose cells both hold: ``a_against_b_ball_0.png``
+
+    Raises
+    ------
+    BadResult
+        if they have no cells of the same ball
+    BadOutput
+        if the folder, or a file in it, cannot be written
+    NotStored
+        if there is no room for a picture
+    """
+    stem, figures = f"{one.stem}_against_{other.stem}", side_by_side.compared(one, other)
+    named = {f"{stem}_ball_{ball}": figure for ball, figure in figures.items()}
+    yield from _drawn(named, directory, one, other)
+
+
+def _drawn(figures: dict[str, Figure], directory: str | Path, *read: Result) -> Iterator[Path]:
+    """Write figures by the stems of their files, none of which may be what was read."""
     folder = require_folder(directory)
-    figures = {
-        folder / f"{result.stem}_{name}.png": figure
-        for name, figure in result.family.report().pictures(result).items()
-    }
-    for path in figures:
-        require_output(path, (*result.files, *filter(None, [result.attributes.get("case_file")])))
-    for path, figure in figures.items():
+    paths = {folder / f"{stem}.png": figure for stem, figure in figures.items()}
+    cases = filter(None, (result.attributes.get("case_file") for result in read))
+    inputs = (*(file for result in read for file in result.files), *cases)
+    for path in paths:
+        require_output(path, inputs)
+    for path, figure in paths.items():
         write(path.resolve(), png_bytes(figure))
         yield path
 

@@ -174,15 +174,12 @@ def block(solution: Solution) -> dict[str, NDArray]:
 
 
 def _fields(case: FourPointCase, balls: qd.SlidingBalls) -> dict[str, NDArray | None]:
-    """Slip and shear over every contact of the chosen balls."""
+    """Pressure, slip, shear and stick over every contact of the chosen balls."""
     chosen = case.fields.balls or (int(balls.load.sum((1, 2)).argmax()),)
     diagonals, points, speed = balls.load.shape[1], case.fields.points, case.operation.speed
     scales = {"x": 1.0, "y": 1.0, "slip_along": speed, "slip_across": speed}
-    scales |= {"shear_along": 1.0, "shear_across": 1.0}
-    shape = (points, points)
-    if case.friction.model != "full_sliding":
-        scales |= {"pressure": 1.0, "stick": 1.0}
-        shape = case.friction.cells[::-1]
+    scales |= dict.fromkeys(("shear_along", "shear_across", "pressure", "stick"), 1.0)
+    shape = (points, points) if case.friction.model == "full_sliding" else case.friction.cells[::-1]
     fields = {name: np.zeros((len(chosen), diagonals, 2, *shape)) for name in scales}
     for place in np.ndindex(len(chosen), diagonals, 2):
         contact = (chosen[place[0]], place[1], place[2])
@@ -190,7 +187,7 @@ def _fields(case: FourPointCase, balls: qd.SlidingBalls) -> dict[str, NDArray | 
             field = balls.field(*contact, points)
             for name, scale in scales.items():
                 fields[name][place] = scale * field[name]
-    return {"balls": np.array(chosen), "pressure": None, "stick": None, **fields}
+    return {"balls": np.array(chosen), **fields}
 
 
 def notes(case: FourPointCase, solution: Solution) -> tuple[Note, ...]:

@@ -8,6 +8,8 @@ from numpy.typing import NDArray
 
 from quasidynamic.contact.ellipse.full_sliding import Ellipse, sliding_friction, slip_field
 from quasidynamic.contact.ellipse.rigid_slip import Spin
+from quasidynamic.contact.half_space import grid_over
+from quasidynamic.contact.rolling.hertz_pressure import hertz_pressure
 from quasidynamic.motion.ball_slip import BallContacts, slip_by_motion, slip_of
 from quasidynamic.note import Note
 from quasidynamic.outcome.ball_torque import RaceTorques, hysteresis_torque, torques_by_slip
@@ -81,17 +83,32 @@ class SlidingBalls:
         return np.where(self.load[..., race] > 0, height_above_bottom(edge, groove_radius, aside), 0.0)
 
     def field(self, ball: int, diagonal: int, race: int, points: int = 41) -> dict[str, NDArray]:
-        """Places [m], slip [m/s] and shear stress on the ball [Pa] over one contact, (points, points)."""
+        """Cells (points, points) of a contact: places [m], pressure, stress on the ball [Pa], slip [m/s].
+
+        Pressure is the mean of each cell, slip that of its centre; `stick` is zero everywhere.
+        """
         contact = (np.array([ball]), diagonal, race)
         ellipse = Ellipse(
             *(getattr(self.ellipse, name)[contact] for name in ("across", "along", "radius", "traction")),
             spin=self.ellipse.spin,
         )
-        unit = np.linspace(-1.0, 1.0, points)
-        x, y = np.meshgrid(unit * ellipse.across, unit * ellipse.along, indexing="ij")
-        names = ("slip_along", "slip_across", "shear_along", "shear_across")
-        fields = slip_field(self.sliding.slip[contact], ellipse, x, y)
-        return {"x": x, "y": y} | dict(zip(names, fields, strict=True))
+        semi_axes = float(ellipse.across[0]), float(ellipse.along[0])
+        grid = grid_over(semi_axes, (points, points))
+        x, y = np.broadcast_arrays(*grid.centres)
+        along, across = slip_field(self.sliding.slip[contact], ellipse, x, y)
+        pressure = hertz_pressure(grid, semi_axes, float(self.load[ball, diagonal, race]))
+        limit = self.friction[ball, diagonal, race] * pressure
+        size = np.maximum(np.hypot(along, across), np.finfo(float).tiny)
+        return {
+            "x": x,
+            "y": y,
+            "slip_along": along * (pressure > 0.0),
+            "slip_across": across * (pressure > 0.0),
+            "shear_along": -limit * (along / size),
+            "shear_across": -limit * (across / size),
+            "pressure": pressure,
+            "stick": np.zeros(grid.shape),
+        }
 
 
 @dataclass(frozen=True)

@@ -7,6 +7,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
+import xarray
 from pytest import approx
 
 import flexbearing
@@ -160,9 +161,26 @@ def test_fields_are_those_of_the_chosen_balls(run):
     for place, ball in enumerate((3, 60)):
         loaded = values["contact_load"][ball] > 0
         assert ((np.ptp(values["field_across"][place], axis=(-1, -2)) > 0) == loaded).all()
-        middle = np.hypot(values["shear_along"], values["shear_across"])[place, :, :, 2, 2]
-        limit = values["friction_coefficient"][ball] * values["peak_pressure"][ball]
-        assert middle[loaded] == approx(limit[loaded], rel=1e-9)
+        shear = np.hypot(values["shear_along"], values["shear_across"])[place]
+        limit = values["friction_coefficient"][ball][..., None, None] * values["field_pressure"][place]
+        assert shear == approx(limit, rel=1e-9)
+        sides = [np.diff(values[f"field_{name}"][place], axis=axis)[:, :, 0, 0]
+                 for name, axis in (("across", -2), ("along", -1))]  # fmt: skip
+        force = values["field_pressure"][place].sum((-1, -2)) * sides[0] * sides[1]
+        assert force[loaded] == approx(values["contact_load"][ball][loaded], rel=1e-6)
+
+
+def test_axes_of_contacts_have_names(run):
+    """Slip by the spin of a contact grows across it, so these are the axes that they are called."""
+    result = run("heras2017_b1", FEW)
+    with xarray.open_datatree(result.path, engine="h5netcdf") as tree:
+        field = tree["rigid"]["field_pressure"]
+        assert field.dims == ("chosen_ball", "diagonal", "race", "across", "along")
+        assert list(field["chosen_ball"]) == [0]
+        one = tree["rigid"].isel(chosen_ball=0, diagonal=0, race=0)
+        assert (one["field_across"].diff("across") > 0).all()
+        assert (one["field_along"].diff("along") > 0).all()
+        assert (one["field_along"].diff("across") == 0).all()
 
 
 def test_most_loaded_ball_is_drawn_unless_told(run):
@@ -498,12 +516,15 @@ def test_a_case_with_stick_and_slip_stores_cells_and_their_error(run, model):
     told = [note["text"] for note in result.summary()["notes"]]
     assert any("within" in text and "against full sliding" in text for text in told)
     (figure,) = FAMILIES["four_point_ball"].report().pictures(result).values()
-    assert len(figure.axes) == 3  # two contacts and the colours
+    assert len(figure.axes) == 11  # four maps of two contacts and three scales of colours
 
 
-def test_full_sliding_stores_neither_cells_nor_stick(run):
-    values = run("heras2017_a1").rigid
-    assert not {"field_stick", "field_pressure", "grid_error", "stick_share", "ball_turn"} & set(values)
+def test_full_sliding_stores_the_fields_of_stick_and_slip_but_no_error_of_cells(run):
+    values = run("heras2017_b1", FEW).rigid
+    other = run("heras2017_b1", "friction.model=fastsim", "friction.cells=[8, 8]").rigid
+    assert {name for name in other if name.startswith(("field_", "slip_", "shear_"))} <= set(values)
+    assert not values["field_stick"].any()
+    assert not {"grid_error", "stick_share", "ball_turn"} & set(values)
 
 
 @pytest.mark.parametrize("control", ["outer", "coulomb"])
@@ -527,7 +548,7 @@ def test_fast_balls_with_stick_and_slip_keep_their_balance(run, control):
     assert numbers["largest_unbalanced_force"] == approx(force)
     assert any(f"along the orbit of up to {100 * force:.1f}%" in text for text in texts(result))
     figure = FAMILIES[result.attributes["kind"]].report().pictures(result)["contacts_of_ball_0"]
-    assert len(figure.axes) == 3  # two contacts and the colours
+    assert len(figure.axes) == 11  # four maps of two contacts and three scales of colours
 
 
 def test_fast_balls_in_full_sliding_store_neither_cells_nor_stick(run):

@@ -174,7 +174,7 @@ class SlowOperation(Section):
 
 
 class Fields(Section):
-    """Contacts whose slip and shear are stored point by point."""
+    """Contacts whose pressure, slip and shear are stored cell by cell."""
 
     balls: tuple[Whole, ...] | None = key(
         "numbers of the balls, from 0 at azimuth zero; without it the one that carries most",
@@ -183,7 +183,7 @@ class Fields(Section):
         strict=False,
     )
     points: int = key(
-        "points across and along each contact; with stick and slip it is the cells that are stored",
+        "cells across and along each contact in full sliding; with stick and slip they are friction.cells",
         21,
         ge=3,
         le=401,
@@ -202,7 +202,7 @@ class FourPointCase(Head):
     friction: SlowFriction = key("friction of the contacts")
     operation: SlowOperation = key("load and speed", {})
     rings: bolted_rings.Rings = key("elastic rings; rigid without it", {})
-    fields: Fields = key("contacts whose slip and shear are stored point by point", {})
+    fields: Fields = key("contacts whose pressure, slip and shear are stored cell by cell", {})
 
     @property
     def balls(self) -> int:

@@ -8,7 +8,8 @@ import numpy as np
 
 from flexbearing.quantities.angular_contact import LAYOUT
 from flexbearing.quantities.reductions import RACES
-from flexbearing.report.balls.contact_fields import drawn_contact, shear_figure
+from flexbearing.report.balls.contact_fields import DrawnBall, drawn_contact, require_cells, torque_words
+from flexbearing.report.balls.contact_sheet import ball_sheet
 from flexbearing.report.balls.panels import STYLES, around, close_ring, stacked
 from flexbearing.results import Result
 
@@ -37,17 +38,38 @@ def pictures(result: Result) -> dict[str, Figure]:
     if "line_count" in result.rigid:
         figures |= {"rolling_lines": rolling_lines(result), "slip_profiles": slip_profiles(result)}
     if "field_ball" in result.rigid:
-        ball = int(result.rigid["field_ball"])
-        figures[f"contacts_of_ball_{ball}"] = contact_fields(result, ball)
+        (ball,) = balls(result)
+        figures[f"contacts_of_ball_{ball.number}"] = ball_sheet(result, ball)
     return figures
 
 
-def contact_fields(result: Result, ball: int) -> Figure:
-    """Draw the shear stress on the ball that carries most."""
-    contacts = [
-        drawn_contact(result.rigid, f"{name} race", (race, ball), (race,)) for race, name in enumerate(RACES)
-    ]
-    return shear_figure(result, ball, contacts)
+def balls(result: Result) -> tuple[DrawnBall, ...]:
+    """Take the ball that carries most, with the cells of its contacts.
+
+    Parameters
+    ----------
+    result : Result
+        what the run left behind
+
+    Returns
+    -------
+    tuple of DrawnBall
+
+    Raises
+    ------
+    BadResult
+        where no cells are stored
+    """
+    values = result.rigid
+    require_cells(result, values)
+    ball = int(values["field_ball"])
+    contacts = {
+        ("", f"{name} race"): drawn_contact(values, (race, ball), (race,)) for race, name in enumerate(RACES)
+    }
+    error = values["grid_error"].sum() if "grid_error" in values else None
+    return (
+        DrawnBall(ball, torque_words("friction torque", float(values["friction_torque"]), error), contacts),
+    )
 
 
 def ball_loads(result: Result) -> Figure:

@@ -1,148 +1,111 @@
-"""Pictures of the shear stress over the contacts of one ball."""
+"""Cells of the contacts of balls, as a result holds them for pictures."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from collections.abc import Mapping
+from math import floor, log10
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from flexbearing.report.picture import titled
-from flexbearing.results import Result
+from flexbearing.results import BadResult, Result
 
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
-ARROWS = (23, 7)  # at most, across and along a contact
+MODELS = {  # friction.model, for people
+    "full_sliding": "full sliding",
+    "fastsim": "FASTSIM (springs)",
+    "kalker": "Kalker (half-spaces)",
+}
+SPINS = {"centre": "spin of the centre", "local": "local spin"}
+_CELLS = ("field_across", "field_along", "field_pressure", "field_stick")
+_VECTORS = ("shear_across", "shear_along", "slip_across", "slip_along")
 
 
 class DrawnContact(NamedTuple):
-    """One contact of the ball that is drawn."""
+    """One loaded contact: arrays over its cells, vectors as across and along the rolling direction."""
 
-    title: str
-    semi_axes: tuple[float, float]  # [m] across and along the rolling direction
-    places: np.ndarray  # (2, ...) [m] across and along it
-    shear: np.ndarray  # (2, ...) [Pa] across and along it
-    stick: np.ndarray | None  # where the surfaces stick; None in full sliding
+    caption: str  # load, angle, largest pressure
+    semi_axes: tuple[float, float]  # [m] of Hertz' ellipse, across and along
+    places: np.ndarray  # (2, n, m) [m] centres of the cells
+    pressure: np.ndarray  # (n, m) [Pa]
+    shear: np.ndarray  # (2, n, m) [Pa] on the ball
+    slip: np.ndarray  # (2, n, m) [m/s] ball minus race
+    stick: np.ndarray  # (n, m) 1 where the surfaces stick, else 0
+
+    @property
+    def touching(self) -> np.ndarray:
+        """Cells in contact (n, m)."""
+        return self.pressure > 0
 
 
-def drawn_contact(values: Any, name: str, contact: tuple[int, ...], field: tuple[int, ...]) -> DrawnContact:
+Place = tuple[str, str]  # "diagonal 1" or nothing, "inner race" or "outer race"
+
+
+class DrawnBall(NamedTuple):
+    """A ball whose cells are stored."""
+
+    number: int
+    torque: str  # with what it is of, its error and its unit
+    contacts: dict[Place, DrawnContact]  # those that carry load
+
+    @property
+    def cells(self) -> str:
+        """Cells of each contact."""
+        shapes = {contact.pressure.shape for contact in self.contacts.values()}
+        return "".join(f"{across} cells across, {along} along" for across, along in shapes)
+
+
+def drawn_contact(
+    values: Mapping[str, Any], contact: tuple[int, ...], field: tuple[int, ...]
+) -> DrawnContact:
     """Take a contact from the arrays of a result.
 
     Parameters
     ----------
     values : mapping
         arrays of a ball bearing
-    name : str
-        of the contact
     contact : tuple of int
         where it stands among all contacts
     field : tuple of int
-        where it stands among those with fields
+        where it stands among those with cells
 
     Returns
     -------
     DrawnContact
     """
+    across, along, pressure, stick = (values[name][field] for name in _CELLS)
+    shear_across, shear_along, slip_across, slip_along = (values[name][field] for name in _VECTORS)
     angle = np.degrees(values["contact_angle"][contact])
     return DrawnContact(
-        f"{name}: {values['contact_load'][contact]:,.0f} N, {angle:.2f}°, "
+        f"{values['contact_load'][contact]:,.0f} N, {angle:.2f}°, "
         f"{1e-6 * values['peak_pressure'][contact]:,.0f} MPa",
         (float(values["semi_axis_across"][contact]), float(values["semi_axis_along"][contact])),
-        np.array([values["field_across"][field], values["field_along"][field]]),
-        np.array([values["shear_across"][field], values["shear_along"][field]]),
-        values["field_stick"][field] if "field_stick" in values else None,
+        np.array([across, along]),
+        pressure,
+        np.array([shear_across, shear_along]),
+        np.array([slip_across, slip_along]),
+        stick,
     )
 
 
-def shear_figure(result: Result, ball: int, contacts: list[DrawnContact]) -> Figure:
-    """Draw the shear stress on a ball: its size in colours, its direction in arrows, stick hatched.
-
-    Parameters
-    ----------
-    result : Result
-        what the run left behind
-    ball : int
-        its number
-    contacts : list of DrawnContact
-        those that carry load
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        one panel for each contact, to scale
-    """
-    heights = [each.semi_axes[1] / each.semi_axes[0] for each in contacts]  # over their widths
-    largest = max((1e-6 * float(np.hypot(*each.shear).max()) for each in contacts), default=1.0)
-    figure, panels = _panels(result, f"Shear stress on ball {ball} and its direction", heights)
-    field = None
-    for axes, contact in zip(panels, contacts, strict=False):
-        field = _draw_shear(axes, contact, largest)
-        if contact.stick is not None:
-            _draw_stick(axes, contact.places, contact.stick)
-        axes.set_title(contact.title, fontsize=9)
-        axes.set_ylabel("rolling [mm]", fontsize=8)
-    if field is None:
-        panels[0].text(0.5, 0.5, "this ball carries no load", transform=panels[0].transAxes, ha="center")
-        return figure
-    panels[-1].set_xlabel("across the groove [mm]")
-    figure.colorbar(field, ax=panels, label="shear stress [MPa]", fraction=0.03, format="%.0f")
-    return figure
+def friction_of(result: Result) -> str:
+    """Friction model of a result, and what makes slip across in it."""
+    friction = result.attributes["case_si"]["friction"]
+    return f"{MODELS[friction['model']]}, {SPINS[friction['spin']]}"
 
 
-def _panels(result: Result, what: str, heights: list[float]) -> tuple[Figure, list[Axes]]:
-    from matplotlib.figure import Figure
-
-    width, rows = 8.0, heights or [0.3]
-    inches = [0.8 * width * height + 0.75 for height in rows]
-    figure = Figure(figsize=(width, sum(inches) + 1.1), layout="constrained")
-    heading = f"{titled(result.attributes['title'], 80)}\n{what}"
-    figure.suptitle(heading, fontsize=11, parse_math=False)
-    grid = figure.subplots(len(rows), 1, squeeze=False, gridspec_kw={"height_ratios": inches})
-    return figure, list(grid[:, 0])
+def torque_words(what: str, torque: float, error: float | None) -> str:
+    """A torque [N m], with its error by the cells as far as that is told where there is one."""
+    if not error:
+        return f"{what} {torque:.4g} N m"
+    digits = max(0, 1 - floor(log10(error)))
+    return f"{what} {torque:.{digits}f} ± {error:.{digits}f} N m"
 
 
-def _draw_shear(axes: Axes, contact: DrawnContact, largest: float) -> Any:
-    """Size in colours, cut at the edge of the contact, and direction in arrows."""
-    from matplotlib.patches import Ellipse
-
-    (across, along), shear = 1e3 * contact.places, contact.shear
-    size = np.hypot(*shear)
-    levels = np.linspace(0, 1.0001 * largest, 41)
-    field = axes.contourf(across, along, 1e-6 * size, levels, cmap="YlOrRd")
-    width, height = (2e3 * semi_axis for semi_axis in contact.semi_axes)
-    edge = Ellipse((0, 0), width, height, fill=False, edgecolor="0.4", linewidth=0.8)
-    axes.add_patch(edge)
-    field.set_clip_path(edge)
-    kept = np.zeros(size.shape, bool)
-    kept[
-        tuple(np.ix_(*(_thinned(points, most) for points, most in zip(size.shape, ARROWS, strict=True))))
-    ] = True
-    kept &= size > 0
-    axes.quiver(
-        across[kept],
-        along[kept],
-        *(shear[:, kept] / size[kept]),
-        color="0.15",
-        pivot="mid",
-        scale=42,
-        width=0.0018,
-    )
-    axes.set_aspect("equal")
-    axes.spines[["top", "right"]].set_visible(False)
-    axes.tick_params(labelsize=8)
-    return field
-
-
-def _draw_stick(axes: Axes, places: np.ndarray, stick: np.ndarray) -> None:
-    """Hatch where the surfaces stick."""
-    if stick.any():
-        across, along = 1e3 * places
-        axes.contour(across, along, stick, [0.5], colors="tab:blue", linewidths=1.0)
-        axes.contourf(across, along, stick, [0.5, 1.5], colors="none", hatches=["////"])
-
-
-def _thinned(points: int, most: int) -> np.ndarray:
-    """Evenly spaced places among so many points, the middle one of an odd number included."""
-    step = max(1, -(-(points - 1) // (most + 1)))
-    return np.arange((points - 1) // 2 % step, points, step)
+def require_cells(result: Result, values: Mapping[str, Any]) -> None:
+    """Raise `BadResult` where a result has no cells of contacts."""
+    missing = [name for name in ("field_ball", *_CELLS, *_VECTORS) if name not in values]
+    if missing:
+        raise BadResult(
+            f"{result.place}: it holds no cells of contacts ({missing[0]} is not stored): there is nothing "
+            "to draw of them."
+        )

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from flexbearing.quantities.reductions import RACES, loaded
-from flexbearing.report.balls.contact_fields import drawn_contact, shear_figure
+from flexbearing.report.balls.contact_fields import DrawnBall, drawn_contact, require_cells, torque_words
+from flexbearing.report.balls.contact_sheet import ball_sheet
 from flexbearing.report.balls.panels import STYLES, around, close_ring, stacked
 from flexbearing.results import Result
 
@@ -37,8 +38,8 @@ def pictures(result: Result) -> dict[str, Figure]:
         figures |= {"ball_loads": ball_loads(result), "ball_torques": ball_torques(result)}
     if result.flexible:
         figures["rigid_and_elastic_rings"] = compared_loads(result)
-    for place, ball in enumerate(_last(result)["field_ball"].astype(int)):
-        figures[f"contacts_of_ball_{ball}"] = contact_fields(result, place)
+    for ball in balls(result):
+        figures[f"contacts_of_ball_{ball.number}"] = ball_sheet(result, ball)
     return figures
 
 
@@ -99,29 +100,39 @@ def ball_torques(result: Result) -> Figure:
     return figure
 
 
-def contact_fields(result: Result, place: int = 0) -> Figure:
-    """Draw the shear stress on a ball: its size in colours, its direction in arrows.
+def balls(result: Result) -> tuple[DrawnBall, ...]:
+    """Take the chosen balls with the cells of their contacts.
 
     Parameters
     ----------
     result : Result
         what the run left behind
-    place : int
-        which of the chosen balls
 
     Returns
     -------
-    matplotlib.figure.Figure
-        one panel for each loaded contact, to scale
+    tuple of DrawnBall
+
+    Raises
+    ------
+    BadResult
+        where nothing was solved
     """
     values = _last(result)
-    ball = int(values["field_ball"][place])
-    load = values["contact_load"][ball]
+    require_cells(result, values)
+    return tuple(_ball(values, place, int(ball)) for place, ball in enumerate(values["field_ball"]))
+
+
+def _ball(values: Any, place: int, ball: int) -> DrawnBall:
+    """One of the chosen balls, with its loaded contacts."""
     width = np.ptp(values["field_across"][place], axis=(2, 3))
-    drawn = [contact for contact in np.ndindex(load.shape) if width[contact] > 0]
-    names = [f"diagonal {diagonal + 1}, {RACES[race]} race" for diagonal, race in drawn]
-    contacts = [
-        drawn_contact(values, name, (ball, *contact), (place, *contact))
-        for name, contact in zip(names, drawn, strict=True)
-    ]
-    return shear_figure(result, ball, contacts)
+    contacts = {
+        (f"diagonal {diagonal + 1}", f"{RACES[race]} race"): drawn_contact(
+            values, (ball, diagonal, race), (place, diagonal, race)
+        )
+        for diagonal, race in np.ndindex(width.shape)
+        if width[diagonal, race] > 0
+    }
+    error = values["grid_error"][ball] if "grid_error" in values else None
+    return DrawnBall(
+        ball, torque_words("torque of the ball", values["ball_torque"][ball, 0], error), contacts
+    )

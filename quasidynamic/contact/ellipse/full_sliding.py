@@ -223,12 +223,10 @@ def _curvatures(
     return curvature, majorant
 
 
-def slip_field(
-    slip: NDArray, ellipse: Ellipse, x: NDArray, y: NDArray
-) -> tuple[NDArray, NDArray, NDArray, NDArray]:
-    r"""Slip and shear stress at points of the ellipse, for pictures.
+def slip_field(slip: NDArray, ellipse: Ellipse, x: NDArray, y: NDArray) -> NDArray:
+    r"""Slip at points of the ellipse, for pictures.
 
-    .. math:: v_t = e + A\,\sigma(x) + w x,\quad v_1 = -w_l y,\quad \tau = -\mu p\, v/|v|
+    .. math:: v_t = e + A\,\sigma(x) + w x,\quad v_1 = -w_l y
 
     Parameters
     ----------
@@ -241,18 +239,13 @@ def slip_field(
 
     Returns
     -------
-    array (...) four times
-        v_t along and v_1 across the rolling direction [m/s], shear stress on the ball along and across [Pa];
-        the stresses are zero outside the ellipse and where nothing slips
+    array (2, ...)
+        v_t along and v_1 across the rolling direction [m/s]
 
     Source
     ------
     Jones (1959), J. Basic Eng. 81, 1-12; see `rigid_slip` for the slip.
     """
     width = ellipse.width
-    inside = np.maximum(1.0 - (x / width) ** 2 - (y / ellipse.along) ** 2, 0.0)
-    limit = 1.5 * ellipse.traction / (pi * width * ellipse.along) * np.sqrt(inside)
     by_slip = rigid_slip(np.clip(x, -width, width), y, ellipse.radius, ellipse.spin)[..., :3]
-    along, across = np.einsum("...ji,...i->j...", by_slip, slip)
-    size = np.maximum(np.hypot(along, across), SMALLEST)
-    return along, across, -limit * along / size, -limit * across / size
+    return np.einsum("...ji,...i->j...", by_slip, slip)
