@@ -175,8 +175,8 @@ def _stick(case: AngularCase, solution: Solution) -> tuple[Note, ...]:
         information(
             "stick-and-slip",
             f"friction torque: {case.friction.model} on {along} by {across} cells a contact, within "
-            f"{rolling.grid_error.sum():.2g} N m of finer ones; {share:+.1f} % against full sliding, of "
-            f"{sliding:.5g} N m",
+            f"{rolling.grid_error.sum():.2g} N m of finer ones; {share:+.1f} % against full sliding "
+            f'with the same friction.spin = "{case.friction.spin}", of {sliding:.5g} N m',
         ),
         information(
             "kept-motion",

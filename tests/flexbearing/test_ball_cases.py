@@ -514,7 +514,9 @@ def test_a_case_with_stick_and_slip_stores_cells_and_their_error(run, model):
         np.pi / 4 * values["stick_share"][0, 0, 0], abs=0.05
     )
     told = [note["text"] for note in result.summary()["notes"]]
-    assert any("within" in text and "against full sliding" in text for text in told)
+    assert any(
+        "within" in text and 'full sliding with the same friction.spin = "local", of' in text for text in told
+    )
     (figure,) = FAMILIES["four_point_ball"].report().pictures(result).values()
     assert len(figure.axes) == 11  # four maps of two contacts and three scales of colours
 
@@ -543,6 +545,7 @@ def test_fast_balls_with_stick_and_slip_keep_their_balance(run, control):
     assert values["field_stick"].shape == (2, 32, 16)
     codes = {note["code"] for note in result.summary()["notes"]}
     assert {"stick-and-slip", "kept-motion"} <= codes
+    assert any('full sliding with the same friction.spin = "local", of' in text for text in texts(result))
     assert any(f"{100 * values['unbalanced_moment'].max():.1f}%" in text for text in texts(result))
     force = np.abs(values["unbalanced_force"]).max()
     assert numbers["largest_unbalanced_force"] == approx(force)

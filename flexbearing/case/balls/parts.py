@@ -24,14 +24,15 @@ Whole = Annotated[int, Strict()]
 SPIN = (
     "spin that makes slip across in the contacts: centre, that of their middle everywhere, as Jones and the "
     "formulas of the literature; local, at each point that about the normal of the surface there, as rigid "
-    "bodies have it: up to 7 % more torque where balls roll, as much where they spin"
+    "bodies have it: in full sliding up to 7 % more torque where balls roll, as much where they spin; every "
+    "friction.model takes the slip of this spin"
 )
 
 
 FrictionModel = Literal["full_sliding", "fastsim", "kalker"]
 MODEL = (
     "full_sliding: contacts slide everywhere; kalker: they stick and slip on half-spaces; fastsim: "
-    "the same on springs, quicker and less exact"
+    "the same on springs, quicker and less exact; all with the slip of friction.spin"
 )
 CELLS = "cells over each contact along and across the rolling direction, multiples of 4: fewer tell the error"
 USUAL_CELLS = [40, 80]
