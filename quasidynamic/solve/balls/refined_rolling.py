@@ -49,6 +49,10 @@ class RefinedRolling:
 
         with the torques M_2 and M_4 of half and a quarter of the cells, p = `order`: errors of several causes
         may cancel in one of the changes, hardly in both.
+
+        Source
+        ------
+        Roache (1994), J. Fluids Eng. 116, 405-413, with the second change added.
         """
         half, quarter = self.coarse_torques
         change = max(abs(self.torque - half), abs(half - quarter) / 2**self.order)
