@@ -523,7 +523,7 @@ def test_a_case_with_stick_and_slip_stores_cells_and_their_error(run, model):
 
 def test_full_sliding_stores_the_fields_of_stick_and_slip_but_no_error_of_cells(run):
     values = run("heras2017_b1", FEW).rigid
-    other = run("heras2017_b1", "friction.model=fastsim", "friction.cells=[8, 8]").rigid
+    other = run("heras2017_b1", "friction.model=fastsim", "friction.cells=[16, 16]").rigid
     assert {name for name in other if name.startswith(("field_", "slip_", "shear_"))} <= set(values)
     assert not values["field_stick"].any()
     assert not {"grid_error", "stick_share", "ball_turn"} & set(values)

@@ -15,8 +15,8 @@ from flexbearing.report.balls.side_by_side import compared, notes
 CONFIGS = Path(__file__).parents[2] / "configs"
 B1, A3 = "heras2017_b1", "heras2017_a3"
 FEW = "fields.points=7"
-STICKING = ("friction.model=fastsim", "friction.cells=[10, 16]")
-SHAPES = {"sliding": (7, 7), "sticking": (16, 10)}
+STICKING = ("friction.model=fastsim", "friction.cells=[16, 32]")
+SHAPES = {"sliding": (7, 7), "sticking": (32, 16)}
 
 
 @pytest.fixture(scope="module")
@@ -149,7 +149,7 @@ def test_columns_name_model_spin_torque_error_and_cells(result):
     (line,) = (text for text in written if "±" in text)
     shown = [float(line.split()[place]) for place in (4, 6)]
     assert shown == approx([torque, error], abs=0.05 * error)
-    assert line.endswith(" N m, 16 cells across, 10 along")
+    assert line.endswith(" N m, 32 cells across, 16 along")
 
 
 def test_other_differences_than_the_model_are_told(result):
