@@ -1,6 +1,7 @@
 """What a person sees while a case runs: stages, iterations, the end."""
 
 import logging
+from time import perf_counter
 from typing import TYPE_CHECKING, Protocol, Self
 
 from flexbearing.printable import printable
@@ -10,6 +11,8 @@ if TYPE_CHECKING:
     from rich.progress import TaskID
 
     from flexbearing.coupling import Iteration
+
+EVERY = 10.0  # [s] between the lines of a stage that goes on
 
 log = logging.getLogger("flexbearing.run")
 
@@ -27,10 +30,10 @@ class Report(Protocol):
 
 
 class Logged:
-    """Sends every stage and iteration to the log, one line each."""
+    """Sends every stage and iteration to the log, one line each, and how far a long stage is."""
 
     def __init__(self):
-        self._last = ""
+        self._last, self._told = "", 0.0
 
     def __enter__(self) -> Self:
         return self
@@ -39,10 +42,15 @@ class Logged:
         """Nothing to tidy up."""
 
     def stage(self, text: str, fraction: float | None) -> None:
-        """Log a stage when it begins."""
+        """Log a stage when it begins, and its part that is done, if there is one, every `EVERY` seconds."""
+        now = perf_counter()
         if text != self._last:
             log.info("%s", text)
-        self._last = text
+        elif fraction is not None and now - self._told >= EVERY:
+            log.info("%s: %.0f %% done", text, 100 * fraction)
+        else:
+            return
+        self._last, self._told = text, now
 
     def iteration(self, iteration: "Iteration") -> None:
         """Log number, largest load change and largest load of an iteration."""
