@@ -8,6 +8,7 @@ import argparse
 import statistics
 import time
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -51,6 +52,7 @@ def main() -> None:
             slewing()
         if not (wanted.grids or wanted.slewing):
             cases()
+            pressures()
 
 
 def cases() -> None:
@@ -77,6 +79,29 @@ def cases() -> None:
         )
     for model, seconds in times.items():
         print(f"{model}: median {1e3 * statistics.median(seconds):.0f} ms, most {1e3 * max(seconds):.0f} ms")
+
+
+def pressures() -> None:
+    print(
+        "half-spaces 40x80 with the local spin, by contact pressure: torque [N m] +- told error, limit, time"
+    )
+    print(
+        "        | printed |  full | Hertz   | offset arcs                  | moved ring           | offset"
+    )
+    print("        |   LEB   | slide | limit   | torque    err    limit    ms | torque    err  limit | /FEM")
+    for name, (*_, leb, fem) in CASES.items():
+        hertz = heras(name, "local")
+        limit, slide = rolled(hertz, name, "kalker").extrapolated_torque, sliding(hertz, name).torque
+        offset, moved = (replace(hertz, contact_pressure=kind) for kind in ("offset", "translation"))
+        ball, seconds = timed(lambda bearing=offset, name=name: rolled(bearing, name, "kalker"))
+        other = rolled(moved, name, "kalker")
+        print(
+            f"{name:7} | {leb:7.1f} | {slide:7.2f} | {limit:7.2f} | {ball.torque:8.3f} "
+            f"{ball.grid_error:5.3f} {ball.extrapolated_torque:8.3f} {1e3 * seconds:4.0f} | "
+            f"{other.torque:8.3f} {other.grid_error:5.3f} {other.extrapolated_torque:8.3f} | "
+            f"{ball.torque / fem:.2f}",
+            flush=True,
+        )
 
 
 def grids() -> None:
@@ -122,7 +147,7 @@ def timed(job: Callable[[], RefinedRolling]) -> tuple[RefinedRolling, float]:
 
 
 def rolled(
-    bearing: FourPointBallBearing, name: str, model: RollingModel, cells: tuple[int, int]
+    bearing: FourPointBallBearing, name: str, model: RollingModel, cells: tuple[int, int] = (40, 80)
 ) -> RefinedRolling:
     (ball,) = bearing.roll(sliding(bearing, name), model, cells).rolled
     return ball

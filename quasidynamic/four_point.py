@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import partial
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +13,7 @@ from quasidynamic.contact.ellipse.full_sliding import Ellipse
 from quasidynamic.contact.ellipse.point_contact import PointContact, point_contact, race_curvatures
 from quasidynamic.contact.ellipse.rigid_slip import Spin
 from quasidynamic.contact.half_space import ElasticPair, elastic_pair
+from quasidynamic.contact.pressure import BallInGroove, GroovePress, PressedGroove
 from quasidynamic.errors import ImpossiblePart, OutOfRange
 from quasidynamic.motion.ball_slip import SIDE, BallContacts, pressed_height, pressed_radius
 from quasidynamic.note import Note, outside
@@ -25,7 +26,10 @@ from quasidynamic.solve.balls.load_distribution import BallLoads, ball_loads
 from quasidynamic.solve.balls.refined_rolling import RefinedRolling, RollingModel, refined_rolling
 from quasidynamic.solve.balls.sliding_motion import sliding_motion
 
+FINER = 2  # cells in each direction on which a pressure is computed, for one on which friction is
 STEEPEST = np.pi / 2  # [rad] a contact angle stays below
+
+ContactPressure = Literal["hertz", "offset", "translation"]  # of Hertz, or computed, see `GroovePress`
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -64,6 +68,7 @@ class FourPointBallBearing:
     friction: FrictionCurve
     hysteresis_loss: float = 0.0  # [-] part of the elastic work lost in rolling
     spin: Spin = "centre"  # that makes slip across in contacts: of their middle as Jones, or of each point
+    contact_pressure: ContactPressure = "hertz"  # of contacts that stick and slip
 
     def __post_init__(self):
         if not 0.0 <= self.hysteresis_loss < 1.0:
@@ -141,6 +146,7 @@ class FourPointBallBearing:
             peak_pressure=pressure,
             friction=coefficient,
             sliding=sliding,
+            reach=across,
             torques=race_torques(contacts, sliding.slip, ellipse),
             hysteresis=hysteresis_torque(sliding.slip, load, along, self.hysteresis_loss),
             notes=self._notes(pressure, coefficient * load),
@@ -176,16 +182,45 @@ class FourPointBallBearing:
         Raises
         ------
         OutOfRange, NotSolved
-            see `refined_rolling`
+            see `refined_rolling`, and `GroovePress.pressed` where the pressure is computed
         """
         ball, races = self.bearing.ball.material, (self.bearing.inner, self.bearing.outer)
         pairs = (elastic_pair(ball, races[0].material), elastic_pair(ball, races[1].material))
         rolled, driven = {}, list(map(int, np.flatnonzero(sliding.sliding.driven)))
-        refined = mapped(partial(_refined, pairs, model, cells), [_Ball.of(sliding, one) for one in driven])
+        grooves = _hertz if self.contact_pressure == "hertz" else partial(self._grooves, pairs, cells)
+        each = partial(_refined, pairs, model, cells, grooves)
+        refined = mapped(each, [_Ball.of(sliding, one) for one in driven])
         for number, one in zip(driven, refined, strict=True):
             rolled[number] = one
             told(len(rolled) / len(driven))
-        return rolling_balls(sliding, rolled, self.hysteresis_loss)
+        return rolling_balls(sliding, rolled, self.hysteresis_loss, self.contact_pressure != "hertz")
+
+    def _grooves(
+        self, pairs: tuple[ElasticPair, ElasticPair], cells: tuple[int, int], ball: "_Ball"
+    ) -> tuple[PressedGroove, ...]:
+        """Grooves that press a ball, those with a load."""
+        assert self.contact_pressure != "hertz"  # whose pressure needs no groove
+        bearing, grooves = self.bearing, []
+        for place in zip(*np.nonzero(ball.load > 0.0), strict=True):
+            race, angle = place[2], float(ball.contacts.angle[place])
+            radius, end = float(bearing.groove_radii[race]), bearing.groove_ends[race]
+            if angle >= end:
+                raise OutOfRange(
+                    f"a ball has turned to a contact angle of {np.degrees(angle):.1f} deg, over the shoulder "
+                    f"at {np.degrees(end):.1f} deg: there is no pressure to compute"
+                )
+            groove = BallInGroove(
+                ball_radius=bearing.ball.diameter / 2,
+                groove_radius=radius,
+                pitch_diameter=bearing.pitch_diameter,
+                contact_angle=angle,
+                side=float(SIDE[race]),
+                shoulder=radius * (end - angle),
+            )
+            semi_axes = float(ball.ellipse.along[place]), float(ball.ellipse.across[place])
+            press = GroovePress(groove, pairs[race], float(ball.load[place]), self.contact_pressure)
+            grooves.append(press.pressed(semi_axes, (FINER * cells[0], FINER * cells[1])))
+        return tuple(grooves)
 
     def _contact(self, angle: NDArray) -> PointContact:
         bearing = self.bearing
@@ -229,10 +264,18 @@ class _Ball(NamedTuple):
         return cls(sliding.contacts.taken(one), sliding.ellipse.taken(one), sliding.load[one], motion)
 
 
+def _hertz(ball: _Ball) -> tuple[PressedGroove, ...]:
+    return ()
+
+
 def _refined(
-    pairs: tuple[ElasticPair, ElasticPair], model: RollingModel, cells: tuple[int, int], ball: _Ball
+    pairs: tuple[ElasticPair, ElasticPair],
+    model: RollingModel,
+    cells: tuple[int, int],
+    grooves: Callable[[_Ball], tuple[PressedGroove, ...]],
+    ball: _Ball,
 ) -> RefinedRolling:
-    ball_on = partial(rolling_ball, ball.contacts, ball.ellipse, ball.load, pairs)
+    ball_on = partial(rolling_ball, ball.contacts, ball.ellipse, ball.load, pairs, grooves=grooves(ball))
     return refined_rolling(ball_on, model, cells, ball.motion)
 
 

@@ -70,7 +70,8 @@ QUANTITIES = (
                 "contact angle", ".2f", of=("contact_angle", "contact_load"), entries=EXTENT),
             SummaryValue("contact_angles_deg", at_inner_race),
         )),
-    Quantity("peak_pressure", "p", "Z G race", "Pa", "block", "largest pressure, 0 without load",
+    Quantity("peak_pressure", "p", "Z G race", "Pa", "block",
+        "largest pressure, 0 without load; that of a cell where it is computed",
         source="balls.peak_pressure", people=MPA, summary=(
             SummaryValue("peak_pressure_MPa", _largest_of_races, "peak pressure", ",.0f", parts=RACES),
         )),

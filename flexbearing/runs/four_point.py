@@ -14,7 +14,7 @@ from flexbearing.quantities.four_point import LAYOUT
 from flexbearing.quantities.quantity import taken
 from flexbearing.rings import bolted
 from flexbearing.runs import dangers, shoulders
-from quasidynamic.note import Note, danger, information
+from quasidynamic.note import Note, danger, information, outside
 from quasidynamic.solve.balls.elastic_load_distribution import ElasticBallLoads
 from quasidynamic.solve.balls.load_distribution import BallLoads
 
@@ -95,11 +95,21 @@ def bearing(case: FourPointCase) -> qd.FourPointBallBearing:
             pitch_diameter=parts.pitch_diameter,
             contact_angle=parts.contact_angle,
             clearance=parts.clearance,
+            groove_ends=(_groove_end(case, "inner"), _groove_end(case, "outer")),
         ),
         friction=_friction(case),
         hysteresis_loss=case.friction.hysteresis_loss,
         spin=case.friction.spin,
+        contact_pressure=case.friction.contact_pressure,
     )
+
+
+def _groove_end(case: FourPointCase, name: str) -> float:
+    """Contact angle of the shoulder of a ring [rad], infinite where none is given."""
+    ring, shoulder = getattr(case.rings, name), getattr(case.bearing, name).shoulder
+    if ring.kind != "rigid":
+        return ring.groove_end
+    return np.inf if shoulder is None else case.arches(name).end_at(shoulder)
 
 
 def _friction(case: FourPointCase) -> qd.FrictionCurve:
@@ -223,13 +233,39 @@ def notes(case: FourPointCase, solution: Solution) -> tuple[Note, ...]:
 def _stick(solution: Solution, balls: qd.RollingBalls) -> tuple[Note, ...]:
     """What stick makes of the torque, and how exact it is."""
     friction, share = solution.case.friction, balls.torque / solution.full_sliding_torque - 1
-    along, across = friction.cells
-    return (
+    (along, across), computed = friction.cells, friction.contact_pressure != "hertz"
+    same = f'the same friction.spin = "{friction.spin}"' + (" and the pressure of Hertz" if computed else "")
+    lines = (
         information(
             "stick-and-slip",
             f"torque: {friction.model} on {along} by {across} cells a contact, within "
             f"{balls.grid_error.sum():.2g} N m of finer ones; {100 * share:+.1f} % against full sliding with "
-            f'the same friction.spin = "{friction.spin}", of {solution.full_sliding_torque:.5g} N m',
+            f"{same}, of {solution.full_sliding_torque:.5g} N m",
+        ),
+    )
+    return lines + (_computed(friction.contact_pressure, balls) if computed else ())
+
+
+def _computed(pressure: str, balls: qd.RollingBalls) -> tuple[Note, ...]:
+    """What a computed pressure is, and which contacts shoulders cut."""
+    lines = (
+        information(
+            "contact-pressure",
+            f'contact pressure: computed on the true arcs (friction.contact_pressure = "{pressure}"); loads, '
+            "contact angles, the coefficient of friction and the hysteresis are those of ellipses",
+        ),
+    )
+    if not balls.cut.any():
+        return lines
+    peak = balls.peak_pressure[balls.cut].max() / 1e6
+    inner, outer = (int(number) for number in balls.cut.sum((0, 1)))
+    return (
+        *lines,
+        outside(
+            "cut-contact",
+            f"shoulders cut {inner} contacts of the inner and {outer} of the outer ring: their pressure, of "
+            f"up to {peak:,.0f} MPa on the cells, is computed with that end, "
+            "as if the edge were as stiff as the middle; the load is that of whole contacts",
         ),
     )
 
@@ -254,6 +290,8 @@ def _on_shoulders(case: FourPointCase, balls: qd.SlidingBalls) -> tuple[Note, ..
     """Contacts that reach over the arches of their rings."""
     lines: tuple[Note, ...] = ()
     for race, name in enumerate(("inner", "outer")):
+        if case.friction.contact_pressure != "hertz" and np.isfinite(_groove_end(case, name)):
+            continue  # the pressure ends there, see `_computed`
         ring, arches, diameter = getattr(case.rings, name), case.arches(name), case.bearing.ball.diameter
         if ring.kind == "rigid":
             heights = balls.needed_shoulders(race, arches.radius, arches.aside)

@@ -1,6 +1,6 @@
 """Slow balls between their rings: loads, motion, torque, and fields over their contacts."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields, replace
 
 import numpy as np
@@ -10,11 +10,12 @@ from quasidynamic.contact.ellipse.full_sliding import Ellipse, sliding_friction,
 from quasidynamic.contact.ellipse.rigid_slip import Spin
 from quasidynamic.contact.half_space import grid_over
 from quasidynamic.contact.rolling.hertz_pressure import hertz_pressure
-from quasidynamic.motion.ball_slip import BallContacts, slip_by_motion, slip_of
+from quasidynamic.motion.ball_slip import DIAGONAL, BallContacts, slip_by_motion, slip_of
 from quasidynamic.note import Note
 from quasidynamic.outcome.ball_torque import RaceTorques, hysteresis_torque, torques_by_slip
 from quasidynamic.outcome.truncation import edge_angle, height_above_bottom
 from quasidynamic.solve.balls.refined_rolling import RefinedRolling
+from quasidynamic.solve.balls.rolling_motion import RollingMotion
 from quasidynamic.solve.balls.sliding_motion import SlidingMotion
 
 RING_SIGN = np.array([1.0, -1.0])  # of the torques on inner and outer ring
@@ -32,6 +33,7 @@ class SlidingBalls:
     ellipse: Ellipse
     peak_pressure: NDArray  # (N, G, 2) [Pa]
     friction: NDArray  # (N, G, 2) [-] coefficient
+    reach: NDArray  # (N, G, 2) [m] of the contacts, from the contact angle towards the shoulder
     sliding: SlidingMotion
     torques: RaceTorques
     hysteresis: NDArray  # (N) [N m]
@@ -67,9 +69,7 @@ class SlidingBalls:
 
     def truncated(self, race: int, groove_radius: float, groove_end: float) -> NDArray:
         """Whether shoulders at an angle [rad] cut off contacts with a race (N, G), see `truncation`."""
-        edge = edge_angle(
-            self.contacts.angle[..., race], self.ellipse.across[..., race], groove_radius, "arc"
-        )
+        edge = edge_angle(self.contacts.angle[..., race], self.reach[..., race], groove_radius, "arc")
         return (edge > groove_end) & (self.load[..., race] > 0)
 
     def needed_shoulders(self, race: int, groove_radius: float, aside: float) -> NDArray:
@@ -78,7 +78,7 @@ class SlidingBalls:
         The centres of its arches lie a distance [m] aside of the middle; zero without a load. The arches of
         the model have no end: on a lower shoulder contacts are cut off.
         """
-        angle, across = (values[..., race] for values in (self.contacts.angle, self.ellipse.across))
+        angle, across = (values[..., race] for values in (self.contacts.angle, self.reach))
         edge = edge_angle(np.abs(angle), across, groove_radius, "arc")
         return np.where(self.load[..., race] > 0, height_above_bottom(edge, groove_radius, aside), 0.0)
 
@@ -130,11 +130,20 @@ class RollingBalls(SlidingBalls):
     @property
     def stick_share(self) -> NDArray:
         """Part of the cells of each contact that stick (N, G, 2) [-]."""
-        share = np.zeros(self.load.shape)
+        return self._by_contact(lambda state: state.rolled.stick_share)
+
+    @property
+    def cut(self) -> NDArray:
+        """Whether a shoulder cuts a contact whose pressure is computed (N, G, 2)."""
+        return self._by_contact(lambda state: state.ball.cut) > 0.0
+
+    def _by_contact(self, values: Callable[[RollingMotion], NDArray]) -> NDArray:
+        """Values (C) of the contacts of each ball that is driven (N, G, 2), zero for the others."""
+        spread = np.zeros(self.load.shape)
         for number, ball in enumerate(self.rolled):
             if ball is not None:
-                share[number][self.load[number] > 0.0] = ball.fine.rolled.stick_share
-        return share
+                spread[number][self.load[number] > 0.0] = values(ball.fine)
+        return spread
 
     def field(self, ball: int, diagonal: int, race: int, points: int = 0) -> dict[str, NDArray]:
         """Places [m], pressure, shear stress on the ball [Pa], slip [m/s] and stick of the cells (ny, nx)."""
@@ -144,7 +153,10 @@ class RollingBalls(SlidingBalls):
 
 
 def rolling_balls(
-    sliding: SlidingBalls, rolled: Mapping[int, RefinedRolling], hysteresis_loss: float
+    sliding: SlidingBalls,
+    rolled: Mapping[int, RefinedRolling],
+    hysteresis_loss: float,
+    computed_pressure: bool = False,
 ) -> RollingBalls:
     """Balls with stick and slip, in the place of those in full sliding.
 
@@ -156,6 +168,8 @@ def rolling_balls(
         those that are driven, by their number
     hysteresis_loss : float
         part of the elastic work lost in rolling [-]
+    computed_pressure : bool
+        whether the pressure is not that of Hertz
 
     Returns
     -------
@@ -180,6 +194,20 @@ def rolling_balls(
         "torques": replace(torques, roll=torques.roll - unbalanced),
         "hysteresis": hysteresis_torque(slip, sliding.load, sliding.ellipse.along, hysteresis_loss),
     }
+    if computed_pressure:
+        changed |= _computed(sliding, rolled)
     kept = {part.name: getattr(sliding, part.name) for part in fields(SlidingBalls)} | changed
     balls = [rolled.get(number) for number in range(len(motion))]
     return RollingBalls(**kept, rolled=tuple(balls))
+
+
+def _computed(sliding: SlidingBalls, rolled: Mapping[int, RefinedRolling]) -> dict[str, NDArray]:
+    """Peak pressure [Pa] of the cells, and the reach of the contacts [m]; those of Hertz for other balls."""
+    peak, reach = sliding.peak_pressure.copy(), sliding.reach.copy()
+    for number, ball in rolled.items():
+        loaded, contacts = sliding.load[number] > 0.0, ball.fine.ball.contacts
+        side = -DIAGONAL[np.nonzero(loaded)[0], None, None]  # of the shoulder
+        edge = side * contacts.places()[1] + np.array([[[grid.spacing[1] / 2]] for grid in contacts.grids])
+        peak[number][loaded] = contacts.limit.max((1, 2)) / sliding.friction[number][loaded]
+        reach[number][loaded] = np.where(contacts.limit > 0.0, edge, 0.0).max((1, 2))
+    return {"peak_pressure": peak, "reach": reach}

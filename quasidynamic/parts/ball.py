@@ -57,6 +57,7 @@ class FourPointBearing:
     pitch_diameter: float  # [m] of the ball centres
     contact_angle: float  # [rad] of both diagonals, unloaded
     clearance: float = 0.0  # [m] of a ball along a diagonal, both contacts together; negative: interference
+    groove_ends: tuple[float, float] = (np.inf, np.inf)  # [rad] contact angles of the inner, outer shoulders
 
     def __post_init__(self):
         require_positive("bearing.pitch_diameter", self.pitch_diameter)

@@ -529,6 +529,38 @@ def test_full_sliding_stores_the_fields_of_stick_and_slip_but_no_error_of_cells(
     assert not {"grid_error", "stick_share", "ball_turn"} & set(values)
 
 
+def test_a_case_on_computed_pressure_stores_it_and_says_so(run):
+    """A1 with the load of the nominal case of the paper: the ring moves, or both arcs are offset."""
+    settings = ["friction.spin=local", "friction.model=fastsim", "friction.cells=[16, 32]"]
+    hertz, offset, translation = (
+        run("heras2017_a1", *settings, f"friction.contact_pressure={each}")
+        for each in ("hertz", "offset", "translation")
+    )
+    torques = [each.summary()["rigid"]["torque_Nm"]["inner"] for each in (translation, hertz, offset)]
+    assert torques == sorted(torques)
+    assert torques[0] < 0.95 * torques[1]
+    values = offset.rigid
+    peak = values["field_pressure"][0, 0].max((1, 2))
+    assert values["peak_pressure"][0, 0].tolist() == approx(peak.tolist(), rel=1e-12)
+    assert any('friction.contact_pressure = "offset"' in text for text in texts(offset))
+    assert not any("contact_pressure" in text for text in texts(hertz))
+
+
+def test_computed_pressure_ends_at_a_shoulder(run):
+    """The same height ends contacts in notes alone where the pressure is that of Hertz."""
+    shoulder = ["bearing.inner.shoulder=7 mm", "friction.model=fastsim", "friction.cells=[16, 32]"]
+    hertz, cut = (
+        run("heras2017_a1", *shoulder, f"friction.contact_pressure={each}") for each in ("hertz", "offset")
+    )
+    assert "as if the race went on" in shoulder_notes(hertz)[0]
+    assert not [note for note in shoulder_notes(cut) if "inner race" in note]
+    (note,) = [note for note in shoulder_notes(cut) if note.startswith("shoulders cut")]
+    assert note.startswith("shoulders cut 1 contacts of the inner and 0 of the outer ring")
+    peaks = cut.rigid["peak_pressure"][0, 0]
+    assert f"{peaks[0] / 1e6:,.0f} MPa" in note
+    assert peaks[0] > 1.05 * peaks[1]
+
+
 @pytest.mark.parametrize("control", ["outer", "coulomb"])
 def test_fast_balls_with_stick_and_slip_keep_their_balance(run, control):
     settings = [f"operation.control={control}", "operation.load.radial_z=3 kN", "friction.spin=local"]

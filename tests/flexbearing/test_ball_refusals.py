@@ -59,6 +59,9 @@ IMPOSSIBLE = {
     "cells without stick": (
         ONE_BALL, ["friction.cells=[20, 40]"], "[friction] cells", "kalker",
     ),
+    "computed pressure without stick": (
+        ONE_BALL, ["friction.contact_pressure=offset"], "[friction] contact_pressure", "kalker",
+    ),
     "cells of fast balls without quarters": (
         ANGULAR, ["friction.model=kalker", "friction.cells=[40, 30]"],
         "[friction] cells", "two multiples of four",

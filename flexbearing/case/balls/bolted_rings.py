@@ -1,6 +1,6 @@
 """The section [rings] of a four-point bearing: rings that stand on a bolted face."""
 
-from math import cos, pi, sin, sqrt
+from math import acos, cos, pi, sin, sqrt
 from typing import ClassVar, Literal, NamedTuple, Self
 
 from pydantic import field_validator, model_validator
@@ -38,6 +38,10 @@ class Groove(NamedTuple):
     def bottom_diameter(self, outward: int) -> float:
         """Diameter where both arches meet [m]."""
         return self.pitch_diameter + 2 * outward * (self.depth - self._offset * cos(self.angle))
+
+    def end_at(self, shoulder: float) -> float:
+        """Contact angle at which arches end on a shoulder of a height above where they meet [rad]."""
+        return acos((self.depth - shoulder) / self.radius)
 
     @property
     def _offset(self) -> float:

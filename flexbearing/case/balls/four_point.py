@@ -37,6 +37,12 @@ from flexbearing.case.quantity import (
     require,
 )
 
+PRESSURE = (
+    "hertz: ellipses; offset: computed on the true arcs of ball and groove, which come closer by as much "
+    "along all normals, as an interference in finite elements; translation: the same where the ring is "
+    "displaced as a rigid body, which presses the ends of the arcs less; computed pressure ends at shoulders "
+    "that are given"
+)
 PLANE = "about the point of the bearing axis in the plane of the ball centres"
 
 
@@ -109,6 +115,7 @@ class SlowFriction(Section):
     spin: Literal["centre", "local"] = key(SPIN, "centre")
     model: FrictionModel = key(MODEL, "full_sliding")
     cells: tuple[Whole, ...] = key(CELLS, USUAL_CELLS, strict=False, only=STICKING)
+    contact_pressure: Literal["hertz", "offset", "translation"] = key(PRESSURE, "hertz", only=STICKING)
     hysteresis_loss: float = key("part of the elastic work that rolling loses", 0.0, ge=0, lt=1)
 
     @model_validator(mode="after")

@@ -6,11 +6,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.balls.free_ball import motion_by_slip
+from quasidynamic.balance.balls.pressed_contacts import groove_contacts, hertz_contacts
 from quasidynamic.balance.balls.sliding_balls import stronger_diagonal
 from quasidynamic.contact.ellipse.full_sliding import Ellipse
 from quasidynamic.contact.ellipse.rigid_slip import CENTRE, sagitta, strip_slip
-from quasidynamic.contact.half_space import ElasticPair, grid_over
-from quasidynamic.contact.rolling.hertz_pressure import hertz_pressure
+from quasidynamic.contact.half_space import ElasticPair
+from quasidynamic.contact.pressure import PressedGroove
 from quasidynamic.contact.rolling.rolling_contact import ACROSS, ALONG, MID_STEP, Rolled, RollingContacts
 from quasidynamic.motion.ball_slip import INNER, ORBIT, TURN, BallContacts, turning_slip_by_motion
 
@@ -37,6 +38,7 @@ class RollingBall:
     strips: NDArray  # (C, 3, 5, ny) slip of strips along the rolling direction by that of the contact
     race_speed: NDArray  # (C, ny) [m] speed of the surface of the race where it turns by one
     unknowns: NDArray  # (4, 4) motion by the unknowns, see `motion_by_slip`
+    cut: NDArray  # (C) whether a shoulder cuts the contact
 
     def contact_slip(self, motion: NDArray) -> NDArray:
         """Slip of the contacts (C, 5) at a motion (4)."""
@@ -133,8 +135,9 @@ def rolling_ball(
     load: NDArray,
     pairs: tuple[ElasticPair, ElasticPair],
     cells: tuple[int, int],
+    grooves: tuple[PressedGroove, ...] = (),
 ) -> RollingBall:
-    """One ball on Hertz ellipses.
+    """One ball, pressed as by Hertz or into grooves.
 
     Parameters
     ----------
@@ -147,7 +150,9 @@ def rolling_ball(
     pairs : pair of ElasticPair
         ball and inner, ball and outer race
     cells : pair of int
-        along and across the rolling direction, over each ellipse
+        along and across the rolling direction, over each contact
+    grooves : tuple of PressedGroove, optional
+        of the contacts with a load, whose pressure is computed; that of Hertz without them
 
     Returns
     -------
@@ -155,15 +160,18 @@ def rolling_ball(
     """
     by_motion = turning_slip_by_motion(ball)[0]
     diagonal, race = np.nonzero(load[0] > 0.0)
-    semi_axes = list(zip(ellipse.along[0, diagonal, race], ellipse.across[0, diagonal, race], strict=True))
-    grids = tuple(grid_over((float(a), float(b)), cells) for a, b in semi_axes)
-    pressed = zip(grids, semi_axes, load[0, diagonal, race], strict=True)
-    pressure = np.stack([hertz_pressure(*each) for each in pressed])
-    friction = (ellipse.traction / np.where(load > 0.0, load, 1.0))[0, diagonal, race, None, None]
-    contacts = RollingContacts(grids, tuple(pairs[side] for side in race), friction * pressure, pressure)
-    y, radius = contacts.places()[1][:, 0], ellipse.radius[0, diagonal, race, None]
-    axial, radial = (normal[0, diagonal, race, None] for normal in ball.normal)
-    height = ball.height[0, diagonal, race, None] + sagitta(y, radius)
+    loaded = (0, diagonal, race)
+    if grooves:
+        pressed = groove_contacts(grooves, diagonal, cells)
+    else:
+        pressed = hertz_contacts(ellipse.taken(loaded), load[loaded], cells)
+    friction = (ellipse.traction / np.where(load > 0.0, load, 1.0))[loaded][:, None, None]
+    pressure, y, radius = pressed.pressure, pressed.position, ellipse.radius[loaded][:, None]
+    contacts = RollingContacts(
+        pressed.grids, tuple(pairs[side] for side in race), friction * pressure, pressure
+    )
+    axial, radial = (normal[loaded][:, None] for normal in ball.normal)
+    height = ball.height[loaded][:, None] + sagitta(y, radius)
     strong = by_motion[stronger_diagonal(ellipse)[0], :, CENTRE, :TURN]
     return RollingBall(
         contacts=contacts,
@@ -172,4 +180,5 @@ def rolling_ball(
         strips=strip_slip(y, radius, ellipse.spin),
         race_speed=ball.pitch_radius[0] + radial * height + axial * y,
         unknowns=motion_by_slip(strong[None], ball.ball_radius)[0],
+        cut=pressed.cut,
     )

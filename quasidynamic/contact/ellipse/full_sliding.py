@@ -44,8 +44,8 @@ class Ellipse:
         """Semi-axis a, with a stand-in where the contact is unloaded [m]."""
         return np.where(self.traction > 0.0, self.across, 1e-3 * self.radius)
 
-    def taken(self, keep: NDArray) -> "Ellipse":
-        """Return the same contacts of some of the balls (leading axis)."""
+    def taken(self, keep: NDArray | tuple[int | NDArray, ...]) -> "Ellipse":
+        """Return the same contacts of some of the balls (leading axis), or some of their contacts."""
         return Ellipse(self.across[keep], self.along[keep], self.radius[keep], self.traction[keep], self.spin)
 
 

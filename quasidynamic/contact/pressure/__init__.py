@@ -3,7 +3,7 @@
 The elastic half-spaces are those of `half_space`; friction and motion belong elsewhere.
 """
 
-from quasidynamic.contact.pressure.groove import BallInGroove
+from quasidynamic.contact.pressure.groove import Approach, BallInGroove, GroovePress, PressedGroove
 from quasidynamic.contact.pressure.normal_contact import (
     NormalCompliance,
     NormalContact,
@@ -14,9 +14,12 @@ from quasidynamic.contact.pressure.roller import CELLS, RollerOnRaceway, RollerP
 
 __all__ = [
     "CELLS",
+    "Approach",
     "BallInGroove",
+    "GroovePress",
     "NormalCompliance",
     "NormalContact",
+    "PressedGroove",
     "RigidMotions",
     "RollerOnRaceway",
     "RollerPressure",

@@ -1,12 +1,25 @@
-"""Gap of a ball and a circular groove on their true arcs."""
+"""A ball pressed into a circular groove, on their true arcs."""
 
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.contact.pressure.normal_contact import NormalContact
-from quasidynamic.errors import ImpossiblePart, require_positive
+from quasidynamic.contact.half_space import CellGrid, ElasticPair, grid_over
+from quasidynamic.contact.pressure.normal_contact import (
+    NormalCompliance,
+    NormalContact,
+    RigidMotions,
+    contact_pressure,
+)
+from quasidynamic.errors import ImpossiblePart, NotSolved, OutOfRange, require_positive
+
+Approach = Literal["offset", "translation"]  # even along all normals, or of the ring as a rigid body
+
+SEARCHED = (32, 64)  # cells on which the patch is sought
+WIDER = 1.3  # than the ellipse of Hertz: where it is sought first, and then by as much again
+WIDEST = 6  # times
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -79,3 +92,81 @@ class BallInGroove:
         """Whether the shoulder cuts a contact: its last cells before the shoulder carry pressure."""
         inside = contact.grid.centres[1][0] <= self.shoulder
         return bool(contact.touching[:, inside][:, -1:].any() and not inside.all())
+
+
+@dataclass(frozen=True)
+class PressedGroove:
+    """A groove that is pressed against a ball."""
+
+    groove: BallInGroove
+    contact: NormalContact  # y towards the shoulder
+
+    def on(self, cells: tuple[int, int]) -> tuple[CellGrid, NDArray]:
+        """Grid of fewer cells along and across the rolling direction, with their mean pressure [Pa].
+
+        The numbers of cells must divide those of the contact.
+        """
+        merged = tuple(have // want for have, want in zip(self.contact.grid.shape, cells, strict=True))
+        spacing = tuple(side * many for side, many in zip(self.contact.grid.spacing, merged, strict=True))
+        pressure = self.contact.pressure.reshape(cells[0], merged[0], cells[1], merged[1]).mean((1, 3))
+        return CellGrid((spacing[0], spacing[1]), cells), pressure
+
+
+@dataclass(frozen=True)
+class GroovePress:
+    r"""A force that presses a groove against a ball.
+
+    .. math:: g = h - \delta\, s + A p \ge 0,\quad \int p \cos\psi\, dA = Q,\quad
+              s = 1\ \text{(offset)},\quad s = \cos\psi\ \text{(translation)}
+
+    Both surfaces come closer by as much everywhere, as an interference in finite elements is applied
+    (offset); or as the rigid ring comes closer, less towards the ends of the arc (translation). Q is the part
+    of the pressure along the contact normal, that which balances the load of the bearing.
+    """
+
+    groove: BallInGroove
+    pair: ElasticPair  # [1/Pa]
+    force: float  # [N] Q, > 0
+    approach: Approach
+
+    def pressed(self, semi_axes: tuple[float, float], cells: tuple[int, int]) -> PressedGroove:
+        """Pressure on cells along and across the rolling direction, over a rectangle that holds the patch.
+
+        It is sought near the ellipse of Hertz, of semi-axes along and across [m].
+
+        Raises
+        ------
+        OutOfRange
+            for a patch around half of the ball
+        NotSolved
+            where no patch is found, see `contact_pressure`
+        """
+        along, across = (WIDER * each for each in semi_axes)
+        for _ in range(WIDEST):
+            if across > np.pi / 2 * self.groove.section_radius:
+                raise OutOfRange(
+                    f"ball in a groove: {self.force:.4g} N press a patch around half of the ball; the load "
+                    "is far too high, or the groove too narrow"
+                )
+            contact = self._on(grid_over((along, across), SEARCHED))
+            wider = [WIDER if any(ends) else 1.0 for ends in contact.cut]
+            if wider == [1.0, 1.0]:
+                return PressedGroove(self.groove, self._on(grid_over(_held_by(contact), cells)))
+            along, across = along * wider[0], across * wider[1]
+        raise NotSolved(
+            f"ball in a groove: the patch remains wider than a grid of {along:.3g} by {across:.3g} m"
+        )
+
+    def _on(self, grid: CellGrid) -> NormalContact:
+        x, y = grid.centres
+        along_normal = np.broadcast_to(self.groove.approach(y), grid.shape)[None]
+        shape = np.ones_like(along_normal) if self.approach == "offset" else along_normal
+        motions = RigidMotions(shape, np.array([self.force]), along_normal)
+        return contact_pressure(NormalCompliance.of(self.pair, grid), self.groove.gap(x, y), motions)
+
+
+def _held_by(contact: NormalContact) -> tuple[float, float]:
+    """Half lengths of a rectangle [m], half a cell wider than the cells in contact."""
+    (x, y), (wide, long), touching = contact.grid.centres, contact.grid.spacing, contact.touching
+    along, across = np.abs(x[touching.any(1)]).max(), np.abs(y[:, touching.any(0)]).max()
+    return float(along + wide), float(across + long)

@@ -65,7 +65,8 @@ class RigidMotions:
     """
 
     shapes: NDArray  # (m, nx, ny) displacement by an amount of one, [-] or [m]; the first one is >= 0
-    loads: NDArray  # (m) integral of pressure times shape, [N] or [N m]
+    loads: NDArray  # (m) integral of pressure times weight, [N] or [N m]
+    weights: NDArray | None = None  # (m, nx, ny) like the shapes, which weigh the pressure without them
 
 
 @dataclass(frozen=True)
@@ -106,7 +107,7 @@ def contact_pressure(
     r"""Pressure that keeps two elastic bodies from overlapping.
 
     .. math:: g = h - \sum_i \delta_i s_i + A p \ge 0,\quad p \ge 0,\quad g\, p = 0,\quad
-              \int p\, s_i\, dA = F_i
+              \int p\, w_i\, dA = F_i
 
     Newton's method on the amounts of the free motions. At given amounts the set of cells under pressure is
     sought: cells of negative pressure leave it, cells that overlap join it, and on one set g = 0 is solved by
@@ -119,7 +120,7 @@ def contact_pressure(
     gap : array (nx, ny)
         h, separation of the undeformed surfaces [m]; negative where they overlap
     motions : RigidMotions
-        s and F of the motions that are free [N, N m]; none for bodies that are held
+        s, w (s unless given) and F of the motions that are free [N, N m]; none for bodies that are held
     start : array (nx, ny), optional
         pressure like the one sought [Pa], >= 0
 
@@ -203,8 +204,12 @@ class _Search:
         return self._at(amounts, pressure, 1.0, 0)
 
     def _carried(self, pressure: NDArray) -> NDArray:
-        """Integrals (m) of a pressure times the shapes, [N] or [N m]."""
-        return np.einsum("ixy,xy->i", self.motions.shapes, pressure) * self.compliance.grid.cell_area
+        """Integrals (m) of a pressure times the weights, [N] or [N m]."""
+        return np.einsum("ixy,xy->i", self._weights, pressure) * self.compliance.grid.cell_area
+
+    @property
+    def _weights(self) -> NDArray:
+        return self.motions.shapes if self.motions.weights is None else self.motions.weights
 
     def _at(self, amounts: NDArray, pressure: NDArray, error: float, iterations: int) -> _State:
         """State at some amounts, from a pressure like it, as exact as an error of the loads is worth."""
@@ -212,7 +217,7 @@ class _Search:
         tolerance = max(TOLERANCE, REDUCTION * error)
         held = _held(self.compliance, self.gap - moved, pressure, tolerance)
         missing = self.motions.loads - self._carried(held.pressure)
-        size = np.abs(self.motions.shapes).max(axis=(1, 2)) * np.abs(self.motions.loads[:1])
+        size = np.abs(self._weights).max(axis=(1, 2)) * np.abs(self.motions.loads[:1])
         left = float(np.max(np.abs(missing) / size, initial=0.0))
         return _State(amounts, held, missing, left, iterations + held.iterations)
 
