@@ -6,7 +6,6 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from flexbearing.case.belonging import without
 from flexbearing.case.declarations import Declaration, find
 from flexbearing.case.quantity import Section
 from flexbearing.case.text import setting_value
@@ -62,11 +61,14 @@ def of_every_layer(error: ValidationError, raw: Mapping[str, Any], model: type[S
 def _mend(raw: dict[str, Any], problems: Details, model: type[Section]) -> None:
     """Take out what is no key, give what lacks, and replace what cannot be read."""
     choices = []
-    for path, kind, _ in sorted(problems):
+    for place in sorted(problems):
+        path, kind, _ = place
         declaration = find(path, model)
-        if kind == "extra_forbidden" or declaration is None:
-            without(raw, path)
-        elif declaration.section:
+        if kind == "extra_forbidden":
+            _take(raw, problems[place]["loc"])
+        elif declaration is None:
+            continue
+        elif declaration.section and (kind in LACKING or not declaration.choices):
             _put(raw, path, {})
         elif kind in LACKING and declaration.choices:
             _put(raw, path, declaration.choices[0])
@@ -84,6 +86,14 @@ def _put_least(raw: dict[str, Any], declaration: Declaration, model: type[Sectio
         _put(raw, declaration.path, choice)
         left[choice] = len(_problems(raw, model))
     _put(raw, declaration.path, min(left, key=left.__getitem__))
+
+
+def _take(raw: dict[str, Any], place: tuple[str, ...]) -> None:
+    """Take out a key by the names above it, which may hold dots where they are none of the schema."""
+    *tables, name = place
+    for table in tables:
+        raw = raw[table]
+    del raw[name]
 
 
 def _put(raw: dict[str, Any], path: str, value: Any) -> None:

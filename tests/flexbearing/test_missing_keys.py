@@ -116,3 +116,13 @@ def test_one_round_of_messages_is_enough(tmp_path):
     read = read_case(file, ())
     assert read.title == "again"  # the name of the file
     assert read.bearing.cage.mass is None
+
+
+@pytest.mark.parametrize("name", [".", "a.b", "..", ""])
+def test_a_key_with_dots_in_its_name_is_refused_beside_a_missing_one(name, tmp_path):
+    raw = tomllib.loads((CONFIGS / "nu209.toml").read_text())
+    del raw["bearing"]["rollers"]
+    raw["materials"]["roller"][name] = False
+    lines = refusal(raw, tmp_path)
+    assert any("is not a key here" in line for line in lines)
+    assert any("[bearing] rollers is missing" in line for line in lines)
