@@ -1,7 +1,8 @@
 """Balls and grooves of a case, as the bearing physics takes them."""
 
 import quasidynamic as qd
-from flexbearing.case.balls.parts import BallBearing, Elastic, HeavyElastic
+from flexbearing.case.balls.parts import BallBearing
+from flexbearing.case.materials import Elastic, HeavyElastic
 
 _UNFELT = 7850.0  # [kg/m3] stands where no inertia is felt: any density gives the same
 

@@ -1,7 +1,7 @@
 """Parts at their temperature: how much they expand, and what they are made of."""
 
+from flexbearing.case.materials import Material
 from flexbearing.case.roller import Case
-from flexbearing.case.roller.surroundings import Material
 
 
 def hot_over_cold(case: Case, part: str) -> float:

@@ -75,7 +75,9 @@ class Declaration:
 
     @property
     def choices(self) -> list[Any]:
-        """The values that may stand there; empty when they are not a few."""
+        """The values that may stand there, of a table those besides it; empty when they are not a few."""
+        if self.section:
+            return list(self.section.by_name)
         return list(self.names) or [
             choice for part in _parts(self.field.annotation) for choice in _choices(part)
         ]
@@ -83,10 +85,10 @@ class Declaration:
     @property
     def allowed(self) -> str:
         """What may stand there."""
+        if self.section:
+            return " or ".join([*map(toml, self.choices), "a table"])
         if self.choices:
             return " or ".join(toml(choice) for choice in self.choices)
-        if self.section:
-            return "a table"
         return f"{self._what}{self._range}"
 
     @property
@@ -186,7 +188,8 @@ def declared(model: type[Section], prefix: str = "", table: str = "") -> Iterato
         found = Declaration(f"{prefix}{name}", field, table)
         yield found
         if found.section:
-            yield from declared(found.section, f"{found.path}.", table if found.required else found.path)
+            within = table if found.required and not found.choices else found.path
+            yield from declared(found.section, f"{found.path}.", within)
 
 
 def find(path: str, model: type[Section]) -> Declaration | None:

@@ -3,10 +3,11 @@
 from difflib import get_close_matches
 
 from flexbearing.case.belonging import belonging
-from flexbearing.case.declarations import Declaration, declarations, declared, find, of_every_case
+from flexbearing.case.declarations import Declaration, declarations, declared, find, of_every_case, toml
 from flexbearing.case.excerpt import LONGEST, excerpt
 from flexbearing.case.family import Families
 from flexbearing.case.head import Head
+from flexbearing.case.named_materials import MATERIALS, told
 from flexbearing.case.problems import BadCase
 from flexbearing.case.quantity import Section
 
@@ -94,7 +95,13 @@ def reference_page(families: Families) -> str:
     for title, items in _chapters(families):
         lines += ["", f"## {title}", "", "| key | allowed | default | meaning |", "|---|---|---|---|"]
         lines += [row for item in items for row in _rows(item)]
-    return "\n".join(lines) + "\n"
+    return "\n".join([*lines, *_materials()]) + "\n"
+
+
+def _materials() -> list[str]:
+    """Materials that may stand by name, with their sources."""
+    lines = ["", "## Materials by name", "", '`materials.roller = "100Cr6"` in place of its table.', ""]
+    return [*lines, *(f'- `"{name}"`: {told(name)}' for name in MATERIALS)]
 
 
 def _limits() -> list[str]:
@@ -141,10 +148,11 @@ def _chapters(families: Families) -> list[tuple[str, list[Declaration]]]:
 
 
 def _rows(item: Declaration) -> list[str]:
-    if item.section and item.required:
+    if item.section and item.required and not item.choices:
         return []
     if item.section:
-        return [f"| `[{item.path}]` | a table | left out | {_cell(_full(item))} |"]
+        default = item.need if item.required else "left out"
+        return [f"| `[{item.path}]` | {_cell(item.allowed)} | {default} | {_cell(_full(item))} |"]
     default = item.default or item.need
     return [f"| `{item.path}` | {_cell(item.allowed)} | {_cell(default)} | {_cell(_full(item))} |"]
 
@@ -157,7 +165,9 @@ def _full(item: Declaration) -> str:
 def _explained(item: Declaration, model: type[Section]) -> str:
     if item.section:
         inside = [child for child in declared(model) if child.path.startswith(f"{item.path}.")]
-        return f"[{item.path}] {item.meaning}\n\n{_lines(inside)}"
+        names = [f"{item.path} = {toml(name)}: {told(name)}" for name in item.choices]
+        by_name = "\n\n".join(["", "or by name:", *names]) if names else ""
+        return f"[{item.path}] {item.meaning}\n\n{_lines(inside)}{by_name}"
     return "\n".join(f"{name:<9}{text}" for name, text in _entries(item) if text)
 
 

@@ -14,6 +14,7 @@ from flexbearing.case.quantity import Section
 from flexbearing.printable import printable
 
 MOST = 20  # problems that are told
+MOST_PLACES = 3  # of one name
 Problem = TypeVar("Problem")
 
 
@@ -145,21 +146,35 @@ def nearest(path: str, model: type[Section], families: Families) -> str:
     section, _, name = path.rpartition(".")
     if former := model.former.get(path):
         return f" {path} is now {former}."
+    if hint := model.hints.get(path):
+        return f" {hint}"
     if kinds := kinds_with(path, families):
         return f" It belongs to kind = {' or '.join(map(toml, kinds))}, which stands first in a file."
-    from difflib import get_close_matches  # a case without fault does without
-
-    siblings = [item.path.rpartition(".")[2] for item in _children(section, model)]
-    if close := get_close_matches(name, siblings, n=1):
-        return f" Did you mean {close[0]}?"
-    elsewhere = {key.rpartition(".")[2]: key for key in by_path(model)}
-    if close := get_close_matches(name, elsewhere, n=1, cutoff=0.8):
-        return f" Did you mean {shown(elsewhere[close[0]])}?"
+    if meant := _meant(name, section, model):
+        return f" Did you mean {' or '.join(meant)}?"
     if section and find(section, model) is None:
         return nearest(section, model, families)
+    siblings = [_name(item.path) for item in _children(section, model)]
     if not siblings:
         return f" {section} has no keys beneath it."
     return f" Keys here: {', '.join(siblings)}."
+
+
+def _meant(name: str, section: str, model: type[Section]) -> list[str]:
+    """Keys that were probably meant: a like one here and those of that name, else a like one elsewhere."""
+    from difflib import get_close_matches  # a case without fault does without
+
+    here = get_close_matches(name, [_name(item.path) for item in _children(section, model)], n=1)
+    places = [path for path in by_path(model) if _name(path) == name]
+    beneath_first = sorted(places, key=lambda path: not path.startswith(f"{section}."))
+    if meant := [*here, *map(shown, beneath_first[:MOST_PLACES])]:
+        return meant
+    elsewhere = {_name(path): path for path in by_path(model)}
+    return [shown(elsewhere[like]) for like in get_close_matches(name, elsewhere, n=1, cutoff=0.8)]
+
+
+def _name(path: str) -> str:
+    return path.rpartition(".")[2]
 
 
 def _children(section: str, model: type[Section]) -> list[Declaration]:

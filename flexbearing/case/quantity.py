@@ -121,6 +121,8 @@ class Section(BaseModel):
     )
 
     former: ClassVar[Mapping[str, str]] = {}  # keys of older versions to what has taken their place
+    hints: ClassVar[Mapping[str, str]] = {}  # keys that people look for to a sentence
+    by_name: ClassVar[tuple[str, ...]] = ()  # texts that may stand in place of the table
 
 
 GIVEN = ("given",)  # stands for any value of a key that another one needs

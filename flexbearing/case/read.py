@@ -11,6 +11,7 @@ from flexbearing.case.declarations import Declaration, find, toml
 from flexbearing.case.excerpt import excerpt
 from flexbearing.case.family import Families
 from flexbearing.case.head import Head, Source
+from flexbearing.case.named_materials import values
 from flexbearing.case.problems import BadCase, listed, messages, nearest, quoted, refused, shown
 from flexbearing.case.quantity import Section
 from flexbearing.case.text import LARGEST, Unreadable, setting_value, tables, text_of
@@ -210,27 +211,46 @@ def _override(raw: dict[str, Any], setting: str, model: type[Head], families: Fa
     if declaration is None and not key.startswith("calibrated."):
         raise BadCase(f"{named}: {shown(key)} is not a key of this case.{nearest(key, model, families)}")
     if value.strip():
-        _put(raw, key, value.strip(), declaration, named)
+        _put(raw, key, value.strip(), model, named)
     elif _given(raw, key):
         without(raw, key)
 
 
-def _put(raw: dict[str, Any], key: str, value: str, declaration: Declaration | None, named: str) -> None:
+def _put(raw: dict[str, Any], key: str, value: str, model: type[Head], named: str) -> None:
     """Give a key a value; what a user sets is no longer assumed."""
-    table = raw
+    table, declaration = raw, find(key, model)
     *sections, name = _place(key)
-    for section in sections:
-        table = table.setdefault(section, {})
+    for depth, section in enumerate(sections, 1):
+        above = find(".".join(sections[:depth]), model)
+        table[section] = _opened(table.get(section, {}), above)
+        table = table[section]
         if not isinstance(table, dict):
             raise BadCase(f"{named}: {section} is not a table in this case")
     try:
         table[name] = _value(value, declaration)
     except Unreadable as problem:
         raise BadCase(f"{named}: {problem}") from problem
-    if isinstance(raw.get("assumed"), list) and key in raw["assumed"]:
-        raw["assumed"] = [item for item in raw["assumed"] if item != key]
+    _no_longer_assumed(raw, key, replaced=bool(declaration and declaration.section))
+
+
+def _opened(value: Any, declaration: Declaration | None) -> Any:
+    """A table; that of a material by name where a setting changes one of its values."""
+    table = declaration and declaration.section
+    if table and isinstance(value, str) and value in table.by_name:
+        return values(value, table.model_fields)
+    return value
+
+
+def _no_longer_assumed(raw: dict[str, Any], key: str, *, replaced: bool) -> None:
+    """Take a key out of what is assumed or calibrated, and where its table was replaced all beneath it."""
+
+    def kept(item: object) -> bool:
+        return item != key and not (replaced and str(item).startswith(f"{key}."))
+
+    if isinstance(raw.get("assumed"), list):
+        raw["assumed"] = [item for item in raw["assumed"] if kept(item)]
     if isinstance(raw.get("calibrated"), dict):
-        raw["calibrated"].pop(key, None)
+        raw["calibrated"] = {item: what for item, what in raw["calibrated"].items() if kept(item)}
 
 
 def _place(key: str) -> list[str]:

@@ -202,7 +202,8 @@ def _with(table: Table, changed: Tree, values: Mapping[str, Any], *, checked: bo
 @cache
 def checks(model: type[Section]) -> tuple[Callable[[Section], Section], ...]:
     """What a table checks after its values were read, in its order."""
-    return tuple(each.func for each in model.__pydantic_decorators__.model_validators.values())
+    validators = model.__pydantic_decorators__.model_validators.values()
+    return tuple(each.func for each in validators if each.info.mode == "after")
 
 
 def _value(case: Head, each: attrgetter) -> Any:

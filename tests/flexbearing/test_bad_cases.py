@@ -4,10 +4,12 @@ from pathlib import Path
 
 import pytest
 
+from flexbearing import check
 from flexbearing.api import read_case
 from flexbearing.case import BadCase
 
-GOOD = (Path(__file__).parents[2] / "configs" / "mao2016.toml").read_text()
+CONFIGS = Path(__file__).parents[2] / "configs"
+GOOD = (CONFIGS / "mao2016.toml").read_text()
 
 # What is replaced in the good case, by what, and what the message must hold.
 BROKEN = {
@@ -116,3 +118,27 @@ def test_good_case_is_good(tmp_path):
     file = tmp_path / "good.toml"
     file.write_text(GOOD)
     assert read_case(file).bearing.rollers == 30
+
+
+MISPLACED = {  # a key that another table has
+    "[bearing] bore = ": "Did you mean [bearing.fits] bore or [inner] bore?",
+    "[bearing] diameter = ": "Did you mean [bearing.fits.housing] diameter or [bearing.roller] diameter?",
+    "[operation] misalignement = ": "Did you mean misalignment?",
+    "[outer] land_diameter = ": "Did you mean [bearing.cage] land_diameter?",
+}
+
+
+@pytest.mark.parametrize(("place", "hint"), MISPLACED.items(), ids=MISPLACED.keys())
+def test_misplaced_key_is_told_its_table(place, hint, tmp_path):
+    table, name = place.removesuffix(" = ").split()
+    file = tmp_path / "case.toml"
+    file.write_text(GOOD.replace(f"\n{table}\n", f'\n{table}\n{name} = "5 mm"\n', 1))
+    with pytest.raises(BadCase) as problem:
+        check(file)
+    assert f'{place}"5 mm" is not a key here. {hint}' in str(problem.value)
+
+
+@pytest.mark.parametrize("name", ["harris218", "slewing_bolted"])
+def test_clearance_classes_of_balls_are_refused_with_a_sentence(name):
+    with pytest.raises(BadCase, match='offered for kind = "cylindrical_roller" only'):
+        check(CONFIGS / f"{name}.toml", {"bearing.clearance_class": "C3"})

@@ -238,10 +238,8 @@ def test_missing_companion_of_the_fits_is_named(line, place, why, tmp_path):
 
 @pytest.mark.parametrize("part", ["shaft", "housing"])
 def test_materials_of_shaft_and_housing_are_needed(part, tmp_path):
-    text = FITS.read_text()
-    begin = text.index(f"[materials.{part}]")
-    section = text[begin : text.index("\n[", begin) + 1]
-    message = refusal(cut(tmp_path, section, f'"materials.{part}",'), {})
+    named = {"shaft": "structural steel", "housing": "grey cast iron"}[part]
+    message = refusal(cut(tmp_path, f'{part} = "{named}"', f'"materials.{part}",'), {})
     assert f"[materials] {part} is missing: [bearing.fits" in message
 
 

@@ -150,6 +150,10 @@ NOT_BUILT = {  # keys that no model is built from
     "bearing.kind": "there is one value",
     "assumed": "for people",
     "calibrated": "for people",
+    **{
+        f"materials.{part}.name": "for people, see test_materials_by_name"
+        for part in ("roller", "inner_ring", "outer_ring", "shaft", "housing", "ball")
+    },
     "lubricant.data_sheet.name": "in notes only, see test_case_to_model",
     **{
         f"materials.{part}.yield_stress": "in notes only, see test_dangers"

@@ -12,16 +12,15 @@ from flexbearing.case.balls.parts import (
     STICKING,
     USUAL_CELLS,
     BallBearing,
-    Elastic,
     EndingGroove,
     FrictionModel,
-    HeavyElastic,
     RingLoad,
     Whole,
     require_quarters,
 )
-from flexbearing.case.balls.renamed import DISPLACEMENT, LOAD, ONE_FRICTION
+from flexbearing.case.balls.renamed import DISPLACEMENT, LOAD, NO_CLASSES, ONE_FRICTION
 from flexbearing.case.head import KIND, Head
+from flexbearing.case.materials import Elastic, HeavyElastic
 from flexbearing.case.quantity import Angle, Length, Moment, Section, Speed, impossible, key
 
 PLANE = "about the point of the bearing axis in the plane of the inner groove centres"
@@ -157,6 +156,7 @@ class AngularCase(Head):
     """A fast angular-contact ball bearing."""
 
     former = LOAD | DISPLACEMENT | ONE_FRICTION
+    hints = NO_CLASSES
 
     kind: Literal["angular_contact_ball"] = key(KIND)
     bearing: AngularBearing = key("the bearing")

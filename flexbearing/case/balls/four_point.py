@@ -13,7 +13,6 @@ from flexbearing.case.balls.parts import (
     STICKING,
     USUAL_CELLS,
     BallBearing,
-    Elastic,
     EndingGroove,
     FrictionModel,
     Number,
@@ -21,8 +20,9 @@ from flexbearing.case.balls.parts import (
     Whole,
     require_quarters,
 )
-from flexbearing.case.balls.renamed import LOAD
+from flexbearing.case.balls.renamed import LOAD, NO_CLASSES
 from flexbearing.case.head import KIND, Head
+from flexbearing.case.materials import Elastic
 from flexbearing.case.quantity import (
     Angle,
     Force,
@@ -202,6 +202,7 @@ class FourPointCase(Head):
     """A slow ball bearing of two or four contact points."""
 
     former = LOAD
+    hints = NO_CLASSES
 
     kind: Literal["four_point_ball"] = key(KIND)
     bearing: FourPointBearing = key("the bearing")

@@ -6,11 +6,9 @@ from typing import Annotated, Literal, Self
 from pydantic import Strict, model_validator
 
 from flexbearing.case.quantity import (
-    Density,
     Force,
     Length,
     Moment,
-    Pressure,
     Section,
     impossible,
     key,
@@ -90,19 +88,6 @@ class EndingGroove(Groove):
         example="4.5 mm",
         gt=0,
     )
-
-
-class Elastic(Section):
-    """An elastic material."""
-
-    youngs_modulus: Pressure = key("Young's modulus", ge=1e6, le=1e20)
-    poisson_ratio: float = key("Poisson's ratio", example=0.3, ge=0, lt=0.5)
-
-
-class HeavyElastic(Elastic):
-    """An elastic material whose inertia is felt."""
-
-    density: Density = key("density", gt=0)
 
 
 class RingLoad(Section):

@@ -1,4 +1,4 @@
-"""Keys of ball bearings that files of older versions use, with the axes of that time."""
+"""Keys of ball bearings that files of older versions use, with the axes of that time, or that people miss."""
 
 AXES_CHANGED = "axes changed: x axial, z along the load, azimuth from z to y, see docs/reference/axes.md"
 LOAD = {  # former keys, and what has taken their place
@@ -12,4 +12,8 @@ ONE_FRICTION = {
 DISPLACEMENT = {
     "operation.displacement.radial_x": f"operation.displacement.radial_z; {AXES_CHANGED}",
     "operation.displacement.tilt_x": f"operation.displacement.tilt_z, with the opposite sign; {AXES_CHANGED}",
+}
+NO_CLASSES = {  # what people look for, and what to do instead
+    "bearing.clearance_class": 'Classes of clearance are offered for kind = "cylindrical_roller" only: for '
+    "ball bearings there is no printed table here.",
 }

@@ -5,16 +5,14 @@ from typing import Literal, Self
 
 from pydantic import model_validator
 
+from flexbearing.case.materials import Material, RingMaterial
 from flexbearing.case.quantity import (
     GIVEN,
     Acceleration,
     Angle,
-    Density,
     Force,
     Length,
     Moment,
-    PerTemperature,
-    Pressure,
     Section,
     Speed,
     Temperature,
@@ -25,26 +23,6 @@ from flexbearing.case.roller.fits import FITTED, IN_HOUSING, LIFTING_OFF, MOUNTE
 
 ON_SEAT = ({"outer.kind": ("squirrel_cage",)}, {"outer.kind": ("ring",), "outer.support": ("side", "seat")})
 SAME = 1e-3  # [K] by which two statements of a temperature may differ
-
-
-class Material(Section):
-    """A material."""
-
-    youngs_modulus: Pressure = key("Young's modulus", ge=1e6, le=1e20)
-    poisson_ratio: float = key("Poisson's ratio", example=0.3, ge=0, lt=0.5)
-    density: Density = key("density", gt=0)
-    expansion: PerTemperature = key("coefficient of linear thermal expansion", ge=-1e-3, le=1e-3)
-
-
-class RingMaterial(Material):
-    """A material of a part whose stresses may be known."""
-
-    yield_stress: Pressure | None = key(
-        "yield stress; where a part is known to be stressed beyond it, the run says so",
-        None,
-        example="900 MPa",
-        gt=0,
-    )
 
 
 class Materials(Section):
