@@ -51,6 +51,7 @@ class AngularContactBallBearing:
     control: Literal["outer", "inner", "equal", "coulomb"] = "outer"  # "coulomb": none, friction decides
     friction: float | None = None  # [-] Coulomb coefficient of the contacts; no torque of friction without it
     spin: Spin = "centre"  # that makes slip across in contacts: of their middle as Jones, or of each point
+    interface_compliance: float = 0.0  # [m] elastic slip of an interface at mu p; assumed, none by theory
 
     def __post_init__(self):
         if self.control == "coulomb" and self.friction is None:
@@ -59,6 +60,10 @@ class AngularContactBallBearing:
             )
         if self.friction is not None:
             require_positive("friction", self.friction)
+        if not 0.0 <= self.interface_compliance < np.inf:
+            raise ImpossiblePart(
+                f"interface_compliance = {self.interface_compliance!r} m must be finite, >= 0"
+            )
 
     def solve(self, operation: RingOperation) -> AngularContactState:
         """Balance of ring and balls.
@@ -162,7 +167,9 @@ class AngularContactBallBearing:
         touching = _touching(state)
         ball, races = self.bearing.ball.material, (self.bearing.inner, self.bearing.outer)
         pairs = (elastic_pair(ball, races[0].material), elastic_pair(ball, races[1].material))
-        refined = mapped(partial(_refined, pairs, model, cells), list(touching.values()))
+        refined = mapped(
+            partial(_refined, pairs, self.interface_compliance, model, cells), list(touching.values())
+        )
         rolled: list[RefinedRolling | None] = [None] * state.loads.shape[1]
         for done, (number, one) in enumerate(zip(touching, refined, strict=True), start=1):
             rolled[number] = one
@@ -231,10 +238,16 @@ def _touching(state: AngularContactState) -> dict[int, _Ball]:
 
 
 def _refined(
-    pairs: tuple[ElasticPair, ElasticPair], model: RollingModel, cells: tuple[int, int], ball: _Ball
+    pairs: tuple[ElasticPair, ElasticPair],
+    interface: float,
+    model: RollingModel,
+    cells: tuple[int, int],
+    ball: _Ball,
 ) -> RefinedRolling:
     ball_on = partial(rolling_ball, ball.contacts, ball.ellipse, ball.load, pairs)
-    return refined_kept_motion(ball_on, model, cells, ball.motion)
+    return refined_kept_motion(
+        lambda cells: ball_on(cells).with_interface(interface), model, cells, ball.motion
+    )
 
 
 def _not_solved(operation: RingOperation, solution: RingSolution, case: int) -> NotSolved:

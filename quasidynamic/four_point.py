@@ -69,10 +69,15 @@ class FourPointBallBearing:
     hysteresis_loss: float = 0.0  # [-] part of the elastic work lost in rolling
     spin: Spin = "centre"  # that makes slip across in contacts: of their middle as Jones, or of each point
     contact_pressure: ContactPressure = "hertz"  # of contacts that stick and slip
+    interface_compliance: float = 0.0  # [m] elastic slip of an interface at mu p; assumed, none by theory
 
     def __post_init__(self):
         if not 0.0 <= self.hysteresis_loss < 1.0:
             raise ImpossiblePart(f"hysteresis_loss = {self.hysteresis_loss!r} must be in [0, 1)")
+        if not 0.0 <= self.interface_compliance < np.inf:
+            raise ImpossiblePart(
+                f"interface_compliance = {self.interface_compliance!r} m must be finite, >= 0"
+            )
 
     def solve(self, load: RingLoad, compliance: NDArray | None = None) -> FourPointEquilibrium:
         """Load distribution, then the motion and torque of every ball.
@@ -188,7 +193,7 @@ class FourPointBallBearing:
         pairs = (elastic_pair(ball, races[0].material), elastic_pair(ball, races[1].material))
         rolled, driven = {}, list(map(int, np.flatnonzero(sliding.sliding.driven)))
         grooves = _hertz if self.contact_pressure == "hertz" else partial(self._grooves, pairs, cells)
-        each = partial(_refined, pairs, model, cells, grooves)
+        each = partial(_refined, pairs, self.interface_compliance, model, cells, grooves)
         refined = mapped(each, [_Ball.of(sliding, one) for one in driven])
         for number, one in zip(driven, refined, strict=True):
             rolled[number] = one
@@ -270,13 +275,14 @@ def _hertz(ball: _Ball) -> tuple[PressedGroove, ...]:
 
 def _refined(
     pairs: tuple[ElasticPair, ElasticPair],
+    interface: float,
     model: RollingModel,
     cells: tuple[int, int],
     grooves: Callable[[_Ball], tuple[PressedGroove, ...]],
     ball: _Ball,
 ) -> RefinedRolling:
     ball_on = partial(rolling_ball, ball.contacts, ball.ellipse, ball.load, pairs, grooves=grooves(ball))
-    return refined_rolling(ball_on, model, cells, ball.motion)
+    return refined_rolling(lambda cells: ball_on(cells).with_interface(interface), model, cells, ball.motion)
 
 
 def _check(angle: NDArray, load: NDArray) -> None:

@@ -12,7 +12,7 @@ from flexbearing.case.balls.angular_contact import AngularCase
 from flexbearing.program.workers import shared_map
 from flexbearing.quantities.angular_contact import LAYOUT
 from flexbearing.quantities.quantity import taken
-from flexbearing.runs import dangers, shoulders
+from flexbearing.runs import dangers, interface, shoulders
 from quasidynamic.note import Note, information, outside
 from quasidynamic.outcome.rolling_contact import RollingContact
 
@@ -47,6 +47,7 @@ def bearing(case: AngularCase) -> qd.AngularContactBallBearing:
         control=case.operation.control,
         friction=case.friction.coefficient,
         spin=case.friction.spin,
+        interface_compliance=case.friction.interface_compliance or 0.0,
     )
 
 
@@ -185,6 +186,7 @@ def _stick(case: AngularCase, solution: Solution) -> tuple[Note, ...]:
             f"{rolling.unbalanced_moment.max():.1%} and a force along the orbit of up to "
             f"{np.abs(rolling.unbalanced_force).max():.1%} of the most that friction can hold",
         ),
+        *interface.compliant(case.friction.interface_compliance),
     )
 
 

@@ -13,7 +13,7 @@ from flexbearing.program.workers import shared_map
 from flexbearing.quantities.four_point import LAYOUT
 from flexbearing.quantities.quantity import taken
 from flexbearing.rings import bolted
-from flexbearing.runs import dangers, shoulders
+from flexbearing.runs import dangers, interface, shoulders
 from quasidynamic.note import Note, danger, information, outside
 from quasidynamic.solve.balls.elastic_load_distribution import ElasticBallLoads
 from quasidynamic.solve.balls.load_distribution import BallLoads
@@ -101,6 +101,7 @@ def bearing(case: FourPointCase) -> qd.FourPointBallBearing:
         hysteresis_loss=case.friction.hysteresis_loss,
         spin=case.friction.spin,
         contact_pressure=case.friction.contact_pressure,
+        interface_compliance=case.friction.interface_compliance or 0.0,
     )
 
 
@@ -243,6 +244,7 @@ def _stick(solution: Solution, balls: qd.RollingBalls) -> tuple[Note, ...]:
             f"{same}, of {solution.full_sliding_torque:.5g} N m",
         ),
     )
+    lines += (*interface.compliant(friction.interface_compliance),)
     return lines + (_computed(friction.contact_pressure, balls) if computed else ())
 
 

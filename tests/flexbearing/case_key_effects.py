@@ -344,6 +344,7 @@ EFFECTS = (
     ("three balls", "friction.model", "fastsim", "case.friction.model"),
     ("balls that stick", "friction.cells", [20, 60], "case.friction.cells.{0,1}"),
     ("balls that stick", "friction.contact_pressure", "offset", "model.contact_pressure"),
+    ("balls that stick", "friction.interface_compliance", "2 um", "model.interface_compliance"),
     ("balls in bolted rings", "friction.hysteresis_loss", 0.01, "model.hysteresis_loss"),
     ("three balls", "operation.mode", "ring_load",
      "case.operation.{contact_loads,mode} case.operation.contact_loads.0 "
@@ -430,6 +431,7 @@ EFFECTS = (
     ("fast balls", "friction.spin", "local", "model.spin"),
     ("fast balls", "friction.model", "fastsim", "case.friction.model"),
     ("fast balls that stick", "friction.cells", [20, 60], "case.friction.cells.{0,1}"),
+    ("fast balls that stick", "friction.interface_compliance", "2 um", "model.interface_compliance"),
     ("fast balls", "operation.load.axial", "17.978 kN", "operation.load.0"),
     ("fast balls", "operation.load.radial_y", "2 kN", "operation.load.1"),
     ("fast balls", "operation.load.radial_z", "2 kN", "operation.load.2"),

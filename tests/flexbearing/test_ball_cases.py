@@ -561,6 +561,16 @@ def test_computed_pressure_ends_at_a_shoulder(run):
     assert peaks[0] > 1.05 * peaks[1]
 
 
+@pytest.mark.parametrize("name", ["heras2017_b1", HARRIS])
+def test_an_interface_that_shears_is_told(run, name):
+    cells = ["friction.model=fastsim", "friction.cells=[8, 16]"]
+    without, result = run(name, *cells), run(name, *cells, "friction.interface_compliance=1 um")
+    (note,) = [note for note in result.summary()["notes"] if note["code"] == "interface-compliance"]
+    assert "shears by 1 um" in note["text"]
+    assert not any("interface" in text for text in texts(without))
+    assert result.rigid["stick_share"].sum() > without.rigid["stick_share"].sum() + 0.05
+
+
 @pytest.mark.parametrize("control", ["outer", "coulomb"])
 def test_fast_balls_with_stick_and_slip_keep_their_balance(run, control):
     settings = [f"operation.control={control}", "operation.load.radial_z=3 kN", "friction.spin=local"]

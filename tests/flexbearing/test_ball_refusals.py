@@ -56,6 +56,9 @@ IMPOSSIBLE = {
         ONE_BALL, ["friction.model=kalker", "friction.cells=[40, 30]"],
         "[friction] cells", "two multiples of four",
     ),
+    "an interface without stick": (
+        ONE_BALL, ["friction.interface_compliance=2 um"], "[friction] interface_compliance", "kalker",
+    ),
     "cells without stick": (
         ONE_BALL, ["friction.cells=[20, 40]"], "[friction] cells", "kalker",
     ),

@@ -6,6 +6,7 @@ from pydantic import model_validator
 
 from flexbearing.case.balls.parts import (
     CELLS,
+    INTERFACE,
     MODEL,
     RIGHT_ANGLE,
     SPIN,
@@ -130,6 +131,7 @@ class FastFriction(Section):
         f"for the friction torque, loads and motion of the balls kept: {MODEL}", "full_sliding"
     )
     cells: tuple[Whole, ...] = key(CELLS, USUAL_CELLS, strict=False, only=STICKING)
+    interface_compliance: Length | None = key(INTERFACE, None, example="2 um", gt=0, only=STICKING)
 
     @model_validator(mode="after")
     def _cells_can_be_halved(self) -> Self:

@@ -7,6 +7,7 @@ from pydantic import model_validator
 from flexbearing.case.balls import bolted_rings
 from flexbearing.case.balls.parts import (
     CELLS,
+    INTERFACE,
     MODEL,
     RIGHT_ANGLE,
     SPIN,
@@ -116,6 +117,7 @@ class SlowFriction(Section):
     model: FrictionModel = key(MODEL, "full_sliding")
     cells: tuple[Whole, ...] = key(CELLS, USUAL_CELLS, strict=False, only=STICKING)
     contact_pressure: Literal["hertz", "offset", "translation"] = key(PRESSURE, "hertz", only=STICKING)
+    interface_compliance: Length | None = key(INTERFACE, None, example="2 um", gt=0, only=STICKING)
     hysteresis_loss: float = key("part of the elastic work that rolling loses", 0.0, ge=0, lt=1)
 
     @model_validator(mode="after")

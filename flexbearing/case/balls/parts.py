@@ -35,6 +35,11 @@ MODEL = (
 CELLS = "cells over each contact along and across the rolling direction, multiples of 4: fewer tell the error"
 USUAL_CELLS = [40, 80]
 STICKING = {"model": ("fastsim", "kalker")}  # where cells count
+INTERFACE = (
+    "compliance of the interface between the surfaces: its elastic slip where the traction is friction times "
+    "pressure, less below in proportion; no theory gives it, the penalty of finite elements is one; none "
+    "without the key"
+)
 MOST_CELLS = 400  # along or across a contact
 
 

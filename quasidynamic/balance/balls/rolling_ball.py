@@ -1,6 +1,6 @@
 """Balance of a slow ball whose contacts stick and slip."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,6 +39,10 @@ class RollingBall:
     race_speed: NDArray  # (C, ny) [m] speed of the surface of the race where it turns by one
     unknowns: NDArray  # (4, 4) motion by the unknowns, see `motion_by_slip`
     cut: NDArray  # (C) whether a shoulder cuts the contact
+
+    def with_interface(self, compliance: float) -> "RollingBall":
+        """Same ball, with an interface in its contacts, see `RollingContacts.with_interface`."""
+        return replace(self, contacts=self.contacts.with_interface(compliance))
 
     def contact_slip(self, motion: NDArray) -> NDArray:
         """Slip of the contacts (C, 5) at a motion (4)."""

@@ -1,7 +1,7 @@
 """Contacts that roll with friction, on grids of one shape."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
@@ -69,6 +69,18 @@ class RollingContacts:
                 ahead = convolution(pair, grid, (X, Y), (Z,), (step, 0.0))
                 slip[number] = (here - ahead)(self.pressure[number, None])
         return slip
+
+    def with_interface(self, compliance: float) -> "RollingContacts":
+        """Same contacts, with an interface between the bodies that shears as much at every limit.
+
+        `compliance` [m] is its elastic displacement where the traction reaches mu p_n, and proportional to
+        the traction below it; zero: no interface.
+        """
+        if not compliance:
+            return self
+        touching = self.limit > 0.0
+        layer = np.where(touching, compliance / np.where(touching, self.limit, 1.0), 0.0)
+        return replace(self, compliance=layer)
 
     def places(self, ahead: float = 0.0) -> tuple[NDArray, NDArray]:
         """Places x (C, nx, 1) and y (C, 1, ny) [m] of the cells, a part of a cell ahead of their centres."""
