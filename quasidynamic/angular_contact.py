@@ -20,7 +20,7 @@ from quasidynamic.motion.ball_slip import BallContacts
 from quasidynamic.outcome.angular_contact_state import AngularContactState
 from quasidynamic.outcome.fast_balls import FastRollingBalls
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
-from quasidynamic.solve.balls.coulomb_control import CoulombControl
+from quasidynamic.solve.balls.coulomb_control import CoulombControl, StickingContacts
 from quasidynamic.solve.balls.refined_rolling import RefinedRolling, RollingModel, refined_kept_motion
 from quasidynamic.solve.balls.ring_on_balls import RingSolution, solve
 from quasidynamic.solve.outcome import SolverOutcome
@@ -51,6 +51,7 @@ class AngularContactBallBearing:
     control: Literal["outer", "inner", "equal", "coulomb"] = "outer"  # "coulomb": none, friction decides
     friction: float | None = None  # [-] Coulomb coefficient of the contacts; no torque of friction without it
     spin: Spin = "centre"  # that makes slip across in contacts: of their middle as Jones, or of each point
+    sticking: tuple[int, int] | None = None  # cells over each contact, for FASTSIM in the balance of friction
     interface_compliance: float = 0.0  # [m] elastic slip of an interface at mu p; assumed, none by theory
 
     def __post_init__(self):
@@ -60,6 +61,11 @@ class AngularContactBallBearing:
             )
         if self.friction is not None:
             require_positive("friction", self.friction)
+        if self.sticking is not None and self.control != "coulomb":
+            raise ImpossiblePart(
+                f'sticking = {self.sticking} with control = "{self.control}": contacts stick in the balance '
+                'of control = "coulomb" alone'
+            )
         if not 0.0 <= self.interface_compliance < np.inf:
             raise ImpossiblePart(
                 f"interface_compliance = {self.interface_compliance!r} m must be finite, >= 0"
@@ -120,6 +126,7 @@ class AngularContactBallBearing:
                     friction=self.friction,
                     spin=self.spin,
                     sliding_heat=None if heat is None else heat[case],
+                    sticking=self.sticking is not None,
                 )
             )
         return states
@@ -133,6 +140,8 @@ class AngularContactBallBearing:
         mapped: Callable[..., Iterable[RefinedRolling]] = map,
     ) -> FastRollingBalls:
         """Friction of contacts that stick and slip, loads and motion of the balance kept.
+
+        With `sticking`, and FASTSIM on the same cells here, this is the friction of the balance itself.
 
         Parameters
         ----------
@@ -165,10 +174,8 @@ class AngularContactBallBearing:
                 "it presses"
             )
         touching = _touching(state)
-        ball, races = self.bearing.ball.material, (self.bearing.inner, self.bearing.outer)
-        pairs = (elastic_pair(ball, races[0].material), elastic_pair(ball, races[1].material))
         refined = mapped(
-            partial(_refined, pairs, self.interface_compliance, model, cells), list(touching.values())
+            partial(_refined, self._pairs, self.interface_compliance, model, cells), list(touching.values())
         )
         rolled: list[RefinedRolling | None] = [None] * state.loads.shape[1]
         for done, (number, one) in enumerate(zip(touching, refined, strict=True), start=1):
@@ -177,13 +184,21 @@ class AngularContactBallBearing:
         return FastRollingBalls(state, tuple(rolled))
 
     @cached_property
+    def _pairs(self) -> tuple[ElasticPair, ElasticPair]:
+        ball, inner, outer = self.bearing.ball, self.bearing.inner, self.bearing.outer
+        return elastic_pair(ball.material, inner.material), elastic_pair(ball.material, outer.material)
+
+    @cached_property
     def _contacts(self) -> tuple[PointContact, PointContact]:
         return race_contacts(self.bearing)
 
     @cached_property
     def _race_control(self) -> RaceControl:
         if self.control == "coulomb":
-            return CoulombControl(self.bearing, self._contacts, cast(float, self.friction), self.spin)
+            friction, stick = cast(float, self.friction), None
+            if self.sticking is not None:
+                stick = StickingContacts(self._pairs, self.sticking, self.interface_compliance)
+            return CoulombControl(self.bearing, self._contacts, friction, self.spin, stick)
         return PrescribedControl(self.bearing, self.control)
 
     def _too_wide(self, loads: NDArray) -> bool:

@@ -128,6 +128,11 @@ QUANTITIES = (
         f"the balance, over the largest friction forces; {_SLIDING}", source="rolling.unbalanced_force",
         optional=True, summary=(SummaryValue("largest_unbalanced_force", lambda force: abs(force).max(),
             "force along the orbit that stick leaves unbalanced", ".2g"),)),
+    Quantity("unbalanced_section_force", "", "Z", "1", "block",
+        "force on the ball in its section plane by which stick changes the friction of the balance, over the "
+        f"largest friction forces; {_SLIDING}", source="rolling.unbalanced_section_force",
+        optional=True, summary=(SummaryValue("largest_unbalanced_section_force", lambda force: force.max(),
+            "force in the section plane that stick leaves unbalanced", ".2g"),)),
 
     # ring
     Quantity("ring_load", "P", "force", "N, N m", "block",

@@ -47,8 +47,17 @@ def bearing(case: AngularCase) -> qd.AngularContactBallBearing:
         control=case.operation.control,
         friction=case.friction.coefficient,
         spin=case.friction.spin,
+        sticking=_sticking(case),
         interface_compliance=case.friction.interface_compliance or 0.0,
     )
+
+
+def _sticking(case: AngularCase) -> tuple[int, int] | None:
+    """Cells of FASTSIM in the balance: half of those of the contacts, as it asks for them again and again."""
+    if case.operation.control != "coulomb" or case.friction.model == "full_sliding":
+        return None
+    along, across = case.friction.cells
+    return along // 2, across // 2
 
 
 def operation(case: AngularCase) -> qd.RingOperation:
@@ -167,24 +176,26 @@ def notes(case: AngularCase, solution: Solution) -> tuple[Note, ...]:
 
 def _stick(case: AngularCase, solution: Solution) -> tuple[Note, ...]:
     """What stick makes of the friction torque, how exact it is, and what it leaves unbalanced."""
-    rolling, sliding = solution.rolling, solution.state.friction_torque
-    if rolling is None or not sliding:
+    rolling, torque, state = solution.rolling, solution.state.friction_torque, solution.state
+    if rolling is None or not torque:
         return ()
     along, across = case.friction.cells
-    share = 100 * (rolling.friction_torque / sliding - 1)
+    balance = f"FASTSIM on {along // 2} by {across // 2} cells" if state.sticking else "full sliding"
     return (
         information(
             "stick-and-slip",
             f"friction torque: {case.friction.model} on {along} by {across} cells a contact, within "
-            f"{rolling.grid_error.sum():.2g} N m of finer ones; {share:+.1f} % against full sliding "
-            f'with the same friction.spin = "{case.friction.spin}", of {sliding:.5g} N m',
+            f"{rolling.grid_error.sum():.2g} N m of finer ones; "
+            f"{100 * (rolling.friction_torque / torque - 1):+.1f} % against {balance} with the same "
+            f'friction.spin = "{case.friction.spin}", of {torque:.5g} N m',
         ),
         information(
             "kept-motion",
-            "friction torque: loads and motion of the balls are those of full sliding; what stick changes in "
-            "the friction is not balanced, on a ball a moment of up to "
-            f"{rolling.unbalanced_moment.max():.1%} and a force along the orbit of up to "
-            f"{np.abs(rolling.unbalanced_force).max():.1%} of the most that friction can hold",
+            f"friction torque: loads and motion of the balls are those of {balance}; what "
+            f"{case.friction.model} changes in the friction is not balanced, on a ball a moment of up to "
+            f"{rolling.unbalanced_moment.max():.1%}, a force along the orbit of up to "
+            f"{np.abs(rolling.unbalanced_force).max():.1%} and one in its section plane of up to "
+            f"{rolling.unbalanced_section_force.max():.1%} of the most that friction can hold",
         ),
         *interface.compliant(case.friction.interface_compliance),
     )

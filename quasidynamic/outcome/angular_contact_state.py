@@ -51,6 +51,7 @@ class AngularContactState:
     friction: float | None = None  # [-] Coulomb coefficient of the contacts
     spin: Spin = "centre"  # that makes slip across in contacts, see `strip_slip`
     sliding_heat: NDArray | None = None  # (Z) [W] of both contacts, where friction decides what balls do
+    sticking: bool = False  # whether these contacts stick and slip as by FASTSIM
 
     @cached_property
     def friction_heat(self) -> NDArray | None:

@@ -1,23 +1,27 @@
 """Friction of fast balls whose contacts stick and slip, at the motion of their balance."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.contact.rolling.full_sliding import full_sliding
-from quasidynamic.motion.ball_slip import AXIAL, ORBIT
+from quasidynamic.contact.ellipse.rigid_slip import ACROSS
+from quasidynamic.contact.rolling.fastsim import FASTSIM
+from quasidynamic.contact.rolling.full_sliding import FULL_SLIDING
+from quasidynamic.contact.rolling.rolling_contact import RollingLaw
+from quasidynamic.motion.ball_slip import AXIAL, ORBIT, TURN
 from quasidynamic.outcome.angular_contact_state import AngularContactState
 from quasidynamic.solve.balls.refined_rolling import RefinedRolling
 
 
 @dataclass(frozen=True)
 class FastRollingBalls:
-    """Friction of Z balls of an angular-contact bearing, which move as in their balance without stick.
+    """Friction of Z balls of an angular-contact bearing, which move as in their balance.
 
-    Loads, contact angles and speeds are those of the balance: what stick changes in the forces of friction
-    is not balanced, see `unbalanced_moment` and `unbalanced_force`.
+    Loads, contact angles and speeds are those of the balance, in full sliding or with FASTSIM: by how much
+    the forces of friction differ from the ones there is not balanced, see `unbalanced_moment`,
+    `unbalanced_force` and `unbalanced_section_force`.
     """
 
     state: AngularContactState
@@ -56,26 +60,39 @@ class FastRollingBalls:
 
     @property
     def unbalanced_moment(self) -> NDArray:
-        """Moment on each ball by which stick differs from full sliding with the same slip (Z) [-].
+        """Moment on each ball by which friction differs from that of the balance on the same cells (Z) [-].
 
         Over the moment that the largest friction forces, mu Q of both contacts, have about the ball centre.
         """
         radius = self.state.bearing.ball.diameter / 2
-        return self._over_largest(lambda change: float(np.linalg.norm(change[AXIAL:])) / radius)
+        return np.linalg.norm(self._changes[:, 0, AXIAL : TURN + 1], axis=1) / radius
 
     @property
     def unbalanced_force(self) -> NDArray:
-        """Force along the orbit on each ball by which stick differs in the same way (Z) [-].
+        """Force along the orbit on each ball by which friction differs in the same way (Z) [-].
 
         Over the largest friction forces, mu Q of both contacts; positive where it pushes towards growing
         azimuth.
         """
         radius = np.sign(self.ring_speed) * self.state.bearing.pitch_diameter / 2
-        return self._over_largest(lambda change: -float(change[ORBIT] + change[AXIAL]) / radius)
+        return -(self._changes[:, 0, ORBIT] + self._changes[:, 0, AXIAL]) / radius
 
-    def _over_largest(self, force: Callable[[NDArray], float]) -> NDArray:
-        """A force (Z) by what stick changes in the power on the motion (4), over the largest friction."""
-        return np.array([0.0 if ball is None else _over_largest(force, ball) for ball in self.rolled])
+    @property
+    def unbalanced_section_force(self) -> NDArray:
+        """Size of the force in the section plane by which friction differs in the same way (Z) [-].
+
+        Over the largest friction forces. A contact that spins pushes across where it sticks in part.
+        """
+        inner, outer = self._changes[:, 1, :2].T
+        angles = self.state.contact_angles
+        return np.abs(inner * np.exp(-1j * angles[0]) - outer * np.exp(-1j * angles[1]))
+
+    @cached_property
+    def _changes(self) -> NDArray:
+        """Changes of the power of friction on the motion and of its forces across (Z, 2, 4)."""
+        none = np.zeros((2, 4))
+        law = FASTSIM if self.state.sticking else FULL_SLIDING
+        return np.array([none if ball is None else _changed(ball, law) for ball in self.rolled])
 
     def field(self, ball: int, race: int) -> dict[str, NDArray]:
         """Fields of the cells of one contact (ny, nx), see `RollingMotion.cells`."""
@@ -84,8 +101,14 @@ class FastRollingBalls:
         return rolled.fine.cells(race, self.ring_speed)
 
 
-def _over_largest(force: Callable[[NDArray], float], rolled: RefinedRolling) -> float:
+def _changed(rolled: RefinedRolling, law: RollingLaw) -> NDArray:
+    """Power on a unit of each component of the motion [m], and force across of each contact (2, 4) [-].
+
+    As much as friction differs from that by another law, over the largest friction forces.
+    """
     motion, ball = rolled.fine.motion, rolled.fine.ball
-    sliding = full_sliding(ball.contacts, ball.creep(motion))
-    change = ball.power_by_motion(motion, rolled.fine.rolled) - ball.power_by_motion(motion, sliding)
-    return force(change) / float((ball.contacts.limit.sum((1, 2)) * ball.contacts.cell_area).sum())
+    other = law.friction(ball.contacts, ball.creep(motion))
+    power = ball.power_by_motion(motion, rolled.fine.rolled) - ball.power_by_motion(motion, other)
+    by_slip = ball.power_by_slip(motion, rolled.fine.rolled) - ball.power_by_slip(motion, other)
+    largest = (ball.contacts.limit.sum((1, 2)) * ball.contacts.cell_area).sum()
+    return np.stack([power, np.pad(by_slip.sum(0)[:, ACROSS], (0, 2))]) / largest

@@ -128,7 +128,9 @@ class FastFriction(Section):
     )
     spin: Literal["centre", "local"] = key(SPIN, "centre")
     model: FrictionModel = key(
-        f"for the friction torque, loads and motion of the balls kept: {MODEL}", "full_sliding"
+        f"for the friction torque, after the balance: {MODEL}; with control coulomb either of these puts "
+        "fastsim, on half the cells, into the balance itself",
+        "full_sliding",
     )
     cells: tuple[Whole, ...] = key(CELLS, USUAL_CELLS, strict=False, only=STICKING)
     interface_compliance: Length | None = key(INTERFACE, None, example="2 um", gt=0, only=STICKING)

@@ -1,6 +1,7 @@
 """Balance of a slow ball whose contacts stick and slip."""
 
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,15 +11,17 @@ from quasidynamic.balance.balls.pressed_contacts import groove_contacts, hertz_c
 from quasidynamic.balance.balls.sliding_balls import stronger_diagonal
 from quasidynamic.contact.ellipse.full_sliding import Ellipse
 from quasidynamic.contact.ellipse.rigid_slip import CENTRE, sagitta, strip_slip
-from quasidynamic.contact.half_space import ElasticPair
+from quasidynamic.contact.half_space import ElasticPair, grid_over
 from quasidynamic.contact.pressure import PressedGroove
+from quasidynamic.contact.rolling.hertz_pressure import hertz_pressure
 from quasidynamic.contact.rolling.rolling_contact import ACROSS, ALONG, MID_STEP, Rolled, RollingContacts
-from quasidynamic.motion.ball_slip import INNER, ORBIT, TURN, BallContacts, turning_slip_by_motion
+from quasidynamic.motion.ball_slip import INNER, ORBIT, OUTER, TURN, BallContacts, turning_slip_by_motion
 
 
 @dataclass(frozen=True)
 class RollingBall:
-    r"""One ball in C loaded contacts; speeds are over that of the inner against the outer ring.
+    r"""One ball in C loaded contacts, or several with C contacts; speeds are over that of the inner against
+    the outer ring.
 
     .. math:: \sum_{contacts} \int \frac{\partial s}{\partial u_k} \cdot p\, dA = 0,\quad
               M = -\sum_{contacts} \int s \cdot p\, dA
@@ -37,7 +40,7 @@ class RollingBall:
     by_motion: NDArray  # (C, 5, 4) slip of the contacts by the motion
     strips: NDArray  # (C, 3, 5, ny) slip of strips along the rolling direction by that of the contact
     race_speed: NDArray  # (C, ny) [m] speed of the surface of the race where it turns by one
-    unknowns: NDArray  # (4, 4) motion by the unknowns, see `motion_by_slip`
+    unknowns: NDArray  # (4, 4) motion by the unknowns, see `motion_by_slip`; of each contact (C, 4, 4)
     cut: NDArray  # (C) whether a shoulder cuts the contact
 
     def with_interface(self, compliance: float) -> "RollingBall":
@@ -45,13 +48,13 @@ class RollingBall:
         return replace(self, contacts=self.contacts.with_interface(compliance))
 
     def contact_slip(self, motion: NDArray) -> NDArray:
-        """Slip of the contacts (C, 5) at a motion (4)."""
+        """Slip of the contacts (C, 5) at a motion (4), or at that of the ball of each contact (C, 4)."""
         inner = np.where(self.race == INNER, 1.0, 0.0)  # the inner ring is one faster than the outer one
-        return self.by_motion @ motion + inner[:, None] * self.by_motion[:, :, ORBIT]
+        return (self.by_motion @ motion[..., None])[..., 0] + inner[:, None] * self.by_motion[:, :, ORBIT]
 
     def material_speed(self, motion: NDArray) -> NDArray:
         """Mean speed of both surfaces through the contacts towards growing azimuth (C, ny) [m]."""
-        turn = motion[ORBIT] + np.where(self.race == INNER, 1.0, 0.0)
+        turn = motion[..., ORBIT] + np.where(self.race == INNER, 1.0, 0.0)
         along = np.einsum("ciy,ci->cy", self.strips[:, 0], self.contact_slip(motion))
         return turn[:, None] * self.race_speed + along / 2
 
@@ -68,7 +71,7 @@ class RollingBall:
 
     def left(self, motion: NDArray, rolled: Rolled) -> NDArray:
         """Forces that are not balanced, by unknown (4)."""
-        return self._by_unknown(self._by_slip(rolled.traction[:, None], motion)[:, 0])
+        return self._by_unknown(self.powers(rolled.traction[:, None], motion)[:, 0])
 
     def creep_changes(self, motion: NDArray) -> NDArray:
         """Changes of the creep by the unknowns (C, 4, 2, nx, ny), the speed of the material as it is."""
@@ -77,12 +80,12 @@ class RollingBall:
     def left_changes(self, motion: NDArray, changes: NDArray) -> NDArray:
         """Derivative of `left` by the unknowns (4, 4), by that of the tractions (C, 4, 2, nx, ny)."""
         return np.stack(
-            [self._by_unknown(part) for part in np.moveaxis(self._by_slip(changes, motion), 1, 0)], 1
+            [self._by_unknown(part) for part in np.moveaxis(self.powers(changes, motion), 1, 0)], 1
         )
 
     def power(self, motion: NDArray, rolled: Rolled) -> float:
         """Power of friction over the speed of the inner against the outer ring: the torque [N m]."""
-        by_slip = self._by_slip(rolled.traction[:, None], motion)[:, 0]
+        by_slip = self.powers(rolled.traction[:, None], motion)[:, 0]
         return -float((by_slip * self.contact_slip(motion)).sum())
 
     def power_by_slip(self, motion: NDArray, rolled: Rolled) -> NDArray:
@@ -92,7 +95,7 @@ class RollingBall:
 
     def power_by_motion(self, motion: NDArray, rolled: Rolled) -> NDArray:
         """Power of the tractions on a unit of each component of the motion (4): moments on the ball [N m]."""
-        by_slip = self._by_slip(rolled.traction[:, None], motion)[:, 0]
+        by_slip = self.powers(rolled.traction[:, None], motion)[:, 0]
         return np.einsum("ci,cij->j", by_slip, self.by_motion)
 
     def imbalance(self, motion: NDArray, rolled: Rolled) -> float:
@@ -120,7 +123,7 @@ class RollingBall:
         fields[:, :, ACROSS] = middle[:, :, None] + x * turning[:, :, None]
         return fields
 
-    def _by_slip(self, tractions: NDArray, motion: NDArray) -> NDArray:
+    def powers(self, tractions: NDArray, motion: NDArray) -> NDArray:
         """Power (C, m, 5) of tractions (C, m, 2, nx, ny) on a unit of each slip of the contacts."""
         return self._by_strip(tractions, motion).sum(2)
 
@@ -131,6 +134,61 @@ class RollingBall:
         across = tractions[:, :, ACROSS]
         sums = [direction * tractions[:, :, ALONG].sum(-2), across.sum(-2), (x * across).sum(-2)]
         return np.einsum("c,cmsy,csiy->cmsi", self.contacts.cell_area, np.stack(sums, 2), self.strips)
+
+
+def rolling_balls(
+    balls: BallContacts,
+    ellipse: Ellipse,
+    unknowns: NDArray,
+    pairs: tuple[ElasticPair, ElasticPair],
+    cells: tuple[int, int],
+) -> RollingBall:
+    """Several balls of one diagonal on Hertz ellipses, inner then outer contact of each.
+
+    Parameters
+    ----------
+    balls : BallContacts
+        (N, 1, 2)
+    ellipse : Ellipse
+        (N, 2)
+    unknowns : array (N, 4, 4)
+        motion by the unknowns
+    pairs : pair of ElasticPair
+        ball and inner, ball and outer race
+    cells : pair of int
+        along and across the rolling direction, over each ellipse
+
+    Returns
+    -------
+    RollingBall
+        of 2 N contacts; motions are (2 N, 4)
+    """
+    count = len(balls.ball_radius)
+    along, across, surface, traction, height = (
+        values.reshape(2 * count)
+        for values in (ellipse.along, ellipse.across, ellipse.radius, ellipse.traction, balls.height)
+    )
+    axial, radial = (normal.reshape(2 * count, 1) for normal in balls.normal)
+    grids = tuple(grid_over(axes, cells) for axes in zip(along.tolist(), across.tolist(), strict=True))
+    limit = (traction / (along * across))[:, None, None] * _unit_pressure(cells)
+    contacts = RollingContacts(grids, count * pairs, limit)
+    y, radius = contacts.places()[1][:, 0], surface[:, None]
+    risen = height[:, None] + sagitta(y, radius)
+    return RollingBall(
+        contacts=contacts,
+        race=np.tile([INNER, OUTER], count),
+        by_motion=turning_slip_by_motion(balls).reshape(2 * count, 5, 4),
+        strips=strip_slip(y, radius, ellipse.spin),
+        race_speed=np.repeat(balls.pitch_radius, 2)[:, None] + radial * risen + axial * y,
+        unknowns=np.repeat(unknowns, 2, axis=0),
+        cut=np.zeros(2 * count, bool),
+    )
+
+
+@lru_cache
+def _unit_pressure(cells: tuple[int, int]) -> NDArray:
+    """Pressure of Hertz under a load of one on semi-axes of one."""
+    return hertz_pressure(grid_over((1.0, 1.0), cells), (1.0, 1.0), 1.0)
 
 
 def rolling_ball(

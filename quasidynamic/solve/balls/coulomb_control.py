@@ -1,18 +1,26 @@
 """What Coulomb friction on both races makes balls do."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.balls.driving_load import driving_load
-from quasidynamic.balance.balls.free_ball import free_balls
+from quasidynamic.balance.balls.free_ball import FreeBalls, free_balls
 from quasidynamic.balance.balls.light_ball import RELEASE
-from quasidynamic.balance.balls.race_control import BallKinematics, LoadedContacts, PrescribedControl
+from quasidynamic.balance.balls.race_control import (
+    BallKinematics,
+    LoadedContacts,
+    PrescribedControl,
+    RaceControl,
+)
+from quasidynamic.balance.balls.rolling_ball import RollingBall, rolling_balls
 from quasidynamic.contact.ellipse.full_sliding import Ellipse
 from quasidynamic.contact.ellipse.point_contact import PointContact
 from quasidynamic.contact.ellipse.rigid_slip import Spin
+from quasidynamic.contact.half_space import ElasticPair
 from quasidynamic.motion.ball_slip import (
     AXIAL,
     INNER,
@@ -26,11 +34,22 @@ from quasidynamic.motion.ball_slip import (
 )
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing
 from quasidynamic.solve.balls.free_ball_motion import FreeBallMotion, free_ball_motion
+from quasidynamic.solve.balls.sticking_ball_motion import sticking_ball_motion
 
 RELEASED = (RELEASE, RELEASE / 8)  # of F_c: least driving load of the inner, of the outer race
 UNEVEN = 0.05  # of the load on the other race: the same, away from balance
+STICKING_NOISE = 1e-8  # the same where contacts stick and slip
+BLOCK = 64  # balls whose cells are in memory together
 NOISE = 1e-9  # of the largest force: what is left of the balance of balls that friction moves
 WIDEST = 0.9  # of the ball radius: semi-axis up to which a contact has a friction
+
+
+class StickingContacts(NamedTuple):
+    """How contacts stick and slip."""
+
+    pairs: tuple[ElasticPair, ElasticPair]  # ball and inner, ball and outer race
+    cells: tuple[int, int]  # over each contact, along and across the rolling direction
+    interface: float = 0.0  # [m] its elastic slip at the limit of friction, see `RollingContacts`
 
 
 class DrivenContacts(NamedTuple):
@@ -57,31 +76,38 @@ class CoulombControl:
     cage carries it on. So no race drives with less than a share of F_c, see `driving_load`, the tractions
     being those of the true load, and the inner contact angle fades to the outer one with the inner load.
 
+    With `stick` the contacts stick and slip as by FASTSIM, see `sticking_ball_motion`: a contact that spins
+    pushes across, and the contact angles of both races part.
+
     Source
     ------
     Jones, J. Basic Eng. 81 (1959), for the slip; Harris and Kotzalas, Essential Concepts (2006), ch. 5, for
-    balls that slide on both races.
+    balls that slide on both races; Johnson, J. Appl. Mech. 25 (1958), 332-338, for the force of spin.
     """
 
     bearing: AngularContactBearing
     contacts: tuple[PointContact, PointContact]  # with the inner and with the outer race
     friction: float  # [-] Coulomb coefficient
     spin: Spin = "centre"  # that makes slip across
+    stick: StickingContacts | None = None  # None: full sliding
 
     @property
-    def simpler(self) -> PrescribedControl:
-        """Outer control: what friction comes to at high speed, a hundred times as quick."""
-        return PrescribedControl(self.bearing, "outer")
+    def simpler(self) -> RaceControl:
+        """Full sliding for contacts that stick; for it outer control: what friction comes to at high speed.
+
+        Five times and a hundred times as quick.
+        """
+        return PrescribedControl(self.bearing, "outer") if self.stick is None else replace(self, stick=None)
 
     @property
     def noise(self) -> float:
         """What the search for the motion of balls leaves of their friction."""
-        return NOISE
+        return NOISE if self.stick is None else STICKING_NOISE
 
     @property
     def cost(self) -> int:
         """A search for the motion of every ball, and less of all else."""
-        return 20
+        return 20 if self.stick is None else 100
 
     def kinematics(self, contacts: LoadedContacts, speeds: NDArray, centrifugal: NDArray) -> BallKinematics:
         """Motion of balls and what it asks of the races, see `RaceControl`."""
@@ -156,15 +182,44 @@ class CoulombControl:
         motion = FreeBallMotion(*(np.zeros((count, *size)) for size in ((4,), (4, 4), (2,), (2, 4), (2,))))
         motion.motion[:, ORBIT] = -(1 - self.bearing.diameter_ratio) / 2
         if moving.any():
+            loads = driven.loads[:, moving]
             balls = free_balls(
                 self._places(driven.angles[:, moving].T, axes[:, 0, moving].T),
-                self._ellipses(axes[:, :, moving], driven.loads[:, moving]),
+                self._ellipses(axes[:, :, moving], loads),
                 self.bearing.ball.inertia * ahead[moving] ** 2,
                 outer_speed[moving] / ahead[moving],
             )
-            for array, part in zip(motion, free_ball_motion(balls), strict=True):
+            sliding = free_ball_motion(balls)
+            for array, part in zip(motion, self._sticking(balls, loads, sliding), strict=True):
                 array[moving] = part
         return motion
+
+    def _sticking(self, balls: FreeBalls, loads: NDArray, sliding: FreeBallMotion) -> FreeBallMotion:
+        """Motion of balls (N) of loads (2, N) whose contacts stick, from that in full sliding."""
+        stick, numbers = self.stick, np.arange(loads.shape[1])
+        if stick is None:
+            return sliding
+        motion = FreeBallMotion(*(array.copy() for array in sliding))
+        found = numbers[np.isfinite(sliding.motion).all(1)]
+        for block in np.split(found, range(BLOCK, len(found), BLOCK)):
+            some = balls.taken(block)
+            contacts_at = partial(self._rolling, stick, some, loads[:, block])
+            solution = sticking_ball_motion(some, contacts_at, sliding.motion[block])
+            for array, part in zip(motion, solution, strict=True):
+                array[block] = part
+        return motion
+
+    def _rolling(
+        self, stick: StickingContacts, balls: FreeBalls, loads: NDArray, growth: float, turn: float
+    ) -> RollingBall:
+        """Contacts of balls (N), their loads (2, N) times e^growth, their angles by a turn [rad] further."""
+        more = np.exp(growth) * loads
+        axes = np.array([c.semi_axes(n) for c, n in zip(self.contacts, more, strict=True)])
+        axes[:, 0] = np.minimum(axes[:, 0], self.widest)
+        places = self._places(balls.contacts.angle[:, 0] + turn, axes[:, 0].T)
+        ellipse = self._ellipses(axes, more)
+        ball = rolling_balls(places, ellipse, balls.unknowns, stick.pairs, stick.cells)
+        return ball.with_interface(stick.interface)
 
     @property
     def widest(self) -> float:
