@@ -359,6 +359,7 @@ EFFECTS = (
     ("groove radii", "rings.outer.kind", "rigid",
      "rings.outer.{balls,harmonics,line} rings.outer.mesh.{is,order,raceway_size,size} "
      "rings.outer.part.{ball_diameter,contact_angle,face_distance,face_side,far_diameter} "
+     "model.bearing.groove_ends.1 "
      "rings.outer.part.{groove_end,groove_radius,is,normal_stiffness,pitch_diameter,race} "
      "rings.outer.part.{shear_stiffness,width} "
      "rings.outer.part.elastic.{is,poisson_ratio,youngs_modulus}"),
@@ -369,11 +370,13 @@ EFFECTS = (
      "rings.outer.part.normal_stiffness"),
     ("balls in bolted rings", "rings.outer.face_shear_stiffness", "202 N/mm^3",
      "rings.outer.part.shear_stiffness"),
-    ("balls in bolted rings", "rings.outer.groove_end", "75.75 deg", "rings.outer.part.groove_end"),
+    ("balls in bolted rings", "rings.outer.groove_end", "75.75 deg",
+     "model.bearing.groove_ends.1 rings.outer.part.groove_end"),
     ("balls in bolted rings", "rings.outer.outside_diameter", "2080.6 mm", "rings.outer.part.far_diameter"),
     ("groove radii", "rings.inner.kind", "rigid",
      "rings.inner.{balls,harmonics,line} rings.inner.mesh.{is,order,raceway_size,size} "
      "rings.inner.part.{ball_diameter,contact_angle,face_distance,face_side,far_diameter} "
+     "model.bearing.groove_ends.0 "
      "rings.inner.part.{groove_end,groove_radius,is,normal_stiffness,pitch_diameter,race} "
      "rings.inner.part.{shear_stiffness,width} "
      "rings.inner.part.elastic.{is,poisson_ratio,youngs_modulus}"),
@@ -384,7 +387,8 @@ EFFECTS = (
      "rings.inner.part.normal_stiffness"),
     ("balls in bolted rings", "rings.inner.face_shear_stiffness", "151.5 N/mm^3",
      "rings.inner.part.shear_stiffness"),
-    ("balls in bolted rings", "rings.inner.groove_end", "75.75 deg", "rings.inner.part.groove_end"),
+    ("balls in bolted rings", "rings.inner.groove_end", "75.75 deg",
+     "model.bearing.groove_ends.0 rings.inner.part.groove_end"),
     ("balls in bolted rings", "rings.inner.bore", "1757.4 mm", "rings.inner.part.far_diameter"),
     ("balls in bolted rings", "rings.line", "7 mm",
      "rings.inner.line rings.inner.mesh.raceway_size rings.outer.line rings.outer.mesh.raceway_size"),

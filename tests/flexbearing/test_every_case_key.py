@@ -84,6 +84,7 @@ CONTEXTS = {  # file and settings in which a key belongs to the case
     "rated": ("nu209", {"life.lubrication": "a_ISO", "life.cleanliness": "grease, high cleanliness",
                         "life.capacity": "iso281", "bearing.roughness": {
         "roller": "0.05 um", "inner_raceway": "0.1 um", "outer_raceway": "0.1 um"}}),
+    "creeping": ("nu209_fits", {"lubricant.mixed.asperity_friction": "carter"}),
     "by rating": ("nu209", {"life.loads": "rating"}),
     "plain ring": ("mao2016", _RING),
     "cleared housing": ("mao2016", {
