@@ -163,7 +163,7 @@ def newton(
         linear = structure.linearised(tangent.forces)
         while True:
             for iteration in _in_one_system(bearing, linear, state, criterion, number):
-                state, number = iteration.state, iteration.number
+                state = iteration.state
                 if iteration.status == "converged":
                     answering = structure.linearised(state.forces)
                     answer = answering.deviation(state.forces)
@@ -177,6 +177,7 @@ def newton(
                     tangent = tangent.moved(state.forces, mismatch)
                     linear = answering if tangent.share == 1.0 else structure.linearised(tangent.forces)
                 yield iteration
+                number = iteration.number  # of the last one that was told: the structure may fail before
                 if iteration.status:
                     return
     except PartnerFailed as failure:

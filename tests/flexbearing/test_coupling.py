@@ -365,6 +365,18 @@ def test_newton_is_not_led_in_circles_by_the_tangents_of_a_structure():
     assert steps[-1].state.forces[1] == approx((100 + 8 * 45) / 9, rel=1e-7)
 
 
+def test_numbers_have_no_gap_where_a_structure_fails_at_a_balance():
+    class TornAtBalance(Steps):
+        def linearised(self, forces):
+            if not (forces == START.forces).all():
+                raise PartnerFailed("the ring is torn", "not solved")
+            return super().linearised(forces)
+
+    steps = list(newton(LinearSprings(1e6), TornAtBalance(), START, CRITERION))
+    assert [step.number for step in steps] == list(range(1, len(steps) + 1))
+    assert (steps[-1].status, steps[-1].message) == ("not solved", "the ring is torn")
+
+
 @dataclass
 class Torn(Linear):
     """A structure whose answers have nothing to do with each other."""
