@@ -17,7 +17,7 @@ from threadpoolctl import threadpool_limits
 from benchmarks.machine import describe
 from quasidynamic.contact.half_space import elastic_pair
 from quasidynamic.contact.line import LoadLaw, palmgren, peak_pressure, reduced_radius
-from quasidynamic.contact.pressure import CELLS, RollerOnRaceway, RollerPressure
+from quasidynamic.contact.pressure.roller import CELLS, RollerOnRaceway, RollerPressure
 from quasidynamic.parts.material import Material, contact_modulus
 from quasidynamic.parts.roller import Crowned, Logarithmic, Profile, Straight
 

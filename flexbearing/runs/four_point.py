@@ -252,7 +252,7 @@ def _computed(pressure: str, balls: qd.RollingBalls) -> tuple[Note, ...]:
     """What a computed pressure is, and which contacts shoulders cut."""
     lines = (
         information(
-            "contact-pressure",
+            "computed-pressure",
             f'contact pressure: computed on the true arcs (friction.contact_pressure = "{pressure}"); loads, '
             "contact angles, the coefficient of friction and the hysteresis are those of ellipses",
         ),

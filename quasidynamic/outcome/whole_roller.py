@@ -9,7 +9,7 @@ from numpy.polynomial.legendre import legval
 from numpy.typing import NDArray
 
 from quasidynamic.contact.half_space import elastic_pair
-from quasidynamic.contact.pressure import CELLS, RollerOnRaceway, RollerPressure
+from quasidynamic.contact.pressure.roller import CELLS, RollerOnRaceway, RollerPressure
 from quasidynamic.outcome.equilibrium import Equilibrium
 from quasidynamic.outcome.life import basic_life, raceway_lives
 from quasidynamic.parts.roller_bearing import CylindricalRollerBearing

@@ -85,7 +85,7 @@ def test_balls_are_the_same_by_one_and_by_two_workers():
     load = np.linspace(1e3, 20e3, len(NUMBERS))[:, None, None] * np.ones((1, 1, 2))
     balls = bearing.slide(np.full(load.shape, np.pi / 4), load)
     parts = []
-    roll = partial(bearing.roll, balls, "kalker", (8, 16))
+    roll = partial(bearing.roll, balls, "kalker", (12, 16))
     with shared_map() as mapped:
         shared, alone = roll(parts.append, mapped), roll()
     for one, other in zip(filter(None, shared.rolled), filter(None, alone.rolled), strict=True):
@@ -104,7 +104,7 @@ def test_fast_balls_are_the_same_by_one_and_by_two_workers():
     bearing = AngularContactBallBearing(bearing=parts, friction=0.1)
     state = bearing.solve(RingOperation(load=(5e3, 0.0, 1e3, 0.0, 0.0), inner_speed=500.0))
     told = []
-    roll = partial(bearing.roll, state, "kalker", (8, 16))
+    roll = partial(bearing.roll, state, "kalker", (12, 16))
     with shared_map() as mapped:
         shared, alone = roll(told.append, mapped), roll()
         assert len(children(os.getpid())) == 2

@@ -9,7 +9,7 @@ from pytest import approx
 from quasidynamic.contact.ellipse.point_contact import Curvatures, point_contact
 from quasidynamic.contact.half_space import ElasticPair
 from quasidynamic.contact.line import half_width, peak_pressure
-from quasidynamic.contact.pressure import RollerOnRaceway
+from quasidynamic.contact.pressure.roller import RollerOnRaceway
 from quasidynamic.errors import OutOfRange
 from quasidynamic.parts.roller import Crowned, Logarithmic, Straight
 

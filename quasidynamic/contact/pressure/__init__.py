@@ -1,6 +1,7 @@
 """Normal contact beyond Hertz: the pressure on true profiles with their ends, on a grid.
 
-The elastic half-spaces are those of `half_space`; friction and motion belong elsewhere.
+The elastic half-spaces are those of `half_space`; friction and motion belong elsewhere. Rollers are imported
+from `pressure.roller`, which balls need not load.
 """
 
 from quasidynamic.contact.pressure.groove import Approach, BallInGroove, GroovePress, PressedGroove
@@ -10,10 +11,8 @@ from quasidynamic.contact.pressure.normal_contact import (
     RigidMotions,
     contact_pressure,
 )
-from quasidynamic.contact.pressure.roller import CELLS, RollerOnRaceway, RollerPressure
 
 __all__ = [
-    "CELLS",
     "Approach",
     "BallInGroove",
     "GroovePress",
@@ -21,7 +20,5 @@ __all__ = [
     "NormalContact",
     "PressedGroove",
     "RigidMotions",
-    "RollerOnRaceway",
-    "RollerPressure",
     "contact_pressure",
 ]

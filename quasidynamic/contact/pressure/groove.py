@@ -122,6 +122,15 @@ class GroovePress:
     Both surfaces come closer by as much everywhere, as an interference in finite elements is applied
     (offset); or as the rigid ring comes closer, less towards the ends of the arc (translation). Q is the part
     of the pressure along the contact normal, that which balances the load of the bearing.
+
+    Source
+    ------
+    Signorini's conditions of contact on half-spaces (Johnson, Contact Mechanics, 1985, sec. 5.9), the arcs
+    developed along their length; derived here.
+
+    Valid
+    -----
+    Patches up to half of the ball; arcs deform as half-spaces, also at their ends and at shoulders.
     """
 
     groove: BallInGroove
