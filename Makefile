@@ -1,5 +1,6 @@
 # With Python 3.11 and make alone: `make run` computes the main case, `make test` runs the fast tests,
-# `make test-slow` the slow ones, `make test-slurm` those with a queue.
+# `make test-slow` the slow ones, `make test-slurm` those with a queue, `make test-ross` those with a rotor,
+# `make test-browser` those of reports in a browser.
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
@@ -8,7 +9,7 @@ READY := $(VENV)/.installed
 export OMP_NUM_THREADS ?= 2
 export OPENBLAS_NUM_THREADS ?= 2
 
-.PHONY: run test test-slow test-slurm lint benchmark docs lock clean
+.PHONY: run test test-slow test-slurm test-ross test-calculix test-browser lint benchmark docs lock clean
 
 run: $(READY)
 	$(BIN)/flexbearing run configs/mao2016.toml -o results/mao2016.h5
@@ -20,11 +21,25 @@ test: $(READY)
 	env -u PYTHONDONTWRITEBYTECODE OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest -n auto --maxprocesses 4 --dist loadscope
 
 test-slow: $(READY)
-	$(BIN)/python -m pytest -m slow
+	env -u PYTHONDONTWRITEBYTECODE OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest -m slow -n auto --maxprocesses 2 --dist loadscope
 
 # For root, with the Debian packages slurm-wlm and munge: a queue with two nodes on this machine.
 test-slurm: $(READY)
 	$(BIN)/python -m pytest -m slurm
+
+# With an installed Chromium (Debian: apt install chromium).
+test-browser: $(READY)
+	$(BIN)/python -m pytest -m browser
+
+# ROSS 2.3 is the last version for Python 3.11, and wants an older plotly.
+test-ross: $(READY)
+	$(PYTHON) -m venv $(VENV)-ross
+	$(VENV)-ross/bin/python -m pip install --quiet 'ross-rotordynamics==2.3.0' 'plotly<7'
+	FLEXBEARING_ROSS=$(VENV)-ross/bin/python $(BIN)/python -m pytest -m ross
+
+# With the Debian package calculix-ccx.
+test-calculix: $(READY)
+	$(BIN)/python -m pytest -m calculix
 
 lint: $(READY)
 	$(BIN)/ruff format --check .
@@ -56,4 +71,4 @@ lock:
 	rm -rf $(VENV)-lock
 
 clean:
-	rm -rf $(VENV) build *.egg-info .pytest_cache .ruff_cache .import_linter_cache
+	rm -rf $(VENV) $(VENV)-ross build *.egg-info .pytest_cache .ruff_cache .import_linter_cache

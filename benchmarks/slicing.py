@@ -19,7 +19,7 @@ from quasidynamic.contact.half_space import elastic_pair
 from quasidynamic.contact.line import LoadLaw, palmgren, peak_pressure, reduced_radius
 from quasidynamic.contact.pressure.roller import CELLS, RollerOnRaceway, RollerPressure
 from quasidynamic.parts.material import Material, contact_modulus
-from quasidynamic.parts.roller import Crowned, Logarithmic, Profile, Straight
+from quasidynamic.parts.profile import Crowned, Logarithmic, Profile, Straight
 
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7850)
 DIAMETER, RACEWAY = 10e-3, 27.5e-3  # [m] of the roller, radius of the raceway: the 209 bearing

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
         RigidSeat as RigidSeat,
     )
     from fem.parts.material import Elastic as Elastic, ImpossiblePart as ImpossiblePart
+    from fem.parts.reduced_body import ReducedBody as ReducedBody
     from fem.parts.resolution import Discretisation as Discretisation, Resolution as Resolution
     from fem.parts.rings import (
         MeshSize as MeshSize,
@@ -41,6 +42,7 @@ EXPORTS = {
         "RigidSeat",
     ),
     "parts.material": ("Elastic", "ImpossiblePart"),
+    "parts.reduced_body": ("ReducedBody",),
     "parts.resolution": ("Discretisation", "Resolution"),
     "parts.rings": ("MeshSize", "OuterRing", "Part", "Patches", "RingOnShaft", "SquirrelCage"),
 }

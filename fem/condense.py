@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, TypeVar, overload
 from fem.parts.bolted_ring import BoltedGrooveRing
 from fem.parts.boundary_conditions import ClampedFace, Foundation, LineSupports, PlanetGear, RigidSeat
 from fem.parts.material import ImpossiblePart
+from fem.parts.reduced_body import ReducedBody
 from fem.parts.resolution import Discretisation, Resolution
 from fem.parts.rings import OuterRing, Part, RingOnShaft, SquirrelCage, require_on_track
 from fem.parts.step_solid import StepSolid
@@ -203,6 +204,16 @@ def condense_in_process(
         case OuterRing(support=Foundation(pushing=True)), Discretisation.HARMONICS | Discretisation.BEAM:
             require_on_track(resolution.length, part.track)
             return _on_foundation(part, discretisation, resolution, stage, seconds)
+        case OuterRing(support=ReducedBody()), Discretisation.HARMONICS:
+            require_on_track(resolution.length, part.track)
+            from fem.section.ring_on_matrix import ring_on_matrix
+
+            last = _last_harmonic(part, HARMONICS, resolution)
+            condensed = ring_on_matrix(part, resolution, last, stage, seconds)
+        case OuterRing(support=ReducedBody()), _:
+            raise ImpossiblePart(
+                f"a ring on a matrix is impossible as {discretisation.name}, only as HARMONICS"
+            )
         case OuterRing() | SquirrelCage() | RingOnShaft(), _:
             require_on_track(resolution.length, part.track)
             condensed = _in_harmonics(part, discretisation, resolution, stage, seconds)

@@ -1,4 +1,4 @@
-"""What Python programs call: run, read, check, explain.
+"""What Python programs call: run, read, check, drawings, explain.
 
 Every function binds the registered bearing families to a room below; what a call does not need is not loaded.
 """
@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from flexbearing.accuracy.shared import Levels
     from flexbearing.progress import Report
+    from flexbearing.report.drawing import Drawing
     from flexbearing.results import Result
 
 Overrides = Sequence[str] | Mapping[str, object]
@@ -132,7 +133,7 @@ def compute(
 
 
 def against_catalogue(case: str | Path, overrides: Overrides = ()) -> dict[str, Any]:
-    """Compare the life of a roller bearing with that of a catalogue, factor by factor.
+    """Compare the life of a bearing with that of a catalogue, factor by factor.
 
     Parameters
     ----------
@@ -150,18 +151,38 @@ def against_catalogue(case: str | Path, overrides: Overrides = ()) -> dict[str, 
     Raises
     ------
     BadCase
-        as `run`; and without a radial load, or where a case in between has no solution
+        as `run`; and without a load, where a case in between has no solution, and for a kind without ratings
     """
+    from flexbearing.case import BadCase
     from flexbearing.case.read import written
+    from flexbearing.families import FAMILIES
     from flexbearing.runs.catalogue_life import against_catalogue as compared
 
     given = written(overrides) if isinstance(overrides, Mapping) else tuple(overrides)
     wanted = check(case, given)
-    if not hasattr(wanted, "life"):
-        from flexbearing.case import BadCase
+    catalogue = FAMILIES[wanted.kind].catalogue
+    if catalogue is None:
+        raise BadCase(f'{case}: kind = "{wanted.kind}" has no ratings in ISO 281, so no life is compared.')
+    return compared(wanted, catalogue(), lambda further: read_case(case, [*given, *further]), compute)
 
-        raise BadCase(f'{case}: the life of kind = "{wanted.kind}" is not computed yet, so none is compared.')
-    return compared(wanted, lambda further: read_case(case, [*given, *further]), compute)
+
+def drawings(case: Any) -> "list[Drawing]":
+    """Draw what a case describes, to scale; nothing is solved.
+
+    Parameters
+    ----------
+    case : flexbearing.case.Head
+        as `read_case` returns it
+
+    Returns
+    -------
+    list of Drawing
+        each with name, caption, text for those who cannot see it, and SVG
+    """
+    from flexbearing.families import FAMILIES
+
+    draw = FAMILIES[case.kind].report().drawings
+    return [] if draw is None else list(draw(case))
 
 
 def read(path: str | Path) -> "Result":

@@ -1,8 +1,6 @@
-"""The command line: check, run, study, summary, plot, fields, trace, pareto, explain."""
+"""The command line: every command reads its arguments and calls the program."""
 
 import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
 from os import environ
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, NoReturn
@@ -10,12 +8,19 @@ from typing import TYPE_CHECKING, Annotated, NoReturn
 import typer
 
 from flexbearing import api
+from flexbearing.catalogue.command import new
+from flexbearing.differences.command import diff
+from flexbearing.exports.command import export
+from flexbearing.exports.draw_command import draw
+from flexbearing.pages.command import report
 from flexbearing.printable import printable
+from flexbearing.program.kept import keeping
 from flexbearing.studies.command import study
 
 if TYPE_CHECKING:
     from rich.console import Console
 
+    from flexbearing.report.picture import Format
     from flexbearing.results import Result
 
 CONVERGED, NOT_CONVERGED = 0, 1
@@ -61,6 +66,9 @@ def options(
     """Take note of what holds for every command; the program looks for --debug itself."""
 
 
+app.command(name="new")(new)
+
+
 @app.command()
 def check(case: CaseFile, settings: Settings = None) -> None:
     """Say whether a case can be computed, without computing it."""
@@ -91,7 +99,7 @@ def run(
     with OnTerminal(console) if console and not quiet else Logged() as report:
         result = api.compute(wanted, output=place, report=report, start=start)
     wrong = _what_went_wrong(result, strict=strict)
-    with _keeping([place]):
+    with keeping([place]):
         if not quiet:
             _show(result, console)
             _say(f"\nresults: {place}")
@@ -123,7 +131,7 @@ def life(
         sys.stdout.write(json.dumps(all_printable(found), indent=2, allow_nan=False) + "\n")
         return
     from flexbearing.report import laid_out
-    from flexbearing.report.roller.catalogue_life import sections
+    from flexbearing.report.catalogue_life import sections
 
     page = sections(all_printable(found))
     sys.stdout.write(laid_out(page, _terminal(), encoding=sys.stdout.encoding))
@@ -145,6 +153,12 @@ def summary(
         _show(found, _terminal())
 
 
+app.command(name="diff")(diff)
+
+
+app.command(name="report")(report)
+
+
 @app.command()
 def plot(
     result: ResultPath,
@@ -160,20 +174,37 @@ def plot(
     output: Annotated[
         Path | None, typer.Option("-o", "--output", metavar="DIR", help="default: where the result is")
     ] = None,
+    form: Annotated[
+        str,
+        typer.Option(
+            "--format", metavar="png|svg|pdf", show_default=False, help="of the files; png by default"
+        ),
+    ] = "png",
+    without_titles: Annotated[
+        bool, typer.Option("--no-titles", help="no headings, as for a publication")
+    ] = False,
 ) -> None:
-    """Draw the pictures of a result as PNG files, with deformed rings where they are flexible."""
+    """Draw the pictures of a result, with deformed rings where they are flexible."""
+    from flexbearing.case import BadCase
     from flexbearing.report import pictures
+    from flexbearing.report.picture import FORMATS, Format
     from flexbearing.report.roller import deformed
 
-    found, directory, written = api.read(result), output or result.parent, []
+    if form not in FORMATS:
+        raise BadCase(f"--format {printable(form)}: it is one of {', '.join(FORMATS)}")
+    style, written = Format(form, titles=not without_titles), []
+    found, directory = api.read(result), output or result.parent
     if against is not None:
-        _plot_against(found, api.read(against), directory)
+        _plot_against(found, api.read(against), directory, style)
         return
-    with _keeping(written):
-        for picture in pictures(found, directory):
-            written.append(picture)
-            _say(f"picture: {picture}")
-        for picture in deformed.pictures(found, directory):
+    with keeping(written):
+        for picture in pictures(found, directory, style):
+            if isinstance(picture, Path):
+                written.append(picture)
+                _say(f"picture: {picture}")
+            else:
+                _say(f"no picture {picture}")
+        for picture in deformed.pictures(found, directory, style):
             if isinstance(picture, Path):
                 written.append(picture)
                 _say(f"picture: {picture}")
@@ -183,58 +214,22 @@ def plot(
         _say(f"{result}: nothing was solved, so there is nothing to draw")
 
 
-def _plot_against(one: "Result", other: "Result", directory: Path) -> None:
+def _plot_against(one: "Result", other: "Result", directory: Path, style: "Format") -> None:
     """Draw contacts of two results side by side, and say what else differs in their cases."""
     from flexbearing.report import compared_pictures
     from flexbearing.report.balls.side_by_side import notes
 
     written: list[Path] = []
-    with _keeping(written):
-        for picture in compared_pictures(one, other, directory):
+    with keeping(written):
+        for picture in compared_pictures(one, other, directory, style):
             written.append(picture)
             _say(f"picture: {picture}")
         for note in notes(one, other):
             _say(note)
 
 
-@app.command()
-def fields(
-    result: ResultPath,
-    part: Annotated[str | None, typer.Option("--part", metavar="inner|outer", help="only this one")] = None,
-    state: Annotated[
-        str, typer.Option("--state", metavar="STATE", help='"rigid", "flexible" or "iteration N"')
-    ] = "flexible",
-    output: Annotated[Path | None, typer.Option("-o", "--output", metavar="DIR")] = None,
-) -> None:
-    """Compute displacements and stresses of the flexible rings; writes VTU files for ParaView."""
-    from rich.console import Console, Group
-
-    from flexbearing.case import BadCase
-    from flexbearing.printable import all_printable
-    from flexbearing.report.sections import held, stresses
-    from flexbearing.runs import stored_fields as compute
-    from flexbearing.runs.part_fields import NoFields
-
-    if part not in ("inner", "outer", None):
-        raise BadCase(f'--part {part}: it is "inner" or "outer"')
-    found = api.read(result)
-    try:
-        paths = compute.destinations(found, output or result.parent, state, part)
-        solved = compute.of_result(found, state, part)
-    except NoFields as problem:
-        _end(f"{result}: {problem}")
-    try:
-        records = {one.race: one.record() for one in solved}
-    except NoFields as problem:
-        _end(f"{result}: {problem}")
-    supports = held(found.attributes["structure"])
-    Console().print(Group(*stresses(all_printable(records)), *supports))
-    written: list[Path] = []
-    with _keeping(written):
-        for one in solved:
-            compute.write(one, paths[one.race])
-            written.append(paths[one.race])
-            _say(f"fields: {written[-1]}")
+app.command(name="export")(export)
+app.command(name="draw")(draw)
 
 
 @app.command()
@@ -257,7 +252,7 @@ def trace(
         found = follow(case, over, output, settings or [])
     except NotSolved as problem:
         _end(f"{case}: not converged: {problem}")
-    with _keeping([found.table, found.picture]):
+    with keeping([found.table, found.picture]):
         _say(f"{found.text()}\ntable: {found.table}\npicture: {found.picture}")
     raise typer.Exit(CONVERGED if found.complete else NOT_CONVERGED)
 
@@ -289,7 +284,7 @@ def pareto(
     except NoReference as problem:
         _end(problem)
     store(found, table, picture)
-    with _keeping([table, picture]):
+    with keeping([table, picture]):
         _say(f"\n{text(found)}\ntable: {table}\npicture: {picture}")
 
 
@@ -378,19 +373,6 @@ def _log(*, everything: bool) -> None:
     handler.setFormatter(Shown("%(message)s"))
     if everything:
         logging.basicConfig(level=logging.INFO, handlers=[handler])
-
-
-@contextmanager
-def _keeping(written: list[Path]) -> Iterator[None]:
-    """Let whatever ends a command early say which files are complete."""
-    try:
-        yield
-    except typer.Exit:
-        raise
-    except BaseException as problem:  # only a note is added
-        if written:
-            problem.add_note(f"complete: {', '.join(map(str, written))}")
-        raise
 
 
 def _end(problem: object) -> NoReturn:

@@ -3,6 +3,8 @@
 Nothing of a family is imported before it is used.
 """
 
+from dataclasses import replace
+
 from flexbearing.case.family import Entry, Family
 
 _ROLLER = Family(
@@ -15,6 +17,7 @@ _ROLLER = Family(
     layout=Entry("flexbearing.quantities.roller:LAYOUT"),
     report=Entry("flexbearing.report.roller.report:REPORT"),
     initial_state=Entry("flexbearing.coupled.initial_state:initial_state"),
+    catalogue=Entry("flexbearing.runs.roller_catalogue:CATALOGUE"),
 )
 _FOUR_POINT = Family(
     kind="four_point_ball",
@@ -33,6 +36,10 @@ _ANGULAR = Family(
     solve=Entry("flexbearing.runs.ball:solve_angular"),
     layout=Entry("flexbearing.quantities.angular_contact:LAYOUT"),
     report=Entry("flexbearing.report.balls.angular_contact_report:REPORT"),
+    catalogue=Entry("flexbearing.runs.ball_catalogue:CATALOGUE"),
+)
+_DEEP_GROOVE = replace(  # an angular-contact bearing whose contact angle comes from its clearance
+    _ANGULAR, kind="deep_groove_ball", case=Entry("flexbearing.case.balls.deep_groove:DeepGrooveCase")
 )
 
-FAMILIES = {family.kind: family for family in (_ROLLER, _FOUR_POINT, _ANGULAR)}
+FAMILIES = {family.kind: family for family in (_ROLLER, _FOUR_POINT, _ANGULAR, _DEEP_GROOVE)}

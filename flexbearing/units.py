@@ -51,6 +51,10 @@ class Unit:
         """Value in SI units."""
         return number * self.scale + float(self.offset)
 
+    def of_si(self, value: float) -> float:
+        """Number of a value in SI units, the inverse of `to_si`."""
+        return (value - float(self.offset)) / self.scale
+
     @cached_property
     def scale(self) -> float:
         """Its factor as a number."""
@@ -87,14 +91,15 @@ _PREFIXED = {  # names with the prefixes they take
     "Hz": (_unit(1, 0, 0, -1), "kM"), "K": (_unit(1, 0, 0, 0, 1), "m"), "rad": (_unit(1, *_ANGLE), "nuµμmk"),
     "rpm": (_unit(Fraction(1, 30), 0, 0, -1, 0, 1, pi_power=1), "k"),
     "rev": (_unit(2, *_ANGLE, pi_power=1), "kM"), "P": (_unit("0.1", -1, 1, -1), "cm"),
-    "St": (_unit("0.0001", 2, 0, -1), "cm"),
+    "St": (_unit("0.0001", 2, 0, -1), "cm"), "in": (_unit(_INCH, 1), "uµμ"),
 }  # fmt: skip
 _PLAIN = {
-    "meter": _unit(1, 1), "metre": _unit(1, 1), "inch": _unit(_INCH, 1), "in": _unit(_INCH, 1),
+    "meter": _unit(1, 1), "metre": _unit(1, 1), "inch": _unit(_INCH, 1),
     "ft": _unit(12 * _INCH, 1), "micron": _unit("1e-6", 1), "t": _unit(1000, 0, 1),
     "lb": _unit("0.45359237", 0, 1), "min": _unit(60, 0, 0, 1), "minute": _unit(60, 0, 0, 1),
     "h": _unit(3600, 0, 0, 1), "hour": _unit(3600, 0, 0, 1),
     "lbf": _unit(_POUND_FORCE, *_FORCE), "kgf": _unit("9.80665", *_FORCE),
+    "hp": _unit(550 * 12 * _INCH * _POUND_FORCE, 2, 1, -3),
     "psi": _unit(_POUND_FORCE / _INCH**2, *_PRESSURE),
     "ksi": _unit(1000 * _POUND_FORCE / _INCH**2, *_PRESSURE), "atm": _unit(101325, *_PRESSURE),
     "deg": _unit(_DEGREE, *_ANGLE, pi_power=1), "°": _unit(_DEGREE, *_ANGLE, pi_power=1),

@@ -43,13 +43,16 @@ if TYPE_CHECKING:
     from quasidynamic.parts.material import Material as Material
     from quasidynamic.parts.oil_properties import oil_at as oil_at
     from quasidynamic.parts.operation import Operation as Operation
-    from quasidynamic.parts.roller import (
+    from quasidynamic.parts.profile import (
         Crowned as Crowned,
         Logarithmic as Logarithmic,
+        LogarithmicCrown as LogarithmicCrown,
+        PointsProfile as PointsProfile,
         Profile as Profile,
-        Roller as Roller,
         Straight as Straight,
+        TangentCrowned as TangentCrowned,
     )
+    from quasidynamic.parts.roller import Roller as Roller
     from quasidynamic.parts.roller_bearing import CylindricalRollerBearing as CylindricalRollerBearing
     from quasidynamic.roller import (
         Equilibria as Equilibria,
@@ -57,6 +60,7 @@ if TYPE_CHECKING:
         RollerBearing as RollerBearing,
         solve_many as solve_many,
     )
+    from quasidynamic.solve.balls.preloaded_place import preloaded_place as preloaded_place
     from quasidynamic.solve.outcome import SolverOutcome as SolverOutcome
     from quasidynamic.static import static_loads as static_loads
 
@@ -83,9 +87,19 @@ EXPORTS = {
     "parts.material": ("Material",),
     "parts.oil_properties": ("oil_at",),
     "parts.operation": ("Operation",),
-    "parts.roller": ("Crowned", "Logarithmic", "Profile", "Roller", "Straight"),
+    "parts.profile": (
+        "Crowned",
+        "Logarithmic",
+        "LogarithmicCrown",
+        "PointsProfile",
+        "Profile",
+        "Straight",
+        "TangentCrowned",
+    ),
+    "parts.roller": ("Roller",),
     "parts.roller_bearing": ("CylindricalRollerBearing",),
     "roller": ("Equilibria", "Equilibrium", "RollerBearing", "solve_many"),
+    "solve.balls.preloaded_place": ("preloaded_place",),
     "solve.outcome": ("SolverOutcome",),
     "static": ("static_loads",),
 }

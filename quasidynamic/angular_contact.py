@@ -22,8 +22,11 @@ from quasidynamic.outcome.fast_balls import FastRollingBalls
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
 from quasidynamic.solve.balls.coulomb_control import CoulombControl, StickingContacts
 from quasidynamic.solve.balls.refined_rolling import RefinedRolling, RollingModel, refined_kept_motion
-from quasidynamic.solve.balls.ring_on_balls import RingSolution, solve
+from quasidynamic.solve.balls.ring_on_balls import SINGULAR, RingSolution, solve
 from quasidynamic.solve.outcome import SolverOutcome
+
+DIRECTIONS = ("along x", "along y", "along z", "about y", "about z")
+LEAST_SHARE = 1e-3  # of a motion without a force: component that is told
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -95,7 +98,8 @@ class AngularContactBallBearing:
         states: list[AngularContactState | NotSolved] = []
         for case, operation in enumerate(operations):
             if solution.outcomes[case] is not SolverOutcome.CONVERGED:
-                states.append(_not_solved(operation, solution, case))
+                loose = _loose(ring.stiffness[case], balance.held[case])
+                states.append(_not_solved(operation, solution, case, loose))
                 continue
             if self._too_wide(balls.contacts.loads[:, case]):
                 states.append(
@@ -265,13 +269,22 @@ def _refined(
     )
 
 
-def _not_solved(operation: RingOperation, solution: RingSolution, case: int) -> NotSolved:
+def _loose(stiffness: NDArray, held: NDArray) -> list[str]:
+    """Directions in which a free ring moves without a force."""
+    free = np.flatnonzero(~held)
+    _, sizes, moves = np.linalg.svd(np.nan_to_num(stiffness[np.ix_(free, free)]))
+    loose = sizes <= SINGULAR * sizes.max(initial=0.0)
+    shares = np.linalg.norm(moves[loose], axis=0)
+    return [DIRECTIONS[free[place]] for place in np.flatnonzero(shares > LEAST_SHARE)]
+
+
+def _not_solved(operation: RingOperation, solution: RingSolution, case: int, loose: list[str]) -> NotSolved:
     outcome, evaluations = solution.outcomes[case], solution.evaluations[case]
     where = f"load {operation.load}, inner ring {operation.inner_speed:.5g} rad/s"
     if outcome is SolverOutcome.UNDETERMINED:
         return NotSolved(
-            f"{where}: nothing holds the inner ring in some direction, its place is undetermined; "
-            "give an axial load, or a displacement in that direction",
+            f"{where}: nothing holds the inner ring {', '.join(loose) or 'in any direction'}, its place is "
+            "undetermined; give an axial load, or displacements there",
             outcome,
         )
     if outcome is SolverOutcome.NOT_FINITE:

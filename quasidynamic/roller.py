@@ -105,7 +105,7 @@ class RollerBearing:
 
         By symmetry a ring that is free to tilt stays straight where nothing does.
         """
-        aligned = aligned and deviation is None and not self.operation.tilts
+        aligned = aligned and deviation is None and self.bearing.symmetric and not self.operation.tilts
         return BearingBalance(
             roller=self._aligned_rollers if aligned else self._tilting_rollers,
             points=OperatingPoints.of(self.operation, cases),
@@ -151,7 +151,7 @@ class RollerBearing:
             ),
             lubrication=lubrication,
             slices=slices,
-            drop=slices.drop(roller.profile),
+            drop=slices.drop(bearing),
             radius=radius,
             modulus=modulus,
         )

@@ -88,7 +88,7 @@ def static_loads(
     1958.7
     """
     _check(bearing, load, moment)
-    sliced = Slices(slices, bearing.roller.length, 2 if moment else 1)
+    sliced = Slices(slices, bearing.roller.length, 2 if moment or not bearing.symmetric else 1)
     along, half = np.array([np.sin(direction), np.cos(direction)]), sliced.length / 2
     rings = RigidRings.of(bearing, sliced, np.outer(along, [load, moment / half][: sliced.axial_modes]))
     state, evaluations = balanced(rings)

@@ -50,6 +50,8 @@ def paper_bearing(**changes) -> RollerBearing:
         "traction": "4109",
         "inner_waves": None,
         "outer_waves": None,
+        "inner_profile": Straight(),
+        "outer_profile": Straight(),
         **changes,
     }
     ring = Material(youngs_modulus=203e9, poisson_ratio=0.28, density=7850)
@@ -71,6 +73,8 @@ def paper_bearing(**changes) -> RollerBearing:
         first_roller_azimuth=value.pop("azimuth"),
         inner_waves=value.pop("inner_waves"),
         outer_waves=value.pop("outer_waves"),
+        inner_profile=value.pop("inner_profile"),
+        outer_profile=value.pop("outer_profile"),
     )
     operation = Operation(
         radial_load=value.pop("load"),

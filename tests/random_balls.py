@@ -1,4 +1,4 @@
-"""Random angular-contact bearings, and a check of their forces that the solver does not use."""
+"""Random angular-contact and deep groove bearings, with a check of forces that the solver does not use."""
 
 import numpy as np
 
@@ -72,6 +72,42 @@ def drawn(seed: int) -> tuple[Model, RingOperation]:
             "preloaded": (float(preload), None, None, 0.0, 0.0),
         }[holding],
         inner_speed=speed,
+    )
+    control = ("outer", "inner", "equal")[int(random.integers(3))]
+    return Model(bearing=bearing, control=control), operation
+
+
+def drawn_deep_groove(seed: int) -> tuple[Model, RingOperation]:
+    """A deep groove bearing of common proportions, from interference to twice the clearance of class C5."""
+    random = np.random.default_rng([seed, 2])
+    balls_of = STEEL if random.random() < 0.8 else CERAMIC
+    diameter, ratio = np.exp(random.uniform(np.log(3e-3), np.log(40e-3))), random.uniform(0.1, 0.3)
+    pitch = diameter / ratio
+    most = int(np.pi / np.arcsin(ratio) * 0.98)
+    bearing = AngularContactBearing(
+        ball=Ball(diameter=diameter, material=balls_of),
+        inner=Groove(conformity=random.uniform(0.505, 0.54), material=STEEL),
+        outer=Groove(conformity=random.uniform(0.505, 0.54), material=STEEL),
+        balls=int(random.integers(max(6, most // 2), max(6, most) + 1)),
+        pitch_diameter=pitch,
+        contact_angle=0.0,
+        clearance=random.uniform(-0.3, 2.0) * 1e-3 * diameter,
+        first_ball_azimuth=random.choice([0.0, random.uniform(0.0, 2 * np.pi)]),
+    )
+    speed = random.choice([0.0, 10 ** random.uniform(1.0, np.log10(5e5)) / (pitch * 1e3) * RPM])
+    size = bearing.balls * diameter**2 * 5e7 * 10 ** random.uniform(-3.0, 0.0)
+    kind = ("radial", "axial", "combined", "moment")[int(random.integers(4))]
+    lean = {"radial": 0.5 * np.pi, "axial": 0.0}.get(kind, random.uniform(0.0, np.pi))
+    azimuth, moment = random.choice([0.0, random.uniform(0.0, 2 * np.pi)]), np.zeros(2)
+    load = size * np.array([np.cos(lean), np.sin(lean) * np.sin(azimuth), np.sin(lean) * np.cos(azimuth)])
+    if kind == "moment":
+        about = random.uniform(0.0, 2 * np.pi)
+        moment = random.uniform(0.0, 0.3) * size * pitch / 2 * np.array([np.sin(about), np.cos(about)])
+    level = kind == "radial" or random.random() < 0.5
+    operation = RingOperation(
+        load=(float(load[0]), float(load[1]), float(load[2]), *(0.0 * moment if level else moment)),
+        displacement=(None, None, None, 0.0, 0.0) if level else (None,) * 5,
+        inner_speed=float(speed),
     )
     control = ("outer", "inner", "equal")[int(random.integers(3))]
     return Model(bearing=bearing, control=control), operation

@@ -106,19 +106,19 @@ def foundation(u, v, edge, springs):
     return work * radius / MILLIMETRES**2 * ngs.ds(definedon=edge)
 
 
-def radial_pressure(v, edge, pressure):
+def edge_pressure(v, edge, pressure):
     r"""Virtual work of a load per length along a cylindrical edge, divided by its radius.
 
-    .. math:: g(v) = \int p\,v_r\,dx
+    .. math:: g(v) = \int p\,v\,dx
 
     Parameters
     ----------
-    v : ngsolve proxy (3,)
-        test displacement
+    v : ngsolve proxy
+        a component of the test displacement
     edge : ngsolve.Region
         where the load is
     pressure : ngsolve.CoefficientFunction
-        p [1/mm], outward; with a shape function the form reads the generalised displacement
+        p [1/mm], along the component; with a shape function the form reads the generalised displacement
 
     Returns
     -------
@@ -128,7 +128,7 @@ def radial_pressure(v, edge, pressure):
     ------
     Virtual work in cylindrical coordinates; derived here.
     """
-    return pressure * v[1] * ngs.ds(definedon=edge)
+    return pressure * v * ngs.ds(definedon=edge)
 
 
 def centrifugal(v, density, speed):

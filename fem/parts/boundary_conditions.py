@@ -7,6 +7,7 @@ from math import inf, isfinite
 import numpy as np
 
 from fem.parts.material import Elastic, ImpossiblePart, require, require_positive
+from fem.parts.reduced_body import ReducedBody
 
 BALANCED = 1e-9  # moment about the axis that tooth forces may leave, over the largest one
 HELD = 1e-6  # smallest over largest singular value of motions at lines that hold them
@@ -120,7 +121,7 @@ class PlanetGear:
             )
 
 
-Support = ClampedFace | RigidSeat | Foundation | Housing | LineSupports | PlanetGear
+Support = ClampedFace | RigidSeat | Foundation | Housing | LineSupports | PlanetGear | ReducedBody
 
 
 def free_translations(azimuths) -> str:
@@ -173,7 +174,7 @@ def edge_names(support: Support) -> tuple[str | None, str | None]:
             return "clamped", None
         case RigidSeat():
             return None, "clamped"
-        case Foundation():
+        case Foundation() | ReducedBody():
             return None, "foundation"
         case LineSupports() | PlanetGear():
             return None, "lines"

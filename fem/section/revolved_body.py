@@ -79,10 +79,10 @@ def assembled(
     )
 
 
-def edge_modes(body: Body, edge: str, axial_modes: int) -> NDArray:
+def edge_modes(body: Body, edge: str, axial_modes: int, direction: int = 1) -> NDArray:
     r"""Load vectors of Legendre pressures on a cylindrical edge, which also read its displacement.
 
-    .. math:: g_m(v) = \int \frac{2m+1}{l} L_m(2(x - x_0)/l)\,v_r\,dx
+    .. math:: g_m(v) = \int \frac{2m+1}{l} L_m(2(x - x_0)/l)\,v_d\,dx
 
     Parameters
     ----------
@@ -92,11 +92,13 @@ def edge_modes(body: Body, edge: str, axial_modes: int) -> NDArray:
         name of an edge of length l centred on x_0, along x
     axial_modes : int
         M
+    direction : 0, 1 or 2
+        d: along x, outward, towards growing azimuth
 
     Returns
     -------
     array (unknowns, M)
-        [-]; g_0 reads the mean radial displacement
+        [-]; g_0 reads the mean displacement
 
     Raises
     ------
@@ -118,7 +120,7 @@ def edge_modes(body: Body, edge: str, axial_modes: int) -> NDArray:
     xi = 2 * (ngs.x - middle / length) / length
     v = body.space.TestFunction()
     patterns = ((2 * m + 1) / length * L for m, L in enumerate(legendre_polynomials(xi, axial_modes)))
-    return np.stack([body.load(forms.radial_pressure(v, where, a)) for a in patterns], axis=1)
+    return np.stack([body.load(forms.edge_pressure(v[direction], where, a)) for a in patterns], axis=1)
 
 
 def _edge(section, name: str):

@@ -1,14 +1,58 @@
 """The operating clearance of a case: stated, or computed from its fits."""
 
-from typing import TYPE_CHECKING, Any
+from importlib import import_module
+from typing import TYPE_CHECKING, Any, Protocol, Self
 
-from flexbearing.case.roller import Case
-from flexbearing.case.roller.bands import CLEARANCE, HOUSING, SHAFT
-from flexbearing.case.roller.tolerances import Place
+from flexbearing.case.tolerances import CLEARANCE, HOUSING, SHAFT, Band, Place
 from quasidynamic.note import Note, information
 
 if TYPE_CHECKING:
-    from flexbearing.build.fits import OperatingClearance
+    from quasidynamic.clearance import OperatingClearance
+
+ROLLERS = "cylindrical_roller"  # the kind of bearing whose fits may be those of finite elements
+
+
+class Case(Protocol):
+    """What cases of rollers and of fast balls have in common; the former load nothing of the latter."""
+
+    @property
+    def kind(self) -> str:
+        """Family of the bearing."""
+        ...
+
+    @property
+    def bearing(self) -> Any:
+        """The bearing, with its mounting."""
+        ...
+
+    @property
+    def bands(self) -> dict[str, Band]:
+        """Key of each class of clearance and fits, to what it allows [m]."""
+        ...
+
+    @property
+    def place(self) -> Place:
+        """Where classes are taken within their tolerances."""
+        ...
+
+    @property
+    def stated_clearance(self) -> float:
+        """The clearance that the case gives, operating or before mounting [m]."""
+        ...
+
+    @property
+    def shaft_interference(self) -> float:
+        """Diametral interference of shaft and inner ring, cold [m]."""
+        ...
+
+    @property
+    def housing_interference(self) -> float | None:
+        """Diametral interference of outer ring and housing, cold [m]."""
+        ...
+
+    def within_tolerances(self, place: Place) -> Self:
+        """The same case with its classes taken at another place within their tolerances."""
+        ...
 
 
 def operating(case: Case) -> float:
@@ -21,9 +65,8 @@ def computed(case: Case) -> "OperatingClearance | None":
     """Steps from the cold to the operating clearance; None when the case states the latter."""
     if case.bearing.mounting is None:
         return None
-    from flexbearing.build.fits import from_fits
-
-    return from_fits(case)
+    module = "fits" if case.kind == ROLLERS else "ball_fits"
+    return import_module(f"flexbearing.build.{module}").from_fits(case)
 
 
 def record(case: Case) -> dict[str, Any]:
@@ -80,6 +123,7 @@ def _at_end(case: Case, place: Place) -> float:
 
 def notes(case: Case) -> tuple[Note, ...]:
     """Say so when the bearing runs under preload, and between which clearances its classes leave it."""
+    elements = "rollers" if case.kind == ROLLERS else "balls"
     clearance, within = operating(case), ()
     if case.bands and case.bearing.mounting:
         within = (_tolerance_note(case, clearance),)
@@ -88,7 +132,7 @@ def notes(case: Case) -> tuple[Note, ...]:
     return (
         information(
             "preload",
-            "clearance: the bearing is preloaded, its rollers interfere by "
+            f"clearance: the bearing is preloaded, its {elements} interfere by "
             f"{-clearance * 1e6:.3f} um diametral",
         ),
         *within,

@@ -15,7 +15,12 @@ def hot_over_cold(case: Case, part: str) -> float:
     temperature = getattr(temperatures, part)
     if temperature is None:
         return hot_over_cold(case, "outer_ring")
-    return 1.0 + material(case, part).expansion * (temperature - temperatures.reference)
+    return 1.0 + expansion_coefficient(case, part) * (temperature - temperatures.reference)
+
+
+def expansion_coefficient(case: Case, part: str) -> float:
+    """Coefficient of linear thermal expansion of a part [1/K]; 0 where the case needs none and gives none."""
+    return material(case, part).expansion or 0.0
 
 
 def material(case: Case, part: str) -> Material:

@@ -62,7 +62,7 @@ def _mounting(case: Case) -> Mounting:
             interference=case.shaft_interference,
         ),
         outer=outer,
-        roller=_annulus(case, "roller", 0.0, case.bearing.roller.diameter),
+        rolling_element=_annulus(case, "roller", 0.0, case.bearing.roller.diameter),
     )
 
 
@@ -91,7 +91,7 @@ def _running(case: Case) -> OperatingConditions:
         reference=kelvin["reference"],
         shaft=kelvin["shaft"],
         inner_ring=kelvin["inner_ring"],
-        rollers=kelvin["roller"],
+        rolling_elements=kelvin["roller"],
         outer_ring=kelvin["outer_ring"],
         housing=kelvin["housing"] if housed else None,
         inner_speed=case.operation.inner_speed,
@@ -107,5 +107,5 @@ def _annulus(case: Case, part: str, inside: float, outside: float) -> Annulus:
         youngs_modulus=material.youngs_modulus,
         poisson_ratio=material.poisson_ratio,
         density=material.density,
-        expansion=material.expansion,
+        expansion=expansion.expansion_coefficient(case, part),
     )

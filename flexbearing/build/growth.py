@@ -8,7 +8,7 @@ import numpy as np
 
 import fem
 from fem.errors import NotSolved
-from flexbearing.build.expansion import hot_over_cold, material, roller_length
+from flexbearing.build.expansion import expansion_coefficient, hot_over_cold, material, roller_length
 from flexbearing.build.mesh_sizes import ON_A_SECTION, mesh_size
 from flexbearing.build.ring_parts import (
     inner_part,
@@ -77,8 +77,8 @@ def _pressed_inner(case: Case, conditions: FitConditions) -> "PreloadedFit":
         friction=0.0,
         clamping=case.inner.clamping,
         thermal_strains=(
-            ring.expansion * conditions.outside_rise,
-            shaft.expansion * conditions.inside_rise,
+            expansion_coefficient(case, "inner_ring") * conditions.outside_rise,
+            expansion_coefficient(case, "shaft") * conditions.inside_rise,
         ),
         densities=(ring.density, shaft.density),
         speed=conditions.speed,
@@ -101,8 +101,8 @@ def _outer(case: Case) -> Expansion:
             interference=case.housing_interference,
             friction=0.0,
             thermal_strains=(
-                ring.expansion * conditions.inside_rise,
-                housing.expansion * conditions.outside_rise,
+                expansion_coefficient(case, "outer_ring") * conditions.inside_rise,
+                expansion_coefficient(case, "housing") * conditions.outside_rise,
             ),
             densities=(ring.density, housing.density),
             speed=conditions.speed,
@@ -191,6 +191,6 @@ def expansions_along(case: Case, **bodies: str) -> "dict[str, Along]":
         along = getattr(temperatures, f"{part}_along")
         if along is not None:
             rise = np.array(along.temperatures) - getattr(temperatures, part)
-            strain = material(case, part).expansion * rise
+            strain = expansion_coefficient(case, part) * rise
             expansions[body] = Along(at=np.multiply(along.at, hot), values=strain)
     return expansions

@@ -39,7 +39,7 @@ def outer_part(case: Case) -> "fem.SquirrelCage | fem.OuterRing | StepSolid | No
         return None
     if outer.kind == "step":
         return _drawn(case, **ring, scale=hot)
-    if outer.kind == "ring":
+    if outer.kind in ("ring", "matrix"):
         lengths = {name: getattr(outer, name) * hot for name in ("thickness", "width")}
         return fem.OuterRing(**ring, **lengths, support=_support(case), offset=outer.raceway_offset * hot)
     lengths = (
@@ -59,6 +59,10 @@ def outer_part(case: Case) -> "fem.SquirrelCage | fem.OuterRing | StepSolid | No
 def _support(case: Case) -> Any:
     """What holds a plain outer ring."""
     outer: Any = case.outer  # checked on reading
+    if outer.kind == "matrix":
+        from flexbearing.build.reduced_bodies import reduced_body
+
+        return reduced_body(case)
     hot = hot_over_cold(case, "outer_ring")
     match outer.support:
         case "seat":

@@ -1,9 +1,9 @@
 """From a case to the bearing: its rollers, cage and flanges at their temperatures."""
 
-from typing import Any, Literal
+from typing import Literal
 
 import quasidynamic as qd
-from flexbearing.build import clearance
+from flexbearing.build import clearance, profiles
 from flexbearing.build.expansion import hot_over_cold, material, outer_raceway_diameter, roller_length
 from flexbearing.build.lubrication import lubrication
 from flexbearing.case.roller import Case
@@ -31,16 +31,18 @@ def parts(case: Case) -> qd.CylindricalRollerBearing:
         roller=qd.Roller(
             diameter=case.bearing.roller.diameter * hot_over_cold(case, "roller"),
             length=roller_length(case),
-            material=_material(case, "roller"),
-            profile=_profile(case),
+            material=profiles.elastic(material(case, "roller")),
+            profile=profiles.of_roller(case),
         ),
         cage=_cage(case),
-        inner_ring=_material(case, "inner_ring"),
-        outer_ring=_material(case, "outer_ring"),
+        inner_ring=profiles.elastic(material(case, "inner_ring")),
+        outer_ring=profiles.elastic(material(case, "outer_ring")),
         contact_law=case.bearing.contact_law,
         first_roller_azimuth=case.bearing.first_roller_azimuth,
         inner_waves=_waves(case, "inner"),
         outer_waves=_waves(case, "outer"),
+        inner_profile=profiles.of_raceway(case, "inner"),
+        outer_profile=profiles.of_raceway(case, "outer"),
     )
 
 
@@ -80,22 +82,6 @@ def _waves(case: Case, race: Literal["inner", "outer"]) -> RacewayWaves | None:
     if waves is None:
         return None
     return RacewayWaves(numbers=waves.numbers, amplitudes=waves.amplitudes, crests=waves.crests)
-
-
-def _material(case: Case, part: str) -> qd.Material:
-    solid = material(case, part)
-    return qd.Material(
-        youngs_modulus=solid.youngs_modulus, poisson_ratio=solid.poisson_ratio, density=solid.density
-    )
-
-
-def _profile(case: Case) -> qd.Profile:
-    roller: Any = case.bearing.roller  # which values are there depends on the profile, checked on reading
-    if roller.profile == "crowned":
-        return qd.Crowned(straight_length=roller.straight_length, crown_radius=roller.crown_radius)
-    if roller.profile == "logarithmic":
-        return qd.Logarithmic(amplitude=roller.drop)
-    return qd.Straight()
 
 
 def _cage(case: Case) -> qd.Cage:

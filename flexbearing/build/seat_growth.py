@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 import fem
 from fem.errors import NotSolved
-from flexbearing.build.expansion import material, roller_length
+from flexbearing.build.expansion import expansion_coefficient, roller_length
 from flexbearing.build.mesh_sizes import IN_SPACE, ON_A_SECTION, mesh_size
 from flexbearing.build.ring_parts import outer_part
 from flexbearing.cache import configured
@@ -21,7 +21,8 @@ def seat_strain(case: Case) -> float:
     temperatures = case.operation.temperatures
     if temperatures is None or temperatures.outer_seat is None:
         return 0.0
-    return material(case, "outer_ring").expansion * (temperatures.outer_seat - temperatures.outer_ring)
+    warmer = temperatures.outer_seat - temperatures.outer_ring
+    return expansion_coefficient(case, "outer_ring") * warmer
 
 
 def seat_growth(case: Case, note: Callable[[str], None] = lambda text: None) -> "RacewayGrowth | None":

@@ -146,14 +146,20 @@ class Declaration:
 
     @property
     def _range(self) -> str:
-        unit = f" {self.kind.unit}" if self.kind else ""
         found = [
-            f"{word} {getattr(limit, name):g}{unit}"
+            f"{word} {self._limit(getattr(limit, name))}"
             for limit in [*self.field.metadata, *_parts(self.field.annotation)]
             for name, word in _LIMITS.items()
             if getattr(limit, name, None) is not None
         ]
         return ", " + " and ".join(found) if found else ""
+
+    def _limit(self, value: float) -> str:
+        """A limit in the unit of the example."""
+        if not self.kind:
+            return f"{value:g}"
+        example = self.field.examples[0] if self.field.examples else self.kind.example
+        return self.kind.written(value, example[0] if isinstance(example, list | tuple) else example)
 
 
 def toml(value: Any) -> str:

@@ -33,6 +33,9 @@ class Family:
     report: Callable[[], Any]  # a `flexbearing.report.family_report.FamilyReport`
     ahead: Callable[[], Callable[[Any], Any]] | None = None  # begins beside what `solve` loads; a context
     initial_state: Callable[[], Callable[..., Any]] | None = None  # from another result; None: it has no such
+    catalogue: Callable[[], Any] | None = (
+        None  # a `flexbearing.runs.catalogue_life.Catalogue`; None: no ratings
+    )
 
 
 Families = Mapping[str, Family]  # by kind; the first is that of a file which names none

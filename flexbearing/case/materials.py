@@ -10,6 +10,8 @@ from pydantic_core import PydanticCustomError
 from flexbearing.case.named_materials import MATERIALS, values
 from flexbearing.case.quantity import Density, PerTemperature, Pressure, Section, impossible, key
 
+EXPANSION = "coefficient of linear thermal expansion; needed with [operation.temperatures]"
+
 
 class Elastic(Section):
     """An elastic material."""
@@ -56,7 +58,7 @@ class HeavyElastic(Elastic):
 class Material(HeavyElastic):
     """A material that expands with heat."""
 
-    expansion: PerTemperature = key("coefficient of linear thermal expansion", ge=-1e-3, le=1e-3)
+    expansion: PerTemperature | None = key(EXPANSION, None, example="11.2e-6 1/K", ge=-1e-3, le=1e-3)
 
 
 class RingMaterial(Material):

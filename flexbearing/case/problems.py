@@ -87,9 +87,14 @@ def _message(
         why = f": {context['choice']} needs it" if kind == "needed" else ""
         return f"{shown(path)} is missing{why}; it is {_allowed(path, model)}{_with(path, lacking, model)}."
     if kind == "impossible":
-        return f"{shown(path)}{_found(raw, path)} cannot be; it must be {context['allowed']}."
+        return f"{shown(path)}{_found(raw, path)} cannot be; it must be {_ended(context['allowed'])}"
     reason = f" {context['why']}" if kind == "quantity" else " is not allowed"
     return f"{shown(path)}{_found(raw, path)}{reason}; it must be {_allowed(path, model)}."
+
+
+def _ended(words: str) -> str:
+    """A sentence with its full stop."""
+    return words if words.endswith("?") else f"{words}."
 
 
 def _with(path: str, lacking: Mapping[str, Any], model: type[Section]) -> str:
@@ -101,7 +106,7 @@ def _with(path: str, lacking: Mapping[str, Any], model: type[Section]) -> str:
     words = [
         f"{f'{reason} needs' if reason else 'with'} {', '.join(by_reason[reason])}" for reason in by_reason
     ]
-    return f" {'; '.join(words)}" if words else ""
+    return f"{'' if '' in by_reason else ';'} {'; '.join(words)}" if words else ""
 
 
 def _values_of(table: str, lacking: Mapping[str, Any], model: type[Section]) -> list[Declaration]:

@@ -72,6 +72,16 @@ class Kind:
             raise self._refused(f"is not of a size from {self.sizes}")
         return value
 
+    def written(self, value: float, like: str) -> str:
+        """A value in SI units as a user writes it, rounded: in the unit of a text of this kind."""
+        match = _NUMBER_UNIT.fullmatch(like)
+        assert match
+        name = match[2]
+        given = unit(name)
+        if self.unit == SPEED and given.powers == PER_MINUTE.powers:
+            given = unit("rpm")
+        return f"{given.of_si(value):.6g} {name}"
+
     @property
     def sizes(self) -> str:
         """What a value that is not zero may be, whatever its sign."""
@@ -165,6 +175,11 @@ def key(
         json_schema_extra={"only": choices} if choices else None,
         **limits,
     )
+
+
+def in_mm(length: float) -> str:
+    """A length [m] as messages tell it, rounded."""
+    return f"{length * 1e3:.4g} mm"
 
 
 def impossible(name: str, allowed: str) -> PydanticCustomError:

@@ -16,7 +16,9 @@ from quasidynamic import Equilibrium
 from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.balance.rollers.unknowns import Unknowns
 from quasidynamic.outcome.bearing_states import BearingStates
+from quasidynamic.outcome.rating_life import static_safety
 from quasidynamic.outcome.ring_stiffness import Tangent
+from quasidynamic.outcome.worst_line_contact import WorstLineContact
 
 if TYPE_CHECKING:
     from quasidynamic.outcome.whole_roller import WholeRoller
@@ -32,6 +34,8 @@ class EndStates:
     rings: LinearPair
     roughness: NDArray | None = None  # (C, 2) composite, or one for all cases [m]
     life_error: NDArray | None = None  # (C) estimated, over the life; None where nothing was estimated [-]
+    edge_stress: NDArray | None = None  # (C, K) factor on the load of slices; None where the life takes none
+    static_rating: NDArray | None = None  # (C) C_0 [N]; None where nobody asks for the static safety
 
     @property
     def life(self) -> NDArray:
@@ -43,10 +47,31 @@ class EndStates:
         """Basic rating life (C, 2) of each raceway on its own [rev]."""
         return self.states.raceway_lives * MREV
 
+    @cached_property
+    def slice_pressure(self) -> NDArray:
+        """Largest pressure (C, 2, Z, K) of each slice [Pa]; pressure goes with the root of the load."""
+        pressure = self.states.slice_pressure
+        return pressure if self.edge_stress is None else pressure * np.sqrt(self.edge_stress)[:, None, None]
+
     @property
     def peak_pressure(self) -> NDArray:
         """Largest pressure (C, 2) at the inner and outer raceway [Pa]."""
-        return self.states.peak_pressure
+        if self.edge_stress is None:
+            return self.states.peak_pressure
+        return self.slice_pressure.max(axis=(2, 3))
+
+    @property
+    def worst(self) -> WorstLineContact:
+        """Most pressed contact of each raceway (C, 2)."""
+        states = self.states
+        return WorstLineContact.under(self.peak_pressure, states.contact_radius, states.contact_modulus)
+
+    @property
+    def static_safety(self) -> NDArray | None:
+        """C_0/P_0 (C) of ISO 76; None without a rating."""
+        if self.static_rating is None:
+            return None
+        return static_safety(self.static_rating, np.hypot(*self.states.applied_load.T))
 
     @property
     def relative_speed(self) -> NDArray:
@@ -102,11 +127,19 @@ class EndState:
     roughness: NDArray | None = None  # (2) composite [m]
     life_error: float | None = None  # estimated, over the life; None where nothing was estimated [-]
     whole: "WholeRoller | None" = None  # its most loaded roller on half-spaces; None where slices answer
+    edge_stress: NDArray | None = None  # (K) factor on the load of slices; None where the life takes none
+    static_rating: float | None = None  # C_0 [N]; None where nobody asks for the static safety
 
     @cached_property
     def cases(self) -> EndStates:
         """The same as an array of one case."""
-        return EndStates(self.equilibrium.cases, self.rings, self.roughness)
+        return EndStates(
+            self.equilibrium.cases,
+            self.rings,
+            self.roughness,
+            edge_stress=None if self.edge_stress is None else self.edge_stress[None],
+            static_rating=None if self.static_rating is None else np.array([self.static_rating]),
+        )
 
     @property
     def life(self) -> float:
@@ -122,6 +155,28 @@ class EndState:
     def peak_pressure(self) -> NDArray:
         """Largest pressure (2) at the inner and outer raceway [Pa]."""
         return self.cases.peak_pressure[0] if self.whole is None else self.whole.peak_pressure
+
+    @property
+    def slice_pressure(self) -> NDArray:
+        """Largest pressure (2, Z, K) of each slice [Pa]; of half-spaces where they answer for a roller."""
+        pressure = self.cases.slice_pressure[0]
+        if self.whole is None:
+            return pressure
+        pressure = pressure.copy()
+        pressure[:, self.whole.number] = self.whole.slice_pressure
+        return pressure
+
+    @property
+    def worst(self) -> WorstLineContact:
+        """Most pressed contact of each raceway (2)."""
+        states = self.cases.states
+        return WorstLineContact.under(self.peak_pressure, states.contact_radius[0], states.contact_modulus[0])
+
+    @property
+    def static_safety(self) -> float | None:
+        """C_0/P_0 of ISO 76 [-]; None without a rating."""
+        safety = self.cases.static_safety
+        return None if safety is None else safety[0]
 
     @property
     def sliced_life(self) -> float:

@@ -71,6 +71,22 @@ class Wanted:
         """As it was asked for, without the unit."""
         return f"{self.block}.{self.output.name}" if self.block else self.output.name
 
+    @property
+    def estimated(self) -> bool:
+        """Whether a target estimates its error; not of states between rigid raceways beside others."""
+        return bool(self.output.declared.error) and self.block != "rigid"
+
+    def error(self, estimates: Mapping[str, float | None], number: float) -> float:
+        """Estimated error of its number in `unit`, by the names of `SummaryValue.error`; NaN without one."""
+        declared = self.output.declared
+        estimate = estimates.get(declared.error) if self.estimated else None
+        if estimate is None:
+            return float("nan")
+        if declared.error_relative:
+            return estimate * abs(number)
+        scale = 1.0 if declared.in_si or declared.unit is None else declared.unit.scale
+        return estimate * scale * self.conversion.factor
+
     def chosen(self, blocks: Mapping[str, Block]) -> Block:
         """The block that it is taken from; empty where there is none."""
         names = (self.block,) if self.block else BLOCKS

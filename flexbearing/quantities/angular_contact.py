@@ -1,13 +1,18 @@
-"""Output quantities of a fast angular-contact ball bearing.
+"""Output quantities of fast ball bearings, angular contact or deep groove.
 
 The page of a result shows its rows in the order of declaration, those of two races in a table of their own.
 """
+
+from dataclasses import replace
 
 import numpy as np
 
 from flexbearing.quantities.attributes import HEAD
 from flexbearing.quantities.axes import Axis
+from flexbearing.quantities.ball_clearance import CLEARANCE_ATTRIBUTE
+from flexbearing.quantities.contact_stress import SUBSURFACE_AXES, static_safety, subsurface, worst_contact
 from flexbearing.quantities.layout import Layout
+from flexbearing.quantities.life_records import CATALOGUE_ATTRIBUTE, LIFE_ATTRIBUTE
 from flexbearing.quantities.quantity import Quantity, SummaryValue, Unit
 from flexbearing.quantities.reductions import (
     ABOUT_YZ,
@@ -18,12 +23,14 @@ from flexbearing.quantities.reductions import (
     finite_range,
     tilts,
 )
-from flexbearing.quantities.units import COUNT, DEG, MM, MPA, MRAD, RPM, UM
+from flexbearing.quantities.stiffness import RADIAL_STIFFNESSES
+from flexbearing.quantities.units import COUNT, DEG, MM, MPA, MRAD, MREV, RPM, UM
 
 RING = "ring"  # section of the page
 _APART = "NaN for a ball without lines, as one that does not touch both races"
 _FRICTION = "absent where a contact is as wide as the surface it presses"
 _SLIDING = "absent in full sliding"
+_UNRATED = "absent at rest, and where ISO 281 has no rating and the case gives none"
 _CELLS = "of the ball that carries most on both races; absent in full sliding"
 _ORDER = "x, y, z, about y, about z; about the point of the axis in the plane of the inner groove centres"
 
@@ -69,6 +76,9 @@ QUANTITIES = (
         "semi-axis along the rolling direction, 0 without load", source="state.semi_axes.1", people=MM,
         summary=(SummaryValue("semi_axis_along_mm", _largest_of_races, "largest semi-axis along rolling",
             ".4f", parts=RACES),)),
+    *worst_contact("worst"),
+    *subsurface(),
+    static_safety("rated.static_safety", "the load on the ring, preload with it", optional=True),
     Quantity("traction", "T", "race Z", "N", "block",
         "friction along the groove section, which holds the gyroscopic moment", source="state.tractions"),
     Quantity("needed_friction", "", "race Z", "1", "block", "that traction over the load, 0 without load",
@@ -134,7 +144,35 @@ QUANTITIES = (
         optional=True, summary=(SummaryValue("largest_unbalanced_section_force", lambda force: force.max(),
             "force in the section plane that stick leaves unbalanced", ".2g"),)),
 
+    # life
+    Quantity("life_L10", "L_10r", "", "rev", "block",
+        f"reference rating life of both raceways together by ISO/TS 16281, 90 % survival; {_UNRATED}",
+        source="life.basic", people=MREV, optional=True,
+        summary=(SummaryValue("life_L10_Mrev", label="life L10", digits=",.4g", speed="relative_speed"),)),
+    Quantity("raceway_life", "L_10,i, L_10,o", "race", "rev", "block",
+        f"the same of each raceway on its own (inner, outer); {_UNRATED}", source="life.raceways",
+        people=MREV, optional=True, infinite=True,
+        summary=(SummaryValue("raceway_life_Mrev", label="life L10", digits=",.4g", parts=RACES,
+            speed="relative_speed"),)),
+    Quantity("modified_life", "L_nmr", "", "rev", "block",
+        "life after every factor of [life], see the attribute life; absent when nothing modifies it",
+        source="life.modified", people=MREV, optional=True,
+        summary=(SummaryValue("modified_life_Mrev", label="modified life", digits=",.4g",
+            speed="relative_speed"),)),
+    Quantity("relative_speed", "", "", "rad/s", "block",
+        "speed of the inner ring less that of the outer ring, by which revolutions become hours; absent in "
+        "results of older versions", source="state.operation.relative_speed", people=RPM, optional=True),
+
     # ring
+    Quantity("free_contact_angle", "alpha_0", "", "rad", "block",
+        "contact angle at which balls just touch both races under an axial load, by the clearance",
+        source="state.bearing.free_contact_angle", people=DEG,
+        summary=(SummaryValue("free_contact_angle_deg", label="free contact angle", digits=".2f"),)),
+    Quantity("radial_clearance", "P_d", "", "m", "block",
+        "radial clearance in operation, as a change of diameter; of an angular-contact bearing that of its "
+        "free contact angle, 2 A (1 - cos(alpha_0)); negative is an interference",
+        source="state.bearing.radial_clearance", people=UM,
+        summary=(SummaryValue("radial_clearance_um", label="radial clearance", digits=".2f"),)),
     Quantity("ring_load", "P", "force", "N, N m", "block",
         f"what the balls carry for the inner ring ({_ORDER}): load or reaction",
         summary=(
@@ -151,7 +189,7 @@ QUANTITIES = (
         )),
     Quantity("stiffness_matrix", "K", "force displacement", "N/m, N/rad, N m/m, N m/rad", "block",
         f"load on the inner ring by its displacement ({_ORDER}), balls in balance", source="state.stiffness",
-        summary=(SummaryValue("stiffness_matrix_SI"),)),
+        summary=(*RADIAL_STIFFNESSES, SummaryValue("stiffness_matrix_SI"))),
 
     # pure rolling lines
     Quantity("line_parameter", "E", "race Z", "1", "block",
@@ -250,6 +288,7 @@ z towards y, which is the way a positive speed turns.
         Axis("P", "point", coordinate="slip_position"),
         Axis("P1", "across"),
         Axis("P2", "along"),
+        *SUBSURFACE_AXES,
     ),
     quantities=QUANTITIES,
     main=(
@@ -260,6 +299,11 @@ z towards y, which is the way a positive speed turns.
         "orbital_speed_range.smallest",
     ),
     blocks=("rigid",),
-    head=("kind", *HEAD),
+    further_attributes=(
+        CLEARANCE_ATTRIBUTE,
+        replace(LIFE_ATTRIBUTE, optional=True),
+        CATALOGUE_ATTRIBUTE,
+    ),
+    head=("kind", *HEAD, "clearance", "life", "catalogue_life"),
     case_keys=(("friction_model", "friction", "model"), ("friction_spin", "friction", "spin")),
 )

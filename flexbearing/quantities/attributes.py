@@ -3,9 +3,9 @@
 from dataclasses import dataclass
 from typing import Literal
 
-from flexbearing.quantities.forms import TEXT, Anything, Each, Form, ListOf, OneOf, Record
+from flexbearing.quantities.forms import COUNT, TEXT, Anything, Each, Form, ListOf, OneOf, Record
 
-FORMAT = 9
+FORMAT = 10
 OLDER = {  # what the files of an older format are
     4: "its axes are older: of balls z axial and x along the load, tilts in stiffness_matrix of rollers as "
     "slopes; see docs/reference/axes.md",
@@ -13,6 +13,7 @@ OLDER = {  # what the files of an older format are
     6: "its notes have no grades and no codes",
     7: "its axes have no names that other programs read",
     8: "its contacts in full sliding have no pressure, and axes of contacts have other names",
+    9: "it has no pressure along rollers, no shear stress below contacts and no static safety",
 }
 ENDS = ("converged", "iteration limit", "diverging", "stagnating", "not finite", "not solved")
 STATUSES = (*ENDS, "unfinished")  # of a run that is at work, or was interrupted
@@ -59,6 +60,13 @@ COMMON = (
     ),
     Attribute(
         "versions", "json", "versions of the program and of what it stands on", form=Each("package", TEXT)
+    ),
+    Attribute(
+        "machine",
+        "json",
+        "where the run was computed: name of the host, kind of its processor, cores the run could use",
+        optional=True,
+        form=Record({"host": TEXT, "processor": TEXT, "cores": COUNT}),
     ),
     Attribute("assumed", "texts", "keys whose values are assumed, not known"),
     Attribute("calibrated", "json", "keys whose values were fitted, each to what", form=Each("key", TEXT)),

@@ -7,6 +7,8 @@ import numpy as np
 
 from flexbearing.quantities.attributes import HEAD
 from flexbearing.quantities.axes import Axis
+from flexbearing.quantities.ball_clearance import CLEARANCE_ATTRIBUTE
+from flexbearing.quantities.contact_stress import SUBSURFACE_AXES, subsurface, worst_contact
 from flexbearing.quantities.layout import Layout
 from flexbearing.quantities.quantity import Quantity, SummaryValue
 from flexbearing.quantities.reductions import (
@@ -21,6 +23,7 @@ from flexbearing.quantities.reductions import (
     loaded,
     tilts,
 )
+from flexbearing.quantities.stiffness import RADIAL_STIFFNESSES
 from flexbearing.quantities.units import COUNT, DEG, MM, MPA, MRAD, RPM, UM
 
 RING = "ring"  # section of the page
@@ -83,6 +86,8 @@ QUANTITIES = (
         "semi-axis along the rolling direction, 0 without load", source="balls.ellipse.along", people=MM,
         summary=(SummaryValue("semi_axis_along_mm", _largest_of_races, "largest semi-axis along rolling",
             ".4f", parts=RACES),)),
+    *worst_contact("worst"),
+    *subsurface(),
     Quantity("friction_coefficient", "mu", "Z G race", "1", "block", "Coulomb friction at the peak pressure",
         source="balls.friction"),
 
@@ -155,6 +160,14 @@ QUANTITIES = (
         summary=(SummaryValue("power_loss_W", label="power loss", digits=".4g"),)),
 
     # rings
+    Quantity("free_contact_angle", "alpha_0", "", "rad", "block",
+        "contact angle of the diagonals without load, after mounting",
+        source="solution.bearing.contact_angle", people=DEG,
+        summary=(SummaryValue("free_contact_angle_deg", label="free contact angle", digits=".2f"),)),
+    Quantity("diagonal_clearance", "", "", "m", "block",
+        "free way of a ball along a diagonal, after mounting; negative is an interference",
+        source="solution.bearing.clearance", people=UM,
+        summary=(SummaryValue("diagonal_clearance_um", label="clearance along a diagonal", digits=".2f"),)),
     Quantity("ring_load", "P", "force", "N, N m", "block", f"load on the inner ring ({_ORDER}); {_GIVEN}",
         source="solution.ring_load", optional=True),
     Quantity("ring_displacement", "delta", "displacement", "m, rad", "block",
@@ -174,7 +187,7 @@ QUANTITIES = (
             "largest deflection of the rings", ".2f", section="compared"),)),
     Quantity("stiffness_matrix", "K", "force displacement", "N/m, N/rad, N m/m, N m/rad", "block",
         f"tangent stiffness of the rings without friction ({_ORDER}); {_GIVEN}", source="ring.stiffness",
-        optional=True, summary=(SummaryValue("stiffness_matrix_SI"),)),
+        optional=True, summary=(*RADIAL_STIFFNESSES, SummaryValue("stiffness_matrix_SI"))),
     Quantity("ring_imbalance", "", "", "1", "block",
         f"unbalanced force on the inner ring over the largest force; {_GIVEN}", source="ring.imbalance",
         optional=True),
@@ -215,12 +228,14 @@ Torques are what must be put in so that the inner ring runs ahead: positive ther
         Axis("F", "chosen_ball", coordinate="field_ball"),
         Axis("P1", "across"),
         Axis("P2", "along"),
+        *SUBSURFACE_AXES,
     ),
     quantities=QUANTITIES,
     main=("max_contact_load", "loaded_balls", "peak_pressure.inner", "torque.inner", "power_loss"),
     blocks=("rigid",),
     further_blocks=("flexible",),
-    head=("kind", *HEAD),
+    further_attributes=(CLEARANCE_ATTRIBUTE,),
+    head=("kind", *HEAD, "clearance"),
     case_keys=(
         ("torque_formula", "friction", "torque"),
         ("friction_model", "friction", "model"),

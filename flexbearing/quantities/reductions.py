@@ -64,6 +64,43 @@ def smallest_above_zero(*rows: np.ndarray) -> np.ndarray:
     return np.where(np.isinf(smallest), np.nan, smallest)
 
 
+def _largest_place(pressure: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Roller and slice (...) with the largest of pressures (..., Z, K)."""
+    flat = pressure.reshape(*pressure.shape[:-2], -1)
+    roller, slice_ = np.divmod(flat.argmax(axis=-1), pressure.shape[-1])
+    return roller, slice_
+
+
+def _entry(values: np.ndarray, place: np.ndarray) -> np.ndarray:
+    """Entries (...) of values (n) or (..., n) at places (...)."""
+    each = np.broadcast_to(values, (*place.shape, values.shape[-1]))
+    return np.take_along_axis(each, place[..., None], axis=-1)[..., 0]
+
+
+def azimuth_of_largest(inner: np.ndarray, outer: np.ndarray, azimuth: np.ndarray) -> np.ndarray:
+    """Azimuths (..., 2) between -pi and pi of the rollers with the largest of pressures (..., Z, K)."""
+    found = [_entry(azimuth, _largest_place(pressure)[0]) for pressure in (inner, outer)]
+    return np.pi - (np.pi - np.stack(found, axis=-1)) % (2 * np.pi)
+
+
+def place_of_largest(inner: np.ndarray, outer: np.ndarray, position: np.ndarray) -> np.ndarray:
+    """Places (..., 2) along the rollers of the largest of pressures (..., Z, K)."""
+    return np.stack([_entry(position, _largest_place(each)[1]) for each in (inner, outer)], axis=-1)
+
+
+def loaded_share_at_largest(inner: np.ndarray, outer: np.ndarray) -> np.ndarray:
+    """Share of the slices (..., 2) that carry load, of the rollers with the largest of pressures (..., Z, K).
+
+    The load of a slice goes with the square of its pressure.
+    """
+    shares = []
+    for pressure in (inner, outer):
+        roller = _largest_place(pressure)[0][..., None, None]
+        along = np.take_along_axis(pressure, roller, axis=-2)[..., 0, :]
+        shares.append((along**2 > LOADED * along.max(axis=-1, keepdims=True) ** 2).mean(axis=-1))
+    return np.stack(shares, axis=-1)
+
+
 def loaded(load: np.ndarray) -> np.ndarray:
     """Which contacts carry load (...), of the loads of all of them in one case [N], >= 0."""
     return load > LOADED * load.max()
@@ -153,6 +190,21 @@ def touching_both(forces: np.ndarray) -> np.ndarray:
 def entry_along_z(matrix: np.ndarray) -> np.ndarray:
     """Force along z per displacement along z, of matrices (..., 5, 5) over x, y, z and both tilts."""
     return matrix[..., 2, 2]
+
+
+def entry_along_y(matrix: np.ndarray) -> np.ndarray:
+    """Force along y per displacement along y, of matrices (..., 5, 5) over x, y, z and both tilts."""
+    return matrix[..., 1, 1]
+
+
+def entry_y_by_z(matrix: np.ndarray) -> np.ndarray:
+    """Force along y per displacement along z, of matrices (..., 5, 5) over x, y, z and both tilts."""
+    return matrix[..., 1, 2]
+
+
+def entry_z_by_y(matrix: np.ndarray) -> np.ndarray:
+    """Force along z per displacement along y, of matrices (..., 5, 5) over x, y, z and both tilts."""
+    return matrix[..., 2, 1]
 
 
 def at_inner_race(values: np.ndarray) -> np.ndarray:

@@ -6,14 +6,16 @@ The page of a result shows its rows in the order of declaration.
 from flexbearing.quantities import roller_records as records
 from flexbearing.quantities.attributes import HEAD, Attribute
 from flexbearing.quantities.axes import Axis
+from flexbearing.quantities.contact_stress import SUBSURFACE_AXES, static_safety, subsurface, worst_contact
 from flexbearing.quantities.layout import Layout
+from flexbearing.quantities.life_records import CATALOGUE_ATTRIBUTE, LIFE_ATTRIBUTE
 from flexbearing.quantities.quantity import Quantity, SummaryValue, Unit
 from flexbearing.quantities.reductions import (
     RACES,
     YZ,
     across,
     along,
-    entry_along_z,
+    azimuth_of_largest,
     largest,
     largest_at_mid_roller,
     largest_at_roller_ends,
@@ -23,11 +25,14 @@ from flexbearing.quantities.reductions import (
     length,
     loaded_arc_in_degrees,
     loaded_rollers,
+    loaded_share_at_largest,
+    place_of_largest,
     smallest_above_zero,
     stacked,
     total,
     touching_both,
 )
+from flexbearing.quantities.stiffness import RADIAL_STIFFNESSES
 from flexbearing.quantities.units import COUNT, DEG, KN_PER_MM, MM, MPA, MRAD, MREV, PERCENT, RPM, UM
 
 _DEVIATION = "positive outward, without form error, local indentation and rigid translation"
@@ -35,9 +40,15 @@ _DEVIATIONS = ("inner_deviation", "outer_deviation")
 _FLANGED = "absent without [bearing.flange]"
 _NO_BARS = "absent without bars"
 _NO_ROUGHNESS = "absent without roughness"
+_PRESSURE = (
+    "by Hertz, with the edge stress factor where life.edge_stress asks for it; that of half-spaces for the "
+    'most loaded roller with bearing.contact = "half_space"'
+)
 _SLICED = 'absent without bearing.contact = "half_space"'
 LOSSES = ("sliding", "rolling", "drag", "pocket", "land", "churning", "transport")
 SKEW = "skew"  # section of the page
+CONTACT = "contact"  # section of the page
+_PRESSURES = ("inner_pressure", "outer_pressure")
 
 CAGE_SLIP = Quantity(
     "cage_slip", "s", "", "1", "state",
@@ -52,12 +63,14 @@ QUANTITIES = (
     # loads
     Quantity("inner_load", "Q_i", "Z", "N", "state", "load of the inner contact, >= 0",
         source="state.loads.0", summary=(
-            SummaryValue("max_roller_load_N", largest, "largest inner load", ",.1f", error="roller_load"),
+            SummaryValue("max_roller_load_N", largest, "largest roller load, inner", ",.1f",
+                         error="roller_load"),
             SummaryValue("roller_loads_N"),
         )),
     Quantity("outer_load", "Q_o", "Z", "N", "state", "load of the outer contact, >= 0",
         source="state.loads.1", summary=(
-            SummaryValue("max_outer_load_N", largest, "largest outer load", ",.1f", error="roller_load"),
+            SummaryValue("max_outer_load_N", largest, "largest roller load, outer", ",.1f",
+                         error="roller_load"),
             SummaryValue("outer_loads_N"),
         )),
     Quantity("inner_slice_load", "q_i", "Z K", "N/m", "state",
@@ -81,11 +94,6 @@ QUANTITIES = (
         "rating life of both raceways together, 90 % survival", source="end.life", people=MREV,
         summary=(SummaryValue("life_L10_Mrev", label="life L10", digits=",.2f", error="life",
                               speed="relative_speed"),)),
-    Quantity("raceway_life", "L_10,i, L_10,o", "race", "rev", "block",
-        "rating life of each raceway on its own (inner, outer), 90 % survival", source="end.raceway_life",
-        people=MREV, infinite=True,
-        summary=(SummaryValue("raceway_life_Mrev", label="life of each raceway", digits=",.2f", parts=RACES,
-                              speed="relative_speed"),)),
     Quantity("life_error", "", "", "1", "block",
         "estimated numerical error of the life by slices and axial shapes / life; absent with "
         "accuracy.target, "
@@ -93,6 +101,11 @@ QUANTITIES = (
         optional=True, summary=(
             SummaryValue("life_error_percent", label="  its numerical error, estimated",
                          digits=".2g", compared=False),)),
+    Quantity("raceway_life", "L_10,i, L_10,o", "race", "rev", "block",
+        "rating life of each raceway on its own (inner, outer), 90 % survival", source="end.raceway_life",
+        people=MREV, infinite=True,
+        summary=(SummaryValue("raceway_life_Mrev", label="life of each raceway", digits=",.2f", parts=RACES,
+                              speed="relative_speed"),)),
     Quantity("modified_life", "L_nm", "", "rev", "block",
         "life after every factor of [life], see the attribute life; absent when nothing modifies it",
         source="life.modified", people=MREV, optional=True,
@@ -121,14 +134,14 @@ QUANTITIES = (
     Quantity("support_stiffness_ratio", "", "", "1", "block",
         "support_stiffness over stiffness; absent where the outer raceway is rigid, or its support",
         source="end.support_stiffness_ratio", optional=True,
-        summary=(SummaryValue("support_stiffness_ratio", label="stiffness of the support over it",
+        summary=(SummaryValue("support_stiffness_ratio", label="stiffness of support / of bearing",
                               digits=".3f"),)),
     Quantity("stiffness_matrix", "K", "force displacement", "N/m, N/rad, N m/m, N m/rad", "block",
         "tangent stiffness from base to shaft ends, supports included, x, y, z, about y, about z "
         "(right-handed: about y is -dz/dx, about z is dy/dx); zero along x",
         source="end.with_supports.stiffness",
         summary=(
-            SummaryValue("stiffness_zz_N_per_m", entry_along_z, unit=Unit("N/m")),
+            *RADIAL_STIFFNESSES,
             SummaryValue("stiffness_matrix_SI"),
         )),
     Quantity("compliance_matrix", "K^-1", "displacement force", "m/N, m/(N m), rad/N, rad/(N m)", "block",
@@ -246,7 +259,24 @@ QUANTITIES = (
     Quantity("peak_pressure", "p", "race", "Pa", "block",
         "largest contact pressure (inner, outer), by slices as bearing.contact says or of the whole roller",
         source="end.peak_pressure", people=MPA,
-        summary=(SummaryValue("peak_pressure_MPa", label="peak pressure", digits=",.0f", parts=RACES),)),
+        summary=(
+            SummaryValue("peak_pressure_MPa", label="peak pressure", digits=",.0f", parts=RACES),
+            SummaryValue("peak_pressure_azimuth_deg", azimuth_of_largest, "azimuth of peak pressure", ".1f",
+                         of=(*_PRESSURES, "roller_azimuth"), unit=DEG, compared=False, parts=RACES,
+                         section=CONTACT),
+            SummaryValue("peak_pressure_position_mm", place_of_largest, "axial place of peak", ".3f",
+                         of=(*_PRESSURES, "slice_position"), unit=MM, compared=False, parts=RACES,
+                         section=CONTACT),
+            SummaryValue("loaded_length_percent", loaded_share_at_largest, "loaded share of that roller",
+                         ".0f", of=_PRESSURES, unit=PERCENT, parts=RACES, section=CONTACT),
+        )),
+    Quantity("inner_pressure", "p_i", "Z K", "Pa", "block", f"largest pressure of each slice of the inner "
+        f"contact, >= 0; {_PRESSURE}", source="end.slice_pressure.0", people=MPA),
+    Quantity("outer_pressure", "p_o", "Z K", "Pa", "block", f"largest pressure of each slice of the outer "
+        f"contact, >= 0; {_PRESSURE}", source="end.slice_pressure.1", people=MPA),
+    *worst_contact("end.worst", CONTACT),
+    *subsurface(CONTACT),
+    static_safety("end.static_safety", "the radial load"),
     Quantity("inner_film", "h_i", "Z", "m", "state", "film thickness of the inner contact, 0 without load",
         source="state.loaded_film.0", people=UM),
     Quantity("outer_film", "h_o", "Z", "m", "state", "film thickness of the outer contact, 0 without load",
@@ -281,8 +311,9 @@ QUANTITIES = (
     Quantity("whole_roller_line_load", "q", "race Y", "N/m", "block",
         f"load per length along the roller, >= 0; {_SLICED}", source="whole.line_load", optional=True),
     Quantity("whole_roller_tilt", "t", "race", "rad", "block",
-        "tilt of the roller against the raceway that its moment asks for on half-spaces, positive: +x end "
-        f"pressed in; {_SLICED}", source="whole.tilt", people=MRAD, optional=True),
+        "tilt of the roller against the raceway on half-spaces, that of its slices or, where the ring tilts "
+        f"freely, the one its moment asks for, positive: +x end pressed in; {_SLICED}",
+        source="whole.tilt", people=MRAD, optional=True),
     Quantity("peak_pressure_error", "", "race", "Pa", "block",
         "estimated discretisation error of the whole roller's peak pressure: its change with cells of twice "
         f"the size; at a sharp end there is no limit; {_SLICED}", source="whole.pressure_error", people=MPA,
@@ -354,8 +385,9 @@ QUANTITIES = (
         "discretisation residual, no loss: what the differences of the roller spins from azimuth to azimuth "
         "leave; may be negative", source="losses.transport",
         summary=(
-            SummaryValue("power_loss_W.transport", label="  discretisation residual", digits=",.2f"),
-            SummaryValue("power_loss_W.total", total, "  together", ",.2f",
+            SummaryValue("power_loss_W.transport", label="  discretisation residual", digits=",.2f",
+                         compared=False),
+            SummaryValue("power_loss_W.total", total, "  total", ",.2f",
                          of=tuple(f"loss_{cause}" for cause in LOSSES)),
         )),
     Quantity("driving_power", "", "", "W", "block", "power that the rings put in, the sum of all losses",
@@ -461,12 +493,8 @@ _ATTRIBUTES = (
         "operating clearance, with the steps that led to it when it was computed",
         form=records.CLEARANCE,
     ),
-    Attribute(
-        "life",
-        "json",
-        "factors of [life] with value and note, and the modified life; by block",
-        form=records.LIFE,
-    ),
+    LIFE_ATTRIBUTE,
+    CATALOGUE_ATTRIBUTE,
     Attribute(
         "regimes", "json", "lubrication regime of inner and outer raceway; by block", form=records.REGIMES
     ),
@@ -532,6 +560,7 @@ towards y, which is the way a positive speed turns.
         Axis("X", "place_across"),
         Axis("Y", "place_along", coordinate="whole_roller_position"),
         Axis("N", "unknown"),
+        *SUBSURFACE_AXES,
     ),
     quantities=QUANTITIES,
     main=("max_roller_load", "life_L10", "total_stiffness", "cage_slip", "driving_torque"),
@@ -543,6 +572,7 @@ towards y, which is the way a positive speed turns.
         "tilt",
         "clearance",
         "life",
+        "catalogue_life",
         "regimes",
         "equilibria",
         "structure",

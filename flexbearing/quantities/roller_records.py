@@ -14,8 +14,8 @@ from flexbearing.quantities.forms import (
     Record,
     Such,
 )
+from flexbearing.quantities.life_records import BLOCKS
 
-BLOCKS = "rigid or flexible"
 OF_STEPS = ("cold_m", "shaft_fit", "housing_fit", "verdict")
 OF_ENDS = Record({"loosest_m": NUMBER, "tightest_m": NUMBER})
 OF_CLASS = Record({"name": TEXT, "class": TEXT, "used_m": NUMBER, "least_m": NUMBER, "greatest_m": NUMBER})
@@ -24,10 +24,6 @@ OF_RACES = Record({"inner": TEXT, "outer": TEXT})
 
 def _explained(clearance: Any) -> bool:
     return not clearance.get("steps") or all(name in clearance for name in OF_STEPS)
-
-
-def _same_factors(lives: Any) -> bool:
-    return len({tuple(factor["name"] for factor in life["factors"]) for life in lives.values()}) <= 1
 
 
 ATTEMPTS: Form = Each("method", Record({"iterations": COUNT, "status": TEXT, "message": TEXT}))
@@ -65,20 +61,6 @@ CLEARANCE: Form = Such(
     ),
     _explained,
     f"with {', '.join(OF_STEPS)} where there are steps",
-)
-LIFE: Form = Such(
-    Each(
-        BLOCKS,
-        Record(
-            {
-                "basic_Mrev": NUMBER,
-                "factors": ListOf(Record({"name": TEXT, "value": NUMBER, "effect": TEXT, "note": TEXT})),
-                "modified_Mrev": NUMBER,
-            }
-        ),
-    ),
-    _same_factors,
-    "with the same factors in every block",
 )
 REGIMES: Form = Each(BLOCKS, OF_RACES)
 ALONG_Y_AND_Z = ListOf(NUMBER)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from flexbearing.results import Result
@@ -13,6 +13,19 @@ if TYPE_CHECKING:
     from rich.console import RenderableType
 
     from flexbearing.report.balls.contact_fields import DrawnBall
+    from flexbearing.report.drawing import Drawing
+
+
+@dataclass(frozen=True)
+class Elements:
+    """Which quantities of rolling elements a report shows; those that a result lacks are left out."""
+
+    word: str  # "roller"
+    azimuth: str  # quantity of their places
+    columns: tuple[str, ...]  # of the table with a row for each
+    figures: dict[str, tuple[str, ...]]  # over the azimuth: title to quantities of one unit
+    contact_figures: dict[str, tuple[str, ...]]  # the same, of films and pressures
+    maps: dict[str, tuple[str, str]] = field(default_factory=dict)  # quantities of slices: title, unit
 
 
 @dataclass(frozen=True)
@@ -20,6 +33,8 @@ class FamilyReport:
     """Page and pictures of a result; its summary follows from the quantities of its family."""
 
     page: Callable[[dict[str, Any]], Iterator[RenderableType]]  # of the summary
-    pictures: Callable[[Result], dict[str, Figure]]  # by the names of their files
+    pictures: Callable[[Result], Mapping[str, Figure | str]]  # by names of files; or why one would be empty
+    elements: Elements | None = None  # rolling elements that a report shows one by one
     deformed: bool = False  # whether deformed rings can be drawn
     balls: Callable[[Result], tuple[DrawnBall, ...]] | None = None  # whose cells a result holds
+    drawings: Callable[[Any], Iterator[Drawing]] | None = None  # to scale, of a case

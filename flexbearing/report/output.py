@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from io import StringIO
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -12,7 +12,7 @@ from rich.console import Console, Group, RenderableType
 from flexbearing.files import require_folder, require_output, write
 from flexbearing.printable import all_printable
 from flexbearing.report.balls import side_by_side
-from flexbearing.report.picture import png_bytes
+from flexbearing.report.picture import PNG, Format, LeftOut, picture_bytes
 from flexbearing.results import Result
 
 if TYPE_CHECKING:
@@ -52,11 +52,11 @@ def laid_out(
 
 def write_figures(result: Result, directory: str | Path) -> list[Path]:
     """Draw every picture of a result into PNG files; returns those that `pictures` names."""
-    return list(pictures(result, directory))
+    return [picture for picture in pictures(result, directory) if isinstance(picture, Path)]
 
 
-def pictures(result: Result, directory: str | Path) -> Iterator[Path]:
-    """Draw every picture of a result into PNG files that are named after it.
+def pictures(result: Result, directory: str | Path, form: Format = PNG) -> Iterator[Path | LeftOut]:
+    """Draw every picture of a result into files that are named after it.
 
     Parameters
     ----------
@@ -64,12 +64,14 @@ def pictures(result: Result, directory: str | Path) -> Iterator[Path]:
         what the run left behind
     directory : path
         where to write; it is made when missing
+    form : Format
+        of the files
 
     Yields
     ------
-    Path
-        each file when it is complete, such as ``mao2016_roller_loads.png``; none of a ball bearing that was
-        not solved
+    Path or LeftOut
+        each file when it is complete, such as ``mao2016_roller_loads.png``; before them each picture that
+        would be empty; nothing of a bearing that was not solved
 
     Raises
     ------
@@ -79,13 +81,16 @@ def pictures(result: Result, directory: str | Path) -> Iterator[Path]:
         if there is no room for a picture
     """
     figures = result.family.report().pictures(result)
-    yield from _drawn(
-        {f"{result.stem}_{name}": figure for name, figure in figures.items()}, directory, result
-    )
+    named = {f"{result.stem}_{name}": figure for name, figure in figures.items()}
+    yield from (LeftOut(name, reason) for name, reason in named.items() if isinstance(reason, str))
+    drawn = {name: figure for name, figure in named.items() if not isinstance(figure, str)}
+    yield from _drawn(drawn, directory, form, result)
 
 
-def compared_pictures(one: Result, other: Result, directory: str | Path) -> Iterator[Path]:
-    """Draw the contacts of two results side by side into PNG files.
+def compared_pictures(
+    one: Result, other: Result, directory: str | Path, form: Format = PNG
+) -> Iterator[Path]:
+    """Draw the contacts of two results side by side into files.
 
     Parameters
     ----------
@@ -93,6 +98,8 @@ def compared_pictures(one: Result, other: Result, directory: str | Path) -> Iter
         of the same kind of ball bearing; `one` stands on the left
     directory : path
         where to write; it is made when missing
+    form : Format
+        of the files
 
     Yields
     ------
@@ -110,19 +117,21 @@ def compared_pictures(one: Result, other: Result, directory: str | Path) -> Iter
     """
     stem, figures = f"{one.stem}_against_{other.stem}", side_by_side.compared(one, other)
     named = {f"{stem}_ball_{ball}": figure for ball, figure in figures.items()}
-    yield from _drawn(named, directory, one, other)
+    yield from _drawn(named, directory, form, one, other)
 
 
-def _drawn(figures: dict[str, Figure], directory: str | Path, *read: Result) -> Iterator[Path]:
+def _drawn(
+    figures: Mapping[str, Figure], directory: str | Path, form: Format, *read: Result
+) -> Iterator[Path]:
     """Write figures by the stems of their files, none of which may be what was read."""
     folder = require_folder(directory)
-    paths = {folder / f"{stem}.png": figure for stem, figure in figures.items()}
+    paths = {folder / f"{stem}.{form.name}": figure for stem, figure in figures.items()}
     cases = filter(None, (result.attributes.get("case_file") for result in read))
     inputs = (*(file for result in read for file in result.files), *cases)
     for path in paths:
         require_output(path, inputs)
     for path, figure in paths.items():
-        write(path.resolve(), png_bytes(figure))
+        write(path.resolve(), picture_bytes(figure, form))
         yield path
 
 

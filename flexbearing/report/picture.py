@@ -1,8 +1,9 @@
-"""Pictures as PNG, and titles that are drawn as they are written."""
+"""Files of pictures: their format, their headings, drawn as they are written."""
 
 from __future__ import annotations
 
 import warnings
+from dataclasses import dataclass
 from io import BytesIO
 from textwrap import fill
 from typing import TYPE_CHECKING
@@ -11,8 +12,38 @@ from flexbearing.printable import printable
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+    from matplotlib.transforms import Bbox
 
 LINES = 4  # of a title, at most
+FORMATS = ("png", "svg", "pdf")
+_UNDATED = {"png": {}, "svg": {"Date": None}, "pdf": {"CreationDate": None}}  # metadata
+
+
+@dataclass(frozen=True)
+class Format:
+    """How pictures are written."""
+
+    name: str = "png"  # one of FORMATS, also the ending of the files
+    titles: bool = True  # whether the heading stands above each picture
+
+
+PNG = Format()
+
+
+@dataclass(frozen=True)
+class LeftOut:
+    """A picture that would be empty."""
+
+    name: str  # of the file, without its ending
+    reason: str
+
+    def __str__(self) -> str:
+        return f"{self.name}: {self.reason}"
+
+
+def set_heading(figure: Figure, title: str, what: str, width: int) -> None:
+    """Write the title of a case above a figure, in lines of at most `width` characters, and what is drawn."""
+    figure.suptitle(f"{titled(title, width)}\n{what}", fontsize=11, parse_math=False)
 
 
 def titled(title: str, width: int) -> str:
@@ -33,23 +64,40 @@ def titled(title: str, width: int) -> str:
     return fill(printable(title), width, max_lines=LINES, placeholder=" ...")
 
 
-def png_bytes(figure: Figure, dpi: int = 150) -> bytes:
+def picture_bytes(figure: Figure, form: Format = PNG, dpi: int = 150) -> bytes:
     """Draw a figure; characters that its font lacks become empty boxes.
 
     Parameters
     ----------
     figure : matplotlib.figure.Figure
-        as it was made
+        as it was made; it loses its heading where the format has none
+    form : Format
+        of the file; the same figure gives the same bytes
     dpi : int
-        dots per inch
+        dots per inch, in SVG and PDF of maps alone
 
     Returns
     -------
     bytes
-        content of a PNG file
+        content of a file
     """
+    from matplotlib import rc_context
+
+    page = None if form.titles else _without_heading(figure)
     file = BytesIO()
-    with warnings.catch_warnings():
+    with warnings.catch_warnings(), rc_context({"svg.hashsalt": "flexbearing"}):
         warnings.filterwarnings("ignore", "Glyph .* missing from", UserWarning)
-        figure.savefig(file, format="png", dpi=dpi)
+        metadata = _UNDATED[form.name]
+        figure.savefig(file, format=form.name, dpi=dpi, metadata=metadata, bbox_inches=page)
     return file.getvalue()
+
+
+def _without_heading(figure: Figure) -> Bbox | None:
+    """Take the heading away; what is left of a figure that no layout spreads over its room."""
+    from matplotlib.transforms import Bbox
+
+    heading = next(text for text in figure.texts if text.get_text() == figure.get_suptitle())
+    below = heading.get_window_extent().y0 / figure.dpi
+    heading.set_text("")
+    heading.set_in_layout(False)
+    return Bbox([[0, 0], [figure.get_figwidth(), below]]) if figure.get_layout_engine() is None else None

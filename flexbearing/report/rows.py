@@ -30,7 +30,12 @@ def value(entry: SummaryValue, block: dict[str, Any] | None, part: str = "") -> 
 
 def shown(entry: SummaryValue, number: Any) -> str:
     """A number as its declaration formats it; a dash if it is not known."""
-    return "-" if number is None else format(number, entry.digits)
+    return "-" if number is None else formatted(number, entry.digits)
+
+
+def formatted(number: float, digits: str) -> str:
+    """A number without the sign of a zero that rounding leaves."""
+    return format(number, digits if digits == "d" else f"z{digits}")
 
 
 def unit_of(entry: SummaryValue) -> Unit:

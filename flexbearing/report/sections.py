@@ -10,7 +10,8 @@ from rich.table import Table
 from rich.text import Text
 
 from flexbearing.quantities.attributes import GRADES
-from flexbearing.quantities.roller import LAYOUT, SKEW
+from flexbearing.quantities.reductions import RACES
+from flexbearing.quantities.roller import CONTACT, LAYOUT, SKEW
 from flexbearing.report.rows import label, rows, shown, value
 
 _STRESSES = (  # column, name, format, name of its error
@@ -80,7 +81,7 @@ def _otherwise(other: dict[str, Any] | None) -> str:
     moment = f", held by {other['ring_moment_Nm']:,.3g} N m" if other["inner_ring"] == "fixed" else ""
     load, life = f"{other['max_roller_load_N']:,.1f} N", f"{other['life_L10_Mrev']:,.2f} Mrev"
     choice = f'operation.tilt = "{other["inner_ring"]}"'
-    return f"\n  with {choice} about {load} largest inner load and a life L10 of {life}{moment}"
+    return f"\n  with {choice} about {load} largest roller load and a life L10 of {life}{moment}"
 
 
 def clearance_steps(clearance: dict[str, Any]) -> Iterator[RenderableType]:
@@ -185,7 +186,7 @@ def equilibria(by_block: dict[str, Any] | None) -> Iterator[RenderableType]:
     """The computed equilibrium of each block beside others; nothing where no others were found."""
     for name, found in (by_block or {}).items():
         yield Text(f"several equilibria, {name}: between {found['raceways']}", style="bold")
-        yield Text("largest inner load, loaded rollers, life L10, driving torque, power loss, cage slip")
+        yield Text("largest roller load, loaded rollers, life L10, driving torque, power loss, cage slip")
         table = right_aligned("", *(column for column, _, _ in _EQUILIBRIA))
         rows = {"computed": found["computed"]}
         rows |= {f"other {number}": other for number, other in enumerate(found["others"], 1)}
@@ -206,6 +207,21 @@ def skew(blocks: dict[str, Any]) -> Iterator[RenderableType]:
     table = right_aligned("", *skewed)
     for entry in rows(LAYOUT, SKEW):
         table.add_row(Text(label(entry)), *(shown(entry, value(entry, block)) for block in skewed.values()))
+    yield table
+
+
+def contacts(blocks: dict[str, Any]) -> Iterator[RenderableType]:
+    """Where both raceways are pressed most, how widely, and what it does below their surface."""
+    solved = {name: block for name, block in blocks.items() if block}
+    if not solved:
+        return
+    yield Text("most pressed contacts, with stresses below the surface", style="bold")
+    table = right_aligned("", *(word for name in solved for word in (f"{name}: inner", "outer")))
+    for entry in rows(LAYOUT, CONTACT):
+        known = [block for block in solved.values() if block[entry.key] is not None]
+        values = [shown(entry, value(entry, block, race)) for block in known for race in RACES]
+        if known:
+            table.add_row(Text(label(entry)), *values)
     yield table
 
 

@@ -6,11 +6,13 @@ from collections.abc import Callable, Mapping, Sequence
 from datetime import UTC, datetime
 from functools import lru_cache
 from importlib.metadata import PackageNotFoundError, version
-from platform import python_version
+from platform import machine, node, python_version
 from typing import Any
 
 import numpy as np
 
+from flexbearing.printable import printable
+from flexbearing.program.threads import cores
 from flexbearing.quantities.attributes import FORMAT, STATUSES, Attribute, Kind
 from flexbearing.results.checks import NotInLayout
 
@@ -19,7 +21,7 @@ LARGEST = 1e300  # number in a record
 
 
 def stamp() -> dict[str, Any]:
-    """Attributes that every file carries without being asked: format, time, versions.
+    """Attributes that every file carries without being asked: format, time, machine, versions.
 
     Returns
     -------
@@ -30,6 +32,7 @@ def stamp() -> dict[str, Any]:
     return {
         "format": FORMAT,
         "created": datetime.now(UTC).isoformat(timespec="seconds"),
+        "machine": {"host": printable(node()), "processor": machine(), "cores": cores()},
         "versions": {"python": python_version(), **{name: _version(name) for name in packages}},
     }
 

@@ -77,12 +77,17 @@ def reference_page(families: Families) -> str:
         Markdown
     """
     common = ["## Root attributes of every file\n", *_attribute_table(COMMON)]
-    return "\n".join([_BEGINNING, *map(_family, families.values()), *common])
+    kinds: dict[int, list[Family]] = {}  # that have a layout in common
+    for family in families.values():
+        kinds.setdefault(id(family.layout()), []).append(family)
+    return "\n".join([_BEGINNING, *map(_tables, kinds.values()), *common])
 
 
-def _family(family: Family) -> str:
-    layout: Layout = family.layout()
-    sections = [f'## kind = "{family.kind}"\n', layout.conventions, *_axes(layout)]
+def _tables(families: list[Family]) -> str:
+    """Tables of kinds with one layout."""
+    layout: Layout = families[0].layout()
+    kinds = " or ".join(f'"{family.kind}"' for family in families)
+    sections = [f"## kind = {kinds}\n", layout.conventions, *_axes(layout)]
     for place, title in _PLACES.items():
         if rows := [_row(entry) for entry in layout.quantities if entry.place == place]:
             sections += [

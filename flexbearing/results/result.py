@@ -23,7 +23,7 @@ Arrays = Mapping[str, np.ndarray]
 NOTHING: Arrays = MappingProxyType({})
 
 
-TIMES = "created", "wall_time_s", "seconds"  # by which two results of one case differ
+TIMES = "created", "wall_time_s", "seconds", "machine"  # by which two results of one case differ
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

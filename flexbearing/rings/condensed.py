@@ -272,7 +272,8 @@ def condensed(
     support = part.support if isinstance(part, fem.OuterRing) else None
     on_lines = isinstance(support, fem.LineSupports | fem.PlanetGear)
     on_springs = isinstance(support, fem.Foundation) and support.pushing
-    if discretisation is BEAM or (on_lines and discretisation is not SOLID):
+    on_matrix = isinstance(support, fem.ReducedBody)
+    if discretisation is BEAM or on_matrix or (on_lines and discretisation is not SOLID):
         return condense(*arguments)  # sooner computed than read, or more than is kept
 
     kind = "RingOnFoundation" if on_springs else "HarmonicCompliance"

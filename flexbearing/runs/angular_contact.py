@@ -1,20 +1,26 @@
-"""From a case to a fast angular-contact bearing, and from its solution to the arrays of a result file."""
+"""From a case to a bearing with fast balls, and from its solution to the arrays of a result file."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 import quasidynamic as qd
+from flexbearing.build import clearance
 from flexbearing.build.ball_parts import ball, groove
-from flexbearing.case.balls.angular_contact import AngularCase
+from flexbearing.case.balls.angular_contact import AngularBearing, FastCase
 from flexbearing.program.workers import shared_map
 from flexbearing.quantities.angular_contact import LAYOUT
 from flexbearing.quantities.quantity import taken
-from flexbearing.runs import dangers, interface, shoulders
+from flexbearing.runs import ball_life, dangers, interface, shoulders
+from flexbearing.runs.ball_life import BallLives
+from flexbearing.runs.life_of_state import MREV
+from flexbearing.runs.subsurface import of_balls
 from quasidynamic.note import Note, information, outside
 from quasidynamic.outcome.rolling_contact import RollingContact
+from quasidynamic.outcome.static_pressure import BALLS
+from quasidynamic.outcome.worst_point_contact import WorstPointContact
 
 
 @dataclass(frozen=True)
@@ -24,6 +30,8 @@ class Solution:
     state: qd.AngularContactState
     contact: RollingContact
     rolling: qd.FastRollingBalls | None  # balls whose contacts stick and slip; None in full sliding
+    lives: BallLives | None  # None at rest, without load, and where no rating is known
+    static_safety: float | None = None  # [-] s_0; None where ISO 76 has none
 
     @property
     def friction(self) -> qd.AngularContactState | qd.FastRollingBalls:
@@ -31,7 +39,7 @@ class Solution:
         return self.state if self.rolling is None else self.rolling
 
 
-def bearing(case: AngularCase) -> qd.AngularContactBallBearing:
+def bearing(case: FastCase) -> qd.AngularContactBallBearing:
     """The bearing of a case."""
     parts, materials = case.bearing, case.materials
     return qd.AngularContactBallBearing(
@@ -41,7 +49,7 @@ def bearing(case: AngularCase) -> qd.AngularContactBallBearing:
             outer=groove(parts, "outer", materials.outer_ring or materials.ball),
             balls=parts.balls,
             pitch_diameter=parts.pitch_diameter,
-            contact_angle=parts.contact_angle,
+            **_angle_and_clearance(case),
             first_ball_azimuth=parts.first_ball_azimuth,
         ),
         control=case.operation.control,
@@ -52,7 +60,18 @@ def bearing(case: AngularCase) -> qd.AngularContactBallBearing:
     )
 
 
-def _sticking(case: AngularCase) -> tuple[int, int] | None:
+def _angle_and_clearance(case: FastCase) -> dict[str, float]:
+    """Contact angle before mounting, and what fits add to its clearance.
+
+    A deep groove bearing has no angle but that of its clearance.
+    """
+    if isinstance(case.bearing, AngularBearing):
+        change = clearance.operating(case) - case.stated_clearance
+        return {"contact_angle": case.bearing.contact_angle, "clearance": change}
+    return {"contact_angle": 0.0, "clearance": clearance.operating(case)}
+
+
+def _sticking(case: FastCase) -> tuple[int, int] | None:
     """Cells of FASTSIM in the balance: half of those of the contacts, as it asks for them again and again."""
     if case.operation.control != "coulomb" or case.friction.model == "full_sliding":
         return None
@@ -60,22 +79,34 @@ def _sticking(case: AngularCase) -> tuple[int, int] | None:
     return along // 2, across // 2
 
 
-def operation(case: AngularCase) -> qd.RingOperation:
+def operation(case: FastCase) -> qd.RingOperation:
     """Load, displacement and speeds of a case."""
+    places = case.operation.displacement.values
     return qd.RingOperation(
         load=case.operation.load.values,
-        displacement=case.operation.displacement.values,
+        displacement=places if case.operation.preload is None else (_preloaded(case), *places[1:]),
         inner_speed=case.operation.inner_speed,
         outer_speed=case.operation.outer_speed,
     )
 
 
-def build(case: AngularCase) -> tuple[qd.AngularContactBallBearing, qd.RingOperation]:
+def _preloaded(case: FastCase) -> float:
+    """Axial displacement at which a preload holds the ring [m]."""
+    preload, own = case.operation.preload, bearing(case).bearing
+    assert preload  # or there is nothing to hold
+    if preload.displacement is not None:
+        return own.touching_place + preload.displacement
+    assert preload.force is not None  # checked on reading
+    return qd.preloaded_place(own, preload.force)
+
+
+def build(case: FastCase) -> tuple[qd.AngularContactBallBearing, qd.RingOperation]:
     """Bearing and operation of a case; raises `ImpossiblePart` or `OutOfRange` where they cannot be."""
+    ball_life.require_possible(case)
     return bearing(case), operation(case)
 
 
-def solved(case: AngularCase, told: Callable[[float], None] = lambda _: None) -> Solution:
+def solved(case: FastCase, told: Callable[[float], None] = lambda _: None) -> Solution:
     """Balance, pure rolling lines, and stick and slip where the case asks for them.
 
     The part of the balls whose stick and slip is found is `told`.
@@ -91,21 +122,28 @@ def solved(case: AngularCase, told: Callable[[float], None] = lambda _: None) ->
         along, across = case.friction.cells
         with shared_map() as mapped:
             rolling = model.roll(state, case.friction.model, (along, across), told, mapped)
-    return Solution(state, state.rolling_contact(spin=lines.spin, friction=lines.net_force), rolling)
+    contact = state.rolling_contact(spin=lines.spin, friction=lines.net_force)
+    lives, safety = ball_life.lives(case, state), ball_life.safety(case, state)
+    return Solution(state, contact, rolling, lives, safety)
 
 
-def block(case: AngularCase, solution: Solution) -> dict[str, NDArray]:
+def block(case: FastCase, solution: Solution) -> dict[str, NDArray]:
     """Quantities of the solution."""
     state, contact = solution.state, solution.contact
     lines = _lines(case, state, contact) if len(contact.balls) else None
     free = {"yaw": state.yaw} if case.operation.control == "coulomb" else None
+    worst = WorstPointContact.of(state.peak_pressures.T, *(axis.T for axis in state.semi_axes))
     parts = {
+        "worst": worst,
+        "subsurface": of_balls(case, worst),
         "state": state,
         "friction": solution.friction,
         "rolling": solution.rolling,
         "fields": _fields(solution),
         "lines": lines,
         "free": free,
+        "life": solution.lives,
+        "rated": {"static_safety": solution.static_safety},
     }
     return taken(LAYOUT.quantities, parts)
 
@@ -120,7 +158,7 @@ def _fields(solution: Solution) -> dict[str, NDArray] | None:
     return {"ball": np.array(ball)} | {name: np.stack([each[name] for each in fields]) for name in fields[0]}
 
 
-def _lines(case: AngularCase, state: qd.AngularContactState, contact: RollingContact) -> dict[str, NDArray]:
+def _lines(case: FastCase, state: qd.AngularContactState, contact: RollingContact) -> dict[str, NDArray]:
     """Pure rolling lines; not a number for balls without any."""
 
     def spread(values: NDArray) -> NDArray:
@@ -147,10 +185,13 @@ def _lines(case: AngularCase, state: qd.AngularContactState, contact: RollingCon
     }
 
 
-def notes(case: AngularCase, solution: Solution) -> tuple[Note, ...]:
+def notes(case: FastCase, solution: Solution) -> tuple[Note, ...]:
     """What a user must know of the solution."""
     state = solution.state
-    lines = tuple(dangers.pressed(float(state.peak_pressures.max())))
+    pressure = float(state.peak_pressures.max())
+    lines = (*dangers.pressed(pressure, BALLS), *_short_lived(case, solution.lives))
+    if solution.static_safety is not None:
+        lines += (*dangers.overloaded(solution.static_safety, dangers.USUAL_OF_BALLS),)
     lifted = int((~state.on_inner).sum())
     if lifted:
         lines += (
@@ -171,10 +212,40 @@ def notes(case: AngularCase, solution: Solution) -> tuple[Note, ...]:
                 "their orbit, spin and tractions are estimates",
             ),
         )
-    return lines + _lineless(solution) + _gyroscopic(case, state) + _stick(case, solution)
+    return (
+        lines
+        + clearance.notes(case)
+        + _preload(case, state)
+        + _lineless(solution)
+        + _gyroscopic(case, state)
+        + _stick(case, solution)
+        + ball_life.notes(case)
+    )
 
 
-def _stick(case: AngularCase, solution: Solution) -> tuple[Note, ...]:
+def _preload(case: FastCase, state: qd.AngularContactState) -> tuple[Note, ...]:
+    """Where a preload holds the ring, and what becomes of its force in operation."""
+    if case.operation.preload is None:
+        return ()
+    place, force = state.operation.displacement[0], case.operation.preload.force
+    rest = "" if force is None else f", where {force:.5g} N hold it at rest,"
+    return (
+        information(
+            "preload",
+            f"preload: the ring is held axially at {1e6 * (place or 0.0):.3f} um{rest} and carries "
+            f"{state.ring_load[0]:.5g} N in operation",
+        ),
+    )
+
+
+def _short_lived(case: FastCase, lives: BallLives | None) -> Iterator[Note]:
+    if lives is not None:
+        life = lives.basic if lives.modified is None else lives.modified
+        speed = case.operation.inner_speed - case.operation.outer_speed
+        yield from dangers.short_lived(life / MREV, speed)
+
+
+def _stick(case: FastCase, solution: Solution) -> tuple[Note, ...]:
     """What stick makes of the friction torque, how exact it is, and what it leaves unbalanced."""
     rolling, torque, state = solution.rolling, solution.state.friction_torque, solution.state
     if rolling is None or not torque:
@@ -219,7 +290,7 @@ def _lineless(solution: Solution) -> tuple[Note, ...]:
     )
 
 
-def _gyroscopic(case: AngularCase, state: qd.AngularContactState) -> tuple[Note, ...]:
+def _gyroscopic(case: FastCase, state: qd.AngularContactState) -> tuple[Note, ...]:
     """Whether friction holds the gyroscopic moments."""
     if case.operation.control == "coulomb":
         lying = state.on_inner & ~state.upright

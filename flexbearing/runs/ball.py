@@ -4,8 +4,9 @@ from functools import partial
 from typing import Any
 
 from fem.errors import NotSolved as RingNotSolved
+from flexbearing.build import clearance
 from flexbearing.case import BadCase, Head
-from flexbearing.case.balls.angular_contact import AngularCase
+from flexbearing.case.balls.angular_contact import FastCase
 from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.progress import Report
 from flexbearing.results import Recorder
@@ -50,10 +51,11 @@ def solve_four_point(case: FourPointCase, record: Recorder, report: Report) -> d
     message = f"friction of every ball in balance to {worst:.1e} of its power"
     if solution.distribution is not None:
         message += f", the ring to {solution.distribution.imbalance:.1e} of the largest force"
-    return _converged(message, four_point.notes(case, solution))
+    ending = _converged(message, four_point.notes(case, solution))
+    return {**ending, "clearance": clearance.record(case)}
 
 
-def solve_angular(case: AngularCase, record: Recorder, report: Report) -> dict[str, object]:
+def solve_angular(case: FastCase, record: Recorder, report: Report) -> dict[str, object]:
     """Write the solution of a fast bearing; returns the root attributes that say how it ended.
 
     Raises
@@ -70,7 +72,10 @@ def solve_angular(case: AngularCase, record: Recorder, report: Report) -> dict[s
         raise BadCase(f"{case.source.path}: {problem}") from problem
     message = f"ring and balls in balance after {solution.state.evaluations} evaluations of all balls"
     record.block("rigid", angular_contact.block(case, solution))
-    return _converged(message, angular_contact.notes(case, solution))
+    ending = _converged(message, angular_contact.notes(case, solution))
+    life = solution.lives and solution.lives.of_state
+    lives = {"rigid": life.record()} if life else {}
+    return {**ending, "clearance": clearance.record(case), "life": lives}
 
 
 def _converged(message: str, notes: tuple[Note, ...]) -> dict[str, Any]:

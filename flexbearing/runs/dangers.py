@@ -4,35 +4,69 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from quasidynamic.note import Note, danger
+from quasidynamic.note import Note, danger, information
 
-DENTING = 4e9  # [Pa] static rating of roller bearings, ISO 76: a lasting dent of 1e-4 of the diameter
+USUAL_OF_ROLLERS, USUAL_OF_BALLS = 1.5, 1.0  # s_0 of bearings in normal running
 SHORT_LIFE = 3600.0  # [s]
 
 
-def pressed(pressure: float) -> Iterator[Note]:
+def pressed(pressure: float, limit: float) -> Iterator[Note]:
     """Danger of a contact pressure that dents raceways.
 
     Parameters
     ----------
     pressure : float
-        largest Hertz pressure [Pa]
+        largest contact pressure [Pa]
+    limit : float
+        that of the static rating, see `quasidynamic.outcome.static_pressure` [Pa]
 
     Yields
     ------
     Note
-        "contact-pressure" above `DENTING`
+        "contact-pressure" above the limit
 
     Source
     ------
-    ISO 76 (2006): 4000 MPa for roller bearings, 4200 MPa for ball bearings; the lower one for both.
+    ISO 76 (2006).
     """
-    if pressure > DENTING:
+    if pressure > limit:
         yield danger(
             "contact-pressure",
-            f"contact pressure of {pressure / 1e9:.3g} GPa: {DENTING / 1e9:g} GPa dents raceways of "
-            "bearing steel "
-            "(ISO 76), and elastic contact laws end there",
+            f"contact pressure of {pressure / 1e9:.3g} GPa: {limit / 1e9:g} GPa dents raceways of bearing "
+            "steel (ISO 76), and elastic contact laws end there",
+        )
+
+
+def overloaded(safety: float, usual: float) -> Iterator[Note]:
+    """What a static safety asks for.
+
+    Parameters
+    ----------
+    safety : float
+        s_0 = C_0/P_0 [-]
+    usual : float
+        of bearings of that kind in normal running [-], `USUAL_OF_ROLLERS`
+
+    Yields
+    ------
+    Note
+        "static-safety": a danger below 1, information below the usual value
+
+    Source
+    ------
+    ISO 76 (2006) for s_0; its usual values from the catalogue of SKF.
+    """
+    if safety < 1:
+        yield danger(
+            "static-safety",
+            f"static safety s_0 = {safety:.3g}: the load is above the static rating C_0, which dents "
+            "raceways (ISO 76)",
+        )
+    elif safety < usual:
+        yield information(
+            "static-safety",
+            f"static safety s_0 = {safety:.3g}: at least {usual:g} is usual for such bearings in normal "
+            f"running, {2 * usual:g} where they must run quietly or carry shocks",
         )
 
 

@@ -165,6 +165,10 @@ def _require_solid(case: Case, race: Race) -> None:
         raise NoFields(
             f'{NAMES[race]}: inner.fit = "{case.inner.fit}" has no solid, only a bonded ring has one'
         )
+    if race == "outer" and case.outer.kind == "matrix":
+        raise NoFields(
+            f'{NAMES[race]}: outer.kind = "matrix" has no solid: its body is known by a matrix alone'
+        )
     if race == "inner" or case.outer.kind != "ring":
         return
     if case.lifts_off:

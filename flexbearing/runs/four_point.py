@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import quasidynamic as qd
+from flexbearing.build import clearance
 from flexbearing.build.ball_parts import ball, groove
 from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.program.workers import shared_map
@@ -14,7 +15,10 @@ from flexbearing.quantities.four_point import LAYOUT
 from flexbearing.quantities.quantity import taken
 from flexbearing.rings import bolted
 from flexbearing.runs import dangers, interface, shoulders
+from flexbearing.runs.subsurface import of_balls
 from quasidynamic.note import Note, danger, information, outside
+from quasidynamic.outcome.static_pressure import BALLS
+from quasidynamic.outcome.worst_point_contact import WorstPointContact
 from quasidynamic.solve.balls.elastic_load_distribution import ElasticBallLoads
 from quasidynamic.solve.balls.load_distribution import BallLoads
 
@@ -31,6 +35,11 @@ class Solution:
     balls: qd.SlidingBalls
     distribution: BallLoads | None  # None when contact loads are given
     full_sliding_torque: float  # [N m] of all balls, before parts of their contacts stick
+
+    @property
+    def bearing(self) -> qd.FourPointBearing:
+        """The bearing as it is mounted."""
+        return bearing(self.case).bearing
 
     @property
     def azimuths(self) -> NDArray:
@@ -86,6 +95,7 @@ def bearing(case: FourPointCase) -> qd.FourPointBallBearing:
     parts, materials = case.bearing, case.materials
     for name in ("inner", "outer"):
         bolted.ring(case, name)
+    angle, free_way = _mounted(case)
     return qd.FourPointBallBearing(
         bearing=qd.FourPointBearing(
             ball=ball(parts, materials.ball),
@@ -93,8 +103,8 @@ def bearing(case: FourPointCase) -> qd.FourPointBallBearing:
             outer=groove(parts, "outer", materials.outer_ring or materials.ball),
             balls=parts.balls or FEWEST,
             pitch_diameter=parts.pitch_diameter,
-            contact_angle=parts.contact_angle,
-            clearance=parts.clearance,
+            contact_angle=angle,
+            clearance=free_way,
             groove_ends=(_groove_end(case, "inner"), _groove_end(case, "outer")),
         ),
         friction=_friction(case),
@@ -103,6 +113,19 @@ def bearing(case: FourPointCase) -> qd.FourPointBallBearing:
         contact_pressure=case.friction.contact_pressure,
         interface_compliance=case.friction.interface_compliance or 0.0,
     )
+
+
+def _mounted(case: FourPointCase) -> tuple[float, float]:
+    """Contact angle without load [rad] and free way along a diagonal [m], after mounting.
+
+    Fits move opposite groove centres towards or from each other radially.
+    """
+    own = case.bearing
+    if own.fits is None:
+        return own.contact_angle, own.clearance
+    axial = (own.centre_distance - own.clearance) * np.sin(own.contact_angle)
+    radial = own.centre_distance - clearance.operating(case) / 2
+    return float(np.arctan2(axial, radial)), float(own.centre_distance - np.hypot(axial, radial))
 
 
 def _groove_end(case: FourPointCase, name: str) -> float:
@@ -152,7 +175,7 @@ def solved(
         return _rolled(case, model, (equilibrium.balls, equilibrium.distribution), told)
     loads = np.array(case.operation.contact_loads)
     shape = (case.balls, len(loads), 2)
-    angle = np.full(shape, case.bearing.contact_angle)
+    angle = np.full(shape, _mounted(case)[0])
     return _rolled(case, model, (model.slide(angle, np.broadcast_to(loads[:, None], shape)), None), told)
 
 
@@ -174,7 +197,12 @@ def _rolled(
 
 def block(solution: Solution) -> dict[str, NDArray]:
     """Quantities of the solution."""
+    balls = solution.balls
+    each = balls.peak_pressure, balls.ellipse.across, balls.ellipse.along
+    worst = WorstPointContact.of(*(values.reshape(-1, 2) for values in each))
     parts = {
+        "worst": worst,
+        "subsurface": of_balls(solution.case, worst),
         "solution": solution,
         "balls": solution.balls,
         "ring": solution.distribution,
@@ -204,7 +232,8 @@ def _fields(case: FourPointCase, balls: qd.SlidingBalls) -> dict[str, NDArray | 
 def notes(case: FourPointCase, solution: Solution) -> tuple[Note, ...]:
     """What a user must know of the solution."""
     balls = solution.balls
-    lines = (*dangers.pressed(float(balls.peak_pressure.max())), *balls.notes)
+    pressed = dangers.pressed(float(balls.peak_pressure.max()), BALLS)
+    lines = (*pressed, *balls.notes, *clearance.notes(case))
     if solution.distribution is None:
         lines += (
             information(

@@ -45,6 +45,11 @@ def most_loaded(case: Case, state: Equilibrium) -> "tuple[WholeRoller | None, tu
     return whole, tuple(_notes(state, whole))
 
 
+def _kept(state: Equilibrium) -> str:
+    """What a whole roller has of its slices besides the load."""
+    return "moments" if state.balance.points.free_tilt[0, 0] else "tilts"
+
+
 def _notes(state: Equilibrium, whole: "WholeRoller") -> Iterator[Note]:
     pressure = whole.peak_pressure / state.peak_pressure - 1
     azimuth = np.degrees(state.balance.roller.bearing.azimuths[whole.number])
@@ -52,7 +57,7 @@ def _notes(state: Equilibrium, whole: "WholeRoller") -> Iterator[Note]:
         "whole-roller",
         f"most loaded roller, at {azimuth:.4g} deg: solved on half-spaces; peak pressures {pressure[0]:+.1%} "
         f"(inner) and {pressure[1]:+.1%} (outer), life {whole.life / state.life - 1:+.1%} beside slices "
-        "alone; loads and moments are those of the slices, free end faces and flanges are left out",
+        f"alone; loads and {_kept(state)} are those of the slices, free end faces and flanges are left out",
     )
     yield from _sharp_end(state, whole)
     share = np.where(whole.peak_at_ends, 0.0, whole.pressure_error / whole.peak_pressure).max()
@@ -73,7 +78,7 @@ def _sharp_end(state: Equilibrium, whole: "WholeRoller") -> Iterator[Note]:
         yield outside(
             "sharp-roller-end",
             "the contact of the most loaded roller reaches an end of it, where a sharp end has pressure "
-            f"without bound; the largest stands elsewhere, but {rest}",
+            f"without bound; on these cells the largest stands elsewhere, but {rest}",
         )
         return
     cell = state.balance.roller.bearing.roller.length / len(whole.positions)
@@ -86,6 +91,6 @@ def _sharp_end(state: Equilibrium, whole: "WholeRoller") -> Iterator[Note]:
     yield outside(
         "sharp-roller-end",
         "peak pressure: no number to rely on; the largest pressure of the most loaded roller stands in the "
-        f"cells at an end without relief, where it has no bound: {places}. It is the mean of a cell of "
+        f"cells at an end without relief left, where it has no bound: {places}. It is the mean of a cell of "
         f"{cell / MICROMETRE:.3g} um along the roller, and overstated as free end faces are softer; {rest}",
     )

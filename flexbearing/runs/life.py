@@ -1,7 +1,6 @@
 """The life of a case after everything that modifies it."""
 
 from collections.abc import Iterator
-from dataclasses import asdict, dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -10,6 +9,7 @@ from numpy.typing import NDArray
 from flexbearing.build.lubrication import oil
 from flexbearing.build.rough_surfaces import roughness
 from flexbearing.case.roller import Case
+from flexbearing.runs.life_of_state import LifeOfState, explained, of_reliability
 from quasidynamic import CylindricalRollerBearing
 from quasidynamic.outcome.capacity import (
     STRESS_REDUCTION,
@@ -30,12 +30,10 @@ from quasidynamic.outcome.life import (
 from quasidynamic.outcome.life_factors import (
     CLEANLINESS,
     LifeFactor,
-    ModifiedLife,
     contamination_factor,
     film_factor,
     material_factor,
     modification_factor,
-    reliability_factor,
     viscosity_ratio,
 )
 from quasidynamic.outcome.rating_life import LINE_EXPONENT, ROLLER_EXPONENT, rating_life
@@ -43,8 +41,6 @@ from quasidynamic.outcome.rating_life import LINE_EXPONENT, ROLLER_EXPONENT, rat
 if TYPE_CHECKING:  # checking a case loads no solver
     from quasidynamic import Equilibrium
     from quasidynamic.outcome.whole_roller import WholeRoller
-
-MREV = 1e6  # revolutions
 
 
 def require_possible(case: Case, bearing: CylindricalRollerBearing) -> None:
@@ -55,23 +51,6 @@ def require_possible(case: Case, bearing: CylindricalRollerBearing) -> None:
         dynamic(case, bearing)
         modification_factor(kappa(case, bearing), fatigue_share(case, bearing))
     _fixed_factors(case)
-
-
-@dataclass(frozen=True)
-class LifeOfState:
-    """The life at one state of the bearing, from the basic one over every factor."""
-
-    basic: float  # [10^6 revolutions]
-    factors: tuple[dict[str, Any], ...]  # name, value, effect and note
-    modified: float  # [revolutions]
-
-    def record(self) -> dict[str, Any]:
-        """The same as JSON can hold it, lives in 10^6 revolutions."""
-        return {
-            "basic_Mrev": self.basic,
-            "factors": list(self.factors),
-            "modified_Mrev": self.modified / MREV,
-        }
 
 
 def modified(case: Case, state: "Equilibrium", whole: "WholeRoller | None" = None) -> LifeOfState | None:
@@ -99,11 +78,9 @@ def modified(case: Case, state: "Equilibrium", whole: "WholeRoller | None" = Non
         return None
     basic, loads = state.life if whole is None else whole.life, _slice_loads(state, whole)
     by_slices = tuple(_slice_factors(case, state, basic, loads))
-    rated = basic * float(np.prod([factor["value"] for factor in by_slices]))
-    factors = (*_lubrication_factors(case, state, loads), *_fixed_factors(case))
-    life = ModifiedLife(basic=rated, factors=factors)
-    further = tuple({**asdict(factor), "value": float(factor.value)} for factor in life.factors)
-    return LifeOfState(basic, by_slices + further, float(life.life) * MREV)
+    return LifeOfState.of(
+        basic, by_slices, (*_lubrication_factors(case, state, loads), *_fixed_factors(case))
+    )
 
 
 def _slice_factors(
@@ -132,7 +109,7 @@ def _slice_factors(
         yield {"name": "capacity", "value": after / before, "effect": "load", "note": note}
         before = after
     if case.life.edge_stress:
-        edge = edge_stress_factor(inner.shape[-1])
+        edge = edge_stress(case, inner.shape[-1])
         after = life()
         note = f"ISO/TS 16281, {inner.shape[-1]} slices"
         yield {"name": "edge stress", "value": after / before, "effect": "load", "note": note}
@@ -155,7 +132,7 @@ def _by_rating(case: Case, bearing: CylindricalRollerBearing) -> float:
 def _lubrication_factors(case: Case, state: "Equilibrium", loads: NDArray) -> Iterator[LifeFactor]:
     if case.life.lubrication == "film":
         ratio = float((state.minimum_film / roughness(case)).min())
-        yield _explained(film_factor(ratio), f"smallest film ratio {ratio:.3g}")
+        yield explained(film_factor(ratio), f"smallest film ratio {ratio:.3g}")
     elif case.life.lubrication == "a_ISO":
         bearing, (inner, outer) = state.balance.roller.bearing, loads
         rating, ratio_of_oil = dynamic(case, bearing), kappa(case, bearing)
@@ -166,7 +143,7 @@ def _lubrication_factors(case: Case, state: "Equilibrium", loads: NDArray) -> It
             load = float(reference_load(life, rating))
         ratio = fatigue_share(case, bearing) / load
         words = f"kappa {ratio_of_oil:.3g}, e_C C_u/P {ratio:.3g}, equivalent load {load:.4g} N"
-        yield _explained(modification_factor(ratio_of_oil, ratio), words)
+        yield explained(modification_factor(ratio_of_oil, ratio), words)
 
 
 def _fixed_factors(case: Case) -> list[LifeFactor]:
@@ -175,16 +152,19 @@ def _fixed_factors(case: Case) -> list[LifeFactor]:
     if life.steel and life.melting:
         factor = material_factor(life.steel, life.melting)
         beside = "ISO 281 has no such factor beside a_ISO" if life.lubrication == "a_ISO" else ""
-        factors.append(_explained(factor, beside))
-    if life.reliability is not None:
-        factors.append(_explained(reliability_factor(life.reliability), f"reliability {life.reliability:g}"))
-    return factors
+        factors.append(explained(factor, beside))
+    return [*factors, *of_reliability(life)]
 
 
 def _slice_loads(state: "Equilibrium", whole: "WholeRoller | None") -> NDArray:
     """Load (2, Z, K) of each slice [N]."""
     loads = state.slice_loads if whole is None else whole.slice_loads
     return loads * state.balance.roller.raceways.slices.width
+
+
+def edge_stress(case: Case, slices: int) -> NDArray | None:
+    """Factor on the load of each slice (K) [-]; None where the case takes none."""
+    return edge_stress_factor(slices) if case.life.edge_stress else None
 
 
 def dynamic(case: Case, bearing: CylindricalRollerBearing) -> float:
@@ -217,7 +197,3 @@ def fatigue_share(case: Case, bearing: CylindricalRollerBearing) -> float:
     cleanliness = CLEANLINESS[str(case.life.cleanliness)]
     left = contamination_factor(kappa(case, bearing), bearing.pitch_diameter, cleanliness)
     return float(left) * fatigue_limit(case, bearing)
-
-
-def _explained(factor: LifeFactor, words: str) -> LifeFactor:
-    return replace(factor, note="; ".join(filter(None, (factor.note, words))))

@@ -1,20 +1,19 @@
 """What a reader of the results must know besides the numbers."""
 
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from flexbearing.build import clearance, ring_parts
 from flexbearing.build.lubrication import oil, oil_name
 from flexbearing.case.roller import Case
+from flexbearing.coupled.states import EndState
 from flexbearing.runs import dangers
 from quasidynamic import Equilibrium
 from quasidynamic.note import Note, information, outside
+from quasidynamic.outcome.static_pressure import ROLLERS
 from quasidynamic.outcome.validity import validity
-
-if TYPE_CHECKING:
-    from quasidynamic.outcome.whole_roller import WholeRoller
 
 LARGE_SHARE = 0.5  # of the losses: worth a word (assumed)
 ALONE = 0.01  # of the largest line force: below it the other lines only keep the ring from rolling away
@@ -60,38 +59,35 @@ def _teeth(case: Case) -> tuple[Note, ...]:
     return (information("tooth-forces-at-rim", words),)
 
 
-def of_state(
-    case: Case, state: Equilibrium, modified_life: float | None, whole: "WholeRoller | None" = None
-) -> tuple[Note, ...]:
+def of_state(case: Case, end: EndState, modified_life: float | None) -> tuple[Note, ...]:
     """What a solved state adds: dangers, limits of laws that it is beyond, what a reader should weigh.
 
     Parameters
     ----------
     case : Case
         of the state
-    state : Equilibrium
+    end : EndState
         solved
     modified_life : float or None
         life after every factor [10^6 revolutions]; None where the case modifies nothing
-    whole : WholeRoller, optional
-        the roller of the state that half-spaces answer for
 
     Returns
     -------
     tuple of Note
     """
+    state, whole = end.equilibrium, end.whole
     basic = state.life if whole is None else whole.life
     life = basic if modified_life is None else modified_life
-    return (*_dangers(state, life, whole), *validity(state), *_information(case, state))
+    return (*_dangers(end, life), *validity(state), *_information(case, state))
 
 
-def _dangers(state: Equilibrium, life: float, whole: "WholeRoller | None") -> Iterator[Note]:
-    points = state.balance.points
-    # A pressure without bound, at a sharp end, says nothing.
-    pressure = state.peak_pressure
-    if whole is not None:
-        pressure = np.where(whole.peak_at_ends, pressure, whole.peak_pressure)
-    yield from dangers.pressed(float(pressure.max()))
+def _dangers(end: EndState, life: float) -> Iterator[Note]:
+    points, pressure = end.equilibrium.balance.points, end.peak_pressure
+    if end.whole is not None:  # a pressure without bound, at a sharp end, says nothing
+        pressure = np.where(end.whole.peak_at_ends, end.equilibrium.peak_pressure, pressure)
+    yield from dangers.pressed(float(pressure.max()), ROLLERS)
+    if end.static_safety is not None:
+        yield from dangers.overloaded(float(end.static_safety), dangers.USUAL_OF_ROLLERS)
     yield from dangers.short_lived(life, float(points.inner_speed[0, 0] - points.outer_speed[0, 0]))
 
 

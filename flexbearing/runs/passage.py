@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from flexbearing.build.rough_surfaces import roughness
 from flexbearing.case.roller import Case
 from flexbearing.coupled import states
 from flexbearing.coupled.coupled import BearingPartner, CoupledBearing
@@ -16,12 +15,13 @@ from flexbearing.coupling import LinearPair, PartnerFailed, RacewayPair
 from flexbearing.progress import Report
 from flexbearing.quantities.roller import LAYOUT
 from flexbearing.runs import half_space
+from flexbearing.runs.end_state import end_state
 from quasidynamic import Equilibrium, RollerBearing
 from quasidynamic.note import Note, danger, information
 
 RIGID = LinearPair(None, None)
 TOLD = 0.01  # change of load or life over a pitch that is told in a case without accuracy.target
-JUDGED = {"max_roller_load_N": "largest inner load", "life_L10_Mrev": "life"}
+JUDGED = {"max_roller_load_N": "largest roller load", "life_L10_Mrev": "life"}
 
 
 class Unstored:
@@ -176,7 +176,7 @@ def _values(case: Case, state: Equilibrium, rings: RacewayPair) -> dict[str, flo
     """Every single number that the page of a result shows, by its name in the summary."""
     tangent = RIGID if rings.rigid else rings.linearised(state.forces)
     whole, _ = half_space.most_loaded(case, state)
-    block = states.block(states.EndState(state, tangent, roughness(case), whole=whole))
+    block = states.block(end_state(case, state, tangent, whole=whole))
     values = {}
     for entry in LAYOUT.summary:
         if entry.label and not entry.section and all(name in block for name in entry.of):

@@ -4,15 +4,16 @@ from dataclasses import dataclass, field
 from typing import Any, Literal
 
 from flexbearing.build import clearance
-from flexbearing.build.rough_surfaces import roughness
 from flexbearing.case.roller import Case
 from flexbearing.coupled import states
 from flexbearing.coupled.states import EndState
 from flexbearing.coupling import LinearPair
 from flexbearing.progress import Report
 from flexbearing.results import Arrays, Recorder
-from flexbearing.runs import bars, fields, half_space, life, notes, skew
+from flexbearing.runs import bars, fields, half_space, life, notes, skew, sliced_peak, subsurface
+from flexbearing.runs.end_state import end_state
 from flexbearing.runs.life_error import LifeError, estimated
+from flexbearing.runs.life_of_state import MREV
 from flexbearing.runs.part_fields import NoFields
 from flexbearing.runs.several import SeveralEquilibria, between_flexible_raceways
 from quasidynamic import Equilibrium
@@ -33,6 +34,7 @@ class Postprocessing:
     of_state: dict[str, tuple[Note, ...]] = field(default_factory=dict)  # by block
     stresses: dict[str, Any] = field(default_factory=dict)  # by part
     blocks: dict[str, Arrays] = field(default_factory=dict)  # that were written
+    solved: dict[str, EndState] = field(default_factory=dict)  # by block
     several: dict[str, SeveralEquilibria | None] = field(default_factory=dict)  # by block that was examined
 
     def store(
@@ -46,12 +48,13 @@ class Postprocessing:
         """Write a block; lives, regimes, skew, stresses and notes are those of solutions only."""
         error = estimated(self.case, state, rings, self.report) if converged else LifeError(None)
         whole, of_whole = half_space.most_loaded(self.case, state) if converged else (None, ())
-        end = EndState(state, rings, roughness(self.case), error.value, whole)
+        end = end_state(self.case, state, rings, error=error.value, whole=whole)
         block = states.block(end, **self._of_solution(name, end)) if converged else states.block(end)
         if converged and name == "flexible" and self.case.outputs.stresses:
             self._add_stresses(block)
         if converged:
             self.of_state[name] += error.notes + of_whole
+            self.solved[name] = end
         self.blocks[name] = block
         self.record.block(name, block, converged=converged)
 
@@ -72,15 +75,16 @@ class Postprocessing:
         if end.roughness is not None:
             words = (str(word) for word in regime(lambda_ratio(state.minimum_film, end.roughness)))
             self.regimes[name] = dict(zip(("inner", "outer"), words, strict=True))
-        rated = modified.modified / life.MREV if modified else None
-        self.of_state[name] = notes.of_state(self.case, state, rated, end.whole)
+        rated = modified.modified / MREV if modified else None
+        self.of_state[name] = notes.of_state(self.case, end, rated)
         if skewed:
             self.of_state[name] += skew.notes(skewed, state, state.minimum_film)
         if not end.rings.rigid:
             self.add_equilibria(name, between_flexible_raceways(state, end.rings))
         nominal = bars.nominal_stresses(self.case, end)
         self.of_state[name] += tuple(bars.dangers(self.case, nominal and nominal.largest))
-        return {"life": modified, "skew": skewed, "bars": nominal}
+        below = subsurface.of_rollers(self.case, end)
+        return {"life": modified, "skew": skewed, "bars": nominal, "subsurface": below}
 
     def _add_stresses(self, block: Arrays) -> None:
         """Stresses come on top of a solution: what keeps them away is a note, and the solution stays."""
@@ -107,6 +111,8 @@ class Postprocessing:
         solutions = list(self.of_state.values())  # the last one answers the case
         every_note = [*notes.of_case(self.case), *self.notes, *(solutions[-1] if solutions else ())]
         every_note += self._notes_on_several()
+        if self.solved:  # once, of the answer
+            every_note += sliced_peak.notes(self.case, list(self.solved.values())[-1])
         stresses = {"stresses": self.stresses} if self.case.outputs.stresses else {}
         records = {name: found.record() for name, found in self.several.items() if found and found.others}
         return {

@@ -87,9 +87,9 @@ def notes(case: Case, model: RollerBearing, rings: RacewayPair, end: Equilibrium
         if abs(load / largest - 1) <= told:
             return ()
         words = (
-            f"with all rollers half a pitch further the largest inner load is {load:,.4g} N instead of "
-            f"{largest:,.4g} N ({load / largest - 1:+.1%}), the life {life:,.3g} Mrev instead of "
-            f"{end.life:,.3g} Mrev"
+            f"with all rollers half a pitch further the largest roller load is {load:,.4g} N instead of "
+            f"{largest:,.4g} N ({load / largest - 1:+.1%}), the life {life:,.4g} Mrev instead of "
+            f"{end.life:,.4g} Mrev ({life / end.life - 1:+.1%})"
         )
     asks = "operation.roller_positions = 8 gives the range over a pitch"
     return (information("roller-position", f"roller position: {words}; {asks}"),)

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from flexbearing.case import BadCase, Head
 from flexbearing.case.family import Family
+from flexbearing.case.outputs import LifeOutputs
 from flexbearing.files import BadOutput
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged, Report
@@ -72,6 +73,8 @@ def run_case(
         kept = ResultFile(output, head, family, inputs) if output else nullcontext(Record(head, family))
         with linear_algebra_alone(), kept as record:
             ending = solve(case, record, report or Logged())
+            if _comparing_lives(case) and ending["status"] == "converged":
+                ending |= _lives_compared(case, family, report or Logged(), ending["notes"])
             return record.finish(**ending, wall_time_s=perf_counter() - began)
 
 
@@ -85,6 +88,31 @@ def _solver(
             raise BadCase(f'start {start.place}: a case of kind = "{case.kind}" starts from no other result')
         given["near"] = family.initial_state()(start, case)
     return partial(family.solve(), **given)
+
+
+def _comparing_lives(case: Head) -> bool:
+    outputs = getattr(case, "outputs", None)
+    return isinstance(outputs, LifeOutputs) and outputs.catalogue_life
+
+
+def _lives_compared(case: Head, family: Family, report: Report, notes: list[Any]) -> dict[str, Any]:
+    """The attribute `catalogue_life`, or a further note that says why there is none."""
+    from flexbearing.case import understood
+    from flexbearing.runs.catalogue_life import against_catalogue
+    from quasidynamic.note import information
+
+    def read(further: Sequence[str]) -> Head:
+        settings = [*case.source.overrides, *further]
+        return understood(case.source.text, Path(case.source.path), settings, {family.kind: family})
+
+    assert family.catalogue is not None  # of a case that has this output
+    report.stage("lives against those of a catalogue", None)
+    try:
+        compared = against_catalogue(case, family.catalogue(), read, lambda each: run_case(each, family))
+    except BadCase as problem:
+        why = information("no-catalogue-life", f"no life of a catalogue to compare with: {problem}")
+        return {"notes": [*notes, why.record()]}
+    return {"catalogue_life": compared}
 
 
 def default_output(case: Head) -> Path:

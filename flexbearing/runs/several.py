@@ -54,7 +54,7 @@ class SeveralEquilibria:
             )
         known = [_figures(state) for state in (self.computed, *self.others)]
         text = (
-            f"several equilibria between {self.raceways}, {len(known)} known: largest inner load "
+            f"several equilibria between {self.raceways}, {len(known)} known: largest roller load "
             f"{_range(known, 'largest_inner_load_N', ',.1f')} N, "
             f"{_range(known, 'loaded_rollers', 'd')} rollers loaded, "
             f"life {_range(known, 'life_L10_Mrev', ',.4g')} Mrev, driving torque "

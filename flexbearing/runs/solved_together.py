@@ -44,9 +44,9 @@ def solved_together(
     """Yield cases that converge side by side.
 
     Left out are cases with `accuracy.target` whose levels are not given, with several positions of the
-    rollers, with a roller on half-spaces or with stresses, those coupled by another method than newton, or
-    with rings that are not linear or that no other case has; cases that cannot be; and what does not
-    converge.
+    rollers, with a roller on half-spaces or with stresses of rings or contacts, those coupled by another
+    method than newton, or with rings that are not linear or that no other case has; cases that cannot be;
+    and what does not converge.
 
     Parameters
     ----------
@@ -106,6 +106,8 @@ def _model(resolved: _Resolved) -> RollerBearing | None:
     """Bearing of a case that may be solved beside others; None where it needs a run of its own."""
     case = resolved.case
     if case.operation.roller_positions is not None or case.bearing.contact == "half_space":
+        return None
+    if case.outputs.subsurface_stresses:
         return None
     if _elastic(case) and (case.coupling.method != "newton" or case.outputs.stresses or not is_linear(case)):
         return None

@@ -65,7 +65,7 @@ class TiltComparison:
         return (
             information(
                 "tilt",
-                f"tilt: with {instead} the largest inner load and the life {words}; "
+                f"tilt: with {instead} the largest roller load and the life {words}; "
                 "how the shaft holds the inner ring must be known",
             ),
         )

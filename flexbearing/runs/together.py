@@ -19,10 +19,12 @@ from flexbearing.quantities.quantity import Quantity, taken
 from flexbearing.quantities.roller import LAYOUT
 from flexbearing.runs import bars, dangers, life, several, skew
 from flexbearing.runs.life_error import estimated_errors
+from flexbearing.runs.life_of_state import MREV, LifeOfState
 from quasidynamic import Equilibrium, RollerBearing
 from quasidynamic.note import Note, danger
 from quasidynamic.outcome.equilibria import Batch
 from quasidynamic.outcome.skew import Skew
+from quasidynamic.outcome.static_pressure import ROLLERS
 from quasidynamic.several.indicator import each_several_likely
 
 QUANTITIES = LAYOUT.datasets("block")
@@ -46,7 +48,7 @@ class SolvedCase:
         return self.batch[self.place]
 
     @cached_property
-    def life(self) -> life.LifeOfState | None:
+    def life(self) -> LifeOfState | None:
         """Life after every factor; None where nothing modifies it."""
         return None if self.case.life.is_basic else life.modified(self.case, self.state)
 
@@ -106,7 +108,25 @@ class Together:
         rough = [roughness(case) for case in self.cases]
         known = [np.full(2, np.nan) if each is None else each for each in rough]
         given = any(each is not None for each in rough)
-        return EndStates(self.batch.states, self.rings[0], np.array(known) if given else None)
+        states = self.batch.states
+        bearings = [model.bearing for model in self.models]
+        ratings = [life.static(*each) for each in zip(self.cases, bearings, strict=True)]
+        return EndStates(
+            states,
+            self.rings[0],
+            np.array(known) if given else None,
+            edge_stress=self._edge_stress,
+            static_rating=np.array(ratings),
+        )
+
+    @property
+    def _edge_stress(self) -> NDArray | None:
+        """Factor on the load of slices (C, K); None where no case takes any."""
+        if not any(case.life.edge_stress for case in self.cases):
+            return None
+        slices = self.batch.states.slice_loads.shape[-1]
+        each = [life.edge_stress(case, slices) for case in self.cases]
+        return np.array([np.ones(slices) if factor is None else factor for factor in each])
 
     @cached_property
     def _bars(self) -> NominalStresses | None:
@@ -125,20 +145,25 @@ class Together:
         Without a `search` for other equilibria it is told where they are likely.
         """
         states = self.batch.states
-        pressure, speed = states.peak_pressure.max(axis=1), states.balance.points.relative_speed[:, 0]
+        pressure, safety = self._end.peak_pressure.max(axis=1), np.asarray(self._end.static_safety)
+        speed = states.balance.points.relative_speed[:, 0]
         likely, others = each_several_likely(states), self._others if search else _not_searched
-        figures = zip(pressure.tolist(), states.life.tolist(), speed.tolist(), strict=True)
+        each_figure = (pressure, safety, states.life, speed)
+        figures = zip(*(figure.tolist() for figure in each_figure), strict=True)
         return [
             (*self._dangers(case, *each), *(others(case) if likely[case] else ()))
             for case, each in enumerate(figures)
         ]
 
-    def _dangers(self, case: int, pressure: float, rated: float, speed: float) -> Iterator[Note]:
+    def _dangers(
+        self, case: int, pressure: float, safety: float, rated: float, speed: float
+    ) -> Iterator[Note]:
         given = self.cases[case]
-        yield from dangers.pressed(pressure)
+        yield from dangers.pressed(pressure, ROLLERS)
+        yield from dangers.overloaded(safety, dangers.USUAL_OF_ROLLERS)
         if not given.life.is_basic:
             modified = self._each[case].life
-            rated = modified.modified / life.MREV if modified else rated
+            rated = modified.modified / MREV if modified else rated
         yield from dangers.short_lived(rated, speed)
         if given.materials.outer_ring.yield_stress is not None and self._bars:
             yield from bars.dangers(given, float(self._bars.largest[case]))

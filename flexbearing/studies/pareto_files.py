@@ -58,12 +58,12 @@ def store(study: Study, csv: Path, png: Path) -> None:
     NotStored
         if there is no room for them; a note says that the table is there when only the picture is missing
     """
-    from flexbearing.report.picture import png_bytes
+    from flexbearing.report.picture import picture_bytes
     from flexbearing.report.studies.pareto_figure import draw_pareto
 
     write(csv.resolve(), table(study).encode())
     try:
-        write(png.resolve(), png_bytes(draw_pareto(study), dpi=130))
+        write(png.resolve(), picture_bytes(draw_pareto(study), dpi=130))
     except BaseException as problem:  # only a note is added
         problem.add_note(f"the table is complete: {csv}")
         raise

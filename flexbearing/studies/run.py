@@ -10,7 +10,7 @@ from time import perf_counter
 from typing import Any
 
 from flexbearing.files import NotStored, require_folder, require_output, write
-from flexbearing.report.picture import png_bytes
+from flexbearing.report.picture import picture_bytes
 from flexbearing.studies.engine import Done, Engine, completed, finished
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.plan import Condensed, Corners, Ring, Row, Task
@@ -96,7 +96,7 @@ def run(
     table = replace(settled.table(rows), complaints=complaints)
     store(table, paths)
     if picture and settled.plot and not settled.part:
-        write(picture, png_bytes(draw(table, settled.plot)))
+        write(picture, picture_bytes(draw(table, settled.plot)))
     return table
 
 

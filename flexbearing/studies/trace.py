@@ -146,7 +146,7 @@ def trace(
     NotSolved
         when there is no equilibrium to begin with, or the process that follows the branch dies
     """
-    from flexbearing.report.picture import png_bytes
+    from flexbearing.report.picture import picture_bytes
     from flexbearing.report.studies.branch_figure import draw_branch
 
     axis, ends = _parsed(over)
@@ -169,7 +169,7 @@ def trace(
     write(path.resolve(), _csv(traced.columns()).encode())
     try:
         figure = draw_branch(first.title, axis.label, traced.columns(), traced.raceways)
-        write(traced.picture.resolve(), png_bytes(figure))
+        write(traced.picture.resolve(), picture_bytes(figure))
     except BaseException as problem:  # only a note is added
         problem.add_note(f"the table is complete: {path}")
         raise

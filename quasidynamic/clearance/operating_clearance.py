@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from itertools import pairwise
 from math import isfinite
+from typing import Literal
 
 from quasidynamic.clearance.annulus import Annulus, heat_displacement
 from quasidynamic.clearance.press_fit import (
@@ -21,20 +22,21 @@ from quasidynamic.errors import ImpossiblePart, require_positive
 
 @dataclass(frozen=True, kw_only=True)
 class Mounting:
-    """A roller bearing with what it is mounted on."""
+    """A bearing with what it is mounted on."""
 
     cold_clearance: float  # [m] diametral, before mounting, at the reference temperature
     shaft_fit: PressFit  # shaft inside, inner ring outside
     outer: PressFit | Annulus  # outer ring inside a housing, or a ring free in a squirrel cage
-    roller: Annulus
+    rolling_element: Annulus  # a roller, or the section of a ball
+    element: Literal["roller", "ball"] = "roller"
 
     def __post_init__(self):
         room = 2 * (self.outer_ring.inner_radius - self.inner_ring.outer_radius)
-        need = 4 * self.roller.outer_radius + self.cold_clearance
-        if not abs(room - need) < 0.2 * self.roller.outer_radius:
+        need = 4 * self.rolling_element.outer_radius + self.cold_clearance
+        if not abs(room - need) < 0.2 * self.rolling_element.outer_radius:
             raise ImpossiblePart(
-                f"mounting: the raceways leave {room} m on the diameter, two rollers with the cold clearance "
-                f"take {need} m; they must agree within a tenth of the roller diameter"
+                f"mounting: the raceways leave {room} m on the diameter, two {self.element}s with the cold "
+                f"clearance take {need} m; they must agree within a tenth of the {self.element} diameter"
             )
 
     @property
@@ -44,7 +46,7 @@ class Mounting:
 
     @property
     def outer_ring(self) -> Annulus:
-        """The ring around the rollers, its raceway inside."""
+        """The ring around the rolling elements, its raceway inside."""
         return self.outer.inside if isinstance(self.outer, PressFit) else self.outer
 
 
@@ -55,14 +57,14 @@ class OperatingConditions:
     reference: float  # [K] at which the cold clearance and the interferences were measured
     shaft: float  # [K]
     inner_ring: float  # [K]
-    rollers: float  # [K]
+    rolling_elements: float  # [K]
     outer_ring: float  # [K]
     housing: float | None = None  # [K] only where there is one
     inner_speed: float = 0.0  # [rad/s] shaft with inner ring
     outer_speed: float = 0.0  # [rad/s] outer ring with housing
 
     def __post_init__(self):
-        for name in ("reference", "shaft", "inner_ring", "rollers", "outer_ring"):
+        for name in ("reference", "shaft", "inner_ring", "rolling_elements", "outer_ring"):
             require_positive(f"operating.{name}", getattr(self, name))
         if self.housing is not None:
             require_positive("operating.housing", self.housing)
@@ -108,6 +110,7 @@ class OperatingClearance:
     steps: tuple[ClearanceStep, ...]
     shaft_seat: Seat  # in operation
     housing_seat: Seat | None  # in operation; a free ring has none
+    element: str = "roller"
 
     @property
     def clearance(self) -> float:
@@ -116,7 +119,7 @@ class OperatingClearance:
 
     @property
     def preloaded(self) -> bool:
-        """Whether the rollers are wider than the room left for them."""
+        """Whether the rolling elements are wider than the room left for them."""
         return self.clearance < 0.0
 
     @property
@@ -124,7 +127,7 @@ class OperatingClearance:
         """The result in words."""
         size = f"{abs(self.clearance) * 1e6:.3f} um diametral"
         if self.preloaded:
-            return f"the bearing is preloaded: the rollers interfere by {size}"
+            return f"the bearing is preloaded: the {self.element}s interfere by {size}"
         return f"the bearing runs with a clearance of {size}"
 
 
@@ -152,7 +155,7 @@ class _Stage:
     explanation: str
     inner: RacewayExpansion
     outer: RacewayExpansion
-    roller_expansion: float  # [m] of the diameter
+    element_expansion: float  # [m] of the diameter
 
 
 def operating_clearance(
@@ -182,7 +185,7 @@ def operating_clearance(
     -------
     OperatingClearance
         steps whose changes add up to G - G_0 [m]; u_o, u_i expansion of the raceway radii,
-        Delta D of the roller diameter
+        Delta D of the diameter of the rolling elements
 
     Raises
     ------
@@ -196,7 +199,7 @@ def operating_clearance(
 
     Valid
     -----
-    One temperature per body; no load of the rollers on the rings; rollers do not expand by their speed.
+    One temperature per body; no load of rolling elements on the rings; they do not expand by their speed.
     """
     _require_housing_temperature(mounting, conditions)
     inner, outer = inner or partial(_inner_raceway, mounting), outer or partial(_outer_raceway, mounting)
@@ -204,7 +207,7 @@ def operating_clearance(
     clearances = [
         mounting.cold_clearance
         + 2 * (stage.outer.expansion - stage.inner.expansion)
-        - 2 * stage.roller_expansion
+        - 2 * stage.element_expansion
         for stage in stages
     ]
     steps = tuple(
@@ -216,6 +219,7 @@ def operating_clearance(
         steps=steps,
         shaft_seat=stages[-1].inner.seat or seat(mounting.shaft_fit, conditions.shaft_fit),
         housing_seat=stages[-1].outer.seat,
+        element=mounting.element,
     )
 
 
@@ -230,19 +234,21 @@ def _stages(
     outer_heat = f"outer ring {outer_fit.inside_rise:+.1f} K"
     if conditions.housing is not None:
         outer_heat += f", housing {outer_fit.outside_rise:+.1f} K"
-    roller, rise = mounting.roller, conditions.rollers - conditions.reference
-    thicker = 2 * float(heat_displacement(roller, roller.outer_radius, rise))
+    body, rise = mounting.rolling_element, conditions.rolling_elements - conditions.reference
+    thicker = 2 * float(heat_displacement(body, body.outer_radius, rise))
     inner_speed, outer_speed = f"{shaft.speed:.1f} rad/s", f"{outer_fit.speed:.1f} rad/s"
     changes = (
         ("inner fit", f"mounted; {inner.words}", {"inner": inner}),
         ("outer fit", f"mounted; {outer.words}", {"outer": outer}),
         ("inner heat", f"{inner_heat}; {inner_hot.words}", {"inner": inner_hot}),
         ("outer heat", f"{outer_heat}; {outer_hot.words}", {"outer": outer_hot}),
-        ("roller heat", f"rollers {rise:+.1f} K", {"roller_expansion": thicker}),
+        (f"{mounting.element} heat", f"{mounting.element}s {rise:+.1f} K", {"element_expansion": thicker}),
         ("inner rotation", f"{inner_speed}; {inner_turning.words}", {"inner": inner_turning}),
         ("outer rotation", f"{outer_speed}; {outer_turning.words}", {"outer": outer_turning}),
     )
-    stages = [_Stage("cold", "before mounting", RacewayExpansion(), RacewayExpansion(), roller_expansion=0.0)]
+    stages = [
+        _Stage("cold", "before mounting", RacewayExpansion(), RacewayExpansion(), element_expansion=0.0)
+    ]
     for name, explanation, change in changes:
         stages.append(replace(stages[-1], name=name, explanation=explanation, **change))
     return stages

@@ -41,7 +41,7 @@ class Raceways:
     film_law: FilmLaw
     lubrication: Lubrication
     slices: Slices
-    drop: NDArray  # (K, 1, 1, 1) or (K, 1, C, 1) profile drop [m]
+    drop: NDArray  # (K, 2, 1, 1) or (K, 2, C, 1) drop of roller and raceway [m]
     radius: NDArray  # (2, 1, 1) or (2, C, 1) [m] reduced
     modulus: NDArray  # (2, 1, 1) or (2, C, 1) [Pa] E'
 

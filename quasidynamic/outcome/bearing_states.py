@@ -298,11 +298,31 @@ class BearingStates:
     # -- contacts ------------------------------------------------------------------------------
 
     @property
+    def slice_positions(self) -> NDArray:
+        """Centres of the slices (C, K) from mid-roller [m]."""
+        centres = self.balance.roller.raceways.slices.all_centres
+        return np.broadcast_to(centres, (len(self.scaled), centres.shape[-1]))
+
+    @cached_property
+    def slice_pressure(self) -> NDArray:
+        """Largest Hertz pressure (C, 2, Z, K) of each slice [Pa]."""
+        pair = (each[..., None, None] for each in (self.contact_radius, self.contact_modulus))
+        return peak_pressure(self.slice_loads, *pair)
+
+    @property
+    def contact_radius(self) -> NDArray:
+        """Reduced radius R (C, 2) of the inner and the outer contact [m]."""
+        return np.broadcast_to(self.balance.roller.raceways.radius[..., 0].T, (len(self.scaled), 2))
+
+    @property
+    def contact_modulus(self) -> NDArray:
+        """E' (C, 2) of the inner and the outer contact [Pa]."""
+        return np.broadcast_to(self.balance.roller.raceways.modulus[..., 0].T, (len(self.scaled), 2))
+
+    @property
     def peak_pressure(self) -> NDArray:
         """Largest Hertz pressure (C, 2) at the inner and outer raceway [Pa]."""
-        raceways = self.balance.roller.raceways
-        largest = self.slice_loads.max(axis=(2, 3))
-        return peak_pressure(largest, raceways.radius[..., 0].T, raceways.modulus[..., 0].T)
+        return peak_pressure(self.slice_loads.max(axis=(2, 3)), self.contact_radius, self.contact_modulus)
 
     @cached_property
     def life(self) -> NDArray:

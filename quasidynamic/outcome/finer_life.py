@@ -96,7 +96,7 @@ class _FinerContacts:
     """Contacts of the rollers of C cases with both raceways; M' axial modes, of which the states know M."""
 
     slices: Slices
-    drop: NDArray  # (K, 1, 1, 1), or (K, 1, C, 1) of rollers that differ [m]
+    drop: NDArray  # (K, 2, 1, 1), or (K, 2, C, 1) of rollers or raceways that differ [m]
     law: LoadLaw
     approach: NDArray  # (M', 2, C, Z) of the states, zero in the further modes [m]
     force: NDArray  # (M, 2, C, Z) of the states [N]
@@ -114,7 +114,7 @@ class _FinerContacts:
         approach[: len(known)] = known
         return cls(
             slices=slices,
-            drop=slices.drop(roller.profile),
+            drop=slices.drop(balance.roller.bearing),
             law=raceways.law,
             approach=approach,
             force=states.rollers.contact.force.swapaxes(0, 1),

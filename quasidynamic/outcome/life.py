@@ -8,11 +8,10 @@ from numpy.typing import NDArray
 
 from quasidynamic.errors import OutOfRange, require_positive
 from quasidynamic.outcome.capacity import raceway_capacity, reference_raceway_capacity
-from quasidynamic.parts.roller import Straight
+from quasidynamic.outcome.raceway_damage import LINE, raceway_damage
+from quasidynamic.outcome.rating_life import ROLLER_EXPONENT
 from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
 
-WEIBULL = 9 / 8  # dispersion exponent of line contact
-LOAD_EXPONENT = 4.0  # of the damage that loads do at one place of a raceway
 REVOLUTIONS = 1e6  # that a rating life counts in
 FEWEST_SLICES = 30  # of ISO/TS 16281
 
@@ -93,9 +92,9 @@ def raceway_lives(
     As `basic_life`.
     """
     sides = zip((inner, outer), raceway_capacity(bearing), turning, strict=True)
-    damage = [_damage(np.asarray(load), _of_cases(capacity), share) for load, capacity, share in sides]
+    damage = [raceway_damage(np.asarray(load), _of_cases(capacity), share) for load, capacity, share in sides]
     with np.errstate(divide="ignore"):  # no load, no damage: for ever
-        return np.stack(damage, axis=-1) ** (-1 / WEIBULL)
+        return np.stack(damage, axis=-1) ** (-1 / LINE.weibull)
 
 
 def reference_life(
@@ -140,7 +139,7 @@ def reference_life(
     -----
     Reliability 90 %. The edge stress belongs to profiled rollers with at least 30 slices.
     """
-    if edge_stress and isinstance(bearing.roller.profile, Straight):
+    if edge_stress and not bearing.relieved:
         raise OutOfRange("the edge stress factor holds for profiled rollers; this roller is straight")
     edge = edge_stress_factor(np.shape(inner)[-1]) if edge_stress else None
     return slice_life(inner, outer, reference_raceway_capacity(bearing, rating), turning, edge=edge)
@@ -196,12 +195,12 @@ def slice_life(
     Fatigue from below the surface, full film, equal slices over the whole length of the roller.
     """
     loads = [np.asarray(side) * (1.0 if edge is None else edge) for side in (inner, outer)]
-    damage = sum(_damage(q, c, share) for q, c, share in zip(loads, capacity, turning, strict=True))
+    damage = sum(raceway_damage(q, c, share) for q, c, share in zip(loads, capacity, turning, strict=True))
     if rollers:
-        roller_damage = sum(_damage(q, c, 1.0) for q, c in zip(loads, rollers.capacity, strict=True))
-        damage = damage + loads[0].shape[-2] * rollers.speed_ratio**WEIBULL * roller_damage
+        roller_damage = sum(raceway_damage(q, c, 1.0) for q, c in zip(loads, rollers.capacity, strict=True))
+        damage = damage + loads[0].shape[-2] * rollers.speed_ratio**LINE.weibull * roller_damage
     with np.errstate(divide="ignore"):  # no load, no damage: for ever
-        return damage ** (-1 / WEIBULL)
+        return damage ** (-1 / LINE.weibull)
 
 
 def edge_stress_factor(slices: int) -> NDArray:
@@ -240,10 +239,10 @@ def edge_stress_factor(slices: int) -> NDArray:
         return 1 - 0.01 / np.log(1.985 * np.abs(2 * k - slices - 1) / (2 * slices - 2))
 
 
-def reference_load(life: Any, rating: float) -> Any:
+def reference_load(life: Any, rating: float, exponent: float = ROLLER_EXPONENT) -> Any:
     r"""Radial load that gives the bearing the same life under ordinary conditions.
 
-    .. math:: P_{ref} = C_r / L_{10r}^{3/10}
+    .. math:: P_{ref} = C_r / L_{10r}^{1/p}
 
     Parameters
     ----------
@@ -251,6 +250,8 @@ def reference_load(life: Any, rating: float) -> Any:
         L10r [10^6 revolutions], > 0
     rating : float
         C_r, dynamic load rating [N]
+    exponent : float
+        p [-], 10/3 of roller and 3 of ball bearings
 
     Returns
     -------
@@ -259,13 +260,13 @@ def reference_load(life: Any, rating: float) -> Any:
 
     Source
     ------
-    ISO/TS 16281 (2008), roller bearings.
+    ISO/TS 16281 (2008).
 
     Valid
     -----
     As the life it comes from.
     """
-    return rating * np.asarray(life) ** (-3 / 10)
+    return rating * np.asarray(life) ** (-1 / exponent)
 
 
 def turning_share(speed: Any, relative_speed: Any) -> Any:
@@ -303,12 +304,3 @@ def turning_share(speed: Any, relative_speed: Any) -> Any:
 def _of_cases(number: Any) -> Any:
     """Numbers (C) of bearings that differ, from a column (C, 1); that of all of them as it is."""
     return number[:, 0] if np.ndim(number) else number
-
-
-def _damage(loads: NDArray, capacity: float, share: NDArray | float) -> Any:
-    """Sum over slices of (q_e/q_c)^4.5, of a ring that turns by a share."""
-    damage = loads**LOAD_EXPONENT
-    even = np.asarray(share)[..., None, None]
-    spread = (1 - even) * damage + even * damage.mean(axis=-2, keepdims=True)
-    slice_capacity = capacity * loads.shape[-1] ** (-7 / 9)
-    return (spread**WEIBULL).mean(axis=-2).sum(axis=-1) / slice_capacity ** (LOAD_EXPONENT * WEIBULL)

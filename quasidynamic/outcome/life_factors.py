@@ -15,6 +15,7 @@ RPM = 2 * np.pi / 60  # [rad/s]
 LEAST_VISCOSITY_RATIO, FULL_VISCOSITY_RATIO = 0.1, 4.0  # kappa of ISO 281
 LARGEST_MODIFICATION = 50.0  # a_ISO
 LEAST_RELIABILITY, LARGEST_RELIABILITY = 0.90, 0.9995  # of the a_1 table of ISO 281
+LARGE = 500.0  # [mm] pitch diameter from which one class of grease has another c2
 RELIABILITY_OFFSET = 0.05  # c, the part of the life without failures
 
 FILM_RATIOS = (0.6, 0.8, 1.0, 1.1, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 10.0)  # [-] STLE
@@ -29,7 +30,23 @@ class Cleanliness:
 
     rise: float  # [-] c1, for D_pw in mm
     loss: float  # [-] c2, for D_pw in mm
+    loss_of_large: float | None = None  # [-] c2 from D_pw = 500 mm on, where that is another one
 
+
+@dataclass(frozen=True)
+class ModifiedBy:
+    """Constants of a_ISO for one kind of rolling elements, see `modification_factor`."""
+
+    largest: float  # [-] b
+    thin: float  # [-] c below kappa = 0.4
+    thick: float  # [-] c from there on
+    film_power: float  # [-] m
+    load_power: float  # [-] n
+    power: float  # [-] q
+
+
+ROLLERS = ModifiedBy(1.5859, 1.3993, 1.2348, 1.0, 0.4, 9.185)  # ISO 281 (2007), Eqs. 34-36
+BALLS = ModifiedBy(2.5671, 2.2649, 1.9987, 0.83, 1 / 3, 9.3)  # ISO 281 (2007), Eqs. 31-33
 
 # ISO 281 (2007), annex A.4 to A.6; oils by their code of ISO 4406
 CLEANLINESS = {
@@ -44,8 +61,7 @@ CLEANLINESS = {
     "oil, no or off-line filter, -/21/18": Cleanliness(0.00411, 3.8974),
     "grease, high cleanliness": Cleanliness(0.0864, 0.6796),
     "grease, normal cleanliness": Cleanliness(0.0432, 1.141),
-    # 1.677 as found; the standard may hold it for D_pw >= 500 mm and 1.887 below
-    "grease, slight to typical contamination": Cleanliness(0.0177, 1.677),
+    "grease, slight to typical contamination": Cleanliness(0.0177, 1.887, 1.677),
     "grease, severe contamination": Cleanliness(0.0115, 2.662),
     "grease, very severe contamination": Cleanliness(0.00617, 4.06),
 }
@@ -190,28 +206,35 @@ def contamination_factor(kappa: ArrayLike, pitch_diameter: float, cleanliness: C
 
     Valid
     -----
-    kappa from 0.1. Kinks where the minimum is reached and at kappa = 4.
+    kappa from 0.1. Kinks where the minimum is reached and at kappa = 4; one class of grease jumps by 3 % of
+    e_C at 500 mm, as printed.
     """
-    size = pitch_diameter / MILLIMETRE
-    largest = 1 - cleanliness.loss * size ** (-1 / 3)
+    size, loss = pitch_diameter / MILLIMETRE, cleanliness.loss
+    if cleanliness.loss_of_large is not None and size >= LARGE:
+        loss = cleanliness.loss_of_large
+    largest = 1 - loss * size ** (-1 / 3)
     if not largest > 0:
-        least = cleanliness.loss**3
+        least = loss**3
         raise OutOfRange(f"pitch diameter {size:.4g} mm: this cleanliness needs more than {least:.3g} mm")
     return np.minimum(cleanliness.rise * _rated(kappa) ** 0.68 * size**0.55, 1.0) * largest
 
 
-def modification_factor(kappa: ArrayLike, load_ratio: ArrayLike) -> LifeFactor:
-    r"""Life modification factor a_ISO of radial roller bearings.
+def modification_factor(
+    kappa: ArrayLike, load_ratio: ArrayLike, elements: ModifiedBy = ROLLERS
+) -> LifeFactor:
+    r"""Life modification factor a_ISO of radial bearings.
 
-    .. math:: a_{ISO} = 0.1 \big[1 - (1.5859 - c/\kappa^p) (e_C C_u / P)^{0.4}\big]^{-9.185} \le 50
+    .. math:: a_{ISO} = 0.1 \big[1 - (b - c/\kappa^p)^m (e_C C_u / P)^n\big]^{-q} \le 50
 
-    ==========  ======  ========
-    kappa       c       p
-    ==========  ======  ========
-    0.1 to 0.4  1.3993  0.054381
-    0.4 to 1    1.2348  0.19087
-    1 to 4      1.2348  0.071739
-    ==========  ======  ========
+    ==========  ==============  ============  ========
+    kappa       c of rollers    c of balls    p
+    ==========  ==============  ============  ========
+    0.1 to 0.4  1.3993          2.2649        0.054381
+    0.4 to 1    1.2348          1.9987        0.19087
+    1 to 4      1.2348          1.9987        0.071739
+    ==========  ==============  ============  ========
+
+    b = 1.5859, m = 1, n = 0.4, q = 9.185 of rollers; 2.5671, 0.83, 1/3, 9.3 of balls.
 
     Parameters
     ----------
@@ -219,6 +242,8 @@ def modification_factor(kappa: ArrayLike, load_ratio: ArrayLike) -> LifeFactor:
         viscosity ratio [-], >= 0.1; above 4 as 4, with a note
     load_ratio : float or array (...)
         e_C C_u/P, fatigue limit left by the particles over the equivalent load [-], >= 0
+    elements : ModifiedBy
+        constants of `ROLLERS` or of `BALLS`
 
     Returns
     -------
@@ -232,7 +257,7 @@ def modification_factor(kappa: ArrayLike, load_ratio: ArrayLike) -> LifeFactor:
 
     Source
     ------
-    ISO 281 (2007), Eqs. 34-36.
+    ISO 281 (2007), Eqs. 31-36.
 
     Valid
     -----
@@ -243,15 +268,16 @@ def modification_factor(kappa: ArrayLike, load_ratio: ArrayLike) -> LifeFactor:
     if not np.all(load_ratio >= 0):
         raise OutOfRange(f"e_C C_u/P = {load_ratio} must not be negative")
     k = _rated(kappa)
-    c = np.where(k < 0.4, 1.3993, 1.2348)
+    c = np.where(k < 0.4, elements.thin, elements.thick)
     p = np.where(k < 0.4, 0.054381, np.where(k < 1.0, 0.19087, 0.071739))
-    bracket = 1 - (1.5859 - c / k**p) * load_ratio**0.4
-    least = (LARGEST_MODIFICATION / 0.1) ** (-1 / 9.185)  # below it the factor has reached 50
+    film = (elements.largest - c / k**p) ** elements.film_power
+    bracket = 1 - film * load_ratio**elements.load_power
+    least = (LARGEST_MODIFICATION / 0.1) ** (-1 / elements.power)  # below it the factor has reached 50
     notes = [
         "viscosity ratio above 4, rated as 4" * bool(np.any(kappa > FULL_VISCOSITY_RATIO)),
         "held at its limit of 50" * bool(np.any(bracket <= least)),
     ]
-    value = 0.1 * np.maximum(bracket, least) ** -9.185
+    value = 0.1 * np.maximum(bracket, least) ** -elements.power
     return LifeFactor("a_ISO", value[()], "lubrication", "; ".join(filter(None, notes)))
 
 

@@ -41,14 +41,14 @@ def rating_life(rating: float, load: ArrayLike, exponent: float = ROLLER_EXPONEN
         return (rating / np.asarray(load, dtype=float))[()] ** exponent
 
 
-def static_safety(rating: float, load: ArrayLike) -> Any:
+def static_safety(rating: ArrayLike, load: ArrayLike) -> Any:
     r"""Static safety factor.
 
     .. math:: s_0 = C_{0r} / P_{0r}
 
     Parameters
     ----------
-    rating : float
+    rating : float or array (...)
         C_0r, static load rating [N]
     load : float or array (...)
         P_0r, equivalent static load [N], >= 0
@@ -67,4 +67,4 @@ def static_safety(rating: float, load: ArrayLike) -> Any:
     As the rating: permanent deformation of 1e-4 of the rolling element at s_0 = 1.
     """
     with np.errstate(divide="ignore"):
-        return (rating / np.asarray(load, dtype=float))[()]
+        return (np.asarray(rating) / np.asarray(load, dtype=float))[()]

@@ -78,7 +78,7 @@ def free_to_tilt(balance: BearingBalance) -> BearingBalance:
         return balance
     roller = balance.roller
     if slices is not raceways.slices:
-        drop = slices.drop(roller.bearing.roller.profile)
+        drop = slices.drop(roller.bearing)
         roller = replace(roller, raceways=replace(raceways, slices=slices, drop=drop))
     return replace(balance, roller=roller, points=replace(points, free_tilt=np.ones_like(points.free_tilt)))
 

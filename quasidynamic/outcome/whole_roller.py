@@ -9,6 +9,7 @@ from numpy.polynomial.legendre import legval
 from numpy.typing import NDArray
 
 from quasidynamic.contact.half_space import elastic_pair
+from quasidynamic.contact.pressure.normal_contact import TOLERANCE
 from quasidynamic.contact.pressure.roller import CELLS, RollerOnRaceway, RollerPressure
 from quasidynamic.outcome.equilibrium import Equilibrium
 from quasidynamic.outcome.life import basic_life, raceway_lives
@@ -30,6 +31,12 @@ class WholeRoller:
         loads = self.state.slice_loads.copy()
         loads[:, self.number] = [contact.slice_loads(loads.shape[-1]) for contact in self.contacts]
         return loads
+
+    @property
+    def slice_pressure(self) -> NDArray:
+        """Largest pressure (2, K) [Pa] on the cells that each slice of the roller shares."""
+        count = self.state.slice_loads.shape[-1]
+        return np.array([contact.slice_pressure(count) for contact in self.contacts])
 
     @property
     def peak_pressure(self) -> NDArray:
@@ -91,7 +98,7 @@ class WholeRoller:
 
     @property
     def tilt(self) -> NDArray:
-        """Tilt of the roller against each raceway (2) that its moment asks for [rad]."""
+        """Tilt of the roller against each raceway (2), held or as its moment asks for [rad]."""
         return np.array([contact.tilt for contact in self.contacts])
 
     @property
@@ -106,11 +113,13 @@ class WholeRoller:
 
 
 def whole_roller(state: Equilibrium) -> WholeRoller:
-    r"""Most loaded roller under the loads and moments of its slices, with the pressure of half-spaces.
+    r"""Most loaded roller under the loads of its slices, with the pressure of half-spaces.
 
     .. math:: Q = \sum_k q_k \Delta x,\quad M = \sum_k q_k x_k \Delta x
 
-    at either raceway. Approach and tilt follow. Its life goes by the lamina formula of ISO/TS 16281,
+    at either raceway. Between rings whose tilt is held the roller keeps the tilt of its slices against
+    either raceway, and its moments follow; where the ring tilts freely until moments balance it has the
+    moment M, and its tilts follow. Its life goes by the lamina formula of ISO/TS 16281,
     `basic_life`, with the mean of the half-spaces' load per length over each slice in the place of q_k.
 
     Parameters
@@ -136,9 +145,10 @@ def whole_roller(state: Equilibrium) -> WholeRoller:
 
     Valid
     -----
-    As `RollerOnRaceway`. The loads of the rollers are those of the slices. Where a contact reaches a sharp
-    end, its life falls with finer slices without limit: q_k^{4.5} of an end slice grows faster than their
-    number.
+    As `RollerOnRaceway`. The loads of the rollers are those of the slices. At the tilts of the slices the
+    moments at both raceways differ by some percent: a roller in balance would turn by as much of its tilt.
+    Where a contact reaches a sharp end, its life falls with finer slices without limit: q_k^{4.5} of an end
+    slice grows faster than their number.
     """
     number = int(np.argmax(state.loads[0]))
     across, along = CELLS
@@ -149,29 +159,63 @@ def whole_roller(state: Equilibrium) -> WholeRoller:
 def _contacts(
     state: Equilibrium, number: int, cells: tuple[int, int]
 ) -> tuple[RollerPressure, RollerPressure]:
-    """Pressures of a roller at the inner and the outer raceway."""
+    return whole_contact(state, 0, number, cells), whole_contact(state, 1, number, cells)
+
+
+def whole_contact(
+    state: Equilibrium, race: int, number: int, cells: tuple[int, int], tolerance: float = TOLERANCE
+) -> RollerPressure:
+    """Pressure of a roller on one raceway, under its load and at its tilt or moment, see `whole_roller`.
+
+    Parameters
+    ----------
+    state : Equilibrium
+        solved
+    race : int
+        0 the inner, 1 the outer raceway
+    number : int
+        of the roller, from 0
+    cells : tuple of int
+        across and along
+    tolerance : float
+        of the pressure, see `contact_pressure`
+
+    Returns
+    -------
+    RollerPressure
+        [Pa]
+
+    Source
+    ------
+    `RollerOnRaceway`.
+    """
     raceways, bearing = state.balance.roller.raceways, state.balance.roller.bearing
-    pressures = []
-    for race, ring in enumerate((bearing.inner_ring, bearing.outer_ring)):
+    ring = (bearing.inner_ring, bearing.outer_ring)[race]
+    contact = RollerOnRaceway(
+        pair=elastic_pair(bearing.roller.material, ring),
+        radius=float(raceways.radius[race, 0, 0]),
+        length=bearing.roller.length,
+        drop=_drop(state, race, number),
+        cells=cells,
+        tolerance=tolerance,
+    )
+    force = float(state.loads[race, number])
+    if state.balance.points.free_tilt[0, 0]:
         loads = state.slice_loads[race, number] * raceways.slices.width
-        contact = RollerOnRaceway(
-            pair=elastic_pair(bearing.roller.material, ring),
-            radius=float(raceways.radius[race, 0, 0]),
-            length=bearing.roller.length,
-            drop=_drop(state, race, number),
-            cells=cells,
-        )
-        pressures.append(contact.under(float(loads.sum()), float(loads @ state.slice_positions)))
-    return pressures[0], pressures[1]
+        return contact.under(force, float(loads @ state.slice_positions))
+    approach = state.balance.inputs(state.unknowns).approach[race, :, 0, number]
+    at_end = float(approach[1]) if len(approach) > 1 else 0.0  # rollers of one axial mode are aligned
+    return contact.tilted(force, at_end / (bearing.roller.length / 2))
 
 
 def _drop(state: Equilibrium, race: int, number: int) -> Callable[[NDArray], NDArray]:
-    """Separation of a roller's profile and the raceway along it, but for approach and tilt [m]."""
-    roller, approach = state.balance.roller.bearing.roller, state.balance.inputs(state.unknowns).approach
+    """Separation of roller and raceway along it, but for approach and tilt [m]."""
+    bearing, approach = state.balance.roller.bearing, state.balance.inputs(state.unknowns).approach
+    length = bearing.roller.length
     bent = approach[race, :, 0, number].copy()
     bent[:2] = 0.0
 
     def drop(position: NDArray) -> NDArray:
-        return roller.profile.drop(position, roller.length) - legval(2 * position / roller.length, bent)
+        return bearing.drop(race, position, length) - legval(2 * position / length, bent)
 
     return drop

@@ -12,14 +12,18 @@ from quasidynamic.parts.ball import Ball, Groove
 
 @dataclass(frozen=True, kw_only=True)
 class AngularContactBearing:
-    """Balls between two rings of one groove each; a deep-groove bearing is one of small contact angle."""
+    """Balls between two rings of one groove each.
+
+    A deep groove bearing has the contact angle zero, and a clearance.
+    """
 
     ball: Ball
     inner: Groove
     outer: Groove
     balls: int
     pitch_diameter: float  # [m] of the ball centres
-    contact_angle: float  # [rad] without load, from the radial plane
+    contact_angle: float  # [rad] without load, from the radial plane, the clearance below left out
+    clearance: float = 0.0  # [m] of the diameter beyond that of contact_angle; negative is an interference
     first_ball_azimuth: float = 0.0  # [rad] from z towards y
 
     def __post_init__(self):
@@ -30,6 +34,12 @@ class AngularContactBearing:
             raise ImpossiblePart(f"bearing.balls = {self.balls}: a ring needs at least 3")
         if self.ball.diameter >= self.pitch_diameter * np.sin(np.pi / self.balls):
             raise ImpossiblePart(f"{self.balls} balls do not fit on the pitch circle")
+        most = 2 * self.centre_distance * np.cos(self.contact_angle)
+        if not abs(self.clearance) < most:
+            raise ImpossiblePart(
+                f"bearing.clearance = {self.clearance!r} m: its size must be below {most:.3g} m, at which "
+                "balls pass the grooves; is the unit right?"
+            )
 
     @property
     def diameter_ratio(self) -> float:
@@ -45,6 +55,38 @@ class AngularContactBearing:
     def outer_reach(self) -> float:
         """From the outer groove centre to a ball centre that just touches, (f_o - 1/2) D [m]."""
         return (self.outer.conformity - 0.5) * self.ball.diameter
+
+    @property
+    def centre_distance(self) -> float:
+        """Distance of the groove centres when both races just touch the ball, A = (f_i + f_o - 1) D [m]."""
+        return self.inner_reach + self.outer_reach
+
+    @property
+    def groove_offset(self) -> tuple[float, float]:
+        """Inner groove centre from the outer one, the ring not displaced: axial, radial [m].
+
+        A sin(alpha) and A cos(alpha) - P_d/2: the place where balls just touch, but for the clearance.
+        """
+        angle, distance = self.contact_angle, self.centre_distance
+        return distance * np.sin(angle), distance * np.cos(angle) - self.clearance / 2
+
+    @property
+    def radial_clearance(self) -> float:
+        """P_d of the diameter, that of the contact angle included [m]; negative is an interference."""
+        return 2 * (self.centre_distance - self.groove_offset[1])
+
+    @property
+    def free_contact_angle(self) -> float:
+        """Contact angle at which balls just touch under an axial load, cos = cos(alpha) - P_d/(2 A) [rad].
+
+        Zero where an interference presses balls anyway.
+        """
+        return float(np.arccos(min(self.groove_offset[1] / self.centre_distance, 1.0)))
+
+    @property
+    def touching_place(self) -> float:
+        """Axial displacement at which all balls have the free contact angle [m]; half the end play."""
+        return self.centre_distance * np.sin(self.free_contact_angle) - self.groove_offset[0]
 
     @property
     def inner_groove_radius(self) -> float:
@@ -83,3 +125,8 @@ class RingOperation:
                 raise ImpossiblePart(
                     f"direction {name} has both a load of {load} and a displacement of {place}"
                 )
+
+    @property
+    def relative_speed(self) -> float:
+        """Speed of the inner ring against the outer ring [rad/s]."""
+        return self.inner_speed - self.outer_speed

@@ -6,11 +6,21 @@ from math import inf, log
 from quasidynamic.errors import OutOfRange
 from quasidynamic.note import Note, outside
 from quasidynamic.parts.lubricant import Lubricant
-from quasidynamic.parts.oil_curves import OILS, Oil, two_point_oil, walther_viscosity
+from quasidynamic.parts.oil_curves import (
+    OILS,
+    USABLE_ABOVE,
+    USABLE_BELOW,
+    Oil,
+    Point,
+    two_point_oil,
+    walther_line,
+    walther_viscosity,
+)
 
+ZERO_CELSIUS = 273.15  # [K]
 THICKEST, STIFFEST = 1e4, 1e-4  # [Pa s], [1/Pa] beyond any oil
 
-__all__ = ["OILS", "Oil", "oil_at", "two_point_oil", "walther_viscosity"]
+__all__ = ["OILS", "Oil", "kinematic_viscosity_at", "oil_at", "two_point_oil", "walther_viscosity"]
 
 
 def oil_at(oil: str | Oil, temperature: float) -> Lubricant:
@@ -48,11 +58,7 @@ def oil_at(oil: str | Oil, temperature: float) -> Lubricant:
     """
     if isinstance(oil, str):
         oil = _named(oil)
-    (coldest, hottest), (low, high) = oil.measured, oil.usable
-    if not low <= temperature <= high:
-        raise OutOfRange(
-            f"oil {oil.name} at {temperature:.1f} K is outside {low:.0f} to {high:.0f} K, its usable range"
-        )
+    extrapolated = _extrapolated(oil.name, oil.measured, oil.usable, temperature)
     step = 0.5  # [K] the property curves are smooth on this scale
     colder, viscosity, warmer = (
         _value(oil, "viscosity", temperature + change, THICKEST) for change in (-step, 0.0, step)
@@ -64,18 +70,65 @@ def oil_at(oil: str | Oil, temperature: float) -> Lubricant:
         temperature_viscosity=log(colder / warmer) / (2 * step),
         conductivity=oil.conductivity(temperature),
         density=oil.density(temperature),
-        notes=oil.notes
-        if coldest <= temperature <= hottest
-        else (_extrapolated(oil, temperature), *oil.notes),
+        notes=(*extrapolated, *oil.notes),
     )
 
 
-def _extrapolated(oil: Oil, temperature: float) -> Note:
-    coldest, hottest = oil.measured
-    return outside(
-        "oil-temperature",
-        f"{oil.name} at {temperature:.0f} K is extrapolated: its data cover {coldest:.0f} to {hottest:.0f} K",
+def kinematic_viscosity_at(
+    name: str, viscosities: tuple[Point, Point], temperature: float
+) -> tuple[float, tuple[Note, ...]]:
+    """Viscosity of an oil of which a data sheet prints no more than two viscosities.
+
+    Parameters
+    ----------
+    name : str
+        how notes and messages call it
+    viscosities : tuple
+        two points (T [K], kinematic nu [m2/s]), the second hotter and thinner
+    temperature : float
+        T [K]
+
+    Returns
+    -------
+    tuple
+        nu [m2/s], and a note where T is not between the two points
+
+    Raises
+    ------
+    OutOfRange
+        more than 40 K below or 100 K above the two points
+    ImpossiblePart
+        when the viscosity does not fall with temperature
+
+    Source
+    ------
+    ASTM D341, see `two_point_oil`.
+
+    >>> nu, notes = kinematic_viscosity_at("VG 32", ((313.15, 32e-6), (373.15, 5.4e-6)), 343.15)
+    >>> round(nu * 1e6, 1), notes
+    (11.2, ())
+    """
+    measured = (viscosities[0][0], viscosities[1][0])
+    usable = (measured[0] - USABLE_BELOW, measured[1] + USABLE_ABOVE)
+    notes = _extrapolated(name, measured, usable, temperature)
+    return walther_viscosity(temperature, *walther_line(*viscosities)), notes
+
+
+def _extrapolated(name: str, measured: Point, usable: Point, temperature: float) -> tuple[Note, ...]:
+    """A note where a temperature is not within the data; an error where it is outside the usable range."""
+    (coldest, hottest), (low, high) = measured, usable
+    if not low <= temperature <= high:
+        raise OutOfRange(
+            f"oil {name} at {temperature - ZERO_CELSIUS:z.1f} degC is outside {low - ZERO_CELSIUS:z.0f} to "
+            f"{high - ZERO_CELSIUS:z.0f} degC, its usable range"
+        )
+    if coldest <= temperature <= hottest:
+        return ()
+    words = (
+        f"{name} at {temperature - ZERO_CELSIUS:z.0f} degC is extrapolated: its data cover "
+        f"{coldest - ZERO_CELSIUS:z.0f} to {hottest - ZERO_CELSIUS:z.0f} degC"
     )
+    return (outside("oil-temperature", words),)
 
 
 def _value(oil: Oil, name: str, temperature: float, most: float) -> float:

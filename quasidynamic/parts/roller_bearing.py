@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from quasidynamic.errors import ImpossiblePart, require_positive
 from quasidynamic.parts.cage import Cage
 from quasidynamic.parts.material import Material
+from quasidynamic.parts.profile import STRAIGHT, PointsProfile, Profile, Straight
 from quasidynamic.parts.raceway_waves import RacewayWaves
 from quasidynamic.parts.roller import Roller
 
@@ -29,6 +30,8 @@ class CylindricalRollerBearing:
     first_roller_azimuth: float = 0.0  # [rad] from the load line
     inner_waves: RacewayWaves | None = None  # form errors; None: round
     outer_waves: RacewayWaves | None = None
+    inner_profile: Profile = STRAIGHT  # of the raceways along the rollers
+    outer_profile: Profile = STRAIGHT
 
     def __post_init__(self):
         require_positive("bearing.outer_raceway_diameter", self.outer_raceway_diameter)
@@ -82,3 +85,43 @@ class CylindricalRollerBearing:
         if not waves:
             return self.clearance
         return self.clearance - 2 * sum(each.height(self.azimuths) for each in waves)
+
+    @property
+    def symmetric(self) -> bool:
+        """Whether both halves of rollers and raceways are alike."""
+        profiles = (self.roller.profile, self.inner_profile, self.outer_profile)
+        return all(each.symmetric for each in profiles if isinstance(each, PointsProfile))
+
+    @property
+    def relieved(self) -> bool:
+        """Whether roller or raceway has a profile at both contacts."""
+        raceways = (self.inner_profile, self.outer_profile)
+        return not isinstance(self.roller.profile, Straight) or not any(
+            isinstance(each, Straight) for each in raceways
+        )
+
+    def drop(self, race: int, position: NDArray, length: NDArray | float) -> NDArray:
+        r"""Drop of roller and raceway together.
+
+        .. math:: C = C_{roller} + C_{raceway}
+
+        Parameters
+        ----------
+        race : int
+            0 the inner, 1 the outer raceway
+        position : array (...)
+            from mid-roller [m]
+        length : float or array (...)
+            of the roller [m], or of those of many cases
+
+        Returns
+        -------
+        array (...)
+            C [m], >= 0
+
+        Source
+        ------
+        Geometry: both gaps add up.
+        """
+        raceway = (self.inner_profile, self.outer_profile)[race]
+        return self.roller.profile.drop(position, length) + raceway.drop(position, length)

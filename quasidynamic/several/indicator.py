@@ -73,7 +73,7 @@ def doubts(states: BearingStates) -> NDArray:
     balance, unknowns, raceways = states.balance, states.unknowns, states.balance.roller.raceways
     outward = states.loads[:, OUTER] - states.loads[:, INNER]  # presses a roller on one raceway alone
     load = np.maximum([-outward, outward], 0.0)
-    pressed = (raceways.softness * load ** (1 / EXPONENT)).sum(0) + 2 * raceways.drop.min(0)[0]
+    pressed = (raceways.softness * load ** (1 / EXPONENT)).sum(0) + raceways.drop.min(0).sum(0)
     gap = pressed - balance.approach(unknowns)[:, 0].sum(0) + unknowns.film.sum(0)
     rolling, standing = (
         film_at(balance, unknowns._replace(spin_drift=drift), load).sum(0)

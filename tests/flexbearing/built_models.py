@@ -11,6 +11,7 @@ import quasidynamic as qd
 from flexbearing.build import expansion, ring_parts, roller_bearing, seat_growth
 from flexbearing.build.mesh_sizes import IN_SPACE, mesh_size
 from flexbearing.build.rough_surfaces import roughness
+from flexbearing.build.viscosity import kinematic_viscosity
 from flexbearing.case.roller import Case
 from flexbearing.families import FAMILIES
 from flexbearing.progress import Logged
@@ -151,4 +152,8 @@ def _given_load(case):
 
 
 def _angular(case):
-    return {"model": angular_contact.bearing(case), "operation": angular_contact.operation(case)}
+    return {
+        "model": angular_contact.bearing(case),
+        "operation": angular_contact.operation(case),
+        "viscosity": None if case.lubricant is None else kinematic_viscosity(case.lubricant)[0],
+    }

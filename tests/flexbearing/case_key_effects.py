@@ -30,8 +30,6 @@ EFFECTS = (
      "mesh.{raceway_size,size} model.bearing.roller.length patches.{length,width} "
      "running.roller_length"),
     ("cage", "bearing.roller.profile", "straight", "model.bearing.roller.profile.{amplitude,is}"),
-    ("crowned", "bearing.roller.straight_length", "4.04 mm", "model.bearing.roller.profile.straight_length"),
-    ("crowned", "bearing.roller.crown_radius", "606 mm", "model.bearing.roller.profile.crown_radius"),
     ("cage", "bearing.roller.drop", "1.7675 um", "model.bearing.roller.profile.amplitude"),
     ("land on the pitch circle", "bearing.cage.guidance", "inner", "model.bearing.cage.guidance"),
     ("cage", "bearing.cage.pocket_friction", 0.0505, "model.bearing.cage.pocket_friction"),
@@ -246,6 +244,13 @@ EFFECTS = (
     ("collar", "outer.collar_thickness", "6.06 mm", "outer.collar_thickness"),
     ("cage", "outer.raceway_offset", "0.5 mm", "outer.offset"),
     ("seat", "outer.raceway_offset", "-0.5 mm", "outer.offset"),
+    ("matrix", "outer.length_unit", "0.999 mm", "outer.support.{places,stiffness}"),
+    ("matrix", "outer.force_unit", "1 kN", "outer.support.stiffness"),
+    ("matrix", "outer.axis", "-x", "outer.support.{places,stiffness}"),
+    ("matrix", "outer.zenith", "y", "outer.support.{places,stiffness}"),
+    ("matrix", "outer.centre_x", "3.01 mm", "outer.support.places"),
+    ("matrix", "outer.centre_y", "0.01 mm", "outer.support.places"),
+    ("matrix", "outer.centre_z", "0.01 mm", "outer.support.places"),
     ("step", "outer.clamps", ["footx"], "outer.clamps.0.name"),
     ("step", "outer.raceway", "race", "outer.raceway outer.raceway.{is,name}"),
     ("step", "outer.axis", "x", "outer.axis.{0,2}"),
@@ -277,6 +282,7 @@ EFFECTS = (
     ("cage", "life.capacity", "iso281", "case.life.capacity"),
     ("rated", "life.dynamic_rating", "44 kN", "case.life.dynamic_rating"),
     ("rated", "life.static_rating", "45 kN", "case.life.static_rating"),
+    ("rated", "outputs.catalogue_life", True, "case.outputs.catalogue_life"),
     ("rated", "life.fatigue_limit_load", "5 kN", "case.life.fatigue_limit_load"),
     ("by rating", "life.loads", "rollers", "case.life.loads"),
     ("by rating", "life.load_exponent", "4", "case.life.load_exponent"),
@@ -306,6 +312,7 @@ EFFECTS = (
     ("cage", "accuracy.patch_width", "0.5 mm", "patches.width"),
     ("cage", "accuracy.threads", 3, "case.accuracy.threads"),
     ("cage", "outputs.stresses", True, "case.outputs.stresses"),
+    ("cage", "outputs.subsurface_stresses", True, "case.outputs.subsurface_stresses"),
     ("three balls", "title", "ED20 bearing of Joshi et al. (2015)x", "case.title"),
     ("three balls", "bearing.pitch_diameter", "31.31 mm", "model.bearing.pitch_diameter"),
     ("three balls", "bearing.ball.diameter", "7.2114 mm", "model.bearing.ball.diameter"),
@@ -398,6 +405,7 @@ EFFECTS = (
      "case.rings.harmonics rings.inner.harmonics rings.outer.harmonics"),
     ("balls in bolted rings", "fields.balls", [0, 3], "case.fields.balls case.fields.balls.{0,1}"),
     ("three balls", "fields.points", 22, "case.fields.points"),
+    ("three balls", "outputs.subsurface_stresses", True, "case.outputs.subsurface_stresses"),
     ("fast balls", "title", "220.18 bearing of Harris, 17.8 kN thrust at 10 000 rpm", "case.title"),
     ("fast balls", "bearing.pitch_diameter", "126.5126 mm", "model.bearing.pitch_diameter"),
     ("fast balls", "bearing.ball.diameter", "22.4523 mm",
@@ -446,9 +454,61 @@ EFFECTS = (
     ("fast balls", "operation.displacement.radial_z", "0 um", "operation.displacement.2"),
     ("fast balls", "operation.displacement.tilt_y", "1 deg", "operation.displacement.3"),
     ("fast balls", "operation.displacement.tilt_z", "1 deg", "operation.displacement.4"),
+    ("fast, preloaded", "operation.preload.force", "260 N", "operation.displacement.0"),
+    ("fast, offset", "operation.preload.displacement", "6 um", "operation.displacement.0"),
+    *(("three balls, fitted", f"bearing.fits.{name}", value, "model.bearing.{clearance,contact_angle}")
+      for name, value in (
+          ("bore", "18 mm"), ("outer_diameter", "43 mm"), ("shaft_bore", "6 mm"),
+          ("shaft_interference", "6 um"), ("housing.diameter", "61 mm"), ("housing.interference", "6 um"))),
+    *(("three balls, fitted", f"materials.{part}.{name}", value, "model.bearing.{clearance,contact_angle}")
+      for part in ("shaft", "housing")
+      for name, value in (("youngs_modulus", "200 GPa"), ("poisson_ratio", 0.28))),
+    *(("three balls, classes", f"bearing.fits.{name}", value, "model.bearing.{clearance,contact_angle}")
+      for name, value in (("shaft", "m5"), ("at", "tightest"), ("housing.tolerance_class", "P7"))),
+    ("fast, fitted", "bearing.fits.bore", "91 mm", "model.bearing.clearance"),
+    ("fast, fitted", "bearing.fits.outer_diameter", "161 mm", "model.bearing.clearance"),
+    ("fast, fitted", "bearing.fits.shaft_bore", "41 mm", "model.bearing.clearance"),
+    ("fast, fitted", "bearing.fits.shaft_interference", "16 um", "model.bearing.clearance"),
+    ("fast, fitted", "bearing.fits.housing.diameter", "210 mm", "model.bearing.clearance"),
+    ("fast, fitted", "bearing.fits.housing.interference", "11 um", "model.bearing.clearance"),
+    ("fast, classes", "bearing.fits.shaft", "m5", "model.bearing.clearance"),
+    ("fast, classes", "bearing.fits.housing.tolerance_class", "P7", "model.bearing.clearance"),
+    ("fast, classes", "bearing.fits.at", "tightest", "model.bearing.clearance"),
+    ("fast, fitted", "materials.shaft.density", "8000 kg/m^3", "model.bearing.clearance"),
+    ("fast, fitted", "materials.inner_ring.density", "8000 kg/m^3", "model.bearing.clearance"),
+    ("fast, fitted, turning", "materials.outer_ring.density", "8000 kg/m^3", "model.bearing.clearance"),
+    ("fast, fitted, turning", "materials.housing.density", "8000 kg/m^3", "model.bearing.clearance"),
+    *(("fast, fitted", f"materials.{part}.{name}", value, "model.bearing.clearance")
+      for part in ("shaft", "housing")
+      for name, value in (
+          ("youngs_modulus", "200 GPa"), ("poisson_ratio", 0.28), ("expansion", "13e-6 1/K"))),
+    *(("fast, fitted", f"materials.{part}.expansion", "13e-6 1/K", "model.bearing.clearance")
+      for part in ("ball", "inner_ring", "outer_ring")),
+    *(("fast, fitted", f"operation.temperatures.{part}", "45 degC", "model.bearing.clearance")
+      for part in ("shaft", "inner_ring", "ball", "outer_ring", "housing", "reference")),
+    ("fast balls", "outputs.catalogue_life", True, "case.outputs.catalogue_life"),
+    ("fast, rated", "life.loads", "rating", "case.life.loads"),
+    ("fast, rated", "life.dynamic_rating", "44 kN", "case.life.dynamic_rating"),
+    ("fast, rated", "life.static_rating", "45 kN", "case.life.static_rating"),
+    ("fast, rated", "life.fatigue_limit_load", "5 kN", "case.life.fatigue_limit_load"),
+    ("fast, rated", "life.reliability", 0.95, "case.life.reliability"),
+    ("fast balls", "life.lubrication", {
+        "life.lubrication": "a_ISO", "life.cleanliness": "grease, high cleanliness",
+        "lubricant.oil": "ISO VG 32", "lubricant.inlet_temperature": "60 degC"},
+     "case.life.{cleanliness,lubrication} viscosity"),
+    ("fast, rated", "life.cleanliness", "oil, in-line filter, -/13/10", "case.life.cleanliness"),
+    ("fast, rated", "lubricant.oil", "ISO VG 68", "viscosity"),
+    ("fast, rated", "lubricant.inlet_temperature", "61 degC", "viscosity"),
+    ("fast, oil by its data", "lubricant.viscosity", "10.1 mPa s", "viscosity"),
+    ("fast, oil by its data", "lubricant.density", "880 kg/m^3", "viscosity"),
+    ("fast, data sheet", "lubricant.data_sheet.cold_temperature", "41 degC", "viscosity"),
+    ("fast, data sheet", "lubricant.data_sheet.cold_viscosity", "46.46 cSt", "viscosity"),
+    ("fast, data sheet", "lubricant.data_sheet.hot_temperature", "101 degC", "viscosity"),
+    ("fast, data sheet", "lubricant.data_sheet.hot_viscosity", "6.868 mm^2/s", "viscosity"),
     ("fast balls", "rolling_lines.spin", "contact angle", "case.rolling_lines.spin"),
     ("fast balls", "rolling_lines.net_force", "balanced", "case.rolling_lines.net_force"),
     ("fast balls", "rolling_lines.points", 102, "case.rolling_lines.points"),
+    ("fast balls", "outputs.subsurface_stresses", True, "case.outputs.subsurface_stresses"),
     ("shaft fit", "materials.inner_ring.density", "7900 kg/m^3",
      "inner_fit.fit.densities.0 model.bearing.inner_ring.density"),
     ("loose housing", "materials.outer_ring.density", "7900 kg/m^3",
@@ -472,3 +532,63 @@ EFFECTS = (
      "inner_fit.part.seat.{bore,rib_diameter,shaft_bore,shaft_length,track_width,width}"),
 )
 # fmt: on
+
+_DEEP_GROOVE = {  # contexts of fast balls, and those in which a deep groove bearing has the same keys
+    "fast balls": "deep groove",
+    "fast, by conformity": "deep groove, by conformity",
+    "fast, ring materials": "deep groove, ring materials",
+    "fast balls that stick": "deep groove that sticks",
+    "fast, ruled by friction": "deep groove, ruled by friction",
+    "fast, tilting": "deep groove",
+    "fast, held": "deep groove, held",
+    "fast, preloaded": "deep groove, preloaded",
+    "fast, offset": "deep groove, offset",
+    "fast, fitted": "deep groove, fitted",
+    "fast, fitted, turning": "deep groove, fitted, turning",
+    "fast, classes": "deep groove, classes",
+    "fast, rated": "deep groove, rated",
+    "fast, oil by its data": "deep groove, oil by its data",
+    "fast, data sheet": "deep groove, data sheet",
+}
+_ITS_VALUES = {  # where those of the larger bearing would not fit
+    "bearing.pitch_diameter": "65.65 mm",
+    "bearing.ball.diameter": "12.5 mm",
+    "bearing.balls": 10,
+    "bearing.inner.radius": "6.7 mm",
+    "bearing.outer.radius": "6.7 mm",
+    "bearing.fits.bore": "46 mm",
+    "bearing.fits.outer_diameter": "86 mm",
+    "bearing.fits.shaft_bore": "21 mm",
+    "bearing.fits.housing.diameter": "121 mm",
+}
+EFFECTS = (
+    *EFFECTS,
+    *(
+        (_DEEP_GROOVE[context], key, _ITS_VALUES.get(key, value), names)
+        for context, key, value, names in EFFECTS
+        if context in _DEEP_GROOVE and key not in ("bearing.contact_angle", "operation.displacement.radial_z")
+    ),
+    ("deep groove", "bearing.clearance", "20 um", "model.bearing.clearance"),
+    ("deep groove, fitted", "bearing.fits.cold_clearance", "15 um", "model.bearing.clearance"),
+    ("deep groove, classes", "bearing.clearance_class", "C4", "model.bearing.clearance"),
+    ("deep groove, held", "operation.displacement.radial_z", "1.01 um", "operation.displacement.2"),
+)
+
+_PROFILES = {"roller": "roller.profile", "inner_raceway": "inner_profile", "outer_raceway": "outer_profile"}
+EFFECTS += tuple(
+    (f"{part} {context}", f"bearing.{part}.{name}", value,
+     " ".join(f"model.bearing.{profile}.{field}" for field in fields.split()))
+    for part, profile in _PROFILES.items()
+    for context, name, value, fields in (
+        ("crowned", "profile", "tangent_crowned", "is"),
+        ("crowned", "straight_length", "4.04 mm", "straight_length"),
+        ("crowned", "crown_radius", "606 mm", "crown_radius"),
+        ("logarithmic", "drop", "1.8 um", "amplitude"),
+        ("designed", "design_load", "4.04 kN", "amplitude"),
+        ("designed", "load_factor", 1.6, "amplitude"),
+        ("designed", "crowned_share", 0.7, "crowned_share"),
+        ("designed", "end_drop", "21 um", "end_drop"),
+        ("points", "point_positions", ["0 mm", "3 mm", "4.8005 mm"], "places slopes"),
+        ("points", "point_drops", ["0 um", "1.5 um", "12 um"], "drops slopes"),
+    )
+)  # fmt: skip

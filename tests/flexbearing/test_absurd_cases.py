@@ -3,7 +3,7 @@
 import pytest
 
 import fem
-import flexbearing
+import flexbearing.api
 from fem.errors import NotSolved
 from fem.mesh.axial_section import AxialSection, meshed
 from fem.mesh.expense import LARGEST, require_affordable

@@ -63,7 +63,7 @@ BROKEN = {
     ),
     "bars thicker than the ring": (
         'bar_thickness = "2.6 mm"', 'bar_thickness = "3.6 mm"',
-        ["broken.toml", "[outer] bar_thickness", "below outer.thickness"],
+        ["broken.toml", "[outer] bar_thickness", "below 3.6 mm, outer.thickness"],
     ),
     "bore outside the raceway": (
         'bore = "59.6 mm"', 'bore = "66 mm"',
@@ -140,5 +140,21 @@ def test_misplaced_key_is_told_its_table(place, hint, tmp_path):
 
 @pytest.mark.parametrize("name", ["harris218", "slewing_bolted"])
 def test_clearance_classes_of_balls_are_refused_with_a_sentence(name):
-    with pytest.raises(BadCase, match='offered for kind = "cylindrical_roller" only'):
+    with pytest.raises(BadCase, match='offered for kind = "cylindrical_roller" and "deep_groove_ball"'):
         check(CONFIGS / f"{name}.toml", {"bearing.clearance_class": "C3"})
+
+
+PARTS = ("roller", "inner_ring", "outer_ring")
+
+
+def test_expansion_is_asked_for_only_with_temperatures():
+    without = [f"materials.{part}.expansion=" for part in PARTS]
+    cold = read_case(CONFIGS / "nu209.toml", without)
+    assert cold.materials.roller.expansion is None
+    assert check(CONFIGS / "nu209.toml", without)
+    with pytest.raises(BadCase) as found:
+        check(CONFIGS / "mao2016.toml", without)
+    for part in PARTS:
+        assert f"[materials.{part}] expansion is missing: [operation.temperatures] needs it" in str(
+            found.value
+        )

@@ -561,7 +561,7 @@ def test_computed_pressure_ends_at_a_shoulder(run):
     assert peaks[0] > 1.05 * peaks[1]
 
 
-@pytest.mark.parametrize("name", ["heras2017_b1", HARRIS])
+@pytest.mark.parametrize("name", ["heras2017_b1", pytest.param(HARRIS, marks=pytest.mark.slow)])
 def test_an_interface_that_shears_is_told(run, name):
     cells = ["friction.model=fastsim", "friction.cells=[16, 16]"]
     without, result = run(name, *cells), run(name, *cells, "friction.interface_compliance=1 um")

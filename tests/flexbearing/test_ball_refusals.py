@@ -11,14 +11,15 @@ from flexbearing import explain
 from flexbearing.api import read_case
 from flexbearing.case import BadCase
 from flexbearing.case.balls.angular_contact import AngularCase
+from flexbearing.case.balls.deep_groove import DeepGrooveCase
 from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.case.roller import Case
 from flexbearing.families import FAMILIES
 from flexbearing.studies.trace import trace
 
 CONFIGS = Path(__file__).parents[2] / "configs"
-FOUR_POINT, ONE_BALL, ANGULAR = (
-    CONFIGS / f"{name}.toml" for name in ("joshi2015_fourpoint", "heras2017_a3", "rivera2021_7008")
+FOUR_POINT, ONE_BALL, ANGULAR, DEEP_GROOVE = (
+    CONFIGS / f"{name}.toml" for name in ("joshi2015_fourpoint", "heras2017_a3", "rivera2021_7008", "6209")
 )
 
 
@@ -32,10 +33,20 @@ def test_kind_decides_what_a_case_is():
     assert type(read_case(CONFIGS / "mao2016.toml")) is Case
     assert type(read_case(FOUR_POINT)) is FourPointCase
     assert type(read_case(ANGULAR)) is AngularCase
-    assert {read_case(file).kind for file in (CONFIGS / "mao2016.toml", FOUR_POINT, ANGULAR)} == set(FAMILIES)
+    assert type(read_case(DEEP_GROOVE)) is DeepGrooveCase
+    files = (CONFIGS / "mao2016.toml", FOUR_POINT, ANGULAR, DEEP_GROOVE)
+    assert {read_case(file).kind for file in files} == set(FAMILIES)
 
 
 IMPOSSIBLE = {
+    "interference by its name": (
+        FOUR_POINT, ["bearing.interference=5 um"], "is not a key", "a negative bearing.clearance",
+    ),
+    "preload in the bearing": (
+        FOUR_POINT, ["bearing.preload=5 um"], "is not a key", "a negative bearing.clearance",
+    ),
+    "radial clearance in the wrong unit": (
+        DEEP_GROOVE, ["bearing.clearance=15 mm"], '[bearing] clearance = "15 mm"', "of a size below 1000 um"),
     "too many balls": (FOUR_POINT, ["bearing.balls=200"], "[bearing] balls = 200", "at most 170"),
     "clearance in the wrong unit": (
         FOUR_POINT, ["bearing.clearance=18 mm"], "[bearing] clearance", "is the unit right?",
@@ -98,7 +109,8 @@ IMPOSSIBLE = {
         "[operation.displacement] axial", "left out beside operation.load.axial",
     ),
     "ball as large as the pitch circle": (
-        ANGULAR, ["bearing.ball.diameter=60 mm"], "[bearing.ball] diameter", "below bearing.pitch_diameter",
+        ANGULAR, ["bearing.ball.diameter=60 mm"], "[bearing.ball] diameter",
+        "below 54 mm, bearing.pitch_diameter",
     ),
     "control by nothing": (
         ANGULAR, ["operation.control=none"], "[operation] control", '"outer" or "inner" or "equal"',
@@ -208,11 +220,13 @@ def test_kind_inside_the_bearing_is_shown_its_place(tmp_path):
 
 def test_key_of_several_kinds_is_explained_for_each():
     found = explain("bearing.clearance")
-    assert found.count("key      bearing.clearance") == 2
+    assert found.count("key      bearing.clearance") == 3
     assert "kind     four_point_ball" in found
     assert "along a diagonal" in found
     assert "diametral clearance, warm and running" in found
-    assert "kind     four_point_ball, angular_contact_ball" in explain("bearing.ball.diameter")
+    assert "kind     four_point_ball, angular_contact_ball, deep_groove_ball" in explain(
+        "bearing.ball.diameter"
+    )
     assert "kind     " not in explain("title")
 
 

@@ -85,14 +85,28 @@ IMPOSSIBLE = {
     "shaft thicker than its radius": (
         "inner.shaft_thickness=29.9 mm", "[inner] shaft_thickness", "at most half of inner.bore",
     ),
-    "clearance in the wrong unit": ("bearing.clearance=50 mm", "[bearing] clearance", "is the unit right?"),
+    "clearance in the wrong unit": (
+        "bearing.clearance=50 mm", "[bearing] clearance",
+        "below 2.5 mm, half of bearing.roller.diameter; is the unit right?",
+    ),
     "rollers larger than the raceway": (
-        "bearing.roller.diameter=40 mm", "[bearing] outer_raceway_diameter", "more than twice",
+        "bearing.roller.diameter=40 mm", "[bearing] outer_raceway_diameter",
+        "above 80 mm, twice bearing.roller.diameter.",
     ),
     "cage thicker than a roller": (
-        "bearing.cage.thickness=5 mm", "[bearing.cage] thickness", "below bearing.roller.diameter",
+        "bearing.cage.thickness=5 mm", "[bearing.cage] thickness", "below 5 mm, bearing.roller.diameter.",
     ),
-    "more shapes than slices": ("accuracy.slices=2", "[accuracy] axial_shapes", "at most accuracy.slices"),
+    "pockets that run into each other": (
+        "bearing.cage.pocket_clearance=1.2 mm", "[bearing.cage] pocket_clearance",
+        "below 1.165 mm, or no bar",
+    ),
+    "land clearance in the wrong unit": (
+        "bearing.cage.land_clearance=40 mm", "[bearing.cage] land_clearance", "below 5 mm, bearing.roller.",
+    ),
+    "more shapes than slices": (
+        "accuracy.slices=2", "[accuracy] axial_shapes",
+        "at most 2, accuracy.slices.",
+    ),
 }  # fmt: skip
 
 
@@ -113,6 +127,20 @@ def test_impossible_crown_is_refused(straight, radius, place):
     roller = {"profile": "crowned", "straight_length": straight, "crown_radius": radius}
     with pytest.raises(BadCase, match=rf"\[bearing.roller\] {place} = .* cannot be"):
         read_case(PAPER, {f"bearing.roller.{name}": value for name, value in roller.items()})
+
+
+@pytest.mark.parametrize(
+    ("setting", "limit"),
+    [
+        ("bearing.roller.diameter=-8 mm", "at least 0.1 mm and at most 10000 mm."),
+        ("operation.misalignment=20 deg", "at least -300 arcmin and at most 300 arcmin."),
+        ("materials.roller.youngs_modulus=0.1 MPa", "at least 0.001 GPa"),
+        ("lubricant.inlet_temperature=0 K", "above -273.15 degC"),
+        ("accuracy.slices=1", "at least 2 and at most 1000."),
+    ],
+)
+def test_limits_are_told_in_the_unit_of_the_example(setting, limit):
+    assert limit in refusal(setting)
 
 
 def test_eyring_needs_its_limiting_ratio():
@@ -228,7 +256,7 @@ COLLAR = ("outer.collar_length=2 mm", "outer.collar_thickness=6 mm")
         ((*OVAL, "bearing.form_error.outer.waves=1"), "[bearing.form_error.outer] waves"),
         ((*OVAL, "bearing.form_error.outer.further_waves=[1]"), "whole numbers from 2"),
         ((*OVAL, "bearing.form_error.outer.further_waves=[3]"), "further_amplitudes"),
-        ((*COLLAR, "outer.collar_thickness=3 mm"), "at least outer.thickness"),
+        ((*COLLAR, "outer.collar_thickness=3 mm"), "at least 3.6 mm, outer.thickness."),
         ((*COLLAR, "outer.collar_length=11 mm"), "at most outer.width"),
         ((*COLLAR, "outer.collar_length=6 mm", "outer.bar_ends=both"), "at most half of outer.width"),
         (COLLAR[:1], "collar_thickness is missing"),

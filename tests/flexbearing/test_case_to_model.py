@@ -12,16 +12,18 @@ from flexbearing import check
 from flexbearing.api import read_case
 from flexbearing.build import lubrication, roller_bearing, rough_surfaces
 from flexbearing.case import BadCase
-from flexbearing.case.roller.life import CleanlinessName
+from flexbearing.case.oil import OilName
+from flexbearing.case.ratings import CleanlinessName
 from flexbearing.case.roller.lubricant import (
     AdoreOilName,
     FilmName,
-    OilName,
     RollingName,
     ShareName,
     TractionName,
 )
+from flexbearing.coupling import LinearPair
 from flexbearing.runs import notes
+from flexbearing.runs.end_state import end_state
 from quasidynamic.contact.traction import ROLLING_LAWS
 from quasidynamic.contact.traction.adore import ADORE_OILS
 from quasidynamic.contact.traction.asperity_friction import Carter, RoundedCoulomb
@@ -122,7 +124,7 @@ def test_notes_call_the_oil_of_a_data_sheet_by_its_name(sheet_case):
 
 
 def test_oil_of_a_data_sheet_too_hot_is_bad_input(sheet_case):
-    with pytest.raises(BadCase, match=r"oil 46 at 573\.1 K is outside 273 to 473 K"):
+    with pytest.raises(BadCase, match=r"oil 46 at 300\.0 degC is outside 0 to 200 degC"):
         check(sheet_case, {**SHEET, "lubricant.inlet_temperature": "300 degC"})
 
 
@@ -257,7 +259,8 @@ def test_load_direction_and_misalignment_reach_the_operation():
 
 
 def of_code(code, case):
-    found = notes.of_state(case, roller_bearing.bearing(case).solve(), None)
+    end = end_state(case, roller_bearing.bearing(case).solve(), LinearPair(None, None))
+    found = notes.of_state(case, end, None)
     return [note.text for note in found if note.code == code]
 
 

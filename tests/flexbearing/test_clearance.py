@@ -17,7 +17,7 @@ from flexbearing.build.growth import expansions, mean_growth
 from flexbearing.build.mesh_sizes import ON_A_SECTION, mesh_size
 from flexbearing.case import BadCase
 from flexbearing.case.read import understood
-from flexbearing.case.roller.tolerances import ClearanceClass, HousingClass, ShaftClass
+from flexbearing.case.tolerances import ClearanceClass, HousingClass, ShaftClass
 from flexbearing.families import FAMILIES
 from flexbearing.report import text
 from flexbearing.rings.fits import inner_ring_in_fit, outer_ring_in_housing
@@ -134,7 +134,7 @@ def test_cold_rings_and_rollers_leave_the_cold_clearance():
     mounting = fits._mounting(read_case(FITS))
     assert isinstance(mounting.outer, PressFit)
     raceways = [2 * mounting.outer.inside.inner_radius, 2 * mounting.shaft_fit.outside.outer_radius]
-    gap = raceways[0] - raceways[1] - 4 * mounting.roller.outer_radius
+    gap = raceways[0] - raceways[1] - 4 * mounting.rolling_element.outer_radius
     assert gap == approx(mounting.cold_clearance, rel=1e-9)
 
 
@@ -246,13 +246,14 @@ def test_materials_of_shaft_and_housing_are_needed(part, tmp_path):
 IMPOSSIBLE = {
     "bore outside the raceway": ("bearing.fits.bore=60 mm", "[bearing.fits] bore", "54.97 mm"),
     "shaft without wall": (
-        "bearing.fits.shaft_bore=45 mm", "[bearing.fits] shaft_bore", "below bearing.fits.bore",
+        "bearing.fits.shaft_bore=45 mm", "[bearing.fits] shaft_bore", "below 45 mm, bearing.fits.bore",
     ),
     "outer ring without wall": (
-        "bearing.fits.outer_diameter=75 mm", "[bearing.fits] outer_diameter", "above bearing.outer_raceway",
+        "bearing.fits.outer_diameter=75 mm", "[bearing.fits] outer_diameter", ", bearing.outer_raceway",
     ),
     "housing without wall": (
-        "bearing.fits.housing.diameter=85 mm", "[bearing.fits.housing] diameter", "above bearing.fits.outer",
+        "bearing.fits.housing.diameter=85 mm", "[bearing.fits.housing] diameter",
+        "above 85 mm, bearing.fits.outer",
     ),
     "cold clearance in the wrong unit": (
         "bearing.fits.cold_clearance=60 mm", "[bearing.fits] cold_clearance", "is the unit right?",

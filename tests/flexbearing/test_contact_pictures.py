@@ -5,6 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from matplotlib.collections import QuadMesh
+from matplotlib.image import imread
 from matplotlib.quiver import Quiver
 from pytest import approx
 
@@ -139,6 +140,7 @@ def words(figure):
     return [text.get_text() for text in figure.texts]
 
 
+@pytest.mark.slow
 def test_columns_name_model_spin_torque_error_and_cells(result):
     one, other = result("sliding"), result("local")
     (figure,) = compared(one, other).values()
@@ -199,3 +201,14 @@ def test_results_without_contacts_to_compare_are_refused_in_a_line(
     assert wrong.count("\n") == 1
     assert reason in wrong
     assert not (tmp_path / "new").exists()
+
+
+@pytest.mark.slow
+def test_sheet_without_heading_is_as_wide_and_lacks_the_room_of_the_heading(command, folder, tmp_path):
+    heights = []
+    for words in ((), ("--no-titles",)):
+        assert command("plot", folder / "both.h5", "-o", tmp_path, *words)[0] == 0
+        heights.append(imread(tmp_path / "both_contacts_of_ball_0.png").shape[:2])
+    (tall, wide), (lower, as_wide) = heights
+    assert as_wide == wide
+    assert 50 < tall - lower < 150  # dots, of three lines at 150 to the inch

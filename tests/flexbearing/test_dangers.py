@@ -11,7 +11,7 @@ import pytest
 import flexbearing
 from flexbearing.quantities.attributes import GRADES as STORED
 from flexbearing.report import text
-from flexbearing.runs.dangers import pressed, short_lived, yielding
+from flexbearing.runs.dangers import overloaded, pressed, short_lived, yielding
 from quasidynamic.note import GRADES, Note, danger, graded, information, outside
 from tests.flexbearing.noted import codes, texts
 
@@ -57,7 +57,7 @@ def test_only_a_strict_run_fails_for_a_danger(tmp_path):
     assert ended("--quiet").returncode == 0
     strict = ended("--quiet", "--strict")
     assert strict.returncode == 1
-    assert strict.stderr.count("\n") == 2  # a short life as well
+    assert strict.stderr.count("\n") == 3  # a short life and a static overload as well
     assert "contact pressure" in strict.stderr
 
 
@@ -75,8 +75,12 @@ def test_notes_are_ordered_by_gravity():
 
 
 def test_limits_of_dangers():
-    assert [note.code for note in pressed(4.001e9)] == ["contact-pressure"]
-    assert not [*pressed(3.999e9)]
+    for limit in (4.0e9, 4.2e9):
+        assert [note.code for note in pressed(1.001 * limit, limit)] == ["contact-pressure"]
+        assert not [*pressed(0.999 * limit, limit)]
+    found = [[(note.grade, note.code) for note in overloaded(safety, 1.5)] for safety in (0.99, 1.01, 1.49)]
+    assert found == [[(grade, "static-safety")] for grade in ("danger", "information", "information")]
+    assert not [*overloaded(1.51, 1.5), *overloaded(1.01, 1.0), *overloaded(float("inf"), 1.5)]
     turn = 2 * 3.141592653589793 * 10  # [rad/s] ten turns a second: 36 000 an hour
     assert [note.code for note in short_lived(0.0359, -turn)] == ["short-life"]
     assert not [*short_lived(0.0361, turn)]

@@ -13,11 +13,17 @@ from flexbearing.families import FAMILIES
 from tests.flexbearing.built_models import built
 from tests.flexbearing.case_key_effects import EFFECTS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
+HERE = Path(__file__).parent
+CONFIGS = HERE.parents[1] / "configs"
 
 ROLLERS = ("mao2016", "nu209", "nu209_fits", "step_ring")
 SLOW = ("slewing_bolted", "joshi2015_ed20", "heras2017_a1")
 FAST = ("harris218",)
+DEEP_GROOVE = ("6209",)
+FILES = {
+    "cylindrical_roller": ROLLERS, "four_point_ball": SLOW, "angular_contact_ball": FAST,
+    "deep_groove_ball": DEEP_GROOVE,
+}  # fmt: skip
 
 _HEAT = {f"operation.temperatures.{name}": value for name, value in {
     "shaft": "70 degC", "inner_ring": "75 degC", "roller": "80 degC", "outer_ring": "65 degC",
@@ -34,6 +40,46 @@ _SHEET = {f"lubricant.data_sheet.{name}": value for name, value in {
     "hot_viscosity": "6.8 mm^2/s", "density": "870 kg/m^3", "cold_pressure_viscosity": "20 1/GPa",
     "conductivity": "0.137 W/(m K)",
 }.items()}  # fmt: skip
+_STEEL = {
+    "youngs_modulus": "206 GPa", "poisson_ratio": 0.3, "density": "7800 kg/m^3", "expansion": "12e-6 1/K",
+}  # fmt: skip
+_FITTED = {
+    **{f"materials.{part}": _STEEL for part in ("shaft", "housing", "inner_ring", "outer_ring")},
+    "materials.ball.expansion": "12e-6 1/K",
+    **{f"operation.temperatures.{part}": "40 degC" for part in (
+        "shaft", "inner_ring", "ball", "outer_ring", "housing")},
+    "operation.temperatures.reference": "20 degC", "bearing.fits.shaft_interference": "15 um",
+}  # fmt: skip
+_NO_HOUSING = {key: value for key, value in _FITTED.items() if not key.endswith(".housing")}
+_SEATS_218 = {
+    "bearing.fits.bore": "90 mm",
+    "bearing.fits.outer_diameter": "160 mm",
+    "bearing.fits.shaft_bore": "40 mm",
+}
+_SEATS_209 = {
+    "bearing.fits.bore": "45 mm",
+    "bearing.fits.outer_diameter": "85 mm",
+    "bearing.fits.shaft_bore": "20 mm",
+}
+_IN_218 = {"bearing.fits.housing": {"diameter": "200 mm", "interference": "10 um"}}
+_IN_209 = {"bearing.fits.housing": {"diameter": "120 mm", "interference": "10 um"}}
+_ELASTIC = {"youngs_modulus": "207 GPa", "poisson_ratio": 0.3}
+_SEATS_ED20 = {
+    "bearing.fits.bore": "17 mm", "bearing.fits.outer_diameter": "42 mm", "bearing.fits.shaft_bore": "5 mm",
+    "materials.shaft": _ELASTIC, "materials.housing": _ELASTIC,
+}  # fmt: skip
+_COLD_FIT = {
+    "materials.shaft": "100Cr6", "materials.housing": "100Cr6", "bearing.fits.shaft_interference": "15 um",
+}  # fmt: skip
+_COLD = {"bearing.fits.cold_clearance": "14.5 um", "bearing.clearance": None}
+_OF_CLASS = {"bearing.fits.shaft_interference": None, "bearing.fits.shaft": "k5"}
+_OILED = {"life.lubrication": "a_ISO", "life.cleanliness": "grease, normal cleanliness",
+          "lubricant.inlet_temperature": "60 degC"}  # fmt: skip
+_RATED = {**_OILED, "lubricant.oil": "ISO VG 32"}
+_BY_DATA = {**_OILED, "lubricant.viscosity": "10 mPa s", "lubricant.density": "870 kg/m^3"}
+_THIN_SHEET = {**_OILED, "lubricant.data_sheet": {
+    "name": "oil 46", "cold_temperature": "40 degC", "cold_viscosity": "46 cSt",
+    "hot_temperature": "100 degC", "hot_viscosity": "6.8 mm^2/s"}}  # fmt: skip
 CONTEXTS = {  # file and settings in which a key belongs to the case
     "cage": ("mao2016", {}),
     "rigid": ("nu209", {}),
@@ -43,8 +89,6 @@ CONTEXTS = {  # file and settings in which a key belongs to the case
         "inner": {"waves": 2, "amplitude": "4 um", "crest": "10 deg", "further_waves": [3],
                   "further_amplitudes": ["2 um"], "further_crests": ["20 deg"]},
         "outer": {"waves": 2, "amplitude": "10 um", "further_waves": [5], "further_amplitudes": ["1 um"]}}}),
-    "crowned": ("nu209", {"bearing.roller.profile": "crowned", "bearing.roller.straight_length": "4 mm",
-                          "bearing.roller.crown_radius": "600 mm"}),
     "foundation": ("mao2016", {
         **_RING, "outer.support": "foundation", "outer.foundation_radial": "100 N/mm^3"}),
     "seat": ("mao2016", {**_RING, "outer.support": "seat"}),
@@ -71,6 +115,10 @@ CONTEXTS = {  # file and settings in which a key belongs to the case
         "operation.temperatures.shaft_along": {**_ALONG, "temperatures": ["220 degC", "240 degC"]},
         "operation.temperatures.inner_ring_along": {**_ALONG, "temperatures": ["215 degC", "225 degC"]}}),
     "step": ("step_ring", {}),
+    "matrix": ("mao2016", {
+        "outer.kind": "matrix", "outer.width": "12 mm", "outer.thickness": "5 mm",
+        "outer.matrix": str(HERE / "seat" / "springs.mtx"), "outer.nodes": str(HERE / "seat" / "springs.inp"),
+        "outer.centre_x": "3 mm"}),
     "eyring": ("nu209", {"lubricant.eyring_stress": "9 MPa"}),
     "adore": ("nu209", {"lubricant.traction": "adore", "lubricant.adore_oil": "MIL-L-7808"}),
     "traction curve": ("nu209_fits", {
@@ -125,12 +173,67 @@ CONTEXTS = {  # file and settings in which a key belongs to the case
         "bearing.inner": {"conformity": 0.52}, "bearing.outer": {"conformity": 0.53}}),
     "fast, held": ("harris218", {"operation.load.axial": "0 N", "operation.displacement": {
         "axial": "20 um", "radial_z": "1 um", "radial_y": "2 um", "tilt_z": "0 deg", "tilt_y": "0 deg"}}),
+    "fast, preloaded": ("harris218", {"operation.load.axial": "0 N", "operation.preload.force": "250 N"}),
+    "fast, offset": ("harris218", {"operation.load.axial": "0 N", "operation.preload.displacement": "5 um"}),
+    "fast, fitted": ("harris218", {**_FITTED, **_SEATS_218, **_IN_218}),
+    "three balls, fitted": ("joshi2015_ed20", {**_SEATS_ED20, "bearing.fits.shaft_interference": "5 um",
+        "bearing.fits.housing": {"diameter": "60 mm", "interference": "5 um"}}),
+    "three balls, classes": ("joshi2015_ed20", {**_SEATS_ED20, "bearing.fits.shaft": "k5",
+        "bearing.fits.housing": {"diameter": "60 mm", "tolerance_class": "N7"}}),
+    "fast, without housing": ("harris218", {**_NO_HOUSING, **_SEATS_218}),
+    "deep groove, without housing": ("6209", {**_NO_HOUSING, **_SEATS_209, **_COLD}),
+    "fast, fitted, cold": ("harris218", {
+        **_SEATS_218, **_IN_218, **_COLD_FIT}),
+    "deep groove, fitted, cold": ("6209", {
+        **_SEATS_209, **_IN_209, **_COLD, **_COLD_FIT}),
+    "fast, fitted, turning": ("harris218", {
+        **_FITTED, **_SEATS_218, **_IN_218, "operation.outer_speed": "3000 rpm"}),
+    "fast, classes": ("harris218", {**_FITTED, **_SEATS_218, **_OF_CLASS, "bearing.fits.housing": {
+        "diameter": "200 mm", "tolerance_class": "N7"}}),
+    "deep groove, fitted": ("6209", {**_FITTED, **_SEATS_209, **_IN_209, **_COLD}),
+    "deep groove, fitted, turning": ("6209", {
+        **_FITTED, **_SEATS_209, **_IN_209, **_COLD, "operation.outer_speed": "3000 rpm"}),
+    "deep groove, classes": ("6209", {**_FITTED, **_SEATS_209, **_OF_CLASS, "bearing.clearance": None,
+        "bearing.clearance_class": "C3", "bearing.fits.housing": {
+            "diameter": "120 mm", "tolerance_class": "N7"}}),
+    "deep groove, preloaded": ("6209", {"operation.preload.force": "250 N"}),
+    "deep groove, offset": ("6209", {"operation.preload.displacement": "5 um"}),
     "fast, tilting": ("harris218", {
         "operation.displacement.tilt_y": None, "operation.displacement.tilt_z": None}),
     "fast, ring materials": ("harris218", {
         "materials.inner_ring": {"youngs_modulus": "205 GPa", "poisson_ratio": 0.29},
         "materials.outer_ring": {"youngs_modulus": "206 GPa", "poisson_ratio": 0.28}}),
+    "fast, rated": ("harris218", _RATED),
+    "fast, oil by its data": ("harris218", _BY_DATA),
+    "fast, data sheet": ("harris218", _THIN_SHEET),
+    "deep groove, rated": ("6209", _RATED),
+    "deep groove, oil by its data": ("6209", _BY_DATA),
+    "deep groove, data sheet": ("6209", _THIN_SHEET),
+    "deep groove": ("6209", {}),
+    "deep groove that sticks": ("6209", {"friction.model": "kalker"}),
+    "deep groove, ruled by friction": ("6209", {
+        "operation.control": "coulomb", "friction.coefficient": 0.08}),
+    "deep groove, by conformity": ("6209", {
+        "bearing.inner": {"conformity": 0.52}, "bearing.outer": {"conformity": 0.53}}),
+    "deep groove, held": ("6209", {"operation.load.radial_z": "0 N", "operation.displacement": {
+        "axial": "20 um", "radial_z": "1 um", "radial_y": "2 um", "tilt_z": "0 deg", "tilt_y": "0 deg"}}),
+    "deep groove, ring materials": ("6209", {
+        "materials.inner_ring": {"youngs_modulus": "205 GPa", "poisson_ratio": 0.29},
+        "materials.outer_ring": {"youngs_modulus": "206 GPa", "poisson_ratio": 0.28}}),
 }  # fmt: skip
+_SHAPES = {
+    "crowned": {"profile": "crowned", "straight_length": "4 mm", "crown_radius": "600 mm"},
+    "logarithmic": {"profile": "logarithmic", "drop": "1.75 um"},
+    "designed": {"profile": "fujiwara_kawase", "design_load": "4 kN", "load_factor": 1.5,
+                 "crowned_share": 0.6, "end_drop": "20 um"},
+    "points": {"profile": "points", "point_positions": ["0 mm", "2.5 mm", "4.8005 mm"],
+               "point_drops": ["0 um", "1 um", "12 um"]},
+}  # fmt: skip
+CONTEXTS |= {
+    f"{part} {shape}": ("nu209", {f"bearing.{part}.{name}": value for name, value in keys.items()})
+    for part in ("roller", "inner_raceway", "outer_raceway")
+    for shape, keys in _SHAPES.items()
+}
 
 
 def read_in(context, change=None):
@@ -161,6 +264,12 @@ NOT_BUILT = {  # keys that no model is built from
         for part in ("inner_ring", "outer_ring", "shaft", "housing")
     },
     "outer.file": "another drawing, see test_fields_of_a_result",
+    "outer.matrix": "another file, see test_matrix_of_a_case",
+    "outer.nodes": "another file, see test_matrix_of_a_case",
+    **{
+        f"bearing.{part}.points_file": "points of another file, see test_profiles_of_a_case"
+        for part in ("roller", "inner_raceway", "outer_raceway")
+    },
 }
 BASES = {}
 
@@ -195,8 +304,7 @@ def test_key_changes_the_intended_fields_and_no_others(context, key, value, name
 
 @pytest.mark.parametrize("kind", FAMILIES)
 def test_every_declared_key_is_in_the_table(kind):
-    here = {"cylindrical_roller": ROLLERS, "four_point_ball": SLOW, "angular_contact_ball": FAST}[kind]
-    shown = {key for context, key, *_ in EFFECTS if CONTEXTS[context][0] in here}
+    shown = {key for context, key, *_ in EFFECTS if CONTEXTS[context][0] in FILES[kind]}
     keys = {item.path for item in declared(FAMILIES[kind].case()) if not item.section}
     assert keys - shown - set(NOT_BUILT) == set()
     assert shown - keys == set()
@@ -205,8 +313,7 @@ def test_every_declared_key_is_in_the_table(kind):
 @pytest.mark.parametrize("kind", FAMILIES)
 def test_every_key_of_another_choice_is_refused(kind):
     """Each key that belongs to a choice is refused in some case that made another one."""
-    here = {"cylindrical_roller": ROLLERS, "four_point_ball": SLOW, "angular_contact_ball": FAST}[kind]
-    contexts = [name for name, (file, _) in CONTEXTS.items() if file in here]
+    contexts = [name for name, (file, _) in CONTEXTS.items() if file in FILES[kind]]
     for item in declared(FAMILIES[kind].case()):
         if not item.only or item.section:
             continue

@@ -8,6 +8,7 @@ import pytest
 from rich.text import Text
 
 import flexbearing
+from flexbearing import api
 from flexbearing.__main__ import command
 from flexbearing.case import BadCase
 from flexbearing.case.family import Family
@@ -19,6 +20,7 @@ from flexbearing.quantities.layout import Layout
 from flexbearing.quantities.units import MPA
 from flexbearing.report import text, write_figures
 from flexbearing.report.family_report import FamilyReport
+from flexbearing.report.html import html, of_result
 from quasidynamic import ImpossiblePart
 
 
@@ -102,12 +104,13 @@ def file(tmp_path, monkeypatch):
 
 
 def test_new_family_is_read_checked_run_and_shown(file):
-    assert flexbearing.api.read_case(file, ["load=3 kN"]).load == 3000.0
+    assert api.read_case(file, ["load=3 kN"]).load == 3000.0
     assert flexbearing.check(file).bushing.width == 0.01
     result = flexbearing.run(file, output="toy.h5")
     assert result.attributes["status"] == "converged"
     assert flexbearing.read(result.path).rigid["pressure"] == pytest.approx(1e7, rel=1e-15)
     assert result.summary()["rigid"] == {"pressure_MPa": pytest.approx(10.0, rel=1e-12)}
+    assert "a toy" in html(of_result(result))
     assert text(result) == "10 MPa\n"
     assert write_figures(result, file.parent) == []
 

@@ -42,6 +42,13 @@ def result(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
+def unstressed(tmp_path_factory):
+    """The same without the stresses of the whole ring, which take long."""
+    output = tmp_path_factory.mktemp("run") / "cage.h5"
+    return flexbearing.run(PAPER, [*COARSE, "outputs.stresses=false"], output=output)
+
+
+@pytest.fixture(scope="module")
 def rigid(tmp_path_factory):
     settings = ["inner.kind=rigid", "outer.kind=rigid"]
     return flexbearing.run(PAPER, settings, output=tmp_path_factory.mktemp("run") / "rigid.h5")
@@ -193,19 +200,19 @@ def test_heat_and_rotation_load_the_inner_ring_as_its_shaft_grows():
     assert around.speed == case.operation.inner_speed
 
 
-def test_every_iteration_can_be_asked_for(result):
-    count = len(result.iterations)
+def test_every_iteration_can_be_asked_for(unstressed):
+    count = len(unstressed.iterations)
     assert count > 1
-    assert stored_fields.state_of(result, f"iteration {count}") is result.iterations[-1]
-    assert stored_fields.state_of(result, "iteration 1") is result.iterations[0]
+    assert stored_fields.state_of(unstressed, f"iteration {count}") is unstressed.iterations[-1]
+    assert stored_fields.state_of(unstressed, "iteration 1") is unstressed.iterations[0]
     for name in (f"iteration {count + 1}", "iteration 0", "iteration", "soft"):
         with pytest.raises(BadResult, match=f"iteration 1 to iteration {count}"):
-            stored_fields.state_of(result, name)
+            stored_fields.state_of(unstressed, name)
 
 
-def test_rigid_parts_have_no_fields(result, rigid):
+def test_rigid_parts_have_no_fields(unstressed, rigid):
     with pytest.raises(BadCase, match="inner ring and shaft is rigid"):
-        stored_fields.of_result(result, race="inner")
+        stored_fields.of_result(unstressed, race="inner")
     with pytest.raises(BadCase, match="every part is rigid"):
         stored_fields.of_result(rigid)
     assert "stresses" not in rigid.attributes
@@ -214,11 +221,13 @@ def test_rigid_parts_have_no_fields(result, rigid):
 
 
 @pytest.mark.slow
-def test_fields_command_writes_what_paraview_opens(result, outer, tmp_path, monkeypatch):
+def test_export_to_vtu_writes_what_paraview_opens(result, outer, tmp_path, monkeypatch):
     stored = result.attributes["stresses"]["outer"]
     monkeypatch.setattr(fields, "fields", lambda case, race, state, values: outer)  # solved before
     monkeypatch.setattr(PartFields, "record", lambda self: stored)
-    done = CliRunner().invoke(app, ["fields", str(result.path), "--part", "outer", "-o", str(tmp_path)])
+    done = CliRunner().invoke(
+        app, ["export", str(result.path), "--to", "vtu", "--part", "outer", "-o", str(tmp_path)]
+    )
     assert done.exit_code == 0, done.output
     assert "outer: bars" in done.output
     assert "N m/mrad tilting" in done.output
@@ -233,31 +242,31 @@ def test_picture_shows_the_deformed_part(result, outer, tmp_path, monkeypatch):
     assert picture.stat().st_size > 10_000
 
 
-def test_part_without_a_solid_is_said(result, monkeypatch, tmp_path):
-    case = stored_fields.case_of(result)
+def test_part_without_a_solid_is_said(unstressed, monkeypatch, tmp_path):
+    case = stored_fields.case_of(unstressed)
     outer = case.outer.model_copy(update={"kind": "ring", "support": "foundation", "foundation_radial": 1e12})
     monkeypatch.setattr(stored_fields, "case_of", lambda result: case.model_copy(update={"outer": outer}))
     with pytest.raises(NoFields, match=r'outer ring: outer.support = "foundation" has no solid'):
-        stored_fields.of_result(result)
-    assert "has no solid" in str(next(pictures(result, tmp_path)))
-    failed = CliRunner().invoke(app, ["fields", str(result.path)])
+        stored_fields.of_result(unstressed)
+    assert "has no solid" in str(next(pictures(unstressed, tmp_path)))
+    failed = CliRunner().invoke(app, ["export", str(unstressed.path), "--to", "vtu"])
     assert failed.exit_code == 1
 
 
-def test_ring_in_a_fit_is_not_taken_as_bonded(result):
-    case = stored_fields.case_of(result)
+def test_ring_in_a_fit_is_not_taken_as_bonded(unstressed):
+    case = stored_fields.case_of(unstressed)
     loose = case.model_copy(update={"inner": case.inner.model_copy(update={"fit": "frictionless"})})
     with pytest.raises(NoFields, match="has no solid"):
-        fields.fields(loose, "inner", "flexible", result.flexible)
+        fields.fields(loose, "inner", "flexible", unstressed.flexible)
 
 
-def test_drawing_is_found_beside_the_case_wherever_the_result_is(result, tmp_path):
+def test_drawing_is_found_beside_the_case_wherever_the_result_is(unstressed, tmp_path):
     """A result that holds the case of a drawn part, far from it; then carried elsewhere with the drawing."""
     drawn = PAPER.with_name("step_ring.toml")
     kept = {
         "case_text": drawn.read_text(), "case_file": str(drawn), "case_overrides": ["inner.kind=rigid"]
     }  # fmt: skip
-    far = replace(result, path=tmp_path / "r.h5", attributes={**result.attributes, **kept})
+    far = replace(unstressed, path=tmp_path / "r.h5", attributes={**unstressed.attributes, **kept})
     assert fields.parts(stored_fields.case_of(far))["outer"].source == "step_ring.step"
     gone = replace(far, attributes={**far.attributes, "case_file": str(tmp_path / "away" / "case.toml")})
     with pytest.raises(NoFields, match=r"step_ring.step cannot be read"):
@@ -266,5 +275,5 @@ def test_drawing_is_found_beside_the_case_wherever_the_result_is(result, tmp_pat
     assert fields.parts(stored_fields.case_of(gone))["outer"].source == "step_ring.step"
 
 
-def test_result_knows_where_its_case_was(result):
-    assert result.attributes["case_file"] == str(PAPER.resolve())
+def test_result_knows_where_its_case_was(unstressed):
+    assert unstressed.attributes["case_file"] == str(PAPER.resolve())

@@ -18,7 +18,7 @@ import flexbearing
 from flexbearing import __main__ as program
 from flexbearing.progress import OnTerminal
 from flexbearing.report import text, write_figures
-from flexbearing.report.picture import png_bytes, titled
+from flexbearing.report.picture import picture_bytes, titled
 from flexbearing.report.roller.deformed_figure import deformed
 from flexbearing.report.studies.branch_figure import draw_branch
 from flexbearing.report.studies.pareto_figure import draw_pareto
@@ -76,7 +76,7 @@ def test_every_text_of_a_page_is_shown(result):
     }  # fmt: skip
     page = text(replace(result, attributes=attributes))
     assert not CONTROL.search(page)
-    assert page.count(r"\x1b[2J[bold]x\x9b") >= 9
+    assert page.count(r"\x1b[2J[bold]x\x9b") >= 8
     assert replace(result, attributes=attributes).summary()["message"] == hostile  # JSON escapes it by itself
 
 
@@ -148,7 +148,7 @@ def test_pictures_of_studies_and_deformed_rings_draw_any_title():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         for figure in figures:
-            assert png_bytes(figure).startswith(b"\x89PNG")
+            assert picture_bytes(figure).startswith(b"\x89PNG")
 
 
 def test_titles_are_broken_and_bounded():

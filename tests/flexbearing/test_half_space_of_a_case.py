@@ -11,9 +11,11 @@ import flexbearing
 from flexbearing.api import read_case
 from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase
+from flexbearing.coupling import LinearPair
 from flexbearing.report import text, write_figures
 from flexbearing.report.roller.figures import pictures
 from flexbearing.runs import half_space, life, notes
+from flexbearing.runs.end_state import end_state
 from quasidynamic.errors import NotSolved
 from quasidynamic.outcome import whole_roller
 
@@ -134,8 +136,8 @@ def test_danger_of_pressure_is_that_of_slices_where_the_peak_is_no_number(profil
     whole, _ = half_space.most_loaded(case, state)
     assert whole is not None
     pressures = []
-    monkeypatch.setattr(notes.dangers, "pressed", lambda pressure: pressures.append(pressure) or ())
-    notes.of_state(case, state, None, whole)
+    monkeypatch.setattr(notes.dangers, "pressed", lambda pressure, limit: pressures.append(pressure) or ())
+    notes.of_state(case, end_state(case, state, LinearPair(None, None), whole=whole), None)
     assert pressures == [(state if of_slices else whole).peak_pressure.max()]
 
 

@@ -266,7 +266,7 @@ def ends_well_or_is_refused(file, settings=()):
         require_short(str(problem))
 
 
-@examples(max_examples=300, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@examples(max_examples=100, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.lists(st.tuples(st.sampled_from(PLACES), STRUCTURES), min_size=1, max_size=3))
 def test_any_structure_at_any_place_of_a_file_is_a_case_or_refused(tmp_path, changes):
     name = changes[0][0][0]

@@ -122,7 +122,7 @@ def test_hostile_result_is_refused_in_a_sentence_or_read_as_it_is(name, hostile,
 
 
 @pytest.mark.filterwarnings("ignore::RuntimeWarning", "ignore::UserWarning")
-@pytest.mark.parametrize("name", sampled(DRAWN, 12))
+@pytest.mark.parametrize("name", sampled(DRAWN, 24))
 def test_pictures_of_any_numbers_can_be_drawn(name, hostile, tmp_path):
     from flexbearing.report import pictures
 
@@ -144,10 +144,10 @@ def test_start_from_any_numbers_ends_with_an_answer_or_is_refused(name, hostile,
 @pytest.mark.parametrize("name", sampled(WITH_FIELDS, 3))
 def test_fields_of_another_case_than_that_of_the_arrays_are_refused(name, hostile, capsys, tmp_path):
     path = hostile(name)
-    assert str(path) in refused(["fields", path, "-o", tmp_path / "fields"], capsys)
+    assert str(path) in refused(["export", path, "--to", "vtu", "-o", tmp_path / "fields"], capsys)
 
 
-REFUSE = ["summary", "plot", "fields", "run --start"]
+REFUSE = ["summary", "plot", "diff", "run --start"]
 
 
 @pytest.mark.parametrize(
@@ -157,7 +157,9 @@ REFUSE = ["summary", "plot", "fields", "run --start"]
 def test_every_command_refuses_what_the_reader_refuses(way, name, hostile, capsys, tmp_path):
     path = hostile(name)
     words = (
-        ["run", PAPER, "-o", tmp_path / "out.h5", "--start", path] if way == "run --start" else [way, path]
+        ["run", PAPER, "-o", tmp_path / "out.h5", "--start", path]
+        if way == "run --start"
+        else [way, path, *([path] if way == "diff" else [])]
     )
     if way == "run --start":
         words += [word for setting in RING for word in ("--set", setting)]

@@ -174,7 +174,8 @@ def test_interrupted_plot_names_the_pictures_that_are_complete(tmp_path):
     done = trapped(signal.SIGINT, "matplotlib.figure", "plot", tmp_path / "r.h5")
     assert (done.returncode, done.stderr) == (130, "interrupted: nothing was kept\n")
     done = trapped(signal.SIGINT, "fem.assembly.factorisation", "plot", tmp_path / "r.h5", "-o", tmp_path)
-    pictures = [tmp_path / f"r_{name}.png" for name in ("roller_loads", "convergence", "raceway_deviation")]
+    names = ("roller_loads", "convergence", "raceway_deviation", "pressure_map", "pressure_along")
+    pictures = [tmp_path / f"r_{name}.png" for name in names]
     assert done.stderr == f"interrupted: complete: {', '.join(map(str, pictures))}\n"
     assert (done.returncode, sorted(tmp_path.glob("*.png"))) == (130, sorted(pictures))
 

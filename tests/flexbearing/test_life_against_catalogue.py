@@ -11,10 +11,11 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from flexbearing import run
+from flexbearing import read, run
 from flexbearing.api import against_catalogue, read_case
 from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase
+from flexbearing.report import text
 from quasidynamic.outcome.capacity import STRESS_REDUCTION, dynamic_rating
 
 CONFIGS = Path(__file__).parents[2] / "configs"
@@ -49,7 +50,13 @@ def life(case, settings):
     return modified["modified_Mrev"] if modified else float(result["flexible.life_L10"].to("Mrev"))
 
 
-@pytest.fixture(scope="module", params=TEN)
+QUICK = ("plain", "preloaded", "crowned", "of a maker")
+
+
+@pytest.fixture(
+    scope="module",
+    params=[pytest.param(name, marks=[] if name in QUICK else pytest.mark.slow) for name in TEN],
+)
 def compared(request):
     case, settings = TEN[request.param]
     return case, settings, against_catalogue(case, settings)
@@ -57,9 +64,9 @@ def compared(request):
 
 def test_first_life_is_that_of_the_catalogue(compared):
     case, settings, found = compared
-    read = read_case(case, settings)
-    rating = read.life.dynamic_rating or dynamic_rating(roller_bearing.bearing(read).bearing)
-    ratio = rating / read.operation.radial_load
+    wanted = read_case(case, settings)
+    rating = wanted.life.dynamic_rating or dynamic_rating(roller_bearing.bearing(wanted).bearing)
+    ratio = rating / wanted.operation.radial_load
     lives = [stage["life_Mrev"] for stage in found["stages"]]
     by_hand = [ratio ** (10 / 3), ratio**4, (ratio / STRESS_REDUCTION) ** 4]
     assert lives[:3] == approx(by_hand, rel=1e-12)
@@ -93,12 +100,29 @@ def test_loads_of_the_rollers_are_nearly_those_of_the_standard(compared):
     assert low < loads["factor"] < 1.12
 
 
+@pytest.mark.slow
 def test_every_life_can_be_had_with_its_settings():
     found = against_catalogue(FITS)
     for stage in found["stages"]:
         assert life(FITS, stage["settings"]) == approx(stage["life_Mrev"], rel=1e-12)
     hours = {stage["life_h"] / stage["life_Mrev"] for stage in found["stages"]}
     assert list(hours) == approx([1e6 / 3000 / 60] * len(hours), rel=1e-12)
+
+
+@pytest.mark.slow
+def test_profiles_of_rollers_and_of_raceways_are_factors_of_their_own():
+    profiled = {
+        "bearing.roller.profile": "johns_gohar", "bearing.roller.design_load": "4 kN",
+        "bearing.outer_raceway.profile": "iso16281",
+    }  # fmt: skip
+    stages = against_catalogue(PLAIN, profiled)["stages"]
+    places = {stage["name"]: place for place, stage in enumerate(stages)}
+    assert places["profile of the raceways"] == places["profile of the rollers"] + 1
+    for name in ("profile of the rollers", "profile of the raceways"):
+        before, stage = stages[places[name] - 1], stages[places[name]]
+        assert stage["factor"] == approx(stage["life_Mrev"] / before["life_Mrev"], rel=1e-12)
+        assert abs(stage["factor"] - 1) > 0.01
+    assert stages[-1]["life_Mrev"] == approx(life(PLAIN, profiled), rel=1e-12)
 
 
 @pytest.mark.slow
@@ -135,15 +159,16 @@ def test_static_safety_and_modified_rating_life():
     [
         (PLAIN, {"operation.radial_load": "0 N"}, "without a radial load"),
         (PLAIN, {"life.loads": "rating"}, "already"),
-        (CONFIGS / "harris218.toml", {}, 'kind = "angular_contact_ball" is not computed yet'),
+        (CONFIGS / "joshi2015_fourpoint.toml", {}, 'kind = "four_point_ball" has no ratings in ISO 281'),
     ],
-    ids=["no load", "already by rating", "balls"],
+    ids=["no load", "already by rating", "four-point"],
 )
 def test_what_has_no_catalogue_life_is_refused(case, settings, why):
     with pytest.raises(BadCase, match=why):
         against_catalogue(case, settings)
 
 
+@pytest.mark.slow
 def test_the_command_prints_every_factor_and_the_same_as_json():
     words = [sys.executable, "-m", "flexbearing", "life", str(PLAIN)]
     page, data = (
@@ -158,6 +183,14 @@ def test_the_command_prints_every_factor_and_the_same_as_json():
     assert np.isfinite([stage["life_h"] for stage in found["stages"]]).all()
 
 
+@pytest.mark.slow
+def test_comparison_is_stored_where_it_is_wanted(tmp_path):
+    result = run(PLAIN, {"outputs.catalogue_life": True}, output=tmp_path / "plain.h5")
+    stored = read(tmp_path / "plain.h5").attributes["catalogue_life"]
+    assert stored == result.attributes["catalogue_life"] == against_catalogue(PLAIN)
+    assert "from the life of the catalogue to that of the case" in text(result)
+
+
 def test_an_empty_setting_takes_a_key_out():
     assert read_case(PLAIN, ["lubricant.traction=", "lubricant.limiting_ratio="]).lubricant.traction == "4109"
     without = read_case(FITS, ["bearing.fits.cold_clearance=", "bearing.clearance=20 um"])
@@ -166,3 +199,15 @@ def test_an_empty_setting_takes_a_key_out():
     assert read_case(PLAIN, ["bearing.roughness="]).bearing.roughness is None  # it is not there
     with pytest.raises(BadCase, match="clearance is missing"):
         read_case(PLAIN, ["bearing.clearance="])
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["6208", *(pytest.param(name, marks=pytest.mark.slow) for name in ("7208", "nu210", "nu1012", "nj2210"))],
+)
+def test_shipped_catalogue_cases_are_compared(name):
+    """Their materials stand as names, of which a setting changes one number."""
+    case = CONFIGS / "catalogue" / f"{name}.toml"
+    *_, last = against_catalogue(case)["stages"]
+    *_, modified = run(case).attributes["life"].values()
+    assert last["life_Mrev"] == approx(modified["modified_Mrev"], rel=1e-9)

@@ -29,6 +29,7 @@ KINDS = {
     "as it is": {},
     "flanges": FLANGE,
     "rough surfaces": ROUGH,
+    "edge stress": {"life.edge_stress": True, "accuracy.slices": 30, "operation.misalignment": "3 arcmin"},
     "free tilt, known pockets": {
         "operation.tilt": "free", "operation.moment": "20 N m", "bearing.cage.pocket_clearance": "0.1 mm",
     },
@@ -84,7 +85,7 @@ def test_cases_of_other_kinds_keep_their_places():
 def test_a_row_says_the_dangers_of_its_run():
     cases = variants(CONFIGS / "nu209.toml", {}, (9000, 2e5, 9e4))
     found = answers(cases, ["max_roller_load"], refused)
-    assert [message.count("danger: ") for message in found.messages] == [0, 2, 1]
+    assert [message.count("danger: ") for message in found.messages] == [0, 3, 2]
     assert "minutes at" in found.messages[1]
     assert "contact pressure" in found.messages[2]
     assert_equal(found, cases, ["max_roller_load"])

@@ -52,8 +52,8 @@ def test_every_named_material_is_tested():
     ("file", "part", "values"),
     [
         (FITS, "roller", {"youngs_modulus", "poisson_ratio", "density", "expansion"}),
-        (FAST, "ball", {"youngs_modulus", "poisson_ratio", "density"}),
-        (FAST, "inner_ring", {"youngs_modulus", "poisson_ratio"}),
+        (FAST, "ball", {"youngs_modulus", "poisson_ratio", "density", "expansion"}),
+        (FAST, "inner_ring", {"youngs_modulus", "poisson_ratio", "density", "expansion"}),
         (SLOW, "ball", {"youngs_modulus", "poisson_ratio"}),
     ],
     ids=lambda value: value if isinstance(value, str) else "",

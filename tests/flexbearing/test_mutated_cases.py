@@ -20,7 +20,7 @@ RIGID = [
 
 
 @given(st.integers(0, 10**12))
-@settings(max_examples=200, derandomize=True, deadline=None, suppress_health_check=list(HealthCheck))
+@settings(max_examples=80, derandomize=True, deadline=None, suppress_health_check=list(HealthCheck))
 def test_every_changed_case_passes_or_is_refused_in_words(tmp_path_factory, capsys, seed):
     case = mutated_cases.mutated(Random(seed), BASES)
     path = _stored(case, tmp_path_factory)

@@ -32,6 +32,7 @@ LISTS = {  # what the summary holds one by one for rollers, balls or directions
         "second_lines", "line_counts",
     },
 }  # fmt: skip
+LISTS["deep_groove_ball"] = LISTS["angular_contact_ball"]
 
 
 @pytest.fixture(scope="module")
@@ -39,7 +40,7 @@ def rollers():
     return flexbearing.run(CONFIGS / "mao2016.toml", BEAM)
 
 
-@pytest.fixture(scope="module", params=["mao2016", "joshi2015_fourpoint", "rivera2021_7008"])
+@pytest.fixture(scope="module", params=["mao2016", "joshi2015_fourpoint", "rivera2021_7008", "6209"])
 def result(request):
     return flexbearing.run(CONFIGS / f"{request.param}.toml", BEAM if request.param == "mao2016" else {})
 

@@ -1,4 +1,4 @@
-"""Outputs of plot, fields, trace and pareto: settled before anything is computed, complete or not there."""
+"""Outputs of plot, export, trace and pareto: settled before anything is computed, complete or not there."""
 
 import errno
 import os
@@ -68,7 +68,8 @@ def test_pictures_of_two_results_stand_side_by_side(command, result, tmp_path):
     other = Path(shutil.copy(result, tmp_path / "other.h5"))
     for one in (result, other):
         assert command("plot", one, "-o", tmp_path / "pictures")[0] == 0
-    names = "roller_loads", "convergence", "raceway_deviation", "outer_deformed"
+    names = "roller_loads", "convergence", "raceway_deviation"
+    names += ("pressure_map", "pressure_along", "outer_deformed")
     expected = {f"{stem}_{name}.png" for stem in ("ring", "other") for name in names}
     assert {path.name for path in (tmp_path / "pictures").iterdir()} == expected
 
@@ -104,7 +105,7 @@ IMPOSSIBLE = {
 def test_impossible_folder_is_refused_before_anything_is_computed(command, result, tmp_path, where):
     commands = (
         ("plot", result, "-o", tmp_path / where),
-        ("fields", result, "--state", "rigid", "-o", tmp_path / where),
+        *(("export", result, "--to", form, "-o", tmp_path / where) for form in ("vtu", "csv", "netcdf")),
         ("trace", PAPER, "--over", RANGE, "-o", tmp_path / where / "t.csv"),
         ("pareto", PLAIN, "-o", tmp_path / where),
     )
@@ -145,7 +146,7 @@ def test_no_output_replaces_what_is_read(command, result, tmp_path):
         ("trace", case, "--over", RANGE, "-o", case),
         ("trace", case, "--over", RANGE, "-o", tmp_path / "t.csv"),
         ("plot", result),
-        ("fields", result, "--state", "rigid"),
+        ("export", result, "--to", "vtu", "--state", "rigid"),
         ("pareto", case, "-o", tmp_path, "--name", "few"),
     )
     for words in commands:
@@ -236,6 +237,8 @@ def test_pictures_and_page_of_an_unfinished_run(tmp_path, monkeypatch, command):
     assert code == 0
     assert "unfinished, " in said
     assert "iteration" in said
-    assert command("plot", part, "-o", tmp_path / "there")[0] == 0
-    assert len(list((tmp_path / "there").glob(f"{part.stem}_*.png"))) == 3
-    assert command("fields", part)[0] == 2
+    code, said, _ = command("plot", part, "-o", tmp_path / "there")
+    assert code == 0
+    assert f"no picture {part.stem}_raceway_deviation: the flexible state was not solved\n" in said
+    assert len(list((tmp_path / "there").glob(f"{part.stem}_*.png"))) == 4
+    assert command("export", part, "--to", "vtu")[0] == 2

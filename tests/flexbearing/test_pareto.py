@@ -190,6 +190,7 @@ def in_this_process(monkeypatch):
     monkeypatch.setattr(pareto, "Apart", Serial)
 
 
+@pytest.mark.slow
 def test_command_writes_table_and_picture(command, monkeypatch, tmp_path):
     few = Level("5 slices", ("accuracy.slices=5",)), Level("no roller", ("bearing.rollers=-1",))
     monkeypatch.setattr(pareto, "ladder", lambda case, solid: few)

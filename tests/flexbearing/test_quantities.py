@@ -45,7 +45,7 @@ def test_inner_comes_first_and_outer_second_in_every_pair():
         for name, source in sources.items()
         if "inner_" in name
     ]
-    assert len(pairs) == 10
+    assert len(pairs) == 11
     for inner, outer in pairs:
         assert inner.endswith(".0")
         assert outer == inner.removesuffix("0") + "1"

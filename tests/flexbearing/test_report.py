@@ -1,6 +1,7 @@
 import json
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -8,7 +9,10 @@ import pytest
 
 from flexbearing.families import FAMILIES
 from flexbearing.quantities.reductions import loaded_arc, loaded_rollers
-from flexbearing.report import convergence, deviations, polar_loads, text, write_figures
+from flexbearing.report import convergence, deviations, pictures, polar_loads, text, write_figures
+from flexbearing.report.axes_look import require_span
+from flexbearing.report.picture import Format, LeftOut, picture_bytes
+from flexbearing.report.roller.pressure_figures import pressure_along
 from flexbearing.results import Result
 
 ROLLERS, SLICES = 30, 4
@@ -23,6 +27,11 @@ def loads(largest, spread):
     return largest * np.clip(1 - (1 - np.cos(AZIMUTH)) / (2 * spread), 0, None) ** (10 / 9)
 
 
+def pressures(load):
+    """Line contacts, tilted along the roller [Pa]."""
+    return 3e7 * np.sqrt(load)[:, None] * (1 + SLICE_POSITION / 1e-2)
+
+
 def deviation(size, tilt=0.0):
     """Ovalised raceway, tilted along the roller."""
     return size * np.cos(2 * AZIMUTH)[:, None] * (1 + tilt * SLICE_POSITION / 1e-3)
@@ -32,6 +41,8 @@ def block(largest=3537.0, spread=0.19, bending=0.0):
     return {
         "inner_load": loads(largest, spread),
         "outer_load": loads(largest, spread) + 92.0,
+        "inner_pressure": pressures(loads(largest, spread)),
+        "outer_pressure": pressures(loads(largest, spread) + 92.0),
         "inner_deviation": deviation(-0.2 * bending),
         "outer_deviation": deviation(bending, tilt=0.2),
         "roller_azimuth": AZIMUTH,
@@ -101,6 +112,15 @@ def rigid_only():
     return result(attributes={"iterations": 0}, flexible=block(), iterations=())
 
 
+def rigid_alone():
+    """The flexible state was not reached."""
+    return result(attributes={"status": "not solved", "iterations": 0}, flexible={}, iterations=())
+
+
+def result_without_iterations():
+    return result(iterations=())
+
+
 def unsolved():
     ending = {
         "status": "not solved",
@@ -113,6 +133,7 @@ def unsolved():
 
 def diverged():
     lost = block() | {"inner_load": np.full(ROLLERS, np.nan), "life_L10": np.array(np.inf)}
+    lost["inner_pressure"] = np.full((ROLLERS, SLICE_POSITION.size), np.nan)
     steps = (*history(2), {"load_change": np.array(np.nan), "residual": np.array(np.inf)})
     return result(attributes={"status": "not finite", "iterations": 3}, flexible=lost, iterations=steps)
 
@@ -191,8 +212,8 @@ def test_losses_are_told_by_cause_and_add_up():
     assert flexible["driving_power_W"] == 77.0
     page = text(result())
     assert row(page, "power lost by sliding [W]") == ["10.00", "10.00", "+0.0"]
-    assert row(page, "discretisation residual [W]") == ["-1.00", "-1.00", "+0.0"]
-    assert row(page, "together [W]") == row(page, "driving power [W]") == ["77.00", "77.00", "+0.0"]
+    assert row(page, "discretisation residual [W]") == ["-1.00", "-1.00"]
+    assert row(page, "total [W]") == row(page, "driving power [W]") == ["77.00", "77.00", "+0.0"]
 
 
 def test_largest_pocket_force_counts_either_way():
@@ -304,7 +325,7 @@ def test_numbers_that_are_not_finite_are_missing_instead_of_wrong():
 
 def test_numbers_that_are_nowhere_finite_keep_their_row():
     lost = block() | {"inner_load": np.full(ROLLERS, np.nan)}
-    assert row(text(result(rigid=lost, flexible=lost)), "largest inner load [N]") == ["-", "-", "-"]
+    assert row(text(result(rigid=lost, flexible=lost)), "largest roller load, inner [N]") == ["-", "-", "-"]
 
 
 def test_blocks_that_were_never_solved_are_none():
@@ -323,18 +344,32 @@ def row(page, label):
 
 def test_text_sets_rigid_beside_flexible_with_the_change():
     page = text(result())
-    assert row(page, "largest inner load [N]") == ["3,537.0", "3,035.0", "-14.2"]
+    assert row(page, "largest roller load, inner [N]") == ["3,537.0", "3,035.0", "-14.2"]
     assert row(page, "loaded rollers") == ["9", "11", "+22.2"]
     assert row(page, "raceway deviation, mid-roller [um]") == ["0.00", "14.00", "-"]
     assert row(page, "raceway deviation, roller ends [um]") == ["0.00", "19.60", "-"]
     assert row(page, "stiffness of the bearing [kN/mm]") == ["770.0", "770.0", "+0.0"]
 
 
+def test_text_of_rigid_rings_has_one_column():
+    words = {"rigid": {"inner": "mixed", "outer": "full film"}, "flexible": {"inner": "x", "outer": "x"}}
+    page = text(replace(rigid_only(), attributes={**rigid_only().attributes, "regimes": words}))
+    assert page.splitlines()[2].split() == ["rigid", "rings"]
+    assert row(page, "largest roller load, inner [N]") == ["3,537.0"]
+    assert "rigid rings: inner raceway mixed, outer raceway full film" in page
+    assert "change [%]" not in page
+
+
+def test_a_number_that_rounds_to_zero_has_no_sign():
+    slow = block() | {"cage_slip": np.array(-1e-7)}
+    assert row(text(result(rigid=slow, flexible=slow)), "cage slip [%]")[:2] == ["0.00", "0.00"]
+
+
 def test_error_of_the_cage_slip_is_a_slip_and_that_of_a_load_a_share():
     estimate = {"target": 0.01, "met": True, "cage_slip": 0.001, "roller_load": 0.002}
     page = text(result(attributes={"choices": {}, "error_estimate": estimate}))
     assert row(page, "cage slip [%]") == ["6.28", "6.28", "0.1", "+0.0"]
-    assert row(page, "largest inner load [N]") == ["3,537.0", "3,035.0", "6.1", "-14.2"]
+    assert row(page, "largest roller load, inner [N]") == ["3,537.0", "3,035.0", "6.1", "-14.2"]
 
 
 @EVERY_ENDING
@@ -397,7 +432,15 @@ def test_polar_plot_shows_both_load_distributions_with_the_load_line_down():
         azimuth, load = line(axes, name).get_data()
         assert azimuth == pytest.approx([*AZIMUTH, 0.0], rel=1e-12)  # closed
         assert load == pytest.approx([*loads(largest, spread), largest], rel=1e-12)
-        assert f"{largest:.0f} N" in line(axes, name).get_label()
+        assert f"{largest:,.0f} N" in line(axes, name).get_label()
+
+
+@pytest.mark.parametrize(("direction", "points"), [(0.0, (0, -1)), (np.pi / 2, (1, 0))])
+def test_load_arrow_of_the_polar_plot_points_to_the_azimuth_of_the_load(direction, points):
+    (axes,) = polar_loads(result(flexible=block() | {"load_direction": np.array(direction)})).axes
+    (arrow,) = [text for text in axes.texts if text.get_text() == "load"]
+    along = np.subtract(arrow.xy, arrow.get_position())
+    assert along / np.hypot(*along) == pytest.approx(points, rel=0, abs=1e-12)
 
 
 def test_convergence_plot_shows_both_histories():
@@ -437,21 +480,72 @@ def test_deviation_plot_shows_mid_roller_around_the_ring():
     assert line(axes, "inner").get_ydata() == pytest.approx(-0.2 * outer, rel=1e-9, abs=1e-9)
 
 
-@pytest.mark.parametrize("draw", [polar_loads, convergence, deviations], ids=lambda draw: draw.__name__)
-def test_pictures_say_when_no_part_is_flexible(draw):
-    assert "no part is flexible" in words(draw(rigid_only()))
-    assert "no part is flexible" not in words(draw(result()))
+def test_polar_plot_of_rigid_rings_has_one_curve_that_is_named_so():
+    (axes,) = polar_loads(rigid_only()).axes
+    assert "3,537 N" in line(axes, "rigid rings, largest").get_label()
+    assert "flexible" not in words(polar_loads(rigid_only()))
+
+
+EMPTY = {
+    rigid_only: ["convergence: no part is flexible, so nothing was iterated",
+                 "raceway_deviation: no part is flexible"],
+    rigid_alone: ["convergence: nothing was iterated",
+                  "raceway_deviation: the flexible state was not solved"],
+    result_without_iterations: ["convergence: the result holds no iterations"],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("run", EMPTY, ids=lambda run: run.__name__)
+def test_empty_pictures_are_left_out_with_a_reason(run, tmp_path):
+    left_out = [picture for picture in pictures(run(), tmp_path) if isinstance(picture, LeftOut)]
+    assert [str(picture) for picture in left_out] == [f"case_{words}" for words in EMPTY[run]]
+    assert len(list(tmp_path.iterdir())) == 5 - len(left_out)
 
 
 @EVERY_ENDING
 def test_every_ending_can_be_drawn(run, tmp_path):
     paths = write_figures(run(), tmp_path / "new" / "figures")
-    pictures = "roller_loads", "convergence", "raceway_deviation"
-    assert [path.name for path in paths] == [f"{run().path.stem}_{name}.png" for name in pictures]
+    drawn = {
+        unsolved: (),
+        rigid_only: ("roller_loads", "pressure_map", "pressure_along"),
+    }.get(run, ("roller_loads", "convergence", "raceway_deviation", "pressure_map", "pressure_along"))
+    assert [path.name for path in paths] == [f"{run().path.stem}_{name}.png" for name in drawn]
     for path in paths:
         assert path.read_bytes().startswith(b"\x89PNG")
+
+
+@pytest.mark.parametrize(("form", "start"), [("png", b"\x89PNG"), ("svg", b"<?xml"), ("pdf", b"%PDF")])
+def test_pictures_are_written_as_asked_and_the_same_twice(form, start):
+    one, other = (picture_bytes(polar_loads(result()), Format(form)) for _ in range(2))
+    assert one.startswith(start)
+    assert one == other
+
+
+def test_pictures_without_titles_keep_everything_else():
+    figure = pressure_along({"rigid rings": block()}, "squirrel cage of an aircraft engine")
+    assert "aircraft" in words(figure)
+    bare = picture_bytes(figure, Format("svg", titles=False)).decode()
+    assert "<!-- inner raceway -->" in bare
+    assert "aircraft" not in bare
 
 
 def test_importing_the_report_does_not_load_matplotlib():
     code = "import sys, flexbearing.report; sys.exit('matplotlib' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def test_grids_lie_below_the_curves_and_ticks_separate_thousands():
+    heavy = block() | {"inner_pressure": np.full((ROLLERS, SLICES), 3e9)}
+    figure = pressure_along({"rigid rings": heavy}, "title")
+    assert "3,000" in words(figure)
+    assert all(axes.get_axisbelow() is True for axes in figure.axes)
+    assert "3,000" in words(polar_loads(result()))
+
+
+def test_a_constant_angle_does_not_fill_its_axis_with_rounding_errors():
+    from matplotlib.figure import Figure
+
+    axes = Figure().add_subplot()
+    axes.plot([0, 1], [40.0, 40.0 + 1e-13])
+    require_span(axes, 1.0)
+    assert axes.get_ylim() == pytest.approx((39.5, 40.5), rel=1e-9)

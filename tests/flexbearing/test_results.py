@@ -30,6 +30,8 @@ SIZE = {
     "N": 7,
     "X": 6,
     "Y": 8,
+    "S1": 9,
+    "S2": 11,
     **{name: len(axis.entries) for name, axis in FIXED.items()},
 }
 PAGE = Path(__file__).parents[2] / "docs" / "reference" / "results.md"
@@ -170,7 +172,7 @@ def test_history_stacks_a_dataset_over_the_iterations(path):
 def test_attributes_come_back_as_the_program_uses_them(path):
     result = read(written(path))
     attributes = result.attributes
-    assert attributes.keys() == LAYOUT.attributes.keys() - {"left_out"}  # of studies
+    assert attributes.keys() == LAYOUT.attributes.keys() - {"left_out", "catalogue_life"}  # not asked for
     assert attributes["title"] == "Rollenlager, Außenring weich"
     assert attributes["case_text"] == BEGINNING["case_text"]
     assert attributes["assumed"] == ()

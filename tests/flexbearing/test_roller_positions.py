@@ -166,7 +166,7 @@ def test_roller_under_a_bar_or_between_two_is_told(tmp_path):
     bars = [*QUICK, "outer.bars=7"]
     alone = flexbearing.run(PAPER, bars, output=tmp_path / "r.h5")
     (note,) = [note["text"] for note in alone.attributes["notes"] if note["code"] == "roller-position"]
-    assert "half a pitch further the largest inner load is" in note
+    assert "half a pitch further the largest roller load is" in note
     assert "operation.roller_positions" in note
     assert note in text(alone).replace("\n  ", " ")
     passed = flexbearing.run(PAPER, [*bars, "operation.roller_positions=2"], output=tmp_path / "p.h5")
@@ -183,7 +183,7 @@ def test_rigid_rings_of_few_rollers_are_told_too(tmp_path):
     ]
     moved = run(tmp_path, *RIGID, f"bearing.first_roller_azimuth={180 / 14!r} deg").summary()["flexible"]
     assert f"load is {moved['max_roller_load_N']:,.4g} N instead of" in note["text"]
-    assert f"the life {moved['life_L10_Mrev']:,.3g} Mrev instead of" in note["text"]
+    assert f"the life {moved['life_L10_Mrev']:,.4g} Mrev instead of" in note["text"]
     many = flexbearing.run(PAPER, [*QUICK, *RIGID, "operation.tilt=fixed"], output=tmp_path / "m.h5")
     assert "roller-position" not in codes(many)
 

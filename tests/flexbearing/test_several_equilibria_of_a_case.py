@@ -65,7 +65,7 @@ def test_spread_and_passing_state_stand_in_note_page_and_json(cold, capsys):
     assert program.command(["summary", str(cold.path)]) == 0
     page = capsys.readouterr().out
     assert page.startswith("DANGER: several equilibria between rigid raceways")
-    assert "several equilibria, rigid: between rigid raceways" in page
+    assert "several equilibria, rigid rings: between rigid raceways" in page
     assert f"{passing['largest_inner_load_N']:.1f}" in page
 
 

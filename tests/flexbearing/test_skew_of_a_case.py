@@ -106,9 +106,9 @@ def test_what_the_equilibrium_does_not_know_is_noted():
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        ({"bearing.flange.height": "6 mm"}, "below half of bearing.roller.diameter"),
+        ({"bearing.flange.height": "6 mm"}, ", half of bearing.roller.diameter."),
         ({"bearing.flange.roller_chamfer": "3 mm"}, "above bearing.flange.roller_chamfer"),
-        ({"bearing.flange.clearance": "0 um"}, "above 0 m"),
+        ({"bearing.flange.clearance": "0 um"}, "above 0 um"),
         ({"bearing.flange.stiffness": "100 N"}, "is not a stiffness"),
         ({"bearing.flange.ring": "both"}, "inner"),
     ],

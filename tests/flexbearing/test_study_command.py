@@ -95,6 +95,7 @@ def test_a_study_that_leaves_a_row_without_an_answer_ends_with_1(file, tmp_path)
     assert failed["rigid [kN]"] == solved["rigid [kN]"] != ""
 
 
+@pytest.mark.slow
 def test_a_result_file_of_every_variant_comes_where_it_is_asked_for(file, tmp_path):
     file.write_text(f'case = "{CASE}"\nresults = "full"\n{LOADS}')
     assert command(file, "-o", tmp_path) == 0

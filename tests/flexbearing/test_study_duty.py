@@ -174,11 +174,9 @@ def test_cumulated_life_of_equal_rows_is_that_of_one():
 
 
 def test_bearings_without_a_life_have_no_duty_cycle(tmp_path):
-    case = CASE.parent / "harris218.toml"
+    case = CASE.parent / "joshi2015_fourpoint.toml"
     file = tmp_path / "cycle.toml"
-    file.write_text(
-        f'case = "{case}"\n[duty]\ntime = [1, 1]\n"operation.inner_speed" = ["5000 rpm", "6000 rpm"]'
-    )
+    file.write_text(f'case = "{case}"\n[duty]\ntime = [1, 1]\n"operation.speed" = ["50 rpm", "60 rpm"]')
     with pytest.raises(BadCase, match=r"cycle\.toml: \[duty\] .*life_L10 .*: no output has this name"):
         prepared(file)
 
@@ -191,3 +189,19 @@ def test_lives_of_the_raceways_make_that_of_the_bearing():
     together = (lives ** (-9 / 8)).sum(axis=-1) ** (-8 / 9)
     assert together == approx(basic_life(inner, outer, bearing, turning), rel=1e-13)
     assert np.isinf(raceway_lives(0 * inner, outer, bearing, turning)[:, 0]).all()
+
+
+def test_duty_cycle_of_balls_against_single_runs(tmp_path):
+    case = CASE.parent / "harris218.toml"
+    file = tmp_path / "cycle.toml"
+    file.write_text(
+        f'case = "{case}"\n[duty]\ntime = [3, 1]\n"operation.inner_speed" = ["5000 rpm", "10000 rpm"]'
+    )
+    cycle = flexbearing.study(file, tmp_path, jobs=1)
+    lives = [
+        float(flexbearing.run(case, {"operation.inner_speed": speed})["life_L10"].to("Mrev"))
+        for speed in ("5000 rpm", "10000 rpm")
+    ]
+    turned = 3 * 5000, 1 * 10000
+    expected = 1 / sum(turns / sum(turned) / life for turns, life in zip(turned, lives, strict=True))
+    assert cycle.cycles["revolutions"].values[0] == approx(expected, rel=1e-9)

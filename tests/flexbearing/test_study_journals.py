@@ -5,7 +5,7 @@ import os
 from math import inf, isnan, nan
 
 import pytest
-from hypothesis import given, strategies as st
+from hypothesis import given, settings, strategies as st
 
 from flexbearing.files import BadOutput, NotStored
 from flexbearing.studies.plan import Row, Task, Variant
@@ -65,6 +65,7 @@ def test_a_number_that_is_not_given_is_asked_for_and_absent(path):
     assert isnan(journal.read(path)["a"].values["cage_slip [%]"])
 
 
+@settings(max_examples=30)
 @given(st.integers(0, 10_000))
 def test_a_torn_line_loses_its_row_alone(tmp_path_factory, place):
     """Whatever part of the last line a kill leaves, those before stay, and those after are whole."""
@@ -91,6 +92,7 @@ def test_rows_whose_names_were_lost_are_not_taken_for_others(path):
     assert journal.read(path).keys() == {"a"}
 
 
+@settings(max_examples=40)
 @given(st.integers(0, 10_000), st.integers(1, 255))
 def test_a_changed_byte_is_noticed(tmp_path_factory, place, change):
     path = tmp_path_factory.mktemp("changed") / "s.journal.jsonl"

@@ -66,7 +66,7 @@ def test_all_bad_variants_are_told_before_anything_is_computed(tmp_path):
     assert len(lines) == 4
     assert lines[1] == (
         'toy: variant 99 (operation.radial_load = 5 mm): nu209.toml: [operation] radial_load = "5 mm" is '
-        'not a force; it must be a force as text with its unit, such as "20 kN", at least 0 N.'
+        'not a force; it must be a force as text with its unit, such as "20 kN", at least 0 kN.'
     )
     assert lines[3] == "toy: 3 of 100 variants cannot be computed; none was."
 

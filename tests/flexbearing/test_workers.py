@@ -80,6 +80,7 @@ def test_a_worker_that_dies_is_told():
         in_two_processes(dead)
 
 
+@pytest.mark.slow
 def test_balls_are_the_same_by_one_and_by_two_workers():
     bearing = slow_bearing(friction=0.1, conformity=0.53, spin="local")
     load = np.linspace(1e3, 20e3, len(NUMBERS))[:, None, None] * np.ones((1, 1, 2))
@@ -103,11 +104,11 @@ def test_fast_balls_are_the_same_by_one_and_by_two_workers():
     )  # fmt: skip
     bearing = AngularContactBallBearing(bearing=parts, friction=0.1)
     state = bearing.solve(RingOperation(load=(5e3, 0.0, 1e3, 0.0, 0.0), inner_speed=500.0))
-    told = []
+    told, before = [], set(children(os.getpid()))
     roll = partial(bearing.roll, state, "kalker", (12, 16))
     with shared_map() as mapped:
         shared, alone = roll(told.append, mapped), roll()
-        assert len(children(os.getpid())) == 2
+        assert len(set(children(os.getpid())) - before) == 2
     for one, other in zip(filter(None, shared.rolled), filter(None, alone.rolled), strict=True):
         assert np.array_equal(one.fine.rolled.traction, other.fine.rolled.traction)
     assert np.array_equal(shared.ball_torques, alone.ball_torques)

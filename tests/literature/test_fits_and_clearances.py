@@ -13,7 +13,7 @@ import pytest
 from hypothesis import given, strategies as st
 from pytest import approx
 
-from flexbearing.case.roller.tolerances import (
+from flexbearing.case.tolerances import (
     ClearanceClass,
     HousingClass,
     ShaftClass,
@@ -326,10 +326,35 @@ def test_housings_and_their_fits_are_those_printed(name, over, upto, limits, fit
             assert [-tight.greatest * 1e6, -tight.least * 1e6] == approx(fit, rel=0, abs=1e-9)
 
 
-@pytest.mark.parametrize(("over", "upto", "limits"), [(a, b, row) for a, b, *row in lines(CLEARANCES)])
-def test_clearances_are_those_printed(over, upto, limits):
+BALL_CLEARANCES = """
+6 10 0 7 2 13 8 23 14 29
+10 18 0 9 3 18 11 25 18 33
+18 24 0 10 5 20 13 28 20 36
+24 30 1 11 5 20 13 28 23 41
+30 40 1 11 6 20 15 33 28 46
+40 50 1 11 6 23 18 36 30 51
+50 65 1 15 8 28 23 43 38 61
+65 80 1 15 10 30 25 51 46 71
+80 100 1 18 12 36 30 58 53 84
+100 120 2 20 15 41 36 66 61 97
+120 140 2 23 18 48 41 81 71 114
+140 160 2 23 18 53 46 91 81 130
+160 180 2 25 20 61 53 102 91 147
+180 200 2 30 25 71 63 117 107 163
+200 225 2 35 25 85 75 140 125 195
+225 250 2 40 30 95 85 160 145 225
+"""  # deep groove ball bearings: NTN, Ball and Roller Bearings, pages A-58 and A-59
+PRINTED = [
+    (of, over, upto, row)
+    for of, table in (("cylindrical rollers", CLEARANCES), ("deep groove balls", BALL_CLEARANCES))
+    for over, upto, *row in lines(table)
+]
+
+
+@pytest.mark.parametrize(("of", "over", "upto", "limits"), PRINTED)
+def test_clearances_are_those_printed(of, over, upto, limits):
     for diameter in diameters(max(over, 6.0), upto):
-        bands = [initial_clearance(name, diameter) for name in get_args(ClearanceClass)]
+        bands = [initial_clearance(name, diameter, of) for name in get_args(ClearanceClass)]
         found = [1e6 * limit for band in bands for limit in (band.least, band.greatest)]
         assert found == approx(limits, rel=0, abs=1e-9)
 
@@ -352,6 +377,7 @@ def test_every_class_is_printed_without_a_gap_up_to_its_largest_size(classes, ro
 
 
 SIZES = st.floats(6.001e-3, 250e-3)
+ELEMENTS = st.sampled_from(["cylindrical rollers", "deep groove balls"])
 
 
 @given(SIZES, st.sampled_from(get_args(ShaftClass)))
@@ -370,9 +396,9 @@ def test_mean_lies_between_the_limits_of_a_housing(outside, name):
     assert band.least < band.mean < band.greatest
 
 
-@given(SIZES)
-def test_classes_of_clearance_are_ordered_and_the_loosest_is_the_widest(bore):
-    bands = [initial_clearance(name, bore) for name in ("C2", "CN", "C3", "C4")]
+@given(SIZES, ELEMENTS)
+def test_classes_of_clearance_are_ordered_and_the_loosest_is_the_widest(bore, of):
+    bands = [initial_clearance(name, bore, of) for name in ("C2", "CN", "C3", "C4")]
     for smaller, larger in pairwise(bands):
         assert smaller.least < larger.least
         assert smaller.mean < larger.mean
@@ -381,10 +407,10 @@ def test_classes_of_clearance_are_ordered_and_the_loosest_is_the_widest(bore):
     assert bands[0].open("tightest") <= bands[0].open("mean") <= bands[0].open("loosest")
 
 
-@given(SIZES, SIZES, st.sampled_from(get_args(ClearanceClass)))
-def test_larger_bores_have_no_less_clearance(one, other, name):
+@given(SIZES, SIZES, st.sampled_from(get_args(ClearanceClass)), ELEMENTS)
+def test_larger_bores_have_no_less_clearance(one, other, name, of):
     small, large = sorted((one, other))
-    few, many = initial_clearance(name, small), initial_clearance(name, large)
+    few, many = initial_clearance(name, small, of), initial_clearance(name, large, of)
     assert few.least <= many.least
     assert few.greatest <= many.greatest
 

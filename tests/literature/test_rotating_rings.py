@@ -44,9 +44,9 @@ FIT = PressFit(inside=SHAFT, outside=RING, interference=0.0)
 HOT = FitConditions(inside_rise=210.0, outside_rise=200.0)
 HOT_TURNING = replace(HOT, speed=SPEED)
 
-MOUNTING = Mounting(cold_clearance=0.0, shaft_fit=FIT, outer=OUTER, roller=ROLLER)
+MOUNTING = Mounting(cold_clearance=0.0, shaft_fit=FIT, outer=OUTER, rolling_element=ROLLER)
 STANDING = OperatingConditions(
-    reference=293.15, shaft=503.15, inner_ring=493.15, rollers=499.15, outer_ring=491.15
+    reference=293.15, shaft=503.15, inner_ring=493.15, rolling_elements=499.15, outer_ring=491.15
 )
 RUNNING = replace(STANDING, inner_speed=SPEED)
 

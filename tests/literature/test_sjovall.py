@@ -14,8 +14,11 @@ import pytest
 from pytest import approx
 from scipy.integrate import quad
 
+from quasidynamic.balance.balls.angular_contact import race_contacts
+from quasidynamic.contact.ellipse.point_contact import in_series
 from quasidynamic.contact.line import EXPONENT, iso16281
 from quasidynamic.static import static_loads
+from tests.deep_groove import LEVEL, deep_groove, solved
 from tests.literature.steel_bearings import steel_bearing
 
 # eps: line contact and point contact as printed, line contact with n = 10/9
@@ -64,6 +67,20 @@ def test_many_rollers_share_the_load_as_the_integral_says(eps):
     assert found.loads.max() == approx(largest, rel=rounding)
     assert found.ring_displacement == approx([0.0, shift], rel=rounding, abs=1e-14)
     assert radial_integral(eps, EXPONENT) == approx(printed, abs=0.6e-5)
+
+
+@pytest.mark.parametrize("eps", TABLE, ids=str)
+def test_many_balls_share_the_load_as_the_integral_says(eps):
+    """The radial load of the printed integral, at rest, with the clearance of eps; negative beyond 0.5."""
+    meant, deepest, balls = 5 / 3 if eps == 1.67 else eps, 5e-6, 600
+    shift = deepest / (2 * meant)
+    bearing = deep_groove(2 * shift * (1 - 2 * meant), balls=balls, ball=5e-3, pitch=1.0, groove=2.6e-3)
+    largest = in_series(*race_contacts(bearing)) * deepest**1.5
+    load = radial_integral(meant, 1.5) * balls * largest
+    found = solved(bearing, (0.0, 0.0, load, 0.0, 0.0), LEVEL)
+    assert found.loads.max() == approx(largest, rel=1e-5)
+    assert found.ring_displacement[2] == approx(shift, rel=1e-5)
+    assert TABLE[eps][1] * balls * found.loads.max() == approx(load, rel=1.01e-4 / TABLE[eps][1])
 
 
 # Z: Q_max Z / F with a roller on the load line, the same with the load between two rollers

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings, strategies as st
+from hypothesis import example, given, settings, strategies as st
 from pytest import approx
 
 from quasidynamic.balance.balls.driving_load import driving_load
@@ -87,11 +87,16 @@ def test_friction_is_that_of_a_plain_sum(own, spin):
 @spins
 @settings(max_examples=30)
 @given(centre=st.floats(-0.5, 1.5), turn=st.floats(-8.0, 8.0))
+@example(centre=0.0, turn=0.02)  # both positions without slip are near each other
+@example(centre=0.0, turn=0.15625)
 def test_without_slip_across_friction_is_the_closed_form_over_strips(centre, turn, spin):
     own, contact = slip(centre, turn, 0.0), ellipse(spin=spin)
     found, known = sliding_ellipse(own, contact, MANY), sliding_friction(own[:3], contact)
+    error = (
+        3e-8 if spin == "local" else 2e-6
+    )  # of 1500 pairs the largest are 7e-9 and 1.3e-6, near pure rolling
     assert found.power == approx(float(known.power), rel=1e-8)
-    assert found.by_slip[:3] / SIZES[:3] == approx(known.by_slip / SIZES[:3], abs=3e-7)
+    assert found.by_slip[:3] / SIZES[:3] == approx(known.by_slip / SIZES[:3], abs=error)
     assert found.by_slip[3:] / SIZES[3:] == approx(np.zeros(2), abs=1e-12)
 
 

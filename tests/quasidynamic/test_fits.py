@@ -37,12 +37,16 @@ ROLLER = steel(0.0, 2.5e-3)
 SHAFT_FIT = PressFit(inside=steel(20e-3, 30e-3), outside=RING, interference=20e-6)
 HOUSING_FIT = PressFit(inside=OUTER_RING, outside=HOUSING, interference=10e-6)
 COLD = OperatingConditions(
-    reference=REFERENCE, shaft=REFERENCE, inner_ring=REFERENCE, rollers=REFERENCE, outer_ring=REFERENCE
+    reference=REFERENCE,
+    shaft=REFERENCE,
+    inner_ring=REFERENCE,
+    rolling_elements=REFERENCE,
+    outer_ring=REFERENCE,
 )
 
 
 def mounting(outer=OUTER_RING, clearance=60e-6, shaft_fit=SHAFT_FIT):
-    return Mounting(cold_clearance=clearance, shaft_fit=shaft_fit, outer=outer, roller=ROLLER)
+    return Mounting(cold_clearance=clearance, shaft_fit=shaft_fit, outer=outer, rolling_element=ROLLER)
 
 
 rises = st.floats(-100.0, 300.0)
@@ -74,7 +78,7 @@ runs = st.builds(
     reference=st.just(REFERENCE),
     shaft=st.floats(200.0, 600.0),
     inner_ring=st.floats(200.0, 600.0),
-    rollers=st.floats(200.0, 600.0),
+    rolling_elements=st.floats(200.0, 600.0),
     outer_ring=st.floats(200.0, 600.0),
     inner_speed=speeds,
     outer_speed=speeds,
@@ -193,7 +197,7 @@ def test_steps_add_up_to_the_complete_evaluation(run, shaft_interference, housin
         inside_rise=run.outer_ring - REFERENCE, outside_rise=housing - REFERENCE, speed=run.outer_speed
     )
     room = inside_displacement(housing_fit, outer, 38e-3) - outside_displacement(shaft_fit, inner, 33e-3)
-    rollers = 2 * heat_displacement(ROLLER, 2.5e-3, run.rollers - REFERENCE)
+    rollers = 2 * heat_displacement(ROLLER, 2.5e-3, run.rolling_elements - REFERENCE)
     assert result.clearance == approx(60e-6 + 2 * room - 2 * rollers, rel=0.0, abs=1e-15)
 
 
@@ -208,7 +212,7 @@ def test_tighter_shaft_fit_never_opens_the_bearing(run, more):
 def test_even_heat_keeps_the_clearance_of_a_steel_bearing(temperature):
     """Everything grows by alpha Delta T, the zero room between raceways and rollers too."""
     hot = replace(
-        COLD, shaft=temperature, inner_ring=temperature, rollers=temperature, outer_ring=temperature
+        COLD, shaft=temperature, inner_ring=temperature, rolling_elements=temperature, outer_ring=temperature
     )
     case = mounting(clearance=0.0)
     mounted = operating_clearance(case, COLD).clearance
@@ -241,7 +245,7 @@ def test_each_effect_moves_the_clearance_its_way():
         COLD,
         shaft=400.0,
         inner_ring=390.0,
-        rollers=395.0,
+        rolling_elements=395.0,
         outer_ring=380.0,
         inner_speed=3000.0,
         outer_speed=500.0,
@@ -322,7 +326,7 @@ def test_interference_is_small(interference):
 
 def test_rollers_fit_between_the_raceways():
     with pytest.raises(ImpossiblePart, match="raceways leave"):
-        replace(mounting(), roller=steel(0.0, 5e-3))  # a diameter given as the radius
+        replace(mounting(), rolling_element=steel(0.0, 5e-3))  # a diameter given as the radius
 
 
 def test_housing_comes_with_its_temperature():

@@ -137,6 +137,15 @@ def test_transform_sums_the_influence_of_every_cell_at_shifted_places(shape):
     assert result == approx(expected, rel=1e-11, abs=1e-12 * np.abs(expected).max())
 
 
+def test_single_precision_displaces_as_double_to_its_rounding():
+    grid = CellGrid((1e-5, 2e-5), (12, 9))
+    moved = convolution(PAIR, grid, (X, Y), (X, Y))
+    tractions = np.random.default_rng(3).uniform(-1e9, 1e9, (2, *grid.shape))
+    double, single = moved(tractions), moved(tractions.astype(np.float32))
+    assert single.dtype == np.float32
+    assert single == approx(double, rel=0.0, abs=1e-6 * np.abs(double).max())
+
+
 @pytest.mark.parametrize(
     ("spacing", "shape"), [((0.0, 1.0), (2, 2)), ((1.0, -1.0), (2, 2)), ((1.0, 1.0), (0, 2))]
 )

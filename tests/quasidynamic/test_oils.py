@@ -262,9 +262,9 @@ def test_between_measured_and_usable_a_note_names_the_value_and_the_range(name):
     oil = OILS[name]
     for t in (oil.measured[0] - 5.0, oil.measured[1] + 5.0):
         note = oil_at(name, t).notes[0]
-        assert f"{name} at {t:.0f} K is extrapolated" in note.text
+        assert f"{name} at {t - 273.15:z.0f} degC is extrapolated" in note.text
         assert note.grade == "outside validity"
-        assert f"{oil.measured[0]:.0f} to {oil.measured[1]:.0f} K" in note.text
+        assert f"{oil.measured[0] - 273.15:z.0f} to {oil.measured[1] - 273.15:z.0f} degC" in note.text
     for t in oil.measured:
         assert not any("extrapolated" in note.text for note in oil_at(name, t).notes)
 
@@ -273,7 +273,8 @@ def test_between_measured_and_usable_a_note_names_the_value_and_the_range(name):
 def test_outside_the_usable_range_value_and_range_are_named(name):
     low, high = OILS[name].usable
     for t in (low - 1.0, high + 1.0):
-        with pytest.raises(OutOfRange, match=rf"{t:.1f} K is outside {low:.0f} to {high:.0f} K"):
+        usable = f"{low - 273.15:z.0f} to {high - 273.15:z.0f} degC"
+        with pytest.raises(OutOfRange, match=rf"{t - 273.15:z.1f} degC is outside {usable}"):
             oil_at(name, t)
     with pytest.raises(OutOfRange, match="nan"):
         oil_at(name, float("nan"))

@@ -71,8 +71,10 @@ def test_normal_equilibrium_is_found_from_far_away():
     assert rested[0, kept] == approx(thrown[0, kept], rel=1e-12, abs=0)
 
 
-def test_ring_without_free_tilt_keeps_its_slope():
-    model = paper_bearing()
+@pytest.mark.parametrize("axial_modes", [2, 3])
+def test_ring_without_free_tilt_keeps_its_slope(axial_modes):
+    """Rigid raceways shift and tilt, however many axial modes are exchanged with elastic ones."""
+    model = replace(paper_bearing(), axial_modes=axial_modes)
     model = replace(model, operation=replace(model.operation, misalignment=1e-4))
     balance = balance_of(model)
     start = static_start(balance)

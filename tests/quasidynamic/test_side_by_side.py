@@ -15,6 +15,9 @@ from quasidynamic import (
     Eyring,
     FourPointCurve,
     Logarithmic,
+    LogarithmicCrown,
+    PointsProfile,
+    TangentCrowned,
     oil_at,
     solve_many,
 )
@@ -42,6 +45,12 @@ ADORE = partial(AdoreType, rheology=ADORE_OILS["MIL-L-23699"], limiting_ratio=0.
 BEARINGS = {
     "aligned": {"profile": DROP, "load": 5e3},
     "odd slices, crowned": {"profile": Crowned(straight_length=3e-3, crown_radius=1.0), "slices": 7},
+    "profiles of raceways": {
+        "profile": LogarithmicCrown(amplitude=1e-6, end_drop=8e-6, crowned_share=0.7),
+        "inner_profile": TangentCrowned(straight_length=2e-3, crown_radius=0.8),
+        "outer_profile": PointsProfile.through(np.array([0, 1.5, 2.5]), np.array([0, 1e-6, 3e-6]), 5.0),
+        "load": 5e3,
+    },
     "free tilt": {"moment": 4.0, "profile": DROP},
     "misaligned": {"misalignment": 3e-4, "load_direction": 0.4, "contact_law": "iso16281"},
     "moment alone": {"load": 0.0, "moment": 4.0, "profile": DROP},
@@ -132,7 +141,8 @@ def test_bearings_may_differ_in_any_number(name, index):
 
 
 @pytest.mark.parametrize(
-    "name", [pytest.param(name, marks=pytest.mark.slow) if name == "slow" else name for name in BEARINGS]
+    "name",
+    [pytest.param(name, marks=pytest.mark.slow) if name.endswith("slow") else name for name in BEARINGS],
 )
 def test_bearings_may_differ_in_all_numbers(name):
     model, rng = bearing(name), np.random.default_rng(7)

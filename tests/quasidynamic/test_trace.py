@@ -214,6 +214,7 @@ def test_three_equilibria_between_the_folds():
         assert branch().slip[place + 1] < slip < branch().slip[place]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "without"),
     [("LOAD_RANGE", 1.001), ("_lumped_starts", lambda balance: [])],

@@ -11,7 +11,7 @@ from quasidynamic.contact.half_space import ElasticPair
 from quasidynamic.contact.line import half_width, peak_pressure
 from quasidynamic.contact.pressure.roller import RollerOnRaceway
 from quasidynamic.errors import OutOfRange
-from quasidynamic.parts.roller import Crowned, Logarithmic, Straight
+from quasidynamic.parts.profile import Crowned, Logarithmic, Straight
 
 STEEL = ElasticPair(shear=1 / 80e9, poisson=0.3 / 80e9)
 MODULUS = 2 / STEEL.plane_compliance  # E' [Pa]

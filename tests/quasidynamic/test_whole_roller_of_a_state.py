@@ -23,13 +23,25 @@ def whole(tilted):
     return whole_roller(tilted)
 
 
-def test_whole_roller_carries_load_and_moment_of_its_slices(tilted, whole):
+def test_whole_roller_carries_the_load_of_its_slices_at_their_tilt_where_that_is_held(tilted, whole):
     assert whole.number == np.argmax(tilted.loads[0])
-    length = tilted.balance.roller.bearing.roller.length
     for race, contact in enumerate(whole.contacts):
-        load = tilted.loads[race, whole.number]
-        assert contact.contact.force == approx(load, rel=1e-6)
-        assert contact.moment == approx(tilted.forces[race, whole.number, 1] * length / 2, rel=1e-5)
+        assert contact.contact.force == approx(tilted.loads[race, whole.number], rel=1e-6)
+    assert whole.tilt.sum() == approx(6e-4, rel=1e-6)  # of both raceways against the roller
+    assert whole.tilt[0] == approx(whole.tilt[1], rel=0.02)
+    inner, outer = (contact.moment for contact in whole.contacts)
+    assert inner == approx(outer, rel=0.06)
+    length = tilted.balance.roller.bearing.roller.length
+    assert inner > 1.05 * tilted.forces[0, whole.number, 1] * length / 2  # stiffer than the slices
+
+
+def test_whole_roller_carries_load_and_moment_of_its_slices_below_a_ring_that_tilts_freely():
+    state = paper_bearing(**MODERATE, moment=10.0).solve()
+    whole = whole_roller(state)
+    length = state.balance.roller.bearing.roller.length
+    for race, contact in enumerate(whole.contacts):
+        assert contact.contact.force == approx(state.loads[race, whole.number], rel=1e-6)
+        assert contact.moment == approx(state.forces[race, whole.number, 1] * length / 2, rel=1e-5)
     assert abs(whole.contacts[0].moment) > 0.02 * whole.contacts[0].contact.force * length
 
 

@@ -1,1 +1,1 @@
-"""The case files of ball bearings: four-point and angular contact."""
+"""The case files of ball bearings: four-point, angular contact and deep groove."""

@@ -1,9 +1,19 @@
-"""A fast angular-contact ball bearing, as a case."""
+"""A fast angular-contact ball bearing, as a case; what it shares with that of a deep groove bearing."""
 
+from math import cos, hypot
 from typing import Literal, Self
 
 from pydantic import model_validator
 
+from flexbearing.case.balls.fits import FITTED
+from flexbearing.case.balls.life import BallLife
+from flexbearing.case.balls.mounting import (
+    FastMaterials,
+    MountedBearing,
+    MountedCase,
+    Temperatures,
+    require_growing,
+)
 from flexbearing.case.balls.parts import (
     CELLS,
     INTERFACE,
@@ -12,17 +22,27 @@ from flexbearing.case.balls.parts import (
     SPIN,
     STICKING,
     USUAL_CELLS,
-    BallBearing,
     EndingGroove,
     FrictionModel,
     RingLoad,
     Whole,
     require_quarters,
 )
-from flexbearing.case.balls.renamed import DISPLACEMENT, LOAD, NO_CLASSES, ONE_FRICTION
-from flexbearing.case.head import KIND, Head
-from flexbearing.case.materials import Elastic, HeavyElastic
-from flexbearing.case.quantity import Angle, Length, Moment, Section, Speed, impossible, key
+from flexbearing.case.balls.renamed import DISPLACEMENT, LOAD, NO_CLASSES, ONE_FRICTION, PLACES
+from flexbearing.case.head import KIND
+from flexbearing.case.oil import Oil
+from flexbearing.case.outputs import LifeOutputs
+from flexbearing.case.quantity import (
+    Angle,
+    Force,
+    Length,
+    Moment,
+    Section,
+    Speed,
+    impossible,
+    key,
+    needed,
+)
 
 PLANE = "about the point of the bearing axis in the plane of the inner groove centres"
 DIRECTIONS = {  # name of a load, and of the displacement that may be held instead
@@ -34,15 +54,12 @@ DIRECTIONS = {  # name of a load, and of the displacement that may be held inste
 }
 
 
-class AngularBearing(BallBearing):
-    """The bearing."""
+class FastBearing(MountedBearing):
+    """Balls between one groove in each ring."""
 
     inner: EndingGroove = key("groove of the inner ring")
     outer: EndingGroove = key("groove of the outer ring")
     balls: int = key("number of balls", example=18, ge=3, le=1000)
-    contact_angle: Angle = key(
-        "contact angle without load, from the radial plane", example="15 deg", ge=0, lt=RIGHT_ANGLE
-    )
     first_ball_azimuth: Angle = key("azimuth of a ball, from z towards y", "0 deg")
 
     @model_validator(mode="after")
@@ -60,12 +77,20 @@ class AngularBearing(BallBearing):
         return self
 
 
-class FastMaterials(Section):
-    """Materials of the parts."""
+class AngularBearing(FastBearing):
+    """The bearing."""
 
-    ball: HeavyElastic = key("of the balls")
-    inner_ring: Elastic | None = key("of the inner ring; without it as the balls", None)
-    outer_ring: Elastic | None = key("of the outer ring; without it as the balls", None)
+    contact_angle: Angle = key(
+        "contact angle without load, from the radial plane; before mounting where there are fits",
+        example="15 deg",
+        ge=0,
+        lt=RIGHT_ANGLE,
+    )
+
+    @property
+    def stated_clearance(self) -> float:
+        """Radial clearance of the contact angle, P_d = 2 A (1 - cos(alpha)) [m]."""
+        return 2 * self.centre_distance * (1 - cos(self.contact_angle))
 
 
 class FastLoad(RingLoad):
@@ -94,6 +119,31 @@ class Displacement(Section):
         return tuple(getattr(self, name) for name in DIRECTIONS.values())
 
 
+class Preload(Section):
+    """Axial preload of a ring that shaft and housing hold: by its force at rest, or by a displacement."""
+
+    force: Force | None = key(
+        "axial force that displaces the inner ring at rest, without any other load, to where it is then held",
+        None,
+        example="250 N",
+        gt=0,
+    )
+    displacement: Length | None = key(
+        "axial displacement at which the inner ring is held, beyond that at which all balls just touch",
+        None,
+        example="5 um",
+        gt=0,
+    )
+
+    @model_validator(mode="after")
+    def _one_of_both(self) -> Self:
+        if self.force is None and self.displacement is None:
+            raise needed(["force"], "a preload without displacement")
+        if self.force is not None and self.displacement is not None:
+            raise impossible("displacement", "left out beside force; give one of the two")
+        return self
+
+
 class FastOperation(Section):
     """Load and speed."""
 
@@ -105,6 +155,38 @@ class FastOperation(Section):
     )
     load: FastLoad = key("load on the inner ring; axial pushes the balls against their shoulders", {})
     displacement: Displacement = key("where the inner ring is held instead of loaded", {})
+    temperatures: Temperatures | None = key(
+        "temperatures of the parts, for the operating clearance; without them all have the dimensions given",
+        None,
+        only=FITTED,
+    )
+    preload: Preload | None = key(
+        "rigid axial preload, in place of operation.load.axial and operation.displacement.axial; that of "
+        "springs, whose force stays, is operation.load.axial",
+        None,
+    )
+
+    @property
+    def held(self) -> tuple[str, ...]:
+        """Keys that hold the ring in place of a force, which is not known then."""
+        places = [f"displacement.{name}" for name in ("axial", "radial_y", "radial_z")]
+        held = [place for place in places if getattr(self.displacement, place.partition(".")[2]) is not None]
+        by_place = self.preload is not None and self.preload.displacement is not None
+        return (*held, *(["preload.displacement"] if by_place else []))
+
+    @property
+    def forces(self) -> tuple[float, float]:
+        """Radial and axial force [N], >= 0, that of a preload among them; of a ring that is not `held`."""
+        preload = self.preload.force if self.preload and self.preload.force else 0.0
+        return hypot(self.load.radial_y, self.load.radial_z), abs(self.load.axial) + preload
+
+    @model_validator(mode="after")
+    def _preload_stands_alone(self) -> Self:
+        if self.preload and self.load.axial:
+            raise impossible("load.axial", '"0 N" beside operation.preload, which holds the ring axially')
+        if self.preload and self.displacement.axial is not None:
+            raise impossible("displacement.axial", "left out beside operation.preload, which gives it")
+        return self
 
     @model_validator(mode="after")
     def _load_or_displacement(self) -> Self:
@@ -156,15 +238,44 @@ class RollingLines(Section):
     points: int = key("points of the slip profile across each contact", 101, ge=3, le=2001)
 
 
-class AngularCase(Head):
-    """A fast angular-contact ball bearing."""
+class FastCase(MountedCase):
+    """Balls between one groove in each ring, at rest or at speed."""
 
     former = LOAD | DISPLACEMENT | ONE_FRICTION
-    hints = NO_CLASSES
+    hints = NO_CLASSES | PLACES
 
-    kind: Literal["angular_contact_ball"] = key(KIND)
-    bearing: AngularBearing = key("the bearing")
+    bearing: FastBearing = key("the bearing")
     materials: FastMaterials = key("the materials")
     operation: FastOperation = key("load and speed")
     friction: FastFriction = key("friction of the contacts")
     rolling_lines: RollingLines = key("lines on which the balls roll without slip", {})
+    lubricant: Oil | None = key("the oil, for the viscosity ratio of ISO 281", None)
+    life: BallLife = key("what the life is rated with, and what modifies it", {})
+    outputs: LifeOutputs = key("what is computed beside the solution", {})
+
+    @model_validator(mode="after")
+    def _life_can_be_rated(self) -> Self:
+        life, operation = self.life, self.operation
+        if life.lubrication and self.lubricant is None:
+            raise needed(["lubricant"], 'life.lubrication = "a_ISO"')
+        if not life.is_basic and operation.inner_speed == operation.outer_speed:
+            raise impossible("operation.inner_speed", "another one than operation.outer_speed for a life")
+        if life.loads == "rating":
+            for name in operation.held:
+                raise impossible(f"operation.{name}", 'left out for life.loads = "rating"; give a force')
+            if not any(operation.forces):
+                raise impossible("operation.load", 'some force for life.loads = "rating"')
+        return self
+
+    @model_validator(mode="after")
+    def _warm_parts_are_known(self) -> Self:
+        if self.bearing.fits:
+            require_growing(self.bearing.fits, self.materials, self.operation.temperatures)
+        return self
+
+
+class AngularCase(FastCase):
+    """A fast angular-contact ball bearing."""
+
+    kind: Literal["angular_contact_ball"] = key(KIND)
+    bearing: AngularBearing = key("the bearing")

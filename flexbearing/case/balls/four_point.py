@@ -1,10 +1,12 @@
 """A slow ball bearing of two or four contact points, as a case."""
 
+from math import cos
 from typing import Literal, Self
 
 from pydantic import model_validator
 
 from flexbearing.case.balls import bolted_rings
+from flexbearing.case.balls.mounting import MountedBearing, MountedCase, MountedMaterials
 from flexbearing.case.balls.parts import (
     CELLS,
     INTERFACE,
@@ -13,7 +15,6 @@ from flexbearing.case.balls.parts import (
     SPIN,
     STICKING,
     USUAL_CELLS,
-    BallBearing,
     EndingGroove,
     FrictionModel,
     Number,
@@ -21,9 +22,9 @@ from flexbearing.case.balls.parts import (
     Whole,
     require_quarters,
 )
-from flexbearing.case.balls.renamed import LOAD, NO_CLASSES
-from flexbearing.case.head import KIND, Head
-from flexbearing.case.materials import Elastic
+from flexbearing.case.balls.renamed import AS_CLEARANCE, LOAD, NO_CLASSES
+from flexbearing.case.contact_outputs import ContactOutputs
+from flexbearing.case.head import KIND
 from flexbearing.case.quantity import (
     Angle,
     Force,
@@ -33,6 +34,7 @@ from flexbearing.case.quantity import (
     Section,
     Speed,
     impossible,
+    in_mm,
     key,
     needed,
     require,
@@ -47,7 +49,7 @@ PRESSURE = (
 PLANE = "about the point of the bearing axis in the plane of the ball centres"
 
 
-class FourPointBearing(BallBearing):
+class FourPointBearing(MountedBearing):
     """The bearing."""
 
     inner: EndingGroove = key("groove of the inner ring, of both its arches")
@@ -60,36 +62,39 @@ class FourPointBearing(BallBearing):
         le=1000,
     )
     contact_angle: Angle = key(
-        "contact angle of both diagonals without load, from the radial plane",
+        "contact angle of both diagonals without load, from the radial plane; before mounting where there "
+        "are fits",
         example="45 deg",
         gt=0,
         lt=RIGHT_ANGLE,
     )
     clearance: Length = key(
-        "free way of a ball along a diagonal, both contacts together; negative is an interference",
+        "free way of a ball along a diagonal, both contacts together; negative is an interference; before "
+        "mounting where there are fits",
         "0 um",
         example="-15 um",
     )
+
+    @property
+    def stated_clearance(self) -> float:
+        """Radial clearance of the diagonals, P_d = 2 (A - (A - clearance) cos(alpha)) [m]."""
+        distance = self.centre_distance
+        return 2 * (distance - (distance - self.clearance) * cos(self.contact_angle))
 
     @model_validator(mode="after")
     def _balls_fit(self) -> Self:
         if self.balls is not None:
             self.require_room(self.balls)
         if self.clearance >= self.ball.diameter / 2:
-            raise impossible("clearance", "below half a ball diameter; is the unit right?")
+            raise impossible(
+                "clearance",
+                f"below {in_mm(self.ball.diameter / 2)}, half of bearing.ball.diameter; is the unit right?",
+            )
         reach = sum(groove.over(self.ball.diameter) for groove in (self.inner, self.outer)) - 1
         if self.clearance <= -reach * self.ball.diameter:
             most = f"{reach * self.ball.diameter * 1e6:.4g} um"
             raise impossible("clearance", f"above -{most}, the distance of opposite groove centres")
         return self
-
-
-class SlowMaterials(Section):
-    """Materials of the parts."""
-
-    ball: Elastic = key("of the balls")
-    inner_ring: Elastic | None = key("of the inner ring; without it as the balls", None)
-    outer_ring: Elastic | None = key("of the outer ring; without it as the balls", None)
 
 
 class SlowFriction(Section):
@@ -200,19 +205,26 @@ class Fields(Section):
     )
 
 
-class FourPointCase(Head):
+class FourPointCase(MountedCase):
     """A slow ball bearing of two or four contact points."""
 
     former = LOAD
-    hints = NO_CLASSES
+    hints = NO_CLASSES | AS_CLEARANCE
 
     kind: Literal["four_point_ball"] = key(KIND)
     bearing: FourPointBearing = key("the bearing")
-    materials: SlowMaterials = key("the materials")
+    materials: MountedMaterials = key("the materials")
     friction: SlowFriction = key("friction of the contacts")
     operation: SlowOperation = key("load and speed", {})
     rings: bolted_rings.Rings = key("elastic rings; rigid without it", {})
     fields: Fields = key("contacts whose pressure, slip and shear are stored cell by cell", {})
+    outputs: ContactOutputs = key("what is computed beside the solution", {})
+
+    @model_validator(mode="after")
+    def _fits_are_those_of_rigid_rings(self) -> Self:
+        if self.bearing.fits and not self.rings.rigid:
+            raise impossible("bearing.fits", "left out beside elastic rings, which are bolted")
+        return self
 
     @property
     def balls(self) -> int:

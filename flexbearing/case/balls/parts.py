@@ -11,6 +11,7 @@ from flexbearing.case.quantity import (
     Moment,
     Section,
     impossible,
+    in_mm,
     key,
     needed,
 )
@@ -123,10 +124,13 @@ class BallBearing(Section):
     @model_validator(mode="after")
     def _grooves_are_wider_than_balls(self) -> Self:
         if self.ball.diameter >= self.pitch_diameter:
-            raise impossible("ball.diameter", "below bearing.pitch_diameter")
+            raise impossible("ball.diameter", f"below {in_mm(self.pitch_diameter)}, bearing.pitch_diameter")
         for name in ("inner", "outer"):
             if getattr(self, name).over(self.ball.diameter) < CLOSEST:
-                raise impossible(f"{name}.radius", f"at least {CLOSEST:g} of bearing.ball.diameter")
+                raise impossible(
+                    f"{name}.radius",
+                    f"at least {in_mm(CLOSEST * self.ball.diameter)}, {CLOSEST:g} of bearing.ball.diameter",
+                )
         return self
 
     def require_room(self, balls: int) -> None:

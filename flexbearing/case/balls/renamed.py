@@ -13,7 +13,17 @@ DISPLACEMENT = {
     "operation.displacement.radial_x": f"operation.displacement.radial_z; {AXES_CHANGED}",
     "operation.displacement.tilt_x": f"operation.displacement.tilt_z, with the opposite sign; {AXES_CHANGED}",
 }
+AS_CLEARANCE = {
+    f"bearing.{name}": "An interference of balls and races is a negative bearing.clearance."
+    for name in ("preload", "interference")
+}
+PLACES = {  # what people look for in [bearing], and where it is
+    "bearing.preload": "A preload is in [operation.preload]: force or displacement; that of springs is "
+    "operation.load.axial. An interference of balls and races is a negative bearing.clearance.",
+    "bearing.interference": "An interference of balls and races is a negative bearing.clearance, of deep "
+    "groove and four-point bearings.",
+}
 NO_CLASSES = {  # what people look for, and what to do instead
-    "bearing.clearance_class": 'Classes of clearance are offered for kind = "cylindrical_roller" only: for '
-    "ball bearings there is no printed table here.",
+    "bearing.clearance_class": 'Classes of clearance are offered for kind = "cylindrical_roller" and '
+    '"deep_groove_ball": for other ball bearings there is no printed table here.',
 }

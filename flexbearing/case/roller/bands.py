@@ -2,22 +2,19 @@
 
 from collections.abc import Callable, Iterator
 
-from flexbearing.case.quantity import impossible, needed
 from flexbearing.case.roller.bearing import Bearing
 from flexbearing.case.roller.rings import Inner, Outer
-from flexbearing.case.roller.tolerances import (
+from flexbearing.case.tolerances import (
+    CLEARANCE,
+    HOUSING,
+    SHAFT,
     Band,
-    Untabulated,
     housing_interference,
     initial_clearance,
     shaft_interference,
+    tabulated,
 )
 
-CLEARANCE, SHAFT, HOUSING = (
-    "bearing.clearance_class",
-    "bearing.fits.shaft",
-    "bearing.fits.housing.tolerance_class",
-)
 _Read = tuple[str, str, Callable[[float], Band], float | None, str]  # key, class, table, diameter, its key
 
 
@@ -53,18 +50,7 @@ def bands(bearing: Bearing, inner: Inner, outer: Outer) -> dict[str, Band]:
     PydanticCustomError
         where a diameter is missing, or none of the printed tables has it
     """
-    found = {}
-    for path, name, table, diameter, owner in _read(bearing, inner, outer):
-        if diameter is None:
-            raise needed([owner], path)
-        try:
-            found[path] = table(diameter)
-        except Untabulated as problem:
-            given = f"{owner} = {diameter * 1e3:.6g} mm"
-            raise impossible(
-                path, f"left out for {given}: {name} is tabulated {problem}; give the value"
-            ) from None
-    return found
+    return {row[0]: tabulated(*row) for row in _read(bearing, inner, outer)}
 
 
 def _read(bearing: Bearing, inner: Inner, outer: Outer) -> Iterator[_Read]:

@@ -5,50 +5,31 @@ from typing import Literal, Self
 
 from pydantic import model_validator
 
-from flexbearing.case.quantity import Angle, Length, Mass, Section, impossible, key, needed, require
+from flexbearing.case.quantity import Angle, Length, Mass, Section, impossible, in_mm, key, needed, require
 from flexbearing.case.roller.fits import Fits
 from flexbearing.case.roller.flange import Flange
 from flexbearing.case.roller.form_error import FormError
-from flexbearing.case.roller.tolerances import ClearanceClass
+from flexbearing.case.roller.profile import Generatrix
+from flexbearing.case.tolerances import ClearanceClass
 
 ROUNDING = 1e-9  # of a diameter
 _LAND = {"guidance": ("outer", "inner")}
 
 
-class Roller(Section):
-    """One roller."""
+class Cylinder(Section):
+    """Size of a roller."""
 
     diameter: Length = key("diameter of the rollers", ge=1e-4, le=10)
     length: Length = key("effective length, without end chamfers", ge=1e-4, le=10)
-    profile: Literal["straight", "crowned", "logarithmic"] = key("shape of the generatrix", "straight")
-    straight_length: Length | None = key(
-        "length of the straight middle of a crowned roller", None, ge=0, only={"profile": ("crowned",)}
-    )
-    crown_radius: Length | None = key(
-        "radius of the ends' generatrix of a crowned roller",
-        None,
-        example="600 mm",
-        gt=0,
-        only={"profile": ("crowned",)},
-    )
-    drop: Length | None = key(
-        "amplitude A of the logarithmic profile A ln 1/(1 - (2x/l)^2); ISO/TS 16281 takes 0.00035 D",
-        None,
-        example="1.75 um",
-        gt=0,
-        only={"profile": ("logarithmic",)},
-    )
+
+
+class Roller(Generatrix, Cylinder):  # the keys of the last one stand first
+    """One roller."""
 
     @model_validator(mode="after")
-    def _profile(self) -> Self:
-        if self.profile == "crowned":
-            straight, radius = require(self, ("straight_length", "crown_radius"), 'profile = "crowned"')
-            if straight > self.length:
-                raise impossible("straight_length", "at most bearing.roller.length")
-            if radius <= self.length / 2:
-                raise impossible("crown_radius", "more than half of bearing.roller.length")
-        if self.profile == "logarithmic":
-            require(self, ("drop",), 'profile = "logarithmic"')
+    def _profile_fits(self) -> Self:
+        if wrong := self.beyond(self.length):
+            raise impossible(*wrong)
         return self
 
 
@@ -146,11 +127,18 @@ class Bearing(Section):
     contact: Literal["slices", "half_space"] = key(
         "how the most loaded roller is resolved for peak pressure and life: slices, each a line contact of "
         "its own; half_space: both its contacts as a whole on elastic half-spaces, with their ends, under "
-        "the load and moment of its slices; loads, and all other rollers, are those of the slices anyway",
+        "the load of its slices, at their tilt or, where the ring tilts freely, under their moment; loads, "
+        "and all other rollers, are those of the slices anyway",
         "slices",
     )
     first_roller_azimuth: Angle = key("azimuth of a roller, from z towards y", "0 deg")
     roller: Roller = key("the rollers")
+    inner_raceway: Generatrix | None = key(
+        "profile of the inner raceway along the rollers, which is straight without it", None
+    )
+    outer_raceway: Generatrix | None = key(
+        "profile of the outer raceway along the rollers, which is straight without it", None
+    )
     cage: Cage = key("the cage")
     roughness: Roughness | None = key("roughness of rollers and raceways, for film ratios", None)
     flange: Flange | None = key("guide flanges of one ring, for the skew of the rollers", None)
@@ -161,6 +149,13 @@ class Bearing(Section):
         """The fits from which the operating clearance follows; None where the case states it."""
         cold = self.fits is not None and self.fits.cold_clearance is not None
         return self.fits if cold or self.clearance_class is not None else None
+
+    @property
+    def relieved(self) -> bool:
+        """Whether roller or raceway has a profile at both contacts."""
+        raceways = (self.inner_raceway, self.outer_raceway)
+        on_raceways = all(each is not None and each.profile != "straight" for each in raceways)
+        return self.roller.profile != "straight" or on_raceways
 
     @model_validator(mode="after")
     def _one_clearance(self) -> Self:
@@ -188,22 +183,43 @@ class Bearing(Section):
             raise needed([f"fits.{name}"], f"bearing.{way}")
 
     @model_validator(mode="after")
+    def _profiles_fit(self) -> Self:
+        for name in ("inner_raceway", "outer_raceway"):
+            table = getattr(self, name)
+            if table and (wrong := table.beyond(self.roller.length)):
+                raise impossible(f"{name}.{wrong[0]}", wrong[1])
+        return self
+
+    @model_validator(mode="after")
     def _fits(self) -> Self:
         pitch = self.outer_raceway_diameter - self.roller.diameter
         if pitch <= self.roller.diameter:
-            raise impossible("outer_raceway_diameter", "more than twice bearing.roller.diameter")
+            least = in_mm(2 * self.roller.diameter)
+            raise impossible("outer_raceway_diameter", f"above {least}, twice bearing.roller.diameter")
         if self.rollers * self.roller.diameter >= pi * pitch:
             most = int(pi * pitch / self.roller.diameter)
             raise impossible("rollers", f"at most {most}, or they touch on the pitch circle")
         if self.flange and self.flange.height >= self.roller.diameter / 2:
-            raise impossible("flange.height", "below half of bearing.roller.diameter")
+            most = in_mm(self.roller.diameter / 2)
+            raise impossible("flange.height", f"below {most}, half of bearing.roller.diameter")
+        gap = pi * pitch / self.rollers - self.roller.diameter
+        if self.cage.pocket_clearance is not None and 2 * self.cage.pocket_clearance >= gap:
+            allowed = f"below {in_mm(gap / 2)}, or no bar is left between neighbouring pockets"
+            raise impossible("cage.pocket_clearance", allowed)
         return self
 
     def require_room(self, clearance: float) -> None:
         """Raise unless the clearance is small, and the guiding land between pitch circle and its raceway."""
         if abs(clearance) > self.roller.diameter / 2:
             name = "fits.cold_clearance" if self.mounting else "clearance"
-            raise impossible(name, "below half a roller diameter; is the unit right?")
+            most = in_mm(self.roller.diameter / 2)
+            raise impossible(name, f"below {most}, half of bearing.roller.diameter; is the unit right?")
+        play = self.cage.land_clearance
+        if play is not None and play >= self.roller.diameter:
+            most = in_mm(self.roller.diameter)
+            raise impossible(
+                "cage.land_clearance", f"below {most}, bearing.roller.diameter; is the unit right?"
+            )
         land, guidance = self.cage.land_diameter, self.cage.guidance
         if land is None:
             return

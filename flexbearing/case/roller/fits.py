@@ -5,7 +5,7 @@ from typing import Any, Self
 from pydantic import model_validator
 
 from flexbearing.case.quantity import GIVEN, Length, Section, impossible, key, needed
-from flexbearing.case.roller.tolerances import HousingClass, Place, ShaftClass
+from flexbearing.case.tolerances import HousingClass, Place, ShaftClass
 
 MOUNTED: tuple[dict[str, Any], ...] = (  # the operating clearance follows from the fits
     {"bearing.fits.cold_clearance": GIVEN}, {"bearing.clearance_class": GIVEN}

@@ -19,5 +19,7 @@ def require_solids(accuracy: Accuracy, inner: Inner, outer: Outer, *, lifts_off:
     if outer.kind == "ring" and outer.support not in SOLID_SUPPORTS:
         allowed = " or ".join(f'"{support}"' for support in SOLID_SUPPORTS)
         raise impossible("outer.support", f"{allowed} {CHOICE}: others have no solid")
+    if outer.kind == "matrix":
+        raise impossible("outer.kind", f"another one {CHOICE}: a matrix has no solid")
     if lifts_off:
         raise impossible("bearing.fits.housing", f"left out {CHOICE}: only a bonded ring has a solid")

@@ -4,30 +4,14 @@ from typing import Literal, Self
 
 from pydantic import model_validator
 
-from flexbearing.case.quantity import Force, Section, impossible, key, require
+from flexbearing.case.quantity import Force, key, require
+from flexbearing.case.ratings import Ratings
 
-CleanlinessName = Literal[
-    "oil, in-line filter, -/13/10",
-    "oil, in-line filter, -/15/12",
-    "oil, in-line filter, -/17/14",
-    "oil, in-line filter, -/19/16",
-    "oil, no or off-line filter, -/13/10",
-    "oil, no or off-line filter, -/15/12",
-    "oil, no or off-line filter, -/17/14",
-    "oil, no or off-line filter, -/19/16",
-    "oil, no or off-line filter, -/21/18",
-    "grease, high cleanliness",
-    "grease, normal cleanliness",
-    "grease, slight to typical contamination",
-    "grease, severe contamination",
-    "grease, very severe contamination",
-]
 FEWEST_SLICES = 30  # of ISO/TS 16281, for the edge stress
 BY_RATING = {"loads": ("rating",)}
-RATINGS = {"dynamic_rating", "static_rating", "fatigue_limit_load"}  # of a catalogue; they modify nothing
 
 
-class Life(Section):
+class Life(Ratings):
     """What modifies the basic life; nothing does unless it is given."""
 
     capacity: Literal["lundberg-palmgren", "iso281"] = key(
@@ -55,18 +39,6 @@ class Life(Section):
         example="44 kN",
         gt=0,
     )
-    static_rating: Force | None = key(
-        "basic static radial load rating C_0 of a catalogue, instead of the formula of ISO 76",
-        None,
-        example="45 kN",
-        gt=0,
-    )
-    fatigue_limit_load: Force | None = key(
-        "fatigue load limit C_u of a catalogue, instead of that of ISO 281 from C_0",
-        None,
-        example="5.5 kN",
-        gt=0,
-    )
     edge_stress: bool = key(
         "whether the ends of profiled rollers carry the edge stress of ISO/TS 16281", False
     )
@@ -75,17 +47,10 @@ class Life(Section):
     melting: Literal["air", "CVD", "VAR", "VAR-VAR", "VIM-VAR"] | None = key(
         "how the steel was molten, with life.steel", None
     )
-    reliability: float | None = key("probability of survival", None, example=0.99, ge=0.9, le=0.9995)
     lubrication: Literal["film", "a_ISO"] | None = key(
         "film: factor of the film over the roughness; a_ISO: factor of ISO 281 by viscosity and cleanliness",
         None,
     )
-    cleanliness: CleanlinessName | None = key('cleanliness by ISO 281, lubrication = "a_ISO"', None)
-
-    @property
-    def is_basic(self) -> bool:
-        """Whether nothing modifies the basic life."""
-        return not self.model_dump(exclude_defaults=True, exclude=RATINGS)
 
     @model_validator(mode="after")
     def _complete(self) -> Self:
@@ -93,8 +58,4 @@ class Life(Section):
             require(self, ("melting",), "life.steel")
         if self.melting:
             require(self, ("steel",), "life.melting")
-        if self.lubrication == "a_ISO":
-            require(self, ("cleanliness",), 'lubrication = "a_ISO"')
-        elif self.cleanliness:
-            raise impossible("cleanliness", 'left out without life.lubrication = "a_ISO"')
         return self

@@ -4,25 +4,22 @@ from typing import Literal, Self
 
 from pydantic import model_validator
 
+from flexbearing.case.oil import Oil, ViscositySheet
 from flexbearing.case.quantity import (
     Conductivity,
     Density,
-    KinematicViscosity,
     Length,
     PerPressure,
     PerTemperature,
     Pressure,
     Section,
-    Temperature,
     Velocity,
-    Viscosity,
     impossible,
     key,
     needed,
     require,
 )
 
-OilName = Literal["MIL-PRF-23699", "MIL-L-7808", "4 cSt aviation", "ISO VG 32", "ISO VG 68", "ISO VG 100"]
 AdoreOilName = Literal[
     "MIL-L-7808", "MIL-L-23699", "MIL-L-27502", "Santotrac 30", "Santotrac 50", "Mobil DTE SAE 30"
 ]
@@ -32,7 +29,6 @@ TractionName = Literal["4109", "eyring", "bair-winer", "adore", "four-point"]
 ShareName = Literal["zhou-hoeprich", "film-1.8", "error-function"]
 AsperityFrictionName = Literal["rounded", "carter"]
 
-DATA = ("viscosity", "pressure_viscosity", "temperature_viscosity", "conductivity", "density")
 HEATED = ("eyring", "bair-winer")  # laws whose film can warm by its own shear
 NEEDS = {  # what a traction law cannot do without
     "4109": (),
@@ -43,14 +39,9 @@ NEEDS = {  # what a traction law cannot do without
 }
 
 
-class DataSheet(Section):
-    """An oil as a data sheet prints it; viscosity by ASTM D341 between and beyond the two temperatures."""
+class DataSheet(ViscositySheet):
+    """An oil as a data sheet prints it."""
 
-    name: str = key("how notes call the oil", "oil of the data sheet", example="Turbine oil 46")
-    cold_temperature: Temperature = key("of the first viscosity", example="40 degC", gt=0)
-    cold_viscosity: KinematicViscosity = key("kinematic viscosity there", example="46 mm^2/s", gt=0)
-    hot_temperature: Temperature = key("of the second viscosity", example="100 degC", gt=0)
-    hot_viscosity: KinematicViscosity = key("kinematic viscosity there", example="6.8 mm^2/s", gt=0)
     density: Density = key("density at 15 degC", example="870 kg/m^3", gt=0)
     cold_pressure_viscosity: PerPressure = key(
         "pressure-viscosity coefficient alpha at the first temperature", example="20 1/GPa", gt=0
@@ -59,14 +50,6 @@ class DataSheet(Section):
         "alpha at the second temperature; without it alpha is constant", None, example="15 1/GPa", gt=0
     )
     conductivity: Conductivity = key("thermal conductivity", gt=0)
-
-    @model_validator(mode="after")
-    def _thins(self) -> Self:
-        if self.hot_temperature <= self.cold_temperature:
-            raise impossible("hot_temperature", "above lubricant.data_sheet.cold_temperature")
-        if self.hot_viscosity >= self.cold_viscosity:
-            raise impossible("hot_viscosity", "below lubricant.data_sheet.cold_viscosity")
-        return self
 
 
 class TractionCurve(Section):
@@ -104,19 +87,17 @@ class Mixed(Section):
     )
 
 
-class Lubricant(Section):
+class Lubricant(Oil):
     """The oil: by name, by its data sheet, or by its data at the inlet temperature."""
 
-    oil: OilName | None = key("oil by name, instead of its data", None)
+    data = ("viscosity", "pressure_viscosity", "temperature_viscosity", "conductivity", "density")
+
     data_sheet: DataSheet | None = key("an oil from two viscosities, instead of its name", None)
-    inlet_temperature: Temperature = key("temperature of the oil at the contact inlets", gt=0)
-    viscosity: Viscosity | None = key("dynamic viscosity at the inlet temperature", None, gt=0)
     pressure_viscosity: PerPressure | None = key("pressure-viscosity coefficient alpha", None, gt=0)
     temperature_viscosity: PerTemperature | None = key(
         "beta = -d ln(viscosity)/dT", None, example="0.035 1/K", ge=0
     )
     conductivity: Conductivity | None = key("thermal conductivity", None, gt=0)
-    density: Density | None = key("density", None, example="900 kg/m^3", gt=0)
     film: FilmName = key("regression of the film thickness", "dowson")
     inlet_heating: bool = key("whether shear heating of the inlet thins the film", True)
     inlet_length: float | None = key(
@@ -173,18 +154,6 @@ class Lubricant(Section):
     churning_gap: Length | None = key(
         "mean gap around the spinning rollers; without it no churning torque", None, example="1 mm", gt=0
     )
-
-    @model_validator(mode="after")
-    def _one_oil(self) -> Self:
-        given = [name for name in DATA if getattr(self, name) is not None]
-        if self.oil and self.data_sheet:
-            raise impossible("oil", "left out where [lubricant.data_sheet] describes the oil, not both")
-        if self.oil is None and self.data_sheet is None:
-            require(self, DATA, "an oil without name (oil) or data sheet (data_sheet)")
-        elif given:
-            other = "lubricant.oil" if self.oil else "[lubricant.data_sheet]"
-            raise impossible(given[0], f"either {other} or its data, not both")
-        return self
 
     @model_validator(mode="after")
     def _law_is_complete(self) -> Self:

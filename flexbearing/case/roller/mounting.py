@@ -1,6 +1,6 @@
 """What fits and clearances of the rings ask of the other sections."""
 
-from flexbearing.case.quantity import impossible, needed
+from flexbearing.case.quantity import impossible, in_mm, needed
 from flexbearing.case.roller.bearing import Bearing
 from flexbearing.case.roller.fits import Fits
 from flexbearing.case.roller.rings import Inner, Outer
@@ -53,7 +53,7 @@ def _require_bore(bearing: Bearing, clearance: float, fits: Fits, inner: Inner) 
     if fits.bore >= raceway:
         raise impossible("bearing.fits.bore", f"below the inner raceway diameter {raceway * 1e3:.4g} mm")
     if fits.shaft_bore is not None and fits.shaft_bore >= fits.bore:
-        raise impossible("bearing.fits.shaft_bore", "below bearing.fits.bore")
+        raise impossible("bearing.fits.shaft_bore", f"below {in_mm(fits.bore)}, bearing.fits.bore")
 
 
 def _require_outside(bearing: Bearing, fits: Fits, outer: Outer) -> None:
@@ -68,8 +68,10 @@ def _require_outside(bearing: Bearing, fits: Fits, outer: Outer) -> None:
     if fits.outer_diameter is None:
         raise needed(["bearing.fits.outer_diameter"], 'outer.kind = "rigid" with [bearing.fits]')
     if fits.outer_diameter <= bearing.outer_raceway_diameter:
-        raise impossible("bearing.fits.outer_diameter", "above bearing.outer_raceway_diameter")
+        least = in_mm(bearing.outer_raceway_diameter)
+        raise impossible("bearing.fits.outer_diameter", f"above {least}, bearing.outer_raceway_diameter")
     if fits.housing and fits.housing.diameter is None:
         raise needed(["bearing.fits.housing.diameter"], 'outer.kind = "rigid" with [bearing.fits.housing]')
     if fits.housing and (fits.housing.diameter or 0.0) <= fits.outer_diameter:
-        raise impossible("bearing.fits.housing.diameter", "above bearing.fits.outer_diameter")
+        allowed = f"above {in_mm(fits.outer_diameter)}, bearing.fits.outer_diameter"
+        raise impossible("bearing.fits.housing.diameter", allowed)

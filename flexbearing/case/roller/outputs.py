@@ -1,9 +1,10 @@
-"""The section [outputs]."""
+"""The section [outputs] of a roller bearing."""
 
-from flexbearing.case.quantity import Section, key
+from flexbearing.case.outputs import LifeOutputs
+from flexbearing.case.quantity import key
 
 
-class Outputs(Section):
+class Outputs(LifeOutputs):
     """What is computed beside the solution."""
 
     stresses: bool = key(

@@ -4,11 +4,21 @@ from typing import ClassVar, Literal, Self
 
 from pydantic import model_validator
 
-from flexbearing.case.quantity import Angle, Force, Foundation, Length, Section, impossible, key, require
+from flexbearing.case.quantity import (
+    Angle,
+    Force,
+    Foundation,
+    Length,
+    Section,
+    impossible,
+    in_mm,
+    key,
+    require,
+)
 
 Direction = Literal["x", "y", "z", "-x", "-y", "-z"]
 MOST = 360  # lines or teeth around a ring, clamped faces of a drawing
-_RING, _CAGE, _STEP = ({"kind": (kind,)} for kind in ("ring", "squirrel_cage", "step"))
+_RING, _CAGE, _STEP, _MATRIX = ({"kind": (kind,)} for kind in ("ring", "squirrel_cage", "step", "matrix"))
 _HELD = {**_RING, "support": ("side", "seat", "foundation", "housing")}
 _ON_SHAFT = {"kind": ("ring_on_shaft",)}
 
@@ -16,21 +26,22 @@ _ON_SHAFT = {"kind": ("ring_on_shaft",)}
 class Outer(Section):
     """What carries the outer raceway."""
 
-    kind: Literal["rigid", "ring", "squirrel_cage", "step"] = key(
-        "rigid; a plain ring; a ring on bars whose flange is clamped; or a solid drawn in a STEP file"
+    kind: Literal["rigid", "ring", "squirrel_cage", "step", "matrix"] = key(
+        "rigid; a plain ring; a ring on bars whose flange is clamped; a solid drawn in a STEP file; or a "
+        "plain ring bonded to a body whose stiffness another finite element program wrote"
     )
     thickness: Length | None = key(
-        "radial thickness of the ring", None, gt=0, only={"kind": ("ring", "squirrel_cage")}
+        "radial thickness of the ring", None, gt=0, only={"kind": ("ring", "squirrel_cage", "matrix")}
     )
     width: Length | None = key(
-        "axial width of the ring", None, gt=0, only={"kind": ("ring", "squirrel_cage")}
+        "axial width of the ring", None, gt=0, only={"kind": ("ring", "squirrel_cage", "matrix")}
     )
     raceway_offset: Length = key(
         "axial distance from the middle of the ring's width to the middle of the rollers, positive towards "
         "+x, where bars stand or the side face is held",
         "0 mm",
         example="1 mm",
-        only=(_HELD, _CAGE),
+        only=(_HELD, _CAGE, _MATRIX),
     )
     support: Literal["side", "seat", "foundation", "housing", "lines", "planet"] = key(
         "what holds a plain ring: its side face at the end of x; a rigid seat or springs per area on its "
@@ -157,11 +168,30 @@ class Outer(Section):
         example="race",
         only=_STEP,
     )
-    axis: Direction = key("direction of the bearing's axis in the drawing", "x", only=_STEP)
-    zenith: Direction = key("direction of azimuth 0 in the drawing", "z", only=_STEP)
-    centre_x: Length = key("middle of the rollers in the drawing, along its x", "0 mm", only=_STEP)
-    centre_y: Length = key("the same along y", "0 mm", only=_STEP)
-    centre_z: Length = key("the same along z", "0 mm", only=_STEP)
+    matrix: str | None = key(
+        "stiffness matrix, next to the case file: .sti of CalculiX, .mtx of Abaqus, .bdf, .dat, .pch or "
+        ".dmig of Nastran",
+        None,
+        example="housing.sti",
+        only=_MATRIX,
+    )
+    nodes: str | None = key(
+        "its mesh, next to the case file, with *NODE or GRID: nodes on the outer surface of the ring hold it",
+        None,
+        example="housing.inp",
+        only=_MATRIX,
+    )
+    length_unit: Length = key("unit of length of both files", "1 mm", gt=0, only=_MATRIX)
+    force_unit: Force = key("unit of force of the matrix", "1 N", gt=0, only=_MATRIX)
+    axis: Direction = key(
+        "direction of the bearing's axis in the drawing or mesh", "x", only=(_STEP, _MATRIX)
+    )
+    zenith: Direction = key("direction of azimuth 0 in the drawing or mesh", "z", only=(_STEP, _MATRIX))
+    centre_x: Length = key(
+        "middle of the rollers in the drawing or mesh, along its x", "0 mm", only=(_STEP, _MATRIX)
+    )
+    centre_y: Length = key("the same along y", "0 mm", only=(_STEP, _MATRIX))
+    centre_z: Length = key("the same along z", "0 mm", only=(_STEP, _MATRIX))
 
     @model_validator(mode="after")
     def _complete(self) -> Self:
@@ -171,19 +201,26 @@ class Outer(Section):
             require(self, ("file",), 'outer.kind = "step"')
             if not self.clamps:
                 raise impossible("clamps", "one face or more: a drawing without any can move freely")
-            if self.axis[-1] == self.zenith[-1]:
-                raise impossible("zenith", "at right angles to outer.axis")
+            self._require_directions()
             return self
         thickness, _ = require(self, ("thickness", "width"), f'outer.kind = "{self.kind}"')
+        if self.kind == "matrix":
+            require(self, ("matrix", "nodes"), 'outer.kind = "matrix"')
+            self._require_directions()
         if self.kind == "ring":
             self._require_support()
         if self.kind == "squirrel_cage":
             names = ("bars", "bar_width", "bar_thickness", "bar_length", "flange_length")
             _, _, bar_thickness, _, _ = require(self, names, 'outer.kind = "squirrel_cage"')
             if bar_thickness >= thickness:
-                raise impossible("bar_thickness", "below outer.thickness: the raceway ends before the bars")
+                allowed = f"below {in_mm(thickness)}, outer.thickness: the raceway ends before the bars"
+                raise impossible("bar_thickness", allowed)
             self._require_collar()
         return self
+
+    def _require_directions(self) -> None:
+        if self.axis[-1] == self.zenith[-1]:
+            raise impossible("zenith", "at right angles to outer.axis")
 
     def _require_collar(self) -> None:
         """Raise unless a collar is a thicker part of the ring."""
@@ -193,7 +230,7 @@ class Outer(Section):
             self, ("width", "thickness", "collar_thickness"), "outer.collar_length"
         )
         if collar < thickness:
-            raise impossible("collar_thickness", "at least outer.thickness, which it makes thicker")
+            raise impossible("collar_thickness", f"at least {in_mm(thickness)}, outer.thickness")
         ends = {"one": 1, "both": 2}[self.bar_ends]
         if self.collar_length > width / ends:
             part = "half of outer.width, as there are two" if ends == 2 else "outer.width"

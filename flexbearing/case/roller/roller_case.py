@@ -8,8 +8,8 @@ from pydantic import model_validator
 from pydantic_core import PydanticCustomError
 
 from flexbearing.case.head import KIND, Head
-from flexbearing.case.quantity import impossible, key, needed
-from flexbearing.case.roller.bands import CLEARANCE, HOUSING, SHAFT, bands
+from flexbearing.case.quantity import impossible, in_mm, key, needed
+from flexbearing.case.roller.bands import bands
 from flexbearing.case.roller.bearing import Bearing
 from flexbearing.case.roller.full_solids import require_solids
 from flexbearing.case.roller.life import FEWEST_SLICES, Life
@@ -17,9 +17,10 @@ from flexbearing.case.roller.lubricant import Lubricant
 from flexbearing.case.roller.mounting import require_mounting
 from flexbearing.case.roller.numerics import Accuracy, Coupling
 from flexbearing.case.roller.outputs import Outputs
+from flexbearing.case.roller.profile import Generatrix
 from flexbearing.case.roller.rings import Inner, Outer
 from flexbearing.case.roller.surroundings import Materials, Operation
-from flexbearing.case.roller.tolerances import Band, Place
+from flexbearing.case.tolerances import CLEARANCE, HOUSING, SHAFT, Band, Place
 
 FORMER = {  # keys of older versions, and what has taken their place
     "inner.interference": "bearing.fits.shaft_interference, and that of the housing is "
@@ -51,6 +52,12 @@ class Case(Head):
         return Path(self.source.path).parent / self.outer.file
 
     @property
+    def matrix_files(self) -> tuple[Path, ...]:
+        """Matrix and mesh of another program, next to the case file; none for other outer rings."""
+        names = (self.outer.matrix, self.outer.nodes) if self.outer.kind == "matrix" else ()
+        return tuple(Path(self.source.path).parent / name for name in names if name)
+
+    @property
     def lifts_off(self) -> bool:
         """Whether a flexible outer ring touches its housing only where it is pressed on it."""
         housed = self.outer.kind == "ring" and self.outer.support == "housing"
@@ -59,8 +66,14 @@ class Case(Head):
 
     @property
     def named_files(self) -> tuple[Path, ...]:
-        """The drawing."""
-        return (self.drawing,) if self.drawing else ()
+        """The drawing, matrix and mesh, and the files with points of profiles."""
+        tables = self.bearing.roller, self.bearing.inner_raceway, self.bearing.outer_raceway
+        files = [self.drawing, *self.matrix_files, *(self.points_file(table) for table in tables if table)]
+        return tuple(file for file in files if file)
+
+    def points_file(self, table: Generatrix) -> Path | None:
+        """CSV file of a profile, next to the case file; None for one without."""
+        return None if table.points_file is None else Path(self.source.path).parent / table.points_file
 
     @property
     def bands(self) -> dict[str, Band]:
@@ -122,11 +135,12 @@ class Case(Head):
         inner_raceway = raceway - 2 * roller.diameter - self.stated_clearance
         _at("inner", lambda: self.inner.require_room(inner_raceway, roller.length))
         if self.bearing.cage.thickness >= roller.diameter:
-            raise impossible("bearing.cage.thickness", "below bearing.roller.diameter")
+            allowed = f"below {in_mm(roller.diameter)}, bearing.roller.diameter"
+            raise impossible("bearing.cage.thickness", allowed)
         if self.inner.kind == "ring_on_shaft" and self.materials.shaft is None:
             raise needed(["materials.shaft"], 'inner.kind = "ring_on_shaft"')
         if self.accuracy.axial_shapes > self.accuracy.slices:
-            raise impossible("accuracy.axial_shapes", "at most accuracy.slices")
+            raise impossible("accuracy.axial_shapes", f"at most {self.accuracy.slices}, accuracy.slices")
         return self
 
     @model_validator(mode="after")
@@ -140,7 +154,11 @@ class Case(Head):
 
     @model_validator(mode="after")
     def _clamped_rings_stand_still(self) -> Self:
-        clamped = {"squirrel_cage": "its flange is clamped", "step": "outer.clamps stand still"}
+        clamped = {
+            "squirrel_cage": "its flange is clamped",
+            "step": "outer.clamps stand still",
+            "matrix": "its body is held",
+        }
         if self.operation.outer_speed and self.outer.kind in clamped:
             allowed = f'"0 rpm" for outer.kind = "{self.outer.kind}": {clamped[self.outer.kind]}'
             raise impossible("operation.outer_speed", allowed)
@@ -162,8 +180,8 @@ class Case(Head):
 
     @model_validator(mode="after")
     def _edge_stress_is_known(self) -> Self:
-        if self.life.edge_stress and self.bearing.roller.profile == "straight":
-            allowed = '"crowned" or "logarithmic" for life.edge_stress: a straight roller has no known edge'
+        if self.life.edge_stress and not self.bearing.relieved:
+            allowed = "another profile for life.edge_stress: a straight roller has no known edge"
             raise impossible("bearing.roller.profile", allowed)
         if self.life.edge_stress and self.bearing.contact == "half_space":
             allowed = 'false for bearing.contact = "half_space", whose loads per length hold the ends already'
@@ -179,6 +197,15 @@ class Case(Head):
             if self.operation.temperatures and self.operation.temperatures.outer_seat is not None:
                 allowed = 'left out for coupling.structure = "full", whose solids do not expand'
                 raise impossible("operation.temperatures.outer_seat", allowed)
+        return self
+
+    @model_validator(mode="after")
+    def _expansions_are_known_of_what_is_warm(self) -> Self:
+        if self.operation.temperatures:
+            given = ((name, getattr(self.materials, name)) for name in type(self.materials).model_fields)
+            lacking = [name for name, each in given if each and each.expansion is None]
+            if lacking:
+                raise needed([f"materials.{name}.expansion" for name in lacking], "[operation.temperatures]")
         return self
 
     @model_validator(mode="after")

@@ -1,6 +1,7 @@
 """The sections [materials] and [operation]."""
 
 from itertools import pairwise
+from math import radians
 from typing import Literal, Self
 
 from pydantic import model_validator
@@ -22,6 +23,7 @@ from flexbearing.case.quantity import (
 from flexbearing.case.roller.fits import FITTED, IN_HOUSING, LIFTING_OFF, MOUNTED
 
 ON_SEAT = ({"outer.kind": ("squirrel_cage",)}, {"outer.kind": ("ring",), "outer.support": ("side", "seat")})
+STEEPEST = radians(5)  # slope of a ring, up to which small angles describe it
 SAME = 1e-3  # [K] by which two statements of a temperature may differ
 
 
@@ -138,6 +140,8 @@ class Operation(Section):
         'slope of an inner ring in the plane of the load; other than 0 with tilt = "fixed"',
         "0 deg",
         example="2 arcmin",
+        ge=-STEEPEST,
+        le=STEEPEST,
     )
     tilt: Literal["fixed", "free"] = key(
         "how the shaft holds the inner ring: fixed, it keeps its slope (operation.misalignment); free, it "

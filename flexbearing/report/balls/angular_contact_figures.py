@@ -8,9 +8,11 @@ import numpy as np
 
 from flexbearing.quantities.angular_contact import LAYOUT
 from flexbearing.quantities.reductions import RACES
+from flexbearing.report.axes_look import require_span
 from flexbearing.report.balls.contact_fields import DrawnBall, drawn_contact, require_cells, torque_words
 from flexbearing.report.balls.contact_sheet import ball_sheet
 from flexbearing.report.balls.panels import STYLES, around, close_ring, stacked
+from flexbearing.report.subsurface_figure import subsurface
 from flexbearing.results import Result
 
 if TYPE_CHECKING:
@@ -37,6 +39,8 @@ def pictures(result: Result) -> dict[str, Figure]:
     figures = {"ball_loads": ball_loads(result)}
     if "line_count" in result.rigid:
         figures |= {"rolling_lines": rolling_lines(result), "slip_profiles": slip_profiles(result)}
+    if "subsurface_von_mises" in result.rigid:
+        figures["subsurface"] = subsurface(result.rigid, result.attributes["title"], "rigid rings")
     if "field_ball" in result.rigid:
         (ball,) = balls(result)
         figures[f"contacts_of_ball_{ball.number}"] = ball_sheet(result, ball)
@@ -85,6 +89,7 @@ def ball_loads(result: Result) -> Figure:
     upper.set_ylabel("contact load [N]")
     upper.set_ylim(bottom=0)
     lower.set_ylabel("contact angle [deg]")
+    require_span(lower, 1.0)
     close_ring(lower)
     figure.legend(loc="outside lower center", ncols=2, frameon=False)
     return figure
@@ -93,17 +98,19 @@ def ball_loads(result: Result) -> Figure:
 def rolling_lines(result: Result) -> Figure:
     """Draw the places of the pure rolling lines of every ball; the grey band lies outside the contact."""
     values = result.rigid
-    figure, panels = stacked(result, "Pure rolling lines: filled c1, open c2", 2)
+    figure, panels = stacked(result, "Places of pure rolling; outside the contact in grey", 2)
     for race, (axes, name) in enumerate(zip(panels, RACES, strict=True)):
         first, second = values["first_line"][race], values["second_line"][race]
-        around(axes, values["ball_azimuth"], second, STYLES[0])
-        around(axes, values["ball_azimuth"], first, STYLES[1])
+        names = ("second line c2", "first line c1") if race == 0 else (None, None)
+        for line, style, label in zip((second, first), STYLES, names, strict=True):
+            around(axes, values["ball_azimuth"], line, {**style, "label": label})
         lowest = min(-1.15, 1.1 * float(np.nanmin(first)))
-        highest = max(1.0, 1.1 * float(np.nanmax(second)))
+        highest = max(1.15, 1.1 * float(np.nanmax(second)))
         for outside in ((lowest, -1.0), (1.0, highest)):
             axes.axhspan(*outside, color="0.92", linewidth=0)
         axes.set(ylim=(lowest, highest), ylabel=f"x/a, {name} race")
     close_ring(panels[-1])
+    figure.legend(loc="outside lower center", ncols=2, frameon=False)
     return figure
 
 

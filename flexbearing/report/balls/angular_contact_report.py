@@ -2,6 +2,23 @@
 
 from flexbearing.report.balls.angular_contact_figures import balls, pictures
 from flexbearing.report.balls.angular_contact_page import page
-from flexbearing.report.family_report import FamilyReport
+from flexbearing.report.drawing.of_case import of_fast_balls
+from flexbearing.report.family_report import Elements, FamilyReport
 
-REPORT = FamilyReport(page, pictures, balls=balls)
+ELEMENTS = Elements(
+    word="ball",
+    azimuth="ball_azimuth",
+    columns=("ball_azimuth", "contact_load", "contact_angle", "peak_pressure", "orbital_speed", "ball_speed"),
+    figures={
+        "contact load": ("contact_load",),
+        "contact angle": ("contact_angle",),
+        "orbital speed": ("orbital_speed",),
+        "gyroscopic moment": ("gyroscopic_moment",),
+    },
+    contact_figures={
+        "peak pressure": ("peak_pressure",),
+        "semi-axis across rolling": ("semi_axis_across",),
+        "semi-axis along rolling": ("semi_axis_along",),
+    },
+)
+REPORT = FamilyReport(page, pictures, elements=ELEMENTS, balls=balls, drawings=of_fast_balls)

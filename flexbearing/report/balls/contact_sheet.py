@@ -10,6 +10,7 @@ import numpy as np
 
 from flexbearing.printable import printable
 from flexbearing.quantities.reductions import RACES
+from flexbearing.report.axes_look import NUMBERS
 from flexbearing.report.balls.contact_fields import DrawnBall, DrawnContact, Place, friction_of
 from flexbearing.report.picture import titled
 from flexbearing.results import Result
@@ -296,7 +297,7 @@ def _draw_scales(page: _Page, top: float, drawn: list[tuple[Map, Any]]) -> None:
         left = LEFT + number * share
         if each.colours:
             axes = page.axes(left, top, share - 2 * GAP, BAR)
-            bar = page.figure.colorbar(scale, cax=axes, orientation="horizontal")
+            bar = page.figure.colorbar(scale, cax=axes, orientation="horizontal", format=NUMBERS)
             bar.set_label(each.label, fontsize=8, labelpad=2)
             bar.ax.tick_params(labelsize=7, length=2.5, pad=2)
         else:

@@ -7,9 +7,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from flexbearing.quantities.reductions import RACES, loaded
+from flexbearing.report.axes_look import require_span
 from flexbearing.report.balls.contact_fields import DrawnBall, drawn_contact, require_cells, torque_words
 from flexbearing.report.balls.contact_sheet import ball_sheet
 from flexbearing.report.balls.panels import STYLES, around, close_ring, stacked
+from flexbearing.report.subsurface_figure import subsurface
 from flexbearing.results import Result
 
 if TYPE_CHECKING:
@@ -38,6 +40,9 @@ def pictures(result: Result) -> dict[str, Figure]:
         figures |= {"ball_loads": ball_loads(result), "ball_torques": ball_torques(result)}
     if result.flexible:
         figures["rigid_and_elastic_rings"] = compared_loads(result)
+    last, rings = _last(result), "elastic rings" if result.flexible else "rigid rings"
+    if "subsurface_von_mises" in last:
+        figures["subsurface"] = subsurface(last, result.attributes["title"], rings)
     for ball in balls(result):
         figures[f"contacts_of_ball_{ball.number}"] = ball_sheet(result, ball)
     return figures
@@ -74,6 +79,7 @@ def _load_figure(result: Result, states: list[tuple[str, Any, dict[str, Any]]]) 
             around(lower, values["ball_azimuth"], angle, style)
     upper.set_ylabel("contact load [N]")
     lower.set_ylabel("contact angle [deg]")
+    require_span(lower, 1.0)
     close_ring(lower)
     figure.legend(loc="outside lower center", ncols=2, frameon=False, fontsize=8 if len(states) > 1 else None)
     return figure
@@ -84,7 +90,7 @@ def ball_torques(result: Result) -> Figure:
     values = _last(result)
     total = values["torque"][0]
     figure, (upper, middle, lower) = stacked(
-        result, f"Torque of each ball on the inner ring, together {total:.4g} N m", 3, 1.9
+        result, f"Torque of each ball on the inner ring, together {total:,.4g} N m", 3, 1.9
     )
     azimuth, spin, roll = values["ball_azimuth"], values["spin_torque"][:, 0], values["roll_torque"][:, 0]
     around(upper, azimuth, values["ball_torque"][:, 0], {"color": "0.2", "marker": ".", "label": "total"})

@@ -8,9 +8,9 @@ from rich.table import Table
 from rich.text import Text
 
 from flexbearing.quantities.four_point import LAYOUT, TORQUE_PARTS
-from flexbearing.report.balls.sections import ending, formatted, of_races, ring, shown, single_values
-from flexbearing.report.rows import label, value
-from flexbearing.report.sections import closing, opening, right_aligned
+from flexbearing.report.balls.sections import ending, of_races, ring, shown, single_values
+from flexbearing.report.rows import formatted, label, value
+from flexbearing.report.sections import clearance_steps, closing, opening, right_aligned, tolerances
 
 _COMPARED = (  # keys of the summary
     "loaded_balls",
@@ -40,6 +40,9 @@ def page(numbers: dict[str, Any]) -> Iterator[RenderableType]:
         )
         yield _torque_parts(block)
         yield from ring(block, LAYOUT)
+    if clearance := numbers["clearance"]:
+        yield from clearance_steps(clearance)
+        yield from tolerances(clearance)
     yield from closing(numbers, ending(numbers))
 
 

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from flexbearing.report.picture import titled
+from flexbearing.report.axes_look import plain
+from flexbearing.report.picture import set_heading
 from flexbearing.report.roller.figures import BLUE, ORANGE
 from flexbearing.results import Result
 
@@ -14,8 +15,9 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+MOST_MARKS = 60  # balls that are marked one by one
 STYLES = (  # of two things that are told apart
-    {"color": BLUE, "marker": "o", "markerfacecolor": "white"},
+    {"color": BLUE, "marker": "o", "markerfacecolor": "white", "markersize": 7},  # seen around the other
     {"color": ORANGE, "marker": "s"},
 )
 
@@ -25,22 +27,20 @@ def stacked(result: Result, what: str, rows: int, height: float = 2.4) -> tuple[
     from matplotlib.figure import Figure  # a second to load: only pictures pay for it
 
     figure = Figure(figsize=(7.0, height * rows + 1.2), layout="constrained")
-    heading = f"{titled(result.attributes['title'], 70)}\n{what}"
-    figure.suptitle(heading, fontsize=11, parse_math=False)
+    set_heading(figure, result.attributes["title"], what, 70)
     panels = list(figure.subplots(rows, 1, sharex=True, squeeze=False)[:, 0])
     for axes in panels:
-        axes.grid(color="0.88", linewidth=0.6)
-        axes.spines[["top", "right"]].set_visible(False)
+        plain(axes)
     return figure, panels
 
 
 def around(axes: Axes, azimuth: np.ndarray, values: np.ndarray, style: dict) -> None:
     """Draw ball by ball around the ring; balls without a value leave a gap."""
     order = np.argsort(azimuth % (2 * np.pi))
-    size = 4.5 if azimuth.size <= 60 else 0
+    marks = {"marker": ""} if azimuth.size > MOST_MARKS else {}
     degrees = np.degrees(azimuth[order] % (2 * np.pi))
     closed = np.append(degrees, degrees[0] + 360), np.append(values[order], values[order[0]])
-    axes.plot(*closed, linewidth=1.2, **{"markersize": size, **style})
+    axes.plot(*closed, linewidth=1.2, **{"markersize": 4.5, **style, **marks})
 
 
 def close_ring(axes: Axes) -> None:

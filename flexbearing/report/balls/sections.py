@@ -9,7 +9,7 @@ from rich.text import Text
 
 from flexbearing.quantities import SummaryValue
 from flexbearing.quantities.layout import Layout
-from flexbearing.report.rows import label, rows, value
+from flexbearing.report.rows import formatted, label, rows, value
 from flexbearing.report.sections import matrix, right_aligned
 
 
@@ -51,11 +51,6 @@ def shown(entry: SummaryValue, number: Any) -> str:
         return "-" if number is None else formatted(number, entry.digits)
     first, last = (shown(entry, end) for end in number)
     return first if first == last else f"{first} to {last}"
-
-
-def formatted(number: float, digits: str) -> str:
-    """A number without the sign of a zero that rounding leaves."""
-    return format(number, digits if digits == "d" else f"z{digits}")
 
 
 def ending(numbers: dict[str, Any]) -> str:

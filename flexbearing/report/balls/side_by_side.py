@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
+from flexbearing.case.differing import differing
 from flexbearing.report.balls.contact_fields import DrawnBall, friction_of
 from flexbearing.report.balls.contact_sheet import (
     PRESSURE,
@@ -71,19 +72,19 @@ def notes(one: Result, other: Result) -> list[str]:
     list of str
         empty where they do not
     """
-    first, second = (dict(_keys(each.attributes["case_si"])) for each in (one, other))
-    differing = [
-        key
-        for key in {**first, **second}
-        if first.get(key) != second.get(key) and not f"{key}.".startswith(tuple(f"{told}." for told in _TOLD))
-    ]
-    if not differing:
+    settings = differing(*(each.attributes["case_si"] for each in (one, other)))
+    told_of = {
+        key: values
+        for key, values in settings.items()
+        if not f"{key}.".startswith(tuple(f"{told}." for told in _TOLD))
+    }
+    if not told_of:
         return []
-    told = [f"{key} ({_shown(first.get(key))} and {_shown(second.get(key))})" for key in differing[:_MOST]]
-    more = len(differing) - len(told)
+    told = [f"{key} ({_shown(a)} and {_shown(b)})" for key, (a, b) in list(told_of.items())[:_MOST]]
+    more = len(told_of) - len(told)
     words = ", ".join(told) + (f" and {more} more" if more else "")
     lines = [f"The cases differ not by their friction model alone, but (in SI units) in {words}."]
-    if SPIN in differing:
+    if SPIN in told_of:
         lines.append(
             "Part of the change is that of the spin: one friction.spin for both leaves that of the model."
         )
@@ -109,15 +110,6 @@ def _balls(result: Result) -> dict[int, DrawnBall]:
     if cells is None:
         raise BadResult(f"{result.place}: contacts are compared of ball bearings; it is of a {result.kind}.")
     return {ball.number: ball for ball in cells(result)}
-
-
-def _keys(case: Mapping[str, Any], section: str = "") -> Iterator[tuple[str, Any]]:
-    """Every key of a case with its sections, and its value."""
-    for name, value in case.items():
-        if isinstance(value, Mapping):
-            yield from _keys(value, f"{section}{name}.")
-        else:
-            yield f"{section}{name}", value
 
 
 def _shown(value: Any) -> str:

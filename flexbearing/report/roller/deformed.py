@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from flexbearing.files import require_output, write
-from flexbearing.report.picture import png_bytes
+from flexbearing.report.picture import PNG, Format, picture_bytes
 from flexbearing.report.roller.deformed_figure import deformed
 from flexbearing.results import Result
 from flexbearing.runs import fields, stored_fields
@@ -21,8 +21,8 @@ if TYPE_CHECKING:
 COLOURED = 0.99  # share of the surface's corners with stresses up to the last colour
 
 
-def pictures(result: Result, directory: Path) -> Iterator[Path | NoFields]:
-    """Draw every flexible part at the flexible end state, as PNG named after result and part.
+def pictures(result: Result, directory: Path, form: Format = PNG) -> Iterator[Path | NoFields]:
+    """Draw every flexible part at the flexible end state, in files named after result and part.
 
     Parameters
     ----------
@@ -30,6 +30,8 @@ def pictures(result: Result, directory: Path) -> Iterator[Path | NoFields]:
         what a run left behind
     directory : Path
         where to; it is there
+    form : Format
+        of the files
 
     Yields
     ------
@@ -52,7 +54,9 @@ def pictures(result: Result, directory: Path) -> Iterator[Path | NoFields]:
     except NoFields as problem:
         yield problem
         return
-    paths: dict[Race, Path] = {race: directory / f"{result.stem}_{race}_deformed.png" for race in flexible}
+    paths: dict[Race, Path] = {
+        race: directory / f"{result.stem}_{race}_deformed.{form.name}" for race in flexible
+    }
     for path in paths.values():
         require_output(path, (*result.files, *case.input_files))
     for race, path in paths.items():
@@ -61,7 +65,7 @@ def pictures(result: Result, directory: Path) -> Iterator[Path | NoFields]:
         except NoFields as problem:
             yield problem
         else:
-            write(path.resolve(), png_bytes(_drawn(part, result)))
+            write(path.resolve(), picture_bytes(_drawn(part, result), form))
             yield path
 
 

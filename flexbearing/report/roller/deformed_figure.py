@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from flexbearing.report.picture import titled
+from flexbearing.report.axes_look import NUMBERS
+from flexbearing.report.picture import set_heading
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -53,17 +54,17 @@ def deformed(title: str, skin: Skin, limit: float) -> Figure:
     figure = Figure(figsize=(11.0, 5.6), layout="constrained")
     oblique, axial = figure.subplots(1, 2)
     _draw(oblique, skin, factor, _rotation(40, 20) @ _ALONG_AXIS, colours)
-    oblique.set_title("obliquely", fontsize=10)
+    oblique.set_title(f"obliquely; displacement magnified {factor:g} times", fontsize=10)
     _draw(axial, skin, factor, _ALONG_AXIS, colours)
     azimuth = np.linspace(0, 2 * np.pi, 181)
     for circle in (1e3 * radius.min(), 1e3 * radius.max()):
         axial.plot(circle * np.sin(azimuth), -circle * np.cos(azimuth), color="0.2", ls="--", lw=0.8)
     axial.set_title("along the axis; dashed: before the load, azimuth 0 points down", fontsize=10)
-    figure.colorbar(colours, ax=axial, extend="max", shrink=0.8, label="von Mises stress [MPa]")
-    figure.suptitle(
-        f"{titled(title, 100)}\ndisplacement magnified {factor:g} times, largest {1e6 * largest:.0f} µm",
-        fontsize=11,
-        parse_math=False,
+    figure.colorbar(
+        colours, ax=axial, extend="max", shrink=0.8, label="von Mises stress [MPa]", format=NUMBERS
+    )
+    set_heading(
+        figure, title, f"Deformed under its rollers, largest displacement {1e6 * largest:,.0f} µm", 100
     )
     return figure
 
@@ -82,7 +83,13 @@ def _draw(axes: Axes, skin: Skin, factor: float, view: NDArray, colours: Any) ->
     filling[:, :3] *= light[:, None]
     # edges in the colour of their triangle hide the seams that smoothing leaves between neighbours
     axes.add_collection(
-        PolyCollection(list(corners[facing, :, :2]), facecolors=filling, edgecolors="face", linewidths=SEAM)
+        PolyCollection(
+            list(corners[facing, :, :2]),
+            facecolors=filling,
+            edgecolors="face",
+            linewidths=SEAM,
+            rasterized=True,
+        )
     )
     axes.autoscale_view()
     axes.set_aspect("equal")

@@ -9,8 +9,11 @@ import numpy as np
 
 from flexbearing.quantities.reductions import loaded
 from flexbearing.quantities.roller import LAYOUT
-from flexbearing.report.picture import titled
+from flexbearing.report.axes_look import NUMBERS, plain
+from flexbearing.report.picture import set_heading
+from flexbearing.report.roller.pressure_figures import pressure_along, pressure_map
 from flexbearing.report.roller.whole_roller_figure import whole_roller
+from flexbearing.report.subsurface_figure import subsurface
 from flexbearing.results import Result
 
 if TYPE_CHECKING:
@@ -18,6 +21,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from matplotlib.projections.polar import PolarAxes
 
+PLACES = ("roller_azimuth", "slice_position")
+NOWHERE = "places of rollers or slices are not finite"
 # Okabe and Ito (2008): told apart by colour-blind readers; marks tell them apart in grey
 BLUE, ORANGE = "#0072B2", "#D55E00"
 
@@ -38,7 +43,7 @@ def polar_loads(result: Result) -> Figure:
     Returns
     -------
     matplotlib.figure.Figure
-        rigid and flexible loads [N]; says so when no part is flexible
+        rigid and flexible loads [N], of one state where no part is flexible
     """
     figure = _figure(6.4, 6.6)
     axes: Any = figure.add_subplot(projection="polar")
@@ -47,10 +52,11 @@ def polar_loads(result: Result) -> Figure:
         _draw_loads(axes, name, values)
     loads = np.concatenate([[0.0], *(values["inner_load"] for values in drawn.values())])
     _shape_load_axes(axes, float(loads[np.isfinite(loads)].max()))
-    _title(axes, result, "Inner roller loads [N], azimuth 0 pointing down")
-    axes.set_xlabel(_caption(result), labelpad=14)
-    if drawn:
-        figure.legend(loc="outside lower center", ncols=2, frameon=False)
+    for values in list(drawn.values())[-1:]:
+        _mark_load(axes, float(values["load_direction"]))
+    _title(figure, result, "Inner roller loads [N], azimuth 0 pointing down")
+    axes.set_xlabel("azimuth [deg]" if result.flexible else "the flexible state was not solved", labelpad=14)
+    figure.legend(loc="outside lower center", ncols=2, frameon=False)
     return figure
 
 
@@ -61,7 +67,7 @@ def _draw_loads(axes: PolarAxes, name: str, values: Mapping[str, np.ndarray]) ->
     style = _FLEXIBLE if name == "flexible" else _RIGID
     axes.vlines(azimuth[touching], 0, load[touching], color=style["color"], linewidth=0.8, alpha=0.5)
     axes.fill(azimuth, load, color=style["color"], alpha=0.12, linewidth=0)
-    size = f", largest {load.max():.0f} N" if np.isfinite(load).all() else ": not finite"
+    size = f", largest {load.max():,.0f} N" if np.isfinite(load).all() else ": not finite"
     around = np.append(np.arange(azimuth.size), 0)  # closed
     axes.plot(azimuth[around], load[around], markevery=touching, linewidth=1.2, label=name + size, **style)
     axes.plot(azimuth, 0 * azimuth, linestyle="none", marker=".", color="0.6", markersize=4, clip_on=False)
@@ -70,20 +76,30 @@ def _draw_loads(axes: PolarAxes, name: str, values: Mapping[str, np.ndarray]) ->
 def _shape_load_axes(axes: PolarAxes, largest: float) -> None:
     axes.set_theta_zero_location("S")
     axes.set_thetagrids(
-        range(0, 360, 30), [f"{angle if angle <= 180 else angle - 360}°" for angle in range(0, 360, 30)]
+        range(0, 360, 30),
+        [f"{angle}°" if angle <= 180 else f"\N{MINUS SIGN}{360 - angle}°" for angle in range(0, 360, 30)],
     )
     top = 1.12 * largest if largest > NO_LOAD else 1.0
     axes.set_rlim(0, top)
     axes.set_rorigin(-0.3 * top)  # unloaded rollers stand on a ring of their own, not in one point
     axes.set_rlabel_position(165)
     axes.set_rticks(_ticks(top))
+    axes.yaxis.set_major_formatter(NUMBERS)
     axes.grid(color="0.85", linewidth=0.6)
+
+
+def _mark_load(axes: PolarAxes, direction: float) -> None:
+    """Arrow along the load on the inner ring, about the middle of the axes, of its azimuth [rad]."""
+    if not np.isfinite(direction):
+        return
+    along = 0.08 * np.array([np.sin(direction), -np.cos(direction)])
     axes.annotate(
         "load",
-        xy=(0.5, 0.41),
-        xytext=(0.5, 0.54),
+        xy=tuple(0.5 + along),
+        xytext=tuple(0.5 - along),
         xycoords="axes fraction",
         ha="center",
+        va="center",
         arrowprops={"arrowstyle": "-|>", "color": "0.2", "linewidth": 1.5},
     )
 
@@ -96,7 +112,7 @@ def _ticks(top: float) -> list[float]:
 
 
 def convergence(result: Result) -> Figure:
-    """Draw load change and residual over the iterations.
+    """Draw load change and residual over the iterations, at least one.
 
     Parameters
     ----------
@@ -120,13 +136,7 @@ def convergence(result: Result) -> Figure:
     for number in 1 + np.flatnonzero(~np.isfinite(together).all(axis=0)):
         axes.axvline(float(number), color="0.3", linestyle=":", label=f"not finite in iteration {number}")
     axes.set(xlabel="iteration", ylabel="relative size [-]")
-    _title(axes, result, f"Convergence ({result.attributes['method']}): {result.attributes['status']}")
-    if not result.iterations:
-        rigid = result.flexible and not result.attributes["iterations"]
-        stored = "no iterations stored" if result.attributes["iterations"] else "no iterations"
-        _say(axes, "no iterations: no part is flexible" if rigid else stored)
-        axes.set(xticks=[], yticks=[])
-        return figure
+    _title(figure, result, f"Convergence ({result.attributes['method']}): {result.attributes['status']}")
     axes.set_yscale("log")
     if not (np.isfinite(together) & (together > 0)).any():
         axes.set_ylim(floor / 10, 10 * floor)  # a logarithmic axis of nothing has no ends
@@ -158,7 +168,7 @@ def _floor(histories: np.ndarray) -> float:
 
 
 def deviations(result: Result) -> Figure:
-    """Draw the deviation of both flexible raceways around the ring.
+    """Draw the deviation of both raceways around the ring, of a solved flexible state.
 
     Parameters
     ----------
@@ -172,17 +182,13 @@ def deviations(result: Result) -> Figure:
     """
     figure, axes = _blank()
     for race, color, marker in (("outer", ORANGE, "s"), ("inner", BLUE, "o")):
-        if result.flexible:
-            _draw_deviation(axes, result.flexible, race, {"color": color, "marker": marker})
+        _draw_deviation(axes, result.flexible, race, {"color": color, "marker": marker})
     axes.axhline(0, color="0.5", linewidth=0.8, zorder=0)
     axes.set(xlabel="azimuth [deg]", ylabel="deviation, positive outward [µm]")
     axes.set_xlim(-180, 180)
     axes.set_xticks(range(-180, 181, 60))
-    _title(axes, result, "Raceway deviation at mid-roller; band: range along the roller")
-    if not result.flexible or not result.attributes["iterations"]:
-        _say(axes, _caption(result))
-    if result.flexible:
-        figure.legend(loc="outside lower center", ncols=2, frameon=False)
+    _title(figure, result, "Raceway deviation at mid-roller; band: range along the roller")
+    figure.legend(loc="outside lower center", ncols=2, frameon=False)
     return figure
 
 
@@ -198,16 +204,35 @@ def _draw_deviation(axes: Axes, values: Mapping[str, np.ndarray], race: str, sty
     axes.plot(degrees, middle, markersize=4, linewidth=1.2, label=f"{race} raceway", **style)
 
 
-def pictures(result: Result) -> dict[str, Figure]:
-    """Draw every picture of a roller bearing, by the name of its file."""
-    drawn = {
+def pictures(result: Result) -> dict[str, Figure | str]:
+    """Draw every picture of a roller bearing, by the name of its file.
+
+    Parameters
+    ----------
+    result : Result
+        what the run left behind
+
+    Returns
+    -------
+    dict
+        figures, or in words why one would be empty; nothing when no state was solved
+    """
+    title, blocks = result.attributes["title"], _blocks(result)
+    if not blocks:
+        return {}
+    drawn: dict[str, Figure | str] = {
         "roller_loads": polar_loads(result),
-        "convergence": convergence(result),
-        "raceway_deviation": deviations(result),
+        "convergence": convergence(result) if result.iterations else _without_iterations(result),
+        "raceway_deviation": deviations(result) if "flexible" in blocks else _without_flexible(result),
     }
-    last = result.flexible or result.rigid
-    if last and "whole_roller_pressure" in last:
-        drawn["whole_roller"] = whole_roller(last, result.attributes["title"])
+    name, last = ("flexible" if "flexible" in blocks else "rigid"), list(blocks.values())[-1]
+    placed = all(np.isfinite(values[place]).all() for values in blocks.values() for place in PLACES)
+    drawn["pressure_map"] = pressure_map(last, title, f"{name} rings") if placed else NOWHERE
+    drawn["pressure_along"] = pressure_along(blocks, title) if placed else NOWHERE
+    if "subsurface_von_mises" in last:
+        drawn["subsurface"] = subsurface(last, title, f"{name} rings")
+    if "whole_roller_pressure" in last:
+        drawn["whole_roller"] = whole_roller(last, title)
     return drawn
 
 
@@ -221,30 +246,31 @@ def _figure(width: float, height: float) -> Figure:
 def _blank() -> tuple[Figure, Axes]:
     figure = _figure(7.0, 4.4)
     axes = figure.add_subplot()
-    axes.grid(color="0.88", linewidth=0.6)
-    axes.spines[["top", "right"]].set_visible(False)
+    plain(axes)
     return figure, axes
 
 
 def _blocks(result: Result) -> dict[str, Mapping[str, np.ndarray]]:
     blocks = {"rigid": result.rigid, "flexible": result.flexible}
-    if result.flexible and not result.attributes["iterations"]:
-        return {"rigid = flexible": result.rigid}
+    if _nothing_flexible(result):
+        return {"rigid rings": result.rigid}
     return {name: values for name, values in blocks.items() if values}
 
 
-def _caption(result: Result) -> str:
-    if not result.flexible:
-        return "the flexible state was not solved"
-    if not result.attributes["iterations"]:
-        return "no part is flexible: both states are the same"
-    return "azimuth [deg]"
+def _nothing_flexible(result: Result) -> bool:
+    """Whether no part is flexible: both states are the same, nothing was iterated."""
+    return bool(result.flexible) and not result.attributes["iterations"]
 
 
-def _title(axes: Axes, result: Result, what: str) -> None:
-    heading = f"{titled(result.attributes['title'], 70)}\n{what}"
-    axes.set_title(heading, fontsize=11, pad=12, parse_math=False)
+def _without_iterations(result: Result) -> str:
+    if _nothing_flexible(result):
+        return "no part is flexible, so nothing was iterated"
+    return "the result holds no iterations" if result.attributes["iterations"] else "nothing was iterated"
 
 
-def _say(axes: Axes, words: str) -> None:
-    axes.text(0.5, 0.6, words, transform=axes.transAxes, ha="center", va="center", color="0.3")
+def _without_flexible(result: Result) -> str:
+    return "no part is flexible" if _nothing_flexible(result) else "the flexible state was not solved"
+
+
+def _title(figure: Figure, result: Result, what: str) -> None:
+    set_heading(figure, result.attributes["title"], what, 70)

@@ -10,11 +10,13 @@ from rich.text import Text
 
 from flexbearing.quantities import SummaryValue
 from flexbearing.quantities.roller import LAYOUT
+from flexbearing.report.catalogue_life import against_catalogue
 from flexbearing.report.passage import passage
 from flexbearing.report.rows import label, rows, shown, unit_of, value
 from flexbearing.report.sections import (
     clearance_steps,
     closing,
+    contacts,
     equilibria,
     held,
     life_factors,
@@ -59,44 +61,63 @@ def ending(numbers: dict[str, Any]) -> str:
 def page(numbers: dict[str, Any]) -> Iterator[RenderableType]:
     """Every section of a result, from its summary: dangers, numbers, matrices, clearance, life, notes."""
     yield from opening(numbers)
-    if numbers["rigid"] or numbers["flexible"]:
-        yield _table(numbers["rigid"], numbers["flexible"], numbers["error_estimate"] or {})
+    states = by_state(numbers, {name: numbers[name] for name in ("rigid", "flexible")})
+    if any(states.values()):
+        yield _table(states, numbers["error_estimate"] or {})
     yield from tilt(numbers["tilt"])
+    yield from contacts(states)
     yield from passage(numbers["passage"])
     yield from ordered_levels(numbers["choices"] or {}, numbers["error_estimate"] or {})
     yield from matrices(numbers["flexible"])
     yield from held(numbers["structure"])
-    yield from equilibria(numbers["equilibria"])
-    yield from regimes(numbers["regimes"])
+    yield from equilibria(by_state(numbers, numbers["equilibria"]))
+    yield from regimes(by_state(numbers, numbers["regimes"]))
     yield from supports(numbers["structure"])
-    yield from skew({name: numbers[name] for name in ("rigid", "flexible")})
+    yield from skew(states)
     yield from clearance_steps(numbers["clearance"])
     yield from tolerances(numbers["clearance"])
-    yield from life_factors(numbers["life"])
+    yield from life_factors(by_state(numbers, numbers["life"]))
+    yield from against_catalogue(numbers["catalogue_life"])
     yield from stresses(numbers["stresses"])
     yield from closing(numbers, ending(numbers))
 
 
-def _table(
-    rigid: dict[str, Any] | None, flexible: dict[str, Any] | None, errors: dict[str, float | None]
-) -> Table:
+def by_state(numbers: dict[str, Any], blocks: dict[str, Any]) -> dict[str, Any]:
+    """What is said of the rigid and of the flexible state; of one where no part is flexible.
+
+    Parameters
+    ----------
+    numbers : dict
+        the summary
+    blocks : dict
+        by ``"rigid"`` and ``"flexible"``, one of which may lack, or none at all
+
+    Returns
+    -------
+    dict
+        the same, or one entry ``"rigid rings"``
+    """
+    same = numbers["flexible"] and not numbers["iterations"]
+    return {"rigid rings": next(iter(blocks.values()))} if blocks and same else blocks
+
+
+def _table(states: dict[str, dict[str, Any] | None], errors: dict[str, float | None]) -> Table:
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
     table.add_column("")
-    for name in ("rigid", "flexible", *(["+-"] if errors else []), "change [%]"):
+    compared = len(states) > 1
+    for name in (*states, *(["+-"] if errors else []), *(["change [%]"] if compared else [])):
         table.add_column(name, justify="right")
     for entry in rows(LAYOUT):
         for part in entry.parts or ("",):
-            before, after = (value(entry, block, part) for block in (rigid, flexible))
-            if before is None and after is None and any(LAYOUT[name].optional for name in entry.of):
+            values = [value(entry, block, part) for block in states.values()]
+            if all(one is None for one in values) and any(LAYOUT[name].optional for name in entry.of):
                 continue
+            row = [shown(entry, one) for one in values]
+            if errors:
+                row.append(_error(errors, entry, values[-1]))
+            if compared:
+                row.append(_change(values[0], values[-1]) if entry.compared else "")
             # as Text: rich would take the unit in brackets for a markup tag
-            error = [_error(errors, entry, after)] if errors else []
-            row = (
-                shown(entry, before),
-                shown(entry, after),
-                *error,
-                _change(before, after) if entry.compared else "",
-            )
             table.add_row(Text(label(entry, part)), *row)
     return table
 

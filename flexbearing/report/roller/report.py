@@ -1,7 +1,40 @@
 """How results of a cylindrical roller bearing are shown."""
 
-from flexbearing.report.family_report import FamilyReport
+from flexbearing.report.drawing.of_case import of_rollers
+from flexbearing.report.family_report import Elements, FamilyReport
 from flexbearing.report.roller.figures import pictures
 from flexbearing.report.roller.page import page
 
-REPORT = FamilyReport(page, pictures, deformed=True)
+ELEMENTS = Elements(
+    word="roller",
+    azimuth="roller_azimuth",
+    columns=(
+        "roller_azimuth",
+        "inner_load",
+        "outer_load",
+        "inner_film",
+        "outer_film",
+        "inner_film_ratio",
+        "outer_film_ratio",
+        "roller_tilt",
+        "roller_slip",
+        "cage_force",
+        "roller_skew",
+    ),
+    figures={
+        "contact load": ("inner_load", "outer_load"),
+        "slip of the rollers": ("roller_slip",),
+        "tilt of the rollers": ("roller_tilt",),
+        "pocket force": ("cage_force",),
+    },
+    contact_figures={
+        "film thickness": ("inner_film", "outer_film"),
+        "film ratio": ("inner_film_ratio", "outer_film_ratio"),
+    },
+    maps={
+        "inner_pressure": ("Contact pressure at the inner raceway", "MPa"),
+        "outer_pressure": ("Contact pressure at the outer raceway", "MPa"),
+        "inner_slice_load": ("Load per length of the inner contacts", "kN/m"),
+    },
+)
+REPORT = FamilyReport(page, pictures, elements=ELEMENTS, deformed=True, drawings=of_rollers)

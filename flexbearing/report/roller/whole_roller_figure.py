@@ -9,7 +9,8 @@ import numpy as np
 
 from flexbearing.quantities.reductions import RACES
 from flexbearing.quantities.roller import LAYOUT
-from flexbearing.report.picture import titled
+from flexbearing.report.axes_look import NUMBERS, plain
+from flexbearing.report.picture import set_heading
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -36,8 +37,7 @@ def whole_roller(values: Mapping[str, np.ndarray], title: str) -> Figure:
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(9.0, 5.6), layout="constrained")
-    heading = f"{titled(title, 90)}\nMost loaded roller: pressure on half-spaces, load along the roller"
-    figure.suptitle(heading, fontsize=11, parse_math=False)
+    set_heading(figure, title, "Most loaded roller: pressure on half-spaces, load along the roller", 90)
     rows: Any = figure.subplots(2, 2, sharex=True)
     for race, name in enumerate(RACES):
         _draw_pressure(figure, rows[race][0], values, race)
@@ -57,7 +57,7 @@ def _draw_pressure(figure: Figure, axes: Axes, values: Mapping[str, np.ndarray],
     )
     shown = np.ma.masked_equal(pressure[race], 0.0)
     mesh = axes.pcolormesh(along, across[race], shown, cmap="viridis", rasterized=True)
-    figure.colorbar(mesh, ax=axes, label="pressure [MPa]")
+    figure.colorbar(mesh, ax=axes, label="pressure [MPa]", format=NUMBERS)
 
 
 def _draw_load(axes: Axes, values: Mapping[str, np.ndarray], race: int) -> None:
@@ -67,5 +67,5 @@ def _draw_load(axes: Axes, values: Mapping[str, np.ndarray], race: int) -> None:
     along = LAYOUT["whole_roller_position"].for_people(values["whole_roller_position"])
     axes.step(place, sliced / 1e3, where="mid", color=BLUE, linewidth=1.2, label="slices")
     axes.plot(along, whole / 1e3, color=ORANGE, linewidth=1.2, label="half-spaces")
-    axes.grid(color="0.88", linewidth=0.6)
+    plain(axes)
     axes.set_ylim(bottom=0)

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from flexbearing.quantities.roller import CAGE_SLIP
-from flexbearing.report.picture import titled
+from flexbearing.report.axes_look import NUMBERS, plain_grid
+from flexbearing.report.picture import set_heading
 from flexbearing.report.roller.figures import BLUE, ORANGE
 
 if TYPE_CHECKING:
@@ -57,11 +58,10 @@ def draw_branch(
     if (slip > 0).all():
         axes.set_yscale("log")
     for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_formatter(lambda value, _: f"{value:g}")
-    axes.grid(color="0.88", linewidth=0.6, which="both")
-    axes.spines[["top", "right"]].set_visible(False)
-    heading = f"{titled(title, 70)}\nCage slip, {raceways}"
-    axes.set_title(heading, fontsize=11, pad=12, parse_math=False)
+        axis.set_major_formatter(NUMBERS)
+    plain_grid(axes)
+    axes.grid(color="0.88", linewidth=0.6, which="minor")
+    set_heading(figure, title, f"Cage slip, {raceways}", 70)
     figure.legend(loc="outside lower center", ncols=3, frameon=False)
     return figure
 
@@ -69,4 +69,4 @@ def draw_branch(
 def _two_and_five(value: float, _: object) -> str:
     """Label the minor lines 2 and 5 of a decade."""
     leading = round(value / 10 ** np.floor(np.log10(value)))
-    return f"{value:g}" if leading in (2, 5) else ""
+    return f"{value:,.10g}" if leading in (2, 5) else ""

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from flexbearing.report.axes_look import NUMBERS, plain_grid
 from flexbearing.report.picture import titled
 
 if TYPE_CHECKING:
@@ -20,6 +21,7 @@ WIDE = 100  # highest over lowest value from which a panel is logarithmic
 LONG = 30  # characters of a label from which the legend has two columns
 COLOURS = 10  # of lines, before they come again
 MARKERS = ("0.2", "D", 6.5), ("0.45", "X", 9.0)  # grey, form and size of printed points, in turn
+AZIMUTH = "azimuth [deg]"  # label of an x around the bearing
 EVEN = 1e-6  # by how much ratios of a logarithmic range differ
 
 
@@ -71,6 +73,7 @@ def draw_lines(title: str, label: str, panels: Sequence[Panel]) -> Figure:
     matplotlib.figure.Figure
     """
     from matplotlib.figure import Figure  # a second to load: only pictures pay for it
+    from matplotlib.ticker import MultipleLocator
 
     entries = max(len(panel.lines) for panel in panels)
     height = 1.6 + 2.6 * len(panels) + (2.5 if entries > COLOURS else 0.0)
@@ -79,6 +82,8 @@ def draw_lines(title: str, label: str, panels: Sequence[Panel]) -> Figure:
     for axes, panel in zip(rows, panels, strict=True):
         _draw(axes, panel)
     rows[-1].set_xlabel(label)
+    if label == AZIMUTH:
+        rows[-1].xaxis.set_major_locator(MultipleLocator(60))
     figure.suptitle(titled(title, 70), fontsize=11, parse_math=False)
     handles, labels = rows[0].get_legend_handles_labels()
     if len(labels) > 1:
@@ -110,8 +115,10 @@ def _draw(axes: Axes, panel: Panel) -> None:
         axes.set_yscale("log")
     if all(_is_geometric(line.x) for line in panel.lines):
         axes.set_xscale("log")
-    axes.grid(color="0.88", linewidth=0.6)
-    axes.spines[["top", "right"]].set_visible(False)
+    plain_grid(axes)
+    for axis, scale in ((axes.xaxis, axes.get_xscale()), (axes.yaxis, axes.get_yscale())):
+        if scale == "linear" and not axis.have_units():
+            axis.set_major_formatter(NUMBERS)
 
 
 def _draw_printed(axes: Axes, printed: Sequence[Printed]) -> None:

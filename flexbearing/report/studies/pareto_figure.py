@@ -5,6 +5,7 @@ from __future__ import annotations
 from textwrap import fill
 from typing import TYPE_CHECKING
 
+from flexbearing.report.axes_look import plain_grid
 from flexbearing.report.picture import titled
 from flexbearing.report.roller.figures import BLUE, ORANGE
 from flexbearing.report.studies.pareto_table import OUTPUTS, TARGETS, TIMES, Study, cheapest, front, percent
@@ -69,8 +70,7 @@ def _draw_panel(axes: Axes, study: Study, output: str) -> None:
     _mark_cheapest(axes, study, output)
     axes.set(xscale="log", yscale="log", ylabel="error [-]")
     axes.set_title(_TITLES[output], fontsize=11)
-    axes.grid(color="0.9", linewidth=0.6)
-    axes.spines[["top", "right"]].set_visible(False)
+    plain_grid(axes)
     axes.tick_params(labelbottom=True, labelleft=True)
 
 

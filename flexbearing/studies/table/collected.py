@@ -194,7 +194,7 @@ def with_errors(columns: Iterable[Collected], layout: Layout) -> tuple[Collected
     for column in columns:
         found.append(column)
         output = wanted(layout, column.texts[0])
-        if _is_estimated(output) and not column.over:
+        if output.estimated and not column.over:
             unit = "%" if output.output.declared.error_relative else column.unit
             found.append(Collected(f"{column.column} error", of_error(column.text), unit, error=True))
     return tuple(found)
@@ -202,7 +202,7 @@ def with_errors(columns: Iterable[Collected], layout: Layout) -> tuple[Collected
 
 def estimated(texts: Iterable[str], layout: Layout) -> tuple[str, ...]:
     """Names of the estimated errors of outputs, of those that have one."""
-    return tuple(of_error(text) for text in texts if _is_estimated(wanted(layout, text)))
+    return tuple(of_error(text) for text in texts if wanted(layout, text).estimated)
 
 
 def errors(
@@ -224,17 +224,11 @@ def errors(
     """
     found = {}
     for text, output in _wanted(texts, kind, families[kind].layout):
-        declared = output.output.declared
-        if _is_estimated(output) and declared.error in estimates:
-            scale = 1.0 if declared.in_si or declared.unit is None else declared.unit.scale
-            factor = 100.0 if declared.error_relative else scale * output.conversion.factor
-            found[of_error(text)] = factor * estimates[declared.error]
+        whole = 100.0 if output.output.declared.error_relative else 1.0  # in percent of the output
+        error = output.error(estimates, whole)
+        if not isnan(error):
+            found[of_error(text)] = error
     return found
-
-
-def _is_estimated(output: Wanted) -> bool:
-    """Whether there is an estimate of its error; of states between rigid raceways beside others is none."""
-    return bool(output.output.declared.error) and output.block != "rigid"
 
 
 def of_error(text: str) -> str:

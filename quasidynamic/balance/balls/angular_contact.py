@@ -111,9 +111,8 @@ class AngularBalance:
 
     @cached_property
     def unloaded_groove(self) -> complex:
-        """Inner groove centre from the outer one where a ball just touches both races [m]."""
-        bearing, angle = self.bearing, self.bearing.contact_angle
-        return (bearing.inner_reach + bearing.outer_reach) * complex(np.sin(angle), np.cos(angle))
+        """Inner groove centre from the outer one where the ring is not displaced [m]."""
+        return complex(*self.bearing.groove_offset)
 
     @cached_property
     def free_centrifugal(self) -> NDArray:

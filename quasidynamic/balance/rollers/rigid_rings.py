@@ -35,12 +35,12 @@ class RigidRings:
     def of(cls, bearing: CylindricalRollerBearing, slices: Slices, load: NDArray) -> "RigidRings":
         """Build from a bearing; approaches of both raceways add up under the same load."""
         softness = sum(coefficient ** (-1 / EXPONENT) for coefficient in raceway_coefficients(bearing))
-        drop = bearing.roller.profile.drop(slices.centres, slices.length)
+        drops = (bearing.drop(race, slices.centres, slices.length) for race in (0, 1))
         return cls(
             law=LoadLaw(softness**-EXPONENT, gap_rounding(bearing)),
             slices=slices,
             normal=np.array([np.sin(bearing.azimuths), np.cos(bearing.azimuths)]).T,
-            gap=np.asarray(bearing.clearances)[..., None] / 2 + 2 * drop,
+            gap=np.asarray(bearing.clearances)[..., None] / 2 + sum(drops),
             load=load,
         )
 

@@ -22,7 +22,7 @@ from quasidynamic.contact.ellipse.rigid_slip import (
 )
 from quasidynamic.contact.ellipse.sliding_strip import SMALLEST, SlidingStrip, sliding_strip
 
-POINTS = 32  # Gauss points in each of three panels
+POINTS = 32  # Gauss points in each panel
 NARROWEST = 1e-3  # lateral over longitudinal slip below which the curvature is that of this ratio
 
 
@@ -164,14 +164,17 @@ class _StripPoints(NamedTuple):
 
 
 def _panels(slip: NDArray, ellipse: Ellipse) -> tuple[NDArray, NDArray]:
-    """Points (..., n) and weights [m] of three panels that meet where there is no slip."""
+    """Points (..., n) and weights [m] of panels that meet where there is no slip.
+
+    Between both positions without slip along, the spin of each point is zero: a kink where they are close.
+    """
     width = ellipse.width
     low, high = no_slip_positions(slip, ellipse.radius)
-    edges = np.empty((*low.shape, 4))
-    edges[..., 0], edges[..., 1], edges[..., 2], edges[..., 3] = -width, low, high, width
+    middle = [(low + high) / 2] if ellipse.spin == "local" else []
+    edges = np.stack(np.broadcast_arrays(-width, low, *middle, high, width), -1)
     edges = np.minimum(np.maximum(edges, -width[..., None]), width[..., None])
     length = (edges[..., 1:] - edges[..., :-1])[..., None]
-    shape = (*low.shape, 3 * POINTS)
+    shape = (*low.shape, length.shape[-2] * POINTS)
     points = edges[..., :-1, None] + length * _GRADED_POINTS
     return points.reshape(shape), (length * _GRADED_WEIGHTS).reshape(shape)
 

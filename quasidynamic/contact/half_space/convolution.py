@@ -1,6 +1,7 @@
 """Displacements of all cells of a grid by the tractions on all of them, by Fourier transforms."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,15 +20,23 @@ class Convolution:
     padded: tuple[int, int]  # px, py: cells of the transform, at least twice those of the grid less one
 
     def __call__(self, tractions: NDArray) -> NDArray:
-        """Displacements (..., displacements, nx, ny) [m] of tractions (..., tractions, nx, ny) [Pa]."""
-        shape = tractions.shape[-2:]
+        """Displacements (..., displacements, nx, ny) [m] of tractions (..., tractions, nx, ny) [Pa].
+
+        Tractions in single precision give displacements in single precision, in half the time.
+        """
+        single = tractions.dtype == np.float32
+        shape, spectrum = tractions.shape[-2:], self._single_spectrum if single else self.spectrum
         waves = np.asarray(fft.rfft(tractions, self.padded[1], axis=-1))
         waves = np.asarray(fft.fft(waves, self.padded[0], axis=-2))
-        moved = self.spectrum[:, 0] * waves[..., None, 0, :, :]
+        moved = spectrum[:, 0] * waves[..., None, 0, :, :]
         for number in range(1, waves.shape[-3]):
-            moved += self.spectrum[:, number] * waves[..., None, number, :, :]
+            moved += spectrum[:, number] * waves[..., None, number, :, :]
         columns = np.asarray(fft.ifft(moved, axis=-2, overwrite_x=True))[..., : shape[0], :]
         return np.asarray(fft.irfft(columns, self.padded[1], axis=-1))[..., : shape[1]]
+
+    @cached_property
+    def _single_spectrum(self) -> NDArray:
+        return self.spectrum.astype(np.complex64)
 
     def __sub__(self, other: "Convolution") -> "Convolution":
         """Difference of both displacements."""

@@ -1,8 +1,9 @@
-"""The dry line contact of a roller: Hertz pressure and width, load laws, slices along the roller.
+"""The dry line contact of a roller: Hertz pressure and width, load laws, slices, profiles for a design load.
 
-No film and no friction; the profile of a roller is data and stands in `parts`.
+No film and no friction; a profile itself is data and stands in `parts`.
 """
 
+from quasidynamic.contact.line.design_profile import fujiwara_kawase, johns_gohar, lundberg
 from quasidynamic.contact.line.hertz import SMALLEST_LOAD, half_width, peak_pressure, reduced_radius
 from quasidynamic.contact.line.load_law import (
     EXPONENT,
@@ -19,9 +20,12 @@ __all__ = [
     "SMALLEST_LOAD",
     "LoadLaw",
     "Slices",
+    "fujiwara_kawase",
     "gap_rounding",
     "half_width",
     "iso16281",
+    "johns_gohar",
+    "lundberg",
     "palmgren",
     "peak_pressure",
     "raceway_coefficients",

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.errors import ImpossiblePart
-from quasidynamic.parts.roller import Profile
+from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
 
 
 @dataclass(frozen=True)
@@ -78,9 +78,11 @@ class Slices:
     def _lengths_differ(self) -> bool:
         return isinstance(self.length, np.ndarray)
 
-    def drop(self, profile: Profile) -> NDArray:
-        """Drop of a profile at the computed slices (K, 1, 1, 1) or (K, 1, C, 1) [m]."""
-        return profile.drop(self.places[:, None, None, None] * (self.length / 2), self.length)
+    def drop(self, bearing: CylindricalRollerBearing) -> NDArray:
+        """Drop of rollers and raceways at the computed slices (K, 2, 1 or C, 1) [m], inner raceway first."""
+        centres = self.places[:, None, None] * (self.length / 2)
+        drops = (bearing.drop(race, centres, self.length) for race in (0, 1))
+        return np.stack(np.broadcast_arrays(*drops), 1)
 
     @cached_property
     def modes(self) -> NDArray:

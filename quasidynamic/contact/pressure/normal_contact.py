@@ -10,7 +10,7 @@ from quasidynamic.contact.half_space import CellGrid, Convolution, ElasticPair, 
 from quasidynamic.errors import NotSolved, OutOfRange
 
 TOLERANCE = 1e-8  # gap left under pressure, or overlap without, over the overlap of the undeformed surfaces
-LOAD_TOLERANCE = 1e-7  # of the loads
+LOADS = 10.0  # error of the loads that is left over that of the gaps
 LIMIT = 60  # Newton steps of the free motions, and sets of cells for each of them; 3 to 10 are usual
 STEPS = 500  # of conjugate gradients on one set of cells; 5 to 15 are usual
 REDUCTION = 0.01  # of an error at a time: what it depends on is found no better
@@ -102,7 +102,11 @@ class NormalContact:
 
 
 def contact_pressure(
-    compliance: NormalCompliance, gap: NDArray, motions: RigidMotions, start: NDArray | None = None
+    compliance: NormalCompliance,
+    gap: NDArray,
+    motions: RigidMotions,
+    start: NDArray | None = None,
+    tolerance: float = TOLERANCE,
 ) -> NormalContact:
     r"""Pressure that keeps two elastic bodies from overlapping.
 
@@ -123,6 +127,8 @@ def contact_pressure(
         s, w (s unless given) and F of the motions that are free [N, N m]; none for bodies that are held
     start : array (nx, ny), optional
         pressure like the one sought [Pa], >= 0
+    tolerance : float
+        gap or overlap left over the overlap of the undeformed surfaces [-]; ten times it of the loads
 
     Returns
     -------
@@ -147,18 +153,19 @@ def contact_pressure(
     """
     if not np.all(np.isfinite(gap)):
         raise OutOfRange("contact pressure: the gap must be a finite number in every cell of the grid")
-    search = _Search(compliance, gap, motions)
+    search = _Search(compliance, gap, motions, tolerance)
     state = search.first(np.ones_like(gap) if start is None else start)
     responses = np.zeros_like(motions.shapes)
     for _ in range(LIMIT):
-        if state.error < LOAD_TOLERANCE and state.held.tolerance <= TOLERANCE:
+        if state.error < LOADS * tolerance and state.held.tolerance <= tolerance:
             pressure, separation = state.held.pressure, np.maximum(state.held.separation, 0.0)
             separation = np.where(pressure > 0, 0.0, separation)
             return NormalContact(compliance.grid, pressure, separation, state.amounts, state.iterations)
         responses = search.responses(state, responses)
         state = search.advanced(state, responses)
     raise NotSolved(
-        f"contact pressure: loads off by {state.error:.1e} after {LIMIT} steps, allowed {LOAD_TOLERANCE:.0e}",
+        f"contact pressure: loads off by {state.error:.1e} after {LIMIT} steps, allowed "
+        f"{LOADS * tolerance:.0e}",
         "iteration limit",
     )
 
@@ -191,6 +198,7 @@ class _Search:
     compliance: NormalCompliance
     gap: NDArray  # (nx, ny) [m]
     motions: RigidMotions
+    tolerance: float  # of the gaps, over the overlap of the undeformed surfaces [-]
 
     def first(self, pressure: NDArray) -> _State:
         """State at amounts by which the pressure, scaled to the force, closes the gaps on the average."""
@@ -214,7 +222,7 @@ class _Search:
     def _at(self, amounts: NDArray, pressure: NDArray, error: float, iterations: int) -> _State:
         """State at some amounts, from a pressure like it, as exact as an error of the loads is worth."""
         moved = np.tensordot(amounts, self.motions.shapes, 1)
-        tolerance = max(TOLERANCE, REDUCTION * error)
+        tolerance = max(self.tolerance, REDUCTION * error)
         held = _held(self.compliance, self.gap - moved, pressure, tolerance)
         missing = self.motions.loads - self._carried(held.pressure)
         size = np.abs(self._weights).max(axis=(1, 2)) * np.abs(self.motions.loads[:1])
@@ -263,7 +271,7 @@ class _Search:
             change, ahead = change / 2, ahead / 2
         raise NotSolved(
             f"contact pressure: no step lowers the loads' error of {state.error:.1e}, allowed "
-            f"{LOAD_TOLERANCE:.0e}",
+            f"{LOADS * self.tolerance:.0e}",
             "stalled",
         )
 

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from quasidynamic.contact.half_space import CellGrid, ElasticPair
 from quasidynamic.contact.line import half_width
 from quasidynamic.contact.pressure.normal_contact import (
+    TOLERANCE,
     NormalCompliance,
     NormalContact,
     RigidMotions,
@@ -18,6 +19,7 @@ from quasidynamic.errors import NotSolved, OutOfRange, require_positive
 
 CELLS = (32, 512)  # across and along: 0.2 % of the peak pressure of profiled rollers, also near their ends
 MARGIN = 1.5  # width of the grid over that of the contact under the mean load, and its growth where too small
+OUTERMOST = 4  # cells along the roller too few for a pressure that rises to its end and falls again
 WIDEST = 12  # times that the grid may grow
 
 
@@ -57,9 +59,15 @@ class RollerPressure:
 
     @property
     def peak_at_ends(self) -> bool:
-        """Whether the largest pressure stands in the outermost cells: it is that of a cell at a sharp end."""
+        """Whether the largest pressure stands in the outermost cells of an end that the contact reaches.
+
+        It then is that of cells at an end, not of the contact, and grows as they become smaller.
+        """
         along = self.largest_along
-        return bool(max(along[0], along[-1]) == along.max())
+        place = int(along.argmax())
+        return (self.at_ends[0] and place < OUTERMOST) or (
+            self.at_ends[1] and place >= len(along) - OUTERMOST
+        )
 
     def slice_loads(self, count: int) -> NDArray:
         """Mean load per length (K) [N/m] of equal slices, from the cells that they share."""
@@ -67,6 +75,13 @@ class RollerPressure:
         summed = np.concatenate([[0.0], np.cumsum(self.line_load)]) / cells
         at_borders = np.interp(np.linspace(0, 1, count + 1), np.linspace(0, 1, cells + 1), summed)
         return np.diff(at_borders) * count
+
+    def slice_pressure(self, count: int) -> NDArray:
+        """Largest pressure (K) [Pa] on the cells that equal slices share, also in part."""
+        along = self.largest_along
+        ends = np.arange(count + 1) * len(along)
+        first, last = ends[:-1] // count, -(-ends[1:] // count)
+        return np.array([along[a:b].max() for a, b in zip(first, last, strict=True)])
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -93,6 +108,7 @@ class RollerOnRaceway:
     length: float  # [m] of the roller
     drop: Callable[[NDArray], NDArray]  # [m] C at places y [m] from mid-roller, profile and raceway together
     cells: tuple[int, int] = CELLS  # across and along
+    tolerance: float = TOLERANCE  # of the pressure, see `contact_pressure`
     free_ends: float = 0.0  # [-] share of the pressure that is mirrored at the ends of the roller
 
     def __post_init__(self):
@@ -151,7 +167,7 @@ class RollerOnRaceway:
         motions = RigidMotions(np.stack(shapes), np.array(loads))
         start = _strip(x / x[-1], y / y[:, -1:], (moment or 0.0) / (force * self.length / 2))
         compliance = NormalCompliance.of(self.pair, grid, self.free_ends)
-        contact = contact_pressure(compliance, gap, motions, start)
+        contact = contact_pressure(compliance, gap, motions, start, self.tolerance)
         approach, *turned = contact.motions
         carried = float((contact.pressure * y).sum() * grid.cell_area)
         return RollerPressure(contact, carried, float(approach), float(turned[0]) if turned else tilt)

@@ -26,7 +26,7 @@ def solved(multiply: Callable[[NDArray], NDArray], right: NDArray, tolerance: fl
     Returns
     -------
     array
-        of the shape of `right`
+        of the shape and precision of `right`
 
     Source
     ------
@@ -45,23 +45,21 @@ def solved(multiply: Callable[[NDArray], NDArray], right: NDArray, tolerance: fl
 
 def _cycle(multiply: Callable[[NDArray], NDArray], right: NDArray, size: float, target: float) -> NDArray:
     """Best solution in a Krylov space that grows until it is good enough."""
-    basis, upper = np.empty((BASIS + 1, right.size)), np.zeros((BASIS, BASIS))
-    basis[0], rotations, sides = right.ravel() / size, [], [size]
+    basis, upper = np.empty((BASIS + 1, right.size), right.dtype), np.zeros((BASIS, BASIS))
+    basis[0], rotated, sides = right.ravel() / size, np.eye(BASIS + 1), [size]
     for count in range(1, BASIS + 1):
         vector = multiply(basis[count - 1].reshape(right.shape)).ravel()
-        column = np.append(basis[:count] @ vector, 0.0)
-        vector = vector - column[:count] @ basis[:count]
-        column[count] = length = np.sqrt(vector @ vector)
-        for place, (cosine, sine) in enumerate(rotations):
-            above, below = column[place : place + 2]
-            column[place : place + 2] = cosine * above + sine * below, cosine * below - sine * above
-        reach = np.hypot(*column[count - 1 :])
-        cosine, sine = column[count - 1 :] / reach
-        rotations.append((cosine, sine))
-        upper[: count - 1, count - 1], upper[count - 1, count - 1] = column[: count - 1], reach
+        along = basis[:count] @ vector
+        vector = vector - along @ basis[:count]
+        column, length = rotated[:count, :count] @ along, float(np.sqrt(vector @ vector))
+        reach = float(np.hypot(column[-1], length))
+        cosine, sine = float(column[-1]) / reach, length / reach
+        upper[: count - 1, count - 1], upper[count - 1, count - 1] = column[:-1], reach
+        rows = slice(count - 1, count + 1)
+        rotated[rows] = np.array([[cosine, sine], [-sine, cosine]]) @ rotated[rows]
         sides[-1:] = [cosine * sides[-1], -sine * sides[-1]]
         if abs(sides[-1]) <= target or length == 0.0:
             break
         basis[count] = vector / length
     weights = np.linalg.solve(upper[:count, :count], sides[:count])
-    return (weights @ basis[:count]).reshape(right.shape)
+    return (weights.astype(basis.dtype) @ basis[:count]).reshape(right.shape)

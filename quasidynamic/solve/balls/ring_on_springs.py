@@ -75,18 +75,20 @@ def _forces(balance: AngularBalance, ring: NDArray) -> tuple[NDArray, NDArray]:
 
 def single_loads(balance: AngularBalance) -> NDArray:
     """Ring displacements (C, 5) at which each load acts alone on the nearest balls."""
-    bearing = balance.bearing
-    apart, sine = bearing.inner_reach + bearing.outer_reach, max(np.sin(bearing.contact_angle), 0.3)
-    cosine = np.cos(bearing.contact_angle)
+    bearing, (axial_offset, radial_offset) = balance.bearing, balance.bearing.groove_offset
+    apart, angle, play = bearing.centre_distance, bearing.free_contact_angle, bearing.touching_place
+    cosine, sine = np.cos(angle), max(np.sin(angle), 0.3)
+    gap = max(bearing.clearance, 0.0) / 2
 
     def approach(load: NDArray) -> NDArray:
         return (np.abs(load) / bearing.balls / balance.places.in_series) ** (2 / 3)
 
     load, place = balance.load, np.zeros_like(balance.load)
     radial = np.sqrt((load[:, 1:3] ** 2).sum(1, keepdims=True))
-    place[:, 1:3] = approach(4.4 * radial / cosine) / cosine * load[:, 1:3] / np.maximum(radial, 1e-300)
+    shift = gap + approach(4.4 * radial / cosine) / cosine
+    place[:, 1:3] = shift * load[:, 1:3] / np.maximum(radial, 1e-300)
     axial = apart + approach(load[:, 0] / sine)
-    stretch = np.sqrt(axial**2 - (apart * cosine) ** 2) - apart * np.sin(bearing.contact_angle)
+    stretch = np.sqrt(np.maximum(axial**2 - radial_offset**2, 0.0)) - axial_offset
     place[:, 0] = np.sign(load[:, 0]) * stretch
-    place[:, 3:] = np.sign(load[:, 3:]) * approach(4.4 * load[:, 3:] / sine) / sine
+    place[:, 3:] = np.sign(load[:, 3:]) * (play + approach(4.4 * load[:, 3:] / sine) / sine)
     return np.where(balance.held, balance.place, place)

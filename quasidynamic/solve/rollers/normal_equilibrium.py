@@ -7,6 +7,7 @@ from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.balance.rollers.unknowns import BORDER, TILT_Y, TILT_Z, Unknowns, Y, Z
 from quasidynamic.solve.rollers.pressed_rollers import FilmOf, PressedRollers, PressedState
 
+RIGID_MODES = 2  # in which rollers approach rigid raceways: shift and tilt
 SWEEPS = 3  # of normal forces by friction, and of friction by normal forces
 SMALL_MOVE = 1e-3  # lengths of the ring, in the last sweep
 RING_STEPS = 25  # rarely more than ten
@@ -39,7 +40,7 @@ def normal_equilibrium(balance: BearingBalance, scaled: NDArray) -> NDArray:
     for _ in range(SWEEPS):
         system, unknowns = balance.evaluate(scaled), balance.unpack(scaled)
         unbalanced = (system.residual * balance.scales.residual)[0]
-        force = system.state.contact.force[:, :, 0]
+        force = system.state.contact.force[:, :RIGID_MODES, 0]
         rollers, free = _pressed(balance, unknowns, force, unbalanced)
         before = _place(balance, unknowns)
         outer = np.array([unknowns.approach[0] - unknowns.film[1, 0], unknowns.tilt[0]])
@@ -64,8 +65,8 @@ def _pressed(
     film_of = _films(balance, unknowns)
     return PressedRollers(
         law=type(raceways.law)(np.reshape(raceways.law.coefficient, (-1, 1)), raceways.law.rounding),
-        slices=raceways.slices,
-        drop=np.ravel(raceways.drop),
+        slices=raceways.slices.with_axial_modes(force.shape[1]),
+        drop=raceways.drop[:, :, 0],
         normal=normal,
         film_of=film_of,
         thickest=film_of(np.zeros(force[:, 0].shape), np.arange(force.shape[-1]))[0],
@@ -98,7 +99,7 @@ def _place(balance: BearingBalance, unknowns: Unknowns) -> NDArray:
     if not points.free_tilt[0, 0]:
         place[:, 1] = points.slope_y[0, 0], points.slope_z[0, 0]
     place[:, 1] *= balance.kinematics.half_length
-    return place[:, : balance.roller.axial_modes]
+    return place[:, : min(balance.roller.axial_modes, RIGID_MODES)]
 
 
 def _moved(balance: BearingBalance, unknowns: Unknowns, state: PressedState) -> Unknowns:

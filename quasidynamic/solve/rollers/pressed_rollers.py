@@ -51,7 +51,7 @@ class PressedRollers:
 
     law: LoadLaw
     slices: Slices
-    drop: NDArray  # (K) profile drop [m]
+    drop: NDArray  # (K, 2, 1) drop of rollers and raceways [m]
     normal: NDArray  # (Z, 2) y, z of the outward radius at each roller
     film_of: FilmOf
     thickest: NDArray  # (2, Z) films without load [m]
@@ -138,7 +138,7 @@ class PressedRollers:
     def _elastic(self, approach: NDArray, closed: NDArray) -> tuple[NDArray, NDArray]:
         """Forces (2, M, Z) [N] and stiffnesses (2, M, M, Z) [N/m] at elastic approaches (2, Z) [m]."""
         modes, slices = np.concatenate([approach[None], closed[:, 1:].swapaxes(0, 1)]), self.slices
-        line_load, slope = self.law(slices.spread(modes) - self.drop[:, None, None])
+        line_load, slope = self.law(slices.spread(modes) - self.drop)
         return slices.summed(line_load).swapaxes(0, 1), slices.paired(slope).transpose(2, 0, 1, 3)
 
 

@@ -78,7 +78,7 @@ def static_equilibrium(
     )
     falls, size = force < 0, np.abs(force)  # on the inner raceway
     pressed = np.where(falls, *raceways.softness) * size ** (1 / EXPONENT)  # of a straight roller
-    nearest = np.where(falls, *(raceways.drop[:, 0] - beyond[:, race] for race in (0, 1)))
+    nearest = np.where(falls, *(raceways.drop[:, race] - beyond[:, race] for race in (0, 1)))
     lowest, highest = pressed + nearest.min(0), np.maximum(room, pressed + nearest.max(0))
     side = np.maximum(room / 2, lowest)  # approach at the raceway that the roller rests on
     running = np.ones((len(side), 1), bool)  # each case stops by itself, whatever others do
@@ -98,7 +98,7 @@ def room_between_raceways(balance: BearingBalance, approach: NDArray) -> NDArray
     """Sum of both approaches (C, Z) [m] of the nearest slice; negative where a roller cannot be pressed."""
     raceways = balance.roller.raceways
     both = np.einsum("km,mcz->kcz", raceways.slices.modes, approach.sum(0))
-    return (both - 2 * raceways.drop[:, 0]).max(0)
+    return (both - raceways.drop.sum(1)).max(0)
 
 
 def tilts_between_raceways(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
@@ -146,7 +146,7 @@ def _rest(raceways: Raceways, race: int, approach: NDArray, force: NDArray) -> N
     """Approaches (M, C, 1) [m] at which a raceway carries forces (C, 1) [N] without a moment."""
     law = replace(raceways.law, coefficient=np.asarray(raceways.law.coefficient)[race])
     pressed = raceways.softness[race] * force ** (1 / EXPONENT)  # of a straight roller
-    slices, drop = raceways.slices, raceways.drop[:, 0]
+    slices, drop = raceways.slices, raceways.drop[:, race]
 
     def unbalanced(place: NDArray) -> tuple[NDArray, NDArray]:
         load, slope = law(slices.spread(place) - drop)

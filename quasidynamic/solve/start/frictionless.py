@@ -63,13 +63,13 @@ def ring_shift(balance: BearingBalance, direction: NDArray, gap: NDArray) -> NDA
     cos = np.cos(balance.roller.bearing.azimuths - direction)
     nearest = cos.max(axis=-1, keepdims=True)
     usual = np.minimum(1.0, STRIBECK / balance.layout.rollers) * load / nearest
-    drop = raceways.drop[:, 0]
+    drop = raceways.drop.mean(1)
     room = both * usual ** (1 / EXPONENT) + drop.min(0) / share
     widest = gap.max(axis=-1, keepdims=True)
     shift = (np.maximum(widest, 0.0) + room) / nearest
     steepness, running = EXPONENT * share * cos * cos, np.ones(load.shape, bool)
     for _ in range(SHIFT_STEPS):
-        # Of the room between the raceways, the inner one takes its share and has the profile to itself.
+        # Of the room between the raceways, the inner one takes its share, and half of both profiles.
         closed = np.maximum(share * (shift * cos - gap) - drop, 0.0)
         power = coefficient * closed ** (EXPONENT - 1)
         carried = np.vecdot(raceways.slices.total(power * closed), cos)[:, None]

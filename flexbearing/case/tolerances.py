@@ -4,13 +4,18 @@ Deviations are those of ISO 286-2 as the SKF catalogue Rolling bearings (2018), 
 prints them with the fits they result in; of seats over 250 mm those of isofits 1.0 (MIT licence), and n6, p6
 and r6 of small shafts those of JIS B 0401. Tolerances of bore and outside diameter are those of the Normal
 class (ISO 492), clearances those of cylindrical roller bearings with cylindrical bore (ISO 5753-1), both from
-the same catalogue. Formulas rounded give other values here and there, so every value is tabulated. A step is
-over the limit before it, up to and including its own.
+the same catalogue; those of deep groove ball bearings (ISO 5753-1) are printed in NTN, Ball and Roller
+Bearings, pages A-58 and A-59, and by two other makers alike up to bores of 100 mm. Formulas rounded give
+other values here and there, so every value is tabulated. A step is over the limit before it, up to and
+including its own.
 """
 
 from bisect import bisect_left
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal, get_args
+
+from flexbearing.case.quantity import impossible, needed
 
 ClearanceClass = Literal["C2", "CN", "C3", "C4"]
 ShaftClass = Literal[
@@ -23,6 +28,11 @@ HousingClass = Literal[
 ]  # fmt: skip
 Place = Literal["loosest", "mean", "tightest"]  # within the tolerances
 
+CLEARANCE, SHAFT, HOUSING = (  # keys of classes
+    "bearing.clearance_class",
+    "bearing.fits.shaft",
+    "bearing.fits.housing.tolerance_class",
+)
 MM, UM = 1e-3, 1e-6
 SMALLEST = 6.0  # [mm] every table begins over it
 LARGEST = {"shaft": 250.0, "housing": 400.0}  # [mm] up to which printed values were found
@@ -89,6 +99,31 @@ _CLEARANCES = {  # [um] least, greatest
 }  # fmt: skip
 
 
+_BALL_CLEARANCE_STEPS = (10, 18, 24, 30, 40, 50, 65, 80, 100, 120, 140, 160, 180, 200, 225, 250)  # [mm] bore
+_BALL_CLEARANCES = {  # [um] least, greatest, of deep groove ball bearings
+    "C2": (
+        (0, 7), (0, 9), (0, 10), (1, 11), (1, 11), (1, 11), (1, 15), (1, 15), (1, 18), (2, 20), (2, 23),
+        (2, 23), (2, 25), (2, 30), (2, 35), (2, 40),
+    ),
+    "CN": (
+        (2, 13), (3, 18), (5, 20), (5, 20), (6, 20), (6, 23), (8, 28), (10, 30), (12, 36), (15, 41), (18, 48),
+        (18, 53), (20, 61), (25, 71), (25, 85), (30, 95),
+    ),
+    "C3": (
+        (8, 23), (11, 25), (13, 28), (13, 28), (15, 33), (18, 36), (23, 43), (25, 51), (30, 58), (36, 66),
+        (41, 81), (46, 91), (53, 102), (63, 117), (75, 140), (85, 160),
+    ),
+    "C4": (
+        (14, 29), (18, 33), (20, 36), (23, 41), (28, 46), (30, 51), (38, 61), (46, 71), (53, 84), (61, 97),
+        (71, 114), (81, 130), (91, 147), (107, 163), (125, 195), (145, 225),
+    ),
+}  # fmt: skip
+_CLEARANCES_OF = {
+    "cylindrical rollers": (_CLEARANCE_STEPS, _CLEARANCES),
+    "deep groove balls": (_BALL_CLEARANCE_STEPS, _BALL_CLEARANCES),
+}
+
+
 class Untabulated(ValueError):
     """A size for which no printed value was found; the message says for which there are some."""
 
@@ -114,15 +149,21 @@ class Band:
         return {"loosest": self.greatest, "mean": self.mean, "tightest": self.least}[place]
 
 
-def initial_clearance(name: ClearanceClass, bore: float) -> Band:
-    """Radial internal clearance of a cylindrical roller bearing before mounting, as a change of diameter.
+def initial_clearance(
+    name: ClearanceClass,
+    bore: float,
+    of: Literal["cylindrical rollers", "deep groove balls"] = "cylindrical rollers",
+) -> Band:
+    """Radial internal clearance of a bearing before mounting, as a change of diameter.
 
     Parameters
     ----------
     name : str
         class of ISO 5753-1
     bore : float
-        of the bearing [m]
+        of the bearing, which is cylindrical [m]
+    of : str
+        rolling elements
 
     Returns
     -------
@@ -135,7 +176,8 @@ def initial_clearance(name: ClearanceClass, bore: float) -> Band:
         for bores whose clearance was not found printed
     """
     size = _size(bore, LARGEST["shaft"])
-    least, greatest = _CLEARANCES[name][bisect_left(_CLEARANCE_STEPS, size)]
+    steps, clearances = _CLEARANCES_OF[of]
+    least, greatest = clearances[name][bisect_left(steps, size)]
     return Band(least * UM, greatest * UM)
 
 
@@ -216,6 +258,42 @@ def deviations(name: ShaftClass | HousingClass, diameter: float) -> Band:
     largest = LARGEST["shaft" if name in get_args(ShaftClass) else "housing"]
     lower, upper = _deviations(name, _size(diameter, largest, PRINTED_OVER.get(name, SMALLEST)))
     return Band(lower * UM, upper * UM)
+
+
+def tabulated(
+    path: str, name: str, table: Callable[[float], Band], diameter: float | None, owner: str
+) -> Band:
+    """Band of a class that a case names.
+
+    Parameters
+    ----------
+    path, name : str
+        key and value of the class
+    table : callable
+        diameter [m] to band
+    diameter : float or None
+        of the bearing [m]; None where the case does not give it
+    owner : str
+        key of the diameter
+
+    Returns
+    -------
+    Band
+        [m]
+
+    Raises
+    ------
+    PydanticCustomError
+        where the diameter is missing, or none of the printed tables has it
+    """
+    if diameter is None:
+        raise needed([owner], path)
+    try:
+        return table(diameter)
+    except Untabulated as problem:
+        given = f"{owner} = {diameter * 1e3:.6g} mm"
+        allowed = f"left out for {given}: {name} is tabulated {problem}; give the value"
+        raise impossible(path, allowed) from None
 
 
 def _size(diameter: float, largest: float, over: float = SMALLEST) -> float:

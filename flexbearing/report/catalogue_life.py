@@ -25,8 +25,14 @@ def sections(found: dict[str, Any]) -> Iterator[RenderableType]:
         of `flexbearing.runs.catalogue_life.against_catalogue`
     """
     yield Text(found["title"], style="bold")
-    yield from _ratings(found["ratings"])
-    yield from _way(found["stages"])
+    yield from against_catalogue(found)
+
+
+def against_catalogue(found: dict[str, Any] | None) -> Iterator[RenderableType]:
+    """The same below the title of a page; nothing where it was not asked for."""
+    if found:
+        yield from _ratings(found["ratings"])
+        yield from _way(found["stages"])
 
 
 def _ratings(found: dict[str, Any]) -> Iterator[RenderableType]:
@@ -34,12 +40,12 @@ def _ratings(found: dict[str, Any]) -> Iterator[RenderableType]:
     table.add_column("source")
     for name, words in _NAMES.items():
         source = "given by the case" if name in found["given"] else f"formula of {_STANDARDS[name]}"
-        used, formula = (f"{values[name] / 1e3:,.4g}" for values in (found["ratings_N"], found["formulas_N"]))
+        used, formula = (_kilonewtons(values[name]) for values in (found["ratings_N"], found["formulas_N"]))
         table.add_row(words, used, formula, source)
     yield table
-    load = found["load_N"]
     rows = [
-        f"radial load P = {load / 1e3:,.4g} kN, C_r/P = {found['ratings_N']['C_r'] / load:.4g}",
+        *_loads(found),
+        *_beyond(found),
         f"static safety s_0 = {found['static_safety']:.3g}",
         f"basic rating life L10 = {_life(found['life_Mrev'], found['life_h'])}",
     ]
@@ -49,6 +55,34 @@ def _ratings(found: dict[str, Any]) -> Iterator[RenderableType]:
             f"{found['a_ISO']:.3g} at kappa = {found['viscosity_ratio']:.3g}"
         )
     yield from listed("as a catalogue computes it", rows)
+
+
+def _loads(found: dict[str, Any]) -> Iterator[str]:
+    """The load that rates the bearing, and how it is made of a radial and an axial one."""
+    load, parts = found["load_N"], found.get("equivalent_load")
+    over = f"C_r/P = {found['ratings_N']['C_r'] / load:.4g}"
+    if parts is None:
+        yield f"radial load P = {_kilonewtons(load)} kN, {over}"
+        return
+    radial, axial, at_rest = (_kilonewtons(parts[name]) for name in ("F_r_N", "F_a_N", "P_0_N"))
+    yield f"loads F_r = {radial} kN, F_a = {axial} kN, e = {parts['e']:.3g}"
+    yield f"P = {parts['X']:.3g} F_r + {parts['Y']:.3g} F_a = {_kilonewtons(load)} kN, {over}"
+    if parts["note"]:
+        yield parts["note"]
+    yield f"P_0 = {parts['X_0']:.3g} F_r + {parts['Y_0']:.3g} F_a = {at_rest} kN"
+
+
+def _beyond(found: dict[str, Any]) -> Iterator[str]:
+    """A load that ISO 281 leaves to the maker: above C_r/2, and for balls above C_0r."""
+    ratings = found["ratings_N"]
+    limits = {"C_r/2": ratings["C_r"] / 2} | ({"C_0r": ratings["C_0r"]} if "equivalent_load" in found else {})
+    passed = " and ".join(name for name, limit in limits.items() if found["load_N"] > limit)
+    if passed:
+        yield f"P is above {passed}: ISO 281 leaves it to the maker whether its formula holds"
+
+
+def _kilonewtons(force: float | None) -> str:
+    return "-" if force is None else f"{force / 1e3:,.4g}"
 
 
 def _life(turns: float, hours: float) -> str:
@@ -65,7 +99,7 @@ def _way(stages: list[dict[str, Any]]) -> Iterator[RenderableType]:
     lines = [f"{stage['name']}: {_options(stage['left_out_by'])}" for stage in stages if stage["left_out_by"]]
     yield from listed("a line is left out of `flexbearing run` by", lines)
     yield Text("A life is that of the case without what stands in the lines below it. The first one alone:")
-    yield Text(f"  {_options(stages[0]['settings'])}")
+    yield Text(f"  {_options(stages[0]['settings'])}\n")
 
 
 def _options(settings: list[str]) -> str:

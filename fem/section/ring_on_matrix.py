@@ -1,0 +1,148 @@
+r"""A plain ring bonded to a body that another program reduced to the nodes of the seat.
+
+The nodes move with the outer surface of the ring, whose displacement along x, e_r and e_phi is given by
+harmonics and Legendre polynomials, :math:`u = P \hat u`. So the surface feels the forces
+:math:`-P^H S P \hat u`. The ring is condensed on soft springs K_0, which are taken away again:
+
+.. math:: \hat w = C_{rr} F - C_{rf} D (1 + C_{ff} D)^{-1} C_{fr} F, \quad D = P^H S P - K_0
+
+Source
+------
+Flexibility method with a body tied at points; derived here.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.polynomial import legendre
+from numpy.typing import NDArray
+
+from fem.assembly.factorisation import threads
+from fem.errors import NotSolved
+from fem.parts.boundary_conditions import Foundation
+from fem.parts.material import ImpossiblePart
+from fem.parts.reduced_body import ReducedBody
+from fem.parts.resolution import Resolution
+from fem.parts.rings import OuterRing
+from fem.raceway.harmonics import HarmonicCompliance, Responses, harmonic_compliance
+from fem.section.revolved_body import edge_modes
+from fem.section.rigid_body_modes import body_of, responses
+from fem.stages import Stage
+
+ALONG = 4  # polynomials along the width
+AROUND = 40  # harmonics around: more do not reach through usual rings
+SOFT = 1e-6  # springs that are taken away again, over Young's modulus per radius
+NEAR = 0.02  # of the outer radius: how far nodes may stand from it, as on straight sides of elements
+DIRECTIONS = 3  # x, e_r, e_phi
+
+
+@threads(1)  # sections are small: a second thread would only wait
+def ring_on_matrix(
+    part: OuterRing, resolution: Resolution, last: int, stage: Stage, seconds: dict
+) -> HarmonicCompliance:
+    """Condense a ring on a reduced body.
+
+    Parameters
+    ----------
+    part : OuterRing
+        on a `ReducedBody`
+    resolution : Resolution
+        of band and mesh
+    last : int
+        N, the highest harmonic
+    stage : callable (name)
+        around "factor" and "condense"
+    seconds : dict
+        of the stages
+
+    Returns
+    -------
+    HarmonicCompliance
+        that couples harmonics, as the body need not be of revolution
+
+    Raises
+    ------
+    ImpossiblePart
+        if nodes do not stand on the outer surface of the ring
+    NotSolved
+        if a solve fails
+
+    Valid
+    -----
+    Small displacement, perfect bond; nodes that resolve what the ring presses on its seat.
+    """
+    support = part.support
+    if not isinstance(support, ReducedBody):
+        raise ImpossiblePart(f"{type(support).__name__} is impossible here; allowed is a ReducedBody")
+    radius, M = part.raceway_diameter / 2 + part.thickness, resolution.axial_modes
+    xi, azimuth = _on_surface(part, support, radius)
+    around, along = min(AROUND, last, (support.azimuths - 1) // 2), min(ALONG, len(np.unique(xi.round(6))))
+    soft = SOFT * part.elastic.youngs_modulus / radius
+    springs = replace(part, support=Foundation(axial=soft, radial=soft, tangential=soft))
+    with stage("factor"):
+        body = body_of(springs, resolution.length, resolution.mesh)
+    with stage("condense"):
+        faces = [edge_modes(body, "foundation", along, direction) for direction in range(DIRECTIONS)]
+        modes = np.hstack([edge_modes(body, "raceway", M), *faces])
+        W = responses(body, springs.free_motions, modes, last) / (2 * np.pi)
+        D = _taken(support, xi, azimuth, around, along, soft * 2 * np.pi * radius * part.width)
+        coupled = _coupled(W, D, M, around, along)
+    answers = Responses(coupled, body.stiffness.unknowns, body.space.mesh.ne)
+    return harmonic_compliance(
+        answers, radius=part.raceway_diameter / 2, length=resolution.length, elastic=part.elastic, bars=None,
+        seconds=seconds,
+    )  # fmt: skip
+
+
+def _on_surface(part: OuterRing, support: ReducedBody, radius: float) -> tuple[NDArray, NDArray]:
+    """Places of the nodes along the width (K,), -1 to 1, and around (K,) [rad]."""
+    x, y, z = support.places.T
+    away = np.abs(np.hypot(y, z) - radius).max()
+    xi = 2 * (x + part.offset) / part.width
+    if away > NEAR * radius or np.abs(xi).max() > 1 + NEAR:
+        raise ImpossiblePart(
+            f"nodes stand up to {away:.3g} m away from the outer surface of the ring, radius {radius:.4g} m, "
+            f"and at {np.abs(xi).max():.3g} of its half width; the seat of the matrix must be that surface"
+        )
+    return xi, np.arctan2(y, z)
+
+
+def _taken(
+    support: ReducedBody, xi: NDArray, azimuth: NDArray, around: int, along: int, springs: float
+) -> NDArray:
+    r"""What the surface feels of the body more than of the springs (H, H), H = (2 n + 1) 3 A.
+
+    Harmonics -n .. n, then x, e_r, e_phi, then polynomials. The springs give
+    :math:`k_0\,2 \pi R\,b / (2 a + 1)` to a polynomial a.
+    """
+    n = np.arange(-around, around + 1)
+    zero, one = np.zeros_like(azimuth), np.ones_like(azimuth)
+    sin, cos = np.sin(azimuth), np.cos(azimuth)
+    frame = np.stack([[one, zero, zero], [zero, sin, cos], [zero, cos, -sin]])  # (direction, xyz, node)
+    waves, shapes = np.exp(1j * np.outer(azimuth, n)), legendre.legvander(xi, along - 1)
+    P = np.einsum("kn,dck,ka->kcnda", waves, frame, shapes).reshape(3 * len(xi), -1)
+    own = np.tile(springs / (2 * np.arange(along) + 1), n.size * DIRECTIONS)
+    return P.conj().T @ support.stiffness @ P - np.diag(own)
+
+
+def _coupled(W: NDArray, D: NDArray, M: int, around: int, along: int) -> NDArray:
+    """Answers of the raceway (K, M, K, M) from those of ring and body; W are of harmonics 0 .. N."""
+    last, n = len(W) - 1, np.arange(-around, around + 1)
+    turned = np.ones((n.size, W.shape[1]), dtype=complex)  # u_phi is like sin where u_r is like cos
+    turned[:, M + 2 * along :] = (-1j * np.where(n == 0, 1j, np.sign(n)))[:, None]
+    V = turned[:, :, None] * W[np.abs(n)] * turned.conj()[:, None, :]
+    size = DIRECTIONS * along
+    C_ff, C_fr = np.zeros((n.size, size, n.size, size), complex), np.zeros((n.size, size, n.size, M), complex)
+    k = np.arange(n.size)
+    C_ff[k, :, k], C_fr[k, :, k] = V[:, M:, M:], V[:, M:, :M]
+    C_ff, C_fr = C_ff.reshape(len(D), len(D)), C_fr.reshape(len(D), -1)
+    try:
+        felt = D @ np.linalg.solve(np.eye(len(D)) + C_ff @ D, C_fr)
+    except np.linalg.LinAlgError as problem:
+        raise NotSolved(f"ring and matrix together are singular: {problem}") from problem
+    change = (C_fr.conj().T @ felt).reshape(n.size, M, n.size, M)
+    answers = np.zeros((2 * last + 1, M, 2 * last + 1, M), complex)
+    every, inside = np.arange(2 * last + 1), slice(last - around, last + around + 1)
+    answers[every, :, every] = W[np.abs(every - last), :M, :M]
+    answers[inside, :, inside] -= change
+    return answers

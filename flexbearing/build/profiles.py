@@ -1,0 +1,97 @@
+"""From a case to the profiles of its rollers and raceways."""
+
+from typing import Any, Literal
+
+import numpy as np
+
+import quasidynamic as qd
+from flexbearing.build.expansion import material
+from flexbearing.build.profile_points import points
+from flexbearing.case.roller import Case
+from flexbearing.case.roller.profile import Generatrix
+from quasidynamic.contact.line import fujiwara_kawase, johns_gohar, lundberg, reduced_radius
+from quasidynamic.parts.material import contact_modulus
+
+Race = Literal["inner", "outer"]
+OF_ISO = 0.00035  # A over the roller's diameter [-], ISO/TS 16281
+
+
+def of_roller(case: Case) -> qd.Profile:
+    """Profile of the rollers; one for a design load belongs to the inner contact.
+
+    Raises
+    ------
+    ImpossiblePart
+        where its points are none of such a roller
+    """
+    return _profile(case, case.bearing.roller, "inner", "bearing.roller")
+
+
+def of_raceway(case: Case, race: Race) -> qd.Profile:
+    """Profile of a raceway along the rollers.
+
+    Raises
+    ------
+    ImpossiblePart
+        where its points are none of such a raceway
+    """
+    table = getattr(case.bearing, f"{race}_raceway")
+    return qd.Straight() if table is None else _profile(case, table, race, f"bearing.{race}_raceway")
+
+
+def _profile(case: Case, table: Generatrix, race: Race, name: str) -> qd.Profile:
+    """Profile of a roller or a raceway; at its temperature it is as long as the roller."""
+    given: Any = table  # which values are there depends on the profile, checked on reading
+    match table.profile:
+        case "straight":
+            return qd.Straight()
+        case "crowned":
+            return qd.Crowned(straight_length=given.straight_length, crown_radius=given.crown_radius)
+        case "tangent_crowned":
+            return qd.TangentCrowned(straight_length=given.straight_length, crown_radius=given.crown_radius)
+        case "logarithmic":
+            return qd.Logarithmic(amplitude=given.drop)
+        case "iso16281":
+            return qd.Logarithmic(amplitude=OF_ISO * case.bearing.roller.diameter)
+        case "points":
+            return _through_points(case, table, name)
+        case _:
+            return _designed(case, given, race)
+
+
+def _designed(case: Case, given: Any, race: Race) -> qd.Profile:
+    """Profile for a design load, under the modulus and the radius of a contact."""
+    roller = case.bearing.roller
+    outer = case.bearing.outer_raceway_diameter / 2
+    radius = reduced_radius(roller.diameter / 2, -outer if race == "outer" else outer - roller.diameter)
+    pair = (material(case, part) for part in ("roller", f"{race}_ring"))
+    load, length, modulus = given.design_load, roller.length, contact_modulus(*map(elastic, pair))
+    if given.profile == "lundberg":
+        return lundberg(load, length, modulus)
+    if given.profile == "johns_gohar":
+        return johns_gohar(load, length, modulus, radius)
+    return fujiwara_kawase(
+        load,
+        length,
+        modulus,
+        load_factor=given.load_factor,
+        crowned_share=given.crowned_share,
+        end_drop=given.end_drop,
+    )
+
+
+def elastic(solid: Any) -> qd.Material:
+    """Material of the bearing model."""
+    return qd.Material(
+        youngs_modulus=solid.youngs_modulus, poisson_ratio=solid.poisson_ratio, density=solid.density
+    )
+
+
+def _through_points(case: Case, table: Generatrix, name: str) -> qd.Profile:
+    file = case.points_file(table)
+    try:
+        lists = (table.point_positions, table.point_drops) if file is None else points(file)
+        positions, drops = map(np.array, lists)
+        return qd.PointsProfile.through(positions, drops, case.bearing.roller.length)
+    except qd.ImpossiblePart as problem:
+        raise qd.ImpossiblePart(f"{name}: {problem}") from problem

@@ -1,0 +1,173 @@
+"""Ball bearings on a shaft and in a housing, as cases: clearance, materials and temperatures."""
+
+from typing import Self
+
+from pydantic import model_validator
+
+from flexbearing.case.balls.fits import FITTED, HOUSED, Fits
+from flexbearing.case.balls.parts import BallBearing
+from flexbearing.case.head import Head
+from flexbearing.case.materials import EXPANSION, Elastic, HeavyElastic
+from flexbearing.case.quantity import (
+    Density,
+    PerTemperature,
+    Section,
+    Temperature,
+    impossible,
+    key,
+    needed,
+)
+from flexbearing.case.tolerances import Band, Place
+
+STEEL = "11.9e-6 1/K"
+
+
+class WarmMaterial(HeavyElastic):
+    """A material of a part that may be warm."""
+
+    expansion: PerTemperature | None = key(EXPANSION, None, example=STEEL, ge=-1e-3, le=1e-3)
+
+
+class RingElastic(Elastic):
+    """A material of a ring, which fits and heat may widen."""
+
+    density: Density | None = key("density; needed with [bearing.fits]", None, gt=0)
+    expansion: PerTemperature | None = key(EXPANSION, None, example=STEEL, ge=-1e-3, le=1e-3)
+
+
+class Temperatures(Section):
+    """Temperatures of the parts; dimensions are given at the reference and grow with the rest."""
+
+    shaft: Temperature = key("of the shaft", gt=0)
+    inner_ring: Temperature = key("of the inner ring", gt=0)
+    ball: Temperature = key("of the balls", gt=0)
+    outer_ring: Temperature = key("of the outer ring", gt=0)
+    housing: Temperature | None = key(
+        "of the housing; needed for [bearing.fits.housing]", None, gt=0, only=HOUSED
+    )
+    reference: Temperature = key("at which the dimensions are given", gt=0)
+
+
+class MountedBearing(BallBearing):
+    """A ball bearing that may sit on a shaft and in a housing."""
+
+    fits: Fits | None = key(
+        "how the rings are mounted, which changes the clearance and with it the contact angle", None
+    )
+
+    @property
+    def bands(self) -> dict[str, Band]:
+        """Key of each class that is given, to what it allows [m]."""
+        return {} if self.fits is None else self.fits.bands
+
+    @property
+    def mounting(self) -> Fits | None:
+        """The fits from which the operating clearance follows; None where there are none."""
+        return self.fits
+
+    @property
+    def stated_clearance(self) -> float:
+        """Radial clearance before mounting, or in operation where no fits are given [m]."""
+        raise NotImplementedError  # each kind has its own
+
+    @property
+    def centre_distance(self) -> float:
+        """Distance of the groove centres when both races just touch a ball, A = (f_i + f_o - 1) D [m]."""
+        diameter = self.ball.diameter
+        return (self.inner.over(diameter) + self.outer.over(diameter) - 1) * diameter
+
+    def require_walls(self, fits: Fits) -> None:
+        """Raise unless both rings have a wall beneath their grooves."""
+        inside, outside = (self.pitch_diameter + side * self.ball.diameter for side in (-1, 1))
+        if fits.bore >= inside:
+            allowed = f"below the bottom of the inner groove, {inside * 1e3:.4g} mm"
+            raise impossible("bearing.fits.bore", allowed)
+        if fits.outer_diameter <= outside:
+            allowed = f"above the bottom of the outer groove, {outside * 1e3:.4g} mm"
+            raise impossible("bearing.fits.outer_diameter", allowed)
+
+
+class MountedMaterials(Section):
+    """Materials of a bearing that may be mounted."""
+
+    ball: Elastic = key("of the balls")
+    inner_ring: Elastic | None = key("of the inner ring; without it as the balls", None)
+    outer_ring: Elastic | None = key("of the outer ring; without it as the balls", None)
+    shaft: Elastic | None = key("of the shaft; needed for [bearing.fits]", None, only=FITTED)
+    housing: Elastic | None = key("of the housing; needed for [bearing.fits.housing]", None, only=HOUSED)
+
+
+class FastMaterials(MountedMaterials):
+    """Materials of the parts, whose growth by heat and speed may be known."""
+
+    ball: WarmMaterial = key("of the balls")
+    inner_ring: RingElastic | None = key("of the inner ring; without it as the balls", None)
+    outer_ring: RingElastic | None = key("of the outer ring; without it as the balls", None)
+    shaft: WarmMaterial | None = key("of the shaft; needed for [bearing.fits]", None, only=FITTED)
+    housing: WarmMaterial | None = key("of the housing; needed for [bearing.fits.housing]", None, only=HOUSED)
+
+
+class MountedCase(Head):
+    """A ball bearing whose operating clearance may follow from its fits."""
+
+    bearing: MountedBearing = key("the bearing")
+    materials: MountedMaterials = key("the materials")
+
+    @property
+    def bands(self) -> dict[str, Band]:
+        """Key of each class of clearance and fits that the case names, to what it allows [m]."""
+        return self.bearing.bands
+
+    @property
+    def place(self) -> Place:
+        """Where the classes are taken within their tolerances."""
+        return self.bearing.fits.at if self.bearing.fits else "mean"
+
+    @property
+    def stated_clearance(self) -> float:
+        """Radial clearance before mounting, or in operation where no fits are given [m]."""
+        return self.bearing.stated_clearance
+
+    @property
+    def shaft_interference(self) -> float:
+        """Diametral interference of shaft and inner ring, cold [m]."""
+        assert self.bearing.fits  # or nobody asks
+        return self.bearing.fits.interferences[0]
+
+    @property
+    def housing_interference(self) -> float | None:
+        """Diametral interference of outer ring and housing, cold [m]; None without a housing."""
+        return self.bearing.fits.interferences[1] if self.bearing.fits else None
+
+    def within_tolerances(self, place: Place) -> Self:
+        """The same case with its classes taken at another place within their tolerances."""
+        fits = self.bearing.fits and self.bearing.fits.model_copy(update={"at": place})
+        return self.model_copy(update={"bearing": self.bearing.model_copy(update={"fits": fits})})
+
+    @model_validator(mode="after")
+    def _mounting_is_complete(self) -> Self:
+        _ = self.bands  # which are all tabulated
+        fits, materials = self.bearing.fits, self.materials
+        if fits is None:
+            return self
+        if materials.shaft is None:
+            raise needed(["materials.shaft"], "[bearing.fits]")
+        if fits.housing and materials.housing is None:
+            raise needed(["materials.housing"], "[bearing.fits.housing]")
+        self.bearing.require_walls(fits)
+        return self
+
+
+def require_growing(fits: Fits, materials: FastMaterials, temperatures: Temperatures | None) -> None:
+    """Raise unless what makes parts grow by speed and heat is given."""
+    parts = ("inner_ring", "outer_ring", "shaft", "housing")
+    given = {name: each for name in parts if (each := getattr(materials, name)) is not None}
+    if lacking := [f"materials.{name}.density" for name, each in given.items() if each.density is None]:
+        raise needed(lacking, "[bearing.fits]")
+    if temperatures is None:
+        return
+    if fits.housing and temperatures.housing is None:
+        raise needed(["operation.temperatures.housing"], "[bearing.fits.housing]")
+    given = {"ball": materials.ball, **given}
+    if lacking := [f"materials.{name}.expansion" for name, each in given.items() if each.expansion is None]:
+        raise needed(lacking, "[operation.temperatures]")

@@ -1,0 +1,180 @@
+"""How many balls of what size a bearing has: no catalogue says, but its static rating bounds them.
+
+C_0 of ISO 76 holds the product Z D_w^2, so one follows from the other.
+"""
+
+from dataclasses import dataclass
+from functools import partial
+from math import asin, floor, pi, sin
+from typing import cast
+
+from scipy.optimize import brentq
+
+from flexbearing.case import BadCase
+from flexbearing.catalogue.element_set import ElementSet, Pair, Ratings, chosen, span
+from flexbearing.catalogue.page import Page
+from quasidynamic.outcome.ball_capacity import (
+    ball_dynamic_rating,
+    ball_fatigue_load_limit,
+    ball_static_rating,
+)
+from quasidynamic.parts.ball_row import BallRow
+
+# Rules of thumb, assumed. Balls over half the difference of the diameters: Harris' 209 and 218 have 0.64, the
+# 6205 of the Case Western Reserve University 0.61, the QJ309 of Joshi et al. (2015) 0.66, the 7008 of Rivera
+# et al. (2021) 0.57. Filling: 180 deg of the 209, 188 deg of the 6205. Distance over diameter: 1.10 of the
+# 218, 1.23 of the QJ309, 1.18 of the 7008; C_0 of a 7208 BE of SKF asks for less than 1.09.
+SHARE = (0.56, 0.67)  # ball diameter over (D - d)/2
+FILLING = (178.0, 197.0)  # [deg] arc that touching balls of a deep groove bearing fill, first to last centre
+SPACING = (1.04, 1.25)  # distance of ball centres over the ball diameter, of the other kinds
+MOST = 200  # balls that are thought of
+USUAL_CONFORMITY = (0.52, 0.53)  # of the inner and the outer groove, ISO 281 and ISO 76
+
+
+@dataclass(frozen=True, kw_only=True)
+class BallSet(ElementSet):
+    """The balls of a bearing; their size is the diameter."""
+
+    pitch: float  # [m] diameter of the circle of the ball centres
+
+
+def ball_set(page: Page, angle: float) -> BallSet:
+    """Balls of a page.
+
+    Of the plausible pairs of number and diameter that have the static rating, that of most balls is taken, as
+    makers fill bearings; without a static rating the middle of all.
+
+    Parameters
+    ----------
+    page : Page
+        of a ball bearing
+    angle : float
+        nominal contact angle [rad]
+
+    Returns
+    -------
+    BallSet
+
+    Raises
+    ------
+    BadCase
+        where the balls do not fit in, or none that is plausible has the static rating
+    """
+    pitch, half = (page["bore"].si + page["outside"].si) / 2, (page["outside"].si - page["bore"].si) / 2
+    _require_room(page, pitch, half)
+    rated = partial(_ratings, pitch, angle)
+    ends = _ends(page, pitch, half)
+    pairs = _pairs(page, rated, ends)
+    return BallSet(
+        chosen=chosen(pairs, "static_rating" in page),
+        pairs=tuple(pairs),
+        plausible=tuple((number, size) for number, sizes in ends.items() for size in sizes),
+        rated=rated,
+        pitch=pitch,
+    )
+
+
+def plausible_ratios(number: int, like: str) -> tuple[float, float]:
+    """Diameters over that of the pitch circle with which so many balls fill a bearing.
+
+    Parameters
+    ----------
+    number : int
+        of balls
+    like : str
+        kind of bearing: the balls of a deep groove bearing come in while its rings touch
+
+    Returns
+    -------
+    tuple of float
+        least and greatest ratio [-]
+    """
+    if like == "deep_groove_ball":
+        least, most = (sin(arc * pi / 180 / (2 * (number - 1))) for arc in FILLING)
+    else:
+        most, least = (sin(pi / number) / distance for distance in SPACING)
+    return least, most
+
+
+def _ends(page: Page, pitch: float, half: float) -> dict[int, tuple[float, float]]:
+    """Plausible numbers of balls, each with the smallest and the largest plausible diameter [m]."""
+    least, most = (page["diameter"].si,) * 2 if "diameter" in page else (part * half for part in SHARE)
+    if "elements" in page:
+        number = int(page["elements"].si)
+        return {number: (least, min(most, pitch * sin(pi / number)))}
+    every = {number: plausible_ratios(number, page.like) for number in range(3, MOST)}
+    ends = {
+        number: (max(least, low * pitch), min(most, high * pitch)) for number, (low, high) in every.items()
+    }
+    if plausible := {number: (low, high) for number, (low, high) in ends.items() if low <= high}:
+        return plausible
+    fullest = max(number for number, (_, high) in every.items() if most <= high * pitch)
+    return {fullest: (least, most)}
+
+
+def _pairs(page: Page, rated: partial[Ratings], ends: dict[int, tuple[float, float]]) -> list[Pair]:
+    """Pairs that have the maker's static rating; without one, or where both are known, every number."""
+    if "static_rating" not in page or ("elements" in page and "diameter" in page):
+        return [(number, (low + high) / 2) for number, (low, high) in ends.items()]
+    wanted = page["static_rating"].si
+    if "diameter" in page:
+        nearest = min(ends, key=lambda number: abs(rated(number, page["diameter"].si).static - wanted))
+        return [(nearest, page["diameter"].si)]
+    spans = {number: [rated(number, size).static for size in sizes] for number, sizes in ends.items()}
+    pairs = [
+        (number, cast(float, brentq(partial(_beyond, rated, number, wanted), *ends[number])))
+        for number, (low, high) in spans.items()
+        if low <= wanted <= high
+    ]
+    if pairs:
+        return pairs
+    unit, force = page["bore"].with_unit_of_this, page["static_rating"].with_unit_of_this
+    static, sizes = [each for span in spans.values() for each in span], [*ends.values()]
+    raise BadCase(
+        f"{page.option('static_rating')}: {span(min(ends), max(ends))} balls of {unit(min(sizes)[0])} to "
+        f"{unit(max(high for _, high in sizes))} have {force(min(static))} to {force(max(static))} by "
+        "ISO 76; where it is right all the same, give --elements and --diameter."
+    )
+
+
+def _beyond(rated: partial[Ratings], number: int, wanted: float, size: float) -> float:
+    """Static rating of balls of a size over the one that is wanted [N]."""
+    return rated(number, size).static - wanted
+
+
+def _require_room(page: Page, pitch: float, half: float) -> None:
+    """Raise unless the balls go between the rings and round the pitch circle."""
+    unit = page["bore"].with_unit_of_this
+    if half <= 0:
+        raise BadCase(f"{page.option('bore')} must be below {page.option('outside')}.")
+    diameter = page["diameter"].si if "diameter" in page else SHARE[0] * half
+    if diameter >= min(half, page["width"].si):
+        raise BadCase(
+            f"{_size(page)}: balls must be smaller than half of D - d, {unit(half)}, and than B, "
+            f"{page['width'].text}."
+        )
+    most = floor(pi / asin(diameter / pitch))
+    if "elements" in page and not 3 <= page["elements"].si <= most:
+        small = "" if "diameter" in page else ", which is small for this bearing,"
+        raise BadCase(
+            f"{page.option('elements')}: 3 to {most} balls of {unit(diameter)}{small} fit round the circle "
+            f"of {unit(pitch)}."
+        )
+
+
+def _size(page: Page) -> str:
+    """Option that says how large balls must be."""
+    return page.option("diameter" if "diameter" in page else "width")
+
+
+def _ratings(pitch: float, angle: float, balls: int, diameter: float) -> Ratings:
+    inner, outer = USUAL_CONFORMITY
+    row = BallRow(
+        balls=balls,
+        ball_diameter=diameter,
+        pitch_diameter=pitch,
+        contact_angle=angle,
+        inner_conformity=inner,
+        outer_conformity=outer,
+    )
+    return Ratings(ball_dynamic_rating(row), ball_static_rating(row), ball_fatigue_load_limit(row))

@@ -1,0 +1,32 @@
+"""The lines of a case that rate its life: oil, ratings of the maker, modified life; for rollers and balls."""
+
+from collections.abc import Iterator
+
+from flexbearing.catalogue.lines import THUMB, Line, assumed
+from flexbearing.catalogue.page import Page
+
+
+def oil(page: Page) -> Iterator[Line]:
+    """The oil and its temperature."""
+    if "oil" in page:
+        yield Line("lubricant.oil", page["oil"].text)
+    else:
+        yield assumed("lubricant.oil", "ISO VG 68", "usual for rolling bearings", "ISO VG 32", "ISO VG 100")
+    if "temperature" in page:
+        yield Line("lubricant.inlet_temperature", page["temperature"].text)
+    else:
+        yield assumed("lubricant.inlet_temperature", "70 degC", THUMB, "50 degC", "90 degC")
+
+
+def life(page: Page) -> Iterator[Line]:
+    """Ratings of the maker where they are given, and what modifies the life."""
+    ratings = {"dynamic_rating": "", "static_rating": "", "fatigue_limit": "_load"}
+    for name, ending in ratings.items():
+        if name in page:
+            yield Line(f"life.{name}{ending}", page[name].text, "of the maker")
+    yield Line("life.lubrication", "a_ISO", "modified life of ISO 281")
+    if "cleanliness" in page:
+        yield Line("life.cleanliness", page["cleanliness"].text)
+    else:
+        name, *others = (f"oil, in-line filter, -/{code}" for code in ("17/14", "15/12", "19/16"))
+        yield assumed("life.cleanliness", name, "usual cleanliness", *others)

@@ -1,0 +1,115 @@
+"""From the entries of a catalogue page to a case file."""
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from flexbearing import api
+from flexbearing.case import BadCase, understood
+from flexbearing.catalogue import ball_lines, page as pages, roller_lines
+from flexbearing.catalogue.ball_set import ball_set
+from flexbearing.catalogue.entries import LIKES
+from flexbearing.catalogue.head import one_line, origin
+from flexbearing.catalogue.lines import Settings, as_settings, text
+from flexbearing.catalogue.page import Page
+from flexbearing.catalogue.ratings import table
+from flexbearing.catalogue.roller_set import roller_set
+from flexbearing.catalogue.weights import NO_RESULT, told, weighed
+from flexbearing.families import FAMILIES
+from flexbearing.files import BadOutput, require_output, write
+from flexbearing.results import Result
+from quasidynamic import ImpossiblePart, OutOfRange
+
+QUICK: dict[str, Settings] = {
+    "squirrel_cage": {"accuracy.structure": "beam"}
+}  # with which lives are compared
+
+
+def new(
+    file: str | Path,
+    like: str,
+    options: Mapping[str, str | None],
+    *,
+    title: str = "",
+    source: str = "",
+    force: bool = False,
+) -> str:
+    """Write a case from the page of a catalogue.
+
+    Parameters
+    ----------
+    file : path
+        of the case
+    like : str
+        one of `flexbearing.catalogue.entries.LIKES`
+    options : mapping
+        name of an entry, such as "bore", to its text, such as "50 mm"
+    title : str
+        of the case; the name of the file without it
+    source : str
+        where the numbers come from, for the head of the file
+    force : bool
+        whether a file of this name is replaced
+
+    Returns
+    -------
+    str
+        load ratings of the maker beside those of the formulas, as lines
+
+    Raises
+    ------
+    BadCase
+        one line for each entry that is missing or impossible, and where no case can be made of them
+    BadOutput
+        for a file that is there already, or cannot be written
+    NotStored
+        if it could not be written, as on a full disk
+    """
+    wanted = pages.read(like, options)
+    place = require_output(file)
+    if place.exists() and not force:
+        raise BadOutput(f"{file}: is there already; --force replaces it.")
+    try:
+        written, ratings = _case(wanted, place, title, source)
+    except (ImpossiblePart, OutOfRange) as problem:
+        raise BadCase(f"{problem}.") from problem
+    write(place, written.encode())
+    return ratings
+
+
+def _case(page: Page, file: Path, title: str, source: str) -> tuple[str, str]:
+    """Text of the case of a page, and the ratings in it."""
+    if LIKES[page.like].kind == "cylindrical_roller":
+        rollers = roller_set(page)
+        lines, ratings = roller_lines.lines(page, rollers), table(page, rollers, "length")
+        name = "life"
+    else:
+        balls = ball_set(page, ball_lines.angle(page))
+        lines, ratings = ball_lines.lines(page, balls), table(page, balls, "diameter")
+        name = "peak pressure" if page.like == "four_point_ball" else "life"
+    model = FAMILIES[LIKES[page.like].kind].case()
+    comparable = QUICK.get(page.like, {})
+    plain = text("", title or file.stem, lines, model)
+    understood(plain, file, {}, FAMILIES)  # tells what cannot be before anything is computed
+
+    def measured(settings: Settings) -> float:
+        return _compared(api.compute(understood(plain, file, as_settings(comparable | settings), FAMILIES)))
+
+    try:
+        lines = weighed(lines, name, measured({}), measured)
+        weights = told(name, comparable)
+    except NO_RESULT as problem:
+        weights = f"How much assumed values matter is not known: {one_line(str(problem))}"
+    head = [*origin(page, file, title, source), "", weights, *ratings.splitlines()]
+    return text("\n".join(head), title or file.stem, lines, model), ratings
+
+
+def _compared(result: Result) -> float:
+    """Modified life [10^6 revolutions]; of slow balls, which have none, the peak pressure [MPa]."""
+    if result.attributes["status"] != "converged":
+        raise BadCase(result.attributes["message"])
+    if result.attributes["kind"] == "four_point_ball":
+        return max(result.summary()["rigid"]["peak_pressure_MPa"].values())
+    if not result.attributes["life"]:
+        raise BadCase("the case has no life")
+    *_, modified = result.attributes["life"].values()
+    return float(modified["modified_Mrev"])

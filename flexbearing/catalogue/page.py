@@ -1,0 +1,184 @@
+"""The entries of a page, read: numbers with their units, names of the lists of the case."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from difflib import get_close_matches
+from math import pi
+from typing import Any, get_args
+
+from pydantic_core import PydanticCustomError
+
+from flexbearing.case import BadCase, quantity
+from flexbearing.case.declarations import find
+from flexbearing.case.excerpt import excerpt
+from flexbearing.case.quantity import Kind
+from flexbearing.catalogue.entries import ENTRIES, LIKES, Entry, Like
+from flexbearing.units import unit
+
+
+@dataclass(frozen=True)
+class Value:
+    """What was given for an entry."""
+
+    text: str
+    si: float = 0.0  # of a number
+
+    def with_unit_of_this(self, si: float) -> str:
+        """Another value of the same kind in the unit that was given, for messages."""
+        name = self.text.lstrip("+-.0123456789eE \t")
+        return f"{si / unit(name).scale:.4g} {name}"
+
+
+@dataclass(frozen=True)
+class Page:
+    """A page of a catalogue with load and speed."""
+
+    like: str
+    values: Mapping[str, Value]
+
+    def __contains__(self, name: str) -> bool:
+        return name in self.values
+
+    def __getitem__(self, name: str) -> Value:
+        return self.values[name]
+
+    def option(self, name: str) -> str:
+        """An entry as it was given, for messages."""
+        return f"{ENTRIES[name].option} {self.values[name].text}"
+
+
+def read(like: str, options: Mapping[str, str | None]) -> Page:
+    """Read the entries of a page.
+
+    Parameters
+    ----------
+    like : str
+        one of `LIKES`
+    options : mapping
+        name of an entry to its text; None or nothing where it is not given
+
+    Returns
+    -------
+    Page
+        complete
+
+    Raises
+    ------
+    BadCase
+        one line for each entry that is missing, cannot be read, or has no use for this kind
+    """
+    if like not in LIKES:
+        raise BadCase(f"--like {excerpt(like)}: it must be {_either(like, tuple(LIKES))}")
+    wanted = LIKES[like]
+    given = {name: text for name, text in options.items() if text}
+    problems = [f"{ENTRIES[name].option}: a {like} takes none." for name in given if name not in wanted.taken]
+    values: dict[str, Value] = {}
+    for name in wanted.taken:
+        try:
+            if name in given:
+                values[name] = value(name, given[name], like)
+        except BadCase as problem:
+            problems.append(str(problem))
+    if "clearance" in given:
+        beside = [ENTRIES[name].option for name in wanted.instead if name in given]
+        problems += [f"--clearance: it is that in operation; leave out {' and '.join(beside)}."] * bool(
+            beside
+        )
+    problems += [f"{words}." for words in missing(wanted, given, like)]
+    if problems:
+        raise BadCase("\n".join(problems))
+    return Page(like, values)
+
+
+def value(name: str, text: str, like: str) -> Value:
+    """Read one entry.
+
+    Parameters
+    ----------
+    name : str
+        of the entry
+    text : str
+        as it was given
+    like : str
+        one of `LIKES`
+
+    Returns
+    -------
+    Value
+
+    Raises
+    ------
+    BadCase
+        where it is no quantity of this kind with a unit, no whole number, or not on the list
+    """
+    entry = ENTRIES[name]
+    told = f"{entry.option} {excerpt(text)}"
+    if entry.key:
+        choices = names(entry, like)
+        if text not in choices:
+            raise BadCase(f"{told}: it must be {_either(text, choices)}")
+        return Value(text)
+    if not entry.quantity:
+        if not text.isdecimal():
+            raise BadCase(f"{told}: it must be {_allowed(entry)}.")
+        return Value(text, int(text))
+    try:
+        si = _kind(entry).to_si(text)
+    except PydanticCustomError as problem:
+        why = (problem.context or {})["why"]
+        raise BadCase(f"{told} {why}; it must be {_allowed(entry)}.") from None
+    if si <= 0:
+        raise BadCase(f"{told}: it must be above zero.")
+    if name == "angle" and si >= pi / 2:
+        raise BadCase(f"{told}: it must be below 90 deg.")
+    return Value(text.strip(), si)
+
+
+def missing(wanted: Like, given: Mapping[str, object], like: str) -> Iterator[str]:
+    """What a page lacks, each in the words of a message without its end."""
+    for name in wanted.needed:
+        if name not in given:
+            yield f"{called(name)} is missing; it is {allowed(name, like)}"
+    known = [name for name in wanted.two_of if name in given]
+    if wanted.two_of and len(known) < 2:
+        yield (
+            f"of {', '.join(map(called, wanted.two_of))} two are needed, {len(known)} given; "
+            f"each is {allowed(wanted.two_of[0], like)}"
+        )
+
+
+def called(name: str) -> str:
+    """Option and meaning of an entry."""
+    entry = ENTRIES[name]
+    return f"{', '.join(filter(None, (entry.option, entry.letter)))} ({entry.meaning})"
+
+
+def allowed(name: str, like: str) -> str:
+    """What may stand for an entry."""
+    entry = ENTRIES[name]
+    return " or ".join(names(entry, like)) if entry.key else _allowed(entry)
+
+
+def names(entry: Entry, like: str) -> tuple[str, ...]:
+    """Names that the case of a kind lists for an entry."""
+    from flexbearing.families import FAMILIES
+
+    declaration = find(entry.key, FAMILIES[LIKES[like].kind].case())
+    assert declaration is not None
+    return tuple(declaration.choices)
+
+
+def _allowed(entry: Entry) -> str:
+    what = f"{_kind(entry).name} with its unit" if entry.quantity else "a whole number"
+    return f'{what}, such as "{entry.example}"'
+
+
+def _kind(entry: Entry) -> Kind:
+    annotation: Any = getattr(quantity, entry.quantity)
+    return get_args(annotation)[1]
+
+
+def _either(text: str, choices: tuple[str, ...]) -> str:
+    """The choices, and the one that was probably meant."""
+    close = get_close_matches(text, choices, n=1)
+    return f"{' or '.join(choices)}.{f' Did you mean {close[0]}?' if close else ''}"

@@ -1,0 +1,63 @@
+"""Load ratings of a maker beside those of the formulas, as ranges where the rollers are assumed."""
+
+from flexbearing.catalogue.element_set import ElementSet, Ratings, span
+from flexbearing.catalogue.page import Page
+
+LETTERS = {"elements": "Z", "length": "l_w", "diameter": "D_w"}
+_ROWS = (
+    ("dynamic, C (ISO 281)", "dynamic", "dynamic_rating"),
+    ("static, C_0 (ISO 76)", "static", "static_rating"),
+    ("fatigue limit, C_u (ISO 281)", "fatigue", "fatigue_limit"),
+)
+
+
+def table(page: Page, elements: ElementSet, size: str) -> str:
+    """Ratings as lines of text.
+
+    Parameters
+    ----------
+    page : Page
+        with the ratings of the maker, where it has them
+    elements : ElementSet
+        of the case, and what else they may be
+    size : str
+        entry of their size, "length" or "diameter"
+
+    Returns
+    -------
+    str
+        lines, one for each rating where there are formulas, and what is assumed
+    """
+    assumed = [LETTERS[name] for name in ("elements", size) if name not in page]
+    told = [_assumed(assumed, LETTERS[size], elements), ""] if assumed else []
+    if page.like == "four_point_ball":
+        return "\n".join(["", *told])
+    here = elements.rated(*elements.chosen)
+    columns = {"maker": None, "this case": [here]}
+    if assumed:
+        columns[f"plausible Z, {LETTERS[size]}"] = [elements.rated(*pair) for pair in elements.plausible]
+    if assumed and "static_rating" in page:
+        columns["of these with C_0"] = [elements.rated(*pair) for pair in elements.pairs]
+    rows = [["load ratings", *columns]]
+    for words, name, entry in _ROWS:
+        maker = page[entry].text if entry in page else "-"
+        rows.append([words] + [maker if of is None else _range(of, name) for of in columns.values()])
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    lines = ["  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)) for row in rows]
+    lines = ["", *(line.rstrip() for line in lines), ""]
+    return "\n".join([*lines, *told])
+
+
+def _assumed(letters: list[str], letter: str, elements: ElementSet) -> str:
+    """Which rolling elements the ranges are of."""
+    numbers, sizes = zip(*elements.plausible, strict=True)
+    few, many, small, large = min(numbers), max(numbers), 1e3 * min(sizes), 1e3 * max(sizes)
+    count = f"Z = {span(few, many)}"
+    size = f"{small:.4g} mm" if small == large else f"{small:.4g} to {large:.4g} mm"
+    return f"{' and '.join(letters)} assumed: the ranges are those of {count} and {letter} = {size}."
+
+
+def _range(ratings: list[Ratings], name: str) -> str:
+    values = [getattr(each, name) for each in ratings]
+    low, high = (f"{value / 1e3:.3g} kN" for value in (min(values), max(values)))
+    return low if low == high else f"{low} to {high}"

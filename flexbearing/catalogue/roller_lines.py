@@ -1,0 +1,172 @@
+"""The lines of a case of a cylindrical roller bearing, between rigid rings or in a squirrel cage."""
+
+from collections.abc import Iterator
+
+from flexbearing.catalogue.life_lines import life, oil
+from flexbearing.catalogue.lines import RATED, THUMB, Line, Other, assumed, mm, um, usual_number
+from flexbearing.catalogue.mounting_lines import mounting, surroundings
+from flexbearing.catalogue.page import Page
+from flexbearing.catalogue.roller_set import RollerSet
+
+# Of Mao, Wang and Zhang (2016), who give the thickness of the ring and the length of the bars alone.
+CAGE = {"bar_width": 4 / 75, "bar_thickness": 2.6 / 3.6, "bar_length": 10.25 / 10, "flange_length": 5 / 10}
+
+
+def lines(page: Page, rollers: RollerSet) -> list[Line]:
+    """Lines of a case.
+
+    Parameters
+    ----------
+    page : Page
+        of a cylindrical roller bearing
+    rollers : RollerSet
+        its rollers
+
+    Returns
+    -------
+    list of Line
+    """
+    cage = page.like == "squirrel_cage"
+    rings = _squirrel_cage(page, rollers) if cage else [Line("outer.kind", "rigid")]
+    parts = (
+        _bearing(page, rollers),
+        mounting(page),
+        _materials(page),
+        surroundings(page),
+        oil(page),
+        _film(),
+        _operation(page, cage),
+        rings,
+        [Line("inner.kind", "rigid")],
+        life(page),
+        _reference_life(),
+    )
+    return [line for part in parts for line in part]
+
+
+def _bearing(page: Page, rollers: RollerSet) -> Iterator[Line]:
+    number, length = _rollers(page, rollers)
+    yield Line("bearing.kind", "cylindrical_roller")
+    yield number
+    if "outer_raceway" in page:
+        yield Line("bearing.outer_raceway_diameter", page["outer_raceway"].text, "E of the catalogue")
+    else:
+        yield Line("bearing.outer_raceway_diameter", f"{1e3 * rollers.outer_raceway:.9g} mm", "F + 2 D_w")
+    yield Line("bearing.contact_law", "iso16281", "as the life, ISO/TS 16281")
+    if "diameter" in page:
+        yield Line("bearing.roller.diameter", page["diameter"].text)
+    else:
+        yield Line("bearing.roller.diameter", f"{1e3 * rollers.diameter:.9g} mm", "(E - F)/2")
+    yield length
+    yield Line(
+        "bearing.roller.profile", "iso16281", "taken by ISO/TS 16281", True, _profiles(rollers.diameter)
+    )
+    yield Line(
+        "bearing.cage.guidance", "rollers", "usual of catalogue bearings", True, (_on_a_land(page, rollers),)
+    )
+    yield assumed("bearing.cage.pocket_friction", 0.05, THUMB, 0.02, 0.1)
+    thickness = [mm(share * rollers.diameter) for share in (0.5, 0.3, 0.7)]
+    yield assumed("bearing.cage.thickness", thickness[0], f"{THUMB}, half a roller diameter", *thickness[1:])
+
+
+def _profiles(diameter: float) -> tuple[Other, ...]:
+    """The same profile of half and of twice the drop, and none."""
+    drops = [um(share * 0.00035 * diameter) for share in (0.5, 2.0)]
+    profiles = [
+        Other(f'a drop A of "{drop}"', {"bearing.roller.profile": "logarithmic", "bearing.roller.drop": drop})
+        for drop in drops
+    ]
+    straight = {"bearing.roller.profile": "straight", "life.edge_stress": False}
+    return *profiles, Other("straight rollers", straight)
+
+
+def _on_a_land(page: Page, rollers: RollerSet) -> Other:
+    """A cage on the land of the outer ring."""
+    land = {
+        "land_diameter": mm(rollers.outer_raceway - rollers.diameter / 2),
+        "land_width": mm(0.2 * page["width"].si),
+        "land_clearance": "0.4 mm",
+    }
+    settings = {"guidance": "outer"} | land
+    return Other(
+        "a cage on the outer ring", {f"bearing.cage.{name}": value for name, value in settings.items()}
+    )
+
+
+def _rollers(page: Page, rollers: RollerSet) -> tuple[Line, Line]:
+    """Number and effective length of the rollers; where assumed, a pair that has C_0 of the maker."""
+    rated, counted, measured = (name in page for name in ("static_rating", "elements", "length"))
+    number, length = rollers.chosen
+    count = Line("bearing.rollers", number)
+    if not counted:
+        why = (
+            f"nearest to {RATED}"
+            if rated and measured
+            else usual_number(rollers, "a usual distance", "length", rated)
+        )
+        count = Line("bearing.rollers", number, why, assumed=True, others=_others(rollers))
+    if measured:
+        return count, Line("bearing.roller.length", page["length"].text)
+    if rated:
+        ends, why = [share * length for share in (0.95, 1.05)], f"from {RATED}"
+    else:
+        ends, why = [end for _, end in rollers.plausible], f"{THUMB}, the middle of 0.4 to 0.7 B"
+    return count, assumed("bearing.roller.length", mm(length), why, *map(mm, ends))
+
+
+def _others(rollers: RollerSet) -> tuple[Other, ...]:
+    """The fewest and the most rollers that are plausible, or one less and one more."""
+    number, length = rollers.chosen
+    beside = [(count, length * number / count) for count in (number - 1, number + 1)]
+    return tuple(
+        Other(f"{count} rollers of {mm(each)}", {"bearing.rollers": count, "bearing.roller.length": mm(each)})
+        for count, each in rollers.others or beside
+    )
+
+
+def _materials(page: Page) -> Iterator[Line]:
+    for part in ("roller", "inner_ring", "outer_ring"):
+        if "material" in page:
+            yield Line(f"materials.{part}", page["material"].text)
+        else:
+            yield assumed(f"materials.{part}", "100Cr6", "the usual bearing steel", "M50")
+
+
+def _film() -> Iterator[Line]:
+    """Laws of the film, beside the oil."""
+    why = "a law for any oil; the default is fitted to one of turbines"
+    yield assumed("lubricant.traction", "eyring", why, "bair-winer")
+    yield assumed("lubricant.limiting_ratio", 0.05, THUMB, 0.03, 0.08)
+    yield assumed("lubricant.oil_fraction", 0.02, THUMB, 0.005, 0.1)
+
+
+def _reference_life() -> Iterator[Line]:
+    yield Line("life.capacity", "iso281", "life by ISO/TS 16281, with C of the maker where it is given")
+    yield Line("life.edge_stress", True)
+    yield Line("accuracy.slices", 30, "as many as ISO/TS 16281 asks for beside the edge stress")
+
+
+def _operation(page: Page, cage: bool) -> Iterator[Line]:
+    yield Line("operation.radial_load", page["load"].text)
+    yield Line("operation.inner_speed", page["speed"].text)
+    if cage:
+        yield assumed("operation.tilt", "fixed", "a stiff shaft keeps the inner ring straight", "free")
+
+
+def _squirrel_cage(page: Page, rollers: RollerSet) -> Iterator[Line]:
+    """A ring on bars in the proportions of a published one."""
+    paper = "as in the bearing of Mao, Wang and Zhang (2016)"
+    thickness, width = (page["outside"].si - rollers.outer_raceway) / 2, page["width"].si
+    yield Line("outer.kind", "squirrel_cage")
+    yield Line("outer.thickness", f"{1e3 * thickness:.9g} mm", "(D - E)/2")
+    yield Line("outer.width", page["width"].text, "B of the catalogue")
+    yield assumed("outer.bars", 24, f"{paper}, assumed there", 12, 36)
+    for name, whole, of in (
+        ("bar_width", rollers.outer_raceway, "E"),
+        ("bar_thickness", thickness, "the thickness"),
+        ("bar_length", width, "B"),
+        ("flange_length", width, "B"),
+    ):
+        share = CAGE[name]
+        others = [mm(factor * share * whole) for factor in (0.75, 1.25)]
+        yield assumed(f"outer.{name}", mm(share * whole), f"{share:.3g} of {of}, {paper}", *others)

@@ -1,0 +1,167 @@
+"""How many rollers of what length a bearing has: no catalogue says, but its static rating bounds them.
+
+C_0 of ISO 76 holds the product Z l, so one follows from the other; C of ISO 281 holds Z^(3/4) l^(7/9), nearly
+the same product, so both ratings together cannot tell them apart.
+"""
+
+from dataclasses import dataclass
+from functools import partial
+from itertools import pairwise
+from math import asin, ceil, floor, pi
+from typing import Any
+
+import quasidynamic as qd
+from flexbearing.case import BadCase
+from flexbearing.catalogue.element_set import ElementSet, Ratings, chosen, span
+from flexbearing.catalogue.page import Page
+from quasidynamic.outcome.capacity import dynamic_rating, fatigue_load_limit, static_rating
+
+# Rules of thumb, assumed: Harris' 209 has 1.45 and 0.51, the bearing of Mao, Wang and Zhang 1.46 and 0.5.
+SPACING = (1.2, 1.6)  # distance of roller centres over the roller diameter, with a cage
+SHARE = (0.4, 0.7)  # roller length over the width of the bearing, with ribs and chamfers beside it
+MM = 1e-3
+
+
+@dataclass(frozen=True)
+class RollerSet(ElementSet):
+    """The rollers of a bearing; their size is the effective length."""
+
+    outer_raceway: float  # [m]
+    diameter: float  # [m] of a roller
+
+
+def roller_set(page: Page) -> RollerSet:
+    """Rollers of a page.
+
+    Of the plausible pairs of number and length that have the static rating, that of most rollers is taken, as
+    makers fill bearings; without a static rating the middle of both ranges.
+
+    Parameters
+    ----------
+    page : Page
+        of a cylindrical roller bearing
+
+    Returns
+    -------
+    RollerSet
+
+    Raises
+    ------
+    BadCase
+        where the rollers do not fit in, or none that is plausible has the static rating
+    """
+    outer, diameter = _raceway_and_diameter(page)
+    pitch, width = outer - diameter, page["width"].si
+    _require_room(page, pitch, diameter)
+    numbers = [int(page["elements"].si)] if "elements" in page else plausible_numbers(diameter / pitch)
+    shortest, longest = (page["length"].si,) * 2 if "length" in page else (part * width for part in SHARE)
+    plausible = (numbers[0], shortest), (numbers[-1], longest)
+    if "static_rating" in page and not ("elements" in page and "length" in page):
+        pairs = _of_rating(page, outer, diameter, numbers, (shortest, longest))
+    else:
+        pairs = [(number, (shortest + longest) / 2) for number in numbers]
+    return RollerSet(
+        chosen=chosen(pairs, "static_rating" in page),
+        pairs=tuple(pairs),
+        plausible=plausible,
+        rated=partial(_ratings, outer, diameter),
+        outer_raceway=outer,
+        diameter=diameter,
+    )
+
+
+def plausible_numbers(ratio: float) -> list[int]:
+    """Numbers of rollers whose distance leaves room for a cage and wastes none.
+
+    Parameters
+    ----------
+    ratio : float
+        roller over pitch diameter [-]
+
+    Returns
+    -------
+    list of int
+        one at least, growing
+    """
+    closest, widest = (pi / asin(min(distance * ratio, 1.0)) for distance in SPACING)
+    return [*range(ceil(widest), floor(closest) + 1)] or [floor(closest)]
+
+
+def _raceway_and_diameter(page: Page) -> tuple[float, float]:
+    """Diameter of the outer raceway and of the rollers [m], from two of the three that a page may give."""
+    inner, outer, diameter = (
+        page[name].si if name in page else None for name in ("inner_raceway", "outer_raceway", "diameter")
+    )
+    if outer is None:
+        assert inner is not None
+        assert diameter is not None
+        outer = inner + 2 * diameter
+    if inner is None:
+        assert diameter is not None
+        inner = outer - 2 * diameter
+    unit = page["bore"].with_unit_of_this
+    order = {"the bore": page["bore"].si, "F": inner, "E": outer, "the outside diameter": page["outside"].si}
+    for (low, least), (high, most) in pairwise(order.items()):
+        if least >= most:
+            raise BadCase(f"{low} = {unit(least)} must be below {high} = {unit(most)}.")
+    half = (outer - inner) / 2
+    if diameter is not None and abs(diameter - half) > 0.02 * half:
+        raise BadCase(
+            f"{page.option('diameter')}: E - F is {unit(outer)} - {unit(inner)}, and half of it {unit(half)}."
+        )
+    return outer, half if diameter is None else diameter
+
+
+def _require_room(page: Page, pitch: float, diameter: float) -> None:
+    """Raise unless the rollers go round the pitch circle and into the width."""
+    unit = page["bore"].with_unit_of_this
+    most = floor(pi / asin(diameter / pitch))
+    if "elements" in page and not 3 <= page["elements"].si <= most:
+        raise BadCase(
+            f"{page.option('elements')}: 3 to {most} rollers of {unit(diameter)} fit round the circle of "
+            f"{unit(pitch)}."
+        )
+    if "length" in page and page["length"].si >= page["width"].si:
+        raise BadCase(
+            f"{page.option('length')}: rollers are shorter than the bearing is wide, {page['width'].text}."
+        )
+
+
+def _of_rating(
+    page: Page, outer: float, diameter: float, numbers: list[int], lengths: tuple[float, float]
+) -> list[tuple[int, float]]:
+    """Pairs that have the maker's static rating; its formula is linear in the length."""
+    shortest, longest = lengths
+    rating = page["static_rating"].si
+    if "length" in page:
+        nearest = min(
+            numbers, key=lambda number: abs(_ratings(outer, diameter, number, longest).static - rating)
+        )
+        return [(nearest, longest)]
+    pairs = [(number, rating / _ratings(outer, diameter, number, MM).static * MM) for number in numbers]
+    if plausible := [(number, length) for number, length in pairs if shortest <= length <= longest]:
+        return plausible
+    unit, force = page["bore"].with_unit_of_this, page["static_rating"].with_unit_of_this
+    low, high = (
+        _ratings(outer, diameter, *corner).static
+        for corner in ((numbers[0], shortest), (numbers[-1], longest))
+    )
+    raise BadCase(
+        f"{page.option('static_rating')}: {span(numbers[0], numbers[-1])} rollers of {unit(diameter)}, "
+        f"{unit(shortest)} to {unit(longest)} long, have {force(low)} to {force(high)} by ISO 76; "
+        "where it is right all the same, give --elements and --length."
+    )
+
+
+def _ratings(outer: float, diameter: float, rollers: int, length: float) -> Ratings:
+    steel: Any = qd.Material(youngs_modulus=2.1e11, poisson_ratio=0.3, density=7810.0)
+    bearing = qd.CylindricalRollerBearing(
+        rollers=rollers,
+        outer_raceway_diameter=outer,
+        clearance=0.0,
+        roller=qd.Roller(diameter=diameter, length=length, material=steel, profile=qd.Straight()),
+        cage=qd.Cage(guidance="rollers", pocket_friction=0.0, thickness=0.0),
+        inner_ring=steel,
+        outer_ring=steel,
+    )
+    return Ratings(dynamic_rating(bearing), static_rating(bearing), fatigue_load_limit(bearing))

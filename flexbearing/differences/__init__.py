@@ -1,0 +1,1 @@
+"""Two results beside each other: keys of the cases, then outputs beyond their errors."""

@@ -1,0 +1,30 @@
+"""The command `diff`; what it does not need is not loaded."""
+
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+
+def diff(
+    one: Annotated[Path, typer.Argument(help="result file (HDF5)", metavar="A.h5")],
+    other: Annotated[Path, typer.Argument(help="another one of the same kind", metavar="B.h5")],
+    as_json: Annotated[bool, typer.Option("--json", help="one JSON object instead of text")] = False,
+) -> None:
+    """Compare two results: keys that differ, then outputs that differ by more than their estimated errors."""
+    from flexbearing import api
+    from flexbearing.differences.compared import compared
+    from flexbearing.printable import all_printable
+
+    found = compared(api.read(one), api.read(other))
+    if as_json:
+        import json
+
+        sys.stdout.write(json.dumps(all_printable(found.as_json()), indent=2, allow_nan=False) + "\n")
+        return
+    from flexbearing.differences.page import sections
+    from flexbearing.printable import printable
+    from flexbearing.report import laid_out
+
+    sys.stdout.write(printable(laid_out(sections(found), encoding=sys.stdout.encoding)))

@@ -1,0 +1,167 @@
+"""A bearing of a rotor for ROSS: its stiffness over the speed, from the table of a study, as TOML.
+
+ROSS has z along the shaft and counts speeds positive about it. With s the sign of the speed, x axial, z along
+the load here, x = s y, y = -z, z = -s x there: a right-handed system in which the load of a case without
+load direction points down.
+"""
+
+import csv
+import json
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from math import isfinite
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexbearing.files import require_folder, require_output, write
+from flexbearing.outputs.value import WrongUnit, conversion
+from flexbearing.results import BadResult
+
+LEAST = 5  # speeds: ROSS takes a cubic through four, and extrapolates without a word
+SPEED, CONVERGED = "operation.inner_speed", "converged"
+ENTRIES = ("stiffness_yy", "stiffness_yz", "stiffness_zy", "stiffness_zz")
+AXES = {2: "frequency", 3: "speed"}  # what the first axis of a bearing is called, by version of ROSS
+_HEADING = re.compile(r"(?P<name>[^\[]*?)(?: \[(?P<unit>[^]]*)\])?")
+
+
+@dataclass(frozen=True)
+class Bearing:
+    """Radial stiffness over the speed, in the axes of ROSS."""
+
+    speed: NDArray  # (n) [rad/s], growing, above or at zero
+    kxx: NDArray  # (n) [N/m]
+    kxy: NDArray  # force along x by displacement along y
+    kyx: NDArray
+    kyy: NDArray
+
+
+def export(table: Path, directory: Path) -> Iterator[Path]:
+    """Write the bearing of a study over its speeds, a file for each version of ROSS.
+
+    Parameters
+    ----------
+    table : Path
+        CSV of a study over `operation.inner_speed` alone, with the columns stiffness_yy, _yz, _zy, _zz
+    directory : Path
+        where to; made when it is not there
+
+    Yields
+    ------
+    Path
+        ``speeds_ross2.toml`` and ``speeds_ross3.toml``
+
+    Raises
+    ------
+    BadResult
+        if the table cannot be read or is none over five speeds or more
+    BadOutput, NotStored
+        if a file cannot be written
+    """
+    bearing, folder = read(table), require_folder(directory)
+    paths = {version: folder / f"{table.stem}_ross{version}.toml" for version in AXES}
+    for path in paths.values():
+        require_output(path, (table,))
+    for version, path in paths.items():
+        write(path.resolve(), text(bearing, table.stem, AXES[version]).encode())
+        yield path
+
+
+def text(bearing: Bearing, tag: str, axis: str) -> str:
+    """A bearing as ``BearingElement.load`` of ROSS reads it, at node 0 and without damping.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        over its speeds
+    tag : str
+        of the element
+    axis : str
+        name of the argument that takes the speeds
+
+    Returns
+    -------
+    str
+        TOML
+    """
+    numbers = {"kxx": bearing.kxx, "kxy": bearing.kxy, "kyx": bearing.kyx, "kyy": bearing.kyy}
+    lists = {axis: bearing.speed, **numbers, **{f"c{name[1:]}": 0.0 * each for name, each in numbers.items()}}
+    lines = [f"{name} = {json.dumps(each.tolist())}" for name, each in lists.items()]
+    head = [f"[{json.dumps(f'BearingElement_{tag}')}]", "n = 0", f"tag = {json.dumps(tag)}"]
+    return "\n".join([*head, *lines]) + "\n"
+
+
+def read(path: Path) -> Bearing:
+    """Read the table of a study.
+
+    Parameters
+    ----------
+    path : Path
+        CSV
+
+    Returns
+    -------
+    Bearing
+        in the order of growing speed
+
+    Raises
+    ------
+    BadResult
+        naming the column or the row that is missing or wrong
+    """
+    try:
+        with path.open(newline="", encoding="utf-8") as file:
+            heads, *rows = csv.reader(file, strict=True)
+    except (OSError, ValueError, csv.Error) as problem:
+        reason = getattr(problem, "strerror", None) or "it is no CSV"
+        raise BadResult(f"{path}: is no table of a study: {reason}.") from problem
+    speeds = _column(path, heads, rows, (SPEED,), "rad/s")
+    states = [_column(path, heads, rows, _names(entry), "N/m") for entry in ENTRIES]
+    _require_speeds(path, heads, rows, speeds)
+    turns = np.sign(speeds[np.argmax(np.abs(speeds))])
+    order = np.argsort(np.abs(speeds))
+    yy, yz, zy, zz = (state[order] for state in states)
+    return Bearing(np.abs(speeds)[order], yy, -turns * yz, -turns * zy, zz)
+
+
+def _names(entry: str) -> tuple[str, ...]:
+    """Columns that may hold an output, the first that is there is taken."""
+    return f"flexible.{entry}", entry, f"rigid.{entry}"
+
+
+def _column(
+    path: Path, heads: Sequence[str], rows: Sequence[Sequence[str]], names: Sequence[str], unit: str
+) -> NDArray:
+    """Numbers of the first of some columns in a unit."""
+    found: Mapping[str, tuple[int, str]] = {
+        parts["name"]: (place, parts["unit"] or "1")
+        for place, head in enumerate(heads)
+        if (parts := _HEADING.fullmatch(head))
+    }
+    name = next((name for name in names if name in found), None)
+    if name is None:
+        raise BadResult(
+            f"{path}: has no column {names[-1].removeprefix('rigid.')}; a study without [collect] has it."
+        )
+    place, given = found[name]
+    try:
+        factor = conversion(given, unit).factor
+        values = np.array([float(row[place]) for row in rows]) * factor
+    except (WrongUnit, ValueError, IndexError) as problem:
+        raise BadResult(f"{path}: column {name}: a row has no number, or not in {unit}.") from problem
+    return values
+
+
+def _require_speeds(path: Path, heads: Sequence[str], rows: Sequence[Sequence[str]], speeds: NDArray) -> None:
+    """Raise unless the rows are converged states of one case at enough speeds of one direction."""
+    status = heads.index("status") if "status" in heads else None
+    if status is None or any(row[status] != CONVERGED for row in rows):
+        raise BadResult(f"{path}: has rows that did not converge.")
+    if len({*np.abs(speeds)}) < len(speeds):
+        raise BadResult(f"{path}: has a speed twice; vary {SPEED} alone.")
+    if len(speeds) < LEAST or not all(map(isfinite, speeds)):
+        raise BadResult(f"{path}: has {len(speeds)} speeds; ROSS needs {LEAST} or more.")
+    if speeds.min() < 0 < speeds.max():
+        raise BadResult(f"{path}: has speeds of both directions; the axes of ROSS follow the direction.")

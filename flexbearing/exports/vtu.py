@@ -1,0 +1,55 @@
+"""Displacements and stresses of flexible rings for ParaView."""
+
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+from flexbearing.case import BadCase
+from flexbearing.results import Result
+
+
+def export(
+    result: Result, directory: Path, part: str | None = None, state: str = "flexible"
+) -> Iterator[Path]:
+    """Compute the fields of a stored state, print their largest stresses and write them.
+
+    Parameters
+    ----------
+    result : Result
+        what a run of a roller bearing left behind
+    directory : Path
+        where to; made when it is not there
+    part : "inner" or "outer", optional
+        only this one
+    state : str
+        "rigid", "flexible" or "iteration N"
+
+    Yields
+    ------
+    Path
+        each file when it is complete, ``r_outer_flexible.vtu``
+
+    Raises
+    ------
+    BadCase, BadResult
+        if no such part is flexible, or there is no such state
+    NoFields
+        if a part has no solid, or it could not be solved
+    BadOutput, NotStored
+        if a file cannot be written
+    """
+    from flexbearing.printable import all_printable
+    from flexbearing.report import laid_out
+    from flexbearing.report.sections import held, stresses
+    from flexbearing.runs import stored_fields as compute
+
+    if part not in ("inner", "outer", None):
+        raise BadCase(f'--part {part}: it is "inner" or "outer"')
+    paths = compute.destinations(result, directory, state, part)
+    solved = compute.of_result(result, state, part)
+    records = {one.race: one.record() for one in solved}
+    tables = [*stresses(all_printable(records)), *held(result.attributes["structure"])]
+    sys.stdout.write(laid_out(tables, encoding=sys.stdout.encoding))
+    for one in solved:
+        compute.write(one, paths[one.race])
+        yield paths[one.race]

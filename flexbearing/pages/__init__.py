@@ -1,0 +1,1 @@
+"""Reports of results and studies as files: HTML or PDF."""

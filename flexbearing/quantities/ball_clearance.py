@@ -1,0 +1,13 @@
+"""The root attribute of ball bearings that tells their operating clearance."""
+
+from flexbearing.quantities.attributes import Attribute
+from flexbearing.quantities.roller_records import CLEARANCE
+
+CLEARANCE_ATTRIBUTE = Attribute(
+    "clearance",
+    "json",
+    "operating radial clearance, with the steps that led to it when it was computed; absent where nothing "
+    "was solved",
+    optional=True,
+    form=CLEARANCE,
+)

@@ -1,0 +1,120 @@
+"""Output quantities of the most pressed contact of each raceway, alike for rollers and balls."""
+
+from flexbearing.quantities.axes import Axis
+from flexbearing.quantities.quantity import Quantity, SummaryValue
+from flexbearing.quantities.reductions import RACES
+from flexbearing.quantities.units import MPA, UM
+
+_ASKED = "absent without outputs.subsurface_stresses"
+_WORST = "below the largest contact pressure (inner, outer)"
+SUBSURFACE_AXES = (Axis("S1", "depth_below"), Axis("S2", "place_in_rolling_direction"))
+
+
+# declarations read best as a table:
+# fmt: off
+def worst_contact(source: str, section: str = "") -> tuple[Quantity, ...]:
+    """What every result tells of the most pressed contacts.
+
+    Parameters
+    ----------
+    source : str
+        place of the worst contact among the solved parts, "end.worst"
+    section : str
+        of the page
+
+    Returns
+    -------
+    tuple of Quantity
+    """
+    return (
+        Quantity("contact_half_width", "b", "race", "m", "block",
+            "half of the width, in the rolling direction, of the contact with the largest pressure (inner, "
+            "outer); of rollers that of a line contact with this pressure",
+            source=f"{source}.half_width", people=UM, summary=(  # balls show their semi-axes
+                SummaryValue("contact_half_width_um", label="half-width" if section else "",
+                             digits=",.1f" if section else "", parts=RACES, section=section),)),
+        Quantity("orthogonal_shear_stress", "tau_0", "race", "Pa", "block",
+            "amplitude of the orthogonal shear stress, half of the range that a place of the raceway meets "
+            f"in passing, {_WORST}, without friction",
+            source=f"{source}.orthogonal_shear", people=MPA, summary=(
+                SummaryValue("orthogonal_shear_stress_MPa", label="orthogonal shear stress", digits=",.0f",
+                             parts=RACES, section=section),)),
+        Quantity("orthogonal_shear_depth", "z_0", "race", "m", "block",
+            "depth of the orthogonal shear stress (inner, outer)", source=f"{source}.orthogonal_depth",
+            people=UM, summary=(
+                SummaryValue("orthogonal_shear_depth_um", label="  its depth", digits=",.1f", parts=RACES,
+                             section=section),)),
+        Quantity("pressure_safety", "s_p", "race", "1", "block",
+            "static safety by the largest contact pressure (inner, outer): load of the contact that has the "
+            "pressure of the static rating (ISO 76: 4000 MPa of rollers, 4200 MPa of balls) over its load",
+            source=f"{source}.safety", infinite=True, summary=(
+                SummaryValue("pressure_safety", label="static safety by pressure", digits=",.2f", parts=RACES,
+                             section=section),)),
+    )
+
+
+def static_safety(source: str, load: str, *, optional: bool = False) -> Quantity:
+    """The static safety of a bearing.
+
+    Parameters
+    ----------
+    source : str
+        its place among the solved parts
+    load : str
+        of which P_0 is made
+    optional : bool
+        whether some bearings have none
+
+    Returns
+    -------
+    Quantity
+    """
+    absent = "; absent where ISO 76 has no rating and the case gives none" if optional else ""
+    return Quantity("static_safety", "s_0", "", "1", "block",
+        "static safety of the bearing, C_0/P_0 by ISO 76: life.static_rating, or its formula, over the "
+        f"equivalent load of {load}; infinite without load{absent}", source=source, infinite=True,
+        optional=optional, summary=(
+            SummaryValue("static_safety", label="static safety C_0/P_0", digits=",.2f"),))
+
+
+def subsurface(section: str = "") -> tuple[Quantity, ...]:
+    """What is told of the stresses below these contacts where a case asks for them.
+
+    Parameters
+    ----------
+    section : str
+        of the page
+
+    Returns
+    -------
+    tuple of Quantity
+    """
+    return (
+        Quantity("von_mises_stress", "sigma_v", "race", "Pa", "block",
+            f"largest von Mises stress {_WORST}; {_ASKED}", source="subsurface.largest", people=MPA,
+            optional=True, summary=(
+                SummaryValue("von_mises_stress_MPa", label="von Mises stress", digits=",.0f",
+                             parts=RACES, section=section),)),
+        Quantity("von_mises_depth", "", "race", "m", "block",
+            f"depth of the largest von Mises stress (inner, outer); {_ASKED}",
+            source="subsurface.largest_depth", people=UM, optional=True, summary=(
+                SummaryValue("von_mises_depth_um", label="  its depth", digits=",.1f", parts=RACES,
+                             section=section),)),
+        Quantity("subsurface_friction", "mu", "race", "1", "block",
+            "traction on the raceway over the load of these contacts, positive to +azimuth, which the "
+            f"stresses below hold as sliding friction; 0 for balls; {_ASKED}", source="subsurface.friction",
+            optional=True),
+        Quantity("subsurface_position", "x", "race S2", "m", "block",
+            "middles of the cells of these stresses along the rolling direction, 0 in the middle of the "
+            f"contact; {_ASKED}", source="subsurface.positions", people=UM, optional=True),
+        Quantity("subsurface_depth", "z", "race S1", "m", "block",
+            f"middles of the cells below the surface; {_ASKED}", source="subsurface.depths", people=UM,
+            optional=True),
+        Quantity("subsurface_von_mises", "sigma_v", "race S1 S2", "Pa", "block",
+            f"von Mises stress, {_WORST}, in the plane of rolling; {_ASKED}", source="subsurface.von_mises",
+            people=MPA, optional=True),
+        Quantity("subsurface_shear", "tau_xz", "race S1 S2", "Pa", "block",
+            "orthogonal shear stress there, between the rolling direction, towards +azimuth, and the depth; "
+            f"{_ASKED}", source="subsurface.shear", people=MPA, optional=True),
+    )
+# fmt: on

@@ -1,0 +1,214 @@
+"""A bearing seen along its axis: rolling elements with their numbers, azimuth, load, what holds the ring."""
+
+from typing import Any
+
+import numpy as np
+
+from flexbearing.report.drawing.parts import ELEMENT, INNER, OUTER, SCHEMATIC, SHAFT
+from flexbearing.report.drawing.sheet import Drawing, Sheet
+from flexbearing.report.drawing.words import Words
+
+MOST_NUMBERS = 30  # of rolling elements that are written
+AXES, LOAD = "#0b5394", "#a61c00"
+NOTES = (
+    "Seen along +x, which points away from the reader: z down, y to the right; azimuth φ from z towards y.",
+    "Numbers of rolling elements as in tables of results.",
+)
+
+
+def rollers(words: Words) -> Drawing:
+    """Draw a cylindrical roller bearing along its axis.
+
+    Parameters
+    ----------
+    words : Words
+        of its case
+
+    Returns
+    -------
+    Drawing
+        azimuth 0 down, 90 degrees to the right
+    """
+    sheet, case = Sheet("along-axis", words), words.case
+    _rings_of_rollers(sheet, case)
+    bearing: Any = case.bearing
+    pitch = (bearing.outer_raceway_diameter - bearing.roller.diameter) / 2
+    azimuths = bearing.first_roller_azimuth + 2 * np.pi * np.arange(bearing.rollers) / bearing.rollers
+    _elements(sheet, pitch, bearing.roller.diameter / 2, azimuths)
+    sheet.label("bearing.outer_raceway_diameter", place(bearing.outer_raceway_diameter / 2, 2.6), "Ø ")
+    _count(
+        sheet, azimuths, ("bearing.rollers", "bearing.first_roller_azimuth", "bearing.roller.diameter"), pitch
+    )
+    _held_at(sheet, case)
+    direction = case.operation.load_direction
+    _arrow(sheet, direction, 0.9 * sheet.box[1][1], "operation.radial_load", "operation.load_direction")
+    return _finished(sheet, case, "roller")
+
+
+def balls(words: Words) -> Drawing:
+    """Draw a ball bearing along its axis.
+
+    Parameters
+    ----------
+    words : Words
+        of its case, with a number of balls
+
+    Returns
+    -------
+    Drawing
+        azimuth 0 down, 90 degrees to the right
+    """
+    sheet, case = Sheet("along-axis", words), words.case
+    bearing: Any = case.bearing
+    pitch, size = bearing.pitch_diameter / 2, bearing.ball.diameter
+    for radius, style in _contours_of_balls(case, pitch, size):
+        sheet.circle(radius, **style)
+    azimuths = (
+        getattr(bearing, "first_ball_azimuth", 0.0) + 2 * np.pi * np.arange(bearing.balls) / bearing.balls
+    )
+    _elements(sheet, pitch, size / 2, azimuths)
+    sheet.circle(pitch, ec="0.4", lw=0.4, ls=(0, (8, 2, 1, 2)))
+    sheet.label("bearing.pitch_diameter", place(pitch, 1.9), "Ø ")
+    _count(sheet, azimuths, ("bearing.balls", "bearing.first_ball_azimuth", "bearing.ball.diameter"), pitch)
+    load = case.operation.load
+    if load.radial_y or load.radial_z:
+        _arrow(
+            sheet,
+            np.arctan2(load.radial_y, load.radial_z),
+            0.9 * sheet.box[1][1],
+            "operation.load.radial_y",
+            "operation.load.radial_z",
+        )
+    for name in ("axial", "moment_y", "moment_z"):
+        if getattr(load, name):
+            sheet.label(f"operation.load.{name}", (0.0, 0.0))
+    return _finished(sheet, case, "ball")
+
+
+def _rings_of_rollers(sheet: Sheet, case: Any) -> None:
+    """Rings, shaft and housing: their circles from the outside inwards."""
+    bearing, outer, inner, fits = case.bearing, case.outer, case.inner, case.bearing.fits
+    raceway = bearing.outer_raceway_diameter / 2
+    inside = raceway - bearing.roller.diameter - case.stated_clearance / 2
+    if outer.thickness:
+        if outer.support == "housing" and outer.kind == "ring":
+            sheet.circle(raceway + outer.thickness + outer.housing_thickness, fc="#e3e3e3")
+        sheet.circle(raceway + outer.thickness, fc=OUTER)
+    elif fits and fits.outer_diameter:
+        sheet.circle(fits.outer_diameter / 2, fc=OUTER)
+    else:
+        sheet.circle(raceway + bearing.roller.diameter / 2, fc=OUTER, **SCHEMATIC)
+    sheet.circle(raceway, name="outer-raceway", fc="white")
+    sheet.circle(inside, name="inner-raceway", fc=INNER)
+    bore = inner.bore or (fits.bore if fits and fits.bore else None)
+    if bore is None:
+        sheet.circle(inside - bearing.roller.diameter / 2, fc="white", **SCHEMATIC)
+        return
+    sheet.circle(bore / 2, fc=SHAFT)
+    hollow = inner.shaft_bore if inner.bore else (fits.shaft_bore or 0.0)
+    if hollow:
+        sheet.circle(hollow / 2, fc="white")
+
+
+def _contours_of_balls(case: Any, pitch: float, size: float) -> list[tuple[float, dict[str, Any]]]:
+    """Circles of the rings from the outside inwards, with what fills them; unknown ones dashed."""
+    rings, fits = getattr(case, "rings", None), getattr(case.bearing, "fits", None)
+    outside = rings.outer.outside_diameter if rings else fits and fits.outer_diameter
+    bore = rings.inner.bore if rings else fits and fits.bore
+    known = {"ec": "0.1", "lw": 0.8}
+    return [
+        (outside / 2 if outside else pitch + size, {"fc": OUTER} | (known if outside else SCHEMATIC)),
+        (pitch + 0.25 * size, {"fc": "white"} | SCHEMATIC),
+        (pitch - 0.25 * size, {"fc": INNER} | SCHEMATIC),
+        (bore / 2 if bore else pitch - size, {"fc": "white"} | (known if bore else SCHEMATIC)),
+    ]
+
+
+def _elements(sheet: Sheet, pitch: float, radius: float, azimuths: np.ndarray) -> None:
+    """Rolling elements at their places, with numbers from 1, every few where there are many."""
+    step = next(s for s in (1, 2, 5, 10, 20, 50, 100) if len(azimuths) <= MOST_NUMBERS * s)
+    small = 7.0 if len(azimuths) <= 20 else 5.5
+    for number, azimuth in enumerate(azimuths, 1):
+        sheet.circle(radius, place(pitch, azimuth), name=f"element-{number}", fc=ELEMENT, lw=0.6)
+        if number == 1 or number % step == 0:
+            beside = radius > 0.055 * pitch
+            at = place(pitch if beside else pitch - 1.2 * radius - 0.05 * pitch, azimuth)
+            sheet.word(str(number), at, fontsize=small, bbox=None)
+
+
+def _count(sheet: Sheet, azimuths: np.ndarray, paths: tuple[str, str, str], pitch: float) -> None:
+    """Number of rolling elements, azimuth of the first, and diameter; the axes."""
+    radius = sheet.words.value(paths[2]) / 2
+    for path, azimuth, sign in zip(paths, (1.4, azimuths[0], 2.2), ("", "", "Ø "), strict=True):
+        nearest = azimuths[np.argmax(np.cos(azimuths - azimuth))]
+        sheet.label(path, tuple(np.add(place(pitch, nearest), (radius, 0.0))), sign)
+    axes_of_azimuth(sheet, pitch)
+
+
+def axes_of_azimuth(sheet: Sheet, pitch: float) -> None:
+    """Axes y and z, the sense of azimuth, and x away from the reader, about the axis of the bearing."""
+    reach = 0.42 * pitch
+    down = {"va": "top"}, (0.0, -0.02 * pitch)
+    right = {"ha": "left"}, (0.02 * pitch, 0.0)
+    for text, angle, (style, aside) in (("z, azimuth 0", 0.0, down), ("y", np.pi / 2, right)):
+        tip = place(reach, angle)
+        sheet.line([(0, 0), tip], ec=AXES, arrowstyle="->", lw=0.8)
+        sheet.word(text, (tip[0] + aside[0], tip[1] + aside[1]), color=AXES, bbox=None, **style)
+    sheet.line([place(0.3 * pitch, angle) for angle in np.linspace(0.15, 1.3, 30)], ec=AXES, lw=0.6)
+    sheet.line([place(0.3 * pitch, 1.3), place(0.3 * pitch, 1.42)], ec=AXES, arrowstyle="->", lw=0.6)
+    sheet.word("φ", place(0.23 * pitch, np.pi / 4), color=AXES, bbox=None)
+    sheet.circle(0.04 * pitch, ec=AXES, fc="white")
+    for angle in (np.pi / 4, 3 * np.pi / 4):
+        sheet.line([place(0.04 * pitch, angle), place(0.04 * pitch, angle + np.pi)], ec=AXES, lw=0.6)
+    sheet.word("x", place(0.11 * pitch, -2.3), color=AXES, bbox=None)
+
+
+def _arrow(sheet: Sheet, azimuth: float, radius: float, *paths: str) -> None:
+    """The load on the inner ring, from the axis of the bearing outwards."""
+    start, tip = place(0.5 * radius, azimuth), place(0.76 * radius, azimuth)
+    sheet.line([start, tip], ec=LOAD, arrowstyle="-|>", lw=2.0)
+    for path in paths:
+        sheet.label(path, start)
+
+
+def _held_at(sheet: Sheet, case: Any) -> None:
+    """Lines that support the ring, or the tooth forces of a planet gear."""
+    outer = case.outer
+    if outer.kind != "ring" or outer.support not in ("lines", "planet"):
+        return
+    radius = case.bearing.outer_raceway_diameter / 2 + outer.thickness
+    if outer.support == "lines":
+        for azimuth in outer.line_azimuths:
+            foot = [place(1.1 * radius, azimuth + turn) for turn in (-0.05, 0.05)]
+            sheet.area([place(radius, azimuth), *foot], fc="0.8")
+        sheet.label("outer.support", place(1.05 * radius, outer.line_azimuths[0]))
+        return
+    acting = outer.tooth_radius or radius
+    sheet.circle(acting, ec=AXES, lw=0.6, ls="-.")
+    sheet.label("outer.tooth_radius", place(acting, 2.6), "r ")
+    sheet.label("outer.support", place(acting, outer.tooth_azimuths[0]))
+    largest = max(map(abs, (*outer.tooth_radial, *outer.tooth_tangential))) or 1.0
+    for azimuth, radial, tangential in zip(
+        outer.tooth_azimuths, outer.tooth_radial, outer.tooth_tangential, strict=True
+    ):
+        tip = np.array(place(acting, azimuth))
+        along = [np.array(place(1.0, azimuth)), np.array(place(1.0, azimuth + np.pi / 2))]
+        force = (radial * along[0] + tangential * along[1]) / largest
+        sheet.line([tip - 0.35 * radius * force, tip], ec=LOAD, arrowstyle="-|>", lw=1.2)
+
+
+def _finished(sheet: Sheet, case: Any, element: str) -> Drawing:
+    sheet.notes.extend(NOTES)
+    sheet.notes.append(
+        "Red: load on the inner ring, tooth forces. Dashed: schematic, the case has no dimensions of it."
+    )
+    number = case.bearing.rollers if element == "roller" else case.bearing.balls
+    return sheet.drawn(
+        f"The bearing along its axis, to scale: {number} {element}s, azimuth 0 along z.",
+        f"Bearing seen along its axis with {number} {element}s, numbered, axes y and z, azimuth and load.",
+    )
+
+
+def place(radius: float, azimuth: float) -> tuple[float, float]:
+    """Where an azimuth is drawn: 0 down, 90 degrees to the right [m]."""
+    return float(radius * np.sin(azimuth)), float(-radius * np.cos(azimuth))

@@ -1,0 +1,143 @@
+"""Axial half section of an outer ring with what holds it."""
+
+from typing import Any
+
+from flexbearing.report.drawing.parts import HOUSING, OUTER, RIGID_WALL, RIGID_WIDTH, SCHEMATIC
+from flexbearing.report.drawing.sheet import Sheet
+
+
+def outer_ring(sheet: Sheet, case: Any) -> None:
+    """Draw what carries the outer raceway of a roller bearing."""
+    if case.outer.kind in ("rigid", "step"):
+        _rigid(sheet, case)
+    else:
+        _elastic(sheet, case)
+
+
+def _elastic(sheet: Sheet, case: Any) -> None:
+    """Ring with its raceway, and its bars or what holds it."""
+    outer, raceway = case.outer, case.bearing.outer_raceway_diameter / 2
+    left, right = (side * outer.width / 2 - outer.raceway_offset for side in (-1, 1))
+    top = raceway + outer.thickness
+    sheet.height("outer.thickness", raceway, top, left)
+    if outer.raceway_offset:
+        sheet.length("outer.raceway_offset", 0.0, -outer.raceway_offset, raceway)
+    if outer.kind == "squirrel_cage":
+        _bars(sheet, outer, raceway, (left, right))
+        sheet.length("outer.width", left, right, raceway)
+        return
+    sheet.rectangle((left, right), (raceway, top), "outer-ring", fc=OUTER)
+    sheet.line([(left, raceway), (right, raceway)], "outer-raceway")
+    sheet.length("outer.width", left, right, raceway)
+    if outer.kind == "matrix":  # its file has a stiffness, no shape
+        sheet.rectangle((left, right), (top, top + outer.thickness), fc=HOUSING, **SCHEMATIC)
+        sheet.label("outer.matrix", (right, top + outer.thickness / 2))
+    else:
+        _support(sheet, outer, (left, right), top)
+
+
+def _support(sheet: Sheet, outer: Any, sides: tuple[float, float], top: float) -> None:
+    """What holds a plain ring: side, outer surface, housing, springs, lines or teeth."""
+    left, right = sides
+    if outer.support == "side":
+        sheet.held((right, top), (right, top - outer.thickness))
+    elif outer.support == "seat":
+        sheet.held((left, top), (right, top))
+    elif outer.support == "housing":
+        _housing(sheet, outer, top)
+    elif outer.support == "foundation":
+        _springs(sheet, left, right, top)
+        for path in ("radial", "axial", "tangential"):
+            if getattr(outer, f"foundation_{path}"):
+                sheet.label(f"outer.foundation_{path}", (right, top))
+    else:  # lines, or the teeth of a planet gear: the view along the axis shows where
+        sheet.line([(left, top), (right, top)], ec="#0b5394", lw=2)
+        sheet.label("outer.support", (right, top))
+    if outer.tooth_radius is not None:
+        sheet.line([(left, outer.tooth_radius), (right, outer.tooth_radius)], ec="#0b5394", ls="-.")
+        sheet.label("outer.tooth_radius", (right, outer.tooth_radius), "r ")
+
+
+def _bars(sheet: Sheet, outer: Any, raceway: float, sides: tuple[float, float]) -> None:
+    """Ring with its collars, bars and clamped flanges."""
+    left, right = sides
+    top, middle = raceway + outer.thickness, raceway + outer.thickness / 2
+    collar = raceway + (outer.collar_thickness or outer.thickness)
+    ends = (1, -1) if outer.bar_ends == "both" else (1,)
+    sheet.rectangle(sides, (raceway, top), "outer-ring", fc=OUTER)
+    sheet.line([(left, raceway), (right, raceway)], "outer-raceway")
+    for end in ends:
+        start = right if end > 0 else left
+        foot = start + end * outer.bar_length
+        face = foot + end * outer.flange_length
+        half = outer.bar_thickness / 2
+        sheet.rectangle((start, foot), (middle - half, middle + half), "bar", fc="#dde8f3")
+        sheet.rectangle((foot, face), (raceway, top), "flange", fc=OUTER)
+        sheet.held(*((face, r) for r in ((top, raceway) if end > 0 else (raceway, top))))
+        if outer.collar_length:
+            sheet.rectangle((start - end * outer.collar_length, start), (top, collar), "collar", fc=OUTER)
+    foot, face = right + outer.bar_length, right + outer.bar_length + outer.flange_length
+    if outer.collar_length:
+        sheet.length("outer.collar_length", right - outer.collar_length, right, collar)
+        sheet.height("outer.collar_thickness", raceway, collar, right)
+    sheet.length("outer.bar_length", right, foot, middle)
+    sheet.length("outer.flange_length", foot, face, raceway)
+    sheet.label("outer.bar_thickness", (foot - outer.bar_length / 3, middle))
+    sheet.label("outer.bars", (foot - outer.bar_length / 2, middle + outer.bar_thickness / 2))
+    if outer.fillet:
+        sheet.label("outer.fillet", (foot, middle - outer.bar_thickness / 2), "R ")
+
+
+def _housing(sheet: Sheet, outer: Any, bottom: float) -> None:
+    """Housing around the ring, centred on the ring, and what holds it."""
+    left, right = (side * outer.housing_width / 2 - outer.raceway_offset for side in (-1, 1))
+    top = bottom + outer.housing_thickness
+    sheet.rectangle((left, right), (bottom, top), "housing", fc=HOUSING)
+    sheet.held(
+        *(((left, top), (right, top)) if outer.housing_support == "seat" else ((right, top), (right, bottom)))
+    )
+    sheet.height("outer.housing_thickness", bottom, top, left)
+    sheet.length("outer.housing_width", left, right, bottom)
+    for path in (
+        "outer.housing_clearance",
+        "bearing.fits.housing.interference",
+        "bearing.fits.housing.tolerance_class",
+    ):
+        sheet.label(path, (right, bottom))
+
+
+def _springs(sheet: Sheet, left: float, right: float, y: float) -> None:
+    """Springs to the ground above a surface, as a symbol."""
+    height, count = 0.16 * (right - left), 5
+    pitch = (right - left) / count
+    for number in range(count):
+        x, across = left + (number + 0.5) * pitch, 0.15 * pitch
+        turns = [
+            (x + (across if turn % 2 else -across), y + height * (0.2 + 0.1 * turn)) for turn in range(7)
+        ]
+        sheet.line([(x, y), (x, y + 0.15 * height), *turns, (x, y + 0.85 * height), (x, y + height)], lw=0.5)
+    sheet.held((left, y + height), (right, y + height))
+
+
+def _rigid(sheet: Sheet, case: Any) -> None:
+    """Ring of which the case gives the raceway, and perhaps the outside and a housing around it."""
+    bearing: Any = case.bearing
+    fits: Any = bearing.fits
+    raceway = bearing.outer_raceway_diameter / 2
+    width = RIGID_WIDTH * bearing.roller.length / 2
+    diameter = getattr(fits, "outer_diameter", None)
+    outside = diameter / 2 if diameter else raceway + RIGID_WALL * bearing.roller.diameter
+    sheet.rectangle((-width, width), (raceway, outside), **SCHEMATIC, fc=OUTER, alpha=0.8)
+    sheet.line([(-width, raceway), (width, raceway)], "outer-raceway")
+    if diameter:
+        sheet.line([(-width, outside), (width, outside)], "outside")
+        sheet.label("bearing.fits.outer_diameter", (width, outside), "Ø ")
+    if fits is not None and fits.housing is not None and fits.housing.diameter is not None:
+        top = fits.housing.diameter / 2
+        sheet.rectangle((-width, width), (outside, top), **SCHEMATIC, fc=HOUSING, alpha=0.8)
+        sheet.line([(-width, top), (width, top)], "housing")
+        sheet.label("bearing.fits.housing.diameter", (width, top), "Ø ")
+        for path in ("interference", "tolerance_class"):
+            sheet.label(f"bearing.fits.housing.{path}", (width, outside))
+    if case.outer.kind == "step":
+        sheet.label("outer.file", (width, outside))

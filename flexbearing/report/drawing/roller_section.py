@@ -1,0 +1,116 @@
+"""Axial half section of a cylindrical roller bearing with what carries its raceways."""
+
+from typing import Any
+
+from flexbearing.report.drawing.inner_ring import inner_ring
+from flexbearing.report.drawing.outer_ring import outer_ring
+from flexbearing.report.drawing.parts import CAGE, ELEMENT, SCHEMATIC
+from flexbearing.report.drawing.sheet import Drawing, Sheet
+from flexbearing.report.drawing.words import Words
+
+
+def section(words: Words) -> Drawing:
+    """Draw the upper half of the section through rollers, cage, rings, shaft and housing.
+
+    Parameters
+    ----------
+    words : Words
+        of a case of a cylindrical roller bearing
+
+    Returns
+    -------
+    Drawing
+        x to the right from mid-roller, the radius upwards
+    """
+    sheet = Sheet("section", words, cross=True)
+    case: Any = words.case
+    bearing = case.bearing
+    outer, size = bearing.outer_raceway_diameter / 2, bearing.roller.diameter
+    inner, half = outer - size - case.stated_clearance / 2, bearing.roller.length / 2
+    outer_ring(sheet, case)
+    inner_ring(sheet, case, inner)
+    sheet.rectangle((-half, half), (outer - size, outer), "roller", fc=ELEMENT)
+    sheet.line([(-half, outer - size / 2), (half, outer - size / 2)], ec="0.4", lw=0.4, ls=(0, (8, 2, 1, 2)))
+    _cage(sheet, case)
+    _flanges(sheet, case, inner)
+    sheet.label("bearing.outer_raceway_diameter", (half, outer), "Ø ")
+    sheet.label("bearing.roller.diameter", (half, outer - 0.3 * size), "Ø ")
+    clearance = ("bearing.clearance", "bearing.clearance_class", "bearing.fits.cold_clearance")
+    for path in clearance:
+        sheet.label(path, (half, inner))
+    sheet.length("bearing.roller.length", -half, half, outer - size)
+    sheet.notes.append("Dashed: schematic, the case has no dimensions of it.")
+    sheet.notes.append("Rollers touch the outer raceway; the clearance is below them.")
+    operating = "" if bearing.clearance is None else ", bearing.clearance is that in operation"
+    what = f"outer.kind = {case.outer.kind}, inner.kind = {case.inner.kind}"
+    return sheet.drawn(
+        f"Axial half section to scale, dimensions as the case gives them{operating}; {what}.",
+        f"Axial half section of a cylindrical roller bearing with its dimensions; {what}.",
+    )
+
+
+def _cage(sheet: Sheet, case: Any) -> None:
+    """Sides of the cage, thickness to scale, between the rollers' ends and the edge of the raceways."""
+    bearing: Any = case.bearing
+    cage: Any = bearing.cage
+    half, pitch = bearing.roller.length / 2, (bearing.outer_raceway_diameter - bearing.roller.diameter) / 2
+    low, high = pitch - cage.thickness / 2, pitch + cage.thickness / 2
+    reach = 0.25 * bearing.roller.length
+    if cage.guidance == "outer":
+        high = (cage.land_diameter - cage.land_clearance) / 2
+        low = high - cage.thickness
+    elif cage.guidance == "inner":
+        low = (cage.land_diameter + cage.land_clearance) / 2
+        high = low + cage.thickness
+    if cage.land_width:
+        reach = max(reach, cage.land_width / 2)
+    if cage.thickness:
+        for side in (-1, 1):
+            sheet.rectangle((side * half, side * (half + reach)), (low, high), **SCHEMATIC, fc=CAGE)
+        sheet.height("bearing.cage.thickness", low, high, -half - reach)
+        _tell_overlap(sheet, case, low, half + reach)
+    if cage.land_diameter is not None:
+        land = cage.land_diameter / 2
+        for side in (-1, 1):
+            sheet.line(
+                [(side * half, land), (side * (half + cage.land_width / 2), land)],
+                "land",
+                ec="#a61c00",
+                lw=1.4,
+            )
+        sheet.notes.append("Red: guiding land of the cage.")
+        end = half + cage.land_width / 2
+        sheet.label("bearing.cage.land_diameter", (end, land), "Ø ")
+        sheet.label("bearing.cage.land_clearance", (end, high if cage.guidance == "outer" else low))
+        sheet.label("bearing.cage.land_width", (half + cage.land_width / 4, land), "2 sides, sum ")
+    sheet.label("bearing.cage.guidance", (half + 0.7 * reach, (low + high) / 2))
+
+
+def _tell_overlap(sheet: Sheet, case: Any, inside: float, end: float) -> None:
+    """Note that a cage with an inside radius and an end lies within the ribs of the inner ring [m]."""
+    ring = case.inner
+    if ring.kind == "rigid" or not ring.ribbed:
+        return
+    rib = ring.bore / 2 + ring.thickness
+    if inside < rib and end > ring.track_width / 2:
+        sheet.notes.append(
+            f"Dimensions overlap: cage inside Ø {2e3 * inside:.6g} mm, inner ribs Ø {2e3 * rib:.6g} mm."
+        )
+
+
+def _flanges(sheet: Sheet, case: Any, inner: float) -> None:
+    """Guide flanges at both ends of the rollers, their height and clearance to scale."""
+    flange, bearing = case.bearing.flange, case.bearing
+    if flange is None:
+        return
+    start = bearing.roller.length / 2 + flange.clearance / 2
+    foot, out = (inner, 1) if flange.ring == "inner" else (bearing.outer_raceway_diameter / 2, -1)
+    ends = sorted((foot, foot + out * flange.height))
+    for side in (-1, 1):
+        wide = side * (start + 0.15 * bearing.roller.length)
+        sheet.rectangle(
+            (side * start, wide), (ends[0], ends[1]), "guide-flange", fc="#d9d2e9", ls=(0, (4, 2)), lw=0.6
+        )
+    sheet.height("bearing.flange.height", ends[0], ends[1], -start)
+    for path in ("bearing.flange.clearance", "bearing.flange.roller_chamfer"):
+        sheet.label(path, (start, (ends[0] + ends[1]) / 2))

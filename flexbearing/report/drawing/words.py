@@ -1,0 +1,56 @@
+"""Keys of a case with their values, as a drawing writes them."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from math import degrees, pi
+from typing import Any
+
+from flexbearing.case.declarations import Declaration, by_path
+
+ASSUMED, CALIBRATED = "*", "†"
+MARKS = {ASSUMED: "assumed", CALIBRATED: "calibrated"}
+SMALL = 1e-4  # [m] lengths below are written in micrometres
+UNITS = {"N": (1e-3, "kN"), "rad/s": (30 / pi, "rpm"), "N/m^3": (1e-9, "N/mm³"), "1": (1.0, "")}
+
+
+@dataclass(frozen=True)
+class Words:
+    """What a drawing says of the keys of a case."""
+
+    case: Any  # a `flexbearing.case.head.Head`
+
+    @cached_property
+    def _declared(self) -> dict[str, Declaration]:
+        return by_path(type(self.case))
+
+    def value(self, path: str) -> Any:
+        """Value of a key in SI units; None where it, or a table above it, is not given."""
+        value: Any = self.case
+        for name in path.split("."):
+            value = getattr(value, name, None)
+        return value
+
+    def __call__(self, path: str, sign: str = "") -> str:
+        """Write "key = value" with a sign before the value, and a mark where it is assumed or calibrated."""
+        declaration, value = self._declared.get(path), self.value(path)
+        unit = declaration.kind.unit if declaration and declaration.kind else ""
+        return f"{path} = {sign}{_printed(value, unit)}{self._mark(path)}"
+
+    def _mark(self, path: str) -> str:
+        parts = path.split(".")
+        above = {".".join(parts[:count]) for count in range(1, len(parts) + 1)}
+        if above & set(self.case.calibrated):
+            return f" {CALIBRATED}"
+        return f" {ASSUMED}" if above & set(self.case.assumed) else ""
+
+
+def _printed(value: Any, unit: str) -> str:
+    """A value as a drawing writes it, lengths in mm or um, angles in degrees."""
+    if isinstance(value, str) or value is None:
+        return f'"{value}"'
+    if unit == "m":
+        return f"{value * 1e6:.6g} µm" if 0 < abs(value) < SMALL else f"{value * 1e3:.7g} mm"
+    if unit == "rad":
+        return f"{degrees(value):.6g}°"
+    factor, printed = UNITS.get(unit, (1.0, unit))
+    return f"{value * factor:.6g} {printed}".rstrip()

@@ -1,0 +1,56 @@
+"""Inputs that no source gives, with what the case's own comments say of them."""
+
+import re
+from collections.abc import Iterator
+from math import log
+
+from flexbearing.report.html.document import Block, Items
+from flexbearing.report.html.reader import Reader
+
+_TIMES = re.compile(r"(\d+(?:\.\d+)?) times with")
+_TABLE, _KEY = re.compile(r"\[([^\]\[]+)\]"), re.compile(r'"?([\w.-]+)"?\s*=')
+_TITLE = "Assumed: the source does not give these inputs"
+
+
+def blocks(reader: Reader) -> Iterator[Block]:
+    """Every assumed key with its comment, that of the largest effect on life first."""
+    assumed = reader.attributes["assumed"]
+    if not assumed:
+        return
+    said = comments(reader.result.attributes["case_text"])
+    ranked = sorted(assumed, key=lambda key: -effect(said.get(key, "")))
+    weighted = " The largest effect first." if any(effect(text) for text in said.values()) else ""
+    lines = (f"{key}: {said[key]}" if key in said else key for key in ranked)
+    yield Items(f"{_TITLE}.{weighted}", tuple(lines))
+
+
+def comments(text: str) -> dict[str, str]:
+    r"""Comments that begin with "assumed:" by their keys, from the lines above a key or behind it.
+
+    >>> comments('[a]\n# assumed: rule\n# of thumb\nb = 1\nc = 2  # assumed: usual')
+    {'a.b': 'rule of thumb', 'a.c': 'usual'}
+    """
+    found: dict[str, str] = {}
+    table, above = "", []
+    for line in map(str.strip, text.splitlines()):
+        if line.startswith("#"):
+            above.append(line.lstrip("# "))
+            continue
+        if header := _TABLE.match(line):
+            table = f"{header[1]}."
+        elif key := _KEY.match(line):
+            behind = line.rpartition("# ")[2] if "# " in line else ""
+            words = " ".join(above) or behind
+            if words.startswith("assumed: "):
+                found[table + key[1]] = words.removeprefix("assumed: ")
+        above = []
+    return found
+
+
+def effect(comment: str) -> float:
+    """Largest change of a life that a comment tells, as the size of its logarithm.
+
+    >>> effect("life 7.41 times with a, 0.305 times with b") == log(7.41)
+    True
+    """
+    return max((abs(log(float(value))) for value in _TIMES.findall(comment) if float(value)), default=0.0)

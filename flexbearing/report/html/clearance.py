@@ -1,0 +1,93 @@
+"""Operating clearance step by step, and what tolerances make of it."""
+
+from collections.abc import Iterator
+from typing import Any
+
+from flexbearing.report.html.document import Block, Cell, Figure, Items, Table, Words
+from flexbearing.report.html.reader import Reader
+from flexbearing.report.html.units import units_in_words, with_unit
+
+SMALLEST = 5e-10  # [m] smaller changes are zeros in the table
+
+
+def blocks(reader: Reader) -> Iterator[Block]:
+    """Steps with a figure, tolerances; a sentence where the case states the clearance."""
+    found = reader.attributes.get("clearance")
+    if not found:
+        return
+    if not found["steps"]:
+        words = "The operating clearance is that of the case: no fits and temperatures lead to it."
+        yield Words((words,))
+        yield _stated(reader)
+        return
+    yield _steps(reader, found)
+    if any(abs(step["change_m"]) >= SMALLEST for step in found["steps"]):
+        yield _drawn(reader, found)
+    else:
+        yield Words(("Not drawn: no step changes the clearance.",))
+    fits = [f"{seat}: {found[f'{seat}_fit']}" for seat in ("shaft", "housing")]
+    yield Items("Result", tuple(map(units_in_words, (found["verdict"], *fits))))
+    if "tolerances" in found:
+        yield _tolerances(reader, found)
+
+
+def _stated(reader: Reader) -> Table:
+    unit = reader.units.of("um")
+    row = ("operating clearance, diametral", reader.of_attribute("clearance/operating_m", "m", "um", ".4g"))
+    return Table("Clearance", ("quantity", with_unit("value", unit)), (row,))
+
+
+def _steps(reader: Reader, found: dict[str, Any]) -> Table:
+    unit = reader.units.of("um")
+    rows: list[tuple[Cell, ...]] = [
+        ("before mounting", "", reader.of_attribute("clearance/cold_m", "m", "um", ".1f"), "")
+    ]
+    for place, step in enumerate(found["steps"]):
+        path = f"clearance/steps/{place}"
+        change, after = (reader.of_attribute(f"{path}/{name}", "m", "um", form)
+                         for name, form in (("change_m", "+.2f"), ("clearance_m", ".1f")))  # fmt: skip
+        rows.append((step["name"], change, after, units_in_words(step["explanation"])))
+    head = ("step", with_unit("change", unit), with_unit("after it", unit), "explanation")
+    return Table(
+        f"From the clearance before mounting to the {reader.clearance_words}, diametral", head, tuple(rows)
+    )
+
+
+def _drawn(reader: Reader, found: dict[str, Any]) -> Figure:
+    steps = [step for step in found["steps"] if abs(step["change_m"]) >= SMALLEST]
+    after = [found["cold_m"], *(step["clearance_m"] for step in steps)]
+    names = ["before mounting", *(step["name"] for step in steps)]
+    unit = reader.units.of("um")
+    values = [float(f"{reader.units.value(value, 'm', 'um'):.6g}") for value in after]
+    trace = {
+        "type": "bar", "x": names, "y": values,
+        "marker": {"color": "#0072B2"}, "hovertemplate": "%{x}: %{y}<extra></extra>",
+    }  # fmt: skip
+    layout = {"yaxis": {"title": {"text": with_unit("clearance", unit)}}, "xaxis": {"tickangle": -30}}
+    caption = "Diametral clearance before mounting and after every step that changes it; negative: preload."
+    return Figure(
+        "clearance-steps",
+        caption,
+        (trace,),
+        layout,
+    )
+
+
+def _tolerances(reader: Reader, found: dict[str, Any]) -> Table:
+    unit = reader.units.of("um")
+    rows: list[tuple[Cell, ...]] = []
+    for place, each in enumerate(found["tolerances"]["classes"]):
+        path = f"clearance/tolerances/classes/{place}"
+        limits = (
+            reader.of_attribute(f"{path}/{name}", "m", "um", ".1f")
+            for name in ("least_m", "used_m", "greatest_m")
+        )
+        rows.append((f"{each['name']} {each['class']}", *limits))
+    if "ends" in found["tolerances"]:
+        paths = ("tolerances/ends/tightest_m", "operating_m", "tolerances/ends/loosest_m")
+        ends = (reader.of_attribute(f"clearance/{path}", "m", "um", ".1f") for path in paths)
+        rows.append((reader.clearance_words, *ends))
+    head = ("class", *(with_unit(word, unit) for word in ("least", "computed", "greatest")))
+    return Table(
+        f'Tolerances, computed at bearing.fits.at = "{found["tolerances"]["at"]}"', head, tuple(rows)
+    )

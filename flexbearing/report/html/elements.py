@@ -1,0 +1,105 @@
+"""Rolling elements one by one, and their figures over the azimuth."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+
+from flexbearing.report.family_report import Elements
+from flexbearing.report.html.document import Block, Cell, Table, Words
+from flexbearing.report.html.figures import along_rollers, around, shows_nothing
+from flexbearing.report.html.reader import Reader
+from flexbearing.report.html.units import NOTHING, with_unit
+
+_SIGNED = {  # whose sign is told below the table, with their headings
+    "roller_tilt": "roller tilt", "cage_force": "pocket force", "roller_skew": "roller skew",
+}  # fmt: skip
+
+
+def blocks(reader: Reader, elements: Elements | None) -> Iterator[Block]:
+    """Figures of loads and motion, then a table with a row for each rolling element."""
+    if elements is None:
+        return
+    yield from figures(reader, elements.figures, elements.azimuth)
+    if reader.last:
+        yield _table(reader, elements)
+
+
+def contacts(reader: Reader, elements: Elements | None) -> Iterator[Block]:
+    """Figures of the contacts: pressures, films, loads along rollers."""
+    if elements is None:
+        return
+    for name, (title, unit) in elements.maps.items():
+        alike = [each for each in elements.maps if each.partition("_")[2] == name.partition("_")[2]]
+        if figure := along_rollers(reader, name, title, unit, alike):
+            yield figure
+    yield from figures(reader, elements.contact_figures, elements.azimuth)
+
+
+def figures(reader: Reader, wanted: dict[str, tuple[str, ...]], azimuth: str) -> Iterator[Block]:
+    """Figures over the azimuth that the result has and that show something, or why they are left out."""
+    found = [figure for title, names in wanted.items() if (figure := around(reader, title, names, azimuth))]
+    if found and reader.blocks[reader.last][azimuth].size == 1:
+        titles = ", ".join(figure.layout["yaxis"]["title"]["text"] for figure in found)
+        yield Words((f"Not drawn over the azimuth, of a single rolling element: {titles}.",))
+        return
+    for figure in found:
+        same = shows_nothing(figure)
+        yield Words((same,)) if same else figure
+
+
+def _table(reader: Reader, elements: Elements) -> Table:
+    """A row for each rolling element of the last end state."""
+    block = reader.blocks[reader.last]
+    columns = [(name, index) for name in elements.columns if name in block for index in _places(reader, name)]
+    head = ["number"]
+    for name, index in columns:
+        unit = reader.units.of(reader.layout[name].unit_for_people.name)
+        head.append(with_unit(" ".join([_words_of(name), *_words(reader, name, index)]), unit))
+    digits = {name: _digits(reader, name) for name, _ in columns}
+    rows: list[tuple[Cell, ...]] = []
+    for number in range(block[elements.azimuth].size):
+        cells = []
+        for name, index in columns:
+            cell = reader.element(reader.last, name, *_with(reader, name, index, number), digits=digits[name])
+            unloaded = "film" in name and not cell.text.strip("0.")
+            cells.append(replace(cell, text=NOTHING) if unloaded else cell)
+        rows.append((str(number + 1), *cells))
+    signed = [name for name in dict(columns) if name in _SIGNED]
+    signs = [f"{_words_of(name).capitalize()}: {reader.layout[name].meaning}." for name in signed]
+    films = ["A contact without load has no film: –."] if any("film" in name for name, _ in columns) else []
+    return Table(
+        f"Every {elements.word}, {reader.state}", tuple(head), tuple(rows), " ".join([*signs, *films]), True
+    )
+
+
+def _words_of(name: str) -> str:
+    return _SIGNED.get(name) or name.replace("_", " ")
+
+
+def _digits(reader: Reader, name: str) -> str:
+    """Format of a column: as many decimals for all as the largest needs for four significant digits."""
+    values = np.abs(reader.layout[name].for_people(reader.blocks[reader.last][name]))
+    largest = values[np.isfinite(values)].max(initial=0.0)
+    return f",.{max(0, 3 - int(np.floor(np.log10(largest)))) if largest else 0}f"
+
+
+def _places(reader: Reader, name: str) -> list[tuple[int, ...]]:
+    """Places on the axes beside that of the rolling elements."""
+    shape, values = reader.layout[name].shape, reader.blocks[reader.last][name]
+    return list(np.ndindex(*(values.shape[axis] for axis in range(values.ndim) if shape[axis] != "Z")))
+
+
+def _with(reader: Reader, name: str, index: tuple[int, ...], number: int) -> tuple[int, ...]:
+    """A place with the number of the rolling element at its axis."""
+    axis = reader.layout[name].shape.index("Z")
+    return (*index[:axis], number, *index[axis:])
+
+
+def _words(reader: Reader, name: str, index: tuple[int, ...]) -> list[str]:
+    others = [symbol for symbol in reader.layout[name].shape if symbol != "Z"]
+    axes = [reader.layout.axis[symbol] for symbol in others]
+    return [
+        axis.entries[step] if axis.entries else f"{axis.name} {step + 1}"
+        for axis, step in zip(axes, index, strict=True)
+    ]

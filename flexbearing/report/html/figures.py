@@ -1,0 +1,316 @@
+"""Figures of a result, as Plotly draws them."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from flexbearing.quantities.reductions import RACES
+from flexbearing.report.html.document import Figure
+from flexbearing.report.html.reader import Reader, plain
+from flexbearing.report.html.units import printed, with_unit
+
+BLUE, ORANGE, GREEN, PURPLE = "#0072B2", "#D55E00", "#007a5a", "#8a3f7c"
+LOAD = "#a61c00"  # as in drawings
+COLOURS = (BLUE, ORANGE, GREEN, PURPLE)
+SHORT = 6  # lines that a legend names within a figure of usual height
+DASHES = {"rigid": "dot", "flexible": "solid"}
+
+
+def around(reader: Reader, title: str, names: tuple[str, ...], azimuth: str) -> Figure | None:
+    """Draw quantities of rolling elements over the azimuth.
+
+    Parameters
+    ----------
+    reader : Reader
+        of the result
+    title : str
+        what they are
+    names : tuple of str
+        of quantities with an axis of rolling elements, all of one unit
+    azimuth : str
+        quantity of their places
+
+    Returns
+    -------
+    Figure or None
+        a line for each quantity, race and end state; none where the result has no such quantity
+    """
+    traces = [
+        _line(reader, block, name, index, words, azimuth)
+        for block in reader.blocks
+        for name in names
+        if name in reader.blocks[block]
+        for words, index in _lines(reader, block, name, reader.layout[azimuth].shape[0])
+    ]
+    if not traces:
+        return None
+    for number, name in enumerate(dict.fromkeys(trace["legendgroup"] for trace in traces)):
+        for trace in traces:
+            if trace["legendgroup"] == name:
+                trace["line"]["color"] = trace["marker"]["color"] = COLOURS[number % len(COLOURS)]
+    unit = reader.units.of(reader.layout[names[0]].unit_for_people.name)
+    layout = {
+        "xaxis": {"title": {"text": "azimuth [°]"}, "dtick": 60, "range": [-185, 185]},
+        "yaxis": {"title": {"text": with_unit(title, unit)}, "rangemode": "tozero"},
+        **_load_mark(reader),
+    }
+    name = f"around-{names[0]}".replace("_", "-")
+    caption = f"{title.capitalize()} over the azimuth, 0° on the z axis, 90° on the y axis.{_marked(reader)}"
+    return Figure(name, caption, tuple(traces), layout, tall=len(traces) > SHORT)
+
+
+def shows_nothing(figure: Figure) -> str:
+    """Say why a figure over the azimuth is left out: all its values are the same; empty where they differ."""
+    values = {value for trace in figure.traces for value in trace["y"]}
+    if len(values) > 1:
+        return ""
+    value = next(iter(values), None)
+    title = figure.layout["yaxis"]["title"]["text"]
+    return f"Not drawn: {title} is {'nowhere a number' if value is None else f'{value:g} everywhere'}."
+
+
+def _load_azimuth(reader: Reader) -> float | None:
+    """Direction of the radial load [deg], from -180 to 180; none where the result does not state one."""
+    direction = reader.blocks.get(reader.last, {}).get("load_direction")
+    if direction is None or not np.isfinite(direction):
+        return None
+    return float((np.degrees(direction) + 180) % 360 - 180)
+
+
+def _load_mark(reader: Reader) -> dict[str, Any]:
+    """A line with a word at the azimuth of the load, across a figure."""
+    azimuth = _load_azimuth(reader)
+    if azimuth is None:
+        return {}
+    line = {"color": LOAD, "dash": "dash", "width": 1.5}
+    shape = {"type": "line", "xref": "x", "yref": "paper", "x0": azimuth, "x1": azimuth, "y0": 0, "y1": 1}
+    word = {"x": azimuth, "y": 0.01, "xref": "x", "yref": "paper", "xanchor": "left", "yanchor": "bottom"}
+    paper = {"text": "load", "showarrow": False, "font": {"color": LOAD}, "bgcolor": "rgba(255,255,255,0.75)"}
+    return {"shapes": [shape | {"line": line}], "annotations": [word | paper]}
+
+
+def _marked(reader: Reader) -> str:
+    azimuth = _load_azimuth(reader)
+    return "" if azimuth is None else f" Dashed red: direction of the load on the inner ring, {azimuth:g}°."
+
+
+def _lines(reader: Reader, block: str, name: str, around: str) -> Iterator[tuple[str, tuple[Any, ...]]]:
+    """Words and index of every line of an array along an axis."""
+    shape, values = reader.layout[name].shape, reader.blocks[block][name]
+    others = [axis for axis in range(values.ndim) if shape[axis] != around]
+    for place in np.ndindex(*(values.shape[axis] for axis in others)):
+        index: list[Any] = [slice(None)] * values.ndim
+        for axis, step in zip(others, place, strict=True):
+            index[axis] = step
+        words = [
+            RACES[step] if shape[axis] == "race" else f"diagonal {step + 1}"
+            for axis, step in zip(others, place, strict=True)
+            if shape[axis] == "race" or values.shape[axis] > 1
+        ]
+        yield ", ".join(words), tuple(index)
+
+
+def _line(
+    reader: Reader, block: str, name: str, index: tuple[Any, ...], words: str, azimuth: str
+) -> dict[str, Any]:
+    """Trace of one line, its places in order from -180 to 180 degrees."""
+    values, unit, of = reader.drawn(block, name, index)
+    degrees = (np.degrees(reader.blocks[block][azimuth]) + 180 + 1e-9) % 360 - 180 - 1e-9
+    order = np.argsort(degrees, kind="stable")
+    if "0 without load" in reader.layout[name].meaning:
+        values = [value or None for value in values]
+    label = ", ".join(filter(None, [name.replace("_", " "), words]))
+    return {
+        "type": "scatter",
+        "mode": "lines+markers",
+        "name": f"{label}, {block}" if len(reader.blocks) > 1 else label,
+        "legendgroup": label,
+        "x": plain(degrees[order]),
+        "y": [values[place] for place in order],
+        "customdata": [int(place) for place in order],
+        "line": {"dash": DASHES[block] if len(reader.blocks) > 1 else "solid", "width": 1.5},
+        "marker": {"size": 5, "symbol": "circle" if block == "flexible" else "circle-open"},
+        "hovertemplate": f"%{{x:.1f}}°<br>%{{y}} {printed(unit)}<extra>{label}</extra>",
+        "meta": of,
+    }
+
+
+def along_rollers(reader: Reader, name: str, title: str, people: str, alike: list[str]) -> Figure | None:
+    """Draw a quantity of every slice of every roller as a map, in a unit of the metric page."""
+    block = reader.last
+    if name not in reader.blocks.get(block, {}):
+        return None
+    values, unit, of = reader.drawn(block, name, people=people)
+    along, length, _ = reader.drawn(block, "slice_position")
+    degrees = (np.degrees(reader.blocks[block]["roller_azimuth"]) + 180 + 1e-9) % 360 - 180 - 1e-9
+    order = np.argsort(degrees, kind="stable")
+    together = [reader.drawn(block, each, people=people)[0] for each in alike if each in reader.blocks[block]]
+    largest = max(
+        (value for each in together for row in each for value in row if value is not None), default=0.0
+    )
+    trace = {
+        "type": "heatmap",
+        "zmin": 0.0,
+        "zmax": largest,
+        "x": plain(degrees[order]),
+        "y": along,
+        "z": [[values[place][slice_] for place in order] for slice_ in range(len(along))],
+        "customdata": [int(place) for place in order],
+        "colorscale": "Viridis",
+        "colorbar": {
+            "title": {"text": printed(unit), "side": "right"},
+            "orientation": "h",
+            "y": 1.0,
+            "yanchor": "bottom",
+            "thickness": 12,
+        },
+        "hovertemplate": f"%{{x:.1f}}°, %{{y}} {printed(length)}<br>%{{z}} {printed(unit)}<extra></extra>",
+        "meta": of,
+    }
+    layout = {
+        "xaxis": {"title": {"text": "azimuth [°]"}, "dtick": 60, "range": [-185, 185]},
+        "yaxis": {"title": {"text": with_unit("along the roller, +x up", length)}},
+        **_load_mark(reader),
+    }
+    scale = " The raceways share one colour scale." if len(together) > 1 else ""
+    caption = (
+        f"{title}, {block} end state, over the azimuth and the position along the roller from its middle, "
+        f"positive towards the +x end.{_marked(reader)}{scale}"
+    )
+    return Figure(f"map-{name}".replace("_", "-"), caption, (trace,), layout)
+
+
+def bars(name: str, caption: str, label: str, series: dict[str, dict[str, float]]) -> Figure:
+    """Draw numbers by name, a group of bars for each series."""
+    traces = tuple(
+        {
+            "type": "bar",
+            "orientation": "h",
+            "name": words,
+            "y": list(values),
+            "x": plain(np.array(list(values.values()))),
+            "marker": {"color": colour},
+            "hovertemplate": "%{y}: %{x}<extra>" + words + "</extra>",
+        }
+        for (words, values), colour in zip(series.items(), COLOURS, strict=False)
+    )
+    layout = {
+        "barmode": "group",
+        "xaxis": {"title": {"text": label}},
+        "yaxis": {"autorange": "reversed"},
+        "margin": {"l": 150, "r": 20, "t": 12, "b": 52},
+    }
+    return Figure(name, caption, traces, layout)
+
+
+def convergence(reader: Reader) -> Figure | None:
+    """Draw load change and residual of every iteration; none where nothing was iterated."""
+    if not reader.result.iterations:
+        return None
+    labels = {
+        "load_change": "largest change of a load / largest load",
+        "residual": "largest unbalanced force / applied load",
+    }
+    traces = []
+    for (name, label), colour in zip(labels.items(), COLOURS, strict=False):
+        sizes = reader.result.history(name)
+        traces.append({
+            "type": "scatter", "mode": "lines+markers", "name": label,
+            "x": list(range(1, sizes.size + 1)), "y": plain(np.where(sizes > 0, sizes, np.nan)),
+            "line": {"color": colour}, "hovertemplate": "iteration %{x}: %{y}<extra></extra>",
+            "meta": f"iterations/{name}",
+        })  # fmt: skip
+    layout = {
+        "xaxis": {"title": {"text": "iteration"}, "dtick": max(1, len(reader.result.iterations) // 10)},
+        "yaxis": {"title": {"text": "relative size"}, "type": "log", "exponentformat": "power"},
+    }
+    caption = "Convergence of the coupling of bearing and rings. A value of exactly zero has no point."
+    return Figure("convergence", caption, tuple(traces), layout)
+
+
+def deformed(reader: Reader) -> Figure | None:
+    """Draw both raceways as circles with their deviation magnified; none where no ring is flexible."""
+    block = reader.blocks.get("flexible", {})
+    deviations = ("inner_deviation", "outer_deviation")
+    names = [name for name in deviations if name in block and 0 < np.abs(block[name]).max() < np.inf]
+    if not names or "balance_radii" not in block:
+        return None
+    azimuth = block["roller_azimuth"]
+    middle = {name: _at_mid_roller(block[name], block["slice_position"]) for name in names}
+    largest = max(np.abs(values).max() for values in middle.values())
+    magnification = float(f"{0.12 * block['balance_radii'][1] / largest:.1g}")
+    traces = []
+    for name, colour in zip(names, COLOURS, strict=False):
+        radius = float(block["balance_radii"][0 if name.startswith("inner") else 2])
+        scale = 1 / _of_metres(reader)
+        for words, values, dash in (("undeformed", 0 * azimuth, "dot"), ("deformed", middle[name], "solid")):
+            size = (radius + magnification * values) / scale
+            closed = np.append(np.arange(azimuth.size), 0)
+            traces.append({
+                "type": "scatter", "mode": "lines" if dash == "dot" else "lines+markers",
+                "name": f"{name.split('_')[0]} raceway, {words}",
+                "x": plain((size * np.sin(azimuth))[closed]), "y": plain((size * np.cos(azimuth))[closed]),
+                "line": {"color": colour, "dash": dash, "width": 1.4}, "marker": {"size": 4},
+                "text": [_place(reader, azimuth[each], values[each]) for each in closed],
+                "hovertemplate": "%{text}<extra></extra>",
+            })  # fmt: skip
+    unit = printed(reader.units.of("mm"))
+    layout = {
+        "xaxis": {"title": {"text": f"y [{unit}]"}, "zeroline": False},
+        "yaxis": {
+            "title": {"text": f"z, azimuth 0 down [{unit}]"},
+            "scaleanchor": "x",
+            "autorange": "reversed",
+            "zeroline": False,
+        },
+        "annotations": _load_arrow(reader, float(block["balance_radii"][0]) * _of_metres(reader)),
+    }
+    found = ", ".join(_largest(reader, azimuth, name, values) for name, values in middle.items())
+    caption = (
+        f"Deviation of the raceways from circles at mid-roller, magnified {magnification:,.0f} times, "
+        "positive outward, without rigid translation and local indentation of the contacts; seen along +x as "
+        f"in the drawings, azimuth 0° (z) down, 90° (y) to the right. Largest: {found}."
+    )
+    return Figure("deformed", caption, tuple(traces), layout)
+
+
+def _load_arrow(reader: Reader, radius: float) -> list[dict[str, Any]]:
+    """Arrow of the load on the inner ring from the axis of the bearing, within a radius."""
+    degrees = _load_azimuth(reader)
+    if degrees is None:
+        return []
+    across, down = np.sin(np.radians(degrees)), np.cos(np.radians(degrees))
+    tip = {
+        "x": 0.75 * radius * across,
+        "y": 0.75 * radius * down,
+        "axref": "x",
+        "ayref": "y",
+        "ax": 0,
+        "ay": 0,
+    }
+    style = {"text": "load", "font": {"color": LOAD}, "arrowcolor": LOAD, "arrowwidth": 2, "arrowhead": 2}
+    return [tip | style | {"showarrow": True}]
+
+
+def _largest(reader: Reader, azimuth: np.ndarray, name: str, values: np.ndarray) -> str:
+    """The largest deviation of a raceway at mid-roller, with its sign and azimuth."""
+    place = int(np.abs(values).argmax())
+    degrees = 180 - (180 - np.degrees(azimuth[place])) % 360
+    number = reader.units.number(float(values[place]), "m", "um", "+.1f", "")
+    return f"{name.split('_')[0]} {number.text} {printed(number.unit)} at {degrees:.0f}°"
+
+
+def _at_mid_roller(values: np.ndarray, along: np.ndarray) -> np.ndarray:
+    return np.array([np.interp(0.0, along, row) for row in values])
+
+
+def _of_metres(reader: Reader) -> float:
+    """Lengths of the page in a metre."""
+    return reader.units.value(1.0, "m", "mm")
+
+
+def _place(reader: Reader, azimuth: Any, value: Any) -> str:
+    """What is told at a point of a deformed raceway."""
+    number = reader.units.number(float(value), "m", "um", ".2f", "")
+    return f"{np.degrees(azimuth):.1f}°: {number.text} {printed(number.unit)}"

@@ -1,0 +1,107 @@
+"""Rating life: of the end states, its factors, and the way from that of a catalogue."""
+
+from collections.abc import Iterator
+from typing import Any
+
+from flexbearing.quantities.reductions import RACES
+from flexbearing.report.html import ratings
+from flexbearing.report.html.document import Block, Cell, Items, Table, Words
+from flexbearing.report.html.lives import lives
+from flexbearing.report.html.reader import Reader
+
+_OWN = (
+    "This a_ISO holds at the equivalent load of its note, which gives the reference life of the loads "
+    "computed here; that of a catalogue holds at P of the ratings."
+)
+_HOW = (
+    "The way from the catalogue's life (ISO 281) to this one, factor by factor, needs some more solutions of "
+    "the case: `flexbearing life CASE.toml` computes and prints it."
+)
+
+
+def blocks(reader: Reader) -> Iterator[Block]:
+    """Lives, factors, ratings; a sentence where this kind of bearing has no life."""
+    if not reader.blocks:
+        return
+    if "life_L10" not in reader.blocks[reader.last]:
+        yield Words(("No rating life was computed for this case.",))
+        return
+    yield _lives(reader)
+    yield from _shorter(reader)
+    yield from _factors(reader)
+    rated = ratings.table(reader)
+    yield Words((rated,)) if isinstance(rated, str) else rated
+    catalogue = reader.attributes.get("catalogue_life")
+    if catalogue:
+        yield from _catalogue(reader, catalogue)
+    else:
+        yield Words((_HOW,))
+
+
+def _lives(reader: Reader) -> Table:
+    rows: list[tuple[Cell, ...]] = []
+    for life in lives(reader):
+        rows.append((life.name, life.turns, life.hours, life.meaning))
+        if not rows[1:]:
+            rows += _of_raceways(reader)
+    caption = f"Life with a survival probability of 90 %, {reader.state}"
+    return Table(caption, ("life", "10⁶ revolutions", "hours", "meaning"), tuple(rows))
+
+
+def _of_raceways(reader: Reader) -> Iterator[tuple[Cell, ...]]:
+    """Basic life of each raceway, where it is known."""
+    block = reader.blocks[reader.last]
+    for race in RACES if "raceway_life" in block else ():
+        name = f"raceway_life.{race}"
+        hours: Cell = reader.output(name, "h", ",.4g") if block.get("relative_speed") else ""
+        yield f"  of the {race} raceway alone", reader.output(name, "Mrev", ",.4g"), hours, ""
+
+
+def _shorter(reader: Reader) -> Iterator[Words]:
+    """Which raceway has the shorter life."""
+    lives = reader.summary[reader.last].get("raceway_life_Mrev") or {}
+    known = {race: life for race, life in lives.items() if life is not None}
+    if len(set(known.values())) > 1:
+        yield Words((f"The {min(known, key=known.__getitem__)} raceway has the shorter life.",))
+
+
+def _factors(reader: Reader) -> Iterator[Table]:
+    """Factors of the modified life."""
+    life = (reader.attributes.get("life") or {}).get(reader.last)
+    if not life:
+        return
+    path = f"life/{reader.last}"
+    rows: list[tuple[Cell, ...]] = [
+        ("basic life", reader.of_attribute(f"{path}/basic_Mrev", "Mrev", "Mrev", ",.4g"), "10⁶ revolutions")
+    ]
+    for place, factor in enumerate(life["factors"]):
+        value = reader.of_attribute(f"{path}/factors/{place}/value", "", "", ".4g")
+        rows.append((f"  times {factor['name']}", value, factor["note"]))
+    modified = reader.of_attribute(f"{path}/modified_Mrev", "Mrev", "Mrev", ",.4g")
+    rows.append(("modified life", modified, ""))
+    own = any(factor["name"] == "a_ISO" for factor in life["factors"])
+    yield Table(
+        "Modified life, factor by factor", ("step", "value", "note"), tuple(rows), _OWN if own else ""
+    )
+
+
+def _catalogue(reader: Reader, found: dict[str, Any]) -> Iterator[Block]:
+    """Every life from the catalogue's to that of the case."""
+    stages: list[tuple[Cell, ...]] = []
+    for place, stage in enumerate(found["stages"]):
+        path = f"catalogue_life/stages/{place}"
+        factor: Cell = "" if stage["factor"] is None else reader.of_attribute(f"{path}/factor", "", "", ".4g")
+        lives = (reader.of_attribute(f"{path}/life_{unit}", unit, unit, ",.4g") for unit in ("Mrev", "h"))
+        stages.append((stage["name"], factor, *lives))
+    head = ("influence", "factor", "life [10⁶ revolutions]", "life [h]")
+    note = "Every life is that of a case of its own; a factor is the ratio of neighbouring lives."
+    yield Table(
+        "From the life of the catalogue (ISO 281) to that of the case (ISO/TS 16281)",
+        head,
+        tuple(stages),
+        note,
+    )
+    left_out = [f"{stage['name']}: " + " ".join(f'--set "{each}"' for each in stage["left_out_by"])
+                for stage in found["stages"] if stage["left_out_by"]]  # fmt: skip
+    if left_out:
+        yield Items("An influence is left out of `flexbearing run` by", tuple(left_out))

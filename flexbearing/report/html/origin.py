@@ -1,0 +1,80 @@
+"""What was computed, where, when and with which versions."""
+
+from collections.abc import Iterator
+
+from flexbearing.case import BadCase
+from flexbearing.case.declarations import by_path
+from flexbearing.report.html.document import Block, Drawing, Table, Verbatim, Words
+from flexbearing.report.html.inputs import flat, origin, row_of_key, written
+from flexbearing.report.html.reader import Reader
+from flexbearing.results.content import digest
+from flexbearing.results.write import content_of
+
+
+def line(reader: Reader) -> str:
+    """A line below the title: kind, time, program, file."""
+    about = reader.attributes
+    version = about["versions"].get("flexbearing", "")
+    return f"{kind(reader)} bearing, computed {about['created']} by flexbearing {version}"
+
+
+def kind(reader: Reader) -> str:
+    """Kind of the bearing in words."""
+    return reader.attributes["kind"].replace("_", " ")
+
+
+def computed(reader: Reader) -> Iterator[Block]:
+    """What was solved for, in words."""
+    parts = ", ".join(reader.attributes.get("structure") or {})
+    elastic = (
+        f"with flexible parts: {parts}" if parts else "between elastic rings and, to compare, rigid ones"
+    )
+    rings = elastic if len(reader.blocks) > 1 else "between rigid rings"
+    yield Words((f"Kind of bearing: {kind(reader)}, {rings}. {reader.layout.conventions.strip()}",))
+    yield from _drawings(reader)
+    yield from _conditions(reader)
+
+
+def _drawings(reader: Reader) -> Iterator[Block]:
+    """Drawings to scale of the case, its keys as dimensions; where it cannot be read again, why."""
+    draw = reader.result.family.report().drawings
+    if draw is None:
+        return
+    try:
+        case = reader.case
+    except BadCase as problem:
+        yield Words((f"Not drawn: {str(problem).splitlines()[0]}",))
+        return
+    for drawing in draw(case):
+        yield Drawing(drawing.caption, drawing.svg)
+
+
+def _conditions(reader: Reader) -> Iterator[Table]:
+    """Loads, speeds, temperatures and oil that the case gives."""
+    keys = by_path(reader.result.family.case())
+    given = written(reader)
+    rows = [
+        (*row_of_key(reader, keys.get(path), path, value)[:3], origin(reader, path))
+        for path, value in flat(reader.attributes["case_si"])
+        if path in given and path.startswith(("operation.", "lubricant.oil", "lubricant.inlet"))
+    ]
+    if rows:
+        yield Table("Operating conditions", ("key", "value", "unit", "origin"), tuple(rows))
+
+
+def blocks(reader: Reader) -> Iterator[Block]:
+    """Versions, times, digest, then the case letter by letter."""
+    about = reader.attributes
+    rows = [
+        ("result file", str(reader.result.path or "none")),
+        ("digest of its content (SHA-256)", digest(content_of(reader.result))),
+        ("case file", about.get("case_file", "none")),
+        ("computed", about["created"]),
+        ("time it took", f"{about['wall_time_s']:.1f} s"),
+        *((f"{name} of the computation", str(value)) for name, value in about.get("machine", {}).items()),
+        *((f"version of {name}", text) for name, text in about["versions"].items()),
+    ]
+    yield Table("Origin of the numbers", ("what", "value"), tuple(rows))
+    if about["case_overrides"]:
+        yield Verbatim("Settings on top of the case", "\n".join(about["case_overrides"]))
+    yield Verbatim("The case", about["case_text"])

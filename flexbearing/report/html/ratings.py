@@ -1,0 +1,75 @@
+"""Load ratings of a bearing and the loads that they are compared with."""
+
+from math import inf, pi
+from typing import Any
+
+from flexbearing.report.html.document import Cell, Number, Table
+from flexbearing.report.html.reader import Reader
+from flexbearing.report.html.units import printed
+
+_NAMES = {
+    "C_r": "dynamic load rating C_r",
+    "C_0r": "static load rating C_0",
+    "C_u": "fatigue load limit C_u",
+}
+_STORED = "attributes/catalogue_life/ratings"
+
+
+def table(reader: Reader) -> Table | str:
+    """Ratings of ISO 281 and ISO 76, those of the case first.
+
+    Parameters
+    ----------
+    reader : Reader
+        of a result, whose ratings are in it or follow from its case
+
+    Returns
+    -------
+    Table or str
+        why there are none
+    """
+    stored = reader.attributes.get("catalogue_life")
+    if stored:
+        return _laid_out(reader, stored["ratings"], _STORED)
+    catalogue = reader.result.family.catalogue
+    if catalogue is None:
+        return "ISO 281 and ISO 76 have no ratings for this kind of bearing."
+    try:
+        case, known = reader.case, catalogue()
+        known.require_load(case)
+        return _laid_out(reader, known.ratings(case, _hours(reader)), "ratings")
+    except ValueError as problem:  # a refused case, or a formula outside its range
+        return f"No load ratings: {str(problem).splitlines()[0]}"
+
+
+def _hours(reader: Reader) -> float:
+    """Hours that a million revolutions take."""
+    speed = abs(float(reader.blocks[reader.last].get("relative_speed", 0.0)))
+    return 1e6 * 2 * pi / speed / 3600 if speed else inf
+
+
+def _laid_out(reader: Reader, found: dict[str, Any], at: str) -> Table:
+    def number(stored: str, people: str, *path: str) -> Number:
+        value: Any = found
+        for step in path:
+            value = value[step]
+        return reader.units.number(value, stored, people, ",.4g", "/".join([at, *path]))
+
+    rows: list[tuple[Cell, ...]] = []
+    for name in found["ratings_N"]:
+        pair = [number("N", "kN", group, name) for group in ("ratings_N", "formulas_N")]
+        source = "the case" if name in found["given"] else "formula"
+        rows.append((_NAMES[name], *pair, printed(pair[0].unit), source))
+    axial = "equivalent_load" in found
+    at_rest = ("equivalent_load", "P_0_N") if axial else ("load_N",)
+    made = "of radial and axial load" if axial else "the radial load"
+    for label, path in (("equivalent load P", ("load_N",)), ("equivalent static load P_0", at_rest)):
+        load = number("N", "kN", *path)
+        rows.append((label, load, "", printed(load.unit), made))
+    rows.append(("static safety C_0/P_0", number("", "", "static_safety"), "", "", ""))
+    rows.append(("L10 by C_r and P, ISO 281", number("Mrev", "Mrev", "life_Mrev"), "", "10⁶ revolutions", ""))
+    if "a_ISO" in found:
+        rows.append(("viscosity ratio κ", number("", "", "viscosity_ratio"), "", "", ""))
+        rows.append(("life modification factor a_ISO at P", number("", "", "a_ISO"), "", "", ""))
+    head = ("rating", "used", "by formula", "unit", "source")
+    return Table("Ratings (ISO 281, ISO 76)", head, tuple(rows))

@@ -1,0 +1,153 @@
+"""Numbers of a result in the units of a report, each with its place in the file."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from flexbearing.case import understood
+from flexbearing.printable import all_printable
+from flexbearing.quantities import SummaryValue
+from flexbearing.quantities.attributes import GRADES
+from flexbearing.quantities.layout import Layout
+from flexbearing.report.html.document import Number
+from flexbearing.report.html.units import Units, converted, units_in_words
+from flexbearing.report.rows import unit_of
+from flexbearing.results import Result
+
+OUTSIDE = GRADES[1]  # notes on laws outside the range of their source
+
+
+@dataclass(frozen=True)
+class Reader:
+    """A result, as a report asks for it."""
+
+    result: Result
+    units: Units
+
+    @cached_property
+    def layout(self) -> Layout:
+        """Declarations of its quantities."""
+        return self.result.family.layout()
+
+    @cached_property
+    def summary(self) -> dict[str, Any]:
+        """Its summary."""
+        return all_printable(self.result.summary())
+
+    @cached_property
+    def attributes(self) -> dict[str, Any]:
+        """Its root attributes."""
+        return all_printable(dict(self.result.attributes))
+
+    @cached_property
+    def blocks(self) -> dict[str, Mapping[str, np.ndarray]]:
+        """End states by name; where nothing is flexible, the flexible one is the rigid one and left out."""
+        named = {"rigid": self.result.rigid, "flexible": self.result.flexible}
+        solved = {name: block for name, block in named.items() if block}
+        repeated = len(solved) == 2 and "structure" in self.attributes and not self.attributes["structure"]
+        return {"rigid": solved["rigid"]} if repeated else solved
+
+    @property
+    def last(self) -> str:
+        """The end state that answers the case; empty without any."""
+        return next(reversed(self.blocks), "")
+
+    @cached_property
+    def case(self) -> Any:
+        """Its case, read again; raises `BadCase` where this program refuses it."""
+        family, about = self.result.family, self.result.attributes
+        file = Path(about.get("case_file") or self.result.place)
+        return understood(about["case_text"], file, about["case_overrides"], {family.kind: family})
+
+    @property
+    def state(self) -> str:
+        """The end state that answers the case, in words."""
+        return {"rigid": "rigid raceways", "flexible": "flexible raceways"}.get(self.last, self.last)
+
+    @property
+    def clearance_words(self) -> str:
+        """What the clearance of the result is: without temperatures it is not that of operation."""
+        found = self.attributes["clearance"]
+        warm = not found["steps"] or self.attributes["case_si"]["operation"].get("temperatures")
+        return "operating clearance" if warm else "clearance, mounted and turning, no temperatures given"
+
+    def notes(self, grade: str) -> tuple[str, ...]:
+        """Texts of the notes of a grade."""
+        notes = self.attributes["notes"]
+        return tuple(units_in_words(note["text"]) for note in notes if note["grade"] == grade)
+
+    def declared(self, entry: SummaryValue, block: str, *place: str | int) -> Number:
+        """A value of the summary, or one of its parts."""
+        path = ["summary", block, *entry.key.split("."), *place]
+        value: Any = self.summary[block]
+        for step in path[2:]:
+            value = None if value is None else value[step]
+        unit = unit_of(entry).name
+        stored = self.layout[entry.of[0]].unit if entry.in_si else unit
+        return self.units.number(value, stored, unit, entry.digits or ".4g", "/".join(map(str, path)))
+
+    def output(self, name: str, unit: str, digits: str) -> Number:
+        """A scalar output of the last end state in a unit that its revolutions or itself can have."""
+        asked = f"{self.last}.{name} [{unit}]"
+        value = self.result[asked].number
+        return self.units.number(float(value), unit, unit, digits, f"outputs/{asked}")
+
+    def element(self, block: str, name: str, *index: int, digits: str = ".4g") -> Number:
+        """An element of an array of an end state."""
+        quantity = self.layout[name]
+        value = float(self.blocks[block][name][index])
+        of = "/".join(map(str, [block, name, *index]))
+        return self.units.number(value, quantity.unit, quantity.unit_for_people.name, digits, of)
+
+    def of_attribute(self, path: str, stored: str, people: str, digits: str) -> Number:
+        """A number in a root attribute, at a path such as "clearance/steps/0/change_m"."""
+        value: Any = self.attributes
+        for step in path.split("/"):
+            value = value[int(step)] if isinstance(value, list | tuple) else value[step]
+        return self.units.number(value, stored, people, digits, f"attributes/{path}")
+
+    def change(self, before: str, after: str) -> Number | str:
+        """Change from one place of the summary to another in percent; empty where it means nothing."""
+        one, other = self._at(before), self._at(after)
+        if one is None or other is None or one == 0:
+            return ""
+        return self.units.number(100 * (other - one) / abs(one), "%", "%", "+.1f", f"change/{before}:{after}")
+
+    def _at(self, path: str) -> Any:
+        value: Any = self.summary
+        for step in path.split("/")[1:]:
+            value = None if value is None else value[int(step) if isinstance(value, list) else step]
+        return value
+
+    def drawn(
+        self, block: str, name: str, index: tuple[Any, ...] = (), people: str = ""
+    ) -> tuple[list[Any], str, str]:
+        """Values of an array for a figure, None where there is no number, their unit and their place."""
+        quantity = self.layout[name]
+        shown = self.units.of(people or quantity.unit_for_people.name)
+        array = self.blocks[block][name][index]
+        values = converted(array, quantity.unit, shown)
+        return (
+            plain(values),
+            shown,
+            f"{block}/{name}" + "".join(f"/{'*' if isinstance(step, slice) else step}" for step in index),
+        )
+
+
+def plain(values: np.ndarray) -> Any:
+    """Lists of numbers with six digits, None for what is not finite."""
+    if values.ndim == 0:
+        return float(f"{values:.6g}") if np.isfinite(values) else None
+    return [plain(value) for value in values]
+
+
+def places(entry: SummaryValue) -> Iterator[tuple[str, tuple[str | int, ...]]]:
+    """Words and steps to every number of a value of the summary: of its parts, and of their entries."""
+    for part in entry.parts or ("",):
+        for number, name in enumerate(entry.entries or ("",)):
+            words = ", ".join(filter(None, [part, name]))
+            yield words, (*([part] if part else []), *([number] if name else []))

@@ -1,0 +1,121 @@
+"""The table of a study, as its CSV file has it."""
+
+import csv
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from io import StringIO
+from math import nan
+from pathlib import Path
+
+from flexbearing.case.declarations import find
+from flexbearing.case.family import Families
+from flexbearing.results import BadResult
+
+ENDS = ("status", "message", "seconds")
+SHARES = ("time_share", "revolution_share")  # of a duty cycle, no outputs
+_HEADING = re.compile(r"(?P<name>.*?)(?: \[(?P<unit>[^]]*)\])?")
+
+
+@dataclass(frozen=True)
+class StudyColumn:
+    """A column of a table."""
+
+    heading: str
+    name: str
+    unit: str  # empty for texts and plain numbers
+    texts: tuple[str, ...]  # as the file has them
+    varied: bool  # whether it is a key of a case
+
+    @cached_property
+    def numbers(self) -> tuple[float, ...] | None:
+        """Its numbers, NaN for an empty cell; None where a cell is no number, or all are empty."""
+        try:
+            found = tuple(float(text) if text else nan for text in self.texts)
+        except ValueError:
+            return None
+        return found if any(self.texts) else None
+
+    @property
+    def distinct(self) -> list[str]:
+        """Different cells, in their order."""
+        return list(dict.fromkeys(self.texts))
+
+
+@dataclass(frozen=True)
+class StudyTable:
+    """A table of a study."""
+
+    place: Path
+    text: str  # of the file
+    columns: tuple[StudyColumn, ...]
+
+    @property
+    def name(self) -> str:
+        """Name of the study."""
+        return self.place.stem
+
+    def __len__(self) -> int:
+        return len(self.columns[0].texts)
+
+    def column(self, name: str) -> StudyColumn | None:
+        """Column by its name; None where there is none."""
+        return next((column for column in self.columns if column.name == name), None)
+
+    @property
+    def axes(self) -> Sequence[StudyColumn]:
+        """Varied keys with several values."""
+        return [column for column in self.columns if column.varied and len(column.distinct) > 1]
+
+    @property
+    def outputs(self) -> Sequence[StudyColumn]:
+        """Columns of numbers that are neither keys nor how a row ended."""
+        apart = (*ENDS, *SHARES)
+        return [column for column in self.columns
+                if not column.varied and column.name not in apart and column.numbers]  # fmt: skip
+
+
+def read_table(place: Path, families: Families) -> StudyTable:
+    """Read the table of a study.
+
+    Parameters
+    ----------
+    place : Path
+        CSV file that `flexbearing study` wrote
+    families : mapping
+        kind to family, whose keys tell varied columns from outputs
+
+    Returns
+    -------
+    StudyTable
+
+    Raises
+    ------
+    BadResult
+        where there is no such file, or it is no table of a study
+    """
+    try:
+        text = place.read_text("utf-8")
+        head, *rows = list(csv.reader(StringIO(text, newline=""), strict=True))
+    except (OSError, ValueError, csv.Error) as problem:
+        reason = getattr(problem, "strerror", None) or problem
+        raise BadResult(f"{place}: is no table of a study that can be read: {reason}.") from problem
+    if not rows or any(len(row) != len(head) for row in rows) or not set(ENDS) <= set(head):
+        raise BadResult(f"{place}: is no table of a study: it has no rows with {', '.join(ENDS)}.")
+    return StudyTable(place, text, tuple(_columns(head, rows, families)))
+
+
+def _columns(head: list[str], rows: list[list[str]], families: Families) -> Iterator[StudyColumn]:
+    """Columns with their units; varied keys come first."""
+    varied = True
+    for number, heading in enumerate(head):
+        parts = _HEADING.fullmatch(heading)
+        name, unit = (parts["name"], parts["unit"] or "") if parts else (heading, "")
+        varied = varied and _is_key(name, families)
+        yield StudyColumn(heading, name, unit, tuple(row[number] for row in rows), varied)
+
+
+def _is_key(name: str, families: Families) -> bool:
+    declared = (find(name, family.case()) for family in families.values())
+    return any(found is not None and not (found.section and not found.choices) for found in declared)

@@ -1,0 +1,109 @@
+"""First section: whether the answer can be relied on, and what it is."""
+
+from collections.abc import Iterator
+from textwrap import shorten
+from typing import Any
+
+from flexbearing.outputs import outputs
+from flexbearing.quantities.attributes import GRADES
+from flexbearing.report.html import against_limits
+from flexbearing.report.html.document import Block, Cell, Items, Number, Table, Words
+from flexbearing.report.html.lives import lives
+from flexbearing.report.html.reader import OUTSIDE, Reader
+from flexbearing.report.html.units import printed
+from flexbearing.report.rows import unit_of
+
+_WIDTH = 130  # characters of a note in the list of the first section
+
+
+def blocks(reader: Reader) -> Iterator[Block]:
+    """How the run ended, dangers, main numbers, comparison with limits, numerical error."""
+    converged = reader.attributes["status"] == "converged"
+    yield Words((_ending(reader.attributes),), "good" if converged else "danger")
+    dangers = reader.notes(GRADES[0])
+    if dangers:
+        yield Items("Dangers", dangers, "danger")
+    elif not converged:
+        yield Words(("The numbers below are those of no solution.",))
+    yield from _beyond(reader)
+    if reader.blocks:
+        yield _main(reader)
+        yield against_limits.table(reader)
+    yield from _error(reader)
+
+
+def _ending(attributes: dict[str, Any]) -> str:
+    count, message = attributes["iterations"], attributes["message"]
+    ended = f"Not converged ({attributes['status']}): {message or attributes['ending']}: no answer."
+    words = f"Converged: {message}." if attributes["status"] == "converged" else ended
+    return words + (f" {count} iterations of bearing and rings." if count else "")
+
+
+def _beyond(reader: Reader) -> Iterator[Block]:
+    """How many laws were used outside their range, and the first words of each note."""
+    notes = reader.notes(OUTSIDE)
+    if notes:
+        title = f"Outside validity: {len(notes)} note{'s' if len(notes) > 1 else ''}"
+        short = tuple(shorten(note, _WIDTH, placeholder=" …") for note in notes)
+        yield Items(title, short, link=("#limits", "All notes in full"))
+    elif not reader.notes(GRADES[0]):
+        yield Words(("No danger was noted, and no law outside its range of validity.",))
+
+
+def _main(reader: Reader) -> Table:
+    """The outputs that a result is known by."""
+    known = {output.name: output for output in outputs(reader.layout)}
+    rows: list[tuple[Cell, ...]] = []
+    for name in reader.layout.main:
+        output, block = known[name], reader.blocks[reader.last]
+        if all(each in block for each in output.declared.of):
+            if name == "life_L10":
+                rows += _lives(reader)
+                continue
+            number = _scalar(reader, output)
+            words = ", ".join([output.declared.label.strip(), *name.split(".")[1:]])
+            rows.append((words, number, printed(number.unit), ""))
+    return Table("Main results", ("quantity", "value", "unit", "meaning"), tuple(rows))
+
+
+def _lives(reader: Reader) -> Iterator[tuple[Cell, ...]]:
+    """Every life in revolutions and, where something turns, in hours."""
+    for life in lives(reader):
+        yield life.name, life.turns, "10⁶ revolutions", life.meaning
+        if life.hours:
+            yield "  at the speed of the case", life.hours, "h", ""
+
+
+def _scalar(reader: Reader, output: Any) -> Number:
+    unit = unit_of(output.declared).name
+    si = reader.layout[output.declared.of[0]].unit if output.declared.in_si else unit
+    asked = f"{reader.last}.{output.name}"
+    return reader.units.number(
+        float(reader.result[asked].number), si, unit, output.declared.digits or ".4g", f"outputs/{asked}"
+    )
+
+
+def _error(reader: Reader) -> Iterator[Block]:
+    """What was asked of the numerical error, and what is estimated."""
+    errors = reader.attributes.get("error_estimate")
+    if errors:
+        rows = []
+        for name in (name for name in errors if name not in ("target", "met") and errors[name] is not None):
+            rows.append(
+                (name.replace("_", " "), reader.of_attribute(f"error_estimate/{name}", "1", "%", ".2g"))
+            )
+        met = "is estimated to be kept" if errors["met"] else "was NOT kept"
+        caption = f"Numerical error, estimated; the target of {100 * errors['target']:g} % {met}"
+        yield Table(caption, ("output", "error [%]"), tuple(rows))
+    elif reader.last and reader.summary[reader.last].get("life_error_percent") is not None:
+        error = reader.units.number(
+            reader.summary[reader.last]["life_error_percent"], "%", "%", ".2g",
+            f"summary/{reader.last}/life_error_percent",
+        )  # fmt: skip
+        yield Table("Numerical error, estimated", ("output", "error [%]"), (("life L10", error),), _NO_TARGET)
+    else:
+        further = f" {_NO_TARGET}" if "accuracy" in reader.attributes["case_si"] else ""
+        yield Words((f"No numerical error was estimated.{further}",))
+
+
+_NO_TARGET = "The case sets no accuracy.target, which would choose slices, shapes and meshes by an error."

@@ -1,0 +1,50 @@
+"""A report as one HTML file: templates with what the page needs, all of it inside."""
+
+import json
+from importlib.resources import files
+
+from flexbearing.report.html.document import Document
+
+PLOTLY = "plotly-cartesian-4.1.1.min.js"  # scatter, bars, heatmaps; its licence lies beside it
+
+
+def html(document: Document) -> str:
+    """Lay a report out as a page.
+
+    Parameters
+    ----------
+    document : Document
+        what it holds
+
+    Returns
+    -------
+    str
+        HTML in UTF-8 that loads nothing from elsewhere; `data-ready` of its body is 1 when all is drawn
+    """
+    from jinja2 import Environment, StrictUndefined
+
+    page = files("flexbearing.report.html") / "page"
+    environment = Environment(
+        autoescape=True, undefined=StrictUndefined, trim_blocks=False, lstrip_blocks=True
+    )
+    figures = [
+        {"name": figure.name, "traces": figure.traces, "layout": figure.layout} for figure in document.figures
+    ]
+    template = environment.from_string((page / "report.html.j2").read_text("utf-8"))
+    return template.render(
+        document=document,
+        figures=in_script(figures),
+        download=in_script(dict(zip(("name", "text"), document.download or ("", ""), strict=True))),
+        style=(page / "report.css").read_text("utf-8"),
+        plotly=(page / PLOTLY).read_text("utf-8").replace("</", "<\\/") if figures else "",
+        program=(page / "report.js").read_text("utf-8"),
+    )
+
+
+def in_script(value: object) -> str:
+    r"""JSON that can stand in a script element, whatever its texts are.
+
+    >>> in_script("</script>")
+    '"\\u003c/script>"'
+    """
+    return json.dumps(value, allow_nan=False, separators=(",", ":")).replace("<", "\\u003c")

@@ -1,0 +1,138 @@
+"""What the life of a ball bearing has that a catalogue leaves out."""
+
+from collections.abc import Callable
+from typing import Any
+
+from flexbearing.case import BadCase
+from flexbearing.case.balls.angular_contact import FastCase
+from flexbearing.case.balls.deep_groove import DeepGrooveBearing
+from flexbearing.runs import ball_life
+from flexbearing.runs.catalogue_life import Catalogue, Influence, Settings
+from quasidynamic import OutOfRange
+from quasidynamic.outcome.ball_capacity import (
+    ball_dynamic_rating,
+    ball_fatigue_load_limit,
+    ball_static_rating,
+)
+from quasidynamic.outcome.life_factors import BALLS, modification_factor
+from quasidynamic.outcome.rating_life import BALL_EXPONENT, rating_life, static_safety
+from quasidynamic.parts.ball_row import BallRow
+
+WEIGHTLESS = "0.001 kg/m^3"  # of balls without inertia
+
+RATING: tuple[tuple[str, Settings], ...] = (
+    ("ISO 281: (C_r/P)^3, P = X F_r + Y F_a", {"life.loads": "rating"}),
+    ("loads of all balls, without inertia, tilt or clearance", {}),
+)
+MOUNTING = {
+    "bearing.fits": "",
+    "operation.temperatures": "",
+    "materials.shaft": "",
+    "materials.housing": "",
+    **{f"materials.{ring}.density": "" for ring in ("inner_ring", "outer_ring")},
+    **{f"materials.{part}.expansion": "" for part in ("ball", "inner_ring", "outer_ring")},
+}
+FITS = Influence("fits and heat, which change the contact angle", MOUNTING)
+CLEARANCE = Influence(
+    "operating clearance", {"bearing.clearance": "0 um", "bearing.clearance_class": "", **MOUNTING}
+)
+TILT = Influence(
+    "tilt of the inner ring",
+    {
+        "operation.load.moment_y": "0 N m",
+        "operation.load.moment_z": "0 N m",
+        "operation.displacement.tilt_y": "0 deg",
+        "operation.displacement.tilt_z": "0 deg",
+    },
+)
+AT_SPEED = (
+    Influence("inertia of the balls at speed", {"materials.ball.density": WEIGHTLESS}),
+    Influence(
+        "friction that decides how the balls turn",
+        {
+            "operation.control": "outer",
+            "friction.model": "full_sliding",
+            "friction.cells": "",
+            "friction.interface_compliance": "",
+        },
+    ),
+    Influence("lubrication", {"life.lubrication": "", "life.cleanliness": ""}),
+    Influence("reliability", {"life.reliability": ""}),
+)
+
+
+def influences(case: FastCase) -> tuple[Influence, ...]:
+    """What may act, in the order in which it enters: clearance, tilt and preload, then what speed does."""
+    ring = (CLEARANCE if isinstance(case.bearing, DeepGrooveBearing) else FITS, TILT)
+    preload = case.operation.preload
+    if preload is None:
+        return (*ring, *AT_SPEED)
+    of_spring = {"operation.preload": "", "operation.load.axial": f"{preload.force!r} N"}
+    return (*ring, Influence("rigid preload instead of that of a spring", of_spring), *AT_SPEED)
+
+
+def require_load(case: FastCase) -> None:
+    """Require forces that are known before the case is solved, and a ring that turns.
+
+    Raises
+    ------
+    BadCase
+        where one of them is missing
+    """
+    for name in case.operation.held:
+        raise BadCase(f"[operation] {name}: a catalogue knows lives under given forces only; give a force.")
+    if not any(case.operation.forces):
+        raise BadCase("[operation.load]: without a force a catalogue knows no life.")
+    if case.operation.inner_speed == case.operation.outer_speed:
+        raise BadCase("[operation] inner_speed: no ring turns against the other; there is no life.")
+
+
+def ratings(case: FastCase, hours: float) -> dict[str, Any]:
+    """What a catalogue's page says, and what it says of the load."""
+    row, given = ball_life.row(case), case.life
+    load, at_rest = ball_life.dynamic_load(case), ball_life.static_load(case)
+    radial, axial = case.operation.forces
+    static = ball_life.static(case)
+    lived = float(rating_life(ball_life.dynamic(case), load.value, BALL_EXPONENT))
+    by_maker = {"C_r": given.dynamic_rating, "C_0r": given.static_rating, "C_u": given.fatigue_limit_load}
+    return {
+        "ratings_N": {"C_r": ball_life.dynamic(case), "C_0r": static, "C_u": ball_life.fatigue_limit(case)},
+        "given": [name for name, value in by_maker.items() if value is not None],
+        "formulas_N": {
+            "C_r": _known(ball_dynamic_rating, row),
+            "C_0r": _known(ball_static_rating, row),
+            "C_u": _known(ball_fatigue_load_limit, row),
+        },
+        "load_N": load.value,
+        "equivalent_load": {
+            "F_r_N": radial, "F_a_N": axial,
+            "e": load.limit, "X": load.radial_factor, "Y": load.axial_factor, "note": load.note,
+            "X_0": at_rest.radial_factor, "Y_0": at_rest.axial_factor, "P_0_N": at_rest.value,
+        },
+        "static_safety": float(static_safety(static, at_rest.value)),
+        "life_Mrev": lived,
+        "life_h": lived * hours,
+    } | _by_oil(case, load.value, lived, hours)  # fmt: skip
+
+
+def _known(formula: Callable[[BallRow], float], row: BallRow) -> float | None:
+    """A rating by its formula; None where that does not hold."""
+    try:
+        return formula(row)
+    except OutOfRange:
+        return None
+
+
+def _by_oil(case: FastCase, load: float, lived: float, hours: float) -> dict[str, Any]:
+    """Modified rating life of ISO 281, where the case says how clean the oil is."""
+    if case.life.lubrication is None:
+        return {}
+    kappa = ball_life.kappa(case)
+    factor = float(modification_factor(kappa, ball_life.fatigue_share(case) / load, BALLS).value)
+    return {
+        "viscosity_ratio": kappa, "a_ISO": factor, "modified_Mrev": lived * factor,
+        "modified_h": lived * factor * hours,
+    }  # fmt: skip
+
+
+CATALOGUE = Catalogue(RATING, influences, require_load, ratings)

@@ -1,0 +1,232 @@
+"""The life of a ball bearing: by ISO/TS 16281 under the loads of its balls, and what modifies it."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+import quasidynamic as qd
+from flexbearing.build.viscosity import kinematic_viscosity
+from flexbearing.case.balls.angular_contact import AngularBearing, FastCase
+from flexbearing.runs.life_of_state import MREV, LifeOfState, explained, of_reliability
+from quasidynamic import OutOfRange
+from quasidynamic.note import Note, information
+from quasidynamic.outcome.ball_capacity import (
+    ball_dynamic_rating,
+    ball_fatigue_load_limit,
+    ball_static_rating,
+    require_radial,
+    static_factor,
+)
+from quasidynamic.outcome.ball_equivalent_load import EquivalentLoad, ball_dynamic_load, ball_static_load
+from quasidynamic.outcome.ball_life import ball_raceway_lives, ball_reference_life
+from quasidynamic.outcome.life import reference_load, turning_share
+from quasidynamic.outcome.life_factors import (
+    BALLS,
+    CLEANLINESS,
+    LifeFactor,
+    contamination_factor,
+    modification_factor,
+    viscosity_ratio,
+)
+from quasidynamic.outcome.rating_life import BALL_EXPONENT, rating_life, static_safety
+from quasidynamic.parts.ball_row import BallRow
+
+STEEL = (190e9, 225e9)  # [Pa] moduli of the steels that ISO 281 is meant for (assumed)
+
+
+@dataclass(frozen=True)
+class BallLives:
+    """Lives at one state of the bearing [rev]."""
+
+    basic: float  # L10r
+    raceways: NDArray  # (2) of the inner and the outer raceway on their own
+    of_state: LifeOfState | None  # after every factor; None when nothing modifies the basic life
+
+    @property
+    def modified(self) -> float | None:
+        """Life after every factor [rev]."""
+        return None if self.of_state is None else self.of_state.modified
+
+
+def lives(case: FastCase, state: qd.AngularContactState) -> BallLives | None:
+    """Lives under the loads of all balls; None at rest, without load, and where no rating is known.
+
+    Parameters
+    ----------
+    case : FastCase
+        with its section [life]
+    state : AngularContactState
+        with its loads
+
+    Returns
+    -------
+    BallLives or None
+
+    Raises
+    ------
+    OutOfRange
+        where a factor that the case asks for does not hold
+    """
+    relative = case.operation.inner_speed - case.operation.outer_speed
+    if not relative or (case.life.is_basic and unrated(case)):
+        return None
+    speeds = case.operation.inner_speed, case.operation.outer_speed
+    turning = turning_share(speeds[0], relative), turning_share(speeds[1], relative)
+    balls, rating = row(case), dynamic(case)
+    basic = ball_reference_life(state.loads, balls, turning, rating)
+    if not np.isfinite(basic):
+        return None
+    raceways = ball_raceway_lives(state.loads, balls, turning, rating) * MREV
+    return BallLives(basic * MREV, raceways, None if case.life.is_basic else _modified(case, basic))
+
+
+def _modified(case: FastCase, basic: float) -> LifeOfState:
+    """The life after every factor, from the basic one [10^6 revolutions]."""
+    by_loads, load = [], float(reference_load(basic, dynamic(case), BALL_EXPONENT))
+    if case.life.loads == "rating":
+        load = dynamic_load(case).value
+        value, note = float(rating_life(dynamic(case), load, BALL_EXPONENT)) / basic, "ISO 281: (C_r/P)^3"
+        by_loads.append({"name": "rating", "value": value, "effect": "load", "note": note})
+    return LifeOfState.of(basic, by_loads, (*_lubrication(case, load), *of_reliability(case.life)))
+
+
+def _lubrication(case: FastCase, load: float) -> Iterator[LifeFactor]:
+    """Factor a_ISO where the case asks for it, at an equivalent load [N]."""
+    if case.life.lubrication is None:
+        return
+    ratio_of_oil, share = kappa(case), fatigue_share(case) / load
+    words = f"kappa {ratio_of_oil:.3g}, e_C C_u/P {share:.3g}, equivalent load {load:.4g} N"
+    yield explained(modification_factor(ratio_of_oil, share, BALLS), words)
+
+
+def require_possible(case: FastCase) -> None:
+    """Raise `OutOfRange` where the case asks for a life that its geometry, speed or oil does not allow."""
+    if case.life.is_basic:
+        return
+    dynamic(case)
+    if case.life.loads == "rating":
+        dynamic_load(case)
+    if case.life.lubrication:
+        modification_factor(kappa(case), fatigue_share(case), BALLS)
+    of_reliability(case.life)
+
+
+def unrated(case: FastCase) -> str:
+    """Why there is no dynamic rating; empty where there is one."""
+    try:
+        dynamic(case)
+    except OutOfRange as why:
+        return str(why)
+    return ""
+
+
+def notes(case: FastCase) -> tuple[Note, ...]:
+    """What keeps the life away, and what must be known of the oil."""
+    turning = case.operation.inner_speed != case.operation.outer_speed
+    why = unrated(case) if turning and case.life.is_basic else ""
+    lines = (information("no-life", f"no rating life: {why}"),) if why else ()
+    if case.life.lubrication and case.lubricant is not None:
+        lines += kinematic_viscosity(case.lubricant)[1]
+    return lines
+
+
+def row(case: FastCase) -> BallRow:
+    """The balls as the standards see them: with the contact angle of the design, whatever the clearance."""
+    parts, diameter = case.bearing, case.bearing.ball.diameter
+    return BallRow(
+        balls=parts.balls,
+        ball_diameter=diameter,
+        pitch_diameter=parts.pitch_diameter,
+        contact_angle=parts.contact_angle if isinstance(parts, AngularBearing) else 0.0,
+        inner_conformity=parts.inner.over(diameter),
+        outer_conformity=parts.outer.over(diameter),
+    )
+
+
+def dynamic(case: FastCase) -> float:
+    """C_r of the case, or of ISO 281 [N].
+
+    Raises
+    ------
+    OutOfRange
+        where ISO 281 has none: balls that are not of steel, contact angles and sizes beyond its table
+    """
+    require_radial(row(case))
+    if case.life.dynamic_rating is not None:
+        return case.life.dynamic_rating
+    modulus, (low, high) = case.materials.ball.youngs_modulus, STEEL
+    if not low <= modulus <= high:
+        raise OutOfRange(
+            f"balls of {modulus / 1e9:.4g} GPa: ISO 281 rates balls of steel; give life.dynamic_rating"
+        )
+    return ball_dynamic_rating(row(case))
+
+
+def static(case: FastCase) -> float:
+    """C_0r of the case, or of ISO 76 [N]."""
+    rating = case.life.static_rating
+    return ball_static_rating(row(case)) if rating is None else rating
+
+
+def safety(case: FastCase, state: qd.AngularContactState) -> float | None:
+    """Static safety s_0 under what the balls carry for the ring, preload with it.
+
+    Parameters
+    ----------
+    case : FastCase
+        with its ratings
+    state : AngularContactState
+        with the load on its ring
+
+    Returns
+    -------
+    float or None
+        C_0r/P_0r of ISO 76 [-]; None where that has no rating: balls that are not of steel, angles and sizes
+        beyond its tables
+    """
+    low, high = STEEL
+    if case.life.static_rating is None and not low <= case.materials.ball.youngs_modulus <= high:
+        return None
+    axial, radial_y, radial_z = state.ring_load[:3]
+    try:
+        load = ball_static_load(
+            float(np.hypot(radial_y, radial_z)), abs(float(axial)), row(case).contact_angle
+        )
+        return float(static_safety(static(case), load.value))
+    except OutOfRange:
+        return None
+
+
+def fatigue_limit(case: FastCase) -> float:
+    """C_u of the case, or of ISO 281 from C_0r [N]."""
+    limit = case.life.fatigue_limit_load
+    return ball_fatigue_load_limit(row(case), static(case)) if limit is None else limit
+
+
+def dynamic_load(case: FastCase) -> EquivalentLoad:
+    """P_r of ISO 281."""
+    balls, (radial, axial) = row(case), case.operation.forces
+    return ball_dynamic_load(radial, axial, balls.contact_angle, static_factor(balls) * axial / static(case))
+
+
+def static_load(case: FastCase) -> EquivalentLoad:
+    """P_0r of ISO 76."""
+    radial, axial = case.operation.forces
+    return ball_static_load(radial, axial, row(case).contact_angle)
+
+
+def kappa(case: FastCase) -> float:
+    """Viscosity ratio of ISO 281 [-]."""
+    assert case.lubricant is not None  # checked on reading
+    speed = case.operation.inner_speed - case.operation.outer_speed
+    viscosity, _ = kinematic_viscosity(case.lubricant)
+    return float(viscosity_ratio(viscosity, speed, case.bearing.pitch_diameter))
+
+
+def fatigue_share(case: FastCase) -> float:
+    """Fatigue load limit that hard particles leave [N]."""
+    cleanliness = CLEANLINESS[str(case.life.cleanliness)]
+    left = contamination_factor(kappa(case), case.bearing.pitch_diameter, cleanliness)
+    return float(left) * fatigue_limit(case)

@@ -1,0 +1,69 @@
+"""A life with every factor that was applied to it."""
+
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass, replace
+from math import prod
+from typing import Any
+
+from flexbearing.case.ratings import Ratings
+from quasidynamic.outcome.life_factors import LifeFactor, ModifiedLife, reliability_factor
+
+MREV = 1e6  # revolutions
+
+
+@dataclass(frozen=True)
+class LifeOfState:
+    """The life at one state of the bearing, from the basic one over every factor."""
+
+    basic: float  # [10^6 revolutions]
+    factors: tuple[dict[str, Any], ...]  # name, value, effect and note
+    modified: float  # [revolutions]
+
+    @classmethod
+    def of(
+        cls, basic: float, by_loads: Sequence[dict[str, Any]], factors: Sequence[LifeFactor]
+    ) -> "LifeOfState":
+        """The life after what changes its loads or capacities, then after factors of different effects.
+
+        Parameters
+        ----------
+        basic : float
+            [10^6 revolutions]
+        by_loads : sequence of dict
+            name, value, effect and note of changes of the basic life itself
+        factors : sequence of LifeFactor
+            one for each effect
+
+        Returns
+        -------
+        LifeOfState
+
+        Raises
+        ------
+        OutOfRange
+            where two factors account for the same effect
+        """
+        rated = basic * prod(float(factor["value"]) for factor in by_loads)
+        life = ModifiedLife(basic=rated, factors=tuple(factors))
+        further = ({**asdict(factor), "value": float(factor.value)} for factor in life.factors)
+        return cls(basic, (*by_loads, *further), float(life.life) * MREV)
+
+    def record(self) -> dict[str, Any]:
+        """The same as JSON can hold it, lives in 10^6 revolutions."""
+        return {
+            "basic_Mrev": self.basic,
+            "factors": list(self.factors),
+            "modified_Mrev": self.modified / MREV,
+        }
+
+
+def explained(factor: LifeFactor, words: str) -> LifeFactor:
+    """A factor with more to say of it."""
+    return replace(factor, note="; ".join(filter(None, (factor.note, words))))
+
+
+def of_reliability(life: Ratings) -> list[LifeFactor]:
+    """The factor of the reliability that a case asks for; none where it asks for none."""
+    if life.reliability is None:
+        return []
+    return [explained(reliability_factor(life.reliability), f"reliability {life.reliability:g}")]

@@ -1,0 +1,80 @@
+"""Stresses below the most pressed contacts of a case, where it asks for them."""
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:  # balls load no rollers, and these no balls
+    from flexbearing.case.balls.angular_contact import FastCase
+    from flexbearing.case.balls.four_point import FourPointCase
+    from flexbearing.case.roller import Case
+    from flexbearing.coupled.states import EndState
+    from quasidynamic.outcome.subsurface import Subsurface
+    from quasidynamic.outcome.worst_point_contact import WorstPointContact
+
+
+def of_rollers(case: "Case", end: "EndState") -> "Subsurface | None":
+    """Field below the most pressed slice of both raceways, under the traction of its roller as it slides.
+
+    Parameters
+    ----------
+    case : Case
+        of the state
+    end : EndState
+        solved
+
+    Returns
+    -------
+    Subsurface or None
+        None without outputs.subsurface_stresses
+    """
+    if not case.outputs.subsurface_stresses:
+        return None
+    from quasidynamic.contact.line.subsurface import line_contact_stress
+    from quasidynamic.outcome.subsurface import below
+
+    state, worst = end.equilibrium, end.worst
+    roller = end.slice_pressure.max(axis=2).argmax(axis=1)
+    load, traction = (values[np.arange(2), roller] for values in (state.loads, state.traction))
+    friction = np.divide(-traction, load, out=np.zeros(2), where=load > 0)  # on the raceway
+    bearing = state.balance.roller.bearing
+    stresses = [
+        partial(line_contact_stress, poisson_ratio=ring.poisson_ratio, friction=share)
+        for ring, share in zip((bearing.inner_ring, bearing.outer_ring), friction, strict=True)
+    ]
+    return below(stresses, worst.pressure, worst.half_width, friction)
+
+
+def of_balls(case: "FastCase | FourPointCase", worst: "WorstPointContact") -> "Subsurface | None":
+    """Field below the most pressed ellipse of both raceways, without friction.
+
+    Parameters
+    ----------
+    case : FastCase or FourPointCase
+        of the state
+    worst : WorstPointContact
+        of both raceways
+
+    Returns
+    -------
+    Subsurface or None
+        None without outputs.subsurface_stresses
+
+    Raises
+    ------
+    OutOfRange
+        for a contact that is longer along than across the rolling direction
+    """
+    if not case.outputs.subsurface_stresses:
+        return None
+    from quasidynamic.contact.ellipse.subsurface import ellipse_stress
+    from quasidynamic.outcome.subsurface import below
+
+    materials = case.materials
+    rings = (materials.inner_ring or materials.ball, materials.outer_ring or materials.ball)
+    stresses = [
+        partial(ellipse_stress, axis_ratio=ratio or 1.0, poisson_ratio=ring.poisson_ratio)  # 1: without load
+        for ratio, ring in zip(worst.axis_ratio, rings, strict=True)
+    ]
+    return below(stresses, worst.pressure, worst.half_width)

@@ -1,0 +1,55 @@
+"""The most pressed line contact of each raceway: its width, what it does below the surface, its safety."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.contact.line.subsurface import orthogonal_shear
+from quasidynamic.outcome.static_pressure import LINE, ROLLERS, pressure_safety
+
+
+@dataclass(frozen=True)
+class WorstLineContact:
+    """Most pressed slice of each raceway; inner and outer are the last axis, cases may stand before."""
+
+    pressure: NDArray  # (..., 2) [Pa]
+    half_width: NDArray  # (..., 2) [m]
+
+    @classmethod
+    def under(cls, pressure: NDArray, radius: NDArray, modulus: NDArray) -> "WorstLineContact":
+        r"""The strip that has a pressure.
+
+        .. math:: b = 4 R p_0 / E'
+
+        Parameters
+        ----------
+        pressure : array (..., 2)
+            p0 [Pa], >= 0
+        radius, modulus : array (..., 2)
+            R, reduced [m], and E' [Pa] of both raceways
+
+        Returns
+        -------
+        WorstLineContact
+
+        Source
+        ------
+        Johnson, Contact Mechanics (1985), sec. 4.2, both formulas of `contact.line.hertz` in one.
+        """
+        return cls(pressure, 4 * radius * pressure / modulus)
+
+    @property
+    def orthogonal_shear(self) -> NDArray:
+        """Amplitude of the orthogonal shear stress (..., 2) [Pa]."""
+        return orthogonal_shear(self.pressure, self.half_width)[0]
+
+    @property
+    def orthogonal_depth(self) -> NDArray:
+        """Its depth (..., 2) [m]."""
+        return orthogonal_shear(self.pressure, self.half_width)[1]
+
+    @property
+    def safety(self) -> NDArray:
+        """Static safety by pressure (..., 2) [-]."""
+        return np.asarray(pressure_safety(self.pressure, ROLLERS, LINE))

@@ -1,0 +1,144 @@
+"""Pages of reports, parsed, and the numbers that a result file has at the places they name."""
+
+import json
+from html.parser import HTMLParser
+from pathlib import Path
+
+import h5py
+import numpy as np
+from pytest import approx
+
+from flexbearing import api
+from flexbearing.case import understood
+from flexbearing.outputs import AbsentOutput
+from flexbearing.units import unit
+
+
+class Page(HTMLParser):
+    """Cells with numbers, figures, and everything that is shown as text."""
+
+    def __init__(self, html):
+        super().__init__()
+        self.cells, self.text, self.scripts, self.tags = [], [], {}, []
+        self._cell, self._script = None, None
+        self.feed(html)
+
+    def handle_starttag(self, tag, attributes):
+        given = dict(attributes)
+        self.tags.append((tag, given))
+        if tag == "td" and given.get("class") == "number":
+            self._cell = given
+        if tag in ("script", "style"):
+            self._script = given.get("id", "")
+
+    def handle_data(self, data):
+        if self._script is not None:
+            self.scripts[self._script] = self.scripts.get(self._script, "") + data
+        elif self._cell is not None:
+            self.cells.append((self._cell, data))
+        self.text.append("" if self._script is not None else data)
+
+    def handle_endtag(self, tag):
+        if tag == "td":
+            self._cell = None
+        if tag in ("script", "style"):
+            self._script = None
+
+    @property
+    def figures(self):
+        return json.loads(self.scripts["figures"])
+
+
+class Numbers:
+    """Numbers of a result file by their places, from HDF5 and from the summary."""
+
+    def __init__(self, path, other=None):
+        self.other = Numbers(other) if other else None
+        self.result = api.read(path)
+        self.summary = self.result.summary()
+        self.file = h5py.File(path)
+
+    def __call__(self, place):
+        kind, _, rest = place.partition("/")
+        if kind == "other":
+            return self.other(rest)
+        if kind == "outputs":
+            try:
+                return float(self.result[rest].number)
+            except AbsentOutput:
+                return None
+        if kind == "change":
+            before, after = (self(each) for each in rest.split(":"))
+            return 100 * (after - before) / abs(before)
+        if kind == "reference_life":
+            return self.reference_life(*rest.split("/"))
+        if kind == "ratings":
+            return followed(self.ratings, rest.split("/"))
+        return self.stored(place)
+
+    def stored(self, place):
+        """What the file or its summary has at a place."""
+        kind, _, rest = place.partition("/")
+        if kind == "summary":
+            return followed(self.summary, rest.split("/"))
+        if kind == "attributes":
+            name, *steps = rest.split("/")
+            return followed(json.loads(self.file.attrs[name]), steps)
+        if kind == "case":
+            return followed(json.loads(self.file.attrs["case_si"]), rest.split("."))
+        return self.array(place)
+
+    @property
+    def ratings(self):
+        """Ratings that follow from the case."""
+        family, about = self.result.family, self.result.attributes
+        file = Path(about["case_file"])
+        case = understood(about["case_text"], file, about["case_overrides"], {family.kind: family})
+        return family.catalogue().ratings(case, 1.0)
+
+    def reference_life(self, block, unit_name):
+        """Basic life times the factors that change loads and capacities."""
+        life = json.loads(self.file.attrs["life"])[block]
+        turns = life["basic_Mrev"]
+        for factor in life["factors"]:
+            turns *= factor["value"] if factor["effect"] == "load" else 1
+        speed = abs(float(self.file[f"{block}/relative_speed"][()]))
+        return turns if unit_name == "Mrev" else turns * 1e6 * 2 * np.pi / speed / 3600
+
+    def array(self, place):
+        if place.startswith("other/"):
+            return self.other.array(place.removeprefix("other/"))
+        group, name, *index = place.split("/")
+        return self.file[f"{group}/{name}"][
+            tuple(slice(None) if step == "*" else int(step) for step in index)
+        ]
+
+
+def followed(value, steps):
+    for step in steps:
+        value = value[int(step) if isinstance(value, list) else step]
+    return value
+
+
+def require_equal(cells, numbers):
+    """Every cell with a number is what stands at its place, to the printed digit."""
+    for given, text in cells:
+        value = numbers(given["data-of"])
+        if text == "–":
+            assert value is None or np.isnan(value) or ("film" in given["data-of"] and value == 0), given
+        elif text != "∞":
+            printed = float(text.replace(",", ""))
+            exact = in_unit(value, given["data-stored"], given["data-unit"])
+            assert printed == approx(exact, rel=1e-12, abs=1.0001 * half_a_digit(text)), given
+
+
+def in_unit(value, stored, shown):
+    here, there = unit(stored or "1"), unit(shown or "1")
+    return (here.to_si(value) - float(there.offset)) / there.scale
+
+
+def half_a_digit(text):
+    """Half a unit of the last digit of a printed number."""
+    mantissa, _, exponent = text.lstrip("+-").partition("e")
+    decimals = len(mantissa.partition(".")[2])
+    return 0.5 * 10.0 ** (int(exponent or 0) - decimals)

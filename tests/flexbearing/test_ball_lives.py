@@ -1,0 +1,155 @@
+"""Rating lives of ball bearings: what a run stores, what modifies them, what they need."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from pytest import approx
+
+from flexbearing import check, run
+from flexbearing.api import read_case
+from flexbearing.case import BadCase
+from flexbearing.report import text
+from flexbearing.runs import ball_life
+from quasidynamic.outcome.ball_capacity import ball_dynamic_rating, ball_fatigue_load_limit
+from quasidynamic.outcome.ball_life import ball_reference_life
+from quasidynamic.outcome.life_factors import BALLS, CLEANLINESS, contamination_factor, modification_factor
+from tests.flexbearing.noted import texts
+
+CONFIGS = Path(__file__).parents[2] / "configs"
+STEEP, DEEP = CONFIGS / "harris218.toml", CONFIGS / "6209.toml"
+CLEAN = "oil, in-line filter, -/15/12"
+ISO = {"life.lubrication": "a_ISO", "life.cleanliness": CLEAN, "lubricant.inlet_temperature": "70 degC"}
+VG_32 = ISO | {"lubricant.oil": "ISO VG 32"}
+SHEET = ISO | {"lubricant.data_sheet": {
+    "name": "oil 32", "cold_temperature": "40 degC", "cold_viscosity": "32 mm^2/s",
+    "hot_temperature": "100 degC", "hot_viscosity": "5.4 mm^2/s"}}  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def steep():
+    return run(STEEP)
+
+
+def test_life_is_the_reference_life_of_the_loads(steep):
+    row = ball_life.row(read_case(STEEP))
+    expected = ball_reference_life(steep.rigid["contact_load"], row, (1.0, 0.0), ball_dynamic_rating(row))
+    assert float(steep["life_L10"].to("Mrev")) == approx(expected, rel=1e-9)
+    both = steep.rigid["raceway_life"] / 1e6
+    assert (both ** (-10 / 9)).sum() ** -0.9 == approx(expected, rel=1e-9)
+    assert steep.attributes["life"] == {}
+    assert "life L10 [Mrev]" in text(steep)
+
+
+def test_inner_ring_that_stands_meets_its_loads_with_one_place():
+    """A ring at rest takes the mean of power 10/3; under unequal loads the life changes, and a little."""
+    inner, outer = (
+        float(run(DEEP, {f"operation.{ring}_speed": "1800 rpm", f"operation.{other}_speed": "0 rpm"})[
+            "life_L10"].to("Mrev"))
+        for ring, other in (("inner", "outer"), ("outer", "inner"))
+    )  # fmt: skip
+    assert 0.6 < outer / inner < 0.98
+
+
+def test_given_rating_takes_the_place_of_the_formula(steep):
+    doubled = run(
+        STEEP, {"life.dynamic_rating": f"{2 * ball_dynamic_rating(ball_life.row(read_case(STEEP)))} N"}
+    )
+    assert float(doubled["life_L10"].to("Mrev")) == approx(8 * float(steep["life_L10"].to("Mrev")), rel=1e-9)
+
+
+def test_modified_life_by_hand():
+    result = run(DEEP, VG_32 | {"life.reliability": 0.95, "life.static_rating": "20 kN"})
+    case = read_case(DEEP, VG_32)
+    viscosity = 11.19e-6  # [m2/s] of ISO VG 32 at 70 degC, between 32 at 40 and 5.4 at 100
+    kappa = viscosity * 1e6 / (4500 * (1800 * 65.0) ** -0.5)
+    assert ball_life.kappa(case) == approx(kappa, rel=0.01)
+    basic = float(result["life_L10"].to("Mrev"))
+    load = ball_life.dynamic(case) / basic ** (1 / 3)
+    pitch = case.bearing.pitch_diameter
+    share = contamination_factor(ball_life.kappa(case), pitch, CLEANLINESS[CLEAN]) * 20e3 / 22 / load
+    a_iso = modification_factor(ball_life.kappa(case), share, BALLS).value
+    (first, second), record = (
+        result.attributes["life"]["rigid"]["factors"],
+        result.attributes["life"]["rigid"],
+    )
+    assert (first["name"], second["name"]) == ("a_ISO", "a_1")
+    assert first["value"] == approx(a_iso, rel=1e-9)
+    assert record["modified_Mrev"] == approx(basic * a_iso * second["value"], rel=1e-9)
+    assert float(result["modified_life"].to("Mrev")) == approx(record["modified_Mrev"], rel=1e-12)
+    assert "x a_ISO" in text(result)
+
+
+def test_oil_by_name_by_its_sheet_and_by_its_data_has_one_viscosity_ratio():
+    by_data = ISO | {"lubricant.viscosity": "10 mPa s", "lubricant.density": "893.7 kg/m^3"}
+    ratios = [ball_life.kappa(read_case(DEEP, settings)) for settings in (VG_32, SHEET, by_data)]
+    assert ratios == approx([ratios[0]] * 3, rel=5e-3)
+
+
+def test_oil_beyond_its_data_is_told():
+    result = run(DEEP, SHEET | {"lubricant.inlet_temperature": "120 degC"})
+    assert any("oil 32 at 120 degC is extrapolated" in words for words in texts(result))
+    with pytest.raises(BadCase, match="usable range"):
+        check(DEEP, SHEET | {"lubricant.inlet_temperature": "250 degC"})
+
+
+@pytest.mark.parametrize(
+    ("settings", "why"),
+    [
+        ({"life.lubrication": "a_ISO", "life.cleanliness": CLEAN}, r"lubricant is missing.*a_ISO"),
+        ({"life.lubrication": "a_ISO"}, r"\[life\] cleanliness is missing"),
+        ({"life.cleanliness": CLEAN}, "left out without"),
+        ({"life.reliability": 0.95, "operation.inner_speed": "0 rpm"}, "another one than operation.outer"),
+        ({"life.loads": "rating", "operation.preload.displacement": "5 um"}, "give a force"),
+        ({"life.loads": "rating", "operation.load.radial_z": "0 N"}, "some force"),
+        ({"lubricant.oil": "ISO VG 32", "lubricant.density": "860 kg/m^3",
+          "lubricant.inlet_temperature": "60 degC"}, "or its data, not both"),
+        (ISO | {"lubricant.viscosity": "10 mPa s"}, "density is missing"),
+        (VG_32 | {"operation.inner_speed": "1 rpm"}, "viscosity ratio"),
+    ],
+    ids=str,
+)  # fmt: skip
+def test_what_a_life_lacks_is_told(settings, why):
+    with pytest.raises(BadCase, match=why):
+        check(DEEP, settings)
+
+
+def test_bearing_at_rest_has_no_life():
+    at_rest = run(DEEP, {"operation.inner_speed": "0 rpm"})
+    assert "life_L10" not in at_rest.rigid
+    assert not any("life" in words for words in texts(at_rest))
+
+
+@pytest.mark.parametrize(
+    ("settings", "why"),
+    [
+        ({"bearing.contact_angle": "50 deg"}, "thrust"),
+        ({"bearing.contact_angle": "50 deg", "life.dynamic_rating": "100 kN"}, "thrust"),
+        ({"materials.ball": "Si3N4"}, "balls of steel"),
+    ],
+    ids=["thrust", "thrust, of a maker", "ceramic"],
+)
+def test_bearing_without_a_rating_says_why(settings, why):
+    result = run(STEEP, settings)
+    assert "life_L10" not in result.rigid
+    (note,) = [each for each in result.attributes["notes"] if each["code"] == "no-life"]
+    assert why in note["text"]
+    with pytest.raises(BadCase, match=why):
+        check(STEEP, settings | {"life.reliability": 0.95})
+
+
+def test_ceramic_balls_live_by_a_given_rating():
+    result = run(STEEP, {"materials.ball": "Si3N4", "life.dynamic_rating": "100 kN"})
+    assert np.isfinite(result.rigid["life_L10"])
+
+
+def test_contact_angle_of_a_deep_groove_rating_is_zero_whatever_the_clearance():
+    rows = [ball_life.row(read_case(DEEP, {"bearing.clearance": c})) for c in ("-5 um", "40 um")]
+    assert rows[0] == rows[1]
+    assert rows[0].contact_angle == 0.0
+    assert ball_fatigue_load_limit(rows[0]) == approx(928, rel=1e-2)
+
+
+def test_short_life_is_a_danger():
+    result = run(DEEP, {"operation.load.radial_z": "40 kN", "operation.inner_speed": "12000 rpm"})
+    assert "short-life" in {note["code"] for note in result.dangers}

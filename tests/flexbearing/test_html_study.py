@@ -1,0 +1,111 @@
+"""Reports of studies: every row and every point is that of the table."""
+
+import csv
+import json
+from io import StringIO
+
+import numpy as np
+import pytest
+from pytest import approx
+
+import flexbearing
+from flexbearing.pages.make import report
+from flexbearing.results import BadResult
+from tests.flexbearing.hostile_cases import CONFIGS
+from tests.flexbearing.html_pages import Page, require_equal
+
+STUDY = f"""
+case = "{CONFIGS / "nu209.toml"}"
+name = "sweep"
+[over]
+"bearing.clearance" = ["10 um", "30 um", "50 um"]
+"operation.radial_load" = ["5 kN", "10 kN"]
+[collect]
+life = "life_L10 [h]"
+load = "max_roller_load [kN]"
+"""
+DUTY = f"""
+case = "{CONFIGS / "nu209.toml"}"
+name = "cycle"
+[duty]
+time = ["20 %", "80 %"]
+"operation.radial_load" = ["5 kN", "12 kN"]
+"operation.inner_speed" = ["4000 rpm", "2000 rpm"]
+"""
+
+
+@pytest.fixture(scope="module")
+def tables(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("studies")
+    for name, text in (("sweep", STUDY), ("cycle", DUTY)):
+        (folder / f"{name}.toml").write_text(text, "utf-8")
+        flexbearing.study(folder / f"{name}.toml", folder / name, jobs=1)
+    return folder
+
+
+class Rows:
+    """Numbers of tables by their places, "rows/0/life [h]"."""
+
+    def __init__(self, **files):
+        self.rows = {
+            name: list(csv.DictReader(StringIO(path.read_text("utf-8")))) for name, path in files.items()
+        }
+
+    def __call__(self, place):
+        table, row, heading = place.split("/", 2)
+        text = self.rows[table][int(row)][heading]
+        return float(text) if text else None
+
+
+@pytest.mark.parametrize("units", ["metric", "imperial"])
+def test_every_number_of_a_study_is_that_of_its_table(tables, tmp_path, units):
+    (written,) = report(tables / "sweep", tmp_path / "sweep.html", units=units)
+    page = Page(written.read_text("utf-8"))
+    assert len(page.cells) == 6 * 5  # rows by keys, outputs and seconds
+    require_equal(page.cells, Rows(rows=tables / "sweep" / "sweep.csv"))
+
+
+def test_figures_of_a_study_have_a_line_for_each_value_of_the_other_key(tables, tmp_path):
+    (written,) = report(tables / "sweep", tmp_path / "sweep.html")
+    rows = Rows(rows=tables / "sweep" / "sweep.csv")
+    figures = [figure for figure in Page(written.read_text("utf-8")).figures]
+    assert len(figures) == 2 * 2  # each output over each key
+    first = figures[0]
+    assert [trace["name"] for trace in first["traces"]] == ["radial load 5000 N", "radial load 10000 N"]
+    for figure in figures:
+        for trace in figure["traces"]:
+            stored = [rows(f"rows/{row - 1}/{trace['meta']}") for row in trace["customdata"]]
+            assert trace["y"] == approx(np.array(stored), rel=1e-5)
+            assert trace["x"] == sorted(trace["x"])
+
+
+def test_lives_under_a_duty_cycle_stand_above_its_rows(tables, tmp_path):
+    folder = tables / "cycle"
+    (written,) = report(folder / "cycle.csv", tmp_path / "cycle.html")
+    page = Page(written.read_text("utf-8"))
+    require_equal(page.cells, Rows(rows=folder / "cycle.csv", duty=folder / "cycle_duty.csv"))
+    assert any(given["data-of"] == "duty/0/life [h]" for given, _ in page.cells)
+
+
+def test_the_page_hands_out_the_table_itself(tables, tmp_path):
+    (written,) = report(tables / "sweep", tmp_path / "sweep.html")
+    download = json.loads(Page(written.read_text("utf-8")).scripts["download"])
+    assert download == {"name": "sweep.csv", "text": (tables / "sweep" / "sweep.csv").read_text("utf-8")}
+
+
+@pytest.mark.parametrize(
+    ("content", "reason"),
+    [("a,b\n1\n", "no table of a study"), ("", "no table of a study"), ("a\n1\n", "it has no rows")],
+)
+def test_other_tables_are_refused(tmp_path, content, reason):
+    path = tmp_path / "other.csv"
+    path.write_text(content, "utf-8")
+    with pytest.raises(BadResult, match=reason):
+        report(path)
+
+
+def test_a_folder_with_several_tables_is_refused_by_their_names(tmp_path):
+    for name in ("a.csv", "b.csv"):
+        (tmp_path / name).touch()
+    with pytest.raises(BadResult, match=r"holds several tables, name one: a\.csv, b\.csv"):
+        report(tmp_path)

@@ -1,0 +1,450 @@
+"""From a catalogue page to a case: `flexbearing new`."""
+
+import re
+import shlex
+import tomllib
+from math import pi, sin
+from pathlib import Path
+
+import pytest
+from pytest import approx
+
+import flexbearing
+from flexbearing import BadCase, BadOutput, __main__ as program, api
+from flexbearing.catalogue import page as pages, questions
+from flexbearing.catalogue.ball_set import (
+    SHARE as BALL_SHARE,
+    ball_set,
+    plausible_ratios,
+)
+from flexbearing.catalogue.new import new
+from flexbearing.catalogue.roller_set import SHARE, plausible_numbers, roller_set
+
+CATALOGUE = Path(__file__).parents[2] / "configs" / "catalogue"
+SHIPPED = sorted(CATALOGUE.glob("*.toml"))
+FACTOR = re.compile(r"[0-9.e+]+(?= times)")
+NU210 = {
+    "bore": "50 mm", "outside": "90 mm", "width": "20 mm", "inner_raceway": "59.5 mm",
+    "outer_raceway": "81.5 mm", "dynamic_rating": "73.5 kN", "static_rating": "69.5 kN",
+    "fatigue_limit": "8.8 kN", "clearance_class": "CN", "shaft": "k5", "load": "5 kN", "speed": "3000 rpm",
+}  # fmt: skip
+SIX208 = {
+    "bore": "40 mm", "outside": "80 mm", "width": "18 mm", "dynamic_rating": "32.5 kN",
+    "static_rating": "19 kN", "load": "3 kN", "speed": "3000 rpm",
+}  # fmt: skip
+SEVEN208 = SIX208 | {"angle": "40 deg", "axial": "3 kN", "static_rating": "26 kN"}
+LOW = {"bearing.roller.profile": "logarithmic", "bearing.roller.drop": "1.92 um"}
+NUMBERS = ("load", "speed")  # that no catalogue page has
+
+
+@pytest.fixture
+def unweighed(monkeypatch):
+    """No life is computed to compare it with."""
+
+    def never(*_, **__):
+        raise BadCase("not here")
+
+    monkeypatch.setattr(api, "compute", never)
+
+
+@pytest.fixture
+def write(tmp_path, unweighed):
+    def written(like="cylindrical_roller", **options):
+        file = tmp_path / "case.toml"
+        new(file, like, NU210 | options, force=True)
+        return tomllib.loads(file.read_text())
+
+    return written
+
+
+def header(file):
+    """Options of the command in the head of a file."""
+    lines = [line[1:].strip() for line in file.read_text().split("\ntitle = ")[0].splitlines()]
+    start = next(place for place, line in enumerate(lines) if line.startswith("flexbearing new"))
+    return shlex.split(" ".join(line.rstrip("\\") for line in lines[start : lines.index("", start)]))[1:]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("file", SHIPPED, ids=lambda file: file.stem)
+def test_shipped_case_is_what_the_command_in_its_head_writes(file, tmp_path, monkeypatch):
+    """Where it is not, that command with --force writes it again."""
+    monkeypatch.chdir(tmp_path)
+    assert program.command(header(file)) == 0
+    expected, found = (path.read_text() for path in (file, tmp_path / file.name))
+    assert FACTOR.sub("F", found) == FACTOR.sub("F", expected)
+    factors = [[float(each) for each in FACTOR.findall(text)] for text in (found, expected)]
+    assert factors[0] == approx(factors[1], rel=0.02, abs=0)
+
+
+@pytest.mark.parametrize("file", SHIPPED, ids=lambda file: file.stem)
+def test_a_catalogue_case_takes_at_most_ten_numbers_besides_load_and_speed(file):
+    words = header(file)
+    options = {
+        pages.ENTRIES[name].option: pages.ENTRIES[name] for name in pages.ENTRIES if name not in NUMBERS
+    }
+    numbers = [word for word in words if word in options and not options[word].key]
+    assert len(numbers) <= 10
+    assert {"--speed", "--load"} < set(words)
+
+
+@pytest.mark.parametrize("file", SHIPPED, ids=lambda file: file.stem)
+def test_shipped_case_has_a_result(file):
+    assert flexbearing.run(file).attributes["status"] == "converged"
+
+
+@pytest.mark.parametrize("file", SHIPPED, ids=lambda file: file.stem)
+def test_every_assumed_value_says_where_it_comes_from_and_what_another_one_does(file):
+    text = file.read_text()
+    comments = re.findall(r"# assumed: (.*)", re.sub(r"\n# (?!assumed)", " ", text))
+    assert len(comments) == len(tomllib.loads(text)["assumed"]) > 9
+    assert all(re.search(r"; life .*(unchanged|times) with ", comment) for comment in comments)
+
+
+def test_ratings_of_the_maker_are_those_of_the_case(write):
+    life = write()["life"]
+    assert life["dynamic_rating"] == "73.5 kN"
+    assert life["static_rating"] == "69.5 kN"
+    assert life["fatigue_limit_load"] == "8.8 kN"
+
+
+def test_given_rollers_are_not_assumed(write):
+    case = write(elements="16", length="11 mm")
+    assert case["bearing"]["rollers"] == 16
+    assert case["bearing"]["roller"]["length"] == "11 mm"
+    assert not {"bearing.rollers", "bearing.roller.length"} & set(case["assumed"])
+
+
+def test_length_follows_from_the_number_and_the_static_rating(write):
+    # ISO 76: C_0 = 44 (1 - D_w/D_pw) Z l D_w
+    case = write(elements="16")
+    assert float(case["bearing"]["roller"]["length"].removesuffix(" mm")) == approx(
+        69500 / (44 * (1 - 11 / 70.5) * 16 * 11), rel=1e-3
+    )
+    assert "bearing.roller.length" in case["assumed"]
+    assert "bearing.rollers" not in case["assumed"]
+
+
+def test_number_follows_from_the_length_and_the_static_rating(write):
+    case = write(length="10.6 mm")
+    assert case["bearing"]["rollers"] == 16
+    assert "bearing.rollers" in case["assumed"]
+
+
+def test_ratings_cannot_tell_the_number_of_rollers_from_their_length():
+    """With C_0 kept, C goes with Z^(-1/36)."""
+    rollers = roller_set(pages.read("cylindrical_roller", NU210))
+    ratings = [rollers.rated(*pair) for pair in rollers.pairs]
+    assert len(ratings) > 2
+    assert [each.static for each in ratings] == approx([69500] * len(ratings), rel=1e-12)
+    (few, _), (many, _) = rollers.pairs[0], rollers.pairs[-1]
+    expected = (few / many) ** (3 / 4 - 7 / 9)
+    assert ratings[0].dynamic / ratings[-1].dynamic == approx(expected, rel=1e-12)
+    assert expected == approx(1, abs=0.01)
+
+
+@pytest.mark.parametrize(
+    ("number", "ratio", "length", "width"),
+    [(14, 10 / 65.032, 9.601, 19), (30, 5 / 70, 5, 10)],
+    ids=["209 of Harris", "Mao, Wang and Zhang (2016)"],
+)
+def test_published_bearings_are_plausible(number, ratio, length, width):
+    assert number in plausible_numbers(ratio)
+    assert SHARE[0] <= length / width <= SHARE[1]
+
+
+@pytest.mark.parametrize("ratio", [0.02, 0.1, 0.25])
+def test_plausible_numbers_leave_room_for_a_cage(ratio):
+    numbers = plausible_numbers(ratio)
+    gaps = [sin(pi / number) / ratio for number in (numbers[-1], numbers[0])]
+    assert 1.2 <= gaps[0] <= gaps[1] <= 1.6
+
+
+def test_ranges_are_shown_where_rollers_are_assumed(unweighed, tmp_path):
+    told = new(tmp_path / "case.toml", "cylindrical_roller", NU210)
+    row = next(line for line in told.splitlines() if line.startswith("static"))
+    assert re.fullmatch(r"static, C_0 \(ISO 76\) +69.5 kN +69.5 kN +42.5 kN to 91.5 kN +69.5 kN", row)
+    assert "Z and l_w assumed" in told
+    known = new(tmp_path / "known.toml", "cylindrical_roller", NU210 | {"elements": "16", "length": "11 mm"})
+    assert "assumed" not in known
+    assert "plausible" not in known
+
+
+def test_without_ratings_the_middle_of_what_is_plausible_is_taken(write):
+    bare = {name: None for name in ("dynamic_rating", "static_rating", "fatigue_limit")}
+    case = write(**bare)
+    assert case["bearing"]["rollers"] == 14
+    assert case["bearing"]["roller"]["length"] == "11 mm"
+    assert not {"dynamic_rating", "static_rating"} & set(case["life"])
+
+
+def test_raceway_follows_from_the_other_one_and_the_rollers(write):
+    case = write(outer_raceway=None, diameter="11 mm")
+    assert case["bearing"]["outer_raceway_diameter"] == "81.5 mm"
+
+
+def test_a_stated_clearance_needs_no_fits(write):
+    case = write(clearance="30 um", clearance_class=None, shaft=None)
+    assert "fits" not in case["bearing"]
+    assert "shaft" not in case["materials"]
+
+
+IMPOSSIBLE = {
+    "raceways": (
+        {"outer_raceway": "59.5 mm", "inner_raceway": "81.5 mm"}, "F = 81.5 mm must be below E = 59.5 mm."
+    ),
+    "bore": ({"bore": "6 cm"}, "the bore = 6 cm must be below F = 5.95 cm."),
+    "too many": (
+        {"elements": "30"}, "--elements 30: 3 to 20 rollers of 11 mm fit round the circle of 70.5 mm."
+    ),
+    "too long": (
+        {"length": "2.1 cm"}, "--length 2.1 cm: rollers are shorter than the bearing is wide, 20 mm."
+    ),
+    "diameter": (
+        {"diameter": "10 mm"}, "--diameter 10 mm: E - F is 81.5 mm - 59.5 mm, and half of it 11 mm."
+    ),
+    "rating": ({"static_rating": "15 tf"}, "--static-rating 15 tf has an unknown unit, tf"),
+    "static": (
+        {"static_rating": "120 kN"},
+        "--static-rating 120 kN: 13 to 16 rollers of 11 mm, 8 mm to 14 mm long, have 42.48 kN to 91.5 kN by "
+        "ISO 76; where it is right all the same, give --elements and --length.",
+    ),
+    "bare": ({"bore": "50"}, '--bore 50 has no unit; it must be a length with its unit, such as "50 mm".'),
+    "zero": ({"load": "0 N"}, "--load 0 N: it must be above zero."),
+    "half a roller": ({"elements": "14.5"}, "--elements 14.5: it must be a whole number"),
+    "two clearances": (
+        {"clearance": "30 um"},
+        "--clearance: it is that in operation; leave out --clearance-class and --shaft.",
+    ),
+    "no such class": ({"clearance_class": "C6"}, "--clearance-class C6: it must be C2 or CN or C3 or C4."),
+    "mistyped": ({"material": "100Cr7"}, "Did you mean 100Cr6?"),
+    "untabulated": (
+        {name: f"{10 * float(NU210[name].removesuffix(' mm')):g} mm" for name in
+         ("bore", "outside", "width", "inner_raceway", "outer_raceway")} | {"static_rating": None},
+        "CN is tabulated over 6 mm up to 250 mm",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("options", "message"), IMPOSSIBLE.values(), ids=IMPOSSIBLE)
+def test_what_cannot_be_is_told_in_the_units_of_the_user(options, message, tmp_path):
+    file = tmp_path / "case.toml"
+    with pytest.raises(BadCase, match=re.escape(message)):
+        new(file, "cylindrical_roller", NU210 | options)
+    assert not file.exists()
+
+
+def test_everything_that_is_missing_is_told_at_once(tmp_path):
+    with pytest.raises(BadCase) as told:
+        new(tmp_path / "case.toml", "cylindrical_roller", {"bore": "50", "shaft": "k55"})
+    lines = str(told.value).splitlines()
+    expected = [
+        "--bore 50", "--shaft k55", "--outside", "--width", "--load", "--speed", "of --inner-raceway",
+    ]  # fmt: skip
+    assert [line[: len(words)] for line, words in zip(lines, expected, strict=True)] == expected
+
+
+def test_an_unknown_kind_is_told_the_nearest(tmp_path):
+    with pytest.raises(BadCase, match=r"Did you mean squirrel_cage\?"):
+        new(tmp_path / "case.toml", "squirrel_cag", NU210)
+    with pytest.raises(BadCase, match="--housing: a squirrel_cage takes none"):
+        new(tmp_path / "case.toml", "squirrel_cage", NU210 | {"housing": "H7"})
+
+
+def test_an_existing_file_is_kept(unweighed, tmp_path):
+    file = tmp_path / "case.toml"
+    file.write_text("mine")
+    with pytest.raises(BadOutput, match="is there already; --force replaces it"):
+        new(file, "cylindrical_roller", NU210)
+    assert file.read_text() == "mine"
+    new(file, "cylindrical_roller", NU210, force=True)
+    assert flexbearing.check(file)
+
+
+def test_told_weight_of_a_value_is_the_ratio_of_two_lives(tmp_path):
+    file = CATALOGUE / "nu210.toml"
+    told = re.search(r'life ([0-9.]+) times with a drop A of "1.92 um"', file.read_text())
+    lives = [
+        flexbearing.run(file, settings).attributes["life"]["flexible"]["modified_Mrev"]
+        for settings in ({}, LOW)
+    ]
+    assert float(told[1]) == approx(lives[1] / lives[0], rel=0.02)
+
+
+def test_squirrel_cage_is_a_case(write, tmp_path):
+    case = write("squirrel_cage")
+    assert case["outer"]["kind"] == "squirrel_cage"
+    assert case["outer"]["thickness"] == "4.25 mm"
+    assert {"outer.bars", "outer.bar_width", "outer.bar_length", "operation.tilt"} < set(case["assumed"])
+    assert flexbearing.check(tmp_path / "case.toml").outer.bars == 24
+
+
+def test_questions_are_asked_until_they_are_answered(monkeypatch, capsys):
+    wanted = {
+        "bore": "50 mm", "outside": "90 mm", "width": "20 mm", "inner_raceway": "59.5 mm",
+        "diameter": "11 mm", "clearance_class": "C3", "load": "5 kN", "speed": "3000 rpm",
+    }  # fmt: skip
+    replies = {pages.called(name): text for name, text in wanted.items()}
+    asked = []
+
+    def prompt(question, default, **_):
+        name = question.partition("), ")[0] + ")"
+        asked.append((name, default))
+        return "50" if len(asked) == 1 else replies.get(name, default)
+
+    monkeypatch.setattr(questions.typer, "prompt", prompt)
+    assert questions.answers("cylindrical_roller", {}) == wanted
+    assert "--bore 50 has no unit" in capsys.readouterr().out
+    must = {name for name, default in asked if default is None}
+    assert must == {pages.called(name) for name in ("bore", "outside", "width", "diameter", "load", "speed")}
+    assert pages.called("clearance") not in dict(asked)  # there is a class
+
+
+def test_one_command_leads_from_the_page_to_a_result(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    options = [word for name, text in NU210.items() for word in (pages.ENTRIES[name].option, text)]
+    assert program.command(["new", "nu210.toml", *options, "--run"]) == 0
+    assert (tmp_path / "results" / "nu210.h5").exists()
+    assert "life L10" in capsys.readouterr().out
+
+
+@pytest.fixture
+def balls(tmp_path, unweighed):
+    def written(like, page, **options):
+        file = tmp_path / "case.toml"
+        new(file, like, page | options, force=True)
+        assert flexbearing.check(file).kind == like
+        return tomllib.loads(file.read_text())
+
+    return written
+
+
+@pytest.mark.parametrize(
+    ("like", "balls", "diameter", "bore", "outside"),
+    [("deep_groove_ball", 9, 12.7, 45, 85), ("deep_groove_ball", 9, 7.94, 25, 52),
+     ("angular_contact_ball", 16, 22.23, 90, 160), ("angular_contact_ball", 18, 7.938, 40, 68),
+     ("four_point_ball", 10, 18.25, 45, 100)],
+    ids=["209 of Harris", "6205 of Case Western", "218 of Harris", "7008 of Rivera", "QJ309 of Joshi"],
+)  # fmt: skip
+def test_published_ball_bearings_are_plausible(like, balls, diameter, bore, outside):
+    least, most = plausible_ratios(balls, like)
+    assert least <= 2 * diameter / (bore + outside) <= most
+    assert BALL_SHARE[0] <= 2 * diameter / (outside - bore) <= BALL_SHARE[1]
+
+
+def test_balls_have_the_static_rating_of_the_maker():
+    for page, like, angle in (
+        (SIX208, "deep_groove_ball", 0.0),
+        (SEVEN208, "angular_contact_ball", 40 * pi / 180),
+    ):
+        found = ball_set(pages.read(like, page), angle)
+        wanted = 1e3 * float(page["static_rating"].removesuffix(" kN"))
+        assert [found.rated(*pair).static for pair in found.pairs] == approx(
+            [wanted] * len(found.pairs), rel=1e-9
+        )
+        assert len(found.pairs) > 1
+
+
+def test_ratings_of_the_standard_are_near_those_of_the_maker():
+    """SKF prints 32.5 and 36.5 kN; the standard knows no better steel or finish."""
+    found = ball_set(pages.read("deep_groove_ball", SIX208), 0.0)
+    assert found.chosen[0] == 9
+    assert found.rated(*found.chosen).dynamic == approx(32500, rel=0.05)
+    found = ball_set(pages.read("angular_contact_ball", SEVEN208), 40 * pi / 180)
+    assert found.rated(*found.chosen).dynamic == approx(36500, rel=0.01)
+
+
+def test_a_deep_groove_bearing_is_a_case(balls):
+    case = balls("deep_groove_ball", SIX208)
+    assert case["bearing"]["pitch_diameter"] == "60 mm"
+    assert case["bearing"]["clearance_class"] == "CN"
+    assert {"bearing.balls", "bearing.ball.diameter", "bearing.clearance_class"} < set(case["assumed"])
+    given = balls("deep_groove_ball", SIX208, elements="9", diameter="11.9 mm", clearance="12 um")
+    assert given["bearing"]["ball"]["diameter"] == "11.9 mm"
+    assert given["bearing"]["clearance"] == "12 um"
+    assert "fits" not in given["bearing"]
+    assert not {"bearing.balls", "bearing.ball.diameter"} & set(given["assumed"])
+
+
+def test_an_angular_contact_bearing_is_a_case(balls):
+    case = balls("angular_contact_ball", SEVEN208)
+    assert case["bearing"]["contact_angle"] == "40 deg"
+    assert case["operation"]["load"] == {"axial": "3 kN", "radial_z": "3 kN"}
+    assert balls("angular_contact_ball", SEVEN208, diameter="12.7 mm")["bearing"]["balls"] == 14
+
+
+@pytest.mark.parametrize(("like", "page"), [("deep_groove_ball", SIX208), ("angular_contact_ball", SEVEN208)])
+def test_lives_of_balls_are_those_of_the_maker_s_ratings(balls, like, page):
+    case = balls(like, page, oil="ISO VG 32", temperature="60 degC")
+    assert case["life"]["dynamic_rating"] == "32.5 kN"
+    assert case["life"]["lubrication"] == "a_ISO"
+    assert case["lubricant"] == {"oil": "ISO VG 32", "inlet_temperature": "60 degC"}
+
+
+def test_fits_change_an_angular_contact_bearing(balls):
+    assert "fits" not in balls("angular_contact_ball", SEVEN208)["bearing"]
+    case = balls("angular_contact_ball", SEVEN208, housing="H7")
+    assert case["bearing"]["fits"]["shaft"] == "k5"
+    assert case["bearing"]["fits"]["housing"] == {"tolerance_class": "H7", "diameter": "120 mm"}
+    assert "bearing.fits.shaft" in case["assumed"]
+
+
+def test_a_four_point_bearing_is_a_case(balls):
+    page = SIX208 | {"axial": "3 kN", "static_rating": None, "dynamic_rating": None}
+    case = balls("four_point_ball", page)
+    assert case["operation"]["speed"] == "3000 rpm"
+    assert case["bearing"]["contact_angle"] == "35 deg"
+    assert "bearing.contact_angle" in case["assumed"]
+    with pytest.raises(BadCase, match="--static-rating: a four_point_ball takes none"):
+        balls("four_point_ball", page, static_rating="36 kN")
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [({"diameter": "20 mm"},
+      "--diameter 20 mm: balls must be smaller than half of D - d, 20 mm, and than B, 18 mm."),
+     ({"diameter": "12 mm", "elements": "16"},
+      "--elements 16: 3 to 15 balls of 12 mm fit round the circle of 60 mm."),
+     ({"bore": "9 cm"}, "--bore 9 cm must be below --outside 80 mm."),
+     ({"static_rating": "40 kN"}, "have 17.04 kN to 20.09 kN by ISO 76; where it is right all the same"),
+     ({"angle": "15 deg"}, "--contact-angle: a deep_groove_ball takes none.")],
+    ids=["size", "number", "bore", "rating", "fit"],
+)  # fmt: skip
+def test_impossible_balls_are_told(options, message, tmp_path):
+    with pytest.raises(BadCase, match=re.escape(message)):
+        new(tmp_path / "case.toml", "deep_groove_ball", SIX208 | options)
+
+
+def test_words_of_the_user_stay_in_their_comment(unweighed, tmp_path):
+    file = tmp_path / "a case.toml"
+    new(file, "cylindrical_roller", NU210, title='The "first"', source='page 5\ntitle = "no"')
+    assert flexbearing.check(file).title == 'The "first"'
+    assert header(file)[1:3] == ["a case.toml", "--like"]
+    assert header(file)[-1] == 'page 5 title = "no"'
+
+
+def test_a_case_without_a_life_says_that_nothing_is_compared(unweighed, tmp_path):
+    file = tmp_path / "case.toml"
+    new(file, "cylindrical_roller", NU210)
+    assert "# How much assumed values matter is not known: not here" in file.read_text()
+    assert " times" not in file.read_text()
+
+
+BEYOND = {
+    "steep": ("angular_contact_ball", SEVEN208 | {"angle": "60 deg"}, "above 45 deg: ratings of thrust ball"),
+    "turned": ("angular_contact_ball", SEVEN208 | {"angle": "95 deg"}, "angle 95 deg: it must be below 90"),
+    "thin": ("deep_groove_ball", SIX208 | {"outside": "40.1 mm"}, "is outside 0.01 to 0.4 of ISO 281"),
+    "crowded": (
+        "four_point_ball",
+        SIX208 | {"axial": "1 kN", "elements": "40", "static_rating": None, "dynamic_rating": None},
+        "--elements 40: 3 to 16 balls of 11.2 mm, which is small for this bearing, fit round the circle of",
+    ),
+    "a needle": (
+        "cylindrical_roller", NU210 | {"length": "0.1 mm", "elements": "16"}, "neither a roller nor a needle",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("like", "page", "message"), BEYOND.values(), ids=BEYOND)
+def test_pages_that_no_bearing_has_are_told(like, page, message, tmp_path):
+    with pytest.raises(BadCase, match=re.escape(message)):
+        new(tmp_path / "case.toml", like, page)
