@@ -157,7 +157,7 @@ class ResultFile:
             self._is_open = False
             if self._timer is not None:
                 self._timer.cancel()
-        self._remove_parts()
+        _remove_parts(self._place)
         return result
 
     def _store_soon(self) -> None:
@@ -194,15 +194,6 @@ class ResultFile:
             return f"what was finished could not be kept: {problem}"
         return f"{self._record.words} kept in {self.part}"
 
-    def _remove_parts(self) -> None:
-        """Remove parts of runs that ended: whoever holds the lock knows that those of this host did."""
-        for part, where, process in parts_of(self._place):
-            if where == host():
-                with suppress(OSError):  # somebody else removed it
-                    part.unlink()
-            else:
-                log.info("%s is left of process %d on %s; remove it if that has ended", part, process, where)
-
     def _require_open(self) -> None:
         if not self._is_open:
             raise NotInLayout(f"{self.path}: the result file is not open; write inside its with-block.")
@@ -230,6 +221,17 @@ def store(result: Result, path: Path, inputs: tuple[Path, ...] = ()) -> None:
     place = require_output(path, inputs)
     with lock(place):
         _write_whole(place, result)
+        _remove_parts(place)
+
+
+def _remove_parts(place: Path) -> None:
+    """Remove parts of runs that ended: whoever holds the lock knows that those of this host did."""
+    for part, where, process in parts_of(place):
+        if where == host():
+            with suppress(OSError):  # somebody else removed it
+                part.unlink()
+        else:
+            log.info("%s is left of process %d on %s; remove it if that has ended", part, process, where)
 
 
 def _write_whole(place: Path, result: Result) -> None:

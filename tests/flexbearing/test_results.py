@@ -375,6 +375,13 @@ def test_parts_of_dead_runs_go_when_a_result_is_there_and_others_are_named(path,
     assert "left of process 99999 on node17" in caplog.text
 
 
+def test_stored_whole_what_a_killed_process_left_of_it_is_gone(path):
+    whole = read(written(path))
+    path.with_name(f"case.h5.{host()}-99999-0123abcd.tmp").write_bytes(b"torn")
+    write.store(whole, path)
+    assert [entry.name for entry in path.parent.iterdir()] == ["case.h5"]
+
+
 def test_reader_of_a_part_file_never_sees_it_torn(path, monkeypatch):
     monkeypatch.setattr("flexbearing.results.write.LATEST", 0.001)
     with ResultFile(path, BEGINNING, ROLLERS) as file:
