@@ -42,6 +42,7 @@ test-calculix: $(READY)
 	$(BIN)/python -m pytest -m calculix
 
 lint: $(READY)
+	$(BIN)/codespell
 	$(BIN)/ruff format --check .
 	$(BIN)/ruff check .
 	$(BIN)/lint-imports
@@ -54,6 +55,7 @@ docs: $(READY)
 	$(BIN)/python -m flexbearing.reference case > docs/reference/case.md
 	$(BIN)/python -m flexbearing.reference results > docs/reference/results.md
 	$(BIN)/python -m flexbearing.reference study > docs/reference/study.md
+	$(BIN)/python -m sphinx -W --keep-going -q docs docs/_build/html
 
 $(READY): pyproject.toml requirements.lock
 	$(PYTHON) -m venv $(VENV)
@@ -71,4 +73,4 @@ lock:
 	rm -rf $(VENV)-lock
 
 clean:
-	rm -rf $(VENV) $(VENV)-ross build *.egg-info .pytest_cache .ruff_cache .import_linter_cache
+	rm -rf $(VENV) $(VENV)-ross build docs/_build *.egg-info .pytest_cache .ruff_cache .import_linter_cache

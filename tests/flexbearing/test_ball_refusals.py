@@ -186,7 +186,7 @@ def test_impossible_case_is_refused(file, settings, place, allowed):
         ("coefficient = 0.12", "coefficients = [0.1]", "[friction] pressures is missing"),
         ("coefficient = 0.12", "", "[friction] coefficient is missing"),
         ("conformity = 0.525 ", "# ", "[bearing.inner] conformity is missing: a groove without radius"),
-        ('"friction.coefficient",', '"friction.coeficient",', "Did you mean coefficient?"),
+        ('"friction.coefficient",', '"friction.coefficien",', "Did you mean coefficient?"),
         ("moment_z = ", "moment_x = ", 'moment_x = "328601 N m" is not a key here. operation.'),
         ('"friction.coefficient",', '"operation.load.radial_x",', "is now operation.load.radial_z; axes"),
     ],

@@ -119,7 +119,7 @@ def test_new_family_is_explained_and_named_where_keys_are_refused(file):
     assert "bore" in flexbearing.explain("bushing.diameter")
     assert '"bushing"' in flexbearing.explain("kind")
     with pytest.raises(BadCase, match=r"Did you mean width"):
-        flexbearing.api.read_case(file, ["bushing.widht=1 mm"])
+        flexbearing.api.read_case(file, ["bushing.widthh=1 mm"])
     with pytest.raises(BadCase, match='belongs to kind = "cylindrical_roller"'):
         flexbearing.api.read_case(file, ["bearing.rollers=5"])
     with pytest.raises(BadCase, match="is a pipe"):

@@ -509,7 +509,7 @@ def test_a_run_that_never_solved_has_empty_blocks(path):
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        ({"staus": "converged"}, "Did you mean 'status'"),
+        ({"statuss": "converged"}, "Did you mean 'status'"),
         ({"status": "Converged"}, "'Converged' does not exist; it is one of: converged"),
         ({"iterations": 3}, "iterations = 3, but 0 were written"),
         ({"iterations": 0, "notes": "one text"}, "a list of records is wanted"),
@@ -633,7 +633,7 @@ def exchanged_axes(file):
         lambda file: file["roller"].__setitem__(0, 1.0),
         exchanged_axes,
         lambda file: file.attrs.__delitem__("started_from"),
-        lambda file: file.move("rigid", "flexibel"),
+        lambda file: file.move("rigid", "flexiblee"),
     ],
     ids=["array", "scalar", "text", "number", "unit", "place", "axes", "attribute gone", "group renamed"],
 )

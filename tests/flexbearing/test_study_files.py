@@ -175,7 +175,7 @@ WRONG = {
     OVER + LOAD + "[colect]\nx = 'life_L10'": "colect is not a key here. Did you mean collect?",
     OVER + LOAD + "[collect]\nstatus = 'life_L10'": "[collect] status cannot be a heading",
     'name = "a/b"\n' + OVER + LOAD: "name = a/b cannot be; it must be the beginning of names of files",
-    OVER + '"outer.thicknes" = "1 mm"': "[over] outer.thicknes is not a key of the case. Did you mean",
+    OVER + '"outer.thicknesss" = "1 mm"': "[over] outer.thicknesss is not a key of the case. Did you mean",
     OVER + '"kind" = ["four_point_ball"]': "[over] kind is the same in every variant",
     OVER + '"outer.thickness" = []': "[over] outer.thickness is an empty list; give one value or more",
     OVER + '"outer.thickness" = "1 mm .. 2 mm"': "[over] outer.thickness is no range: a range is",

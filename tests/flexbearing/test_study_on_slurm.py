@@ -39,7 +39,7 @@ def written(folder, text=PROFILE):
         ),
         ('jobs = 2\nmemory = "much"', r'site\.toml: memory = "much" is not allowed'),
         ('jobs = 2\nmemory = "1 GB"\nwalltime = "1 h"', r'site\.toml: walltime = "1 h" is not allowed'),
-        ('jobs = 2\nmemory = "1 GB"\nqeue = "x"', r'site\.toml: qeue = "x" is not a key here.*queue'),
+        ('jobs = 2\nmemory = "1 GB"\nqueuee = "x"', r'site\.toml: queuee = "x" is not a key here.*queue'),
         ("jobs =", r"site\.toml: is not valid TOML"),
     ],
 )
