@@ -74,7 +74,8 @@ _CATALOGUE: Form = Record(
                     "life_Mrev": NUMBER,
                     "life_h": NUMBER,
                     "factor": NUMBER_OR_NULL,
-                }
+                },
+                optional={"meaning": TEXT},
             )
         ),
     }

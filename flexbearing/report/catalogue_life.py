@@ -13,6 +13,7 @@ _NAMES = {
     "C_0r": "static, C_0r",
     "C_u": "fatigue limit, C_u",
 }
+TOLD = 0.01  # change of the life that is worth a sentence
 _STANDARDS = {"C_r": "ISO 281", "C_0r": "ISO 76", "C_u": "ISO 281, from C_0r"}
 
 
@@ -96,10 +97,23 @@ def _way(stages: list[dict[str, Any]]) -> Iterator[RenderableType]:
         factor = "" if stage["factor"] is None else f"{stage['factor']:.4g}"
         table.add_row(Text(stage["name"]), factor, f"{stage['life_Mrev']:,.4g}", f"{stage['life_h']:,.4g}")
     yield table
+    yield from listed("why, where a factor is off 1 by more than 1 %", list(why(stages)))
     lines = [f"{stage['name']}: {_options(stage['left_out_by'])}" for stage in stages if stage["left_out_by"]]
     yield from listed("a line is left out of `flexbearing run` by", lines)
     yield Text("A life is that of the case without what stands in the lines below it. The first one alone:")
     yield Text(f"  {_options(stages[0]['settings'])}\n")
+
+
+def why(stages: list[dict[str, Any]]) -> Iterator[str]:
+    """A sentence on each factor that differs from 1 by more than `TOLD`."""
+    for stage in stages:
+        if told(stage):
+            yield f"{stage['name']}: {stage['meaning']}"
+
+
+def told(stage: dict[str, Any]) -> bool:
+    """Whether a stage changes the life by more than `TOLD`, and says why."""
+    return bool(stage.get("meaning")) and stage["factor"] is not None and abs(stage["factor"] - 1) > TOLD
 
 
 def _options(settings: list[str]) -> str:

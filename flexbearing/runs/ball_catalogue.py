@@ -7,7 +7,7 @@ from flexbearing.case import BadCase
 from flexbearing.case.balls.angular_contact import FastCase
 from flexbearing.case.balls.deep_groove import DeepGrooveBearing
 from flexbearing.runs import ball_life
-from flexbearing.runs.catalogue_life import Catalogue, Influence, Settings
+from flexbearing.runs.catalogue_life import Catalogue, Influence
 from quasidynamic import OutOfRange
 from quasidynamic.outcome.ball_capacity import (
     ball_dynamic_rating,
@@ -20,9 +20,18 @@ from quasidynamic.parts.ball_row import BallRow
 
 WEIGHTLESS = "0.001 kg/m^3"  # of balls without inertia
 
-RATING: tuple[tuple[str, Settings], ...] = (
-    ("ISO 281: (C_r/P)^3, P = X F_r + Y F_a", {"life.loads": "rating"}),
-    ("loads of all balls, without inertia, tilt or clearance", {}),
+RATING = (
+    Influence(
+        "ISO 281: (C_r/P)^3, P = X F_r + Y F_a",
+        {"life.loads": "rating"},
+        "One load P stands for radial and axial load; nothing else of the case counts.",
+    ),
+    Influence(
+        "loads of all balls, without inertia, tilt or clearance",
+        {},
+        "The loads of all balls at their own contact angles instead of one load P: X and Y are the larger "
+        "step away from them the more balls the axial load presses.",
+    ),
 )
 MOUNTING = {
     "bearing.fits": "",
@@ -32,9 +41,15 @@ MOUNTING = {
     **{f"materials.{ring}.density": "" for ring in ("inner_ring", "outer_ring")},
     **{f"materials.{part}.expansion": "" for part in ("ball", "inner_ring", "outer_ring")},
 }
-FITS = Influence("fits and heat, which change the contact angle", MOUNTING)
+FITS = Influence(
+    "fits and heat, which change the contact angle",
+    MOUNTING,
+    "Fits and heat change the clearance, and with it the angle at which the balls carry.",
+)
 CLEARANCE = Influence(
-    "operating clearance", {"bearing.clearance": "0 um", "bearing.clearance_class": "", **MOUNTING}
+    "operating clearance",
+    {"bearing.clearance": "0 um", "bearing.clearance_class": "", **MOUNTING},
+    "Clearance leaves fewer balls to carry a radial load, and gives an axial load a steeper contact angle.",
 )
 TILT = Influence(
     "tilt of the inner ring",
@@ -44,9 +59,14 @@ TILT = Influence(
         "operation.displacement.tilt_y": "0 deg",
         "operation.displacement.tilt_z": "0 deg",
     },
+    "A moment, or a ring that is held askew or straight, loads the balls unevenly.",
 )
 AT_SPEED = (
-    Influence("inertia of the balls at speed", {"materials.ball.density": WEIGHTLESS}),
+    Influence(
+        "inertia of the balls at speed",
+        {"materials.ball.density": WEIGHTLESS},
+        "Centrifugal forces press the balls to the outer race and part the contact angles.",
+    ),
     Influence(
         "friction that decides how the balls turn",
         {
@@ -55,9 +75,18 @@ AT_SPEED = (
             "friction.cells": "",
             "friction.interface_compliance": "",
         },
+        "Which race controls how the balls turn decides who bears their gyroscopic moment.",
     ),
-    Influence("lubrication", {"life.lubrication": "", "life.cleanliness": ""}),
-    Influence("reliability", {"life.reliability": ""}),
+    Influence(
+        "lubrication",
+        {"life.lubrication": "", "life.cleanliness": ""},
+        "a_ISO: oil film, particles in it and fatigue limit; see the factor in its own table.",
+    ),
+    Influence(
+        "reliability",
+        {"life.reliability": ""},
+        "More bearings than 90 % must survive this life, so it is shorter.",
+    ),
 )
 
 
@@ -68,7 +97,12 @@ def influences(case: FastCase) -> tuple[Influence, ...]:
     if preload is None:
         return (*ring, *AT_SPEED)
     of_spring = {"operation.preload": "", "operation.load.axial": f"{preload.force!r} N"}
-    return (*ring, Influence("rigid preload instead of that of a spring", of_spring), *AT_SPEED)
+    preloaded = Influence(
+        "rigid preload instead of that of a spring",
+        of_spring,
+        "A rigid preload changes with the load, one by a spring does not.",
+    )
+    return (*ring, preloaded, *AT_SPEED)
 
 
 def require_load(case: FastCase) -> None:

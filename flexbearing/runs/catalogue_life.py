@@ -18,13 +18,14 @@ class Influence:
 
     name: str
     out: Settings
+    meaning: str  # why it changes the life, a sentence
 
 
 @dataclass(frozen=True)
 class Catalogue:
     """How lives of one family of bearings are compared with those of a catalogue."""
 
-    rating: tuple[tuple[str, Settings], ...]  # lives by ratings with their settings; last: by all loads
+    rating: tuple[Influence, ...]  # lives by ratings with settings that give them; last: by all loads
     influences: Callable[[Any], Sequence[Influence]]  # of a case, in the order in which they enter
     require_load: Callable[[Any], None]  # raises `BadCase` where a catalogue knows no life
     ratings: Callable[[Any, float], dict[str, Any]]  # of a case; and the hours of a million revolutions
@@ -35,6 +36,7 @@ class Stage:
     """A life, and what makes it another one than the life before."""
 
     name: str
+    meaning: str
     settings: tuple[str, ...]  # "key=value" with which `run` computes this life
     left_out: tuple[str, ...]  # those that leave out what it is named after
     life: float  # [10^6 revolutions]
@@ -43,7 +45,8 @@ class Stage:
     def record(self, hours: float) -> dict[str, Any]:
         """The same as JSON can hold it; hours in a million revolutions."""
         return {
-            "name": self.name, "settings": list(self.settings), "left_out_by": list(self.left_out),
+            "name": self.name, "meaning": self.meaning,
+            "settings": list(self.settings), "left_out_by": list(self.left_out),
             "life_Mrev": self.life, "life_h": self.life * hours, "factor": self.factor,
         }  # fmt: skip
 
@@ -83,9 +86,10 @@ def against_catalogue(
     if case.life.loads == SUMS:
         raise BadCase('[life] loads = "rating": this is the life of a catalogue already; leave it out.')
     stages: list[Stage] = []
-    for name, settings, left_out in _way(catalogue.rating, _acting(case, catalogue.influences(case), read)):
-        found = _lived(solved(_alone(read(settings))), name)
-        stages.append(Stage(name, settings, left_out, found, found / stages[-1].life if stages else None))
+    for each, settings, left_out in _way(catalogue.rating, acting(case, catalogue, read)):
+        found = _lived(solved(_alone(read(settings))), each.name)
+        factor = found / stages[-1].life if stages else None
+        stages.append(Stage(each.name, each.meaning, settings, left_out, found, factor))
     hours = _hours(case)
     return {
         "title": case.title,
@@ -99,10 +103,29 @@ def _alone(case: Any) -> Any:
     return case.model_copy(update={"outputs": type(case.outputs)()})
 
 
-def _acting(
-    case: Any, influences: Sequence[Influence], read: Callable[[Sequence[str]], Any]
-) -> list[Influence]:
-    """Influences that a case has anything of, with the settings that change it."""
+def acting(case: Any, catalogue: Catalogue, read: Callable[[Sequence[str]], Any]) -> list[Influence]:
+    """Influences that a case has anything of, with the settings that change it.
+
+    Parameters
+    ----------
+    case : Head
+        as it was read
+    catalogue : Catalogue
+        of its family
+    read : callable
+        the same case with further settings
+
+    Returns
+    -------
+    list of Influence
+        in the order in which they enter
+
+    Raises
+    ------
+    BadCase
+        where the case without them is none
+    """
+    influences = catalogue.influences(case)
     bare = read(_written(*(influence.out for influence in influences))).to_json()
     full = case.to_json()
     changing = [
@@ -121,13 +144,13 @@ def _at(table: Any, key: str) -> Any:
 
 
 def _way(
-    ratings: Sequence[tuple[str, Settings]], acting: Sequence[Influence]
-) -> Iterator[tuple[str, tuple[str, ...], tuple[str, ...]]]:
-    """Name of every life, the settings that give it, and those that leave out what it is named after."""
-    for name, rating in ratings:
-        yield name, _written(rating, *(influence.out for influence in acting)), ()
+    ratings: Sequence[Influence], acting: Sequence[Influence]
+) -> Iterator[tuple[Influence, tuple[str, ...], tuple[str, ...]]]:
+    """What every life is named after, the settings that give it, and those that leave that out."""
+    for rating in ratings:
+        yield rating, _written(rating.out, *(influence.out for influence in acting)), ()
     for place, influence in enumerate(acting):
-        yield influence.name, _written(*(later.out for later in acting[place + 1 :])), _written(influence.out)
+        yield influence, _written(*(later.out for later in acting[place + 1 :])), _written(influence.out)
 
 
 def _written(*settings: Settings) -> tuple[str, ...]:

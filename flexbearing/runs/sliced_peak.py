@@ -75,8 +75,9 @@ def _pressed_end(state: Equilibrium, peak: LargestSlice) -> Note:
     sliced, contact = _told(state, peak)
     return outside(
         "pressed-end",
-        f"{sliced} leave out the rise towards an end of {contact}, pressed by {peak.end_share:.0%} there: "
-        "more than 5 %, without bound where the end is sharp; a profile that keeps the ends apart has none, "
+        f"{sliced} may be more than 5 % too low: near an end of {contact} the pressure is still "
+        f"{peak.end_share:.0%} of the largest one, and slices leave out its rise at the end, which has no "
+        "bound where the end is sharp; a profile that relieves the ends has no such rise, "
         'bearing.contact = "half_space" computes it',
     )
 

@@ -137,10 +137,25 @@ def test_flexible_rings_are_a_factor_of_their_own():
     found = against_catalogue(CAGE)
     rings = next(stage for stage in found["stages"] if stage["name"] == "flexible rings")
     assert rings["left_out_by"] == ["outer=", "outer.kind=rigid", "inner=", "inner.kind=rigid"]
-    rigid, elastic = (
-        life(CAGE, ["life.capacity=iso281", *further]) for further in (rings["left_out_by"], [])
-    )
+    held = ["life.capacity=iso281", "operation.tilt=fixed"]
+    rigid, elastic = (life(CAGE, [*held, *further]) for further in (rings["left_out_by"], []))
     assert rings["factor"] == approx(elastic / rigid, rel=1e-9)
+
+
+@pytest.mark.slow
+def test_a_ring_that_tilts_with_flexible_rings_does_so_after_them():
+    """Between rigid rings it would not tilt, and its factor would be 1."""
+    stages = against_catalogue(CAGE)["stages"]
+    names = [stage["name"] for stage in stages]
+    place = names.index("inner ring free to tilt between the flexible rings")
+    assert names[place - 1] == "flexible rings"
+    assert "tilt of the inner ring between rigid rings" not in names
+    assert stages[place]["left_out_by"] == ["operation.tilt=fixed"]
+    held, free = (
+        life(CAGE, ["life.capacity=iso281", f"operation.tilt={tilt}"]) for tilt in ("fixed", "free")
+    )
+    assert stages[place]["factor"] == approx(free / held, rel=1e-9)
+    assert stages[place]["factor"] > 2
 
 
 def test_static_safety_and_modified_rating_life():
@@ -178,6 +193,7 @@ def test_the_command_prints_every_factor_and_the_same_as_json():
     found = json.loads(data)
     for stage in found["stages"]:
         assert stage["name"].split()[0] in page
+        assert (stage["factor"] or 1) == approx(1, abs=0.01) or stage["meaning"][:20] in page
         assert f"{stage['life_Mrev']:,.4g}" in page
     assert '--set "bearing.clearance=0 um"' in page
     assert np.isfinite([stage["life_h"] for stage in found["stages"]]).all()

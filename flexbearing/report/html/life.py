@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from flexbearing.quantities.reductions import RACES
+from flexbearing.report.catalogue_life import told
 from flexbearing.report.html import ratings
 from flexbearing.report.html.document import Block, Cell, Items, Table, Words
 from flexbearing.report.html.lives import lives
@@ -89,12 +90,16 @@ def _catalogue(reader: Reader, found: dict[str, Any]) -> Iterator[Block]:
     """Every life from the catalogue's to that of the case."""
     stages: list[tuple[Cell, ...]] = []
     for place, stage in enumerate(found["stages"]):
+        why = stage["meaning"] if told(stage) else ""
         path = f"catalogue_life/stages/{place}"
         factor: Cell = "" if stage["factor"] is None else reader.of_attribute(f"{path}/factor", "", "", ".4g")
         lives = (reader.of_attribute(f"{path}/life_{unit}", unit, unit, ",.4g") for unit in ("Mrev", "h"))
-        stages.append((stage["name"], factor, *lives))
-    head = ("influence", "factor", "life [10⁶ revolutions]", "life [h]")
-    note = "Every life is that of a case of its own; a factor is the ratio of neighbouring lives."
+        stages.append((stage["name"], factor, *lives, why))
+    head = ("influence", "factor", "life [10⁶ revolutions]", "life [h]", "why")
+    note = (
+        "Every life is that of a case of its own, without what stands in the lines below it; a factor is the "
+        "ratio of neighbouring lives. Factors within 1 % of 1 have no sentence."
+    )
     yield Table(
         "From the life of the catalogue (ISO 281) to that of the case (ISO/TS 16281)",
         head,
