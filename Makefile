@@ -51,6 +51,10 @@ lint: $(READY)
 benchmark: $(READY)
 	$(BIN)/python -m benchmarks.main_job
 
+# Computes all cases of docs/evidence again; `make test-slow` fails where their numbers moved.
+evidence: $(READY)
+	$(BIN)/python -m evidence
+
 docs: $(READY)
 	$(BIN)/python -m flexbearing.reference case > docs/reference/case.md
 	$(BIN)/python -m flexbearing.reference results > docs/reference/results.md

@@ -1,0 +1,31 @@
+"""What numbers beside each other amount to: one rule for all pages."""
+
+from evidence.case import Case, Findings
+
+STEPS = (0.001, 0.002, 0.005, 0.01, 0.02, 0.05)  # misfits beyond the last one are called a difference
+AGREES, WITHIN, KNOWN, UNKNOWN = (
+    "agrees",
+    "agrees within {:g} %",
+    "differs, reason known",
+    "differs, reason not known",
+)
+
+
+def worst(findings: Findings) -> float:
+    """Largest misfit of the numbers that miss what their source allows [-]."""
+    return max((abs(number.misfit) for number in findings.numbers if not number.within), default=0.0)
+
+
+def verdict(case: Case, findings: Findings) -> str:
+    """Agreement within the source, within a step, or a difference with or without a known reason."""
+    largest = worst(findings)
+    if all(trend.holds for trend in findings.trends) and largest <= STEPS[-1]:
+        if largest == 0.0:
+            return AGREES
+        return WITHIN.format(100 * next(step for step in STEPS if largest <= step))
+    return KNOWN if case.reason else UNKNOWN
+
+
+def differs(found: str) -> bool:
+    """Whether a verdict is a difference."""
+    return found in (KNOWN, UNKNOWN)
