@@ -92,6 +92,7 @@ def whole(piece: ngs.Mesh, bars: int) -> ngs.Mesh:
     return ngs.Mesh(mesh)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("shape", shaped(SHAPES))
 def test_half_a_pitch_answers_like_the_whole_cage(shape, monkeypatch):
     """The same elements all around, solved without any use of symmetry, to rounding."""
@@ -166,6 +167,7 @@ def test_every_half_pitch_is_loaded_as_in_the_whole_cage(shape, monkeypatch):
             assert von_mises(found.stress[inside]) == approx(stress, rel=0, abs=1e-6 * stress.max())
 
 
+@pytest.mark.slow
 def test_response_is_reciprocal_and_positive(cage):
     size = cage.harmonics.size * M
     square = cage.response.reshape(size, size)

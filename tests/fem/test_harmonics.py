@@ -81,6 +81,7 @@ def test_tails_are_sums(phi):
     assert cubic_tail(phi, N) == approx(np.sum(2 * np.cos(n * phi) / n**3.0), abs=0.005 / N**2)
 
 
+@pytest.mark.slow
 def test_half_space_has_its_harmonics():
     """1/|n| times the mean square of the pattern far out; and their sum is the indentation again."""
     n = np.arange(-1000, 1001)

@@ -51,6 +51,7 @@ def largest(one, other):
     return np.abs(one - other).max() / np.abs(other).max()
 
 
+@pytest.mark.slow
 def test_springs_as_a_matrix_are_a_foundation():
     """All three directions, with the raceway out of the middle."""
     axial, radial, tangential = 2e12, 5e12, 1e12
@@ -61,6 +62,7 @@ def test_springs_as_a_matrix_are_a_foundation():
     assert_allclose(found.support_stiffness, known.support_stiffness, rtol=2e-4)
 
 
+@pytest.mark.slow
 def test_more_harmonics_come_nearer_to_the_foundation(monkeypatch):
     known = answers(Foundation(axial=2e12, radial=5e12, tangential=1e12))
     errors = []

@@ -113,6 +113,7 @@ def test_raceways_aside_of_a_cage_on_both_ends_are_mirror_images(condense, allow
     assert apart(there, here) > 0.01
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("support", HELD.values(), ids=HELD)
 def test_raceways_aside_of_a_ring_held_alike_are_mirror_images(support):
     def condensed(side):

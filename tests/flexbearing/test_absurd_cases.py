@@ -89,6 +89,7 @@ def test_contact_as_wide_as_the_ball_has_no_rolling_lines(tmp_path):
     assert any("the load is far too high" in note for note in texts(result))
 
 
+@pytest.mark.slow
 def test_ring_that_fails_at_the_end_state_is_not_an_internal_error(tmp_path, capsys):
     """Its harmonics end too early: every method fails, and the file says why."""
     code = command([
@@ -120,6 +121,7 @@ def test_solid_of_far_too_many_elements_is_refused_before_it_is_made(tmp_path):
         flexbearing.run(PAPER, settings, output=tmp_path / "fine.h5")
 
 
+@pytest.mark.slow
 def test_estimate_of_unknowns_is_near_what_the_mesh_has():
     corners = (0.0, 0.1, None), (0.05, 0.1, "raceway"), (0.05, 0.12, None), (0.0, 0.12, None)
     body, size = AxialSection("ring", corners), fem.MeshSize(order=3, size=0.5e-3, raceway_size=0.5e-3)

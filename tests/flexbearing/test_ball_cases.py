@@ -571,6 +571,7 @@ def test_an_interface_that_shears_is_told(run, name):
     assert result.rigid["stick_share"].sum() > without.rigid["stick_share"].sum() + 0.05
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("model", ["fastsim", "kalker"])
 def test_stick_moves_the_balance_of_balls_that_friction_moves(run, model):
     settings = ["operation.control=coulomb", "friction.spin=local"]
@@ -584,6 +585,7 @@ def test_stick_moves_the_balance_of_balls_that_friction_moves(run, model):
     assert any("FASTSIM on 8 by 16 cells" in text for text in texts(result))
 
 
+@pytest.mark.slow
 def test_fast_balls_with_stick_and_slip_keep_their_balance(run):
     settings = ["operation.control=outer", "operation.load.radial_z=3 kN", "friction.spin=local"]
     sliding = run(HARRIS, *settings)

@@ -128,6 +128,7 @@ def test_explain_says_to_which_choice_a_key_belongs():
     )
 
 
+@pytest.mark.slow
 def test_every_key_is_explained():
     for item in declarations(FAMILIES):
         assert item.meaning, item.path

@@ -487,6 +487,7 @@ def test_interference_presses_a_fit_beside_a_stated_clearance():
     assert case.shaft_interference == approx(10e-6, rel=1e-12)
 
 
+@pytest.mark.slow
 def test_ring_pressed_into_a_flexible_housing_loses_its_clearance_as_the_finite_elements_say():
     housed = {
         "outer.kind": "ring", "outer.support": "housing", "outer.housing_thickness": "8 mm",

@@ -179,6 +179,7 @@ def test_overload_is_a_danger_of_its_own():
     assert "static-safety" in [note["code"] for note in result.dangers]
 
 
+@pytest.mark.slow
 def test_pictures_show_the_stored_pressures(tilted, tmp_path):
     drawn, block = pictures(tilted), tilted.rigid
     assert {"pressure_map", "pressure_along", "subsurface"} <= set(drawn)

@@ -49,6 +49,7 @@ def test_dents_are_a_danger(tmp_path):
     assert result.summary()["notes"][0]["code"] == "contact-pressure"
 
 
+@pytest.mark.slow
 def test_only_a_strict_run_fails_for_a_danger(tmp_path):
     def ended(*words):
         line = [sys.executable, "-m", "flexbearing", "run", PLAIN, "-o", tmp_path / "out.h5", "--set", *HEAVY]

@@ -44,6 +44,7 @@ def test_summary_has_the_free_contact_angle(radial):
     assert any("4 of 9 balls do not touch the inner race" in note for note in texts(radial))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("control", ["outer", "inner", "equal", "coulomb"])
 @pytest.mark.parametrize("model", ["full_sliding", "fastsim"])
 def test_every_control_and_friction_model_works(control, model):
@@ -60,6 +61,7 @@ def test_every_control_and_friction_model_works(control, model):
     assert result.rigid["ring_load"] == approx([1000, 0, 8900, 0, 0], abs=1e-4)
 
 
+@pytest.mark.slow
 def test_pictures_are_drawn(radial):
     at_rest = set(FAMILIES["deep_groove_ball"].report().pictures(radial))
     assert at_rest == {"ball_loads", "rolling_lines", "slip_profiles"}

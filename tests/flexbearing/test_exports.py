@@ -84,6 +84,7 @@ def test_slices_of_rollers_stand_in_long_form(tmp_path):
         assert_allclose(scalars[heading], matrix[row, column], rtol=1e-14, atol=0)
 
 
+@pytest.mark.slow
 def test_netcdf_comes_back_with_its_axes_and_units(result, tmp_path):
     xarray = pytest.importorskip("xarray")
     assert command(["export", str(result.path), "--to", "netcdf", "-o", str(tmp_path)]) == 0
@@ -105,7 +106,7 @@ def test_netcdf_is_read_by_its_own_library(result, tmp_path):
         assert_allclose(azimuths[:], result.rigid[f"{element}_azimuth"], rtol=0, atol=0)
 
 
-@pytest.mark.parametrize("form", ["csv", "netcdf"])
+@pytest.mark.parametrize("form", ["csv", pytest.param("netcdf", marks=pytest.mark.slow)])
 def test_export_without_fields_loads_no_finite_elements(result, form, tmp_path):
     modules = loaded("export", result.path, "--to", form, "-o", tmp_path)
     assert among(modules, ("ngsolve", "netgen", "fem", "quasidynamic", "matplotlib")) == []

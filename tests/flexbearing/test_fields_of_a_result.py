@@ -200,6 +200,7 @@ def test_heat_and_rotation_load_the_inner_ring_as_its_shaft_grows():
     assert around.speed == case.operation.inner_speed
 
 
+@pytest.mark.slow
 def test_every_iteration_can_be_asked_for(unstressed):
     count = len(unstressed.iterations)
     assert count > 1

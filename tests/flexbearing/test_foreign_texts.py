@@ -49,6 +49,7 @@ def shown(words, capsys):
     return capsys.readouterr().out
 
 
+@pytest.mark.slow
 def test_title_controls_no_terminal(case, result, tmp_path, capsys):
     assert result.attributes["title"] == TITLE
     commands = {
@@ -119,6 +120,7 @@ def test_stages_on_a_terminal_are_neither_obeyed_nor_marked_up():
     assert "\x07" not in file.getvalue()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["nu209", "heras2017_a1", "rivera2021_7008"])
 def test_pictures_draw_any_title(name, tmp_path):
     result = flexbearing.run(CONFIGS / f"{name}.toml", output=tmp_path / "r.h5")

@@ -66,6 +66,7 @@ def test_summary_page_and_notes_tell_of_the_whole_roller(runs):
     assert "whole-roller" not in codes(runs[1])
 
 
+@pytest.mark.slow
 def test_picture_shows_both_contacts_beside_their_slices(runs, tmp_path):
     names = [path.name for path in write_figures(runs[0], tmp_path)]
     assert "0_whole_roller.png" in names

@@ -355,6 +355,7 @@ def first_runs(tmp_path_factory):
     return computed
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("run", RUNS)
 def test_every_class_that_runs_keep_is_in_the_table(run, tmp_path, monkeypatch, first_runs):
     """Each kind of part is kept by a first run, and a second run is equal to the digit."""

@@ -130,6 +130,7 @@ def depth(parsed):
 PIECES = ['"', "'", '"""', "'''", "\\", "#", "\n", "[", "]", "{", "}", "a", ".", "=", " = ", "x = ", ","]
 
 
+@pytest.mark.slow
 @given(st.lists(st.sampled_from(PIECES), max_size=12).map("".join), st.sampled_from(["", '"', "'''", '"""']))
 @examples(max_examples=500)
 def test_nothing_deep_hides_behind_quotes(before, quotes):
@@ -266,6 +267,7 @@ def ends_well_or_is_refused(file, settings=()):
         require_short(str(problem))
 
 
+@pytest.mark.slow
 @examples(max_examples=100, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.lists(st.tuples(st.sampled_from(PLACES), STRUCTURES), min_size=1, max_size=3))
 def test_any_structure_at_any_place_of_a_file_is_a_case_or_refused(tmp_path, changes):
@@ -282,6 +284,7 @@ def test_any_structure_at_any_place_of_a_file_is_a_case_or_refused(tmp_path, cha
     ends_well_or_is_refused(written(tmp_path, text))
 
 
+@pytest.mark.slow
 @examples(max_examples=300)
 @given(st.sampled_from(PLACES), STRUCTURES)
 def test_any_structure_as_a_setting_is_a_case_or_refused(place, structure):

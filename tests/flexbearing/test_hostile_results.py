@@ -121,6 +121,7 @@ def test_hostile_result_is_refused_in_a_sentence_or_read_as_it_is(name, hostile,
         told(capsys)
 
 
+@pytest.mark.slow
 @pytest.mark.filterwarnings("ignore::RuntimeWarning", "ignore::UserWarning")
 @pytest.mark.parametrize("name", sampled(DRAWN, 24))
 def test_pictures_of_any_numbers_can_be_drawn(name, hostile, tmp_path):
@@ -129,6 +130,7 @@ def test_pictures_of_any_numbers_can_be_drawn(name, hostile, tmp_path):
     assert len(list(pictures(flexbearing.read(hostile(name)), tmp_path / "pictures"))) >= 3
 
 
+@pytest.mark.slow
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")
 @pytest.mark.parametrize("name", sampled(STARTED, 3))
 def test_start_from_any_numbers_ends_with_an_answer_or_is_refused(name, hostile, capsys, tmp_path):

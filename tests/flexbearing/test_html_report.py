@@ -34,6 +34,7 @@ COARSE = (
     "accuracy.slices=8", "accuracy.axial_shapes=2", "accuracy.threads=1", "outputs.stresses=true",
 )  # fmt: skip
 SLOW = {"squirrel cage": ("mao2016.toml", COARSE)}
+QUICK = ("roller with fits", "fast ball", "slow balls")
 
 
 @pytest.fixture(scope="module")
@@ -50,7 +51,11 @@ def results(tmp_path_factory):
     return computed
 
 
-ALL = [*CASES, *(pytest.param(name, marks=pytest.mark.slow) for name in SLOW)]
+ALL = [
+    *QUICK,
+    *(pytest.param(name, marks=pytest.mark.slow) for name in {**CASES, **SLOW} if name not in QUICK),
+]
+KINDS = [name for name in ALL if name in QUICK or name.values[0] in CASES]
 
 
 @pytest.mark.parametrize("units", [METRIC, IMPERIAL], ids=lambda units: units.name)
@@ -62,6 +67,7 @@ def test_every_number_of_a_report_is_that_of_the_file_to_the_printed_digit(resul
     require_equal(cells, Numbers(path))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ALL)
 def test_lines_of_figures_are_those_of_the_file(results, name):
     path = results(name)
@@ -78,7 +84,7 @@ def test_lines_of_figures_are_those_of_the_file(results, name):
     assert checked >= 4 or name == "slow ball"  # one alone, which has no lines
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", KINDS)
 def test_a_report_is_one_file_of_at_most_five_megabytes_that_loads_nothing(results, name):
     text = html(of_result(api.read(results(name))))
     page = Page(text)
@@ -231,7 +237,7 @@ def test_a_report_replaces_neither_its_case_nor_its_result(results, tmp_path):
             report(result.path, taken)
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", KINDS)
 def test_the_bearing_is_drawn_as_for_its_case(results, name):
     file, settings = CASES[name]
     svg = [drawing.svg for drawing in api.drawings(api.read_case(CONFIGS / file, settings))]
@@ -240,7 +246,8 @@ def test_the_bearing_is_drawn_as_for_its_case(results, name):
     assert all(drawing in text for drawing in svg)
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.slow
+@pytest.mark.parametrize("name", KINDS)
 def test_a_run_without_an_answer_is_reported_as_such(results, name):
     result = api.read(results(name))
     attributes = {**result.attributes, "status": "not solved", "message": "no balance was found"}
@@ -250,7 +257,8 @@ def test_a_run_without_an_answer_is_reported_as_such(results, name):
     assert "Bearing report" in text
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.slow
+@pytest.mark.parametrize("name", KINDS)
 def test_numbers_that_are_not_finite_are_dashes(results, name):
     result = api.read(results(name))
     lost = {

@@ -116,6 +116,7 @@ def test_the_end_takes_along_what_the_process_started(process, tmp_path):
     await_gone(processes)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGKILL])
 def test_the_end_of_the_caller_ends_the_process_in_the_middle_of_a_call(number, tmp_path):
     place = tmp_path / "processes"

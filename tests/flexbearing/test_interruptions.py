@@ -11,7 +11,6 @@ from pathlib import Path
 import pytest
 
 import flexbearing
-from flexbearing.results import ResultFile
 
 ROOT = Path(__file__).parents[2]
 PAPER = ROOT / "configs" / "mao2016.toml"
@@ -184,13 +183,14 @@ def test_interruption_after_a_result_was_written_names_it(tmp_path, monkeypatch)
     def stop(_):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(ResultFile, "_remove_parts", stop)
+    monkeypatch.setattr("flexbearing.results.write._remove_parts", stop)
     with pytest.raises(KeyboardInterrupt) as ending:
         flexbearing.run(PAPER, BEAM, output=tmp_path / "out.h5")
     assert ending.value.__notes__ == [f"complete: {tmp_path / 'out.h5'}"]
     assert flexbearing.read(tmp_path / "out.h5").attributes["status"] == "converged"
 
 
+@pytest.mark.slow
 def test_progress_bar_is_ended_before_the_line(tmp_path):
     ours, theirs = pty.openpty()
     words = [*PROGRAM, "run", str(PAPER), "-o", str(tmp_path / "out.h5"), *sets(BEAM + NEVER_ENDING)]

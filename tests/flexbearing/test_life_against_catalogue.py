@@ -62,6 +62,7 @@ def compared(request):
     return case, settings, against_catalogue(case, settings)
 
 
+@pytest.mark.slow
 def test_first_life_is_that_of_the_catalogue(compared):
     case, settings, found = compared
     wanted = read_case(case, settings)
@@ -158,6 +159,7 @@ def test_a_ring_that_tilts_with_flexible_rings_does_so_after_them():
     assert stages[place]["factor"] > 2
 
 
+@pytest.mark.slow
 def test_static_safety_and_modified_rating_life():
     found = against_catalogue(PLAIN, CLEAN | {"life.static_rating": "44.5 kN"})["ratings"]
     assert found["static_safety"] == approx(10.0, rel=1e-12)

@@ -123,6 +123,7 @@ def test_case_without_these_options_has_none_of_their_results(tmp_path):
         assert words not in text(plain)
 
 
+@pytest.mark.slow
 def test_bearing_that_is_not_solved_says_how_it_ended_and_exits_with_one(tmp_path):
     program = [sys.executable, "-m", "flexbearing"]
     words = ["run", FITS, "-o", tmp_path / "out.h5", "--set", "operation.radial_load=0 N"]

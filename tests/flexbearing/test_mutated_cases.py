@@ -19,6 +19,7 @@ RIGID = [
 ]  # fmt: skip
 
 
+@pytest.mark.slow
 @given(st.integers(0, 10**12))
 @settings(max_examples=80, derandomize=True, deadline=None, suppress_health_check=list(HealthCheck))
 def test_every_changed_case_passes_or_is_refused_in_words(tmp_path_factory, capsys, seed):

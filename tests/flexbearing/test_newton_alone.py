@@ -42,6 +42,7 @@ STIFFER = ["outer.foundation_radial=100 N/mm^3", *HEAVY]
 SOFTER = ["outer.foundation_radial=10 N/mm^3", *FAST]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("foundation", [SOFTER, STIFFER], ids=["10 N/mm3, 8 kN", "100 N/mm3, 20 kN"])
 def test_newton_alone_solves_a_ring_on_a_foundation(foundation, tmp_path):
     result = flexbearing.run(PLAIN, [*RING, *foundation, *ALONE], output=tmp_path / "ring.h5")

@@ -136,6 +136,7 @@ def test_case_named_like_an_unfinished_result_is_not_touched(tmp_path):
         assert run.returncode == (0 if name.endswith("part") else 2), errors
 
 
+@pytest.mark.slow
 def test_full_disk_ends_with_one_line_and_leaves_the_earlier_result(tmp_path):
     """The size of files is limited, which to a program is what a full disk is."""
     out = tmp_path / "out.h5"
@@ -169,6 +170,7 @@ def at_work(tmp_path):
         run.kill()
 
 
+@pytest.mark.slow
 def test_second_run_to_an_output_is_refused_by_name(at_work):
     run, out = at_work
     second = command("run", PAPER, "-o", out, "--quiet", *settings(RIGID))
@@ -178,6 +180,7 @@ def test_second_run_to_an_output_is_refused_by_name(at_work):
     assert run.poll() is None
 
 
+@pytest.mark.slow
 def test_killed_run_leaves_the_earlier_result_and_the_next_one_cleans_up(at_work):
     run, out = at_work
     before = out.read_bytes()

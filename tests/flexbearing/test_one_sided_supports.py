@@ -166,6 +166,7 @@ def test_line_pressure_balances_a_tilting_moment(run):
     assert 19e-3 / 6 * abs(ends[0, 1] - ends[0, 0]) == approx(5.0, rel=0.02)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("supports", [LINES, BEAM], ids=["lines", "springs"])
 def test_methods_agree_on_rings_that_lift_off(supports, run):
     alone = ["coupling.fallback=false", "coupling.tolerance=1e-8"]
@@ -175,6 +176,7 @@ def test_methods_agree_on_rings_that_lift_off(supports, run):
     assert newton == approx(secant, rel=0, abs=1e-7 * secant.max())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("supports", [LINES, BEAM], ids=["lines", "springs"])
 def test_stiffness_of_a_ring_that_lifts_off_is_that_of_differences(supports, run):
     """Bearing, ring and supports in one tangent: the shaft moves by it from 1990 to 2010 N."""

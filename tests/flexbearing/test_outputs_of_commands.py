@@ -225,6 +225,7 @@ def test_mistakes_of_the_program_stay_internal_errors(command, monkeypatch, prob
     assert (code, complaint.startswith("internal error: ")) == (3, True)
 
 
+@pytest.mark.slow
 def test_pictures_and_page_of_an_unfinished_run(tmp_path, monkeypatch, command):
     def stop(*_, **__):
         raise KeyboardInterrupt

@@ -252,6 +252,7 @@ def answer(**changes):
     return Timed({"cold": 1.0, "cached": 1.0}, result(**changes).flexible)
 
 
+@pytest.mark.slow
 def test_level_whose_process_dies_is_a_row_and_the_study_goes_on(monkeypatch):
     few = tuple(Level(f"{count} slices", (f"accuracy.slices={count}",)) for count in (5, 10))
     monkeypatch.setattr(pareto, "ladder", lambda case, solid: few)

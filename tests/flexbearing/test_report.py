@@ -495,6 +495,7 @@ EMPTY = {
 }  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("run", EMPTY, ids=lambda run: run.__name__)
 def test_empty_pictures_are_left_out_with_a_reason(run, tmp_path):
     left_out = [picture for picture in pictures(run(), tmp_path) if isinstance(picture, LeftOut)]
@@ -502,6 +503,7 @@ def test_empty_pictures_are_left_out_with_a_reason(run, tmp_path):
     assert len(list(tmp_path.iterdir())) == 5 - len(left_out)
 
 
+@pytest.mark.slow
 @EVERY_ENDING
 def test_every_ending_can_be_drawn(run, tmp_path):
     paths = write_figures(run(), tmp_path / "new" / "figures")
@@ -514,6 +516,7 @@ def test_every_ending_can_be_drawn(run, tmp_path):
         assert path.read_bytes().startswith(b"\x89PNG")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("form", "start"), [("png", b"\x89PNG"), ("svg", b"<?xml"), ("pdf", b"%PDF")])
 def test_pictures_are_written_as_asked_and_the_same_twice(form, start):
     one, other = (picture_bytes(polar_loads(result()), Format(form)) for _ in range(2))

@@ -382,6 +382,7 @@ def test_stored_whole_what_a_killed_process_left_of_it_is_gone(path):
     assert [entry.name for entry in path.parent.iterdir()] == ["case.h5"]
 
 
+@pytest.mark.slow
 def test_reader_of_a_part_file_never_sees_it_torn(path, monkeypatch):
     monkeypatch.setattr("flexbearing.results.write.LATEST", 0.001)
     with ResultFile(path, BEGINNING, ROLLERS) as file:

@@ -56,6 +56,7 @@ def run(folder, *settings):
     return flexbearing.run(CASE, [*QUICK, *settings], output=folder / "r.h5")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("structure", STRUCTURES.values(), ids=STRUCTURES.keys())
 def test_every_position_is_a_run_with_its_first_roller_there(structure, tmp_path):
     passed = run(tmp_path, *structure, "operation.roller_positions=2").attributes["passage"]

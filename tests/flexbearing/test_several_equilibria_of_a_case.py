@@ -26,6 +26,7 @@ def note_on_several(result):
     return note
 
 
+@pytest.mark.slow
 def test_two_answers_half_a_degree_apart_are_both_told_as_one_of_several(cold):
     assert note_on_several(cold)["grade"] == "danger"
     found = cold.attributes["equilibria"]["rigid"]

@@ -111,6 +111,7 @@ def test_a_result_file_of_every_variant_comes_where_it_is_asked_for(file, tmp_pa
     assert [row["seconds"] for row in table(tmp_path)[:2]] == [row["seconds"] for row in rows[:2]]
 
 
+@pytest.mark.slow
 def test_a_batch_that_fails_as_a_whole_is_computed_one_by_one(file, tmp_path, monkeypatch):
     def broken(*arguments, **options):
         raise FloatingPointError("one of them")

@@ -40,6 +40,7 @@ def cycle(tmp_path_factory):
     return flexbearing.study(file, folder, jobs=1)
 
 
+@pytest.mark.slow
 def test_eight_rows_against_a_calculation_by_hand(cycle):
     """Lives of single runs; two rows under light load skid by more than half."""
     lives = {name: [] for name in ("life_L10_Mrev", "inner", "outer")}

@@ -78,6 +78,7 @@ def test_every_ring_is_condensed_once_whatever_becomes_of_its_worker():
     }
 
 
+@pytest.mark.slow
 def test_a_ring_that_ended_its_worker_is_condensed_by_the_careful_function():
     rings = [Ring(Base(Path("case.toml"), "", ()), Variant((), ""), name) for name in ("inner", "outer")]
     engine = Apart()

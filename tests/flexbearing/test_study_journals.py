@@ -65,6 +65,7 @@ def test_a_number_that_is_not_given_is_asked_for_and_absent(path):
     assert isnan(journal.read(path)["a"].values["cage_slip [%]"])
 
 
+@pytest.mark.slow
 @settings(max_examples=30)
 @given(st.integers(0, 10_000))
 def test_a_torn_line_loses_its_row_alone(tmp_path_factory, place):

@@ -81,6 +81,7 @@ def test_rows_keep_the_target_and_errors_are_below_their_estimates(table, tmp_pa
     assert (true <= np.array(table["slip error [%]"].values)).all()
 
 
+@pytest.mark.slow
 def test_outputs_with_an_estimate_have_a_column_with_their_error(table):
     errors = [column.heading for column in table.columns if "error" in column.name]
     assert errors == ["life error [%]", "load error [%]", "slip error [%]", "stiffness error [%]"]

@@ -127,6 +127,7 @@ def test_ring_that_can_roll_between_two_lines_is_refused_before_it_is_solved(tmp
         flexbearing.run(PAPER, [*RING, *lines], output=tmp_path / "r.h5")
 
 
+@pytest.mark.slow
 def test_ring_with_clearance_in_its_housing_touches_it_below_the_load(tmp_path):
     result = flexbearing.run(
         PAPER, [*HOUSED, "bearing.fits.housing.interference=-60 um"], output=tmp_path / "r.h5"
@@ -223,6 +224,7 @@ def tapered():
     return inner_in_fit(), inner_in_fit(*along("shaft", 210, 250))
 
 
+@pytest.mark.slow
 def test_shaft_that_is_warmer_at_one_end_tapers_the_raceway(tapered):
     """A raceway of larger radius at larger x stands further outward there, unloaded and loaded."""
     even, warm = tapered

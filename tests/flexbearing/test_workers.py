@@ -67,6 +67,7 @@ def test_few_calls_stay_in_this_process():
         assert {process for _, process in mapped(process_of, NUMBERS[1:])} == {os.getpid()}
 
 
+@pytest.mark.slow
 def test_what_a_call_raises_is_raised_here():
     before = children(os.getpid())
     with pytest.raises(NotSolved, match="number 3") as raised:
@@ -96,6 +97,7 @@ def test_balls_are_the_same_by_one_and_by_two_workers():
     assert parts == [(number + 1) / len(NUMBERS) for number in NUMBERS]
 
 
+@pytest.mark.slow
 def test_fast_balls_are_the_same_by_one_and_by_two_workers():
     groove = Groove(conformity=0.5232, material=STEEL)
     parts = AngularContactBearing(

@@ -170,6 +170,7 @@ def stuck(osculation=0.95, friction=0.10, interference=0.5, pitch=1.0):
     return float(bearing.roll(sliding, "kalker", (20, 40)).stick_share.max())
 
 
+@pytest.mark.slow
 def test_stick_areas_change_as_in_fig_6():
     """More with friction, less with osculation and interference, as much with another pitch diameter."""
     assert stuck(friction=0.3) > stuck(friction=0.2) > stuck() + 0.1
@@ -178,6 +179,7 @@ def test_stick_areas_change_as_in_fig_6():
     assert stuck(friction=0.3, pitch=2.5) == approx(stuck(friction=0.3, pitch=0.5), abs=0.03)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "pressure"), COMPUTED)
 def test_torque_on_computed_pressure(name, pressure):
     """Kalker's half-spaces; the paper applied an offset, real loads do not. The limit of small cells is 0.7 %

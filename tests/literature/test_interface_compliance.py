@@ -34,6 +34,7 @@ def rolled(name, compliance, model: Any = "kalker"):
     return ball
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "slip"), EACH)
 def test_torque_with_an_interface_is_that_of_an_independent_program(name, slip):
     ball = rolled(name, 1e-6 * slip)

@@ -36,6 +36,7 @@ def test_axis_of_a_line():
     assert stress.shear == approx(0.0, rel=0, abs=1e-13)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("poisson_ratio", [0.0, 0.26, 0.3])
 def test_axis_of_a_circle(poisson_ratio):
     stress = ellipse_stress(0.0, DEPTH, 1.0, poisson_ratio)

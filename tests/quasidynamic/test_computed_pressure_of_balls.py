@@ -93,6 +93,7 @@ def test_stick_and_slip_on_computed_pressure_never_turn_harder_than_full_sliding
     assert ball.fine.imbalance <= 1e-3
 
 
+@pytest.mark.slow
 @COMPUTED
 def test_the_error_told_is_that_of_the_grid(pressure):
     """Against cells of a quarter of the size."""

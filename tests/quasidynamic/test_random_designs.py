@@ -54,6 +54,7 @@ def bearing_speeds(state):
     return (np.array([[inner], [outer]]) + state.roller_speed * bearing.roller.diameter / 2) / 2
 
 
+@pytest.mark.slow
 @FEWER
 @given(SEEDS, INERTIA)
 def test_every_design_ends_by_name(seed, spin_inertia):
@@ -69,6 +70,7 @@ def test_every_design_ends_by_name(seed, spin_inertia):
         assert "evaluations" in str(failure)
 
 
+@pytest.mark.slow
 @FEW
 @given(SEEDS, INERTIA)
 @example(4, True)

@@ -107,6 +107,7 @@ def test_no_pitch_is_passed_by_a_cage_that_hardly_turns():
     assert after_passing_pitches(replace(state, scaled=still[0])) is None
 
 
+@pytest.mark.slow
 def test_backwards_the_same_equilibria_are_told():
     model = designed(8)
     back = replace(model, operation=replace(model.operation, inner_speed=-model.operation.inner_speed))
@@ -123,6 +124,7 @@ def test_backwards_the_same_equilibria_are_told():
     assert told[0] == told[1]
 
 
+@pytest.mark.slow
 def test_raceways_that_hardly_give_way_keep_the_equilibria_of_rigid_ones():
     """Solved again between elastic raceways of a thousandth of a contact's compliance."""
     model = designed(8)

@@ -98,6 +98,7 @@ def fine(stress):
     return shear[place], z[place], x[place]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("axis_ratio", [0.05, 0.3, 0.7, 1.0])
 def test_amplitude_of_lundberg_and_palmgren_is_the_extreme_of_the_field(axis_ratio):
     amplitude, depth = ellipse.orthogonal_shear(1.0, 1.0, axis_ratio)

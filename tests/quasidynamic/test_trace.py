@@ -178,6 +178,7 @@ def test_slip_follows_an_s_over_load_through_two_folds():
     assert max(point.equilibrium.residual for point in found.points) < 1e-9
 
 
+@pytest.mark.slow
 def test_folds_are_where_sweeps_over_the_load_jump():
     upper, lower = branch().folds
     close = np.array([0.98, 0.99, 0.995, 1.005, 1.01, 1.02])
@@ -187,6 +188,7 @@ def test_folds_are_where_sweeps_over_the_load_jump():
     assert low < lower.value < high
 
 
+@pytest.mark.slow
 def test_branch_is_the_same_both_ways():
     back = trace(falling(SPAN[1]), span=SPAN[::-1])
     there = [fold.value for fold in branch().folds]

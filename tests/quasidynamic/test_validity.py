@@ -84,6 +84,7 @@ def test_rounded_friction_of_slow_rough_rollers_is_told():
     assert "sign-speed" not in codes(**slow, traction=rough(ROUNDED, size=1e-9))  # nothing touches
 
 
+@pytest.mark.slow
 def test_slices_below_the_width_of_their_contact_are_told_where_they_creep():
     thin = {"speed": 20 * RPM, "slices": 100}
     assert "slice-creep" in codes(**thin, traction=rough(CREEPING))

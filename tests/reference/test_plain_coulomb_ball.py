@@ -31,6 +31,7 @@ def production(friction, thrust):
     return AngularContactBallBearing(bearing=bearing, control="coulomb", friction=friction).solve(operation)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("friction", [0.05, 0.1])
 def test_balls_of_production_are_those_of_the_plain_model(friction):
     state, known = production(friction, 1500.0), plain.thrust_bearing(PLAIN | {"mu": friction}, 1500.0)

@@ -45,6 +45,7 @@ def test_ring_on_lines_that_only_push_is_the_plain_one(plain, lines):
     assert moved == approx(deviation, rel=0, abs=0.02 * np.abs(deviation).max())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "condensed",
     [as_beam, lambda part, length, modes: by_harmonics(part, length, modes, FAIR)],
@@ -65,6 +66,7 @@ def test_ring_on_springs_that_only_push_is_the_plain_one(plain, condensed, stiff
     assert np.abs(deviation - bilateral).max() > 0.1 * np.abs(deviation).max()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("radius", [None, 46e-3, 55e-3], ids=["rim", "46 mm", "55 mm"])
 def test_rim_under_teeth_bends_by_their_couple_too(plain, radius):
     """Two opposite teeth push along z with 800 N, rollers against them; the pitch circle adds a couple."""

@@ -106,6 +106,7 @@ FEW = [
 ]  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("profile", "pressure", "tilt"), FEW)
 def test_edge_peak_of_half_spaces_is_that_of_the_plain_solution(profile, pressure, tilt):
     known, found = plain(profile, pressure, tilt), whole(profile, pressure, tilt, (32, 512))

@@ -92,6 +92,7 @@ def test_only_drag_races_and_land_change_the_angular_momentum(model):
     assert change + model.cage_inertia * cage == approx(given, rel=1e-10, abs=0.0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("slower", "left"), [(0.0, 1e-8), (1e-2, 4e-3)], ids=["kinematic", "1 % slower"])
 def test_without_drag_and_friction_the_cage_tends_to_its_kinematic_speed(monkeypatch, slower, left):
     monkeypatch.setattr(time_domain, "rolling_shear", lambda p, oil, Q, *_: 0 * Q)
