@@ -20,6 +20,7 @@ extensions = [
     "sphinx.ext.autodoc",
     "sphinx.ext.napoleon",
     "sphinx.ext.mathjax",
+    "api_pages",
 ]
 exclude_patterns = ["_build", "jupyter_execute", ".jupyter_cache"]
 root_doc = "index"
@@ -65,4 +66,5 @@ autodoc_class_signature = "separated"
 napoleon_numpy_docstring = True
 napoleon_google_docstring = False
 napoleon_custom_sections = ["Source", "Valid"]
+napoleon_use_param = False
 napoleon_use_rtype = False

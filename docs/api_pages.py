@@ -1,0 +1,117 @@
+"""One page for each room of the physics and of the finite elements, from the docstrings of its modules.
+
+The pages are written into `docs/reference/api` when the site is built. An object that a page of the theory
+names gets a link back to that page.
+"""
+
+import inspect
+import re
+from importlib import import_module, util
+from pathlib import Path
+
+from sphinx.application import Sphinx
+
+HERE = Path(__file__).parent
+ROOT = HERE.parent
+FOLDER = HERE / "reference" / "api"
+LEFT_OUT = {"fem.stages", "quasidynamic.columns"}
+OBJECT = re.compile(r"\{py:(?:func|class|meth|data|obj)\}`~?([\w.]+)`")
+FORMULA = re.compile(r"^\s*\.\. math::")
+MARKUP = re.compile(r"[|*]|(?<=\w)_(?=\W|$)")
+RAISES = re.compile(r"^:raises (\w+):")
+
+
+def rooms() -> dict[str, list[str]]:
+    """Return the modules of every room of `quasidynamic` and `fem`, those that define something public."""
+    found: dict[str, list[str]] = {}
+    for package in ("quasidynamic", "fem"):
+        for path in sorted((ROOT / package).rglob("*.py")):
+            if path.name.startswith("__"):
+                continue
+            name = ".".join(path.relative_to(ROOT).with_suffix("").parts)
+            if name not in LEFT_OUT and re.search(r"^(def|class) [a-zA-Z]", path.read_text(), re.M):
+                found.setdefault(name.rpartition(".")[0], []).append(name)
+    return found
+
+
+def page_of(room: str, modules: list[str]) -> str:
+    """Return the page of a room in reStructuredText: its caption, then what each of its modules defines."""
+    caption = "\n".join(escaped((inspect.getdoc(import_module(room)) or "").splitlines()))
+    lines = [room, "=" * len(room), "", caption, ""]
+    for name in modules:
+        title = name.removeprefix(f"{room}.")
+        lines += [title, "-" * len(title), "", f".. automodule:: {name}", "   :members:", ""]
+    return "\n".join(lines)
+
+
+def write_pages(app: Sphinx) -> None:
+    """Write the pages that changed, so that only these are read again."""
+    FOLDER.mkdir(exist_ok=True)
+    pages = {f"{room}.rst": page_of(room, modules) for room, modules in rooms().items()}
+    for stale in {path.name for path in FOLDER.iterdir()} - set(pages):
+        (FOLDER / stale).unlink()
+    for name, text in pages.items():
+        path = FOLDER / name
+        if not path.exists() or path.read_text() != text:
+            path.write_text(text)
+
+
+def named_by_theory() -> dict[str, list[str]]:
+    """Return the pages of the theory that name an object, by the object's full name."""
+    pages: dict[str, list[str]] = {}
+    for path in sorted((HERE / "theory").glob("*.md")):
+        for name in dict.fromkeys(OBJECT.findall(path.read_text())):
+            pages.setdefault(name, []).append(path.stem)
+    return pages
+
+
+def escaped(lines: list[str]) -> list[str]:
+    """Return lines of a docstring, bars, stars and last underscores escaped outside formulas and code."""
+    result, formula = [], None
+    for line in lines:
+        indentation = len(line) - len(line.lstrip())
+        if line.strip() and formula is not None and indentation <= formula:
+            formula = None
+        if FORMULA.match(line):
+            formula = indentation
+        if formula is None and not line.lstrip().startswith((">>>", "...")):
+            line = "`".join(
+                part if i % 2 else MARKUP.sub(r"\\\g<0>", part) for i, part in enumerate(line.split("`"))
+            )
+        result.append(line)
+    return result
+
+
+def escape(app: Sphinx, what: str, name: str, obj: object, options: object, lines: list[str]) -> None:
+    """Escape what docstrings do not mean as markup, before their sections are read."""
+    lines[:] = escaped(lines)
+
+
+def error_named(name: str, module: str) -> type | None:
+    """Return the exception that a docstring of a module means: the module's own, or that of its package."""
+    package = module.partition(".")[0]
+    for place in (module, f"{package}.errors", package):
+        if util.find_spec(place) and isinstance(found := getattr(import_module(place), name, None), type):
+            return found
+    return None
+
+
+def link(app: Sphinx, what: str, name: str, obj: object, options: object, lines: list[str]) -> None:
+    """Link errors to those of their own package, and the object to the pages of the theory that name it."""
+    for number, line in enumerate(lines):
+        raised = RAISES.match(line)
+        error = raised and error_named(raised[1], getattr(obj, "__module__", None) or name)
+        if error:
+            lines[number] = RAISES.sub(f":raises ~{error.__module__}.{error.__qualname__}:", line)
+    pages = app.config.named_by_theory.get(name, [])
+    if pages:
+        lines += ["", "Theory: " + ", ".join(f":doc:`/theory/{page}`" for page in pages), ""]
+
+
+def setup(app: Sphinx) -> dict[str, bool]:
+    """Connect with Sphinx; napoleon reads the sections of a docstring at 500."""
+    app.add_config_value("named_by_theory", named_by_theory(), "env")
+    app.connect("builder-inited", write_pages)
+    app.connect("autodoc-process-docstring", escape, priority=400)
+    app.connect("autodoc-process-docstring", link, priority=600)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}
