@@ -59,7 +59,7 @@ docs: $(READY)
 	$(BIN)/python -m flexbearing.reference case > docs/reference/case.md
 	$(BIN)/python -m flexbearing.reference results > docs/reference/results.md
 	$(BIN)/python -m flexbearing.reference study > docs/reference/study.md
-	$(BIN)/python -m sphinx -W --keep-going -q docs docs/_build/html
+	$(BIN)/python -m sphinx -W --keep-going -q -j 2 docs docs/_build/html
 
 $(READY): pyproject.toml requirements.lock
 	$(PYTHON) -m venv $(VENV)

@@ -6,7 +6,8 @@ names gets a link back to that page.
 
 import inspect
 import re
-from importlib import import_module, util
+import sys
+from importlib import import_module
 from pathlib import Path
 
 from sphinx.application import Sphinx
@@ -14,17 +15,18 @@ from sphinx.application import Sphinx
 HERE = Path(__file__).parent
 ROOT = HERE.parent
 FOLDER = HERE / "reference" / "api"
+PACKAGES = ("quasidynamic", "fem")
 LEFT_OUT = {"fem.stages", "quasidynamic.columns"}
 OBJECT = re.compile(r"\{py:(?:func|class|meth|data|obj)\}`~?([\w.]+)`")
 FORMULA = re.compile(r"^\s*\.\. math::")
 MARKUP = re.compile(r"[|*]|(?<=\w)_(?=\W|$)")
-RAISES = re.compile(r"^:raises (\w+):")
+RAISES = re.compile(r"^:raises ([\w, ]+):")
 
 
 def rooms() -> dict[str, list[str]]:
     """Return the modules of every room of `quasidynamic` and `fem`, those that define something public."""
     found: dict[str, list[str]] = {}
-    for package in ("quasidynamic", "fem"):
+    for package in PACKAGES:
         for path in sorted((ROOT / package).rglob("*.py")):
             if path.name.startswith("__"):
                 continue
@@ -87,22 +89,25 @@ def escape(app: Sphinx, what: str, name: str, obj: object, options: object, line
     lines[:] = escaped(lines)
 
 
-def error_named(name: str, module: str) -> type | None:
-    """Return the exception that a docstring of a module means: the module's own, or that of its package."""
+def error_named(name: str, module: str) -> str:
+    """Return the full name of an exception that a docstring names: that of its module, or of its package."""
     package = module.partition(".")[0]
-    for place in (module, f"{package}.errors", package):
-        if util.find_spec(place) and isinstance(found := getattr(import_module(place), name, None), type):
-            return found
-    return None
+    places = [sys.modules.get(module)]
+    if package in PACKAGES:
+        places += [import_module(f"{package}.errors"), import_module(package)]
+    for place in places:
+        if isinstance(found := getattr(place, name, None), type):
+            return f"~{found.__module__}.{found.__qualname__}"
+    return name
 
 
 def link(app: Sphinx, what: str, name: str, obj: object, options: object, lines: list[str]) -> None:
     """Link errors to those of their own package, and the object to the pages of the theory that name it."""
+    module = getattr(obj, "__module__", None) or name
     for number, line in enumerate(lines):
-        raised = RAISES.match(line)
-        error = raised and error_named(raised[1], getattr(obj, "__module__", None) or name)
-        if error:
-            lines[number] = RAISES.sub(f":raises ~{error.__module__}.{error.__qualname__}:", line)
+        if raised := RAISES.match(line):
+            full = re.sub(r"\w+", lambda word: error_named(word[0], module), raised[1])
+            lines[number] = f":raises {full}:{line[raised.end() :]}"
     pages = app.config.named_by_theory.get(name, [])
     if pages:
         lines += ["", "Theory: " + ", ".join(f":doc:`/theory/{page}`" for page in pages), ""]

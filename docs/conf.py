@@ -33,7 +33,7 @@ suppress_warnings = ["myst.header"]
 # Executed cells are kept for as long as neither the program nor the shipped cases change.
 SOURCES = [
     path
-    for folder in ("quasidynamic", "fem", "flexbearing", "configs")
+    for folder in ("quasidynamic", "fem", "flexbearing", "configs", "benchmarks")
     for path in sorted((ROOT / folder).rglob("*"))
     if path.suffix in (".py", ".toml", ".step")
 ]
