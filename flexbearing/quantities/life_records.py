@@ -19,6 +19,11 @@ RATINGS = ("C_r", "C_0r", "C_u")
 MODIFIED = {"viscosity_ratio", "a_ISO", "modified_Mrev", "modified_h"}  # all of them, or none
 
 
+_FACTOR = Record(
+    {"name": TEXT, "value": NUMBER, "effect": TEXT, "note": TEXT}, optional={"life_exponent": NUMBER_OR_NULL}
+)
+
+
 def _same_factors(lives: Any) -> bool:
     return len({tuple(factor["name"] for factor in life["factors"]) for life in lives.values()}) <= 1
 
@@ -29,7 +34,7 @@ LIFE: Form = Such(
         Record(
             {
                 "basic_Mrev": NUMBER,
-                "factors": ListOf(Record({"name": TEXT, "value": NUMBER, "effect": TEXT, "note": TEXT})),
+                "factors": ListOf(_FACTOR),
                 "modified_Mrev": NUMBER,
             }
         ),

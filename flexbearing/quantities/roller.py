@@ -106,6 +106,12 @@ QUANTITIES = (
         people=MREV, infinite=True,
         summary=(SummaryValue("raceway_life_Mrev", label="life of each raceway", digits=",.2f", parts=RACES,
                               speed="relative_speed"),)),
+    Quantity("reference_life", "L_10r", "", "rev", "block",
+        "reference life by ISO/TS 16281: C_r of the maker or of ISO 281, with the edge stress where "
+        'life.edge_stress asks for it, 90 % survival; absent without life.capacity = "iso281"',
+        source="life.reference", people=MREV, optional=True,
+        summary=(SummaryValue("reference_life_Mrev", label="reference life L10r, ISO/TS 16281",
+                              digits=",.2f", speed="relative_speed"),)),
     Quantity("modified_life", "L_nm", "", "rev", "block",
         "life after every factor of [life], see the attribute life; absent when nothing modifies it",
         source="life.modified", people=MREV, optional=True,

@@ -1,7 +1,7 @@
 """The life of a ball bearing: by ISO/TS 16281 under the loads of its balls, and what modifies it."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,6 +28,7 @@ from quasidynamic.outcome.life_factors import (
     LifeFactor,
     contamination_factor,
     modification_factor,
+    modification_slope,
     viscosity_ratio,
 )
 from quasidynamic.outcome.rating_life import BALL_EXPONENT, rating_life, static_safety
@@ -98,7 +99,9 @@ def _lubrication(case: FastCase, load: float) -> Iterator[LifeFactor]:
         return
     ratio_of_oil, share = kappa(case), fatigue_share(case) / load
     words = f"kappa {ratio_of_oil:.3g}, e_C C_u/P {share:.3g}, equivalent load {load:.4g} N"
-    yield explained(modification_factor(ratio_of_oil, share, BALLS), words)
+    factor = explained(modification_factor(ratio_of_oil, share, BALLS), words)
+    slope = float(modification_slope(ratio_of_oil, share, BALLS)) / BALL_EXPONENT
+    yield replace(factor, life_exponent=slope if case.life.loads != "rating" else 0.0)
 
 
 def require_possible(case: FastCase) -> None:

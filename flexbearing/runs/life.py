@@ -1,6 +1,7 @@
 """The life of a case after everything that modifies it."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -9,7 +10,7 @@ from numpy.typing import NDArray
 from flexbearing.build.lubrication import oil
 from flexbearing.build.rough_surfaces import roughness
 from flexbearing.case.roller import Case
-from flexbearing.runs.life_of_state import LifeOfState, explained, of_reliability
+from flexbearing.runs.life_of_state import CAPACITY, EDGE_STRESS, LifeOfState, explained, of_reliability
 from quasidynamic import CylindricalRollerBearing
 from quasidynamic.outcome.capacity import (
     STRESS_REDUCTION,
@@ -34,6 +35,7 @@ from quasidynamic.outcome.life_factors import (
     film_factor,
     material_factor,
     modification_factor,
+    modification_slope,
     viscosity_ratio,
 )
 from quasidynamic.outcome.rating_life import LINE_EXPONENT, ROLLER_EXPONENT, rating_life
@@ -106,13 +108,13 @@ def _slice_factors(
         after = life()
         origin = "formula of ISO 281" if case.life.dynamic_rating is None else "given"
         note = f"ISO/TS 16281 by C_r = {rating:.5g} N, {origin}"
-        yield {"name": "capacity", "value": after / before, "effect": "load", "note": note}
+        yield {"name": CAPACITY, "value": after / before, "effect": "load", "note": note}
         before = after
     if case.life.edge_stress:
         edge = edge_stress(case, inner.shape[-1])
         after = life()
         note = f"ISO/TS 16281, {inner.shape[-1]} slices"
-        yield {"name": "edge stress", "value": after / before, "effect": "load", "note": note}
+        yield {"name": EDGE_STRESS, "value": after / before, "effect": "load", "note": note}
         before = after
     if case.life.roller_body:
         ratio = bearing.diameter_ratio
@@ -143,7 +145,9 @@ def _lubrication_factors(case: Case, state: "Equilibrium", loads: NDArray) -> It
             load = float(reference_load(life, rating))
         ratio = fatigue_share(case, bearing) / load
         words = f"kappa {ratio_of_oil:.3g}, e_C C_u/P {ratio:.3g}, equivalent load {load:.4g} N"
-        yield explained(modification_factor(ratio_of_oil, ratio), words)
+        factor = explained(modification_factor(ratio_of_oil, ratio), words)
+        slope = float(modification_slope(ratio_of_oil, ratio)) / ROLLER_EXPONENT
+        yield replace(factor, life_exponent=slope if case.life.loads == "rollers" else 0.0)
 
 
 def _fixed_factors(case: Case) -> list[LifeFactor]:

@@ -9,6 +9,7 @@ from flexbearing.case.ratings import Ratings
 from quasidynamic.outcome.life_factors import LifeFactor, ModifiedLife, reliability_factor
 
 MREV = 1e6  # revolutions
+CAPACITY, EDGE_STRESS = "capacity", "edge stress"  # factors between the basic and the reference life
 
 
 @dataclass(frozen=True)
@@ -18,6 +19,14 @@ class LifeOfState:
     basic: float  # [10^6 revolutions]
     factors: tuple[dict[str, Any], ...]  # name, value, effect and note
     modified: float  # [revolutions]
+
+    @property
+    def reference(self) -> float | None:
+        """Reference life by ISO/TS 16281 [rev], without rollers that fail; None by other capacities."""
+        loads = {factor["name"]: factor["value"] for factor in self.factors if factor["effect"] == "load"}
+        if CAPACITY not in loads:
+            return None
+        return self.basic * MREV * float(loads[CAPACITY]) * float(loads.get(EDGE_STRESS, 1.0))
 
     @classmethod
     def of(

@@ -95,8 +95,8 @@ MODIFYING = (
     Influence(
         "capacity of the raceways by Lundberg and Palmgren",
         {"life.capacity": "iso281"},
-        "The raceways are rated by Lundberg and Palmgren instead of by C_r, which is the maker's or holds "
-        "the factor b_m of ISO 281 for present steel.",
+        "Each raceway is rated by the formula of Lundberg and Palmgren instead of by C_r, that of ISO 281 or "
+        "the maker's.",
     ),
     Influence(
         "rollers that fail", {"life.roller_body": "false"}, "Rollers may fail, too, not the raceways alone."

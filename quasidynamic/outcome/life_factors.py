@@ -6,7 +6,7 @@ from math import prod
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from quasidynamic.errors import OutOfRange
 from quasidynamic.outcome.capacity import MATERIAL_FACTOR, MILLIMETRE
@@ -75,6 +75,7 @@ class LifeFactor:
     value: Any  # [-] float or array (...), > 0
     effect: Literal["lubrication", "material", "reliability"]  # what it accounts for
     note: str = ""  # where a limit was met, or what went in
+    life_exponent: float | None = 0.0  # d ln factor / d ln life it multiplies; None where it is not known
 
     def __post_init__(self):
         if not np.all(np.isfinite(self.value) & (np.asarray(self.value) > 0)):
@@ -264,21 +265,75 @@ def modification_factor(
     kappa from 0.1. Kinks at kappa = 0.4, 1 and 4, and
     at the limit of 50, which also stands for loads below the fatigue limit.
     """
-    kappa, load_ratio = np.asarray(kappa), np.asarray(load_ratio)
-    if not np.all(load_ratio >= 0):
-        raise OutOfRange(f"e_C C_u/P = {load_ratio} must not be negative")
-    k = _rated(kappa)
-    c = np.where(k < 0.4, elements.thin, elements.thick)
-    p = np.where(k < 0.4, 0.054381, np.where(k < 1.0, 0.19087, 0.071739))
-    film = (elements.largest - c / k**p) ** elements.film_power
-    bracket = 1 - film * load_ratio**elements.load_power
-    least = (LARGEST_MODIFICATION / 0.1) ** (-1 / elements.power)  # below it the factor has reached 50
+    kappa = np.asarray(kappa)
+    bracket = _fatigue_bracket(kappa, load_ratio, elements)
+    least = _least_bracket(elements)
     notes = [
         "viscosity ratio above 4, rated as 4" * bool(np.any(kappa > FULL_VISCOSITY_RATIO)),
         "held at its limit of 50" * bool(np.any(bracket <= least)),
     ]
     value = 0.1 * np.maximum(bracket, least) ** -elements.power
     return LifeFactor("a_ISO", value[()], "lubrication", "; ".join(filter(None, notes)))
+
+
+def modification_slope(kappa: ArrayLike, load_ratio: ArrayLike, elements: ModifiedBy = ROLLERS) -> Any:
+    r"""How a_ISO grows with the ratio of the loads.
+
+    .. math:: \frac{d \ln a_{ISO}}{d \ln (e_C C_u / P)} = q\, n\, \frac{1 - B}{B}
+
+    with the bracket B of `modification_factor`.
+
+    Parameters
+    ----------
+    kappa : float or array (...)
+        viscosity ratio [-], >= 0.1
+    load_ratio : float or array (...)
+        e_C C_u/P [-], >= 0
+    elements : ModifiedBy
+        constants of `ROLLERS` or of `BALLS`
+
+    Returns
+    -------
+    float or array (...)
+        slope [-]; zero where a_ISO is held at its limit of 50
+
+    Raises
+    ------
+    OutOfRange
+        as `modification_factor`
+
+    Source
+    ------
+    Derived here from ISO 281 (2007), Eqs. 31-36.
+
+    Valid
+    -----
+    As `modification_factor`; one-sided at its kinks.
+
+    >>> round(float(modification_slope(1.0, 0.1)), 4)
+    0.597
+    """
+    bracket = _fatigue_bracket(np.asarray(kappa), load_ratio, elements)
+    held = bracket <= _least_bracket(elements)
+    free = np.where(held, 1.0, bracket)
+    return (elements.power * elements.load_power * (1 - free) / free)[()]
+
+
+def _fatigue_bracket(kappa: NDArray, load_ratio: ArrayLike, elements: ModifiedBy) -> NDArray:
+    """1 - (b - c/kappa^p)^m (e_C C_u / P)^n."""
+    load_ratio = np.asarray(load_ratio)
+    if not np.all(load_ratio >= 0):
+        raise OutOfRange(f"e_C C_u/P = {load_ratio} must not be negative")
+    k = _rated(kappa)
+    c = np.where(k < 0.4, elements.thin, elements.thick)
+    p = np.where(k < 0.4, 0.054381, np.where(k < 1.0, 0.19087, 0.071739))
+    film = (elements.largest - c / k**p) ** elements.film_power
+    return 1 - film * load_ratio**elements.load_power
+
+
+def _least_bracket(elements: ModifiedBy) -> float:
+    """Below it a_ISO has reached its limit."""
+    return (LARGEST_MODIFICATION / 0.1) ** (-1 / elements.power)
 
 
 def film_factor(film_ratio: ArrayLike) -> LifeFactor:
@@ -324,7 +379,7 @@ def film_factor(film_ratio: ArrayLike) -> LifeFactor:
         f"film ratio above {high}, held at its factor" * bool(np.any(ratio > high)),
     ]
     value = np.interp(ratio, FILM_RATIOS, FILM_FACTORS)
-    return LifeFactor("film", value, "lubrication", "; ".join(filter(None, notes)))
+    return LifeFactor("film", value, "lubrication", "; ".join(filter(None, notes)), None)
 
 
 def material_factor(

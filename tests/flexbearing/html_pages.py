@@ -70,11 +70,30 @@ class Numbers:
         if kind == "change":
             before, after = (self(each) for each in rest.split(":"))
             return 100 * (after - before) / abs(before)
-        if kind == "reference_life":
-            return self.reference_life(*rest.split("/"))
         if kind == "ratings":
             return followed(self.ratings, rest.split("/"))
+        derived = {"share": self.share, "percent": self.percent, "support_error": self.support_error}
+        if kind in derived:
+            return derived[kind](rest)
+        if kind.startswith("life_error:"):
+            return self.life_error(*place.removeprefix("life_error:").split(":"))
         return self.stored(place)
+
+    def share(self, rest):
+        """What a number takes of its limit, in percent."""
+        side, limit, path = rest.split("/", 2)
+        return 100 * (self(path) / float(limit) if side == "most" else float(limit) / self(path))
+
+    def percent(self, rest):
+        """An error of the summary over its value."""
+        block, *names = rest.split("/")
+        half = len(names) // 2
+        error, value = (followed(self.summary[block], each) for each in (names[:half], names[half:]))
+        return 100 * error / value
+
+    def support_error(self, part):
+        figures = self.stored("attributes/structure")[part]
+        return 100 * figures["support_stiffness_error_N_per_m"] / figures["support_stiffness_N_per_m"]
 
     def stored(self, place):
         """What the file or its summary has at a place."""
@@ -94,16 +113,14 @@ class Numbers:
         family, about = self.result.family, self.result.attributes
         file = Path(about["case_file"])
         case = understood(about["case_text"], file, about["case_overrides"], {family.kind: family})
-        return family.catalogue().ratings(case, 1.0)
+        speed = abs(float(self.file["rigid/relative_speed"][()]))
+        return family.catalogue().ratings(case, 1e6 * 2 * np.pi / speed / 3600 if speed else np.inf)
 
-    def reference_life(self, block, unit_name):
-        """Basic life times the factors that change loads and capacities."""
-        life = json.loads(self.file.attrs["life"])[block]
-        turns = life["basic_Mrev"]
-        for factor in life["factors"]:
-            turns *= factor["value"] if factor["effect"] == "load" else 1
-        speed = abs(float(self.file[f"{block}/relative_speed"][()]))
-        return turns if unit_name == "Mrev" else turns * 1e6 * 2 * np.pi / speed / 3600
+    def life_error(self, place, block=""):
+        """Error of the basic life; of a modified one grown by the factors that follow the life."""
+        error = float(self(place) if place.startswith("attributes") else self.file[place][()])
+        factors = json.loads(self.file.attrs["life"])[block]["factors"] if block else ()
+        return error * (1 + sum(factor.get("life_exponent", 0) for factor in factors))
 
     def array(self, place):
         if place.startswith("other/"):

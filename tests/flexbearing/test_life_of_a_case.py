@@ -20,7 +20,13 @@ from quasidynamic.outcome.life import (
     reference_load,
     slice_life,
 )
-from quasidynamic.outcome.life_factors import film_factor, material_factor, reliability_factor
+from quasidynamic.outcome.life_factors import (
+    film_factor,
+    material_factor,
+    modification_slope,
+    reliability_factor,
+)
+from quasidynamic.outcome.rating_life import ROLLER_EXPONENT
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 PLAIN = CONFIGS / "nu209.toml"
@@ -110,6 +116,8 @@ def test_factor_of_iso_281_by_hand(state):
     assert float(words["e_C C_u/P"]) == approx(left * limit / load, rel=2e-3)
     value = 0.1 * (1 - (1.5859 - 1.2348 / kappa**0.071739) * (left * limit / load) ** 0.4) ** -9.185
     assert factor["value"] == approx(value, rel=5e-3)
+    grown = modification_slope(kappa, left * limit / load) / ROLLER_EXPONENT
+    assert factor["life_exponent"] == approx(grown, rel=5e-3)
 
 
 def test_viscosity_ratio_is_that_of_the_speed_of_one_ring_past_the_other():

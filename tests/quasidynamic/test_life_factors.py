@@ -9,15 +9,18 @@ from pytest import approx
 
 from quasidynamic.errors import OutOfRange
 from quasidynamic.outcome.life_factors import (
+    BALLS,
     CLEANLINESS,
     FILM_FACTORS,
     FILM_RATIOS,
+    ROLLERS,
     LifeFactor,
     ModifiedLife,
     contamination_factor,
     film_factor,
     material_factor,
     modification_factor,
+    modification_slope,
     reference_viscosity,
     reliability_factor,
     viscosity_ratio,
@@ -198,3 +201,18 @@ def test_lubrication_is_not_counted_twice():
 def test_impossible_factor_is_refused(value):
     with pytest.raises(OutOfRange, match="above zero"):
         LifeFactor("a", value, "material")
+
+
+@pytest.mark.parametrize("elements", [ROLLERS, BALLS], ids=["rollers", "balls"])
+@pytest.mark.parametrize("kappa", [0.2, 0.7, 2.0])
+def test_slope_of_a_iso_is_its_derivative(elements, kappa):
+    ratio, step = 0.2, 1e-5
+    above, below = (
+        modification_factor(kappa, ratio * np.exp(each), elements).value for each in (step, -step)
+    )
+    assert modification_slope(kappa, ratio, elements) == approx(np.log(above / below) / (2 * step), rel=1e-7)
+
+
+def test_held_at_its_limit_a_iso_has_no_slope():
+    assert modification_factor(4.0, 5.0).value == approx(50.0, rel=1e-12)
+    assert modification_slope(np.array([4.0, 1.0]), np.array([5.0, 0.0])).tolist() == [0.0, 0.0]

@@ -1,92 +1,195 @@
-"""Numbers that have a limit, each with it and whether it is met."""
+"""What limits a bearing: numbers with their limits, the nearest to its limit first."""
 
 from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
 
-from flexbearing.report.html.document import Cell, Table
+from flexbearing.report.html import ratings
+from flexbearing.report.html.document import Block, Cell, Number, Table, Words
+from flexbearing.report.html.lives import lives
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import printed
 
-DENTING, DENTING_OF_BALLS = 4e9, 4.2e9  # [Pa] static limits of roller and ball bearings by ISO 76
+DENTING, DENTING_OF_BALLS = 4000.0, 4200.0  # [MPa] static limits of roller and ball bearings by ISO 76
+USUAL_OF_ROLLERS = 1.5  # static safety in normal running, SKF
+LEAST_OF_ROLLERS, LEAST_OF_BALLS = 0.02, 0.01  # P/C_r in SKF's rule of thumb against smearing
+FULL_FILM = 3  # film ratio
 ENDS = {"pressed-end", "sharp-roller-end", "sliced-peak"}  # notes by which slices do not have the peak
-_NOT_KNOWN = "not checked: no number"
+NOT_CHECKED = "not checked"
+MOST, LEAST = "most", "least"  # a limit from above, from below
 _NOTE = (
-    "A limit of ISO 76 is that of a lasting dent of 1e-4 of the diameter. P_0 is the equivalent static "
-    "load, of a radial roller bearing its radial load."
+    "Share: value over limit, or limit over value where a value must not be lower; the largest share limits "
+    "first. A contact pressure grows slower than its load: with the square root of the load of a roller, the "
+    "cube root of that of a ball. The limits of ISO 76 are those of a lasting dent of 1e-4 of the diameter "
+    "of a rolling element."
 )
+_TWO = (
+    "There are two static safeties. C_0/P_0 compares the load on the whole bearing with its static rating, "
+    "which supposes the usual share of the most loaded rolling element. The static safety by pressure, in "
+    "the table of all numbers, is that of the most pressed contact as computed here, with clearance, tilt, "
+    "profile and flexible rings: its load at the pressure limit over its load. The smaller one counts."
+)
+_MAKER = "ISO 281 leaves to the maker whether its life formula holds"
+_SLIP = "no standard limits it; a minimum load is the usual rule against smearing"
+_HEAT = "the case has no limits of steel, cage and lubricant"
+
+
+@dataclass(frozen=True)
+class Limit:
+    """A limit from above or from below."""
+
+    value: float  # in the unit of the place of what it limits
+    side: str  # MOST or LEAST
+    words: str
+
+
+@dataclass(frozen=True)
+class Check:
+    """A number against its limit."""
+
+    what: str
+    value: Cell = ""
+    limit: str = ""
+    share: Cell = ""
+    used: float = 0.0  # share as a number [-], zero where there is none
+    verdict: str = NOT_CHECKED
+
+    @property
+    def rank(self) -> tuple[bool, float]:
+        """Checked ones first, the largest share leading."""
+        return self.verdict.startswith(NOT_CHECKED), -self.used
+
+
+def blocks(reader: Reader) -> Iterator[Block]:
+    """What limits most in a sentence, then every limit."""
+    checks = ranked(reader)
+    exceeded = [check.what for check in checks if check.verdict.startswith("EXCEEDED")]
+    nearest = next((check.what for check in checks if check.used), "")
+    left = sum(check.verdict.startswith(NOT_CHECKED) for check in checks)
+    without = f" {left} more could not be checked, each for the reason in its line." if left else ""
+    if exceeded:
+        yield Words((f"Exceeded: {'; '.join(exceeded)}.{without}",), "danger")
+    elif nearest:
+        words = f"Every limit that was checked is met; the nearest: {nearest}.{without}"
+        yield Words((words,), "good")
+    rows = tuple(
+        (check.what, check.value, _unit(check.value), check.limit, check.share, check.verdict)
+        for check in checks
+    )
+    head = ("checked", "value", "unit", "limit", "share of the limit [%]", "verdict")
+    yield Table("What limits most", head, rows, _NOTE)
+    if "static_safety" in reader.blocks[reader.last]:
+        yield Words((_TWO,))
+
+
+def ranked(reader: Reader) -> list[Check]:
+    """Every check, the nearest to its limit first; what was not checked last, with the reason."""
+    found = (
+        *_pressures(reader), *_static(reader), *_load(reader), *_stresses(reader), *_films(reader),
+        *_spin(reader), *_clearance(reader), *_noted(reader), *_life(reader), *_slip(reader), *_heat(reader),
+    )  # fmt: skip
+    return sorted(found, key=lambda check: check.rank)
+
+
+def _unit(value: Cell) -> str:
+    return "" if isinstance(value, str) else printed(value.unit)
 
 
 def _verdict(met: bool) -> str:
     return "met" if met else "EXCEEDED"
 
 
-def table(reader: Reader) -> Table:
-    """Numbers that have a limit, each with it."""
-    rows = [
-        row
-        for row in (
-            *_pressures(reader),
-            *_static(reader),
-            *_stresses(reader),
-            *_films(reader),
-            *_clearance(reader),
-        )
-    ]
-    head = ("checked", "value", "unit", "limit", "verdict")
-    return Table(
-        "Against limits",
-        head,
-        tuple(rows),
-        _NOTE,
-    )
+def _against(reader: Reader, what: str, value: Number, number: float | None, limit: Limit) -> Check:
+    """A number against a limit in the unit of its place in the file."""
+    if number is None:
+        return Check(what, value, limit.words, verdict=f"{NOT_CHECKED}: no number")
+    met = number <= limit.value if limit.side == MOST else number >= limit.value
+    used = number / limit.value if limit.side == MOST else limit.value / number if number else 0.0
+    of = f"share/{limit.side}/{float(limit.value)!r}/{value.of}"
+    share = reader.units.number(100 * used, "%", "%", ",.0f", of)
+    return Check(what, value, limit.words, share, used, _verdict(met))
 
 
-def _pressures(reader: Reader) -> Iterator[tuple[Cell, ...]]:
-    limit_si = DENTING_OF_BALLS if reader.attributes["kind"].endswith("ball") else DENTING
-    limit = reader.units.number(limit_si, "Pa", "MPa", ",.0f", "")
+def _pressures(reader: Reader) -> Iterator[Check]:
+    limit = DENTING_OF_BALLS if reader.attributes["kind"].endswith("ball") else DENTING
+    text = reader.units.number(limit, "MPa", "MPa", ",.0f", "").text
     ends = ENDS & {note["code"] for note in reader.attributes["notes"]}
     for race, number in (reader.summary[reader.last].get("peak_pressure_MPa") or {}).items():
-        value = reader.units.number(
-            number, "MPa", "MPa", ",.0f", f"summary/{reader.last}/peak_pressure_MPa/{race}"
-        )
-        verdict = _NOT_KNOWN if number is None else _verdict(number < limit_si / 1e6)
-        yield (
-            f"Peak contact pressure, {race} raceway",
-            value,
-            printed(value.unit),
-            f"at most {limit.text} (ISO 76)",
-            f"{verdict} by slices, not checked at the ends" if ends and verdict == "met" else verdict,
-        )
+        path = f"summary/{reader.last}/peak_pressure_MPa/{race}"
+        value = reader.units.number(number, "MPa", "MPa", ",.0f", path)
+        what = f"Peak contact pressure, {race} raceway"
+        check = _against(reader, what, value, number, Limit(limit, MOST, f"at most {text} (ISO 76)"))
+        if ends and check.verdict == "met":
+            words = "met by slices, not checked at the ends"
+            check = Check(what, value, check.limit, check.share, check.used, words)
+        yield check
 
 
-def _static(reader: Reader) -> Iterator[tuple[Cell, ...]]:
+def _static(reader: Reader) -> Iterator[Check]:
     """Static safety, where the bearing has one."""
     number = reader.summary[reader.last].get("static_safety")
     if number is not None:
-        value = reader.units.number(number, "", "", ",.2f", f"summary/{reader.last}/static_safety")
-        yield "Static safety C_0/P_0", value, "", "at least 1 (ISO 76)", _verdict(number >= 1)
+        path = f"summary/{reader.last}/static_safety"
+        value = reader.units.number(number, "", "", ",.2f", path)
+        of_rollers = "roller" in reader.attributes["case_si"]["bearing"]
+        words = "at least 1 (ISO 76)" + f", usual {USUAL_OF_ROLLERS:g} (SKF)" * of_rollers
+        yield _against(reader, "Static safety C_0/P_0", value, number, Limit(1.0, LEAST, words))
 
 
-def _stresses(reader: Reader) -> Iterator[tuple[Cell, ...]]:
-    for part, found in (reader.attributes.get("stresses") or {}).items():
+def _load(reader: Reader) -> Iterator[Check]:
+    """Equivalent load against what ISO 281 holds for, and against the least."""
+    found = ratings.found(reader)
+    if isinstance(found, str):
+        for what in ("Equivalent load P", "Minimum load"):
+            yield Check(what, verdict=f"{NOT_CHECKED}: {found}")
+        return
+    rated, at = found
+    load, rating, path = rated["load_N"], rated["ratings_N"]["C_r"], f"{at}/load_N"
+    balls = "equivalent_load" in rated
+    limits = {"C_r/2": rating / 2} | ({"C_0": rated["ratings_N"]["C_0r"]} if balls else {})
+    value = reader.units.number(load, "N", "kN", ",.4g", path)
+
+    def kilonewtons(force: float) -> str:
+        return reader.units.number(force, "N", "kN", ",.4g", "").text
+
+    for name, limit in limits.items():
+        what, words = f"Equivalent load P against {name}", f"at most {kilonewtons(limit)} (ISO 281)"
+        check = _against(reader, what, value, load, Limit(limit, MOST, words))
+        told = f"{check.verdict}: {_MAKER}" if check.verdict == "EXCEEDED" else check.verdict
+        yield Check(what, value, words, check.share, check.used, told)
+    share = LEAST_OF_BALLS if balls else LEAST_OF_ROLLERS
+    words = f"at least {kilonewtons(share * rating)} ({share:g} C_r, rule of thumb of SKF)"
+    what = "Minimum load, against slip and smearing"
+    yield _against(reader, what, value, load, Limit(share * rating, LEAST, words))
+
+
+def _stresses(reader: Reader) -> Iterator[Check]:
+    parts = reader.attributes.get("stresses") or {}
+    for part, found in parts.items():
         for body, most in found["bodies"].items():
-            of = f"stresses/{part}/bodies/{body}/von_mises_MPa"
-            value = reader.of_attribute(of, "MPa", "MPa", ",.0f")
-            limits = _against_yield(reader, most["von_mises_MPa"], yield_stress(reader, part, body))
-            yield f"Von Mises stress, {part}: {body}", value, printed(value.unit), *limits
+            path = f"attributes/stresses/{part}/bodies/{body}/von_mises_MPa"
+            limit = yield_stress(reader, part, body)
+            yield _against_yield(
+                reader, f"Von Mises stress, {part}: {body}", most["von_mises_MPa"], limit, path
+            )
     nominal = reader.summary[reader.last].get("nominal_bar_stress_MPa")
     if nominal is not None:
-        of = f"summary/{reader.last}/nominal_bar_stress_MPa"
-        value = reader.units.number(nominal, "MPa", "MPa", ",.0f", of)
-        limits = _against_yield(reader, nominal, yield_stress(reader, "outer", "bars"))
-        yield "Nominal stress of the bars", value, printed(value.unit), *limits
+        path = f"summary/{reader.last}/nominal_bar_stress_MPa"
+        limit = yield_stress(reader, "outer", "bars")
+        yield _against_yield(reader, "Nominal stress of the bars", nominal, limit, path)
+    if not parts and reader.attributes.get("structure"):
+        yield Check(
+            "Stress of the flexible rings", verdict=f"{NOT_CHECKED}: outputs.stresses = true computes it"
+        )
 
 
-def _against_yield(reader: Reader, stress: float, limit: float | None) -> tuple[str, str]:
-    """Yield stress [Pa] of a material and verdict on a stress [MPa]; where none is given, that is said."""
+def _against_yield(reader: Reader, what: str, stress: float, limit: float | None, path: str) -> Check:
+    """A stress [MPa] against the yield stress of a material [Pa]; where none is given, that is said."""
+    value = reader.units.number(stress, "MPa", "MPa", ",.0f", path)
     if limit is None:
-        return "–", "not checked: yield stress not given"
+        return Check(what, value, verdict=f"{NOT_CHECKED}: yield stress not given")
     words = f"at most {reader.units.number(limit, 'Pa', 'MPa', ',.0f', '').text} (yield)"
-    return words, _verdict(stress * 1e6 < limit)
+    return _against(reader, what, value, stress, Limit(limit / 1e6, MOST, words))
 
 
 def yield_stress(reader: Reader, part: str, body: str) -> float | None:
@@ -96,25 +199,107 @@ def yield_stress(reader: Reader, part: str, body: str) -> float | None:
     return (materials.get(named) or {}).get("yield_stress")
 
 
-def _films(reader: Reader) -> Iterator[tuple[Cell, ...]]:
+def _films(reader: Reader) -> Iterator[Check]:
+    yield from _film_ratio(reader)
+    found = ratings.found(reader)
+    rated, at = ({}, "") if isinstance(found, str) else found
+    what, words = "Viscosity ratio κ", "at least 1 (ISO 281, full separation near 4)"
+    if "viscosity_ratio" in rated:
+        path = f"{at}/viscosity_ratio"
+        value = reader.units.number(rated["viscosity_ratio"], "", "", ".3g", path)
+        yield _against(reader, what, value, rated["viscosity_ratio"], Limit(1.0, LEAST, words))
+    elif rated:
+        yield Check(what, "", words, verdict=f'{NOT_CHECKED}: life.lubrication = "a_ISO" computes it')
+
+
+def _film_ratio(reader: Reader) -> Iterator[Check]:
     found = reader.summary[reader.last].get("minimum_lambda")
     regimes = (reader.attributes.get("regimes") or {}).get(reader.last, {})
+    words = f"at least 1, full film from {FULL_FILM}"
     for race in ("inner", "outer") if found else ():
-        of = f"summary/{reader.last}/minimum_lambda/{race}"
-        value = reader.units.number(found[race], "", "", ".2f", of)
-        yield (
-            f"Smallest film ratio Λ, {race} raceway",
-            value,
-            "",
-            "3 (full film)",
-            regimes.get(race, _NOT_KNOWN),
+        path = f"summary/{reader.last}/minimum_lambda/{race}"
+        value = reader.units.number(found[race], "", "", ".2f", path)
+        what = f"Smallest film ratio Λ, {race} raceway"
+        check = _against(reader, what, value, found[race], Limit(1.0, LEAST, words))
+        told = f"{check.verdict}: {regimes[race]}" if race in regimes else check.verdict
+        yield Check(what, value, words, check.share, check.used, told)
+    if not found:
+        films = "minimum_film_um" in reader.summary[reader.last]
+        why = (
+            "no roughness given (bearing.roughness)"
+            if films
+            else "no film is computed for this kind of bearing"
         )
+        yield Check("Smallest film ratio Λ", "", words, verdict=f"{NOT_CHECKED}: {why}")
 
 
-def _clearance(reader: Reader) -> Iterator[tuple[Cell, ...]]:
+def _spin(reader: Reader) -> Iterator[Check]:
+    """Friction that holds the gyroscopic moments of fast balls."""
+    case, needed = reader.attributes["case_si"], reader.summary[reader.last].get("needed_friction")
+    if not needed or case["operation"].get("control") == "coulomb":
+        return
+    limit, race = case["friction"]["coefficient"], max(needed, key=lambda race: needed[race] or 0.0)
+    path = f"summary/{reader.last}/needed_friction/{race}"
+    value = reader.units.number(needed[race], "", "", ".3g", path)
+    words = f"at most {limit:g} (friction.coefficient)"
+    what = "Friction needed to hold the gyroscopic moments"
+    yield _against(reader, what, value, needed[race], Limit(limit, MOST, words))
+
+
+def _clearance(reader: Reader) -> Iterator[Check]:
     of_rollers = "ball" not in reader.attributes["case_si"].get("bearing", {})
     if of_rollers and (reader.attributes.get("clearance") or {}).get("operating_m") is not None:
         value = reader.of_attribute("clearance/operating_m", "m", "um", ".3g")
         preload = reader.attributes["clearance"]["operating_m"] < 0
         verdict = "preload: see Clearance" if preload else _verdict(True)
-        yield f"Diametral {reader.clearance_words}", value, printed(value.unit), "at least 0", verdict
+        yield Check(f"Diametral {reader.clearance_words}", value, "at least 0", verdict=verdict)
+
+
+_NOTED = {  # what, by the code of a note: limit, verdict
+    "overlapping-dimensions": ("Dimensions of the cage", "no overlap", "EXCEEDED: see the note"),
+    "truncated-contact": ("Contacts on the shoulders of races", "not cut off", "EXCEEDED: see the danger"),
+    "shoulder-not-given": (
+        "Contacts on the shoulders of races", "not cut off",
+        f"{NOT_CHECKED}: the height of the shoulders is not given, usual ones would cut contacts off",
+    ),
+}  # fmt: skip
+
+
+def _noted(reader: Reader) -> Iterator[Check]:
+    """Limits that the run itself compared, by the codes of its notes."""
+    for code in dict.fromkeys(note["code"] for note in reader.attributes["notes"]):
+        if code in _NOTED:
+            what, limit, verdict = _NOTED[code]
+            yield Check(what, "", limit, verdict=verdict)
+
+
+def _life(reader: Reader) -> Iterator[Check]:
+    """The life has a limit that only the reader knows."""
+    first = next(iter(lives(reader)), None)
+    if first is not None and first.chosen:
+        why = f"{NOT_CHECKED}: the case states no required life; compare with yours"
+        yield Check(f"Life: {first.name}", first.hours or first.turns, "the required life", verdict=why)
+
+
+def _slip(reader: Reader) -> Iterator[Check]:
+    number = reader.summary[reader.last].get("cage_slip_percent")
+    if number is not None:
+        value = reader.units.number(number, "%", "%", ",.2f", f"summary/{reader.last}/cage_slip_percent")
+        yield Check("Cage slip", value, verdict=f"{NOT_CHECKED}: {_SLIP}")
+
+
+def _heat(reader: Reader) -> Iterator[Check]:
+    """Temperatures and speeds, whose limits no case has."""
+    known = reader.attributes["case_si"].get("operation", {}).get("temperatures") or {}
+    parts = {name: value for name, value in known.items() if name != "reference" and isinstance(value, float)}
+    if parts:
+        part = max(parts, key=parts.__getitem__)
+        value: Any = reader.units.number(
+            parts[part], "K", "degC", ",.4g", f"case/operation.temperatures.{part}"
+        )
+        yield Check(
+            f"Highest temperature given, {part.replace('_', ' ')}", value, verdict=f"{NOT_CHECKED}: {_HEAT}"
+        )
+    else:
+        yield Check("Temperature", verdict=f"{NOT_CHECKED}: the case gives no temperatures of parts")
+    yield Check("Speed", verdict=f"{NOT_CHECKED}: the case has no limiting speed of the maker")

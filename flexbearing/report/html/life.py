@@ -27,7 +27,7 @@ def blocks(reader: Reader) -> Iterator[Block]:
     if "life_L10" not in reader.blocks[reader.last]:
         yield Words(("No rating life was computed for this case.",))
         return
-    yield _lives(reader)
+    yield from _of_raceways(reader)
     yield from _shorter(reader)
     yield from _factors(reader)
     rated = ratings.table(reader)
@@ -39,23 +39,19 @@ def blocks(reader: Reader) -> Iterator[Block]:
         yield Words((_HOW,))
 
 
-def _lives(reader: Reader) -> Table:
-    rows: list[tuple[Cell, ...]] = []
-    for life in lives(reader):
-        rows.append((life.name, life.turns, life.hours, life.meaning))
-        if not rows[1:]:
-            rows += _of_raceways(reader)
-    caption = f"Life with a survival probability of 90 %, {reader.state}"
-    return Table(caption, ("life", "10⁶ revolutions", "hours", "meaning"), tuple(rows))
-
-
-def _of_raceways(reader: Reader) -> Iterator[tuple[Cell, ...]]:
-    """Basic life of each raceway, where it is known."""
+def _of_raceways(reader: Reader) -> Iterator[Table]:
+    """First life of the case, that of each raceway alone, where it is known."""
     block = reader.blocks[reader.last]
-    for race in RACES if "raceway_life" in block else ():
-        name = f"raceway_life.{race}"
+    names = [f"raceway_life.{race}" for race in RACES if "raceway_life" in block]
+    labels = ["both raceways together", *(f"{race} raceway alone" for race in RACES)]
+    rows: list[tuple[Cell, ...]] = []
+    for label, name in zip(labels, ["life_L10", *names], strict=False):
         hours: Cell = reader.output(name, "h", ",.4g") if block.get("relative_speed") else ""
-        yield f"  of the {race} raceway alone", reader.output(name, "Mrev", ",.4g"), hours, ""
+        rows.append((label, reader.output(name, "Mrev", ",.4g"), hours))
+    first = next(life.name for life in lives(reader) if life.key in ("basic", "reference"))
+    note = "Which life to use, and all others, stand in the verdict."
+    caption = f"{first} by raceways, {reader.state}, 90 % survive"
+    yield Table(caption, ("of", "10⁶ revolutions", "hours"), tuple(rows), note)
 
 
 def _shorter(reader: Reader) -> Iterator[Words]:

@@ -1,73 +1,203 @@
-"""Lives of a result from the basic to the modified one, each with what it is."""
+"""Every life of a bearing: which is to be compared with a requirement, and what the others are."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
-from math import pi, prod
+from dataclasses import dataclass, replace
 from typing import Any
 
-from flexbearing.report.html.document import Cell, Number
+from flexbearing.report.html import ratings
+from flexbearing.report.html.document import Block, Cell, Number, Table, Words
 from flexbearing.report.html.reader import Reader
 
-_BASIC_OF_ROLLERS = "capacities of Lundberg and Palmgren, loads of all slices of all rollers"
-_BASIC_OF_BALLS = "ISO/TS 16281: loads of all balls on both raceways"
-_LOADS = "load"  # effect of factors on capacities and loads, which make the reference life of the basic one
-_NAMES = {  # of the life after the factors of loads, by that which says most
-    "rating": "Life L10 of the radial load alone, ISO 281",
-    "capacity": "Reference life L10r, ISO/TS 16281",
-}
+COMPARED = "compare this life with a requirement"
+_FORMULA, _NOT_KNOWN = "none: a formula", "not estimated"
+_NO_GRID = "balls have no slices: none"
+_LUNDBERG, _REFERENCE, _RATING = "basic", "reference", "rating"  # what the life of a case is made of
 
 
 @dataclass(frozen=True)
 class Life:
-    """A life of the last end state."""
+    """A life of the last end state, or of a catalogue."""
 
+    key: str  # "basic", "reference", "modified", "catalogue", "catalogue modified"
     name: str
     turns: Number  # [10^6 revolutions]
     hours: Cell  # empty where nothing turns
+    error: Cell  # numerical, in percent of the life, or why there is none
     meaning: str
+    chosen: bool = False  # the one to compare with a requirement
 
 
-def lives(reader: Reader) -> Iterator[Life]:
-    """Basic life, reference life and modified life, as far as the case asks for them."""
-    block = reader.blocks.get(reader.last, {})
+def lives(reader: Reader) -> tuple[Life, ...]:
+    """All lives that a result and its ratings know, that to compare with a requirement first."""
+    found = [*_of_case(reader), *_of_catalogue(reader)]
+    known = {life.key for life in found}
+    wanted = next((key for key in ("modified", "reference", "basic") if key in known), "")
+    kept = [replace(life, chosen=life.key == wanted) for life in found]
+    return tuple(sorted(kept, key=lambda life: not life.chosen))
+
+
+def blocks(reader: Reader) -> Iterator[Block]:
+    """Which life to use and why, then all of them; nothing where the case has none."""
+    found = lives(reader)
+    if not found or not found[0].chosen:
+        return
+    yield Words((f"Life to compare with a requirement: {found[0].name}. {_why(reader, found)}",))
+    rows: list[tuple[Cell, ...]] = [
+        (life.name, life.turns, life.hours, life.error, (COMPARED + ": ") * life.chosen + life.meaning)
+        for life in found
+    ]
+    head = ("life", "10⁶ revolutions", "hours", "numerical error [%]", "what it is for")
+    yield Table(f"Which life to use, {reader.state}", head, tuple(rows))
+
+
+def _why(reader: Reader, found: tuple[Life, ...]) -> str:
+    """Why this life is the one, and which is compared with a requirement of another kind."""
+    life, keys = reader.attributes["case_si"]["life"], {each.key for each in found}
+    if _kind(reader) == _RATING:
+        return (
+            'The case asks for the rule of the catalogue (life.loads = "rating"): one load P; clearance, '
+            "tilt, profile and flexible rings do not count in it."
+        )
+    words = [
+        "It rests on the loads of all rolling elements of this case, which the catalogue's life does not."
+    ]
+    if _kind(reader) == _LUNDBERG:
+        words.append(
+            "It has the capacities of Lundberg and Palmgren: a requirement by ISO/TS 16281 needs "
+            'life.capacity = "iso281" in the case.'
+        )
+    if found[0].key == "modified":
+        basic = "reference" if "reference" in keys else "basic"
+        words.append(
+            f"It also counts {_counted(life)}; a requirement that is written as a basic life, L10 or L10h, "
+            f"is compared with the {basic} life instead."
+        )
+    elif life.get("lubrication") is None:
+        words.append(
+            'Oil and cleanliness do not count in it: life.lubrication = "a_ISO" adds them, as ISO 281 does.'
+        )
+    return " ".join(words)
+
+
+def _counted(life: dict[str, Any]) -> str:
+    """What the factors of [life] count, in words."""
+    words = {
+        "lubrication": "oil and cleanliness" if life.get("lubrication") == "a_ISO" else "the oil film",
+        "steel": "the steel",
+        "reliability": f"a survival probability of {100 * (life.get('reliability') or 0.9):g} %",
+        "roller_body": "rollers that fail",
+    }
+    counted = [text for key, text in words.items() if life.get(key)]
+    return " and ".join(filter(None, [", ".join(counted[:-1]), *counted[-1:]])) or "the edge stress"
+
+
+def _kind(reader: Reader) -> str:
+    """What the life of a case is made of."""
+    life = reader.attributes["case_si"]["life"]
+    if life.get("loads") == "rating":
+        return _RATING
+    of_balls = "roller" not in reader.attributes["case_si"]["bearing"]
+    return _REFERENCE if of_balls or life.get("capacity") == "iso281" else _LUNDBERG
+
+
+def _of_case(reader: Reader) -> Iterator[Life]:
+    """Lives of the last end state."""
+    block, bearing = reader.blocks.get(reader.last, {}), reader.attributes["case_si"]["bearing"]
     if "life_L10" not in block:
         return
-    yield _output(reader, "life_L10", "Basic life L10", basic(reader))
-    found = (reader.attributes.get("life") or {}).get(reader.last)
-    if not found:
+    if "roller" in bearing:
+        whole = "; the most loaded roller on half-spaces" if bearing.get("contact") == "half_space" else ""
+        meaning = (
+            f"capacities of Lundberg and Palmgren, loads of all slices of all rollers{whole}; 90 % survive"
+        )
+        yield _output(reader, "life_L10", "basic", "Basic life L10, Lundberg and Palmgren", meaning)
+    else:
+        meaning = "C_r with the loads of all balls on both raceways; 90 % survive, ordinary oil"
+        yield _output(reader, "life_L10", "reference", "Reference life L10r, ISO/TS 16281", meaning)
+    if "reference_life" in block:
+        meaning = "C_r with the loads of all slices of all rollers; 90 % survive, ordinary oil"
+        yield _output(reader, "reference_life", "reference", "Reference life L10r, ISO/TS 16281", meaning)
+    if "modified_life" in block:
+        yield from _modified(reader)
+
+
+def _modified(reader: Reader) -> Iterator[Life]:
+    """Life after every factor, where it has more of them than the reference life."""
+    factors = reader.attributes["life"][reader.last]["factors"]
+    of, share = _kind(reader), 100 * (reader.attributes["case_si"]["life"].get("reliability") or 0.9)
+    names = [each["name"] for each in factors if each["effect"] != "load" or each["name"] == "roller body"]
+    if of == _REFERENCE and not names:
         return
-    of_loads = [factor for factor in found["factors"] if factor["effect"] == _LOADS]
-    if of_loads:
-        names = [factor["name"] for factor in of_loads]
-        name = next((words for key, words in _NAMES.items() if key in names), "Life L10 with these factors")
-        value = found["basic_Mrev"] * prod(factor["value"] for factor in of_loads)
-        yield _product(reader, name, value, f"basic life times the factors of {', '.join(names)}")
-    if "modified_life" in block and len(of_loads) < len(found["factors"]):
-        names = [factor["name"] for factor in found["factors"] if factor["effect"] != _LOADS]
-        meaning = f"{'the life above' if of_loads else 'basic life'} times {', '.join(names)}"
-        yield _output(reader, "modified_life", "Modified life", meaning)
+    before = {_REFERENCE: "reference life", _LUNDBERG: "basic life", _RATING: "(C_r/P)^p of ISO 281"}[of]
+    name = {
+        _REFERENCE: "Modified reference life, ISO/TS 16281", _LUNDBERG: "Modified life",
+        _RATING: "Modified life of the catalogue, ISO 281" if names else "Life L10 of the catalogue, ISO 281",
+    }[of]  # fmt: skip
+    if of == _LUNDBERG:
+        names = [each["name"] for each in factors]
+    meaning = f"{before} times {', '.join(names)}" if names else before
+    yield _output(reader, "modified_life", "modified", name, f"{meaning}; {share:g} % survive")
 
 
-def basic(reader: Reader) -> str:
-    """What the basic life of a result is: its capacities and loads."""
-    bearing = reader.attributes["case_si"]["bearing"]
-    if "roller" not in bearing:
-        return _BASIC_OF_BALLS
-    whole = "; the most loaded roller on half-spaces" if bearing.get("contact") == "half_space" else ""
-    return _BASIC_OF_ROLLERS + whole
-
-
-def _output(reader: Reader, name: str, label: str, meaning: str) -> Life:
+def _output(reader: Reader, name: str, key: str, label: str, meaning: str) -> Life:
     turning = reader.blocks[reader.last].get("relative_speed")
     hours: Cell = reader.output(name, "h", ",.4g") if turning else ""
-    return Life(label, reader.output(name, "Mrev", ",.4g"), hours, meaning)
+    return Life(key, label, reader.output(name, "Mrev", ",.4g"), hours, error(reader, name), meaning)
 
 
-def _product(reader: Reader, label: str, turns: float, meaning: str) -> Life:
-    place = f"reference_life/{reader.last}"
-    speed: Any = reader.blocks[reader.last].get("relative_speed")
-    hours: Cell = ""
-    if speed:
-        value = 1e6 * turns * 2 * pi / abs(float(speed)) / 3600
-        hours = reader.units.number(value, "h", "h", ",.4g", f"{place}/h")
-    return Life(label, reader.units.number(turns, "Mrev", "Mrev", ",.4g", f"{place}/Mrev"), hours, meaning)
+def error(reader: Reader, name: str) -> Cell:
+    """Estimated numerical error of a life in percent, or in words why there is none.
+
+    That of the basic life is carried on by the factors: those that follow the life grow with it, those of
+    loads and steel do not change it.
+    """
+    if "roller" not in reader.attributes["case_si"]["bearing"]:
+        return _NO_GRID
+    if name == "modified_life" and _kind(reader) == _RATING:
+        return _FORMULA
+    found = of_basic(reader)
+    if found is None:
+        return _NOT_KNOWN
+    value, path = found
+    if name != "modified_life":
+        return reader.units.number(value, "1", "%", ".2g", f"life_error:{path}")
+    factors = reader.attributes["life"][reader.last]["factors"]
+    exponents = [
+        factor.get("life_exponent", 0.0 if factor["effect"] == "load" else None) for factor in factors
+    ]
+    if None in exponents:
+        return "not estimated: film" if any(each["name"] == "film" for each in factors) else _NOT_KNOWN
+    carried = value * (1 + sum(exponents))
+    return reader.units.number(carried, "1", "%", ".2g", f"life_error:{path}:{reader.last}")
+
+
+def of_basic(reader: Reader) -> tuple[float, str] | None:
+    """Estimated error over the basic life, with its place: of the target or of finer slices."""
+    ordered = (reader.attributes.get("error_estimate") or {}).get("life")
+    if ordered is not None:
+        return ordered, "attributes/error_estimate/life"
+    block = reader.blocks.get(reader.last, {})
+    return (float(block["life_error"]), f"{reader.last}/life_error") if "life_error" in block else None
+
+
+def _of_catalogue(reader: Reader) -> Iterator[Life]:
+    """Lives by one load P."""
+    found = ratings.found(reader)
+    if isinstance(found, str) or _kind(reader) == _RATING:
+        return
+    rated, at = found
+    exponent = "(10/3)" if "roller" in reader.attributes["case_si"]["bearing"] else "3"
+
+    def life(key: str, label: str, name: str, meaning: str) -> Life:
+        turns, hours = (
+            reader.units.number(rated[f"{name}_{unit}"], unit, unit, ",.4g", f"{at}/{name}_{unit}")
+            for unit in ("Mrev", "h")
+        )
+        turning = reader.blocks[reader.last].get("relative_speed")
+        return Life(key, label, turns, hours if turning else "", _FORMULA, meaning)
+
+    meaning = f"(C_r/P)^{exponent}: to compare bearings of catalogues; not this clearance, profile or rings"
+    yield life("catalogue", "Catalogue's life L10, ISO 281", "life", f"{meaning}; 90 % survive")
+    if "a_ISO" in rated:
+        meaning = "the catalogue's life times a_ISO at P; 90 % survive"
+        yield life("catalogue modified", "Catalogue's modified life L10m, ISO 281", "modified", meaning)

@@ -28,16 +28,22 @@ def table(reader: Reader) -> Table | str:
     Table or str
         why there are none
     """
+    known = found(reader)
+    return known if isinstance(known, str) else _laid_out(reader, *known)
+
+
+def found(reader: Reader) -> tuple[dict[str, Any], str] | str:
+    """Ratings with their place in the file, or why there are none."""
     stored = reader.attributes.get("catalogue_life")
     if stored:
-        return _laid_out(reader, stored["ratings"], _STORED)
+        return stored["ratings"], _STORED
     catalogue = reader.result.family.catalogue
     if catalogue is None:
         return "ISO 281 and ISO 76 have no ratings for this kind of bearing."
     try:
         case, known = reader.case, catalogue()
         known.require_load(case)
-        return _laid_out(reader, known.ratings(case, _hours(reader)), "ratings")
+        return known.ratings(case, _hours(reader)), "ratings"
     except ValueError as problem:  # a refused case, or a formula outside its range
         return f"No load ratings: {str(problem).splitlines()[0]}"
 

@@ -6,9 +6,8 @@ from typing import Any
 
 from flexbearing.outputs import outputs
 from flexbearing.quantities.attributes import GRADES
-from flexbearing.report.html import against_limits
+from flexbearing.report.html import against_limits, exactness, lives
 from flexbearing.report.html.document import Block, Cell, Items, Number, Table, Words
-from flexbearing.report.html.lives import lives
 from flexbearing.report.html.reader import OUTSIDE, Reader
 from flexbearing.report.html.units import printed
 from flexbearing.report.rows import unit_of
@@ -17,7 +16,7 @@ _WIDTH = 130  # characters of a note in the list of the first section
 
 
 def blocks(reader: Reader) -> Iterator[Block]:
-    """How the run ended, dangers, main numbers, comparison with limits, numerical error."""
+    """How the run ended, dangers, the life to use, what limits most, main numbers, numerical error."""
     converged = reader.attributes["status"] == "converged"
     yield Words((_ending(reader.attributes),), "good" if converged else "danger")
     dangers = reader.notes(GRADES[0])
@@ -27,9 +26,10 @@ def blocks(reader: Reader) -> Iterator[Block]:
         yield Words(("The numbers below are those of no solution.",))
     yield from _beyond(reader)
     if reader.blocks:
+        yield from lives.blocks(reader)
+        yield from against_limits.blocks(reader)
         yield _main(reader)
-        yield against_limits.table(reader)
-    yield from _error(reader)
+    yield from exactness.blocks(reader)
 
 
 def _ending(attributes: dict[str, Any]) -> str:
@@ -57,21 +57,12 @@ def _main(reader: Reader) -> Table:
     for name in reader.layout.main:
         output, block = known[name], reader.blocks[reader.last]
         if all(each in block for each in output.declared.of):
-            if name == "life_L10":
-                rows += _lives(reader)
+            if name == "life_L10":  # has a table of its own
                 continue
             number = _scalar(reader, output)
             words = ", ".join([output.declared.label.strip(), *name.split(".")[1:]])
-            rows.append((words, number, printed(number.unit), ""))
-    return Table("Main results", ("quantity", "value", "unit", "meaning"), tuple(rows))
-
-
-def _lives(reader: Reader) -> Iterator[tuple[Cell, ...]]:
-    """Every life in revolutions and, where something turns, in hours."""
-    for life in lives(reader):
-        yield life.name, life.turns, "10⁶ revolutions", life.meaning
-        if life.hours:
-            yield "  at the speed of the case", life.hours, "h", ""
+            rows.append((words, number, printed(number.unit), exactness.error(reader, output.declared)))
+    return Table("Main results", ("quantity", "value", "unit", "numerical error [%]"), tuple(rows))
 
 
 def _scalar(reader: Reader, output: Any) -> Number:
@@ -81,29 +72,3 @@ def _scalar(reader: Reader, output: Any) -> Number:
     return reader.units.number(
         float(reader.result[asked].number), si, unit, output.declared.digits or ".4g", f"outputs/{asked}"
     )
-
-
-def _error(reader: Reader) -> Iterator[Block]:
-    """What was asked of the numerical error, and what is estimated."""
-    errors = reader.attributes.get("error_estimate")
-    if errors:
-        rows = []
-        for name in (name for name in errors if name not in ("target", "met") and errors[name] is not None):
-            rows.append(
-                (name.replace("_", " "), reader.of_attribute(f"error_estimate/{name}", "1", "%", ".2g"))
-            )
-        met = "is estimated to be kept" if errors["met"] else "was NOT kept"
-        caption = f"Numerical error, estimated; the target of {100 * errors['target']:g} % {met}"
-        yield Table(caption, ("output", "error [%]"), tuple(rows))
-    elif reader.last and reader.summary[reader.last].get("life_error_percent") is not None:
-        error = reader.units.number(
-            reader.summary[reader.last]["life_error_percent"], "%", "%", ".2g",
-            f"summary/{reader.last}/life_error_percent",
-        )  # fmt: skip
-        yield Table("Numerical error, estimated", ("output", "error [%]"), (("life L10", error),), _NO_TARGET)
-    else:
-        further = f" {_NO_TARGET}" if "accuracy" in reader.attributes["case_si"] else ""
-        yield Words((f"No numerical error was estimated.{further}",))
-
-
-_NO_TARGET = "The case sets no accuracy.target, which would choose slices, shapes and meshes by an error."

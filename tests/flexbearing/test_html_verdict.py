@@ -1,0 +1,201 @@
+"""The verdict of a report: which life to use, what limits most, how exact the numbers are."""
+
+from dataclasses import replace
+from functools import cache
+from itertools import pairwise
+
+import pytest
+from pytest import approx
+
+from flexbearing import api
+from flexbearing.report import text
+from flexbearing.report.html import METRIC, verdict
+from flexbearing.report.html.against_limits import NOT_CHECKED, ranked
+from flexbearing.report.html.document import Number
+from flexbearing.report.html.lives import COMPARED, lives
+from flexbearing.report.html.reader import Reader
+from tests.flexbearing.hostile_cases import CONFIGS
+from tests.flexbearing.html_pages import Numbers, require_equal
+
+A_ISO = (
+    "life.lubrication=a_ISO", "life.cleanliness=oil, in-line filter, -/15/12", "life.capacity=iso281",
+    "life.edge_stress=true", "accuracy.slices=30",
+)  # fmt: skip
+CASES = {
+    "plain": ("nu209.toml", ()),
+    "iso": ("nu209.toml", ("life.capacity=iso281",)),
+    "oil": ("nu209.toml", A_ISO),
+    "rating": ("nu209.toml", ("life.loads=rating",)),
+    "film": ("nu209_fits.toml", ()),
+    "ball": ("6209.toml", ()),
+    "four-point": ("joshi2015_qj309.toml", ()),
+    "heavy": ("nu209.toml", ("operation.radial_load=30 kN",)),
+    "light": ("nu209.toml", ("operation.radial_load=500 N",)),
+}
+
+
+@pytest.fixture(scope="module")
+def readers(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("verdicts")
+
+    @cache
+    def computed(name):
+        file, settings = CASES[name]
+        path = folder / f"{name}.h5"
+        api.run(CONFIGS / file, settings, output=path)
+        return Reader(api.read(path), METRIC)
+
+    return computed
+
+
+def words(reader):
+    """Everything that the verdict says, cell by cell."""
+    return "\n".join(text if isinstance(text, str) else text.text for text in texts(reader))
+
+
+def texts(reader):
+    for block in verdict.blocks(reader):
+        if block.kind == "table":
+            yield from (block.caption, *block.head, *(cell for row in block.rows for cell in row), block.note)
+        else:
+            yield from block.paragraphs if block.kind == "words" else (block.title, *block.items)
+
+
+def value(life):
+    return float(life.turns.text.replace(",", ""))
+
+
+@pytest.mark.parametrize(
+    ("name", "chosen", "told"),
+    [
+        (
+            "plain",
+            "Basic life L10, Lundberg and Palmgren",
+            "a requirement by ISO/TS 16281 needs life.capacity",
+        ),
+        ("iso", "Reference life L10r, ISO/TS 16281", 'life.lubrication = "a_ISO" adds them'),
+        ("oil", "Modified reference life, ISO/TS 16281", "is compared with the reference life instead"),
+        ("rating", "Life L10 of the catalogue, ISO 281", "one load P; clearance, tilt"),
+        ("film", "Modified life", "a survival probability of 99 % and rollers that fail"),
+        ("ball", "Reference life L10r, ISO/TS 16281", 'life.lubrication = "a_ISO" adds them'),
+    ],
+)
+def test_the_verdict_names_the_life_to_compare_with_a_requirement(readers, name, chosen, told):
+    first, *others = lives(readers(name))
+    assert (first.name, first.chosen) == (chosen, True)
+    assert not any(life.chosen for life in others)
+    page = words(readers(name))
+    assert f"Life to compare with a requirement: {chosen}." in page
+    assert page.count(COMPARED) == 1
+    assert told in page
+
+
+def test_every_life_stands_beside_it_as_what_it_is(readers):
+    reader = readers("oil")
+    found = {life.key: value(life) for life in lives(reader)}
+    rated = Numbers(reader.result.path).ratings
+    assert set(found) == {"modified", "basic", "reference", "catalogue", "catalogue modified"}
+    assert found["catalogue"] == approx(rated["life_Mrev"], rel=1e-3)
+    assert found["catalogue modified"] == approx(rated["life_Mrev"] * rated["a_ISO"], rel=1e-3)
+    assert found["reference"] == approx(float(reader.result["reference_life"].to("Mrev")), rel=1e-3)
+    (factor,) = [each for each in reader.attributes["life"]["rigid"]["factors"] if each["name"] == "a_ISO"]
+    assert found["modified"] == approx(found["reference"] * factor["value"], rel=1e-3)
+    assert set(found.values()) != {found["modified"]}
+
+
+def test_the_numerical_error_stands_beside_every_life(readers):
+    errors = {life.key: life.error for life in lives(readers("oil"))}
+    assert errors["catalogue"] == errors["catalogue modified"] == "none: a formula"
+    basic, reference, modified = (float(errors[key].text) for key in ("basic", "reference", "modified"))
+    (factor,) = [each for each in readers("oil").attributes["life"]["rigid"]["factors"]
+                 if each["name"] == "a_ISO"]  # fmt: skip
+    assert reference == basic > 0
+    assert modified == approx(basic * (1 + factor["life_exponent"]), rel=0.06)  # two printed digits
+    assert {life.error for life in lives(readers("film")) if life.key == "modified"} == {
+        "not estimated: film"
+    }
+    assert {life.error for life in lives(readers("ball")) if life.chosen} == {"balls have no slices: none"}
+
+
+def test_an_older_result_without_the_growth_of_a_iso_tells_no_error_of_its_life(readers):
+    reader = readers("oil")
+    factors = [
+        {key: each[key] for key in each if key != "life_exponent"}
+        for each in reader.attributes["life"]["rigid"]["factors"]
+    ]
+    older = {"rigid": {**reader.attributes["life"]["rigid"], "factors": factors}}
+    result = replace(reader.result, attributes={**reader.result.attributes, "life": older})
+    assert lives(Reader(result, METRIC))[0].error == "not estimated"
+
+
+def test_a_bearing_without_a_rating_life_has_no_life_to_use(readers):
+    assert lives(readers("four-point")) == ()
+    assert "Life to compare" not in words(readers("four-point"))
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_limits_are_ranked_and_what_was_not_checked_says_why(readers, name):
+    checks = ranked(readers(name))
+    shares = [check.used for check in checks if not check.verdict.startswith(NOT_CHECKED)]
+    assert all(before >= after for before, after in pairwise(shares))
+    reasons = [check.verdict for check in checks if check.verdict.startswith(NOT_CHECKED)]
+    assert all(len(reason) > len(NOT_CHECKED) + 10 for reason in reasons)
+    told = " ".join(check.what for check in checks)
+    for what in ("Peak contact pressure", "film ratio", "Temperature", "Speed", "Minimum load"):
+        assert what in told.replace("Highest temperature", "Temperature")
+
+
+def test_a_load_above_half_the_rating_is_told_first(readers):
+    check = ranked(readers("heavy"))[0]
+    assert check.what == "Equivalent load P against C_r/2"
+    assert check.verdict == "EXCEEDED: ISO 281 leaves to the maker whether its life formula holds"
+    rated = Numbers(readers("heavy").result.path).ratings["ratings_N"]["C_r"]
+    assert check.used == approx(30e3 / (rated / 2), rel=1e-9)
+    assert "Exceeded: Equivalent load P against C_r/2" in words(readers("heavy"))
+
+
+def test_a_light_load_is_below_the_minimum_load(readers):
+    check = next(each for each in ranked(readers("light")) if each.what.startswith("Minimum load"))
+    rated = Numbers(readers("light").result.path).ratings["ratings_N"]["C_r"]
+    assert check.verdict == "EXCEEDED"
+    assert check.used == approx(0.02 * rated / 500, rel=1e-9)
+
+
+def test_films_are_held_to_their_regime_and_without_roughness_not_checked(readers):
+    rough = {check.what: check for check in ranked(readers("film"))}
+    assert rough["Smallest film ratio Λ, inner raceway"].verdict == "met: mixed"
+    plain = {check.what: check.verdict for check in ranked(readers("plain"))}
+    assert plain["Smallest film ratio Λ"] == "not checked: no roughness given (bearing.roughness)"
+    assert plain["Viscosity ratio κ"] == 'not checked: life.lubrication = "a_ISO" computes it'
+    assert {check.what: check.verdict for check in ranked(readers("oil"))}["Viscosity ratio κ"] == "met"
+
+
+def test_two_static_safeties_are_explained_where_both_stand(readers):
+    assert "There are two static safeties." in words(readers("plain"))
+    assert "There are two static safeties." not in words(readers("four-point"))
+
+
+def test_what_has_no_estimated_error_is_said_to_have_none(readers):
+    page = words(readers("plain"))
+    assert "roller loads; cage slip, percentage points; stiffness of the bearing" in page
+    assert "peak pressure, inner raceway\nnot estimated" in page
+    assert "have no numerical error but that of the balance" in words(readers("ball"))
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_every_number_of_the_verdict_is_that_of_the_file(readers, name):
+    numbers = [each for each in texts(readers(name)) if isinstance(each, Number)]
+    cells = [({"data-of": each.of, "data-stored": each.stored, "data-unit": each.unit}, each.text)
+             for each in numbers]  # fmt: skip
+    assert len(cells) > 5
+    require_equal(cells, Numbers(readers(name).result.path))
+
+
+def test_the_terminal_shows_the_reference_life(readers):
+    summary = text(readers("oil").result)
+    (line,) = [each for each in summary.splitlines() if "reference life L10r, ISO/TS 16281 [Mrev]" in each]
+    shown = float(line.split()[-1].replace(",", ""))
+    factors = {each["name"]: each["value"] for each in readers("oil").attributes["life"]["rigid"]["factors"]}
+    basic = readers("oil").attributes["life"]["rigid"]["basic_Mrev"]
+    assert shown == approx(basic * factors["capacity"] * factors["edge stress"], abs=0.0051)
+    assert "reference life" not in text(readers("plain").result)
