@@ -18,6 +18,7 @@ from quasidynamic.outcome.ball_equivalent_load import ball_dynamic_load
 from quasidynamic.outcome.capacity import geometry_factor
 from quasidynamic.outcome.life_factors import BALLS, ROLLERS, modification_factor, reliability_factor
 from quasidynamic.parts.ball_row import BallRow
+from tests.literature.worked_example import WorkedExample
 
 # f_c for gamma = 0.01, 0.02, ...
 OF_BALLS = [  # table 2, up to 0.40
@@ -72,19 +73,26 @@ def test_grooves_of_thrust_bearings_are_rated_as_in_annex_c(gamma):
     assert ratio == approx(1.91 / 2.37, rel=0.025)
 
 
-def test_worked_example_of_annex_c_at_45_degrees():
-    """C.5.1: gamma 0.16, C_r = K 59.6."""
-    assert ball_geometry_factor(row(0.16, angle=45)) == approx(59.6, abs=DIGIT)
+AT_40 = row(0.07, angle=40, ball_diameter=7.5e-3, balls=27)
 
 
-def test_worked_example_of_annex_c_at_40_degrees():
-    """C.5.2: D_w/D_pw 0.091, D_w 7.5 mm, Z 27: f_c 51.1, C_r 18 651 N; C_aar 23 493 N with wider grooves."""
-    bearing = row(0.07, angle=40, ball_diameter=7.5e-3, balls=27)
-    assert ball_geometry_factor(bearing) == approx(51.1, abs=DIGIT)
-    rating = ball_dynamic_rating(bearing)
-    assert rating == approx(18651, rel=1e-3)
+def axial_rating():
+    """C_aar, with wider grooves [N]."""
     angle = np.radians(40)
-    assert 1.91 * np.tan(angle) * (1 - 0.333 * np.sin(angle)) * rating == approx(23493, rel=1e-3)
+    return 1.91 * np.tan(angle) * (1 - 0.333 * np.sin(angle)) * ball_dynamic_rating(AT_40)
+
+
+EXAMPLES = (
+    WorkedExample("C.5.1, 45°, γ 0.16: f_c", 59.6, lambda: ball_geometry_factor(row(0.16, angle=45)), 8.4e-4),
+    WorkedExample("C.5.2, 40°, 27 balls of 7.5 mm: f_c", 51.1, lambda: ball_geometry_factor(AT_40), 9.8e-4),
+    WorkedExample("C.5.2: C_r", 18651, lambda: ball_dynamic_rating(AT_40), 1e-3, "N"),
+    WorkedExample("C.5.2: C_aar", 23493, axial_rating, 1e-3, "N"),
+)
+
+
+@pytest.mark.parametrize("example", EXAMPLES, ids=lambda example: example.name)
+def test_worked_example_of_annex_c(example):
+    example.check()
 
 
 def test_large_balls_go_with_a_lower_power():
@@ -165,15 +173,21 @@ def test_reliability_factor_is_table_12(reliability, factor):
     assert reliability_factor(reliability).value == approx(factor, abs=0.0065)
 
 
-@pytest.mark.parametrize(
-    ("kappa", "share"), [(0.1, 0.02), (0.4, 0.3), (0.7, 0.1), (1.0, 0.05), (4.0, 0.03)], ids=str
-)
-def test_modification_factor_of_balls_and_rollers(kappa, share):
-    """Eqs. 31-36 entered a second time."""
+CONDITIONS = [(0.1, 0.02), (0.4, 0.3), (0.7, 0.1), (1.0, 0.05), (4.0, 0.03)]  # kappa, e_C C_u/P
+
+
+def modification(kappa, share):
+    """Eqs. 31-36 entered a second time: a_ISO of balls and of rollers."""
     power = 0.054381 if kappa < 0.4 else 0.19087 if kappa < 1 else 0.071739
     of_balls, of_rollers = (2.2649, 1.3993) if kappa < 0.4 else (1.9987, 1.2348)
     balls = 0.1 * (1 - (2.5671 - of_balls / kappa**power) ** 0.83 * share ** (1 / 3)) ** -9.3
     rollers = 0.1 * (1 - (1.5859 - of_rollers / kappa**power) * share**0.4) ** -9.185
+    return balls, rollers
+
+
+@pytest.mark.parametrize(("kappa", "share"), CONDITIONS, ids=str)
+def test_modification_factor_of_balls_and_rollers(kappa, share):
+    balls, rollers = modification(kappa, share)
     assert modification_factor(kappa, share, BALLS).value == approx(balls, rel=1e-12)
     assert modification_factor(kappa, share, ROLLERS).value == approx(rollers, rel=1e-12)
 

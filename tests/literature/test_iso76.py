@@ -11,6 +11,7 @@ from quasidynamic import OutOfRange
 from quasidynamic.outcome.ball_capacity import ball_static_rating, static_factor
 from quasidynamic.outcome.ball_equivalent_load import ball_static_load
 from quasidynamic.parts.ball_row import BallRow
+from tests.literature.worked_example import WorkedExample
 
 # table 1, f_0 of radial and angular-contact ball bearings for gamma = 0.00, 0.01, ...
 F_0 = [
@@ -35,23 +36,48 @@ def test_static_factor_is_table_1():
     assert found == approx(F_0, rel=5e-3)
 
 
-def test_worked_example_at_45_degrees():
-    """A.5.1: gamma 0.16, f_0 14.9, C_0r = 10.54 Z D^2."""
-    bearing = row(0.16, angle=45)
-    assert ball_static_rating(bearing) == approx(10.54 * 9 * 10**2, rel=3e-3)
-    # P_0 of an axial load alone is 0.22 F_a, so that the axial rating is 47.9 Z D^2
-    axial = ball_static_load(0.0, 1.0, np.radians(45)).value
-    assert ball_static_rating(bearing) / axial == approx(47.9 * 9 * 10**2, rel=3e-3)
+AT_45, AT_40 = row(0.16, angle=45), row(0.07, angle=40, ball=7.5e-3, balls=27)
 
 
-def test_worked_example_at_40_degrees():
-    """A.5.2: D_w/D_pw 0.091, D_w 7.5 mm, Z 27: f_0 16.1, C_0r 18 731 N; 0.7 C_0r/0.26 = 50 430 N."""
-    bearing = row(0.07, angle=40, ball=7.5e-3, balls=27)
-    rating = ball_static_rating(bearing)
-    assert rating == approx(18731, rel=3e-3)
-    assert 0.7 * rating / ball_static_load(0.0, 1.0, np.radians(40)).value == approx(50430, rel=3e-3)
+def axial_factor(angle):
+    """P_0 over an axial load alone."""
+    return ball_static_load(0.0, 1.0, np.radians(angle)).value
+
+
+def z_d2(rating):
+    """A rating of `AT_45` over Z D^2 [N/mm2]."""
+    return rating / (9 * 10**2)
+
+
+EXAMPLES = (
+    WorkedExample(
+        "A.5.1, 45°, γ 0.16: C_0r/(Z D²)", 10.54, lambda: z_d2(ball_static_rating(AT_45)), 3e-3, "N/mm²"
+    ),
+    WorkedExample(
+        "A.5.1: C_0a/(Z D²)", 47.9, lambda: z_d2(ball_static_rating(AT_45) / axial_factor(45)), 3e-3, "N/mm²"
+    ),
+    WorkedExample(
+        "A.5.2, 40°, 27 balls of 7.5 mm: C_0r", 18731, lambda: ball_static_rating(AT_40), 3e-3, "N"
+    ),
+    WorkedExample(
+        "A.5.2: C_0a of wide grooves",
+        50430,
+        lambda: 0.7 * ball_static_rating(AT_40) / axial_factor(40),
+        3e-3,
+        "N",
+    ),
+)
+
+
+@pytest.mark.parametrize("example", EXAMPLES, ids=lambda example: example.name)
+def test_worked_example_of_annex_a(example):
+    example.check()
+
+
+def test_wide_grooves_are_rated_as_in_annex_a():
+    """0.7 is rounded for all sizes."""
     wide = row(0.07, angle=40, inner=0.54, outer=0.54, ball=7.5e-3, balls=27)
-    assert ball_static_rating(wide) == approx(0.7 * rating, rel=0.015)  # 0.7 is rounded for all sizes
+    assert ball_static_rating(wide) == approx(0.7 * ball_static_rating(AT_40), rel=0.015)
 
 
 def test_closer_grooves_are_not_rated_higher():
@@ -66,13 +92,13 @@ def test_factor_outside_the_table_is_refused():
         static_factor(row(0.2, angle=46))
 
 
-@pytest.mark.parametrize(
-    ("angle", "x", "y"),
-    [
-        (0, 0.6, 0.5), (5, 0.5, 0.52), (10, 0.5, 0.50), (15, 0.5, 0.46), (20, 0.5, 0.42), (25, 0.5, 0.38),
-        (30, 0.5, 0.33), (35, 0.5, 0.29), (40, 0.5, 0.26), (45, 0.5, 0.22),
-    ],
-)  # fmt: skip
+TABLE_2 = [  # contact angle [deg], X_0, Y_0
+    (0, 0.6, 0.5), (5, 0.5, 0.52), (10, 0.5, 0.50), (15, 0.5, 0.46), (20, 0.5, 0.42), (25, 0.5, 0.38),
+    (30, 0.5, 0.33), (35, 0.5, 0.29), (40, 0.5, 0.26), (45, 0.5, 0.22),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("angle", "x", "y"), TABLE_2)
 def test_load_factors_are_table_2(angle, x, y):
     found = ball_static_load(1.0, 5.0, np.radians(angle))
     assert (found.radial_factor, found.axial_factor) == approx((x, y), rel=1e-12)

@@ -29,6 +29,7 @@ from quasidynamic.outcome.life import (
 )
 from quasidynamic.outcome.life_factors import CLEANLINESS, contamination_factor
 from tests.bearings import paper_bearing
+from tests.literature.worked_example import WorkedExample
 
 BEARING = paper_bearing().bearing
 TURNING = (True, False)
@@ -48,29 +49,23 @@ def rigid_loads(clearance, load=19621.1, stiffness=158.5e3, centrifugal=92.2):
     return loads[:, None], loads[:, None] + centrifugal
 
 
-def test_capacities():
-    """552-form with gamma 0.07145, Z 30, D = l = 5 mm: 2580.5 and 3119.1 N."""
-    inner, outer = raceway_capacity(BEARING)
-    assert inner == approx(2580.5, rel=2e-4)
-    assert outer == approx(3119.1, rel=2e-4)
-
-
-@pytest.mark.parametrize(
-    ("ratio", "factor"),
-    [(0.01, 52.1), (0.05, 74.1), (0.10, 84.2), (0.16, 88.5), (0.18, 88.8), (0.20, 88.7), (0.30, 83.8)],
-    ids=str,
+# An independent ISO 281 and ISO/TS 16281 programme; gamma 0.07145 there, 0.07143 here.
+RATINGS = (
+    WorkedExample("f_c at γ 0.07145", 79.48, lambda: geometry_factor(0.07145), 1e-4),
+    WorkedExample("C_r without b_m", 20068, lambda: dynamic_rating(BEARING, material_factor=1.0), 2e-4, "N"),
+    WorkedExample("C_r", 22075, lambda: dynamic_rating(BEARING), 2e-4, "N"),
+    WorkedExample("Q_ci", 2568.0, lambda: reference_raceway_capacity(BEARING)[0], 2e-4, "N"),
+    WorkedExample("Q_ce", 3105.3, lambda: reference_raceway_capacity(BEARING)[1], 2e-4, "N"),
+    WorkedExample("Q_c of a roller, inner", 8285, lambda: roller_capacity(BEARING)[0], 2e-4, "N"),
+    WorkedExample("Q_c of a roller, outer", 10014, lambda: roller_capacity(BEARING)[1], 2e-4, "N"),
+    WorkedExample("Q_ci, 552-form", 2580.5, lambda: raceway_capacity(BEARING)[0], 2e-4, "N"),
+    WorkedExample("Q_ce, 552-form", 3119.1, lambda: raceway_capacity(BEARING)[1], 2e-4, "N"),
 )
-def test_geometry_factor_is_the_table_of_iso281(ratio, factor):
-    assert geometry_factor(ratio) == approx(factor, abs=0.11)
 
 
-def test_iso_ratings_of_the_paper_bearing():
-    """An independent ISO 281 and ISO/TS 16281 programme; gamma 0.07145 there, 0.07143 here."""
-    assert geometry_factor(0.07145) == approx(79.48, rel=1e-4)
-    assert dynamic_rating(BEARING, material_factor=1.0) == approx(20068, rel=2e-4)
-    assert dynamic_rating(BEARING) == approx(22075, rel=2e-4)
-    assert reference_raceway_capacity(BEARING) == approx((2568.0, 3105.3), rel=2e-4)
-    assert roller_capacity(BEARING) == approx((8285, 10014), rel=2e-4)
+@pytest.mark.parametrize("example", RATINGS, ids=lambda example: example.name)
+def test_ratings_of_the_paper_bearing(example):
+    example.check()
 
 
 def test_rating_outside_the_table_is_refused():
@@ -100,34 +95,39 @@ def test_life_of_the_rigid_bearing(clearance, life):
     assert paper_bearing(clearance=clearance).solve().life == approx(life, rel=0.04)
 
 
-@pytest.mark.parametrize(
-    ("clearance", "loaded", "largest", "life"),
-    [(0.050, 11, 3305, 1.831), (0.070, 9, None, 1.5624), (0.075, 9, 3538, 1.517)],
-    ids=["11 loaded", "whole roller", "9 loaded"],
-)
-def test_reference_life_of_rigid_rings(clearance, loaded, largest, life):
+REFERENCE_LIVES = {  # clearance [mm]: loaded rollers, largest load [N], life, life with edge stress [10^6]
+    0.050: (11, 3305, 1.831, 0.528),
+    0.070: (9, None, 1.5624, None),
+    0.075: (9, 3538, 1.517, 0.438),
+}
+PROFILED = paper_bearing(profile=Logarithmic(amplitude=0.00035 * 5e-3)).bearing
+
+
+def life_of_sliced(clearance, edge_stress=False):
+    """Loads spread evenly over 30 slices."""
+    sliced = [np.repeat(side / 30, 30, axis=1) for side in rigid_loads(clearance)]
+    return reference_life(*sliced, PROFILED, TURNING, edge_stress=edge_stress)
+
+
+@pytest.mark.parametrize(("clearance", "printed"), REFERENCE_LIVES.items())
+def test_reference_life_of_rigid_rings(clearance, printed):
     """Loads from a model of three lines; its stiffness meets both printed loads within 0.2 %."""
+    loaded, largest, life, at_edges = printed
     inner, outer = rigid_loads(clearance)
     assert np.count_nonzero(inner) == loaded
     assert largest is None or inner.max() == approx(largest, rel=2e-3)
-    assert reference_life(inner, outer, BEARING, TURNING) == approx(life, rel=5e-3)
-    sliced = [np.repeat(side / 30, 30, axis=1) for side in (inner, outer)]
-    assert reference_life(*sliced, BEARING, TURNING) == approx(
-        reference_life(inner, outer, BEARING, TURNING), rel=1e-12
-    )
+    whole = reference_life(inner, outer, BEARING, TURNING)
+    assert whole == approx(life, rel=5e-3)
+    assert life_of_sliced(clearance) == approx(whole, rel=1e-12)
+    assert at_edges is None or life_of_sliced(clearance, edge_stress=True) == approx(at_edges, rel=5e-3)
 
 
-@pytest.mark.parametrize(("clearance", "life"), [(0.050, 0.528), (0.075, 0.438)], ids=["11", "9"])
-def test_edge_stress_shortens_the_life_as_printed(clearance, life):
-    sliced = [np.repeat(side / 30, 30, axis=1) for side in rigid_loads(clearance)]
-    profiled = paper_bearing(profile=Logarithmic(amplitude=0.00035 * 5e-3)).bearing
-    assert reference_life(*sliced, profiled, TURNING, edge_stress=True) == approx(life, rel=5e-3)
+EDGE_FACTORS = {0: 2.328, 1: 1.127, 14: 1.003}  # of 30 slices: at the end, beside it, in the middle
 
 
 def test_edge_stress_factors():
-    """n_s = 30: 2.328 at the end, 1.127 beside it, 1.003 in the middle; symmetric."""
     factor = edge_stress_factor(30)
-    assert factor[[0, 1, 14]] == approx([2.328, 1.127, 1.003], abs=5e-4)
+    assert factor[list(EDGE_FACTORS)] == approx(list(EDGE_FACTORS.values()), abs=5e-4)
     assert factor == approx(factor[::-1], rel=1e-12)
     assert edge_stress_factor(31)[15] == 1.0
 

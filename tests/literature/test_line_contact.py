@@ -131,8 +131,8 @@ def test_hertz_contact(problem):
     assert pressure / 1e9 == approx(problem.pressure, rel=5e-5)
 
 
-@pytest.mark.parametrize("formula", ["dowson", "pan_hamrock"])
-def test_film(problem, formula):
+def films(problem, formula):
+    """Film at both raceways [m]."""
     law = FilmLaw(
         formula=FORMULAS[formula],
         radius=problem.radii,
@@ -140,13 +140,25 @@ def test_film(problem, formula):
         oil=problem.oil,
         inlet_heating=False,
     )
-    film = law(np.full(2, problem.line_load), np.zeros(2), np.full(2, problem.entrainment))
-    assert film.thickness * 1e6 == approx(getattr(problem, formula), rel=2e-5)
+    return law(np.full(2, problem.line_load), np.zeros(2), np.full(2, problem.entrainment)).thickness
+
+
+@pytest.mark.parametrize("formula", ["dowson", "pan_hamrock"])
+def test_film(problem, formula):
+    assert films(problem, formula) * 1e6 == approx(getattr(problem, formula), rel=2e-5)
+
+
+STORED = ((1.80e-6, 1.430717), (1.99e-6, 1.289921))  # place [m] and pressure [GPa], inner and outer
+
+
+def beside_the_middle():
+    """Pressure at the places of the largest stored values [GPa]."""
+    problem, (beside, _) = PROBLEMS["DTU"], np.transpose(STORED)
+    strip = half_width(problem.line_load, problem.radii, problem.elastic)
+    peak = peak_pressure(problem.line_load, problem.radii, problem.elastic)
+    return peak * np.sqrt(1 - (beside / strip) ** 2) / 1e9
 
 
 def test_stored_pressure_profiles():
-    """Largest stored values, next to the middle: 1.430717 GPa at 1.80 um, 1.289921 GPa at 1.99 um."""
-    problem, beside = PROBLEMS["DTU"], np.array([1.80e-6, 1.99e-6])
-    strip = half_width(problem.line_load, problem.radii, problem.elastic)
-    peak = peak_pressure(problem.line_load, problem.radii, problem.elastic)
-    assert peak * np.sqrt(1 - (beside / strip) ** 2) / 1e9 == approx([1.430717, 1.289921], rel=2e-6)
+    """Largest stored values, next to the middle."""
+    assert beside_the_middle() == approx([pressure for _, pressure in STORED], rel=2e-6)

@@ -1,31 +1,37 @@
 """Worked examples of NSK's catalogue Rolling Bearings, section 5.7, deep groove ball bearing 6208."""
 
-from pytest import approx
+import pytest
 
 from quasidynamic.outcome.ball_equivalent_load import ball_dynamic_load
 from quasidynamic.outcome.rating_life import BALL_EXPONENT, rating_life
+from tests.literature.worked_example import WorkedExample, hours
 
 RATING, STATIC, F_0 = 29100.0, 17900.0, 14.0  # [N], [N], [-]
 SPEED = 900.0  # [1/min]
+RELATIVE = F_0 * 1000.0 / STATIC
 
 
-def hours(load):
-    return rating_life(RATING, load, BALL_EXPONENT) * 1e6 / 60 / SPEED
+def turned(load):
+    return hours(rating_life(RATING, load, BALL_EXPONENT), SPEED)
 
 
-def test_radial_load():
-    """Example 1: 2500 N; f_h = 3.88, printed as 29 000 h."""
-    assert (hours(2500.0) / 500) ** (1 / 3) == approx(3.88, rel=5e-3)
-    assert hours(2500.0) == approx(29000, rel=0.01)  # two digits are printed
+def both():
+    return ball_dynamic_load(2500.0, 1000.0, 0.0, RELATIVE)
 
 
-def test_radial_and_axial_load():
-    """Example 3: 1000 N more along the axis; X 0.56, Y 1.67, P = 3070 N, C_r/P 9.48, 15 800 h."""
-    relative = F_0 * 1000.0 / STATIC
-    assert relative == approx(0.782, abs=5e-4)
-    load = ball_dynamic_load(2500.0, 1000.0, 0.0, relative)
-    assert load.limit == approx(0.26, abs=6e-3)
-    assert (load.radial_factor, load.axial_factor) == approx((0.56, 1.67), abs=5e-3)
-    assert load.value == approx(3070.0, rel=2e-3)
-    assert RATING / load.value == approx(9.48, rel=2e-3)
-    assert hours(load.value) == approx(15800, rel=5e-3)
+EXAMPLES = (
+    WorkedExample("example 1, 2500 N: f_h", 3.88, lambda: (turned(2500.0) / 500) ** (1 / 3), 5e-3),
+    WorkedExample("example 1: life, two digits", 29000, lambda: turned(2500.0), 0.01, "h"),
+    WorkedExample("example 3, 1000 N along the axis: f_0 F_a/C_0", 0.782, lambda: RELATIVE, 6.4e-4),
+    WorkedExample("example 3: e", 0.26, lambda: both().limit, 0.023),
+    WorkedExample("example 3: X", 0.56, lambda: both().radial_factor, 5e-3),
+    WorkedExample("example 3: Y", 1.67, lambda: both().axial_factor, 3e-3),
+    WorkedExample("example 3: P", 3070.0, lambda: both().value, 2e-3, "N"),
+    WorkedExample("example 3: C_r/P", 9.48, lambda: RATING / both().value, 2e-3),
+    WorkedExample("example 3: life", 15800, lambda: turned(both().value), 5e-3, "h"),
+)
+
+
+@pytest.mark.parametrize("example", EXAMPLES, ids=lambda example: example.name)
+def test_worked_example(example):
+    example.check()
