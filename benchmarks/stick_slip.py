@@ -24,15 +24,17 @@ from quasidynamic.parts.ball import Ball, FourPointBearing, Groove
 from quasidynamic.parts.ball_friction import constant_friction
 from quasidynamic.parts.material import Material
 from quasidynamic.solve.balls.refined_rolling import RefinedRolling, RollingModel
+from tests.literature import test_heras2017 as heras
 
 CASES = {  # osculation, friction, loads of both diagonals [kN]; printed torques [N m]: full sliding, FEM
-    "nominal": (0.95, 0.10, (29.34,), 17.1, 16.9),
-    "A1": (0.96, 0.09, (61.38,), 64.7, 73.4),
-    "A2": (0.96, 0.09, (64.93, 64.93), 1165.4, 1228.9),
-    "A3": (0.96, 0.09, (63.00, 1.605), 138.9, 158.3),
-    "B1": (0.94, 0.13, (9.40,), 2.9, 1.7),
-    "B2": (0.94, 0.13, (9.70, 9.70), 117.2, 121.0),
-    "B3": (0.94, 0.13, (9.494, 0.893), 57.5, 59.4),
+    name: (
+        osculation,
+        friction,
+        tuple(load for load in heras.FITTED[name][0] if load),
+        torque,
+        heras.FINITE_ELEMENTS[name][-1],
+    )
+    for name, (osculation, friction, *_, torque) in heras.CASES.items()
 }
 GRIDS = [(20, 40), (40, 80), (80, 160), (160, 320)]
 RUNS = 5

@@ -14,7 +14,7 @@ class Number:
     known: float
     ours: float
     unit: str = ""
-    allowed: float = 0.0  # how far the source itself may be off: digits, scatter of programs, discretisation
+    allowed: float = 0.0  # digits and scatter of the source, error of our grid
     scale: float = 0.0  # misfits are shares of it; without it of the known number
 
     @property
@@ -24,7 +24,7 @@ class Number:
 
     @property
     def within(self) -> bool:
-        """Whether the source itself may be off by as much."""
+        """Whether they are no further apart than allowed."""
         return abs(self.ours - self.known) <= self.allowed * (1 + 1e-12)
 
 
@@ -87,7 +87,7 @@ class Case:
 def number(
     name: str, known: float, ours: float, unit: str = "", *, digit: float = 0.0, share: float = 0.0
 ) -> Number:
-    """A number whose source is good to `digit`, or to a share of it, whichever is more."""
+    """A number that may be off by `digit`, or by a share of it, whichever is more."""
     allowed = max(digit, share * abs(float(known)))
     return Number(name=name, known=float(known), ours=float(ours), unit=unit, allowed=allowed)
 

@@ -38,7 +38,7 @@ def _beside(findings: Findings) -> list[str]:
     lines = []
     if findings.numbers:
         lines += [
-            "| quantity | unit | known | ours | misfit [%] | source good to | within it |",
+            "| quantity | unit | known | ours | misfit [%] | allowed | within it |",
             "|---|---|---|---|---|---|---|",
             *(_row(number) for number in findings.numbers),
             "",
@@ -61,7 +61,7 @@ def _misfit(findings: Findings) -> str:
     most = max(judged, key=lambda number: abs(number.misfit))
     beyond = worst(findings)
     text = f" Largest misfit {_percent(most.misfit)} % ({most.name})."
-    return text + (f" Beyond what the source allows: {100 * beyond:.2g} %." if beyond else "")
+    return text + (f" Largest beyond what is allowed: {100 * beyond:.2g} %." if beyond else "")
 
 
 def page(case: Case, findings: Findings) -> str:
@@ -120,13 +120,15 @@ page allows. Nothing is tuned to a source.
 
 | verdict | meaning |
 |---|---|
-| agrees | all numbers are within what the source supports (digits, scatter); all statements hold |
+| agrees | all numbers are within what is allowed; all statements hold |
 | agrees within x % | some number is not, none is off by more than x % (0.1, 0.2, 0.5, 1, 2 or 5) |
 | differs, reason known | more than 5 %, or a statement that does not hold; the page says why |
 | differs, reason not known | the same, and the reason is not known |
 
-A verdict is computed from the numbers by `evidence/verdict.py`, by one rule for all pages; only the reason is
-written by hand.
+Allowed are the printed digits of a source, the scatter of the programs or measurements it is made of, and for
+closed forms the error of our own grid: no more than the tests of the same numbers allow. A verdict is
+computed from the numbers by `evidence/verdict.py`, by one rule for all pages; only
+the reason is written by hand.
 """
 
 TOCTREE = """```{toctree}

@@ -12,12 +12,12 @@ AGREES, WITHIN, KNOWN, UNKNOWN = (
 
 
 def worst(findings: Findings) -> float:
-    """Largest misfit of the numbers that miss what their source allows [-]."""
+    """Largest misfit of the numbers that miss what is allowed [-]."""
     return max((abs(number.misfit) for number in findings.numbers if not number.within), default=0.0)
 
 
 def verdict(case: Case, findings: Findings) -> str:
-    """Agreement within the source, within a step, or a difference with or without a known reason."""
+    """Agreement within what is allowed, within a step, or a difference with or without a known reason."""
     largest = worst(findings)
     if all(trend.holds for trend in findings.trends) and largest <= STEPS[-1]:
         if largest == 0.0:

@@ -1,13 +1,15 @@
 """All cases of evidence, by name."""
 
 from evidence.case import Case
-from evidence.cases import contacts, load_sharing, standards, worked
+from evidence.cases import balls, contacts, load_sharing, rolling, standards, worked
 
 CASES: dict[str, Case] = {
     case.name: case
     for case in (
         *load_sharing.CASES,
         *contacts.CASES,
+        *rolling.CASES,
+        *balls.CASES,
         *standards.CASES,
         *worked.STANDARDS,
         *worked.CATALOGUES,

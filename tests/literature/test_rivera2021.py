@@ -49,11 +49,15 @@ def counts(speeds, **changes):
     return np.array([contact.lines.count[:, 0] for contact in contacts(speeds, **changes)])
 
 
+FIRST, SECOND = -0.70, 0.08  # over the half-width, without inertia
+SINGLE = {500.0: 5, 1000.0: 9}  # radial load [N]: inner contacts with one line
+
+
 def test_lines_without_inertia():
     (contact,) = contacts([1.0])
     for race in (INNER, OUTER):
-        assert contact.lines.first[race] == approx(np.full(18, -0.70), abs=0.01)
-        assert contact.lines.second[race] == approx(np.full(18, 0.08), abs=0.005)
+        assert contact.lines.first[race] == approx(np.full(18, FIRST), abs=0.01)
+        assert contact.lines.second[race] == approx(np.full(18, SECOND), abs=0.005)
 
 
 def test_speed_raises_spin_parameter_on_inner_race_and_lowers_it_on_outer():
@@ -80,7 +84,7 @@ def test_unloaded_contact_angle_sets_the_number_of_lines():
     assert list(between[:, OUTER]) == [1, 1, 2, 2]  # a second line from about 5900 rpm
 
 
-@pytest.mark.parametrize(("radial", "single"), [(100.0, 0), (500.0, 5), (1000.0, 9)])
+@pytest.mark.parametrize(("radial", "single"), [(100.0, 0), *SINGLE.items()])
 def test_radial_load_takes_a_line_from_some_inner_contacts(radial, single):
     (contact,) = contacts([15000.0], radial=radial)
     assert (contact.lines.count[INNER] == 1).sum() == single

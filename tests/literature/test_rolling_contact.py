@@ -65,25 +65,33 @@ def test_small_creep_on_wide_contacts_gives_the_coefficients_of_kalker(row):
     check_creep_forces(*row)
 
 
-def check_creep_forces(poisson, ratio, *coefficients):
+def small_creep(poisson, ratio, cells=80):
+    """Coefficients C11, C22, C23 found on cells that all stick."""
     b, size = 1e-3, 1e-6
     a = ratio * b
-    contacts = ellipse((a, b), (80, 80), poisson, STICKING)
+    contacts = ellipse((a, b), (cells, cells), poisson, STICKING)
     x, y = contacts.places(MID_STEP)
-    fields = np.zeros((3, 1, 2, 80, 80))
+    fields = np.zeros((3, 1, 2, cells, cells))
     fields[0, :, 0], fields[1, :, 1] = 1.0, 1.0
     fields[2, :, 0], fields[2, :, 1] = -y / b, x / b
     forces = [-kalker(contacts, size * field).force[0] for field in fields]
     unit = a * b * 80e9 * size
-    found = forces[0][0] / unit, forces[1][1] / unit, forces[2][1] / (unit * np.sqrt(a / b))
+    return forces[0][0] / unit, forces[1][1] / unit, forces[2][1] / (unit * np.sqrt(a / b))
+
+
+def check_creep_forces(poisson, ratio, *coefficients):
+    found = small_creep(poisson, ratio)
     assert found[:2] == approx(coefficients[:2], rel=0.006)
     assert found[2] == approx(coefficients[2], rel=0.015)
 
 
-@pytest.mark.parametrize("share", [0.4375, 0.75, 0.96])
-def test_long_cylinders_roll_as_carter_found(share):
-    """Johnson (1985), sec. 8.3: creep of a force of that share of the limit, and the length that sticks."""
-    cells, a, friction, peak, poisson = 200, 1e-3, 0.3, 1e9, 0.25
+CARTER = (0.4375, 0.75, 0.96)  # tangential force over its limit
+CATTANEO = (0.2, 0.5, 0.9)
+
+
+def carter(share, cells=200):
+    """A cylinder under the creep of that share: force over its limit, and what sticks of which cells."""
+    a, friction, peak, poisson = 1e-3, 0.3, 1e9, 0.25
     grid = CellGrid((2 * a / cells, 1000 * a), (cells, 1))  # a strip so wide that it is a line contact
     edges = np.linspace(-1, 1, cells + 1)
     area = (edges * np.sqrt(1 - edges**2) + np.arcsin(edges)) / 2
@@ -92,28 +100,44 @@ def test_long_cylinders_roll_as_carter_found(share):
     creep = np.zeros((1, 2, cells, 1))
     creep[0, 0] = friction * 2 * peak * (1 - poisson) / 80e9 * (1 - np.sqrt(1 - share))
     rolled = kalker(contacts, creep)
-    assert -rolled.force[0, 0] / (limit.sum() * grid.cell_area) == approx(share, rel=0.005)
-    assert rolled.stick_share[0] == approx(np.sqrt(1 - share), abs=1e-9)
-    assert np.flatnonzero(rolled.stick[0])[-1] == cells - 1  # at the leading edge
+    return -rolled.force[0, 0] / (limit.sum() * grid.cell_area), rolled.stick_share[0], rolled.stick[0]
 
 
-@pytest.mark.parametrize("share", [0.2, 0.5, 0.9])
-def test_spheres_under_a_side_force_slip_in_a_ring(share):
-    """Cattaneo and Mindlin; Johnson (1985), Eqs (7.41) and (7.42)."""
-    cells, a, load, friction, poisson = 64, 1e-3, 100.0, 0.3, 0.25
+@pytest.mark.parametrize("share", CARTER)
+def test_long_cylinders_roll_as_carter_found(share):
+    """Johnson (1985), sec. 8.3: creep of a force of that share of the limit, and the length that sticks."""
+    force, sticking, stick = carter(share)
+    assert force == approx(share, rel=0.005)
+    assert sticking == approx(np.sqrt(1 - share), abs=1e-9)
+    assert np.flatnonzero(stick)[-1] == stick.size - 1  # at the leading edge
+
+
+def cattaneo(share, cells=64):
+    """Spheres shifted by what that share of the limit takes: force over it, radius that sticks over a."""
+    a, load, friction, poisson = 1e-3, 100.0, 0.3, 0.25
     grid = grid_over((a, a), (cells, cells))
     pressure = hertz_pressure(grid, (a, a), load)
     shift = np.zeros((2, cells, cells))
     shift[0] = -3 * friction * load * (2 - poisson) / (8 * 80e9 * a) * (1 - (1 - share) ** (2 / 3))
     state = RollingSteps(grid, pair(poisson), cells=0).after(np.zeros_like(shift), shift, friction * pressure)
-    assert state.traction[0].sum() * grid.cell_area == approx(share * friction * load, rel=0.002)
     radius = np.sqrt((state.stick & (pressure > 0)).sum() * grid.cell_area / np.pi)
-    assert radius == approx(a * (1 - share) ** (1 / 3), abs=2 * a / cells)
+    return state.traction[0].sum() * grid.cell_area / (friction * load), radius / a
 
 
-def test_lateral_creep_and_spin_as_in_contact():
-    """Example fastsim.inp of CONTACT (first case), 44 by 44 cells: forces to its printed digits."""
-    a, b, load, cells = 8e-3, 4e-3, 82000.0, 44
+@pytest.mark.parametrize("share", CATTANEO)
+def test_spheres_under_a_side_force_slip_in_a_ring(share):
+    """Cattaneo and Mindlin; Johnson (1985), Eqs (7.41) and (7.42)."""
+    force, radius = cattaneo(share)
+    assert force == approx(share, rel=0.002)
+    assert radius == approx((1 - share) ** (1 / 3), abs=2 / 64)
+
+
+CONTACT = {"lateral force": -14940.0, "spin moment": -48.21}  # [N], [N m]
+
+
+def lateral_creep_and_spin(cells=44):
+    """Force and moment of example fastsim.inp of CONTACT, first case."""
+    a, b, load = 8e-3, 4e-3, 82000.0
     grid = grid_over((1.1 * a, 1.1 * b), (cells, cells))
     x, y = grid.centres
     pressure = np.where((x / a) ** 2 + (y / b) ** 2 < 1, hertz_pressure(grid, (a, b), load), 0.0)
@@ -123,6 +147,12 @@ def test_lateral_creep_and_spin_as_in_contact():
     x, y = contacts.places(MID_STEP)
     creep = np.stack([-0.625 * y + 0 * x, -6.25e-4 + 0.625 * x + 0 * y], 1)
     rolled = kalker(contacts, creep)
-    assert rolled.force[0, 0] == approx(0.0, abs=0.01)
-    assert rolled.force[0, 1] == approx(-14940, rel=0.001)
-    assert rolled.moment[0] == approx(-48.21, rel=0.002)
+    return rolled.force[0], rolled.moment[0]
+
+
+def test_lateral_creep_and_spin_as_in_contact():
+    """Example fastsim.inp of CONTACT (first case), 44 by 44 cells: forces to its printed digits."""
+    (along, across), moment = lateral_creep_and_spin()
+    assert along == approx(0.0, abs=0.01)
+    assert across == approx(CONTACT["lateral force"], rel=0.001)
+    assert moment == approx(CONTACT["spin moment"], rel=0.002)
