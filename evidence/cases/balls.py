@@ -431,7 +431,6 @@ CASES: Sequence[Case] = (
         numbers_from="tests/literature/test_rivera2021.py",
         compute=rivera_lines,
         error="Counts are whole numbers; places are good to 0.01 of the half-width.",
-        slow=True,
     ),
     Case(
         name="rivera-torque",

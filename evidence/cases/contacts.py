@@ -276,7 +276,6 @@ CASES: Sequence[Case] = (
         numbers_from="tests/quasidynamic/test_whole_roller.py",
         compute=whole_rollers,
         error="Half as many cells in each direction. The source is closed; what is allowed is the error of the cells that the tests allow.",
-        slow=True,
     ),
     Case(
         name="tilt-of-slices",

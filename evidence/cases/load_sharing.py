@@ -177,7 +177,6 @@ CASES: Sequence[Case] = (
         "Palmgren's and that of ISO/TS 16281 do. The table's 1.67 is read as 5/3.",
         draw=draw_sjovall,
         caption="Table, integral and rows of rollers.",
-        slow=True,
     ),
     Case(
         name="sjovall-balls",
@@ -190,7 +189,6 @@ CASES: Sequence[Case] = (
         numbers_from="tests/literature/test_sjovall.py",
         compute=sjovall_balls,
         error="Half as many balls.",
-        slow=True,
     ),
     Case(
         name="stribeck",

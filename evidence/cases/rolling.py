@@ -218,7 +218,6 @@ CASES: Sequence[Case] = (
         numbers_from=PAGE,
         compute=against_contact,
         error="Twice as many cells each way.",
-        slow=True,
     ),
     Case(
         name="interface-compliance",
