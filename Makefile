@@ -56,6 +56,7 @@ evidence: $(READY)
 	$(BIN)/python -m evidence
 
 docs: $(READY)
+	$(BIN)/python -m flexbearing.example_drawings configs docs/images/drawings
 	$(BIN)/python -m flexbearing.reference case > docs/reference/case.md
 	$(BIN)/python -m flexbearing.reference results > docs/reference/results.md
 	$(BIN)/python -m flexbearing.reference study > docs/reference/study.md

@@ -166,23 +166,30 @@ def against_catalogue(case: str | Path, overrides: Overrides = ()) -> dict[str, 
     return compared(wanted, catalogue(), lambda further: read_case(case, [*given, *further]), compute)
 
 
-def drawings(case: Any) -> "list[Drawing]":
+def drawings(case: Any, *, values: bool = True) -> "list[Drawing]":
     """Draw what a case describes, to scale; nothing is solved.
 
     Parameters
     ----------
     case : flexbearing.case.Head
         as `read_case` returns it
+    values : bool
+        whether values stand beside the keys
 
     Returns
     -------
     list of Drawing
         each with name, caption, text for those who cannot see it, and SVG
+
+    Raises
+    ------
+    BadCase
+        where points of a profile cannot be read or are none of its roller
     """
     from flexbearing.families import FAMILIES
+    from flexbearing.report.drawing.of_case import drawings as drawn
 
-    draw = FAMILIES[case.kind].report().drawings
-    return [] if draw is None else list(draw(case))
+    return list(drawn(FAMILIES[case.kind], case, values=values))
 
 
 def read(path: str | Path) -> "Result":

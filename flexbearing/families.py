@@ -16,6 +16,7 @@ _ROLLER = Family(
     ahead=Entry("flexbearing.rings.ahead:outer_ring_ahead"),
     layout=Entry("flexbearing.quantities.roller:LAYOUT"),
     report=Entry("flexbearing.report.roller.report:REPORT"),
+    profiles=Entry("flexbearing.build.profiles:drawn"),
     initial_state=Entry("flexbearing.coupled.initial_state:initial_state"),
     catalogue=Entry("flexbearing.runs.roller_catalogue:CATALOGUE"),
 )

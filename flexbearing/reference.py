@@ -12,9 +12,12 @@ def page(name: str) -> str:
 
         return of_studies()
     if name == "case":
-        from flexbearing.case.explain import reference_page
-    else:
-        from flexbearing.results.reference import reference_page
+        from flexbearing.case.explain import reference_page as of_cases
+        from flexbearing.example_drawings import pictures
+
+        return of_cases(FAMILIES, {kind: list(pictures(kind)) for kind in FAMILIES})
+    from flexbearing.results.reference import reference_page
+
     return reference_page(FAMILIES)
 
 

@@ -3,16 +3,19 @@
 from typing import Any, Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 import quasidynamic as qd
 from flexbearing.build.expansion import material
 from flexbearing.build.profile_points import points
+from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
 from flexbearing.case.roller.profile import Generatrix
 from quasidynamic.contact.line import fujiwara_kawase, johns_gohar, lundberg, reduced_radius
 from quasidynamic.parts.material import contact_modulus
 
 Race = Literal["inner", "outer"]
+RACES: tuple[Race, Race] = "inner", "outer"
 OF_ISO = 0.00035  # A over the roller's diameter [-], ISO/TS 16281
 
 
@@ -37,6 +40,40 @@ def of_raceway(case: Case, race: Race) -> qd.Profile:
     """
     table = getattr(case.bearing, f"{race}_raceway")
     return qd.Straight() if table is None else _profile(case, table, race, f"bearing.{race}_raceway")
+
+
+def drawn(case: Case, number: int = 121) -> dict[str, tuple[NDArray, NDArray]]:
+    """Profiles that are not straight, from end to end of a cold roller.
+
+    Parameters
+    ----------
+    case : Case
+        of a cylindrical roller bearing
+    number : int
+        of places along the length, closer towards the ends; odd: one at mid-roller
+
+    Returns
+    -------
+    dict
+        table, such as "bearing.roller", to places (number) from mid-roller and drops (number) there [m];
+        drops without bound are infinite
+
+    Raises
+    ------
+    BadCase
+        where points of a profile cannot be read or are none of such a roller
+    """
+    length = case.bearing.roller.length
+    places = length / 2 * np.sin(np.linspace(-np.pi / 2, np.pi / 2, number))
+    try:
+        all_of_them = {"bearing.roller": of_roller(case)} | {
+            f"bearing.{race}_raceway": of_raceway(case, race) for race in RACES
+        }
+    except qd.ImpossiblePart as problem:
+        raise BadCase(str(problem)) from problem
+    with np.errstate(divide="ignore"):  # logarithmic ends
+        drops = {table: profile.drop(places, length) for table, profile in all_of_them.items()}
+    return {table: (places, drop) for table, drop in drops.items() if drop.any()}
 
 
 def _profile(case: Case, table: Generatrix, race: Race, name: str) -> qd.Profile:

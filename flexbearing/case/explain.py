@@ -1,5 +1,6 @@
 """Keys of the case file, explained from their declarations."""
 
+from collections.abc import Mapping, Sequence
 from difflib import get_close_matches
 
 from flexbearing.case.belonging import belonging
@@ -82,18 +83,27 @@ def table_of_keys(model: type[Section]) -> list[str]:
     return ["| key | allowed | default | meaning |", "|---|---|---|---|", *rows]
 
 
-def reference_page(families: Families) -> str:
-    """Reference page of the case file, in Markdown."""
+def reference_page(families: Families, pictures: Mapping[str, Sequence[str]]) -> str:
+    """Reference page of the case file, in Markdown, with lines of pictures by kind."""
     lines = [
         "# Keys of a case file",
         "",
-        "Printed by `python -m flexbearing.reference case`.",
+        "Printed by `python -m flexbearing.reference case`; its drawings by "
+        "`python -m flexbearing.example_drawings configs docs/images/drawings`. "
+        "`flexbearing draw CASE` draws any other case, with `--keys` without values.",
+        "",
+        "In all drawings x runs along the axis of the bearing. Seen along +x, z points down and y to the "
+        "right; azimuth φ runs from z (0°) towards y (90°), which is left-handed about +x. Positive speeds "
+        "turn that way ([axes and signs](axes.md)). In a drawing `*` marks an assumed value, `†` a "
+        "calibrated one.",
         "",
         *_limits(),
         *_sizes(families),
     ]
     for title, items in _chapters(families):
-        lines += ["", f"## {title}", "", "| key | allowed | default | meaning |", "|---|---|---|---|"]
+        kind = next((kind for kind in families if title.startswith(f'kind = "{kind}"')), "")
+        lines += ["", f"## {title}", "", *pictures.get(kind, ())]
+        lines += ["| key | allowed | default | meaning |", "|---|---|---|---|"]
         lines += [row for item in items for row in _rows(item)]
     return "\n".join([*lines, *_materials()]) + "\n"
 

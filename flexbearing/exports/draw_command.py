@@ -18,6 +18,7 @@ def draw(
         Path | None, typer.Option("-o", "--output", metavar="DIR", help="default: results/")
     ] = None,
     form: Annotated[str, typer.Option("--format", metavar="|".join(FORMS), help="of the files")] = "svg",
+    keys: Annotated[bool, typer.Option("--keys", help="write keys without their values")] = False,
     settings: Annotated[
         list[str] | None,
         typer.Option("--set", metavar="KEY=VALUE", help="replace a key of the case, as of run"),
@@ -33,7 +34,7 @@ def draw(
     folder, stem = require_folder(output or Path("results")), stem_of_outputs(case, settings or ())
     written: list[Path] = []
     with keeping(written):
-        for drawing in api.drawings(wanted):
+        for drawing in api.drawings(wanted, values=not keys):
             place = require_output(folder / f"{stem}_{drawing.name}.{form}", wanted.input_files)
             write(place, drawing.content(form))
             written.append(place)

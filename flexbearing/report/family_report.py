@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 
     from flexbearing.report.balls.contact_fields import DrawnBall
     from flexbearing.report.drawing import Drawing
+    from flexbearing.report.drawing.words import Words
 
 
 @dataclass(frozen=True)
@@ -37,4 +38,4 @@ class FamilyReport:
     elements: Elements | None = None  # rolling elements that a report shows one by one
     deformed: bool = False  # whether deformed rings can be drawn
     balls: Callable[[Result], tuple[DrawnBall, ...]] | None = None  # whose cells a result holds
-    drawings: Callable[[Any], Iterator[Drawing]] | None = None  # to scale, of a case
+    drawings: Callable[[Words], Iterator[Drawing]] | None = None  # to scale, of a case

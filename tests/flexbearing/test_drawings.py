@@ -13,6 +13,7 @@ import pytest
 
 from flexbearing import api
 from flexbearing.__main__ import command
+from flexbearing.case import BadCase
 from flexbearing.case.declarations import by_path
 from flexbearing.units import unit
 
@@ -34,6 +35,26 @@ COLLARS = [
     "outer.bar_ends=both", "outer.collar_length=2 mm", "outer.collar_thickness=6 mm", "outer.fillet=0.3 mm",
     "outer.raceway_offset=-1 mm",
 ]  # fmt: skip
+TANGENT = [
+    "bearing.roller.profile=tangent_crowned", "bearing.roller.drop=", "bearing.roller.straight_length=5 mm",
+    "bearing.roller.crown_radius=600 mm",
+]  # fmt: skip
+FUJIWARA = [
+    "bearing.roller.profile=fujiwara_kawase", "bearing.roller.drop=", "bearing.roller.design_load=4 kN",
+    "bearing.roller.load_factor=1.5", "bearing.roller.crowned_share=0.6", "bearing.roller.end_drop=20 um",
+]  # fmt: skip
+RACEWAYS = [
+    "bearing.inner_raceway.profile=crowned", "bearing.inner_raceway.straight_length=6 mm",
+    "bearing.inner_raceway.crown_radius=2 m", "bearing.outer_raceway.profile=points",
+    'bearing.outer_raceway.point_positions=["-4.8005 mm", "0 mm", "3 mm", "4.8005 mm"]',
+    'bearing.outer_raceway.point_drops=["1 um", "0 um", "1.5 um", "12 um"]',
+]  # fmt: skip
+CAGE = [
+    "bearing.cage.guidance=inner", "bearing.cage.land_diameter=62 mm", "bearing.cage.land_width=4 mm",
+    "bearing.cage.land_clearance=0.3 mm", "bearing.cage.pocket_clearance=0.1 mm", "bearing.cage.centre=free",
+    "bearing.cage.unbalance=20 um", "bearing.cage.unbalance_azimuth=30 deg", "operation.outer_speed=-500 rpm",
+    "operation.misalignment=2 arcmin",
+]  # fmt: skip
 SHOULDERS = ["bearing.inner.shoulder=2 mm", "bearing.outer.shoulder=1.5 mm", "bearing.fits.shaft_bore=20 mm"]
 KINDS = {
     "squirrel cage": ("mao2016.toml", []),
@@ -47,13 +68,17 @@ KINDS = {
     "fits": ("nu209_fits.toml", []),
     "STEP file": ("step_ring.toml", []),
     "catalogue": ("catalogue/nj2210.toml", []),
+    "tangent crowned": ("nu209.toml", TANGENT),
+    "three parameters": ("nu209.toml", FUJIWARA),
+    "profiled raceways": ("nu209.toml", RACEWAYS),
+    "free cage": ("nu209.toml", CAGE),
     "angular contact": ("catalogue/7208.toml", SHOULDERS),
     "deep groove": ("6209.toml", []),
     "four points": ("joshi2015_qj309.toml", []),
     "one ball": ("heras2017_a1.toml", []),
     "bolted": ("slewing_bolted.toml", []),
 }
-SIGNS = ("Ø ", "R ", "r ", "2 sides, sum ")
+SIGNS = ("Ø ", "R ", "r ", "2 sides, sum ", "diametral ")
 
 
 @cache
@@ -73,7 +98,7 @@ def dimensions(svg):
     found = {}
     for text in texts(svg):
         key, separator, value = text.partition(" = ")
-        if separator:
+        if separator and " " not in key:
             for sign in SIGNS:
                 value = value.removeprefix(sign)
             found[key] = value.removesuffix(" *").removesuffix(" †")
@@ -85,6 +110,11 @@ def at(case, key):
     for name in key.split("."):
         value = getattr(value, name)
     return value
+
+
+def in_si(text):
+    number, _, name = text.replace("°", " deg").replace("µm", "um").replace("mm³", "mm^3").partition(" ")
+    return np.radians(float(number)) if name == "deg" else unit(name).to_si(float(number))
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -99,11 +129,10 @@ def test_dimensions_are_the_values_of_the_case(kind):
             if quantity is None or quantity.unit == "1":
                 assert text.strip('"') == (value if isinstance(value, str) else f"{value:.6g}"), key
                 continue
-            number, _, name = (
-                text.replace("°", " deg").replace("µm", "um").replace("mm³", "mm^3").partition(" ")
+            values = value if isinstance(value, tuple) else (value,)
+            assert [in_si(each) for each in text.split("; ")] == pytest.approx(values, rel=1e-5, abs=1e-12), (
+                key
             )
-            si = np.radians(float(number)) if name == "deg" else unit(name).to_si(float(number))
-            assert si == pytest.approx(value, rel=1e-5, abs=1e-12), key
 
 
 def test_marks_tell_what_is_assumed_and_calibrated():
@@ -164,6 +193,88 @@ def test_rollers_stand_at_their_azimuths():
     assert eighth - centre == pytest.approx(pitch / 2 * np.array([np.sin(angle), -np.cos(angle)]), abs=0.01)
 
 
+def test_a_profile_drops_by_its_formula_times_what_the_sheet_says():
+    case, sheets = drawn("squirrel cage")
+    svg, roller = sheets["profile"].svg, case.bearing.roller
+    assert {"scale 15 : 1   * assumed", "bearing.roller.drop = 1.75 µm *"} <= set(texts(svg))
+    assert any(text.endswith("magnified 200 times.") for text in texts(svg))
+    line = path(svg, "profile-bearing-roller")
+    x, drop = (line[:, 0] - line[:, 0].mean()) / 15e3, (line[:, 1].max() - line[:, 1]) / 15e3 / 200
+    assert np.ptp(x) == pytest.approx(0.99 * roller.length, rel=5e-3)
+    formula = -roller.drop * np.log1p(-((2 * x / roller.length) ** 2))
+    assert drop == pytest.approx(formula, rel=2e-3, abs=2e-9)
+
+
+def test_profiles_that_are_not_straight_are_drawn_each():
+    _, sheets = drawn("profiled raceways")
+    svg = sheets["profile"].svg
+    halves = []
+    for table in ("roller", "inner_raceway", "outer_raceway"):
+        line = path(svg, f"profile-bearing-{table}")
+        halves.append([line[:, 1].max() - line[end, 1] for end in (0, -1)])
+    assert [halves[0][0], halves[1][0]] == pytest.approx(
+        [halves[0][1], halves[1][1]], rel=1e-6
+    )  # halves alike
+    assert halves[2][1] == pytest.approx(12 * halves[2][0], rel=1e-3)  # 1 and 12 um, the latter at +x
+    straight = api.read_case(
+        CONFIGS / "nu209.toml", ["bearing.roller.profile=straight", "bearing.roller.drop="]
+    )
+    assert "profile" not in [sheet.name for sheet in api.drawings(straight)]
+
+
+def test_points_that_cannot_be_read_are_told():
+    settings = [
+        "bearing.roller.profile=points", "bearing.roller.drop=", "bearing.roller.points_file=nowhere.csv",
+    ]  # fmt: skip
+    with pytest.raises(BadCase, match=r'"nowhere\.csv" cannot be read'):
+        api.drawings(api.read_case(CONFIGS / "nu209.toml", settings))
+
+
+def test_rings_turn_towards_growing_azimuth_where_their_speed_is_positive():
+    _, sheets = drawn("free cage")
+    svg = sheets["along-axis"].svg
+    first, opposite = ((c.max(axis=0) + c.min(axis=0)) / 2 for c in (path(svg, f"along-axis-element-{n}")[:-1]
+                                                                     for n in (1, 8)))  # fmt: skip
+    for speed, sense in (("inner_speed", 1), ("outer_speed", -1)):
+        line = path(svg, f"along-axis-{speed}") - (first + opposite) / 2
+        azimuth = np.arctan2(line[:, 0], -line[:, 1])
+        assert (np.sign(np.diff(azimuth)) == sense).all(), speed
+
+
+def test_clearances_of_the_cage_are_magnified_and_said_to_be():
+    case, sheets = drawn("free cage")
+    svg = sheets["cage"].svg
+    roller, wall = path(svg, "cage-roller"), path(svg, "cage-bar-ahead")
+    gap = wall[:, 0].min() - roller[:, 0].max()
+    assert gap > 3 * np.ptp(roller[:, 0]) * case.bearing.cage.pocket_clearance / case.bearing.roller.diameter
+    written = texts(svg)
+    assert any(text.startswith("not to scale") for text in written)
+    assert not any(text.startswith("scale ") for text in written)
+    assert "bearing.cage.land_clearance = diametral 0.3 mm" in written
+
+
+@pytest.mark.parametrize("kind", ["squirrel cage", "bolted", "planet rim", "fits"])
+def test_leaders_do_not_cross(kind):
+    for sheet in drawn(kind)[1].values():
+        lines = [line.get_xydata() for line in sheet.figure.axes[0].lines if len(line.get_xydata()) == 3]
+        assert lines
+        for one, other in combinations([line[:2] for line in lines], 2):
+            apart = [np.linalg.det([one[1] - one[0], point - one[0]]) for point in other]
+            across = [np.linalg.det([other[1] - other[0], point - other[0]]) for point in one]
+            crossing = max(apart) > 1e-9 > -1e-9 > min(apart) and max(across) > 1e-9 > -1e-9 > min(across)
+            assert not crossing, (kind, sheet.name)
+
+
+def test_keys_stand_without_values_on_wish():
+    case, sheets = drawn("squirrel cage")
+    keys = by_path(type(case))
+    for sheet in api.drawings(case, values=False):
+        written = texts(sheet.svg)
+        assert not dimensions(sheet.svg)
+        labels = {text.rpartition(" ")[2] for text in written} & {key for key in keys if "." in key}
+        assert labels == set(dimensions(sheets[sheet.name].svg))
+
+
 def test_ball_touches_its_grooves_at_the_contact_angle():
     case, sheets = drawn("angular contact")
     svg = sheets["section"].svg
@@ -211,14 +322,15 @@ def test_drawings_are_the_same_on_every_run():
     assert "date" not in sheets["section"].svg
 
 
-def test_drawings_load_neither_finite_elements_nor_the_bearing_model():
+@pytest.mark.parametrize(("case", "loaded"), [("nu209.toml", ["quasidynamic"]), ("6209.toml", [])])
+def test_drawings_load_no_finite_elements_and_the_bearing_model_for_profiles_alone(case, loaded):
     program = (
         "import sys; from flexbearing import api\n"
-        f"[sheet.svg for sheet in api.drawings(api.read_case({str(CONFIGS / 'nu209.toml')!r}))]\n"
+        f"api.drawings(api.read_case({str(CONFIGS / case)!r}))\n"
         "print([name for name in ('ngsolve', 'netgen', 'quasidynamic', 'fem') if name in sys.modules])"
     )
     ended = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
-    assert ended.stdout.strip() == "[]"
+    assert ended.stdout.strip() == str(loaded)
 
 
 @pytest.mark.parametrize(("form", "beginning"), [("svg", b"<svg"), ("png", b"\x89PNG"), ("pdf", b"%PDF")])
@@ -228,6 +340,13 @@ def test_command_writes_files(tmp_path, capsys, form, beginning):
     assert [file.name for file in files] == [f"6209_along-axis.{form}", f"6209_section.{form}"]
     assert all(file.read_bytes().startswith(beginning) for file in files)
     assert "6209_section" in capsys.readouterr().out
+
+
+def test_command_writes_keys_alone(tmp_path):
+    assert command(["draw", str(CONFIGS / "6209.toml"), "-o", str(tmp_path), "--keys"]) == 0
+    written = texts((tmp_path / "6209_section.svg").read_text("utf-8"))
+    assert "Ø bearing.ball.diameter" in written
+    assert not any(" = " in text for text in written)
 
 
 def test_other_formats_are_refused(tmp_path, capsys):

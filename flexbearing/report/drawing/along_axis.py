@@ -4,16 +4,16 @@ from typing import Any
 
 import numpy as np
 
-from flexbearing.report.drawing.parts import ELEMENT, INNER, OUTER, SCHEMATIC, SHAFT
+from flexbearing.report.drawing.parts import AXES, ELEMENT, INNER, LOAD, OUTER, SCHEMATIC, SHAFT, TURNING
 from flexbearing.report.drawing.sheet import Drawing, Sheet
 from flexbearing.report.drawing.words import Words
 
 MOST_NUMBERS = 30  # of rolling elements that are written
-AXES, LOAD = "#0b5394", "#a61c00"
 NOTES = (
-    "Seen along +x, which points away from the reader: z down, y to the right; azimuth φ from z towards y.",
-    "Numbers of rolling elements as in tables of results.",
+    "Seen along +x, which points away from the reader: z down, y to the right.",
+    "Azimuth φ runs from z, 0°, to y, 90°: left-handed about +x. Speeds and angles are positive this way.",
 )
+NUMBERS = "Numbers of rolling elements as in tables of results."
 
 
 def rollers(words: Words) -> Drawing:
@@ -40,8 +40,16 @@ def rollers(words: Words) -> Drawing:
         sheet, azimuths, ("bearing.rollers", "bearing.first_roller_azimuth", "bearing.roller.diameter"), pitch
     )
     _held_at(sheet, case)
-    direction = case.operation.load_direction
-    _arrow(sheet, direction, 0.9 * sheet.box[1][1], "operation.radial_load", "operation.load_direction")
+    operation, outside = case.operation, sheet.box[1][1]
+    _arrow(
+        sheet, operation.load_direction, 0.9 * outside, "operation.radial_load", "operation.load_direction"
+    )
+    for name in ("moment", "misalignment"):
+        if getattr(operation, name):
+            sheet.label(f"operation.{name}", place(0.45 * outside, operation.load_direction))
+    _turning(sheet, "operation.inner_speed", 0.55 * pitch)
+    _turning(sheet, "operation.outer_speed", (bearing.outer_raceway_diameter / 2 + outside) / 2)
+    _unbalance(sheet, bearing.cage, pitch)
     return _finished(sheet, case, "roller")
 
 
@@ -70,19 +78,48 @@ def balls(words: Words) -> Drawing:
     sheet.circle(pitch, ec="0.4", lw=0.4, ls=(0, (8, 2, 1, 2)))
     sheet.label("bearing.pitch_diameter", place(pitch, 1.9), "Ø ")
     _count(sheet, azimuths, ("bearing.balls", "bearing.first_ball_azimuth", "bearing.ball.diameter"), pitch)
-    load = case.operation.load
-    if load.radial_y or load.radial_z:
-        _arrow(
-            sheet,
-            np.arctan2(load.radial_y, load.radial_z),
-            0.9 * sheet.box[1][1],
-            "operation.load.radial_y",
-            "operation.load.radial_z",
-        )
-    for name in ("axial", "moment_y", "moment_z"):
-        if getattr(load, name):
-            sheet.label(f"operation.load.{name}", (0.0, 0.0))
+    _load_of_balls(sheet, case.operation.load, pitch)
+    for path in ("operation.speed", "operation.inner_speed"):
+        _turning(sheet, path, 0.55 * pitch)
+    _turning(sheet, "operation.outer_speed", (pitch + 0.5 * size + sheet.box[1][1]) / 2)
     return _finished(sheet, case, "ball")
+
+
+def _load_of_balls(sheet: Sheet, load: Any, pitch: float) -> None:
+    """Radial load as an arrow, moments at the axes they turn about; the section shows the thrust."""
+    if load is None:
+        return
+    if load.radial_y or load.radial_z:
+        azimuth = np.arctan2(load.radial_y or 0.0, load.radial_z or 0.0)
+        _arrow(sheet, azimuth, 0.9 * sheet.box[1][1], "operation.load.radial_y", "operation.load.radial_z")
+    for name, azimuth in (("moment_y", np.pi / 2), ("moment_z", 0.0)):
+        if getattr(load, name):
+            sheet.label(f"operation.load.{name}", place(0.36 * pitch, azimuth))
+    if load.moment_y or load.moment_z:
+        sheet.notes.append("Moments on the inner ring: by the right hand about y and z.")
+
+
+def _turning(sheet: Sheet, path: str, radius: float) -> None:
+    """Sense in which a ring turns, an arrow about the axis; nothing where it stands still."""
+    speed = sheet.words.value(path)
+    if not speed:
+        return
+    arc = np.linspace(1.75, 2.5, 41)[:: 1 if speed > 0 else -1]
+    points = [place(radius, angle) for angle in arc]
+    sheet.line(points[:-2], path.rpartition(".")[2], ec=TURNING, lw=1.0)
+    sheet.line(points[-3:], ec=TURNING, arrowstyle="-|>", lw=1.0)
+    sheet.label(path, place(radius, 2.1))
+
+
+def _unbalance(sheet: Sheet, cage: Any, pitch: float) -> None:
+    """Where the mass centre of a free cage is, its distance from the axis magnified."""
+    if not cage.unbalance:
+        return
+    centre = place(0.15 * pitch, cage.unbalance_azimuth)
+    sheet.circle(0.02 * pitch, centre, fc="0.1")
+    for name in ("unbalance", "unbalance_azimuth"):
+        sheet.label(f"bearing.cage.{name}", centre)
+    sheet.notes.append("Black point: mass centre of the cage, its distance from the axis not to scale.")
 
 
 def _rings_of_rollers(sheet: Sheet, case: Any) -> None:
@@ -181,12 +218,14 @@ def _held_at(sheet: Sheet, case: Any) -> None:
         for azimuth in outer.line_azimuths:
             foot = [place(1.1 * radius, azimuth + turn) for turn in (-0.05, 0.05)]
             sheet.area([place(radius, azimuth), *foot], fc="0.8")
-        sheet.label("outer.support", place(1.05 * radius, outer.line_azimuths[0]))
+        for name in ("support", "line_azimuths"):
+            sheet.label(f"outer.{name}", place(1.05 * radius, outer.line_azimuths[0]))
         return
     acting = outer.tooth_radius or radius
     sheet.circle(acting, ec=AXES, lw=0.6, ls="-.")
     sheet.label("outer.tooth_radius", place(acting, 2.6), "r ")
-    sheet.label("outer.support", place(acting, outer.tooth_azimuths[0]))
+    for name in ("support", "tooth_azimuths", "tooth_radial", "tooth_tangential"):
+        sheet.label(f"outer.{name}", place(acting, outer.tooth_azimuths[0]))
     largest = max(map(abs, (*outer.tooth_radial, *outer.tooth_tangential))) or 1.0
     for azimuth, radial, tangential in zip(
         outer.tooth_azimuths, outer.tooth_radial, outer.tooth_tangential, strict=True
@@ -199,9 +238,10 @@ def _held_at(sheet: Sheet, case: Any) -> None:
 
 def _finished(sheet: Sheet, case: Any, element: str) -> Drawing:
     sheet.notes.extend(NOTES)
-    sheet.notes.append(
-        "Red: load on the inner ring, tooth forces. Dashed: schematic, the case has no dimensions of it."
-    )
+    teeth = ", tooth forces" if sheet.words.value("outer.tooth_azimuths") else ""
+    sheet.notes.append(f"Red: load on the inner ring{teeth}. Green: rotation. {NUMBERS}")
+    if any(style.get("ls") == SCHEMATIC["ls"] for _, _, style in sheet.shapes):
+        sheet.notes.append("Dashed: schematic, the case has no dimensions of it.")
     number = case.bearing.rollers if element == "roller" else case.bearing.balls
     return sheet.drawn(
         f"The bearing along its axis, to scale: {number} {element}s, azimuth 0 along z.",

@@ -6,13 +6,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from flexbearing.report.drawing.parts import ELEMENT, HOUSING, INNER, OUTER, SCHEMATIC, SHAFT
+from flexbearing.report.drawing.parts import ELEMENT, HOUSING, INNER, LOAD, OUTER, SCHEMATIC, SHAFT
 from flexbearing.report.drawing.sheet import Drawing, Sheet
 from flexbearing.report.drawing.words import Words
 
 WIDTH, WALL = 0.62, 0.2  # over the ball's diameter: half width, wall under the groove of undescribed rings
 DEPTH = 0.75  # of the groove over the ball's radius where no shoulder is given
 CONTACT = "#a61c00"
+THRUST = ("operation.load.axial", "operation.preload.force", "operation.preload.displacement")
 
 
 def one_groove(words: Words) -> Drawing:
@@ -47,6 +48,7 @@ def one_groove(words: Words) -> Drawing:
     _label(sheet, case, angle, stated)
     for path in ("bearing.clearance_class", "bearing.fits.cold_clearance"):
         sheet.label(path, _at(bearing, 0.5, 0.5 * angle))
+    _thrust(sheet, bearing)
     return _finished(sheet, "two points under thrust")
 
 
@@ -79,6 +81,7 @@ def two_arches(words: Words) -> Drawing:
     _ball(sheet, case, ((1, angle), (1, -angle)))
     _label(sheet, case, angle, "bearing.contact_angle")
     sheet.label("bearing.clearance", _at(bearing, -0.5, angle))
+    _thrust(sheet, bearing)
     return _finished(sheet, "four points")
 
 
@@ -194,7 +197,7 @@ def _shoulder(sheet: Sheet, side: str, groove: NDArray, outward: int) -> None:
 def _ball(sheet: Sheet, case: Any, lines: tuple[tuple[int, float], ...]) -> None:
     """The ball with its lines of contact."""
     pitch, radius = case.bearing.pitch_diameter / 2, case.bearing.ball.diameter / 2
-    sheet.circle(radius, (0.0, pitch), "ball", fc=ELEMENT)
+    sheet.circle(radius, (0.0, pitch), "ball", points=361, fc=ELEMENT)
     sheet.line(
         [(0.0, pitch - 1.1 * radius), (0.0, pitch + 1.1 * radius)], ec="0.4", lw=0.4, ls=(0, (8, 2, 1, 2))
     )
@@ -217,6 +220,20 @@ def _label(sheet: Sheet, case: Any, angle: float, stated: str) -> None:
     for side, turn in (("outer", 0.5), ("inner", 2.65)):
         for path in (f"bearing.{side}.conformity", f"bearing.{side}.radius"):
             sheet.label(path, _at(bearing, 1.02, turn), "R " if path.endswith("radius") else "")
+
+
+def _thrust(sheet: Sheet, bearing: Any) -> None:
+    """Axial load or preload on the inner ring; nothing where there is none."""
+    given = {path: sheet.words.value(path) for path in THRUST}
+    acting = [path for path in THRUST if given[path]]
+    if not acting:
+        return
+    size, sense = bearing.ball.diameter, float(np.sign(given[acting[0]]))
+    y = bearing.pitch_diameter / 2 - 0.62 * size
+    sheet.line([(-0.3 * sense * size, y), (0.3 * sense * size, y)], ec=LOAD, arrowstyle="-|>", lw=1.6)
+    for path in acting:
+        sheet.label(path, (0.1 * size, y))
+    sheet.notes.append("Red arrow: axial load on the inner ring.")
 
 
 def _at(bearing: Any, part: float, angle: float) -> tuple[float, float]:

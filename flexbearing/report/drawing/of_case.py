@@ -3,30 +3,66 @@
 from collections.abc import Iterator
 from typing import Any
 
-from flexbearing.report.drawing import along_axis, ball_section, roller_section, squirrel_cage
+from flexbearing.case.family import Family
+from flexbearing.report.drawing import (
+    along_axis,
+    ball_section,
+    cage_pocket,
+    profiles,
+    roller_section,
+    squirrel_cage,
+)
 from flexbearing.report.drawing.sheet import Drawing
 from flexbearing.report.drawing.words import Words
 
 
-def of_rollers(case: Any) -> Iterator[Drawing]:
-    """Section, view along the axis, and the bars of a squirrel cage."""
-    words = Words(case)
+def drawings(family: Family, case: Any, *, values: bool = True) -> Iterator[Drawing]:
+    """Drawings of a case to scale.
+
+    Parameters
+    ----------
+    family : Family
+        of the case
+    case : flexbearing.case.Head
+        as it was read
+    values : bool
+        whether values stand beside the keys
+
+    Returns
+    -------
+    iterator of Drawing
+        none of a family without drawings
+
+    Raises
+    ------
+    BadCase
+        where points of a profile cannot be read or are none of its roller
+    """
+    draw, profiles_of = family.report().drawings, family.profiles
+    if draw is not None:
+        yield from draw(Words(case, values, profiles_of() if profiles_of else None))
+
+
+def of_rollers(words: Words) -> Iterator[Drawing]:
+    """Section, view along the axis, bars of a squirrel cage, profiles, cage with pocket and land."""
     yield roller_section.section(words)
     yield along_axis.rollers(words)
-    if case.outer.kind == "squirrel_cage":
+    if words.case.outer.kind == "squirrel_cage":
         yield squirrel_cage.bars(words)
+    if drops := words.profiles and words.profiles(words.case):
+        yield profiles.profiles(words, drops)
+    if words.case.bearing.cage.thickness:
+        yield cage_pocket.cage(words)
 
 
-def of_fast_balls(case: Any) -> Iterator[Drawing]:
+def of_fast_balls(words: Words) -> Iterator[Drawing]:
     """Section and view along the axis of an angular-contact or deep groove bearing."""
-    words = Words(case)
     yield ball_section.one_groove(words)
     yield along_axis.balls(words)
 
 
-def of_slow_balls(case: Any) -> Iterator[Drawing]:
+def of_slow_balls(words: Words) -> Iterator[Drawing]:
     """Section of a four-point bearing; the view along the axis where the number of balls is given."""
-    words = Words(case)
     yield ball_section.two_arches(words)
-    if case.bearing.balls is not None:
+    if words.case.bearing.balls is not None:
         yield along_axis.balls(words)

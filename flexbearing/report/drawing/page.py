@@ -97,7 +97,7 @@ class Page:
                 tuple(foot),
                 arrowprops={"arrowstyle": "->", "color": "#0b5394", "lw": 0.8, "shrinkA": 0, "shrinkB": 0},
             )
-            self.word(text, foot + tip + [0.7, 0], ha="left", color="#0b5394")
+            self.word(text, foot + tip + [1.4, 0], ha="left", color="#0b5394")
 
     def bar(self, wide: float, y: float) -> None:
         """A bar that shows a round length, for screens that change the scale."""

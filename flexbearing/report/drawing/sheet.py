@@ -81,6 +81,7 @@ class Sheet:
     placed: list[tuple[str, tuple[float, float], dict[str, Any]]] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
     cross: bool = False  # whether a cross tells that x is to the right and r upwards
+    to_scale: bool = True
 
     def area(self, points: Any, name: str = "", **style: Any) -> None:
         """Draw a closed outline through points (n, 2) [m]."""
@@ -96,9 +97,10 @@ class Sheet:
         given = {"fc": "none", "ec": ENGRAVED, "lw": 0.8} | style
         self.shapes.append((name, np.array(points, dtype=float), given | {"closed": False}))
 
-    def circle(self, radius: float, centre: tuple[float, float] = (0.0, 0.0), name: str = "", **style: Any):
+    def circle(self, radius: float, centre: tuple[float, float] = (0.0, 0.0), name: str = "", *,
+               points: int = 0, **style: Any):  # fmt: skip
         """Draw a circle [m]."""
-        points = 181 if centre == (0.0, 0.0) else 61
+        points = points or (181 if centre == (0.0, 0.0) else 61)
         self.area(np.array(centre) + arc(radius, 0, 2 * np.pi, points), name, **style)
 
     def held(self, start: tuple[float, float], end: tuple[float, float]) -> None:
@@ -160,7 +162,8 @@ class Sheet:
         ]
         left = max(self._left_width(), MARGIN + max((each[0] for each in beyond), default=0.0))
         right = LEADER + MARGIN + max((width_of(text) for text, _ in self.beside), default=0.0)
-        notes = [*self.notes, f"scale {_ratio(self.scale)}   {self._legend}"]
+        scaled = f"scale {_ratio(self.scale)}" if self.to_scale else "not to scale"
+        notes = [*self.notes, f"{scaled}   {self._legend}".rstrip()]
         right = max(right, MARGIN + max((each[1] for each in beyond), default=0.0))
         wide = max(left + size[0] + right, MARGIN + max(map(width_of, notes)))
         above, under = self._overhang(scale, low[1], size[1])
@@ -182,7 +185,8 @@ class Sheet:
             page.word(text, page.at(point), **style)
         for row, text in enumerate(reversed(notes)):
             page.word(text, (MARGIN, MARGIN / 2 + row * LINE), ha="left", va="bottom", color=ENGRAVED)
-        page.bar(wide, MARGIN)
+        if self.to_scale:
+            page.bar(wide, MARGIN)
         if self.cross:
             page.cross(np.array([2 * MARGIN, LINE * len(notes) + 2 * MARGIN]))
         return figure
@@ -204,10 +208,14 @@ class Sheet:
         )
 
     def _label_beside(self, page: Page, edge: float) -> None:
-        """Write the labels on the right, from top to bottom as their points are."""
-        order = sorted(self.beside, key=lambda item: -item[1][1])
-        points = [page.at(point) for _, point in order]
-        for (text, _), point, y in zip(order, points, spread([p[1] for p in points]), strict=True):
+        """Write the labels on the right, so that no leaders cross: in sum they are shortest."""
+        from scipy.optimize import linear_sum_assignment
+
+        texts, points = [text for text, _ in self.beside], [page.at(point) for _, point in self.beside]
+        lines = np.array(spread(sorted((point[1] for point in points), reverse=True)))
+        apart = [np.hypot(edge + 2 - point[0], lines - point[1]) for point in points]
+        chosen = linear_sum_assignment(apart)[1] if points else []
+        for text, point, y in zip(texts, points, lines[chosen] if points else [], strict=True):
             page.leader([point, (edge + 2, y), (edge + LEADER - 1, y)], dot=True)
             page.word(text, (edge + LEADER, y), ha="left")
 

@@ -41,7 +41,7 @@ def bars(words: Words) -> Drawing:
     if outer.fillet:
         sheet.label("outer.fillet", place(middle - half, pitch * round(0.12 * outer.bars)), "R ")
     sheet.notes.extend(
-        (NOTES[0], "Dark: bars, with parallel sides, the first at azimuth 0. Light: the ring behind them.")
+        (*NOTES, "Dark: bars, with parallel sides, the first at azimuth 0. Light: the ring behind them.")
     )
     return sheet.drawn(
         f"Section across the {outer.bars} bars of the squirrel cage, to scale, seen along the axis.",

@@ -1,15 +1,19 @@
 """Keys of a case with their values, as a drawing writes them."""
 
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from math import degrees, pi
 from typing import Any
+
+from numpy.typing import NDArray
 
 from flexbearing.case.declarations import Declaration, by_path
 
 ASSUMED, CALIBRATED = "*", "†"
 MARKS = {ASSUMED: "assumed", CALIBRATED: "calibrated"}
 SMALL = 1e-4  # [m] lengths below are written in micrometres
+MOST_VALUES = 4  # of a list that are written
 UNITS = {"N": (1e-3, "kN"), "rad/s": (30 / pi, "rpm"), "N/m^3": (1e-9, "N/mm³"), "1": (1.0, "")}
 
 
@@ -18,6 +22,8 @@ class Words:
     """What a drawing says of the keys of a case."""
 
     case: Any  # a `flexbearing.case.head.Head`
+    values: bool = True  # whether values stand beside the keys
+    profiles: Callable[[Any], Mapping[str, tuple[NDArray, NDArray]]] | None = None  # of a `Family`
 
     @cached_property
     def _declared(self) -> dict[str, Declaration]:
@@ -31,7 +37,12 @@ class Words:
         return value
 
     def __call__(self, path: str, sign: str = "") -> str:
-        """Write "key = value" with a sign before the value, and a mark where it is assumed or calibrated."""
+        """Write "key = value" with a sign before the value, and a mark where it is assumed or calibrated.
+
+        Without values it is the sign and the key.
+        """
+        if not self.values:
+            return f"{sign}{path}"
         declaration, value = self._declared.get(path), self.value(path)
         unit = declaration.kind.unit if declaration and declaration.kind else ""
         return f"{path} = {sign}{_printed(value, unit)}{self._mark(path)}"
@@ -48,6 +59,9 @@ def _printed(value: Any, unit: str) -> str:
     """A value as a drawing writes it, lengths in mm or um, angles in degrees."""
     if isinstance(value, str) or value is None:
         return f'"{value}"'
+    if isinstance(value, tuple):
+        few = len(value) <= MOST_VALUES
+        return "; ".join(_printed(each, unit) for each in value) if few else f"{len(value)} values"
     if unit == "m":
         return f"{value * 1e6:.6g} µm" if 0 < abs(value) < SMALL else f"{value * 1e3:.7g} mm"
     if unit == "rad":

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 from flexbearing.case import BadCase
 from flexbearing.case.declarations import by_path
+from flexbearing.report.drawing.of_case import drawings
 from flexbearing.report.html.document import Block, Drawing, Table, Verbatim, Words
 from flexbearing.report.html.inputs import flat, origin, row_of_key, written
 from flexbearing.report.html.reader import Reader
@@ -37,15 +38,12 @@ def computed(reader: Reader) -> Iterator[Block]:
 
 def _drawings(reader: Reader) -> Iterator[Block]:
     """Drawings to scale of the case, its keys as dimensions; where it cannot be read again, why."""
-    draw = reader.result.family.report().drawings
-    if draw is None:
-        return
     try:
-        case = reader.case
+        sheets = tuple(drawings(reader.result.family, reader.case))
     except BadCase as problem:
         yield Words((f"Not drawn: {str(problem).splitlines()[0]}",))
         return
-    for drawing in draw(case):
+    for drawing in sheets:
         yield Drawing(drawing.caption, drawing.svg)
 
 

@@ -1,0 +1,119 @@
+"""Drawings of shipped cases in the documents.
+
+`python -m flexbearing.example_drawings configs docs/images/drawings` writes them.
+"""
+
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+_ON_SHAFT = (
+    "inner.kind=ring_on_shaft", "inner.bore=45 mm", "inner.thickness=6.5 mm", "inner.width=19 mm",
+    "inner.track_width=10 mm", "inner.shaft_thickness=8 mm", "inner.shaft_length=60 mm",
+    "materials.shaft=structural steel", "inner.fit=frictionless", "inner.shoulder_diameter=52 mm",
+    "inner.clamping=5 kN", "operation.tilt=free",
+)  # fmt: skip
+_RING = ("outer.kind=ring", "outer.thickness=4.984 mm", "outer.width=19 mm", "operation.tilt=free")
+_PLANET = (
+    'outer.tooth_azimuths=["90 deg", "270 deg"]', 'outer.tooth_radial=["-2 kN", "-2 kN"]',
+    'outer.tooth_tangential=["5 kN", "-5 kN"]', "outer.tooth_radius=46 mm",
+)  # fmt: skip
+_ROLLERS, _CIRCLES = "cylindrical_roller", ("bearing.roller.drop=", "bearing.roller.straight_length=5 mm")
+_DESIGN = ("bearing.roller.drop=", "bearing.roller.design_load=4 kN")
+
+
+@dataclass(frozen=True)
+class Example:
+    """A drawing of the documents."""
+
+    name: str  # of its file, without ending
+    text: str  # what it shows
+    case: str  # file among the shipped ones
+    sheet: str  # name of the drawing
+    settings: tuple[str, ...] = ()
+    kind: str = ""  # family at whose keys the reference page has it; no family: another page has it
+
+
+EXAMPLES = (
+    Example("roller-bearing", "Roller bearing with fits, shaft and housing", "nu209_fits.toml", "section",
+            kind=_ROLLERS),
+    Example("roller-bearing-axis", "Axes, azimuth, sense of rotation and load direction", "mao2016.toml",
+            "along-axis", kind=_ROLLERS),
+    Example("roller-profile", "Roller profile, the drop magnified", "nu209.toml", "profile", kind=_ROLLERS),
+    Example("cage", "Cage, its pockets and its land, not to scale", "mao2016.toml", "cage",
+            ("bearing.cage.pocket_clearance=0.1 mm",), _ROLLERS),
+    Example("squirrel-cage", "Squirrel cage, and ring on a hollow shaft", "mao2016.toml", "section",
+            kind=_ROLLERS),
+    Example("squirrel-cage-bars", "Bars of the squirrel cage", "mao2016.toml", "bars", kind=_ROLLERS),
+    Example("ring-on-shaft", "Ring on shaft with its track between ribs, and a shoulder",
+            "nu209.toml", "section", _ON_SHAFT, _ROLLERS),
+    Example("elastic-ring", "Elastic outer ring on a foundation of springs", "nu209.toml", "section",
+            (*_RING, "outer.support=foundation", "outer.foundation_radial=300 N/mm^3"), _ROLLERS),
+    Example("housing", "Elastic outer ring in its housing", "nu209.toml", "section",
+            (*_RING, "outer.support=housing", "outer.housing_thickness=8 mm", "outer.housing_width=24 mm",
+             "outer.housing_clearance=10 um"), _ROLLERS),
+    Example("planet-rim", "Rim of a planet gear with its tooth forces", "nu209.toml", "along-axis",
+            (*_RING, "outer.support=planet", *_PLANET), _ROLLERS),
+    Example("profile-crowned", "crowned", "nu209.toml", "profile",
+            ("bearing.roller.profile=crowned", *_CIRCLES, "bearing.roller.crown_radius=1 m")),
+    Example("profile-tangent-crowned", "tangent_crowned", "nu209.toml", "profile",
+            ("bearing.roller.profile=tangent_crowned", *_CIRCLES, "bearing.roller.crown_radius=600 mm")),
+    Example("profile-iso16281", "iso16281", "nu209.toml", "profile",
+            ("bearing.roller.profile=iso16281", "bearing.roller.drop=")),
+    Example("profile-lundberg", "lundberg", "nu209.toml", "profile",
+            ("bearing.roller.profile=lundberg", *_DESIGN)),
+    Example("profile-johns-gohar", "johns_gohar", "nu209.toml", "profile",
+            ("bearing.roller.profile=johns_gohar", *_DESIGN)),
+    Example("profile-fujiwara-kawase", "fujiwara_kawase", "nu209.toml", "profile",
+            ("bearing.roller.profile=fujiwara_kawase", *_DESIGN, "bearing.roller.load_factor=1.5",
+             "bearing.roller.crowned_share=0.6", "bearing.roller.end_drop=20 um")),
+    Example("profile-points", "points", "nu209.toml", "profile",
+            ("bearing.roller.profile=points", "bearing.roller.drop=",
+             'bearing.roller.point_positions=["0 mm", "3 mm", "4.8005 mm"]',
+             'bearing.roller.point_drops=["0 um", "1.5 um", "12 um"]')),
+    Example("four-point", "Ball of a four-point bearing", "joshi2015_qj309.toml", "section",
+            kind="four_point_ball"),
+    Example("four-point-axis", "Axes, azimuth, sense of rotation, load and moments", "slewing_bolted.toml",
+            "along-axis", kind="four_point_ball"),
+    Example("bolted-ring", "Ball of a four-point bearing between bolted rings",
+            "slewing_bolted.toml", "section", kind="four_point_ball"),
+    Example("angular-contact", "Ball of an angular-contact bearing with fits",
+            "catalogue/7208.toml", "section", kind="angular_contact_ball"),
+    Example("angular-contact-axis", "Axes, azimuth and sense of rotation", "harris218.toml", "along-axis",
+            kind="angular_contact_ball"),
+    Example("deep-groove", "Ball of a deep groove bearing under light thrust", "6209.toml", "section",
+            kind="deep_groove_ball"),
+)  # fmt: skip
+
+
+def drawn(example: Example, configs: Path) -> str:
+    """SVG of an example, by the cases in a folder."""
+    from flexbearing import api
+
+    sheets = api.drawings(api.read_case(configs / example.case, example.settings))
+    return next(sheet.svg for sheet in sheets if sheet.name == example.sheet)
+
+
+def pictures(kind: str) -> Iterator[str]:
+    """Lines of Markdown of the reference page with the examples of a kind."""
+    for example in EXAMPLES:
+        if example.kind == kind:
+            settings = ", ".join(f"`{setting}`" for setting in example.settings)
+            yield f"{example.text}: `configs/{example.case}`{' with ' if settings else ''}{settings}."
+            yield ""
+            yield f"![{example.text}](../images/drawings/{example.name}.svg)"
+            yield ""
+
+
+def main(configs: Path, folder: Path) -> None:
+    """Write all examples into a folder; other SVG files in it go."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for old in {file.stem for file in folder.glob("*.svg")} - {example.name for example in EXAMPLES}:
+        (folder / f"{old}.svg").unlink()
+    for example in EXAMPLES:
+        (folder / f"{example.name}.svg").write_text(drawn(example, configs), "utf-8")
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]), Path(sys.argv[2]))
