@@ -10,7 +10,7 @@ from pathlib import Path
 
 _ON_SHAFT = (
     "inner.kind=ring_on_shaft", "inner.bore=45 mm", "inner.thickness=6.5 mm", "inner.width=19 mm",
-    "inner.track_width=10 mm", "inner.shaft_thickness=8 mm", "inner.shaft_length=60 mm",
+    "inner.track_width=10 mm", "inner.shaft_thickness=8 mm", "inner.shaft_length=42 mm",
     "materials.shaft=structural steel", "inner.fit=frictionless", "inner.shoulder_diameter=52 mm",
     "inner.clamping=5 kN", "operation.tilt=free",
 )  # fmt: skip

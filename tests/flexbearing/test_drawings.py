@@ -55,6 +55,11 @@ CAGE = [
     "bearing.cage.unbalance=20 um", "bearing.cage.unbalance_azimuth=30 deg", "operation.outer_speed=-500 rpm",
     "operation.misalignment=2 arcmin",
 ]  # fmt: skip
+CLAMPED = [
+    "inner.kind=ring_on_shaft", "inner.bore=45 mm", "inner.thickness=6.5 mm", "inner.width=19 mm",
+    "inner.track_width=10 mm", "inner.shaft_length=42 mm", "materials.shaft=structural steel",
+    "inner.fit=friction", "inner.shoulder_diameter=52 mm", "inner.clamping=5 kN", "operation.tilt=free",
+]  # fmt: skip
 SHOULDERS = ["bearing.inner.shoulder=2 mm", "bearing.outer.shoulder=1.5 mm", "bearing.fits.shaft_bore=20 mm"]
 KINDS = {
     "squirrel cage": ("mao2016.toml", []),
@@ -71,6 +76,7 @@ KINDS = {
     "tangent crowned": ("nu209.toml", TANGENT),
     "three parameters": ("nu209.toml", FUJIWARA),
     "profiled raceways": ("nu209.toml", RACEWAYS),
+    "clamped": ("nu209.toml", CLAMPED),
     "free cage": ("nu209.toml", CAGE),
     "angular contact": ("catalogue/7208.toml", SHOULDERS),
     "deep groove": ("6209.toml", []),
@@ -196,7 +202,7 @@ def test_rollers_stand_at_their_azimuths():
 def test_a_profile_drops_by_its_formula_times_what_the_sheet_says():
     case, sheets = drawn("squirrel cage")
     svg, roller = sheets["profile"].svg, case.bearing.roller
-    assert {"scale 15 : 1   * assumed", "bearing.roller.drop = 1.75 µm *"} <= set(texts(svg))
+    assert {"scale 15 : 1; * assumed", "bearing.roller.drop = 1.75 µm *"} <= set(texts(svg))
     assert any(text.endswith("magnified 200 times.") for text in texts(svg))
     line = path(svg, "profile-bearing-roller")
     x, drop = (line[:, 0] - line[:, 0].mean()) / 15e3, (line[:, 1].max() - line[:, 1]) / 15e3 / 200

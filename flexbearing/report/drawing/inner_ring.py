@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from flexbearing.report.drawing.parts import INNER, RIGID_WALL, RIGID_WIDTH, SCHEMATIC, SHAFT
+from flexbearing.report.drawing.parts import INNER, LOAD, RIGID_WALL, RIGID_WIDTH, SCHEMATIC, SHAFT
 from flexbearing.report.drawing.sheet import Sheet
 
 
@@ -68,5 +68,17 @@ def _on_shaft(sheet: Sheet, case: Any, raceway: float) -> None:
     sheet.length("inner.shaft_length", -end, end, inside)
     sheet.label("inner.shoulder_diameter", (end, (inner.shoulder_diameter or 0) / 2), "Ø ")
     sheet.label("inner.fit", (side, bore))
+    if inner.fit == "friction":
+        sheet.label("inner.fit_friction", (side, bore))
+    _clamped(sheet, inner, (bore + rib) / 2)
     for path in ("shaft_interference", "shaft"):
         sheet.label(f"bearing.fits.{path}", (side, bore))
+
+
+def _clamped(sheet: Sheet, inner: Any, radius: float) -> None:
+    """Force of the nut that presses the ring on the shoulder; nothing without."""
+    if not inner.clamping:
+        return
+    tip = (-inner.width / 2, radius)
+    sheet.line([(-0.75 * inner.width, radius), tip], ec=LOAD, arrowstyle="-|>", lw=1.6)
+    sheet.label("inner.clamping", tip)

@@ -146,7 +146,7 @@ class Sheet:
     def _legend(self) -> str:
         """What the marks mean that labels of this sheet have."""
         texts = [text for text, *_ in (*self.beside, *self.radial, *self.axial)]
-        return "   ".join(
+        return ", ".join(
             f"{mark} {word}" for mark, word in MARKS.items() if any(text.endswith(mark) for text in texts)
         )
 
@@ -163,7 +163,7 @@ class Sheet:
         left = max(self._left_width(), MARGIN + max((each[0] for each in beyond), default=0.0))
         right = LEADER + MARGIN + max((width_of(text) for text, _ in self.beside), default=0.0)
         scaled = f"scale {_ratio(self.scale)}" if self.to_scale else "not to scale"
-        notes = [*self.notes, f"{scaled}   {self._legend}".rstrip()]
+        notes = [*self.notes, "; ".join(filter(None, (scaled, self._legend)))]
         right = max(right, MARGIN + max((each[1] for each in beyond), default=0.0))
         wide = max(left + size[0] + right, MARGIN + max(map(width_of, notes)))
         above, under = self._overhang(scale, low[1], size[1])
