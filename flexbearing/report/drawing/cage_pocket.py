@@ -84,9 +84,8 @@ def _land(sheet: Sheet, bearing: Any, half: float, raceways: tuple[float, float]
         return
     land = cage.land_diameter / 2
     rib = (land, outer) if cage.guidance == "outer" else (inner, land)
-    sheet.area(
-        _band(*sorted(rib), half), "rib", fc=OUTER if cage.guidance == "outer" else INNER, lw=0, alpha=0.5
-    )
+    colour = OUTER if cage.guidance == "outer" else INNER
+    sheet.area(_band(rib[0], rib[1], half), "rib", fc=colour, lw=0, alpha=0.5)
     arc = np.array([place(land, angle) for angle in np.linspace(-half, half, 61)])
     sheet.line(arc, "guiding-land", ec=GUIDING, lw=1.4)
 
