@@ -30,6 +30,36 @@ class Catalogue:
     require_load: Callable[[Any], None]  # raises `BadCase` where a catalogue knows no life
     ratings: Callable[[Any, float], dict[str, Any]]  # of a case; and the hours of a million revolutions
 
+    def acting(self, case: Any, read: Callable[[Sequence[str]], Any]) -> list[Influence]:
+        """Influences that a case has anything of, with the settings that change it.
+
+        Parameters
+        ----------
+        case : Head
+            as it was read
+        read : callable
+            the same case with further settings
+
+        Returns
+        -------
+        list of Influence
+            in the order in which they enter
+
+        Raises
+        ------
+        BadCase
+            where the case without them is none
+        """
+        influences = self.influences(case)
+        bare = read(_written(*(influence.out for influence in influences))).to_json()
+        full = case.to_json()
+        changing = [
+            {key: value for key, value in influence.out.items() if _at(full, key) != _at(bare, key)}
+            for influence in influences
+        ]
+        pairs = zip(influences, changing, strict=True)
+        return [replace(influence, out=out) for influence, out in pairs if out]
+
 
 @dataclass(frozen=True)
 class Stage:
@@ -86,7 +116,7 @@ def against_catalogue(
     if case.life.loads == SUMS:
         raise BadCase('[life] loads = "rating": this is the life of a catalogue already; leave it out.')
     stages: list[Stage] = []
-    for each, settings, left_out in _way(catalogue.rating, acting(case, catalogue, read)):
+    for each, settings, left_out in _way(catalogue.rating, catalogue.acting(case, read)):
         found = _lived(solved(_alone(read(settings))), each.name)
         factor = found / stages[-1].life if stages else None
         stages.append(Stage(each.name, each.meaning, settings, left_out, found, factor))
@@ -101,39 +131,6 @@ def against_catalogue(
 def _alone(case: Any) -> Any:
     """The case without outputs that a comparison of lives does not need, such as a comparison of its own."""
     return case.model_copy(update={"outputs": type(case.outputs)()})
-
-
-def acting(case: Any, catalogue: Catalogue, read: Callable[[Sequence[str]], Any]) -> list[Influence]:
-    """Influences that a case has anything of, with the settings that change it.
-
-    Parameters
-    ----------
-    case : Head
-        as it was read
-    catalogue : Catalogue
-        of its family
-    read : callable
-        the same case with further settings
-
-    Returns
-    -------
-    list of Influence
-        in the order in which they enter
-
-    Raises
-    ------
-    BadCase
-        where the case without them is none
-    """
-    influences = catalogue.influences(case)
-    bare = read(_written(*(influence.out for influence in influences))).to_json()
-    full = case.to_json()
-    changing = [
-        {key: value for key, value in influence.out.items() if _at(full, key) != _at(bare, key)}
-        for influence in influences
-    ]
-    pairs = zip(influences, changing, strict=True)
-    return [replace(influence, out=out) for influence, out in pairs if out]
 
 
 def _at(table: Any, key: str) -> Any:

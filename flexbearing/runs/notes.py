@@ -7,6 +7,7 @@ import numpy as np
 
 from flexbearing.build import clearance, ring_parts
 from flexbearing.build.lubrication import oil, oil_name
+from flexbearing.case import cage_room
 from flexbearing.case.roller import Case
 from flexbearing.coupled.states import EndState
 from flexbearing.runs import dangers
@@ -30,7 +31,26 @@ def of_case(case: Case) -> tuple[Note, ...]:
             ),
             outside("traction-data", f"traction: the 4109 regression is used with {oil_name(case)}"),
         )
-    return notes + _teeth(case) + _turning_waves(case) + clearance.notes(case) + ring_parts.notes(case)
+    return (
+        notes
+        + _overlap(case)
+        + _teeth(case)
+        + _turning_waves(case)
+        + clearance.notes(case)
+        + ring_parts.notes(case)
+    )
+
+
+def _overlap(case: Case) -> tuple[Note, ...]:
+    """Say so when the cage has no room between the rings."""
+    told = cage_room.overlap(case)
+    if not told:
+        return ()
+    words = (
+        f"dimensions overlap: {told}: such a bearing cannot be built, one of them is wrong; loads and life "
+        "do not depend on it, drag and friction of the cage do"
+    )
+    return (outside("overlapping-dimensions", words),)
 
 
 def _turning_waves(case: Case) -> tuple[Note, ...]:

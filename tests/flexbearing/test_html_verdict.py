@@ -8,12 +8,15 @@ import pytest
 from pytest import approx
 
 from flexbearing import api
+from flexbearing.case import cage_room
 from flexbearing.report import text
-from flexbearing.report.html import METRIC, verdict
+from flexbearing.report.html import METRIC, life as life_section, verdict
 from flexbearing.report.html.against_limits import NOT_CHECKED, ranked
 from flexbearing.report.html.document import Number
 from flexbearing.report.html.lives import COMPARED, lives
 from flexbearing.report.html.reader import Reader
+from flexbearing.report.html.simplifications import simplifications
+from flexbearing.runs.notes import of_case
 from tests.flexbearing.hostile_cases import CONFIGS
 from tests.flexbearing.html_pages import Numbers, require_equal
 
@@ -30,6 +33,7 @@ CASES = {
     "ball": ("6209.toml", ()),
     "four-point": ("joshi2015_qj309.toml", ()),
     "heavy": ("nu209.toml", ("operation.radial_load=30 kN",)),
+    "open seat": ("nu209_fits.toml", ("bearing.fits.housing=",)),
     "light": ("nu209.toml", ("operation.radial_load=500 N",)),
 }
 
@@ -199,3 +203,56 @@ def test_the_terminal_shows_the_reference_life(readers):
     basic = readers("oil").attributes["life"]["rigid"]["basic_Mrev"]
     assert shown == approx(basic * factors["capacity"] * factors["edge stress"], abs=0.0051)
     assert "reference life" not in text(readers("plain").result)
+
+
+def test_a_cage_within_the_ribs_is_exceeded_and_noted(readers):
+    paper = CONFIGS / "mao2016.toml"
+    case = api.read_case(paper)
+    assert cage_room.overlap(case) == "cage inside Ø 69.2 mm, inner ribs Ø 69.6 mm"
+    (note,) = [each for each in of_case(case) if each.code == "overlapping-dimensions"]
+    assert (note.grade, "cannot be built" in note.text) == ("outside validity", True)
+    for free in ("bearing.cage.thickness=2.2 mm", "inner.track_width=9 mm", "inner.kind=rigid"):
+        assert cage_room.overlap(api.read_case(paper, [free])) == ""
+    result = readers("plain").result
+    noted = replace(result, attributes={**result.attributes, "notes": [note.record()]})
+    assert ranked(Reader(result, METRIC))[0].what != "Dimensions of the cage"
+    assert {check.what: check.verdict for check in ranked(Reader(noted, METRIC))}[
+        "Dimensions of the cage"
+    ] == "EXCEEDED: see the note"
+    assert "Exceeded: Dimensions of the cage." in words(Reader(noted, METRIC))
+
+
+@pytest.mark.parametrize(
+    ("name", "told", "not_told"),
+    [
+        ("plain", "Both rings are rigid", "Flexible parts"),
+        ("plain", "The clearance is the one given", "housing fit"),
+        ("film", "No axial load", "isothermal"),
+        ("film", "The life is that of rolling contact fatigue", "The clearance is the one given"),
+        ("ball", "The cage is left out", "slices"),
+        ("four-point", "No oil film is computed", "The life is that of rolling contact fatigue"),
+        ("open seat", "The housing fit is left open", "The shaft fit is left open"),
+    ],
+)
+def test_what_the_model_leaves_out_is_told_for_the_case(readers, name, told, not_told):
+    said = " ".join(simplifications(readers(name)))
+    assert told in said
+    assert not_told not in said
+
+
+def test_without_a_stored_comparison_the_page_says_why_the_life_is_not_the_catalogue_s(readers):
+    (table,) = [
+        block
+        for block in life_section.blocks(readers("plain"))
+        if getattr(block, "caption", "").startswith("Why")
+    ]
+    names = [row[0] for row in table.rows]
+    assert names[0] == "ISO 281: (C_r/P)^(10/3)"
+    assert "operating clearance" in names
+    assert "flexible rings" not in names
+    assert "outputs.catalogue_life = true" in table.note
+    assert all(row[1].endswith(".") for row in table.rows)
+    assert not any(
+        getattr(block, "caption", "").startswith("Why")
+        for block in life_section.blocks(readers("four-point"))
+    )

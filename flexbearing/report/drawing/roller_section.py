@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from flexbearing.case.cage_room import cage_radii, overlap
 from flexbearing.report.drawing.inner_ring import inner_ring
 from flexbearing.report.drawing.outer_ring import outer_ring
 from flexbearing.report.drawing.parts import CAGE, ELEMENT, SCHEMATIC
@@ -53,22 +54,16 @@ def _cage(sheet: Sheet, case: Any) -> None:
     """Sides of the cage, thickness to scale, between the rollers' ends and the edge of the raceways."""
     bearing: Any = case.bearing
     cage: Any = bearing.cage
-    half, pitch = bearing.roller.length / 2, (bearing.outer_raceway_diameter - bearing.roller.diameter) / 2
-    low, high = pitch - cage.thickness / 2, pitch + cage.thickness / 2
+    half, (low, high) = bearing.roller.length / 2, cage_radii(case)
     reach = 0.25 * bearing.roller.length
-    if cage.guidance == "outer":
-        high = (cage.land_diameter - cage.land_clearance) / 2
-        low = high - cage.thickness
-    elif cage.guidance == "inner":
-        low = (cage.land_diameter + cage.land_clearance) / 2
-        high = low + cage.thickness
     if cage.land_width:
         reach = max(reach, cage.land_width / 2)
     if cage.thickness:
         for side in (-1, 1):
             sheet.rectangle((side * half, side * (half + reach)), (low, high), **SCHEMATIC, fc=CAGE)
         sheet.height("bearing.cage.thickness", low, high, -half - reach)
-        _tell_overlap(sheet, case, low, half + reach)
+        if told := overlap(case):
+            sheet.notes.append(f"Dimensions overlap: {told}.")
     if cage.land_diameter is not None:
         land = cage.land_diameter / 2
         for side in (-1, 1):
@@ -84,18 +79,6 @@ def _cage(sheet: Sheet, case: Any) -> None:
         sheet.label("bearing.cage.land_clearance", (end, high if cage.guidance == "outer" else low))
         sheet.label("bearing.cage.land_width", (half + cage.land_width / 4, land), "2 sides, sum ")
     sheet.label("bearing.cage.guidance", (half + 0.7 * reach, (low + high) / 2))
-
-
-def _tell_overlap(sheet: Sheet, case: Any, inside: float, end: float) -> None:
-    """Note that a cage with an inside radius and an end lies within the ribs of the inner ring [m]."""
-    ring = case.inner
-    if ring.kind == "rigid" or not ring.ribbed:
-        return
-    rib = ring.bore / 2 + ring.thickness
-    if inside < rib and end > ring.track_width / 2:
-        sheet.notes.append(
-            f"Dimensions overlap: cage inside Ø {2e3 * inside:.6g} mm, inner ribs Ø {2e3 * rib:.6g} mm."
-        )
 
 
 def _flanges(sheet: Sheet, case: Any, inner: float) -> None:

@@ -15,8 +15,8 @@ _OWN = (
     "computed here; that of a catalogue holds at P of the ratings."
 )
 _HOW = (
-    "The way from the catalogue's life (ISO 281) to this one, factor by factor, needs some more solutions of "
-    "the case: `flexbearing life CASE.toml` computes and prints it."
+    "How much each of them changes the life needs some more solutions of the case: `flexbearing life "
+    "CASE.toml` computes and prints the factors, outputs.catalogue_life = true stores them for this page."
 )
 
 
@@ -35,8 +35,8 @@ def blocks(reader: Reader) -> Iterator[Block]:
     catalogue = reader.attributes.get("catalogue_life")
     if catalogue:
         yield from _catalogue(reader, catalogue)
-    else:
-        yield Words((_HOW,))
+    elif not isinstance(rated, str):
+        yield from _left_out(reader)
 
 
 def _of_raceways(reader: Reader) -> Iterator[Table]:
@@ -80,6 +80,18 @@ def _factors(reader: Reader) -> Iterator[Table]:
     yield Table(
         "Modified life, factor by factor", ("step", "value", "note"), tuple(rows), _OWN if own else ""
     )
+
+
+def _left_out(reader: Reader) -> Iterator[Block]:
+    """What the catalogue's life leaves out of the case, without its size."""
+    known: Any = reader.result.family.catalogue()
+    try:
+        influences = (*known.rating, *known.acting(reader.case, reader.case_with))
+    except ValueError as problem:  # the case without an influence is none
+        yield Words((f"{_HOW} What lies between cannot be told: {problem}",))
+        return
+    rows = tuple((influence.name, influence.meaning) for influence in influences)
+    yield Table("Why the life is not that of the catalogue", ("influence", "why"), rows, _HOW)
 
 
 def _catalogue(reader: Reader, found: dict[str, Any]) -> Iterator[Block]:

@@ -1,6 +1,6 @@
 """Numbers of a result in the units of a report, each with its place in the file."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -59,9 +59,15 @@ class Reader:
     @cached_property
     def case(self) -> Any:
         """Its case, read again; raises `BadCase` where this program refuses it."""
+        return self.case_with(())
+
+    def case_with(self, settings: Sequence[str]) -> Any:
+        """Its case with further settings, "key=value"; raises `BadCase` where that is none."""
         family, about = self.result.family, self.result.attributes
         file = Path(about.get("case_file") or self.result.place)
-        return understood(about["case_text"], file, about["case_overrides"], {family.kind: family})
+        return understood(
+            about["case_text"], file, [*about["case_overrides"], *settings], {family.kind: family}
+        )
 
     @property
     def state(self) -> str:

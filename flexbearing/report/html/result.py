@@ -18,6 +18,7 @@ from flexbearing.report.html import (
 from flexbearing.report.html.document import Block, Document, Items, Section, Table, Words
 from flexbearing.report.html.figures import bars, convergence
 from flexbearing.report.html.reader import Reader
+from flexbearing.report.html.simplifications import simplifications
 from flexbearing.report.html.units import METRIC, Units, printed, with_unit
 from flexbearing.results import Result
 
@@ -127,3 +128,4 @@ def _limits(reader: Reader) -> Iterator[Block]:
             yield Items(grade.capitalize(), notes, "danger" if grade == GRADES[0] else "")
     if not reader.attributes["notes"]:
         yield Words(("No law was used outside the range of its source, as far as the program checks.",))
+    yield Items("What the model leaves out in this case", simplifications(reader))
