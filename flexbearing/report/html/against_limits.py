@@ -282,10 +282,8 @@ def _life(reader: Reader) -> Iterator[Check]:
 
 
 def _slip(reader: Reader) -> Iterator[Check]:
-    number = reader.summary[reader.last].get("cage_slip_percent")
-    if number is not None:
-        value = reader.units.number(number, "%", "%", ",.2f", f"summary/{reader.last}/cage_slip_percent")
-        yield Check("Cage slip", value, verdict=f"{NOT_CHECKED}: {_SLIP}")
+    for entry in (entry for entry in reader.layout.summary if entry.of == ("cage_slip",)):
+        yield Check("Cage slip", reader.declared(entry, reader.last), verdict=f"{NOT_CHECKED}: {_SLIP}")
 
 
 def _heat(reader: Reader) -> Iterator[Check]:

@@ -84,7 +84,9 @@ def _factors(reader: Reader) -> Iterator[Table]:
 
 def _left_out(reader: Reader) -> Iterator[Block]:
     """What the catalogue's life leaves out of the case, without its size."""
-    known: Any = reader.result.family.catalogue()
+    family = reader.result.family
+    assert family.catalogue is not None  # there are ratings
+    known: Any = family.catalogue()
     try:
         influences = (*known.rating, *known.acting(reader.case, reader.case_with))
     except ValueError as problem:  # the case without an influence is none
