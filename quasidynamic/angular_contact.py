@@ -131,6 +131,7 @@ class AngularContactBallBearing:
                     spin=self.spin,
                     sliding_heat=None if heat is None else heat[case],
                     sticking=self.sticking is not None,
+                    imbalance=float(solution.imbalance[case]),
                 )
             )
         return states

@@ -26,6 +26,11 @@ class Case(Protocol):
         ...
 
     @property
+    def operation(self) -> Any:
+        """Loads, speeds and temperatures."""
+        ...
+
+    @property
     def bands(self) -> dict[str, Band]:
         """Key of each class of clearance and fits, to what it allows [m]."""
         ...
@@ -139,10 +144,15 @@ def notes(case: Case) -> tuple[Note, ...]:
     )
 
 
+def _state(case: Case) -> str:
+    """Of what bearing the computed clearance is: without temperatures not of a warm one."""
+    return "in operation" if case.operation.temperatures else "mounted and turning, all parts equally warm"
+
+
 def _tolerance_note(case: Case, clearance: float) -> Note:
     loosest, tightest = _at_end(case, "loosest"), _at_end(case, "tightest")
     words = (
-        f"clearance: the tolerances of the fits leave {tightest * 1e6:.1f} to {loosest * 1e6:.1f} um in "
-        f'operation; computed with {clearance * 1e6:.1f} um, bearing.fits.at = "{case.place}"'
+        f"clearance: the tolerances of the fits leave {tightest * 1e6:.1f} to {loosest * 1e6:.1f} um "
+        f'{_state(case)}; computed with {clearance * 1e6:.1f} um, bearing.fits.at = "{case.place}"'
     )
     return information("fit-tolerances", words + (", and preload at the tight end" if tightest < 0 else ""))

@@ -11,3 +11,8 @@ class ContactOutputs(Section):
         "raceway are stored, as a field in the plane of rolling with the largest value and its depth",
         False,
     )
+    assumed_effects: bool = key(
+        "whether the lives and main outputs with other values of every assumed or calibrated key, and at the "
+        "ends of the tolerance classes, are stored: some two further solutions for each key",
+        False,
+    )

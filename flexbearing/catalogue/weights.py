@@ -42,7 +42,8 @@ def weighed(lines: Sequence[Line], name: str, basis: float, measured: Measured) 
 def told(name: str, comparable: Settings) -> str:
     """What the comments mean; lives are compared with settings, where there are some."""
     by = f"; computed with {', '.join(as_settings(comparable))}" if comparable else ""
-    return f'"{name} 1.2 times" tells the {name} with another value over that of this case{by}.'
+    of = f"modified {name}" if name == "life" else name
+    return f'"{name} 1.2 times" tells the {of} with another value over that of this case{by}.'
 
 
 def _effects(line: Line, basis: float, measured: Measured) -> str:

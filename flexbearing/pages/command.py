@@ -10,7 +10,9 @@ import typer
 def report(
     source: Annotated[
         Path,
-        typer.Argument(help="result file (HDF5), table of a study (CSV) or its folder", metavar="OUT.h5"),
+        typer.Argument(
+            help="result file (HDF5), table of a study (CSV, Parquet) or its folder", metavar="OUT.h5"
+        ),
     ],
     against: Annotated[
         Path | None, typer.Option("--against", metavar="OTHER.h5", help="result to compare with")

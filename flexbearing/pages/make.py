@@ -12,10 +12,11 @@ from flexbearing.pages.chromium import chromium, pdf_bytes
 from flexbearing.pages.study_table import table_file
 from flexbearing.report.html import SYSTEMS, Units, html, of_result, of_study
 from flexbearing.report.html.document import Document
-from flexbearing.report.html.table import read_table
+from flexbearing.report.html.table import PARQUET, read_table
 from flexbearing.results import Result
 
-TABLE = ".csv"  # of a study
+TABLES = (".csv", PARQUET)  # of a study
+ARRAYS = ".nc"  # of a study: the same numbers over its axes, which are no table
 
 
 def report(
@@ -31,7 +32,7 @@ def report(
     Parameters
     ----------
     source : path
-        result file, the table of a study (CSV), or a folder with one such table
+        result file, the table of a study (CSV or Parquet), or a folder with one such table
     output : path, optional
         where to; else beside the source, NAME_report.html
     against : path, optional
@@ -61,7 +62,12 @@ def report(
         raise BadCase(f"--units {units}: it is {' or '.join(SYSTEMS)}")
     browser = chromium() if pdf else ""
     place = Path(source)
-    of_table = place.is_dir() or place.suffix == TABLE
+    if place.suffix == ARRAYS:
+        raise BadCase(
+            f"{place}: holds the arrays of a study, not its rows; name the table beside it: "
+            f"{place.with_suffix(TABLES[0]).name}"
+        )
+    of_table = place.is_dir() or place.suffix in TABLES
     if of_table and against is not None:
         raise BadCase(f"--against {against}: {source} is a study; only results are compared")
     place = table_file(place) if of_table else place
@@ -103,7 +109,7 @@ def _spare_case(result: Result, outputs: Iterable[Path | None]) -> None:
 
 def _of_study(place: Path, units: Units) -> Document:
     """Report of a table, with that of the lives under its duty cycle where there is one."""
-    cycles = place.with_name(f"{place.stem}_duty{TABLE}")
+    cycles = place.with_name(f"{place.stem}_duty{place.suffix}")
     return of_study(
         read_table(place, FAMILIES), read_table(cycles, FAMILIES) if cycles.is_file() else None, units
     )

@@ -281,7 +281,8 @@ QUANTITIES = (
 LAYOUT = Layout(
     conventions="""\
 Directions: x axial, towards the side to which the inner ring pushes the balls, z along the load; azimuth from
-z towards y, which is the way a positive speed turns.
+z towards y, which is the way a positive speed turns: left-handed about +x. Rotations about y and z are
+right-handed.
 """,
     axes=(
         Axis("Z", "ball", coordinate="ball_azimuth"),

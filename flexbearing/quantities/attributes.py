@@ -3,7 +3,17 @@
 from dataclasses import dataclass
 from typing import Literal
 
-from flexbearing.quantities.forms import COUNT, TEXT, Anything, Each, Form, ListOf, OneOf, Record
+from flexbearing.quantities.forms import (
+    COUNT,
+    NUMBER,
+    TEXT,
+    Anything,
+    Each,
+    Form,
+    ListOf,
+    OneOf,
+    Record,
+)  # fmt: skip
 
 FORMAT = 10
 OLDER = {  # what the files of an older format are
@@ -23,6 +33,31 @@ Kind = Literal["text", "texts", "integer", "number", "json", "records"]
 OBJECT = Each("name", Anything())
 GRADES = ("danger", "outside validity", "information")  # of notes, gravest first
 NOTES = ListOf(Record({"grade": OneOf(GRADES), "code": TEXT, "text": TEXT}))
+
+
+EFFECTS = Record(
+    {
+        "of": Each("output", NUMBER),
+        "keys": ListOf(
+            Record(
+                {
+                    "key": TEXT,
+                    "source": TEXT,
+                    "others": ListOf(
+                        Record(
+                            {
+                                "words": TEXT,
+                                "settings": ListOf(TEXT),
+                                "values": Each("output", NUMBER),
+                                "problem": TEXT,
+                            }
+                        )
+                    ),
+                }
+            )
+        ),
+    }
+)
 
 
 @dataclass(frozen=True)
@@ -64,11 +99,23 @@ COMMON = (
     Attribute(
         "machine",
         "json",
-        "where the run was computed: name of the host, kind of its processor, cores the run could use",
+        "where the run was computed: name of the host, kind of its processor, cores the run could use, "
+        "operating system, and the revision of the program's source where it is run from a repository",
         optional=True,
-        form=Record({"host": TEXT, "processor": TEXT, "cores": COUNT}),
+        form=Record(
+            {"host": TEXT, "processor": TEXT, "cores": COUNT}, optional={"system": TEXT, "revision": TEXT}
+        ),
     ),
     Attribute("assumed", "texts", "keys whose values are assumed, not known"),
+    Attribute(
+        "assumed_effects",
+        "json",
+        "lives and main outputs of the last end state, in the units of the summary, and with other values "
+        "of assumed or calibrated keys, each with the settings that give it and the source of its range; "
+        "absent without outputs.assumed_effects",
+        optional=True,
+        form=EFFECTS,
+    ),
     Attribute("calibrated", "json", "keys whose values were fitted, each to what", form=Each("key", TEXT)),
     Attribute(
         "notes", "records", "what a reader must know besides the numbers, the gravest first", form=NOTES
@@ -84,5 +131,6 @@ HEAD = (  # root attributes that the summary of every family repeats
     "message",
     "assumed",
     "calibrated",
+    "assumed_effects",
     "notes",
 )

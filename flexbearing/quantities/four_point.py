@@ -218,8 +218,8 @@ QUANTITIES = (
 
 LAYOUT = Layout(
     conventions="""\
-Directions: x axial, z along the load, azimuth from z towards y. There are one or two diagonals; the first
-leans outwards to positive x.
+Directions: x axial, z along the load, azimuth from z towards y, left-handed about +x; rotations about y
+and z are right-handed. There are one or two diagonals; the first leans outwards to positive x.
 Torques are what must be put in so that the inner ring runs ahead: positive there, negative at the outer ring.
 """,
     axes=(

@@ -556,8 +556,9 @@ _ATTRIBUTES = (
 
 LAYOUT = Layout(
     conventions="""\
-Directions: x axial, z along the load unless `operation.load_direction` turns the load; azimuth from z
-towards y, which is the way a positive speed turns.
+Directions: x axial, z along the load unless operation.load_direction turns the load; azimuth from z
+towards y, which is the way a positive speed turns: left-handed about +x. Rotations about y and z are
+right-handed.
 """,
     axes=(
         Axis("Z", "roller", coordinate="roller_azimuth"),

@@ -2,11 +2,13 @@
 
 import json
 import math
+import subprocess
 from collections.abc import Callable, Mapping, Sequence
 from datetime import UTC, datetime
 from functools import lru_cache
-from importlib.metadata import PackageNotFoundError, version
-from platform import machine, node, python_version
+from importlib.metadata import PackageNotFoundError, distribution, version
+from pathlib import Path
+from platform import machine, node, platform, python_version
 from typing import Any
 
 import numpy as np
@@ -32,7 +34,7 @@ def stamp() -> dict[str, Any]:
     return {
         "format": FORMAT,
         "created": datetime.now(UTC).isoformat(timespec="seconds"),
-        "machine": {"host": printable(node()), "processor": machine(), "cores": cores()},
+        "machine": {"host": printable(node()), "processor": machine(), "cores": cores(), **_origin()},
         "versions": {"python": python_version(), **{name: _version(name) for name in packages}},
     }
 
@@ -43,6 +45,31 @@ def _version(package: str) -> str:
         return version(package)
     except PackageNotFoundError:
         return "not installed"
+
+
+@lru_cache
+def _origin() -> dict[str, str]:
+    """Operating system, and the revision of the program's source where one is known."""
+    revision = _revision()
+    return {"system": printable(platform(terse=True)), **({"revision": revision} if revision else {})}
+
+
+def _revision() -> str:
+    """Commit that the program was installed from, or that its repository has checked out; else empty."""
+    try:
+        installed = json.loads(distribution("flexbearing").read_text("direct_url.json") or "{}")
+    except PackageNotFoundError:
+        installed = {}
+    if commit := installed.get("vcs_info", {}).get("commit_id"):
+        return str(commit)
+    source = Path(__file__).parents[2]
+    if not (source / ".git").exists():
+        return ""
+    command = ["git", "-C", str(source), "describe", "--always", "--dirty", "--abbrev=12", "--exclude=*"]
+    try:
+        return subprocess.run(command, capture_output=True, text=True, timeout=5, check=True).stdout.strip()
+    except (OSError, subprocess.SubprocessError):  # no git, or a repository of somebody else
+        return ""
 
 
 def checked(entry: Attribute, value: Any) -> Any:

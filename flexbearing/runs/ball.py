@@ -70,7 +70,10 @@ def solve_angular(case: FastCase, record: Recorder, report: Report) -> dict[str,
         return _not_solved(failure)
     except (ImpossiblePart, OutOfRange) as problem:
         raise BadCase(f"{case.source.path}: {problem}") from problem
-    message = f"ring and balls in balance after {solution.state.evaluations} evaluations of all balls"
+    message = (
+        f"ring and balls in balance to {solution.state.imbalance:.1e} of the largest force after "
+        f"{solution.state.evaluations} evaluations of all balls"
+    )
     record.block("rigid", angular_contact.block(case, solution))
     ending = _converged(message, angular_contact.notes(case, solution))
     life = solution.lives and solution.lives.of_state

@@ -155,7 +155,9 @@ def _all_rigid(resolved: Resolved, rigid: Equilibrium, postprocessing: Postproce
     """The end of a case without a flexible part."""
     postprocessing.repeat_rigid()
     postprocessing.notes.extend(resolved.notes(rigid))
-    ending = _ending("converged", "every part is rigid: nothing to iterate", 0)
+    force, moment = rigid.unbalanced
+    words = f"ring, rollers and cage in balance to {force:.1e} N and {moment:.1e} N m"
+    ending = _ending("converged", f"every part is rigid; {words}", 0)
     return ending | {"ending": str(rigid.status)}
 
 

@@ -11,6 +11,7 @@ from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
 from flexbearing.case import BadCase, Head
+from flexbearing.case.contact_outputs import ContactOutputs
 from flexbearing.case.family import Family
 from flexbearing.case.outputs import LifeOutputs
 from flexbearing.files import BadOutput
@@ -75,6 +76,8 @@ def run_case(
             ending = solve(case, record, report or Logged())
             if _comparing_lives(case) and ending["status"] == "converged":
                 ending |= _lives_compared(case, family, report or Logged(), ending["notes"])
+            if _weighing(case) and ending["status"] == "converged":
+                ending |= _inputs_weighed(case, family, report or Logged(), ending["notes"])
             return record.finish(**ending, wall_time_s=perf_counter() - began)
 
 
@@ -97,22 +100,48 @@ def _comparing_lives(case: Head) -> bool:
 
 def _lives_compared(case: Head, family: Family, report: Report, notes: list[Any]) -> dict[str, Any]:
     """The attribute `catalogue_life`, or a further note that says why there is none."""
-    from flexbearing.case import understood
     from flexbearing.runs.catalogue_life import against_catalogue
     from quasidynamic.note import information
+
+    assert family.catalogue is not None  # of a case that has this output
+    report.stage("lives against those of a catalogue", None)
+    try:
+        compared = against_catalogue(
+            case, family.catalogue(), _reader(case, family), lambda each: run_case(each, family)
+        )
+    except BadCase as problem:
+        why = information("no-catalogue-life", f"no life of a catalogue to compare with: {problem}")
+        return {"notes": [*notes, why.record()]}
+    return {"catalogue_life": compared}
+
+
+def _weighing(case: Head) -> bool:
+    outputs = getattr(case, "outputs", None)
+    return isinstance(outputs, ContactOutputs) and outputs.assumed_effects
+
+
+def _inputs_weighed(case: Head, family: Family, report: Report, notes: list[Any]) -> dict[str, Any]:
+    """The attribute `assumed_effects`, or a further note that says why there is none."""
+    from flexbearing.runs.assumed_effects import assumed_effects
+    from quasidynamic.note import information
+
+    try:
+        found = assumed_effects(case, _reader(case, family), lambda each: run_case(each, family), report)
+    except BadCase as problem:
+        why = information("no-assumed-effects", f"how much assumed inputs matter is not known: {problem}")
+        return {"notes": [*notes, why.record()]}
+    return {"assumed_effects": found}
+
+
+def _reader(case: Head, family: Family) -> Callable[[Sequence[str]], Head]:
+    """Read the same case with further settings."""
+    from flexbearing.case import understood
 
     def read(further: Sequence[str]) -> Head:
         settings = [*case.source.overrides, *further]
         return understood(case.source.text, Path(case.source.path), settings, {family.kind: family})
 
-    assert family.catalogue is not None  # of a case that has this output
-    report.stage("lives against those of a catalogue", None)
-    try:
-        compared = against_catalogue(case, family.catalogue(), read, lambda each: run_case(each, family))
-    except BadCase as problem:
-        why = information("no-catalogue-life", f"no life of a catalogue to compare with: {problem}")
-        return {"notes": [*notes, why.record()]}
-    return {"catalogue_life": compared}
+    return read
 
 
 def default_output(case: Head) -> Path:

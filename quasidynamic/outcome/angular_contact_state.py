@@ -52,6 +52,7 @@ class AngularContactState:
     spin: Spin = "centre"  # that makes slip across in contacts, see `strip_slip`
     sliding_heat: NDArray | None = None  # (Z) [W] of both contacts, where friction decides what balls do
     sticking: bool = False  # whether these contacts stick and slip as by FASTSIM
+    imbalance: float = 0.0  # [-] largest unbalanced force over the largest force
 
     @cached_property
     def friction_heat(self) -> NDArray | None:

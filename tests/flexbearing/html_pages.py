@@ -67,6 +67,9 @@ class Numbers:
                 return float(self.result[rest].number)
             except AbsentOutput:
                 return None
+        if kind == "ratio":
+            value, base = (self(each) for each in rest.split(":"))
+            return value / base
         if kind == "change":
             before, after = (self(each) for each in rest.split(":"))
             return 100 * (after - before) / abs(before)

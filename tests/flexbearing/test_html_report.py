@@ -1,5 +1,6 @@
 """Reports as HTML: every number is that of the file, nothing is loaded from elsewhere."""
 
+import re
 import subprocess
 import sys
 from dataclasses import replace
@@ -101,8 +102,7 @@ def test_a_report_is_one_file_of_at_most_five_megabytes_that_loads_nothing(resul
     assert [given for _, given in page.tags if "src" in given] == []
     assert {given["href"][0] for _, given in page.tags if "href" in given} == {"#"}
     assert ("body", {"data-ready": "0"}) in page.tags
-    drawn = ("g", "path", "clippath")  # of drawings, where a part may stand on both sides
-    identifiers = [given["id"] for tag, given in page.tags if "id" in given and tag not in drawn]
+    identifiers = [given["id"] for _, given in page.tags if "id" in given]
     assert len(identifiers) == len(set(identifiers))
 
 
@@ -312,6 +312,80 @@ def test_a_figure_of_equal_values_is_left_out_and_a_line_says_so(results):
     assert "around-roller-tilt" not in {figure.name for figure in document.figures}
     told = [words for block in section.blocks if block.kind == "words" for words in block.paragraphs]
     assert "Not drawn: tilt of the rollers [mrad] is 0 everywhere." in told
+
+
+def test_lines_that_cannot_be_told_apart_are_drawn_once_and_the_caption_says_so(results):
+    result = api.read(results("roller with fits"))
+    near = {
+        **result.rigid,
+        "outer_load": result.rigid["inner_load"] + 0.004 * result.rigid["inner_load"].max(),
+    }
+    figures = {each.name: each for each in of_result(replace(result, rigid=near, flexible=near)).figures}
+    (line,) = figures["around-inner-load"].traces
+    assert line["name"] == "inner and outer load"
+    assert "Inner and outer load differ by at most" in figures["around-inner-load"].caption
+    apart = {**near, "outer_load": 1.02 * near["inner_load"] + 50}
+    figures = {each.name: each for each in of_result(replace(result, rigid=apart, flexible=apart)).figures}
+    assert len(figures["around-inner-load"].traces) == 2
+
+
+def test_load_per_length_is_drawn_of_both_raceways_only_where_they_differ(results):
+    result = api.read(results("beams of a squirrel cage"))
+    names = {figure.name for figure in of_result(result).figures}
+    assert {"map-inner-slice-load", "map-outer-slice-load"} <= names
+    same = {**result.flexible, "outer_slice_load": 1.001 * result.flexible["inner_slice_load"]}
+    document = of_result(replace(result, flexible=same))
+    assert "map-outer-slice-load" not in {figure.name for figure in document.figures}
+    assert "Not drawn: load per length of the outer contacts; it differs by at most" in html(document)
+
+
+def test_the_radial_load_on_balls_is_marked_at_its_azimuth():
+    result = api.run(CONFIGS / "6209.toml", {"operation.load.radial_y": "8.9 kN"})
+    figures = {each.name: each for each in of_result(result).figures}
+    assert figures["around-contact-load"].layout["shapes"][0]["x0"] == approx(45, rel=1e-9)
+    axial = api.run(CONFIGS / "harris218.toml")
+    assert not any("shapes" in figure.layout for figure in of_result(axial).figures)
+
+
+@pytest.mark.parametrize("name", ["roller with fits", "fast ball"])
+def test_a_bearing_between_rigid_rings_tells_how_far_it_is_from_balance(results, name):
+    (section,) = [each for each in of_result(api.read(results(name))).sections if each.name == "convergence"]
+    (words,) = [block.paragraphs[0] for block in section.blocks if block.kind == "words"]
+    found = re.search(r"in balance to (\S+) (N|of the largest force)", words)
+    assert float(found[1]) < 1e-6
+
+
+def test_without_temperatures_no_clearance_is_called_operating():
+    result = api.run(CONFIGS / "catalogue" / "nu210.toml")
+    sections = {each.name: each for each in of_result(result).sections}
+    page = Page(html(of_result(result)))
+    told = "".join(page.text)
+    assert "the clearance, mounted and turning, all parts equally warm" in told
+    assert "8.9 to 58.3 µm mounted and turning, all parts equally warm" in told
+    tables = [block for block in sections["clearance"].blocks if block.kind == "table"]
+    assert "positive where the shaft is larger than the bore" in tables[1].note
+    named = {"interference on the shaft, k5", "interference in the housing, H7"}
+    assert {row[0] for row in tables[1].rows} >= named
+
+
+def test_the_sense_of_azimuth_is_told(results):
+    for name in CASES:
+        assert "left-handed about +x" in "".join(Page(html(of_result(api.read(results(name))))).text)
+
+
+def test_operating_system_and_revision_are_told(results):
+    result = api.read(results("fast ball"))
+    machine = {**result.attributes["machine"], "revision": "0123456789ab"}
+    told = replace(result, attributes={**result.attributes, "machine": machine})
+    text = "".join(Page(html(of_result(told))).text)
+    assert f"operating system{machine['system']}" in text
+    assert "revision of the program's source0123456789ab" in text
+
+
+def test_imperial_pages_say_what_keeps_its_units(results):
+    said = "Drawings, notes and texts of the case keep their own units"
+    assert said in html(of_result(api.read(results("fast ball")), IMPERIAL))
+    assert said not in html(of_result(api.read(results("fast ball")), METRIC))
 
 
 def test_values_of_a_single_ball_are_no_figures_over_the_azimuth(results):

@@ -9,6 +9,7 @@ import pytest
 from pytest import approx
 
 import flexbearing
+from flexbearing.case import BadCase
 from flexbearing.pages.make import report
 from flexbearing.results import BadResult
 from tests.flexbearing.hostile_cases import CONFIGS
@@ -63,6 +64,20 @@ def test_every_number_of_a_study_is_that_of_its_table(tables, tmp_path, units):
     page = Page(written.read_text("utf-8"))
     assert len(page.cells) == 6 * 5  # rows by keys, outputs and seconds
     require_equal(page.cells, Rows(rows=tables / "sweep" / "sweep.csv"))
+
+
+def test_a_parquet_table_has_the_report_of_its_csv(tables, tmp_path):
+    pytest.importorskip("pyarrow")
+    pages = [
+        report(tables / "sweep" / f"sweep.{form}", tmp_path / f"{form}.html")[0].read_text("utf-8")
+        for form in ("csv", "parquet")
+    ]
+    assert pages[0] == pages[1].replace("sweep.parquet", "sweep.csv")
+
+
+def test_arrays_of_a_study_are_refused_with_the_name_of_their_table(tables):
+    with pytest.raises(BadCase, match=r"name the table beside it: sweep\.csv"):
+        report(tables / "sweep" / "sweep.nc")
 
 
 def test_figures_of_a_study_have_a_line_for_each_value_of_the_other_key(tables, tmp_path):

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -150,6 +152,14 @@ class Sheet:
             f"{mark} {word}" for mark, word in MARKS.items() if any(text.endswith(mark) for text in texts)
         )
 
+    def _identifiers(self) -> Iterator[str | None]:
+        """Names of the shapes in the drawing, each once: a part may stand on both sides."""
+        drawn: Counter[str] = Counter()
+        for name, _, _ in self.shapes:
+            drawn[name] += 1
+            number = f"-{drawn[name]}" if drawn[name] > 1 else ""
+            yield f"{self.name}-{name}{number}" if name else None
+
     def figure(self) -> Figure:
         """Lay the page out: labels left and right, rows of lengths below, then notes."""
         from matplotlib.figure import Figure
@@ -174,8 +184,8 @@ class Sheet:
         axes = figure.add_axes((0, 0, 1, 1), xlim=(0, wide), ylim=(0, tall))
         axes.set_axis_off()
         page = Page(axes, scale, np.array([left, below + MARGIN]) - scale * low)
-        for name, points, style in self.shapes:
-            page.shape(f"{self.name}-{name}" if name else None, points, style)
+        for (_, points, style), name in zip(self.shapes, self._identifiers(), strict=True):
+            page.shape(name, points, style)
         base = page.at(low)[1]
         self._label_beside(page, page.at(high)[0])
         self._label_heights(page, left)

@@ -10,6 +10,10 @@ from flexbearing.report.html.reader import Reader
 _TIMES = re.compile(r"(\d+(?:\.\d+)?) times with")
 _TABLE, _KEY = re.compile(r"\[([^\]\[]+)\]"), re.compile(r'"?([\w.-]+)"?\s*=')
 _TITLE = "Assumed: the source does not give these inputs"
+_RANKED = (
+    " The largest effect first: a life in these comments is the modified life, as `flexbearing new` writes "
+    "them."
+)
 
 
 def blocks(reader: Reader) -> Iterator[Block]:
@@ -19,7 +23,7 @@ def blocks(reader: Reader) -> Iterator[Block]:
         return
     said = comments(reader.result.attributes["case_text"])
     ranked = sorted(assumed, key=lambda key: -effect(said.get(key, "")))
-    weighted = " The largest effect first." if any(effect(text) for text in said.values()) else ""
+    weighted = _RANKED if any(effect(text) for text in said.values()) else ""
     lines = (f"{key}: {said[key]}" if key in said else key for key in ranked)
     yield Items(f"{_TITLE}.{weighted}", tuple(lines))
 

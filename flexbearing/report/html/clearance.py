@@ -3,10 +3,23 @@
 from collections.abc import Iterator
 from typing import Any
 
+from flexbearing.report.html import assumed_effects
 from flexbearing.report.html.document import Block, Cell, Figure, Items, Table, Words
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import units_in_words, with_unit
 
+_EQUALLY_WARM = (
+    "The case gives no [operation.temperatures], so all parts are equally warm and heat changes nothing. A "
+    "shaft and an inner ring warmer than the housing leave less clearance than computed here."
+)
+_KINDS = {
+    "clearance": "clearance before mounting,", "shaft": "interference on the shaft,",
+    "housing": "interference in the housing,",
+}  # fmt: skip
+_SIGNS = (
+    "Interference: positive where the shaft is larger than the bore, or the outside of the bearing larger "
+    "than the housing, so that the ring is tight; negative is a loose fit. Clearance: negative is a preload."
+)
 SMALLEST = 5e-10  # [m] smaller changes are zeros in the table
 
 
@@ -25,10 +38,13 @@ def blocks(reader: Reader) -> Iterator[Block]:
         yield _drawn(reader, found)
     else:
         yield Words(("Not drawn: no step changes the clearance.",))
+    if not reader.attributes["case_si"]["operation"].get("temperatures"):
+        yield Words((_EQUALLY_WARM,))
     fits = [f"{seat}: {found[f'{seat}_fit']}" for seat in ("shaft", "housing")]
     yield Items("Result", tuple(map(units_in_words, (found["verdict"], *fits))))
     if "tolerances" in found:
         yield _tolerances(reader, found)
+        yield from assumed_effects.at_ends(reader)
 
 
 def _stated(reader: Reader) -> Table:
@@ -82,12 +98,15 @@ def _tolerances(reader: Reader, found: dict[str, Any]) -> Table:
             reader.of_attribute(f"{path}/{name}", "m", "um", ".1f")
             for name in ("least_m", "used_m", "greatest_m")
         )
-        rows.append((f"{each['name']} {each['class']}", *limits))
+        rows.append((f"{_KINDS[each['name']]} {each['class']}", *limits))
     if "ends" in found["tolerances"]:
         paths = ("tolerances/ends/tightest_m", "operating_m", "tolerances/ends/loosest_m")
         ends = (reader.of_attribute(f"clearance/{path}", "m", "um", ".1f") for path in paths)
         rows.append((reader.clearance_words, *ends))
     head = ("class", *(with_unit(word, unit) for word in ("least", "computed", "greatest")))
     return Table(
-        f'Tolerances, computed at bearing.fits.at = "{found["tolerances"]["at"]}"', head, tuple(rows)
+        f'Tolerances, diametral, computed at bearing.fits.at = "{found["tolerances"]["at"]}"',
+        head,
+        tuple(rows),
+        _SIGNS,
     )

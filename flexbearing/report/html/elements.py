@@ -7,7 +7,7 @@ import numpy as np
 
 from flexbearing.report.family_report import Elements
 from flexbearing.report.html.document import Block, Cell, Table, Words
-from flexbearing.report.html.figures import along_rollers, around, shows_nothing
+from flexbearing.report.html.figures import along_rollers, around, same_map, shows_nothing
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import NOTHING, with_unit
 
@@ -31,7 +31,9 @@ def contacts(reader: Reader, elements: Elements | None) -> Iterator[Block]:
         return
     for name, (title, unit) in elements.maps.items():
         alike = [each for each in elements.maps if each.partition("_")[2] == name.partition("_")[2]]
-        if figure := along_rollers(reader, name, title, unit, alike):
+        if words := same_map(reader, alike[0], name, unit):
+            yield Words((f"Not drawn: {title[0].lower()}{title[1:]}; {words}",))
+        elif figure := along_rollers(reader, name, title, unit, alike):
             yield figure
     yield from figures(reader, elements.contact_figures, elements.azimuth)
 

@@ -14,6 +14,7 @@ BLUE, ORANGE, GREEN, PURPLE = "#0072B2", "#D55E00", "#007a5a", "#8a3f7c"
 LOAD = "#a61c00"  # as in drawings
 COLOURS = (BLUE, ORANGE, GREEN, PURPLE)
 SHORT = 6  # lines that a legend names within a figure of usual height
+SAME = 5e-3  # of the largest value: lines, or maps, that differ by less are drawn as one
 DASHES = {"rigid": "dot", "flexible": "solid"}
 
 
@@ -45,19 +46,71 @@ def around(reader: Reader, title: str, names: tuple[str, ...], azimuth: str) -> 
     ]
     if not traces:
         return None
+    traces, merged = _drawn_once(traces)
     for number, name in enumerate(dict.fromkeys(trace["legendgroup"] for trace in traces)):
         for trace in traces:
             if trace["legendgroup"] == name:
                 trace["line"]["color"] = trace["marker"]["color"] = COLOURS[number % len(COLOURS)]
     unit = reader.units.of(reader.layout[names[0]].unit_for_people.name)
+    same = "".join(
+        f" {words.capitalize()} differ by at most {largest:.3g} {printed(unit)}: drawn as one line."
+        for words, largest in merged
+    )
     layout = {
         "xaxis": {"title": {"text": "azimuth [°]"}, "dtick": 60, "range": [-185, 185]},
         "yaxis": {"title": {"text": with_unit(title, unit)}, "rangemode": "tozero"},
         **_load_mark(reader),
     }
     name = f"around-{names[0]}".replace("_", "-")
-    caption = f"{title.capitalize()} over the azimuth, 0° on the z axis, 90° on the y axis.{_marked(reader)}"
+    caption = (
+        f"{title.capitalize()} over the azimuth, 0° on the z axis, 90° on the y axis.{_marked(reader)}{same}"
+    )
     return Figure(name, caption, tuple(traces), layout, tall=len(traces) > SHORT)
+
+
+def _drawn_once(traces: list[dict[str, Any]]) -> tuple[list[dict[str, Any]], list[tuple[str, float]]]:
+    """Traces without those that coincide with an earlier one; the words and the difference of such pairs.
+
+    A line is left out only where it coincides in every end state, so that all end states have the same lines.
+    """
+    groups: dict[str, list[dict[str, Any]]] = {}
+    for trace in traces:
+        groups.setdefault(trace["legendgroup"], []).append(trace)
+    kept: dict[str, list[dict[str, Any]]] = {}
+    merged = []
+    for name, group in groups.items():
+        apart = {other: _apart(group, groups[other]) for other in kept}
+        twin = next((other for other, difference in apart.items() if difference is not None), None)
+        if twin is None:
+            kept[name] = group
+            continue
+        words = _both(twin, name)
+        merged.append((words, apart[twin]))
+        for trace in kept[twin]:
+            trace["name"] = trace["name"].replace(twin, words, 1)
+    return [trace for group in kept.values() for trace in group], merged
+
+
+def _apart(one: list[dict[str, Any]], other: list[dict[str, Any]]) -> float | None:
+    """Largest difference of lines that coincide in every end state; None where they can be told apart."""
+    if len(one) != len(other):
+        return None
+    pairs = [
+        np.array([first["y"], second["y"]], dtype=float) for first, second in zip(one, other, strict=True)
+    ]
+    if any((np.isnan(first) != np.isnan(second)).any() for first, second in pairs):
+        return None
+    largest = max(np.nanmax(np.abs(pair), initial=0.0) for pair in pairs)
+    difference = max(np.nanmax(np.abs(first - second), initial=0.0) for first, second in pairs)
+    return float(difference) if difference < SAME * largest else None
+
+
+def _both(one: str, other: str) -> str:
+    """Name of two lines: "inner and outer load", "contact load, inner and outer"."""
+    first, second = one.split(" "), other.split(" ")
+    if first[1:] == second[1:]:
+        return " ".join([first[0], "and", second[0], *first[1:]])
+    return f"{one} and {second[-1]}" if first[:-1] == second[:-1] else f"{one} and {other}"
 
 
 def shows_nothing(figure: Figure) -> str:
@@ -73,7 +126,11 @@ def shows_nothing(figure: Figure) -> str:
 def _load_azimuth(reader: Reader) -> float | None:
     """Direction of the radial load [deg], from -180 to 180; none where the result does not state one."""
     direction = reader.blocks.get(reader.last, {}).get("load_direction")
-    if direction is None or not np.isfinite(direction):
+    if direction is None:  # of a ball bearing, whose case gives the components of its load
+        load = reader.attributes["case_si"]["operation"].get("load") or {}
+        across, along = ((load.get(name) or 0.0) for name in ("radial_y", "radial_z"))
+        direction = np.arctan2(across, along) if across or along else np.nan
+    if not np.isfinite(direction):
         return None
     return float((np.degrees(direction) + 180) % 360 - 180)
 
@@ -179,6 +236,19 @@ def along_rollers(reader: Reader, name: str, title: str, people: str, alike: lis
         f"positive towards the +x end.{_marked(reader)}{scale}"
     )
     return Figure(f"map-{name}".replace("_", "-"), caption, (trace,), layout)
+
+
+def same_map(reader: Reader, one: str, other: str, people: str) -> str:
+    """Say by how much two maps differ that look the same; empty for the same one, and where they differ."""
+    block = reader.blocks.get(reader.last, {})
+    if one == other or not {one, other} <= set(block):
+        return ""
+    difference, largest = np.abs(block[one] - block[other]).max(), np.abs(block[one]).max()
+    if not difference < SAME * largest:
+        return ""
+    stored = reader.layout[one].unit
+    number = reader.units.number(float(difference), stored, people, ".3g", "")
+    return f"it differs by at most {number.text} {printed(number.unit)} from that of the other raceway."
 
 
 def bars(name: str, caption: str, label: str, series: dict[str, dict[str, float]]) -> Figure:

@@ -6,7 +6,7 @@ from typing import Any
 
 from flexbearing.case.belonging import foreign
 from flexbearing.case.declarations import Declaration, by_path, toml
-from flexbearing.report.html import assumptions
+from flexbearing.report.html import assumed_effects, assumptions
 from flexbearing.report.html.document import Block, Cell, Items, Table
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import printed
@@ -34,6 +34,7 @@ def blocks(reader: Reader) -> Iterator[Block]:
                 given.append((*row[:3], text, mark, row[3]))
     head = ("key", "value", "unit", "as given", "origin", "meaning")
     yield Table("What the case gives", head, tuple(given))
+    yield from assumed_effects.blocks(reader)
     yield from assumptions.blocks(reader)
     if fitted := reader.attributes["calibrated"]:
         yield Items(

@@ -8,8 +8,12 @@ from flexbearing.report.drawing.of_case import drawings
 from flexbearing.report.html.document import Block, Drawing, Table, Verbatim, Words
 from flexbearing.report.html.inputs import flat, origin, row_of_key, written
 from flexbearing.report.html.reader import Reader
+from flexbearing.report.html.units import METRIC
 from flexbearing.results.content import digest
 from flexbearing.results.write import content_of
+
+_MACHINE = {"system": "operating system", "revision": "revision of the program's source"}
+_OWN_UNITS = "Drawings, notes and texts of the case keep their own units: mm, µm, N, MPa, °C."
 
 
 def line(reader: Reader) -> str:
@@ -32,6 +36,8 @@ def computed(reader: Reader) -> Iterator[Block]:
     )
     rings = elastic if len(reader.blocks) > 1 else "between rigid rings"
     yield Words((f"Kind of bearing: {kind(reader)}, {rings}. {reader.layout.conventions.strip()}",))
+    if reader.units is not METRIC:
+        yield Words((_OWN_UNITS,))
     yield from _drawings(reader)
     yield from _conditions(reader)
 
@@ -69,7 +75,10 @@ def blocks(reader: Reader) -> Iterator[Block]:
         ("case file", about.get("case_file", "none")),
         ("computed", about["created"]),
         ("time it took", f"{about['wall_time_s']:.1f} s"),
-        *((f"{name} of the computation", str(value)) for name, value in about.get("machine", {}).items()),
+        *(
+            (_MACHINE.get(name, f"{name} of the computation"), str(value))
+            for name, value in about.get("machine", {}).items()
+        ),
         *((f"version of {name}", text) for name, text in about["versions"].items()),
     ]
     yield Table("Origin of the numbers", ("what", "value"), tuple(rows))

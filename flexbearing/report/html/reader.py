@@ -76,10 +76,10 @@ class Reader:
 
     @property
     def clearance_words(self) -> str:
-        """What the clearance of the result is: without temperatures it is not that of operation."""
+        """What the clearance of the result is: without temperatures it is that of parts equally warm."""
         found = self.attributes["clearance"]
         warm = not found["steps"] or self.attributes["case_si"]["operation"].get("temperatures")
-        return "operating clearance" if warm else "clearance, mounted and turning, no temperatures given"
+        return "operating clearance" if warm else "clearance, mounted and turning, all parts equally warm"
 
     def notes(self, grade: str) -> tuple[str, ...]:
         """Texts of the notes of a grade."""

@@ -110,9 +110,7 @@ def _convergence(reader: Reader) -> Iterator[Block]:
             tuple(rows),
         )
     else:
-        yield Words(
-            (f"Nothing was iterated between bearing and rings. {reader.attributes['message'].capitalize()}.",)
-        )
+        yield Words((f"Nothing was iterated between bearing and rings: {reader.attributes['message']}.",))
     choices = reader.attributes.get("choices") or {}
     if choices:
         levels = [(name, choice["level"], "the case" if choice["fixed"] else "accuracy.target")

@@ -34,7 +34,9 @@ def blocks(reader: Reader) -> Iterator[Block]:
     if "total_stiffness" in block:
         yield _radial(reader)
     caption = (
-        "Axes: x along the shaft, z the way of the load, y across; rotations about y and z are right-handed."
+        "Axes: x along the shaft, z the way of the load, y across. A positive rotation about y turns z "
+        "towards x, one about z turns x towards y: right-handed. Azimuth and positive speeds turn z "
+        "towards y: left-handed about +x."
     )
     yield Drawing(caption, (files("flexbearing.report.html") / "page" / "axes.svg").read_text("utf-8"))
     yield _matrix(reader)

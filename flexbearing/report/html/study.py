@@ -41,7 +41,9 @@ def of_study(table: StudyTable, cycles: StudyTable | None, units: Units = METRIC
     ]  # fmt: skip
     kept = tuple(Section(name, title, blocks) for name, title, blocks in sections if blocks)
     subtitle = f"{len(table)} variants, from {table.place.name}"
-    return Document(f"Study: {printable(table.name)}", subtitle, kept, (table.place.name, table.text))
+    return Document(
+        f"Study: {printable(table.name)}", subtitle, kept, (f"{table.place.stem}.csv", table.text)
+    )
 
 
 def _verdict(table: StudyTable) -> Iterator[Block]:

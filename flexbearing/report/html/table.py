@@ -6,13 +6,14 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from io import StringIO
-from math import nan
+from math import isnan, nan
 from pathlib import Path
 
 from flexbearing.case.declarations import find
 from flexbearing.case.family import Families
 from flexbearing.results import BadResult
 
+PARQUET = ".parquet"
 ENDS = ("status", "message", "seconds")
 SHARES = ("time_share", "revolution_share")  # of a duty cycle, no outputs
 _HEADING = re.compile(r"(?P<name>.*?)(?: \[(?P<unit>[^]]*)\])?")
@@ -82,7 +83,7 @@ def read_table(place: Path, families: Families) -> StudyTable:
     Parameters
     ----------
     place : Path
-        CSV file that `flexbearing study` wrote
+        CSV or Parquet file that `flexbearing study` wrote
     families : mapping
         kind to family, whose keys tell varied columns from outputs
 
@@ -96,7 +97,7 @@ def read_table(place: Path, families: Families) -> StudyTable:
         where there is no such file, or it is no table of a study
     """
     try:
-        text = place.read_text("utf-8")
+        text = csv_of_parquet(place) if place.suffix == PARQUET else place.read_text("utf-8")
         head, *rows = list(csv.reader(StringIO(text, newline=""), strict=True))
     except (OSError, ValueError, csv.Error) as problem:
         reason = getattr(problem, "strerror", None) or problem
@@ -104,6 +105,35 @@ def read_table(place: Path, families: Families) -> StudyTable:
     if not rows or any(len(row) != len(head) for row in rows) or not set(ENDS) <= set(head):
         raise BadResult(f"{place}: is no table of a study: it has no rows with {', '.join(ENDS)}.")
     return StudyTable(place, text, tuple(_columns(head, rows, families)))
+
+
+def csv_of_parquet(place: Path) -> str:
+    """Text of the CSV file with the same table as a Parquet file.
+
+    Raises
+    ------
+    BadResult
+        without the package that reads it
+    OSError, ValueError
+        where the file cannot be read
+    """
+    try:
+        from pyarrow import parquet
+    except ImportError:
+        raise BadResult(
+            f'{place}: reading Parquet needs pyarrow: pip install "flexbearing[studies]".'
+        ) from None
+    table = parquet.read_table(place)
+    file = StringIO(newline="")
+    writer = csv.writer(file, lineterminator="\n")
+    writer.writerow(table.column_names)
+    columns = [["" if _nothing(value) else value for value in column.to_pylist()] for column in table.columns]
+    writer.writerows(zip(*columns, strict=True))
+    return file.getvalue()
+
+
+def _nothing(value: object) -> bool:
+    return value is None or (isinstance(value, float) and isnan(value))
 
 
 def _columns(head: list[str], rows: list[list[str]], families: Families) -> Iterator[StudyColumn]:

@@ -35,6 +35,7 @@ ELEMENTS = Elements(
         "inner_pressure": ("Contact pressure at the inner raceway", "MPa"),
         "outer_pressure": ("Contact pressure at the outer raceway", "MPa"),
         "inner_slice_load": ("Load per length of the inner contacts", "kN/m"),
+        "outer_slice_load": ("Load per length of the outer contacts", "kN/m"),
     },
 )
 REPORT = FamilyReport(page, pictures, elements=ELEMENTS, deformed=True, drawings=of_rollers)

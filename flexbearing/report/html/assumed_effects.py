@@ -1,0 +1,200 @@
+"""What other values of assumed or fitted inputs, and the ends of tolerances, make of a result."""
+
+from collections.abc import Iterator
+from math import log
+from typing import Any
+
+from flexbearing.outputs import Output, outputs
+from flexbearing.report.html.document import Block, Cell, Figure, Items, Number, Table, Words
+from flexbearing.report.html.figures import BLUE
+from flexbearing.report.html.reader import Reader
+from flexbearing.report.html.units import NOTHING, units_in_words, with_unit
+from flexbearing.report.rows import unit_of
+
+LIVES = ("modified_life", "life_L10")  # the first that a result has is ranked by
+TOLERANCES = "bearing.fits.at"
+SMALLEST = 5e-3  # relative change that is drawn
+_WIDE = 1.5  # ratio of the ends of an axis from which it is logarithmic
+_TICKS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1, 1.5, 2, 3, 5, 7, 10, 20, 50, 100]
+_TALL = 8  # keys that a figure of usual height has room for
+_HOW = (
+    "How much each of them matters was not computed. `flexbearing run {case} --set "
+    "outputs.assumed_effects=true` solves the case again with other values of each, some two solutions for "
+    "a key; a report of that result ranks them by their effect on the life."
+)
+
+
+def how(reader: Reader) -> Words:
+    """Which command computes the effects."""
+    name = (reader.attributes.get("case_file") or "CASE.toml").replace("\\", "/").rpartition("/")[2]
+    return Words((_HOW.format(case=name),))
+
+
+def blocks(reader: Reader) -> Iterator[Block]:
+    """A figure and a table, the largest effect first; which command computes them where they are missing."""
+    found = reader.attributes.get("assumed_effects")
+    if not found:
+        if reader.attributes["assumed"] or reader.attributes["calibrated"] or _tolerances(reader):
+            yield how(reader)
+        return
+    name = ranked_by(reader)
+    ranked = sorted(range(len(found["keys"])), key=lambda place: -_effect(found, place, name))
+    if any(_effect(found, place, name) >= SMALLEST for place in ranked):
+        yield _drawn(reader, found, ranked, name)
+    yield _table(reader, found, ranked, name)
+    if missing := tuple(_missing(found)):
+        yield Items("Other values that were not computed", missing)
+
+
+def at_ends(reader: Reader) -> Iterator[Block]:
+    """Life at both ends of the tolerances; which command computes it where it is missing."""
+    if not _tolerances(reader):
+        return
+    found = reader.attributes.get("assumed_effects")
+    if not found:
+        yield how(reader)
+        return
+    name = ranked_by(reader)
+    rows = [
+        (
+            units_in_words(other["words"]),
+            _value(reader, place, number, name),
+            _ratio(reader, place, number, name),
+        )
+        for place, key in enumerate(found["keys"])
+        if key["key"] == TOLERANCES
+        for number, other in enumerate(key["others"])
+        if other["values"]
+    ]
+    head = ("end of the tolerances", _heading(reader, name), "times that computed")
+    yield Table("Effect of the tolerances", head, tuple(rows))
+
+
+def ranked_by(reader: Reader) -> str:
+    """Name of the output that effects are ranked by: a life, else the first that there is."""
+    of = reader.attributes["assumed_effects"]["of"]
+    return next((name for name in (*LIVES, *of) if name in of), "")
+
+
+def _tolerances(reader: Reader) -> bool:
+    return "ends" in ((reader.attributes.get("clearance") or {}).get("tolerances") or {})
+
+
+def _effect(found: dict[str, Any], place: int, name: str) -> float:
+    """Largest change of an output with other values of a key, as the size of its logarithm."""
+    base = found["of"].get(name)
+    values = (other["values"].get(name) for other in found["keys"][place]["others"])
+    ratios = [value / base for value in values if base and value is not None]
+    return max((abs(log(ratio)) for ratio in ratios if ratio > 0), default=0.0)
+
+
+def _output(reader: Reader, name: str) -> Output:
+    return next(output for output in outputs(reader.layout) if output.name == name)
+
+
+def _heading(reader: Reader, name: str) -> str:
+    """Label of an output with its unit, lives in millions of revolutions."""
+    declared = _output(reader, name).declared
+    part = name.partition(".")[2].split(".")[0]
+    label = ", ".join(filter(None, [declared.label.strip(), part]))
+    unit = reader.units.of(unit_of(declared).name)
+    return f"{label} [10⁶ revolutions]" if unit == "Mrev" else with_unit(label, unit)
+
+
+def _cell(reader: Reader, name: str, path: str) -> Number:
+    declared = _output(reader, name).declared
+    unit = unit_of(declared).name
+    stored = reader.layout[declared.of[0]].unit if declared.in_si else unit
+    return reader.of_attribute(path, stored, unit, ",.4g" if name in LIVES else declared.digits or ".4g")
+
+
+def _at(place: int, number: int, name: str) -> str:
+    return f"assumed_effects/keys/{place}/others/{number}/values/{name}"
+
+
+def _value(reader: Reader, place: int, number: int, name: str) -> Cell:
+    other = reader.attributes["assumed_effects"]["keys"][place]["others"][number]
+    return _cell(reader, name, _at(place, number, name)) if name in other["values"] else NOTHING
+
+
+def _ratio(reader: Reader, place: int, number: int, name: str) -> Cell:
+    """An output over that of the case."""
+    found = reader.attributes["assumed_effects"]
+    base = found["of"].get(name)
+    value = found["keys"][place]["others"][number]["values"].get(name)
+    if not base or value is None:
+        return NOTHING
+    of = f"ratio/attributes/{_at(place, number, name)}:attributes/assumed_effects/of/{name}"
+    return reader.units.number(value / base, "", "", ".3g", of)
+
+
+def _table(reader: Reader, found: dict[str, Any], ranked: list[int], name: str) -> Table:
+    """A row for each other value; the case itself in the first."""
+    shown = [each for each in found["of"] if each == name or each not in LIVES]
+    case = [_cell(reader, each, f"assumed_effects/of/{each}") for each in shown]
+    rows: list[tuple[Cell, ...]] = [("this case", "", case[0], "", *case[1:], "")]
+    for place in ranked:
+        key = found["keys"][place]
+        for number, other in enumerate(key["others"]):
+            if other["values"]:
+                first, *further = (_value(reader, place, number, each) for each in shown)
+                ratio = _ratio(reader, place, number, name)
+                words = units_in_words(other["words"])
+                rows.append((key["key"], words, first, ratio, *further, units_in_words(key["source"])))
+    label, *others = (_heading(reader, each) for each in shown)
+    head = ("key", "with", label, "times", *others, "range from")
+    life = label.partition(" [")[0]
+    caption = f"With other values of assumed, calibrated or toleranced inputs; by effect on the {life}"
+    note = (
+        "Each row is the case solved again with that one value; keys that belong to it change with it. A "
+        "rule of thumb is a range of this program without a published source."
+    )
+    return Table(caption, head, tuple(rows), note)
+
+
+def _drawn(reader: Reader, found: dict[str, Any], ranked: list[int], name: str) -> Figure:
+    """Range of the output with other values of each key, over that of the case."""
+    x: list[float | None] = []
+    y: list[str | None] = []
+    told: list[str] = []
+    base = found["of"][name]
+    keys = [place for place in ranked if _effect(found, place, name) >= SMALLEST]
+    for place in keys:
+        key = found["keys"][place]
+        label = ".".join(key["key"].split(".")[-2:])
+        values = [(o["values"][name] / base, o["words"]) for o in key["others"] if name in o["values"]]
+        for ratio, words in sorted([(1.0, "this case"), *values]):
+            x.append(float(f"{ratio:.6g}"))
+            y.append(label)
+            told.append(units_in_words(words))
+        x.append(None)
+        y.append(None)
+        told.append("")
+    label = _heading(reader, name).partition(" [")[0]
+    trace = {
+        "type": "scatter", "mode": "lines+markers", "x": x, "y": y, "text": told, "line": {"color": BLUE},
+        "marker": {"size": 8}, "hovertemplate": "%{y}<br>%{text}: %{x} times<extra></extra>",
+        "connectgaps": False,
+    }  # fmt: skip
+    ratios = [ratio for ratio in x if ratio is not None]
+    axis = {"type": "log", "tickvals": _TICKS} if max(ratios) > _WIDE * min(ratios) else {}
+    layout = {
+        "xaxis": {"title": {"text": f"{label} over that of this case"}, **axis},
+        "yaxis": {"autorange": "reversed", "type": "category"},
+        "shapes": [{"type": "line", "xref": "x", "yref": "paper", "x0": 1, "x1": 1, "y0": 0, "y1": 1,
+                    "line": {"color": "#4a535d", "width": 1, "dash": "dot"}}],
+    }  # fmt: skip
+    below = len(found["keys"]) - len(keys)
+    rest = f" {below} keys change it by less than {100 * SMALLEST:g} % and are not drawn." if below else ""
+    caption = f"Change of the {label} with other values of assumed, calibrated or toleranced inputs.{rest}"
+    return Figure("assumed-effects", caption, (trace,), layout, tall=len(keys) > _TALL)
+
+
+def _missing(found: dict[str, Any]) -> Iterator[str]:
+    """Keys, or other values of them, that have no answer, and why."""
+    for key in found["keys"]:
+        if not key["others"] and key["source"].startswith("a text"):
+            yield f"{key['key']}: {key['source']}"
+        for other in key["others"]:
+            if other["problem"]:
+                yield f"{key['key']} = {other['words']}: {units_in_words(other['problem'])}"

@@ -1,0 +1,108 @@
+"""How much every input that no source gives matters: outputs of the same case with other values."""
+
+from collections.abc import Callable, Sequence
+from math import isfinite
+from typing import Any
+
+from flexbearing.case import BadCase, Head
+from flexbearing.outputs import AbsentOutput, outputs
+from flexbearing.progress import Report
+from flexbearing.results import Result
+from flexbearing.runs.plausible import Other, plausible
+
+LIVES = ("modified_life", "life_L10")
+STAGE = "effects of assumed inputs"
+
+
+def assumed_effects(
+    case: Any, read: Callable[[Sequence[str]], Any], solved: Callable[[Any], Result], report: Report
+) -> dict[str, Any]:
+    """Solve a case with other values of each assumed or calibrated key, one at a time.
+
+    Parameters
+    ----------
+    case : Head
+        as it was read
+    read : callable
+        the same case with further settings; raises `BadCase`
+    solved : callable
+        computes a case; raises `BadCase`
+    report : Report
+        hears which part is done
+
+    Returns
+    -------
+    dict
+        "of", names of lives and main outputs to their values in the case, and "keys", for each
+        key its other values, each with the same outputs or a "problem"
+
+    Raises
+    ------
+    BadCase
+        where the case itself has no solution
+    """
+    report.stage(STAGE, None)
+    of = _measured(solved(_alone(read(()))))
+    keys = list(plausible(case))
+    count, done = sum(len(each.others) for each in keys), 0
+    rows = []
+    for each in keys:
+        found = []
+        for other in each.others:
+            if row := _compared(other, case, read, solved):
+                found.append(row)
+            done += 1
+            report.stage(STAGE, done / count)
+        rows.append({"key": each.key, "source": each.source, "others": found})
+    return {"of": of, "keys": rows}
+
+
+def _compared(
+    other: Other,
+    case: Any,
+    read: Callable[[Sequence[str]], Any],
+    solved: Callable[[Any], Result],
+) -> dict[str, Any] | None:
+    """Lives and main outputs with another value; None where it is that of the case."""
+    row: dict[str, Any] = {"words": other.words, "settings": list(other.settings)}
+    try:
+        changed = read(other.settings)
+        if _values(changed) == _values(case):
+            return None
+        return row | {"values": _measured(solved(_alone(changed))), "problem": ""}
+    except BadCase as problem:
+        return row | {"values": {}, "problem": str(problem).splitlines()[0]}
+
+
+def _values(case: Any) -> dict[str, Any]:
+    """Values of all keys, without where they come from."""
+    return {name: value for name, value in case.to_json().items() if name not in Head.model_fields}
+
+
+def _alone(case: Any) -> Any:
+    """The case without outputs that a comparison does not need, such as a comparison of its own."""
+    return case.model_copy(update={"outputs": type(case.outputs)()})
+
+
+def _measured(result: Result) -> dict[str, float]:
+    """Lives and main outputs of a result in the units of its summary, those that are finite.
+
+    Raises
+    ------
+    BadCase
+        where it has no solution
+    """
+    if result.attributes["status"] != "converged":
+        raise BadCase(f"not converged: {result.attributes['message']}")
+    layout = result.family.layout()
+    block = "flexible" if result.flexible else "rigid"
+    amounts = {each.name for each in outputs(layout) if each.declared.digits != "d"}  # no counts
+    found = {}
+    for name in (name for name in dict.fromkeys((*LIVES, *layout.main)) if name in amounts):
+        try:
+            number = float(result[f"{block}.{name}"].number)
+        except AbsentOutput:
+            continue
+        if isfinite(number):
+            found[name] = number
+    return found

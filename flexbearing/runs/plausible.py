@@ -1,0 +1,238 @@
+"""What an input that no source gives might be instead, and where that range comes from."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from fnmatch import fnmatchcase
+from math import isclose, pi
+from typing import Any
+
+from flexbearing.build.clearance import operating
+from flexbearing.case.declarations import Declaration, by_path, toml
+
+Range = Callable[[float], tuple[float, ...]]  # of a value in SI units
+
+THUMB = "rule of thumb"
+LIMITING_RATIO = 0.05  # usual, where a law needs one
+CHOICES = "other choices of the key"
+FEW = 5  # choices of which all others are tried; of more the neighbours in their list
+STEELS, BODIES = ("100Cr6", "M50"), ("structural steel", "grey cast iron")
+MATERIALS = {"shaft": BODIES, "housing": BODIES}  # by parts; of all others bearing steels
+
+
+@dataclass(frozen=True)
+class Other:
+    """Another value that a key might have."""
+
+    words: str
+    settings: tuple[str, ...]  # "key=value"
+
+
+@dataclass(frozen=True)
+class Plausible:
+    """Other values of a key, and the source of their range."""
+
+    key: str
+    others: tuple[Other, ...]
+    source: str
+
+
+def times(*factors: float) -> Range:
+    """A range by factors of the value."""
+    return lambda value: tuple(factor * value for factor in factors)
+
+
+def plus(*steps: float) -> Range:
+    """A range by steps from the value, in SI units."""
+    return lambda value: tuple(value + step for step in steps)
+
+
+def instead(*others: float) -> Range:
+    """A range of other values, in SI units."""
+    return lambda _: others
+
+
+# fmt: off
+RANGES: tuple[tuple[str, Range, str], ...] = (  # of keys that hold numbers, the first that fits
+    ("bearing.clearance", times(0.7, 1.3), "spread of class CN about its middle, ISO 5753-1"),
+    ("bearing.fits.cold_clearance", times(0.7, 1.3), "spread of class CN about its middle, ISO 5753-1"),
+    ("operation.temperatures.reference", plus(-5.0, 5.0), f"ISO 1 sets 20 degC; 5 K: {THUMB}"),
+    ("operation.temperatures.*", plus(-10.0, 10.0), THUMB),
+    ("lubricant.inlet_temperature", plus(-20.0, 20.0), THUMB),
+    ("lubricant.limiting_ratio", instead(0.03, 0.08), THUMB),
+    ("lubricant.oil_fraction", times(0.5, 2.0), THUMB),
+    ("bearing.cage.pocket_friction", instead(0.02, 0.1), THUMB),
+    ("bearing.cage.thickness", times(0.6, 1.4), THUMB),
+    ("bearing.cage.land_diameter", times(0.995, 1.005), THUMB),
+    ("bearing.cage.*", times(0.5, 2.0), THUMB),
+    ("bearing.roller.drop", times(0.5, 2.0), THUMB),
+    ("bearing.*.conformity", plus(-0.005, 0.005), THUMB),
+    ("bearing.rollers", plus(-1, 1), "one less, one more"),
+    ("bearing.balls", plus(-1, 1), "one less, one more"),
+    ("bearing.roller.length", times(0.9, 1.1), f"10 %: {THUMB}"),
+    ("bearing.contact_angle", plus(-pi / 90, pi / 90), f"2 deg: {THUMB}"),
+    ("bearing.roughness.*", times(0.5, 2.0), THUMB),
+    ("friction.coefficient", times(0.5, 1.5), THUMB),
+    ("materials.*.youngs_modulus", times(0.97, 1.03), f"3 %: {THUMB}"),
+    ("materials.*.poisson_ratio", plus(-0.02, 0.02), THUMB),
+    ("materials.*.density", times(0.98, 1.02), f"2 %: {THUMB}"),
+    ("outer.bars", times(0.5, 1.5), THUMB),
+    ("outer.flange_length", times(0.5, 2.0), THUMB),
+    ("inner.track_width", times(0.9, 1.1), THUMB),
+    ("*", times(0.8, 1.25), f"a fifth less, a quarter more: {THUMB}"),
+)
+# fmt: on
+FROM_ZERO = {  # of keys that are zero, by their unit
+    "m": ("-5 um", "5 um"),
+    "rad": ("-1 arcmin", "1 arcmin"),
+    "rad/s": ("-1 rpm", "1 rpm"),
+    "N": ("-10 N", "10 N"),
+    "N m": ("-0.1 N m", "0.1 N m"),
+}  # fmt: skip
+
+
+def plausible(case: Any) -> Iterator[Plausible]:
+    """Say what every assumed or calibrated key of a case might be instead, and its tolerances.
+
+    Parameters
+    ----------
+    case : Head
+        as it was read
+
+    Yields
+    ------
+    Plausible
+        a table is tried key by key; texts and switches have their other choices
+    """
+    known = by_path(type(case))
+    if getattr(case, "bands", None) and case.bearing.mounting:
+        yield Plausible(
+            "bearing.fits.at", tuple(_at_ends(case)), "classes of the case, ISO 5753-1 and ISO 286"
+        )
+    for path in dict.fromkeys((*case.calibrated, *case.assumed)):
+        yield from _of_key(case, known, path)
+
+
+def _at_ends(case: Any) -> Iterator[Other]:
+    """Both ends of the tolerances, with the clearance there."""
+    for place in ("tightest", "loosest"):
+        clearance = operating(case.within_tolerances(place))
+        words = f"{place}, clearance {1e6 * clearance:.1f} um"
+        yield Other(words, (f"bearing.fits.at={place}",))
+
+
+def _of_key(case: Any, known: dict[str, Declaration], path: str) -> Iterator[Plausible]:
+    declared, value = known.get(path), _at(case, path)
+    if declared is None or value is None:
+        return
+    if declared.section is None:
+        others, source = _others(case, declared, value)
+        yield Plausible(path, others, source)
+    elif declared.choices:  # a material, which has a name
+        names = MATERIALS.get(path.rpartition(".")[2], STEELS)
+        yield Plausible(path, tuple(_set(path, name) for name in names), "other materials in use")
+    else:
+        for name in declared.section.model_fields:
+            yield from _of_key(case, known, f"{path}.{name}")
+
+
+def _others(case: Any, declared: Declaration, value: Any) -> tuple[tuple[Other, ...], str]:
+    """Other values of a key, and where they come from."""
+    path = declared.path
+    if isinstance(value, bool):
+        return (_set(path, not value),), CHOICES
+    if path in FURTHER:
+        return FURTHER[path](case)
+    if declared.choices:
+        return tuple(_set(path, other) for other in _beside(declared.choices, value)), CHOICES
+    if path == "bearing.first_roller_azimuth":
+        half = declared.kind.written(value + pi / case.bearing.rollers, "1 deg")  # type: ignore[union-attr]
+        return (_set(path, half),), "half a pitch, the farthest that there is"
+    if declared.kind is None and not declared.number:
+        return (), "a text, for which no others are known"
+    if value == 0 and (steps := FROM_ZERO.get(declared.kind.unit if declared.kind else "")):
+        return tuple(_set(path, each) for each in steps), f"{steps[-1]} either way: {THUMB}"
+    change, source = next((change, why) for name, change, why in RANGES if fnmatchcase(path, name))
+    if isinstance(value, list | tuple):
+        changed = zip(*(change(each) for each in value), strict=True)
+        return tuple(_set(path, [_written(declared, each) for each in row]) for row in changed), source
+    written = (_written(declared, other) for other in change(value) if not isclose(other, value))
+    return tuple(_set(path, each) for each in written), source
+
+
+def _profiles(case: Any) -> tuple[tuple[Other, ...], str]:
+    """Straight rollers; and in place of that of ISO/TS 16281 the same of half and of twice the drop."""
+    path, found = "bearing.roller", []
+    if case.bearing.roller.profile == "iso16281":
+        for factor in (0.5, 2.0):
+            drop = f"{factor * 350 * case.bearing.roller.diameter:.6g} um"
+            found.append(Other(f"drop A of {drop}", (f"{path}.profile=logarithmic", f"{path}.drop={drop}")))
+    without = ("life.edge_stress=false",) if getattr(case.life, "edge_stress", False) else ()
+    given = ("drop", "design_load", "points")
+    left_out = tuple(
+        f"{path}.{name}=" for name in given if getattr(case.bearing.roller, name, None) is not None
+    )
+    straight = Other("straight", (f"{path}.profile=straight", *left_out, *without))
+    return (*found, straight), f"the ends of usual profiles: {THUMB}"
+
+
+def _guidances(case: Any) -> tuple[tuple[Other, ...], str]:
+    """A cage on the rollers, or on a land of usual size."""
+    cage, path = case.bearing.cage, "bearing.cage"
+    if cage.guidance != "rollers":
+        lands = ("land_diameter", "land_width", "land_clearance")
+        left_out = (f"{path}.{name}=" for name in lands)
+        return (Other("rollers", (f"{path}.guidance=rollers", *left_out)),), CHOICES
+    bearing = case.bearing
+    land = 1e3 * (bearing.outer_raceway_diameter - bearing.roller.diameter / 2)
+    settings = {
+        "guidance": "outer", "land_diameter": f"{land:.6g} mm", "land_clearance": "0.4 mm",
+        "land_width": f"{400 * bearing.roller.length:.4g} mm",
+    }  # fmt: skip
+    outer = Other("outer ring", tuple(f"{path}.{name}={value}" for name, value in settings.items()))
+    return (outer,), f"a land of usual size: {THUMB}"
+
+
+def _tractions(case: Any) -> tuple[tuple[Other, ...], str]:
+    """Other traction laws of any oil, with a usual limit of the shear stress where the case has none."""
+    limit = getattr(case.lubricant, "limiting_ratio", None)
+    usual = () if limit is not None else (f"lubricant.limiting_ratio={LIMITING_RATIO}",)
+    names = (name for name in ("eyring", "bair-winer") if name != case.lubricant.traction)
+    others = tuple(Other(name, (f"lubricant.traction={name}", *usual)) for name in names)
+    paper = () if case.lubricant.traction == "4109" else (_set("lubricant.traction", "4109"),)
+    return (*others, *paper), "other laws that need no data of the oil"
+
+
+FURTHER: dict[str, Callable[[Any], tuple[tuple[Other, ...], str]]] = {  # keys that change with others
+    "bearing.roller.profile": _profiles,
+    "bearing.cage.guidance": _guidances,
+    "lubricant.traction": _tractions,
+}
+
+
+def _beside(choices: list[Any], value: Any) -> list[Any]:
+    """All other choices; of many the neighbours in their list."""
+    if len(choices) <= FEW or value not in choices:
+        return [choice for choice in choices if choice != value][:FEW]
+    place = choices.index(value)
+    return [choices[near] for near in (place - 1, place + 1) if 0 <= near < len(choices)]
+
+
+def _written(declared: Declaration, value: float) -> str | float:
+    """A value in SI units as a case would have it."""
+    if declared.kind is None:
+        return round(value) if declared.whole else float(f"{value:.6g}")
+    example = declared.field.examples[0] if declared.field.examples else declared.kind.example
+    return declared.kind.written(value, example[0] if isinstance(example, list | tuple) else example)
+
+
+def _set(path: str, value: Any) -> Other:
+    text = value if isinstance(value, str) else toml(value)
+    return Other(text, (f"{path}={text}",))
+
+
+def _at(case: Any, path: str) -> Any:
+    """The value of a dotted key; None where it, or a table above it, is not given."""
+    value = case
+    for name in path.split("."):
+        value = getattr(value, name, None)
+    return value
