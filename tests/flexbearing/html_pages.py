@@ -67,20 +67,27 @@ class Numbers:
                 return float(self.result[rest].number)
             except AbsentOutput:
                 return None
-        if kind == "ratio":
-            value, base = (self(each) for each in rest.split(":"))
-            return value / base
         if kind == "change":
             before, after = (self(each) for each in rest.split(":"))
             return 100 * (after - before) / abs(before)
         if kind == "ratings":
             return followed(self.ratings, rest.split("/"))
-        derived = {"share": self.share, "percent": self.percent, "support_error": self.support_error}
+        derived = {
+            "ratio": self.ratio,
+            "share": self.share,
+            "percent": self.percent,
+            "support_error": self.support_error,
+        }
         if kind in derived:
             return derived[kind](rest)
         if kind.startswith("life_error:"):
             return self.life_error(*place.removeprefix("life_error:").split(":"))
         return self.stored(place)
+
+    def ratio(self, rest):
+        """A number over another one."""
+        value, base = (self(each) for each in rest.split(":"))
+        return value / base
 
     def share(self, rest):
         """What a number takes of its limit, in percent."""
