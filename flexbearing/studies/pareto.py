@@ -1,16 +1,19 @@
 """Speed against error: one case on every level of its ladder, cold and with its rings in the cache.
 
-Levels are calls of a worker process, one after the other, so that nothing disturbs their times.
+Levels are calls of a worker process, one after the other, so that nothing disturbs their times. Times are
+medians.
 """
 
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path
+from statistics import median
 from tempfile import TemporaryDirectory, gettempdir
 from time import perf_counter
+from typing import Any
 
 import numpy as np
 
@@ -20,21 +23,30 @@ from fem.parts.material import ImpossiblePart
 from flexbearing.api import check, run
 from flexbearing.cache.store import VARIABLE
 from flexbearing.case import BadCase, Head
+from flexbearing.case.balls.angular_contact import FastCase
+from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.case.roller import Case
 from flexbearing.coupling import PartnerFailed
 from flexbearing.files import NotStored
 from flexbearing.quantities.roller import CAGE_SLIP
 from flexbearing.report.studies.pareto_table import Measured, Study
+from flexbearing.results import Result
+from flexbearing.studies import pareto_ball_levels as balls
 from flexbearing.studies.engine import DIED, Done, completed
 from flexbearing.studies.engine.apart import Apart
+from flexbearing.studies.pareto_ball_levels import BallCase
 from flexbearing.studies.pareto_levels import Level, ladder, left_out, richest
 
-CACHED_RUNS, SHORT = 3, 1.0  # [s] whatever else the machine does disturbs short runs most: they are repeated
+# Whatever else the machine does disturbs short runs most: they are repeated, cold ones up to a total.
+CACHED_RUNS, COLD_RUNS, LONG = 5, 3, 20.0  # [s]
 LEAST_SLIP = 0.01  # errors of smaller slips are relative to this one
 # Ends that a computation has a name for; anything else is a mistake in the program and ends the study.
 ENDS = PartnerFailed, ImpossiblePart, NotSolved, qd.ImpossiblePart, qd.OutOfRange, qd.NotSolved
-LOADS = "inner_load", "outer_load"
-NAMES = (*LOADS, CAGE_SLIP.name, "life_L10", "total_stiffness")
+LOADS = "inner_load", "outer_load", "contact_load"
+STIFFNESSES = "total_stiffness", "stiffness_matrix"
+TORQUES = "driving_torque", "friction_torque", "torque"
+NAMES = (*LOADS, CAGE_SLIP.name, "life_L10", *STIFFNESSES, *TORQUES)  # a family has some of them
+RADIAL = 2, 2  # of the stiffness matrix: force along z by displacement along z
 Tell = Callable[[Measured], None]
 
 
@@ -58,8 +70,10 @@ class Timed:
     """What a run cost and what it gave."""
 
     times: dict[str, float]  # [s] by the names in `flexbearing.report.studies.pareto_table.TIMES`
-    flexible: Mapping[str, np.ndarray]  # by the names in NAMES
+    state: Mapping[str, np.ndarray]  # by the names in NAMES
     message: str = ""  # why there is no answer
+    picked: str = ""  # levels that a target chose
+    told: dict[str, float] = field(default_factory=dict)  # [-] errors that it estimated
 
 
 class NoReference(RuntimeError):
@@ -74,7 +88,7 @@ def pareto(
     Parameters
     ----------
     case : path
-        case file of a roller bearing
+        case file
     overrides : sequence of str
         `"key=value"` settings that replace those of the file, on every level
     solid : bool
@@ -90,15 +104,15 @@ def pareto(
     Raises
     ------
     BadCase
-        when the case cannot be computed as it stands, or is no roller bearing
+        when the case cannot be computed as it stands, or orders an accuracy
     NoReference
         when the richest level fails or does not converge
     NotStored
         when there is no room for temporary files
     """
-    roller_case = _rollers(check(case, overrides))
+    checked = _with_levels(check(case, overrides))
     tell = tell or (lambda measured: None)
-    best, levels = richest(roller_case), ladder(roller_case, solid=solid)
+    best, levels, words = levels_of(checked, solid=solid)
     with TemporaryDirectory() as folder, closing(Apart()) as engine:
         runs = [Run(case, tuple(overrides), level, folder) for level in (best, *levels)]
         (done,) = completed(runs[:1], timed, engine)
@@ -110,35 +124,49 @@ def pareto(
             found[done.argument.name] = _measured(done, exact)
             tell(found[done.argument.name])
     return Study(
-        title=roller_case.title,
+        title=checked.title,
         reference=reference,
         levels=tuple(found[level.name] for level in levels),
-        left_out=left_out(roller_case, solid=solid),
+        left_out=words,
     )
 
 
-def errors(result: Timed, exact: Timed) -> dict[str, float]:
-    """How wrong a result is, by the names of `flexbearing.report.studies.pareto_table.OUTPUTS`.
+def levels_of(case: Case | BallCase, *, solid: bool) -> tuple[Level, tuple[Level, ...], tuple[str, ...]]:
+    """The reference, all other levels, and kinds of levels that are left out with the reason."""
+    if isinstance(case, Case):
+        return richest(case), ladder(case, solid=solid), left_out(case, solid=solid)
+    return balls.REFERENCE, balls.ladder(case), ()
+
+
+def errors(approximate: Mapping[str, np.ndarray], true: Mapping[str, np.ndarray]) -> dict[str, float]:
+    """How wrong a state is, by the names of `flexbearing.report.studies.pareto_table.OUTPUTS`.
 
     Parameters
     ----------
-    result, exact : Timed
-        of the same case, with an answer
+    approximate, true : dict of array
+        outputs of the same case by the names in NAMES
 
     Returns
     -------
     dict
-        relative errors [-]
+        relative errors [-] of those outputs that the true state has
     """
-    approximate, true = result.flexible, exact.flexible
-    largest = max(float(np.abs(approximate[name] - true[name]).max()) for name in LOADS)
-    slip = abs(float(approximate[CAGE_SLIP.name] - true[CAGE_SLIP.name]))
-    return {
-        "load": largest / max(float(true[name].max()) for name in LOADS),
-        "slip": slip / max(abs(float(true[CAGE_SLIP.name])), LEAST_SLIP),
-        "life": _relative_error(float(approximate["life_L10"]), float(true["life_L10"])),
-        "stiffness": _relative_error(float(approximate["total_stiffness"]), float(true["total_stiffness"])),
-    }
+    loads = [name for name in LOADS if name in true]
+    largest = max(float(np.abs(approximate[name] - true[name]).max()) for name in loads)
+    found = {"load": largest / max(float(true[name].max()) for name in loads)}
+    if CAGE_SLIP.name in true:
+        slip = abs(float(approximate[CAGE_SLIP.name] - true[CAGE_SLIP.name]))
+        found["slip"] = slip / max(abs(float(true[CAGE_SLIP.name])), LEAST_SLIP)
+    for output, names in {"life": ("life_L10",), "stiffness": STIFFNESSES, "torque": TORQUES}.items():
+        name = next((name for name in names if name in true), None)
+        if name is not None:
+            found[output] = _relative_error(_scalar(approximate[name]), _scalar(true[name]))
+    return found
+
+
+def _scalar(value: np.ndarray) -> float:
+    """A scalar, the radial stiffness of a matrix, or the torque on the inner ring."""
+    return float(value[RADIAL] if np.ndim(value) == 2 else np.ravel(value)[0])
 
 
 def _relative_error(value: float, exact: float) -> float:
@@ -146,12 +174,10 @@ def _relative_error(value: float, exact: float) -> float:
     return 0.0 if value == exact else abs(value / exact - 1)
 
 
-def _rollers(case: Head) -> Case:
-    if not isinstance(case, Case):
-        raise BadCase(
-            f'{case.source.path}: only roller bearings have a ladder of levels; kind is "{case.kind}"'
-        )
-    if case.accuracy.target is not None:
+def _with_levels(case: Head) -> Case | BallCase:
+    if not isinstance(case, Case | FastCase | FourPointCase):
+        raise BadCase(f'{case.source.path}: a case of kind "{case.kind}" has no ladder of levels')
+    if isinstance(case, Case) and case.accuracy.target is not None:
         raise BadCase(
             f"{case.source.path}: accuracy.target chooses levels by itself, here all are run; leave it out"
         )
@@ -176,15 +202,26 @@ def _measured(done: Done, exact: Timed) -> Measured:
     if done.raised and not isinstance(done.raised, (BadCase, *ENDS)):
         raise done.raised
     if answer is None:
-        return Measured(name=level.name, settings=level.settings, message=str(done.raised or DIED))
-    off = {} if answer.message else errors(answer, exact)
+        return Measured(
+            name=level.name,
+            settings=level.settings,
+            message=str(done.raised or DIED),
+            physics=level.physics,
+        )
     return Measured(
-        name=level.name, settings=level.settings, times=answer.times, errors=off, message=answer.message
+        name=level.name,
+        settings=level.settings,
+        times=answer.times,
+        errors={} if answer.message else errors(answer.state, exact.state),
+        message=answer.message,
+        physics=level.physics,
+        picked=answer.picked,
+        told=answer.told,
     )
 
 
 def timed(wanted: Run) -> Timed:
-    """Seconds of a run with an empty cache and of the fastest of some with a filled one, and its numbers.
+    """Median seconds of runs with an empty cache and with a filled one, and the numbers.
 
     Parameters
     ----------
@@ -196,22 +233,51 @@ def timed(wanted: Run) -> Timed:
     Timed
     """
     _load(wanted.case, wanted.overrides)
-    settings, seconds = (*wanted.overrides, *wanted.level.settings), []
-    with _temporary(wanted.folder) as folder, _cache(folder):
-        while len(seconds) < 2 or (len(seconds) <= CACHED_RUNS and min(seconds) < SHORT):
-            began = perf_counter()
-            result = run(wanted.case, settings, output=Path(folder) / "level.h5")
-            seconds.append(perf_counter() - began)
-    times = {"cold": seconds[0], "cached": min(seconds[1:])}
+    settings = (*wanted.overrides, *wanted.level.settings)
+    cold: list[float] = []
+    cached: list[float] = []
+    with _temporary(wanted.folder) as folder:
+        while not cold or (len(cold) < COLD_RUNS and sum(cold) < LONG):
+            with _cache(f"{folder}/rings{len(cold)}"):
+                cold.append(_run(wanted.case, settings, folder)[0])
+                for _ in range(-(-CACHED_RUNS // COLD_RUNS)):
+                    seconds, result = _run(wanted.case, settings, folder)
+                    cached.append(seconds)
+    times = {"cold": median(cold), "cached": median(cached)}
     if result.attributes["status"] != "converged":
         return Timed(times, {}, str(result.attributes["message"]))
-    return Timed(times, {name: result.flexible[name] for name in NAMES})
+    state = result.flexible or result.rigid
+    return Timed(
+        times,
+        {name: state[name] for name in NAMES if name in state},
+        picked=_picked(result.attributes.get("choices") or {}),
+        told=_told(result.attributes.get("error_estimate") or {}),
+    )
+
+
+def _run(case: str | Path, settings: Sequence[str], folder: str) -> tuple[float, Result]:
+    began = perf_counter()
+    result = run(case, settings, output=Path(folder) / "level.h5")
+    return perf_counter() - began, result
+
+
+def _picked(choices: Mapping[str, Any]) -> str:
+    """Levels that a target chose, in words."""
+    return ", ".join(f"{name} {choice['level']}" for name, choice in choices.items())
+
+
+def _told(estimate: Mapping[str, Any]) -> dict[str, float]:
+    """Errors that a target estimated, by the names of outputs."""
+    names = {"load": "roller_load", "slip": "cage_slip", "life": "life", "stiffness": "total_stiffness"}
+    return {output: float(estimate[name]) for output, name in names.items() if name in estimate}
 
 
 @lru_cache(maxsize=1)
 def _load(case: str | Path, overrides: tuple[str, ...]) -> None:
     """Load what runs of a case need, before any is timed."""
     found = check(case, overrides)
+    if not isinstance(found, Case):
+        return
     if found.outer.kind != "rigid" or found.inner.kind != "rigid":
         import fem.section.revolved  # noqa: F401
 

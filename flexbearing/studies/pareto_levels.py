@@ -1,7 +1,7 @@
 """Levels of cost that one case of a roller bearing can be computed on.
 
-Slices, axial shapes and orders of the elements are levels that `accuracy.target` climbs, too; structures,
-methods and film heating come beside them.
+Slices, axial shapes and orders of the elements are levels that `accuracy.target` climbs, too; structures and
+methods come beside them. Laws of another physics are marked: no resolution makes them agree.
 """
 
 from collections.abc import Sequence
@@ -10,13 +10,17 @@ from typing import NamedTuple
 from flexbearing.accuracy.levels import AXIAL_MODES, SLICES, mesh_levels
 from flexbearing.build.ring_parts import part_of
 from flexbearing.case.roller import Case
+from flexbearing.case.roller.life import FEWEST_SLICES
 
 METHODS = ("newton", "iqn-ils", "anderson", "aitken", "relaxed")
-TARGETS = ("10 %", "1 %", "0.1 %")
+TARGETS = ("5 %", "1 %", "0.1 %")
+CHOSEN = (  # keys of [accuracy] that keep a target from choosing
+    "slices", "axial_shapes", "harmonics", "element_order", "mesh_size", "raceway_mesh_size",
+)  # fmt: skip
 HARMONICS = "accuracy.structure=harmonics"
 FEWEST = f"accuracy.slices={SLICES[0]}"
-# The highest of each is the reference; with 640 slices it took minutes.
-*COARSER_SLICES, MOST_SLICES = SLICES[: SLICES.index(160) + 1]
+# The highest of each that a case may have is the reference.
+*COARSER_SLICES, MOST_SLICES = SLICES[:-1]
 *FEWER_MODES, MOST_MODES = AXIAL_MODES[:-1]
 
 
@@ -25,6 +29,7 @@ class Level(NamedTuple):
 
     name: str
     settings: tuple[str, ...] = ()  # key=value, on top of the case
+    physics: bool = False  # another law instead of another resolution of the same
 
 
 def richest(case: Case) -> Level:
@@ -66,17 +71,18 @@ def ladder(case: Case, *, solid: bool) -> tuple[Level, ...]:
         levels += _structures(case)
     if solid and _solid_is_new(case):
         levels.append(Level("full solid", ("accuracy.structure=solid",)))
-    levels += _counts("slices", "slices", COARSER_SLICES, case.accuracy.slices)
+    levels += _counts("slices", "slices", _coarser_slices(case), case.accuracy.slices)
     if _flexible(case):
         levels += _counts("axial shapes", "axial_shapes", FEWER_MODES, case.accuracy.axial_shapes)
-    levels += _films(case)
+    levels += _laws(case)
     if _flexible(case):
         levels += [
             Level(method, (f"coupling.method={method}", "coupling.fallback=false"))
             for method in METHODS
             if method != case.coupling.method
         ]
-    levels += [Level(f"target {target}", (f"accuracy.target={target}",)) for target in TARGETS]
+    free = tuple(f"accuracy.{key}=" for key in CHOSEN if key in case.accuracy.model_fields_set)
+    levels += [Level(f"target {target}", (f"accuracy.target={target}", *free)) for target in TARGETS]
     return tuple(levels)
 
 
@@ -95,7 +101,7 @@ def left_out(case: Case, *, solid: bool) -> tuple[str, ...]:
             words.append("smeared: there are no bars")
     if _solid_is_new(case) and not solid:
         words.append("full solid: not asked for, it takes much longer than all others (--solid)")
-    if not _films(case):
+    if not (case.lubricant.inlet_heating or case.lubricant.film_heating):
         words.append("film heating: the case has none")
     return tuple(words)
 
@@ -134,7 +140,7 @@ def _orders(case: Case) -> list[int]:
 
 def _structures(case: Case) -> list[Level]:
     """Structures other than that of the case, at all orders where it has elements."""
-    rigid = ("outer.kind=rigid", "inner.kind=rigid")
+    rigid = _rigid(case)
     levels = [Level("rigid", rigid), Level(f"rigid, {SLICES[0]} slices", (*rigid, FEWEST))]
     if _can_be_beams(case):
         beam = "accuracy.structure=beam"
@@ -155,15 +161,34 @@ def _structures(case: Case) -> list[Level]:
     ]
 
 
+def _rigid(case: Case) -> tuple[str, ...]:
+    """Settings for rigid rings; keys of flexible ones that were set beside the file are taken out."""
+    names = (setting.partition("=")[0].strip() for setting in case.source.overrides)
+    others = (name for name in names if name.startswith(("outer.", "inner.")) and not name.endswith(".kind"))
+    return ("outer.kind=rigid", "inner.kind=rigid", *(f"{name}=" for name in others))
+
+
+def _coarser_slices(case: Case) -> tuple[int, ...]:
+    """Levels below the reference; the edge stress needs some slices."""
+    return tuple(n for n in COARSER_SLICES if not case.life.edge_stress or n >= FEWEST_SLICES)
+
+
 def _counts(name: str, key: str, counts: Sequence[int], of_case: int) -> list[Level]:
     return [Level(f"{n} {name}", (f"accuracy.{key}={n}",)) for n in counts if n != of_case]
 
 
-def _films(case: Case) -> list[Level]:
-    """Levels without the heating of films, where the case has it."""
+def _laws(case: Case) -> list[Level]:
+    """Other physics: films without heating where the case has it, the other resolution of the contacts."""
     names = {"inlet_heating": "inlets not heated", "film_heating": "films not heated"}
-    return [
-        Level(words, (f"lubricant.{key}=false",))
+    levels = [
+        Level(words, (f"lubricant.{key}=false",), physics=True)
         for key, words in names.items()
         if getattr(case.lubricant, key)
     ]
+    contact, words = (
+        ("half_space", "half-space contact")
+        if case.bearing.contact == "slices"
+        else ("slices", "sliced contact")
+    )
+    ends = ("life.edge_stress=false",) if contact == "half_space" and case.life.edge_stress else ()
+    return [*levels, Level(words, (f"bearing.contact={contact}", *ends), physics=True)]

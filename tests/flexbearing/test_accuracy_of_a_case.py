@@ -144,6 +144,8 @@ def test_fewer_axial_shapes_are_a_part_of_more():
 def test_edge_stress_keeps_its_thirty_slices():
     slices = ladders(read_case(PLAIN, ["life.edge_stress=true", "accuracy.slices=30"]))[0]
     assert slices.choice.levels == ("30", "60", "120")
+    chosen = ladders(read_case(PLAIN, ["life.edge_stress=true", "accuracy.target=1 %"]))[0]
+    assert chosen.choice.levels[0] == "40"
 
 
 def test_a_case_without_an_answer_is_told_and_solved_as_usual(folder):

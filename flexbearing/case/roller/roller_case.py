@@ -186,7 +186,8 @@ class Case(Head):
         if self.life.edge_stress and self.bearing.contact == "half_space":
             allowed = 'false for bearing.contact = "half_space", whose loads per length hold the ends already'
             raise impossible("life.edge_stress", allowed)
-        if self.life.edge_stress and self.accuracy.slices < FEWEST_SLICES:
+        chosen = self.accuracy.target is not None and "slices" not in self.accuracy.model_fields_set
+        if self.life.edge_stress and self.accuracy.slices < FEWEST_SLICES and not chosen:
             raise impossible("accuracy.slices", f"at least {FEWEST_SLICES} for life.edge_stress")
         return self
 

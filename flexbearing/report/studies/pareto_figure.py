@@ -8,24 +8,27 @@ from typing import TYPE_CHECKING
 from flexbearing.report.axes_look import plain_grid
 from flexbearing.report.picture import titled
 from flexbearing.report.roller.figures import BLUE, ORANGE
-from flexbearing.report.studies.pareto_table import OUTPUTS, TARGETS, TIMES, Study, cheapest, front, percent
+from flexbearing.report.studies.pareto_table import SMALLEST, TARGETS, TIMES, Study, cheapest, front, percent
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-SMALLEST = 1e-7  # errors below it are drawn there
 _STYLE = {"cold": (BLUE, "o", "-"), "cached": (ORANGE, "s", "--")}
 _TITLES = {
-    "load": "roller loads",
+    "load": "loads of rollers or balls",
     "slip": "cage slip",
     "life": "rating life",
     "stiffness": "radial stiffness",
+    "torque": "torque",
 }
+_PHYSICS = "0.35"  # grey of other physics
 
 
 def draw_pareto(study: Study) -> Figure:
     """Draw what every level cost and how wrong it was; the front and the cheapest levels are marked.
+
+    Other physics has marks and a name, and is part of no front.
 
     Parameters
     ----------
@@ -38,33 +41,38 @@ def draw_pareto(study: Study) -> Figure:
     """
     from matplotlib.figure import Figure  # a second to load: only pictures pay for it
 
-    figure = Figure(figsize=(11.0, 10.6), layout="constrained")
-    panels = figure.subplots(2, 2, sharex=True, sharey=True)
-    for axes, output in zip(panels.ravel(), OUTPUTS, strict=True):
+    outputs = study.outputs
+    rows = -(-len(outputs) // 2)
+    figure = Figure(figsize=(11.0, 1.2 + 4.7 * rows), layout="constrained")
+    panels = figure.subplots(rows, 2, sharex=True, sharey=True, squeeze=False).ravel()
+    for axes, output in zip(panels, outputs, strict=False):
         _draw_panel(axes, study, output)
+    for axes in panels[len(outputs) :]:
+        axes.remove()
     errors = [max(error, SMALLEST) for level in study.solved for error in level.errors.values()]
-    panels[0, 0].set_ylim(min(*errors, *TARGETS) / 2, max(*errors, *TARGETS) * 2)
+    panels[0].set_ylim(min(*errors, *TARGETS) / 2, max(*errors, *TARGETS) * 2)
     lines = [titled(study.title, 90), f"errors against a reference of {study.reference.times['cold']:.2g} s"]
     failed = [level.name for level in study.levels if not level.errors]
     if failed:
         lines.append(fill(f"without an answer: {', '.join(failed)}", 110))
     figure.suptitle("\n".join(lines), fontsize=12, parse_math=False)
-    handles, labels = panels[0, 0].get_legend_handles_labels()
+    handles, labels = panels[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncols=len(labels), frameon=False)
     return figure
 
 
 def _draw_panel(axes: Axes, study: Study, output: str) -> None:
-    errors = [max(level.errors[output], SMALLEST) for level in study.solved]
+    errors = [max(level.errors[output], SMALLEST) for level in study.numerical]
     for when in TIMES:
         color, marker, line = _STYLE[when]
-        points = [(level.times[when], error) for level, error in zip(study.solved, errors, strict=True)]
+        points = [(level.times[when], error) for level, error in zip(study.numerical, errors, strict=True)]
         axes.plot(
             *zip(*points, strict=True), marker, color=color, markersize=4.5, alpha=0.55, label=f"{when}"
         )
         best = [points[number] for number in front(points)]
         axes.plot(*zip(*best, strict=True), line, color=color, drawstyle="steps-post", linewidth=1.2,
                   label=f"best, {when}")  # fmt: skip
+    _draw_other_physics(axes, study, output)
     for target in TARGETS:
         axes.axhline(target, color="0.6", linestyle=":", linewidth=1, zorder=0)
     _mark_cheapest(axes, study, output)
@@ -72,6 +80,21 @@ def _draw_panel(axes: Axes, study: Study, output: str) -> None:
     axes.set_title(_TITLES[output], fontsize=11)
     plain_grid(axes)
     axes.tick_params(labelbottom=True, labelleft=True)
+
+
+def _draw_other_physics(axes: Axes, study: Study, output: str) -> None:
+    """Differences of other laws at their cached times, with their names towards the middle."""
+    times = [seconds for level in study.solved for seconds in level.times.values()]
+    middle = (min(times) * max(times)) ** 0.5
+    for number, level in enumerate(study.other_physics):
+        place = level.times["cached"], max(level.errors[output], SMALLEST)
+        label = "other physics, cached" if number == 0 else None
+        axes.plot(*place, "x", color=_PHYSICS, markersize=6, markeredgewidth=1.4, label=label)
+        aside, side = (5, "left") if place[0] < middle else (-5, "right")
+        axes.annotate(
+            level.name, place, xytext=(aside, 4), textcoords="offset points", ha=side, fontsize=7,
+            color=_PHYSICS, parse_math=False,
+        )  # fmt: skip
 
 
 def _mark_cheapest(axes: Axes, study: Study, output: str) -> None:

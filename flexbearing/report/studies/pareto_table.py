@@ -8,13 +8,16 @@ from dataclasses import dataclass, field
 from io import StringIO
 
 OUTPUTS = {  # name, what it is the error of
-    "load": "roller loads, largest error over largest load",
+    "load": "loads of rollers or balls, largest error over largest load",
     "slip": "cage slip, of itself or of 1 %",
     "life": "rating life",
     "stiffness": "radial stiffness from base to shaft ends",
+    "torque": "torque that keeps the inner ring turning",
 }
-TARGETS = (0.1, 0.01, 0.001)
+TARGETS = (0.05, 0.01, 0.001)
 TIMES = ("cold", "cached")
+SMALLEST = 1e-7  # errors below it are rounding and tolerance of the solution
+TOLD = ("load", "life")  # outputs that a target keeps
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -26,6 +29,9 @@ class Measured:
     times: dict[str, float] = field(default_factory=dict)  # [s] by the names in TIMES
     errors: dict[str, float] = field(default_factory=dict)  # [-] by the names in OUTPUTS; empty: failed
     message: str = ""  # why it failed
+    physics: bool = False  # another law: its errors are differences, and it is on no front
+    picked: str = ""  # levels that a target chose
+    told: dict[str, float] = field(default_factory=dict)  # [-] errors that a target estimated
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -42,6 +48,21 @@ class Study:
         """Levels that gave an answer."""
         return tuple(level for level in self.levels if level.errors)
 
+    @property
+    def numerical(self) -> tuple[Measured, ...]:
+        """Those of the physics of the reference."""
+        return tuple(level for level in self.solved if not level.physics)
+
+    @property
+    def other_physics(self) -> tuple[Measured, ...]:
+        """Those of another physics."""
+        return tuple(level for level in self.solved if level.physics)
+
+    @property
+    def outputs(self) -> tuple[str, ...]:
+        """Names in OUTPUTS that such a bearing has."""
+        return tuple(name for name in OUTPUTS if name in self.reference.errors)
+
 
 def front(points: Sequence[tuple[float, float]]) -> list[int]:
     """Numbers of the points (time, error) that no other one beats in both, from fast to slow."""
@@ -54,7 +75,7 @@ def front(points: Sequence[tuple[float, float]]) -> list[int]:
 
 
 def cheapest(study: Study, when: str, target: float, outputs: Sequence[str]) -> Measured | None:
-    """The fastest level whose errors of some outputs are all within a target, None if there is none.
+    """The fastest level of the same physics whose errors of some outputs are within a target, None for none.
 
     Parameters
     ----------
@@ -71,7 +92,7 @@ def cheapest(study: Study, when: str, target: float, outputs: Sequence[str]) -> 
     -------
     Measured or None
     """
-    good = [level for level in study.solved if all(level.errors[name] <= target for name in outputs)]
+    good = [level for level in study.numerical if all(level.errors[name] <= target for name in outputs)]
     return min(good, key=lambda level: level.times[when], default=None)
 
 
@@ -87,17 +108,30 @@ def text(study: Study) -> str:
     -------
     str
     """
+    outputs = study.outputs
     lines = [f"# {study.title}", "", "Errors against the reference, "
-             + "; ".join(f"{name}: {words}" for name, words in OUTPUTS.items()) + ".", ""]  # fmt: skip
-    lines += ["| level | cold [s] | cached [s] | " + " | ".join(f"{name} [%]" for name in OUTPUTS) + " |"]
-    lines += ["|---|" + "---:|" * (len(TIMES) + len(OUTPUTS))]
-    lines += [_row(level) for level in (*study.solved, study.reference)]
+             + "; ".join(f"{name}: {OUTPUTS[name]}" for name in outputs) + ".", ""]  # fmt: skip
+    lines += [
+        head("level", outputs),
+        *(row(level, outputs) for level in (*study.numerical, study.reference)),
+    ]
+    if study.other_physics:
+        lines += ["", "Other physics: differences instead of errors, never among the cheapest.", ""]
+        lines += [head("law", outputs), *(row(level, outputs) for level in study.other_physics)]
     lines += ["", "| cheapest within | " + " | ".join(TIMES) + " |", "|---|" + "---|" * len(TIMES)]
     for target in TARGETS:
-        fastest = (cheapest(study, when, target, tuple(OUTPUTS)) for when in TIMES)
+        fastest = (cheapest(study, when, target, outputs) for when in TIMES)
         names = (f"{level.name}, {level.times[when]:.2g} s" if level else "none"
                  for when, level in zip(TIMES, fastest, strict=True))  # fmt: skip
         lines.append(f"| {percent(target)} in all | " + " | ".join(names) + " |")
+    picked = [level for level in study.numerical if level.picked]
+    if picked:
+        lines += [
+            "",
+            "| target | chooses | told, true error of loads [%] | of life [%] |",
+            "|---|---|---|---|",
+        ]
+        lines += [picked_row(level) for level in picked]
     failed = [f"- {level.name}: {level.message}" for level in study.levels if not level.errors]
     if failed:
         lines += ["", "Without an answer:", "", *failed]
@@ -113,16 +147,21 @@ def table(study: Study) -> str:
     rows.writerow(
         [
             "level",
+            "kind",
             *(f"{when}_s" for when in TIMES),
-            *(f"error_{name}" for name in OUTPUTS),
+            *(f"error_{name}" for name in study.outputs),
+            *(f"told_{name}" for name in TOLD),
+            "picked",
             "settings",
             "message",
         ]
     )
     for level in (*study.levels, study.reference):
         numbers = [level.times.get(when, "") for when in TIMES]
-        numbers += [level.errors.get(name, "") for name in OUTPUTS]
-        rows.writerow([level.name, *numbers, " ".join(level.settings), level.message])
+        numbers += [level.errors.get(name, "") for name in study.outputs]
+        numbers += [level.told.get(name, "") for name in TOLD]
+        kind = "reference" if level is study.reference else "physics" if level.physics else "numerical"
+        rows.writerow([level.name, kind, *numbers, level.picked, " ".join(level.settings), level.message])
     return file.getvalue()
 
 
@@ -131,7 +170,64 @@ def percent(value: float) -> str:
     return f"{100 * value:g} %"
 
 
-def _row(level: Measured) -> str:
+def head(first: str, outputs: Sequence[str]) -> str:
+    """Heading of a Markdown table of levels.
+
+    Parameters
+    ----------
+    first : str
+        heading of the names
+    outputs : sequence of str
+        names in OUTPUTS
+
+    Returns
+    -------
+    str
+        two lines
+    """
+    return (
+        f"| {first} | cold [s] | cached [s] | " + " | ".join(f"{name} [%]" for name in outputs) + " |\n"
+        "|---|" + "---:|" * (len(TIMES) + len(outputs))
+    )
+
+
+def row(level: Measured, outputs: Sequence[str]) -> str:
+    """One level under `head`.
+
+    Parameters
+    ----------
+    level : Measured
+        with errors
+    outputs : sequence of str
+        names in OUTPUTS
+
+    Returns
+    -------
+    str
+        a line; errors below `SMALLEST` are not told apart from rounding errors
+    """
     numbers = [f"{level.times[when]:.3g}" for when in TIMES]
-    numbers += [f"{100 * level.errors[name]:.3g}" for name in OUTPUTS]
+    numbers += [_share(level.errors[name]) for name in outputs]
     return f"| {level.name} | " + " | ".join(numbers) + " |"
+
+
+def picked_row(level: Measured) -> str:
+    """What a target chose, and its told and true errors.
+
+    Parameters
+    ----------
+    level : Measured
+        of a target
+
+    Returns
+    -------
+    str
+        a line
+    """
+    errors = (f"{100 * level.told[name]:.2g}, {100 * level.errors[name]:.2g}" for name in TOLD)
+    return f"| {level.name.removeprefix('target ')} | {level.picked} | " + " | ".join(errors) + " |"
+
+
+def _share(error: float) -> str:
+    """An error in percent."""
+    return f"{100 * error:.3g}" if error >= SMALLEST or error == 0 else f"< {100 * SMALLEST:.0e}"
