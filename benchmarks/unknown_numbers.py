@@ -131,12 +131,13 @@ def solved(bearing: Bearing, number: str, value: str, settings: tuple[str, ...])
     """Run the case with these settings."""
     result = run(bearing.case, (*bearing.settings, *settings))
     status, state = str(result.attributes["status"]), result.flexible
-    if status != "converged":
-        nothing = (float("nan"),) * 4
-        return Row(bearing.title, number, value, status, *nothing, str(result.attributes["message"]))
-    life = state["modified_life"] if "modified_life" in state else state["life_L10"]
-    found = (life / 1e6, state["cage_slip"], state["total_stiffness"], state["driving_torque"])
-    return Row(bearing.title, number, value, status, *map(float, found), "")
+    life = slip = stiffness = torque = float("nan")
+    message = str(result.attributes["message"])
+    if status == "converged":
+        life = float(state["modified_life"] if "modified_life" in state else state["life_L10"]) / 1e6
+        slip, message = float(state["cage_slip"]), ""
+        stiffness, torque = float(state["total_stiffness"]), float(state["driving_torque"])
+    return Row(bearing.title, number, value, status, life, slip, stiffness, torque, message)
 
 
 def computed() -> Iterator[Row]:
@@ -152,9 +153,12 @@ def stored() -> list[Row]:
     """Rows of the last run."""
     with CSV.open(newline="", encoding="utf-8") as file:
         return [
-            Row(**{f.name: float(row[f.name]) if f.type is float else row[f.name] for f in fields(Row)})
+            Row(
+                row["bearing"], row["number"], row["value"], row["status"], float(row["life"]),
+                float(row["slip"]), float(row["stiffness"]), float(row["torque"]), row["message"],
+            )
             for row in csv.DictReader(file)
-        ]
+        ]  # fmt: skip
 
 
 def store(rows: list[Row]) -> None:
