@@ -181,7 +181,7 @@ def test_two_static_safeties_are_explained_where_both_stand(readers):
 
 def test_what_has_no_estimated_error_is_said_to_have_none(readers):
     page = words(readers("plain"))
-    assert "roller loads; cage slip, percentage points; stiffness of the bearing" in page
+    assert "largest roller load, inner; stiffness of the bearing; stiffness with supports" in page
     assert "peak pressure, inner raceway\nnot estimated" in page
     assert "have no numerical error but that of the balance" in words(readers("ball"))
 

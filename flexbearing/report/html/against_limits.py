@@ -282,7 +282,7 @@ def _life(reader: Reader) -> Iterator[Check]:
 
 
 def _slip(reader: Reader) -> Iterator[Check]:
-    for entry in (entry for entry in reader.layout.summary if entry.of == ("cage_slip",)):
+    for entry in (entry for entry in reader.layout.summary if entry.label == "cage slip"):
         yield Check("Cage slip", reader.declared(entry, reader.last), verdict=f"{NOT_CHECKED}: {_SLIP}")
 
 

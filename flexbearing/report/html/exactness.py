@@ -22,13 +22,6 @@ _BALLS = (
     "Contacts of balls follow closed formulas without a grid: loads, angles, pressures and stiffness have no "
     "numerical error but that of the balance."
 )
-_OF_TARGET = {
-    "roller_load": "roller loads",
-    "cage_slip": "cage slip, percentage points",
-    "life": "basic life L10",
-    "stiffness": "stiffness of the bearing",
-    "total_stiffness": "stiffness with supports",
-}
 
 
 def error(reader: Reader, entry: SummaryValue) -> Cell:
@@ -70,12 +63,16 @@ def _of_target(reader: Reader) -> Iterator[tuple[Cell, ...]]:
     estimates = reader.attributes.get("error_estimate") or {}
     if "roller" not in reader.attributes["case_si"]["bearing"]:
         return
-    for name in (name for name in _OF_TARGET if estimates.get(name) is not None):
+    words: dict[str, str] = {}  # of the first output that has an error
+    for entry in (entry for entry in reader.layout.summary if entry.error):
+        points = "" if entry.error_relative else ", percentage points"
+        words.setdefault(entry.error, f"{entry.label.strip()}{points}")
+    for name in (name for name in words if estimates.get(name) is not None):
         cell = reader.of_attribute(f"error_estimate/{name}", "1", "%", ".2g")
-        yield _OF_TARGET[name], cell, "neighbouring levels of accuracy"
+        yield words[name], cell, "neighbouring levels of accuracy"
     if estimates.get("life") is None:
-        yield _OF_TARGET["life"], lives.error(reader, "life_L10"), "finer slices and more axial shapes"
-    left = [words for name, words in _OF_TARGET.items() if name != "life" and estimates.get(name) is None]
+        yield words["life"], lives.error(reader, "life_L10"), "finer slices and more axial shapes"
+    left = [text for name, text in words.items() if name != "life" and estimates.get(name) is None]
     if left:
         yield "; ".join(left), NOT_ESTIMATED, ""
 
