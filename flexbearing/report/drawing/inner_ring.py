@@ -82,3 +82,4 @@ def _clamped(sheet: Sheet, inner: Any, radius: float) -> None:
     tip = (-inner.width / 2, radius)
     sheet.line([(-0.75 * inner.width, radius), tip], ec=LOAD, arrowstyle="-|>", lw=1.6)
     sheet.label("inner.clamping", tip)
+    sheet.notes.append("Red arrow: force of the nut, which presses the ring on the shoulder.")
