@@ -134,7 +134,8 @@ def test_an_older_result_without_the_growth_of_a_iso_tells_no_error_of_its_life(
 
 def test_a_bearing_without_a_rating_life_has_no_life_to_use(readers):
     assert lives(readers("four-point")) == ()
-    assert "Life to compare" not in words(readers("four-point"))
+    page = words(readers("four-point"))
+    assert "No life to compare with a requirement. ISO 281 and ISO 76 have no ratings for this kind" in page
 
 
 @pytest.mark.parametrize("name", CASES)
@@ -145,7 +146,7 @@ def test_limits_are_ranked_and_what_was_not_checked_says_why(readers, name):
     reasons = [check.verdict for check in checks if check.verdict.startswith(NOT_CHECKED)]
     assert all(len(reason) > len(NOT_CHECKED) + 10 for reason in reasons)
     told = " ".join(check.what for check in checks)
-    for what in ("Peak contact pressure", "film ratio", "Temperature", "Speed", "Minimum load"):
+    for what in ("Peak contact pressure", "film ratio", "Temperature", "Speed", "inimum load"):
         assert what in told.replace("Highest temperature", "Temperature")
 
 
@@ -155,13 +156,13 @@ def test_a_load_above_half_the_rating_is_told_first(readers):
     assert check.verdict == "EXCEEDED: ISO 281 leaves to the maker whether its life formula holds"
     rated = Numbers(readers("heavy").result.path).ratings["ratings_N"]["C_r"]
     assert check.used == approx(30e3 / (rated / 2), rel=1e-9)
-    assert "Exceeded: Equivalent load P against C_r/2" in words(readers("heavy"))
+    assert "Limits that are not kept: Equivalent load P against C_r/2" in words(readers("heavy"))
 
 
 def test_a_light_load_is_below_the_minimum_load(readers):
     check = next(each for each in ranked(readers("light")) if each.what.startswith("Minimum load"))
     rated = Numbers(readers("light").result.path).ratings["ratings_N"]["C_r"]
-    assert check.verdict == "EXCEEDED"
+    assert check.verdict == "NOT MET"
     assert check.used == approx(0.02 * rated / 500, rel=1e-9)
 
 
@@ -219,7 +220,7 @@ def test_a_cage_within_the_ribs_is_exceeded_and_noted(readers):
     assert {check.what: check.verdict for check in ranked(Reader(noted, METRIC))}[
         "Dimensions of the cage"
     ] == "EXCEEDED: see the note"
-    assert "Exceeded: Dimensions of the cage." in words(Reader(noted, METRIC))
+    assert "Limits that are not kept: Dimensions of the cage." in words(Reader(noted, METRIC))
 
 
 @pytest.mark.parametrize(

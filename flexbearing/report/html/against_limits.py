@@ -17,6 +17,7 @@ FULL_FILM = 3  # film ratio
 ENDS = {"pressed-end", "sharp-roller-end", "sliced-peak"}  # notes by which slices do not have the peak
 NOT_CHECKED = "not checked"
 MOST, LEAST = "most", "least"  # a limit from above, from below
+_BROKEN = {MOST: "EXCEEDED", LEAST: "NOT MET"}
 _NOTE = (
     "Share: value over limit, or limit over value where a value must not be lower; the largest share limits "
     "first. A contact pressure grows slower than its load: with the square root of the load of a roller, the "
@@ -63,12 +64,12 @@ class Check:
 def blocks(reader: Reader) -> Iterator[Block]:
     """What limits most in a sentence, then every limit."""
     checks = ranked(reader)
-    exceeded = [check.what for check in checks if check.verdict.startswith("EXCEEDED")]
+    exceeded = [check.what for check in checks if check.verdict.startswith(tuple(_BROKEN.values()))]
     nearest = next((check.what for check in checks if check.used), "")
     left = sum(check.verdict.startswith(NOT_CHECKED) for check in checks)
     without = f" {left} more could not be checked, each for the reason in its line." if left else ""
     if exceeded:
-        yield Words((f"Exceeded: {'; '.join(exceeded)}.{without}",), "danger")
+        yield Words((f"Limits that are not kept: {'; '.join(exceeded)}.{without}",), "danger")
     elif nearest:
         words = f"Every limit that was checked is met; the nearest: {nearest}.{without}"
         yield Words((words,), "good")
@@ -95,10 +96,6 @@ def _unit(value: Cell) -> str:
     return "" if isinstance(value, str) else printed(value.unit)
 
 
-def _verdict(met: bool) -> str:
-    return "met" if met else "EXCEEDED"
-
-
 def _against(reader: Reader, what: str, value: Number, number: float | None, limit: Limit) -> Check:
     """A number against a limit in the unit of its place in the file."""
     if number is None:
@@ -107,7 +104,7 @@ def _against(reader: Reader, what: str, value: Number, number: float | None, lim
     used = number / limit.value if limit.side == MOST else limit.value / number if number else 0.0
     of = f"share/{limit.side}/{float(limit.value)!r}/{value.of}"
     share = reader.units.number(100 * used, "%", "%", ",.0f", of)
-    return Check(what, value, limit.words, share, used, _verdict(met))
+    return Check(what, value, limit.words, share, used, "met" if met else _BROKEN[limit.side])
 
 
 def _pressures(reader: Reader) -> Iterator[Check]:
@@ -140,8 +137,7 @@ def _load(reader: Reader) -> Iterator[Check]:
     """Equivalent load against what ISO 281 holds for, and against the least."""
     found = ratings.found(reader)
     if isinstance(found, str):
-        for what in ("Equivalent load P", "Minimum load"):
-            yield Check(what, verdict=f"{NOT_CHECKED}: {found}")
+        yield Check("Equivalent load and minimum load", verdict=f"{NOT_CHECKED}: {found.rstrip('.')}")
         return
     rated, at = found
     load, rating, path = rated["load_N"], rated["ratings_N"]["C_r"], f"{at}/load_N"
@@ -236,7 +232,7 @@ def _film_ratio(reader: Reader) -> Iterator[Check]:
 def _spin(reader: Reader) -> Iterator[Check]:
     """Friction that holds the gyroscopic moments of fast balls."""
     case, needed = reader.attributes["case_si"], reader.summary[reader.last].get("needed_friction")
-    if not needed or case["operation"].get("control") == "coulomb":
+    if not needed or not any(needed.values()) or case["operation"].get("control") == "coulomb":
         return
     limit, race = case["friction"]["coefficient"], max(needed, key=lambda race: needed[race] or 0.0)
     path = f"summary/{reader.last}/needed_friction/{race}"
@@ -251,7 +247,7 @@ def _clearance(reader: Reader) -> Iterator[Check]:
     if of_rollers and (reader.attributes.get("clearance") or {}).get("operating_m") is not None:
         value = reader.of_attribute("clearance/operating_m", "m", "um", ".3g")
         preload = reader.attributes["clearance"]["operating_m"] < 0
-        verdict = "preload: see Clearance" if preload else _verdict(True)
+        verdict = "preload: see Clearance" if preload else "met"
         yield Check(f"Diametral {reader.clearance_words}", value, "at least 0", verdict=verdict)
 
 

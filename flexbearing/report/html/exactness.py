@@ -20,7 +20,8 @@ _NO_TARGET = (
 )
 _BALLS = (
     "Contacts of balls follow closed formulas without a grid: loads, angles, pressures and stiffness have no "
-    "numerical error but that of the balance."
+    "numerical error but that of the balance. Friction is summed over the contacts: its error is told where "
+    "cells of them are refined."
 )
 
 
@@ -29,7 +30,8 @@ def error(reader: Reader, entry: SummaryValue) -> Cell:
     estimates = reader.attributes.get("error_estimate") or {}
     if estimates.get(entry.error) is not None:
         return reader.of_attribute(f"error_estimate/{entry.error}", "1", "%", ".2g")
-    return "of the balance alone" if _exact(reader) and entry.key != "torque_Nm" else NOT_ESTIMATED
+    by_friction = any(word in entry.key for word in ("torque", "power", "friction"))
+    return "of the balance alone" if _exact(reader) and not by_friction else NOT_ESTIMATED
 
 
 def _exact(reader: Reader) -> bool:

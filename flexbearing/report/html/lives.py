@@ -37,9 +37,12 @@ def lives(reader: Reader) -> tuple[Life, ...]:
 
 
 def blocks(reader: Reader) -> Iterator[Block]:
-    """Which life to use and why, then all of them; nothing where the case has none."""
+    """Which life to use and why, then all of them; a sentence where the case has none."""
     found = lives(reader)
     if not found or not found[0].chosen:
+        why = ratings.found(reader)
+        told = why if isinstance(why, str) else "The run computed none."
+        yield Words((f"No life to compare with a requirement. {told}",))
         return
     yield Words((f"Life to compare with a requirement: {found[0].name}. {_why(reader, found)}",))
     rows: list[tuple[Cell, ...]] = [
