@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from flexbearing.accuracy.shared import Levels
+    from flexbearing.derivatives.table import Sensitivities
     from flexbearing.progress import Report
     from flexbearing.report.drawing import Drawing
     from flexbearing.results import Result
@@ -164,6 +165,39 @@ def against_catalogue(case: str | Path, overrides: Overrides = ()) -> dict[str, 
     if catalogue is None:
         raise BadCase(f'{case}: kind = "{wanted.kind}" has no ratings in ISO 281, so no life is compared.')
     return compared(wanted, catalogue(), lambda further: read_case(case, [*given, *further]), compute)
+
+
+def sensitivities(case: Any, of: Sequence[str] = (), by: Sequence[str] = ()) -> "Sensitivities":
+    """Differentiate outputs of a case by its keys, at its equilibrium.
+
+    Parameters
+    ----------
+    case : flexbearing.case.Head
+        as `read_case` returns it
+    of : sequence of str
+        outputs with units if others than those of the summary are wanted, "life", or "all"; by default the
+        main ones
+    by : sequence of str
+        keys; by default all continuous ones that the case states
+
+    Returns
+    -------
+    flexbearing.derivatives.table.Sensitivities
+        in the units of outputs and keys
+
+    Raises
+    ------
+    BadCase
+        for keys that hold no continuous value, and cases without derivatives
+    UnknownOutput, WrongUnit
+        for texts that name no output
+    NotSolved
+        where there is no equilibrium
+    """
+    from flexbearing.derivatives.any_family import sensitivities as differentiated
+    from flexbearing.families import FAMILIES
+
+    return differentiated(case, FAMILIES[case.kind], of, by)
 
 
 def drawings(case: Any, *, values: bool = True) -> "list[Drawing]":

@@ -15,6 +15,7 @@ from flexbearing.exports.draw_command import draw
 from flexbearing.pages.command import report
 from flexbearing.printable import printable
 from flexbearing.program.kept import keeping
+from flexbearing.sensitivity.command import sensitivity
 from flexbearing.studies.command import study
 
 if TYPE_CHECKING:
@@ -288,6 +289,7 @@ def pareto(
         _say(f"\n{text(found)}\ntable: {table}\npicture: {picture}")
 
 
+app.command(name="sensitivity")(sensitivity)
 app.command(name="study")(study)
 
 

@@ -19,6 +19,7 @@ _ROLLER = Family(
     profiles=Entry("flexbearing.build.profiles:drawn"),
     initial_state=Entry("flexbearing.coupled.initial_state:initial_state"),
     catalogue=Entry("flexbearing.runs.roller_catalogue:CATALOGUE"),
+    sensitivities=Entry("flexbearing.derivatives.rollers:sensitivities"),
 )
 _FOUR_POINT = Family(
     kind="four_point_ball",

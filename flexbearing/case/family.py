@@ -34,6 +34,7 @@ class Family:
     ahead: Callable[[], Callable[[Any], Any]] | None = None  # begins beside what `solve` loads; a context
     profiles: Callable[[], Callable[[Any], Any]] | None = None  # along rollers: places, drops
     initial_state: Callable[[], Callable[..., Any]] | None = None  # from another result; None: it has no such
+    sensitivities: Callable[[], Callable[..., Any]] | None = None  # of outputs by keys; None: there are none
     catalogue: Callable[[], Any] | None = (
         None  # a `flexbearing.runs.catalogue_life.Catalogue`; None: no ratings
     )

@@ -74,13 +74,25 @@ class Kind:
 
     def written(self, value: float, like: str) -> str:
         """A value in SI units as a user writes it, rounded: in the unit of a text of this kind."""
+        return f"{self.number(value, like):.6g} {self.unit_of(like)[0]}"
+
+    def number(self, value: float, like: str) -> float:
+        """A value in SI units in the unit of a text of this kind."""
+        return self._unit_like(like)[1].of_si(value)
+
+    def unit_of(self, like: str) -> tuple[str, float]:
+        """Unit of a text of this kind, and its size in SI: that of a difference, for temperatures."""
+        name, given = self._unit_like(like)
+        return name, given.scale
+
+    def _unit_like(self, like: str) -> tuple[str, Unit]:
         match = _NUMBER_UNIT.fullmatch(like)
         assert match
         name = match[2]
         given = unit(name)
         if self.unit == SPEED and given.powers == PER_MINUTE.powers:
             given = unit("rpm")
-        return f"{given.of_si(value):.6g} {name}"
+        return name, given
 
     @property
     def sizes(self) -> str:

@@ -1,6 +1,6 @@
 """What one run left behind, as arrays that cannot change."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from types import MappingProxyType
@@ -129,6 +129,31 @@ class Result:
         """Every dataset of the iterations, stacked over them; empty without any."""
         names = self.iterations[0] if self.iterations else ()
         return {name: np.stack([state[name] for state in self.iterations]) for name in names}
+
+    def sensitivities(self, of: Sequence[str] = (), by: Sequence[str] = ()) -> Any:
+        """Derivatives of outputs by keys of the case, at its equilibrium, which is solved again.
+
+        Parameters
+        ----------
+        of : sequence of str
+            outputs, as of `flexbearing.api.sensitivities`
+        by : sequence of str
+            keys; by default all continuous ones that the case states
+
+        Returns
+        -------
+        flexbearing.derivatives.table.Sensitivities
+
+        Raises
+        ------
+        BadCase, UnknownOutput, WrongUnit, NotSolved
+            as `flexbearing.api.sensitivities`
+        NotTheSameState
+            where the case leads to another equilibrium than that of this result, as after a start elsewhere
+        """
+        from flexbearing.results.differentiated import sensitivities
+
+        return sensitivities(self, of, by)
 
     def history(self, name: str) -> np.ndarray:
         """Stack a dataset over the iterations.

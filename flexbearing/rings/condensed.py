@@ -150,6 +150,35 @@ def linear_raceways(
     return [LinearPair(*pair) for pair in zip(inner, outer, strict=True)]
 
 
+def regrown(pair: LinearPair, case: Case, other: Case, report: Report) -> LinearPair:
+    """The linear raceways of a case with the shapes that grow in another case of the same parts.
+
+    Parameters
+    ----------
+    pair : LinearPair
+        of the case, as `linear_raceways` makes it
+    case, other : Case
+        which differ in nothing but what rings grow by
+    report : Report
+        hears of what is computed
+
+    Returns
+    -------
+    LinearPair
+    """
+    grown: list[Any] = []
+    for race, raceway in zip(RACES, pair.raceways, strict=True):
+        if raceway is None:
+            grown.append(None)
+            continue
+        nothing: Any = replace(raceway, initial_deviation=np.zeros_like(raceway.initial_deviation))  # type: ignore[type-var]
+        before, after = (
+            _Growth.of(each, race, report).added(nothing).initial_deviation for each in (case, other)
+        )
+        grown.append(replace(nothing, initial_deviation=raceway.initial_deviation + (after - before)))
+    return LinearPair(*grown)
+
+
 def _linear_raceways(
     cases: Sequence[Case | None], race: Race, azimuths: NDArray, axial_modes: int, report: Report
 ) -> "list[RacewayCompliance | None]":

@@ -10,7 +10,11 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 PHYSICS = ("quasidynamic.contact", "quasidynamic.clearance", "quasidynamic.motion", "quasidynamic.outcome")
-HELP_TEXTS = ("flexbearing.cli", "flexbearing.studies.command")  # what `--help` prints
+HELP_TEXTS = (
+    "flexbearing.cli",
+    "flexbearing.sensitivity.command",
+    "flexbearing.studies.command",
+)  # of `--help`
 
 Definition = ast.Module | ast.ClassDef | ast.FunctionDef
 

@@ -1,0 +1,163 @@
+"""The continuous keys of a case: their values, the units they are stated in, cases with other values."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any, TypeVar
+
+from flexbearing.case import BadCase, Head
+from flexbearing.case.declarations import Declaration, declared, find
+from flexbearing.case.excerpt import excerpt
+from flexbearing.case.problems import nearest
+from flexbearing.case.quantity import Section
+from flexbearing.case.text import setting_value, tables
+
+NUMERICS = ("coupling.", "accuracy.", "outputs.")  # tables whose numbers say how it is computed, not what
+RELATIVE_STEP = 5e-6  # of a value
+TEMPERATURE_STEP = 5e-4  # [K]: fits grow by nanometres
+# Steps of values that are zero, by SI unit: what moves a usual bearing about as far as 1e-5 of a value.
+STEPS_FROM_ZERO = {
+    "m": 1e-10, "rad": 1e-8, "N": 1e-2, "N m": 1e-5, "m/s^2": 1e-4, "rad/s": 1e-3, "kg": 1e-7,
+}  # fmt: skip
+STEP_FROM_ZERO = 1e-6  # of other units
+
+Table = TypeVar("Table", bound=Section)
+
+
+@dataclass(frozen=True)
+class Key:
+    """A key of a case that holds a continuous value."""
+
+    path: str  # dotted
+    value: float  # SI
+    unit: str  # as the case states it; empty of a plain number
+    size: float  # of that unit in SI
+    stated: float  # the value in that unit
+    si_unit: str
+    above: float = float("-inf")  # what the value must stay above, or at
+    below: float = float("inf")
+
+    @property
+    def step(self) -> float:
+        """Of its differences, in SI."""
+        if self.si_unit == "K":
+            return TEMPERATURE_STEP
+        return abs(self.value) * RELATIVE_STEP or STEPS_FROM_ZERO.get(self.si_unit, STEP_FROM_ZERO)
+
+    @property
+    def is_ratio(self) -> bool:
+        """Whether a percent of it means something: not of temperatures, nor of zero."""
+        return self.value != 0.0 and self.si_unit != "K"
+
+    def allows(self, change: float) -> bool:
+        """Whether the value may change by so many steps."""
+        return self.above <= self.value + change * self.step <= self.below
+
+
+def given_keys(case: Head) -> list[Key]:
+    """Continuous keys that a case states, file and settings together.
+
+    Parameters
+    ----------
+    case : Head
+        as it was read
+
+    Returns
+    -------
+    list of Key
+        in the order of the declarations
+    """
+    stated = _stated(case)
+    found = []
+    for item in _continuous(type(case)):
+        value = _value(case, item.path, given=True)
+        if isinstance(value, float) and not item.path.startswith(NUMERICS):
+            found.append(_key(item, value, stated))
+    return found
+
+
+def key_of(case: Head, path: str) -> Key:
+    """A continuous key of a case by its name, also where the case leaves it at its default.
+
+    Parameters
+    ----------
+    case : Head
+        as it was read
+    path : str
+        dotted
+
+    Returns
+    -------
+    Key
+
+    Raises
+    ------
+    BadCase
+        for another key, or one without a value in this case
+    """
+    item, named = find(path, type(case)), f"--by {excerpt(path)}"
+    if item is None:
+        families: Any = {}
+        raise BadCase(f"{named}: is not a key of this case.{nearest(path, type(case), families)}")
+    value = _value(case, path, given=False)
+    if item.section or item.listed or not isinstance(value, float) or path.startswith(NUMERICS):
+        why = "is not given in this case" if value is None else "does not hold a continuous value"
+        raise BadCase(f"{named}: {why}; derivatives are by lengths, loads, speeds and other such numbers.")
+    return _key(item, value, _stated(case))
+
+
+def with_value(case: Table, path: str, value: float) -> Table:
+    """The same case with another value of a key [SI].
+
+    Limits of the key are not checked; `Key.allows` knows them.
+    """
+    name, _, below = path.partition(".")
+    changed = with_value(getattr(case, name), below, value) if below else value
+    return case.model_copy(update={name: changed})
+
+
+def _continuous(model: type[Head]) -> Iterator[Declaration]:
+    for item in declared(model):
+        if not item.section and not item.listed and (item.kind or (item.number and not item.whole)):
+            yield item
+
+
+def _key(item: Declaration, value: float, stated: Mapping[str, str]) -> Key:
+    limits = {
+        name: limit for part in item.field.metadata for name in ("gt", "ge", "lt", "le")
+        if (limit := getattr(part, name, None)) is not None
+    }  # fmt: skip
+    above = max((limits[name] for name in ("gt", "ge") if name in limits), default=float("-inf"))
+    below = min((limits[name] for name in ("lt", "le") if name in limits), default=float("inf"))
+    if item.kind is None:
+        return Key(item.path, value, "", 1.0, value, "", above, below)
+    like = stated.get(item.path, f"1 {item.kind.unit}")
+    unit, size = item.kind.unit_of(like)
+    return Key(item.path, value, unit, size, item.kind.number(value, like), item.kind.unit, above, below)
+
+
+def _value(case: Head, path: str, *, given: bool) -> Any:
+    """Value of a key; None where a table on the way is left out, or the key itself if it must be given."""
+    table: Any = case
+    for name in path.split("."):
+        if table is None or (given and name not in table.model_fields_set):
+            return None
+        table = getattr(table, name)
+    return table
+
+
+def _stated(case: Head) -> dict[str, str]:
+    """Quantities as the file and its settings write them, by key."""
+    texts = dict(_texts(tables(case.source.text), "")) if case.source.text else {}
+    for setting in case.source.overrides:
+        key, _, value = setting.partition("=")
+        written = setting_value(value.strip()) if value.strip() else None
+        texts[key.strip()] = written if isinstance(written, str) else ""
+    return {key: text for key, text in texts.items() if text}
+
+
+def _texts(table: Mapping[str, Any], prefix: str) -> Iterator[tuple[str, str]]:
+    for name, value in table.items():
+        if isinstance(value, Mapping):
+            yield from _texts(value, f"{prefix}{name}.")
+        elif isinstance(value, str):
+            yield f"{prefix}{name}", value

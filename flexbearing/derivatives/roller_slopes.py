@@ -1,0 +1,196 @@
+"""Derivatives of unknowns and outputs of a roller bearing: residuals of all variants, one solve, outputs."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexbearing.derivatives.keys import Key
+from flexbearing.derivatives.roller_state import SolvedState, Variant
+from flexbearing.derivatives.stencil import Stencil
+from flexbearing.outputs import Wanted
+from flexbearing.runs.together import ANSWER, Together
+from quasidynamic.balance.rollers.bearing import BearingBalance
+from quasidynamic.outcome.bearing_states import BearingStates
+from quasidynamic.outcome.equilibria import Batch
+from quasidynamic.roller import side_by_side_batches
+from quasidynamic.solve.outcome import SolverOutcome
+from quasidynamic.solve.rollers.implicit_derivative import (
+    moved_unknowns,
+    nearest_switch,
+    residuals,
+    slice_approaches,
+)
+from quasidynamic.solve.rollers.parametric_balance import between
+
+AT_ONCE = 64  # variants whose slices fit into the processor's cache
+BLOCKS = (*ANSWER, "rigid")
+
+
+@dataclass(frozen=True)
+class Difference:
+    """A key with the variants that its differences are taken of."""
+
+    key: Key
+    stencil: Stencil
+    variants: tuple[Variant, ...]  # of the places of the stencil
+
+    @property
+    def aligned(self) -> bool:
+        """Whether no roller tilts in any of them."""
+        return all(variant.aligned for variant in self.variants)
+
+
+@dataclass(frozen=True)
+class OutputSlopes:
+    """Values (O) of outputs, and slopes (O, K) of them in SI of the keys."""
+
+    values: NDArray
+    slopes: NDArray
+    below: NDArray  # one-sided differences, of first order; NaN where the stencil has none there
+    above: NDArray
+    nearest_switch: NDArray  # (K) smallest change of the key that opens or closes a contact, in its steps
+
+
+@dataclass(frozen=True)
+class _Group:
+    """Variants that one balance stands for."""
+
+    places: NDArray  # (C) among all variants
+    balance: BearingBalance
+
+
+@dataclass(frozen=True)
+class RollerSlopes:
+    """Derivatives at an equilibrium by some keys whose rollers all tilt, or none."""
+
+    state: SolvedState
+    differences: Sequence[Difference]
+
+    @cached_property
+    def _variants(self) -> list[Variant]:
+        return [variant for each in self.differences for variant in each.variants]
+
+    @cached_property
+    def _key(self) -> NDArray:
+        """Which key (V) each variant belongs to."""
+        return np.repeat(np.arange(len(self.differences)), [len(each.variants) for each in self.differences])
+
+    @cached_property
+    def _place(self) -> NDArray:
+        """Steps (V) that each variant is away."""
+        return np.concatenate([each.stencil.places for each in self.differences])
+
+    @cached_property
+    def _weight(self) -> NDArray:
+        return np.concatenate([each.stencil.weights for each in self.differences])
+
+    @cached_property
+    def _aligned(self) -> bool:
+        return all(each.aligned for each in self.differences)
+
+    @cached_property
+    def _groups(self) -> list[_Group]:
+        return list(self._grouped())
+
+    def _grouped(self) -> Iterator[_Group]:
+        """Variants side by side where raceways have one compliance, others by themselves."""
+        alike = np.array([self._same_compliance(variant) for variant in self._variants])
+        places = np.flatnonzero(alike)
+        models = [self._variants[place].model for place in places]
+        for some, together in side_by_side_batches(models, AT_ONCE):
+            balance = together.balance(len(some), aligned=self._aligned)
+            if not self.state.base.pair.rigid:
+                deviations = [self._variants[place].pair.initial_deviation for place in places[some]]
+                balance = between(balance, self._compliance, _stacked(deviations))
+            yield _Group(places[some], balance)
+        for place in np.flatnonzero(~alike):
+            yield _Group(np.array([place]), self._variants[place].balance(aligned=self._aligned))
+
+    def _same_compliance(self, variant: Variant) -> bool:
+        both = zip(variant.pair.raceways, self.state.base.pair.raceways, strict=True)
+        flexible = [(one, other) for one, other in both if one is not None and other is not None]
+        return all(
+            one.absolute is other.absolute or np.array_equal(one.absolute, other.absolute)
+            for one, other in flexible
+        )
+
+    @cached_property
+    def _compliance(self) -> tuple[NDArray | None, NDArray | None]:
+        return self.state.base.pair.compliance
+
+    @cached_property
+    def by_step(self) -> NDArray:
+        """Change (N, K) of the unknowns, in SI, by a step of each key."""
+        balance = self._base
+        system = balance.evaluate(balance.layout.joined(self.state.unknowns) / balance.scales.unknown)
+        residual = np.empty((len(self._variants), balance.layout.size))
+        for group in self._groups:
+            residual[group.places] = residuals(group.balance, self.state.unknowns)
+        return moved_unknowns(balance, system, self._slopes(residual).T)
+
+    def outputs(self, outputs: Sequence[Wanted]) -> OutputSlopes:
+        """Derivatives of outputs, by differences along the keys and the unknowns together."""
+        base = self._base.layout.joined(self.state.unknowns)
+        values = np.empty((len(self._variants), len(outputs)))
+        gaps = slice_approaches(self._base, base / self._base.scales.unknown).reshape(-1)
+        approach = np.empty((len(self._variants), len(gaps)))
+        for group in self._groups:
+            moved = self.by_step[:, self._key[group.places]].T * self._place[group.places, None]
+            scaled = (base + moved) / group.balance.scales.unknown
+            values[group.places] = self._numbers(group, scaled, outputs)
+            approach[group.places] = slice_approaches(group.balance, scaled).reshape(len(scaled), -1)
+        here = numbers(self.state, outputs, aligned=self._aligned)
+        below, above = self._sides(values, here)
+        switch = nearest_switch(gaps, self._slopes(approach))
+        return OutputSlopes(here, self._slopes(values).T, below.T, above.T, switch)
+
+    @cached_property
+    def _base(self) -> BearingBalance:
+        return self.state.base.balance(aligned=self._aligned)
+
+    def _numbers(self, group: _Group, scaled: NDArray, outputs: Sequence[Wanted]) -> NDArray:
+        return _numbers([self._variants[place] for place in group.places], group.balance, scaled, outputs)
+
+    def _slopes(self, values: NDArray) -> NDArray:
+        """Derivatives (K, ...) by a step of each key, from values (V, ...) of the variants."""
+        slopes = np.zeros((len(self.differences), *values.shape[1:]))
+        np.add.at(slopes, self._key, self._weight[:, None] * values)
+        return slopes
+
+    def _sides(self, values: NDArray, here: NDArray) -> tuple[NDArray, NDArray]:
+        """Differences (K, O) by a step, on the side of smaller keys and on that of larger ones."""
+        sides = np.full((2, len(self.differences), len(here)), np.nan)
+        for side, place in enumerate((-1.0, 1.0)):
+            at = np.flatnonzero(self._place == place)
+            sides[side, self._key[at]] = place * (values[at] - here)
+        return sides[0], sides[1]
+
+
+def numbers(state: SolvedState, outputs: Sequence[Wanted], *, aligned: bool) -> NDArray:
+    """Numbers (O) of outputs of a state."""
+    balance = state.base.balance(aligned=aligned)
+    scaled = balance.layout.joined(state.unknowns) / balance.scales.unknown
+    return _numbers([state.base], balance, scaled, outputs)[0]
+
+
+def _numbers(
+    variants: Sequence[Variant], balance: BearingBalance, scaled: NDArray, outputs: Sequence[Wanted]
+) -> NDArray:
+    """Numbers (C, O) of outputs of states."""
+    states = BearingStates(balance, scaled, variants[0].model.axial_modes)
+    count = len(variants)
+    batch = Batch(np.arange(count), states, (SolverOutcome.CONVERGED,) * count, np.zeros(count, int))
+    cases, models, pairs = ([getattr(each, name) for each in variants] for name in ("case", "model", "pair"))
+    together = Together(cases, models, batch, pairs, BLOCKS)
+    return np.array([np.asarray(together.numbers(output), float) for output in outputs]).T
+
+
+def _stacked(deviations: Sequence[NDArray | None]) -> NDArray | None:
+    """Shapes (C, 2, Z, M) of raceways without load, zero where there is none; None where there are none."""
+    known = [each for each in deviations if each is not None]
+    if not known:
+        return None
+    return np.array([np.zeros_like(known[0]) if each is None else each for each in deviations])

@@ -1,0 +1,172 @@
+"""A roller bearing in equilibrium with its rings, and the same bearing with other values of a key."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexbearing.build import ring_parts, roller_bearing
+from flexbearing.case import BadCase
+from flexbearing.case.roller import Case
+from flexbearing.coupled import states
+from flexbearing.coupled.coupled import BearingPartner, equilibrium
+from flexbearing.coupling import LinearPair, PartnerFailed, RacewayPair
+from flexbearing.derivatives.keys import Key, with_value
+from flexbearing.progress import Logged
+from flexbearing.rings.condensed import RACES, condensed_raceways, is_linear, regrown
+from flexbearing.rings.resolution import resolved
+from quasidynamic import Equilibrium, NotSolved, RollerBearing
+from quasidynamic.balance.rollers.bearing import BearingBalance
+from quasidynamic.balance.rollers.unknowns import Unknowns
+from quasidynamic.solve.outcome import SolverOutcome
+from quasidynamic.solve.rollers.newton import newton
+from quasidynamic.solve.rollers.parametric_balance import between
+
+APART_FROM_RINGS = (  # keys and tables that no ring knows
+    "lubricant.", "life.", "bearing.cage.", "bearing.roughness.", "bearing.roller.drop",
+    "operation.radial_load", "operation.load_direction", "operation.moment", "operation.misalignment",
+    "operation.gravity",
+)  # fmt: skip
+
+
+class RingChanged(Exception):
+    """A key changes a flexible ring itself, so that it is another one."""
+
+
+@dataclass(frozen=True)
+class Variant:
+    """A case with its bearing and raceways near given forces."""
+
+    case: Case
+    model: RollerBearing
+    pair: LinearPair
+
+    @property
+    def aligned(self) -> bool:
+        """Whether no roller tilts: rigid raceways, symmetric rollers, and nothing that tilts the ring."""
+        return self.pair.rigid and self.model.bearing.symmetric and not self.model.operation.tilts
+
+    def balance(self, *, aligned: bool) -> BearingBalance:
+        """Its equations."""
+        balance = self.model.balance(aligned=aligned)
+        if self.pair.rigid:
+            return balance
+        return between(balance, self.pair.compliance, self.pair.initial_deviation)
+
+
+@dataclass(frozen=True)
+class SolvedState:
+    """A case in equilibrium; its unknowns are in SI units."""
+
+    base: Variant
+    rings: RacewayPair
+    unknowns: Unknowns  # of one case, with the deviations of elastic raceways by their loads
+    forces: NDArray  # (2, Z, M) of the rollers [N]
+
+    def variant(self, key: Key, change: float) -> Variant:
+        """The case with a key changed by so many steps.
+
+        Raises
+        ------
+        RingChanged
+            where the key changes a flexible ring itself
+        ImpossiblePart, OutOfRange, BadCase
+            where there is no such case
+        """
+        if change == 0.0:
+            return self.base
+        case = with_value(self.base.case, key.path, key.value + change * key.step)
+        model = roller_bearing.bearing(case)
+        if self.rings.rigid:
+            return Variant(case, model, self.base.pair)
+        return Variant(case, model, self._pair(key, case, model))
+
+    def _pair(self, key: Key, case: Case, model: RollerBearing) -> LinearPair:
+        """Raceways of a case that differs in a key."""
+        if key.path.startswith(APART_FROM_RINGS):
+            return self.base.pair
+        if _rings(case, model) != self._rings:
+            raise RingChanged(key.path)
+        azimuths = model.bearing.azimuths
+        if is_linear(case) and np.array_equal(azimuths, self.base.model.bearing.azimuths):
+            return regrown(self.base.pair, self.base.case, case, Logged())
+        return condensed_raceways(case, azimuths, Logged()).linearised(self.forces)
+
+    @cached_property
+    def _rings(self) -> list[object]:
+        return _rings(self.base.case, self.base.model)
+
+    def moved(self, key: Key, change: float, by_step: NDArray | float = 0.0) -> "SolvedState":
+        """The equilibrium with a key changed by so many steps, from unknowns that move (N) in each of them.
+
+        Raises
+        ------
+        NotSolved
+            where Newton's method does not reach it
+        """
+        variant = self.variant(key, change)
+        balance = variant.balance(aligned=variant.aligned)
+        begin = balance.layout.joined(self.unknowns) + change * by_step
+        *_, last = newton(balance, begin / balance.scales.unknown)
+        if last.outcomes[0] is not SolverOutcome.CONVERGED:
+            raise NotSolved(f"no equilibrium near {key.path}", last.outcomes[0])
+        state = Equilibrium(
+            balance, last.unknowns[0], last.outcomes[0], last.number, variant.model.axial_modes
+        )
+        return SolvedState(variant, self.rings, state.unknowns, state.forces)
+
+
+def _rings(case: Case, model: RollerBearing) -> list[object]:
+    """What decides the condensed rings of a case."""
+    parts = [ring_parts.part_of(case, race) for race in RACES]
+    return [part and resolved(part, case, model.bearing.azimuths) for part in parts]
+
+
+def solved(case: Case) -> SolvedState:
+    """The equilibrium that a run of the case finds.
+
+    Parameters
+    ----------
+    case : Case
+        as it was read
+
+    Returns
+    -------
+    SolvedState
+
+    Raises
+    ------
+    BadCase
+        for a case whose answer is not the smooth function that is differentiated
+    NotSolved
+        where there is no equilibrium
+    """
+    _require_differentiable(case)
+    model = roller_bearing.bearing(case)
+    try:
+        rings = condensed_raceways(case, model.bearing.azimuths, Logged())
+        if rings.rigid:
+            state = model.solve()
+            return SolvedState(
+                Variant(case, model, LinearPair(None, None)), rings, state.unknowns, state.forces
+            )
+        state = equilibrium(BearingPartner(model), rings, case.coupling)
+        pair = rings.linearised(state.forces)
+    except PartnerFailed as failure:
+        raise NotSolved(str(failure)) from failure
+    state = states.elastic(state, pair).refined()
+    return SolvedState(Variant(case, model, pair), rings, state.unknowns, state.forces)
+
+
+def _require_differentiable(case: Case) -> None:
+    refused = {
+        "accuracy.target": (case.accuracy.target is not None, "chooses levels anew for every value of a key"),
+        "bearing.contact": (case.bearing.contact == "half_space", "has a grid of its own for every load"),
+        "coupling.structure": (case.coupling.structure == "full", "has no tangent"),
+    }
+    for key, (given, why) in refused.items():
+        if given:
+            raise BadCase(
+                f"{case.source.path}: {key} {why}; derivatives need --set {key}= (which takes the key out)."
+            )

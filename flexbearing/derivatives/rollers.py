@@ -1,0 +1,198 @@
+"""Sensitivities of a roller bearing: which outputs, which keys, and both sides where a contact switches."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexbearing.case import BadCase
+from flexbearing.case.roller import Case
+from flexbearing.derivatives.keys import RELATIVE_STEP, Key, given_keys, key_of
+from flexbearing.derivatives.roller_slopes import Difference, OutputSlopes, RollerSlopes
+from flexbearing.derivatives.roller_state import RingChanged, SolvedState, solved
+from flexbearing.derivatives.stencil import STENCILS
+from flexbearing.derivatives.table import OutputValue, Sensitivities
+from flexbearing.outputs import Wanted, outputs, wanted
+from flexbearing.program.threads import linear_algebra_alone
+from flexbearing.quantities.roller import LAYOUT
+from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
+
+DEFAULT = ("life", "max_roller_load", "cage_slip", "stiffness_zz")
+ALL, LIFE = "all", "life"
+ESTIMATES = ("life_error", "peak_pressure_error", "nominal_bar_stress_error")  # no outputs of the bearing
+REACH = 20.0  # steps, 0.01 % of a value: contacts that open or close within make a derivative one-sided
+BEYOND = 2 * REACH  # where the derivatives of both sides are taken
+JUMP = 100.0  # percent per percent: an output whose sides differ by more jumps there, and has no derivative
+KINK = 1e-2  # of a derivative: how far its two sides differ where an output has a corner, such as a maximum
+
+
+def sensitivities(case: Case, of: Sequence[str] = (), by: Sequence[str] = ()) -> Sensitivities:
+    """Derivatives of outputs by continuous keys at the equilibrium of a case.
+
+    Parameters
+    ----------
+    case : Case
+        as it was read
+    of : sequence of str
+        outputs, with units if others than those of the summary are wanted; "life" is the modified life where
+        the case has one, "all" every output; by default life, largest roller load, cage slip, stiffness
+    by : sequence of str
+        keys; by default all continuous ones that the case states
+
+    Returns
+    -------
+    Sensitivities
+
+    Raises
+    ------
+    BadCase
+        for keys that are none, and cases that have no derivatives
+    UnknownOutput, WrongUnit
+        for texts that name no output
+    NotSolved
+        where there is no equilibrium
+    """
+    keys = [key_of(case, path) for path in by] or given_keys(case)
+    asked = wanted_of(case, of)
+    with linear_algebra_alone():  # its threads would only wait for each other
+        state = solved(case)
+        return differentiated(state, asked, keys)
+
+
+def differentiated(state: SolvedState, of: Sequence[Wanted], by: Iterable[Key]) -> Sensitivities:
+    """Derivatives at a state that is known.
+
+    Parameters
+    ----------
+    state : SolvedState
+        of a case
+    of : sequence of Wanted
+        outputs, see `wanted_of`
+    by : iterable of Key
+        keys of the case
+    """
+    return _Differentiated(state, of).table(by)
+
+
+def wanted_of(case: Case, of: Sequence[str]) -> list[Wanted]:
+    """Outputs of a case that are asked for, as `sensitivities` takes them.
+
+    Raises
+    ------
+    BadCase
+        for those of rigid raceways where rings are flexible
+    UnknownOutput, WrongUnit
+        for texts that name no output
+    """
+    texts = list(of) or list(DEFAULT)
+    if ALL in texts:
+        texts = [each.name for each in outputs(LAYOUT) if each.name.partition(".")[0] not in ESTIMATES]
+    life = "life_L10" if case.life.is_basic else "modified_life"
+    found = [wanted(LAYOUT, life if text == LIFE else text) for text in dict.fromkeys(texts)]
+    flexible = case.inner.kind != "rigid" or case.outer.kind != "rigid"
+    for output in found:
+        if output.block == "rigid" and flexible:
+            raise BadCase(
+                f"--of {output.name}: derivatives are those of the answer between flexible rings; for rigid "
+                "raceways --set inner.kind=rigid and outer.kind=rigid"
+            )
+    return found
+
+
+@dataclass(frozen=True)
+class _Differentiated:
+    """A state and the outputs that are differentiated there."""
+
+    state: SolvedState
+    outputs: Sequence[Wanted]
+
+    def table(self, keys: Iterable[Key]) -> Sensitivities:
+        differences, left_out = _differences(self.state, keys)
+        columns: dict[str, NDArray] = {}  # (3, O) slope, below, above by key
+        values = np.full(len(self.outputs), np.nan)
+        for aligned in (True, False):
+            some = [each for each in differences if each.aligned is aligned]
+            if some:
+                slopes = RollerSlopes(self.state, some)
+                found = slopes.outputs(self.outputs)
+                values = found.values
+                columns |= dict(self._columns(slopes, found))
+        reached = np.isfinite(values)
+        numbers = np.array([columns[each.key.path] for each in differences]).reshape(-1, 3, len(values))
+        slope, below, above = numbers.transpose(1, 2, 0)[:, reached]
+        named = zip(self.outputs, values, strict=True)
+        return Sensitivities(
+            title=self.state.base.case.title,
+            raceways="rigid raceways" if self.state.rings.rigid else "flexible rings",
+            outputs=tuple(OutputValue(each.name, each.unit, float(v)) for each, v in named if np.isfinite(v)),
+            keys=tuple(each.key for each in differences),
+            slopes=slope,
+            below=below,
+            above=above,
+            left_out=(*left_out, *self._jumps(differences, slope, reached)),
+        )
+
+    def _jumps(
+        self, differences: Sequence[Difference], slopes: NDArray, reached: NDArray
+    ) -> Iterator[tuple[str, str]]:
+        """Yield keys where some outputs jump, as the life where a standing ring begins to turn."""
+        names = [output.name for output, there in zip(self.outputs, reached, strict=True) if there]
+        for each, column in zip(differences, np.isnan(slopes).T, strict=True):
+            if column.any():
+                jumping = ", ".join(name for name, jumps in zip(names, column, strict=True) if jumps)
+                yield each.key.path, f"there is a jump of {jumping}"
+
+    def _columns(self, slopes: RollerSlopes, found: OutputSlopes) -> Iterator[tuple[str, NDArray]]:
+        """Yield a key with its derivatives (3, O): slope, and both sides where they differ."""
+        for number, each in enumerate(slopes.differences):
+            slope, below, above = (of[:, number] for of in (found.slopes, found.below, found.above))
+            floor = RELATIVE_STEP * np.abs(found.values)
+            apart = np.abs(above - below)
+            at_limit = np.isnan(above) != np.isnan(below)  # of the key
+            ends = np.where(np.isnan([below, above]), np.nan, slope)
+            sides = np.where(apart > KINK * np.maximum(np.abs(slope), floor), [below, above], np.nan)
+            sides = np.where(at_limit, ends, sides)
+            if found.nearest_switch[number] <= REACH and not at_limit.any():
+                moved = slopes.by_step[:, number]
+                sides = np.array([self._beyond(each.key, change, moved) for change in (-BEYOND, BEYOND)])
+            columns = np.where(apart > JUMP * floor, np.nan, [slope, *sides])
+            yield each.key.path, columns * each.key.size / each.key.step
+
+    def _beyond(self, key: Key, change: float, by_step: NDArray) -> NDArray:
+        """Derivatives (O) by a step on one side of a contact switch; NaN where no equilibrium is there."""
+        try:
+            moved = self.state.moved(key, change, by_step)
+        except (NotSolved, ImpossiblePart, OutOfRange, BadCase, RingChanged):
+            return np.full(len(self.outputs), np.nan)
+        there = replace(key, value=key.value + change * key.step)
+        differences, _ = _differences(moved, [there])
+        if not differences:
+            return np.full(len(self.outputs), np.nan)
+        return RollerSlopes(moved, differences).outputs(self.outputs).slopes[:, 0] * key.step / there.step
+
+
+def _differences(state: SolvedState, keys: Iterable[Key]) -> tuple[list[Difference], list[tuple[str, str]]]:
+    """Keys with what their differences are taken of, and keys without, with the reason."""
+    found, left_out = [], []
+    for key in keys:
+        each = difference(state, key)
+        if isinstance(each, str):
+            left_out.append((key.path, each))
+        else:
+            found.append(each)
+    return found, left_out
+
+
+def difference(state: SolvedState, key: Key) -> Difference | str:
+    """What the differences by a key of a state are taken of, or why there are none."""
+    why = "it has no room to change"
+    for stencil in STENCILS:
+        if all(map(key.allows, stencil.places)):
+            try:
+                return Difference(key, stencil, tuple(state.variant(key, place) for place in stencil.places))
+            except RingChanged:
+                return "it changes a flexible ring itself"
+            except (ImpossiblePart, OutOfRange, BadCase) as problem:
+                why = str(problem)
+    return why

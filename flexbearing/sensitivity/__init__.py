@@ -1,0 +1,1 @@
+"""The command `sensitivity`: derivatives as text, table and picture."""

@@ -1,0 +1,117 @@
+"""The command `sensitivity`; what it does not need is not loaded."""
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from flexbearing.program.kept import keeping
+
+if TYPE_CHECKING:
+    from flexbearing.derivatives.table import Sensitivities
+
+NOT_CONVERGED = 1
+
+
+def sensitivity(
+    case: Annotated[Path, typer.Argument(help="case file (TOML)", metavar="CASE")],
+    of: Annotated[
+        str | None,
+        typer.Option(
+            "--of", metavar="OUTPUT,...", help='outputs, "life,cage_slip [%]" or all; default: the main ones'
+        ),
+    ] = None,
+    by: Annotated[
+        list[str] | None,
+        typer.Option("--by", metavar="KEY", help="a key, once for each; default: all that the case states"),
+    ] = None,
+    output: Annotated[
+        Path | None,
+        typer.Option("-o", "--output", metavar="FILE", help="picture (.png, .svg, .pdf), beside it a table"),
+    ] = None,
+    settings: Annotated[
+        list[str] | None,
+        typer.Option("--set", metavar="KEY=VALUE", help="replace a key of the case, as of run"),
+    ] = None,
+    as_json: Annotated[
+        bool, typer.Option("--json", help="one JSON object instead of text and files")
+    ] = False,
+) -> None:
+    """Tell how strongly each key of a case moves its outputs: derivatives, strongest first."""
+    from flexbearing import api
+    from flexbearing.files import require_output
+    from flexbearing.printable import all_printable, printable
+    from flexbearing.runs.run_case import stem_of_outputs
+    from quasidynamic import NotSolved
+
+    wanted = api.read_case(case, settings or [])
+    picture = output or Path("results") / f"{stem_of_outputs(case, settings or ())}_sensitivity.png"
+    form = _form_of(picture)
+    table = picture.with_suffix(".csv")
+    if not as_json:
+        for place in (picture, table):
+            require_output(place, wanted.input_files)
+    try:
+        found = api.sensitivities(wanted, of.split(",") if of else (), by or ())
+    except NotSolved as problem:
+        sys.stderr.write(printable(f"{case}: not converged: {problem}\n"))
+        raise typer.Exit(NOT_CONVERGED) from None
+    if as_json:
+        import json
+
+        sys.stdout.write(json.dumps(all_printable(_as_json(found)), indent=2, allow_nan=False) + "\n")
+        return
+    _write(found, picture, table, form)
+    with keeping([picture, table]):
+        from flexbearing.report import laid_out
+        from flexbearing.sensitivity.page import sections
+
+        sys.stdout.write(printable(laid_out(sections(found), encoding=sys.stdout.encoding)))
+        sys.stdout.write(printable(f"table: {table}\npicture: {picture}\n"))
+
+
+def _form_of(picture: Path) -> str:
+    from flexbearing.case import BadCase
+    from flexbearing.report.picture import FORMATS
+
+    form = picture.suffix.removeprefix(".")
+    if form not in FORMATS:
+        allowed = ", ".join(f".{each}" for each in FORMATS)
+        raise BadCase(f"--output {picture}: the chart is a picture; its name ends in {allowed}")
+    return form
+
+
+def _write(found: "Sensitivities", picture: Path, table: Path, form: str) -> None:
+    from flexbearing.files import write
+    from flexbearing.report.picture import Format, picture_bytes
+    from flexbearing.report.tornado_figure import draw_tornado
+
+    write(table.resolve(), _csv(found).encode())
+    try:
+        write(picture.resolve(), picture_bytes(draw_tornado(found), Format(form)))
+    except BaseException as problem:  # only a note is added
+        problem.add_note(f"the table is complete: {table}")
+        raise
+
+
+def _csv(found: "Sensitivities") -> str:
+    from csv import DictWriter
+    from io import StringIO
+
+    from flexbearing.derivatives.table import COLUMNS
+
+    file = StringIO(newline="")
+    writer = DictWriter(file, list(COLUMNS))
+    writer.writeheader()
+    writer.writerows(found.records())
+    return file.getvalue()
+
+
+def _as_json(found: "Sensitivities") -> dict[str, object]:
+    return {
+        "title": found.title,
+        "raceways": found.raceways,
+        "derivatives": found.records(),
+        "without_derivatives": [{"key": key, "why": why} for key, why in found.left_out],
+    }
