@@ -39,6 +39,7 @@ _ANGULAR = Family(
     layout=Entry("flexbearing.quantities.angular_contact:LAYOUT"),
     report=Entry("flexbearing.report.balls.angular_contact_report:REPORT"),
     catalogue=Entry("flexbearing.runs.ball_catalogue:CATALOGUE"),
+    sensitivities=Entry("flexbearing.derivatives.balls:sensitivities"),
 )
 _DEEP_GROOVE = replace(  # an angular-contact bearing whose contact angle comes from its clearance
     _ANGULAR, kind="deep_groove_ball", case=Entry("flexbearing.case.balls.deep_groove:DeepGrooveCase")

@@ -89,8 +89,13 @@ class AngularContactBallBearing:
 
     def solve_many(self, operations: Sequence[RingOperation]) -> list[AngularContactState | NotSolved]:
         """Balance at several operating points side by side; an error stands in its place."""
-        balance = self._balance(operations)
-        solution = solve(balance)
+        balance = self.equations(operations)
+        return self.states(operations, balance, solve(balance))
+
+    def states(
+        self, operations: Sequence[RingOperation], balance: AngularBalance, solution: RingSolution
+    ) -> list[AngularContactState | NotSolved]:
+        """What bearings do at operating points whose `equations` are solved; an error stands in its place."""
         balls, ring = solution.forces(balance)
         kinematics, scale, control, heat = balls.kinematics, self._scale, self._race_control, None
         if isinstance(control, CoulombControl):
@@ -219,7 +224,8 @@ class AngularContactBallBearing:
         radius = self.bearing.inner_groove_radius
         return np.array([1.0, 1.0, 1.0, radius, radius])
 
-    def _balance(self, operations: Sequence[RingOperation]) -> AngularBalance:
+    def equations(self, operations: Sequence[RingOperation]) -> AngularBalance:
+        """Balance of ring and balls at operating points."""
         displacements = [operation.displacement for operation in operations]
         held = np.array([[value is not None for value in values] for values in displacements])
         place = np.array([[value or 0.0 for value in values] for values in displacements])

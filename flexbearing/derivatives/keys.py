@@ -33,6 +33,7 @@ class Key:
     size: float  # of that unit in SI
     stated: float  # the value in that unit
     si_unit: str
+    relative_step: float = RELATIVE_STEP  # of its differences, of the value
     above: float = float("-inf")  # what the value must stay above, or at
     below: float = float("inf")
 
@@ -41,7 +42,7 @@ class Key:
         """Of its differences, in SI."""
         if self.si_unit == "K":
             return TEMPERATURE_STEP
-        return abs(self.value) * RELATIVE_STEP or STEPS_FROM_ZERO.get(self.si_unit, STEP_FROM_ZERO)
+        return abs(self.value) * self.relative_step or STEPS_FROM_ZERO.get(self.si_unit, STEP_FROM_ZERO)
 
     @property
     def is_ratio(self) -> bool:
@@ -129,10 +130,12 @@ def _key(item: Declaration, value: float, stated: Mapping[str, str]) -> Key:
     above = max((limits[name] for name in ("gt", "ge") if name in limits), default=float("-inf"))
     below = min((limits[name] for name in ("lt", "le") if name in limits), default=float("inf"))
     if item.kind is None:
-        return Key(item.path, value, "", 1.0, value, "", above, below)
+        return Key(item.path, value, "", 1.0, value, "", above=above, below=below)
     like = stated.get(item.path, f"1 {item.kind.unit}")
     unit, size = item.kind.unit_of(like)
-    return Key(item.path, value, unit, size, item.kind.number(value, like), item.kind.unit, above, below)
+    return Key(
+        item.path, value, unit, size, item.kind.number(value, like), item.kind.unit, above=above, below=below
+    )
 
 
 def _value(case: Head, path: str, *, given: bool) -> Any:

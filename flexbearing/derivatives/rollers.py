@@ -8,11 +8,12 @@ from numpy.typing import NDArray
 
 from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
-from flexbearing.derivatives.keys import RELATIVE_STEP, Key, given_keys, key_of
-from flexbearing.derivatives.roller_slopes import Difference, OutputSlopes, RollerSlopes
+from flexbearing.derivatives.keys import Key, given_keys, key_of
+from flexbearing.derivatives.roller_slopes import Difference, OutputSlopes, RollerSlopes, numbers
 from flexbearing.derivatives.roller_state import RingChanged, SolvedState, solved
+from flexbearing.derivatives.sides import tabled, with_sides
 from flexbearing.derivatives.stencil import STENCILS
-from flexbearing.derivatives.table import OutputValue, Sensitivities
+from flexbearing.derivatives.table import Sensitivities
 from flexbearing.outputs import Wanted, outputs, wanted
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.quantities.roller import LAYOUT
@@ -23,8 +24,6 @@ ALL, LIFE = "all", "life"
 ESTIMATES = ("life_error", "peak_pressure_error", "nominal_bar_stress_error")  # no outputs of the bearing
 REACH = 20.0  # steps, 0.01 % of a value: contacts that open or close within make a derivative one-sided
 BEYOND = 2 * REACH  # where the derivatives of both sides are taken
-JUMP = 100.0  # percent per percent: an output whose sides differ by more jumps there, and has no derivative
-KINK = 1e-2  # of a derivative: how far its two sides differ where an output has a corner, such as a maximum
 
 
 def sensitivities(case: Case, of: Sequence[str] = (), by: Sequence[str] = ()) -> Sensitivities:
@@ -110,54 +109,32 @@ class _Differentiated:
     def table(self, keys: Iterable[Key]) -> Sensitivities:
         differences, left_out = _differences(self.state, keys)
         columns: dict[str, NDArray] = {}  # (3, O) slope, below, above by key
-        values = np.full(len(self.outputs), np.nan)
+        values = numbers(self.state, self.outputs, aligned=self.state.base.aligned)
         for aligned in (True, False):
             some = [each for each in differences if each.aligned is aligned]
             if some:
                 slopes = RollerSlopes(self.state, some)
                 found = slopes.outputs(self.outputs)
-                values = found.values
                 columns |= dict(self._columns(slopes, found))
-        reached = np.isfinite(values)
-        numbers = np.array([columns[each.key.path] for each in differences]).reshape(-1, 3, len(values))
-        slope, below, above = numbers.transpose(1, 2, 0)[:, reached]
-        named = zip(self.outputs, values, strict=True)
-        return Sensitivities(
-            title=self.state.base.case.title,
-            raceways="rigid raceways" if self.state.rings.rigid else "flexible rings",
-            outputs=tuple(OutputValue(each.name, each.unit, float(v)) for each, v in named if np.isfinite(v)),
-            keys=tuple(each.key for each in differences),
-            slopes=slope,
-            below=below,
-            above=above,
-            left_out=(*left_out, *self._jumps(differences, slope, reached)),
+        raceways = "rigid raceways" if self.state.rings.rigid else "flexible rings"
+        title, by = self.state.base.case.title, [each.key for each in differences]
+        return tabled(
+            (title, raceways), self.outputs, values, {key: columns[key.path] for key in by}, left_out
         )
-
-    def _jumps(
-        self, differences: Sequence[Difference], slopes: NDArray, reached: NDArray
-    ) -> Iterator[tuple[str, str]]:
-        """Yield keys where some outputs jump, as the life where a standing ring begins to turn."""
-        names = [output.name for output, there in zip(self.outputs, reached, strict=True) if there]
-        for each, column in zip(differences, np.isnan(slopes).T, strict=True):
-            if column.any():
-                jumping = ", ".join(name for name, jumps in zip(names, column, strict=True) if jumps)
-                yield each.key.path, f"there is a jump of {jumping}"
 
     def _columns(self, slopes: RollerSlopes, found: OutputSlopes) -> Iterator[tuple[str, NDArray]]:
         """Yield a key with its derivatives (3, O): slope, and both sides where they differ."""
         for number, each in enumerate(slopes.differences):
             slope, below, above = (of[:, number] for of in (found.slopes, found.below, found.above))
-            floor = RELATIVE_STEP * np.abs(found.values)
-            apart = np.abs(above - below)
-            at_limit = np.isnan(above) != np.isnan(below)  # of the key
-            ends = np.where(np.isnan([below, above]), np.nan, slope)
-            sides = np.where(apart > KINK * np.maximum(np.abs(slope), floor), [below, above], np.nan)
-            sides = np.where(at_limit, ends, sides)
+            column, at_limit = (
+                with_sides(each.key, found.values, slope, below, above),
+                np.isnan(above) != np.isnan(below),
+            )
             if found.nearest_switch[number] <= REACH and not at_limit.any():
                 moved = slopes.by_step[:, number]
-                sides = np.array([self._beyond(each.key, change, moved) for change in (-BEYOND, BEYOND)])
-            columns = np.where(apart > JUMP * floor, np.nan, [slope, *sides])
-            yield each.key.path, columns * each.key.size / each.key.step
+                sides = [self._beyond(each.key, change, moved) for change in (-BEYOND, BEYOND)]
+                column = np.where(np.isnan(column[0]), np.nan, [column[0], *sides])
+            yield each.key.path, column * each.key.size / each.key.step
 
     def _beyond(self, key: Key, change: float, by_step: NDArray) -> NDArray:
         """Derivatives (O) by a step on one side of a contact switch; NaN where no equilibrium is there."""

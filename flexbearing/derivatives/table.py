@@ -69,7 +69,7 @@ class Slope:
     def reaches(self) -> bool:
         """Whether the key changes the output beyond rounding."""
         sides = [abs(each) for each in (self.slope, self.below, self.above) if not np.isnan(each)]
-        size = max(abs(self.key.value), 1e5 * self.key.step) / self.key.size
+        size = max(abs(self.key.value), self.key.step / self.key.relative_step) / self.key.size
         return max(sides, default=0.0) * size > NEGLIGIBLE * abs(self.output.value)
 
 

@@ -1,0 +1,82 @@
+"""Both sides of a derivative: corners of an output, ends of a key, jumps; and the table of all."""
+
+from collections.abc import Iterator, Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexbearing.derivatives.keys import Key
+from flexbearing.derivatives.table import OutputValue, Sensitivities
+from flexbearing.outputs import Wanted
+
+JUMP = 100.0  # percent per percent: an output whose sides differ by more jumps there, and has no derivative
+KINK = 1e-2  # of a derivative: how far its two sides differ where an output has a corner, such as a maximum
+
+
+def with_sides(key: Key, values: NDArray, slope: NDArray, below: NDArray, above: NDArray) -> NDArray:
+    """Derivatives of outputs by a step of a key, with both sides where they differ.
+
+    Parameters
+    ----------
+    key : Key
+        of the derivatives
+    values : array (O)
+        of the outputs
+    slope : array (O)
+        derivatives
+    below, above : array (O)
+        differences to smaller and to larger keys, of first order; NaN where the key ends
+
+    Returns
+    -------
+    array (3, O)
+        slope and both sides; NaN for sides that are alike, and everywhere of an output that jumps
+    """
+    floor, apart = key.relative_step * np.abs(values), np.abs(above - below)
+    at_limit = np.isnan(above) != np.isnan(below)
+    ends = np.where(np.isnan([below, above]), np.nan, slope)
+    sides = np.where(apart > KINK * np.maximum(np.abs(slope), floor), [below, above], np.nan)
+    sides = np.where(at_limit, ends, sides)
+    return np.where(apart > JUMP * floor, np.nan, [slope, *sides])
+
+
+def tabled(
+    heading: tuple[str, str],
+    outputs: Sequence[Wanted],
+    values: NDArray,
+    columns: Mapping[Key, NDArray],
+    left_out: Sequence[tuple[str, str]],
+) -> Sensitivities:
+    """The table of derivatives; outputs that the case does not have are left out.
+
+    Parameters
+    ----------
+    heading : pair of str
+        title of the case, what its raceways are
+    outputs : sequence of Wanted
+        that were asked for
+    values : array (O)
+        of them; NaN where the case does not have one
+    columns : mapping of Key to array (3, O)
+        slopes in the units of outputs and keys, and both sides, see `with_sides`
+    left_out : sequence of pairs of str
+        keys without derivatives, and why
+    """
+    there = np.isfinite(values)
+    numbers = np.array(list(columns.values())).reshape(-1, 3, len(values)).transpose(1, 2, 0)
+    slopes, below, above = numbers[:, there]
+    known = [
+        OutputValue(output.name, output.unit, float(value))
+        for output, value in zip(outputs, values, strict=True)
+        if np.isfinite(value)
+    ]
+    jumps = _jumps(known, list(columns), slopes)
+    return Sensitivities(*heading, tuple(known), tuple(columns), slopes, below, above, (*left_out, *jumps))
+
+
+def _jumps(outputs: Sequence[OutputValue], keys: Sequence[Key], slopes: NDArray) -> Iterator[tuple[str, str]]:
+    """Yield keys at which some outputs jump, as the life where a standing ring begins to turn."""
+    for key, column in zip(keys, np.isnan(slopes).T, strict=True):
+        if column.any():
+            names = ", ".join(output.name for output, jumps in zip(outputs, column, strict=True) if jumps)
+            yield key.path, f"there is a jump of {names}"
