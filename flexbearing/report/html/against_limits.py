@@ -56,9 +56,10 @@ class Check:
     verdict: str = NOT_CHECKED
 
     @property
-    def rank(self) -> tuple[bool, float]:
-        """Checked ones first, the largest share leading."""
-        return self.verdict.startswith(NOT_CHECKED), -self.used
+    def rank(self) -> tuple[bool, bool, float]:
+        """Limits that are not kept first, then those that are, what was not checked last; by their shares."""
+        broken = self.verdict.startswith(tuple(_BROKEN.values()))
+        return self.verdict.startswith(NOT_CHECKED), not broken, -self.used
 
 
 def blocks(reader: Reader) -> Iterator[Block]:

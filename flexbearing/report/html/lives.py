@@ -5,13 +5,17 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from flexbearing.report.html import ratings
-from flexbearing.report.html.document import Block, Cell, Number, Table, Words
+from flexbearing.report.html.document import Block, Cell, Items, Number, Table, Words
 from flexbearing.report.html.reader import Reader
+from flexbearing.report.html.units import units_in_words
 
 COMPARED = "compare this life with a requirement"
 _FORMULA, _NOT_KNOWN = "none: a formula", "not estimated"
 _NO_GRID = "balls have no slices: none"
 _LUNDBERG, _REFERENCE, _RATING = "basic", "reference", "rating"  # what the life of a case is made of
+
+
+_MOVED = ("tilt", "roller-position", "fit-tolerances")  # codes of notes that tell other lives
 
 
 @dataclass(frozen=True)
@@ -51,6 +55,11 @@ def blocks(reader: Reader) -> Iterator[Block]:
     ]
     head = ("life", "10⁶ revolutions", "hours", "numerical error [%]", "what it is for")
     yield Table(f"Which life to use, {reader.state}", head, tuple(rows))
+    moved = tuple(
+        units_in_words(note["text"]) for note in reader.attributes["notes"] if note["code"] in _MOVED
+    )
+    if moved:
+        yield Items("What moves this life, besides assumed inputs", moved)
 
 
 def _why(reader: Reader, found: tuple[Life, ...]) -> str:

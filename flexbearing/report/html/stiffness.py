@@ -16,7 +16,8 @@ _UNITS = (("N/m", "kN/mm"), ("N/rad", "kN/rad"), ("N m/m", "kN m/m"), ("N m/rad"
 _ALONE = (
     "The bearing alone: between its raceways, freed of their rigid translation. With supports: from the base "
     "that holds the outer ring to the ends of the shaft, in series with them. The matrix includes the "
-    "supports where parts are flexible."
+    "supports where parts are flexible. In a shaft model that has shaft and housing as elements of its own, "
+    "use the bearing alone; in one that ends at this bearing, use that with supports; never both in series."
 )
 _TILT = (
     "Tilt: K of the matrix along the load is taken with the tilt of the inner ring held; the radial "
