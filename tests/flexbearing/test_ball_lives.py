@@ -38,7 +38,7 @@ def test_life_is_the_reference_life_of_the_loads(steep):
     both = steep.rigid["raceway_life"] / 1e6
     assert (both ** (-10 / 9)).sum() ** -0.9 == approx(expected, rel=1e-9)
     assert steep.attributes["life"] == {}
-    assert "life L10 [Mrev]" in text(steep)
+    assert "reference life L10r, ISO/TS 16281 [Mrev]" in text(steep)
 
 
 def test_inner_ring_that_stands_meets_its_loads_with_one_place():

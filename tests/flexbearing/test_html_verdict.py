@@ -197,6 +197,11 @@ def test_what_has_no_estimated_error_is_said_to_have_none(readers):
     page = words(readers("plain"))
     assert "largest roller load, inner; stiffness of the bearing; stiffness with supports" in page
     assert "peak pressure, inner raceway\nnot estimated" in page
+    assert "slices were within 5 % of whole contacts where, as here, no note on peak pressure" in page
+    result = readers("plain").result
+    noted = [{"grade": "outside validity", "code": "pressed-end", "text": "peak"}]
+    told = words(Reader(replace(result, attributes={**result.attributes, "notes": noted}), METRIC))
+    assert "not estimated\nsee the notes on peak pressure under Limits" in told
     assert "have no numerical error but that of the balance" in words(readers("ball"))
 
 

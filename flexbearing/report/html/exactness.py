@@ -10,6 +10,7 @@ from flexbearing.report.html.document import Block, Cell, Table, Words
 from flexbearing.report.html.reader import Reader
 
 NOT_ESTIMATED = "not estimated"
+PRESSURE_NOTES = {"pressed-end", "sharp-roller-end", "sliced-peak", "profile-corner"}
 _MEANING = (
     "A numerical error says how far a number is from the exact answer of this model, not from a "
     "measurement: what inputs are worth stands under Inputs, what the model leaves out under Limits."
@@ -52,6 +53,15 @@ def blocks(reader: Reader) -> Iterator[Block]:
         yield Words((_NO_TARGET,))
 
 
+def _of_slices(reader: Reader) -> str:
+    """What is known of peak pressures without an estimate."""
+    if {note["code"] for note in reader.attributes["notes"]} & PRESSURE_NOTES:
+        return "see the notes on peak pressure under Limits"
+    if reader.attributes["case_si"]["bearing"].get("contact") != "slices":
+        return ""
+    return "slices were within 5 % of whole contacts where, as here, no note on peak pressure is told"
+
+
 def _caption(reader: Reader) -> str:
     errors = reader.attributes.get("error_estimate")
     if not errors:
@@ -90,7 +100,7 @@ def _of_single_outputs(reader: Reader) -> Iterator[tuple[Cell, ...]]:
             of = 100 * known / summary["peak_pressure_MPa"][race]
             yield what, reader.units.number(of, "%", "%", ".2g", path), "cells of twice the size"
         elif not _exact(reader):
-            yield what, NOT_ESTIMATED, "see the notes on peak pressure under Limits, where there are any"
+            yield what, NOT_ESTIMATED, _of_slices(reader)
     if (stress := summary.get("nominal_bar_stress_MPa")) and summary.get("nominal_bar_stress_error_MPa"):
         of = 100 * summary["nominal_bar_stress_error_MPa"] / stress
         path = f"percent/{reader.last}/nominal_bar_stress_error_MPa/nominal_bar_stress_MPa"

@@ -67,9 +67,10 @@ def _factors(reader: Reader) -> Iterator[Table]:
     life = (reader.attributes.get("life") or {}).get(reader.last)
     if not life:
         return
-    path = f"life/{reader.last}"
+    path, first = f"life/{reader.last}", f"outputs/{reader.last}.life_L10"
+    of = next(each.name for each in lives(reader) if each.turns.of.startswith(first))
     rows: list[tuple[Cell, ...]] = [
-        ("basic life", reader.of_attribute(f"{path}/basic_Mrev", "Mrev", "Mrev", ",.4g"), "10⁶ revolutions")
+        (of, reader.of_attribute(f"{path}/basic_Mrev", "Mrev", "Mrev", ",.4g"), "10⁶ revolutions")
     ]
     for place, factor in enumerate(life["factors"]):
         value = reader.of_attribute(f"{path}/factors/{place}/value", "", "", ".4g")
