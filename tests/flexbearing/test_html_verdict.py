@@ -275,3 +275,26 @@ def test_without_a_stored_comparison_the_page_says_why_the_life_is_not_the_catal
         getattr(block, "caption", "").startswith("Why")
         for block in life_section.blocks(readers("four-point"))
     )
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("settings", "row", "by"),
+    [
+        ("accuracy.target=1 %", "stiffness of the bearing", "neighbouring levels of accuracy"),
+        ("bearing.contact=half_space", "peak pressure, inner raceway", "cells of twice the size"),
+    ],
+)
+def test_estimated_errors_are_those_of_the_file(tmp_path, settings, row, by):
+    api.run(CONFIGS / "nu209.toml", [settings], output=tmp_path / "a.h5")
+    reader = Reader(api.read(tmp_path / "a.h5"), METRIC)
+    (table,) = [block for block in verdict.blocks(reader) if getattr(block, "head", ("",))[0] == "number"]
+    (error,) = [cells[1] for cells in table.rows if cells[0] == row and cells[2] == by]
+    given = {"data-of": error.of, "data-stored": error.stored, "data-unit": error.unit}
+    require_equal([(given, error.text)], Numbers(tmp_path / "a.h5"))
+    assert 0 < float(error.text) < 1
+
+
+def test_lives_stand_in_their_order(readers):
+    keys = [life.key for life in lives(readers("oil"))]
+    assert keys == ["modified", "reference", "basic", "catalogue", "catalogue modified"]

@@ -174,7 +174,10 @@ def _stresses(reader: Reader) -> Iterator[Check]:
         path = f"summary/{reader.last}/nominal_bar_stress_MPa"
         limit = yield_stress(reader, "outer", "bars")
         yield _against_yield(reader, "Nominal stress of the bars", nominal, limit, path)
-    if not parts and reader.attributes.get("structure"):
+    if not parts and "flexible" in reader.blocks:
+        if "stresses" not in {each.name for each in reader.layout.further_attributes}:
+            yield Check("Stress of the flexible rings", verdict=f"{NOT_CHECKED}: not computed for this kind")
+            return
         yield Check(
             "Stress of the flexible rings", verdict=f"{NOT_CHECKED}: outputs.stresses = true computes it"
         )

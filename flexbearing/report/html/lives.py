@@ -15,6 +15,7 @@ _NO_GRID = "balls have no slices: none"
 _LUNDBERG, _REFERENCE, _RATING = "basic", "reference", "rating"  # what the life of a case is made of
 
 
+_ORDER = ("modified", "reference", "basic", "catalogue", "catalogue modified")
 _MOVED = ("tilt", "roller-position", "fit-tolerances")  # codes of notes that tell other lives
 
 
@@ -37,7 +38,7 @@ def lives(reader: Reader) -> tuple[Life, ...]:
     known = {life.key for life in found}
     wanted = next((key for key in ("modified", "reference", "basic") if key in known), "")
     kept = [replace(life, chosen=life.key == wanted) for life in found]
-    return tuple(sorted(kept, key=lambda life: not life.chosen))
+    return tuple(sorted(kept, key=lambda life: (not life.chosen, _ORDER.index(life.key))))
 
 
 def blocks(reader: Reader) -> Iterator[Block]:
