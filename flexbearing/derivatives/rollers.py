@@ -16,10 +16,10 @@ from flexbearing.derivatives.stencil import STENCILS
 from flexbearing.derivatives.table import Sensitivities
 from flexbearing.outputs import Wanted, outputs, wanted
 from flexbearing.program.threads import linear_algebra_alone
-from flexbearing.quantities.roller import LAYOUT
+from flexbearing.quantities.roller import CAGE_SLIP, LAYOUT
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
 
-DEFAULT = ("life", "max_roller_load", "cage_slip", "stiffness_zz")
+DEFAULT = ("life", "max_roller_load", CAGE_SLIP.name, "stiffness_zz")
 ALL, LIFE = "all", "life"
 ESTIMATES = ("life_error", "peak_pressure_error", "nominal_bar_stress_error")  # no outputs of the bearing
 REACH = 20.0  # steps, 0.01 % of a value: contacts that open or close within make a derivative one-sided

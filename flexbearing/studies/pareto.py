@@ -268,7 +268,7 @@ def _picked(choices: Mapping[str, Any]) -> str:
 
 def _told(estimate: Mapping[str, Any]) -> dict[str, float]:
     """Errors that a target estimated, by the names of outputs."""
-    names = {"load": "roller_load", "slip": "cage_slip", "life": "life", "stiffness": "total_stiffness"}
+    names = {"load": "roller_load", "slip": CAGE_SLIP.name, "life": "life", "stiffness": "total_stiffness"}
     return {output: float(estimate[name]) for output, name in names.items() if name in estimate}
 
 

@@ -339,7 +339,7 @@ def test_what_the_search_of_friction_leaves_does_not_stall_the_ring(seed):
 def test_imbalance_is_told_over_the_largest_force():
     operation = RingOperation(load=(6000.0, 0.0, 0.0, 0.0, 0.0), displacement=STRAIGHT, inner_speed=1000.0)
     model = AngularContactBallBearing(bearing=BEARING, control="coulomb", friction=0.06)
-    balance = model._balance([operation])
+    balance = model.equations([operation])
     ring, centres = start(replace(balance, load=1.1 * balance.load))
     found = balance_balls(balance, balance.grooves(ring), centres)
     state = _at(balance, ring, found)
