@@ -327,6 +327,9 @@ def test_lines_that_cannot_be_told_apart_are_drawn_once_and_the_caption_says_so(
     apart = {**near, "outer_load": 1.02 * near["inner_load"] + 50}
     figures = {each.name: each for each in of_result(replace(result, rigid=apart, flexible=apart)).figures}
     assert len(figures["around-inner-load"].traces) == 2
+    equal = {**near, "outer_load": near["inner_load"]}
+    figures = {each.name: each for each in of_result(replace(result, rigid=equal, flexible=equal)).figures}
+    assert "Inner and outer load are the same: drawn as one line." in figures["around-inner-load"].caption
 
 
 def test_load_per_length_is_drawn_of_both_raceways_only_where_they_differ(results):
@@ -380,6 +383,13 @@ def test_operating_system_and_revision_are_told(results):
     text = "".join(Page(html(of_result(told))).text)
     assert f"operating system{machine['system']}" in text
     assert "revision of the program's source0123456789ab" in text
+
+
+def test_lists_of_inputs_have_their_units(results):
+    document = of_result(api.read(results("slow ball")))
+    (section,) = [each for each in document.sections if each.name == "inputs"]
+    rows = {row[0]: row for block in section.blocks if block.kind == "table" for row in block.rows}
+    assert rows["operation.contact_loads"][1] == "56,137.2 N, 0 N"
 
 
 def test_imperial_pages_say_what_keeps_its_units(results):

@@ -13,6 +13,7 @@ NOTES = (
     "Seen along +x, which points away from the reader: z down, y to the right.",
     "Azimuth φ runs from z, 0°, to y, 90°: left-handed about +x. Speeds and angles are positive this way.",
 )
+TIP = 0.76  # of a radius: where the arrow of the load ends
 NUMBERS = "Numbers of rolling elements as in tables of results."
 
 
@@ -78,20 +79,20 @@ def balls(words: Words) -> Drawing:
     sheet.circle(pitch, ec="0.4", lw=0.4, ls=(0, (8, 2, 1, 2)))
     sheet.label("bearing.pitch_diameter", place(pitch, 1.9), "Ø ")
     _count(sheet, azimuths, ("bearing.balls", "bearing.first_ball_azimuth", "bearing.ball.diameter"), pitch)
-    _load_of_balls(sheet, case.operation.load, pitch)
+    _load_of_balls(sheet, case.operation.load, pitch, pitch - 0.55 * size)
     for path in ("operation.speed", "operation.inner_speed"):
         _turning(sheet, path, 0.55 * pitch)
     _turning(sheet, "operation.outer_speed", (pitch + 0.5 * size + sheet.box[1][1]) / 2)
     return _finished(sheet, case, "ball")
 
 
-def _load_of_balls(sheet: Sheet, load: Any, pitch: float) -> None:
-    """Radial load as an arrow, moments at the axes they turn about; the section shows the thrust."""
+def _load_of_balls(sheet: Sheet, load: Any, pitch: float, inside: float) -> None:
+    """Radial load as an arrow inside the balls, moments at their axes; the section shows the thrust."""
     if load is None:
         return
     if load.radial_y or load.radial_z:
         azimuth = np.arctan2(load.radial_y or 0.0, load.radial_z or 0.0)
-        _arrow(sheet, azimuth, 0.9 * sheet.box[1][1], "operation.load.radial_y", "operation.load.radial_z")
+        _arrow(sheet, azimuth, inside / TIP, "operation.load.radial_y", "operation.load.radial_z")
     for name, azimuth in (("moment_y", np.pi / 2), ("moment_z", 0.0)):
         if getattr(load, name):
             sheet.label(f"operation.load.{name}", place(0.36 * pitch, azimuth))
@@ -202,7 +203,7 @@ def axes_of_azimuth(sheet: Sheet, pitch: float) -> None:
 
 def _arrow(sheet: Sheet, azimuth: float, radius: float, *paths: str) -> None:
     """The load on the inner ring, from the axis of the bearing outwards."""
-    start, tip = place(0.5 * radius, azimuth), place(0.76 * radius, azimuth)
+    start, tip = place(0.5 * radius, azimuth), place(TIP * radius, azimuth)
     sheet.line([start, tip], ec=LOAD, arrowstyle="-|>", lw=2.0)
     for path in paths:
         sheet.label(path, start)

@@ -14,6 +14,7 @@ BLUE, ORANGE, GREEN, PURPLE = "#0072B2", "#D55E00", "#007a5a", "#8a3f7c"
 LOAD = "#a61c00"  # as in drawings
 COLOURS = (BLUE, ORANGE, GREEN, PURPLE)
 SHORT = 6  # lines that a legend names within a figure of usual height
+MARKED = 60  # places of a line that are marked at most
 SAME = 5e-3  # of the largest value: lines, or maps, that differ by less are drawn as one
 DASHES = {"rigid": "dot", "flexible": "solid"}
 
@@ -53,7 +54,7 @@ def around(reader: Reader, title: str, names: tuple[str, ...], azimuth: str) -> 
                 trace["line"]["color"] = trace["marker"]["color"] = COLOURS[number % len(COLOURS)]
     unit = reader.units.of(reader.layout[names[0]].unit_for_people.name)
     same = "".join(
-        f" {words.capitalize()} differ by at most {largest:.3g} {printed(unit)}: drawn as one line."
+        f" {words.capitalize()} {_differing(largest, printed(unit))}: drawn as one line."
         for words, largest in merged
     )
     layout = {
@@ -89,6 +90,10 @@ def _drawn_once(traces: list[dict[str, Any]]) -> tuple[list[dict[str, Any]], lis
         for trace in kept[twin]:
             trace["name"] = trace["name"].replace(twin, words, 1)
     return [trace for group in kept.values() for trace in group], merged
+
+
+def _differing(largest: float, unit: str) -> str:
+    return f"differ by at most {largest:.3g} {unit}".rstrip() if largest else "are the same"
 
 
 def _apart(one: list[dict[str, Any]], other: list[dict[str, Any]]) -> float | None:
@@ -149,7 +154,7 @@ def _load_mark(reader: Reader) -> dict[str, Any]:
 
 def _marked(reader: Reader) -> str:
     azimuth = _load_azimuth(reader)
-    return "" if azimuth is None else f" Dashed red: direction of the load on the inner ring, {azimuth:g}°."
+    return "" if azimuth is None else f" Dashed red: direction of the load on the inner ring, {azimuth:.4g}°."
 
 
 def _lines(reader: Reader, block: str, name: str, around: str) -> Iterator[tuple[str, tuple[Any, ...]]]:
@@ -180,7 +185,7 @@ def _line(
     label = ", ".join(filter(None, [name.replace("_", " "), words]))
     return {
         "type": "scatter",
-        "mode": "lines+markers",
+        "mode": "lines+markers" if len(values) <= MARKED else "lines",
         "name": f"{label}, {block}" if len(reader.blocks) > 1 else label,
         "legendgroup": label,
         "x": plain(degrees[order]),

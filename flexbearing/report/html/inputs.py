@@ -101,6 +101,10 @@ def row_of_key(
     if kind is not None and isinstance(value, int | float):
         number = reader.units.of_key(value, kind.unit, f"{place}/{path}")
         return path, number, printed(number.unit), meaning
+    if kind is not None and isinstance(value, list) and all(isinstance(each, int | float) for each in value):
+        numbers = [reader.units.of_key(each, kind.unit, "") for each in value]
+        texts = (f"{number.text} {printed(number.unit)}".strip() for number in numbers)
+        return path, ", ".join(texts), "", meaning
     if isinstance(value, int | float) and not isinstance(value, bool):
         number = reader.units.number(value, "", "", ",.6g", f"{place}/{path}")
         return path, number, "", meaning
