@@ -185,7 +185,7 @@ def _numbers(
     batch = Batch(np.arange(count), states, (SolverOutcome.CONVERGED,) * count, np.zeros(count, int))
     cases, models, pairs = ([getattr(each, name) for each in variants] for name in ("case", "model", "pair"))
     together = Together(cases, models, batch, pairs, BLOCKS)
-    return np.array([np.asarray(together.numbers(output), float) for output in outputs]).T
+    return np.array(together.all_numbers(outputs), float).T
 
 
 def _stacked(deviations: Sequence[NDArray | None]) -> NDArray | None:

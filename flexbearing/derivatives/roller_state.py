@@ -14,7 +14,7 @@ from flexbearing.coupled.coupled import BearingPartner, equilibrium
 from flexbearing.coupling import LinearPair, PartnerFailed, RacewayPair
 from flexbearing.derivatives.keys import Key, with_value
 from flexbearing.progress import Logged
-from flexbearing.rings.condensed import RACES, condensed_raceways, is_linear, regrown
+from flexbearing.rings.condensed import RACES, condensed_raceways, is_linear, with_growth
 from flexbearing.rings.resolution import resolved
 from quasidynamic import Equilibrium, NotSolved, RollerBearing
 from quasidynamic.balance.rollers.bearing import BearingBalance
@@ -90,8 +90,13 @@ class SolvedState:
             raise RingChanged(key.path)
         azimuths = model.bearing.azimuths
         if is_linear(case) and np.array_equal(azimuths, self.base.model.bearing.azimuths):
-            return regrown(self.base.pair, self.base.case, case, Logged())
+            return with_growth(self._bare, case, Logged())
         return condensed_raceways(case, azimuths, Logged()).linearised(self.forces)
+
+    @cached_property
+    def _bare(self) -> LinearPair:
+        """Raceways without what they have grown."""
+        return with_growth(self.base.pair, self.base.case, Logged(), -1.0)
 
     @cached_property
     def _rings(self) -> list[object]:

@@ -150,32 +150,32 @@ def linear_raceways(
     return [LinearPair(*pair) for pair in zip(inner, outer, strict=True)]
 
 
-def regrown(pair: LinearPair, case: Case, other: Case, report: Report) -> LinearPair:
-    """The linear raceways of a case with the shapes that grow in another case of the same parts.
+def with_growth(pair: LinearPair, case: Case, report: Report, sign: float = 1.0) -> LinearPair:
+    """Linear raceways with the shapes that grow in a case of the same parts, or without them.
 
     Parameters
     ----------
     pair : LinearPair
-        of the case, as `linear_raceways` makes it
-    case, other : Case
-        which differ in nothing but what rings grow by
+        as `linear_raceways` makes it, less what grows
+    case : Case
+        whose heat, speed and pressing make the raceways grow
     report : Report
         hears of what is computed
+    sign : float
+        -1 takes away what has grown
 
     Returns
     -------
     LinearPair
     """
     grown: list[Any] = []
-    for race, raceway in zip(RACES, pair.raceways, strict=True):
-        if raceway is None:
-            grown.append(None)
-            continue
-        nothing: Any = replace(raceway, initial_deviation=np.zeros_like(raceway.initial_deviation))  # type: ignore[type-var]
-        before, after = (
-            _Growth.of(each, race, report).added(nothing).initial_deviation for each in (case, other)
-        )
-        grown.append(replace(nothing, initial_deviation=raceway.initial_deviation + (after - before)))
+    for race, linear in zip(RACES, pair.raceways, strict=True):
+        raceway: Any = linear
+        if raceway is not None:
+            nothing = replace(raceway, initial_deviation=np.zeros_like(raceway.initial_deviation))
+            shape = _Growth.of(case, race, report).added(nothing).initial_deviation
+            raceway = replace(raceway, initial_deviation=raceway.initial_deviation + sign * shape)
+        grown.append(raceway)
     return LinearPair(*grown)
 
 

@@ -1,6 +1,6 @@
 """Roller cases that converged side by side: outputs and dangers of their end states."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -85,19 +85,39 @@ class Together:
 
     def numbers(self, output: Wanted) -> NDArray:
         """Numbers (C) of an output of these blocks; NaN where a case does not have it."""
-        quantities, block = [QUANTITIES[name] for name in datasets(output)], output.block or ANSWER[1]
-        if any(entry.source.startswith(BY_CASE) for entry in quantities):
-            return np.array([output.number({block: case.quantities(quantities)}) for case in self._each])
+        return self.all_numbers([output])[0]
+
+    def all_numbers(self, outputs: Sequence[Wanted]) -> list[NDArray]:
+        """Numbers (C) of outputs of one of these blocks each; a quantity that several need is taken once."""
+        each = [[QUANTITIES[name] for name in datasets(output)] for output in outputs]
+        of_all = {
+            entry.name: entry for quantities in each if not _by_case(quantities) for entry in quantities
+        }
+        arrays = self._arrays(list(of_all.values()))
+        return [
+            self._case_by_case(output, quantities)
+            if _by_case(quantities)
+            else np.broadcast_to(output.numbers({output.block or ANSWER[1]: arrays}), len(self.cases))
+            for output, quantities in zip(outputs, each, strict=True)
+        ]
+
+    def _case_by_case(self, output: Wanted, quantities: list[Quantity]) -> NDArray:
+        block = output.block or ANSWER[1]
+        return np.array([output.number({block: case.quantities(quantities)}) for case in self._each])
+
+    def _arrays(self, quantities: list[Quantity]) -> dict[str, NDArray]:
+        """Quantities of all cases at once."""
+        if not quantities:
+            return {}
         states, end = self.batch.states, self._end
-        if LIFE_ERROR in datasets(output):
+        if any(entry.name == LIFE_ERROR for entry in quantities):
             errors = estimated_errors(self.cases[0], states, self.rings[0], Logged())
             end = replace(end, life_error=errors)
         solved: dict[str, Any] = {"state": states, "end": end}
         solved |= {"bearing": states.balance.roller.bearing, "losses": states.losses}
         if any(entry.source.startswith("bars.") for entry in quantities):
             solved["bars"] = self._bars
-        numbers = output.numbers({block: taken(quantities, solved, many=True)})
-        return np.broadcast_to(numbers, len(self.cases))
+        return taken(quantities, solved, many=True)
 
     @property
     def _rigid(self) -> bool:
@@ -183,6 +203,11 @@ def _not_searched(case: int) -> Iterator[Note]:
     yield danger(
         several.CODE, "several equilibria are likely; others than the computed one were not searched"
     )
+
+
+def _by_case(quantities: list[Quantity]) -> bool:
+    """Whether some of the quantities are found case by case."""
+    return any(entry.source.startswith(BY_CASE) for entry in quantities)
 
 
 def datasets(output: Wanted) -> list[str]:
