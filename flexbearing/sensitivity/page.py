@@ -44,7 +44,7 @@ def _table(slopes: tuple[Slope, ...], unit: str) -> RenderableType:
     sided = any(slope.one_sided for slope in slopes)
     table = right_aligned("key", "% per %", "derivative", *(("below", "above") if sided else ()))
     for column in table.columns:
-        column.no_wrap = True
+        column.no_wrap, column.overflow = not sided, "fold"
     for slope in slopes:
         sides = (_number(slope.below), _number(slope.above)) if sided else ()
         row = slope.key.path, _number(slope.elasticity), _derivative(slope, unit), *sides
