@@ -77,6 +77,27 @@ def test_targets_chose_what_the_page_says():
             assert is_rounded(true, 100 * float(row[f"error_{output}"]), 2)
 
 
+def test_fractions_solved_stand_on_the_page_with_their_commands():
+    shown = {
+        name: (what, share, command) for name, what, share, command in tables("hard-cases")["solved"][2:]
+    }
+    rows = stored("hard_cases")
+    assert list(shown) == [row["name"] for row in rows]
+    for row in rows:
+        what, share, command = shown[row["name"]]
+        assert what == row["asked"]
+        assert command == f"`{row['command']}`"
+        assert share.startswith(f"{row['solved']} of {row['of']} (")
+        assert is_rounded(share[share.index("(") + 1 : -3], 100 * int(row["solved"]) / int(row["of"]))
+
+
+def test_every_case_that_is_not_solved_is_told():
+    told = dict(tables("hard-cases")["unsolved"][2:])
+    for row in stored("hard_cases"):
+        assert bool(row["unsolved"]) == (row["name"] in told)
+        assert told.get(row["name"], "") == row["unsolved"].replace(" | ", "; ")
+
+
 def test_sensitivities_stand_on_the_page_as_they_were_computed():
     rows, shown = stored("unknown_numbers"), tables("unknown-numbers")["sensitivity"][2:]
     assert (

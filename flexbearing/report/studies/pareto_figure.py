@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from string import ascii_lowercase
 from textwrap import fill
 from typing import TYPE_CHECKING
 
@@ -83,17 +84,14 @@ def _draw_panel(axes: Axes, study: Study, output: str) -> None:
 
 
 def _draw_other_physics(axes: Axes, study: Study, output: str) -> None:
-    """Differences of other laws at their cached times, with their names towards the middle."""
-    times = [seconds for level in study.solved for seconds in level.times.values()]
-    middle = (min(times) * max(times)) ** 0.5
-    for number, level in enumerate(study.other_physics):
+    """Differences of other laws at their cached times, by letters that stand below the panel."""
+    for letter, level in zip(ascii_lowercase, study.other_physics, strict=False):
         place = level.times["cached"], max(level.errors[output], SMALLEST)
-        label = "other physics, cached" if number == 0 else None
-        axes.plot(*place, "x", color=_PHYSICS, markersize=6, markeredgewidth=1.4, label=label)
-        aside, side = (5, "left") if place[0] < middle else (-5, "right")
+        label = "other physics, cached" if letter == "a" else None
+        axes.plot(*place, "x", color=_PHYSICS, markersize=6, markeredgewidth=1.4, label=label, zorder=6)
         axes.annotate(
-            level.name, place, xytext=(aside, 4), textcoords="offset points", ha=side, fontsize=7,
-            color=_PHYSICS, parse_math=False,
+            letter, place, xytext=(0, 5), textcoords="offset points", ha="center", fontsize=9,
+            color=_PHYSICS, zorder=6,
         )  # fmt: skip
 
 
@@ -111,4 +109,7 @@ def _mark_cheapest(axes: Axes, study: Study, output: str) -> None:
                     *place, "*", color=_STYLE[when][0], markersize=15, markeredgecolor="white", zorder=5
                 )
         lines.append(f"{percent(target)}  –  {';  '.join(names)}")
+    names = zip(ascii_lowercase, study.other_physics, strict=False)
+    if others := ", ".join(f"{letter} {level.name}" for letter, level in names):
+        lines.append(f"× {others}")
     axes.set_xlabel("time [s]\n★ cheapest within\n" + "\n".join(lines), fontsize=8.5)
