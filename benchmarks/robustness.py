@@ -101,11 +101,17 @@ def of_changed(command: str) -> Callable[[str], Found]:
 
     def reads(text: str) -> Found:
         total, faults = _one(rf"^{command}: (\d+) inputs,.*with a fault: (\d+)", text)
-        return (
-            int(total) - int(faults), int(total), _lines(rf"^FAULT (\d+ \({command}\): .*)$", text)
-        )  # fmt: skip
+        told = [_in_short(line) for line in _lines(rf"^FAULT (\d+ \({command}\): .*)$", text)]
+        return int(total) - int(faults), int(total), told
 
     return reads
+
+
+def _in_short(fault: str) -> str:
+    """Number of a case with the warning that it printed, or the beginning of its fault."""
+    number, _, words = fault.partition(": ")
+    warning = re.search(r"Warning: [^\\]+", words)
+    return f"{number}: {warning[0] if warning else words[:120]}"
 
 
 def of_rolling(text: str) -> Found:
