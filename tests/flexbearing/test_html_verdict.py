@@ -118,7 +118,7 @@ def test_the_numerical_error_stands_beside_every_life(readers):
     assert {life.error for life in lives(readers("film")) if life.key == "modified"} == {
         "not estimated: film"
     }
-    assert {life.error for life in lives(readers("ball")) if life.chosen} == {"balls have no slices: none"}
+    assert {life.error for life in lives(readers("ball")) if life.chosen} == {"none: balls have no slices"}
 
 
 def test_an_older_result_without_the_growth_of_a_iso_tells_no_error_of_its_life(readers):
@@ -186,6 +186,24 @@ def test_films_are_held_to_their_regime_and_without_roughness_not_checked(reader
     assert plain["Smallest film ratio Λ"] == "not checked: no roughness given (bearing.roughness)"
     assert plain["Viscosity ratio κ"] == 'not checked: life.lubrication = "a_ISO" computes it'
     assert {check.what: check.verdict for check in ranked(readers("oil"))}["Viscosity ratio κ"] == "met"
+
+
+@pytest.mark.parametrize(
+    ("operating", "tightest", "verdict"),
+    [
+        (20e-6, 5e-6, "met"),
+        (2e-6, -15e-6, "met as computed, preload at the tight end of the tolerances"),
+        (-1e-6, -15e-6, "preload: see Clearance"),
+    ],
+)
+@pytest.mark.parametrize("name", ["plain", "ball"])
+def test_clearance_is_judged_with_its_tight_end(readers, name, operating, tightest, verdict):
+    result = readers(name).result
+    ends = {"tolerances": {"ends": {"tightest_m": tightest}}}
+    clearance = {**result.attributes["clearance"], "operating_m": operating, **ends}
+    reader = Reader(replace(result, attributes={**result.attributes, "clearance": clearance}), METRIC)
+    (found,) = [check.verdict for check in ranked(reader) if check.what.startswith("Diametral")]
+    assert found == verdict
 
 
 def test_two_static_safeties_are_explained_where_both_stand(readers):

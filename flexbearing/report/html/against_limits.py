@@ -14,6 +14,7 @@ DENTING, DENTING_OF_BALLS = 4000.0, 4200.0  # [MPa] static limits of roller and 
 USUAL_OF_ROLLERS = 1.5  # static safety in normal running, SKF
 LEAST_OF_ROLLERS, LEAST_OF_BALLS = 0.02, 0.01  # P/C_r in SKF's rule of thumb against smearing
 FULL_FILM = 3  # film ratio
+DEEP_GROOVE = "deep_groove_ball"
 ENDS = {"pressed-end", "sharp-roller-end", "sliced-peak"}  # notes by which slices do not have the peak
 NOT_CHECKED = "not checked"
 MOST, LEAST = "most", "least"  # a limit from above, from below
@@ -247,12 +248,17 @@ def _spin(reader: Reader) -> Iterator[Check]:
 
 
 def _clearance(reader: Reader) -> Iterator[Check]:
-    of_rollers = "ball" not in reader.attributes["case_si"].get("bearing", {})
-    if of_rollers and (reader.attributes.get("clearance") or {}).get("operating_m") is not None:
-        value = reader.of_attribute("clearance/operating_m", "m", "um", ".3g")
-        preload = reader.attributes["clearance"]["operating_m"] < 0
-        verdict = "preload: see Clearance" if preload else "met"
-        yield Check(f"Diametral {reader.clearance_words}", value, "at least 0", verdict=verdict)
+    """Clearance of bearings that are not adjusted axially, with the tight end of its tolerances."""
+    found = reader.attributes.get("clearance") or {}
+    radial = "roller" in reader.attributes["case_si"]["bearing"] or reader.attributes["kind"] == DEEP_GROOVE
+    if not radial or found.get("operating_m") is None:
+        return
+    tightest = (found.get("tolerances") or {}).get("ends", {}).get("tightest_m", 0.0)
+    verdict = "met as computed, preload at the tight end of the tolerances" if tightest < 0 else "met"
+    if found["operating_m"] < 0:
+        verdict = "preload: see Clearance"
+    value = reader.of_attribute("clearance/operating_m", "m", "um", ".3g")
+    yield Check(f"Diametral {reader.clearance_words}", value, "at least 0", verdict=verdict)
 
 
 _NOTED = {  # what, by the code of a note: limit, verdict

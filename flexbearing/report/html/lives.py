@@ -11,7 +11,7 @@ from flexbearing.report.html.units import units_in_words
 
 COMPARED = "compare this life with a requirement"
 _FORMULA, _NOT_KNOWN = "none: a formula", "not estimated"
-_NO_GRID = "balls have no slices: none"
+_NO_GRID = "none: balls have no slices"
 _LUNDBERG, _REFERENCE, _RATING = "basic", "reference", "rating"  # what the life of a case is made of
 
 
