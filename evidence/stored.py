@@ -47,7 +47,7 @@ def _changes(case: Case, kept: Findings, new: Findings) -> Iterator[tuple[str, f
     for old, number in zip(kept.numbers, new.numbers, strict=True):
         at_zero = old.allowed if old.known == 0.0 else 0.0
         yield old.name, old.ours, number.ours, max(case.moves * abs(old.ours), at_zero)
-        yield f"{old.name}, known", old.known, number.known, 1e-9 * abs(old.known)
+        yield f"{old.name}, known", old.known, number.known, case.moves * abs(old.known)
     for old, trend in zip(kept.trends, new.trends, strict=True):
         size = max(map(abs, old.ours))
         for place, one, other in zip(old.places, old.ours, trend.ours, strict=True):

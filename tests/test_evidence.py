@@ -109,5 +109,5 @@ def test_trend_and_error_that_moved_are_told():
 
 def test_known_number_that_changed_is_told():
     case, before = toy(100.0, allowed=1.0)
-    after = replace(before, numbers=(replace(before.numbers[0], known=100.1),))
+    after = replace(before, numbers=(replace(before.numbers[0], known=100.2),))
     assert len(moved(case, before, after)) == 1

@@ -1,7 +1,7 @@
 """All cases of evidence, by name."""
 
 from evidence.case import Case
-from evidence.cases import balls, contacts, load_sharing, rolling, standards, worked
+from evidence.cases import balls, contacts, load_sharing, mao, motion, rolling, standards, worked
 
 CASES: dict[str, Case] = {
     case.name: case
@@ -10,6 +10,8 @@ CASES: dict[str, Case] = {
         *contacts.CASES,
         *rolling.CASES,
         *balls.CASES,
+        *motion.CASES,
+        *mao.CASES,
         *standards.CASES,
         *worked.STANDARDS,
         *worked.CATALOGUES,

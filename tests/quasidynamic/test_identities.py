@@ -121,12 +121,15 @@ def test_turning_the_other_way_mirrors_everything():
     assert backwards.driving_torque == approx(-forwards.driving_torque, rel=1e-9)
 
 
+FILM_FREE = 3529.05  # [N] largest load without centrifugal force and film
+
+
 def test_slow_bearing_is_a_static_one():
     """As the speed falls, the loads tend to those without centrifugal force and film."""
     loads = [paper_bearing(speed=n * RPM).solve().loads[0].max() for n in (100.0, 10.0, 1.0)]
-    film_free = 3529.05  # each step of ten in speed brings the film, ~ speed^0.7, closer to nothing
+    # each step of ten in speed brings the film, ~ speed^0.7, closer to nothing
     assert abs(loads[2] - loads[1]) < abs(loads[1] - loads[0])
-    assert loads[2] == approx(film_free, rel=1e-4)
+    assert loads[2] == approx(FILM_FREE, rel=1e-4)
 
 
 def test_both_rings_turning_together_leave_the_loads_of_their_difference_at_rest():
