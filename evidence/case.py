@@ -1,7 +1,7 @@
 """What one case of evidence declares, and what it finds."""
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from matplotlib.figure import Figure
 
@@ -103,6 +103,11 @@ def numbers(
 ) -> tuple[Number, ...]:
     """Several numbers of one source."""
     return tuple(number(*row, unit, digit=digit, share=share) for row in zip(names, known, ours, strict=True))
+
+
+def over(scale: float, rows: Iterable[Number]) -> tuple[Number, ...]:
+    """Numbers whose misfits are shares of one scale."""
+    return tuple(replace(row, scale=float(scale)) for row in rows)
 
 
 def trend(

@@ -36,6 +36,11 @@ def subjects():
     return list(dict.fromkeys(case.subject for case in CASES.values()))
 
 
+def test_there_are_forty_cases_of_many_sources():
+    assert len(CASES) >= 40
+    assert len({case.source for case in CASES.values()}) >= 30
+
+
 def test_no_page_is_left_over():
     pages = {path.stem for path in DOCS.glob("*.md")} - {"index"}
     numbers = {path.stem for path in (DOCS / "numbers").glob("*.json")}

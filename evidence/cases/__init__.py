@@ -1,7 +1,7 @@
 """All cases of evidence, by name."""
 
 from evidence.case import Case
-from evidence.cases import balls, contacts, load_sharing, mao, motion, rolling, standards, worked
+from evidence.cases import balls, contacts, elasticity, load_sharing, mao, motion, rolling, standards, worked
 
 CASES: dict[str, Case] = {
     case.name: case
@@ -12,6 +12,7 @@ CASES: dict[str, Case] = {
         *balls.CASES,
         *motion.CASES,
         *mao.CASES,
+        *elasticity.CASES,
         *standards.CASES,
         *worked.STANDARDS,
         *worked.CATALOGUES,
