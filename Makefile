@@ -9,7 +9,7 @@ READY := $(VENV)/.installed
 export OMP_NUM_THREADS ?= 2
 export OPENBLAS_NUM_THREADS ?= 2
 
-.PHONY: run test test-slow test-slurm test-ross test-calculix test-browser lint benchmark docs lock clean
+.PHONY: run test test-slow test-slurm test-ross test-calculix test-browser test-docs lint benchmark docs lock clean
 
 run: $(READY)
 	$(BIN)/flexbearing run configs/mao2016.toml -o results/mao2016.h5
@@ -30,6 +30,10 @@ test-slurm: $(READY)
 # With an installed Chromium (Debian: apt install chromium).
 test-browser: $(READY)
 	$(BIN)/python -m pytest -m browser
+
+# Links and figures of the documentation; its pages in a browser where Chromium is installed.
+test-docs: docs
+	$(BIN)/python -m pytest -m docs tests/site
 
 # ROSS 2.3 is the last version for Python 3.11, and wants an older plotly.
 test-ross: $(READY)

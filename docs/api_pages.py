@@ -7,6 +7,7 @@ names gets a link back to that page.
 import inspect
 import re
 import sys
+from functools import cache
 from importlib import import_module
 from pathlib import Path
 
@@ -17,12 +18,14 @@ ROOT = HERE.parent
 FOLDER = HERE / "reference" / "api"
 PACKAGES = ("quasidynamic", "fem")
 LEFT_OUT = {"fem.stages", "quasidynamic.columns"}
-OBJECT = re.compile(r"\{py:(?:func|class|meth|data|obj)\}`~?([\w.]+)`")
+FILE = re.compile(r"`((?:\w+/)*\w+\.py)`")
+OBJECT = re.compile(r"\{py:(?:func|class|meth|attr|data|obj|mod)\}`(?:[^`<]*<|~)?([\w.]+)>?`")
 FORMULA = re.compile(r"^\s*\.\. math::")
 MARKUP = re.compile(r"[|*]|(?<=\w)_(?=\W|$)")
 RAISES = re.compile(r"^:raises ([\w, ]+):")
 
 
+@cache
 def rooms() -> dict[str, list[str]]:
     """Return the modules of every room of `quasidynamic` and `fem`, those that define something public."""
     found: dict[str, list[str]] = {}
@@ -58,11 +61,29 @@ def write_pages(app: Sphinx) -> None:
             path.write_text(text)
 
 
+def with_linked_files(text: str) -> str:
+    """Return a text with the files that it names, `contact/line/load_law.py`, linked to their pages."""
+    modules = ["." + module for room in rooms().values() for module in room]
+
+    def linked(file: re.Match[str]) -> str:
+        name = "." + file[1].removesuffix(".py").replace("/", ".")
+        meant = [module[1:] for module in modules if module.endswith(name)]
+        return f"{{py:mod}}`{file[1]} <{meant[0]}>`" if len(meant) == 1 else file[0]
+
+    return FILE.sub(linked, text)
+
+
+def link_files(app: Sphinx, name: str, source: list[str]) -> None:
+    """Link the files that a page of the theory names."""
+    if name.startswith("theory/"):
+        source[0] = with_linked_files(source[0])
+
+
 def named_by_theory() -> dict[str, list[str]]:
-    """Return the pages of the theory that name an object, by the object's full name."""
+    """Return the pages of the theory that name a module or an object, by its full name."""
     pages: dict[str, list[str]] = {}
     for path in sorted((HERE / "theory").glob("*.md")):
-        for name in dict.fromkeys(OBJECT.findall(path.read_text())):
+        for name in dict.fromkeys(OBJECT.findall(with_linked_files(path.read_text()))):
             pages.setdefault(name, []).append(path.stem)
     return pages
 
@@ -117,6 +138,7 @@ def setup(app: Sphinx) -> dict[str, bool]:
     """Connect with Sphinx; napoleon reads the sections of a docstring at 500."""
     app.add_config_value("named_by_theory", named_by_theory(), "env")
     app.connect("builder-inited", write_pages)
+    app.connect("source-read", link_files)
     app.connect("autodoc-process-docstring", escape, priority=400)
     app.connect("autodoc-process-docstring", link, priority=600)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -58,7 +58,14 @@ html_copy_source = False
 html_show_sourcelink = False
 html_theme_options = {"navigation_with_keys": True}
 mathjax_path = "mathjax/tex-svg.js"
-mathjax4_config = {"options": {"enableMenu": False, "enableSpeech": False, "enableBraille": False}}
+# Glyphs from the folder beside the script; no speech, whose worker a browser refuses to load from a file.
+mathjax4_config = {
+    "loader": {"paths": {"fonts": "[mathjax]/fonts"}},
+    "options": {
+        "enableMenu": False,
+        "menuOptions": {"settings": {"speech": False, "braille": False, "enrich": False}},
+    },
+}
 
 autodoc_member_order = "bysource"
 autodoc_typehints = "none"
