@@ -511,7 +511,7 @@ def test_a_run_that_never_solved_has_empty_blocks(path):
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        ({"statu": "converged"}, "Did you mean 'status'"),
+        ({"statusx": "converged"}, "Did you mean 'status'"),
         ({"status": "Converged"}, "'Converged' does not exist; it is one of: converged"),
         ({"iterations": 3}, "iterations = 3, but 0 were written"),
         ({"iterations": 0, "notes": "one text"}, "a list of records is wanted"),
