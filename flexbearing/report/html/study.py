@@ -150,6 +150,7 @@ def _figure(
             "x": [_value(axis, row, units) for row in ordered],
             "y": [_value(output, row, units) for row in ordered],
             "customdata": [row + 1 for row in ordered],
+            "marker": {"size": 7},
             "line": {"color": COLOURS[place % len(COLOURS)],
                      "dash": _STYLES[place // len(COLOURS) % len(_STYLES)]},
             "hovertemplate": f"row %{{customdata}}<br>%{{x}}: %{{y}}<extra>{shown}</extra>",
