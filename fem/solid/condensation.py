@@ -87,7 +87,9 @@ def condensed(
     patches = solid.patches
     with threads(solid.thread_number):
         absolute, translation, support = _responses(solid, progress)
-        error, bar_response = _compared(solid)
+    neighbouring = solid.of_order(neighbour(solid.space.globalorder))  # settles its threads by itself
+    with threads(solid.thread_number):
+        error, bar_response = _compared(solid, neighbouring)
     roller = np.arange(len(patches.azimuths))
     absolute[roller, :, roller] -= half_space(patches, solid.part.materials["ring"])
     return RacewayCompliance(
@@ -103,14 +105,13 @@ def condensed(
     )
 
 
-def _compared(solid: FactoredSolid) -> tuple[float, BarResponse | None]:
-    """Error of the support's stiffness, over it, by the neighbouring order; what bars carry by both."""
-    coarser = solid.of_order(neighbour(solid.space.globalorder))
-    here, there = (_support_compliance(one) for one in (solid, coarser))
+def _compared(solid: FactoredSolid, other: FactoredSolid) -> tuple[float, BarResponse | None]:
+    """Error of the support's stiffness, over it, by a solid of another order; what bars carry by both."""
+    here, there = (_support_compliance(one) for one in (solid, other))
     cage = solid.part
     if not isinstance(cage, SquirrelCage):
         return abs(here / there - 1), None
-    both = (_bar_response(one, cage) for one in (solid, coarser))
+    both = (_bar_response(one, cage) for one in (solid, other))
     return abs(here / there - 1), BarResponse(cage.bars, *both)
 
 
