@@ -27,8 +27,8 @@ _NOTE = (
 )
 _TWO = (
     "There are two static safeties. C_0/P_0 compares the load on the whole bearing with its static rating, "
-    "which supposes the usual share of the most loaded rolling element. The static safety by pressure, in "
-    "the table of all numbers, is that of the most pressed contact as computed here, with clearance, tilt, "
+    "which supposes the usual share of the most loaded rolling element. The static safety by pressure "
+    "is that of the most pressed contact as computed here, with clearance, tilt, "
     "profile and flexible rings: its load at the pressure limit over its load. The smaller one counts."
 )
 _MAKER = "ISO 281 leaves to the maker whether its life formula holds"
@@ -63,18 +63,24 @@ class Check:
         return self.verdict.startswith(NOT_CHECKED), not broken, -self.used
 
 
-def blocks(reader: Reader) -> Iterator[Block]:
-    """What limits most in a sentence, then every limit."""
+def summary(reader: Reader) -> Iterator[Words]:
+    """In a sentence whether limits are kept, and which is the nearest."""
     checks = ranked(reader)
     exceeded = [check.what for check in checks if check.verdict.startswith(tuple(_BROKEN.values()))]
     nearest = next((check.what for check in checks if check.used), "")
     left = sum(check.verdict.startswith(NOT_CHECKED) for check in checks)
     without = f" {left} more could not be checked, each for the reason in its line." if left else ""
     if exceeded:
-        yield Words((f"Limits that are not kept: {'; '.join(exceeded)}.{without}",), "danger")
+        words = f"Do not rely on it as computed. Limits that are not kept: {'; '.join(exceeded)}.{without}"
+        yield Words((words,), "danger")
     elif nearest:
         words = f"Every limit that was checked is met; the nearest: {nearest}.{without}"
         yield Words((words,), "good")
+
+
+def blocks(reader: Reader) -> Iterator[Block]:
+    """Every limit, those that are not kept first."""
+    checks = ranked(reader)
     rows = tuple(
         (check.what, check.value, _unit(check.value), check.limit, check.share, check.verdict)
         for check in checks
@@ -133,6 +139,14 @@ def _static(reader: Reader) -> Iterator[Check]:
         of_rollers = "roller" in reader.attributes["case_si"]["bearing"]
         words = "at least 1 (ISO 76)" + f", usual {USUAL_OF_ROLLERS:g} (SKF)" * of_rollers
         yield _against(reader, "Static safety C_0/P_0", value, number, Limit(1.0, LEAST, words))
+    known = reader.summary[reader.last].get("pressure_safety") or {}
+    found = {race: each for race, each in known.items() if each is not None}
+    if found:
+        race = min(found, key=found.__getitem__)
+        path = f"summary/{reader.last}/pressure_safety/{race}"
+        value = reader.units.number(found[race], "", "", ",.2f", path)
+        what = f"Static safety by pressure, {race} raceway"
+        yield _against(reader, what, value, found[race], Limit(1.0, LEAST, "at least 1 (ISO 76)"))
 
 
 def _load(reader: Reader) -> Iterator[Check]:
@@ -204,7 +218,7 @@ def _films(reader: Reader) -> Iterator[Check]:
     yield from _film_ratio(reader)
     found = ratings.found(reader)
     rated, at = ({}, "") if isinstance(found, str) else found
-    what, words = "Viscosity ratio κ", "at least 1 (ISO 281, full separation near 4)"
+    what, words = "Viscosity ratio κ", "at least 1 (usual aim; ISO 281 rates from 0.1)"
     if "viscosity_ratio" in rated:
         path = f"{at}/viscosity_ratio"
         value = reader.units.number(rated["viscosity_ratio"], "", "", ".3g", path)
@@ -262,7 +276,7 @@ def _clearance(reader: Reader) -> Iterator[Check]:
 
 
 _NOTED = {  # what, by the code of a note: limit, verdict
-    "overlapping-dimensions": ("Dimensions of the cage", "no overlap", "EXCEEDED: see the note"),
+    "overlapping-dimensions": ("Dimensions of the cage", "no overlap", "NOT MET: see the note"),
     "truncated-contact": ("Contacts on the shoulders of races", "not cut off", "EXCEEDED: see the danger"),
     "shoulder-not-given": (
         "Contacts on the shoulders of races", "not cut off",

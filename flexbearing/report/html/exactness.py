@@ -13,7 +13,7 @@ NOT_ESTIMATED = "not estimated"
 PRESSURE_NOTES = {"pressed-end", "sharp-roller-end", "sliced-peak", "profile-corner"}
 _MEANING = (
     "A numerical error says how far a number is from the exact answer of this model, not from a "
-    "measurement: what inputs are worth stands under Inputs, what the model leaves out under Limits."
+    "measurement: which inputs are assumed stands under Inputs, what the model leaves out under Limits."
 )
 _NO_TARGET = (
     'The case sets no accuracy.target: with accuracy.target = "1 %" slices, shapes and meshes are chosen '
@@ -46,7 +46,7 @@ def blocks(reader: Reader) -> Iterator[Block]:
     """Errors that are estimated, how the balance ended, what is not estimated."""
     rows = [*_of_target(reader), *_of_single_outputs(reader)]
     rows.append(("balance of forces at the end", reader.attributes["message"], "of the run"))
-    yield Table(_caption(reader), ("number", "error [%]", "estimated by"), tuple(rows), _MEANING)
+    yield Table(_caption(reader), ("number", "error [%] or remark", "estimated by"), tuple(rows), _MEANING)
     if _exact(reader):
         yield Words((_BALLS,))
     elif not (reader.attributes.get("error_estimate") or {}) and "accuracy" in reader.attributes["case_si"]:
@@ -83,7 +83,11 @@ def _of_target(reader: Reader) -> Iterator[tuple[Cell, ...]]:
         cell = reader.of_attribute(f"error_estimate/{name}", "1", "%", ".2g")
         yield words[name], cell, "neighbouring levels of accuracy"
     if estimates.get("life") is None:
-        yield words["life"], lives.error(reader, "life_L10"), "finer slices and more axial shapes"
+        yield (
+            words["life"],
+            lives.error(reader, "life_L10"),
+            "finer slices and more axial shapes; those of the other lives stand beside them",
+        )
     left = [text for name, text in words.items() if name != "life" and estimates.get(name) is None]
     if left:
         yield "; ".join(left), NOT_ESTIMATED, ""

@@ -210,6 +210,8 @@ def _of_catalogue(reader: Reader) -> Iterator[Life]:
         return Life(key, label, turns, hours if turning else "", _FORMULA, meaning)
 
     meaning = f"(C_r/P)^{exponent}: to compare bearings of catalogues; not this clearance, profile or rings"
+    if rated["load_N"] > rated["ratings_N"]["C_r"] / 2:
+        meaning += "; P is above C_r/2, where ISO 281 leaves it to the maker"
     yield life("catalogue", "Catalogue's life L10, ISO 281", "life", f"{meaning}; 90 % survive")
     if "a_ISO" in rated:
         meaning = "the catalogue's life times a_ISO at P; 90 % survive"

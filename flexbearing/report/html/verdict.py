@@ -1,7 +1,6 @@
 """First section: whether the answer can be relied on, and what it is."""
 
 from collections.abc import Iterator
-from textwrap import shorten
 from typing import Any
 
 from flexbearing.outputs import outputs
@@ -12,12 +11,12 @@ from flexbearing.report.html.reader import OUTSIDE, Reader
 from flexbearing.report.html.units import printed
 from flexbearing.report.rows import unit_of
 
-_WIDTH = 130  # characters of a note in the list of the first section
-
 
 def blocks(reader: Reader) -> Iterator[Block]:
-    """How the run ended, dangers, the life to use, what limits most, main numbers, numerical error."""
+    """Whether limits are kept, how the run ended, the life to use, what limits most, how exact it all is."""
     converged = reader.attributes["status"] == "converged"
+    if converged and reader.blocks:
+        yield from against_limits.summary(reader)
     yield Words((_ending(reader.attributes),), "good" if converged else "danger")
     dangers = reader.notes(GRADES[0])
     if dangers:
@@ -40,12 +39,11 @@ def _ending(attributes: dict[str, Any]) -> str:
 
 
 def _beyond(reader: Reader) -> Iterator[Block]:
-    """How many laws were used outside their range, and the first words of each note."""
+    """How many laws were used outside their range, and the notes on them."""
     notes = reader.notes(OUTSIDE)
     if notes:
         title = f"Outside validity: {len(notes)} note{'s' if len(notes) > 1 else ''}"
-        short = tuple(shorten(note, _WIDTH, placeholder=" …") for note in notes)
-        yield Items(title, short, link=("#limits", "All notes in full"))
+        yield Items(title, notes, link=("#limits", "All notes, and what the model leaves out"))
     elif not reader.notes(GRADES[0]):
         yield Words(("No danger was noted, and no law outside its range of validity.",))
 
