@@ -24,12 +24,12 @@ COMMAND = re.compile(
 
 @dataclass(frozen=True)
 class Section:
-    """A heading with what follows it, and the headings above."""
+    """A heading with what follows it, and the section that it is part of."""
 
     page: str
     title: str
     text: str
-    before: str  # the sections that enclose it, up to their first heading below
+    before: str  # the section that encloses it, up to its first heading below
 
     @property
     def figures(self) -> int:
@@ -56,7 +56,7 @@ def sections(path: Path) -> Iterator[Section]:
         level = len(heading[1]) if heading else 0
         above = {depth: body for depth, body in above.items() if depth < level}
         title = heading[2] if heading else ""
-        yield Section(path.relative_to(ROOT).as_posix(), title, piece, "\n".join(above.values()))
+        yield Section(path.relative_to(ROOT).as_posix(), title, piece, above[max(above)] if above else "")
         above[level] = piece
 
 
