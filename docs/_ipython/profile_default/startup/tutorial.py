@@ -4,17 +4,27 @@ import atexit
 import os
 import shutil
 import subprocess
+import sys
 import tempfile
 from pathlib import Path
 
 
-def checked(command):
-    """Run a line `!command` away from any terminal, show what it prints, and raise where it fails."""
-    line = get_ipython().var_expand(command, depth=1)  # noqa: F821
-    shell = ["bash", "-o", "pipefail", "-c", line]
+def commands(text):
+    """Run commands away from any terminal, show what they print in its order, and raise where one fails."""
+    shell = ["bash", "-e", "-o", "pipefail", "-c", text]
     finished = subprocess.run(shell, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-    print(finished.stdout, end="")
+    sys.stdout.write(finished.stdout)
     finished.check_returncode()
+
+
+def line(text):
+    """Run a line `!command`, names of Python in braces replaced by their values."""
+    commands(get_ipython().var_expand(text, depth=1))  # noqa: F821
+
+
+def cell(options, text):
+    """Run a cell `%%bash -e`."""
+    commands(text)
 
 
 def work_in_a_new_folder():
@@ -28,4 +38,5 @@ def work_in_a_new_folder():
 
 for name in ("FORCE_COLOR", "CLICOLOR", "CLICOLOR_FORCE"):  # that the kernel sets for terminals
     os.environ.pop(name, None)
-get_ipython().system = checked  # noqa: F821
+get_ipython().system = line  # noqa: F821
+get_ipython().register_magic_function(cell, "cell", "bash")  # noqa: F821
