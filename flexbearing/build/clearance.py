@@ -138,7 +138,7 @@ def notes(case: Case) -> tuple[Note, ...]:
         information(
             "preload",
             f"clearance: the bearing is preloaded, its {elements} interfere by "
-            f"{-clearance * 1e6:.3f} um diametral",
+            f"{-clearance * 1e6:.1f} um diametral",
         ),
         *within,
     )

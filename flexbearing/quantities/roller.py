@@ -396,7 +396,8 @@ QUANTITIES = (
             SummaryValue("power_loss_W.total", total, "  total", ",.2f",
                          of=tuple(f"loss_{cause}" for cause in LOSSES)),
         )),
-    Quantity("driving_power", "", "", "W", "block", "power that the rings put in, the sum of all losses",
+    Quantity("driving_power", "", "", "W", "block",
+        "power that the rings put in: the sum of all losses and of the discretisation residual",
         summary=(SummaryValue("driving_power_W", label="driving power", digits=",.2f"),)),
 
     # skew between guide flanges

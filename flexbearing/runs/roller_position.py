@@ -88,11 +88,16 @@ def notes(case: Case, model: RollerBearing, rings: RacewayPair, end: Equilibrium
             return ()
         words = (
             f"with all rollers half a pitch further the largest roller load is {load:,.4g} N instead of "
-            f"{largest:,.4g} N ({load / largest - 1:+.1%}), the life {life:,.4g} Mrev instead of "
-            f"{end.life:,.4g} Mrev ({life / end.life - 1:+.1%})"
+            f"{largest:,.4g} N ({load / largest - 1:+.1%}), the life L10 {_life(life)} Mrev instead of "
+            f"{_life(end.life)} Mrev ({life / end.life - 1:+.1%})"
         )
     asks = "operation.roller_positions = 8 gives the range over a pitch"
     return (information("roller-position", f"roller position: {words}; {asks}"),)
+
+
+def _life(turns: float) -> str:
+    """A life with four digits, and all those before the decimal point."""
+    return f"{turns:,.0f}" if turns >= 1e4 else f"{turns:,.4g}"
 
 
 def _may_matter(case: Case, end: Equilibrium, change: float) -> bool:

@@ -77,8 +77,8 @@ def _pressed_end(state: Equilibrium, peak: LargestSlice) -> Note:
         "pressed-end",
         f"{sliced} may be more than 5 % too low: near an end of {contact} the pressure is still "
         f"{peak.end_share:.0%} of the largest one, and slices leave out its rise at the end, which has no "
-        "bound where the end is sharp; a profile that relieves the ends has no such rise, "
-        'bearing.contact = "half_space" computes it',
+        "bound where the end is sharp: the profile of this case does not relieve that end enough under this "
+        'load and tilt; bearing.contact = "half_space" computes the rise',
     )
 
 

@@ -125,7 +125,7 @@ class OperatingClearance:
     @property
     def verdict(self) -> str:
         """The result in words."""
-        size = f"{abs(self.clearance) * 1e6:.3f} um diametral"
+        size = f"{abs(self.clearance) * 1e6:.1f} um diametral"
         if self.preloaded:
             return f"the bearing is preloaded: the {self.element}s interfere by {size}"
         return f"the bearing runs with a clearance of {size}"

@@ -58,8 +58,8 @@ class Seat:
     def words(self) -> str:
         """The seat in one phrase, MPa or um."""
         if self.is_open:
-            return f"fit open by {self.gap * 1e6:.3f} um radially, pressure zero"
-        return f"fit pressure {self.pressure / 1e6:.3f} MPa"
+            return f"fit open by {2 * self.gap * 1e6:.1f} um in diameter, pressure zero"
+        return f"fit pressure {self.pressure / 1e6:.3g} MPa"
 
 
 def free_displacement(body: Annulus, radius: float, rise: float, speed: float) -> float:

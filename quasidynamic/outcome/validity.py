@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.contact.cage import land_notes
+from quasidynamic.contact.cage.couette import couette_factor
 from quasidynamic.contact.drag import drag_notes
 from quasidynamic.contact.line import half_width
 from quasidynamic.contact.traction.adore import AdoreType
@@ -204,12 +205,14 @@ def _land_flow(state: Equilibrium) -> Iterator[Note]:
     radius, gap = cage.land_diameter / 2, cage.land_clearance / 2
     reynolds = oil.density * radius * gap / oil.viscosity * abs(speed)
     taylor = reynolds * np.sqrt(gap / radius)
+    factor = float(couette_factor(reynolds, gap / radius).factor)
     if cage.land_flow == "laminar" and (taylor > VORTICES or reynolds > TURBULENCE):
         yield outside(
             "land-flow",
-            f"cage land: Taylor number {taylor:.3g}, Reynolds number {reynolds:.3g}; laminar up to "
-            f"{VORTICES:g} and "
-            f'{TURBULENCE:g}: bearing.cage.land_flow = "vortices"',
+            f"cage land: Taylor number {taylor:,.0f}, Reynolds number {reynolds:,.0f}; laminar up to "
+            f"{VORTICES:g} and {TURBULENCE:g}, and computed as laminar: vortices raise the friction of the "
+            f"land {factor:.2g} times, and with it the drive or drag of the cage; "
+            'bearing.cage.land_flow = "vortices" counts them',
         )
     outer_faster = abs(points.outer_speed[0, 0]) > abs(state.cage_speed)
     if cage.land_flow == "vortices" and taylor > VORTICES and cage.guidance == "outer" and outer_faster:

@@ -289,7 +289,7 @@ def test_preload_is_a_result_in_words():
     assert preloaded.preloaded
     assert preloaded.clearance < 0.0
     assert "preloaded" in preloaded.verdict
-    assert f"{-preloaded.clearance * 1e6:.3f} um" in preloaded.verdict
+    assert f"{-preloaded.clearance * 1e6:.1f} um" in preloaded.verdict
     roomy = operating_clearance(mounting(), COLD)
     assert not roomy.preloaded
     assert "clearance of" in roomy.verdict
