@@ -116,6 +116,8 @@ def error_named(name: str, module: str) -> str:
     places = [sys.modules.get(module)]
     if package in PACKAGES:
         places += [import_module(f"{package}.errors"), import_module(package)]
+    else:  # of the program: its own, or that of the bearing which it runs
+        places += [import_module("flexbearing"), import_module("quasidynamic.errors")]
     for place in places:
         if isinstance(found := getattr(place, name, None), type):
             return f"~{found.__module__}.{found.__qualname__}"

@@ -41,7 +41,7 @@ PROGRAM = hashlib.sha256(b"".join(path.read_bytes() for path in SOURCES)).hexdig
 nb_execution_mode = "cache"
 nb_execution_cache_path = str(HERE / "_build" / "executed" / PROGRAM)
 nb_execution_raise_on_error = True
-nb_execution_timeout = 120
+nb_execution_timeout = 600
 nb_merge_streams = True
 
 # Cells run as commands are typed: in the folder of the project, with the programs of this environment.
