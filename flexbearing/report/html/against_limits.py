@@ -136,8 +136,7 @@ def _static(reader: Reader) -> Iterator[Check]:
     if number is not None:
         path = f"summary/{reader.last}/static_safety"
         value = reader.units.number(number, "", "", ",.2f", path)
-        of_rollers = "roller" in reader.attributes["case_si"]["bearing"]
-        words = "at least 1 (ISO 76)" + f", usual {USUAL_OF_ROLLERS:g} (SKF)" * of_rollers
+        words = "at least 1 (ISO 76)" + f", usual {USUAL_OF_ROLLERS:g} (SKF)" * reader.of_rollers
         yield _against(reader, "Static safety C_0/P_0", value, number, Limit(1.0, LEAST, words))
     known = reader.summary[reader.last].get("pressure_safety") or {}
     found = {race: each for race, each in known.items() if each is not None}
@@ -264,7 +263,7 @@ def _spin(reader: Reader) -> Iterator[Check]:
 def _clearance(reader: Reader) -> Iterator[Check]:
     """Clearance of bearings that are not adjusted axially, with the tight end of its tolerances."""
     found = reader.attributes.get("clearance") or {}
-    radial = "roller" in reader.attributes["case_si"]["bearing"] or reader.attributes["kind"] == DEEP_GROOVE
+    radial = reader.of_rollers or reader.attributes["kind"] == DEEP_GROOVE
     if not radial or found.get("operating_m") is None:
         return
     tightest = (found.get("tolerances") or {}).get("ends", {}).get("tightest_m", 0.0)

@@ -37,9 +37,8 @@ def error(reader: Reader, entry: SummaryValue) -> Cell:
 
 def _exact(reader: Reader) -> bool:
     """Whether nothing but a balance is iterated: balls on closed formulas between rigid rings."""
-    of_balls = "ball" in reader.attributes["case_si"]["bearing"]
     computed = reader.attributes["case_si"].get("friction", {}).get("contact_pressure", "hertz") != "hertz"
-    return of_balls and not computed and len(reader.blocks) < 2
+    return reader.of_balls and not computed and len(reader.blocks) < 2
 
 
 def blocks(reader: Reader) -> Iterator[Block]:
@@ -57,7 +56,7 @@ def _of_slices(reader: Reader) -> str:
     """What is known of peak pressures without an estimate."""
     if {note["code"] for note in reader.attributes["notes"]} & PRESSURE_NOTES:
         return "see the notes on peak pressure under Limits"
-    if reader.attributes["case_si"]["bearing"].get("contact") != "slices":
+    if reader.bearing.get("contact") != "slices":
         return ""
     return "slices were within 5 % of whole contacts where, as here, no note on peak pressure is told"
 
@@ -73,7 +72,7 @@ def _caption(reader: Reader) -> str:
 def _of_target(reader: Reader) -> Iterator[tuple[Cell, ...]]:
     """What `accuracy.target` estimates, or that it was not asked for; the life also by finer slices."""
     estimates = reader.attributes.get("error_estimate") or {}
-    if "roller" not in reader.attributes["case_si"]["bearing"]:
+    if not reader.of_rollers:
         return
     words: dict[str, str] = {}  # of the first output that has an error
     for entry in (entry for entry in reader.layout.summary if entry.error):

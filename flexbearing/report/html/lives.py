@@ -109,13 +109,12 @@ def _kind(reader: Reader) -> str:
     life = reader.attributes["case_si"]["life"]
     if life.get("loads") == "rating":
         return _RATING
-    of_balls = "roller" not in reader.attributes["case_si"]["bearing"]
-    return _REFERENCE if of_balls or life.get("capacity") == "iso281" else _LUNDBERG
+    return _REFERENCE if reader.of_balls or life.get("capacity") == "iso281" else _LUNDBERG
 
 
 def _of_case(reader: Reader) -> Iterator[Life]:
     """Lives of the last end state."""
-    block, bearing = reader.blocks.get(reader.last, {}), reader.attributes["case_si"]["bearing"]
+    block, bearing = reader.blocks.get(reader.last, {}), reader.bearing
     if "life_L10" not in block:
         return
     if "roller" in bearing:
@@ -164,7 +163,7 @@ def error(reader: Reader, name: str) -> Cell:
     That of the basic life is carried on by the factors: those that follow the life grow with it, those of
     loads and steel do not change it.
     """
-    if "roller" not in reader.attributes["case_si"]["bearing"]:
+    if not reader.of_rollers:
         return _NO_GRID
     if name == "modified_life" and _kind(reader) == _RATING:
         return _FORMULA
@@ -199,7 +198,7 @@ def _of_catalogue(reader: Reader) -> Iterator[Life]:
     if isinstance(found, str) or _kind(reader) == _RATING:
         return
     rated, at = found
-    exponent = "(10/3)" if "roller" in reader.attributes["case_si"]["bearing"] else "3"
+    exponent = "(10/3)" if reader.of_rollers else "3"
 
     def life(key: str, label: str, name: str, meaning: str) -> Life:
         turns, hours = (

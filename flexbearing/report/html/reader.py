@@ -51,6 +51,21 @@ class Reader:
         repeated = len(solved) == 2 and "structure" in self.attributes and not self.attributes["structure"]
         return {"rigid": solved["rigid"]} if repeated else solved
 
+    @cached_property
+    def bearing(self) -> Mapping[str, Any]:
+        """Bearing of its case, in SI units; empty where the case has none."""
+        return self.attributes["case_si"].get("bearing", {})
+
+    @property
+    def of_rollers(self) -> bool:
+        """Whether it is a bearing with rollers."""
+        return "roller" in self.bearing
+
+    @property
+    def of_balls(self) -> bool:
+        """Whether it is a bearing with balls."""
+        return "ball" in self.bearing
+
     @property
     def last(self) -> str:
         """The end state that answers the case; empty without any."""

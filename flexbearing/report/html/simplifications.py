@@ -17,8 +17,10 @@ _FATIGUE = (
 
 def simplifications(reader: Reader) -> tuple[str, ...]:
     """Sentences on what is left out, for the keys of the case."""
+    if not (reader.of_rollers or reader.of_balls):
+        return ()
     case: dict[str, Any] = reader.attributes["case_si"]
-    of_family = _of_rollers if "roller" in case["bearing"] else _of_balls
+    of_family = _of_rollers if reader.of_rollers else _of_balls
     lived = "life_L10" in reader.blocks.get(reader.last, {})
     return (*of_family(case), *_mounting(case), _ONE_STATE, *([_FATIGUE] if lived else []))
 
