@@ -44,7 +44,7 @@ def variants(settled: Prepared) -> str:
     return "\n".join([
         *lines,
         f"columns: {columns}",
-        f"{len(plan.variants)} variants, {bad or 'none'} of them cannot be computed",
+        f"{len(plan.variants)} variants, {f'{bad} of them cannot' if bad else 'all of them can'} be computed",
         f"{_rings(settled)} to be condensed, less those in the cache",
         *_choices(settled),
         _expected(settled),
