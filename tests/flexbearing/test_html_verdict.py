@@ -10,12 +10,13 @@ from pytest import approx
 from flexbearing import api
 from flexbearing.case import cage_room
 from flexbearing.report import text
-from flexbearing.report.html import METRIC, life as life_section, verdict
+from flexbearing.report.html import METRIC, life as life_section, stiffness, verdict
 from flexbearing.report.html.against_limits import NOT_CHECKED, ranked
 from flexbearing.report.html.document import Number
 from flexbearing.report.html.lives import COMPARED, lives
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.simplifications import simplifications
+from flexbearing.report.html.write import marked
 from flexbearing.runs.notes import of_case
 from tests.flexbearing.hostile_cases import CONFIGS
 from tests.flexbearing.html_pages import Numbers, require_equal
@@ -161,7 +162,7 @@ def test_a_load_above_half_the_rating_is_told_first(readers):
     assert check.used == approx(30e3 / (rated / 2), rel=1e-9)
     page = words(readers("heavy"))
     assert page.startswith(
-        "Do not rely on it as computed. Limits that are not kept: Equivalent load P against"
+        "Do not use the bearing on these numbers. Limits that are not kept: Equivalent load P against"
     )
     assert "P is above C_r/2, where ISO 281 leaves it to the maker" in page
     assert "P is above C_r/2" not in words(readers("plain"))
@@ -173,7 +174,7 @@ def test_what_else_moves_the_life_is_told_beside_it(readers):
         {"grade": "information", "code": code, "text": f"{code}: +10%"} for code in ("tilt", "drag-loss")
     ]
     told = words(Reader(replace(result, attributes={**result.attributes, "notes": notes}), METRIC))
-    assert "What moves this life, besides assumed inputs\ntilt: +10%" in told
+    assert "What moves this life more than its numerical error\ntilt: +10%" in told
     assert "drag-loss" not in told
 
 
@@ -182,6 +183,44 @@ def test_a_light_load_is_below_the_minimum_load(readers):
     rated = Numbers(readers("light").result.path).ratings["ratings_N"]["C_r"]
     assert check.verdict == "NOT MET"
     assert check.used == approx(0.02 * rated / 500, rel=1e-9)
+
+
+def test_the_first_sentence_says_whether_the_bearing_is_usable(readers):
+    """A missed aim is no limit, and a danger or a limit that is not kept is never called usable."""
+    plain, light = readers("plain"), readers("light")
+    assert words(plain).startswith("Usable as far as checked: every limit that was checked is met")
+    assert words(light).startswith("Usable only with a reason for what is below the usual aim: Minimum load")
+    notes = [{"grade": "danger", "code": "anything", "text": "anything"}]
+    warned = replace(plain.result, attributes={**plain.result.attributes, "notes": notes})
+    assert words(Reader(warned, METRIC)).startswith(
+        "Do not use the bearing on these numbers. See the dangers"
+    )
+
+
+def test_no_stiffness_with_supports_where_nothing_gives_way(readers):
+    (which, table), reader = list(stiffness.blocks(readers("plain")))[:2], readers("plain")
+    assert "there is one stiffness, that of the bearing alone" in which.paragraphs[0]
+    assert not any("with supports" in row[0] for row in table.rows)
+    assert "with supports" not in "".join(row[0] for row in verdict._main(reader).rows)
+    across = next(row[1] for row in table.rows if row[0] == "bearing alone, along y")
+    assert float(across.text) == approx(reader.blocks["rigid"]["stiffness_matrix"][1, 1] / 1e6, rel=1e-3)
+
+
+def test_a_fitted_cage_slip_is_marked(readers):
+    result = readers("plain").result
+    fitted = {**result.attributes, "calibrated": {"lubricant.oil_fraction": "a cage slip of 1 %"}}
+    assert "no prediction" in words(Reader(replace(result, attributes=fitted), METRIC))
+    assert "no prediction" not in words(readers("plain"))
+
+
+def test_lives_by_raceways_have_the_name_of_the_life_that_they_make(readers):
+    found = {life.turns.text: life.name for life in lives(readers("oil"))}
+    table = next(block for block in life_section.blocks(readers("oil")) if block.kind == "table")
+    assert table.caption.startswith(found[table.rows[0][1].text])
+
+
+def test_what_stands_between_backticks_is_code_and_nothing_else_is_markup():
+    assert marked("<b> `run --set x` & `") == "&lt;b&gt; <code>run --set x</code> &amp; `"
 
 
 def test_films_are_held_to_their_regime_and_without_roughness_not_checked(readers):
@@ -266,7 +305,8 @@ def test_a_cage_within_the_ribs_is_exceeded_and_noted(readers):
     assert {check.what: check.verdict for check in ranked(Reader(noted, METRIC))}[
         "Dimensions of the cage"
     ] == "NOT MET: see the note"
-    assert "Limits that are not kept: Dimensions of the cage." in words(Reader(noted, METRIC))
+    told = words(Reader(noted, METRIC))
+    assert "Limits that are not kept: Dimensions of the cage (required: no overlap)." in told
 
 
 @pytest.mark.parametrize(
@@ -299,6 +339,10 @@ def test_without_a_stored_comparison_the_page_says_why_the_life_is_not_the_catal
     assert "flexible rings" not in names
     assert "outputs.catalogue_life = true" in table.note
     assert all(row[1].endswith(".") for row in table.rows)
+    once = next(each for each in life_section.blocks(readers("plain")) if "in one step" in str(vars(each)))
+    assert float(once.rows[1][2].text) == approx(
+        float(once.rows[1][1].text.replace(",", "")) / float(once.rows[0][1].text.replace(",", "")), rel=6e-3
+    )
     assert not any(
         getattr(block, "caption", "").startswith("Why")
         for block in life_section.blocks(readers("four-point"))

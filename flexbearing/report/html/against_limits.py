@@ -1,9 +1,12 @@
 """What limits a bearing: numbers with their limits, the nearest to its limit first."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
+import numpy as np
+
+from flexbearing.quantities.attributes import GRADES
 from flexbearing.report.html import ratings
 from flexbearing.report.html.document import Block, Cell, Number, Table, Words
 from flexbearing.report.html.lives import lives
@@ -33,6 +36,9 @@ _TWO = (
 )
 _MAKER = "ISO 281 leaves to the maker whether its life formula holds"
 _SLIP = "no standard limits it; a minimum load is the usual rule against smearing"
+_YIELD = "yield stress not given; [materials] takes it as yield_stress of the part. No fatigue limit either"
+_TILT = "no standard limits it; makers give the tilt that a bearing may have"
+_FITTED = "lubricant.oil_fraction was fitted to a cage slip, so this is no prediction"
 _HEAT = "the case has no limits of steel, cage and lubricant"
 
 
@@ -43,6 +49,7 @@ class Limit:
     value: float  # in the unit of the place of what it limits
     side: str  # MOST or LEAST
     words: str
+    aim: bool = False
 
 
 @dataclass(frozen=True)
@@ -55,6 +62,7 @@ class Check:
     share: Cell = ""
     used: float = 0.0  # share as a number [-], zero where there is none
     verdict: str = NOT_CHECKED
+    aim: bool = False  # a usual aim, which a design may miss for a reason
 
     @property
     def rank(self) -> tuple[bool, bool, float]:
@@ -65,17 +73,45 @@ class Check:
 
 def summary(reader: Reader) -> Iterator[Words]:
     """In a sentence whether limits are kept, and which is the nearest."""
-    checks = ranked(reader)
-    exceeded = [check.what for check in checks if check.verdict.startswith(tuple(_BROKEN.values()))]
-    nearest = next((check.what for check in checks if check.used), "")
+    checks, life = ranked(reader), _lived(reader)
+    broken = [check for check in checks if check.verdict.startswith(tuple(_BROKEN.values()))]
+    limits, aims = ([check for check in broken if check.aim == aim] for aim in (False, True))
+    nearest = next((check for check in checks if check.used), None)
     left = sum(check.verdict.startswith(NOT_CHECKED) for check in checks)
     without = f" {left} more could not be checked, each for the reason in its line." if left else ""
-    if exceeded:
-        words = f"Do not rely on it as computed. Limits that are not kept: {'; '.join(exceeded)}.{without}"
-        yield Words((words,), "danger")
+    if limits or reader.notes(GRADES[0]):
+        words = "Do not use the bearing on these numbers."
+        words += f" Limits that are not kept: {_named(limits)}." if limits else " See the dangers below."
+        also = f" Below what is usually aimed at: {_named(aims)}." if aims else ""
+        yield Words((words + also + life + without,), "danger")
+    elif aims:
+        words = f"Usable only with a reason for what is below the usual aim: {_named(aims)}."
+        yield Words((f"{words} Every other limit that was checked is met.{life}{without}",), "danger")
     elif nearest:
-        words = f"Every limit that was checked is met; the nearest: {nearest}.{without}"
-        yield Words((words,), "good")
+        words = f"Usable as far as checked: every limit that was checked is met; nearest: {_one(nearest)}."
+        yield Words((words + life + without,), "good")
+
+
+def _lived(reader: Reader) -> str:
+    """The life to compare with a requirement, in a sentence; empty where there is none."""
+    first = next(iter(lives(reader)), None)
+    if first is None or not first.chosen:
+        return ""
+    hours = first.hours if isinstance(first.hours, Number) else None
+    value = f"{hours.text} h" if hours else f"{first.turns.text} million revolutions"
+    return f" The life to compare with a requirement: {value}."
+
+
+def _named(checks: list[Check]) -> str:
+    return "; ".join(map(_one, checks))
+
+
+def _one(check: Check) -> str:
+    """A limit with its value, or that it is not met."""
+    if isinstance(check.value, str):
+        return f"{check.what} (required: {check.limit})"
+    value = f"{check.value.text} {printed(check.value.unit)}".strip()
+    return f"{check.what}: {value}, {check.limit}"
 
 
 def blocks(reader: Reader) -> Iterator[Block]:
@@ -95,7 +131,8 @@ def ranked(reader: Reader) -> list[Check]:
     """Every check, the nearest to its limit first; what was not checked last, with the reason."""
     found = (
         *_pressures(reader), *_static(reader), *_load(reader), *_stresses(reader), *_films(reader),
-        *_spin(reader), *_clearance(reader), *_noted(reader), *_life(reader), *_slip(reader), *_heat(reader),
+        *_spin(reader), *_clearance(reader), *_noted(reader), *_life(reader),
+        *_tilts(reader), *_slip(reader), *_heat(reader),
     )  # fmt: skip
     return sorted(found, key=lambda check: check.rank)
 
@@ -112,7 +149,7 @@ def _against(reader: Reader, what: str, value: Number, number: float | None, lim
     used = number / limit.value if limit.side == MOST else limit.value / number if number else 0.0
     of = f"share/{limit.side}/{float(limit.value)!r}/{value.of}"
     share = reader.units.number(100 * used, "%", "%", ",.0f", of)
-    return Check(what, value, limit.words, share, used, "met" if met else _BROKEN[limit.side])
+    return Check(what, value, limit.words, share, used, "met" if met else _BROKEN[limit.side], limit.aim)
 
 
 def _pressures(reader: Reader) -> Iterator[Check]:
@@ -137,7 +174,9 @@ def _static(reader: Reader) -> Iterator[Check]:
         path = f"summary/{reader.last}/static_safety"
         value = reader.units.number(number, "", "", ",.2f", path)
         words = "at least 1 (ISO 76)" + f", usual {USUAL_OF_ROLLERS:g} (SKF)" * reader.of_rollers
-        yield _against(reader, "Static safety C_0/P_0", value, number, Limit(1.0, LEAST, words))
+        usual = reader.of_rollers and number >= 1  # which is an aim
+        limit = Limit(USUAL_OF_ROLLERS if usual else 1.0, LEAST, words, usual)
+        yield _against(reader, "Static safety C_0/P_0", value, number, limit)
     known = reader.summary[reader.last].get("pressure_safety") or {}
     found = {race: each for race, each in known.items() if each is not None}
     if found:
@@ -171,7 +210,7 @@ def _load(reader: Reader) -> Iterator[Check]:
     share = LEAST_OF_BALLS if balls else LEAST_OF_ROLLERS
     words = f"at least {kilonewtons(share * rating)} ({share:g} C_r, rule of thumb of SKF)"
     what = "Minimum load, against slip and smearing"
-    yield _against(reader, what, value, load, Limit(share * rating, LEAST, words))
+    yield _against(reader, what, value, load, Limit(share * rating, LEAST, words, True))
 
 
 def _stresses(reader: Reader) -> Iterator[Check]:
@@ -201,7 +240,7 @@ def _against_yield(reader: Reader, what: str, stress: float, limit: float | None
     """A stress [MPa] against the yield stress of a material [Pa]; where none is given, that is said."""
     value = reader.units.number(stress, "MPa", "MPa", ",.0f", path)
     if limit is None:
-        return Check(what, value, verdict=f"{NOT_CHECKED}: yield stress not given")
+        return Check(what, value, verdict=f"{NOT_CHECKED}: {_YIELD}")
     words = f"at most {reader.units.number(limit, 'Pa', 'MPa', ',.0f', '').text} (yield)"
     return _against(reader, what, value, stress, Limit(limit / 1e6, MOST, words))
 
@@ -221,7 +260,7 @@ def _films(reader: Reader) -> Iterator[Check]:
     if "viscosity_ratio" in rated:
         path = f"{at}/viscosity_ratio"
         value = reader.units.number(rated["viscosity_ratio"], "", "", ".3g", path)
-        yield _against(reader, what, value, rated["viscosity_ratio"], Limit(1.0, LEAST, words))
+        yield _against(reader, what, value, rated["viscosity_ratio"], Limit(1.0, LEAST, words, True))
     elif rated:
         yield Check(what, "", words, verdict=f'{NOT_CHECKED}: life.lubrication = "a_ISO" computes it')
 
@@ -234,9 +273,9 @@ def _film_ratio(reader: Reader) -> Iterator[Check]:
         path = f"summary/{reader.last}/minimum_lambda/{race}"
         value = reader.units.number(found[race], "", "", ".2f", path)
         what = f"Smallest film ratio Λ, {race} raceway"
-        check = _against(reader, what, value, found[race], Limit(1.0, LEAST, words))
+        check = _against(reader, what, value, found[race], Limit(1.0, LEAST, words, True))
         told = f"{check.verdict}: {regimes[race]}" if race in regimes else check.verdict
-        yield Check(what, value, words, check.share, check.used, told)
+        yield replace(check, verdict=told)
     if not found:
         films = "minimum_film_um" in reader.summary[reader.last]
         why = (
@@ -302,7 +341,19 @@ def _life(reader: Reader) -> Iterator[Check]:
 
 def _slip(reader: Reader) -> Iterator[Check]:
     for entry in (entry for entry in reader.layout.summary if entry.label == "cage slip"):
-        yield Check("Cage slip", reader.declared(entry, reader.last), verdict=f"{NOT_CHECKED}: {_SLIP}")
+        fitted = f"; {_FITTED}" * ("lubricant.oil_fraction" in reader.attributes["calibrated"])
+        yield Check(
+            "Cage slip", reader.declared(entry, reader.last), verdict=f"{NOT_CHECKED}: {_SLIP}{fitted}"
+        )
+
+
+def _tilts(reader: Reader) -> Iterator[Check]:
+    """Largest slopes of the inner ring and of a roller, where there are any."""
+    block = reader.blocks[reader.last]
+    for name, what in (("ring_tilt", "Tilt of the inner ring"), ("roller_tilt", "Largest tilt of a roller")):
+        if name in block and np.any(sizes := np.abs(np.ravel(block[name]))):
+            value = reader.element(reader.last, name, int(np.argmax(sizes)), digits=".3g")
+            yield Check(what, value, verdict=f"{NOT_CHECKED}: {_TILT}")
 
 
 def _heat(reader: Reader) -> Iterator[Check]:

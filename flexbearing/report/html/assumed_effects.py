@@ -5,6 +5,8 @@ from math import log
 from typing import Any
 
 from flexbearing.outputs import Output, outputs
+from flexbearing.report.html import assumptions
+from flexbearing.report.html.assumptions import WORTH
 from flexbearing.report.html.document import Block, Cell, Figure, Items, Number, Table, Words
 from flexbearing.report.html.figures import BLUE
 from flexbearing.report.html.reader import Reader
@@ -17,17 +19,26 @@ SMALLEST = 5e-3  # relative change that is drawn
 _WIDE = 1.5  # ratio of the ends of an axis from which it is logarithmic
 _TICKS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1, 1.5, 2, 3, 5, 7, 10, 20, 50, 100]
 _TALL = 8  # keys that a figure of usual height has room for
+_NOT_COMPUTED = "How much each of them matters was not computed. "
+_TOLD = (
+    "How much each of them matters was computed when the case was written, and stands in its comments below. "
+    "To compute it for this result: "
+)
 _HOW = (
-    "How much each of them matters was not computed. `flexbearing run {case} --set "
-    "outputs.assumed_effects=true` solves the case again with other values of each, some two solutions for "
-    "a key; a report of that result ranks them by their effect on the life."
+    "`flexbearing run {case} --set outputs.assumed_effects=true` solves the case again with other values "
+    "of each, some two solutions for a key; a report of that result ranks them by their effect on the life."
 )
 
 
 def how(reader: Reader) -> Words:
     """Which command computes the effects."""
+    told = any(map(assumptions.effect, assumptions.comments(reader.result.attributes["case_text"]).values()))
+    return Words(((_TOLD if told else _NOT_COMPUTED) + _how(reader),))
+
+
+def _how(reader: Reader) -> str:
     name = (reader.attributes.get("case_file") or "CASE.toml").replace("\\", "/").rpartition("/")[2]
-    return Words((_HOW.format(case=name),))
+    return _HOW.format(case=name)
 
 
 def blocks(reader: Reader) -> Iterator[Block]:
@@ -52,7 +63,7 @@ def at_ends(reader: Reader) -> Iterator[Block]:
         return
     found = reader.attributes.get("assumed_effects")
     if not found:
-        yield how(reader)
+        yield Words((f"What the ends of the tolerances make of the life was not computed. {_how(reader)}",))
         return
     name = ranked_by(reader)
     rows = [
@@ -68,6 +79,23 @@ def at_ends(reader: Reader) -> Iterator[Block]:
     ]
     head = ("end of the tolerances", _heading(reader, name), "times that computed")
     yield Table("Effect of the tolerances", head, tuple(rows))
+
+
+def moving(reader: Reader) -> list[str]:
+    """Keys that change the life by `WORTH` or more, the largest first, with its ratio to that of the case."""
+    found, name = reader.attributes["assumed_effects"], ranked_by(reader)
+    if name not in LIVES:
+        return []
+    told: list[str] = []
+    ranked = sorted(range(len(found["keys"])), key=lambda place: -_effect(found, place, name))
+    for place in (place for place in ranked if _effect(found, place, name) > log(WORTH)):
+        key, base = found["keys"][place], found["of"][name]
+        others = [
+            f"{other['values'][name] / base:.3g} times with {units_in_words(other['words'])}"
+            for other in key["others"] if other["values"].get(name) is not None
+        ]  # fmt: skip
+        told.append(f"{key['key']}: life {', '.join(others)}")
+    return told
 
 
 def ranked_by(reader: Reader) -> str:

@@ -10,6 +10,7 @@ from flexbearing.report.html.reader import Reader
 _TIMES = re.compile(r"(\d+(?:\.\d+)?) times with")
 _TABLE, _KEY = re.compile(r"\[([^\]\[]+)\]"), re.compile(r'"?([\w.-]+)"?\s*=')
 _TITLE = "Assumed: the source does not give these inputs"
+WORTH = 1.25  # change of a life by an assumed input that is told beside the life, as a factor
 _RANKED = (
     " The largest effect first: a life in these comments is the modified life, as `flexbearing new` writes "
     "them."
@@ -26,6 +27,13 @@ def blocks(reader: Reader) -> Iterator[Block]:
     weighted = _RANKED if any(effect(text) for text in said.values()) else ""
     lines = (f"{key}: {said[key]}" if key in said else key for key in ranked)
     yield Items(f"{_TITLE}.{weighted}", tuple(lines))
+
+
+def moving(reader: Reader) -> list[str]:
+    """Assumed keys whose comments tell a change of the life by `WORTH` or more, the largest first."""
+    said = comments(reader.result.attributes["case_text"])
+    known = {key: said[key] for key in reader.attributes["assumed"] if effect(said.get(key, "")) > log(WORTH)}
+    return [f"{key}, assumed: {known[key]}" for key in sorted(known, key=lambda key: -effect(known[key]))]
 
 
 def comments(text: str) -> dict[str, str]:

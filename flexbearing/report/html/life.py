@@ -10,6 +10,7 @@ from flexbearing.report.html.document import Block, Cell, Items, Table, Words
 from flexbearing.report.html.lives import lives
 from flexbearing.report.html.reader import Reader
 
+_FIRST = "outputs/{}.life_L10"  # place of the first life of a case
 _OWN = (
     "This a_ISO holds at the equivalent load of its note, which gives the reference life of the loads "
     "computed here; that of a catalogue holds at P of the ratings."
@@ -36,6 +37,7 @@ def blocks(reader: Reader) -> Iterator[Block]:
     if catalogue:
         yield from _catalogue(reader, catalogue)
     elif not isinstance(rated, str):
+        yield from _at_once(reader)
         yield from _left_out(reader)
 
 
@@ -48,7 +50,7 @@ def _of_raceways(reader: Reader) -> Iterator[Table]:
     for label, name in zip(labels, ["life_L10", *names], strict=False):
         hours: Cell = reader.output(name, "h", ",.4g") if block.get("relative_speed") else ""
         rows.append((label, reader.output(name, "Mrev", ",.4g"), hours))
-    first = next(life.name for life in lives(reader) if life.key in ("basic", "reference"))
+    first = next(each.name for each in lives(reader) if each.turns.of.startswith(_FIRST.format(reader.last)))
     note = "Which life to use, and all others, stand in the verdict."
     caption = f"{first} by raceways, {reader.state}, 90 % survive"
     yield Table(caption, ("of", "10⁶ revolutions", "hours"), tuple(rows), note)
@@ -67,7 +69,7 @@ def _factors(reader: Reader) -> Iterator[Table]:
     life = (reader.attributes.get("life") or {}).get(reader.last)
     if not life:
         return
-    path, first = f"life/{reader.last}", f"outputs/{reader.last}.life_L10"
+    path, first = f"life/{reader.last}", _FIRST.format(reader.last)
     of = next(each.name for each in lives(reader) if each.turns.of.startswith(first))
     rows: list[tuple[Cell, ...]] = [
         (of, reader.of_attribute(f"{path}/basic_Mrev", "Mrev", "Mrev", ",.4g"), "10⁶ revolutions")
@@ -81,6 +83,25 @@ def _factors(reader: Reader) -> Iterator[Table]:
     yield Table(
         "Modified life, factor by factor", ("step", "value", "note"), tuple(rows), _OWN if own else ""
     )
+
+
+def _at_once(reader: Reader) -> Iterator[Table]:
+    """Lives of the case over that of the catalogue."""
+    rated = ratings.found(reader)
+    if isinstance(rated, str):
+        return
+    values, at = rated
+    rows: list[tuple[Cell, ...]] = []
+    for each in lives(reader):
+        if each.turns.of.startswith("outputs/"):
+            value = float(reader.result[each.turns.of.removeprefix("outputs/")].number)
+            of = f"ratio/{each.turns.of}:{at}/life_Mrev"
+            times = reader.units.number(value / values["life_Mrev"], "", "", ".3g", of)
+            rows.append((each.name, each.turns, times))
+    catalogue = reader.units.number(values["life_Mrev"], "Mrev", "Mrev", ",.4g", f"{at}/life_Mrev")
+    first = ("Catalogue's life L10, ISO 281", catalogue, "")
+    head = ("life", "10⁶ revolutions", "times that of the catalogue")
+    yield Table("From the catalogue's life to those of this case, in one step", head, (first, *rows))
 
 
 def _left_out(reader: Reader) -> Iterator[Block]:

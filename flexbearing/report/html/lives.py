@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
-from flexbearing.report.html import ratings
+from flexbearing.report.html import assumed_effects, assumptions, ratings
 from flexbearing.report.html.document import Block, Cell, Items, Number, Table, Words
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import units_in_words
@@ -16,6 +16,7 @@ _LUNDBERG, _REFERENCE, _RATING = "basic", "reference", "rating"  # what the life
 
 
 _ORDER = ("modified", "reference", "basic", "catalogue", "catalogue modified")
+_PRESSED_ENDS = {"pressed-end", "sharp-roller-end"}  # codes of notes
 _MOVED = ("tilt", "roller-position", "fit-tolerances")  # codes of notes that tell other lives
 
 
@@ -56,11 +57,23 @@ def blocks(reader: Reader) -> Iterator[Block]:
     ]
     head = ("life", "10⁶ revolutions", "hours", "numerical error [%]", "what it is for")
     yield Table(f"Which life to use, {reader.state}", head, tuple(rows))
-    moved = tuple(
-        units_in_words(note["text"]) for note in reader.attributes["notes"] if note["code"] in _MOVED
-    )
-    if moved:
-        yield Items("What moves this life, besides assumed inputs", moved)
+    if moved := tuple(_moved(reader)):
+        yield Items("What moves this life more than its numerical error", moved)
+
+
+def _moved(reader: Reader) -> Iterator[str]:
+    """What of the case is not known or not counted, as far as its effect on the life is known."""
+    codes = {note["code"] for note in reader.attributes["notes"]}
+    case, rated = reader.attributes["case_si"], ratings.found(reader)
+    if not isinstance(rated, str) and rated[0]["load_N"] > rated[0]["ratings_N"]["C_r"] / 2:
+        yield "load: P is above C_r/2, where ISO 281 leaves it to the maker whether a formula of life holds"
+    if codes & _PRESSED_ENDS and case["life"].get("edge_stress") is False:
+        yield "edge stress: left out of the life (life.edge_stress = false), though roller ends are pressed"
+    yield from (units_in_words(note["text"]) for note in reader.attributes["notes"] if note["code"] in _MOVED)
+    if reader.attributes.get("assumed_effects"):
+        yield from assumed_effects.moving(reader)
+    else:
+        yield from assumptions.moving(reader)
 
 
 def _why(reader: Reader, found: tuple[Life, ...]) -> str:

@@ -12,6 +12,7 @@ _NAMES = {
     "C_0r": "static load rating C_0",
     "C_u": "fatigue load limit C_u",
 }
+APART = 0.05  # of a rating from its formula that is worth a remark
 _STORED = "attributes/catalogue_life/ratings"
 
 
@@ -78,4 +79,17 @@ def _laid_out(reader: Reader, found: dict[str, Any], at: str) -> Table:
         rows.append(("viscosity ratio κ", number("", "", "viscosity_ratio"), "", "", ""))
         rows.append(("life modification factor a_ISO at P", number("", "", "a_ISO"), "", "", ""))
     head = ("rating", "used", "by formula", "unit", "source")
-    return Table("Ratings (ISO 281, ISO 76)", head, tuple(rows))
+    return Table("Ratings (ISO 281, ISO 76)", head, tuple(rows), _apart(found))
+
+
+def _apart(found: dict[str, Any]) -> str:
+    """A remark where the dynamic rating of the case is far from that by formula."""
+    given, formula = found["ratings_N"]["C_r"], found["formulas_N"]["C_r"]
+    if "C_r" not in found["given"] or not formula or abs(given / formula - 1) <= APART:
+        return ""
+    size = f"{abs(given / formula - 1):.0%} {'above' if given > formula else 'below'}"
+    return (
+        f"C_r of the case is {size} that by the formula of ISO 281 from the number and size of its rolling "
+        "elements: these may not be the maker's, above all where they are assumed, and makers rate some "
+        "bearings above the formula. The lives by ISO 281 and ISO/TS 16281 use C_r of the case."
+    )

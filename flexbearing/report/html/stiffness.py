@@ -2,68 +2,112 @@
 
 from collections.abc import Iterator
 from importlib.resources import files
+from typing import Any
 
 import numpy as np
 
-from flexbearing.report.html.document import Block, Cell, Drawing, Table, Words
+from flexbearing.report.html.document import Block, Cell, Drawing, Number, Table, Words
 from flexbearing.report.html.reader import Reader
-from flexbearing.report.html.units import printed
+from flexbearing.report.html.units import NOTHING, printed
 
 _ZERO = 1e-10  # of the diagonal: what rounding leaves of nothing
 AXES = ("x", "y", "z", "about y", "about z")
 _FORCES = ("force along x", "force along y", "force along z", "moment about y", "moment about z")
 _UNITS = (("N/m", "kN/mm"), ("N/rad", "kN/rad"), ("N m/m", "kN m/m"), ("N m/rad", "kN m/rad"))
-_ALONE = (
-    "The bearing alone: between its raceways, freed of their rigid translation. With supports: from the base "
-    "that holds the outer ring to the ends of the shaft, in series with them. The matrix includes the "
-    "supports where parts are flexible. In a shaft model that has shaft and housing as elements of its own, "
-    "use the bearing alone; in one that ends at this bearing, use that with supports; never both in series."
+_WHICH = (
+    "Which to hand to a rotor or shaft model: where shaft, housing or squirrel cage are elements of that "
+    "model, the bearing alone; where the model ends at this bearing, that with supports. Never both in "
+    "series: the supports would count twice."
+)
+_NO_SUPPORTS = (
+    "Rings, shaft and housing are rigid in this case: there is one stiffness, that of the bearing alone, and "
+    "the matrix below is its matrix. A rotor or shaft model needs its own shaft and housing beside it."
+)
+_MATRIX = (
+    "The matrix includes rings and supports, from the base that holds the outer ring to the ends of the "
+    "shaft. A matrix of the bearing alone is not computed where parts are flexible: between raceways that "
+    "deform, only its radial stiffness is."
+)
+_UNSYMMETRIC = (
+    "Entries across the diagonal differ: rollers that turn and rub are no elastic spring alone. No damping is"
+    " computed; a rotor model needs it from elsewhere."
 )
 _TILT = (
-    "Tilt: K of the matrix along the load is taken with the tilt of the inner ring held; the radial "
-    'stiffness with supports of the table lets it follow where operation.tilt = "free": then it is smaller.'
+    "The entries of the matrix hold the tilt of the inner ring. The radial stiffness above lets it follow "
+    'where operation.tilt = "free", and the ring move aside: then it is smaller.'
 )
-_BALLS = "Loads on the inner ring by its displacement, balls in balance."
+_BALLS = (
+    "Loads on the inner ring by its displacement, balls in balance. No damping is computed; a rotor model "
+    "needs it from elsewhere."
+)
+_AXES = (
+    "Axes: x along the shaft, z the way of the load unless operation.load_direction turns it, y across. A "
+    "positive rotation about y turns z towards x, one about z turns x towards y: right-handed. Azimuth and "
+    "positive speeds turn z towards y, left-handed about +x: a rotor model with right-handed spin about the "
+    "same +x takes these speeds with the other sign."
+)
 
 
 def blocks(reader: Reader) -> Iterator[Block]:
-    """Radial stiffnesses, axes, matrices of the last end state."""
+    """Which stiffness to use, radial stiffnesses, axes, matrix of the last end state."""
     block = reader.blocks.get(reader.last, {})
     if "stiffness_matrix" not in block:
         return
-    yield Words((_ALONE if "total_stiffness" in block else _BALLS,))
     if "total_stiffness" in block:
+        yield Words((_WHICH if supported(reader) else _NO_SUPPORTS,))
         yield _radial(reader)
-    caption = (
-        "Axes: x along the shaft, z the way of the load, y across. A positive rotation about y turns z "
-        "towards x, one about z turns x towards y: right-handed. Azimuth and positive speeds turn z "
-        "towards y: left-handed about +x."
-    )
-    yield Drawing(caption, (files("flexbearing.report.html") / "page" / "axes.svg").read_text("utf-8"))
+    else:
+        yield Words((_BALLS,))
+    yield Drawing(_AXES, (files("flexbearing.report.html") / "page" / "axes.svg").read_text("utf-8"))
     yield _matrix(reader)
     if "total_stiffness" in block:
-        yield Words((_TILT,))
+        yield Words((*([_MATRIX] if supported(reader) else []), _TILT, _UNSYMMETRIC))
+
+
+def supported(reader: Reader) -> bool:
+    """Whether a ring stands on a support that gives way."""
+    structure = reader.attributes.get("structure") or {}
+    return len(reader.blocks) > 1 and any(_support(figures) is not None for figures in structure.values())
+
+
+def _support(figures: dict[str, Any]) -> float | None:
+    """Radial stiffness [N/m] of what holds a ring; None where that is rigid, or not known."""
+    return figures.get("support_stiffness_N_per_m")
 
 
 def _radial(reader: Reader) -> Table:
+    """Every radial stiffness with what it is for, along the load and beside it."""
+    names = [("stiffness", "bearing alone, along the load", "shaft and housing are in the rotor model")]
+    if supported(reader):
+        names.append(("total_stiffness", "with supports, along the load", "the rotor model ends here"))
     rows: list[tuple[Cell, ...]] = []
-    words = {
-        "stiffness": "bearing alone, radial", "total_stiffness": "with supports, radial",
-        "support_stiffness": "support of the outer ring alone, radial",
-    }  # fmt: skip
-    for name, label in words.items():
-        numbers = [
-            reader.element(block, name, digits=",.1f")
-            for block in reader.blocks
-            if name in reader.blocks[block]
-        ]
-        if numbers:
-            rows.append(
-                (label, *[""] * (len(reader.blocks) - len(numbers)), *numbers, printed(numbers[0].unit))
-            )
+    for name, label, use in names:
+        numbers: list[Cell] = [
+            NOTHING if name == "total_stiffness" and block == "rigid" else
+            reader.element(block, name, digits=",.4g") for block in reader.blocks
+        ]  # fmt: skip
+        rows.append((label, *numbers, printed(reader.units.of("kN/mm")), use))
+    whole = "with supports, " * supported(reader)
+    for place, axis in ((1, "y"), (2, "z")):
+        entry = _entry(reader, place, place)
+        empty = [NOTHING] * (len(reader.blocks) - 1)
+        use = "a model with two directions; tilt held"
+        rows.append((f"{whole or 'bearing alone, '}along {axis}", *empty, entry, printed(entry.unit), use))
+    rows += _supports(reader)
     return Table(
-        f"Radial tangent stiffness{_free(reader)}", ("stiffness", *reader.blocks, "unit"), tuple(rows)
+        f"Radial tangent stiffness{_free(reader)}", ("stiffness", *reader.blocks, "unit", "for"), tuple(rows)
     )
+
+
+def _supports(reader: Reader) -> Iterator[tuple[Cell, ...]]:
+    """What holds each ring, alone: in series with the bearing it makes the stiffness with supports."""
+    for part, figures in (reader.attributes.get("structure") or {}).items():
+        if _support(figures) is not None:
+            path = f"structure/{part}/support_stiffness_N_per_m"
+            number = reader.of_attribute(path, "N/m", "kN/mm", ",.4g")
+            empty = [NOTHING] * (len(reader.blocks) - 1)
+            use = "in series with the bearing"
+            yield f"support of the {part} ring alone", *empty, number, printed(number.unit), use
 
 
 def _free(reader: Reader) -> str:
@@ -72,18 +116,24 @@ def _free(reader: Reader) -> str:
     return f", tilt {'free' if held == 'free' else 'held'}" if held else ""
 
 
+def _entry(reader: Reader, row: int, column: int) -> Number:
+    """An entry of the matrix of the last end state; what rounding leaves of nothing is printed as zero."""
+    matrix = reader.blocks[reader.last]["stiffness_matrix"]
+    stored, people = _UNITS[2 * (row > 2) + (column > 2)]
+    value, scale = float(matrix[row, column]), np.sqrt(abs(matrix[row, row] * matrix[column, column]))
+    digits = ".0f" if abs(value) <= _ZERO * scale else ".4g"
+    return reader.units.number(
+        value, stored, people, digits, f"{reader.last}/stiffness_matrix/{row}/{column}"
+    )
+
+
 def _matrix(reader: Reader) -> Table:
     """The matrix with a unit for each of its four parts."""
     rows: list[tuple[Cell, ...]] = []
-    scale = np.sqrt(np.abs(np.diag(reader.blocks[reader.last]["stiffness_matrix"])))
     for row, axis in enumerate(_FORCES):
         cells: list[Cell] = [axis]
         for column in range(5):
-            stored, people = _UNITS[2 * (row > 2) + (column > 2)]
-            value = float(reader.blocks[reader.last]["stiffness_matrix"][row, column])
-            of = f"{reader.last}/stiffness_matrix/{row}/{column}"
-            digits = ".0f" if abs(value) <= _ZERO * scale[row] * scale[column] else ".4g"
-            cells.append(reader.units.number(value, stored, people, digits, of))
+            cells.append(_entry(reader, row, column))
         rows.append(tuple(cells))
     forces, mixed, moments, turns = (printed(reader.units.of(people)) for _, people in _UNITS)
     note = (

@@ -5,7 +5,7 @@ from typing import Any
 
 from flexbearing.outputs import outputs
 from flexbearing.quantities.attributes import GRADES
-from flexbearing.report.html import against_limits, exactness, lives
+from flexbearing.report.html import against_limits, exactness, lives, stiffness
 from flexbearing.report.html.document import Block, Cell, Items, Number, Table, Words
 from flexbearing.report.html.reader import OUTSIDE, Reader
 from flexbearing.report.html.units import printed
@@ -17,7 +17,7 @@ def blocks(reader: Reader) -> Iterator[Block]:
     converged = reader.attributes["status"] == "converged"
     if converged and reader.blocks:
         yield from against_limits.summary(reader)
-    yield Words((_ending(reader.attributes),), "good" if converged else "danger")
+    yield Words((_ending(reader.attributes),), "" if converged else "danger")
     dangers = reader.notes(GRADES[0])
     if dangers:
         yield Items("Dangers", dangers, "danger")
@@ -58,9 +58,19 @@ def _main(reader: Reader) -> Table:
             if name == "life_L10":  # has a table of its own
                 continue
             number = _scalar(reader, output)
-            words = ", ".join([output.declared.label.strip(), *name.split(".")[1:]])
+            words = _label(reader, name) or ", ".join([output.declared.label.strip(), *name.split(".")[1:]])
             rows.append((words, number, printed(number.unit), exactness.error(reader, output.declared)))
     return Table("Main results", ("quantity", "value", "unit", "numerical error [%]"), tuple(rows))
+
+
+def _label(reader: Reader, name: str) -> str:
+    """Words of outputs whose declared label is not enough for this case; empty for others."""
+    if name == "cage_slip" and "lubricant.oil_fraction" in reader.attributes["calibrated"]:
+        return "cage slip (lubricant.oil_fraction was fitted to one: no prediction)"
+    if name != "total_stiffness":
+        return ""
+    along = "radial stiffness along the load"
+    return f"{along}, {'with supports' if stiffness.supported(reader) else 'of the bearing alone'}"
 
 
 def _scalar(reader: Reader, output: Any) -> Number:

@@ -1,10 +1,13 @@
 """A report as one HTML file: templates with what the page needs, all of it inside."""
 
 import json
+import re
+from html import escape
 from importlib.resources import files
 
 from flexbearing.report.html.document import Document
 
+_CODE = re.compile(r"`([^`]+)`")
 PLOTLY = "plotly-cartesian-4.1.1.min.js"  # scatter, bars, heatmaps; its licence lies beside it
 
 
@@ -30,6 +33,7 @@ def html(document: Document) -> str:
     figures = [
         {"name": figure.name, "traces": figure.traces, "layout": figure.layout} for figure in document.figures
     ]
+    environment.filters["marked"] = marked
     template = environment.from_string((page / "report.html.j2").read_text("utf-8"))
     return template.render(
         document=document,
@@ -39,6 +43,15 @@ def html(document: Document) -> str:
         plotly=(page / PLOTLY).read_text("utf-8").replace("</", "<\\/") if figures else "",
         program=(page / "report.js").read_text("utf-8"),
     )
+
+
+def marked(text: str) -> str:
+    """Escape a text for the page; what stands between backticks becomes code.
+
+    >>> marked("a < b: `run --set`")
+    'a &lt; b: <code>run --set</code>'
+    """
+    return _CODE.sub(r"<code>\1</code>", escape(text))
 
 
 def in_script(value: object) -> str:
