@@ -44,6 +44,13 @@ GOOD = {  # what this run does not have
             "axial_N_per_m": 1e7, "axial_error_N_per_m": 1e5,
         },
     }},
+    "assumed_effects": {
+        "of": {"life_L10_Mrev": 10.0},
+        "keys": [{"key": "bearing.clearance", "source": "rule of thumb", "others": [{
+            "words": "half", "settings": ["bearing.clearance=20 um"],
+            "values": {"life_L10_Mrev": 12.0}, "problem": "",
+        }]}],
+    },
     "equilibria": ENDING["equilibria"],
     "choices": ENDING["choices"],
     "passage": ENDING["passage"],
