@@ -176,7 +176,7 @@ def test_preload_is_a_result_and_said_so(tmp_path):
 def test_stated_preload_is_noted_as_well():
     assert clearance.notes(read_case(PLAIN)) == ()
     (note,) = clearance.notes(read_case(PLAIN, {"bearing.clearance": "-5 um"}))
-    assert "5.000 um" in note.text
+    assert "by 5.0 um diametral" in note.text
 
 
 # -- refusals --------------------------------------------------------------------------------------

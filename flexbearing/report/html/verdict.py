@@ -65,8 +65,11 @@ def _main(reader: Reader) -> Table:
 
 def _label(reader: Reader, name: str) -> str:
     """Words of outputs whose declared label is not enough for this case; empty for others."""
-    if name == "cage_slip" and "lubricant.oil_fraction" in reader.attributes["calibrated"]:
-        return "cage slip (lubricant.oil_fraction was fitted to one: no prediction)"
+    if reader.of_rollers and "lubricant.oil_fraction" in reader.attributes["calibrated"]:
+        from flexbearing.quantities.roller import CAGE_SLIP  # reports of balls load no rollers
+
+        if name == CAGE_SLIP.name:
+            return "cage slip (lubricant.oil_fraction was fitted to one: no prediction)"
     if name != "total_stiffness":
         return ""
     along = "radial stiffness along the load"
