@@ -292,7 +292,7 @@ def test_any_structure_as_a_setting_is_a_case_or_refused(place, structure):
     ends_well_or_is_refused(CONFIGS / f"{name}.toml", {".".join(keys): structure})
 
 
-@examples(max_examples=200)
+@examples(max_examples=80)
 @given(st.sampled_from(PLACES), st.text(max_size=40))
 def test_any_text_as_a_setting_is_a_case_or_refused(place, text):
     name, keys = place

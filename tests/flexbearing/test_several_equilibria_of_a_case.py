@@ -14,7 +14,7 @@ from tests.cold_oil import PAPER, RIGID, cold_case, settings
 THICK_RING = ("inner.kind=rigid", "outer.kind=ring", "outer.thickness=15 mm", "accuracy.structure=beam")
 
 
-@pytest.fixture(scope="module", params=[13.0, 13.5])
+@pytest.fixture(scope="module", params=[13.0, pytest.param(13.5, marks=pytest.mark.slow)])
 def cold(request, tmp_path_factory):
     """Runs that ended half a degree apart in different states: 533 N and 2534 Mrev, 552 N and 2208 Mrev."""
     folder = tmp_path_factory.mktemp("cold")

@@ -82,7 +82,7 @@ def test_angular_momentum_is_kept(seed, spin_inertia):
     assert torque == approx(0.0, abs=1e-12 * size)
 
 
-@FEW
+@FEWER
 @given(SEEDS, INERTIA)
 @example(4, True)
 @example(99, False)
