@@ -39,7 +39,7 @@ test-docs: docs
 test-ross: $(READY)
 	$(PYTHON) -m venv $(VENV)-ross
 	$(VENV)-ross/bin/python -m pip install --quiet 'ross-rotordynamics==2.3.0' 'plotly<7'
-	FLEXBEARING_ROSS=$(VENV)-ross/bin/python $(BIN)/python -m pytest -m ross
+	FLEXBEARING_ROSS=$(abspath $(VENV)-ross)/bin/python $(BIN)/python -m pytest -m ross
 
 # With the Debian package calculix-ccx.
 test-calculix: $(READY)
