@@ -4,7 +4,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 
 from evidence.case import Case, Findings, Number
-from evidence.verdict import differs, verdict, worst
+from evidence.verdict import differs, verdict
 
 
 def _shown(value: float, digits: int = 6) -> str:
@@ -53,15 +53,28 @@ def _beside(findings: Findings) -> list[str]:
     return lines
 
 
+def _deciding(findings: Findings) -> Number | None:
+    """The largest misfit of the numbers that miss what is allowed for them; where none does, of all."""
+    missed = [number for number in findings.numbers if not number.within]
+    judged = missed or [number for number in findings.numbers if number.known]
+    return max(judged, key=lambda number: abs(number.misfit), default=None)
+
+
+def _allowance(number: Number) -> str:
+    """What is allowed for a number, in percent of the scale of its misfit."""
+    if not number.allowed:
+        return "exact"
+    return _percent(number.allowed / (number.scale or abs(number.known))).lstrip("+")
+
+
 def _misfit(findings: Findings) -> str:
-    """Largest misfit of all numbers, in words."""
-    judged = [number for number in findings.numbers if number.known]
-    if not judged:
+    """The misfit that decides the verdict beside what is allowed for it, in words."""
+    most = _deciding(findings)
+    if most is None:
         return ""
-    most = max(judged, key=lambda number: abs(number.misfit))
-    beyond = worst(findings)
-    text = f" Largest misfit {_percent(most.misfit)} % ({most.name})."
-    return text + (f" Largest beyond what is allowed: {100 * beyond:.2g} %." if beyond else "")
+    allowed = f"allowed are {_allowance(most)} %" if most.allowed else "equality is required"
+    kind = "Largest misfit" if most.within else "Largest misfit that is not allowed"
+    return f" {kind}: {_percent(most.misfit)} % ({most.name}; {allowed})."
 
 
 def page(case: Case, findings: Findings) -> str:
@@ -120,16 +133,22 @@ page allows. Nothing is tuned to a source.
 
 | verdict | meaning |
 |---|---|
-| agrees | all numbers are within what is allowed; all statements hold |
-| agrees within x % | some number is not, none is off by more than x % (0.1, 0.2, 0.5, 1, 2 or 5) |
-| differs, reason known | more than 5 %, or a statement that does not hold; the page says why |
+| agrees | every number is within what is allowed for it; every statement holds |
+| agrees within x % | some misfits are not allowed, none is above x % (0.1, 0.2, 0.5, 1, 2 or 5) |
+| differs, reason known | one above 5 %, or a statement that does not hold; the page gives the reason |
 | differs, reason not known | the same, and the reason is not known |
 
-Allowed are the printed digits of a source, the scatter of the programs or measurements it is made of, and for
-closed forms the error of our own grid: no more than the tests of the same numbers allow. A verdict is
-computed from the numbers by `evidence/verdict.py`, by one rule for all pages; only
-the reason is written by hand.
+Every number has an allowed misfit: the printed digits of the source, the scatter of the programs, fits or
+measurements behind it, or for closed forms the error of our own grid, and no more than the tests of the
+same number allow. **Judge a misfit by the allowance beside it**: some percent agree with an empirical
+formula that scatters by more; a tenth of a percent does not agree with a table that is printed more
+exactly. The last two columns below are of the number that decides the verdict: the largest misfit outside
+its allowance, or, where all are inside, the largest misfit. `-` marks cases of statements alone. A verdict
+is computed by `evidence/verdict.py`, by one rule for all pages; the reason of a difference is written by
+its author.
 """
+
+HEADING = "| case | verdict | misfit that decides [%] | allowed for it [%] |"
 
 TOCTREE = """```{toctree}
 :hidden:
@@ -148,11 +167,11 @@ def index(cases: Sequence[Case], findings: Mapping[str, Findings]) -> str:
     values = sum(len(found.numbers) + len(found.trends) for found in findings.values())
     lines = [HEAD, f"{len(cases)} cases with {values} known numbers and statements: {count}.", ""]
     for subject in dict.fromkeys(case.subject for case in cases):
-        lines += [f"## {subject}", "", "| case | verdict | largest misfit [%] |", "|---|---|---|"]
+        lines += [f"## {subject}", "", HEADING, "|---|---|---|---|"]
         for case in (case for case in cases if case.subject == subject):
-            judged = [abs(n.misfit) for n in findings[case.name].numbers if n.known]
-            most = _percent(max(judged)).lstrip("+") if judged else "-"
+            most = _deciding(findings[case.name])
+            misfit = f"{_percent(abs(most.misfit)).lstrip('+')} | {_allowance(most)}" if most else "- | -"
             bold = "**" if differs(verdicts[case.name]) else ""
-            lines.append(f"| [{case.title}]({case.name}.md) | {bold}{verdicts[case.name]}{bold} | {most} |")
+            lines.append(f"| [{case.title}]({case.name}.md) | {bold}{verdicts[case.name]}{bold} | {misfit} |")
         lines.append("")
     return "\n".join([*lines, TOCTREE])
