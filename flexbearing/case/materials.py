@@ -65,7 +65,7 @@ class RingMaterial(Material):
     """A material of a part whose stresses may be known."""
 
     yield_stress: Pressure | None = key(
-        "yield stress; where a part is known to be stressed beyond it, the run says so",
+        "yield stress; a computed stress above it is reported as a note",
         None,
         example="900 MPa",
         gt=0,

@@ -151,7 +151,7 @@ QUANTITIES = (
         summary=(SummaryValue("life_L10_Mrev", label="reference life L10r, ISO/TS 16281", digits=",.4g",
                               speed="relative_speed"),)),
     Quantity("raceway_life", "L_10,i, L_10,o", "race", "rev", "block",
-        f"the same of each raceway on its own (inner, outer); {_UNRATED}", source="life.raceways",
+        f"the same of each raceway alone (inner, outer); {_UNRATED}", source="life.raceways",
         people=MREV, optional=True, infinite=True,
         summary=(SummaryValue("raceway_life_Mrev", label="life L10", digits=",.4g", parts=RACES,
             speed="relative_speed"),)),

@@ -78,7 +78,7 @@ COMMON = (
     Attribute("title", "text", "title of the case"),
     Attribute("status", "text", f"how the run ended: {', '.join(STATUSES)}"),
     Attribute("ending", "text", "how the last solve of the bearing itself ended; empty while it still ran"),
-    Attribute("message", "text", "the ending in a sentence"),
+    Attribute("message", "text", "how the run ended, in a sentence"),
     Attribute("iterations", "integer", "iterations of the coupling, 0 when no ring is flexible"),
     Attribute(
         "left_out",

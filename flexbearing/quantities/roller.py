@@ -96,13 +96,13 @@ QUANTITIES = (
                               speed="relative_speed"),)),
     Quantity("life_error", "", "", "1", "block",
         "estimated numerical error of the life by slices and axial shapes / life; absent with "
-        "accuracy.target, "
-        "which has its own, and where nothing could be estimated", source="end.life_error", people=PERCENT,
+        "accuracy.target, which has another estimate, and where nothing could be estimated",
+        source="end.life_error", people=PERCENT,
         optional=True, summary=(
             SummaryValue("life_error_percent", label="  its numerical error, estimated",
                          digits=".2g", compared=False),)),
     Quantity("raceway_life", "L_10,i, L_10,o", "race", "rev", "block",
-        "rating life of each raceway on its own (inner, outer), 90 % survival", source="end.raceway_life",
+        "rating life of each raceway alone (inner, outer), 90 % survival", source="end.raceway_life",
         people=MREV, infinite=True,
         summary=(SummaryValue("raceway_life_Mrev", label="life of each raceway", digits=",.2f", parts=RACES,
                               speed="relative_speed"),)),
@@ -460,7 +460,7 @@ QUANTITIES = (
     Quantity("load_change", "", "", "1", "iteration", "largest change of a roller load / largest load",
         source="step.load_change"),
     Quantity("mismatch", "", "", "1", "iteration",
-        "what the structure answers less the deviation that the bearing was given / largest deviation; "
+        "deviation that the rings return, less the one that the bearing was given / largest deviation; "
         "0 where both are one system", source="step.mismatch"),
     Quantity("residual", "", "", "1", "iteration", "largest unbalanced force / applied load"),
     Quantity("seconds", "", "", "s", "iteration", "time that the iteration took", source="seconds"),
@@ -484,7 +484,7 @@ _ATTRIBUTES = (
         "started_from",
         "text",
         "result of a similar case whose flexible end state the coupling started from, or rigid raceways "
-        "where that failed; absent where none was asked for",
+        "where that failed; absent where no start was given",
         optional=True,
     ),
     Attribute(

@@ -11,7 +11,7 @@ _BEGINNING = """\
 # The result file
 
 One HDF5 file holds one run. A name without `.part` promises a complete file, also when the run did not
-converge; `status` tells. What a run has finished so far stands in `OUT.h5.HOST-PROCESS-NUMBER.part` beside
+converge (`status`). What a run has finished so far stands in `OUT.h5.HOST-PROCESS-NUMBER.part` beside
 it, at most a second old and always whole; `flexbearing summary` reads it, with the status `unfinished`. A
 run that is interrupted leaves it, the next complete result of that name removes it. `OUT.h5.lock` names
 host, process and start of the run that is writing. Everything is in SI units.

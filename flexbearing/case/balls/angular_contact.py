@@ -251,7 +251,7 @@ class FastCase(MountedCase):
     rolling_lines: RollingLines = key("lines on which the balls roll without slip", {})
     lubricant: Oil | None = key("the oil, for the viscosity ratio of ISO 281", None)
     life: BallLife = key("what the life is rated with, and what modifies it", {})
-    outputs: LifeOutputs = key("what is computed beside the solution", {})
+    outputs: LifeOutputs = key("further results to compute", {})
 
     @model_validator(mode="after")
     def _life_can_be_rated(self) -> Self:

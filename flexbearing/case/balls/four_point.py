@@ -218,7 +218,7 @@ class FourPointCase(MountedCase):
     operation: SlowOperation = key("load and speed", {})
     rings: bolted_rings.Rings = key("elastic rings; rigid without it", {})
     fields: Fields = key("contacts whose pressure, slip and shear are stored cell by cell", {})
-    outputs: ContactOutputs = key("what is computed beside the solution", {})
+    outputs: ContactOutputs = key("further results to compute", {})
 
     @model_validator(mode="after")
     def _fits_are_those_of_rigid_rings(self) -> Self:

@@ -33,7 +33,10 @@ MODEL = (
     "full_sliding: contacts slide everywhere; kalker: they stick and slip on half-spaces; fastsim: "
     "the same on springs, quicker and less exact; all with the slip of friction.spin"
 )
-CELLS = "cells over each contact along and across the rolling direction, multiples of 4: fewer tell the error"
+CELLS = (
+    "cells over each contact along and across the rolling direction, multiples of 4; the error is estimated "
+    "from coarser grids"
+)
 USUAL_CELLS = [40, 80]
 STICKING = {"model": ("fastsim", "kalker")}  # where cells count
 INTERFACE = (
@@ -89,7 +92,7 @@ class EndingGroove(Groove):
 
     shoulder: Length | None = key(
         "height of the shoulder above the bottom of the groove, where arches meet if there are two; of both "
-        "shoulders where there are two; contacts that reach over it are told",
+        "shoulders where there are two; contacts that reach over it are reported",
         None,
         example="4.5 mm",
         gt=0,

@@ -41,7 +41,7 @@ class Cage(Section):
     )
     pocket_friction: float = key("Coulomb friction between roller and pocket", example=0.05, ge=0, le=1)
     thickness: Length = key(
-        "radial thickness; that part of each roller is hidden from the oil-air mixture", ge=0
+        "radial thickness; the cage shields that part of each roller from the mixture", ge=0
     )
     mass: Mass | None = key(
         "mass: the weight of a free cage and its unbalance; elsewhere it only slows the cage where a start "
@@ -125,10 +125,10 @@ class Bearing(Section):
     )
     contact_law: Literal["palmgren", "iso16281"] = key("load law of a roller on a raceway", "palmgren")
     contact: Literal["slices", "half_space"] = key(
-        "how the most loaded roller is resolved for peak pressure and life: slices, each a line contact of "
-        "its own; half_space: both its contacts as a whole on elastic half-spaces, with their ends, under "
-        "the load of its slices, at their tilt or, where the ring tilts freely, under their moment; loads, "
-        "and all other rollers, are those of the slices anyway",
+        "model of the most loaded roller for peak pressure and life: slices, independent line contacts; "
+        "half_space: both contacts on elastic half-spaces, with their ends, under the load of the slices, at "
+        "their tilt or, where the ring tilts freely, under their moment; equilibrium, and all other rollers, "
+        "are those of the slices with either",
         "slices",
     )
     first_roller_azimuth: Angle = key("azimuth of a roller, from z towards y", "0 deg")

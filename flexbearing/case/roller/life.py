@@ -24,11 +24,11 @@ class Life(Ratings):
         "rollers",
     )
     load_exponent: Literal["10/3", "4"] = key(
-        "10/3 of ISO 281, or 4 of line contacts everywhere under their load", "10/3", only=BY_RATING
+        "10/3 of ISO 281, or 4, for line contacts along the whole roller", "10/3", only=BY_RATING
     )
     stress_reduction: bool = key(
-        "whether C_r keeps the lambda nu = 0.83 that ISO 281 has for uneven loads along the rollers; "
-        "ISO/TS 16281 takes it out, as slices carry their own loads",
+        "whether C_r keeps the factor lambda nu = 0.83 of ISO 281 for uneven load along the rollers; ISO/TS "
+        "16281 removes it, as it computes the load of each slice",
         True,
         only=BY_RATING,
     )

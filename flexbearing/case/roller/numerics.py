@@ -11,8 +11,9 @@ class Coupling(Section):
     """How bearing and rings come to agree."""
 
     method: Literal["newton", "iqn-ils", "anderson", "aitken", "relaxed"] = key(
-        "newton: both in one system; the others alternate and take over what all differences seen so far say "
-        "(iqn-ils), the last twelve (anderson), a fraction that adapts (aitken), a constant one (relaxed)",
+        "newton: bearing and rings in one system; the others solve them in turn and correct the deviations "
+        "by interface quasi-Newton (iqn-ils), Anderson mixing of the last twelve changes (anderson), Aitken "
+        "relaxation (aitken) or constant relaxation (relaxed)",
         "newton",
     )
     structure: Literal["condensed", "full"] = key(
@@ -97,8 +98,8 @@ class Accuracy(Section):
         le=1000,
     )
     patch_width: Length | None = key(
-        "standard deviation of the load patch along the arc of a full solid, its own half-space indentation "
-        "is taken out; by default a tenth of the roller length",
+        "standard deviation of the load patch along the arc of a full solid, without its half-space "
+        "indentation; by default a tenth of the roller length",
         None,
         example="0.5 mm",
         gt=0,

@@ -40,9 +40,9 @@ class Case(Head):
     outer: Outer = key("what carries the outer raceway")
     inner: Inner = key("what carries the inner raceway")
     life: Life = key("what modifies the basic life", {})
-    coupling: Coupling = key("how bearing and rings come to agree", {})
-    accuracy: Accuracy = key("how finely everything is resolved", {})
-    outputs: Outputs = key("what is computed beside the solution", {})
+    coupling: Coupling = key("how bearing and rings are solved together", {})
+    accuracy: Accuracy = key("numerical resolution", {})
+    outputs: Outputs = key("further results to compute", {})
 
     @property
     def drawing(self) -> Path | None:

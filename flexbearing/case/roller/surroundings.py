@@ -158,7 +158,7 @@ class Operation(Section):
         le=1000,
     )
     gravity: Acceleration = key(
-        "gravity across the bearing axis, by which rollers and a free cage weigh; zero for an upright shaft",
+        "gravity across the bearing axis, for the weights of rollers and free cage; zero for an upright shaft",
         "9.81 m/s^2",
         ge=0,
     )
@@ -183,6 +183,7 @@ class Operation(Section):
             )
         if self.misalignment != 0.0 and self.free_tilt:
             raise impossible(
-                "misalignment", '"0 deg" for operation.tilt = "free": the ring finds its own slope'
+                "misalignment",
+                '"0 deg" for operation.tilt = "free": the slope of the ring follows from its moments',
             )
         return self

@@ -77,7 +77,7 @@ class PlotTable(Section):
         example="operation.radial_load",
     )
     y: tuple[str, ...] = key(
-        "columns of [collect], or outputs with their units, each in a panel of its own",
+        "columns of [collect], or outputs with their units, one panel each",
         example=["life", "cage_slip [%]"],
         strict=False,
         min_length=1,
@@ -94,8 +94,8 @@ class StudyFile(Section):
     case: str = key("case file, by its path from the folder of the study file", example="mao2016.toml")
     name: str | None = key("of the outputs, such as NAME.csv; without it that of the study file", None)
     search_equilibria: bool = key(
-        "whether other equilibria are searched where they are likely, as a single run does, which takes as "
-        "long as a thousand variants between rigid rings; without it the message says that they are likely",
+        "whether other equilibria are searched where the films suggest them, as a single run does, which "
+        "takes as long as a thousand variants between rigid rings; without it a message reports such cases",
         False,
     )
     results: Literal["table", "final", "full"] = key(
