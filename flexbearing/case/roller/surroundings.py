@@ -158,7 +158,7 @@ class Operation(Section):
         le=1000,
     )
     gravity: Acceleration = key(
-        "gravity across the bearing axis, for the weights of rollers and free cage; zero for an upright shaft",
+        "gravity across the bearing axis, for the weights of rollers and cage; zero for an upright shaft",
         "9.81 m/s^2",
         ge=0,
     )
