@@ -17,6 +17,7 @@ from flexbearing.build.mesh_sizes import IN_SPACE, ON_A_SECTION
 from flexbearing.build.ring_parts import NAMES, Race, part_of
 from flexbearing.case.roller import Case
 from flexbearing.case.roller.life import FEWEST_SLICES
+from flexbearing.case.roller.numerics import AXIAL_MODES, MORE_SHAPES
 from flexbearing.rings.fits import is_in_fit
 
 if TYPE_CHECKING:
@@ -34,7 +35,6 @@ class MeshLevel(NamedTuple):
 
 
 SLICES = (5, 10, 20, 40, 80, 160, 320, 640, 1280)  # the last only measures
-AXIAL_MODES = (2, 4, 6, 8)  # two at a time: of a pair one may do nothing, for symmetry; the last measures
 ON_SECTIONS = (
     MeshLevel(2, 1.2, 0.5), MeshLevel(3, 1.2, 0.4), MeshLevel(4, 1.2, 0.3), MeshLevel(5, 1.2, 0.25),
     MeshLevel(6, 0.8, 0.2), MeshLevel(8, 0.6, 0.15),
@@ -108,7 +108,7 @@ def _slices(case: Case) -> Ladder:
 def _axial_modes(case: Case, parts: "Mapping[Race, Part]") -> Ladder:
     """Axial modes come two at a time. A raceway with few of them has too few harmonics for a fit."""
     if _given(case, "axial_shapes"):
-        modes = tuple(case.accuracy.axial_shapes + more for more in (0, 2, 4))
+        modes = tuple(case.accuracy.axial_shapes + more for more in range(0, MORE_SHAPES + 1, 2))
         return _fixed("axial shapes", "axial_shapes", modes)
     in_fits = [part.raceway_diameter / 2 for race, part in parts.items() if is_in_fit(case, race)]
     least = FEWEST_OF_A_FIT * roller_length(case) / (PER_MODE * min(in_fits)) if in_fits else 0

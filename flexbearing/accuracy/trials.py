@@ -11,11 +11,12 @@ from numpy.typing import NDArray
 
 from flexbearing.accuracy import Unusable
 from flexbearing.accuracy.ladder import Place
-from flexbearing.accuracy.levels import AXIAL_MODES, Cost, Ladder, case_at
+from flexbearing.accuracy.levels import Cost, Ladder, case_at
 from flexbearing.build import roller_bearing
 from flexbearing.build.ring_parts import Race
 from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
+from flexbearing.case.roller.numerics import AXIAL_MODES
 from flexbearing.coupled.coupled import BearingPartner
 from flexbearing.coupled.states import EndState
 from flexbearing.coupling import (

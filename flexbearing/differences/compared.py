@@ -149,8 +149,8 @@ def _output(name: str, one: Result, other: Result) -> Differing:
 
 
 def _error(output: Wanted, result: Result, number: float) -> float:
-    """Estimated error of an output: with a target, or that of a life by slices and axial shapes."""
-    estimates = result.attributes.get("error_estimate") or {}
+    """Estimated error of an output: with a target, else by slices, of a life by axial shapes too."""
+    estimates = result.attributes.get("error_estimate") or result.attributes.get("slice_error") or {}
     error = output.error(estimates, number)
     by_slices = output.chosen(_blocks(result)).get(f"{output.output.declared.error}_error")
     if isnan(error) and by_slices is not None and output.output.declared.error:

@@ -22,6 +22,7 @@ FIXED = {  # of every kind of bearing, by symbol
         "race": RACES,
         "transverse": YZ,
         "slope": ("dz/dx", "dy/dx"),
+        "radial_force": YZ,
         "force": _DIRECTIONS,
         "displacement": _DIRECTIONS,
         "part": ("outwards", "along"),

@@ -132,6 +132,13 @@ QUANTITIES = (
         source="end.with_supports.radial_stiffness", people=KN_PER_MM,
         summary=(SummaryValue("total_stiffness_N_per_m", label="stiffness with supports", digits=",.1f",
                               in_si=True, error="total_stiffness"),)),
+    Quantity("stiffness_yz", "", "radial_force transverse", "N/m", "block",
+        "radial tangent stiffness between raceways freed of their translation, forces along y and z by "
+        "displacements along y and z; the tilt follows, or stays where operation.tilt holds it",
+        source="end.between_raceways.radial_matrix", people=KN_PER_MM),
+    Quantity("total_stiffness_yz", "", "radial_force transverse", "N/m", "block",
+        "the same from base to shaft ends, supports included",
+        source="end.with_supports.radial_matrix", people=KN_PER_MM),
     Quantity("support_stiffness", "", "", "N/m", "block",
         "radial stiffness of the support of the outer ring, such as the bars of a squirrel cage; absent "
         "where the outer raceway is rigid, or its support",
@@ -553,6 +560,15 @@ _ATTRIBUTES = (
         optional=True,
         form=records.ERROR_ESTIMATE,
     ),
+    Attribute(
+        "slice_error",
+        "json",
+        "estimated numerical errors of the flexible block by the slices alone: 1.6 times the largest change "
+        "with the greater numbers of slices, over the values but for the cage slip; meshes and axial shapes "
+        "stay; absent with a target, and where it was not estimated",
+        optional=True,
+        form=records.SLICE_ERROR,
+    ),
 )
 
 LAYOUT = Layout(
@@ -588,5 +604,6 @@ right-handed.
         "passage",
         "choices",
         "error_estimate",
+        "slice_error",
     ),
 )

@@ -189,3 +189,4 @@ CHOICES: Form = Each(
     ),
 )
 ERROR_ESTIMATE: Form = Record({"target": NUMBER, "met": FLAG}, further=NUMBER_OR_NULL, empty=True)
+SLICE_ERROR: Form = Record({"slices": ListOf(NUMBER)}, further=NUMBER)

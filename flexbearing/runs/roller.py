@@ -14,7 +14,7 @@ from flexbearing.progress import Report
 from flexbearing.results import Recorder
 from flexbearing.rings.condensed import condensed_raceways
 from flexbearing.rings.full_solve import full_fe_raceways
-from flexbearing.runs import notes, roller_position, several
+from flexbearing.runs import notes, roller_position, several, slice_error
 from flexbearing.runs.postprocess import Postprocessing
 from flexbearing.runs.tilt import TiltComparison
 from quasidynamic import Equilibrium, RollerBearing
@@ -127,7 +127,8 @@ def _solve(
         return _not_solved(str(failure), failure)
     if rings.rigid:
         passed = _passage(case, resolved.model, rings, rigid, postprocessing, report)
-        return _all_rigid(resolved, rigid, postprocessing) | passed
+        errors = slice_error.record(case, resolved.model, rings, rigid)
+        return _all_rigid(resolved, rigid, postprocessing) | passed | errors
     report.stage("bearing and rings coupled", None)
     attempts = CoupledBearing(case, partner, rings, rigid, initial).solve(postprocessing.record, report)
     last, converged = attempts[-1], attempts[-1].status == "converged"
@@ -148,6 +149,7 @@ def _solve(
         postprocessing.notes.extend([*resolved.notes(stored.state), *notes.of_structure(figures)])
         ending |= _tilt(TiltComparison.at(case, stored.state, tangent), postprocessing)
         ending |= _passage(case, resolved.model, rings, stored.state, postprocessing, report)
+        ending |= slice_error.record(case, resolved.model, rings, stored.state)
     return ending | {"structure": figures}
 
 

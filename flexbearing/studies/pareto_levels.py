@@ -7,10 +7,11 @@ methods come beside them. Laws of another physics are marked: no resolution make
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from flexbearing.accuracy.levels import AXIAL_MODES, SLICES, mesh_levels
+from flexbearing.accuracy.levels import SLICES, mesh_levels
 from flexbearing.build.ring_parts import part_of
 from flexbearing.case.roller import Case
 from flexbearing.case.roller.life import FEWEST_SLICES
+from flexbearing.case.roller.numerics import AXIAL_MODES
 
 METHODS = ("newton", "iqn-ils", "anderson", "aitken", "relaxed")
 TARGETS = ("5 %", "1 %", "0.1 %")

@@ -60,6 +60,16 @@ class Tangent:
         return 1.0 / np.einsum("...i,...i->...", self.direction, moved)
 
     @property
+    def radial_matrix(self) -> NDArray:
+        """Radial load per radial displacement (..., 2, 2), along y and z [N/m].
+
+        The ring tilts as its loads ask for; where a guide holds its tilts, they stay.
+        """
+        follows = np.linalg.inv(self.response[..., :2, :2])
+        stays = np.linalg.inv(self.response)[..., :2, :2]
+        return np.where(np.asarray(self.held)[..., None, None], stays, follows)
+
+    @property
     def _load(self) -> NDArray:
         """A newton of radial load, with the moments (..., 4) that hold the tilts if a guide does."""
         load = np.concatenate([self.direction, np.zeros(self.direction.shape)], axis=-1)

@@ -42,6 +42,14 @@ def test_a_target_is_a_fraction_or_percent():
             read_case(PLAIN, [f"accuracy.target={wrong}"])
 
 
+@pytest.mark.parametrize(("given", "least"), [((), 8), (("accuracy.axial_shapes=6",), 10)])
+def test_too_few_slices_for_the_axial_shapes_of_a_target_are_refused(given, least):
+    target = [*given, "accuracy.target=1 %"]
+    assert read_case(PLAIN, [*target, f"accuracy.slices={least}"]).accuracy.slices == least
+    with pytest.raises(BadCase, match=rf"accuracy.*slices.*at least {least} .*leave accuracy.slices out"):
+        read_case(PLAIN, [*target, f"accuracy.slices={least - 1}"])
+
+
 def test_without_a_target_nothing_is_chosen_or_estimated(folder):
     result = flexbearing.run(PLAIN, ["outer.kind=rigid"], output=folder / "plain.h5")
     assert "choices" not in result.attributes

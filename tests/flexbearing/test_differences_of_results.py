@@ -48,7 +48,7 @@ def test_keys_that_only_one_case_has_are_none_in_the_other(loads):
 def test_the_same_result_twice_has_no_difference(loads):
     found = compared(loads[0], loads[0])
     assert (found.settings, found.outputs, found.within_error) == ((), (), ())
-    assert "max_roller_load" in found.without_estimate
+    assert "loaded_rollers" in found.without_estimate
     assert "life_L10" not in found.without_estimate
 
 
@@ -101,5 +101,6 @@ def test_command_as_text_and_as_json(loads, capsys):
     assert command([*words, "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
     assert [each["key"] for each in found["settings"]] == ["operation.radial_load"]
-    assert {each["name"]: each["error"] for each in found["outputs"]}["max_roller_load"] is None
+    errors = {each["name"]: each["error"] for each in found["outputs"]}
+    assert 0 < errors["max_roller_load"] < 100  # [N] by finer slices
     assert command(["diff", words[1], "nothing.h5"]) == 2

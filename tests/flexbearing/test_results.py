@@ -119,6 +119,7 @@ ENDING = {
         "mean_life_Mrev": 5.0,
     },
     "error_estimate": {"target": 0.01, "met": True, "roller_load": 0.002},
+    "slice_error": {"slices": [40, 80], "roller_load": 0.002},
 }
 
 

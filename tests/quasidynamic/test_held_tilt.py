@@ -29,6 +29,13 @@ def test_radial_stiffness_of_a_held_ring_is_the_slope_of_its_load(direction):
     assert np.abs(turned).max() > 1e-5 * 2 * step  # [N m] else the sign of the moments would not matter
 
 
+@pytest.mark.parametrize("guide", [HELD, {"load": 5e3}], ids=["held", "free"])
+def test_radial_stiffness_follows_from_the_radial_matrix(guide):
+    tangent = paper_bearing(**guide, load_direction=2.0).solve().tangent
+    moved = np.linalg.solve(tangent.radial_matrix, tangent.direction)
+    assert 1 / (tangent.direction @ moved) == approx(tangent.radial_stiffness, rel=1e-9)
+
+
 @pytest.mark.parametrize("direction", [0.0, 2.0])
 def test_guide_tilts_the_ring_as_a_moment_would(direction):
     """The moment that a guide gives, applied to a ring free to tilt, tilts it by the held angle."""

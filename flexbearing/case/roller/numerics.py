@@ -6,6 +6,9 @@ from pydantic import model_validator
 
 from flexbearing.case.quantity import Fraction, Length, Section, impossible, key
 
+AXIAL_MODES = (2, 4, 6, 8)  # of a target, two at a time: of a pair one may do nothing; the last measures
+MORE_SHAPES = 4  # axial shapes beyond those that a case fixes, by which a target measures their error
+
 
 class Coupling(Section):
     """How bearing and rings come to agree."""
@@ -111,3 +114,15 @@ class Accuracy(Section):
         ge=1,
         le=64,
     )
+
+    @model_validator(mode="after")
+    def _slices_carry_the_shapes_that_measure_a_target(self) -> Self:
+        fixed = self.model_fields_set
+        shapes = self.axial_shapes + MORE_SHAPES if "axial_shapes" in fixed else AXIAL_MODES[-1]
+        if self.target is not None and "slices" in fixed and self.slices < shapes:
+            raise impossible(
+                "slices",
+                f"at least {shapes} with accuracy.target, which compares up to {shapes} axial shapes and "
+                "needs as many slices; or leave accuracy.slices out: the target chooses them",
+            )
+        return self

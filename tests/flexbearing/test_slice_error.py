@@ -1,0 +1,35 @@
+"""Errors by slices, beside the same case with many more slices."""
+
+from pathlib import Path
+
+import pytest
+
+import flexbearing
+
+CONFIGS = Path(__file__).parents[2] / "configs"
+BEAM = ["inner.kind=rigid", "outer.kind=ring", "accuracy.structure=beam"]  # nothing is meshed
+CASES = {"rigid": ("nu209", []), "flexible": ("mao2016", BEAM)}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_true_errors_of_few_slices_are_below_the_estimates_and_no_tenth_of_them(name, tmp_path):
+    case, settings = CASES[name]
+    coarse, fine = (
+        flexbearing.run(
+            CONFIGS / f"{case}.toml", [*settings, f"accuracy.slices={n}"], output=tmp_path / f"{n}.h5"
+        )
+        for n in (10, 320)
+    )
+    estimate, value, true = coarse.attributes["slice_error"], coarse.flexible, fine.flexible
+    assert estimate["slices"] == [20, 40]
+    largest = max(value["inner_load"].max(), value["outer_load"].max())
+    loads = max(abs(true[f"{race}_load"] - value[f"{race}_load"]).max() for race in ("inner", "outer"))
+    assert 0.1 * estimate["roller_load"] <= loads / largest <= estimate["roller_load"]
+    for output in ("total_stiffness", "driving_torque"):
+        assert abs(true[output] / value[output] - 1) <= estimate[output]
+    assert abs(true["peak_pressure"] / value["peak_pressure"] - 1).max() <= estimate["peak_pressure"]
+
+
+def test_a_target_estimates_instead(tmp_path):
+    result = flexbearing.run(CONFIGS / "nu209.toml", ["accuracy.target=5 %"], output=tmp_path / "out.h5")
+    assert "slice_error" not in result.attributes
