@@ -73,7 +73,7 @@ def measured_once(cases: list[Case]) -> dict[str, float]:
         row[group] = spent(lambda fresh=fresh, names=names: computed(fresh, names))[1] / len(cases) / alone
     row["dangers"] = spent(lambda: [some.dangers(search=False) for some in together])[1] / len(cases) / alone
     few = spent(lambda: answers(cases, FEW, refused))[1]
-    return row | {"a table of loads, slip, life and stiffness, all told": few / len(cases) / alone}
+    return row | {"a table of loads, slip, life and stiffness, in all": few / len(cases) / alone}
 
 
 def computed(together: list[Together], names: Sequence[str]) -> None:

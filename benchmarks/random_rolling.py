@@ -1,6 +1,6 @@
 """Random balls and contacts that stick and slip: `python -m benchmarks.random_rolling`.
 
-`--errors N` compares the told error of N balls with that against a far finer grid, `--robustness N` solves N
+`--errors N` compares the estimated error of N balls with that against a far finer grid, `--robustness N` solves N
 cases, each fifth a single contact at a given creep, the others balls on two to four, and checks what comes
 out. Seeds begin at `--first`.
 """
@@ -70,7 +70,7 @@ def errors(seeds: range, cells: tuple[int, int]) -> None:
             flush=True,
         )
     held = sum(each.told >= each.true for each in judged)
-    print(f"the told error holds for {held} of {len(judged)}")
+    print(f"the estimated error holds for {held} of {len(judged)}")
     for name, chosen in (
         ("all", judged),
         ("that stick", [each for each in judged if each.sticks]),
@@ -78,7 +78,9 @@ def errors(seeds: range, cells: tuple[int, int]) -> None:
     ):
         ratio = np.array([each.told / each.true for each in chosen])
         low, middle, high = np.quantile(ratio, [0.1, 0.5, 0.9]) if chosen else 3 * [np.nan]
-        print(f"told over true, {len(ratio)} {name}: median {middle:.2f}, 80 % in {low:.2f} to {high:.2f}")
+        print(
+            f"estimated over true, {len(ratio)} {name}: median {middle:.2f}, 80 % in {low:.2f} to {high:.2f}"
+        )
 
 
 def judge(seed: int, cells: tuple[int, int], finer: tuple[int, int]) -> Judged:
@@ -139,7 +141,7 @@ def against_balance(ball: RefinedRolling, sliding: np.ndarray) -> str:
         return f"{left:.1e} of the power is unbalanced"
     if not 0.0 < ball.torque <= most * (1 + ABOVE):
         return f"torque {ball.torque:.6g} N m is above {most:.6g} of full sliding"
-    return "" if np.isfinite(ball.grid_error) else "the told error is not finite"
+    return "" if np.isfinite(ball.grid_error) else "the estimated error is not finite"
 
 
 def against_coulomb(rolled: Rolled) -> str:

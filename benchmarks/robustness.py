@@ -92,8 +92,8 @@ def of_thick_films(text: str) -> Found:
 
 def of_told(text: str) -> Found:
     """The same: of those with several equilibria, how many a run tells."""
-    solved, total = _one(r"^told: (\d+) of (\d+)", text)
-    return int(solved), int(total), _lines(r"^(design \d+: [1-9]\d* by random starts, 0 told)", text)
+    solved, total = _one(r"^reported: (\d+) of (\d+)", text)
+    return int(solved), int(total), _lines(r"^(design \d+: [1-9]\d* by random starts, 0 reported)", text)
 
 
 def of_changed(command: str) -> Callable[[str], Found]:
@@ -122,8 +122,8 @@ def of_rolling(text: str) -> Found:
 
 
 def of_told_errors(text: str) -> Found:
-    """`random_rolling --errors`: balls whose told error is above the true one."""
-    solved, total = _one(r"^the told error holds for (\d+) of (\d+)", text)
+    """`random_rolling --errors`: balls whose estimated error is above the true one."""
+    solved, total = _one(r"^the estimated error holds for (\d+) of (\d+)", text)
     return int(solved), int(total), _lines(r"^ +(seed \d+: .*, not held)$", text)
 
 
@@ -203,7 +203,7 @@ JOBS = {
         CONVERGED, "random_designs", ("--n", "100", "--seed", DECIMAL_SEED), of_designs
     ),
     "thick films": Job("converged", *THICK, of_thick_films),
-    "thick films, other equilibria": Job("told, where an exhaustive search finds some", *THICK, of_told),
+    "thick films, other equilibria": Job("reported, where an exhaustive search finds some", *THICK, of_told),
     "hard cases of the coupling, newton": Job(
         "converged", "coupling_hard", (), newton_of_methods
     ),
@@ -214,7 +214,7 @@ JOBS = {
         "solved, balance and friction law checked", "random_rolling",
         ("--robustness", "200", "--cells", "20", "40", "--first", "1000"), of_rolling,
     ),
-    "their told error": Job(
+    "their estimated error": Job(
         "at least the true one", "random_rolling",
         ("--errors", "10", "--cells", "12", "24", "--first", "1000"), of_told_errors,
     ),

@@ -51,7 +51,7 @@ def examine(number: int, seed: int) -> dict | None:
     exhaustive, others = timed(lambda: others_by_search(state, rng, STARTS))
     if bool(others) != bool(told):
         told_of = len(told.others) if told else 0
-        print(f"design {number}: {len(others)} by random starts, {told_of} told", flush=True)
+        print(f"design {number}: {len(others)} by random starts, {told_of} reported", flush=True)
     beyond = bool(told) and not others
     confirmed = beyond and bool(others_by_search(state, rng, MORE_STARTS))
     loads = [one.loads[0].max() for one in (state, *others)]
@@ -91,9 +91,9 @@ def report(rows: list[dict], asked) -> None:
     told, beyond = sum(r["told"] > 0 for r in several), [r for r in one if r["told"]]
     false = sum(not r["proven"] for r in rows if r["told"])
     print(f"{asked.n} designs, seed {asked.seed}: {len(rows)} solved, {len(several)} with several equilibria")
-    print(f"told: {told} of {len(several)} ({told / len(several):.1%})")
+    print(f"reported: {told} of {len(several)} ({told / len(several):.1%})")
     print(
-        f"told where {STARTS} random starts found none: {len(beyond)} of {len(one)} "
+        f"reported where {STARTS} random starts found none: {len(beyond)} of {len(one)} "
         f"({len(beyond) / len(one):.1%}), {sum(r['confirmed'] for r in beyond)} found by {MORE_STARTS}"
     )
     print(
@@ -102,7 +102,7 @@ def report(rows: list[dict], asked) -> None:
     )
     spread = np.array([r["spread"] for r in several if r["told"]])
     print(
-        f"spread of the largest load that the told ones cover: mean {spread.mean():.0%}, "
+        f"spread of the largest load that the reported ones cover: mean {spread.mean():.0%}, "
         f"lowest tenth {np.quantile(spread, 0.1):.0%}"
     )
     life = np.array([r["life"] for r in rows if np.isfinite(r["life"])])
