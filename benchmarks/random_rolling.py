@@ -1,8 +1,8 @@
 """Random balls and contacts that stick and slip: `python -m benchmarks.random_rolling`.
 
-`--errors N` compares the estimated error of N balls with that against a far finer grid, `--robustness N` solves N
-cases, each fifth a single contact at a given creep, the others balls on two to four, and checks what comes
-out. Seeds begin at `--first`.
+`--errors N` compares the estimated error of N balls with that against a far finer grid, `--robustness N`
+solves N cases, each fifth a single contact at a given creep, the others balls on two to four, and checks what
+comes out. Seeds begin at `--first`.
 """
 
 import argparse

@@ -117,7 +117,8 @@ def _cheapest(studies: dict[str, Study]) -> str:
 
 def _targets(studies: dict[str, Study]) -> str:
     lines = [
-        "| bearing | target | cold [s] | cached [s] | chooses | estimated, true error of loads [%] | of life [%] |"
+        "| bearing | target | cold [s] | cached [s] | chooses | estimated, true error of loads [%] "
+        "| of life [%] |"
     ]
     lines.append("|---|---|---:|---:|---|---|---|")
     for name, study in studies.items():

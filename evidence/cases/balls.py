@@ -116,7 +116,7 @@ def heras_stick_slip() -> Findings:
         rows.append(number(f"{name}: finite elements of the paper", by_elements, found, "N m", digit=0.05))
     return Findings(
         numbers=tuple(rows),
-        errors=(estimate("largest told error of the grid, 40 x 80 cells, over the torque", told),),
+        errors=(estimate("largest estimated error of the grid, 40 x 80 cells, over the torque", told),),
     )
 
 
@@ -396,7 +396,7 @@ CASES: Sequence[Case] = (
         case_files=HERAS_FILES,
         numbers_from="tests/literature/test_heras2017.py",
         compute=heras_stick_slip,
-        error="Three grids for each ball; the told error was tested against 160 x 320 cells.",
+        error="Three grids for each ball; the estimated error was tested against 160 x 320 cells.",
         reason="B1, 1.6 times: in the finite elements nearly the whole contact sticks; an elastic slip of 4 µm at the limit of friction (the penalty "
         "of their contact) gives their 1.7 N m here, and spoils the nominal case: see [an interface that shears](interface-compliance.md). "
         "A1 and A3 lie above full sliding of the same loads, which Coulomb's friction cannot exceed for the same pressure: "

@@ -282,8 +282,8 @@ CASES: Sequence[Case] = (
         title="Tilt of a slice law against a half-space",
         subject=SUBJECT,
         source="elastic half-spaces (Boussinesq) under a straight roller, solved on cells; Johnson, Contact Mechanics (1985), ch. 3 and 4.",
-        known="The tilt stiffness of a roller on half-spaces, over its translation stiffness and l²/12. Slices that know nothing of each "
-        "other have 1 by construction.",
+        known="The tilt stiffness of a roller on half-spaces, over its translation stiffness and l²/12. Independent "
+        "slices have 1 by construction.",
         run="A straight steel roller of 5.2 mm, l/D 0.5, 1 and 2.5, 160 N/mm, tilted by 0.05', against slices by Palmgren's law.",
         numbers_from="tests/quasidynamic/test_whole_roller.py",
         compute=slice_tilt,
