@@ -8,6 +8,8 @@ import statistics
 import time
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
+from itertools import product
+from typing import TypeVar
 
 import numpy as np
 
@@ -21,6 +23,8 @@ from flexbearing.quantities.roller import LAYOUT
 from flexbearing.runs.many import Answer, answers
 from flexbearing.runs.solved_together import solved_together
 from flexbearing.runs.together import Together
+
+Result = TypeVar("Result")
 
 RIGID_CASE = "configs/nu209.toml"
 ROUNDS = 5
@@ -44,11 +48,10 @@ def main() -> None:
         )
 
 
-def loads_and_speeds(path: str, loads: Iterable[float], speeds: Sequence[float]) -> list[Case]:
+def loads_and_speeds(path: str, loads: Iterable[float], speeds: Iterable[float]) -> list[Case]:
     return [
         read_case(path, {"operation.radial_load": f"{load} N", "operation.inner_speed": f"{speed} rpm"})
-        for load in loads
-        for speed in speeds
+        for load, speed in product(loads, speeds)
     ]
 
 
@@ -86,7 +89,7 @@ def refused(place: int) -> Answer:
     raise AssertionError(f"case {place} needed a run of its own")
 
 
-def spent(job: Callable[[], object]) -> tuple[object, float]:
+def spent(job: Callable[[], Result]) -> tuple[Result, float]:
     """What a job returns, and its processor time [s]."""
     began = time.process_time()
     return job(), time.process_time() - began

@@ -93,6 +93,7 @@ def judge(seed: int, cells: tuple[int, int], finer: tuple[int, int]) -> Judged:
 def rolled(seed: int, cells: tuple[int, int]) -> RefinedRolling:
     bearing, sliding = drawn(seed)
     (ball,) = bearing.roll(sliding, "kalker", cells).rolled
+    assert ball is not None  # every ball drawn here is loaded
     return ball
 
 
@@ -128,6 +129,7 @@ def case(seed: int, cells: tuple[int, int]) -> tuple[int, Callable[[], str]]:
 
     def solve() -> str:
         (ball,) = bearing.roll(sliding, "kalker", cells).rolled
+        assert ball is not None  # every ball drawn here is loaded
         return against_balance(ball, start) or against_coulomb(ball.fine.rolled)
 
     return int((sliding.load > 0.0).sum()), solve

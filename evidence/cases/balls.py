@@ -7,6 +7,7 @@ from matplotlib.figure import Figure
 
 from evidence.case import Case, Findings, Number, estimate, number, trend
 from evidence.drawing import legend_beside, one
+from quasidynamic.errors import NotSolved
 from tests.ball_bearings import one_ball
 from tests.literature import test_heras2017 as heras, test_joshi2015 as joshi, test_rivera2021 as rivera
 from tests.literature.test_harris218 import DEFLECTION, ROWS, turning
@@ -108,6 +109,7 @@ def heras_stick_slip() -> Findings:
         bearing = heras.bearing_of(name, "local")
         sliding = one_ball(bearing, [45.0, 45.0], 1e3 * np.array(heras.FITTED[name][0]))
         (ball,) = bearing.roll(sliding, "kalker", (40, 80)).rolled
+        assert ball is not None  # under load
         found = ball.extrapolated_torque
         told = max(told, ball.grid_error / ball.torque)
         rows.append(
@@ -276,6 +278,7 @@ def rivera_torque() -> Findings:
     for state, contact in zip(
         rivera.solved([1000.0, 15000.0]), rivera.contacts([1000.0, 15000.0]), strict=True
     ):
+        assert not isinstance(state, NotSolved)
         weight = np.sin(state.contact_angles)
         whole = (weight * contact.spin_torques(0.1)).sum()
         ratios.append(float((weight * contact.spin_torques(0.1, "lines")).sum() / whole))

@@ -11,7 +11,7 @@ from quasidynamic.contact.half_space import ElasticPair
 from quasidynamic.contact.line import half_width, peak_pressure
 from quasidynamic.contact.pressure.roller import RollerOnRaceway
 from quasidynamic.errors import OutOfRange
-from quasidynamic.parts.profile import Crowned, Logarithmic, Straight
+from quasidynamic.parts.profile import Crowned, Logarithmic, Profile, Straight
 
 STEEL = ElasticPair(shear=1 / 80e9, poisson=0.3 / 80e9)
 MODULUS = 2 / STEEL.plane_compliance  # E' [Pa]
@@ -24,7 +24,7 @@ PROFILES = {
 }
 
 
-def roller(profile="straight", *, length=LENGTH, cells=(16, 128)):
+def roller(profile: str | Profile = "straight", *, length=LENGTH, cells=(16, 128)):
     shape = PROFILES[profile] if isinstance(profile, str) else profile
     return RollerOnRaceway(
         pair=STEEL, radius=RADIUS, length=length, drop=lambda y: shape.drop(y, length), cells=cells
