@@ -565,7 +565,7 @@ _ATTRIBUTES = (
         "json",
         "estimated numerical errors of the flexible block by the slices alone: 1.6 times the largest change "
         "with the greater numbers of slices, over the values but for the cage slip; meshes and axial shapes "
-        "stay; absent with a target, and where it was not estimated",
+        "stay; absent with a target, where no file is written, and where it was not estimated",
         optional=True,
         form=records.SLICE_ERROR,
     ),

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import Any, Literal, Protocol
+from typing import Any, ClassVar, Literal, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -24,6 +24,8 @@ from flexbearing.results.result import NOTHING, Arrays, Result
 
 class Recorder(Protocol):
     """Takes what a run reaches: a `Record`, or a `ResultFile`, which also stores it."""
+
+    stores: ClassVar[bool]  # whether a file is written
 
     def iteration(self, number: int, values: Mapping[str, ArrayLike]) -> None:
         """Add an iteration."""
@@ -51,6 +53,8 @@ class Record:
     NotInLayout
         for an attribute that the layout does not know, or cannot hold
     """
+
+    stores: ClassVar[bool] = False
 
     def __init__(self, attributes: Mapping[str, Any], family: Family):
         self._family = family

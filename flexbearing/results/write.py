@@ -6,7 +6,7 @@ from contextlib import ExitStack, suppress
 from dataclasses import replace
 from pathlib import Path
 from threading import RLock, Timer
-from typing import Any, Literal, Self
+from typing import Any, ClassVar, Literal, Self
 
 from numpy.typing import ArrayLike
 
@@ -64,6 +64,8 @@ class ResultFile:
             file.block("flexible", flexible)
             result = file.finish(status="converged", ...)
     """
+
+    stores: ClassVar[bool] = True
 
     def __init__(
         self, path: str | Path, attributes: Mapping[str, Any], family: Family, inputs: tuple[Path, ...] = ()

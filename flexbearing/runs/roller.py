@@ -127,7 +127,7 @@ def _solve(
         return _not_solved(str(failure), failure)
     if rings.rigid:
         passed = _passage(case, resolved.model, rings, rigid, postprocessing, report)
-        errors = slice_error.record(case, resolved.model, rings, rigid)
+        errors = _slice_error(case, resolved.model, rings, rigid, postprocessing)
         return _all_rigid(resolved, rigid, postprocessing) | passed | errors
     report.stage("bearing and rings coupled", None)
     attempts = CoupledBearing(case, partner, rings, rigid, initial).solve(postprocessing.record, report)
@@ -149,7 +149,7 @@ def _solve(
         postprocessing.notes.extend([*resolved.notes(stored.state), *notes.of_structure(figures)])
         ending |= _tilt(TiltComparison.at(case, stored.state, tangent), postprocessing)
         ending |= _passage(case, resolved.model, rings, stored.state, postprocessing, report)
-        ending |= slice_error.record(case, resolved.model, rings, stored.state)
+        ending |= _slice_error(case, resolved.model, rings, stored.state, postprocessing)
     return ending | {"structure": figures}
 
 
@@ -187,7 +187,14 @@ def _passage(
     return {"passage": passed.record()}
 
 
-def _start(initial: InitialState, attempts: Any, postprocessing: Postprocessing) -> dict[str, object]:
+def _slice_error(
+    case: Case, model: RollerBearing, rings: RacewayPair, end: Equilibrium, postprocessing: Postprocessing
+) -> dict[str, Any]:
+    """Errors by slices for a file; a run in memory, as in a study, spends no time on them."""
+    return slice_error.record(case, model, rings, end) if postprocessing.record.stores else {}
+
+
+def _start(initial: InitialState, attempts: Any, postprocessing: Postprocessing) -> dict[str, Any]:
     """Where the coupling started; a note where that is not the initial state."""
     attempt = attempts.get(FROM_INITIAL_STATE, {"status": "not reached", "message": "nothing was iterated"})
     if attempt["status"] == "converged":

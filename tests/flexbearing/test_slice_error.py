@@ -33,3 +33,8 @@ def test_true_errors_of_few_slices_are_below_the_estimates_and_no_tenth_of_them(
 def test_a_target_estimates_instead(tmp_path):
     result = flexbearing.run(CONFIGS / "nu209.toml", ["accuracy.target=5 %"], output=tmp_path / "out.h5")
     assert "slice_error" not in result.attributes
+
+
+def test_runs_in_memory_spend_no_time_on_estimates(tmp_path):
+    assert "slice_error" not in flexbearing.run(CONFIGS / "nu209.toml").attributes
+    assert "slice_error" in flexbearing.run(CONFIGS / "nu209.toml", output=tmp_path / "out.h5").attributes
