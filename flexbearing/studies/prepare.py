@@ -6,13 +6,12 @@ from shutil import rmtree
 from typing import Any
 
 from flexbearing.cache import configured
-from flexbearing.case.variants import Variants
 from flexbearing.families import FAMILIES
 from flexbearing.program.threads import limited_to
-from flexbearing.studies.file import read
+from flexbearing.studies.file import Study, read
 from flexbearing.studies.plan import Plan, plan
 from flexbearing.studies.run import Tell, Work, run
-from flexbearing.studies.settled import Prepared
+from flexbearing.studies.settled import Prepared, variants_of
 from flexbearing.studies.table import Table, duty
 from flexbearing.studies.table.collected import collected, estimated, require_outputs, with_errors
 from flexbearing.studies.table.drawn import drawn
@@ -39,10 +38,14 @@ def prepared(file: str | Path) -> Prepared:
     BadCase
         one line for each problem of the study file, or of the case that its variants are made of
     """
+    return settle(read(file, FAMILIES))
+
+
+def settle(study: Study) -> Prepared:
+    """Settle what a study computes, see `prepared`."""
     from flexbearing.runs.validate import require_possible
     from flexbearing.studies.rings import levels, rings
 
-    study = read(file, FAMILIES)
     family = FAMILIES[study.kind]
     settled = plan(study, FAMILIES, lambda case: require_possible(case, family), rings, levels)
     elastic = any(variant.rings for variant in settled.variants)
@@ -62,7 +65,7 @@ def _rollers(settled: Plan) -> int:
     sound = [variant for variant in settled.variants if variant.identity][:1]
     if "bearing.rollers" in base.keys or not sound:
         return 0
-    bearing: Any = Variants(base.path, base.text, base.keys, FAMILIES).known(sound[0].values, sound[0].in_si)
+    bearing: Any = variants_of(base).known(sound[0].values, sound[0].in_si)
     return getattr(getattr(bearing, "bearing", None), "rollers", 0)
 
 

@@ -83,7 +83,7 @@ def run(
             suspects = journal.begun(path)
             rows |= settled.rows(folder, retry_failed=retry_failed)
             tell(settled.progress(rows))
-            complaints = _compute(settled, rows, work, partial(_guarded, engine, kept, suspects), kept, tell)
+            complaints = compute_missing(settled, rows, work, partial(guarded, engine, kept, suspects), kept, tell)
     except BaseException as problem:
         if rows:
             done = settled.progress(rows)
@@ -100,7 +100,7 @@ def run(
     return table
 
 
-def _guarded(
+def guarded(
     engine: Callable[[int], Engine], kept: journal.Journal, suspects: Set[str], tasks: int
 ) -> Engine:
     """The engine; one in this process does not meet again there what ended a former one."""
@@ -120,7 +120,7 @@ def _condensed(calls: Iterable[Ring | Corners], work: Work, started: Engine) -> 
     return completed(calls, partial(work.condense, here=True), started, again=work.condense)
 
 
-def _compute(
+def compute_missing(
     settled: Prepared,
     rows: dict[str, Row],
     work: Work,
@@ -128,7 +128,33 @@ def _compute(
     kept: journal.Journal,
     tell: Tell,
 ) -> tuple[str, ...]:
-    """Add the rows that are lacking, task by task; gives what workers complained of."""
+    """Add the rows that are missing to those that there are, and to the journal, task by task.
+
+    Parameters
+    ----------
+    settled : Prepared
+        the study
+    rows : dict
+        identity to row; what is computed is put into it
+    work : Work
+        what is called for rings and tasks
+    engine : callable (tasks)
+        starts where it is called; not asked where nothing is missing
+    kept : Journal
+        of the study
+    tell : callable (Progress)
+        hears of every task that is finished
+
+    Returns
+    -------
+    tuple of str
+        what workers complained of
+
+    Raises
+    ------
+    NotStored
+        when there is no room left; what is finished stays
+    """
     tasks = settled.plan.tasks(lambda variant: variant.identity not in rows)
     rings = settled.plan.rings(lambda variant: variant.identity not in rows and not variant.levels)
     first = (*rings, *settled.plan.choices(lambda variant: variant.identity not in rows))

@@ -3,6 +3,7 @@
 import glob
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from itertools import chain
 from pathlib import Path
 from typing import Any
@@ -14,7 +15,7 @@ from flexbearing.families import FAMILIES
 from flexbearing.studies.engine import Ended
 from flexbearing.studies.file import Study
 from flexbearing.studies.plan import Part, Plan, Row, Variant
-from flexbearing.studies.plan.task import file_name
+from flexbearing.studies.plan.task import Base, file_name
 from flexbearing.studies.table import Table, duty, journal
 from flexbearing.studies.table.collected import Collected
 from flexbearing.studies.table.column import Column, ends
@@ -134,7 +135,7 @@ class Prepared:
         if self.study.spectrum is None or self.part:
             return Table(name, (*keys, *outputs, *ends(ordered)), axes, arrays=arrays)
         length = len(axes[-1].rows)
-        speeds = self._speeds.reshape(-1, length)
+        speeds = self.speeds.reshape(-1, length)
         cycles = Cycles(self.study.spectrum, speeds, _cut(ordered, length), self.life_errors)
         others = [
             replace(column, values=column.values[::length])
@@ -149,10 +150,9 @@ class Prepared:
         return f"{self.study.name}/{file_name(variant, final=self.study.final)}" if row.converged else ""
 
     @property
-    def _speeds(self) -> np.ndarray:
+    def speeds(self) -> np.ndarray:
         """Speed of the inner ring against the outer one of each variant [rad/s]."""
-        base = self.plan.base
-        read = Variants(base.path, base.text, base.keys, FAMILIES)
+        read = variants_of(self.plan.base)
         cases: list[Any] = [read.known(variant.values, variant.in_si) for variant in self.plan.variants]
         return np.array([case.operation.inner_speed - case.operation.outer_speed for case in cases])
 
@@ -165,3 +165,9 @@ class Prepared:
 
 def _cut(rows: Sequence[Row], length: int) -> list[Sequence[Row]]:
     return [rows[first : first + length] for first in range(0, len(rows), length)]
+
+
+@lru_cache(maxsize=4)
+def variants_of(base: Base) -> Variants:
+    """Cases of a study, whose file is parsed once."""
+    return Variants(base.path, base.text, base.keys, FAMILIES)

@@ -5,7 +5,6 @@ import os
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from math import isnan
 from pathlib import Path
 from time import perf_counter
@@ -19,7 +18,6 @@ from flexbearing.cache.store import VARIABLE
 from flexbearing.case import BadCase, Head
 from flexbearing.case.excerpt import excerpt
 from flexbearing.case.roller import Case
-from flexbearing.case.variants import Variants
 from flexbearing.coupling import PartnerFailed
 from flexbearing.families import FAMILIES
 from flexbearing.files import BadOutput, NotStored
@@ -29,7 +27,8 @@ from flexbearing.progress import Logged
 from flexbearing.results import store
 from flexbearing.runs.many import Answer, answers
 from flexbearing.studies.plan import Condensed, Corners, Ring, Row, Task, Variant
-from flexbearing.studies.plan.task import BAD_INPUT, CONVERGED, ERROR, NOT_STORED, Base, file_name
+from flexbearing.studies.plan.task import BAD_INPUT, CONVERGED, ERROR, NOT_STORED, file_name
+from flexbearing.studies.settled import variants_of
 from flexbearing.studies.table.collected import errors, numbers
 
 LONGEST = 500  # characters of a message
@@ -65,11 +64,11 @@ def rows(task: Task, wish: Wish, cache: str | None = None) -> tuple[Row, ...]:
         one for each variant, also where it failed; none behind one whose result file could not be written
     """
     keep_freed()
-    read = _variants(task.base)
+    read = variants_of(task.base)
     cases = [read.known(variant.values, variant.in_si) for variant in task.variants]
     levels = UsualLevels(task.levels) if isinstance(task.levels, str) else task.levels
     wish = replace(wish, levels=levels)
-    with _rings_in(cache), complaints() as heard:
+    with rings_in(cache), complaints() as heard:
         found = list(zip(task.variants, cases, strict=True))
         ended = _together(found, wish) or list(_one_by_one(found, wish))
     told = tuple(dict.fromkeys(heard))
@@ -96,7 +95,7 @@ def condense(ring: Ring | Corners, cache: str | None = None, *, here: bool = Fal
     with complaints() as heard:
         levels = None
         if isinstance(ring, Corners):
-            with _rings_in(cache), linear_algebra_alone():
+            with rings_in(cache), linear_algebra_alone():
                 levels = shared_levels(_cases(ring), Logged())
         else:
             _keep(ring, cache, here=here)
@@ -104,14 +103,14 @@ def condense(ring: Ring | Corners, cache: str | None = None, *, here: bool = Fal
 
 
 def _cases(corners: Corners) -> list[Case]:
-    read = _variants(corners.base)
+    read = variants_of(corners.base)
     cases = (read.known(variant.values, variant.in_si) for variant in corners.variants)
     return [case for case in cases if isinstance(case, Case)]  # others have no target
 
 
 def _keep(ring: Ring, cache: str | None, *, here: bool) -> None:
     """Put a ring into the cache."""
-    case = _variants(ring.base).known(ring.variant.values, ring.variant.in_si)
+    case = variants_of(ring.base).known(ring.variant.values, ring.variant.in_si)
     if not isinstance(case, Case):
         return  # not kept
     from fem.condense import condense_in_process
@@ -128,12 +127,12 @@ def _keep(ring: Ring, cache: str | None, *, here: bool) -> None:
     def meshed_here() -> Any:
         return condense_in_process(*resolved(part, case))
 
-    with _rings_in(cache), suppress(BadCase, PartnerFailed), linear_algebra_alone():
+    with rings_in(cache), suppress(BadCase, PartnerFailed), linear_algebra_alone():
         raceway(case, race, bearing(case).bearing.azimuths, Logged(), meshed_here if here else None)
 
 
 @contextmanager
-def _rings_in(folder: str | None) -> Iterator[None]:
+def rings_in(folder: str | None) -> Iterator[None]:
     """Let condensed rings be kept in a folder of the study, where the user keeps none."""
     before = os.environ.get(VARIABLE)
     if folder is not None:
@@ -226,8 +225,3 @@ def _answer(case: Head, wish: Wish, file: Path | None = None) -> Answer:
         return Answer(status, dangers, numbers(blocks, wish.texts, case.kind, FAMILIES))
     of_rigid = tuple(text for text in wish.texts if text.startswith("rigid."))
     return Answer(status, result.attributes["message"], numbers(blocks, of_rigid, case.kind, FAMILIES))
-
-
-@lru_cache(maxsize=4)
-def _variants(base: Base) -> Variants:
-    return Variants(base.path, base.text, base.keys, FAMILIES)

@@ -1,7 +1,7 @@
 """From a study file to what is varied and what is wanted."""
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -79,12 +79,38 @@ def read(path: str | Path, families: Families) -> Study:
         one line for each problem: file, key, value found, what is allowed, nearest valid name
     """
     file = Path(path)
-    raw = _tables(file, "study")
-    _flatten(raw)
+    raw = flat_tables(file, "study", ("over", "sample", "duty"))
     given = _validated(raw, file)
+    if not (given.over or given.sample or given.duty):
+        name = excerpt(file.name, LONGEST_NAME)
+        raise BadCase(f"{name}: [over], [sample] and [duty] are missing; a study has one of them.")
+    return study_of(given, file, families)
+
+
+def study_of(given: StudyFile, file: Path, families: Families) -> Study:
+    """A study from the keys of its file, with the text of its case.
+
+    Parameters
+    ----------
+    given : StudyFile
+        its keys; without [over], [sample] and [duty] its one variant is the case
+    file : path
+        where they stand
+    families : mapping
+        kind to family
+
+    Returns
+    -------
+    Study
+
+    Raises
+    ------
+    BadCase
+        as `read`
+    """
     case = file.parent / given.case
     model = model_of(_tables(case, "case"), (), excerpt(case.name, LONGEST_NAME), families)
-    found, weights = _axes(given, file, partial(_declared, model=model, families=families))
+    found, weights = _axes(given, file, partial(declared, model=model, families=families))
     return Study(
         path=file,
         name=_name(given, file),
@@ -106,8 +132,14 @@ def read(path: str | Path, families: Families) -> Study:
     )
 
 
-def _declared(key: str, model: type[Head], families: Families) -> Declaration:
-    """Declaration of a key that may vary."""
+def declared(key: str, model: type[Head], families: Families) -> Declaration:
+    """Declaration of a key that may vary.
+
+    Raises
+    ------
+    BadValues
+        for a name that is no key, with the nearest one, and for kind
+    """
     declaration = find(key, model)
     if declaration is None:
         raise BadValues(f"{excerpt(key)} is not a key of the case.{nearest(key, model, families)}")
@@ -130,11 +162,19 @@ def _text(file: Path, of: str) -> str:
         raise BadCase(f"{excerpt(str(file), LONGEST_NAME)}: {problem}") from problem
 
 
-def _flatten(raw: dict[str, Any]) -> None:
-    """Write keys without quotes, which TOML reads as tables in each other, with dots."""
-    for name in ("over", "sample", "duty"):
+def flat_tables(file: Path, of: str, names: Collection[str]) -> dict[str, Any]:
+    """Tables of a file; in those of some names the keys have dots, as quoted ones do.
+
+    Raises
+    ------
+    BadCase
+        where it cannot be read
+    """
+    raw = _tables(file, of)
+    for name in names:
         if isinstance(raw.get(name), dict):
             raw[name] = dict(_dotted(raw[name], ""))
+    return raw
 
 
 def _dotted(table: Mapping[str, Any], prefix: str) -> list[tuple[str, Any]]:
@@ -152,8 +192,6 @@ def _validated(raw: dict[str, Any], file: Path) -> StudyFile:
         raise BadCase(messages(error, raw, name, StudyFile, {})) from None
     if given.over and given.sample:
         raise BadCase(f"{name}: [over] and [sample] are both there; a study has one of them.")
-    if not (given.over or given.sample or given.duty):
-        raise BadCase(f"{name}: [over], [sample] and [duty] are missing; a study has one of them.")
     return given
 
 

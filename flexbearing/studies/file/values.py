@@ -65,7 +65,7 @@ def _range(text: str, declaration: Declaration) -> tuple[Any, ...]:
     count = int(parts["count"])
     if not 2 <= count <= MOST:
         raise BadValues(f"has {count} values; a range has 2 to {MOST}")
-    (first, last), unit = _ends(parts["first"], parts["last"], declaration)
+    (first, last), unit = ends(parts["first"], parts["last"], declaration)
     if parts["log"] and min(first, last) <= 0:
         raise BadValues("has an end that is not above zero, which a logarithmic range cannot have")
     spread = np.geomspace if parts["log"] else np.linspace
@@ -75,8 +75,14 @@ def _range(text: str, declaration: Declaration) -> tuple[Any, ...]:
     return tuple(f"{number!r} {unit}" for number in numbers) if unit else tuple(numbers)
 
 
-def _ends(first: str, last: str, declaration: Declaration) -> tuple[tuple[float, float], str]:
-    """Both ends in their common unit, or in SI; an empty unit where the key takes plain numbers."""
+def ends(first: str, last: str, declaration: Declaration) -> tuple[tuple[float, float], str]:
+    """Both ends of a range in their common unit, or in SI; an empty unit where the key takes plain numbers.
+
+    Raises
+    ------
+    BadValues
+        with what is wrong with one of them
+    """
     kind = declaration.kind
     if kind is None:
         return (_plain(first), _plain(last)), ""

@@ -38,6 +38,7 @@ class Plan:
     variants: tuple[Variant, ...]  # row by row
     problems: tuple[Problem, ...]
     corners: tuple[Corners, ...] = ()  # where levels are chosen that variants share
+    fewest: int = FEWEST  # tasks into which a small study is cut
 
     def tasks(self, wanted: Callable[[Variant], bool]) -> tuple[Task, ...]:
         """Bundle variants that are still wanted, each identity once, those between the same rings together.
@@ -55,7 +56,7 @@ class Plan:
         for variant in self.variants:
             if wanted(variant):
                 groups.setdefault((variant.rings, variant.levels), {})[variant.identity] = variant
-        share = -(-sum(map(len, groups.values())) // FEWEST)
+        share = -(-sum(map(len, groups.values())) // self.fewest)
         return tuple(
             Task(self.base, bundle)
             for (rings, _), group in groups.items()

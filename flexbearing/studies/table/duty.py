@@ -41,12 +41,14 @@ class Cycles:
         return texts(self.spectrum)
 
     @property
-    def _time(self) -> NDArray:
+    def shares_of_time(self) -> NDArray:
+        """Of each row (C, N); the sum is 1."""
         shares = np.broadcast_to(self.spectrum.shares, self.speed.shape)
         return shares if self.spectrum.measure == "time" else time_shares(shares, self.speed)
 
     @property
-    def _revolutions(self) -> NDArray:
+    def shares_of_revolutions(self) -> NDArray:
+        """Of each row (C, N); the sum is 1."""
         shares = np.broadcast_to(self.spectrum.shares, self.speed.shape)
         return shares if self.spectrum.measure == "revolutions" else revolution_shares(shares, self.speed)
 
@@ -63,8 +65,8 @@ class Cycles:
 
     def of_rows(self) -> Iterator[Column]:
         """Columns of the table of variants, C N long: shares of time, revolutions and damage."""
-        yield _column("time_share", "%", 100 * self._time)
-        yield _column("revolution_share", "%", 100 * self._revolutions)
+        yield _column("time_share", "%", 100 * self.shares_of_time)
+        yield _column("revolution_share", "%", 100 * self.shares_of_revolutions)
         for words, text in self.texts.items():
             each = self._damage(text)
             with np.errstate(invalid="ignore"):  # no load, no damage
@@ -72,9 +74,9 @@ class Cycles:
 
     def of_cycles(self) -> Iterator[Column]:
         """Columns of the table of cycles, C long: lives in revolutions and hours, mean speed, ends."""
-        speed, complete = mean_speed(self._time, self.speed), self.complete
+        speed, complete = mean_speed(self.shares_of_time, self.speed), self.complete
         for words, text in self.texts.items():
-            life = np.where(complete, cumulated_life(self._revolutions, self._counted(text)), np.nan)
+            life = np.where(complete, cumulated_life(self.shares_of_revolutions, self._counted(text)), np.nan)
             yield _column(f"{words}life", "h", life * 2 * pi / speed / HOUR)
             yield _column(f"{words}revolutions", "Mrev", life / MREV)
             if of_error(text) in self.errors:
@@ -85,7 +87,7 @@ class Cycles:
         yield Column("seconds", "", tuple(sum(row.seconds for row in cycle) for cycle in self.rows))
 
     def _damage(self, text: str) -> NDArray:
-        return damage(self._revolutions, self._counted(text))
+        return damage(self.shares_of_revolutions, self._counted(text))
 
     def _counted(self, text: str) -> NDArray:
         """Lives (C, N) [rev] of the rows that take time; the others do no damage."""
@@ -93,7 +95,7 @@ class Cycles:
 
     def _error(self, text: str) -> NDArray:
         """Estimated error (C) of the cumulated life, in percent of it."""
-        return cumulated_life_error(self._revolutions, self._counted(text), self._numbers(of_error(text)))
+        return cumulated_life_error(self.shares_of_revolutions, self._counted(text), self._numbers(of_error(text)))
 
     def _message(self, cycle: int) -> str:
         counts = zip(self.rows[cycle], self.spectrum.shares, strict=True)

@@ -1,0 +1,39 @@
+"""The command `optimise`; what it does not need is not loaded."""
+
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from flexbearing.printable import printable
+
+CONVERGED, NOT_CONVERGED = range(2)
+
+
+def optimise(
+    file: Annotated[Path, typer.Argument(help="optimisation file (TOML)", metavar="FILE")],
+    output: Annotated[
+        Path, typer.Option("-o", "--output", metavar="DIR", help="of the table, the best case and what is finished")
+    ] = Path("results"),
+    jobs: Annotated[
+        int | None,
+        typer.Option("--jobs", metavar="N", min=1, help="processes that compute; else by cores and work"),
+    ] = None,
+    quiet: Annotated[bool, typer.Option("--quiet", help="only what went wrong")] = False,
+) -> None:
+    """Find the design that makes an output best within limits; a second start goes on where the first ended."""
+    from flexbearing.optimise import told
+    from flexbearing.optimise.run import optimise as optimised
+    from flexbearing.optimise.search import Found
+
+    def tell(found: Found) -> None:
+        if not quiet:
+            sys.stderr.write(printable(told.start(found)) + "\n")
+
+    optimum = optimised(file, output, jobs=jobs, tell=tell)
+    if not quiet:
+        sys.stdout.write(printable(told.page(optimum, output)) + "\n")
+    elif not optimum.converged:
+        sys.stderr.write(printable(f"{file}: {optimum.best.end}") + "\n")
+    raise typer.Exit(CONVERGED if optimum.converged else NOT_CONVERGED)

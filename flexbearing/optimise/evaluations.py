@@ -1,0 +1,214 @@
+"""Designs that are computed, each once: rows of a study, which a second start finds in its journal."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from math import isnan
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexbearing.optimise.file import Problem, Settings
+from flexbearing.optimise.goals import Bound, Goal, Measure, Numbers
+from flexbearing.optimise.variables import keys_of, settings
+from flexbearing.optimise.worker import slope_name
+from flexbearing.studies.engine import Engine
+from flexbearing.studies.file import Axis
+from flexbearing.studies.file.read import Wanted
+from flexbearing.studies.plan import Row
+from flexbearing.studies.prepare import settle
+from flexbearing.studies.run import Work, compute_missing
+from flexbearing.studies.settled import Prepared
+from flexbearing.studies.table import Table, journal
+from flexbearing.studies.table.duty import Cycles
+
+DESIGN = "design"  # axis of the table
+Point = tuple[float, ...]  # values of the variables in their units
+
+
+class NotComputed(ValueError):
+    """A design without an answer in some row; the message says why."""
+
+
+@dataclass(frozen=True)
+class Workers:
+    """What computes rows and slopes."""
+
+    values: Work
+    slopes: Callable[[Sequence[str]], Work]  # given the keys
+
+
+def designs_of(problem: Problem, designs: Sequence[Settings]) -> Prepared:
+    """The study of the case with some settings; a key that a design does not set stays as the case has it."""
+    first = (*problem.fixed, *keys_of(problem.variables))
+    keys = tuple(dict.fromkeys((*first, *(key for each in designs for key in each))))
+    rows = tuple(tuple(each.get(key) for key in keys) for each in designs)
+    measures = problem.goal(None).measure, *(bound.measure for bound in problem.bounds(None))
+    collect = tuple(Wanted(name, text) for name, text in {each.name: each.text for each in measures}.items())
+    axes = Axis(DESIGN, keys, rows), *problem.study.axes
+    settled = settle(replace(problem.study, axes=axes, collect=collect))
+    return replace(settled, plan=replace(settled.plan, fewest=1))  # rows of a design are solved side by side
+
+
+def varied_rings(problem: Problem) -> bool:
+    """Whether another elastic ring is meshed where a variable changes."""
+    ends = [[each.value(share) for each in problem.variables] for share in (0.4, 0.6)]
+    designs = [{**problem.fixed, **settings(problem.variables, values, problem.lists)} for values in ends]
+    variants = designs_of(problem, designs).plan.variants
+    return variants[0].rings != variants[-1].rings
+
+
+@dataclass
+class Evaluations:
+    """Designs of a problem and what became of them."""
+
+    problem: Problem
+    workers: Workers
+    engine: Callable[[int], Engine]
+    kept: journal.Journal
+    rows: dict[str, Row]  # by identity
+    designs: dict[Point, Numbers | NotComputed] = field(default_factory=dict)  # in their order
+    refused: dict[str, str] = field(default_factory=dict)  # keys without derivatives, and why
+    computed: int = 0  # rows that were not in the journal
+
+    @cached_property
+    def cycles(self) -> Cycles | None:
+        """The duty cycle, with the speeds of its rows."""
+        spectrum = self.problem.study.spectrum
+        if spectrum is None:
+            return None
+        length = len(self.problem.study.axes[-1].rows)
+        return Cycles(spectrum, designs_of(self.problem, [{}]).speeds.reshape(-1, length), ())
+
+    @cached_property
+    def goal(self) -> Goal:
+        """What is made best; a linear one is scaled by its value in the case as it stands."""
+        goal = self.problem.goal(self.cycles)
+        if goal.logarithmic:
+            return goal
+        (numbers,) = self.of_settings([{}], (goal.measure,))
+        return replace(goal, size=abs(goal.value(goal.measure.terms(numbers))) or 1.0)
+
+    @cached_property
+    def bounds(self) -> tuple[Bound, ...]:
+        """What stays within bounds."""
+        return self.problem.bounds(self.cycles)
+
+    @property
+    def measures(self) -> tuple[Measure, ...]:
+        """Everything that is measured of a design."""
+        return self.problem.goal(self.cycles).measure, *(bound.measure for bound in self.bounds)
+
+    @property
+    def texts(self) -> tuple[str, ...]:
+        """Outputs that rows hold."""
+        return tuple(dict.fromkeys(measure.text for measure in self.measures))
+
+    def at(self, points: Sequence[Point]) -> list[Numbers | NotComputed]:
+        """Outputs of designs at points, side by side."""
+        new = [point for point in dict.fromkeys(points) if point not in self.designs]
+        if new:
+            answers = self.of_settings([self._settings(point) for point in new], self.measures)
+            self.designs |= zip(new, answers, strict=True)
+        return [self.designs[point] for point in points]
+
+    def of_settings(
+        self, designs: Sequence[Settings], measures: Sequence[Measure]
+    ) -> list[Numbers | NotComputed]:
+        """Outputs of the case with some settings, side by side."""
+        settled, texts = designs_of(self.problem, designs), tuple(measure.text for measure in measures)
+        self._compute(settled, texts, self.workers.values)
+        return self._numbers(settled, texts)
+
+    def slopes(self, point: Point, keys: Sequence[str]) -> dict[str, dict[str, NDArray]]:
+        """Derivatives of outputs of a design by keys: by key those (R) of each text, by the key in SI.
+
+        Keys that have none in some row are left out.
+        """
+        texts = self.texts
+        names = {key: [slope_name(text, key) for text in texts] for key in keys}
+        settled = _named_apart(designs_of(self.problem, [self._settings(point)]), keys)
+        self._compute(settled, (), self.workers.slopes(keys))
+        rows = [self.rows[variant.identity] for variant in settled.plan.variants]
+        found = {}
+        for key, those in names.items():
+            columns = np.array([[row.values.get(name, np.nan) for name in those] for row in rows])
+            if np.isfinite(columns).all():
+                found[key] = dict(zip(texts, columns.T, strict=True))
+            else:
+                self.refused.setdefault(key, next((row.message for row in rows if row.message), "it jumps"))
+        return found
+
+    def rings(self, points: Sequence[Point]) -> list[tuple[str, ...]]:
+        """Which elastic rings designs have."""
+        settled = designs_of(self.problem, [self._settings(point) for point in points])
+        per_design = len(settled.plan.variants) // len(points)
+        return [variant.rings for variant in settled.plan.variants[::per_design]]
+
+    def row_words(self, row: int, measure: Measure) -> str:
+        """Where a row of a design stands on the axes of its conditions, " (operation.misalignment = 4 arcmin)"."""
+        axes = self.problem.study.axes
+        if measure.cycles is not None:
+            axes = axes[:-1]
+        places = np.unravel_index(row, [len(axis.rows) for axis in axes]) if axes else ()
+        words = [
+            f"{key} = {value}"
+            for axis, place in zip(axes, places, strict=True)
+            for key, value in zip(axis.keys, axis.rows[place], strict=True)
+        ]
+        return f" ({', '.join(words)})" if words else ""
+
+    def table(self) -> Table:
+        """All designs that can be, as the table of a study."""
+        settled = designs_of(self.problem, [self._settings(point) for point in self.designs])
+        per_design = len(settled.plan.variants) // len(self.designs)
+        impossible = {problem.number // per_design for problem in settled.plan.problems}
+        some = [point for number, point in enumerate(self.designs) if number not in impossible]
+        return designs_of(self.problem, [self._settings(point) for point in some]).table(self.rows)
+
+    def _settings(self, point: Point) -> Settings:
+        problem = self.problem
+        return {**problem.fixed, **settings(problem.variables, point, problem.lists)}
+
+    def _compute(self, settled: Prepared, texts: Sequence[str], work: Work) -> None:
+        """Compute what is neither known nor in the journal."""
+        known = {
+            identity: row
+            for variant in settled.plan.variants
+            if (row := self.rows.get(identity := variant.identity)) and _complete(row, texts)
+        } | {"": Row("", "bad input", "", 0.0)}  # designs that cannot be have no identity
+        before = len(known)
+        compute_missing(settled, known, work, self.engine, self.kept, lambda progress: None)
+        self.computed += len(known) - before
+        self.rows |= known
+
+    def _numbers(self, settled: Prepared, texts: Sequence[str]) -> list[Numbers | NotComputed]:
+        plan = settled.plan
+        per_design = len(plan.variants) // len(plan.axes[0].rows)
+        why = {problem.number: problem.message for problem in plan.problems}
+        found: list[Numbers | NotComputed] = []
+        for first in range(0, len(plan.variants), per_design):
+            numbers = range(first, first + per_design)
+            rows = [self.rows[plan.variants[number].identity] for number in numbers]
+            wrong = [
+                f"{plan.settings(number)}: {why.get(number) or row.message or row.status}"
+                for number, row in zip(numbers, rows, strict=True)
+                if not _complete(row, texts) or not row.converged
+            ]
+            values = {text: np.array([row.values.get(text, np.nan) for row in rows]) for text in texts}
+            found.append(NotComputed(wrong[0]) if wrong else Numbers(values))
+        return found
+
+
+def _named_apart(settled: Prepared, keys: Sequence[str]) -> Prepared:
+    """The same variants under names of their own, for rows with slopes by some keys."""
+    variants = tuple(
+        replace(each, identity=each.identity and f"{each.identity} by {' '.join(keys)}")
+        for each in settled.plan.variants
+    )
+    return replace(settled, plan=replace(settled.plan, variants=variants))
+
+
+def _complete(row: Row, texts: Sequence[str]) -> bool:
+    """Whether a row has all that is wanted, or ended without."""
+    return not row.converged or all(not isnan(row.values.get(text, np.nan)) for text in texts)

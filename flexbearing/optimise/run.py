@@ -1,0 +1,139 @@
+"""The command as a function: read, search, answer, table and case of the optimum."""
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+
+from flexbearing.cache import configured
+from flexbearing.case import BadCase
+from flexbearing.families import FAMILIES
+from flexbearing.files import require_folder, require_output, write
+from flexbearing.optimise.answer import Optimum, answer
+from flexbearing.optimise.case_file import case_text
+from flexbearing.optimise.evaluations import Evaluations, Workers, varied_rings
+from flexbearing.optimise.file import Problem, read
+from flexbearing.optimise.gradients import Gradients
+from flexbearing.optimise.search import Found, ScaledProblem, search, starts
+from flexbearing.optimise.worker import SlopeWish, slope_name, slope_rows
+from flexbearing.program.threads import cores, limited_to
+from flexbearing.studies.engine import Engine
+from flexbearing.studies.engine.serial import Serial
+from flexbearing.studies.prepare import settle
+from flexbearing.studies.run import Work, guarded
+from flexbearing.studies.settled import Prepared
+from flexbearing.studies.table import journal
+from flexbearing.studies.table.forms import FORMS
+from flexbearing.studies.where import Where
+from flexbearing.studies.worker import Wish, condense, rows
+
+CASE, TABLE = "_optimum.toml", ".csv"  # behind the name: the case at the best point, all designs
+Tell = Callable[[Found], None]
+
+
+def optimise(
+    file: str | Path,
+    output: str | Path = "results",
+    *,
+    jobs: int | None = None,
+    tell: Tell = lambda found: None,
+    work: Callable[[Problem, Path], Workers] | None = None,
+) -> Optimum:
+    """Find the best design of an optimisation file.
+
+    Designs that a former call with the same folder computed are taken from there.
+
+    Parameters
+    ----------
+    file : path
+        optimisation file
+    output : path
+        folder of the table, of the case at the best point, and of what is computed so far
+    jobs : int, optional
+        processes that compute; without it one, or where rings are meshed for every design as many as cores
+    tell : callable (Found)
+        hears of the end of each start
+    work : callable (problem, folder), optional
+        gives what computes in place of a bearing
+
+    Returns
+    -------
+    Optimum
+        also where no start converged, or no point meets all constraints: `best.end` says so
+
+    Raises
+    ------
+    BadCase
+        for a wrong file, or a case that cannot be computed
+    BadOutput, NotStored
+        as for a study
+    """
+    problem, folder = read(file, FAMILIES), require_folder(Path(output))
+    base, name, inputs = _sound(problem), problem.study.name, problem.study.inputs
+    table, case = (require_output(folder / f"{name}{end}", inputs) for end in (TABLE, CASE))
+    path = require_output(base.journal(folder), inputs)
+    processes = jobs or (cores() if varied_rings(problem) else 1)
+    workers = (work or _bearings)(problem, folder)
+    with limited_to(processes), journal.opened(path, _names(problem)) as kept, _engine(processes, base) as engine:
+        start = partial(guarded, engine, kept, journal.begun(path))
+        found = _searched(Evaluations(problem, workers, start, kept, journal.read(path)), tell)
+    write(table, FORMS[TABLE][0](found.table))
+    write(case, case_text(problem.study, found.settings, folder))
+    return found
+
+
+def _sound(problem: Problem) -> Prepared:
+    """The study of the case as it stands, which must be one that can be computed."""
+    base = settle(problem.study)
+    base.plan.require_sound()
+    if base.plan.corners:
+        why = "accuracy.target chooses levels anew for every design; take it out, or put it into [[verify]]"
+        raise BadCase(f"{problem.study.path.name}: {why}")
+    return base
+
+
+def _names(problem: Problem) -> list[str]:
+    """Names of the numbers in the journal: outputs, and their slopes."""
+    measures = problem.goal(None).measure, *(bound.measure for bound in problem.bounds(None))
+    texts = dict.fromkeys(measure.text for measure in measures)
+    return [*texts, *(slope_name(text, each.key) for text in texts for each in problem.variables)]
+
+
+def _bearings(problem: Problem, folder: Path) -> Workers:
+    """What computes the bearings of this program."""
+    cache = str(folder / f"{problem.study.name}.rings") if configured().folder is None else None
+    measures = problem.goal(None).measure, *(bound.measure for bound in problem.bounds(None))
+    texts = tuple(dict.fromkeys(measure.text for measure in measures))
+    ring = partial(condense, cache=cache)
+
+    def slopes(keys: Sequence[str]) -> Work:
+        return Work(partial(slope_rows, wish=SlopeWish(texts, tuple(keys)), cache=cache), ring)
+
+    return Workers(Work(partial(rows, wish=Wish(texts), cache=cache), ring), slopes)
+
+
+@contextmanager
+def _engine(processes: int, base: Prepared) -> Iterator[Callable[[int], Engine]]:
+    """What gives the engine of each batch of designs: worker processes stay from one to the next."""
+    if processes == 1:
+        yield lambda tasks: Serial()
+        return
+    engine = Where(processes).engine(base.plan)(processes)
+    close, engine.close = engine.close, lambda: None
+    try:
+        yield lambda tasks: engine
+    finally:
+        close()
+
+
+def _searched(evaluations: Evaluations, tell: Tell) -> Optimum:
+    gradients = Gradients(evaluations)
+    problem, settings = ScaledProblem(gradients), evaluations.problem.search
+    first = np.array([each.start for each in evaluations.problem.variables])
+    found = []
+    for start in starts(settings.starts, first, settings.seed):
+        found.append(search(problem, start))
+        tell(found[-1])
+    return answer(evaluations, found, gradients.how)

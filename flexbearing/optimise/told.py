@@ -1,0 +1,114 @@
+"""What people read of an optimisation."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from flexbearing.optimise.answer import Measured, Optimum
+from flexbearing.optimise.gradients import EXACT
+from flexbearing.optimise.run import CASE, TABLE
+from flexbearing.optimise.search import End, Found
+
+MOST = 20  # points without an answer, and others, that are told
+
+
+def start(found: Found, optimum: str = "") -> str:
+    """A line of the search from one start."""
+    return f"start: {found.end} after {found.iterations} iterations{optimum}"
+
+
+def page(optimum: Optimum, folder: Path) -> str:
+    """The answer as text.
+
+    Parameters
+    ----------
+    optimum : Optimum
+        what was found
+    folder : Path
+        of its files
+
+    Returns
+    -------
+    str
+    """
+    lines = [
+        f"{optimum.name}: {optimum.best.end}",
+        *_design(optimum),
+        "",
+        *_numbers(optimum),
+        "",
+        *_limits(optimum),
+        *_starts(optimum),
+        *_derivatives(optimum),
+        f"{optimum.designs} designs, {optimum.rows} rows computed now",
+        f"all designs: {folder / (optimum.name + TABLE)}",
+        f"case of the best: {folder / (optimum.name + CASE)}",
+    ]
+    return "\n".join(lines)
+
+
+def _design(optimum: Optimum) -> Iterator[str]:
+    """The best value of each key."""
+    for each, value in zip(optimum.variables, optimum.best.point, strict=True):
+        unit = f" {each.unit}" if each.unit else ""
+        bounds = f"{each.low:g} .. {each.high:g}{unit}"
+        yield f"  {each.name} = {value:.6g}{unit}   (of {bounds})"
+    if optimum.best.end is End.INFEASIBLE:
+        yield f"  it misses a constraint by {optimum.best.missed:.2%}; no start came nearer"
+
+
+def _numbers(optimum: Optimum) -> Iterator[str]:
+    """Objective and constraints of the case and of the best point, also with other settings."""
+    goal, rows = optimum.goal, [(optimum.case, optimum.measured), *optimum.verified]
+    unit = "" if goal.measure.unit == "1" else f" {goal.measure.unit}"
+    which = "largest" if goal.sign > 0 else "least"
+    yield f"{which} {goal.measure.name} of {'the worst row' if goal.worst else 'the mean of all rows'}: case -> best"
+    for number, (case, best) in enumerate(rows):
+        yield f"  {'as searched' if number == 0 else best.what}: {_objective(case, best, unit)}"
+        for place, bound in enumerate(optimum.bounds):
+            if best.bounds:
+                before = f"{case.bounds[place]:.6g} -> " if case.bounds else ""
+                yield f"    {bound.words}: {before}{best.bounds[place]:.6g}"
+
+
+def _objective(case: Measured, best: Measured, unit: str) -> str:
+    if best.objective is None:
+        return f"no answer: {best.message}"
+    if case.objective is None:
+        return f"{best.objective:.6g}{unit} (the case has no answer: {case.message})"
+    change = f" ({best.objective / case.objective - 1:+.1%})" if case.objective else ""
+    return f"{case.objective:.6g} -> {best.objective:.6g}{unit}{change}"
+
+
+def _limits(optimum: Optimum) -> Iterator[str]:
+    """What is active, and what one unit more of it would give."""
+    if not optimum.active:
+        yield "no constraint and no bound of a key is active: the optimum lies inside"
+        return
+    yield "active:"
+    for each in optimum.active:
+        one = "1" if each.unit == "1" else f"1 {each.unit}"
+        change = f"{100 * each.gain:+.3g} % of {optimum.goal.measure.name}"
+        yield f"  {each.words}: {one} beyond it would give {change}"
+
+
+def _starts(optimum: Optimum) -> Iterator[str]:
+    """How each start ended, and whether they agree."""
+    agreeing, count = len(optimum.agreeing), len(optimum.starts)
+    yield f"{agreeing} of {count} starts end within 0.1 % of the best:"
+    for found in optimum.starts:
+        values = ", ".join(f"{value:.5g}" for value in found.point)
+        left = "" if found.optimality is None else f", gain left {found.optimality.gain:.1e}"
+        told = "" if found.end is End.CONVERGED else f" ({found.message})"
+        yield f"  {found.end} after {found.iterations} iterations{left}{told}: {values}"
+
+
+def _derivatives(optimum: Optimum) -> Iterator[str]:
+    """How the derivatives by each key were found, and why not otherwise."""
+    kinds: dict[str, list[str]] = {}
+    for name, how in optimum.how.items():
+        kinds.setdefault(how, []).append(name)
+    for how, names in kinds.items():
+        yield f"{how}: {', '.join(names)}"
+    reasons = dict.fromkeys(why for key, why in optimum.refused.items() if optimum.how.get(key) != EXACT)
+    for why in list(reasons)[:MOST]:
+        yield f"  no derivatives at the equilibrium: {why}"

@@ -1,0 +1,79 @@
+"""What a worker does for derivatives: outputs of designs with their slopes, as rows of a study."""
+
+from dataclasses import dataclass
+from math import isnan
+from time import perf_counter
+
+from flexbearing.case import BadCase, Head
+from flexbearing.derivatives.any_family import sensitivities
+from flexbearing.derivatives.table import Sensitivities
+from flexbearing.families import FAMILIES
+from flexbearing.outputs import UnknownOutput
+from flexbearing.studies.plan import Row, Task
+from flexbearing.studies.plan.task import BAD_INPUT, CONVERGED
+from flexbearing.studies.settled import variants_of
+from flexbearing.studies.worker import rings_in
+from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
+
+NO_SLOPE = "no derivative"  # status of a design without them: differences take their place
+
+
+@dataclass(frozen=True)
+class SlopeWish:
+    """What is wanted of every design."""
+
+    texts: tuple[str, ...]  # outputs, with units
+    keys: tuple[str, ...]  # of the case
+
+
+def slope_name(text: str, key: str) -> str:
+    """What the derivative of an output by a key is called among the numbers of a row: by the key in SI."""
+    return f"{text} by {key}"
+
+
+def slope_rows(task: Task, wish: SlopeWish, cache: str | None = None) -> tuple[Row, ...]:
+    """Outputs of variants with their derivatives.
+
+    Parameters
+    ----------
+    task : Task
+        variants
+    wish : SlopeWish
+        what is wanted of them
+    cache : str, optional
+        as for `flexbearing.studies.worker.rows`
+
+    Returns
+    -------
+    tuple of Row
+        without the slopes of keys that have none, whose message says why
+    """
+    read = variants_of(task.base)
+    with rings_in(cache):
+        return tuple(
+            _row(variant.identity, read.known(variant.values, variant.in_si), wish)
+            for variant in task.variants
+        )
+
+
+def _row(identity: str, case: Head, wish: SlopeWish) -> Row:
+    began = perf_counter()
+    try:
+        found = sensitivities(case, FAMILIES[case.kind], wish.texts, wish.keys)
+    except (BadCase, UnknownOutput) as problem:
+        return Row(identity, NO_SLOPE, "; ".join(str(problem).splitlines()), perf_counter() - began)
+    except (NotSolved, ImpossiblePart, OutOfRange) as problem:
+        return Row(identity, BAD_INPUT, "; ".join(str(problem).splitlines()), perf_counter() - began)
+    why = "; ".join(f"{key}: {reason}" for key, reason in found.left_out)
+    return Row(identity, CONVERGED, why, perf_counter() - began, _values(found))
+
+
+def _values(found: Sensitivities) -> dict[str, float]:
+    """Outputs and slopes by their names; what jumps has none."""
+    values: dict[str, float] = {}
+    for number, output in enumerate(found.outputs):
+        text = f"{output.name} [{output.unit}]"
+        values[text] = output.value
+        for place, key in enumerate(found.keys):
+            values[slope_name(text, key.path)] = float(found.slopes[number, place]) / key.size
+    return {name: value for name, value in values.items() if not isnan(value)}

@@ -1,0 +1,195 @@
+"""The best design of a problem whose optimum is known, through files, journal and optimiser."""
+
+from functools import partial
+from math import exp
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from flexbearing import __main__ as program
+from flexbearing.case import BadCase
+from flexbearing.optimise.answer import Optimum
+from flexbearing.optimise.evaluations import Workers
+from flexbearing.optimise.gradients import CENTRAL, EXACT
+from flexbearing.optimise.run import optimise
+from flexbearing.optimise.search import End
+from flexbearing.optimise.worker import slope_name
+from flexbearing.studies.plan import Row
+from flexbearing.studies.run import Work
+from tests.flexbearing.toy_studies import CASE, no_ring
+
+LIFE, SLIP, STIFFNESS = "life_L10 [Mrev]", "cage_slip [%]", "stiffness_zz [N/um]"
+FILE = """
+case = "{case}"
+[vary]
+"bearing.clearance" = "0 um .. 60 um"
+"bearing.roller.drop" = "log 1 um .. 20 um"
+[maximise]
+output = "life_L10 [Mrev]"
+{more}
+"""
+STARTS = "\n[search]\nstarts = 2"
+MORE = '[constrain]\ncage_slip = "<= 6 %"'
+
+
+def hill(task, keys=None):
+    """Life exp(-(x - 30)^2 / 400 - (y - 5)^2 / 9), slip x / 10 + y; exact slopes by the clearance x alone."""
+    found = []
+    for variant in task.variants:
+        values = dict(zip(task.base.keys, variant.in_si, strict=True))
+        x, y = 1e6 * values["bearing.clearance"], 1e6 * values["bearing.roller.drop"]
+        shift = values.get("operation.misalignment", 0.0) * 1e5
+        life = 1000 * exp(-((x - 30 - shift) ** 2) / 400 - (y - 5) ** 2 / 9)
+        numbers = {LIFE: life, SLIP: x / 10 + y, STIFFNESS: 100 / y}
+        if keys is not None:
+            numbers[slope_name(LIFE, "bearing.clearance")] = -life * (x - 30 - shift) / 200 * 1e6
+            numbers |= {slope_name(SLIP, "bearing.clearance"): 1e5, slope_name(STIFFNESS, "bearing.clearance"): 0.0}
+        failed = variant.identity and y > 15 and keys is None
+        found.append(Row(variant.identity, "iteration limit" if failed else "converged", "", 0.1, {} if failed else numbers))
+    return found
+
+
+def counting(asked):
+    """The same work; how many variants it was asked for stands in a list."""
+
+    def counted(task, keys=None):
+        asked.append(len(task.variants))
+        return hill(task, keys)
+
+    return counted
+
+
+def found(folder, more=MORE, work=hill) -> Optimum:
+    """The optimum of the hill."""
+    file = folder / "hill.toml"
+    file.write_text(FILE.format(case=CASE, more=more if "[search]" in more else more + STARTS))
+    workers = Workers(Work(work, no_ring), lambda keys: Work(partial(work, keys=keys), no_ring))
+    return optimise(file, folder / "out", work=lambda problem, folder: workers)
+
+
+def test_optimum_on_a_constraint_with_its_multiplier(tmp_path):
+    """Of f = -(x-30)^2/400 - (y-5)^2/9 on x/10 + y = 6: grad f = lambda (1/10, 1)."""
+    optimum = found(tmp_path)
+    rate = (30 / 10 + 5 - 6) / (200 / 10**2 + 4.5)  # lambda per percent of slip
+    assert optimum.best.point == pytest.approx((30 - 20 * rate, 5 - 4.5 * rate), rel=1e-3)
+    assert optimum.converged
+    (active,) = optimum.active
+    assert active.words.startswith("cage_slip <= 6 %")
+    assert active.gain == pytest.approx(rate, rel=1e-3)
+    assert optimum.how == {"bearing.clearance": EXACT, "bearing.roller.drop": CENTRAL}
+    assert len(optimum.agreeing) == 2
+
+
+def test_inner_optimum_has_nothing_active(tmp_path):
+    optimum = found(tmp_path, "")
+    assert optimum.best.point == pytest.approx((30, 5), rel=2e-3)
+    assert (optimum.converged, optimum.active) == (True, ())
+
+
+def test_bound_of_a_key_has_a_multiplier_by_its_unit(tmp_path):
+    """At y = 8 with stiffness 100/y <= 100/8: the clearance is free, one more micrometre of drop costs 2/3."""
+    optimum = found(tmp_path, '[constrain]\nstiffness_zz = "<= 12.5 N/um"')
+    (active,) = optimum.active
+    assert optimum.best.point[1] == pytest.approx(8, rel=1e-4)
+    assert active.gain == pytest.approx(2 / 9 * 3 * 8**2 / 100, rel=1e-3)
+
+
+def test_worst_of_a_band_lies_in_its_middle(tmp_path):
+    """Hills at 30 um and 30 + 29.09 um: the worst is best between them."""
+    band = '[over]\n"operation.misalignment" = ["0 arcmin", "1 arcmin"]'
+    optimum = found(tmp_path, band)
+    assert optimum.best.point[0] == pytest.approx(30 + 1e5 * np.radians(1 / 60) / 2, rel=1e-3)
+    assert optimum.best.optimality.terms == pytest.approx([0.5, 0.5], abs=1e-3)
+
+
+def test_duty_life_is_cumulated_with_its_slopes(tmp_path):
+    """Two rows with hills d apart: 1 / sum(phi / L) is largest where phi_i (x - x_i) / L_i add up to zero."""
+    duty = '[duty]\ntime = ["30 %", "70 %"]\n"operation.misalignment" = ["0 arcmin", "0.5 arcmin"]'
+    file = FILE.replace("life_L10 [Mrev]", "duty_life [Mrev]")
+    (tmp_path / "hill.toml").write_text(file.format(case=CASE, more=duty + STARTS))
+    workers = Workers(Work(hill, no_ring), lambda keys: Work(partial(hill, keys=keys), no_ring))
+    optimum = optimise(tmp_path / "hill.toml", tmp_path, work=lambda problem, folder: workers)
+    x, d = optimum.best.point[0] - 30, 1e5 * np.radians(0.5 / 60)
+    assert 0.3 * x * exp(x**2 / 400) + 0.7 * (x - d) * exp((x - d) ** 2 / 400) == pytest.approx(0, abs=0.02 * d)
+
+
+def test_second_start_computes_nothing_again(tmp_path):
+    first, asked = found(tmp_path), []
+    second = found(tmp_path, work=counting(asked))
+    assert (asked, second.rows) == ([], 0)
+    assert second.best.point == first.best.point
+    assert first.rows > 0
+
+
+def test_torn_journal_is_completed(tmp_path):
+    first = found(tmp_path)
+    journal = tmp_path / "out" / "hill.journal.jsonl"
+    lines = journal.read_bytes().splitlines(keepends=True)
+    journal.write_bytes(b"".join(lines[:20]) + lines[20][:9])
+    second = found(tmp_path)
+    assert 0 < second.rows < first.rows
+    assert second.best.point == first.best.point
+
+
+def test_infeasible_problem_is_told(tmp_path):
+    optimum = found(tmp_path, '[constrain]\ncage_slip = "<= 0.5 %"')
+    assert optimum.best.end is End.INFEASIBLE
+    assert not optimum.converged
+    assert optimum.best.missed == pytest.approx(1.0, rel=1e-3)  # slip is 1 % at least
+
+
+def test_iteration_limit_is_not_convergence(tmp_path):
+    optimum = found(tmp_path, MORE + "\n[search]\niterations = 1\nstarts = 1")
+    assert optimum.best.end is End.LIMIT
+    assert not optimum.converged
+
+
+def test_models_without_derivatives_find_it_too(tmp_path):
+    optimum = found(tmp_path, MORE + '\n[search]\nmethod = "cobyqa"\nstarts = 1')
+    rate = 2 / 6.5
+    assert optimum.best.point == pytest.approx((30 - 20 * rate, 5 - 4.5 * rate), rel=0.02)
+
+
+def test_best_case_is_read_as_it_was_searched(tmp_path):
+    from flexbearing.api import read_case
+
+    optimum = found(tmp_path)
+    case = read_case(tmp_path / "out" / "hill_optimum.toml")
+    assert case.bearing.clearance == pytest.approx(1e-6 * optimum.best.point[0])
+    assert case.bearing.roller.drop == pytest.approx(1e-6 * optimum.best.point[1])
+
+
+WRONG = {
+    '[vary]\n"bearing.clearence" = "0 um .. 1 um"\n[maximise]\noutput = "life_L10"': "Did you mean clearance",
+    '[vary]\n"bearing.clearance" = "9 um .. 1 um"\n[maximise]\noutput = "life_L10"': "second is not above the first",
+    '[vary]\n"bearing.clearance" = "5 um"\n[maximise]\noutput = "life_L10"': "is no pair of bounds",
+    '[vary]\n"bearing.rollers" = "9 .. 12"\n[maximise]\noutput = "life_L10"': "cannot be varied between bounds",
+    '[vary]\n"bearing.clearance" = "0 um .. 1 um"\n[maximise]\noutput = "lifes"': "[maximise] 'lifes'",
+    '[vary]\n"bearing.clearance" = "0 um .. 1 um"': "[maximise] or [minimise] is needed",
+    '[vary]\n"bearing.clearance" = "0 um .. 1 um"\n[minimise]\noutput = "duty_life"': "needs [duty]",
+    '[vary]\n"bearing.clearance" = "0 um .. 1 um"\n[minimise]\noutput = "life_L10"\n[constrain]\ncage_slip = 5': "is no bound",
+    '[vary]\n"bearing.clearance" = "0 um .. 1 um"\n[maximise]\noutput = "life_L10"\n[serch]\nstarts = 2': "serch",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("text", "words"), WRONG.items())
+def test_mistakes_are_told_with_their_place(tmp_path, text, words):
+    file = tmp_path / "wrong.toml"
+    file.write_text(f'case = "{CASE}"\n{text}\n')
+    with pytest.raises(BadCase) as told:
+        optimise(file, tmp_path)
+    assert words in str(told.value)
+    assert str(told.value).startswith("wrong.toml: ")
+
+
+def test_command_tells_the_answer(tmp_path, capsys):
+    file = Path(tmp_path / "best.toml")
+    file.write_text(
+        f'case = "{CASE}"\n[vary]\n"bearing.clearance" = "0 um .. 60 um"\n[maximise]\noutput = "life_L10 [h]"\n'
+        "[search]\nstarts = 1\n"
+    )
+    assert program.command(["optimise", str(file), "-o", str(tmp_path)]) == 0
+    told = capsys.readouterr().out
+    assert "bearing.clearance = " in told
+    assert "best_optimum.toml" in told
