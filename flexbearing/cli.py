@@ -331,13 +331,15 @@ def cache_path() -> None:
 
 @app.command(name="explain")
 def explain_key(key: Annotated[str | None, typer.Argument(metavar="[KEY]")] = None) -> None:
-    """Explain a key of the case file: unit, default, allowed values, meaning; of a study file, study.KEY."""
+    """Explain a key of the case file: unit, default, allowed values, meaning; or study.KEY, optimise.KEY."""
     first, _, rest = (key or "").partition(".")
-    if first == "study":
+    if first in ("study", "optimise"):
         from flexbearing.case.explain import explain_file
+        from flexbearing.optimise.schema import OptimisationFile
         from flexbearing.studies.file.schema import StudyFile
 
-        _say(explain_file(rest or None, StudyFile).rstrip())
+        model = StudyFile if first == "study" else OptimisationFile
+        _say(explain_file(rest or None, model).rstrip())
     else:
         _say(api.explain(key).rstrip())
 

@@ -1,4 +1,4 @@
-"""The generated pages of the reference: `python -m flexbearing.reference case`, `results` or `study`."""
+"""Generated reference pages: `python -m flexbearing.reference case`, `results`, `study` or `optimise`."""
 
 import sys
 
@@ -6,7 +6,11 @@ from flexbearing.families import FAMILIES
 
 
 def page(name: str) -> str:
-    """Return the page of case files, "case", of result files, "results", or of study files, in Markdown."""
+    """Return the page of case files, "case", result files, "results", "study" or "optimise", in Markdown."""
+    if name == "optimise":
+        from flexbearing.optimise.reference import reference_page as of_optimisations
+
+        return of_optimisations()
     if name == "study":
         from flexbearing.studies.reference import reference_page as of_studies
 

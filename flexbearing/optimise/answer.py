@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from time import perf_counter
 
 import numpy as np
 
@@ -53,6 +54,7 @@ class Optimum:
     rows: int  # that were computed, the others stood in the journal
     table: Table
     settings: Settings  # of the case at the best point
+    seconds: tuple[float, float]  # of the search, and of the case and what is verified
 
     @property
     def best(self) -> Found:
@@ -67,7 +69,9 @@ class Optimum:
     @property
     def agreeing(self) -> tuple[Found, ...]:
         """Starts that ended as well as the best one."""
-        return tuple(each for each in self.starts if self.best.merit - each.merit <= ALIKE and each.missed <= ALIKE)
+        return tuple(
+            each for each in self.starts if self.best.merit - each.merit <= ALIKE and each.missed <= ALIKE
+        )
 
     @property
     def measured(self) -> Measured:
@@ -75,7 +79,7 @@ class Optimum:
         return measured("best", self.best.numbers, self.goal, self.bounds)
 
 
-def answer(evaluations: Evaluations, starts: Sequence[Found], how: dict[str, str]) -> Optimum:
+def answer(evaluations: Evaluations, starts: Sequence[Found], how: dict[str, str], seconds: float) -> Optimum:
     """Order what the starts found, and compute what is told of the best.
 
     Parameters
@@ -86,25 +90,43 @@ def answer(evaluations: Evaluations, starts: Sequence[Found], how: dict[str, str
         at least one
     how : dict
         how derivatives were found, by the names of variables
+    seconds : float
+        that the search took [s]
 
     Returns
     -------
     Optimum
     """
-    problem, goal, bounds = evaluations.problem, evaluations.goal, evaluations.bounds
+    began, problem, goal, bounds = perf_counter(), evaluations.problem, evaluations.goal, evaluations.bounds
     ordered = tuple(sorted(starts, key=_rank))
     best = _settings(evaluations, ordered[0].point)
     designs = [{}, *(design for extra in problem.verify for design in ({**extra}, {**best, **extra}))]
     answers = iter(evaluations.of_settings(designs, evaluations.measures))
     case = measured("the case", next(answers), goal, bounds)
     verified = tuple(
-        (measured(_words(extra), next(answers), goal, bounds), measured(_words(extra), next(answers), goal, bounds))
+        (
+            measured(_words(extra), next(answers), goal, bounds),
+            measured(_words(extra), next(answers), goal, bounds),
+        )
         for extra in problem.verify
     )
     return Optimum(
-        problem.study.name, goal, bounds, problem.variables, ordered, how, evaluations.refused, case, verified,
-        tuple(_active(evaluations, ordered[0])), len(evaluations.designs), evaluations.computed, evaluations.table(), best,
-    )  # fmt: skip
+        name=problem.study.name,
+        goal=goal,
+        bounds=bounds,
+        variables=problem.variables,
+        starts=ordered,
+        how=how,
+        refused=evaluations.refused,
+        case=case,
+        verified=verified,
+        active=tuple(_active(evaluations, ordered[0])),
+        designs=len(evaluations.designs),
+        rows=evaluations.computed,
+        table=evaluations.table(),
+        settings=best,
+        seconds=(seconds, perf_counter() - began),
+    )
 
 
 def _rank(found: Found) -> tuple[bool, float, float]:
@@ -122,7 +144,9 @@ def _words(extra: Settings) -> str:
     return ", ".join(f"{key} = {value}" for key, value in extra.items())
 
 
-def measured(what: str, numbers: Numbers | NotComputed | None, goal: Goal, bounds: Sequence[Bound]) -> Measured:
+def measured(
+    what: str, numbers: Numbers | NotComputed | None, goal: Goal, bounds: Sequence[Bound]
+) -> Measured:
     """Objective and constraints from the outputs of a design."""
     if not isinstance(numbers, Numbers):
         return Measured(what, None, (), message=str(numbers or "no answer"))
@@ -143,7 +167,9 @@ def _active(evaluations: Evaluations, best: Found) -> Iterator[Active]:
         for row in range(len(bound.margins(best.numbers).values)):
             if found.bounds[place] > 0:
                 where = evaluations.row_words(row, bound.measure)
-                yield Active(f"{bound.words}{where}", bound.measure.unit, sign * found.bounds[place] / bound.size)
+                yield Active(
+                    f"{bound.words}{where}", bound.measure.unit, sign * found.bounds[place] / bound.size
+                )
             place += 1
     for each, value, multiplier in zip(evaluations.problem.variables, best.point, found.ends, strict=True):
         if multiplier:
@@ -151,5 +177,3 @@ def _active(evaluations: Evaluations, best: Found) -> Iterator[Active]:
             side = ">=" if multiplier < 0 else "<="
             gain = sign * abs(multiplier) / each.by_share(value)
             yield Active(f"{each.name} {side} {value:g}{unit}", each.unit or "1", gain)
-
-

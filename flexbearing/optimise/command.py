@@ -14,7 +14,10 @@ CONVERGED, NOT_CONVERGED = range(2)
 def optimise(
     file: Annotated[Path, typer.Argument(help="optimisation file (TOML)", metavar="FILE")],
     output: Annotated[
-        Path, typer.Option("-o", "--output", metavar="DIR", help="of the table, the best case and what is finished")
+        Path,
+        typer.Option(
+            "-o", "--output", metavar="DIR", help="of the table, the best case and what is finished"
+        ),
     ] = Path("results"),
     jobs: Annotated[
         int | None,
@@ -22,7 +25,7 @@ def optimise(
     ] = None,
     quiet: Annotated[bool, typer.Option("--quiet", help="only what went wrong")] = False,
 ) -> None:
-    """Find the design that makes an output best within limits; a second start goes on where the first ended."""
+    """Find the design with the best output within limits; a second start goes on where the first ended."""
     from flexbearing.optimise import told
     from flexbearing.optimise.run import optimise as optimised
     from flexbearing.optimise.search import Found

@@ -1,6 +1,6 @@
 """Designs that are computed, each once: rows of a study, which a second start finds in its journal."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from math import isnan
@@ -8,6 +8,7 @@ from math import isnan
 import numpy as np
 from numpy.typing import NDArray
 
+from flexbearing.case import BadCase
 from flexbearing.optimise.file import Problem, Settings
 from flexbearing.optimise.goals import Bound, Goal, Measure, Numbers
 from flexbearing.optimise.variables import keys_of, settings
@@ -82,11 +83,21 @@ class Evaluations:
 
     @cached_property
     def goal(self) -> Goal:
-        """What is made best; a linear one is scaled by its value in the case as it stands."""
+        """What is made best; a linear one is scaled by its value in the case as it stands.
+
+        Raises
+        ------
+        BadCase
+            for a linear one of a case without an answer
+        """
         goal = self.problem.goal(self.cycles)
         if goal.logarithmic:
             return goal
         (numbers,) = self.of_settings([{}], (goal.measure,))
+        if isinstance(numbers, NotComputed):
+            raise BadCase(
+                f"{self.problem.study.path.name}: a linear scale needs an answer of the case: {numbers}"
+            )
         return replace(goal, size=abs(goal.value(goal.measure.terms(numbers))) or 1.0)
 
     @cached_property
@@ -146,7 +157,7 @@ class Evaluations:
         return [variant.rings for variant in settled.plan.variants[::per_design]]
 
     def row_words(self, row: int, measure: Measure) -> str:
-        """Where a row of a design stands on the axes of its conditions, " (operation.misalignment = 4 arcmin)"."""
+        """Conditions of a row of a design, " (operation.misalignment = 4 arcmin)"; empty where it has one."""
         axes = self.problem.study.axes
         if measure.cycles is not None:
             axes = axes[:-1]

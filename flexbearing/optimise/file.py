@@ -171,5 +171,3 @@ def _sides(name: str, text: Any) -> list[tuple[float, str, bool]]:
     except ValueError:
         pass
     raise BadValues(f"{name} = {excerpt(str(text))} is no bound; it must be {BOUND}")
-
-

@@ -79,14 +79,22 @@ class Goal:
         return float(self.sign * (self.sign * terms.values).min())
 
     def merits(self, numbers: Numbers) -> Terms:
-        """What is made large: one term, or of the worst every one of T, its smallest."""
+        """What is made large: one term, or of the worst every one of T, its smallest.
+
+        Raises
+        ------
+        NotPositive
+            for the logarithm of an output that is not above zero
+        """
         terms = self.measure.terms(numbers)
         if not self.worst:
             terms = Terms(terms.values.mean(keepdims=True), terms.slopes.mean(axis=0, keepdims=True))
         if not self.logarithmic:
             return Terms(self.sign * terms.values / self.size, self.sign * terms.slopes / self.size)
         if np.any(terms.values <= 0):
-            raise NotPositive(f"{self.measure.name} = {terms.values.min():g} {self.measure.unit} {OUTSIDE_LOG}")
+            raise NotPositive(
+                f"{self.measure.name} = {terms.values.min():g} {self.measure.unit} {OUTSIDE_LOG}"
+            )
         return Terms(self.sign * np.log(terms.values), self.sign * terms.slopes / terms.values[:, None])
 
 
@@ -113,5 +121,3 @@ class Bound:
         """Distance of each term from the bound over its size, positive inside."""
         terms, sign = self.measure.terms(numbers), -1.0 if self.upper else 1.0
         return Terms(sign * (terms.values - self.value) / self.size, sign * terms.slopes / self.size)
-
-

@@ -43,8 +43,7 @@ class Gradients:
         rest = [each for each in self.variables if each.name not in columns]
         columns |= self._differences(point, rest, numbers)
         slopes = {
-            text: np.array([columns[each.name][text] for each in self.variables]).T
-            for text in numbers.values
+            text: np.array([columns[each.name][text] for each in self.variables]).T for text in numbers.values
         }
         return Numbers(numbers.values, slopes)
 
@@ -71,7 +70,11 @@ class Gradients:
         if not wanted:
             return {}
         stencils = [self._stencil(each, point) for each in wanted]
-        designs = [self._moved(point, each, step) for each, steps in zip(wanted, stencils, strict=True) for step in steps]
+        designs = [
+            self._moved(point, each, step)
+            for each, steps in zip(wanted, stencils, strict=True)
+            for step in steps
+        ]
         answers = iter(self.evaluations.at(designs))
         columns = {}
         for each, steps in zip(wanted, stencils, strict=True):
@@ -87,7 +90,10 @@ class Gradients:
     ) -> dict[str, NDArray]:
         """Difference over the span of the designs that have an answer."""
         there = point[self.variables.index(variable)]
-        shares = {step: variable.share(self._moved(point, variable, step)[self.variables.index(variable)]) for step in known}
+        shares = {
+            step: variable.share(self._moved(point, variable, step)[self.variables.index(variable)])
+            for step in known
+        }
         if len(known) == 2:
             (one, first), (other, last) = known.items()
             span, ends = shares[other] - shares[one], (first, last)
@@ -99,7 +105,7 @@ class Gradients:
         return {text: (ends[1].values[text] - ends[0].values[text]) / span for text in middle.values}
 
     def _stencil(self, variable: Variable, point: Point) -> tuple[float, ...]:
-        """Steps of the share, to both sides; to one side where another ring would be meshed, or at a bound."""
+        """Steps of the share, to both sides; to one where another ring would be meshed, or at a bound."""
         share = variable.share(point[self.variables.index(variable)])
         inward = -1.0 if share > 0.5 else 1.0
         if variable.name not in self.meshed:

@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
+from time import perf_counter
 
 import numpy as np
 
@@ -76,7 +77,11 @@ def optimise(
     path = require_output(base.journal(folder), inputs)
     processes = jobs or (cores() if varied_rings(problem) else 1)
     workers = (work or _bearings)(problem, folder)
-    with limited_to(processes), journal.opened(path, _names(problem)) as kept, _engine(processes, base) as engine:
+    with (
+        limited_to(processes),
+        journal.opened(path, _names(problem)) as kept,
+        _engine(processes, base) as engine,
+    ):
         start = partial(guarded, engine, kept, journal.begun(path))
         found = _searched(Evaluations(problem, workers, start, kept, journal.read(path)), tell)
     write(table, FORMS[TABLE][0](found.table))
@@ -129,11 +134,11 @@ def _engine(processes: int, base: Prepared) -> Iterator[Callable[[int], Engine]]
 
 
 def _searched(evaluations: Evaluations, tell: Tell) -> Optimum:
-    gradients = Gradients(evaluations)
+    began, gradients = perf_counter(), Gradients(evaluations)
     problem, settings = ScaledProblem(gradients), evaluations.problem.search
     first = np.array([each.start for each in evaluations.problem.variables])
     found = []
     for start in starts(settings.starts, first, settings.seed):
         found.append(search(problem, start))
         tell(found[-1])
-    return answer(evaluations, found, gradients.how)
+    return answer(evaluations, found, gradients.how, perf_counter() - began)

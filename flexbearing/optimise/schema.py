@@ -42,7 +42,10 @@ class Search(Section):
         "slsqp",
     )
     starts: int = key(
-        "number of starts: the case itself, then points of a Sobol sequence between the bounds", 4, ge=1, le=64
+        "number of starts: the case itself, then points of a Sobol sequence between the bounds",
+        4,
+        ge=1,
+        le=64,
     )
     seed: int = key("of the sequence: the same seed gives the same starts", 0, ge=0, le=2**32 - 1)
     tolerance: float = key(
@@ -62,8 +65,9 @@ class OptimisationFile(Section):
     name: str | None = key("of the outputs, such as NAME.csv; without it that of this file", None)
     set: Keys = key("keys that every design has in another way than the case, each with its value", {})
     vary: Keys = key(
-        'keys that are found, each with its bounds, "0.5 um .. 20 um"; in front of them log for a logarithmic '
-        'scale; an entry of a list by its number, "bearing.roller.point_drops.3"'
+        'keys that are found, each with its bounds, "0.5 um .. 20 um"; in front of them log for a '
+        'logarithmic scale; an entry of a list by its number, "bearing.roller.point_drops.3"',
+        {},
     )
     maximise: Objective | None = key("what is made as large as it can be; this or [minimise]", None)
     minimise: Objective | None = key("what is made as small as it can be", None)

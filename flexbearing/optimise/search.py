@@ -63,7 +63,9 @@ class ScaledProblem:
     """The problem as an optimiser sees it: shares x of K variables, and of the worst of several terms t."""
 
     gradients: Gradients
-    nearest: bool = False  # whether the point nearest to meeting all constraints is searched in place of the best
+    nearest: bool = (
+        False  # whether the point nearest to meeting all constraints is searched in place of the best
+    )
 
     @property
     def evaluations(self) -> Evaluations:

@@ -30,6 +30,7 @@ def page(optimum: Optimum, folder: Path) -> str:
     -------
     str
     """
+    search, verification = optimum.seconds
     lines = [
         f"{optimum.name}: {optimum.best.end}",
         *_design(optimum),
@@ -39,7 +40,8 @@ def page(optimum: Optimum, folder: Path) -> str:
         *_limits(optimum),
         *_starts(optimum),
         *_derivatives(optimum),
-        f"{optimum.designs} designs, {optimum.rows} rows computed now",
+        f"{optimum.designs} designs, {optimum.rows} rows computed now: searched in {search:.1f} s, "
+        f"verified in {verification:.1f} s",
         f"all designs: {folder / (optimum.name + TABLE)}",
         f"case of the best: {folder / (optimum.name + CASE)}",
     ]
@@ -60,8 +62,8 @@ def _numbers(optimum: Optimum) -> Iterator[str]:
     """Objective and constraints of the case and of the best point, also with other settings."""
     goal, rows = optimum.goal, [(optimum.case, optimum.measured), *optimum.verified]
     unit = "" if goal.measure.unit == "1" else f" {goal.measure.unit}"
-    which = "largest" if goal.sign > 0 else "least"
-    yield f"{which} {goal.measure.name} of {'the worst row' if goal.worst else 'the mean of all rows'}: case -> best"
+    which, of = "largest" if goal.sign > 0 else "least", "worst row" if goal.worst else "mean of all rows"
+    yield f"{which} {goal.measure.name}, {of}: case -> best"
     for number, (case, best) in enumerate(rows):
         yield f"  {'as searched' if number == 0 else best.what}: {_objective(case, best, unit)}"
         for place, bound in enumerate(optimum.bounds):

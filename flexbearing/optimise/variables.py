@@ -37,7 +37,7 @@ class Variable:
 
     def value(self, share: float) -> float:
         """Value at a share of the range, from 0 to 1, in the unit."""
-        inside = min(max(share, 0.0), 1.0)
+        inside = round(min(max(share, 0.0), 1.0), DIGITS)
         if self.logarithmic:
             value = exp(log(self.low) + inside * log(self.high / self.low))
         else:

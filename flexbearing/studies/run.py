@@ -83,7 +83,9 @@ def run(
             suspects = journal.begun(path)
             rows |= settled.rows(folder, retry_failed=retry_failed)
             tell(settled.progress(rows))
-            complaints = compute_missing(settled, rows, work, partial(guarded, engine, kept, suspects), kept, tell)
+            complaints = compute_missing(
+                settled, rows, work, partial(guarded, engine, kept, suspects), kept, tell
+            )
     except BaseException as problem:
         if rows:
             done = settled.progress(rows)
@@ -100,9 +102,7 @@ def run(
     return table
 
 
-def guarded(
-    engine: Callable[[int], Engine], kept: journal.Journal, suspects: Set[str], tasks: int
-) -> Engine:
+def guarded(engine: Callable[[int], Engine], kept: journal.Journal, suspects: Set[str], tasks: int) -> Engine:
     """The engine; one in this process does not meet again there what ended a former one."""
     started = engine(tasks)
     if isinstance(started, Serial):

@@ -12,6 +12,7 @@ ROOT = Path(__file__).parents[2]
 PHYSICS = ("quasidynamic.contact", "quasidynamic.clearance", "quasidynamic.motion", "quasidynamic.outcome")
 HELP_TEXTS = (
     "flexbearing.cli",
+    "flexbearing.optimise.command",
     "flexbearing.sensitivity.command",
     "flexbearing.studies.command",
 )  # of `--help`

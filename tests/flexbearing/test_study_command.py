@@ -136,7 +136,8 @@ def test_the_status_touches_nothing(file, tmp_path, capsys):
 def test_keys_of_a_study_file_are_explained_as_the_reference_page_says(capsys):
     from flexbearing.reference import page
 
-    assert (ROOT / "docs" / "reference" / "study.md").read_text() == page("study")
+    for name in ("study", "optimise"):
+        assert (ROOT / "docs" / "reference" / f"{name}.md").read_text() == page(name)
     assert program.command(["explain", "study"]) == 0
     listed = capsys.readouterr().out
     assert program.command(["explain", "study.sample.method"]) == 0

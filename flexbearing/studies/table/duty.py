@@ -95,7 +95,9 @@ class Cycles:
 
     def _error(self, text: str) -> NDArray:
         """Estimated error (C) of the cumulated life, in percent of it."""
-        return cumulated_life_error(self.shares_of_revolutions, self._counted(text), self._numbers(of_error(text)))
+        return cumulated_life_error(
+            self.shares_of_revolutions, self._counted(text), self._numbers(of_error(text))
+        )
 
     def _message(self, cycle: int) -> str:
         counts = zip(self.rows[cycle], self.spectrum.shares, strict=True)

@@ -1,0 +1,26 @@
+"""Reference page of optimisation files, from their declarations."""
+
+from flexbearing.case.explain import table_of_keys
+from flexbearing.optimise.file import BOUND
+from flexbearing.optimise.schema import DUTY_LIFE, OptimisationFile
+from flexbearing.optimise.variables import BOUNDS
+
+
+def reference_page() -> str:
+    """The page in Markdown."""
+    return "\n".join(
+        [
+            "# Keys of an optimisation file",
+            "",
+            "Printed by `python -m flexbearing.reference optimise`; [how to use them](../howto/optimise.md).",
+            "",
+            "In `[set]`, `[vary]`, `[over]`, `[duty]` and `[[verify]]` every other name is a dotted key of "
+            "the case; `[over]` and `[duty]` are those [of a study](study.md).",
+            "",
+            f"- `[vary]`: {BOUNDS}.",
+            f"- `[constrain]`: the name of an output, or {DUTY_LIFE}, and a bound such as {BOUND}.",
+            "",
+            *table_of_keys(OptimisationFile),
+            "",
+        ]
+    )
