@@ -2,7 +2,7 @@
 
 import ast
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -49,6 +49,7 @@ class Documented:
 
     @property
     def signature(self) -> list[str]:
+        assert isinstance(self.node, ast.FunctionDef)
         given = self.node.args
         named = [*given.posonlyargs, *given.args, given.vararg, *given.kwonlyargs, given.kwarg]
         return [each.arg for each in named if each and each.arg not in ("self", "cls")]
@@ -59,7 +60,7 @@ class Documented:
         return set(_raised(self.node.body))
 
 
-def _raised(nodes: list[ast.AST]) -> Iterator[str]:
+def _raised(nodes: Sequence[ast.AST]) -> Iterator[str]:
     for node in nodes:
         if isinstance(node, ast.FunctionDef | ast.Lambda | ast.ClassDef):
             continue
