@@ -70,14 +70,12 @@ def _bearing(page: Page, rollers: RollerSet) -> Iterator[Line]:
 
 
 def _profiles(diameter: float) -> tuple[Other, ...]:
-    """The same profile of half and of twice the drop, and none."""
+    """The same profile of half and of twice the drop."""
     drops = [um(share * 0.00035 * diameter) for share in (0.5, 2.0)]
-    profiles = [
+    return tuple(
         Other(f'a drop A of "{drop}"', {"bearing.roller.profile": "logarithmic", "bearing.roller.drop": drop})
         for drop in drops
-    ]
-    straight = {"bearing.roller.profile": "straight", "life.edge_stress": False}
-    return *profiles, Other("straight rollers", straight)
+    )
 
 
 def _on_a_land(page: Page, rollers: RollerSet) -> Other:

@@ -162,7 +162,9 @@ QUANTITIES = (
         source="end.with_supports.compliance", summary=(SummaryValue("compliance_matrix_SI"),)),
     Quantity("load_direction", "", "", "rad", "block", "azimuth that the radial load points to", people=DEG),
     Quantity("ring_displacement", "delta", "transverse", "m", "state",
-        "displacement of the inner ring (y, z)", people=UM, summary=(
+        "displacement (y, z) of the inner ring against the outer one at mid-roller, from the concentric "
+        "place, positive along the axes: half the clearance is in it, translation of raceways on elastic "
+        "supports (support_translation) is not", people=UM, summary=(
             SummaryValue("displacement_along_load_um", along, "ring displacement along load", ".2f",
                          of=("ring_displacement", "load_direction")),
             SummaryValue("displacement_across_load_um", across, "ring displacement across load", ".2f",
@@ -266,14 +268,16 @@ QUANTITIES = (
         "torque that keeps the outer ring turning or holds it, positive to +azimuth"),
     Quantity("driving_torque", "", "", "N m", "block",
         "torque that keeps the inner ring turning, positive to +azimuth",
-        summary=(SummaryValue("driving_torque_Nm", label="driving torque", digits=".4f"),)),
+        summary=(SummaryValue("driving_torque_Nm", label="driving torque", digits=".4f",
+                              error="driving_torque"),)),
 
     # contacts
     Quantity("peak_pressure", "p", "race", "Pa", "block",
         "largest contact pressure (inner, outer), by slices as bearing.contact says or of the whole roller",
         source="end.peak_pressure", people=MPA,
         summary=(
-            SummaryValue("peak_pressure_MPa", label="peak pressure", digits=",.0f", parts=RACES),
+            SummaryValue("peak_pressure_MPa", label="peak pressure", digits=",.0f", parts=RACES,
+                         error="peak_pressure"),
             SummaryValue("peak_pressure_azimuth_deg", azimuth_of_largest, "azimuth of peak pressure", ".1f",
                          of=(*_PRESSURES, "roller_azimuth"), unit=DEG, compared=False, parts=RACES,
                          section=CONTACT),

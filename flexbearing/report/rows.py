@@ -11,6 +11,11 @@ def rows(layout: Layout, section: str = "") -> list[SummaryValue]:
     return [entry for entry in layout.summary if entry.label and entry.section == section]
 
 
+def of_supports(entry: SummaryValue) -> bool:
+    """Whether a row counts elastic rings and supports: between rigid rings it would repeat another."""
+    return entry.of == ("total_stiffness",)
+
+
 def label(entry: SummaryValue, part: str = "") -> str:
     """Label of a row with its unit: "peak pressure, inner [MPa]"."""
     unit = unit_of(entry).name

@@ -77,6 +77,7 @@ class Numbers:
             "share": self.share,
             "percent": self.percent,
             "support_error": self.support_error,
+            "with_supports_error": self.with_supports_error,
         }
         if kind in derived:
             return derived[kind](rest)
@@ -104,6 +105,15 @@ class Numbers:
     def support_error(self, part):
         figures = self.stored("attributes/structure")[part]
         return 100 * figures["support_stiffness_error_N_per_m"] / figures["support_stiffness_N_per_m"]
+
+    def with_supports_error(self, block):
+        """By slices, and by the meshes of the supports by their share of the compliance."""
+        whole = self.stored(f"summary/{block}/total_stiffness_N_per_m")
+        error = 100 * self.stored("attributes/slice_error")["total_stiffness"]
+        for part, figures in self.stored("attributes/structure").items():
+            if figures.get("support_stiffness_error_N_per_m") is not None:
+                error += self.support_error(part) * whole / figures["support_stiffness_N_per_m"]
+        return error
 
     def stored(self, place):
         """What the file or its summary has at a place."""

@@ -382,7 +382,7 @@ def test_operating_system_and_revision_are_told(results):
     told = replace(result, attributes={**result.attributes, "machine": machine})
     text = "".join(Page(html(of_result(told))).text)
     assert f"operating system{machine['system']}" in text
-    assert "revision of the program's source0123456789ab" in text
+    assert "revision of the program's source (git commit)0123456789ab" in text
 
 
 def test_lists_of_inputs_have_their_units(results):

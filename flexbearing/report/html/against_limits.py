@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from math import pi
 from typing import Any
 
 import numpy as np
@@ -15,6 +16,7 @@ from flexbearing.report.html.units import printed
 
 DENTING, DENTING_OF_BALLS = 4000.0, 4200.0  # [MPa] static limits of roller and ball bearings by ISO 76
 USUAL_OF_ROLLERS = 1.5  # static safety in normal running, SKF
+USUAL_TILT = 4 / 60 * pi / 180  # [rad] between the rings of cylindrical roller bearings, SKF
 LEAST_OF_ROLLERS, LEAST_OF_BALLS = 0.02, 0.01  # P/C_r in SKF's rule of thumb against smearing
 FULL_FILM = 3  # film ratio
 DEEP_GROOVE = "deep_groove_ball"
@@ -38,6 +40,13 @@ _MAKER = "ISO 281 leaves to the maker whether its life formula holds"
 _SLIP = "no standard limits it; a minimum load is the usual rule against smearing"
 _YIELD = "yield stress not given; [materials] takes it as yield_stress of the part. No fatigue limit either"
 _TILT = "no standard limits it; makers give the tilt that a bearing may have"
+_SKF_TILT = "SKF allows 3 to 4 arcmin, about 1 mrad, between the rings of a cylindrical roller bearing"
+_TILT_OF_ROLLERS = {
+    "ring_tilt": f"{_SKF_TILT}; this is the slope against the unloaded axis, and an outer ring on an elastic "
+    "support tilts along",
+    "roller_tilt": "no standard limits it; it presses the ends of the roller, see the notes on peak pressure "
+    "and the figure of the pressure",
+}
 _FITTED = "lubricant.oil_fraction was fitted to a cage slip, so this is no prediction"
 _HEAT = "the case has no limits of steel, cage and lubricant"
 
@@ -63,6 +72,7 @@ class Check:
     used: float = 0.0  # share as a number [-], zero where there is none
     verdict: str = NOT_CHECKED
     aim: bool = False  # a usual aim, which a design may miss for a reason
+    urgent: bool = False  # has no limit here, and must be compared with one before the bearing is used
 
     @property
     def rank(self) -> tuple[bool, bool, float]:
@@ -90,6 +100,17 @@ def summary(reader: Reader) -> Iterator[Words]:
     elif nearest:
         words = f"Usable as far as checked: every limit that was checked is met; nearest: {_one(nearest)}."
         yield Words((words + life + without,), "good")
+    yield from _urgent(checks)
+
+
+def _urgent(checks: list[Check]) -> Iterator[Words]:
+    """Values that must be compared with a limit which the case does not give."""
+    urgent = [
+        f"{check.what}: {check.value.text} {printed(check.value.unit)} ({check.verdict.partition(': ')[2]})"
+        for check in checks if check.urgent and isinstance(check.value, Number)
+    ]  # fmt: skip
+    if urgent:
+        yield Words((f"Compare with limits of your own before use: {'; '.join(urgent)}.",), "danger")
 
 
 def _lived(reader: Reader) -> str:
@@ -98,8 +119,14 @@ def _lived(reader: Reader) -> str:
     if first is None or not first.chosen:
         return ""
     hours = first.hours if isinstance(first.hours, Number) else None
-    value = f"{hours.text} h" if hours else f"{first.turns.text} million revolutions"
+    value = f"{rounded(hours)} h" if hours else f"{rounded(first.turns)} million revolutions"
     return f" The life to compare with a requirement: {value}."
+
+
+def rounded(number: Number) -> str:
+    """A number of a table with three digits, for a sentence: 489,719 is 490,000."""
+    value = float(number.text.replace(",", ""))
+    return f"{float(f'{value:.3g}'):,.10g}"
 
 
 def _named(checks: list[Check]) -> str:
@@ -173,8 +200,9 @@ def _static(reader: Reader) -> Iterator[Check]:
     if number is not None:
         path = f"summary/{reader.last}/static_safety"
         value = reader.units.number(number, "", "", ",.2f", path)
-        words = "at least 1 (ISO 76)" + f", usual {USUAL_OF_ROLLERS:g} (SKF)" * reader.of_rollers
         usual = reader.of_rollers and number >= 1  # which is an aim
+        aim = f"at least {USUAL_OF_ROLLERS:g} (usual, SKF; the limit of ISO 76 is 1)"
+        words = aim if usual else "at least 1 (ISO 76)"
         limit = Limit(USUAL_OF_ROLLERS if usual else 1.0, LEAST, words, usual)
         yield _against(reader, "Static safety C_0/P_0", value, number, limit)
     known = reader.summary[reader.last].get("pressure_safety") or {}
@@ -240,7 +268,7 @@ def _against_yield(reader: Reader, what: str, stress: float, limit: float | None
     """A stress [MPa] against the yield stress of a material [Pa]; where none is given, that is said."""
     value = reader.units.number(stress, "MPa", "MPa", ",.0f", path)
     if limit is None:
-        return Check(what, value, verdict=f"{NOT_CHECKED}: {_YIELD}")
+        return Check(what, value, verdict=f"{NOT_CHECKED}: {_YIELD}", urgent=True)
     words = f"at most {reader.units.number(limit, 'Pa', 'MPa', ',.0f', '').text} (yield)"
     return _against(reader, what, value, stress, Limit(limit / 1e6, MOST, words))
 
@@ -353,7 +381,9 @@ def _tilts(reader: Reader) -> Iterator[Check]:
     for name, what in (("ring_tilt", "Tilt of the inner ring"), ("roller_tilt", "Largest tilt of a roller")):
         if name in block and np.any(sizes := np.abs(np.ravel(block[name]))):
             value = reader.element(reader.last, name, int(np.argmax(sizes)), digits=".3g")
-            yield Check(what, value, verdict=f"{NOT_CHECKED}: {_TILT}")
+            steep = reader.of_rollers and float(sizes.max()) > USUAL_TILT
+            told = _TILT_OF_ROLLERS[name] if reader.of_rollers else _TILT
+            yield Check(what, value, verdict=f"{NOT_CHECKED}: {told}", urgent=steep)
 
 
 def _heat(reader: Reader) -> Iterator[Check]:

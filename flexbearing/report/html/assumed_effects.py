@@ -37,8 +37,7 @@ def how(reader: Reader) -> Words:
 
 
 def _how(reader: Reader) -> str:
-    name = (reader.attributes.get("case_file") or "CASE.toml").replace("\\", "/").rpartition("/")[2]
-    return _HOW.format(case=name)
+    return _HOW.format(case=reader.case_name)
 
 
 def blocks(reader: Reader) -> Iterator[Block]:

@@ -7,13 +7,14 @@ from math import log
 from flexbearing.report.html.document import Block, Items
 from flexbearing.report.html.reader import Reader
 
-_TIMES = re.compile(r"(\d+(?:\.\d+)?) times with")
+_LIFE, _TIMES = re.compile(r"\blife ([^;]*)"), re.compile(r"(\d+(?:\.\d+)?) times with")
+_MARKS = ("assumed: ", "calibrated: ")
 _TABLE, _KEY = re.compile(r"\[([^\]\[]+)\]"), re.compile(r'"?([\w.-]+)"?\s*=')
 _TITLE = "Assumed: the source does not give these inputs"
 WORTH = 1.25  # change of a life by an assumed input that is told beside the life, as a factor
 _RANKED = (
-    " The largest effect first: a life in these comments is the modified life, as `flexbearing new` writes "
-    "them."
+    " The largest effect on the life first, as comments of the case tell it: a life in them is the modified "
+    "life where the case has one, and of several values each changes this one input alone."
 )
 
 
@@ -37,7 +38,7 @@ def moving(reader: Reader) -> list[str]:
 
 
 def comments(text: str) -> dict[str, str]:
-    r"""Comments that begin with "assumed:" by their keys, from the lines above a key or behind it.
+    r"""Comments on assumed and calibrated keys, from the lines above a key or behind it.
 
     >>> comments('[a]\n# assumed: rule\n# of thumb\nb = 1\nc = 2  # assumed: usual')
     {'a.b': 'rule of thumb', 'a.c': 'usual'}
@@ -53,8 +54,8 @@ def comments(text: str) -> dict[str, str]:
         elif key := _KEY.match(line):
             behind = line.rpartition("# ")[2] if "# " in line else ""
             words = " ".join(above) or behind
-            if words.startswith("assumed: "):
-                found[table + key[1]] = words.removeprefix("assumed: ")
+            if words.startswith(_MARKS):
+                found[table + key[1]] = words.partition(": ")[2]
         above = []
     return found
 
@@ -62,7 +63,8 @@ def comments(text: str) -> dict[str, str]:
 def effect(comment: str) -> float:
     """Largest change of a life that a comment tells, as the size of its logarithm.
 
-    >>> effect("life 7.41 times with a, 0.305 times with b") == log(7.41)
+    >>> effect("cage slip 9 times with a; life 7.41 times with a, 0.305 times with b") == log(7.41)
     True
     """
-    return max((abs(log(float(value))) for value in _TIMES.findall(comment) if float(value)), default=0.0)
+    values = [value for lives in _LIFE.findall(comment) for value in _TIMES.findall(lives)]
+    return max((abs(log(float(value))) for value in values if float(value)), default=0.0)

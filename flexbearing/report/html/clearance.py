@@ -20,6 +20,12 @@ _SIGNS = (
     "Interference: positive where the shaft is larger than the bore, or the outside of the bearing larger "
     "than the housing, so that the ring is tight; negative is a loose fit. Clearance: negative is a preload."
 )
+_OF_THE_CASE = (
+    "The operating clearance is that of the case (bearing.clearance): no fits and temperatures lead to it. "
+    "It is the diametral one, warm and running: the play of the inner ring across the bearing, twice the "
+    "radial one; negative is a preload. Catalogues give another, that of the bearing before it is mounted, "
+    "which fits and heat mostly make smaller."
+)
 SMALLEST = 5e-10  # [m] smaller changes are zeros in the table
 
 
@@ -29,8 +35,7 @@ def blocks(reader: Reader) -> Iterator[Block]:
     if not found:
         return
     if not found["steps"]:
-        words = "The operating clearance is that of the case: no fits and temperatures lead to it."
-        yield Words((words,))
+        yield Words((_OF_THE_CASE,))
         yield _stated(reader)
         return
     yield _steps(reader, found)

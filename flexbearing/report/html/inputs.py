@@ -9,7 +9,7 @@ from flexbearing.case.declarations import Declaration, by_path, toml
 from flexbearing.report.html import assumed_effects, assumptions
 from flexbearing.report.html.document import Block, Cell, Items, Table
 from flexbearing.report.html.reader import Reader
-from flexbearing.report.html.units import printed
+from flexbearing.report.html.units import printed, units_in_words
 from flexbearing.results import BadResult
 
 SETTINGS = ("coupling.", "accuracy.", "outputs.")
@@ -36,13 +36,22 @@ def blocks(reader: Reader) -> Iterator[Block]:
     yield Table("What the case gives", head, tuple(given))
     yield from assumed_effects.blocks(reader)
     yield from assumptions.blocks(reader)
-    if fitted := reader.attributes["calibrated"]:
-        yield Items(
-            "Calibrated: fitted, so no validation", tuple(f"{key}: {to}" for key, to in fitted.items())
-        )
+    if reader.attributes["calibrated"]:
+        yield Items("Calibrated: fitted, so no validation", fitted_inputs(reader))
     if defaults:
         caption = f"Defaults that this kind of case uses: {len(defaults)}"
         yield Table(caption, (*head[:3], *head[4:]), tuple(defaults), folded=True)
+
+
+def fitted_inputs(reader: Reader) -> tuple[str, ...]:
+    """Calibrated inputs: value, what it was fitted to, and what the case says of its effect."""
+    texts, said = written(reader), assumptions.comments(reader.result.attributes["case_text"])
+    lines = []
+    for key, words in reader.attributes["calibrated"].items():
+        name, value = key.rpartition(".")[2].replace("_", " "), texts.get(key, "given as a table")
+        effect = f". Effect: {said[key]}" if key in said else ""
+        lines.append(units_in_words(f"{name} ({key}) = {value}, fitted to {words}{effect}"))
+    return tuple(lines)
 
 
 def written(reader: Reader) -> dict[str, str]:

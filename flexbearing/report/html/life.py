@@ -9,15 +9,32 @@ from flexbearing.report.html import ratings
 from flexbearing.report.html.document import Block, Cell, Items, Table, Words
 from flexbearing.report.html.lives import lives
 from flexbearing.report.html.reader import Reader
+from flexbearing.report.html.units import printed
 
+_STEPS = {  # by end state: name, why of rollers, why of balls
+    "rigid": (
+        "loads of all rolling elements, rigid rings",
+        "clearance, tilt, profile and centrifugal force share the load otherwise than ISO 281 supposes; "
+        "capacities of Lundberg and Palmgren instead of C_r",
+        "clearance, contact angles and centrifugal force share the load otherwise than ISO 281 supposes",
+    ),
+    "flexible": (
+        "flexible rings",
+        *2
+        * (
+            "elastic rings, shaft and supports change how many rolling elements carry, how much, and where "
+            "along them",
+        ),
+    ),
+}
 _FIRST = "outputs/{}.life_L10"  # place of the first life of a case
 _OWN = (
     "This a_ISO holds at the equivalent load of its note, which gives the reference life of the loads "
     "computed here; that of a catalogue holds at P of the ratings."
 )
 _HOW = (
-    "How much each of them changes the life needs some more solutions of the case: `flexbearing life "
-    "CASE.toml` computes and prints the factors, outputs.catalogue_life = true stores them for this page."
+    "The table above has their joint effect. Each alone needs a further solution of the case: "
+    "`flexbearing run {case} --set outputs.catalogue_life=true -o OUT.h5`, then `flexbearing report OUT.h5`."
 )
 
 
@@ -37,7 +54,7 @@ def blocks(reader: Reader) -> Iterator[Block]:
     if catalogue:
         yield from _catalogue(reader, catalogue)
     elif not isinstance(rated, str):
-        yield from _at_once(reader)
+        yield from _by_what_was_solved(reader)
         yield from _left_out(reader)
 
 
@@ -85,23 +102,42 @@ def _factors(reader: Reader) -> Iterator[Table]:
     )
 
 
-def _at_once(reader: Reader) -> Iterator[Table]:
-    """Lives of the case over that of the catalogue."""
+def _by_what_was_solved(reader: Reader) -> Iterator[Table]:
+    """From the catalogue's life to that of the case, by the end states and factors of this run alone."""
     rated = ratings.found(reader)
-    if isinstance(rated, str):
+    if isinstance(rated, str) or reader.attributes["case_si"]["life"].get("loads") == "rating":
         return
     values, at = rated
     rows: list[tuple[Cell, ...]] = []
-    for each in lives(reader):
-        if each.turns.of.startswith("outputs/"):
-            value = float(reader.result[each.turns.of.removeprefix("outputs/")].number)
-            of = f"ratio/{each.turns.of}:{at}/life_Mrev"
-            times = reader.units.number(value / values["life_Mrev"], "", "", ".3g", of)
-            rows.append((each.name, each.turns, times))
-    catalogue = reader.units.number(values["life_Mrev"], "Mrev", "Mrev", ",.4g", f"{at}/life_Mrev")
-    first = ("Catalogue's life L10, ISO 281", catalogue, "")
-    head = ("life", "10⁶ revolutions", "times that of the catalogue")
-    yield Table("From the catalogue's life to those of this case, in one step", head, (first, *rows))
+    before, place = values["life_Mrev"], f"{at}/life_Mrev"
+    start = reader.units.number(before, "Mrev", "Mrev", ",.4g", place)
+    rows.append(("Catalogue's life L10, ISO 281", "", start, "(C_r/P)^p: one load P on a usual bearing"))
+    for block in reader.blocks:
+        now, path = reader.summary[block]["life_L10_Mrev"], f"summary/{block}/life_L10_Mrev"
+        times = reader.units.number(now / before, "", "", ".3g", f"ratio/{path}:{place}")
+        turns = reader.units.number(now, "Mrev", "Mrev", ",.4g", path)
+        why = _STEPS[block][1 + reader.of_balls] + _carrying(reader, block)
+        rows.append((_STEPS[block][0], times, turns, why))
+        before, place = now, path
+    life, path = (reader.attributes.get("life") or {}).get(reader.last), f"life/{reader.last}"
+    for number, factor in enumerate(life["factors"] if life else ()):
+        value = reader.of_attribute(f"{path}/factors/{number}/value", "", "", ".3g")
+        rows.append((factor["name"], value, "", factor["note"]))
+    if life:
+        modified = reader.of_attribute(f"{path}/modified_Mrev", "Mrev", "Mrev", ",.4g")
+        rows.append(("Life of this case after all factors", "", modified, ""))
+    head = ("step", "times", "life [10⁶ revolutions]", "why")
+    yield Table("Why the life is not that of the catalogue: by what this run solved", head, tuple(rows))
+
+
+def _carrying(reader: Reader, block: str) -> str:
+    """How many rollers of an end state carry, and how much the most loaded one."""
+    numbers = reader.summary[block]
+    if not reader.of_rollers:
+        return ""
+    load = reader.units.number(numbers["max_roller_load_N"], "N", "N", ",.4g", "")
+    count, of = numbers["loaded_rollers"], reader.bearing["rollers"]
+    return f". Here {count} of {of} rollers carry, the most loaded one {load.text} {printed(load.unit)}"
 
 
 def _left_out(reader: Reader) -> Iterator[Block]:
@@ -109,13 +145,14 @@ def _left_out(reader: Reader) -> Iterator[Block]:
     family = reader.result.family
     assert family.catalogue is not None  # there are ratings
     known: Any = family.catalogue()
+    how = _HOW.format(case=reader.case_name)
     try:
         influences = (*known.rating, *known.acting(reader.case, reader.case_with))
     except ValueError as problem:  # the case without an influence is none
-        yield Words((f"{_HOW} What lies between cannot be told: {problem}",))
+        yield Words((f"{how} What lies between cannot be told: {problem}",))
         return
     rows = tuple((influence.name, influence.meaning) for influence in influences)
-    yield Table("Why the life is not that of the catalogue", ("influence", "why"), rows, _HOW)
+    yield Table("What the catalogue's life leaves out of this case", ("influence", "why"), rows, how)
 
 
 def _catalogue(reader: Reader, found: dict[str, Any]) -> Iterator[Block]:

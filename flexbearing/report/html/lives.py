@@ -17,6 +17,8 @@ _LUNDBERG, _REFERENCE, _RATING = "basic", "reference", "rating"  # what the life
 
 _ORDER = ("modified", "reference", "basic", "catalogue", "catalogue modified")
 _PRESSED_ENDS = {"pressed-end", "sharp-roller-end"}  # codes of notes
+_OF_BASIC = ("tilt", "roller-position")  # of these, those that tell the basic life L10
+_BASIC = " (told of the basic life L10, not of the modified one)"
 _MOVED = ("tilt", "roller-position", "fit-tolerances")  # codes of notes that tell other lives
 
 
@@ -69,7 +71,11 @@ def _moved(reader: Reader) -> Iterator[str]:
         yield "load: P is above C_r/2, where ISO 281 leaves it to the maker whether a formula of life holds"
     if codes & _PRESSED_ENDS and case["life"].get("edge_stress") is False:
         yield "edge stress: left out of the life (life.edge_stress = false), though roller ends are pressed"
-    yield from (units_in_words(note["text"]) for note in reader.attributes["notes"] if note["code"] in _MOVED)
+    modified = next(life.key == "modified" for life in lives(reader) if life.chosen)
+    for note in reader.attributes["notes"]:
+        if note["code"] in _MOVED:
+            basic = modified and note["code"] in _OF_BASIC
+            yield units_in_words(note["text"]) + _BASIC * basic
     if reader.attributes.get("assumed_effects"):
         yield from assumed_effects.moving(reader)
     else:

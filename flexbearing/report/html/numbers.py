@@ -2,14 +2,21 @@
 
 import re
 from collections.abc import Iterator
-from typing import Any
 
 from flexbearing.quantities import SummaryValue
 from flexbearing.report.html.document import Block, Cell, Table, Words
 from flexbearing.report.html.reader import Reader, places
 from flexbearing.report.html.units import NOTHING, printed
+from flexbearing.report.rows import of_supports
 
 _AXES = re.compile(r"( about)? [xyz](, [xyz])+$")  # that a label lists, where every number names its own
+_DEFINED = {  # rows whose label does not tell of what, from where and in which sense
+    "Ring displacement": "ring_displacement",
+    "Stiffness of the bearing": "stiffness",
+    "Stiffness with supports": "total_stiffness",
+    "Cage slip": "cage_slip",
+    "Raceway deviation": "inner_deviation",
+}
 ALONE = "No part is flexible: bearing and result are those between rigid raceways."
 
 
@@ -17,21 +24,27 @@ def blocks(reader: Reader) -> Iterator[Block]:
     """A row for each number of the summary: every end state, estimated error, change."""
     if not reader.blocks:
         return
-    errors = reader.attributes.get("error_estimate") or {}
+    errors = any(reader.error_path(entry.error) for entry in reader.layout.summary)
     compared = len(reader.blocks) > 1
     head = ["quantity", *reader.blocks, "unit"]
     head += ["error [%]"] if errors else []
     head += ["rigid to flexible [%]"] if compared else []
-    entries = [entry for entry in reader.layout.summary if entry.label]
+    declared = [entry for entry in reader.layout.summary if entry.label]
+    entries = [entry for entry in declared if compared or not of_supports(entry)]
     rows = [row for entry in entries for row in _rows(reader, entry, errors, compared)]
     if not compared:
         yield Words((ALONE,))
-    yield Table("All numbers", tuple(head), tuple(rows))
+    meanings = [
+        f"{label}: {reader.layout[name].meaning}." for label, name in _DEFINED.items() if _has(reader, name)
+    ]
+    yield Table("All numbers", tuple(head), tuple(rows), " ".join(meanings))
 
 
-def _rows(
-    reader: Reader, entry: SummaryValue, errors: dict[str, Any], compared: bool
-) -> Iterator[tuple[Cell, ...]]:
+def _has(reader: Reader, name: str) -> bool:
+    return reader.of_rollers and name in reader.blocks[reader.last]
+
+
+def _rows(reader: Reader, entry: SummaryValue, errors: bool, compared: bool) -> Iterator[tuple[Cell, ...]]:
     """A row for each number of an entry; none where no end state has it."""
     for words, steps in places(entry):
         numbers = [reader.declared(entry, block, *steps) for block in reader.blocks]
@@ -40,8 +53,8 @@ def _rows(
         label = f"{_AXES.sub('', entry.label)}, {words.replace('_', ' ')}" if words else entry.label
         row: list[Cell] = [label, *numbers, printed(numbers[-1].unit)]
         if errors:
-            known = errors.get(entry.error) is not None
-            row.append(reader.of_attribute(f"error_estimate/{entry.error}", "1", "%", ".2g") if known else "")
+            path = reader.error_path(entry.error)
+            row.append(reader.of_attribute(path, "1", "%", ".2g") if path else "")
         if compared:
             row.append(reader.change(numbers[0].of, numbers[-1].of) if entry.compared else "")
         yield tuple(row)

@@ -12,7 +12,21 @@ from flexbearing.report.html.units import METRIC
 from flexbearing.results.content import digest
 from flexbearing.results.write import content_of
 
-_MACHINE = {"system": "operating system", "revision": "revision of the program's source"}
+_MACHINE = {"system": "operating system", "revision": "revision of the program's source (git commit)"}
+_KEPT = (
+    "The case below, its settings and all numbers are in the result file; keep that file, this page is made "
+    "from it again by `flexbearing report`. To repeat the run: `{command}`, then `flexbearing diff` of both "
+    "files."
+)
+_AGREE = (
+    " With the same versions the numbers agree within the tolerance of the iteration ({tolerance:g} of the "
+    "largest load); another processor or other versions of the libraries change digits of that size."
+)
+_DIRTY = (
+    " The revision ends in -dirty: the source had changes that no commit holds, so the revision alone does "
+    "not give this program back."
+)
+_NO_REVISION = " The revision of the source is not known: the version alone names the program."
 _OWN_UNITS = "Drawings, notes and texts of the case keep their own units: mm, µm, N, MPa, °C."
 
 
@@ -66,6 +80,17 @@ def _conditions(reader: Reader) -> Iterator[Table]:
         yield Table("Operating conditions", ("key", "value", "unit", "origin"), tuple(rows))
 
 
+def _repeated(reader: Reader) -> str:
+    """How to repeat the run, how well it will agree, and whether its program can be had again."""
+    about = reader.attributes
+    settings = "".join(f" --set '{each}'" for each in about["case_overrides"])
+    words = _KEPT.format(command=f"flexbearing run {reader.case_name}{settings} -o AGAIN.h5")
+    tolerance = (about["case_si"].get("coupling") or {}).get("tolerance")
+    words += _AGREE.format(tolerance=tolerance) if tolerance else ""
+    revision = about.get("machine", {}).get("revision", "")
+    return words + (_DIRTY if revision.endswith("-dirty") else "" if revision else _NO_REVISION)
+
+
 def blocks(reader: Reader) -> Iterator[Block]:
     """Versions, times, digest, then the case letter by letter."""
     about = reader.attributes
@@ -81,7 +106,7 @@ def blocks(reader: Reader) -> Iterator[Block]:
         ),
         *((f"version of {name}", text) for name, text in about["versions"].items()),
     ]
-    yield Table("Origin of the numbers", ("what", "value"), tuple(rows))
+    yield Table("Origin of the numbers", ("what", "value"), tuple(rows), _repeated(reader))
     if about["case_overrides"]:
         yield Verbatim("Settings on top of the case", "\n".join(about["case_overrides"]))
     yield Verbatim("The case", about["case_text"])

@@ -51,6 +51,11 @@ class Reader:
         repeated = len(solved) == 2 and "structure" in self.attributes and not self.attributes["structure"]
         return {"rigid": solved["rigid"]} if repeated else solved
 
+    @property
+    def case_name(self) -> str:
+        """Name of its case file without the folder; CASE.toml where it is not known."""
+        return (self.attributes.get("case_file") or "CASE.toml").replace("\\", "/").rpartition("/")[2]
+
     @cached_property
     def bearing(self) -> Mapping[str, Any]:
         """Bearing of its case, in SI units; empty where the case has none."""
@@ -100,6 +105,13 @@ class Reader:
         """Texts of the notes of a grade."""
         notes = self.attributes["notes"]
         return tuple(units_in_words(note["text"]) for note in notes if note["grade"] == grade)
+
+    def error_path(self, name: str) -> str:
+        """Path among the attributes of an estimated error: by the target, else by slices; empty: none."""
+        for estimate in ("error_estimate", "slice_error"):
+            if name and (self.attributes.get(estimate) or {}).get(name) is not None:
+                return f"{estimate}/{name}"
+        return ""
 
     def declared(self, entry: SummaryValue, block: str, *place: str | int) -> Number:
         """A value of the summary, or one of its parts."""

@@ -25,16 +25,23 @@ _NO_SUPPORTS = (
 )
 _MATRIX = (
     "The matrix includes rings and supports, from the base that holds the outer ring to the ends of the "
-    "shaft. A matrix of the bearing alone is not computed where parts are flexible: between raceways that "
-    "deform, only its radial stiffness is."
+    "shaft. Of the bearing alone the radial part stands above, over y and z. With rotations there is none: "
+    "of raceways that deform only the mean translation can be told from the deformation of the contacts, not "
+    "the rotation, and loads and displacements of such a matrix would not belong to each other."
 )
 _UNSYMMETRIC = (
     "Entries across the diagonal differ: rollers that turn and rub are no elastic spring alone. No damping is"
     " computed; a rotor model needs it from elsewhere."
 )
 _TILT = (
-    "The entries of the matrix hold the tilt of the inner ring. The radial stiffness above lets it follow "
-    'where operation.tilt = "free", and the ring move aside: then it is smaller.'
+    "The entries of the matrix hold the tilt of the inner ring. The stiffnesses in the table above let it "
+    'follow where operation.tilt = "free", and that along the load also lets the ring move aside: then they '
+    "are smaller."
+)
+_NEAR = (
+    "All of them are tangents: slopes at this load, speed, clearance and roller position. Contacts of "
+    "rollers stiffen with load and more rollers come to bear, so another load or clearance needs a run of "
+    "its own (`flexbearing study` makes a table over load or speed)."
 )
 _BALLS = (
     "Loads on the inner ring by its displacement, balls in balance. No damping is computed; a rotor model "
@@ -61,7 +68,7 @@ def blocks(reader: Reader) -> Iterator[Block]:
     yield Drawing(_AXES, (files("flexbearing.report.html") / "page" / "axes.svg").read_text("utf-8"))
     yield _matrix(reader)
     if "total_stiffness" in block:
-        yield Words((*([_MATRIX] if supported(reader) else []), _TILT, _UNSYMMETRIC))
+        yield Words((*([_MATRIX] if supported(reader) else []), _TILT, _NEAR, _UNSYMMETRIC))
 
 
 def supported(reader: Reader) -> bool:
@@ -87,16 +94,28 @@ def _radial(reader: Reader) -> Table:
             reader.element(block, name, digits=",.4g") for block in reader.blocks
         ]  # fmt: skip
         rows.append((label, *numbers, printed(reader.units.of("kN/mm")), use))
-    whole = "with supports, " * supported(reader)
-    for place, axis in ((1, "y"), (2, "z")):
-        entry = _entry(reader, place, place)
-        empty = [NOTHING] * (len(reader.blocks) - 1)
-        use = "a model with two directions; tilt held"
-        rows.append((f"{whole or 'bearing alone, '}along {axis}", *empty, entry, printed(entry.unit), use))
+    if "stiffness_yz" in reader.blocks[reader.last]:
+        rows += _over_yz(reader, "bearing alone", "stiffness_yz")
+        rows += _over_yz(reader, "with supports", "total_stiffness_yz") if supported(reader) else ()
     rows += _supports(reader)
     return Table(
         f"Radial tangent stiffness{_free(reader)}", ("stiffness", *reader.blocks, "unit", "for"), tuple(rows)
     )
+
+
+def _over_yz(reader: Reader, which: str, name: str) -> Iterator[tuple[Cell, ...]]:
+    """Radial stiffness along y and z and what one axis does to the other, in every end state."""
+    for row, force in enumerate("yz"):
+        for column, displacement in enumerate("yz"):
+            numbers: list[Cell] = [
+                NOTHING if name == "total_stiffness_yz" and block == "rigid" else
+                reader.element(block, name, row, column, digits=",.4g") for block in reader.blocks
+            ]  # fmt: skip
+            cross = f"force along {force} by displacement along {displacement}"
+            label, use = f"along {force}", "a model over y and z"
+            if row != column:
+                label, use = cross, "the same, cross term: rolling friction and drag"
+            yield f"{which}, {label}", *numbers, printed(reader.units.of("kN/mm")), use
 
 
 def _supports(reader: Reader) -> Iterator[tuple[Cell, ...]]:

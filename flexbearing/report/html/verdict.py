@@ -5,7 +5,7 @@ from typing import Any
 
 from flexbearing.outputs import outputs
 from flexbearing.quantities.attributes import GRADES
-from flexbearing.report.html import against_limits, exactness, lives, stiffness
+from flexbearing.report.html import against_limits, exactness, inputs, lives, stiffness
 from flexbearing.report.html.document import Block, Cell, Items, Number, Table, Words
 from flexbearing.report.html.reader import OUTSIDE, Reader
 from flexbearing.report.html.units import printed
@@ -24,6 +24,8 @@ def blocks(reader: Reader) -> Iterator[Block]:
     elif not converged:
         yield Words(("The numbers below are those of no solution.",))
     yield from _beyond(reader)
+    if reader.attributes["calibrated"]:
+        yield Items("Fitted inputs: what they were fitted to is no prediction", inputs.fitted_inputs(reader))
     if reader.blocks:
         yield from lives.blocks(reader)
         yield from against_limits.blocks(reader)

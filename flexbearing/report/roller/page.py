@@ -12,7 +12,7 @@ from flexbearing.quantities import SummaryValue
 from flexbearing.quantities.roller import LAYOUT
 from flexbearing.report.catalogue_life import against_catalogue
 from flexbearing.report.passage import passage
-from flexbearing.report.rows import label, rows, shown, unit_of, value
+from flexbearing.report.rows import label, of_supports, rows, shown, unit_of, value
 from flexbearing.report.sections import (
     clearance_steps,
     closing,
@@ -108,6 +108,8 @@ def _table(states: dict[str, dict[str, Any] | None], errors: dict[str, float | N
     for name in (*states, *(["+-"] if errors else []), *(["change [%]"] if compared else [])):
         table.add_column(name, justify="right")
     for entry in rows(LAYOUT):
+        if "flexible" not in states and of_supports(entry):
+            continue
         for part in entry.parts or ("",):
             values = [value(entry, block, part) for block in states.values()]
             if all(one is None for one in values) and any(LAYOUT[name].optional for name in entry.of):
