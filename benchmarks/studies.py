@@ -2,6 +2,7 @@
 
 thickness: 8 thicknesses x 3 loads of the paper's bearing, rigid and flexible, no ring known, two jobs.
 hypercube: 100 000 variants of the paper's bearing between rigid rings, two jobs, with the largest memory.
+tolerances: 100 000 variants within tolerances, between rigid rings and flexible ones, two jobs.
 workers: 24 distinct rings by one job and by two.
 machinery: what planning, journal, table, engine and the models take of a variant that is not solved.
 
@@ -56,6 +57,16 @@ seed = 1
 "bearing.cage.pocket_friction" = "uniform 0.02, 0.1"
 "lubricant.inlet_temperature" = "uniform 180 degC, 220 degC"
 """
+SCATTER = """[sample]
+count = {count}
+seed = 1
+"bearing.clearance" = "normal 75.5 um, 5 um"
+"bearing.roller.drop" = "uniform 1.25 um, 2.25 um"
+"operation.radial_load" = "normal 19621.1 N, 500 N"
+"operation.inner_speed" = "normal 38000 rpm, 200 rpm"
+"lubricant.oil_fraction" = "uniform 0.3, 0.36"
+"lubricant.inlet_temperature" = "uniform 215 degC, 225 degC"
+"""
 MEGABYTE = 1e6
 
 
@@ -77,6 +88,16 @@ def hypercube() -> None:
     for name, collect in (("life, load, slip, stiffness", COLLECT), ("every number of the summary", "")):
         seconds, memory, words = command(text + collect, rigid=True)
         print(f"100 000 variants, {name}, two jobs: {seconds:.0f} s, {memory:.0f} MB; {words}")
+
+
+def tolerances(count: int = 100_000) -> None:
+    text = SCATTER.format(count=count) + COLLECT.replace('rigid_life = "rigid.life_L10 [h]"\n', "")
+    for rings, rigid in (("rigid", True), ("flexible", False)):
+        seconds, memory, words = command(text, rigid=rigid)
+        print(
+            f"{count} variants within tolerances, {rings} rings, two jobs: {seconds:.0f} s, "
+            f"{memory:.0f} MB; {words}"
+        )
 
 
 def workers() -> None:
@@ -172,7 +193,13 @@ def no_ring(ring, *, here: bool = False) -> None:
     """Rings that cost nothing."""
 
 
-PARTS = {"thickness": thickness, "hypercube": hypercube, "workers": workers, "machinery": machinery}
+PARTS = {
+    "thickness": thickness,
+    "hypercube": hypercube,
+    "tolerances": tolerances,
+    "workers": workers,
+    "machinery": machinery,
+}
 
 if __name__ == "__main__":
     main(sys.argv[1:])

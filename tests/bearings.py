@@ -50,6 +50,7 @@ def paper_bearing(**changes) -> RollerBearing:
         "traction": "4109",
         "inner_waves": None,
         "outer_waves": None,
+        "roller_deviations": (),
         "inner_profile": Straight(),
         "outer_profile": Straight(),
         **changes,
@@ -73,6 +74,7 @@ def paper_bearing(**changes) -> RollerBearing:
         first_roller_azimuth=value.pop("azimuth"),
         inner_waves=value.pop("inner_waves"),
         outer_waves=value.pop("outer_waves"),
+        roller_deviations=value.pop("roller_deviations"),
         inner_profile=value.pop("inner_profile"),
         outer_profile=value.pop("outer_profile"),
     )

@@ -41,6 +41,7 @@ def parts(case: Case) -> qd.CylindricalRollerBearing:
         first_roller_azimuth=case.bearing.first_roller_azimuth,
         inner_waves=_waves(case, "inner"),
         outer_waves=_waves(case, "outer"),
+        roller_deviations=case.bearing.form_error.roller_diameters if case.bearing.form_error else (),
         inner_profile=profiles.of_raceway(case, "inner"),
         outer_profile=profiles.of_raceway(case, "outer"),
     )

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from flexbearing.case import BadCase
 from flexbearing.case.balls.angular_contact import FastCase
-from flexbearing.derivatives.keys import Key, given_keys, key_of, with_value
+from flexbearing.derivatives.keys import Key, given_keys, keys_of, with_value
 from flexbearing.derivatives.sides import tabled, with_sides
 from flexbearing.derivatives.stencil import CENTRAL, STENCILS, Stencil
 from flexbearing.derivatives.table import Sensitivities
@@ -64,7 +64,7 @@ def sensitivities(case: FastCase, of: Sequence[str] = (), by: Sequence[str] = ()
                 f"{case.source.path}: {key} is found by iterations of its own, whose slopes are not known; "
                 f"derivatives need another one, see flexbearing explain {key}"
             )
-    keys = [key_of(case, path) for path in by] or given_keys(case)
+    keys = [key for path in by for key in keys_of(case, path)] or given_keys(case)
     shorter = [replace(key, relative_step=RELATIVE_STEP) for key in keys]
     return _table(_State.solved(case), _asked(case, of), shorter)
 

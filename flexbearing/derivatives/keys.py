@@ -1,7 +1,7 @@
 """The continuous keys of a case: their values, the units they are stated in, cases with other values."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, TypeVar
 
 from flexbearing.case import BadCase, Head
@@ -76,6 +76,24 @@ def given_keys(case: Head) -> list[Key]:
     return found
 
 
+def keys_of(case: Head, path: str) -> list[Key]:
+    """The continuous key of a name, or one for each number of its list, "KEY.1" and so on.
+
+    Raises
+    ------
+    BadCase
+        as `key_of`
+    """
+    item = find(path, type(case))
+    value = _value(case, path, given=False) if item and item.listed else None
+    if item is None or not value or not all(isinstance(each, float) for each in value):
+        return [key_of(case, path)]
+    stated = _stated(case)
+    return [
+        _key(replace(item, path=f"{path}.{number}"), each, stated) for number, each in enumerate(value, 1)
+    ]
+
+
 def key_of(case: Head, path: str) -> Key:
     """A continuous key of a case by its name, also where the case leaves it at its default.
 
@@ -107,12 +125,16 @@ def key_of(case: Head, path: str) -> Key:
 
 
 def with_value(case: Table, path: str, value: float) -> Table:
-    """The same case with another value of a key [SI].
+    """The same case with another value of a key, or of a number of its list [SI].
 
     Limits of the key are not checked; `Key.allows` knows them.
     """
     name, _, below = path.partition(".")
-    changed = with_value(getattr(case, name), below, value) if below else value
+    here = getattr(case, name)
+    if isinstance(here, tuple):
+        changed = tuple(value if number == int(below) else each for number, each in enumerate(here, 1))
+    else:
+        changed = with_value(here, below, value) if below else value
     return case.model_copy(update={name: changed})
 
 

@@ -25,8 +25,8 @@ from quasidynamic.solve.rollers.parametric_balance import between
 
 APART_FROM_RINGS = (  # keys and tables that no ring knows
     "lubricant.", "life.", "bearing.cage.", "bearing.roughness.", "bearing.roller.drop",
-    "operation.radial_load", "operation.load_direction", "operation.moment", "operation.misalignment",
-    "operation.gravity",
+    "bearing.form_error.", "operation.radial_load", "operation.load_direction", "operation.moment",
+    "operation.misalignment", "operation.gravity",
 )  # fmt: skip
 
 

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
-from flexbearing.derivatives.keys import Key, given_keys, key_of
+from flexbearing.derivatives.keys import Key, given_keys, keys_of
 from flexbearing.derivatives.roller_slopes import Difference, OutputSlopes, RollerSlopes, numbers
 from flexbearing.derivatives.roller_state import RingChanged, SolvedState, solved
 from flexbearing.derivatives.sides import tabled, with_sides
@@ -52,7 +52,7 @@ def sensitivities(case: Case, of: Sequence[str] = (), by: Sequence[str] = ()) ->
     NotSolved
         where there is no equilibrium
     """
-    keys = [key_of(case, path) for path in by] or given_keys(case)
+    keys = [key for path in by for key in keys_of(case, path)] or given_keys(case)
     asked = wanted_of(case, of)
     with linear_algebra_alone():  # its threads would only wait for each other
         state = solved(case)

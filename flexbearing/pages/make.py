@@ -12,6 +12,7 @@ from flexbearing.pages.chromium import chromium, pdf_bytes
 from flexbearing.pages.study_table import table_file
 from flexbearing.report.html import SYSTEMS, Units, html, of_result, of_study
 from flexbearing.report.html.document import Document
+from flexbearing.report.html.scatter import read_scatter
 from flexbearing.report.html.table import PARQUET, read_table
 from flexbearing.results import Result
 
@@ -108,8 +109,7 @@ def _spare_case(result: Result, outputs: Iterable[Path | None]) -> None:
 
 
 def _of_study(place: Path, units: Units) -> Document:
-    """Report of a table, with that of the lives under its duty cycle where there is one."""
+    """Report of a table, with the lives under its duty cycle and its scatter where there are such."""
     cycles = place.with_name(f"{place.stem}_duty{place.suffix}")
-    return of_study(
-        read_table(place, FAMILIES), read_table(cycles, FAMILIES) if cycles.is_file() else None, units
-    )
+    of_cycles = read_table(cycles, FAMILIES) if cycles.is_file() else None
+    return of_study(read_table(place, FAMILIES), of_cycles, units, read_scatter(place))

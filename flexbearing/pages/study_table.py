@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from flexbearing.results import BadResult
-from flexbearing.studies.table.files import CYCLES
+from flexbearing.studies.table.files import CYCLES, SCATTER
 
 
 def table_file(place: Path) -> Path:
@@ -28,7 +28,7 @@ def table_file(place: Path) -> Path:
         return place
     if (beside := place.with_name(f"{place.name}.csv")).is_file():
         return beside
-    tables = sorted(path for path in place.glob("*.csv") if not path.stem.endswith(CYCLES))
+    tables = sorted(path for path in place.glob("*.csv") if not path.stem.endswith((CYCLES, *SCATTER)))
     if len(tables) == 1:
         return tables[0]
     names = ", ".join(path.name for path in tables)

@@ -11,6 +11,7 @@ from flexbearing.program.threads import limited_to
 from flexbearing.studies.file import Study, read
 from flexbearing.studies.plan import Plan, plan
 from flexbearing.studies.run import Tell, Work, run
+from flexbearing.studies.scatter import told_of_scatter
 from flexbearing.studies.settled import Prepared, variants_of
 from flexbearing.studies.table import Table, duty
 from flexbearing.studies.table.collected import collected, estimated, require_outputs, with_errors
@@ -112,6 +113,8 @@ def compute(
     work = Work(partial(rows, wish=wish, cache=cache), partial(condense, cache=cache))
     with limited_to(where.jobs):
         table = run(settled, output, work, where.engine(settled.plan), retry_failed=retry_failed, tell=tell)
+    if settled.study.drawn and not settled.part:
+        table = told_of_scatter(settled, table, folder)
     if cache is not None and settled.part is None:
         rmtree(cache, ignore_errors=True)
     return table

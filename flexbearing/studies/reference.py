@@ -1,7 +1,7 @@
 """Reference page of study files and of profiles of clusters, from their declarations."""
 
 from flexbearing.case.explain import table_of_keys
-from flexbearing.studies.file.sampled import DISTRIBUTIONS
+from flexbearing.studies.file.sampled import FORMS
 from flexbearing.studies.file.schema import StudyFile
 from flexbearing.studies.file.slurm_profile import SlurmProfile
 from flexbearing.studies.file.values import MOST, RANGE
@@ -9,7 +9,7 @@ from flexbearing.studies.file.values import MOST, RANGE
 
 def reference_page() -> str:
     """The page in Markdown."""
-    drawn = dict.fromkeys(each.words for each in DISTRIBUTIONS.values())
+    drawn = dict.fromkeys(each.words for each in FORMS.values())
     return "\n".join(
         [
             "# Keys of a study file",
@@ -19,7 +19,7 @@ def reference_page() -> str:
             "In `[over]`, `[sample]` and `[duty]` every other name is a dotted key of the case.",
             "",
             f"- `[over]`: a list, a single value or a range; {RANGE}.",
-            f"- `[sample]`: {'; '.join(drawn)}.",
+            f'- `[sample]`: {"; ".join(drawn)}; "30 x normal ..." for a list; a single value is that of all.',
             f"- A study has at most {MOST} variants.",
             "",
             *table_of_keys(StudyFile),

@@ -1,14 +1,17 @@
 """What people read of a study: its variants before, its progress, its end."""
 
 from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import islice
+from math import isnan
 from pathlib import Path
 from time import perf_counter
-from typing import Self, TextIO
+from typing import Any, Self, TextIO
 
 from flexbearing.case.problems import MOST
 from flexbearing.printable import printable
 from flexbearing.studies.run import PICTURE
+from flexbearing.studies.scatter import PICTURE as SCATTER_PICTURE
 from flexbearing.studies.settled import Prepared, Progress
 from flexbearing.studies.table import Table
 from flexbearing.studies.table.forms import EXTRA, FORMS, missing
@@ -110,6 +113,8 @@ def end(settled: Prepared, table: Table, folder: Path) -> str:
         without = f", not written without {' and '.join(packages)}: {EXTRA}" if packages else ""
         lines.append(f"table: {folder / table.name}{suffix}{without}")
     lines += [f"picture: {folder / table.name}{PICTURE}"] if settled.plot else []
+    if table.scatter:
+        lines += [*scatter(table), f"scatter: {folder / table.name}{SCATTER_PICTURE}, tables beside it"]
     return "\n".join(lines)
 
 
@@ -125,6 +130,42 @@ def cycles(lives: Table) -> list[str]:
         )
         lines.append(f"duty cycle{f' at {where}' if where else ''}: {row['message'] or words}")
     return lines
+
+
+def scatter(table: Table) -> Iterator[str]:
+    """Percentiles of the first outputs, and which key to tighten first; what the prediction lacks."""
+    outputs, keys, _ = table.scatter
+    shares = keys.rows
+    for row in outputs.rows[:MOST]:
+        unit = f" {row['unit']}" if row["unit"] else ""
+        told = ", ".join(f"{name} {row[name]:.5g}{_between(row, name)}" for name in ("P10", "P50", "P90"))
+        linear = row["linear_explains [%]"]
+        agrees = (
+            "" if isnan(linear) else f"; linear: P10 {row['linear_P10']:.5g}, P90 {row['linear_P90']:.5g}"
+        )
+        explains = "" if isnan(linear) else f", explains {linear:.3g} % of the variance"
+        unsolved = f"; {row['unsolved']} rows without a number" if row["unsolved"] else ""
+        yield f"{row['output']}{unit}: {told}{agrees}{explains}{unsolved}"
+        of_output = [share for share in shares if share["output"] == row["output"]]
+        yield from _first_to_tighten(of_output)
+    yield from (f"linear prediction without {missing}" for missing in table.missing)
+
+
+def _between(row: Mapping[str, Any], name: str) -> str:
+    low, high = row[f"{name}_low"], row[f"{name}_high"]
+    return "" if isnan(low) or isnan(high) else f" ({low:.5g} to {high:.5g})"
+
+
+def _first_to_tighten(shares: Sequence[Mapping[str, Any]]) -> Iterator[str]:
+    """The key whose scatter, halved, brings P10 and P90 nearest to each other."""
+    known = [share for share in shares if not isnan(share["narrower [%]"])]
+    if known:
+        first = max(known, key=lambda share: share["narrower [%]"])
+        total = "" if isnan(first["total"]) else f", total index {first['total']:.2g}"
+        yield (
+            f"  tighten first: {first['key']}; half its scatter brings P10 and P90 nearer by "
+            f"{first['narrower [%]']:.2g} %{total}"
+        )
 
 
 def duration(seconds: float) -> str:

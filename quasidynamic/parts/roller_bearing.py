@@ -14,6 +14,8 @@ from quasidynamic.parts.profile import STRAIGHT, PointsProfile, Profile, Straigh
 from quasidynamic.parts.raceway_waves import RacewayWaves
 from quasidynamic.parts.roller import Roller
 
+UNLIKE = 1e-3  # [-] most deviation of a diameter: masses and contacts are those of the nominal (assumed)
+
 
 @dataclass(frozen=True, kw_only=True)
 class CylindricalRollerBearing:
@@ -30,6 +32,9 @@ class CylindricalRollerBearing:
     first_roller_azimuth: float = 0.0  # [rad] from the load line
     inner_waves: RacewayWaves | None = None  # form errors; None: round
     outer_waves: RacewayWaves | None = None
+    roller_deviations: tuple[
+        float, ...
+    ] = ()  # [m] of each roller's diameter from the nominal one; empty: none
     inner_profile: Profile = STRAIGHT  # of the raceways along the rollers
     outer_profile: Profile = STRAIGHT
 
@@ -39,10 +44,24 @@ class CylindricalRollerBearing:
             raise ImpossiblePart(f"bearing.rollers = {self.rollers}: a ring needs at least 3")
         if self.rollers * self.roller.diameter >= np.pi * self.pitch_diameter:
             raise ImpossiblePart(f"{self.rollers} rollers do not fit on the pitch circle")
+        self._require_like_rollers()
         for race, radius in (("inner", self.inner_radius), ("outer", self.outer_radius)):
             waves = getattr(self, f"{race}_waves")
             if waves is not None:
                 waves.require_gentle(f"bearing.form_error.{race}", radius, self.roller.diameter / 2)
+
+    def _require_like_rollers(self) -> None:
+        if len(self.roller_deviations) not in (0, self.rollers):
+            raise ImpossiblePart(
+                f"bearing.form_error.roller_diameters has {len(self.roller_deviations)} numbers; there must "
+                f"be one for each of {self.rollers} rollers"
+            )
+        largest = max(map(abs, self.roller_deviations), default=0.0)
+        if not largest <= UNLIKE * self.roller.diameter:
+            raise ImpossiblePart(
+                f"bearing.form_error.roller_diameters: {largest * 1e6:.4g} um; at most "
+                f"{UNLIKE * self.roller.diameter * 1e6:.4g} um, {UNLIKE:g} of the diameter"
+            )
 
     @cached_property
     def pitch_diameter(self) -> float:
@@ -71,20 +90,25 @@ class CylindricalRollerBearing:
 
     @cached_property
     def clearances(self) -> float | NDArray:
-        r"""Diametral clearance at every roller (Z) [m]; one number between round raceways.
+        r"""Diametral clearance at every roller (Z) [m]; one number of round raceways and rollers alike.
 
-        .. math:: G_j = G - 2\,(h_{ij} + h_{oj})
+        .. math:: G_j = G - 2\,(h_{ij} + h_{oj}) - 2\,\delta_j
 
-        with the form errors h towards the rollers.
+        with the form errors h towards the rollers, and the deviations delta of their diameters.
 
         Source
         ------
         Geometry.
         """
         waves = [waves for waves in (self.inner_waves, self.outer_waves) if waves is not None]
-        if not waves:
+        if not waves and not self.roller_deviations:
             return self.clearance
-        return self.clearance - 2 * sum(each.height(self.azimuths) for each in waves)
+        nearer = [each.height(self.azimuths) for each in waves]
+        if self.roller_deviations:
+            nearer.append(
+                np.concatenate(np.broadcast_arrays(*map(np.atleast_1d, self.roller_deviations)), axis=-1)
+            )
+        return self.clearance - 2 * sum(nearer)
 
     @property
     def symmetric(self) -> bool:

@@ -69,6 +69,8 @@ EFFECTS = (
     ("waves", "bearing.form_error.outer.further_amplitudes", ["1.01 um"],
      "model.bearing.outer_waves.amplitudes.1"),
     ("waves", "bearing.form_error.outer.further_crests", ["12 deg"], "model.bearing.outer_waves.crests.1"),
+    ("waves", "bearing.form_error.roller_diameters", ["1 um", "0.5 um", *["0 um"] * 28],
+     "model.bearing.roller_deviations.1"),
     ("cage", "materials.roller.youngs_modulus", "211.09 GPa", "model.bearing.roller.material.youngs_modulus"),
     ("cage", "materials.roller.poisson_ratio", 0.303, "model.bearing.roller.material.poisson_ratio"),
     ("cage", "materials.roller.density", "7938.6 kg/m^3", "model.bearing.roller.material.density"),

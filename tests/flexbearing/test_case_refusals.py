@@ -256,6 +256,7 @@ COLLAR = ("outer.collar_length=2 mm", "outer.collar_thickness=6 mm")
         ((*OVAL, "bearing.form_error.outer.waves=1"), "[bearing.form_error.outer] waves"),
         ((*OVAL, "bearing.form_error.outer.further_waves=[1]"), "whole numbers from 2"),
         ((*OVAL, "bearing.form_error.outer.further_waves=[3]"), "further_amplitudes"),
+        (("bearing.form_error.roller_diameters=['1 um']",), "as many numbers as bearing.rollers"),
         ((*COLLAR, "outer.collar_thickness=3 mm"), "at least 3.6 mm, outer.thickness."),
         ((*COLLAR, "outer.collar_length=11 mm"), "at most outer.width"),
         ((*COLLAR, "outer.collar_length=6 mm", "outer.bar_ends=both"), "at most half of outer.width"),

@@ -88,7 +88,8 @@ CONTEXTS = {  # file and settings in which a key belongs to the case
     "waves": ("mao2016", {"bearing.form_error": {
         "inner": {"waves": 2, "amplitude": "4 um", "crest": "10 deg", "further_waves": [3],
                   "further_amplitudes": ["2 um"], "further_crests": ["20 deg"]},
-        "outer": {"waves": 2, "amplitude": "10 um", "further_waves": [5], "further_amplitudes": ["1 um"]}}}),
+        "outer": {"waves": 2, "amplitude": "10 um", "further_waves": [5], "further_amplitudes": ["1 um"]},
+        "roller_diameters": ["1 um", *["0 um"] * 29]}}),
     "foundation": ("mao2016", {
         **_RING, "outer.support": "foundation", "outer.foundation_radial": "100 N/mm^3"}),
     "seat": ("mao2016", {**_RING, "outer.support": "seat"}),

@@ -127,6 +127,26 @@ def test_samples_are_the_quantiles_of_scipy_at_its_points(study_of):
         assert numbers == approx(distribution.ppf(point), rel=1e-12)
 
 
+def test_lists_are_drawn_and_single_values_belong_to_every_variant(study_of):
+    text = """[sample]
+        count = 6
+        "operation.radial_load" = "20 kN"
+        "bearing.form_error.roller_diameters" = "30 x normal 0 um, 0.3 um"
+        "bearing.form_error.outer.waves" = 2"""
+    study = study_of(text)
+    (axis,) = study.axes
+    assert axis.keys == (
+        "bearing.form_error.roller_diameters", "operation.radial_load", "bearing.form_error.outer.waves"
+    )  # fmt: skip
+    deviations = np.array([[float(each.removesuffix(" m")) for each in row[0]] for row in axis.rows])
+    assert deviations.shape == (6, 30)
+    assert {row[1:] for row in axis.rows} == {("20 kN", 2)}
+    from scipy import stats
+
+    strata = np.sort(stats.norm(0, 0.3e-6).cdf(deviations) * 6 // 1, axis=0)
+    assert (strata.T == np.arange(6)).all()  # of a Latin hypercube: one of each sixth
+
+
 def test_the_seed_decides_the_samples_of_a_latin_hypercube(study_of):
     from scipy.stats import qmc
 
@@ -207,6 +227,13 @@ WRONG = {
         'has the deviation "5 degC": a difference of temperatures is in K',
     '[sample]\ncount = 3\n"outer.bars" = "uniform 10, 20"':
         "cannot be drawn: the key takes a whole number",
+    '[sample]\ncount = 3\n"bearing.form_error.roller_diameters" = "normal 0 um, 1 um"':
+        'has no count; a list of 30 numbers is drawn by "30 x normal ..."',
+    '[sample]\ncount = 3\n"operation.radial_load" = "2 x uniform 1 N, 2 N"':
+        "has a count, but the key takes a force as text",
+    '[sample]\ncount = 262144\nmethod = "sobol_indices"\n"operation.radial_load" = "uniform 1 N, 2 N"\n'
+    '"operation.inner_speed" = "uniform 1 rpm, 2 rpm"':
+        "[sample] gives 1048576 variants, 4 for each of 262144 points; a study has at most 1000000",
     '[duty]\n' + LOAD: "[duty] needs the shares of its rows",
     "[duty]\ntime = [1, 2]": "[duty] needs the shares of its rows",
     "[duty]\ntime = [1, 2]\nrevolutions = [1, 2]\n" + LOAD: "[duty] needs the shares of",

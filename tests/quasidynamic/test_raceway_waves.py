@@ -146,3 +146,23 @@ def test_waves_that_a_roller_cannot_follow_are_refused(number, amplitude):
     with pytest.raises(ImpossiblePart, match=r"bearing.form_error.outer: .* at most"):
         paper_bearing(outer_waves=waves(number, amplitude))
     paper_bearing(outer_waves=waves(number, 0.9 * amplitude))
+
+
+def test_larger_rollers_close_the_clearance_by_twice_their_deviation():
+    """All alike: a closed form, equal to the last digits."""
+    larger = paper_bearing(roller_deviations=(1e-6,) * 30).solve()
+    closer = paper_bearing(clearance=75.5e-6 - 2e-6).solve()
+    assert larger.loads == approx(closer.loads, rel=1e-9, abs=1e-6)
+
+
+def test_one_larger_roller_takes_load_from_its_neighbours():
+    deviations = (2e-6, *(0.0,) * 29)  # the first one stands under the load
+    loads = paper_bearing(roller_deviations=deviations).solve().loads[1]
+    assert loads[0] > ROUND_LOADS[1][0] + 50
+    assert (loads[[1, 2, 28, 29]] < ROUND_LOADS[1][[1, 2, 28, 29]] - 5).all()
+
+
+@pytest.mark.parametrize("deviations", [(1e-6,) * 29, (1e-5, *(0.0,) * 29)], ids=["too few", "too large"])
+def test_impossible_rollers_are_refused(deviations):
+    with pytest.raises(ImpossiblePart, match=r"bearing\.form_error\.roller_diameters"):
+        paper_bearing(roller_deviations=deviations)

@@ -61,6 +61,7 @@ BEARINGS = {
         "outer_waves": RacewayWaves(numbers=(3,), amplitudes=(2e-6,), crests=(0.2,)),
         "clearance": 1e-5,
     },
+    "unlike rollers": {"roller_deviations": tuple(1e-7 * (n % 7 - 3) for n in range(30)), "clearance": 1e-5},
     "slow": {"load": 30.0, "speed": 20 * RPM, "misalignment": 1e-4, "cage": {"guidance": "rollers"}},
     "starved": {"inlet_length": 0.5, "drag_coefficient": 1.1, "outer_speed": -2000 * RPM},
     "bair-winer": {"traction": partial(BairWiner, limiting_ratio=0.05, film_heating=True)},

@@ -13,6 +13,7 @@ PAPER = {
     "E_roller": 209e9, "nu_roller": 0.3, "density": 7860.0, "E_ring": 203e9, "nu_ring": 0.28,
     "load": 19621.1, "inner_speed": 38000 * 2 * pi / 60, "mu_pocket": 0.05, "t_cage": 2.5e-3,
     "land": (37.3e-3, 3e-3, 0.2e-3), "oil_fraction": 0.16, "traction": "4109", "direction": 0.0,
+    "roller_deviations": (),  # of the diameter of each roller
     "waves": (),  # amplitude towards the rollers, number, azimuth of a crest; of either raceway
 }  # fmt: skip
 
@@ -84,9 +85,10 @@ def raceway(p, oil, approach, tilt, u, U, h, R, E):
     return Q, M, T, rolling_shear(p, oil, Q, U, R, E)
 
 
-def height(p, phi):
-    """Of both raceways over round ones, towards the rollers."""
-    return sum(a * cos(n * (phi - crest)) for a, n, crest in p["waves"])
+def height(p, phi, j):
+    """Of both raceways over round ones and of roller j over a nominal one, towards each other."""
+    roller = p["roller_deviations"][j] if p["roller_deviations"] else 0.0
+    return roller + sum(a * cos(n * (phi - crest)) for a, n, crest in p["waves"])
 
 
 def evaluate(p, oil, y, z, slopes, omega_c, e, tilt, spin, films):
@@ -106,7 +108,7 @@ def evaluate(p, oil, y, z, slopes, omega_c, e, tilt, spin, films):
             (spin[j] * r_w + omega_c * r_o) / 2,
         )
         h_i, h_o = films[0][j], films[1][j]
-        approach_i = z * cos(phi) + y * sin(phi) - p["clearance"] / 2 + height(p, phi) - e[j] + h_i + h_o
+        approach_i = z * cos(phi) + y * sin(phi) - p["clearance"] / 2 + height(p, phi, j) - e[j] + h_i + h_o
         slope = slopes[0] * cos(phi) + slopes[1] * sin(phi)
         Q_i, M_i, T_i, F_i = raceway(p, oil, approach_i, slope - tilt[j], u_i, U_i, h_i, R_i, E)
         Q_o, M_o, T_o, F_o = raceway(p, oil, e[j], tilt[j], u_o, U_o, h_o, R_o, E)

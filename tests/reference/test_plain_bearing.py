@@ -21,6 +21,7 @@ CASES = {
     "two waves outside": {
         "outer_waves": RacewayWaves(numbers=(2,), amplitudes=(10e-6,), crests=(0.0,)),
     },
+    "unlike rollers": {"roller_deviations": tuple(1e-6 * (n % 5 - 2) for n in range(30))},
     "waves of both raceways, tilt held": {
         "inner_waves": RacewayWaves(numbers=(3,), amplitudes=(4e-6,), crests=(0.3,)),
         "outer_waves": RacewayWaves(numbers=(2, 7), amplitudes=(-10e-6, 2e-6), crests=(0.1, -0.4)),

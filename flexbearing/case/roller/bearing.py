@@ -142,7 +142,9 @@ class Bearing(Section):
     cage: Cage = key("the cage")
     roughness: Roughness | None = key("roughness of rollers and raceways, for film ratios", None)
     flange: Flange | None = key("guide flanges of one ring, for the skew of the rollers", None)
-    form_error: FormError | None = key("form errors of the raceways, which are round without it", None)
+    form_error: FormError | None = key(
+        "form errors: raceways that are not round, rollers that are not alike", None
+    )
 
     @property
     def mounting(self) -> Fits | None:
@@ -206,6 +208,16 @@ class Bearing(Section):
         if self.cage.pocket_clearance is not None and 2 * self.cage.pocket_clearance >= gap:
             allowed = f"below {in_mm(gap / 2)}, or no bar is left between neighbouring pockets"
             raise impossible("cage.pocket_clearance", allowed)
+        return self
+
+    @model_validator(mode="after")
+    def _a_diameter_of_each_roller(self) -> Self:
+        deviations = self.form_error.roller_diameters if self.form_error else ()
+        if len(deviations) not in (0, self.rollers):
+            raise impossible(
+                "form_error.roller_diameters",
+                f"as many numbers as bearing.rollers, {self.rollers}, or left out",
+            )
         return self
 
     def require_room(self, clearance: float) -> None:

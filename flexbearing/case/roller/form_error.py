@@ -1,4 +1,4 @@
-"""The section [bearing.form_error]: raceways that are not round."""
+"""The section [bearing.form_error]: raceways that are not round, rollers that are not alike."""
 
 from typing import Self
 
@@ -7,6 +7,7 @@ from pydantic import model_validator
 from flexbearing.case.quantity import Angle, Length, Section, impossible, key
 
 MOST = 100  # further waves of a raceway
+MOST_ROLLERS = 1000
 FINEST = 10_000  # of them around the circumference
 
 
@@ -68,7 +69,15 @@ class Waves(Section):
 
 
 class FormError(Section):
-    """Form errors of both raceways."""
+    """Form errors of both raceways, and of the rollers."""
 
     inner: Waves | None = key("form error of the inner raceway", None)
     outer: Waves | None = key("form error of the outer raceway", None)
+    roller_diameters: tuple[Length, ...] = key(
+        "by how much the diameter of each roller is above bearing.roller.diameter, one after the other "
+        "from bearing.first_roller_azimuth on; rollers are alike where left out",
+        (),
+        example=["0.5 um", "-0.2 um", "0 um"],
+        strict=False,
+        max_length=MOST_ROLLERS,
+    )

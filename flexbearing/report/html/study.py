@@ -6,16 +6,23 @@ from math import isnan
 from flexbearing.printable import printable
 from flexbearing.report.html.document import Block, Cell, Document, Figure, Items, Section, Table, Words
 from flexbearing.report.html.figures import COLOURS
+from flexbearing.report.html.scatter import ScatterTables, scatter_blocks
 from flexbearing.report.html.table import StudyColumn, StudyTable
 from flexbearing.report.html.units import METRIC, NOTHING, Units, converted, printed, with_unit
 
 LINES = 12  # of a figure at most; more are points
+MOST_ROWS = 2000  # of a table that a browser still shows at once
 SHORT = 4  # lines that a legend names within a figure of usual height
 CONVERGED = "converged"
 _STYLES = ("solid", "dash", "dot")
 
 
-def of_study(table: StudyTable, cycles: StudyTable | None, units: Units = METRIC) -> Document:
+def of_study(
+    table: StudyTable,
+    cycles: StudyTable | None,
+    units: Units = METRIC,
+    scatter: ScatterTables | None = None,
+) -> Document:
     """Collect the report of a study.
 
     Parameters
@@ -26,24 +33,38 @@ def of_study(table: StudyTable, cycles: StudyTable | None, units: Units = METRIC
         lives under its duty cycle, where there is one
     units : Units
         of all numbers but those in the titles of rows and in messages
+    scatter : ScatterTables, optional
+        of a sampled study
 
     Returns
     -------
     Document
     """
+    shown = table.first(MOST_ROWS)
     sections = [
         ("verdict", "Verdict", tuple(_verdict(table))),
         ("duty", "Life under the duty cycle", tuple(_cycles(cycles, units)) if cycles else ()),
+        ("scatter", "Scatter of the outputs", tuple(scatter_blocks(scatter, units)) if scatter else ()),
         ("varied", "What was varied", tuple(_varied(table, units))),
-        *((f"over-{number}", f"Over {axis.heading}", tuple(_over(table, axis, units, number)))
-          for number, axis in enumerate(table.axes)),
-        ("rows", "Every row", (_rows(table, units, "rows"),)),
+        *((f"over-{number}", f"Over {axis.heading}", tuple(_over(shown, axis, units, number)))
+          for number, axis in enumerate(shown.axes)),
+        ("rows", "Every row", tuple(_every_row(table, shown, units))),
     ]  # fmt: skip
     kept = tuple(Section(name, title, blocks) for name, title, blocks in sections if blocks)
     subtitle = f"{len(table)} variants, from {table.place.name}"
     return Document(
         f"Study: {printable(table.name)}", subtitle, kept, (f"{table.place.stem}.csv", table.text)
     )
+
+
+def _every_row(table: StudyTable, shown: StudyTable, units: Units) -> Iterator[Block]:
+    """The rows; of a large table the first ones."""
+    if len(shown) < len(table):
+        words = (
+            f"The first {len(shown)} of {len(table)} rows are shown, here and in the figures over the keys"
+        )
+        yield Words((f"{words}; the table that this page hands out has all.",))
+    yield _rows(shown, units, "rows")
 
 
 def _verdict(table: StudyTable) -> Iterator[Block]:

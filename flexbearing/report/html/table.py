@@ -3,7 +3,7 @@
 import csv
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from io import StringIO
 from math import isnan, nan
@@ -59,6 +59,12 @@ class StudyTable:
 
     def __len__(self) -> int:
         return len(self.columns[0].texts)
+
+    def first(self, rows: int) -> "StudyTable":
+        """The first rows of it, or all."""
+        if len(self) <= rows:
+            return self
+        return replace(self, columns=tuple(replace(c, texts=c.texts[:rows]) for c in self.columns))
 
     def column(self, name: str) -> StudyColumn | None:
         """Column by its name; None where there is none."""

@@ -17,7 +17,7 @@ from flexbearing.case.problems import BadCase, messages, nearest
 from flexbearing.case.read import LONGEST_NAME, model_of
 from flexbearing.case.text import Unreadable, tables, text_of
 from flexbearing.studies.file.axes import Axis, axes, require_crossable
-from flexbearing.studies.file.sampled import sampled
+from flexbearing.studies.file.sampled import Drawn, sampled
 from flexbearing.studies.file.schema import Over, PlotTable, StudyFile
 from flexbearing.studies.file.spectrum import Spectrum, spectrum
 from flexbearing.studies.file.values import BadValues
@@ -48,6 +48,7 @@ class Study:
     axes: tuple[Axis, ...]  # crossed, the last one changes fastest
     collect: tuple[Wanted, ...] | None  # None: every number of the summary
     search: bool = False  # whether other equilibria are searched
+    drawn: Drawn | None = None  # distributions of the axis "variant"
     spectrum: Spectrum | None = None  # weights of the axis "duty", which is the last one
     plot: PlotTable | None = None  # what is drawn
     full: bool = False  # whether every variant has a result file
@@ -110,7 +111,7 @@ def study_of(given: StudyFile, file: Path, families: Families) -> Study:
     """
     case = file.parent / given.case
     model = model_of(_tables(case, "case"), (), excerpt(case.name, LONGEST_NAME), families)
-    found, weights = _axes(given, file, partial(declared, model=model, families=families))
+    found, drawn, weights = _axes(given, file, partial(declared, model=model, families=families))
     return Study(
         path=file,
         name=_name(given, file),
@@ -125,6 +126,7 @@ def study_of(given: StudyFile, file: Path, families: Families) -> Study:
         axes=found,
         collect=_collected(given.collect, file),
         search=given.search_equilibria,
+        drawn=drawn,
         spectrum=weights,
         plot=given.plot,
         full=given.results != "table",
@@ -207,14 +209,15 @@ def _name(given: StudyFile, file: Path) -> str:
 
 def _axes(
     given: StudyFile, file: Path, find: Callable[[str], Declaration]
-) -> tuple[tuple[Axis, ...], Spectrum | None]:
-    """Axes of all tables, that of the duty cycle last, and its weights."""
-    where, weights, found = "over" if given.over else "sample", None, ()
+) -> tuple[tuple[Axis, ...], Drawn | None, Spectrum | None]:
+    """Axes of all tables, that of the duty cycle last; distributions, and weights of the cycle."""
+    where, drawn, weights, found = "over" if given.over else "sample", None, None, ()
     try:
         if given.over:
             found = _varied(given.over, file.parent, find)
         elif given.sample:
-            found = (sampled(given.sample, find),)
+            axis, drawn = sampled(given.sample, find)
+            found = (axis,)
         if given.duty:
             where = "duty"
             axis, weights = spectrum(given.duty, file.parent, find)
@@ -222,7 +225,7 @@ def _axes(
         require_crossable(found)
     except BadValues as problem:
         raise BadCase(f"{excerpt(file.name, LONGEST_NAME)}: [{where}] {problem}") from None
-    return found, weights
+    return found, drawn, weights
 
 
 def _varied(over: Over, folder: Path, find: Callable[[str], Declaration]) -> tuple[Axis, ...]:

@@ -1,58 +1,62 @@
-"""Values drawn from distributions, at points of a Latin hypercube or of a Sobol sequence."""
+"""The table [sample]: keys that are drawn from distributions, and those that every variant has alike."""
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from math import log
-from typing import TYPE_CHECKING, Any
+from itertools import accumulate
+from typing import Any
 
 from flexbearing.case.declarations import Declaration, toml
 from flexbearing.case.excerpt import excerpt
 from flexbearing.case.quantity import Kind
+from flexbearing.sampling.design import POWERS_OF_2, Design
+from flexbearing.sampling.distribution import Distribution, lognormal, normal, truncated_normal, uniform
 from flexbearing.studies.file.axes import TOGETHER, Axis
 from flexbearing.studies.file.schema import Sample
-from flexbearing.studies.file.values import BadValues, in_si_units
+from flexbearing.studies.file.values import MOST, BadValues, in_si_units
 from flexbearing.units import BadUnit, UnknownUnit, unit
 
-if TYPE_CHECKING:
-    import numpy as np
-
-_TEXT = re.compile(r"\s*(?P<name>[a-z]+(?: [a-z]+)?)\s+(?P<numbers>[^a-z\s].*)")
+_TEXT = re.compile(
+    r"\s*(?:(?P<count>[0-9]{1,5})\s*x\s+)?(?P<name>[a-z]+(?: [a-z]+)?)\s+(?P<numbers>[^a-z\s].*)"
+)
+_PLAIN = re.compile(r"\s*[+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?(?:\s[^,]*)?")  # one value, with or without a unit
+MOST_NUMBERS = 1000  # of one list
 _UNIT = re.compile(r"[+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?\s*(.*)")
 
 
 @dataclass(frozen=True)
-class Distribution:
-    """A distribution by the numbers that it is written with."""
+class Form:
+    """How a distribution is written."""
 
-    words: str  # how it is written, for messages
+    words: str  # for messages
     differences: tuple[int, ...]  # places of numbers that are no values of the key but differences
     factors: tuple[int, ...]  # places of plain numbers
     problem: Callable[..., str]  # what is wrong with its numbers; empty where nothing is
-    quantile: Callable[..., "np.ndarray"]  # of probabilities and its numbers
+    made: Callable[..., Distribution]  # of its numbers
 
 
-def _uniform(probability, low, high):
-    return low + (high - low) * probability
+@dataclass(frozen=True, eq=False)
+class Factor:
+    """A key that is drawn."""
+
+    key: str
+    distribution: Distribution  # of the key in SI units, or of each number of its list
+    unit: str = ""  # SI, empty of plain numbers
+    width: int = 1  # how many numbers are drawn for it, independently
+    listed: bool = False
+
+    def written(self, numbers: Sequence[float]) -> Any:
+        """Numbers (width) in SI units in the words of a case file."""
+        words = [f"{number!r} {self.unit}" if self.unit else number for number in numbers]
+        return words if self.listed else words[0]
 
 
-def _normal(probability, mean, deviation):
-    from scipy.special import ndtri
+@dataclass(frozen=True, eq=False)
+class Drawn:
+    """What is drawn in a study, and how."""
 
-    return mean + deviation * ndtri(probability)
-
-
-def _truncated(probability, mean, deviation, low, high):
-    from scipy.stats import truncnorm
-
-    return truncnorm.ppf(probability, (low - mean) / deviation, (high - mean) / deviation, mean, deviation)
-
-
-def _lognormal(probability, median, factor):
-    from numpy import exp
-    from scipy.special import ndtri
-
-    return median * exp(log(factor) * ndtri(probability))
+    factors: tuple[Factor, ...]
+    design: Design
 
 
 def _rising(low, high):
@@ -73,18 +77,18 @@ def _multiplied(median, factor):
     return "" if factor > 1 else "its factor is not above 1"
 
 
-_TRUNCATED = Distribution('"truncated normal MEAN, DEVIATION, LOW, HIGH"', (1,), (), _inside, _truncated)
-DISTRIBUTIONS = {
-    "uniform": Distribution('"uniform LOW, HIGH"', (), (), _rising, _uniform),
-    "normal": Distribution('"normal MEAN, DEVIATION"', (1,), (), _spread, _normal),
+_TRUNCATED = Form('"truncated normal MEAN, DEVIATION, LOW, HIGH"', (1,), (), _inside, truncated_normal)
+FORMS = {
+    "uniform": Form('"uniform LOW, HIGH"', (), (), _rising, uniform),
+    "normal": Form('"normal MEAN, DEVIATION"', (1,), (), _spread, normal),
     "truncated normal": _TRUNCATED,
     "truncated": _TRUNCATED,
-    "lognormal": Distribution('"lognormal MEDIAN, FACTOR"', (), (1,), _multiplied, _lognormal),
+    "lognormal": Form('"lognormal MEDIAN, FACTOR"', (), (1,), _multiplied, lognormal),
 }
 
 
-def sampled(sample: Sample, find: Callable[[str], Declaration]) -> Axis:
-    """The axis of the table [sample].
+def sampled(sample: Sample, find: Callable[[str], Declaration]) -> tuple[Axis, Drawn]:
+    """The axis of the table [sample], and what is drawn along it.
 
     Parameters
     ----------
@@ -95,69 +99,91 @@ def sampled(sample: Sample, find: Callable[[str], Declaration]) -> Axis:
 
     Returns
     -------
-    Axis
-        of all keys; values of quantities are in SI units
+    tuple
+        axis of all keys, drawn ones first, whose quantities are in SI units; distributions and design
 
     Raises
     ------
     BadValues
         naming the key
     """
-    distributions: Mapping[str, Any] = sample.model_extra or {}
-    if not distributions:
+    given: Mapping[str, Any] = sample.model_extra or {}
+    alike = {key: value for key, value in given.items() if _is_one_value(value)}
+    factors = [_factor(key, text, find(key)) for key, text in given.items() if key not in alike]
+    for key in alike:
+        find(key)
+    if not factors:
         raise BadValues('names no key; give one or more, such as "bearing.clearance" = "normal 75 um, 5 um"')
-    columns = []
-    points = _points(sample, len(distributions))
-    for key, text, column in zip(distributions, distributions.values(), points.T, strict=True):
-        declaration = find(key)
-        try:
-            columns.append(_drawn(text, column, declaration))
-        except BadValues as problem:
-            raise BadValues(f"{key} = {excerpt(toml(text))} {problem}") from None
-    return Axis(TOGETHER, tuple(distributions), tuple(zip(*columns, strict=True)))
+    design = _design(sample, len(factors))
+    points = design.points([factor.width for factor in factors])
+    ends = accumulate(factor.width for factor in factors)
+    columns = [
+        [*map(factor.written, factor.distribution.quantile(points[:, end - factor.width : end]).tolist())]
+        for factor, end in zip(factors, ends, strict=True)
+    ]
+    columns += [[value] * len(points) for value in alike.values()]
+    keys = *(factor.key for factor in factors), *alike
+    return Axis(TOGETHER, keys, tuple(zip(*columns, strict=True))), Drawn(tuple(factors), design)
 
 
-def _points(sample: Sample, dimensions: int) -> "np.ndarray":
-    """Points (count, keys) of the unit cube."""
-    from scipy.stats import qmc  # since SciPy 1.15 seed is called rng, too
+def _is_one_value(given: Any) -> bool:
+    return not isinstance(given, str) or bool(_PLAIN.fullmatch(given))
 
+
+def _design(sample: Sample, keys: int) -> Design:
     count = sample.count
-    if sample.method == "latin_hypercube":
-        return qmc.LatinHypercube(dimensions, seed=sample.seed).random(count)  # pyright: ignore[reportCallIssue]
-    if count & (count - 1):
+    if sample.method == "sobol_indices" and (rows := count * (keys + 2)) > MOST:
+        raise BadValues(
+            f"gives {rows} variants, {keys + 2} for each of {count} points; a study has at most {MOST}"
+        )
+    if sample.method in POWERS_OF_2 and count & (count - 1):
         below = 1 << (count.bit_length() - 1)
         raise BadValues(
             f"count = {count} is not a power of 2, for which Sobol points are even: {below} or {2 * below}"
         )
-    return qmc.Sobol(dimensions, seed=sample.seed).random(count)  # pyright: ignore[reportCallIssue]
+    return Design(sample.method, count, sample.seed)
 
 
-def _drawn(text: Any, probabilities: "np.ndarray", declaration: Declaration) -> list[Any]:
-    """Values of one key, in the words of a case file."""
-    distribution, numbers = _read(text, declaration)
-    if problem := distribution.problem(*numbers):
-        raise BadValues(f"cannot be: {problem}")
-    drawn = distribution.quantile(probabilities, *numbers).tolist()
-    unit_text = declaration.kind.unit if declaration.kind else ""
-    return [f"{value!r} {unit_text}" for value in drawn] if unit_text else drawn
+def _factor(key: str, text: Any, declaration: Declaration) -> Factor:
+    """What is drawn for one key."""
+    try:
+        return _read(key, text, declaration)
+    except BadValues as problem:
+        raise BadValues(f"{key} = {excerpt(toml(text))} {problem}") from None
 
 
-def _read(text: Any, declaration: Declaration) -> tuple[Distribution, list[float]]:
+def _read(key: str, text: Any, declaration: Declaration) -> Factor:
     parts = _TEXT.fullmatch(text) if isinstance(text, str) and len(text) <= 400 else None
     name = " ".join(parts["name"].split()) if parts else ""
-    if parts is None or name not in DISTRIBUTIONS:
-        known = " or ".join(dict.fromkeys(each.words for each in DISTRIBUTIONS.values()))
+    if parts is None or name not in FORMS:
+        known = " or ".join(dict.fromkeys(each.words for each in FORMS.values()))
         raise BadValues(f"is no distribution; it must be {known}")
-    if declaration.listed or declaration.whole or not (declaration.kind or declaration.number):
+    if declaration.whole or not (declaration.kind or declaration.number):
         raise BadValues(f"cannot be drawn: the key takes {declaration.allowed}")
-    distribution = DISTRIBUTIONS[name]
-    texts = [number.strip() for number in parts["numbers"].split(",")]
-    if len(texts) != distribution.words.count(",") + 1:
-        raise BadValues(f"has {len(texts)} numbers; it must be {distribution.words}")
-    kinds = [None if place in distribution.factors else declaration.kind for place in range(len(texts))]
-    for place in distribution.differences:
-        _require_difference(texts[place], declaration.kind)
-    return distribution, [_number(each, kind) for each, kind in zip(texts, kinds, strict=True)]
+    if declaration.listed and not parts["count"]:
+        raise BadValues(f'has no count; a list of 30 numbers is drawn by "30 x {name} ..."')
+    if parts["count"] and not declaration.listed:
+        raise BadValues(f"has a count, but the key takes {declaration.allowed}")
+    form = FORMS[name]
+    numbers = _numbers(parts["numbers"], form, declaration.kind)
+    if problem := form.problem(*numbers):
+        raise BadValues(f"cannot be: {problem}")
+    width = int(parts["count"] or 1)
+    if not 1 <= width <= MOST_NUMBERS:
+        raise BadValues(f"has a list of {width} numbers; it must be of 1 to {MOST_NUMBERS}")
+    unit_text = declaration.kind.unit if declaration.kind else ""
+    return Factor(key, form.made(*numbers), unit_text, width, declaration.listed)
+
+
+def _numbers(text: str, form: Form, kind: Kind | None) -> list[float]:
+    """Numbers of a distribution in SI units."""
+    texts = [number.strip() for number in text.split(",")]
+    if len(texts) != form.words.count(",") + 1:
+        raise BadValues(f"has {len(texts)} numbers; it must be {form.words}")
+    kinds = [None if place in form.factors else kind for place in range(len(texts))]
+    for place in form.differences:
+        _require_difference(texts[place], kind)
+    return [_number(each, kind) for each, kind in zip(texts, kinds, strict=True)]
 
 
 def _number(text: str, kind: Kind | None) -> float:

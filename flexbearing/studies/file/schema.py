@@ -6,6 +6,7 @@ from typing import Literal
 from pydantic import ConfigDict
 
 from flexbearing.case.quantity import Section, key
+from flexbearing.sampling.design import Method
 
 
 class Over(Section):
@@ -24,12 +25,21 @@ class Over(Section):
 
 
 class Sample(Section):
-    """Keys of the case and their distributions; every other name in the table is such a key."""
+    """Keys of the case and their distributions, or single values; every other name is such a key."""
 
     model_config = ConfigDict(extra="allow")
 
-    count: int = key("number of variants; a power of 2 for sobol", example=1000, ge=1, le=1_000_000)
-    method: Literal["latin_hypercube", "sobol"] = key("how points are spread", "latin_hypercube")
+    count: int = key(
+        "number of variants; a power of 2 for sobol; for sobol_indices also a power of 2, of base points, "
+        "with as many variants for each as keys are drawn, and two more",
+        example=1000,
+        ge=1,
+        le=1_000_000,
+    )
+    method: Method = key(
+        "how points are spread; sobol_indices changes one key after the other, for its share of the variance",
+        "latin_hypercube",
+    )
     seed: int = key("of the random numbers: the same seed gives the same variants", 0, ge=0, le=2**32 - 1)
 
 

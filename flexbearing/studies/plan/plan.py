@@ -16,8 +16,10 @@ from flexbearing.studies.plan.corners import sharing_levels
 from flexbearing.studies.plan.identity import identity
 from flexbearing.studies.plan.task import Base, Corners, Ring, Task, Variant
 
-LARGEST_RIGID, LARGEST_ELASTIC = 128, 16  # variants of a task: some 0.1 s of work
+LARGEST_RIGID, LARGEST_ELASTIC = 128, 256  # variants of a task: up to 1 s of work
 FEWEST = 8  # tasks into which a small study is cut, so that several workers have some
+# Most variants of a task between elastic rings start from solved neighbours in it; the first ones have none.
+ENOUGH, OF_LARGE = 16, 8  # a task of more than ENOUGH is at most this part of a worker's share
 
 
 @dataclass(frozen=True)
@@ -56,12 +58,18 @@ class Plan:
         for variant in self.variants:
             if wanted(variant):
                 groups.setdefault((variant.rings, variant.levels), {})[variant.identity] = variant
-        share = -(-sum(map(len, groups.values())) // self.fewest)
+        total = sum(map(len, groups.values()))
         return tuple(
             Task(self.base, bundle)
             for (rings, _), group in groups.items()
-            for bundle in _bundles([*group.values()], min(LARGEST_ELASTIC if rings else LARGEST_RIGID, share))
+            for bundle in _bundles([*group.values()], self._size(total, elastic=bool(rings)))
         )
+
+    def _size(self, total: int, *, elastic: bool) -> int:
+        """Most variants of a task, so that little is lost when one of them ends a worker."""
+        share = -(-total // self.fewest)
+        largest = min(LARGEST_ELASTIC, max(ENOUGH, share // OF_LARGE)) if elastic else LARGEST_RIGID
+        return min(largest, share)
 
     def rings(self, wanted: Callable[[Variant], bool] = lambda variant: True) -> tuple[Ring, ...]:
         """Elastic rings of variants that are still wanted, each once."""

@@ -9,6 +9,8 @@ from flexbearing.studies.table.table import Table
 
 CYCLES = "_duty"  # behind the name of the study, in that of the table of lives under its duty cycle
 
+SCATTER = ("_tolerances", "_shares", "_histogram")  # the same of what a sampled study tells of its outputs
+
 
 def places(folder: Path, name: str, inputs: Iterable[Path]) -> dict[str, Path]:
     """Settle where the table goes, before anything is computed.

@@ -20,6 +20,8 @@ class Table:
     axes: tuple[Axis, ...]  # crossed, the last one changes fastest
     cycles: "Table | None" = None  # lives under the duty cycle, where there is one
     arrays: tuple[Column, ...] = ()  # outputs roller by roller, a tuple of numbers in each row
+    scatter: "tuple[Table, ...]" = ()  # of a sampled study: how outputs scatter, shares of keys, histograms
+    missing: tuple[str, ...] = ()  # from the prediction of this scatter by derivatives, in words
     complaints: tuple[str, ...] = ()  # of workers about the cache of rings: no row is worse for it
 
     def __getitem__(self, heading: str) -> Column:

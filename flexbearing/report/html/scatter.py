@@ -1,0 +1,234 @@
+"""How the outputs of a sampled study scatter, and which keys cause it, as a section of its report."""
+
+import csv
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from io import StringIO
+from math import isnan, nan
+from pathlib import Path
+from typing import Any
+
+from flexbearing.printable import printable
+from flexbearing.report.html.document import Block, Cell, Figure, Number, Table, Words
+from flexbearing.report.html.figures import COLOURS
+from flexbearing.report.html.table import PARQUET, csv_of_parquet
+from flexbearing.report.html.units import NOTHING, Units, converted, with_unit
+
+PARTS = ("tolerances", "shares", "histogram")  # names of the tables, behind that of the study
+MOST_FIGURES = 12  # outputs with figures; the tables have all
+TEXTS = ("output", "unit", "key", "by")  # columns of texts
+GREY = "#c0c4cc"
+Row = Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class ScatterTables:
+    """The tables of a scatter; each row holds its cells by their headings, NaN where one is empty."""
+
+    outputs: Sequence[Row]
+    shares: Sequence[Row]
+    bins: Sequence[Row]
+
+
+def read_scatter(place: Path) -> ScatterTables | None:
+    """Read the scatter beside the table of a sampled study.
+
+    Parameters
+    ----------
+    place : Path
+        table of the study
+
+    Returns
+    -------
+    ScatterTables or None
+        None where it is not there, as of other studies
+    """
+    files = [place.with_name(f"{place.stem}_{part}{place.suffix}") for part in PARTS]
+    if not all(file.is_file() for file in files):
+        return None
+    return ScatterTables(*(_read(file) for file in files))
+
+
+def _read(file: Path) -> list[Row]:
+    text = csv_of_parquet(file) if file.suffix == PARQUET else file.read_text("utf-8")
+    return [{name: _cell(name, cell) for name, cell in row.items()} for row in csv.DictReader(StringIO(text))]
+
+
+def _cell(name: str, text: str) -> Any:
+    if name in TEXTS:
+        return text
+    return float(text) if text else nan
+
+
+def scatter_blocks(found: ScatterTables, units: Units) -> Iterator[Block]:
+    """Collect the section.
+
+    Parameters
+    ----------
+    found : ScatterTables
+        of the study
+    units : Units
+        of all numbers
+
+    Yields
+    ------
+    Block
+    """
+    yield Words(tuple(_first_to_tighten(found)))
+    yield _percentiles(found, units)
+    yield _causes(found, units)
+    for number, output in enumerate(found.outputs[:MOST_FIGURES]):
+        of_output = [
+            [row for row in rows if row["output"] == output["output"]] for rows in (found.bins, found.shares)
+        ]
+        yield _histogram(output, of_output[0], units, f"scatter-{number}")
+        yield _shares(output, of_output[1], f"shares-{number}")
+
+
+def _first_to_tighten(found: ScatterTables) -> Iterator[str]:
+    """One sentence for each output: which key, and what it gives."""
+    for output in found.outputs[:MOST_FIGURES]:
+        keys = [row for row in found.shares if row["output"] == output["output"]]
+        known = [row for row in keys if not isnan(row["narrower [%]"])]
+        if known:
+            first = max(known, key=lambda row: row["narrower [%]"])
+            yield (
+                f"{_words(output)}: tighten `{first['key']}` first. Half its scatter brings P10 and P90 "
+                f"nearer to each other by {first['narrower [%]']:.2g} %."
+            )
+
+
+def _percentiles(found: ScatterTables, units: Units) -> Table:
+    names = (
+        "mean", "deviation", "P10_low", "P10", "P10_high", "P50_low", "P50", "P50_high", "P90_low", "P90",
+        "P90_high", "linear_P10", "linear_P90",
+    )  # fmt: skip
+    rows = []
+    for place, row in enumerate(found.outputs):
+        unit = row["unit"]
+        cells = [units.number(row[name], unit, unit, ",.5g", f"tolerances/{place}/{name}") for name in names]
+        explained = _plain(row["linear_explains [%]"], "%", f"tolerances/{place}/linear_explains [%]")
+        counts = [_plain(row[name], "", f"tolerances/{place}/{name}") for name in ("rows", "unsolved")]
+        rows.append((with_unit(_words(row), units.of(unit)), *cells, explained, *counts))
+    head = (
+        "output",
+        *(name.replace("_", " ") for name in names),
+        "linear explains [%]",
+        "rows",
+        "without a number",
+    )
+    note = (
+        "P10, P50 and P90: 10, 50 and 90 % of the bearings lie below. low and high: between them the "
+        "percentile lies with 95 % confidence, whatever rows without a number would give. linear: by the "
+        "derivatives where every key has its mean, and how much of the variance of the rows that explains."
+    )
+    return Table("Percentiles of the outputs", head, tuple(rows), note)
+
+
+def _causes(found: ScatterTables, units: Units) -> Table:
+    plain = ("first_low", "first", "first_high", "total_low", "total", "total_high", "linear_share")
+    unit_of = {row["output"]: row["unit"] for row in found.outputs}
+    rows: list[tuple[Cell, ...]] = []
+    for place, row in enumerate(found.shares):
+        unit = unit_of[row["output"]]
+        shares = [_plain(row[name], "", f"shares/{place}/{name}") for name in plain]
+        halved = [
+            units.number(row[name], unit, unit, ",.5g", f"shares/{place}/{name}")
+            for name in ("halved_P10", "halved_P90")
+        ]
+        narrower = _plain(row["narrower [%]"], "%", f"shares/{place}/narrower [%]")
+        rows.append((row["output"].replace("_", " "), row["key"], *shares, *halved, narrower, row["by"]))
+    head = (
+        "output", "key", *(name.replace("_", " ") for name in plain), "P10, half the scatter",
+        "P90, half the scatter", "nearer by [%]", "known by",
+    )  # fmt: skip
+    note = (
+        "first, total: Sobol indices, the shares of the variance that are due to the key alone and with its "
+        'interactions, with intervals of 95 % confidence; only of studies with method = "sobol_indices". '
+        "nearer by: how much nearer P10 and P90 are when the key scatters half as much; known by the rows "
+        "themselves, weighted, or by the linear prediction."
+    )
+    return Table("Which key causes the scatter", head, tuple(rows), note, sortable=True)
+
+
+def _plain(value: float, unit: str, of: str) -> Number:
+    return Number(NOTHING if isnan(value) else f"{value:.4g}", unit, of, unit)
+
+
+def _histogram(output: Row, bins: Sequence[Row], units: Units, name: str) -> Figure:
+    unit = output["unit"]
+    shown = units.of(unit)
+    centres = [_shown((row["from"] + row["to"]) / 2, unit, shown) for row in bins]
+    width = _shown(bins[0]["to"], unit, shown) - _shown(bins[0]["from"], unit, shown)
+    traces: list[dict[str, Any]] = [{
+        "type": "bar", "name": "sampled", "x": centres, "y": [row["rows"] for row in bins], "width": width,
+        "marker": {"color": COLOURS[0], "opacity": 0.6}, "hovertemplate": "%{x}: %{y} rows<extra></extra>",
+    }]  # fmt: skip
+    linear = [row["linear_rows"] for row in bins]
+    if not any(map(isnan, linear)):
+        traces.append({
+            "type": "scatter", "mode": "lines", "name": "linear", "x": centres, "y": linear,
+            "line": {"color": COLOURS[1], "shape": "hvh"},
+        })  # fmt: skip
+    lines = [
+        {
+            "type": "line",
+            "yref": "paper",
+            "y0": 0,
+            "y1": 1,
+            "x0": place,
+            "x1": place,
+            "line": {"dash": dash, "width": 1},
+        }
+        for percent, dash in (("P10", "dot"), ("P50", "solid"), ("P90", "dot"))
+        for place in (_shown(output[percent], unit, shown),)
+    ]
+    layout = {
+        "xaxis": {"title": {"text": with_unit(_words(output), shown)}},
+        "yaxis": {"title": {"text": "rows"}},
+        "shapes": lines,
+        "bargap": 0,
+        "legend": {"orientation": "h", "y": 1.02, "yanchor": "bottom", "x": 0},
+    }
+    return Figure(name, f"Histogram of {_words(output)}; lines at P10, P50 and P90.", tuple(traces), layout)
+
+
+def _shares(output: Row, keys: Sequence[Row], name: str) -> Figure:
+    sampled = not isnan(keys[0]["total"])
+    by = "total" if sampled else "linear_share"
+    ordered = sorted(keys, key=lambda row: 0.0 if isnan(row[by]) else row[by])
+    names = [printable(row["key"]) for row in ordered]
+    bars = (("total", "total index", GREY), ("first", "first-order index", COLOURS[0])) if sampled else ()
+    traces: list[dict[str, Any]] = [
+        {
+            "type": "bar", "orientation": "h", "name": words, "y": names,
+            "x": [100 * row[form] for row in ordered],
+            "marker": {"color": colour},
+            "error_x": {
+                "type": "data", "symmetric": False, "thickness": 1,
+                "array": [100 * (row[f"{form}_high"] - row[form]) for row in ordered],
+                "arrayminus": [100 * (row[form] - row[f"{form}_low"]) for row in ordered],
+            },
+        }
+        for form, words, colour in bars
+    ]  # fmt: skip
+    if not any(isnan(row["linear_share"]) for row in ordered):
+        traces.append({
+            "type": "scatter", "mode": "markers", "name": "linear, by derivatives", "y": names,
+            "x": [100 * row["linear_share"] for row in ordered],
+            "marker": {"color": COLOURS[1], "symbol": "diamond", "size": 9},
+        })  # fmt: skip
+    layout = {
+        "xaxis": {"title": {"text": "share of the variance [%]"}},
+        "yaxis": {"automargin": True},
+        "legend": {"orientation": "h", "y": 1.02, "yanchor": "bottom", "x": 0},
+    }
+    return Figure(name, f"Which keys cause the scatter of {_words(output)}.", tuple(traces), layout)
+
+
+def _shown(value: float, stored: str, shown: str) -> float:
+    return float(f"{converted(value, stored, shown):.6g}")
+
+
+def _words(output: Row) -> str:
+    return printable(output["output"].replace("_", " "))

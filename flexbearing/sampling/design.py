@@ -1,0 +1,58 @@
+"""Points at which random inputs are drawn."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+Method = Literal["latin_hypercube", "sobol", "sobol_indices"]
+POWERS_OF_2 = ("sobol", "sobol_indices")  # methods whose points are even for these counts only
+
+
+@dataclass(frozen=True)
+class Design:
+    """How many points there are and how they are spread."""
+
+    method: Method
+    count: int  # of points; of base points for sobol_indices
+    seed: int
+
+    def points(self, widths: Sequence[int]) -> NDArray:
+        """Points of the unit cube.
+
+        Parameters
+        ----------
+        widths : sequence of int
+            how many numbers each of K inputs has
+
+        Returns
+        -------
+        array (rows, sum of widths)
+            for sobol_indices K + 2 rows for each base point: A, B, and A with one input at a time from B
+
+        Source
+        ------
+        Saltelli et al., Comput. Phys. Commun. 181 (2010) 259-270, sec. 5: A and B are the two halves of the
+        coordinates of one Sobol sequence.
+        """
+        from scipy.stats import qmc  # since SciPy 1.15 seed is called rng, too
+
+        dimensions = sum(widths)
+        if self.method == "latin_hypercube":
+            return qmc.LatinHypercube(dimensions, seed=self.seed).random(self.count)  # pyright: ignore[reportCallIssue]
+        twice = 2 if self.method == "sobol_indices" else 1
+        found = qmc.Sobol(twice * dimensions, seed=self.seed).random(self.count)  # pyright: ignore[reportCallIssue]
+        if twice == 1:
+            return found
+        first, second = found[:, :dimensions], found[:, dimensions:]
+        mixed = [
+            np.where(own, second, first) for own in np.repeat(np.eye(len(widths), dtype=bool), widths, 1)
+        ]
+        return np.stack([first, second, *mixed], axis=1).reshape(-1, dimensions)
+
+    def independent(self, rows: int) -> NDArray:
+        """Which rows are drawn independently of each other, so that their outputs have the distribution."""
+        places = np.arange(rows)
+        return places if self.method != "sobol_indices" else places[places % (rows // self.count) < 2]

@@ -1,0 +1,91 @@
+"""Outputs of a sampled study to first order, by derivatives at the means of what is drawn."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexbearing.case import BadCase
+from flexbearing.derivatives.any_family import sensitivities
+from flexbearing.families import FAMILIES
+from flexbearing.sampling.linear import Linear
+from flexbearing.studies.file.sampled import Drawn, Factor
+from flexbearing.studies.settled import Prepared, variants_of
+from flexbearing.studies.table.collected import Collected
+from quasidynamic import NotSolved
+
+
+@dataclass(frozen=True, eq=False)
+class FirstOrder:
+    """Predictions of outputs, and what is missing from them."""
+
+    outputs: Mapping[str, Linear]  # by the names of columns
+    missing: tuple[str, ...] = ()  # sentences
+
+
+def first_order(settled: Prepared) -> FirstOrder:
+    """Differentiate the outputs of a sampled study where every drawn key has its mean.
+
+    Parameters
+    ----------
+    settled : Prepared
+        with what is drawn
+
+    Returns
+    -------
+    FirstOrder
+        without outputs where the case has no derivatives there; keys without derivatives count as constant,
+        which is said
+    """
+    drawn = settled.study.drawn
+    assert drawn  # of no other study is it asked
+    if settled.study.spectrum:
+        return FirstOrder({}, ("the life under a duty cycle is not differentiated",))
+    columns = [each for each in settled.columns if not (each.over or each.rollers or each.error)]
+    try:
+        case = _at_means(settled, drawn)
+        known = [each for each in columns if _differentiable(each, elastic=bool(settled.plan.rings()))]
+        found = sensitivities(
+            case, FAMILIES[case.kind], [each.text for each in known], [each.key for each in drawn.factors]
+        )
+    except (BadCase, NotSolved) as problem:
+        return FirstOrder({}, (" ".join(str(problem).splitlines()),))
+    slopes = _slopes(found, drawn)
+    means, deviations = (
+        np.concatenate([np.full(each.width, getattr(each.distribution, name)) for each in drawn.factors])
+        for name in ("mean", "deviation")
+    )
+    outputs = {
+        column.column: Linear(output.value, own, means, deviations)
+        for column, output, own in zip(known, found.outputs, slopes, strict=True)
+        if np.isfinite(own).all()
+    }
+    return FirstOrder(outputs, tuple(f"{key}: {why}" for key, why in found.left_out))
+
+
+def _differentiable(column: Collected, *, elastic: bool) -> bool:
+    """Whether an output is one of the answer; states on the way to it are not differentiated."""
+    return not (elastic and column.text.startswith("rigid."))
+
+
+def _at_means(settled: Prepared, drawn: Drawn) -> Any:
+    """The case with every drawn key at its mean, others as in all variants."""
+    base, first = settled.plan.base, settled.plan.variants[0]
+    values = dict(zip(base.keys, first.values, strict=True))
+    for factor in drawn.factors:
+        values[factor.key] = factor.written([factor.distribution.mean] * factor.width)
+    return variants_of(base).case(tuple(values.values()))
+
+
+def _slopes(found: Any, drawn: Drawn) -> NDArray:
+    """Derivatives (O, D) by the drawn numbers in SI; zero by keys that have none."""
+    by_key = {key.path: found.slopes[:, place] / key.size for place, key in enumerate(found.keys)}
+    nothing = np.zeros(len(found.outputs))
+    return np.array([by_key.get(path, nothing) for factor in drawn.factors for path in _paths(factor)]).T
+
+
+def _paths(factor: Factor) -> list[str]:
+    """Keys of the numbers of a list, or the key itself."""
+    return [f"{factor.key}.{number + 1}" for number in range(factor.width)] if factor.listed else [factor.key]

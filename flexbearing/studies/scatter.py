@@ -1,0 +1,84 @@
+"""The scatter of a sampled study: beside its table, in files and a picture."""
+
+from dataclasses import replace
+from itertools import chain
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexbearing.files import require_output, write
+from flexbearing.report.picture import picture_bytes
+from flexbearing.studies.first_order import first_order
+from flexbearing.studies.settled import Prepared
+from flexbearing.studies.table import Column, Table
+from flexbearing.studies.table.files import places, store
+from flexbearing.studies.table.scatter import TOLERANCES, Scatter
+
+PICTURE = f"{TOLERANCES}.png"  # behind the name of the study
+APART = ("status", "message", "seconds", "result")  # columns that are no outputs
+
+
+def told_of_scatter(settled: Prepared, table: Table, folder: Path) -> Table:
+    """Add to a table what its rows tell of the scatter of the outputs, and write that.
+
+    Parameters
+    ----------
+    settled : Prepared
+        a sampled study
+    table : Table
+        of all its rows
+    folder : Path
+        of the outputs
+
+    Returns
+    -------
+    Table
+        with its scatter
+
+    Raises
+    ------
+    BadOutput, NotStored
+        where a file cannot be written
+    """
+    assert settled.study.drawn  # of no other study is it asked
+    inputs, prediction = settled.study.inputs, first_order(settled)
+    outputs = _outputs(table.cycles or table)
+    scatter = Scatter(table.name, settled.study.drawn, _drawn(settled), outputs, prediction.outputs)
+    tables = scatter.tables()
+    for each in tables:
+        store(each, places(folder, each.name, inputs))
+    from flexbearing.report.studies.scatter_figure import draw_scatter  # pictures load their library
+
+    if len(tables[0]):
+        picture = require_output(folder / f"{table.name}{PICTURE}", inputs)
+        write(picture, picture_bytes(draw_scatter(table.name, *(each.rows for each in tables))))
+    return replace(table, scatter=tables, missing=prediction.missing)
+
+
+def _outputs(table: Table) -> tuple[Column, ...]:
+    """Columns of numbers that are computed."""
+    return tuple(
+        column
+        for column in table.columns
+        if not column.varied
+        and column.name not in APART
+        and not column.name.endswith(" error")
+        and all(isinstance(value, float | int) for value in column.values)
+    )
+
+
+def _drawn(settled: Prepared) -> NDArray:
+    """Drawn values (rows, D) in SI units; with a duty cycle a row for each of its bearings."""
+    plan, drawn = settled.plan, settled.study.drawn
+    assert drawn
+    length = len(plan.axes[-1].rows) if settled.study.spectrum else 1
+    columns = [plan.base.keys.index(factor.key) for factor in drawn.factors]
+    lists = [factor.listed for factor in drawn.factors]
+    return np.array([
+        [*chain.from_iterable(
+            variant.in_si[at] if listed else (variant.in_si[at],)
+            for at, listed in zip(columns, lists, strict=True)
+        )]
+        for variant in plan.variants[::length]
+    ])  # fmt: skip

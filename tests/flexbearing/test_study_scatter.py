@@ -1,0 +1,135 @@
+"""The scatter of a sampled study: its tables, what people read of them, and what a kill leaves."""
+
+import csv
+import re
+from io import StringIO
+
+import numpy as np
+import pytest
+from pytest import approx
+
+from flexbearing.api import read_case, sensitivities
+from flexbearing.pages.make import report
+from flexbearing.studies import told
+from flexbearing.studies.prepare import compute, prepared
+from tests.flexbearing.hostile_cases import CONFIGS
+from tests.flexbearing.html_pages import Page
+
+STUDY = f"""
+case = "{CONFIGS / "nu209.toml"}"
+name = "scatter"
+[sample]
+method = "sobol_indices"
+count = 32
+seed = 4
+"operation.radial_load" = "uniform 9.9 kN, 10.1 kN"
+"bearing.clearance" = "normal 30 um, 2 um"
+"bearing.form_error.roller_diameters" = "ROLLERS x normal 0 um, 0.2 um"
+"bearing.form_error.outer.waves" = 2
+"bearing.form_error.outer.amplitude" = "0.5 um"
+"bearing.form_error.outer.crest" = "uniform 0 deg, 180 deg"
+[collect]
+life = "life_L10 [h]"
+load = "max_roller_load [N]"
+slip = "cage_slip [%]"
+"""
+TABLES = "tolerances", "shares", "histogram"
+
+
+@pytest.fixture(scope="module")
+def study(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("scatter")
+    rollers = read_case(CONFIGS / "nu209.toml").bearing.rollers
+    file = folder / "study.toml"
+    file.write_text(STUDY.replace("ROLLERS", str(rollers)), "utf-8")
+    settled = prepared(file)
+    return folder, settled, compute(settled, folder / "whole")
+
+
+def rows(text):
+    return list(csv.DictReader(StringIO(text)))
+
+
+def test_every_input_and_output_has_its_shares(study):
+    folder, settled, table = study
+    outputs, shares, bins = (each.rows for each in table.scatter)
+    assert len(table) == 32 * (4 + 2)
+    assert [row["output"] for row in outputs] == ["life", "load", "slip"]
+    assert len(shares) == 3 * len(settled.study.drawn.factors) == 3 * 4
+    assert all(row["rows"] == 2 * 32 and row["unsolved"] == 0 for row in outputs)
+    assert sum(row["rows"] for row in bins if row["output"] == "load") == 2 * 32
+    for name in TABLES:
+        assert rows((folder / "whole" / f"scatter_{name}.csv").read_text("utf-8"))
+    assert (folder / "whole" / "scatter_tolerances.png").stat().st_size > 10_000
+
+
+def test_percentiles_are_those_of_the_independent_rows(study):
+    """A and B of every base point; the others change one input of A and repeat the rest."""
+    *_, table = study
+    places = [row for row in range(len(table)) if row % 6 < 2]
+    load = np.array(table["load [N]"].values)[places]
+    row = next(row for row in table.scatter[0].rows if row["output"] == "load")
+    assert row["mean"] == approx(load.mean(), rel=1e-12)
+    assert row["P50_low"] <= np.median(load) <= row["P50_high"]
+    assert (load < row["P10"]).mean() == approx(0.1, abs=0.02)
+
+
+def test_linear_prediction_is_that_of_the_derivatives_at_the_means(study):
+    """With derivatives by the diameter of each roller."""
+    *_, table = study
+    keys = ["operation.radial_load", "bearing.clearance", "bearing.form_error.roller_diameters"]
+    rollers = read_case(CONFIGS / "nu209.toml").bearing.rollers
+    settings = [
+        "operation.radial_load=10 kN", "bearing.clearance=30 um", "bearing.form_error.outer.waves=2",
+        "bearing.form_error.outer.amplitude=0.5 um", "bearing.form_error.outer.crest=90 deg",
+        f"bearing.form_error.roller_diameters={['0 um'] * rollers}",
+    ]  # fmt: skip
+    found = sensitivities(read_case(CONFIGS / "nu209.toml", settings), ["max_roller_load [N]"], keys)
+    slopes = {key.path: slope / key.size for key, slope in zip(found.keys, found.slopes[0], strict=True)}
+    variances = {
+        "operation.radial_load": (slopes["operation.radial_load"] * 200 / np.sqrt(12)) ** 2,
+        "bearing.clearance": (slopes["bearing.clearance"] * 2e-6) ** 2,
+        keys[2]: sum((slopes[f"{keys[2]}.{number}"] * 2e-7) ** 2 for number in range(1, rollers + 1)),
+    }
+    shares = {row["key"]: row["linear_share"] for row in table.scatter[1].rows if row["output"] == "load"}
+    for key in keys[1:]:
+        ratio = variances[key] / variances[keys[0]]
+        assert shares[key] / shares[keys[0]] == approx(ratio, rel=1e-6)
+    assert table.scatter[0].rows[1]["linear_mean"] == approx(found.outputs[0].value, rel=1e-9)
+    assert 60 < table.scatter[0].rows[1]["linear_explains [%]"] < 100  # the largest of several loads bends
+
+
+def test_a_study_that_was_killed_ends_with_the_same_scatter(study):
+    folder, settled, _ = study
+    (folder / "torn").mkdir()
+    lines = (folder / "whole" / "scatter.journal.jsonl").read_bytes().splitlines(keepends=True)
+    torn = b"".join(lines[: len(lines) // 2]) + lines[-1][:40]
+    (folder / "torn" / "scatter.journal.jsonl").write_bytes(torn)
+    compute(settled, folder / "torn")
+    for name in TABLES:
+        both = [(folder / each / f"scatter_{name}.csv").read_text("utf-8") for each in ("whole", "torn")]
+        numbers = [[float(n) for n in re.findall(r"(?<=,)-?[0-9.e-]+", text)] for text in both]
+        assert numbers[0] == approx(numbers[1], rel=1e-9, abs=1e-12)
+
+
+def test_the_end_of_the_command_names_what_to_tighten_first(study):
+    folder, settled, table = study
+    words = told.end(settled, table, folder / "whole")
+    assert re.search(r"\nload N: P10 [\d.]+ \([\d.]+ to [\d.]+\), P50 .*; linear: P10 .* explains \d", words)
+    assert words.count("tighten first: ") == 3
+    assert "scatter_tolerances.png" in words
+
+
+def test_the_report_shows_the_scatter_with_the_numbers_of_its_tables(study, tmp_path):
+    folder, *_ = study
+    (written,) = report(folder / "whole" / "scatter.csv", tmp_path / "scatter.html")
+    page = Page(written.read_text("utf-8"))
+    tables = {name: rows((folder / "whole" / f"scatter_{name}.csv").read_text("utf-8")) for name in TABLES}
+    cells = [(given["data-of"], text) for given, text in page.cells if given["data-of"].startswith(TABLES)]
+    assert len(cells) == 3 * 16 + 12 * 10
+    for place, text in cells:
+        name, row, heading = place.split("/")
+        stored = tables[name][int(row)][heading]
+        if stored:
+            assert float(text.replace(",", "")) == approx(float(stored), rel=1e-3)
+    assert sum("Histogram" in text for text in page.text) == 3
