@@ -201,7 +201,7 @@ def _effective(weights: NDArray) -> float:
     return float(weights.sum() ** 2 / (weights**2).sum()) if weights.any() else 0.0
 
 
-def _told(indices: Indices | None, number: int) -> dict[str, float]:
+def _told(indices: Indices | None, number: int) -> dict[str, Any]:
     """Indices of one key; NaN in a study whose rows do not tell them."""
     found = {}
     for name in ("first", "total"):
