@@ -34,8 +34,8 @@ class Design:
 
         Source
         ------
-        Saltelli et al., Computer Physics Communications 181 (2010) 259-270, sec. 5: A and B are the two halves of the
-        coordinates of one Sobol sequence.
+        Saltelli et al., Computer Physics Communications 181 (2010) 259-270, sec. 5: A and B are the two
+        halves of the coordinates of one Sobol sequence.
         """
         from scipy.stats import qmc  # since SciPy 1.15 seed is called rng, too
 

@@ -45,7 +45,7 @@ def sobol_indices(values: NDArray, seed: int) -> Indices:
 
     Source
     ------
-    Saltelli et al., Computer Physics Communications 181 (2010) 259-270, table 2 (b) and (f), the latter by Jansen;
+    Saltelli et al., Computer Physics Communications 181 (2010) 259-270, table 2 (b), (f);
     percentile intervals of the bootstrap: Archer et al., J. Stat. Comput. Simul. 58 (1997) 99-120.
     """
     known = values[np.isfinite(values).all(axis=1)]
