@@ -133,7 +133,7 @@ def seat_growth(part: Part, resolution: Resolution) -> "RacewayGrowth":
         from fem.section.seat_growth import ring_seat_growth
 
         return ring_seat_growth(part, resolution)
-    raise ImpossiblePart(f"{type(part).__name__} has no seat of a temperature of its own")
+    raise ImpossiblePart(f"{type(part).__name__} has no seat with another temperature")
 
 
 def _cage_seat_growth(part: SquirrelCage, resolution: Resolution, report: Report) -> "RacewayGrowth":

@@ -75,7 +75,7 @@ def adaptive_resolution(case: Case, report: Report) -> AdaptiveResolution:
         if there is no answer at the coarsest levels
     """
     assert case.accuracy.target is not None
-    report.stage("levels for the accuracy asked for", None)
+    report.stage("levels for the required accuracy", None)
     choices = ladders(case)
     trials = Trials(case, choices, report)
     with ThreadPoolExecutor() as pool:

@@ -61,7 +61,7 @@ def sensitivities(case: FastCase, of: Sequence[str] = (), by: Sequence[str] = ()
     for key, given in refused.items():
         if given:
             raise BadCase(
-                f"{case.source.path}: {key} is found by iterations of its own, whose slopes are not known; "
+                f"{case.source.path}: {key} is found by separate iterations without known derivatives; "
                 f"derivatives need another one, see flexbearing explain {key}"
             )
     keys = [key for path in by for key in keys_of(case, path)] or given_keys(case)

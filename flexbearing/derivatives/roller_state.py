@@ -167,7 +167,7 @@ def solved(case: Case) -> SolvedState:
 def _require_differentiable(case: Case) -> None:
     refused = {
         "accuracy.target": (case.accuracy.target is not None, "chooses levels anew for every value of a key"),
-        "bearing.contact": (case.bearing.contact == "half_space", "has a grid of its own for every load"),
+        "bearing.contact": (case.bearing.contact == "half_space", "has another grid for every load"),
         "coupling.structure": (case.coupling.structure == "full", "has no tangent"),
     }
     for key, (given, why) in refused.items():

@@ -37,7 +37,7 @@ def require_output(path: str | Path, inputs: Iterable[str | Path] = ()) -> Path:
     try:
         output = Path(path).resolve()
         if output.is_dir():
-            raise BadOutput(f"{path}: is a folder; an output needs a name of its own.")
+            raise BadOutput(f"{path}: is a folder; give the name of a file in it.")
         if UNFINISHED in (output.suffix, Path(path).suffix):
             raise BadOutput(
                 f"{path}: names ending in {UNFINISHED} are kept for unfinished files; choose another."

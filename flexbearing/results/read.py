@@ -116,7 +116,7 @@ def of_content(content: Content, claimed: str, path: Path, families: Families) -
     """
     stored = dict(content.attributes)
     if digest(content) != claimed:
-        raise BadResult(f"{path}: changed after it was written, as its digest tells. Run the case again.")
+        raise BadResult(f"{path}: changed after it was written, as its digest shows. Run the case again.")
     kind = stored.get("kind")
     if not isinstance(kind, str) or kind not in families:
         raise BadResult(f"{path}: kind {kind!r} is none of {', '.join(families)}. Run the case again.")
