@@ -18,6 +18,7 @@ from flexbearing.printable import printable
 from flexbearing.program.kept import keeping
 from flexbearing.sensitivity.command import sensitivity
 from flexbearing.studies.command import study
+from flexbearing.studies.maps.command import map_
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -234,29 +235,7 @@ app.command(name="export")(export)
 app.command(name="draw")(draw)
 
 
-@app.command()
-def trace(
-    case: CaseFile,
-    over: Annotated[
-        str,
-        typer.Option(
-            "--over", metavar="KEY=FROM..TO", help='load or speed, "operation.radial_load=500 N..20 kN"'
-        ),
-    ],
-    output: Annotated[Path | None, typer.Option("-o", "--output", metavar="OUT.csv")] = None,
-    settings: Settings = None,
-) -> None:
-    """Follow the equilibria of a case over its load or speed, around folds; writes a table and a picture."""
-    from flexbearing.studies.trace import trace as follow
-    from quasidynamic import NotSolved
-
-    try:
-        found = follow(case, over, output, settings or [])
-    except NotSolved as problem:
-        _end(f"{case}: not converged: {problem}")
-    with keeping([found.table, found.picture]):
-        _say(f"{found.text()}\ntable: {found.table}\npicture: {found.picture}")
-    raise typer.Exit(CONVERGED if found.complete else NOT_CONVERGED)
+app.command(name="map")(map_)
 
 
 @app.command()

@@ -17,9 +17,10 @@ FEWEST = 8  # calls for each worker; the start of one takes as long as a few bal
 
 @contextmanager
 def shared_map() -> Iterator[Callable[[Callable[[Any], Any], Iterable[Any]], Iterator[Any]]]:
-    """Give a `map` of one function whose calls are shared among the cores that this process may use.
+    """Give a `map` of a function whose calls are shared among the cores that this process may use.
 
     Answers come in the order of the arguments and are those of `map`: the number of cores changes nothing.
+    Those of one call are all taken before the next one is made.
     The first exception that a call raises is raised here, `Died` where its worker did. All workers end with
     the context.
     """
@@ -30,9 +31,11 @@ def shared_map() -> Iterator[Callable[[Callable[[Any], Any], Iterable[Any]], Ite
         count = min(cores(), len(waiting) // FEWEST)
         if count < 2:
             return map(function, waiting)
-        for _ in range(count):
-            workers.append(Interpreter(count))
-        return _in_order(workers[-count:], function, waiting)
+        started = range(len(workers), count)  # others are there from the call before
+        workers.extend(Interpreter(count) for _ in started)
+        for place in started:
+            workers[place].await_start()
+        return _in_order(workers[:count], function, waiting)
 
     try:
         yield mapped
@@ -45,8 +48,6 @@ def _in_order(
     workers: list[Interpreter], function: Callable[[Any], Any], arguments: list[Any]
 ) -> Iterator[Any]:
     """Answers in the order of the arguments, the next argument to the worker that is free first."""
-    for worker in workers:
-        worker.await_start()
     free, under_way, answers, sent = workers, {}, {}, 0
     for number in range(len(arguments)):
         while number not in answers:

@@ -110,9 +110,10 @@ class _Search:
 
     def new(self, known: list[Equilibrium], patterns: Patterns, rounds: int) -> list[Equilibrium]:
         """Stable equilibria reached from the patterns that differ from the known ones and from each other."""
-        many = self.balance.take(np.zeros(len(patterns.spin), int))
+        alike = np.zeros(len(patterns.spin), int)
+        many, bases = self.balance.take(alike), known[0].unknowns.take(alike)
         with np.errstate(all="ignore"):  # a start may be absurd
-            solved = solve_each(many, many.pack(_started(many, known[0].unknowns, patterns)), rounds)
+            solved = solve_each(many, many.pack(started(many, bases, patterns)), rounds)
         new: list[Equilibrium] = []
         for unknowns, outcome in zip(solved.unknowns, solved.outcomes, strict=True):
             if outcome is SolverOutcome.CONVERGED:
@@ -122,10 +123,23 @@ class _Search:
         return new
 
 
-def _started(many: BearingBalance, base: Unknowns, patterns: Patterns) -> Unknowns:
-    """Unknowns of P cases with given spins and slips; films and the ring's place follow without friction."""
-    cases = len(patterns.spin)
-    start = base.take(np.zeros(cases, int))._replace(
+def started(many: BearingBalance, bases: Unknowns, patterns: Patterns) -> Unknowns:
+    """Unknowns of P cases with given spins and slips; films and the ring's place follow without friction.
+
+    Parameters
+    ----------
+    many : BearingBalance
+        of P cases, between raceways of given shapes
+    bases : Unknowns
+        of P cases, what the patterns do not say
+    patterns : Patterns
+        P of them
+
+    Returns
+    -------
+    Unknowns
+    """
+    start = bases._replace(
         cage_drift=patterns.cage_drift[:, None],
         spin_drift=(patterns.spin - 1) * many.rolling_spin,
     )

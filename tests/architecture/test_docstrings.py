@@ -15,6 +15,7 @@ HELP_TEXTS = (
     "flexbearing.optimise.command",
     "flexbearing.sensitivity.command",
     "flexbearing.studies.command",
+    "flexbearing.studies.maps.command",
 )  # of `--help`
 
 Definition = ast.Module | ast.ClassDef | ast.FunctionDef

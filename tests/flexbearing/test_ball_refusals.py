@@ -15,7 +15,8 @@ from flexbearing.case.balls.deep_groove import DeepGrooveCase
 from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.case.roller import Case
 from flexbearing.families import FAMILIES
-from flexbearing.studies.trace import trace
+from flexbearing.progress import Logged
+from flexbearing.studies.maps.map import MapRequest, map_case
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 FOUR_POINT, ONE_BALL, ANGULAR, DEEP_GROOVE = (
@@ -230,9 +231,12 @@ def test_key_of_several_kinds_is_explained_for_each():
     assert "kind     " not in explain("title")
 
 
-def test_ball_bearing_is_not_traced():
-    with pytest.raises(BadCase, match='only roller bearings are traced; this case has kind = "angular_'):
-        trace(ANGULAR, "operation.inner_speed=100 rpm..200 rpm")
+@pytest.mark.parametrize(
+    "over", ["operation.inner_speed=100 rpm..200 rpm", "operation.inner_speed=1 rpm..2 rpm,3"]
+)
+def test_ball_bearing_has_no_map(over):
+    with pytest.raises(BadCase, match='only roller bearings have maps; this case has kind = "angular_'):
+        map_case(MapRequest(ANGULAR, (over,)), Logged())
 
 
 def test_check_loads_nothing_heavy():

@@ -56,14 +56,14 @@ def test_title_controls_no_terminal(case, result, tmp_path, capsys):
         "check": ["check", case],
         "run": ["run", case, "-o", tmp_path / "r.h5"],
         "summary": ["summary", result.path],
-        "trace": ["trace", case, "--over", "operation.radial_load=5 kN..6 kN", "-o", tmp_path / "t.csv"],
+        "map": ["map", case, "--over", "operation.radial_load=5 kN..6 kN", "-o", tmp_path / "t.csv"],
         "plot": ["plot", result.path, "-o", tmp_path],
         "json": ["summary", result.path, "--json"],
     }
     told = {name: shown(words, capsys) for name, words in commands.items()}
     assert [name for name, words in told.items() if CONTROL.search(words)] == []
     assert json.loads(told["json"])["title"] == TITLE
-    for name in ("check", "run", "summary", "trace"):
+    for name in ("check", "run", "summary", "map"):
         assert r"Ring \x1b]0;owned\x07 \x9b31m\x7f \u202etxt $x_{$ \frac{ [red]a[/red] 保" in told[name]
 
 

@@ -160,7 +160,7 @@ def test_ignored_signals_stay_ignored():
 
 @pytest.mark.slow
 def test_interrupted_study_names_the_table_that_is_complete(tmp_path):
-    words = ["trace", PAPER, "--over", "operation.radial_load=5 kN..8 kN", "-o", tmp_path / "t.csv"]
+    words = ["map", PAPER, "--over", "operation.radial_load=5 kN..8 kN", "-o", tmp_path / "t.csv"]
     done = trapped(signal.SIGTERM, "matplotlib.figure", *words)
     assert done.returncode == 143
     assert done.stderr == f"interrupted: the table is complete: {tmp_path / 't.csv'}\n"

@@ -1,4 +1,4 @@
-"""Outputs of plot, export, trace and pareto: settled before anything is computed, complete or not there."""
+"""Outputs of plot, export, map and pareto: settled before anything is computed, complete or not there."""
 
 import errno
 import os
@@ -14,7 +14,8 @@ import flexbearing
 from flexbearing import __main__ as program
 from flexbearing.files import NotStored, parts_of
 from flexbearing.runs import fields, stored_fields
-from flexbearing.studies import pareto, trace
+from flexbearing.studies import pareto
+from flexbearing.studies.maps import branch
 from flexbearing.studies.pareto_levels import Level
 
 CONFIGS = Path(__file__).parents[2] / "configs"
@@ -48,7 +49,7 @@ def nothing_computed(monkeypatch):
     def never(*_, **__):
         raise AssertionError("computed before the output was settled")
 
-    for module, name in ((fields, "fields"), (trace, "completed"), (pareto, "Apart")):
+    for module, name in ((fields, "fields"), (branch, "completed"), (pareto, "Apart")):
         monkeypatch.setattr(module, name, never)
 
 
@@ -81,7 +82,7 @@ def test_default_names_of_studies_carry_the_settings(command, tmp_path, monkeypa
     monkeypatch.setattr(pareto, "ladder", lambda case, solid: few)
     for speed in ("1000 rpm", "1200 rpm"):
         words = ["--set", f"operation.inner_speed={speed}"]
-        assert command("trace", PLAIN, "--over", RANGE, *words)[0] == 0
+        assert command("map", PLAIN, "--over", RANGE, *words)[0] == 0
         assert command("pareto", PLAIN, *words)[0] == 0
     names = sorted(re.sub("_[0-9a-f]{8}", "", path.name) for path in (tmp_path / "results").iterdir())
     stems = [f"nu209_operation.inner_speed={speed}rpm" for speed in (1000, 1200)]
@@ -89,7 +90,7 @@ def test_default_names_of_studies_carry_the_settings(command, tmp_path, monkeypa
         name
         for stem in stems
         for end in ("csv", "png")
-        for name in (f"{stem}_trace.{end}", f"pareto_{stem}.{end}")
+        for name in (f"{stem}_map.{end}", f"pareto_{stem}.{end}")
     )
 
 
@@ -106,7 +107,7 @@ def test_impossible_folder_is_refused_before_anything_is_computed(command, resul
     commands = (
         ("plot", result, "-o", tmp_path / where),
         *(("export", result, "--to", form, "-o", tmp_path / where) for form in ("vtu", "csv", "netcdf")),
-        ("trace", PAPER, "--over", RANGE, "-o", tmp_path / where / "t.csv"),
+        ("map", PAPER, "--over", RANGE, "-o", tmp_path / where / "t.csv"),
         ("pareto", PLAIN, "-o", tmp_path / where),
     )
     for words in commands:
@@ -121,7 +122,7 @@ def test_impossible_folder_is_refused_before_anything_is_computed(command, resul
 def test_protected_table_or_picture_is_refused_before_anything_is_computed(command, tmp_path, protected):
     (tmp_path / protected).write_text("mine")
     (tmp_path / protected).chmod(0o444)
-    code, _, complaint = command("trace", PAPER, "--over", RANGE, "-o", tmp_path / "t.csv")
+    code, _, complaint = command("map", PAPER, "--over", RANGE, "-o", tmp_path / "t.csv")
     assert (code, "write-protected" in complaint) == (2, True)
     assert (tmp_path / protected).read_text() == "mine"
 
@@ -143,8 +144,8 @@ def test_no_output_replaces_what_is_read(command, result, tmp_path):
     for link in ("t.png", "ring_convergence.png", "ring_outer_rigid.vtu", "pareto_few.csv"):
         (tmp_path / link).symlink_to(result if link.startswith("ring") else case)
     commands = (
-        ("trace", case, "--over", RANGE, "-o", case),
-        ("trace", case, "--over", RANGE, "-o", tmp_path / "t.csv"),
+        ("map", case, "--over", RANGE, "-o", case),
+        ("map", case, "--over", RANGE, "-o", tmp_path / "t.csv"),
         ("plot", result),
         ("export", result, "--to", "vtu", "--state", "rigid"),
         ("pareto", case, "-o", tmp_path, "--name", "few"),
@@ -159,8 +160,8 @@ def test_no_output_replaces_what_is_read(command, result, tmp_path):
     ("words", "place", "left"),
     [
         (("plot", "ring.h5", "-o", "."), 1, set()),
-        (("trace", PAPER, "--over", RANGE, "-o", "t.csv"), 1, set()),
-        (("trace", PAPER, "--over", RANGE, "-o", "t.csv"), 2, {"t.csv"}),
+        (("map", PAPER, "--over", RANGE, "-o", "t.csv"), 1, set()),
+        (("map", PAPER, "--over", RANGE, "-o", "t.csv"), 2, {"t.csv"}),
     ],
 )
 @pytest.mark.usefixtures("result")

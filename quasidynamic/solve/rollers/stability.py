@@ -10,7 +10,7 @@ from quasidynamic.solve.rollers.pseudo_time import scaled_inertia
 
 
 def growth_rates(balance: BearingBalance, system: Linearisation) -> NDArray:
-    r"""Eigenvalues of cage and spins with their inertias, at an equilibrium of one case.
+    r"""Eigenvalues of cage and spins with their inertias, at equilibria of C cases.
 
     Ring, approaches, tilts and films follow at once, as in pseudo-time: with the inertias M of cage
     and spins, and S what is left of the Jacobian J for them when everything else is eliminated,
@@ -24,13 +24,13 @@ def growth_rates(balance: BearingBalance, system: Linearisation) -> NDArray:
     Parameters
     ----------
     balance : BearingBalance
-        of one case
+        of C cases
     system : Linearisation
-        at the equilibrium
+        at their equilibria
 
     Returns
     -------
-    array (Z + 1), complex
+    array (C, Z + 1), complex
         growth rates [1/s], negative real parts decay; not a number where the Jacobian is singular
 
     Source
@@ -43,9 +43,11 @@ def growth_rates(balance: BearingBalance, system: Linearisation) -> NDArray:
     changes. The ring has no mass here: whirling is left out.
     """
     moving = np.concatenate([[CAGE], np.arange(balance.layout.size)[balance.layout.field(-1)]])
-    unit = np.zeros((1, balance.layout.size, len(moving)))
-    unit[0, moving, range(len(moving))] = 1.0
-    inverse = bordered_system.solve(balance, system, unit)[0, moving]
-    if not np.isfinite(inverse).all():
-        return np.full(len(moving), np.nan, complex)
-    return 1.0 / np.linalg.eigvals(inverse * scaled_inertia(balance)[0, moving]).astype(complex)
+    unit = np.zeros((len(balance.points), balance.layout.size, len(moving)))
+    unit[:, moving, range(len(moving))] = 1.0
+    inverse = bordered_system.solve(balance, system, unit)[:, moving]
+    regular = np.isfinite(inverse).all(axis=(1, 2))
+    by_rate = inverse[regular] * scaled_inertia(balance)[regular][:, None, moving]
+    rates = np.full(inverse.shape[:2], np.nan, complex)
+    rates[regular] = 1.0 / np.linalg.eigvals(by_rate).astype(complex)
+    return rates

@@ -1,11 +1,9 @@
-"""Equilibria of a case over its load or speed, as a table and a picture."""
+"""Equilibria of a case followed over its load or speed, around folds: a map of one axis."""
 
 from collections.abc import Sequence
 from contextlib import closing
-from csv import writer
 from dataclasses import dataclass
 from functools import partial
-from io import StringIO
 from math import pi
 from pathlib import Path
 
@@ -19,16 +17,16 @@ from flexbearing.case.roller import Case
 from flexbearing.coupled.coupled import BearingPartner, equilibrium
 from flexbearing.coupling import PartnerFailed, RacewayPair
 from flexbearing.coupling.partners import Compliance
-from flexbearing.files import require_output, write
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged
 from flexbearing.quantities.roller import CAGE_SLIP
 from flexbearing.rings.condensed import condensed_raceways
 from flexbearing.runs import notes
-from flexbearing.runs.run_case import stem_of_outputs
 from flexbearing.studies.engine import DIED, completed
 from flexbearing.studies.engine.apart import Apart
 from flexbearing.studies.engine.serial import Serial
+from flexbearing.studies.table import Table
+from flexbearing.studies.table.column import Column
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
 from quasidynamic.note import Note
 from quasidynamic.trace import Branch, BranchEnd, logarithms, trace as follow
@@ -38,7 +36,7 @@ RPM = 2 * pi / 60
 
 @dataclass(frozen=True)
 class Axis:
-    """A key that a case can be traced over."""
+    """A key along which equilibria are followed."""
 
     name: str  # among the keys of [operation]
     column: str
@@ -68,15 +66,13 @@ class Range:
 
 
 @dataclass(frozen=True)
-class Traced:
-    """The branch that was followed, and where it is written."""
+class FollowedMap:
+    """The branch that was followed."""
 
     title: str
     axis: Axis
     branch: Branch
     notes: tuple[Note, ...]
-    table: Path
-    picture: Path
     raceways: str = "rigid raceways"
 
     @property
@@ -96,6 +92,11 @@ class Traced:
             "growth_rate_1_per_s": np.array([point.growth for point in points]),
         }
 
+    def table(self) -> Table:
+        """The same as a table."""
+        columns = (Column(name, "", values.tolist()) for name, values in self.columns().items())
+        return Table(self.title, tuple(columns), ())
+
     def text(self) -> str:
         """The branch in words."""
         values = self.branch.values / self.axis.size
@@ -113,10 +114,13 @@ class Traced:
         return "\n".join([*lines, *(f"{note.grade}: {note.text}" for note in self.notes)]) + "\n"
 
 
-def trace(
-    case: str | Path, over: str, output: str | Path | None = None, overrides: Sequence[str] = ()
-) -> Traced:
-    """Follow the equilibria of a case between rigid raceways over its load or speed.
+def is_followed(over: Sequence[str]) -> bool:
+    """Whether `--over` asks for a branch: one load or speed, without a number of points."""
+    return len(over) == 1 and "," not in over[0] and over[0].partition("=")[0].strip() in AXES
+
+
+def ends(case: str | Path, over: str, overrides: Sequence[str] = ()) -> Range:
+    """Where a branch begins and how far it is followed.
 
     Parameters
     ----------
@@ -124,62 +128,57 @@ def trace(
         case file
     over : str
         KEY=FROM..TO, such as "operation.radial_load=500 N..20 kN"
-    output : path, optional
-        table (CSV), beside it a picture of the same name; default `results/<case>_trace.csv`, with the
-        settings in its name
     overrides : sequence of str
         `"key=value"` settings that replace those of the file
 
     Returns
     -------
-    Traced
-        also when the branch was not followed to the end of the range
+    Range
 
     Raises
     ------
     BadCase
         when key, range or case make no sense
-    BadOutput
-        when table or picture cannot be written; nothing is computed then
-    NotStored
-        if there is no room for them; a note says that the table is there when only the picture is missing
+    """
+    axis, texts = _parsed(over)
+    settings = [[*overrides, f"operation.{axis.name}={end}"] for end in texts]
+    first, last = _rollers(check(case, settings[0])), _rollers(read_case(case, settings[1]))
+    span = getattr(first.operation, axis.name), getattr(last.operation, axis.name)
+    return Range(first, axis, span)
+
+
+def followed(wanted: Range) -> FollowedMap:
+    """Follow the equilibria of a case over its load or speed.
+
+    Parameters
+    ----------
+    wanted : Range
+        of `ends`
+
+    Returns
+    -------
+    FollowedMap
+        also when the branch was not followed to the end of the range
+
+    Raises
+    ------
+    BadCase
+        when the range makes no sense
     NotSolved
         when there is no equilibrium to begin with, or the process that follows the branch dies
     """
-    from flexbearing.report.picture import picture_bytes
-    from flexbearing.report.studies.branch_figure import draw_branch
-
-    axis, ends = _parsed(over)
-    path = Path(output) if output else Path("results") / f"{stem_of_outputs(case, overrides)}_trace.csv"
-    if path.suffix != ".csv":
-        raise BadCase(f"--output {path}: the table is written as CSV; name it {path.with_suffix('.csv')}")
-    key = f"operation.{axis.name}"
-    settings = [[*overrides, f"{key}={end}"] for end in ends]
-    first, last = _rollers(check(case, settings[0])), _rollers(read_case(case, settings[1]))
-    for name in (path, path.with_suffix(".png")):
-        require_output(name, first.input_files)
-    span = getattr(first.operation, axis.name), getattr(last.operation, axis.name)
+    case = wanted.case
     try:
-        found = _followed(Range(first, axis, span))
+        found = _followed(wanted)
     except (ImpossiblePart, OutOfRange) as problem:
-        raise BadCase(f"--over {excerpt(over)}: {problem}") from problem
-    traced = Traced(
-        first.title, axis, found, notes.of_case(first), path, path.with_suffix(".png"), _raceways(first)
-    )
-    write(path.resolve(), _csv(traced.columns()).encode())
-    try:
-        figure = draw_branch(first.title, axis.label, traced.columns(), traced.raceways)
-        write(traced.picture.resolve(), picture_bytes(figure))
-    except BaseException as problem:  # only a note is added
-        problem.add_note(f"the table is complete: {path}")
-        raise
-    return traced
+        raise BadCase(f"--over operation.{wanted.axis.name}: {problem}") from problem
+    return FollowedMap(case.title, wanted.axis, found, notes.of_case(case), _raceways(case))
 
 
 def _rollers(case: Head) -> Case:
     if isinstance(case, Case):
         return case
-    raise BadCase(f'{case.source.path}: only roller bearings are traced; this case has kind = "{case.kind}"')
+    raise BadCase(f'{case.source.path}: only roller bearings have maps; this case has kind = "{case.kind}"')
 
 
 def _raceways(case: Case) -> str:
@@ -224,7 +223,7 @@ def _branch(case: Case, axis: Axis, span: tuple[float, float]) -> Branch:
         return follow(model, over=axis.name, span=span)
     if case.outer.kind == "ring" and case.outer.support == "planet" and axis.name == "radial_load":
         raise BadCase(
-            f"{case.source.path}: a planet gear is not traced over operation.radial_load, as its tooth "
+            f"{case.source.path}: a planet gear is not followed over operation.radial_load, as its tooth "
             "forces stay as they are and carry one load only; allowed is operation.inner_speed"
         )
     rings = condensed_raceways(case, model.bearing.azimuths, Logged())
@@ -246,19 +245,9 @@ def _tangent(rings: RacewayPair, forces: np.ndarray) -> tuple[Compliance, np.nda
 def _parsed(over: str) -> tuple[Axis, tuple[str, str]]:
     """Key and both ends of KEY=FROM..TO."""
     key, _, span = over.partition("=")
-    if key.strip() not in AXES:
-        raise BadCase(f"--over {excerpt(over)}: the key is one of {', '.join(AXES)}")
     first, dots, last = span.partition("..")
     if not (first.strip() and dots and last.strip()):
         raise BadCase(
             f"--over {excerpt(over)}: a range is KEY=FROM..TO, such as operation.radial_load=500 N..20 kN"
         )
     return AXES[key.strip()], (first.strip(), last.strip())
-
-
-def _csv(columns: dict[str, np.ndarray]) -> str:
-    file = StringIO(newline="")
-    table = writer(file)
-    table.writerow(columns)
-    table.writerows(zip(*(column.tolist() for column in columns.values()), strict=True))
-    return file.getvalue()

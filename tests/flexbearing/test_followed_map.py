@@ -1,4 +1,4 @@
-"""The command `trace`: table, picture, words, and what it refuses."""
+"""The command `map` along one load or speed: table, picture, words, and what it refuses."""
 
 import csv
 from pathlib import Path
@@ -11,8 +11,9 @@ from pytest import approx
 import flexbearing
 from flexbearing import __main__ as program
 from flexbearing.case import BadCase
+from flexbearing.progress import Logged
 from flexbearing.report.studies.branch_figure import draw_branch
-from flexbearing.studies.trace import trace
+from flexbearing.studies.maps.map import MapRequest, map_case
 from tests.flexbearing.toy_studies import deadly_branch
 
 ROOT = Path(__file__).parents[2]
@@ -34,7 +35,7 @@ def command(capsys):
 
     def run(over, *words, settings=()):
         sets = [word for setting in settings for word in ("--set", setting)]
-        code = program.command([str(word) for word in ("trace", PAPER, "--over", over, *words, *sets)])
+        code = program.command([str(word) for word in ("map", PAPER, "--over", over, *words, *sets)])
         return code, *capsys.readouterr()
 
     return run
@@ -46,7 +47,7 @@ def rows(path):
 
 
 @pytest.mark.slow
-def test_trace_writes_a_table_and_a_picture(command, tmp_path):
+def test_branch_has_a_table_and_a_picture(command, tmp_path):
     code, said, complained = command(LOAD, "-o", tmp_path / "there" / "s.csv", settings=[*FALLING, *RIGID])
     assert (code, complained) == (0, "")
     table = rows(tmp_path / "there" / "s.csv")
@@ -68,8 +69,9 @@ def test_trace_writes_a_table_and_a_picture(command, tmp_path):
 
 @pytest.mark.parametrize(("complete", "code"), [(True, 0), (False, 1)])
 def test_branch_that_stops_before_the_end_of_the_range_ends_with_one(complete, code, command, monkeypatch):
-    traced = SimpleNamespace(complete=complete, table="s.csv", picture="s.png", text=lambda: "the branch")
-    monkeypatch.setattr("flexbearing.studies.trace.trace", lambda *_: traced)
+    files = {"table": "s.csv", "picture": "s.png"}
+    found = SimpleNamespace(complete=complete, files=files, text="the branch")
+    monkeypatch.setattr("flexbearing.studies.maps.map.map_case", lambda *_: found)
     assert command(LOAD) == (code, "the branch\ntable: s.csv\npicture: s.png\n", "")
 
 
@@ -87,11 +89,10 @@ def test_speed_is_written_in_the_unit_people_use(command, tmp_path):
 @pytest.mark.parametrize(
     ("over", "words"),
     [
-        ("operation.radial_laod=1 N..2 N", "operation.radial_load"),
-        ("bearing.clearance=10 um..20 um", "operation.radial_load, operation.inner_speed"),
         ("operation.radial_load", "KEY=FROM..TO"),
-        ("operation.radial_load=500 N", "KEY=FROM..TO"),
         ("operation.radial_load=..500 N", "KEY=FROM..TO"),
+        ("operation.radial_load=500 N", "KEY=FROM..TO"),
+        ("bearing.clearance=10 um..20 um", "KEY=FROM..TO,N"),
         ("operation.radial_load=500 mm..20 kN", "is not a force"),
         ("operation.radial_load=500..20 kN", "has no unit"),
         ("operation.radial_load=0 N..20 kN", "of one sign"),
@@ -138,6 +139,11 @@ RING = [
 LINES = [*RING, "outer.support=lines", 'outer.line_azimuths=["20 deg", "100 deg", "180 deg", "260 deg"]']
 
 
+def followed(case, over, table, settings):
+    """The branch of a map along one load."""
+    return map_case(MapRequest(case, (over,), (), table, tuple(settings)), Logged()).found
+
+
 def largest_difference(point, case, settings, path):
     """Of a roller load of a point of the branch from those of a run, over the largest."""
     result = flexbearing.run(case, [*settings, f"operation.radial_load={point.value!r} N"], output=path)
@@ -149,7 +155,7 @@ def largest_difference(point, case, settings, path):
 @pytest.mark.slow
 def test_branch_between_flexible_rings_is_that_of_the_coupled_system(command, tmp_path):
     """The branch was that between rigid raceways, which a note said."""
-    traced = trace(PAPER, "operation.radial_load=7 kN..7.5 kN", tmp_path / "s.csv", CAGE)
+    traced = followed(PAPER, "operation.radial_load=7 kN..7.5 kN", tmp_path / "s.csv", CAGE)
     assert traced.complete
     points = traced.branch.points
     for point in (points[0], points[len(points) // 2], points[-1]):
@@ -160,7 +166,7 @@ def test_branch_between_flexible_rings_is_that_of_the_coupled_system(command, tm
 
 @pytest.mark.slow
 def test_branch_follows_rings_that_lift_off_their_lines(tmp_path):
-    traced = trace(TEXTBOOK, "operation.radial_load=2 kN..6 kN", tmp_path / "s.csv", LINES)
+    traced = followed(TEXTBOOK, "operation.radial_load=2 kN..6 kN", tmp_path / "s.csv", LINES)
     assert traced.complete
     points = traced.branch.points
     for point in (points[len(points) // 2], points[-1]):
@@ -173,7 +179,7 @@ def test_flexible_rings_move_the_folds(tmp_path):
     folds = [
         [
             fold.value
-            for fold in trace(PAPER, LOAD, tmp_path / "s.csv", [*FALLING, *CAGE, *rigid]).branch.folds
+            for fold in followed(PAPER, LOAD, tmp_path / "s.csv", [*FALLING, *CAGE, *rigid]).branch.folds
         ]
         for rigid in ([], ["outer.kind=rigid"])
     ]
@@ -182,18 +188,18 @@ def test_flexible_rings_move_the_folds(tmp_path):
     assert all(0.7 * there < here < 0.95 * there for here, there in zip(flexible, rigid, strict=True))
 
 
-def test_planet_gear_is_not_traced_over_a_load_that_its_teeth_do_not_follow(tmp_path):
+def test_planet_gear_is_not_followed_over_a_load_that_its_teeth_do_not_follow(tmp_path):
     teeth = [
         *RING, "outer.support=planet", 'outer.tooth_azimuths=["90 deg", "270 deg"]',
         'outer.tooth_radial=["0 N", "0 N"]', 'outer.tooth_tangential=["2225 N", "-2225 N"]',
     ]  # fmt: skip
     with pytest.raises(BadCase, match="tooth forces stay as they are"):
-        trace(TEXTBOOK, "operation.radial_load=4450 N..6 kN", tmp_path / "s.csv", teeth)
+        followed(TEXTBOOK, "operation.radial_load=4450 N..6 kN", tmp_path / "s.csv", teeth)
 
 
 @pytest.mark.slow
 def test_branch_whose_process_dies_has_no_table(command, monkeypatch, tmp_path):
-    monkeypatch.setattr("flexbearing.studies.trace.branch", deadly_branch)
+    monkeypatch.setattr("flexbearing.studies.maps.branch.branch", deadly_branch)
     code, said, complained = command(LOAD, "-o", tmp_path / "s.csv", settings=CAGE)
     assert (code, said) == (1, "")
     assert complained.startswith(f"{PAPER}: not converged: its worker process died 3 times")

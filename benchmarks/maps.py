@@ -1,0 +1,184 @@
+"""Maps with several equilibria: `python -m benchmarks.maps [--points 200] [--timed]`.
+
+Points by lot of three maps over load and speed: the bearing of Mao et al. with traction that falls with slip
+and with cold oil between rigid raceways, and with falling traction between its rings. Equilibria of the map
+against an exhaustive search from 40 random starts at each point, half of the points where the map has several.
+With `--timed` the time of a map of 100 x 100 loads and speeds of the paper's bearing between its rings, condensed
+before.
+"""
+
+import argparse
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from tempfile import TemporaryDirectory
+
+import numpy as np
+from numpy.typing import NDArray
+from threadpoolctl import threadpool_limits
+
+from benchmarks.bearings import CASE, RPM
+from benchmarks.machine import describe
+from flexbearing.api import check, read_case
+from flexbearing.build import roller_bearing
+from flexbearing.program.workers import shared_map
+from flexbearing.progress import Logged
+from flexbearing.rings.condensed import condensed_raceways
+from flexbearing.studies.maps.axes import axes
+from flexbearing.studies.maps.solved import OUTPUTS, solved_map
+from quasidynamic import RollerBearing, SolverOutcome
+from quasidynamic.maps import GridPoints, SolvedGrid, solve
+from quasidynamic.outcome.equilibrium import Equilibrium
+from quasidynamic.solve.rollers.strategy import solve_each
+from tests.cold_oil import cold_bearing
+from tests.thick_films import DIFFERENT, ROUNDS, apart, decays, random_starts
+
+SEED, STARTS = 7, 40
+ALONG = 24  # points along each axis of a map that is checked
+OVER = ("operation.radial_load=log 2 kN..30 kN,100", "operation.inner_speed=5000 rpm..40000 rpm,100")
+FALLING = {
+    "lubricant.traction": "four-point",
+    "lubricant.traction_curve.peak": "0.06",
+    "lubricant.traction_curve.peak_slip": "0.01",
+    "lubricant.traction_curve.far": "0.02",
+}
+RIGID = {"outer.kind": "rigid", "inner.kind": "rigid"}
+
+
+@dataclass(frozen=True)
+class Checked:
+    """What became of the search at a point."""
+
+    known: int  # stable states of the map
+    found: int  # of the search
+    missed: int  # of these
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--points", type=int, default=200)
+    parser.add_argument("--along", type=int, default=ALONG)
+    parser.add_argument("--timed", action="store_true")
+    asked = parser.parse_args()
+    print(describe())
+    if asked.timed:
+        timed()
+        return
+    maps = dict(grids(asked.along))
+    rows = []
+    for name, points in maps.items():
+        with threadpool_limits(limits=1, user_api="blas"):
+            rows += checked(name, points, asked.points // len(maps))
+    report("all maps", rows)
+
+
+def timed() -> None:
+    """Print the time of a map between elastic rings, and of its stages."""
+    case, began, processor = check(CASE), time.perf_counter(), time.process_time()
+
+    class Told(Logged):
+        def stage(self, text: str, fraction: float | None) -> None:
+            seconds = time.perf_counter() - began, time.process_time() - processor
+            print("{:.1f} s, processor of this process {:.1f} s: {}".format(*seconds, text), flush=True)
+
+    found = solved_map(case, axes(OVER, type(case)), OUTPUTS, Told())
+    print(
+        f"{found.points} points in {time.perf_counter() - began:.1f} s: {len(found.unsolved)} not converged, "
+        f"{found.several} with several states, {len(found.solved.ends[0])} ends"
+    )
+
+
+def grids(along: int) -> Iterator[tuple[str, GridPoints]]:
+    """Maps over load and speed by their names."""
+    falling = roller_bearing.bearing(read_case(CASE, FALLING | RIGID))
+    loads, speeds = np.geomspace(500.0, 10e3, along), np.linspace(15e3, 40e3, along) * RPM
+    yield "falling traction, rigid", grid(falling, loads, speeds)
+    with TemporaryDirectory() as folder:
+        cold = cold_bearing(13, folder)
+    yield "cold oil, rigid", grid(cold, np.geomspace(500.0, 8e3, along), np.geomspace(1e3, 9e3, along) * RPM)
+    case = read_case(CASE, FALLING)
+    model = roller_bearing.bearing(case)
+    linear = condensed_raceways(case, model.bearing.azimuths, Logged()).linearised(model.solve().forces)
+    yield "falling traction, elastic", grid(model, loads, speeds, linear.compliance, linear.initial_deviation)
+
+
+def grid(
+    model: RollerBearing, loads: NDArray, speeds: NDArray, compliance=(None, None), deviation=None
+) -> GridPoints:
+    """Points of a bearing under all loads [N] at all speeds [rad/s]."""
+    bearings = [
+        replace(model, operation=replace(model.operation, radial_load=float(load), inner_speed=float(speed)))
+        for load in loads
+        for speed in speeds
+    ]
+    each = None if deviation is None else np.repeat(deviation[None], len(bearings), axis=0)
+    return GridPoints.of((len(loads), len(speeds)), bearings, compliance, each)
+
+
+def checked(name: str, points: GridPoints, count: int) -> list[Checked]:
+    """Points of a map against searches; half of them where the map has several states."""
+    began, processor = time.perf_counter(), time.process_time()
+    with shared_map() as mapped:
+        solved = solve(points, mapped)
+    rng, several = np.random.default_rng(SEED), np.flatnonzero(solved.stable_count > 1)
+    print(
+        f"{name}: {len(points.bearings)} points in {time.perf_counter() - began:.0f} s (processor of this "
+        f"process {time.process_time() - processor:.0f} s), {len(several)} with several states, up to "
+        f"{solved.stable_count.max()}; {solved.rounds} rounds, quiet {solved.quiet}",
+        flush=True,
+    )
+    some = rng.choice(several, min(len(several), count // 2), replace=False)
+    some = np.concatenate([some, rng.choice(np.unique(solved.point), count - len(some), replace=False)])
+    rows = [compared(solved, int(point), rng) for point in some]
+    report(name, rows)
+    return rows
+
+
+def compared(solved: SolvedGrid, point: int, rng: np.random.Generator) -> Checked:
+    """States of a map at a point against those that random starts lead to."""
+    points = solved.points
+    balance = points.at(np.array([point]))
+    there = [
+        Equilibrium(balance, scaled, SolverOutcome.CONVERGED, 0, points.axial_modes)
+        for scaled in solved.scaled[solved.point == point]
+    ]
+    known = [state for state in there if decays(state)]
+    found: list[Equilibrium] = []
+    for other in by_search(there[0], rng):
+        if all(apart(other, one) > DIFFERENT for one in found) and decays(other):
+            found.append(other)
+    missed = [other for other in found if all(apart(other, one) > DIFFERENT for one in known)]
+    return Checked(len(known), len(found), len(missed))
+
+
+def by_search(state: Equilibrium, rng: np.random.Generator) -> Iterator[Equilibrium]:
+    """Equilibria from random starts; those between elastic raceways begin in the shape of a known state."""
+    balance, elastic = state.balance, bool(state.balance.layout.elastic_raceways)
+    kept = replace(balance, compliance=(None, None), deviation=state.deviation) if elastic else balance
+    with np.errstate(all="ignore"):
+        _, starts = random_starts(kept, rng, STARTS)
+        every = np.zeros(STARTS, int)
+        many = balance.take(every)
+        unknowns = kept.take(every).unpack(starts)
+        if elastic:
+            unknowns = unknowns._replace(deviation=state.unknowns.deviation.repeat(STARTS, axis=2))
+        ended = solve_each(many, many.pack(unknowns), ROUNDS)
+    for scaled, outcome in zip(ended.unknowns, ended.outcomes, strict=True):
+        if outcome is SolverOutcome.CONVERGED:
+            yield replace(state, scaled=scaled)
+
+
+def report(name: str, rows: list[Checked]) -> None:
+    several = sum(row.found > 1 or row.known > 1 for row in rows)
+    known, found, missed = (sum(getattr(row, of) for row in rows) for of in ("known", "found", "missed"))
+    missing = [row for row in rows if row.missed]
+    print(
+        f"{name}: {len(rows)} points, {several} with several states; {known} states of the map, {found} of the "
+        f"searches, of which the map lacks {missed} at {len(missing)} points; regions missed, points with one "
+        f"state of the map and several of the search: {sum(row.known == 1 for row in missing)}",
+        flush=True,
+    )
+
+
+if __name__ == "__main__":
+    main()

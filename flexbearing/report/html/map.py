@@ -1,0 +1,81 @@
+"""The report of a map: outputs over its axes, regions of several equilibria."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexbearing.printable import printable
+from flexbearing.report.html.document import Block, Document, Figure, Section, Words
+
+
+@dataclass(frozen=True)
+class MapPlane:
+    """Outputs over two keys, the others kept."""
+
+    name: str  # of the plane; empty where there are no others
+    labels: tuple[str, str]  # of both keys
+    x: tuple[float, ...]
+    y: tuple[float, ...]
+    fields: dict[str, NDArray]  # (x, y) by headings
+    folds: NDArray  # (n, 2, 2) both ends of each piece
+    logarithmic: tuple[bool, bool]
+
+
+def of_map(
+    title: str, words: Sequence[str], planes: Sequence[MapPlane], danger: bool, table: tuple[str, str]
+) -> Document:
+    """Collect the report of a map.
+
+    Parameters
+    ----------
+    title : str
+        what the case is
+    words : sequence of str
+        what was found, in paragraphs
+    planes : sequence of MapPlane
+        what is drawn
+    danger : bool
+        whether a point failed, or a search did not end
+    table : pair of str
+        name and text of the table, to be saved
+
+    Returns
+    -------
+    Document
+    """
+    sections = [Section("found", "What was found", (Words(tuple(words), "danger" if danger else "good"),))]
+    for number, plane in enumerate(planes):
+        heading = printable(plane.name) or "Outputs"
+        sections.append(Section(f"plane-{number}", heading, tuple(_figures(plane, number))))
+    return Document(f"Map: {printable(title)}", "all equilibria that were found", tuple(sections), table)
+
+
+def _figures(plane: MapPlane, number: int) -> Iterator[Block]:
+    layout = {
+        axis: {"title": {"text": label}, "type": "log" if log else "linear"}
+        for axis, label, log in zip(("xaxis", "yaxis"), plane.labels, plane.logarithmic, strict=True)
+    }
+    for place, (heading, values) in enumerate(plane.fields.items()):
+        traces = [{
+            "type": "heatmap", "x": list(plane.x), "y": list(plane.y), "z": _rows(values),
+            "colorbar": {"title": {"text": heading, "side": "right"}}, "colorscale": "Viridis",
+            "hovertemplate": f"%{{x}}, %{{y}}: %{{z}}<extra>{heading}</extra>", "meta": heading,
+        }, *_folds(plane)]  # fmt: skip
+        caption = f"{heading}: of several stable states the largest value. Lines are folds."
+        yield Figure(f"map-{number}-{place}", caption, tuple(traces), layout | {"showlegend": False})
+
+
+def _rows(values: NDArray) -> list[list[float | None]]:
+    """Numbers as a figure takes them, row by row of y."""
+    return [[float(f"{value:.5g}") if np.isfinite(value) else None for value in row] for row in values.T]
+
+
+def _folds(plane: MapPlane) -> Iterator[dict]:
+    if len(plane.folds):
+        gaps = np.insert(plane.folds.astype(object), 2, None, axis=1).reshape(-1, 2)
+        yield {
+            "type": "scatter", "mode": "lines", "x": gaps[:, 0].tolist(), "y": gaps[:, 1].tolist(),
+            "line": {"color": "#000", "width": 1.5}, "hoverinfo": "skip", "name": "fold", "meta": "fold",
+        }  # fmt: skip

@@ -1,0 +1,1 @@
+"""Maps of a case over one to three of its keys, with every equilibrium that is found."""

@@ -1,0 +1,59 @@
+"""The command `map`; what it does not need is not loaded."""
+
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from flexbearing.program.kept import keeping
+
+CONVERGED, NOT_CONVERGED = 0, 1
+
+
+def map_(
+    case: Annotated[Path, typer.Argument(help="case file (TOML)", metavar="CASE")],
+    over: Annotated[
+        list[str],
+        typer.Option(
+            "--over",
+            metavar="KEY=FROM..TO,N",
+            help='one to three keys, "operation.radial_load=log 500 N..20 kN,100"; a load or speed alone, '
+            "without N, is followed around its folds",
+        ),
+    ],
+    of: Annotated[
+        str | None, typer.Option("--of", metavar="OUTPUT,...", help='outputs, "life [h],cage_slip [%]"')
+    ] = None,
+    output: Annotated[
+        Path | None,
+        typer.Option("-o", "--output", metavar="OUT.csv", help="table; all others stand beside it"),
+    ] = None,
+    form: Annotated[
+        str,
+        typer.Option(
+            "--format", metavar="png|svg|pdf", show_default=False, help="of the picture; png by default"
+        ),
+    ] = "png",
+    settings: Annotated[
+        list[str] | None,
+        typer.Option("--set", metavar="KEY=VALUE", help="replace a key of the case, as of run"),
+    ] = None,
+) -> None:
+    """Map a case over one to three keys: every equilibrium of every point, folds, regions of several."""
+    from flexbearing.printable import printable
+    from flexbearing.progress import Logged
+    from flexbearing.studies.maps.map import MapRequest, map_case
+    from quasidynamic import NotSolved
+
+    try:
+        outputs = tuple(of.split(",")) if of else ()
+        request = MapRequest(case, tuple(over), outputs, output, tuple(settings or ()), form)
+        found = map_case(request, Logged())
+    except NotSolved as problem:
+        sys.stderr.write(printable(f"{case}: not converged: {problem}\n"))
+        raise typer.Exit(NOT_CONVERGED) from None
+    with keeping(list(found.files.values())):
+        files = "\n".join(f"{name}: {path}" for name, path in found.files.items())
+        sys.stdout.write(printable(f"{found.text}\n{files}\n"))
+    raise typer.Exit(CONVERGED if found.complete else NOT_CONVERGED)

@@ -1,0 +1,147 @@
+"""Cases at the points of a map, as bearings between their rings."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import product
+from math import prod
+from operator import attrgetter
+from pathlib import Path
+
+import numpy as np
+
+from flexbearing.build import ring_parts, roller_bearing
+from flexbearing.build.expansion import roller_length
+from flexbearing.case import BadCase
+from flexbearing.case.declarations import find
+from flexbearing.case.roller import Case
+from flexbearing.case.text import setting_value
+from flexbearing.case.variants import Variants
+from flexbearing.coupling import LinearPair, PartnerFailed
+from flexbearing.families import FAMILIES
+from flexbearing.progress import Report
+from flexbearing.rings.condensed import RACES, is_linear, linear_raceways
+from flexbearing.runs import validate_roller
+from flexbearing.studies.maps.axes import MapAxis, with_numbers
+from quasidynamic import ImpossiblePart, NotSolved, OutOfRange, RollerBearing
+from quasidynamic.maps.points import GridPoints
+
+
+@dataclass(frozen=True)
+class MapGrid:
+    """What a map is computed of."""
+
+    axes: tuple[MapAxis, ...]
+    cases: tuple[Case, ...]  # (C), the last axis changes fastest
+    rings: tuple[LinearPair, ...]  # (C)
+    points: GridPoints
+
+
+def grid(first: Case, axes: Sequence[MapAxis], report: Report) -> MapGrid:
+    """Build every point of a map.
+
+    Parameters
+    ----------
+    first : Case
+        as it was read, with its settings
+    axes : sequence of MapAxis
+        crossed
+    report : Report
+        hears of rings that are condensed
+
+    Returns
+    -------
+    MapGrid
+
+    Raises
+    ------
+    BadCase
+        for a value that the case does not take, or a map that is not supported
+    NotSolved
+        where a ring has no trustworthy answer
+    """
+    _require_supported(first)
+    cases = _cases(first, axes)
+    for case in cases:
+        _require_supported(case)
+    shape = tuple(len(axis.values) for axis in axes)
+    told = tuple(_told(axis, number, shape, cases) for number, axis in enumerate(axes))
+    try:
+        models = [roller_bearing.bearing(case) for case in cases]
+        for case, model in zip(cases, models, strict=True):
+            validate_roller.require_around(case, model.bearing)
+        rings = _rings(cases, models, report)
+        initial = [pair.initial_deviation for pair in rings]
+        known = next((each for each in initial if each is not None), None)
+        deviation = None
+        if known is not None:
+            deviation = np.array([np.zeros_like(known) if each is None else each for each in initial])
+        points = GridPoints.of(shape, models, rings[0].compliance, deviation)
+    except (ImpossiblePart, OutOfRange) as problem:
+        raise BadCase(f"{first.source.path}: --over: {problem}") from problem
+    except PartnerFailed as problem:
+        raise NotSolved(str(problem)) from problem
+    return MapGrid(told, tuple(cases), tuple(rings), points)
+
+
+def _require_supported(case: Case) -> None:
+    """Refuse cases whose points are not solved side by side."""
+    name = case.source.path
+    if case.accuracy.target is not None:
+        raise BadCase(f"{name}: accuracy.target: a map has one level for all points; leave the target out")
+    if case.operation.roller_positions is not None or case.bearing.contact == "half_space":
+        raise BadCase(f"{name}: maps have one position of the rollers, in sliced contact")
+    if not _rigid(case) and not is_linear(case):
+        raise BadCase(
+            f"{name}: maps are over rings that deflect linearly: no fit that may open, no one-sided support; "
+            "use a study, or --set outer.kind=rigid and --set inner.kind=rigid"
+        )
+
+
+def _rigid(case: Case) -> bool:
+    return case.inner.kind == case.outer.kind == "rigid"
+
+
+def _cases(first: Case, axes: Sequence[MapAxis]) -> list[Case]:
+    """Every combination of values, over what the case and its settings say."""
+    source, given = first.source, {}
+    for setting in source.overrides:
+        key, _, text = (part.strip() for part in setting.partition("="))
+        if not text:
+            raise BadCase(f"--set {key}=: a map takes no key out; leave it out of the case file")
+        declaration = find(key, type(first))
+        given[key] = text if declaration and text in declaration.choices else setting_value(text)
+    varied = [axis.key for axis in axes]
+    keys = (*(key for key in given if key not in varied), *varied)
+    variants, cases = Variants(Path(source.path), source.text, keys, FAMILIES), []
+    for values in product(*(axis.values for axis in axes)):
+        settings = given | dict(zip(varied, values, strict=True))
+        case = variants.case(tuple(settings[key] for key in keys))
+        assert isinstance(case, Case)
+        cases.append(case)
+    return cases
+
+
+def _told(axis: MapAxis, number: int, shape: tuple[int, ...], cases: Sequence[Case]) -> MapAxis:
+    """An axis with the numbers that the cases along it have."""
+    stride = prod(shape[number + 1 :])
+    value = attrgetter(axis.key)
+    return with_numbers(axis, [value(cases[place * stride]) for place in range(shape[number])])
+
+
+def _rings(cases: Sequence[Case], models: Sequence[RollerBearing], report: Report) -> list[LinearPair]:
+    """Raceways of each case; all have the same parts."""
+    first, azimuths = cases[0], models[0].bearing.azimuths
+    if _rigid(first):
+        return [LinearPair(None, None)] * len(cases)
+    for case, model in zip(cases, models, strict=True):
+        same = np.array_equal(model.bearing.azimuths, azimuths) and roller_length(case) == roller_length(
+            first
+        )
+        parts = all(ring_parts.part_of(case, race) == ring_parts.part_of(first, race) for race in RACES)
+        if not (same and parts):
+            raise BadCase(
+                f"{first.source.path}: --over: a map is between the same elastic rings, and this key changes "
+                "them; use a study, or --set outer.kind=rigid and --set inner.kind=rigid"
+            )
+    alike: list[Case | None] = list(cases)
+    return linear_raceways({race: alike for race in RACES}, azimuths, models[0].axial_modes, report)

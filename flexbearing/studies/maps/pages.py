@@ -1,0 +1,198 @@
+"""Tables, picture and page of a map."""
+
+from collections.abc import Iterator
+from itertools import product
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexbearing.report.html.document import Document
+from flexbearing.report.html.map import MapPlane, of_map
+from flexbearing.studies.file import Axis
+from flexbearing.studies.maps.axes import MapAxis
+from flexbearing.studies.maps.solved import SolvedMap
+from flexbearing.studies.table import Table
+from flexbearing.studies.table.column import Column
+from quasidynamic.maps import fold_curves
+from quasidynamic.maps.curves import end_places
+from quasidynamic.outcome.static_pressure import ROLLERS
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+STATE = "state"  # axis of the states of a point
+LIMITS = {
+    "peak_pressure.inner [MPa]": (ROLLERS / 1e6,),
+    "static_safety": (1.0,),
+    "minimum_lambda.inner": (1.0,),
+}
+PANELS = 6  # of a picture
+PLANES = 5  # of a page, spread over the first axis of three
+
+
+def rows(found: SolvedMap) -> Table:
+    """A row for every state, and one for each point without any."""
+    places = np.concatenate([found.solved.point, found.unsolved])
+    order = np.argsort(places, kind="stable")
+    number = np.concatenate([_numbers(found.solved.point), np.zeros(len(found.unsolved), int)])
+    missing = np.full(len(found.unsolved), np.nan)
+    outputs = {name: np.concatenate([values, missing])[order] for name, values in found.outputs.items()}
+    stable = np.concatenate([found.solved.stable, np.zeros(len(found.unsolved), bool)])[order]
+    columns = [
+        _key(axis, values) for axis, values in zip(found.axes, _values(found, places[order]), strict=True)
+    ]
+    columns += [Column(STATE, "", number[order].tolist()), Column("stable", "", stable.astype(int).tolist())]
+    columns += [_column(name, values) for name, values in outputs.items()]
+    return Table(found.title, tuple(columns), ())
+
+
+def arrays(found: SolvedMap) -> Table:
+    """The same over the axes and the states of a point, NaN where there is no such state."""
+    number = _numbers(found.solved.point) - 1
+    most = int(number.max(initial=0)) + 1
+    place = found.solved.point * most + number
+    axes = [Axis(axis.key, (axis.key,), tuple((value,) for value in axis.numbers)) for axis in found.axes]
+    axes.append(Axis(STATE, (STATE,), tuple((each + 1,) for each in range(most))))
+    grids = product(*(range(len(axis.rows)) for axis in axes))
+    along = np.array(list(grids)).T
+    columns = [_key(axis, np.array(axis.numbers)[at]) for axis, at in zip(found.axes, along, strict=False)]
+    columns.append(Column(STATE, "", (along[-1] + 1).tolist(), varied=True))
+    outputs = {"stable": found.solved.stable.astype(float)} | found.outputs
+    for name, values in outputs.items():
+        padded = np.full(found.points * most, np.nan)
+        padded[place] = values
+        columns.append(_column(name, padded))
+    return Table(found.title, tuple(columns), tuple(axes))
+
+
+def folds(found: SolvedMap) -> Table:
+    """Where sheets of stable states end, between two points of the map."""
+    states, _ = found.solved.ends
+    places = end_places(found.solved)
+    columns = [_key(axis, _at(axis, along)) for axis, along in zip(found.axes, places.T, strict=True)]
+    columns += [_column(name, values[states]) for name, values in found.outputs.items()]
+    return Table(f"{found.title}, folds", tuple(columns), ())
+
+
+def text(found: SolvedMap) -> str:
+    """What was found, in lines."""
+    return (
+        "\n".join([f"{found.title}: {found.points} points between {found.raceways}", *_words(found)]) + "\n"
+    )
+
+
+def _words(found: SolvedMap) -> Iterator[str]:
+    count = found.solved.stable_count
+    yield f"{len(found.unsolved)} points not converged" if len(found.unsolved) else "every point converged"
+    if found.several:
+        yield (
+            f"{found.several} points with several stable equilibria, up to {count.max()}: which of them a "
+            "bearing is in depends on what was before"
+        )
+        yield f"{len(found.solved.ends[0])} places between points where stable equilibria end"
+    else:
+        yield "no point with several stable equilibria was found"
+    unstable = int((~found.solved.stable).sum())
+    if unstable:
+        yield f"{unstable} unstable equilibria are in the table, marked"
+    if not found.solved.quiet:
+        yield (
+            f"the search still found other equilibria in its last rounds, of {found.solved.rounds}: "
+            "there may be more"
+        )
+
+
+def picture(found: SolvedMap) -> "Figure":
+    """Picture of a map; of three axes at the middle of the first one."""
+    from flexbearing.report.studies.map_figure import (
+        Along,
+        Field,
+        MapLines,
+        StatesOver,
+        draw_fields,
+        draw_states,
+    )
+
+    what = f"All equilibria that were found, {found.raceways}"
+    if len(found.axes) == 1:
+        (axis,) = found.axes
+        name, values = next(iter(found.outputs.items()))
+        x = Along(axis.words, np.array(axis.numbers)[found.solved.point], axis.logarithmic)
+        ends = np.unique(_at(axis, end_places(found.solved)[:, 0]))
+        return draw_states(found.title, what, x, StatesOver(name, values, found.solved.stable, ends))
+    plane = _planes(found)[len(_planes(found)) // 2]
+    x, y = (
+        Along(label, np.array(values), log)
+        for label, values, log in zip(plane.labels, (plane.x, plane.y), plane.logarithmic, strict=True)
+    )
+    fields = [Field(name, values, LIMITS.get(name, ())) for name, values in plane.fields.items()]
+    several = plane.fields[COUNT]
+    unsolved = np.argwhere(several == 0)
+    where = np.array([x.values[unsolved[:, 0]], y.values[unsolved[:, 1]]]).T
+    heading = f"{what}, {plane.name}" if plane.name else what
+    return draw_fields(found.title, heading, x, y, fields[:PANELS], MapLines(several, plane.folds, where))
+
+
+COUNT = "stable equilibria"
+
+
+def page(found: SolvedMap, name: str, csv: str) -> Document:
+    """Page of a map."""
+    planes = _planes(found) if len(found.axes) > 1 else ()
+    danger = bool(len(found.unsolved)) or not found.solved.quiet
+    return of_map(found.title, tuple(_words(found)), planes, danger, (name, csv))
+
+
+def _planes(found: SolvedMap) -> list[MapPlane]:
+    """Outputs over the last two axes; of three at some values of the first one."""
+    shape = found.shape
+    fields = {name: found.of_points(values)[1] for name, values in found.outputs.items()}
+    fields[COUNT] = found.solved.stable_count.reshape(shape).astype(float)
+    first = next(iter(fields))
+    fields = {first: fields[first], COUNT: fields[COUNT]} | fields
+    if len(shape) == 2:
+        return [_plane(found, "", fields, fold_curves(found.solved, (0, 1)))]
+    pieces = fold_curves(found.solved, (1, 2))
+    steps = np.unique(np.linspace(0, shape[0] - 1, PLANES).astype(int))
+    return [
+        _plane(
+            found,
+            f"{found.axes[0].words} {found.axes[0].numbers[step]:.6g}",
+            {name: values[step] for name, values in fields.items()},
+            pieces[(pieces[:, :, 0] == step).all(axis=1)][:, :, 1:],
+        )
+        for step in steps
+    ]
+
+
+def _plane(found: SolvedMap, name: str, fields: dict[str, NDArray], pieces: NDArray) -> MapPlane:
+    x, y = found.axes[-2:]
+    ends = np.stack([_at(axis, pieces[..., number]) for number, axis in enumerate((x, y))], axis=-1)
+    logarithmic = (x.logarithmic, y.logarithmic)
+    return MapPlane(name, (x.words, y.words), x.numbers, y.numbers, fields, ends, logarithmic)
+
+
+def _at(axis: MapAxis, steps: NDArray) -> NDArray:
+    """Values of a key at steps of the grid, as models between two points have them."""
+    return np.interp(steps, np.arange(len(axis.numbers)), axis.numbers)
+
+
+def _numbers(points: NDArray) -> NDArray:
+    """Number of each state at its point, from 1; points rise."""
+    first = np.searchsorted(points, points)
+    return np.arange(len(points)) - first + 1
+
+
+def _values(found: SolvedMap, places: NDArray) -> Iterator[NDArray]:
+    for axis, at in zip(found.axes, np.unravel_index(places, found.shape), strict=True):
+        yield np.array(axis.numbers)[at]
+
+
+def _key(axis: MapAxis, values: NDArray) -> Column:
+    return Column(axis.key, axis.unit, values.tolist(), varied=True)
+
+
+def _column(heading: str, values: NDArray) -> Column:
+    name, _, unit = heading.partition(" [")
+    return Column(name, unit.rstrip("]"), values.tolist())

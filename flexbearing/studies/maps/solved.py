@@ -1,0 +1,139 @@
+"""A map that is computed: every state of every point, with its outputs."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from math import prod
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexbearing.case import BadCase
+from flexbearing.case.roller import Case
+from flexbearing.outputs import UnknownOutput, WrongUnit, wanted
+from flexbearing.program.threads import linear_algebra_alone
+from flexbearing.program.workers import shared_map
+from flexbearing.progress import Logged, Report
+from flexbearing.quantities.roller import LAYOUT
+from flexbearing.runs.together import Together
+from flexbearing.studies.maps.axes import MapAxis
+from flexbearing.studies.maps.grid import MapGrid, grid
+from quasidynamic.maps import GridPoints, SolvedGrid, solve
+from quasidynamic.outcome.bearing_states import BearingStates
+from quasidynamic.outcome.equilibria import Batch
+from quasidynamic.solve.outcome import SolverOutcome
+
+AT_ONCE = 32  # states whose matrices fit into the processor's cache
+OUTPUTS = (
+    "cage_slip [%]", "max_roller_load [N]", "life_L10 [Mrev]", "peak_pressure.inner [MPa]", "static_safety",
+    "minimum_film.inner [um]", "minimum_lambda.inner", "driving_torque [N m]",
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class SolvedMap:
+    """A map of C points and S states, the states in the order of their points."""
+
+    title: str
+    raceways: str
+    axes: tuple[MapAxis, ...]
+    solved: SolvedGrid
+    outputs: dict[str, NDArray]  # (S) by headings, for people; left out are those that the case does not have
+
+    @property
+    def points(self) -> int:
+        """Points of the map."""
+        return prod(len(axis.values) for axis in self.axes)
+
+    @property
+    def unsolved(self) -> NDArray:
+        """Points without a state (n)."""
+        return np.setdiff1d(np.arange(self.points), self.solved.point)
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Points along each axis."""
+        return tuple(len(axis.values) for axis in self.axes)
+
+    def of_points(self, values: NDArray) -> tuple[NDArray, NDArray]:
+        """Smallest and largest values of the stable states of each point, on the grid; NaN without one."""
+        some = self.solved.stable
+        low, high = np.full(self.points, np.inf), np.full(self.points, -np.inf)
+        np.minimum.at(low, self.solved.point[some], values[some])
+        np.maximum.at(high, self.solved.point[some], values[some])
+        both = (np.where(np.isfinite(end), end, np.nan).reshape(self.shape) for end in (low, high))
+        smallest, largest = both
+        return smallest, largest
+
+    @property
+    def several(self) -> int:
+        """Points with several stable states."""
+        return int((self.solved.stable_count > 1).sum())
+
+
+def solved_map(first: Case, axes: Sequence[MapAxis], texts: Sequence[str], report: Report) -> SolvedMap:
+    """Compute a map.
+
+    Parameters
+    ----------
+    first : Case
+        as it was read, with its settings
+    axes : sequence of MapAxis
+        as `flexbearing.studies.maps.axes.axes` reads them
+    texts : sequence of str
+        outputs with their units
+    report : Report
+        hears of the stages
+
+    Returns
+    -------
+    SolvedMap
+
+    Raises
+    ------
+    BadCase
+        as `grid`, and for a name that is no output
+    NotSolved
+        where a ring has no trustworthy answer
+    """
+    _require_outputs(texts)
+    with linear_algebra_alone(), shared_map() as mapped:
+        whole = grid(first, axes, Logged())  # its rings tell of every point
+        solved = solve(whole.points, mapped, lambda stage: report.stage(stage, None))
+        report.stage("outputs", None)
+        outputs = _outputs(whole, solved, texts)
+    raceways = "rigid raceways" if whole.points.rigid else "flexible rings"
+    return SolvedMap(first.title, raceways, whole.axes, solved, outputs)
+
+
+def _require_outputs(texts: Sequence[str]) -> None:
+    for text in texts:
+        try:
+            wanted(LAYOUT, text)
+        except (UnknownOutput, WrongUnit) as problem:
+            raise BadCase(f"--of {problem}") from None
+
+
+def _outputs(whole: MapGrid, solved: SolvedGrid, texts: Sequence[str]) -> dict[str, NDArray]:
+    """Outputs of all states; those that no state has are left out."""
+    entries = [wanted(LAYOUT, text) for text in texts]
+    parts = [each.all_numbers(entries) for each in _together(whole, solved)]
+    columns = [np.concatenate(column) for column in zip(*parts, strict=True)]
+    named = (
+        (_heading(entry.name, entry.unit), column) for entry, column in zip(entries, columns, strict=True)
+    )
+    return {name: column for name, column in named if not np.isnan(column).all()}
+
+
+def _heading(name: str, unit: str) -> str:
+    return name if unit == "1" else f"{name} [{unit}]"
+
+
+def _together(whole: MapGrid, solved: SolvedGrid) -> Iterator[Together]:
+    """States some at once, as runs of their cases would give them."""
+    points: GridPoints = whole.points
+    for first in range(0, len(solved.point), AT_ONCE):
+        some = solved.point[first : first + AT_ONCE]
+        states = BearingStates(points.at(some), solved.scaled[first : first + AT_ONCE], points.axial_modes)
+        batch = Batch(some, states, (SolverOutcome.CONVERGED,) * len(some), np.zeros(len(some), int))
+        each = [whole.cases[point] for point in some], [points.bearings[point] for point in some]
+        yield Together(*each, batch, [whole.rings[point] for point in some], ("", "flexible"))

@@ -1,0 +1,113 @@
+"""Operating points on a grid, and any point between two neighbours, as bearings side by side."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.rollers.bearing import BearingBalance
+from quasidynamic.columns import kind_and_numbers, with_columns
+from quasidynamic.errors import OutOfRange
+from quasidynamic.roller import Compliance, RollerBearing
+from quasidynamic.solve.rollers.parametric_balance import between
+
+RIGID: Compliance = (None, None)
+
+
+@dataclass(frozen=True)
+class GridPoints:
+    """C operating points of a bearing on a grid, the last axis of which changes fastest."""
+
+    shape: tuple[int, ...]
+    bearings: tuple[RollerBearing, ...]  # (C)
+    numbers: NDArray  # (C, n) what may differ between the bearings
+    aligned: bool  # whether no roller can tilt anywhere
+    compliance: Compliance = RIGID
+    deviation: NDArray | None = None  # (C, 2, Z, M) of the raceways without load, outward [m]
+
+    @classmethod
+    def of(
+        cls,
+        shape: tuple[int, ...],
+        bearings: Sequence[RollerBearing],
+        compliance: Compliance = RIGID,
+        deviation: NDArray | None = None,
+    ) -> "GridPoints":
+        """Points of bearings that differ in numbers only.
+
+        Parameters
+        ----------
+        shape : tuple of int
+            points along each axis
+        bearings : sequence of RollerBearing
+            one for each point
+        compliance : pair of arrays (Z, M, Z, M) or None
+            outward deviation of inner and outer raceway per outward force [m/N]; None is rigid
+        deviation : array (C, 2, Z, M), optional
+            outward deviations that are there without any roller load [m]
+
+        Raises
+        ------
+        OutOfRange
+            where not the same equations hold at all points
+        """
+        kinds, numbers = zip(*(kind_and_numbers(bearing) for bearing in bearings), strict=True)
+        if len(set(kinds)) > 1:
+            raise OutOfRange("not the same equations hold at all points: more than numbers differs")
+        rigid = deviation is None and compliance[0] is compliance[1] is None
+        tilts = any(bearing.operation.tilts for bearing in bearings)
+        aligned = rigid and not tilts and bearings[0].bearing.symmetric
+        return cls(shape, tuple(bearings), np.array(numbers), aligned, compliance, deviation)
+
+    @property
+    def axial_modes(self) -> int:
+        """Axial modes M that raceways exchange with the rollers."""
+        return self.bearings[0].axial_modes
+
+    @property
+    def rigid(self) -> bool:
+        """Whether both raceways are rigid."""
+        return self.compliance[0] is self.compliance[1] is None
+
+    def at(self, points: NDArray) -> BearingBalance:
+        """Balance of bearings at some points (n)."""
+        return self._balance.take(points)
+
+    @cached_property
+    def _balance(self) -> BearingBalance:
+        return self._with(self.numbers, self.deviation)
+
+    def between(self, first: NDArray, second: NDArray, share: NDArray) -> BearingBalance:
+        """Balance of bearings at shares (n) of the ways from some points (n) to others (n).
+
+        Numbers of the bearings are interpolated linearly: exact for loads, speeds and dimensions, nearly so
+        for what follows from temperatures.
+        """
+        part, rest = share[:, None], 1 - share[:, None]
+        numbers = rest * self.numbers[first] + part * self.numbers[second]
+        if self.deviation is None:
+            return self._with(numbers, None)
+        part, rest = part[..., None, None], rest[..., None, None]
+        return self._with(numbers, rest * self.deviation[first] + part * self.deviation[second])
+
+    def _with(self, numbers: NDArray, deviation: NDArray | None) -> BearingBalance:
+        # Numbers that all points share are those of the first bearing, which therefore is one of them.
+        bearing = with_columns(self.bearings[0], np.vstack([self.numbers[:1], numbers]))
+        balance = bearing.balance(1 + len(numbers), aligned=self.aligned)
+        balance = balance.take(np.arange(1, 1 + len(numbers)))
+        if self.rigid:
+            return replace(balance, deviation=deviation)
+        return between(balance, self.compliance, deviation)
+
+    @cached_property
+    def neighbours(self) -> NDArray:
+        """Neighbour (C, 2 d) of each point, down and up each of the d axes; -1 beyond the end."""
+        places = np.arange(len(self.bearings)).reshape(self.shape)
+        padded = np.pad(places, 1, constant_values=-1)
+        middle = (slice(1, -1),) * len(self.shape)
+        beside = [
+            np.roll(padded, step, axis)[middle].ravel() for axis in range(len(self.shape)) for step in (1, -1)
+        ]
+        return np.stack(beside, axis=1)

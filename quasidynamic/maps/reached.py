@@ -1,0 +1,133 @@
+"""States that Newton's method reaches from given starts, many side by side."""
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.rollers.bearing import BearingBalance
+from quasidynamic.outcome.bearing_states import BearingStates
+from quasidynamic.several.indicator import each_several_likely
+from quasidynamic.solve.outcome import SolverOutcome
+from quasidynamic.solve.rollers.newton import newton
+from quasidynamic.solve.rollers.stability import growth_rates
+from quasidynamic.solve.rollers.strategy import solve_each
+
+AT_ONCE = 64  # their slices fit into the processor's cache
+BALANCED = 1e-8  # of the reference force; a step into absurd loads is balanced beside these only
+EVALUATIONS = 16  # of Newton's method from a neighbouring state; more seldom end near it
+
+Mapped = Callable[[Callable[[Any], Any], Iterable[Any]], Iterator[Any]]  # as the builtin `map`
+
+
+@dataclass(frozen=True)
+class Reached:
+    """How n solves ended; what did not converge has NaN."""
+
+    scaled: NDArray  # (n, N) unknowns
+    loads: NDArray  # (n, 2, Z) of the rollers [N]
+    spin: NDArray  # (n, Z) of the rollers over that of pure rolling [-]
+
+    def __len__(self) -> int:
+        return len(self.scaled)
+
+    @property
+    def converged(self) -> NDArray:
+        """Which solves (n) converged."""
+        return np.isfinite(self.scaled[:, 0])
+
+    def take(self, some: NDArray) -> "Reached":
+        """Some of them."""
+        return Reached(self.scaled[some], self.loads[some], self.spin[some])
+
+    @classmethod
+    def joined(cls, parts: "Iterable[Reached]") -> "Reached":
+        """All parts, one after the other."""
+        scaled, loads, spin = zip(*((part.scaled, part.loads, part.spin) for part in parts), strict=True)
+        return cls(np.concatenate(scaled), np.concatenate(loads), np.concatenate(spin))
+
+
+def apart(one: Reached, other: Reached) -> NDArray:
+    """How far pairs of states differ (n): in a load over its largest, in a spin over pure rolling [-]."""
+    largest, its_largest = (each.loads[:, 0].max(axis=1) for each in (one, other))
+    loads = one.loads / largest[:, None, None] - other.loads / its_largest[:, None, None]
+    return np.maximum(np.abs(loads).max(axis=(1, 2)), np.abs(one.spin - other.spin).max(axis=1))
+
+
+def by_newton(task: tuple[BearingBalance, NDArray]) -> Reached:
+    """States near starts (n, N), scaled, by Newton's method alone."""
+    balance, starts = task
+    found = np.full(starts.shape, np.nan)
+    with np.errstate(all="ignore"):  # a start may be absurd
+        for iterate in newton(balance, starts):
+            done = np.array([outcome is SolverOutcome.CONVERGED for outcome in iterate.outcomes])
+            found[iterate.cases[done]] = iterate.unknowns[done]
+            if iterate.number >= EVALUATIONS:
+                break
+    return of_unknowns(balance, found)
+
+
+def by_pseudo_time(task: tuple[BearingBalance, NDArray]) -> Reached:
+    """States from starts (n, N), scaled, wherever they lead, with a round of pseudo-time."""
+    balance, starts = task
+    with np.errstate(all="ignore"):
+        solved = solve_each(balance, starts, rounds=1)
+    ended = np.array([outcome is SolverOutcome.CONVERGED for outcome in solved.outcomes])
+    return of_unknowns(balance, np.where(ended[:, None], solved.unknowns, np.nan))
+
+
+def of_unknowns(balance: BearingBalance, scaled: NDArray) -> Reached:
+    """Loads and spins of unknowns (n, N), scaled; NaN where forces are not in balance."""
+    states = BearingStates(balance, scaled, balance.roller.axial_modes)
+    balanced = (states.residual < BALANCED)[:, None]
+    loads = np.where(balanced[..., None], states.loads, np.nan)
+    spin = np.where(balanced, states.roller_speed / balance.rolling_spin, np.nan)
+    return Reached(np.where(balanced, scaled, np.nan), loads, spin)
+
+
+def examined(task: tuple[BearingBalance, NDArray]) -> NDArray:
+    """Whether small disturbances of states (n, N), scaled, decay, and whether several are likely: (n, 2)."""
+    balance, scaled = task
+    states = BearingStates(balance, scaled, balance.roller.axial_modes)
+    rates = np.real(growth_rates(balance, states.system)).max(axis=1)
+    return np.stack([rates < 0, each_several_likely(states)], axis=1)  # no decay of a singular matrix
+
+
+def tasks(
+    balance_of: Callable[[NDArray], BearingBalance], scaled: NDArray, at_once: int = AT_ONCE
+) -> list[tuple[BearingBalance, NDArray]]:
+    """Balances and unknowns (n, N), some at once; similar ones should stand side by side."""
+    places = np.arange(len(scaled))
+    few = (places[first : first + at_once] for first in range(0, len(places), at_once))
+    return [(balance_of(some), scaled[some]) for some in few]
+
+
+def in_batches(
+    balance_of: Callable[[NDArray], BearingBalance],
+    starts: NDArray,
+    solve: Callable[[tuple[BearingBalance, NDArray]], Reached],
+    mapped: Mapped,
+    at_once: int = AT_ONCE,
+) -> Reached:
+    """States from all starts (n, N), some at once; similar ones should stand side by side.
+
+    Parameters
+    ----------
+    balance_of : callable (places)
+        balance of the solves at some places among the n
+    starts : array (n, N)
+        scaled
+    solve : callable
+        `by_newton` or `by_pseudo_time`
+    mapped : callable
+        `map`, or one that shares the calls among processes
+    at_once : int
+        starts of a call
+
+    Returns
+    -------
+    Reached
+    """
+    return Reached.joined(mapped(solve, tasks(balance_of, starts, at_once)))

@@ -1,0 +1,107 @@
+"""States of other sheets, searched by solves from other spins and slips that are spread over a map."""
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.rollers.bearing import BearingBalance
+from quasidynamic.maps.points import GridPoints
+from quasidynamic.maps.reached import AT_ONCE, Mapped, by_pseudo_time, in_batches
+from quasidynamic.maps.sheets import connect_all
+from quasidynamic.maps.states import States
+from quasidynamic.outcome.bearing_states import BearingStates
+from quasidynamic.outcome.equilibrium import Equilibrium
+from quasidynamic.several.search import started
+from quasidynamic.several.starts import Patterns, far, near
+from quasidynamic.solve.outcome import SolverOutcome
+
+SEED = 20  # of points and patterns by lot, the same at every call
+POINTS, PATTERNS, CROSSED = 48, 4, 4  # of a round: points, patterns of each around and between states
+SEARCHED_AT_ONCE = 24  # starts of a call, few enough to be shared among processes
+QUIET = 2  # rounds without another state, after which the search ends
+MOST_ROUNDS = 40
+
+
+def search(points: GridPoints, states: States, mapped: Mapped) -> tuple[int, bool]:
+    """Search states of other sheets where several are likely; every one is continued over the map.
+
+    A sheet covers many points as a rule: a few starts at points all over the map find it as surely as many
+    starts at one point.
+
+    Returns
+    -------
+    rounds : int
+    quiet : bool
+        whether the last rounds found nothing more; else more states may be found by further rounds
+    """
+    rng, quiet = np.random.default_rng(SEED), 0
+    if not states.doubtful.any() and states.stable_count.max(initial=0) < 2:
+        return 0, True
+    for number in range(MOST_ROUNDS):
+        before, several = len(states), np.flatnonzero(states.stable_count > 1)
+        doubtful = np.union1d(states.point[states.doubtful], several)
+        _try(points, states, rng.choice(doubtful, min(POINTS, len(doubtful)), replace=False), rng, mapped)
+        connect_all(points, states, mapped)
+        quiet = quiet + 1 if len(states) == before else 0
+        if quiet == QUIET:
+            return number + 1, True
+    return MOST_ROUNDS, False
+
+
+def _try(points: GridPoints, states: States, some: NDArray, rng: np.random.Generator, mapped: Mapped) -> None:
+    """Solve from patterns by lot around a state by lot of each of some points."""
+    begun = np.array([rng.choice(states.at_point[point]) for point in some])
+    chosen = [_patterns(points, states, state, rng) for state in begun]
+    every = np.repeat(begun, [len(each.spin) for each in chosen])
+    patterns = Patterns(*(np.concatenate(parts) for parts in zip(*chosen, strict=True)))
+    starts = np.concatenate(
+        [
+            _starts(points, states, every[few], Patterns(patterns.spin[few], patterns.cage_drift[few]))
+            for few in (slice(first, first + AT_ONCE) for first in range(0, len(every), AT_ONCE))
+        ]
+    )
+    there = states.point[every]
+    found = in_batches(
+        lambda batch: points.at(there[batch]), starts, by_pseudo_time, mapped, SEARCHED_AT_ONCE
+    )
+    states.add(there, found)
+
+
+def _patterns(points: GridPoints, states: States, state: int, rng: np.random.Generator) -> Patterns:
+    """Some of the spins and slips around a state."""
+    balance, scaled = points.at(states.point[[state]]), states.reached.scaled[state]
+    known = Equilibrium(balance, scaled, SolverOutcome.CONVERGED, 0, points.axial_modes)
+    every = near(known).joined(far(known))
+    chosen = rng.choice(len(every.spin), min(PATTERNS, len(every.spin)), replace=False)
+    around = Patterns(every.spin[chosen], every.cage_drift[chosen])
+    others = [other for other in states.at_point[states.point[state]] if other != state]
+    return around.joined(_crossed(points, states, state, rng.choice(others), rng)) if others else around
+
+
+def _crossed(points: GridPoints, states: States, one: int, other: int, rng: np.random.Generator) -> Patterns:
+    """Rollers in an arc by lot as one state has them, all others as another state of the same point."""
+    spins, rollers = states.reached.spin[[one, other]], states.reached.spin.shape[1]
+    begin, length = rng.integers(0, rollers, CROSSED), rng.integers(1, rollers, CROSSED)
+    place = np.mod(np.arange(rollers) - begin[:, None], rollers)
+    balance = points.at(states.point[[one, other]])
+    drifts = balance.unpack(states.reached.scaled[[one, other]]).cage_drift[:, 0]
+    share = rng.random(CROSSED)
+    spin = np.where(place < length[:, None], spins[0], spins[1])
+    return Patterns(spin, share * drifts[0] + (1 - share) * drifts[1])
+
+
+def _starts(points: GridPoints, states: States, some: NDArray, patterns: Patterns) -> NDArray:
+    """Scaled unknowns (n, N) with the spins and slips of patterns, around states (n)."""
+    balance = points.at(states.point[some])
+    known = BearingStates(balance, states.reached.scaled[some], points.axial_modes)
+    with np.errstate(all="ignore"):  # a start may be absurd
+        unknowns = started(_in_shape(balance, known), known.unknowns, patterns)
+    return balance.pack(unknowns._replace(deviation=known.unknowns.deviation))
+
+
+def _in_shape(balance: BearingBalance, known: BearingStates) -> BearingBalance:
+    """The same balance between raceways that keep the shape of the known states."""
+    if not balance.layout.elastic_raceways:
+        return balance
+    return replace(balance, compliance=(None, None), deviation=known.deviation)

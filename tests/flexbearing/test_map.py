@@ -1,0 +1,98 @@
+"""The command `map` over one to three keys: tables, picture, page, and what it refuses."""
+
+import csv
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from pytest import approx
+
+from flexbearing import __main__ as program, run
+from flexbearing.progress import Logged
+from flexbearing.studies.maps import pages
+from flexbearing.studies.maps.map import MapRequest, map_case
+
+CONFIGS = Path(__file__).parents[2] / "configs"
+PAPER, TEXTBOOK = CONFIGS / "mao2016.toml", CONFIGS / "nu209.toml"
+LOADS, SPEEDS = "operation.radial_load=log 4 kN..16 kN,3", "operation.inner_speed=1000 rpm..2000 rpm,2"
+FEW = ("accuracy.slices=5",)
+
+
+def mapped(case, folder, *over, settings=FEW):
+    return map_case(MapRequest(case, over, (), folder / "m.csv", settings), Logged())
+
+
+def rows(path):
+    with path.open(newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+@pytest.fixture(scope="module")
+def plane(tmp_path_factory):
+    return mapped(TEXTBOOK, tmp_path_factory.mktemp("map"), LOADS, SPEEDS)
+
+
+def test_every_point_has_a_row_that_is_the_answer_of_its_run(plane, tmp_path):
+    table = rows(plane.files["table"])
+    assert [float(row["operation.radial_load [N]"]) for row in table] == approx(
+        [4e3, 4e3, 8e3, 8e3, 16e3, 16e3], rel=1e-12, abs=0
+    )
+    settings = (*FEW, "operation.radial_load=8 kN", "operation.inner_speed=2000 rpm")
+    alone = run(TEXTBOOK, settings, output=tmp_path / "r.h5")
+    for name in ("cage_slip [%]", "max_roller_load [N]", "life_L10 [Mrev]"):
+        assert float(table[3][name]) == approx(float(alone[name]), rel=1e-9, abs=0)
+    assert {row["stable"] for row in table} == {"1"}
+
+
+def test_map_has_tables_picture_and_page(plane):
+    assert plane.complete
+    assert "every point converged" in plane.text
+    assert "no point with several stable equilibria was found" in plane.text
+    assert plane.files["picture"].read_bytes().startswith(b"\x89PNG")
+    page = plane.files["page"].read_text("utf-8")
+    assert "heatmap" in page
+    assert "every point converged" in page
+    assert len(rows(plane.files["folds"])) == 0
+
+
+def test_arrays_are_those_of_the_table(plane):
+    arrays = pages.arrays(plane.found).to_xarray()
+    assert dict(arrays.sizes) == {"operation.radial_load": 3, "operation.inner_speed": 2, "state": 1}
+    assert arrays["cage_slip"].values.ravel() == approx(plane.found.outputs["cage_slip [%]"], rel=0, abs=0)
+    assert arrays["cage_slip"].attrs["units"] == "%"
+
+
+def test_points_that_failed_are_marked_and_counted(plane, monkeypatch):
+    monkeypatch.setattr(type(plane.found), "unsolved", np.array([6, 7]))
+    assert "2 points not converged" in pages.text(plane.found)
+
+
+def test_three_axes_have_a_point_for_each_combination(tmp_path):
+    found: Any = mapped(TEXTBOOK, tmp_path, LOADS, SPEEDS, "bearing.clearance=20 um..30 um,2").found
+    assert found.shape == (3, 2, 2)
+    assert found.solved.point.tolist() == list(range(12))
+    assert len(rows(tmp_path / "m.csv")) == 12
+
+
+@pytest.mark.parametrize(
+    ("over", "words"),
+    [
+        (["operation.radial_laod=1 N..2 N,3"], "Did you mean radial_load"),
+        (["bearing.roller.profile=straight..crowned,3"], "keys that are numbers"),
+        (["operation.radial_load=1 N..2 mm,3"], "is not a force"),
+        (["operation.radial_load=1 kN..2 kN,1"], "a range has 2 to"),
+        ([LOADS, LOADS], "varied twice"),
+        (
+            [LOADS, SPEEDS, "bearing.clearance=1 um..2 um,2", "operation.moment=0 N m..1 N m,2"],
+            "one to three axes",
+        ),
+        ([LOADS, "outer.thickness=3 mm..4 mm,2"], "same elastic rings"),
+    ],
+)
+def test_axes_without_sense_are_refused(over, words, tmp_path, capsys):
+    options = [word for each in over for word in ("--over", each)]
+    code = program.command(["map", str(PAPER), *options, "-o", str(tmp_path / "m.csv")])
+    assert code == 2
+    assert words in capsys.readouterr().err
+    assert not list(tmp_path.iterdir())

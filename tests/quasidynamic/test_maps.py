@@ -1,0 +1,125 @@
+"""Maps: states of neighbouring points on one sheet, folds between points, states of other sheets."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from pytest import approx
+
+from quasidynamic import OutOfRange
+from quasidynamic.maps import GridPoints, fold_curves, solve
+from quasidynamic.maps.curves import end_places
+from quasidynamic.maps.filled import one_state_each
+from quasidynamic.maps.sheets import FINEST, connect_all
+from quasidynamic.maps.states import ENDS, States
+from quasidynamic.outcome.equilibrium import Equilibrium
+from quasidynamic.solve.outcome import SolverOutcome
+from quasidynamic.trace import trace
+from tests import thick_films
+from tests.bearings import RPM
+from tests.quasidynamic.test_trace import SPAN, falling
+
+LOADS = np.geomspace(*SPAN, 9)  # [N]
+STARTS = 40  # by lot at a point
+MISSED = 1e-3  # of the largest load, or of pure rolling
+
+
+def over(shape, loads, speeds=(38000 * RPM,)):
+    model = falling(1e3)
+    operations = (
+        replace(model.operation, radial_load=float(load), inner_speed=float(speed))
+        for load in loads
+        for speed in speeds
+    )
+    return GridPoints.of(shape, [replace(model, operation=operation) for operation in operations])
+
+
+@pytest.fixture(scope="module")
+def line():
+    """An S of the slip over the load, its sheets followed from one state of each point."""
+    points = over((len(LOADS),), LOADS)
+    states = States(points, one_state_each(points, map))
+    connect_all(points, states, map)
+    return states
+
+
+@pytest.fixture(scope="module")
+def exact():
+    """Loads of the folds by continuation along the branch, rising."""
+    return sorted(fold.value for fold in trace(falling(SPAN[0]), span=SPAN).folds)
+
+
+def test_both_stable_states_are_at_every_load_between_the_folds(line, exact):
+    between = (exact[0] < LOADS) & (exact[1] > LOADS)
+    assert (line.stable_count == np.where(between, 2, 1)).all()
+
+
+def test_sheets_end_at_the_folds_of_the_branch(line, exact):
+    ended = np.argwhere((line.continues == ENDS) & line.stable[:, None])
+    places = [line.point[s] + (2 * side - 1) * line.share[s, side] for s, side in ended]
+    folds = [np.interp(place, np.arange(len(LOADS)), LOADS) for place in sorted(places)]
+    cells = [np.diff(LOADS)[np.searchsorted(LOADS, fold) - 1] for fold in exact]
+    assert len(folds) == 2
+    assert all(abs(f - e) < FINEST * c for f, e, c in zip(folds, exact, cells, strict=True))
+
+
+def test_states_continue_forth_and_back(line):
+    for state, side in np.argwhere(line.continues >= 0):
+        other = line.continues[state, side]
+        assert line.continues[other, side ^ 1] == state
+        assert abs(int(line.point[other]) - int(line.point[state])) == 1
+
+
+def test_points_between_two_others_are_the_bearings_there():
+    points = over((3,), [1e3, 2e3, 4e3])
+    alone = points.between(np.array([0]), np.array([1]), np.array([0.25]))
+    assert alone.points.load[0, 0] == approx(1250.0, rel=1e-14, abs=0)
+    both = points.between(np.array([0, 2]), np.array([1, 1]), np.array([0.5, 0.5]))
+    assert both.points.load[:, 0] == approx([1500.0, 3000.0], rel=1e-14, abs=0)
+
+
+def test_points_of_other_equations_are_refused():
+    one = falling(1e3)
+    with pytest.raises(OutOfRange, match="not the same equations"):
+        GridPoints.of((2,), [one, replace(one, slices=5)])
+
+
+def test_neighbours_stand_along_each_axis():
+    points = over((2, 3), [1e3, 2e3], (100.0, 200.0, 300.0))
+    assert points.neighbours.tolist() == [
+        [-1, 3, -1, 1], [-1, 4, 0, 2], [-1, 5, 1, -1], [0, -1, -1, 4], [1, -1, 3, 5], [2, -1, 4, -1]
+    ]  # fmt: skip
+
+
+@pytest.mark.slow
+def test_fold_curves_bound_the_points_with_several_states():
+    """They pass between points with another number of states, and nowhere else near such points."""
+    speeds = np.linspace(25e3, 38e3, 6) * RPM
+    points = over((len(LOADS), len(speeds)), LOADS, speeds)
+    solved = solve(points)
+    count = solved.stable_count.reshape(points.shape)
+    assert (count > 1).any()
+    places = end_places(solved)
+    for column in range(len(speeds)):
+        changes = np.flatnonzero(np.diff(count[:, column]))
+        along = places[places[:, 1] == column, 0]
+        assert all(((along > change) & (along <= change + 1)).any() for change in changes)
+    pieces = fold_curves(solved, (0, 1))
+    assert np.abs(np.diff(pieces, axis=1)).max() <= 2.0
+
+
+@pytest.mark.slow
+def test_no_state_of_an_exhaustive_search_is_missing_from_a_map():
+    speeds = np.linspace(25e3, 38e3, 24) * RPM
+    loads = np.geomspace(1500.0, 6000.0, 24)
+    points = over((len(loads), len(speeds)), loads, speeds)
+    solved, rng, missed = solve(points), np.random.default_rng(3), 0
+    for point in rng.choice(len(points.bearings), 12, replace=False):
+        balance = points.at(np.array([point]))
+        known = [
+            Equilibrium(balance, row, SolverOutcome.CONVERGED, 0, points.axial_modes)
+            for row in solved.scaled[solved.point == point]
+        ]
+        for other in thick_films.others_by_search(known[0], rng, STARTS):
+            missed += all(thick_films.apart(other, one) > MISSED for one in known)
+    assert missed == 0
