@@ -2,9 +2,9 @@
 
 Points by lot of three maps over load and speed: the bearing of Mao et al. with traction that falls with slip
 and with cold oil between rigid raceways, and with falling traction between its rings. Equilibria of the map
-against an exhaustive search from 40 random starts at each point, half of the points where the map has several.
-With `--timed` the time of a map of 100 x 100 loads and speeds of the paper's bearing between its rings, condensed
-before.
+against an exhaustive search from 40 random starts at each point, half of the points where the map has
+several. With `--timed` the time of a map of 100 x 100 loads and speeds of the paper's bearing between its
+rings, condensed before.
 """
 
 import argparse
@@ -38,9 +38,9 @@ ALONG = 24  # points along each axis of a map that is checked
 OVER = ("operation.radial_load=log 2 kN..30 kN,100", "operation.inner_speed=5000 rpm..40000 rpm,100")
 FALLING = {
     "lubricant.traction": "four-point",
-    "lubricant.traction_curve.peak": "0.06",
-    "lubricant.traction_curve.peak_slip": "0.01",
-    "lubricant.traction_curve.far": "0.02",
+    "lubricant.traction_curve.peak": 0.06,
+    "lubricant.traction_curve.peak_slip": 0.01,
+    "lubricant.traction_curve.far": 0.02,
 }
 RIGID = {"outer.kind": "rigid", "inner.kind": "rigid"}
 
@@ -173,9 +173,9 @@ def report(name: str, rows: list[Checked]) -> None:
     known, found, missed = (sum(getattr(row, of) for row in rows) for of in ("known", "found", "missed"))
     missing = [row for row in rows if row.missed]
     print(
-        f"{name}: {len(rows)} points, {several} with several states; {known} states of the map, {found} of the "
-        f"searches, of which the map lacks {missed} at {len(missing)} points; regions missed, points with one "
-        f"state of the map and several of the search: {sum(row.known == 1 for row in missing)}",
+        f"{name}: {len(rows)} points, {several} with several states; {known} states of the map, {found} of "
+        f"the searches, of which the map lacks {missed} at {len(missing)} points; regions missed, of "
+        f"one state in the map and several in the search: {sum(row.known == 1 for row in missing)}",
         flush=True,
     )
 
