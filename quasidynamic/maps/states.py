@@ -47,7 +47,7 @@ class States:
         names = np.array([self.known(point, found, n) for n, point in enumerate(points)], int)
         unknown = np.flatnonzero((names < 0) & found.converged)
         each = self._examined(points[unknown], found.take(unknown))
-        for place, (stable, likely) in zip(unknown, each, strict=True):
+        for place, (stable, likely) in zip(unknown.tolist(), each, strict=True):
             some = np.array([place])
             if stable and self.known(points[place], found, place) < 0:  # by those before it
                 self._append(points[some], found.take(some), np.array([[True, likely]]))

@@ -3,6 +3,7 @@
 import csv
 from pathlib import Path
 from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -139,7 +140,7 @@ RING = [
 LINES = [*RING, "outer.support=lines", 'outer.line_azimuths=["20 deg", "100 deg", "180 deg", "260 deg"]']
 
 
-def followed(case, over, table, settings):
+def followed(case, over, table, settings) -> Any:
     """The branch of a map along one load."""
     return map_case(MapRequest(case, (over,), (), table, tuple(settings)), Logged()).found
 

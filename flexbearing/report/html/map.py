@@ -74,8 +74,11 @@ def _rows(values: NDArray) -> list[list[float | None]]:
 
 def _folds(plane: MapPlane) -> Iterator[dict]:
     if len(plane.folds):
-        gaps = np.insert(plane.folds.astype(object), 2, None, axis=1).reshape(-1, 2)
+        x, y = (
+            [value for piece in plane.folds[..., axis].tolist() for value in (*piece, None)]
+            for axis in (0, 1)
+        )
         yield {
-            "type": "scatter", "mode": "lines", "x": gaps[:, 0].tolist(), "y": gaps[:, 1].tolist(),
+            "type": "scatter", "mode": "lines", "x": x, "y": y,
             "line": {"color": "#000", "width": 1.5}, "hoverinfo": "skip", "name": "fold", "meta": "fold",
         }  # fmt: skip
