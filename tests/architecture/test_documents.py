@@ -30,6 +30,15 @@ def test_pages_use_the_terms_of_the_field(page):
         assert [f"{number}: {line}" for number, line in lines if IDIOMS.search(line)] == []
 
 
+@pytest.mark.parametrize("folder", ["howto", "theory", "tutorials"])
+def test_the_index_of_a_folder_lists_every_page(folder):
+    index, *_ = (page for page in PAGES if page.parent.name == folder and page.stem == "index")
+    listed = "\n".join(re.findall(r"```\{toctree\}(.*?)```", index.read_text(), re.DOTALL)).split()
+    assert sorted(page.stem for page in index.parent.glob("*.md") if page != index) == sorted(
+        name for name in listed if not name.startswith(":")
+    )
+
+
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
 def test_modules_and_benchmarks_of_a_page_exist(page):
     text = page.read_text()
