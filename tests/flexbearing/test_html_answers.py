@@ -77,9 +77,12 @@ def test_stress_without_yield_and_tilts_are_told_in_the_first_block(paper):
     first = paragraphs(list(against_limits.summary(paper)))
     assert "Compare with limits of your own before use: Nominal stress of the bars: " in first
     assert "Tilt of the inner ring: " in first
+    assert "No assumed input changes this life 1.25 times or more" in paragraphs(verdict.blocks(paper))
     (fitted,) = [block for block in verdict.blocks(paper)
                  if isinstance(block, Items) and block.title.startswith("Fitted inputs")]  # fmt: skip
-    assert fitted.items[0].startswith("clearance (bearing.clearance) = 75.5 µm, fitted to the paper's")
+    assert fitted.items[0].startswith(
+        "bearing clearance (bearing.clearance) = 75.5 µm, fitted to the paper's"
+    )
 
 
 def test_no_row_with_supports_where_no_part_is_flexible(paper):

@@ -37,7 +37,11 @@ _TWO = (
     "profile and flexible rings: its load at the pressure limit over its load. The smaller one counts."
 )
 _MAKER = "ISO 281 leaves to the maker whether its life formula holds"
-_SLIP = "no standard limits it; a minimum load is the usual rule against smearing"
+_SLIP = (
+    "no standard limits it; a minimum load is the usual rule against smearing. Drag of the oil-air mixture "
+    "and friction of the cage slow the rollers, traction of the oil film drives them: see Heat by cause and "
+    "the effects under Inputs"
+)
 _YIELD = "yield stress not given; [materials] takes it as yield_stress of the part. No fatigue limit either"
 _TILT = "no standard limits it; makers give the tilt that a bearing may have"
 _SKF_TILT = "SKF allows 3 to 4 arcmin, about 1 mrad, between the rings of a cylindrical roller bearing"

@@ -93,7 +93,7 @@ def moving(reader: Reader) -> list[str]:
             f"{other['values'][name] / base:.3g} times with {units_in_words(other['words'])}"
             for other in key["others"] if other["values"].get(name) is not None
         ]  # fmt: skip
-        told.append(f"{key['key']}: life {', '.join(others)}")
+        told.append(f"{assumptions.named(key['key'])}: life {', '.join(others)}")
     return told
 
 

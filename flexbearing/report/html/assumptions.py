@@ -26,15 +26,27 @@ def blocks(reader: Reader) -> Iterator[Block]:
     said = comments(reader.result.attributes["case_text"])
     ranked = sorted(assumed, key=lambda key: -effect(said.get(key, "")))
     weighted = _RANKED if any(effect(text) for text in said.values()) else ""
-    lines = (f"{key}: {said[key]}" if key in said else key for key in ranked)
+    untold = "the case does not tell its effect"
+    lines = (f"{named(key)}: {said.get(key, untold)}" for key in ranked)
     yield Items(f"{_TITLE}.{weighted}", tuple(lines))
+
+
+def named(key: str) -> str:
+    """A key behind its plain name.
+
+    >>> named("bearing.roller.drop"), named("lubricant.oil_fraction")
+    ('roller drop (bearing.roller.drop)', 'lubricant oil fraction (lubricant.oil_fraction)')
+    """
+    return f"{' '.join(key.split('.')[-2:]).replace('_', ' ')} ({key})"
 
 
 def moving(reader: Reader) -> list[str]:
     """Assumed keys whose comments tell a change of the life by `WORTH` or more, the largest first."""
     said = comments(reader.result.attributes["case_text"])
     known = {key: said[key] for key in reader.attributes["assumed"] if effect(said.get(key, "")) > log(WORTH)}
-    return [f"{key}, assumed: {known[key]}" for key in sorted(known, key=lambda key: -effect(known[key]))]
+    return [
+        f"{named(key)}, assumed: {known[key]}" for key in sorted(known, key=lambda key: -effect(known[key]))
+    ]
 
 
 def comments(text: str) -> dict[str, str]:

@@ -48,9 +48,9 @@ def fitted_inputs(reader: Reader) -> tuple[str, ...]:
     texts, said = written(reader), assumptions.comments(reader.result.attributes["case_text"])
     lines = []
     for key, words in reader.attributes["calibrated"].items():
-        name, value = key.rpartition(".")[2].replace("_", " "), texts.get(key, "given as a table")
+        value = texts.get(key, "given as a table")
         effect = f". Effect: {said[key]}" if key in said else ""
-        lines.append(units_in_words(f"{name} ({key}) = {value}, fitted to {words}{effect}"))
+        lines.append(units_in_words(f"{assumptions.named(key)} = {value}, fitted to {words}{effect}"))
     return tuple(lines)
 
 
