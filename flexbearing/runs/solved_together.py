@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence, Set
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -128,8 +129,13 @@ def _rings(resolved: _Resolved, model: RollerBearing) -> str | None:
     case = resolved.case
     if not _elastic(case) or not any(resolved.part(race) for race in RACES):
         return None
-    parts = [ring_parts.part_of(case, race) for race in RACES]
-    return digest([parts, case.accuracy.model_dump(), roller_length(case), model.bearing.azimuths])
+    parts = tuple(ring_parts.part_of(case, race) for race in RACES)
+    return _name(parts, case.accuracy.model_dump_json(), roller_length(case), tuple(model.bearing.azimuths))
+
+
+@lru_cache(maxsize=64)  # most cases of a study have the rings of the one before
+def _name(*what: object) -> str:
+    return digest(what)
 
 
 @dataclass(frozen=True)

@@ -13,9 +13,9 @@ from flexbearing.studies.first_order import first_order
 from flexbearing.studies.settled import Prepared
 from flexbearing.studies.table import Column, Table
 from flexbearing.studies.table.files import places, store
-from flexbearing.studies.table.scatter import TOLERANCES, Scatter
+from flexbearing.studies.table.scatter import Scatter
 
-PICTURE = f"{TOLERANCES}.png"  # behind the name of the study
+PICTURE = "_scatter.png"  # behind the name of the study
 APART = ("status", "message", "seconds", "result")  # columns that are no outputs
 
 

@@ -113,13 +113,15 @@ def test_samples_are_the_quantiles_of_scipy_at_its_points(study_of):
         bearing__clearance="normal 75.5 um, 5 um",
         operation__radial_load="uniform 10 kN, 20 kN",
         operation__temperatures__shaft="truncated normal 230 degC, 5 K, 220 degC, 235 degC",
+        operation__temperatures__roller="normal 226 degC, 0.5 K",
         lubricant__oil_fraction="lognormal 0.1, 1.5",
     )
-    points = qmc.Sobol(4, seed=7).random(64).T
+    points = qmc.Sobol(5, seed=7).random(64).T
     expected = (
         stats.norm(75.5e-6, 5e-6),
         stats.uniform(10e3, 10e3),
         stats.truncnorm(-2, 1, 230 + 273.15, 5),
+        stats.norm(226 + 273.15, 0.5),
         stats.lognorm(np.log(1.5), scale=0.1),
     )
     for column, point, distribution in zip(zip(*drawn, strict=True), points, expected, strict=True):

@@ -33,7 +33,7 @@ life = "life_L10 [h]"
 load = "max_roller_load [N]"
 slip = "cage_slip [%]"
 """
-TABLES = "tolerances", "shares", "histogram"
+TABLES = "percentiles", "shares", "histogram"
 
 
 @pytest.fixture(scope="module")
@@ -60,7 +60,7 @@ def test_every_input_and_output_has_its_shares(study):
     assert sum(row["rows"] for row in bins if row["output"] == "load") == 2 * 32
     for name in TABLES:
         assert rows((folder / "whole" / f"scatter_{name}.csv").read_text("utf-8"))
-    assert (folder / "whole" / "scatter_tolerances.png").stat().st_size > 10_000
+    assert (folder / "whole" / "scatter_scatter.png").stat().st_size > 10_000
 
 
 def test_percentiles_are_those_of_the_independent_rows(study):
@@ -117,7 +117,7 @@ def test_the_end_of_the_command_names_what_to_tighten_first(study):
     words = told.end(settled, table, folder / "whole")
     assert re.search(r"\nload N: P10 [\d.]+ \([\d.]+ to [\d.]+\), P50 .*; linear: P10 .* explains \d", words)
     assert words.count("tighten first: ") == 3
-    assert "scatter_tolerances.png" in words
+    assert "scatter_scatter.png" in words
 
 
 def test_the_report_shows_the_scatter_with_the_numbers_of_its_tables(study, tmp_path):

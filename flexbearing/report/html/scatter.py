@@ -14,7 +14,7 @@ from flexbearing.report.html.figures import COLOURS
 from flexbearing.report.html.table import PARQUET, csv_of_parquet
 from flexbearing.report.html.units import NOTHING, Units, converted, with_unit
 
-PARTS = ("tolerances", "shares", "histogram")  # names of the tables, behind that of the study
+PARTS = ("percentiles", "shares", "histogram")  # names of the tables, behind that of the study
 MOST_FIGURES = 12  # outputs with figures; the tables have all
 TEXTS = ("output", "unit", "key", "by")  # columns of texts
 GREY = "#c0c4cc"
@@ -106,9 +106,9 @@ def _percentiles(found: ScatterTables, units: Units) -> Table:
     rows = []
     for place, row in enumerate(found.outputs):
         unit = row["unit"]
-        cells = [units.number(row[name], unit, unit, ",.5g", f"tolerances/{place}/{name}") for name in names]
-        explained = _plain(row["linear_explains [%]"], "%", f"tolerances/{place}/linear_explains [%]")
-        counts = [_plain(row[name], "", f"tolerances/{place}/{name}") for name in ("rows", "unsolved")]
+        cells = [units.number(row[name], unit, unit, ",.5g", f"percentiles/{place}/{name}") for name in names]
+        explained = _plain(row["linear_explains [%]"], "%", f"percentiles/{place}/linear_explains [%]")
+        counts = [_plain(row[name], "", f"percentiles/{place}/{name}") for name in ("rows", "unsolved")]
         rows.append((with_unit(_words(row), units.of(unit)), *cells, explained, *counts))
     head = (
         "output",

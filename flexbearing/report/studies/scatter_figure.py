@@ -28,7 +28,7 @@ def draw_scatter(name: str, outputs: Rows, shares: Rows, bins: Rows) -> Figure:
     name : str
         of the study
     outputs, shares, bins : sequence of mappings
-        rows of the tables of tolerances, shares and histograms; the first outputs are drawn
+        rows of the tables of percentiles, shares and histograms; the first outputs are drawn
 
     Returns
     -------

@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import accumulate
 from typing import Any
 
@@ -181,8 +181,10 @@ def _numbers(text: str, form: Form, kind: Kind | None) -> list[float]:
     if len(texts) != form.words.count(",") + 1:
         raise BadValues(f"has {len(texts)} numbers; it must be {form.words}")
     kinds = [None if place in form.factors else kind for place in range(len(texts))]
-    for place in form.differences:
-        _require_difference(texts[place], kind)
+    if kind is not None:
+        for place in form.differences:
+            _require_difference(texts[place])
+            kinds[place] = replace(kind, smallest=0.0)  # a value has a least size, a difference has none
     return [_number(each, kind) for each, kind in zip(texts, kinds, strict=True)]
 
 
@@ -195,10 +197,10 @@ def _number(text: str, kind: Kind | None) -> float:
         raise BadValues(f"has {toml(excerpt(text))}, which is no number") from None
 
 
-def _require_difference(text: str, kind: Kind | None) -> None:
+def _require_difference(text: str) -> None:
     """Refuse a deviation on a scale whose zero is not that of the unit, as of degC."""
     parts = _UNIT.fullmatch(text)
-    if kind is None or parts is None:
+    if parts is None:
         return
     try:
         on_a_scale = bool(unit(parts[1]).offset)

@@ -9,7 +9,7 @@ from flexbearing.studies.table.table import Table
 
 CYCLES = "_duty"  # behind the name of the study, in that of the table of lives under its duty cycle
 
-SCATTER = ("_tolerances", "_shares", "_histogram")  # the same of what a sampled study tells of its outputs
+SCATTER = ("_percentiles", "_shares", "_histogram")  # the same of what a sampled study tells of its outputs
 
 
 def places(folder: Path, name: str, inputs: Iterable[Path]) -> dict[str, Path]:

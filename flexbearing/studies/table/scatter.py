@@ -18,7 +18,7 @@ from flexbearing.studies.table.column import Column
 from flexbearing.studies.table.files import SCATTER
 from flexbearing.studies.table.table import Table
 
-TOLERANCES, SHARES, HISTOGRAM = SCATTER
+PERCENTILES_TABLE, SHARES, HISTOGRAM = SCATTER
 PERCENTILES = 10, 50, 90
 FEWEST = 100  # rows, by their weights, from which a narrower input is told
 MOST_BINS = 60
@@ -40,7 +40,7 @@ class Scatter:
         outputs, keys = self._axis("output", self._names), self._axis("key", self._keys)
         bins = self._axis("bin", [str(number + 1) for number in range(self._bins)])
         return (
-            Table(f"{self.name}{TOLERANCES}", _columns(self._of_outputs()), (outputs,)),
+            Table(f"{self.name}{PERCENTILES_TABLE}", _columns(self._of_outputs()), (outputs,)),
             Table(f"{self.name}{SHARES}", _columns(self._of_keys()), (outputs, keys)),
             Table(f"{self.name}{HISTOGRAM}", _columns(self._of_bins()), (outputs, bins)),
         )
