@@ -1,8 +1,8 @@
 """Where the linear prediction of scatter is enough: `python -m benchmarks.linear_scatter`.
 
-The paper's bearing with the tolerances of `configs/studies/mao2016_tolerances.toml`, from a quarter of them to
-four times: how much of the variance of 1024 bearings the linear prediction explains, and by how much it misses
-the distance from P10 to P90.
+The paper's bearing with the tolerances of `configs/studies/mao2016_tolerances.toml`, from a quarter of them
+to four times: how much of the variance of 1024 bearings the linear prediction explains, and by how much it
+misses the distance from P10 to P90.
 """
 
 import tempfile
