@@ -10,6 +10,7 @@ Studies run as commands, cold: their time holds the start of the program and of 
 """
 
 import os
+import resource
 import subprocess
 import sys
 import tempfile
@@ -93,11 +94,18 @@ def hypercube() -> None:
 def tolerances(count: int = 100_000) -> None:
     text = SCATTER.format(count=count) + COLLECT.replace('rigid_life = "rigid.life_L10 [h]"\n', "")
     for rings, rigid in (("rigid", True), ("flexible", False)):
+        before = processor_time()
         seconds, memory, words = command(text, rigid=rigid)
         print(
             f"{count} variants within tolerances, {rings} rings, two jobs: {seconds:.0f} s, "
-            f"{memory:.0f} MB; {words}"
+            f"{processor_time() - before:.0f} s of processors, {memory:.0f} MB; {words}"
         )
+
+
+def processor_time() -> float:
+    """Of commands that have ended, with their workers [s]."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 def workers() -> None:
