@@ -13,7 +13,7 @@ from fem.parts.bolted_ring import BoltedGrooveRing
 from fem.parts.boundary_conditions import ClampedFace, Foundation, LineSupports, PlanetGear, RigidSeat
 from fem.parts.material import ImpossiblePart
 from fem.parts.reduced_body import ReducedBody
-from fem.parts.resolution import Discretisation, Resolution
+from fem.parts.resolution import Discretisation, Resolution, Shape
 from fem.parts.rings import OuterRing, Part, RingOnShaft, SquirrelCage, require_on_track
 from fem.parts.step_solid import StepSolid
 from fem.stages import Report, Stage, stages, unheard
@@ -76,7 +76,8 @@ def condense(part, discretisation, resolution, report=unheard):
     -----
     Small displacement, perfect bonds, rigid clamps, supports without friction; no load outside the band.
     """
-    if discretisation is SOLID or is_cage_in_space(part, discretisation):
+    is_new = resolution.nodes_of is None  # the mesh of moved nodes has been made before, and did no harm
+    if discretisation is SOLID or (is_cage_in_space(part, discretisation) and is_new):
         return in_subprocess(condense_in_process, part, discretisation, resolution, report=report)
     return condense_in_process(part, discretisation, resolution, report)
 
@@ -286,11 +287,12 @@ def _responses_of(part: Part, discretisation: Discretisation) -> Any:
 def _last_harmonic(part: Part, discretisation: Discretisation, resolution: Resolution) -> int:
     from fem.raceway.harmonics import detail_of_ring, highest_harmonic
 
+    shape = resolution.nodes_of or Shape(part=part, length=resolution.length)  # the same with moved nodes
     if discretisation is BEAM:
         from fem.beam.thin_ring import last_harmonic
 
-        return last_harmonic(part, resolution)
-    band = resolution.length / resolution.axial_modes
+        return last_harmonic(shape.part, replace(resolution, length=shape.length))
+    part, band = shape.part, shape.length / resolution.axial_modes
     detail = detail_of_ring(band, part.thickness) if isinstance(part, OuterRing) else band
     return highest_harmonic(part.raceway_diameter / 2, detail, resolution.mesh, resolution.harmonics)
 

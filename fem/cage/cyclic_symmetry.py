@@ -16,6 +16,7 @@ Cyclic symmetry with a plane of symmetry in each sector; derived here.
 """
 
 import logging
+from dataclasses import replace
 from math import pi
 
 import ngsolve as ngs
@@ -74,19 +75,27 @@ def cage_responses(cage: SquirrelCage, resolution: Resolution, last: int, stage:
     mesh = resolution.mesh
     with threads(1):  # half a pitch is small: a second thread would only wait
         with stage("mesh"):
-            elements = half_pitch(cage, resolution.length, mesh)
+            elements = half_pitch(cage, resolution.length, mesh, nodes_of=resolution.nodes_of)
         with stage("factor"):
             half, cuts = _reduced(cage, elements, mesh.order, resolution, last)
-            coarser = _reduced(cage, elements, neighbour(mesh.order), resolution, last)
     with stage("condense"):
         response, in_bars = _response(half, cuts, cage.bars, last)
-        other_response, other_in_bars = _response(*coarser, cage.bars, last)
-    return Responses(
-        response,
-        half.space.ndof,
-        elements.ne,
-        support_error=support_error(response, other_response),
-        bar_response=BarResponse(cage.bars, in_bars, other_in_bars),
+        answers = Responses(
+            response, half.space.ndof, elements.ne, bar_response=BarResponse(cage.bars, in_bars, None)
+        )
+        return answers if resolution.nodes_of else _with_errors(answers, cage, elements, resolution, last)
+
+
+def _with_errors(
+    answers: Responses, cage: SquirrelCage, elements: ngs.Mesh, resolution: Resolution, last: int
+) -> Responses:
+    """Answers with those of another order, which tell their error."""
+    assert answers.bar_response
+    coarser = _reduced(cage, elements, neighbour(resolution.mesh.order), resolution, last)
+    other_response, other_in_bars = _response(*coarser, cage.bars, last)
+    return answers._replace(
+        support_error=support_error(answers.response, other_response),
+        bar_response=replace(answers.bar_response, neighbour=other_in_bars),
     )
 
 

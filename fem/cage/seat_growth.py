@@ -53,7 +53,7 @@ def cage_seat_growth(cage: SquirrelCage, resolution: Resolution) -> RacewayGrowt
     length, mesh_size = resolution.length, resolution.mesh
     pitch = np.pi / cage.bars
     with threads(1):
-        mesh = half_pitch(cage, length, mesh_size, graded_clamp=True)
+        mesh = half_pitch(cage, length, mesh_size, graded_clamp=True, nodes_of=resolution.nodes_of)
         space = ngs.VectorH1(mesh, order=mesh_size.order, dirichlet="clamped")
         factored = factorised(space, _energy(cage, mesh, pitch))
         u = ngs.GridFunction(space)

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
+from fem.mesh.moved_nodes import vertex_places
 from fem.mesh.solid import MILLIMETRES
 from fem.parts.boundary_conditions import FreeMotions
 from fem.parts.material import ImpossiblePart
@@ -198,7 +199,7 @@ def _rigid_motions(body: Body) -> tuple[NDArray, NDArray]:
     ------
     Flexibility method: compliances in harmonics, joined by equilibrium and compatibility; derived here.
     """
-    x, r = np.array([v.point for v in body.space.mesh.vertices]).T / MILLIMETRES
+    x, r = vertex_places(body.space.mesh).T
     unit, zero = np.ones_like(x), np.zeros_like(x)
     # linear functions have no part in the hierarchical shapes beyond those of the vertices
     numbers = np.array([[c.GetDofNrs(v)[0] for v in body.space.mesh.vertices] for c in body.space.components])

@@ -15,7 +15,8 @@ from fem.joint.face_condensation import CondensedBody, ContactFace, condense_bod
 from fem.mesh.axial_section import AxialSection, sections
 from fem.parts.boundary_conditions import ClampedFace, Housing, RigidSeat
 from fem.parts.material import ImpossiblePart
-from fem.parts.rings import SLENDEREST_SLOT, MeshSize, OuterRing, RingOnShaft, require_on_track
+from fem.parts.resolution import Resolution, Shape
+from fem.parts.rings import SLENDEREST_SLOT, OuterRing, RingOnShaft, require_on_track
 from fem.raceway.harmonics import highest_harmonic
 from fem.section.expansion import Along
 from fem.section.revolved_body import assembled
@@ -116,9 +117,7 @@ class FittedBodies:
 
 def condense_fitted(
     part: FittedRing | HousedRing,
-    length: float,
-    axial_modes: int,
-    mesh: MeshSize,
+    resolution: Resolution,
     grid: FitGrid | None = None,
     variations: Mapping[str, Along] | None = None,
 ) -> FittedBodies:
@@ -128,8 +127,8 @@ def condense_fitted(
     ----------
     part : FittedRing, HousedRing
         ring with what it sits on or in
-    length, axial_modes, mesh
-        l of the loaded band [m], number of axial modes, element sizes
+    resolution : Resolution
+        of band and mesh, perhaps on the moved nodes of another such part
     grid : FitGrid
         resolution of the fit
     variations : mapping
@@ -152,29 +151,26 @@ def condense_fitted(
     Small displacement, clamps that are rigid to loads but follow heat and rotation freely; no load
     outside the band.
     """
-    seat, grid = part.seat, grid or FitGrid()
-    last = highest_harmonic(seat.raceway_diameter / 2, length / axial_modes, mesh)
+    grid, shape = grid or FitGrid(), resolution.nodes_of or Shape(part=part, length=resolution.length)
+    radius, detail = shape.part.seat.raceway_diameter / 2, shape.length / resolution.axial_modes
+    last = highest_harmonic(radius, detail, resolution.mesh)
     if last < grid.harmonics:
         raise NotSolved(
             f"{grid.harmonics} harmonics of the fit are more than the {last} of the raceway: "
             "a smaller raceway_size or a higher order resolves more"
         )
-    return _condensed(part, length, (axial_modes, last), mesh, grid, variations)
+    return _condensed(part, resolution, last, grid, variations)
 
 
 def condense_axisymmetric(
-    part: FittedRing | HousedRing,
-    length: float,
-    axial_modes: int,
-    mesh: MeshSize,
-    variations: Mapping[str, Along] | None = None,
+    part: FittedRing | HousedRing, resolution: Resolution, variations: Mapping[str, Along] | None = None
 ) -> FittedBodies:
     """Condense ring and mate for `fem.joint.preloaded_fit.preloaded` alone: pressure and expansion are those
     of the whole fit, loads of rollers are not known.
 
     Parameters
     ----------
-    part, length, axial_modes, mesh, variations
+    part, resolution, variations
         as of `condense_fitted`
 
     Returns
@@ -186,24 +182,28 @@ def condense_axisymmetric(
     ImpossiblePart, NotSolved
         as `condense_fitted`, but for the harmonics
     """
-    return _condensed(part, length, (axial_modes, LOWEST), mesh, FitGrid(harmonics=LOWEST), variations)
+    return _condensed(part, resolution, LOWEST, FitGrid(harmonics=LOWEST), variations)
 
 
 def _condensed(
     part: FittedRing | HousedRing,
-    length: float,
-    raceway: tuple[int, int],  # number of axial modes, highest harmonic
-    mesh: MeshSize,
+    resolution: Resolution,
+    last: int,  # harmonic of the raceway
     grid: FitGrid,
     variations: Mapping[str, Along] | None,
 ) -> FittedBodies:
-    seat = part.seat
+    seat, length, nodes_of = part.seat, resolution.length, resolution.nodes_of
     require_on_track(length, seat.track)
     faces, pushed = part.faces(grid), "far" if isinstance(part, FittedRing) else None
     start = time.perf_counter()
     with threads(1):  # sections are small: a second thread would only wait
-        bodies = [assembled([section], seat.materials, mesh) for section in part.sections(length)]
+        others = nodes_of.part.sections(nodes_of.length) if nodes_of else (None, None)
+        bodies = [
+            assembled([section], seat.materials, resolution.mesh, nodes_of=other and [other])
+            for section, other in zip(part.sections(length), others, strict=True)
+        ]
         ready = time.perf_counter()
+        raceway = resolution.axial_modes, last
         ring = condense_body(bodies[0], faces, grid.harmonics, raceway, pushed, variations)
         mate = condense_body(bodies[1], faces, grid.harmonics, variations=variations)
     done = time.perf_counter()

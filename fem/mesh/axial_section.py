@@ -16,6 +16,7 @@ import ngsolve as ngs
 from netgen import occ
 
 from fem.mesh.expense import polygon, require_affordable
+from fem.mesh.moved_nodes import Faces, move_nodes
 from fem.mesh.solid import MILLIMETRES
 from fem.parts.boundary_conditions import Housing, edge_names
 from fem.parts.rings import ImpossiblePart, MeshSize, OuterRing, RingOnShaft
@@ -107,7 +108,9 @@ def _(part: RingOnShaft, length):
     return [ring, shaft]
 
 
-def meshed(bodies: list[AxialSection], mesh_size: MeshSize) -> ngs.Mesh:
+def meshed(
+    bodies: list[AxialSection], mesh_size: MeshSize, nodes_of: list[AxialSection] | None = None
+) -> ngs.Mesh:
     """Triangles that fill sections, with quadrilaterals in the layers around corners.
 
     Parameters
@@ -116,6 +119,8 @@ def meshed(bodies: list[AxialSection], mesh_size: MeshSize) -> ngs.Mesh:
         which touch along whole edges
     mesh_size : MeshSize
         element sizes
+    nodes_of : list of AxialSection, optional
+        other bodies of the same kind, whose mesh is taken with its nodes moved to these
 
     Returns
     -------
@@ -127,6 +132,10 @@ def meshed(bodies: list[AxialSection], mesh_size: MeshSize) -> ngs.Mesh:
     ImpossiblePart
         when it would have far too many elements
     """
+    if nodes_of is not None:
+        mesh = meshed(nodes_of, mesh_size)
+        move_nodes(mesh, _faces(nodes_of), _faces(bodies))
+        return mesh
     loaded = sum(body.loaded for body in bodies)
     require_affordable(
         2, [polygon([corner[:2] for corner in body.corners]) for body in bodies], loaded, mesh_size
@@ -141,6 +150,11 @@ def meshed(bodies: list[AxialSection], mesh_size: MeshSize) -> ngs.Mesh:
     if any(body.bends for body in bodies):
         mesh.Curve(mesh_size.order)
     return mesh
+
+
+def _faces(bodies: list[AxialSection]) -> Faces:
+    x, radii, _ = zip(*(corner for body in bodies for corner in body.corners), strict=True)
+    return Faces(x=x, radii=radii)
 
 
 def _face(body: AxialSection):

@@ -14,6 +14,7 @@ import ngsolve as ngs
 from netgen import occ
 
 from fem.mesh.curved import FOLDED, curved
+from fem.mesh.moved_nodes import cage_faces, move_nodes
 from fem.mesh.solid import (
     ARC,
     MILLIMETRES,
@@ -23,6 +24,7 @@ from fem.mesh.solid import (
     rounded,
     size_raceway,
 )
+from fem.parts.resolution import Shape
 from fem.parts.rings import MeshSize, SquirrelCage, require_on_track
 
 NEAR = 1e-6  # [mm], [rad] geometric tolerance
@@ -39,6 +41,7 @@ def half_pitch(
     feet_size: float | None = None,
     *,
     graded_clamp: bool = False,
+    nodes_of: Shape | None = None,
 ) -> ngs.Mesh:
     """Curved elements that fill half a pitch of a squirrel cage.
 
@@ -57,6 +60,8 @@ def half_pitch(
     graded_clamp : bool
         whether layers of thinner elements follow the rims of the clamp, too, where stress is as singular: it
         pays where the clamp is what strains the cage, or where stresses of the flange count
+    nodes_of : Shape, optional
+        another cage and band, whose mesh is taken with its nodes moved to these
 
     Returns
     -------
@@ -69,17 +74,16 @@ def half_pitch(
         if the band is longer than the track, or elements are inside out or far too many
     """
     require_on_track(length, part.track)
+    if nodes_of is not None:
+        mesh = half_pitch(nodes_of.part, nodes_of.length, mesh_size, feet_size, graded_clamp=graded_clamp)
+        move_nodes(mesh, cage_faces(nodes_of.part, nodes_of.length), cage_faces(part, length))
+        return mesh
     in_one = feet_size is not None and part.fillet > 0
     body = occ.Glue(_in_one(part, length) if in_one else _pieces(part, length))
     require_affordable_solid(body, mesh_size)
     if graded_clamp:
         _mark_clamp(body)
-    for face in body.faces:
-        azimuth = atan2(face.center.y, face.center.z)
-        if abs(azimuth) < NEAR:
-            face.name = "middle"
-        elif abs(azimuth - pi / part.bars) < NEAR:
-            face.name = "cut"
+    _name_planes(body, part.bars)
 
     def straight(sizes: MeshSize) -> ngs.Mesh:
         size_raceway(body, sizes)
@@ -115,6 +119,16 @@ def _in_one(part: SquirrelCage, length: float) -> list:
             if face.name == "raceway" and abs(face.center.x) > NEAR:  # the body carries the name all along
                 face.name = "shoulder"
     return pieces
+
+
+def _name_planes(body, bars: int) -> None:
+    """Name the flat sides of half a pitch."""
+    for face in body.faces:
+        azimuth = atan2(face.center.y, face.center.z)
+        if abs(azimuth) < NEAR:
+            face.name = "middle"
+        elif abs(azimuth - pi / bars) < NEAR:
+            face.name = "cut"
 
 
 def _mark_clamp(body) -> None:

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
+from typing import Any
 
 from fem.parts.material import ImpossiblePart, require, require_positive
 from fem.parts.rings import MeshSize, Patches
@@ -23,6 +24,14 @@ class Discretisation(StrEnum):
 
 
 @dataclass(frozen=True, kw_only=True)
+class Shape:
+    """A part, perhaps one in a fit, with the band that rollers load."""
+
+    part: Any
+    length: float  # l of the band [m]
+
+
+@dataclass(frozen=True, kw_only=True)
 class Resolution:
     """How finely a raceway and its part are resolved; a beam needs no mesh, a solid needs azimuths."""
 
@@ -33,6 +42,7 @@ class Resolution:
     azimuths: Sequence[float] | None = None  # (Z,) [rad] of the rollers
     patch_width: float | None = None  # [m] of a loaded patch, standard deviation along the arc
     threads: int = field(default=2, compare=False)  # of NGSolve, for a solid
+    nodes_of: Shape | None = None  # of the same kind: its mesh is taken, with its nodes moved; None: no other
 
     def __post_init__(self):
         require_positive(self, "length")

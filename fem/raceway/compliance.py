@@ -1,6 +1,7 @@
 """How a raceway deflects under its rollers, whatever computed it."""
 
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -72,3 +73,38 @@ class RacewayCompliance:
         reduced = self.absolute.copy()
         reduced[:, 0] -= np.tensordot(direction, self.translation, 1)
         return reduced
+
+
+def combined(compliances: Sequence[RacewayCompliance], weights: Sequence[float]) -> RacewayCompliance:
+    """Weighted sum of compliances of raceways of one kind, such as a first-order change from one of them.
+
+    Parameters
+    ----------
+    compliances : sequence of RacewayCompliance
+        under the same rollers
+    weights : sequence of float
+        that add up to one
+
+    Returns
+    -------
+    RacewayCompliance
+        the support's compliance, not its stiffness, is summed; without estimates of errors
+    """
+
+    def summed(name: str) -> NDArray:
+        return np.tensordot(weights, [getattr(each, name) for each in compliances], 1)
+
+    first = compliances[0]
+    names = "absolute", "translation", "initial_deviation", "initial_translation"
+    support = sum(w / each.support_stiffness for w, each in zip(weights, compliances, strict=True))
+    bars = [each.bar_response.response for each in compliances if each.bar_response]
+    response = first.bar_response and replace(
+        first.bar_response, response=np.tensordot(weights, bars, 1), neighbour=None
+    )
+    return replace(
+        first,
+        **{name: summed(name) for name in names},
+        support_stiffness=1 / support if support else np.inf,
+        support_error=None,
+        bar_response=response,
+    )

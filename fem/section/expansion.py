@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fem.assembly import harmonic_elasticity as forms
+from fem.mesh.moved_nodes import vertex_places
 from fem.mesh.solid import MILLIMETRES
 from fem.parts.material import ImpossiblePart, require
 from fem.section.revolved_body import Body, edge_modes
@@ -121,8 +122,8 @@ def _field(body: Body, name: str, expansion: float | Along):
     if not isinstance(expansion, Along):
         return expansion
     section = body.space.mesh
-    vertices = {v for element in section.Materials(name).Elements() for v in element.vertices}
-    x = np.array([section[v].point[0] for v in vertices]) / MILLIMETRES
+    vertices = {v.nr for element in section.Materials(name).Elements() for v in element.vertices}
+    x = vertex_places(section)[list(vertices), 0]
     reach, at, values = ENDS * np.ptp(x), np.array(expansion.at), np.array(expansion.values)
     if x.min() < at[0] - reach or x.max() > at[-1] + reach:
         raise ImpossiblePart(

@@ -163,7 +163,7 @@ def free_ring(part: OuterRing, resolution: Resolution, last: int, stage: Stage, 
     """
     radius, length, axial_modes = part.raceway_diameter / 2, resolution.length, resolution.axial_modes
     with stage("factor"):
-        body = body_of(part, length, resolution.mesh)
+        body = body_of(part, length, resolution.mesh, resolution.nodes_of)
     with stage("condense"):
         W = _free_responses(body, part, length, max(axial_modes, 2), last)
 

@@ -56,13 +56,14 @@ def section_responses(
     Small displacement, perfect bonds, rigid clamps; no load outside the band.
     """
     with stage("factor"):
-        body = body_of(part, resolution.length, resolution.mesh)
+        body = body_of(part, resolution.length, resolution.mesh, resolution.nodes_of)
     with stage("condense"):
         modes = edge_modes(body, "raceway", resolution.axial_modes)
         if face_modes:
             modes = np.hstack([modes, edge_modes(body, "foundation", face_modes)])
         W = responses(body, part.free_motions, modes, last) / (2 * np.pi)
-        error = None if part.free_motions.across else _support_error(part, resolution, W)
+        estimated = not part.free_motions.across and resolution.nodes_of is None
+        error = _support_error(part, resolution, W) if estimated else None
     return Responses(W, body.stiffness.unknowns, body.space.mesh.ne, support_error=error)
 
 

@@ -41,7 +41,7 @@ class Body:
 
 def assembled(
     bodies: list[AxialSection], materials: Mapping[str, Elastic], mesh: MeshSize,
-    foundations: Mapping[str, Springs] | None = None,
+    foundations: Mapping[str, Springs] | None = None, nodes_of: list[AxialSection] | None = None,
 ) -> Body:  # fmt: skip
     """Mesh sections and assemble their stiffness.
 
@@ -55,6 +55,8 @@ def assembled(
         wishes for the finite elements
     foundations : mapping
         `Springs` to ground by the name of the edge
+    nodes_of : list of AxialSection, optional
+        whose mesh is taken, as by `fem.mesh.axial_section.meshed`
 
     Returns
     -------
@@ -65,7 +67,7 @@ def assembled(
     ImpossiblePart
         if no edge has the name of a foundation
     """
-    section = meshed(bodies, mesh)
+    section = meshed(bodies, mesh, nodes_of)
     space = ngs.H1(section, order=mesh.order, dirichlet="clamped") ** 3
     u, v = space.TnT()
     constants = {name: lame_constants(m.youngs_modulus, m.poisson_ratio) for name, m in materials.items()}

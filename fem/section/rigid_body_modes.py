@@ -14,11 +14,14 @@ from scipy import sparse
 from fem.assembly.harmonic_stiffness import HarmonicStiffness, compliances
 from fem.mesh.axial_section import sections
 from fem.parts.boundary_conditions import Foundation, FreeMotions, Housing
+from fem.parts.resolution import Shape
 from fem.parts.rings import MeshSize, OuterRing, RingOnShaft
 from fem.section.revolved_body import Body, Springs, assembled
 
 
-def body_of(part: OuterRing | RingOnShaft, length: float, mesh: MeshSize) -> Body:
+def body_of(
+    part: OuterRing | RingOnShaft, length: float, mesh: MeshSize, nodes_of: Shape | None = None
+) -> Body:
     """Assemble the sections of a part with the springs that it stands on.
 
     Parameters
@@ -29,6 +32,8 @@ def body_of(part: OuterRing | RingOnShaft, length: float, mesh: MeshSize) -> Bod
         of the loaded band [m]
     mesh : MeshSize
         wishes for the finite elements
+    nodes_of : Shape, optional
+        another part and band, whose mesh is taken with its nodes moved to these
 
     Returns
     -------
@@ -40,7 +45,8 @@ def body_of(part: OuterRing | RingOnShaft, length: float, mesh: MeshSize) -> Bod
     springs = {}
     if isinstance(support, Foundation):
         springs["foundation"] = Springs(support.axial, support.radial, support.tangential)
-    return assembled(sections(part, length), part.materials, mesh, springs)
+    others = None if nodes_of is None else sections(nodes_of.part, nodes_of.length)
+    return assembled(sections(part, length), part.materials, mesh, springs, others)
 
 
 def responses(body: Body, free_motions: FreeMotions, loads: NDArray, last: int) -> NDArray:

@@ -80,7 +80,7 @@ def ring_on_matrix(
     soft = SOFT * part.elastic.youngs_modulus / radius
     springs = replace(part, support=Foundation(axial=soft, radial=soft, tangential=soft))
     with stage("factor"):
-        body = body_of(springs, resolution.length, resolution.mesh)
+        body = body_of(springs, resolution.length, resolution.mesh, resolution.nodes_of)
     with stage("condense"):
         faces = [edge_modes(body, "foundation", along, direction) for direction in range(DIRECTIONS)]
         modes = np.hstack([edge_modes(body, "raceway", M), *faces])

@@ -27,7 +27,7 @@ from fem.beam.support_springs import tangential_slide
 from fem.mesh.axial_section import AxialSection, meshed
 from fem.mesh.solid import MILLIMETRES
 from fem.parts.resolution import Resolution
-from fem.parts.rings import MeshSize, SquirrelCage
+from fem.parts.rings import SquirrelCage
 from fem.raceway.bar_response import of_revolution
 from fem.raceway.harmonics import Responses
 from fem.section.revolved_body import Body, edge_modes
@@ -64,7 +64,7 @@ def smeared_responses(cage: SquirrelCage, resolution: Resolution, last: int, sta
     Many bars, with several per wave of the harmonics that reach them, and slots as wide as they are.
     """
     with stage("factor"):
-        body = _assembled(cage, resolution.length, resolution.mesh)
+        body = _assembled(cage, resolution)
     with stage("condense"):
         modes = edge_modes(body, "raceway", resolution.axial_modes)
         readings = np.hstack([_bar_readings(body, cage, end) for end in cage.ends])
@@ -141,10 +141,12 @@ def _mirrored(corners: tuple) -> tuple:
     return tuple((-x, r, name) for (x, r, _), name in backwards)
 
 
-def _assembled(cage: SquirrelCage, length: float, mesh: MeshSize) -> Body:
+def _assembled(cage: SquirrelCage, resolution: Resolution) -> Body:
     """Sections with their stiffness; the sleeve has no isotropic one."""
-    section = meshed(_sections(cage, length), mesh)
-    space = ngs.H1(section, order=mesh.order, dirichlet="clamped") ** 3
+    other = resolution.nodes_of
+    nodes_of = None if other is None else _sections(other.part, other.length)
+    section = meshed(_sections(cage, resolution.length), resolution.mesh, nodes_of)
+    space = ngs.H1(section, order=resolution.mesh.order, dirichlet="clamped") ** 3
     u, v = space.TnT()
     constants = lame_constants(cage.elastic.youngs_modulus, cage.elastic.poisson_ratio)
     lame, shear = (section.MaterialCF({"ring": c, "flange": c}, default=ngs.CF(0.0)) for c in constants)

@@ -7,7 +7,7 @@ import fem
 from fem.errors import NotSolved
 from flexbearing.build.expansion import hot_over_cold, material, roller_length
 from flexbearing.build.growth import pressed_inner_ring
-from flexbearing.build.mesh_sizes import ON_A_SECTION, mesh_size
+from flexbearing.build.mesh_sizes import ON_A_SECTION, mesh_size, nodes_of
 from flexbearing.build.ring_parts import inner_part
 from flexbearing.cache import configured
 from flexbearing.case import BadCase
@@ -52,6 +52,7 @@ def bonded_shape(case: Case, note: Callable[[str], None] = lambda text: None) ->
         length=roller_length(case),
         axial_modes=case.accuracy.axial_shapes,
         mesh_size=mesh_size(case, ON_A_SECTION),
+        nodes_of=nodes_of(case, "inner"),
     )
 
     def computed() -> "BondedGrowth":

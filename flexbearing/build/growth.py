@@ -1,6 +1,7 @@
 """How far heat, speed and fits widen the raceways of flexible rings: harmonic 0 of their finite elements."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
@@ -9,7 +10,7 @@ import numpy as np
 import fem
 from fem.errors import NotSolved
 from flexbearing.build.expansion import expansion_coefficient, hot_over_cold, material, roller_length
-from flexbearing.build.mesh_sizes import ON_A_SECTION, mesh_size
+from flexbearing.build.mesh_sizes import ON_A_SECTION, mesh_size, nodes_of
 from flexbearing.build.ring_parts import (
     inner_part,
     outer_part,
@@ -124,14 +125,7 @@ def _preloaded(
     from fem.joint.preloaded_fit import preloaded
 
     try:
-        bodies = _condensed(
-            part,
-            roller_length(case),
-            case.accuracy.axial_shapes,
-            mesh_size(case, ON_A_SECTION),
-            tuple(along.items()),
-        )
-        return preloaded(bodies, fit)
+        return preloaded(_condensed(part, fit_resolution(case, part), tuple(along.items())), fit)
     except fem.ImpossiblePart as problem:
         raise BadCase(f"{case.source.path}: {problem}") from problem
     except NotSolved as problem:
@@ -154,16 +148,29 @@ def _seat(state: "PreloadedFit") -> Seat:
 
 @lru_cache(maxsize=8)
 def _condensed(
-    part: "FittedRing | HousedRing",
-    length: float,
-    axial_modes: int,
-    mesh: fem.MeshSize,
-    along: "tuple[tuple[str, Along], ...]",
+    part: "FittedRing | HousedRing", resolution: fem.Resolution, along: "tuple[tuple[str, Along], ...]"
 ) -> "FittedBodies":
     """Bodies of a fit by harmonic 0; the lowest that a fit can be condensed with are enough."""
     from fem.joint.fitted_ring import condense_axisymmetric
 
-    return condense_axisymmetric(part, length, axial_modes, mesh, dict(along))
+    return condense_axisymmetric(part, resolution, dict(along))
+
+
+def fit_resolution(case: Case, part: "FittedRing | HousedRing") -> fem.Resolution:
+    """How finely a ring in its fit is resolved, perhaps on the moved nodes of another case."""
+    from fem.joint.fitted_ring import FittedRing
+
+    resolution = fem.Resolution(
+        length=roller_length(case),
+        axial_modes=case.accuracy.axial_shapes,
+        mesh_size=mesh_size(case, ON_A_SECTION),
+    )
+    other, is_inner = case.nodes_of, isinstance(part, FittedRing)
+    shape = nodes_of(case, "inner" if is_inner else "outer")
+    if shape is None or other is None:
+        return resolution
+    shoulder = {"shoulder_diameter": other.inner.shoulder_diameter} if is_inner else {}
+    return replace(resolution, nodes_of=replace(shape, part=replace(part, seat=shape.part, **shoulder)))
 
 
 def expansions_along(case: Case, **bodies: str) -> "dict[str, Along]":

@@ -136,7 +136,7 @@ def inner_part(case: Case) -> "fem.RingOnShaft | None":
     hot = hot_over_cold(case, "inner_ring")
     track = max(inner.track_width * hot, roller_length(case))
     return fem.RingOnShaft(
-        raceway_diameter=_on_grid(_inner_raceway_diameter(case), case.bearing.outer_raceway_diameter),
+        raceway_diameter=_meshed_inner_raceway_diameter(case),
         track_width=track,
         rib_diameter=(inner.bore + 2 * inner.thickness) * hot if inner.ribbed else None,
         bore=inner.bore * hot,
@@ -146,6 +146,16 @@ def inner_part(case: Case) -> "fem.RingOnShaft | None":
         ring=_elastic(case, "inner_ring"),
         shaft=_elastic(case, "shaft"),
     )
+
+
+def _meshed_inner_raceway_diameter(case: Case) -> float:
+    """Inner raceway diameter [m] of the finite elements; on moved nodes it follows the cold parts."""
+    other = case.nodes_of
+    if other is None:
+        return _on_grid(_inner_raceway_diameter(case), case.bearing.outer_raceway_diameter)
+    bearings = case.bearing, other.bearing
+    new, old = (each.outer_raceway_diameter - 2 * each.roller.diameter for each in bearings)
+    return _meshed_inner_raceway_diameter(other) + new - old
 
 
 def _on_grid(diameter: float, outer_raceway_diameter: float) -> float:

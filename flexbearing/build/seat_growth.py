@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 import fem
 from fem.errors import NotSolved
 from flexbearing.build.expansion import expansion_coefficient, roller_length
-from flexbearing.build.mesh_sizes import IN_SPACE, ON_A_SECTION, mesh_size
+from flexbearing.build.mesh_sizes import IN_SPACE, ON_A_SECTION, mesh_size, nodes_of
 from flexbearing.build.ring_parts import outer_part
 from flexbearing.cache import configured
 from flexbearing.case import BadCase
@@ -51,6 +51,7 @@ def seat_growth(case: Case, note: Callable[[str], None] = lambda text: None) -> 
         length=roller_length(case),
         axial_modes=case.accuracy.axial_shapes,
         mesh_size=mesh_size(case, IN_SPACE if isinstance(part, fem.SquirrelCage) else ON_A_SECTION),
+        nodes_of=nodes_of(case, "outer"),
     )
 
     def computed() -> "RacewayGrowth":

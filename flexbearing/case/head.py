@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Self
 
 from pydantic import PrivateAttr
 
@@ -40,11 +40,23 @@ class Head(Section):
     )
 
     _source: Source = PrivateAttr(default=Source("", "", ()))
+    _nodes_of: Any = PrivateAttr(default=None)
 
     @property
     def source(self) -> Source:
         """File and settings that the case was read from."""
         return self._source
+
+    @property
+    def nodes_of(self) -> Self | None:
+        """Case whose meshes are taken, their nodes moved to the dimensions of this one; None: its own."""
+        return self._nodes_of
+
+    def on_nodes_of(self, other: Self | None) -> Self:
+        """The same case on the moved nodes of another one, from which it differs little."""
+        case = self.model_copy()
+        case._nodes_of = other
+        return case
 
     @property
     def input_files(self) -> tuple[Path, ...]:

@@ -1,21 +1,19 @@
 """A roller bearing in equilibrium with its rings, and the same bearing with other values of a key."""
 
 from dataclasses import dataclass
-from functools import cached_property
 
-import numpy as np
 from numpy.typing import NDArray
 
-from flexbearing.build import ring_parts, roller_bearing
+from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
 from flexbearing.coupled import states
 from flexbearing.coupled.coupled import BearingPartner, equilibrium
 from flexbearing.coupling import LinearPair, PartnerFailed, RacewayPair
 from flexbearing.derivatives.keys import Key, with_value
+from flexbearing.derivatives.near_raceways import NearRaceways
 from flexbearing.progress import Logged
-from flexbearing.rings.condensed import RACES, condensed_raceways, is_linear, with_growth
-from flexbearing.rings.resolution import resolved
+from flexbearing.rings.condensed import condensed_raceways
 from quasidynamic import Equilibrium, NotSolved, RollerBearing
 from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.balance.rollers.unknowns import Unknowns
@@ -28,10 +26,6 @@ APART_FROM_RINGS = (  # keys and tables that no ring knows
     "bearing.form_error.", "operation.radial_load", "operation.load_direction", "operation.moment",
     "operation.misalignment", "operation.gravity",
 )  # fmt: skip
-
-
-class RingChanged(Exception):
-    """A key changes a flexible ring itself, so that it is another one."""
 
 
 @dataclass(frozen=True)
@@ -61,6 +55,7 @@ class SolvedState:
 
     base: Variant
     rings: RacewayPair
+    near: NearRaceways
     unknowns: Unknowns  # of one case, with the deviations of elastic raceways by their loads
     forces: NDArray  # (2, Z, M) of the rollers [N]
 
@@ -70,37 +65,18 @@ class SolvedState:
         Raises
         ------
         RingChanged
-            where the key changes a flexible ring itself
+            where the key gives a flexible ring other faces
         ImpossiblePart, OutOfRange, BadCase
             where there is no such case
         """
         if change == 0.0:
             return self.base
         case = with_value(self.base.case, key.path, key.value + change * key.step)
+        if key.path.startswith(APART_FROM_RINGS) or self.rings.rigid:
+            return Variant(case, roller_bearing.bearing(case), self.base.pair)
+        case = self.near.meshed_alike(case)
         model = roller_bearing.bearing(case)
-        if self.rings.rigid:
-            return Variant(case, model, self.base.pair)
-        return Variant(case, model, self._pair(key, case, model))
-
-    def _pair(self, key: Key, case: Case, model: RollerBearing) -> LinearPair:
-        """Raceways of a case that differs in a key."""
-        if key.path.startswith(APART_FROM_RINGS):
-            return self.base.pair
-        if _rings(case, model) != self._rings:
-            raise RingChanged(key.path)
-        azimuths = model.bearing.azimuths
-        if is_linear(case) and np.array_equal(azimuths, self.base.model.bearing.azimuths):
-            return with_growth(self._bare, case, Logged())
-        return condensed_raceways(case, azimuths, Logged()).linearised(self.forces)
-
-    @cached_property
-    def _bare(self) -> LinearPair:
-        """Raceways without what they have grown."""
-        return with_growth(self.base.pair, self.base.case, Logged(), -1.0)
-
-    @cached_property
-    def _rings(self) -> list[object]:
-        return _rings(self.base.case, self.base.model)
+        return Variant(case, model, self.near.of(case, model.bearing.azimuths, self.forces))
 
     def moved(self, key: Key, change: float, by_step: NDArray | float = 0.0) -> "SolvedState":
         """The equilibrium with a key changed by so many steps, from unknowns that move (N) in each of them.
@@ -119,13 +95,7 @@ class SolvedState:
         state = Equilibrium(
             balance, last.unknowns[0], last.outcomes[0], last.number, variant.model.axial_modes
         )
-        return SolvedState(variant, self.rings, state.unknowns, state.forces)
-
-
-def _rings(case: Case, model: RollerBearing) -> list[object]:
-    """What decides the condensed rings of a case."""
-    parts = [ring_parts.part_of(case, race) for race in RACES]
-    return [part and resolved(part, case, model.bearing.azimuths) for part in parts]
+        return SolvedState(variant, self.rings, self.near, state.unknowns, state.forces)
 
 
 def solved(case: Case) -> SolvedState:
@@ -152,16 +122,15 @@ def solved(case: Case) -> SolvedState:
     try:
         rings = condensed_raceways(case, model.bearing.azimuths, Logged())
         if rings.rigid:
-            state = model.solve()
-            return SolvedState(
-                Variant(case, model, LinearPair(None, None)), rings, state.unknowns, state.forces
-            )
-        state = equilibrium(BearingPartner(model), rings, case.coupling)
-        pair = rings.linearised(state.forces)
+            state, pair = model.solve(), LinearPair(None, None)
+        else:
+            state = equilibrium(BearingPartner(model), rings, case.coupling)
+            pair = rings.linearised(state.forces)
+            state = states.elastic(state, pair).refined()
     except PartnerFailed as failure:
         raise NotSolved(str(failure)) from failure
-    state = states.elastic(state, pair).refined()
-    return SolvedState(Variant(case, model, pair), rings, state.unknowns, state.forces)
+    near = NearRaceways(case, model.bearing.azimuths, state.forces, pair)
+    return SolvedState(Variant(case, model, pair), rings, near, state.unknowns, state.forces)
 
 
 def _require_differentiable(case: Case) -> None:

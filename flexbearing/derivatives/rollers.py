@@ -8,9 +8,11 @@ from numpy.typing import NDArray
 
 from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
+from flexbearing.coupling import PartnerFailed
 from flexbearing.derivatives.keys import Key, given_keys, keys_of
+from flexbearing.derivatives.ring_slopes import RingChanged
 from flexbearing.derivatives.roller_slopes import Difference, OutputSlopes, RollerSlopes, numbers
-from flexbearing.derivatives.roller_state import RingChanged, SolvedState, solved
+from flexbearing.derivatives.roller_state import SolvedState, solved
 from flexbearing.derivatives.sides import tabled, with_sides
 from flexbearing.derivatives.stencil import STENCILS
 from flexbearing.derivatives.table import Sensitivities
@@ -140,7 +142,7 @@ class _Differentiated:
         """Derivatives (O) by a step on one side of a contact switch; NaN where no equilibrium is there."""
         try:
             moved = self.state.moved(key, change, by_step)
-        except (NotSolved, ImpossiblePart, OutOfRange, BadCase, RingChanged):
+        except (NotSolved, ImpossiblePart, OutOfRange, BadCase, PartnerFailed, RingChanged):
             return np.full(len(self.outputs), np.nan)
         there = replace(key, value=key.value + change * key.step)
         differences, _ = _differences(moved, [there])
@@ -169,7 +171,7 @@ def difference(state: SolvedState, key: Key) -> Difference | str:
             try:
                 return Difference(key, stencil, tuple(state.variant(key, place) for place in stencil.places))
             except RingChanged:
-                return "it changes a flexible ring itself"
-            except (ImpossiblePart, OutOfRange, BadCase) as problem:
+                return "it gives a flexible ring other faces"
+            except (ImpossiblePart, OutOfRange, BadCase, PartnerFailed) as problem:
                 why = str(problem)
     return why

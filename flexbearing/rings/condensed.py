@@ -13,7 +13,6 @@ import fem
 from fem.condense import BEAM, HARMONICS, SOLID, condense
 from fem.errors import NotSolved
 from flexbearing.build.bonded_growth import bonded_shape
-from flexbearing.build.mesh_sizes import ON_A_SECTION, mesh_size
 from flexbearing.build.ring_parts import NAMES, Race, part_of
 from flexbearing.build.seat_growth import seat_growth, seat_strain
 from flexbearing.cache import configured
@@ -82,7 +81,8 @@ def raceway(
     if part is None:
         return RigidRaceway(azimuths)
     if race == "outer" and is_on_supports(case):
-        return _on_supports(part, case, azimuths, report)
+        with named_failures(case, NAMES[race]):
+            return on_supports(resolved(part, case, azimuths), case, azimuths, report)
     if not is_in_fit(case, race):
         began, name = perf_counter(), NAMES[race]
         report.stage(name, None)
@@ -103,19 +103,12 @@ def raceway(
     report.stage({"inner": "inner ring in its fit", "outer": "outer ring in its housing"}[race], None)
     with named_failures(case, name):
         if isinstance(part, fem.RingOnShaft):
-            fitted = inner_ring_in_fit(case, part, azimuths, mesh_size(case, ON_A_SECTION))
+            fitted = inner_ring_in_fit(case, part, azimuths)
         else:
             assert isinstance(part, fem.OuterRing)  # or the case would not have been read
-            fitted = outer_ring_in_housing(case, part, azimuths, mesh_size(case, ON_A_SECTION))
+            fitted = outer_ring_in_housing(case, part, azimuths)
         report.stage(f"{name}: about {fitted.fit.interface.unknowns} unknowns in the fit", None)
         return fitted
-
-
-def is_linear(case: Case) -> bool:
-    """Whether the raceways of a case answer linearly: no fit that may open, no one-sided support."""
-    if case.coupling.structure == "full" or is_on_supports(case):
-        return False
-    return not any(part_of(case, race) is not None and is_in_fit(case, race) for race in RACES)
 
 
 def linear_raceways(
@@ -150,15 +143,19 @@ def linear_raceways(
     return [LinearPair(*pair) for pair in zip(inner, outer, strict=True)]
 
 
-def with_growth(pair: LinearPair, case: Case, report: Report, sign: float = 1.0) -> LinearPair:
-    """Linear raceways with the shapes that grow in a case of the same parts, or without them.
+def with_growth(
+    raceway: "RacewayCompliance", case: Case, race: Race, report: Report, sign: float = 1.0
+) -> "RacewayCompliance":
+    """A raceway that no fit holds with the shape that grows in a case, or without it.
 
     Parameters
     ----------
-    pair : LinearPair
-        as `linear_raceways` makes it, less what grows
+    raceway : RacewayCompliance
+        near some forces, less what grows
     case : Case
-        whose heat, speed and pressing make the raceways grow
+        whose heat, speed and pressing make the raceway grow
+    race : "inner" or "outer"
+        which raceway
     report : Report
         hears of what is computed
     sign : float
@@ -166,17 +163,13 @@ def with_growth(pair: LinearPair, case: Case, report: Report, sign: float = 1.0)
 
     Returns
     -------
-    LinearPair
+    RacewayCompliance
     """
-    grown: list[Any] = []
-    for race, linear in zip(RACES, pair.raceways, strict=True):
-        raceway: Any = linear
-        if raceway is not None:
-            nothing = replace(raceway, initial_deviation=np.zeros_like(raceway.initial_deviation))
-            shape = _Growth.of(case, race, report).added(nothing).initial_deviation
-            raceway = replace(raceway, initial_deviation=raceway.initial_deviation + sign * shape)
-        grown.append(raceway)
-    return LinearPair(*grown)
+    if race == "outer" and is_on_supports(case):
+        return raceway
+    nothing = replace(raceway, initial_deviation=np.zeros_like(raceway.initial_deviation))
+    shape = _Growth.of(case, race, report).added(nothing).initial_deviation
+    return replace(raceway, initial_deviation=raceway.initial_deviation + sign * shape)
 
 
 def _linear_raceways(
@@ -193,22 +186,27 @@ def _linear_raceways(
         return [each and with_axial_modes(each, axial_modes) for each in grown]
 
 
-def _on_supports(part: "Part", case: Case, azimuths: NDArray, report: Report) -> SupportedRaceway:
+def on_supports(
+    arguments: "tuple[Part, fem.Discretisation, fem.Resolution]",
+    case: Case,
+    azimuths: NDArray,
+    report: Report,
+) -> SupportedRaceway:
     """The outer ring on lines or springs."""
+    part, discretisation, resolution = arguments
     assert isinstance(part, fem.OuterRing)  # or nothing would support it so
     began, support, name = perf_counter(), part.support, NAMES["outer"]
     assert isinstance(support, fem.LineSupports | fem.Foundation)
     report.stage(name, None)
     if isinstance(support, fem.Foundation):  # with the answers of its outer surface
         part = replace(part, support=replace(support, pushing=True))
-    with named_failures(case, name):
-        supported: Any = condensed(name, part, case, azimuths, report)  # on lines or springs
+    supported: Any = condensed_part(name, (part, discretisation, resolution), report)  # on lines or springs
 
-        def under_rollers(places: NDArray) -> Any:
-            ring = supported.under_rollers(places)
-            return ring if support.pushing else replace(ring, pushing=False)
+    def under_rollers(places: NDArray) -> Any:
+        ring = supported.under_rollers(places)
+        return ring if support.pushing else replace(ring, pushing=False)
 
-        ring = under_rollers(azimuths)
+    ring = under_rollers(azimuths)
     report.stage(f"{name}: {perf_counter() - began:.1f} s", None)
     figures = line_figures if case.outer.support == "lines" else foundation_figures
     return SupportedRaceway(RINGS[case.outer.support], ring, figures, under_rollers)
@@ -296,8 +294,17 @@ def condensed(
     -------
     HarmonicCompliance, RingOnFoundation, RingOnLines, PlanetRim or RacewayCompliance
     """
-    arguments = resolved(part, case, azimuths)
-    discretisation = arguments[1]
+    return condensed_part(name, resolved(part, case, azimuths), report, ahead)
+
+
+def condensed_part(
+    name: str,
+    arguments: "tuple[Part, fem.Discretisation, fem.Resolution]",
+    report: Report,
+    ahead: Ahead = None,
+) -> Any:
+    """Raceway compliance of a part as `condensed` gives it, from what decides it."""
+    part, discretisation, _ = arguments
     support = part.support if isinstance(part, fem.OuterRing) else None
     on_lines = isinstance(support, fem.LineSupports | fem.PlanetGear)
     on_springs = isinstance(support, fem.Foundation) and support.pushing

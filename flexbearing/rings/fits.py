@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 import fem
 from fem.errors import NotSolved
-from flexbearing.build.expansion import hot_over_cold, material, roller_length
-from flexbearing.build.growth import expansions_along, mean_growth
+from flexbearing.build.expansion import hot_over_cold, material
+from flexbearing.build.growth import expansions_along, fit_resolution, mean_growth
 from flexbearing.build.ring_parts import Race
 from flexbearing.case.roller import Case
 from flexbearing.coupling import PartnerFailed
@@ -94,9 +94,7 @@ def is_in_fit(case: Case, race: Race) -> bool:
     return case.inner.fit != "bonded" if race == "inner" else case.lifts_off
 
 
-def inner_ring_in_fit(
-    case: Case, part: fem.RingOnShaft, azimuths: NDArray, mesh: fem.MeshSize
-) -> RacewayInFit:
+def inner_ring_in_fit(case: Case, part: fem.RingOnShaft, azimuths: NDArray) -> RacewayInFit:
     """Put the inner ring of a case on its shaft, hot and turning, before rollers load it.
 
     Parameters
@@ -107,8 +105,6 @@ def inner_ring_in_fit(
         at its temperature
     azimuths : array (Z)
         of the rollers [rad]
-    mesh : MeshSize
-        of both bodies
 
     Returns
     -------
@@ -125,11 +121,10 @@ def inner_ring_in_fit(
     from fem.joint.preloaded_fit import Fit, preloaded
 
     inner = case.inner
+    ring = FittedRing(seat=part, shoulder_diameter=inner.shoulder_diameter)
     bodies = condense_fitted(
-        FittedRing(seat=part, shoulder_diameter=inner.shoulder_diameter),
-        roller_length(case),
-        case.accuracy.axial_shapes,
-        mesh,
+        ring,
+        fit_resolution(case, ring),
         variations=expansions_along(case, ring="inner_ring", shaft="shaft"),
     )
     fit = Fit(
@@ -143,9 +138,7 @@ def inner_ring_in_fit(
     return RacewayInFit("fit of the inner ring", preloaded(bodies, fit), azimuths, _shaft_fit_figures)
 
 
-def outer_ring_in_housing(
-    case: Case, part: fem.OuterRing, azimuths: NDArray, mesh: fem.MeshSize
-) -> RacewayInFit:
+def outer_ring_in_housing(case: Case, part: fem.OuterRing, azimuths: NDArray) -> RacewayInFit:
     """Put the outer ring of a case in its housing, hot and turning, before rollers load it.
 
     Parameters
@@ -156,8 +149,6 @@ def outer_ring_in_housing(
         at its temperature, with the housing as its support
     azimuths : array (Z)
         of the rollers [rad]
-    mesh : MeshSize
-        of both bodies
 
     Returns
     -------
@@ -173,11 +164,10 @@ def outer_ring_in_housing(
     from fem.joint.fitted_ring import HousedRing, condense_fitted
     from fem.joint.preloaded_fit import Fit, preloaded
 
+    ring = HousedRing(seat=part)
     bodies = condense_fitted(
-        HousedRing(seat=part),
-        roller_length(case),
-        case.accuracy.axial_shapes,
-        mesh,
+        ring,
+        fit_resolution(case, ring),
         variations=expansions_along(case, ring="outer_ring", housing="housing"),
     )
     fit = Fit(

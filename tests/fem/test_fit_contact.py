@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 from pytest import approx
 
-from fem import Elastic, ImpossiblePart, MeshSize
+from fem import Elastic, ImpossiblePart, MeshSize, Resolution
 from fem.assembly.factorisation import NotSolved
 from fem.joint.face_condensation import ContactFace, condense_body
 from fem.joint.fitted_ring import BORE, SHOULDER, FitGrid, FittedBodies, FittedRing, condense_fitted
@@ -26,6 +26,7 @@ STEPPED = FittedRing(seat=SEAT, shoulder_diameter=64e-3)
 L, M = 5e-3, 3
 COARSE = MeshSize(order=3, size=8e-3, raceway_size=2e-3)
 SMALL = FitGrid(bore_points=5, shoulder_points=3, harmonics=12)
+BAND = Resolution(length=L, axial_modes=M, mesh_size=COARSE)
 SPEED = 38000 * 2 * np.pi / 60
 ROLLERS = 0.05 + 2 * np.pi * np.arange(30) / 30
 TIGHT = Fit(interference=40e-6, friction=0.1)
@@ -51,7 +52,7 @@ def tube(inner, outer, width, material, seat):
 
 @cache
 def condensed(part):
-    return condense_fitted(part, L, M, COARSE, SMALL)
+    return condense_fitted(part, BAND, SMALL)
 
 
 @pytest.fixture(scope="module")
@@ -172,7 +173,7 @@ def test_bonded_raceway_is_that_of_the_bonded_part(bodies):
 def test_sticking_fit_is_the_bonded_part():
     """The same elements; large interference, so that no point opens."""
     mesh = MeshSize(order=5, size=6e-3, raceway_size=1.25e-3)
-    fine = condense_fitted(PLAIN, L, M, mesh, FitGrid(bore_points=16, harmonics=64))
+    fine = condense_fitted(PLAIN, replace(BAND, mesh_size=mesh), FitGrid(bore_points=16, harmonics=64))
     exact = by_harmonics(SEAT, L, M, mesh).at(ROLLERS)
     forces = loads(1e3)
     found = loaded(preloaded(fine, Fit(interference=50e-6, friction=1e3)), ROLLERS, forces)
@@ -288,6 +289,6 @@ def test_impossible_fits_are_refused(bodies):
     with pytest.raises(ImpossiblePart, match="shoulder"):
         preloaded(bodies, replace(TIGHT, clamping=1e3))
     with pytest.raises(ImpossiblePart, match="track"):
-        condense_fitted(PLAIN, 9e-3, M, COARSE, SMALL)
+        condense_fitted(PLAIN, replace(BAND, length=9e-3), SMALL)
     with pytest.raises(NotSolved, match="harmonics"):
-        condense_fitted(PLAIN, L, M, COARSE, replace(SMALL, harmonics=200))
+        condense_fitted(PLAIN, BAND, replace(SMALL, harmonics=200))

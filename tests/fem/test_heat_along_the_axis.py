@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from fem import ClampedFace, Elastic, ImpossiblePart, MeshSize, OuterRing, PlanetGear
+from fem import ClampedFace, Elastic, ImpossiblePart, MeshSize, OuterRing, PlanetGear, Resolution
 from fem.joint.fitted_ring import FitGrid, FittedRing, condense_fitted
 from fem.joint.preloaded_fit import Fit, preloaded
 from fem.section.expansion import Along
@@ -59,7 +59,8 @@ def test_temperature_that_ends_inside_the_body_is_refused():
 
 def fit_with(**variations):
     seat = replace(SHAFT, shaft=Elastic(youngs_modulus=179e9, poisson_ratio=0.281))
-    bodies = condense_fitted(FittedRing(seat=seat), L, M, COARSE, SMALL, variations)
+    band = Resolution(length=L, axial_modes=M, mesh_size=COARSE)
+    bodies = condense_fitted(FittedRing(seat=seat), band, SMALL, variations)
     return preloaded(bodies, Fit(interference=40e-6, friction=0.1))
 
 

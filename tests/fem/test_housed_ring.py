@@ -17,6 +17,7 @@ from fem import (
     MeshSize,
     OuterRing,
     PlanetGear,
+    Resolution,
 )
 from fem.assembly.factorisation import NotSolved
 from fem.joint.fitted_ring import FitGrid, HousedRing, condense_fitted
@@ -29,6 +30,7 @@ from tests.fem.test_parts import STEEL
 L, M = 5e-3, 3
 COARSE = MeshSize(order=3, size=8e-3, raceway_size=2e-3)
 FAIR = MeshSize(order=4, size=8e-3, raceway_size=2e-3)
+BAND = Resolution(length=L, axial_modes=M, mesh_size=FAIR)
 SMALL = FitGrid(bore_points=5, harmonics=18)
 RIGID = Elastic(youngs_modulus=1e17, poisson_ratio=0.28)
 ROLLERS = 0.05 + 2 * np.pi * np.arange(24) / 24
@@ -48,7 +50,7 @@ BORE = HousedRing(seat=ring(Housing(thickness=10e-3, width=10e-3, elastic=RIGID)
 
 @pytest.fixture(scope="module")
 def bodies():
-    return condense_fitted(housed(STEEL), L, M, COARSE, SMALL)
+    return condense_fitted(housed(STEEL), replace(BAND, mesh_size=COARSE), SMALL)
 
 
 def loose(clearance):
@@ -70,7 +72,7 @@ def test_ring_that_fills_its_bore_is_held_without_friction():
     Beyond the harmonics of the fit the ring is on its own.
     """
     part = replace(BORE, seat=replace(BORE.seat, width=6e-3))
-    fit = preloaded(condense_fitted(part, L, M, FAIR, FitGrid(bore_points=6, harmonics=24)), loose(0.0))
+    fit = preloaded(condense_fitted(part, BAND, FitGrid(bore_points=6, harmonics=24)), loose(0.0))
     springs = Foundation(axial=0.0, radial=1e18, tangential=0.0)
     exact = by_harmonics(replace(part.seat, support=springs), L, M, FAIR)
     low = np.abs(exact.harmonics) <= 24
@@ -94,7 +96,7 @@ def test_ring_in_a_very_wide_bore_rests_on_one_line():
     free = by_harmonics(ring(LineSupports(azimuths=(0.0, 2.0, 4.0))), L, M, FAIR).ring
     rim = PlanetRim(free, PlanetGear(forces=(foot,))).at(ROLLERS)
     exact = rim.initial_deviation + np.tensordot(rim.absolute, even, 2)
-    bodies = condense_fitted(BORE, L, M, FAIR, FitGrid(bore_points=4, harmonics=24))
+    bodies = condense_fitted(BORE, BAND, FitGrid(bore_points=4, harmonics=24))
     found = loaded(preloaded(bodies, loose(5e-3)), ROLLERS, even)
     shape = found.deviation[:, 0] - np.stack([np.sin(ROLLERS), np.cos(ROLLERS)], axis=1) @ found.translation
     assert found.touching_angle < np.radians(20)

@@ -14,7 +14,6 @@ from flexbearing import check
 from flexbearing.api import read_case
 from flexbearing.build import clearance, expansion, fits, ring_parts, roller_bearing
 from flexbearing.build.growth import expansions, mean_growth
-from flexbearing.build.mesh_sizes import ON_A_SECTION, mesh_size
 from flexbearing.case import BadCase
 from flexbearing.case.read import understood
 from flexbearing.case.tolerances import ClearanceClass, HousingClass, ShaftClass
@@ -423,7 +422,7 @@ def mounted(**changes) -> Any:
 def in_fit(case):
     part = ring_parts.inner_part(case)
     assert part
-    return inner_ring_in_fit(case, part, np.zeros(1), mesh_size(case, ON_A_SECTION)).fit
+    return inner_ring_in_fit(case, part, np.zeros(1)).fit
 
 
 @pytest.mark.slow
@@ -500,7 +499,7 @@ def test_ring_pressed_into_a_flexible_housing_loses_its_clearance_as_the_finite_
     assert chain is not None
     assert chain.housing_seat is not None
     part: Any = ring_parts.outer_part(case)
-    fit = outer_ring_in_housing(case, part, np.zeros(1), mesh_size(case, ON_A_SECTION)).fit
+    fit = outer_ring_in_housing(case, part, np.zeros(1)).fit
     assert chain.housing_seat.pressure == approx(fit.mean_pressure, rel=1e-9)
     steps = {step.name: step.change for step in chain.steps}
     assert steps["outer fit"] < -10e-6

@@ -210,10 +210,45 @@ def test_elastic_ring_moves_with_the_bearing():
         assert (np.abs(slopes - again) <= 1e-5 * np.maximum(np.abs(again), floor)).all()
 
 
-def test_dimension_of_a_flexible_ring_is_told_to_be_without_derivatives():
-    found = sensitivities(api.read_case(PAPER, BEAM), ["life"], ["outer.thickness", "operation.radial_load"])
-    assert found.left_out == (("outer.thickness", "it changes a flexible ring itself"),)
-    assert [key.path for key in found.keys] == ["operation.radial_load"]
+RING_KEYS = {  # value in the paper's case, and unit
+    "outer.thickness": (3.6, "mm"),
+    "outer.width": (10.0, "mm"),
+    "materials.outer_ring.youngs_modulus": (203.0, "GPa"),
+    "bearing.outer_raceway_diameter": (75.0, "mm"),
+}
+
+
+def test_dimensions_of_a_flexible_ring_move_what_runs_with_them_do():
+    settings = [*BEAM, "operation.temperatures=", "accuracy.harmonics=110"]  # else their number jumps
+    found = sensitivities(api.read_case(PAPER, settings), OUTPUTS, list(RING_KEYS))
+    for key, (value, unit) in RING_KEYS.items():
+        ends = [fb.run(PAPER, [*settings, f"{key}={value * (1 + sign * 2e-5)!r} {unit}"]) for sign in (-1, 1)]
+        low, high = (np.array([end[name].number for name in OUTPUTS]) for end in ends)
+        slopes = np.array([found[name, key].elasticity for name in OUTPUTS])
+        assert slopes == approx((high - low) / 4e-5 / (high + low) * 2, rel=1e-4, abs=1e-6), key
+
+
+def test_ring_that_grows_with_everything_else_is_as_stiff_as_it_is_large():
+    """Elasticities of a raceway by all lengths together are one: [m/N] of [Pa] and [m]."""
+    from flexbearing.derivatives.ring_slopes import RingSlopes
+    from flexbearing.derivatives.roller_state import solved
+    from flexbearing.derivatives.shape_numbers import numbers, with_numbers
+
+    slopes: RingSlopes = solved(api.read_case(PAPER, BEAM)).near.slopes["outer"]
+    lengths = {name: value for name, value in numbers(slopes.shape).items() if value < 1}
+    larger = with_numbers(
+        slopes.shape, {name: 1.001 * value for name, value in lengths.items() if "ratio" not in name}
+    )
+    stiffer = with_numbers(slopes.shape, {"part.elastic.youngs_modulus": 203e9 * 1.001})
+    for shape in (larger, stiffer):
+        assert slopes.near(shape).absolute == approx(0.999 * slopes.raceway.absolute, rel=1e-6, abs=1e-16)
+
+
+def test_ring_that_has_no_room_to_change_is_told():
+    case = api.read_case(PAPER, ["outer.kind=rigid", "inner.track_width=12 mm", "accuracy.structure=beam"])
+    ((key, why),) = sensitivities(case, ["life"], ["inner.width"]).left_out  # ribs of no width
+    assert key == "inner.width"
+    assert "inside width" in why
 
 
 def test_result_has_the_derivatives_of_its_case(of_rigid):
