@@ -7,6 +7,10 @@ so that answers are smooth in every dimension,
 
 each piecewise linear between the faces of the part, t beside the middle of the nearest bar. The map is given
 at the vertices and is linear in each element: kinks inside elements do no harm there.
+
+Source
+------
+Shape derivatives on a mesh that follows the boundary; the map between faces is derived here.
 """
 
 from collections.abc import Sequence
