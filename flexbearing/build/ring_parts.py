@@ -5,6 +5,7 @@ import re
 from typing import TYPE_CHECKING, Any, Literal
 
 import fem
+from fem.parts.volume import volume
 from flexbearing.build.expansion import hot_over_cold, material, outer_raceway_diameter, roller_length
 from flexbearing.case.excerpt import excerpt
 from flexbearing.case.roller import Case
@@ -54,6 +55,15 @@ def outer_part(case: Case) -> "fem.SquirrelCage | fem.OuterRing | StepSolid | No
         two_sided=outer.bar_ends == "both",
         offset=outer.raceway_offset * hot,
     )
+
+
+def outer_mass(case: Case) -> float | None:
+    """Mass of what carries the outer raceway [kg]; None of a rigid one, and of a drawn solid."""
+    part = outer_part(case)
+    if not isinstance(part, fem.OuterRing | fem.SquirrelCage):
+        return None
+    cold = volume(part) / hot_over_cold(case, "outer_ring") ** 3
+    return cold * case.materials.outer_ring.density
 
 
 def _support(case: Case) -> Any:

@@ -36,6 +36,7 @@ class EndStates:
     life_error: NDArray | None = None  # (C) estimated, over the life; None where nothing was estimated [-]
     edge_stress: NDArray | None = None  # (C, K) factor on the load of slices; None where the life takes none
     static_rating: NDArray | None = None  # (C) C_0 [N]; None where nobody asks for the static safety
+    outer_mass: NDArray | None = None  # (C) of the outer ring with its bars [kg]; None where it is not known
 
     @property
     def life(self) -> NDArray:
@@ -129,6 +130,7 @@ class EndState:
     whole: "WholeRoller | None" = None  # its most loaded roller on half-spaces; None where slices answer
     edge_stress: NDArray | None = None  # (K) factor on the load of slices; None where the life takes none
     static_rating: float | None = None  # C_0 [N]; None where nobody asks for the static safety
+    outer_mass: float | None = None  # of the outer ring with its bars [kg]; None where it is not known
 
     @cached_property
     def cases(self) -> EndStates:

@@ -144,6 +144,11 @@ QUANTITIES = (
         "where the outer raceway is rigid, or its support",
         source="end.support_stiffness", optional=True, people=KN_PER_MM,
         summary=(SummaryValue("support_stiffness_N_per_m", in_si=True),)),
+    Quantity("outer_mass", "", "", "kg", "block",
+        "mass of the outer ring, of a squirrel cage with bars and flange, without fillets; absent where the "
+        "outer raceway is rigid, and of a drawn part",
+        source="end.outer_mass", optional=True, people=Unit("g", 1e3),
+        summary=(SummaryValue("outer_mass_g", label="mass of the outer ring", digits=",.1f", compared=False),)),
     Quantity("support_stiffness_ratio", "", "", "1", "block",
         "support_stiffness over stiffness; absent where the outer raceway is rigid, or its support",
         source="end.support_stiffness_ratio", optional=True,

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
@@ -309,8 +310,10 @@ def condensed_part(
     on_lines = isinstance(support, fem.LineSupports | fem.PlanetGear)
     on_springs = isinstance(support, fem.Foundation) and support.pushing
     on_matrix = isinstance(support, fem.ReducedBody)
-    if discretisation is BEAM or on_matrix or (on_lines and discretisation is not SOLID):
-        return condense(*arguments)  # sooner computed than read, or more than is kept
+    if on_matrix:
+        return condense(*arguments)  # more than is kept
+    if discretisation is BEAM or (on_lines and discretisation is not SOLID):
+        return _in_memory(*arguments)  # sooner computed than read
 
     kind = "RingOnFoundation" if on_springs else "HarmonicCompliance"
     kind = "RacewayCompliance" if discretisation is SOLID else kind
@@ -327,6 +330,12 @@ def condensed_part(
         lambda note: report.stage(f"{name}: {note}", None),
         lambda kept: _is_of(*arguments, kept),
     )
+
+
+@lru_cache(maxsize=2)
+def _in_memory(part: "Part", discretisation: fem.Discretisation, resolution: fem.Resolution) -> Any:
+    """A part condensed once for cases one after the other, such as the designs of a search."""
+    return condense(part, discretisation, resolution)
 
 
 def _is_of(part: "Part", discretisation: fem.Discretisation, resolution: fem.Resolution, kept) -> bool:

@@ -2,6 +2,7 @@
 
 from typing import TYPE_CHECKING
 
+from flexbearing.build.ring_parts import outer_mass
 from flexbearing.build.rough_surfaces import roughness
 from flexbearing.case.roller import Case
 from flexbearing.coupled.states import EndState
@@ -49,4 +50,5 @@ def end_state(
         whole,
         edge_stress=life.edge_stress(case, slices),
         static_rating=life.static(case, bearing),
+        outer_mass=outer_mass(case),
     )

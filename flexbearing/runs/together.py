@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fem.cage.bar_forces import NominalStresses
+from flexbearing.build.ring_parts import outer_mass
 from flexbearing.build.rough_surfaces import roughness
 from flexbearing.case.roller import Case
 from flexbearing.coupled.states import EndStates
@@ -131,12 +132,14 @@ class Together:
         states = self.batch.states
         bearings = [model.bearing for model in self.models]
         ratings = [life.static(*each) for each in zip(self.cases, bearings, strict=True)]
+        masses = [outer_mass(case) for case in self.cases]
         return EndStates(
             states,
             self.rings[0],
             np.array(known) if given else None,
             edge_stress=self._edge_stress,
             static_rating=np.array(ratings),
+            outer_mass=None if None in masses else np.array(masses, dtype=float),
         )
 
     @property
