@@ -14,8 +14,8 @@ def volume(part: OuterRing | SquirrelCage) -> float:
     Parameters
     ----------
     part : OuterRing or SquirrelCage
-        D, t and w of the ring; N bars of section A and length l on a flange of length f at k ends; the collar's
-        volume outside of the ring is V_c
+        D, t and w of the ring; N bars of section A and length l on a flange of length f at k ends; V_c of
+        collars outside of the ring
 
     Returns
     -------

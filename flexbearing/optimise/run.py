@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from time import perf_counter
@@ -31,6 +32,7 @@ from flexbearing.studies.where import Where
 from flexbearing.studies.worker import Wish, condense, rows
 
 CASE, TABLE = "_optimum.toml", ".csv"  # behind the name: the case at the best point, all designs
+MESHED_DIGITS = 4  # of the share of a range, where another ring is meshed for every value
 Tell = Callable[[Found], None]
 
 
@@ -75,7 +77,11 @@ def optimise(
     base, name, inputs = _sound(problem), problem.study.name, problem.study.inputs
     table, case = (require_output(folder / f"{name}{end}", inputs) for end in (TABLE, CASE))
     path = require_output(base.journal(folder), inputs)
-    processes = jobs or (cores() if varied_rings(problem) else 1)
+    meshed = varied_rings(problem)
+    processes = jobs or (cores() if meshed else 1)
+    if meshed:  # noise of meshes is all that nearer designs differ by
+        rounded = tuple(replace(each, digits=MESHED_DIGITS) for each in problem.variables)
+        problem = replace(problem, variables=rounded)
     workers = (work or _bearings)(problem, folder)
     with (
         limited_to(processes),

@@ -29,6 +29,7 @@ class Variable:
     size: float = 1.0  # of the unit in SI
     given: float | None = None  # what the case has, in the unit
     logarithmic: bool = False
+    digits: int = DIGITS  # of the share of the range: designs nearer to each other are one
 
     @property
     def start(self) -> float:
@@ -37,7 +38,7 @@ class Variable:
 
     def value(self, share: float) -> float:
         """Value at a share of the range, from 0 to 1, in the unit."""
-        inside = round(min(max(share, 0.0), 1.0), DIGITS)
+        inside = round(min(max(share, 0.0), 1.0), self.digits)
         if self.logarithmic:
             value = exp(log(self.low) + inside * log(self.high / self.low))
         else:

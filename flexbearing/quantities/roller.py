@@ -148,7 +148,7 @@ QUANTITIES = (
         "mass of the outer ring, of a squirrel cage with bars and flange, without fillets; absent where the "
         "outer raceway is rigid, and of a drawn part",
         source="end.outer_mass", optional=True, people=Unit("g", 1e3),
-        summary=(SummaryValue("outer_mass_g", label="mass of the outer ring", digits=",.1f", compared=False),)),
+        summary=(SummaryValue("outer_mass_g", compared=False),)),
     Quantity("support_stiffness_ratio", "", "", "1", "block",
         "support_stiffness over stiffness; absent where the outer raceway is rigid, or its support",
         source="end.support_stiffness_ratio", optional=True,
