@@ -12,7 +12,6 @@ from pytest import approx
 import flexbearing
 from flexbearing.api import read_case
 from flexbearing.build import clearance, ring_parts
-from flexbearing.build.mesh_sizes import mesh_size
 from flexbearing.case import BadCase
 from flexbearing.case.read import understood
 from flexbearing.coupling import RacewayPair
@@ -210,12 +209,12 @@ def test_temperatures_along_the_axis_are_free_expansions_beyond_the_middle():
 
 
 AZIMUTHS = 2 * np.pi * np.arange(30) / 30
+COARSE = ["accuracy.element_order=3", "accuracy.raceway_mesh_size=1.5 mm"]
 
 
 def inner_in_fit(*settings):
-    case = read_case(PAPER, [*FITTED, *settings])
-    mesh = mesh_size(case, (3, 1.2, 0.3))
-    return inner_ring_in_fit(case, ring_parts.inner_part(case), AZIMUTHS, mesh)
+    case = read_case(PAPER, [*FITTED, *COARSE, *settings])
+    return inner_ring_in_fit(case, ring_parts.inner_part(case), AZIMUTHS)
 
 
 @pytest.fixture(scope="module")
@@ -269,10 +268,10 @@ def test_each_body_of_a_housing_fit_has_its_own_density():
     housing = [f"materials.housing.{name}={value}" for name, value in HOUSING_STEEL.items()]
     for heavier in ([], ["materials.outer_ring.density=16 g/cm^3"], ["materials.housing.density=16 g/cm^3"]):
         case = read_case(
-            PAPER, [*HOUSED, "bearing.fits.housing.interference=-60 um", *TURNING, *housing, *heavier]
+            PAPER,
+            [*HOUSED, *COARSE, "bearing.fits.housing.interference=-60 um", *TURNING, *housing, *heavier],
         )
-        mesh = mesh_size(case, (3, 1.2, 0.3))
-        raceway = outer_ring_in_housing(case, ring_parts.outer_part(case), AZIMUTHS, mesh)
+        raceway = outer_ring_in_housing(case, ring_parts.outer_part(case), AZIMUTHS)
         gaps.append(raceway.fit.gap.mean())
     light, ring, around = gaps
     assert ring < light < around
