@@ -42,7 +42,7 @@ def first_order(settled: Prepared) -> FirstOrder:
     drawn = settled.study.drawn
     assert drawn  # of no other study is it asked
     if settled.study.spectrum:
-        return FirstOrder({}, ("the life under a duty cycle is not differentiated",))
+        return FirstOrder({}, ("no linear prediction: the life under a duty cycle is not differentiated",))
     columns = [each for each in settled.columns if not (each.over or each.rollers or each.error)]
     try:
         case = _at_means(settled, drawn)
@@ -51,18 +51,21 @@ def first_order(settled: Prepared) -> FirstOrder:
             case, FAMILIES[case.kind], [each.text for each in known], [each.key for each in drawn.factors]
         )
     except (BadCase, NotSolved) as problem:
-        return FirstOrder({}, (" ".join(str(problem).splitlines()),))
+        return FirstOrder({}, (f"no linear prediction: {' '.join(str(problem).splitlines())}",))
+    places = {f"{each.name} [{each.unit}]": place for place, each in enumerate(found.outputs)}
     slopes = _slopes(found, drawn)
     means, deviations = (
         np.concatenate([np.full(each.width, getattr(each.distribution, name)) for each in drawn.factors])
         for name in ("mean", "deviation")
     )
     outputs = {
-        column.column: Linear(output.value, own, means, deviations)
-        for column, output, own in zip(known, found.outputs, slopes, strict=True)
-        if np.isfinite(own).all()
+        column.column: Linear(found.outputs[place].value, slopes[place], means, deviations)
+        for column in known
+        if (place := places.get(column.text)) is not None and np.isfinite(slopes[place]).all()
     }
-    return FirstOrder(outputs, tuple(f"{key}: {why}" for key, why in found.left_out))
+    return FirstOrder(
+        outputs, tuple(f"linear prediction without {key}: {why}" for key, why in found.left_out)
+    )
 
 
 def _differentiable(column: Collected, *, elastic: bool) -> bool:

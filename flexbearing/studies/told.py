@@ -148,7 +148,7 @@ def scatter(table: Table) -> Iterator[str]:
         yield f"{row['output']}{unit}: {told}{agrees}{explains}{unsolved}"
         of_output = [share for share in shares if share["output"] == row["output"]]
         yield from _first_to_tighten(of_output)
-    yield from (f"linear prediction without {missing}" for missing in table.missing)
+    yield from table.missing
 
 
 def _between(row: Mapping[str, Any], name: str) -> str:

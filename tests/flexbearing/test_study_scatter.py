@@ -10,8 +10,13 @@ from pytest import approx
 
 from flexbearing.api import read_case, sensitivities
 from flexbearing.pages.make import report
+from flexbearing.sampling.design import Design
+from flexbearing.sampling.distribution import normal, uniform
 from flexbearing.studies import told
+from flexbearing.studies.file.sampled import Drawn, Factor
 from flexbearing.studies.prepare import compute, prepared
+from flexbearing.studies.table import Column
+from flexbearing.studies.table.scatter import Scatter
 from tests.flexbearing.hostile_cases import CONFIGS
 from tests.flexbearing.html_pages import Page
 
@@ -133,3 +138,33 @@ def test_the_report_shows_the_scatter_with_the_numbers_of_its_tables(study, tmp_
         if stored:
             assert float(text.replace(",", "")) == approx(float(stored), rel=1e-3)
     assert sum("Histogram" in text for text in page.text) == 3
+
+
+def two_inputs(method, count):
+    """Two drawn keys at the points of a design, and their numbers."""
+    drawn = Drawn((Factor("a", uniform(0, 1)), Factor("b", normal(0, 1))), Design(method, count, 1))
+    points = drawn.design.points([1, 1])
+    numbers = [
+        each.distribution.quantile(column) for each, column in zip(drawn.factors, points.T, strict=True)
+    ]
+    return drawn, np.array(numbers).T
+
+
+def test_rows_without_a_number_are_counted_and_constant_outputs_left_out():
+    drawn, numbers = two_inputs("sobol_indices", 64)
+    life = numbers @ [3.0, 0.1]
+    life[[0, 9]] = np.nan  # A of the first base point, B of the third
+    outputs = Column("life", "h", tuple(life)), Column("same", "N", tuple(2 + 1e-13 * numbers[:, 0]))
+    percentiles, shares, _ = (each.rows for each in Scatter("toy", drawn, numbers, outputs).tables())
+    assert [(row["output"], row["rows"], row["unsolved"]) for row in percentiles] == [("life", 126, 2)]
+    assert [row["points"] for row in shares] == [62, 62]
+    assert np.isnan(percentiles[0]["linear_P10"])
+
+
+def test_half_the_scatter_of_the_only_cause_halves_that_of_the_output():
+    drawn, numbers = two_inputs("sobol", 4096)
+    outputs = (Column("life", "h", tuple(numbers @ [0.0, 5.0])),)
+    _, shares, _ = (each.rows for each in Scatter("toy", drawn, numbers, outputs).tables())
+    assert [row["by"] for row in shares] == ["rows", "rows"]
+    assert shares[0]["narrower [%]"] == approx(0, abs=1)
+    assert shares[1]["narrower [%]"] == approx(50, abs=1)

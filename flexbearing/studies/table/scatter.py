@@ -22,6 +22,7 @@ PERCENTILES_TABLE, SHARES, HISTOGRAM = SCATTER
 PERCENTILES = 10, 50, 90
 FEWEST = 100  # rows, by their weights, from which a narrower input is told
 MOST_BINS = 60
+SAME = 1e-9  # relative difference of one number in two ways of solving a variant
 QUARTER = 0.25  # of the variance is left of an input whose spread is halved
 
 
@@ -59,7 +60,7 @@ class Scatter:
 
     @cached_property
     def _scattering(self) -> list["_Output"]:
-        """Outputs with more than one value."""
+        """Outputs that vary beyond rounding."""
         rows = self.drawn.design.independent(len(self.numbers))
         found = [
             _Output(
@@ -67,7 +68,7 @@ class Scatter:
             )
             for output in self.outputs
         ]
-        return [each for each in found if len(each.known) and np.ptp(each.known) > 0]
+        return [each for each in found if each.varies]
 
     @cached_property
     def _bins(self) -> int:
@@ -150,6 +151,11 @@ class _Output:
     def known(self) -> NDArray:
         """Their numbers."""
         return self.values[self.places]
+
+    @property
+    def varies(self) -> bool:
+        """Whether its numbers differ by more than rounding."""
+        return len(self.known) > 0 and np.ptp(self.known) > SAME * np.abs(self.known).max()
 
     def predicted(self, numbers: NDArray) -> NDArray:
         """The same to first order; of all of them."""
