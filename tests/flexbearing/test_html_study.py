@@ -94,6 +94,17 @@ def test_figures_of_a_study_have_a_line_for_each_value_of_the_other_key(tables, 
             assert trace["x"] == sorted(trace["x"])
 
 
+def test_a_large_table_shows_its_first_rows_and_says_so(tables, tmp_path, monkeypatch):
+    from flexbearing.report.html import study
+
+    monkeypatch.setattr(study, "MOST_ROWS", 4)
+    (written,) = report(tables / "sweep", tmp_path / "sweep.html")
+    page = Page(written.read_text("utf-8"))
+    assert len(page.cells) == 4 * 5
+    assert any("The first 4 of 6 rows are shown" in text for text in page.text)
+    assert "6 variants" in "".join(page.text)
+
+
 def test_lives_under_a_duty_cycle_stand_above_its_rows(tables, tmp_path):
     folder = tables / "cycle"
     (written,) = report(folder / "cycle.csv", tmp_path / "cycle.html")
