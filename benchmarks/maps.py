@@ -11,6 +11,7 @@ import argparse
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from resource import RUSAGE_CHILDREN, getrusage
 from tempfile import TemporaryDirectory
 
 import numpy as np
@@ -82,9 +83,20 @@ def timed() -> None:
             print("{:.1f} s, processor of this process {:.1f} s: {}".format(*seconds, text), flush=True)
 
     found = solved_map(case, axes(OVER, type(case)), OUTPUTS, Told())
+    workers = getrusage(RUSAGE_CHILDREN)
+    seconds = (
+        time.perf_counter() - began,
+        time.process_time() - processor,
+        workers.ru_utime + workers.ru_stime,
+    )
     print(
-        f"{found.points} points in {time.perf_counter() - began:.1f} s: {len(found.unsolved)} not converged, "
-        f"{found.several} with several states, {len(found.solved.ends[0])} ends"
+        "{} points in {:.1f} s, processor time {:.1f} s in this process and {:.1f} s in workers".format(
+            found.points, *seconds
+        )
+    )
+    print(
+        f"{len(found.unsolved)} not converged, {found.several} with several states, "
+        f"{len(found.solved.ends[0])} places where states end, {found.solved.rounds} rounds of searches"
     )
 
 

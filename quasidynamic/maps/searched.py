@@ -13,11 +13,14 @@ from quasidynamic.maps.states import States
 from quasidynamic.outcome.bearing_states import BearingStates
 from quasidynamic.outcome.equilibrium import Equilibrium
 from quasidynamic.several.search import started
-from quasidynamic.several.starts import Patterns, far, near
+from quasidynamic.several.starts import Patterns, far, in_order, near
 from quasidynamic.solve.outcome import SolverOutcome
 
 SEED = 20  # of points and patterns by lot, the same at every call
-POINTS, PATTERNS, CROSSED = 48, 4, 4  # of a round: points, patterns of each around and between states
+POINTS = 48  # of a round
+PATTERNS, CROSSED, ZONES = 4, 3, 3  # of a point: around a state, between two states, zones by lot
+SLOWING = 0.6  # spin over rolling that a roller loses in a radian behind the zone, at most
+SLIPS = 1e-4, 0.9  # of the cage
 SEARCHED_AT_ONCE = 24  # starts of a call, few enough to be shared among processes
 QUIET = 2  # rounds without another state, after which the search ends
 MOST_ROUNDS = 40
@@ -75,8 +78,25 @@ def _patterns(points: GridPoints, states: States, state: int, rng: np.random.Gen
     every = near(known).joined(far(known))
     chosen = rng.choice(len(every.spin), min(PATTERNS, len(every.spin)), replace=False)
     around = Patterns(every.spin[chosen], every.cage_drift[chosen])
+    every_kind = around.joined(_zones(known, rng))
     others = [other for other in states.at_point[states.point[state]] if other != state]
-    return around.joined(_crossed(points, states, state, rng.choice(others), rng)) if others else around
+    if not others:
+        return every_kind
+    return every_kind.joined(_crossed(points, states, state, rng.choice(others), rng))
+
+
+def _zones(known: Equilibrium, rng: np.random.Generator) -> Patterns:
+    """Rollers that roll in a zone by lot and slow down behind it, cages that slip by any share."""
+    rollers = known.balance.layout.rollers
+    begin, end = rng.uniform(0, 0.5, (ZONES, 1)), rng.uniform(0.5, 1, (ZONES, 1))
+    passed = np.arange(rollers) / rollers  # of a turn, from opposite to the load
+    behind = 2 * np.pi * np.mod(passed - end, 1.0)  # the zone [rad]
+    rolls = (passed >= begin) & (passed <= end)
+    in_order_of_passage = np.where(rolls, 1.0, 1.0 - rng.uniform(0, SLOWING, (ZONES, 1)) * behind)
+    spin = np.empty_like(in_order_of_passage)
+    spin[:, in_order(known)] = in_order_of_passage
+    slip = np.exp(rng.uniform(*np.log(SLIPS), ZONES))
+    return Patterns(spin, -slip * known.balance.rolling_cage[0, 0])
 
 
 def _crossed(points: GridPoints, states: States, one: int, other: int, rng: np.random.Generator) -> Patterns:
