@@ -21,7 +21,7 @@ POINTS = 48  # of a round
 PATTERNS, CROSSED, ZONES = 4, 3, 3  # of a point: around a state, between two states, zones by lot
 SLOWING = 0.6  # spin over rolling that a roller loses in a radian behind the zone, at most
 SLIPS = 1e-4, 0.9  # of the cage
-SEARCHED_AT_ONCE = 24  # starts of a call, few enough to be shared among processes
+SEARCHED_AT_ONCE = 16  # starts of a call, few enough to be shared among processes
 QUIET = 2  # rounds without another state, after which the search ends
 MOST_ROUNDS = 40
 
