@@ -22,7 +22,7 @@ PATTERNS, CROSSED, ZONES = 4, 3, 3  # of a point: around a state, between two st
 SLOWING = 0.6  # spin over rolling that a roller loses in a radian behind the zone, at most
 SLIPS = 1e-4, 0.9  # of the cage
 SEARCHED_AT_ONCE = 16  # starts of a call, few enough to be shared among processes
-QUIET = 2  # rounds without another state, after which the search ends
+QUIET, QUIET_AMONG_SEVERAL = 2, 4  # rounds without another state, after which the search ends
 MOST_ROUNDS = 40
 
 
@@ -47,7 +47,7 @@ def search(points: GridPoints, states: States, mapped: Mapped) -> tuple[int, boo
         _try(points, states, rng.choice(doubtful, min(POINTS, len(doubtful)), replace=False), rng, mapped)
         connect_all(points, states, mapped)
         quiet = quiet + 1 if len(states) == before else 0
-        if quiet == QUIET:
+        if quiet == (QUIET_AMONG_SEVERAL if states.stable_count.max() > 1 else QUIET):
             return number + 1, True
     return MOST_ROUNDS, False
 
