@@ -95,7 +95,8 @@ def _zones(known: Equilibrium, rng: np.random.Generator) -> Patterns:
     in_order_of_passage = np.where(rolls, 1.0, 1.0 - rng.uniform(0, SLOWING, (ZONES, 1)) * behind)
     spin = np.empty_like(in_order_of_passage)
     spin[:, in_order(known)] = in_order_of_passage
-    slip = np.exp(rng.uniform(*np.log(SLIPS), ZONES))
+    smallest, largest = SLIPS
+    slip = smallest * (largest / smallest) ** rng.random(ZONES)
     return Patterns(spin, -slip * known.balance.rolling_cage[0, 0])
 
 

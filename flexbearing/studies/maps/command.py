@@ -23,7 +23,7 @@ def map_(
         ),
     ],
     of: Annotated[
-        str | None, typer.Option("--of", metavar="OUTPUT,...", help='outputs, "life [h],cage_slip [%]"')
+        str | None, typer.Option("--of", metavar="OUTPUT,...", help='outputs, "life_L10 [h],cage_slip [%]"')
     ] = None,
     output: Annotated[
         Path | None,
