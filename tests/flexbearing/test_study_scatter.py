@@ -138,6 +138,10 @@ def test_the_report_shows_the_scatter_with_the_numbers_of_its_tables(study, tmp_
         if stored:
             assert float(text.replace(",", "")) == approx(float(stored), rel=1e-3)
     assert sum("Histogram" in text for text in page.text) == 3
+    assert not any(
+        "roller_diameters" in str(figure["layout"]) for figure in page.figures
+    )  # a list is no axis
+    assert any("... (" in text for text in page.text)  # and is cut short in its cells
 
 
 def two_inputs(method, count):

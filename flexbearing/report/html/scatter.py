@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from flexbearing.printable import printable
-from flexbearing.report.html.document import Block, Cell, Figure, Number, Table, Words
+from flexbearing.report.html.document import Block, Cell, Figure, Items, Number, Table
 from flexbearing.report.html.figures import COLOURS
 from flexbearing.report.html.table import PARQUET, csv_of_parquet
 from flexbearing.report.html.units import NOTHING, Units, converted, with_unit
@@ -74,7 +74,8 @@ def scatter_blocks(found: ScatterTables, units: Units) -> Iterator[Block]:
     ------
     Block
     """
-    yield Words(tuple(_first_to_tighten(found)))
+    if first := tuple(_first_to_tighten(found)):
+        yield Items("Which tolerance to tighten first", first)
     yield _percentiles(found, units)
     yield _causes(found, units)
     for number, output in enumerate(found.outputs[:MOST_FIGURES]):

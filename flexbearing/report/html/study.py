@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from math import isnan
 
+from flexbearing.case.excerpt import excerpt
 from flexbearing.printable import printable
 from flexbearing.report.html.document import Block, Cell, Document, Figure, Items, Section, Table, Words
 from flexbearing.report.html.figures import COLOURS
@@ -12,6 +13,7 @@ from flexbearing.report.html.units import METRIC, NOTHING, Units, converted, pri
 
 LINES = 12  # of a figure at most; more are points
 MOST_ROWS = 2000  # of a table that a browser still shows at once
+LONGEST = 40  # characters of a list that a cell shows
 SHORT = 4  # lines that a legend names within a figure of usual height
 CONVERGED = "converged"
 _STYLES = ("solid", "dash", "dot")
@@ -117,7 +119,7 @@ def _varied(table: StudyTable, units: Units) -> Iterator[Block]:
 
 def _text(column: StudyColumn, text: str, units: Units) -> str:
     if column.numbers is None:
-        return printable(text)
+        return excerpt(text, LONGEST) if column.listed else printable(text)
     return units.number(float(text) if text else None, column.unit, column.unit, ".5g", "").text
 
 
@@ -218,6 +220,6 @@ def _rows(table: StudyTable, units: Units, place: str) -> Table:
 
 def _cell(column: StudyColumn, row: int, units: Units, place: str) -> Cell:
     if column.numbers is None:
-        return printable(column.texts[row])
+        return _text(column, column.texts[row], units)
     value = column.numbers[row] if column.texts[row] else None
     return units.number(value, column.unit, column.unit, ",.5g", f"{place}/{row}/{column.heading}")

@@ -39,6 +39,11 @@ class StudyColumn:
         return found if any(self.texts) else None
 
     @property
+    def listed(self) -> bool:
+        """Whether its cells are lists, such as the diameters of all rollers."""
+        return any(text.startswith("[") for text in self.texts)
+
+    @property
     def distinct(self) -> list[str]:
         """Different cells, in their order."""
         return list(dict.fromkeys(self.texts))
@@ -72,8 +77,12 @@ class StudyTable:
 
     @property
     def axes(self) -> Sequence[StudyColumn]:
-        """Varied keys with several values."""
-        return [column for column in self.columns if column.varied and len(column.distinct) > 1]
+        """Varied keys with several values; lists have no place along an axis."""
+        return [
+            column
+            for column in self.columns
+            if column.varied and not column.listed and len(column.distinct) > 1
+        ]
 
     @property
     def outputs(self) -> Sequence[StudyColumn]:
