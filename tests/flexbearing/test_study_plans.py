@@ -113,7 +113,7 @@ def test_a_small_study_is_cut_for_several_workers():
 
 @pytest.mark.parametrize(("variants", "largest"), [(400, 16), (3200, 50), (20_000, 256)])
 def test_tasks_between_elastic_rings_grow_with_the_study(variants, largest):
-    """Most of a task start from solved neighbours in it, and little is lost where one of them ends a worker."""
+    """Most of a task start from solved neighbours; little is lost where one of them ends a worker."""
     alike = [Variant((number,), str(number), ("outer a",)) for number in range(variants)]
     assert max(len(task.variants) for task in planned(alike).tasks(lambda variant: True)) == largest
 
