@@ -165,7 +165,7 @@ def _meshed_inner_raceway_diameter(case: Case) -> float:
         return _on_grid(_inner_raceway_diameter(case), case.bearing.outer_raceway_diameter)
     bearings = case.bearing, other.bearing
     new, old = (each.outer_raceway_diameter - 2 * each.roller.diameter for each in bearings)
-    return _meshed_inner_raceway_diameter(other) + new - old
+    return _meshed_inner_raceway_diameter(other) + (new - old)  # no change is none to the last digit
 
 
 def _on_grid(diameter: float, outer_raceway_diameter: float) -> float:

@@ -244,6 +244,17 @@ def test_ring_that_grows_with_everything_else_is_as_stiff_as_it_is_large():
         assert slopes.near(shape).absolute == approx(0.999 * slopes.raceway.absolute, rel=1e-6, abs=1e-16)
 
 
+def test_key_that_no_ring_knows_leaves_raceways_as_they_are_to_the_last_digit():
+    """Cases between raceways of one compliance are evaluated side by side."""
+    from flexbearing.derivatives.keys import key_of
+    from flexbearing.derivatives.roller_state import solved
+
+    state = solved(api.read_case(PAPER, ["accuracy.structure=beam"]))
+    pair = state.variant(key_of(state.base.case, "materials.roller.density"), 1.0).pair
+    assert pair.inner.absolute is state.base.pair.inner.absolute
+    assert pair.outer.absolute is state.base.pair.outer.absolute
+
+
 def test_ring_that_has_no_room_to_change_is_told():
     case = api.read_case(PAPER, ["outer.kind=rigid", "inner.track_width=12 mm", "accuracy.structure=beam"])
     ((key, why),) = sensitivities(case, ["life"], ["inner.width"]).left_out  # ribs of no width
