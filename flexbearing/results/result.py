@@ -24,6 +24,7 @@ NOTHING: Arrays = MappingProxyType({})
 
 
 TIMES = "created", "wall_time_s", "seconds", "machine"  # by which two results of one case differ
+OF_FILES = ("slice_error",)  # what a run computes only for a file
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -182,9 +183,9 @@ class Result:
 
 
 def _timeless(record: Any) -> Any:
-    """A record without times, at any depth."""
+    """A record without times and without what only files have, at any depth."""
     if isinstance(record, Mapping):
-        return {name: _timeless(item) for name, item in record.items() if name not in TIMES}
+        return {name: _timeless(item) for name, item in record.items() if name not in TIMES + OF_FILES}
     return [_timeless(item) for item in record] if isinstance(record, list) else record
 
 

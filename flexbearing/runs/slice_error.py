@@ -10,6 +10,7 @@ from flexbearing.case.roller import Case
 from flexbearing.coupled.coupled import BearingPartner
 from flexbearing.coupled.states import EndState
 from flexbearing.coupling import PartnerFailed, RacewayPair, StoppingCriterion, newton
+from flexbearing.quantities.roller import CAGE_SLIP
 from quasidynamic import Equilibrium, RollerBearing
 from quasidynamic.outcome.finer_life import ERROR_OVER_CHANGE, FINER
 
@@ -49,7 +50,7 @@ def record(
     changes = {
         name: [np.abs(other[name] - value[name]).max() / scale for other in numbers[1:]]
         for name in value
-        if (scale := 1.0 if name == "cage_slip" else np.abs(value[name]).max()) > 0
+        if (scale := 1.0 if name == CAGE_SLIP.name else np.abs(value[name]).max()) > 0
     }
     errors = {name: ERROR_OVER_CHANGE * float(max(each)) for name, each in changes.items()}
     return {"slice_error": {"slices": counts, **{n: e for n, e in errors.items() if np.isfinite(e)}}}
@@ -71,7 +72,7 @@ def _numbers(state: Equilibrium, rings: RacewayPair) -> Iterator[tuple[str, Any]
     """The outputs whose errors are estimated."""
     end = EndState(state, rings.linearised(state.forces))
     yield "roller_load", state.loads
-    yield "cage_slip", state.cage_slip
+    yield CAGE_SLIP.name, state.cage_slip
     yield "stiffness", end.between_raceways.radial_stiffness
     yield "total_stiffness", end.with_supports.radial_stiffness
     yield "peak_pressure", state.peak_pressure

@@ -96,8 +96,9 @@ def _fit(condense):
     """What a fit is built from: its bodies, how their heat varies, and its loads."""
     seen = {}
 
-    def bodies(part, length, modes, mesh, variations):
-        seen.update(part=part, length=length, modes=modes, mesh=mesh, heat=variations)
+    def bodies(part, resolution, variations):
+        seen.update(part=part, heat=variations, length=resolution.length, modes=resolution.axial_modes,
+                    mesh=resolution.mesh_size)  # fmt: skip
 
     def preloaded(_, fit):
         seen.update(fit=fit)

@@ -10,7 +10,7 @@ import flexbearing
 from flexbearing.api import read_case
 from flexbearing.case import BadCase
 from tests.flexbearing.noted import texts
-from tests.flexbearing.test_trace import FALLING
+from tests.flexbearing.test_followed_map import FALLING
 
 PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
 RIGID = ["outer.kind=rigid", "inner.kind=rigid"]

@@ -91,6 +91,7 @@ def test_elements_that_find_no_memory_are_an_ending_of_their_own(monkeypatch, tm
         raise MemoryError("std::bad_alloc")
 
     monkeypatch.setattr(condensed, "condense", exhausted)
+    monkeypatch.setattr(condensed, "_in_memory", condensed._in_memory.__wrapped__)
     result = flexbearing.run(PAPER, BEAM, output=tmp_path / "r.h5")
     assert result.attributes["status"] == "not solved"
     assert "outer ring: there is not enough memory" in result.attributes["message"]

@@ -79,8 +79,8 @@ def test_largest_load_of_balls_alike_has_a_corner_where_the_ring_tilts():
 @pytest.mark.parametrize(
     ("setting", "words"),
     [
-        ("operation.control=coulomb", "operation.control is found by iterations"),
-        ("friction.model=fastsim", "friction.model is found by iterations"),
+        ("operation.control=coulomb", "operation.control is found by separate iterations"),
+        ("friction.model=fastsim", "friction.model is found by separate iterations"),
     ],
 )
 def test_friction_that_is_iterated_is_refused(setting, words):

@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterator
 
 from flexbearing.quantities import SummaryValue
+from flexbearing.quantities.roller import CAGE_SLIP
 from flexbearing.report.html.document import Block, Cell, Table, Words
 from flexbearing.report.html.reader import Reader, places
 from flexbearing.report.html.units import NOTHING, printed
@@ -14,7 +15,7 @@ _DEFINED = {  # rows whose label does not tell of what, from where and in which 
     "Ring displacement": "ring_displacement",
     "Stiffness of the bearing": "stiffness",
     "Stiffness with supports": "total_stiffness",
-    "Cage slip": "cage_slip",
+    "Cage slip": CAGE_SLIP.name,
     "Raceway deviation": "inner_deviation",
 }
 ALONE = "No part is flexible: bearing and result are those between rigid raceways."
