@@ -106,6 +106,31 @@ def test_a_variant_that_kills_its_process_is_found_and_the_others_are_computed(t
     assert place.read_text().split() == ["5", "1", "1"]
 
 
+@pytest.mark.parametrize("load", [7.0, 12.0, 17.0, 18.0])
+def test_what_waits_behind_a_deadly_variant_is_not_taken_for_it(load, tmp_path):
+    """With one worker left of two, as while a new one starts."""
+    settled = toy(tmp_path, FORTY)
+
+    class OneLeft(Serial):
+        workers = 2
+
+        def as_completed(self):
+            while self._waiting:
+                done, *others = list(super().as_completed())  # all that is submitted
+                deadly = [each.problem == "ValueError: dead" for each in (done, *others)]
+                for number, each in enumerate((done, *others)):
+                    yield Done(each.argument, died=True) if any(deadly[: number + 1]) else each
+
+    def deadly(task):
+        if load in [toy_studies.load(variant.values[0]) for variant in task.variants]:
+            raise ValueError("dead")
+        return cubes(task, settled.texts)
+
+    table = run(settled, tmp_path, Work(deadly, no_ring), lambda tasks: OneLeft())
+    died = [row["operation.radial_load [N]"] for row in table.rows if row["status"] == "worker died"]
+    assert died == [1e3 * load]
+
+
 @pytest.mark.slow
 def test_a_worker_that_somebody_kills_loses_nothing(tmp_path):
     place = tmp_path / "processes"

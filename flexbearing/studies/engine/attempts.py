@@ -56,9 +56,10 @@ def finished(
     running: set[Task] = set()
 
     def submit() -> None:
-        # Whoever waits behind a deadly task dies with it: suspects run with nothing waiting.
-        ahead = engine.workers if again or any(deaths[each.identity] for each in _variants(running)) else None
-        most = ahead or 2 * engine.workers
+        # What waits behind a deadly task dies with it: suspects run with nothing waiting. One worker may be
+        # left for all of them: the last attempt of a variant runs alone.
+        died = max((deaths[each.identity] for each in _variants([*again, *running])), default=0)
+        most = 1 if died == ATTEMPTS - 1 else engine.workers if died else 2 * engine.workers
         while (again or waiting) and len(running) < most:
             task = again.popleft() if again else waiting.popleft()
             running.add(task)
