@@ -150,7 +150,8 @@ QUANTITIES = (
         source="end.outer_mass", optional=True, people=Unit("g", 1e3),
         summary=(SummaryValue("outer_mass_g", compared=False),)),
     Quantity("support_stiffness_ratio", "", "", "1", "block",
-        "support_stiffness over stiffness; absent where the outer raceway is rigid, or its support",
+        "support_stiffness of the outer ring over stiffness of the bearing; absent where the outer raceway "
+        "is rigid, or its support",
         source="end.support_stiffness_ratio", optional=True,
         summary=(SummaryValue("support_stiffness_ratio", label="stiffness of support / of bearing",
                               digits=".3f"),)),

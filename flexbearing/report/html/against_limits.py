@@ -33,14 +33,13 @@ _NOTE = (
 _TWO = (
     "There are two static safeties. C_0/P_0 compares the load on the whole bearing with its static rating, "
     "which supposes the usual share of the most loaded rolling element. The static safety by pressure "
-    "is that of the most pressed contact as computed here, with clearance, tilt, "
-    "profile and flexible rings: its load at the pressure limit over its load. The smaller one counts."
+    "is that of the most pressed contact as computed here, with clearance, tilt, profile and, where they "
+    "are flexible, the rings: its load at the pressure limit over its load. The smaller one counts."
 )
 _MAKER = "ISO 281 leaves to the maker whether its life formula holds"
 _SLIP = (
     "no standard limits it; a minimum load is the usual rule against smearing. Drag of the oil-air mixture "
-    "and friction of the cage slow the rollers, traction of the oil film drives them: see Heat by cause and "
-    "the effects under Inputs"
+    "and friction of the cage slow the rollers, traction of the oil film drives them: see Heat by cause"
 )
 _YIELD = "yield stress not given; [materials] takes it as yield_stress of the part. No fatigue limit either"
 _TILT = "no standard limits it; makers give the tilt that a bearing may have"

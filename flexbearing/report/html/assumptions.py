@@ -7,7 +7,8 @@ from math import log
 from flexbearing.report.html.document import Block, Items
 from flexbearing.report.html.reader import Reader
 
-_LIFE, _TIMES = re.compile(r"\blife ([^;]*)"), re.compile(r"(\d+(?:\.\d+)?) times with")
+_TIMES = re.compile(r"(\d+(?:\.\d+)?) times with")
+_OUTPUTS = "largest load", "cage slip", "stiffness with supports"  # beside the life
 _MARKS = ("assumed: ", "calibrated: ")
 _TABLE, _KEY = re.compile(r"\[([^\]\[]+)\]"), re.compile(r'"?([\w.-]+)"?\s*=')
 _TITLE = "Assumed: the source does not give these inputs"
@@ -29,6 +30,8 @@ def blocks(reader: Reader) -> Iterator[Block]:
     untold = "the case does not tell its effect"
     lines = (f"{named(key)}: {said.get(key, untold)}" for key in ranked)
     yield Items(f"{_TITLE}.{weighted}", tuple(lines))
+    if first := tuple(_first(said)):
+        yield Items("Measure or specify first, for outputs beside the life", first)
 
 
 def named(key: str) -> str:
@@ -38,6 +41,14 @@ def named(key: str) -> str:
     ('roller drop (bearing.roller.drop)', 'lubricant oil fraction (lubricant.oil_fraction)')
     """
     return f"{' '.join(key.split('.')[-2:]).replace('_', ' ')} ({key})"
+
+
+def _first(said: dict[str, str]) -> Iterator[str]:
+    """The assumed or fitted key that moves each output most, where it does so by `WORTH` or more."""
+    for output in _OUTPUTS:
+        key = max(said, key=lambda each: effect(said[each], output), default="")
+        if key and effect(said[key], output) > log(WORTH):
+            yield f"{output}: {named(key)}"
 
 
 def moving(reader: Reader) -> list[str]:
@@ -72,11 +83,12 @@ def comments(text: str) -> dict[str, str]:
     return found
 
 
-def effect(comment: str) -> float:
-    """Largest change of a life that a comment tells, as the size of its logarithm.
+def effect(comment: str, output: str = "life") -> float:
+    """Largest change of an output that a comment tells, as the size of its logarithm.
 
     >>> effect("cage slip 9 times with a; life 7.41 times with a, 0.305 times with b") == log(7.41)
     True
     """
-    values = [value for lives in _LIFE.findall(comment) for value in _TIMES.findall(lives)]
+    changes = re.findall(rf"\b{output} ([^;]*)", comment)
+    values = [value for words in changes for value in _TIMES.findall(words)]
     return max((abs(log(float(value))) for value in values if float(value)), default=0.0)

@@ -20,8 +20,8 @@ _SLICES = (
     "error is 1.6 times the largest change."
 )
 _NOT_IN_IT = (
-    "Not in it: the meshes of the elastic rings, and the axial shapes (Legendre shapes in which rollers load "
-    "the rings)."
+    "Not in the errors by slices alone: the meshes of the elastic rings, and the axial shapes (Legendre "
+    "shapes in which rollers load the rings)."
 )
 _MEASURED = (
     "Measured at the meshes of two cases with elastic rings (the squirrel cage of Mao, Wang and Zhang, and a "
@@ -41,15 +41,21 @@ _BALLS = (
 
 def error(reader: Reader, entry: SummaryValue) -> Cell:
     """Estimated error of an output in percent, or that there is none."""
-    if entry.error == "total_stiffness" and (known := _with_supports(reader)):
-        return known
-    if path := reader.error_path(entry.error):
-        return reader.of_attribute(path, "1", "%", ".2g")
+    if estimate := known(reader, entry):
+        return estimate
     by_friction = any(word in entry.key for word in ("torque", "power", "friction"))
     return "of the balance alone" if _exact(reader) and not by_friction else NOT_ESTIMATED
 
 
-def _with_supports(reader: Reader) -> Number | None:
+def known(reader: Reader, entry: SummaryValue) -> Number | None:
+    """Estimated error of an output in percent; None where it was not estimated."""
+    if entry.error == "total_stiffness" and (whole := with_supports(reader)):
+        return whole
+    path = reader.error_path(entry.error)
+    return reader.of_attribute(path, "1", "%", ".2g") if path else None
+
+
+def with_supports(reader: Reader) -> Number | None:
     """Error [%] of the stiffness with supports by slices and by the meshes of the supports; None: not known.
 
     The error of a support counts by its share of the compliance.
@@ -125,7 +131,7 @@ def _of_target(reader: Reader) -> Iterator[tuple[Cell, ...]]:
     if len(reader.blocks) < 2:
         words.pop("total_stiffness", None)  # that of the bearing
     words.pop("peak_pressure", None)  # has rows of its own
-    if whole := _with_supports(reader):
+    if whole := with_supports(reader):
         yield (
             words.pop("total_stiffness"),
             whole,

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 
 from flexbearing.quantities import SummaryValue
 from flexbearing.quantities.roller import CAGE_SLIP
+from flexbearing.report.html import exactness
 from flexbearing.report.html.document import Block, Cell, Table, Words
 from flexbearing.report.html.reader import Reader, places
 from flexbearing.report.html.units import NOTHING, printed
@@ -16,7 +17,9 @@ _DEFINED = {  # rows whose label does not tell of what, from where and in which 
     "Stiffness of the bearing": "stiffness",
     "Stiffness with supports": "total_stiffness",
     "Cage slip": CAGE_SLIP.name,
-    "Raceway deviation": "inner_deviation",
+    "Raceway deviation, inner": "inner_deviation",
+    "Raceway deviation, outer": "outer_deviation",
+    "Stiffness of support / of bearing": "support_stiffness_ratio",
 }
 ALONE = "No part is flexible: bearing and result are those between rigid raceways."
 
@@ -54,8 +57,7 @@ def _rows(reader: Reader, entry: SummaryValue, errors: bool, compared: bool) -> 
         label = f"{_AXES.sub('', entry.label)}, {words.replace('_', ' ')}" if words else entry.label
         row: list[Cell] = [label, *numbers, printed(numbers[-1].unit)]
         if errors:
-            path = reader.error_path(entry.error)
-            row.append(reader.of_attribute(path, "1", "%", ".2g") if path else "")
+            row.append(exactness.known(reader, entry) or "")
         if compared:
             row.append(reader.change(numbers[0].of, numbers[-1].of) if entry.compared else "")
         yield tuple(row)

@@ -15,9 +15,11 @@ AXES = ("x", "y", "z", "about y", "about z")
 _FORCES = ("force along x", "force along y", "force along z", "moment about y", "moment about z")
 _UNITS = (("N/m", "kN/mm"), ("N/rad", "kN/rad"), ("N m/m", "kN m/m"), ("N m/rad", "kN m/rad"))
 _WHICH = (
-    "Which to hand to a rotor or shaft model: where shaft, housing or squirrel cage are elements of that "
-    "model, the bearing alone; where the model ends at this bearing, that with supports. Never both in "
-    "series: the supports would count twice."
+    "Which to hand to a rotor or shaft model depends on what else that model has. Shaft, housing and "
+    "squirrel cage: the bearing alone. The shaft, but no housing or squirrel cage: the bearing alone in "
+    "series with the support of the outer ring, a row of its own below. Neither: that with supports, which "
+    "includes the bending of the shaft between the ends that the case gives it. Whatever the rotor model "
+    "has beside the one that includes it counts twice."
 )
 _NO_SUPPORTS = (
     "Rings, shaft and housing are rigid in this case: there is one stiffness, that of the bearing alone, and "
@@ -84,9 +86,9 @@ def _support(figures: dict[str, Any]) -> float | None:
 
 def _radial(reader: Reader) -> Table:
     """Every radial stiffness with what it is for, along the load and beside it."""
-    names = [("stiffness", "bearing alone, along the load", "shaft and housing are in the rotor model")]
+    names = [("stiffness", "bearing alone, along the load", "shaft and supports are in the rotor model")]
     if supported(reader):
-        names.append(("total_stiffness", "with supports, along the load", "the rotor model ends here"))
+        names.append(("total_stiffness", "with supports, along the load", "neither is in the rotor model"))
     rows: list[tuple[Cell, ...]] = []
     for name, label, use in names:
         numbers: list[Cell] = [
@@ -125,7 +127,7 @@ def _supports(reader: Reader) -> Iterator[tuple[Cell, ...]]:
             path = f"structure/{part}/support_stiffness_N_per_m"
             number = reader.of_attribute(path, "N/m", "kN/mm", ",.4g")
             empty = [NOTHING] * (len(reader.blocks) - 1)
-            use = "in series with the bearing"
+            use = "in series with the bearing alone, where it is not in the rotor model"
             yield f"support of the {part} ring alone", *empty, number, printed(number.unit), use
 
 
