@@ -56,8 +56,8 @@ class Accuracy(Section):
     """How finely everything is resolved: as given, or as a target asks for; what is given stays."""
 
     target: Fraction | None = key(
-        "allowed numerical error of the largest roller load and of the life; what this table does not give "
-        "is chosen for it, and the errors are estimated",
+        "allowed numerical error of the load of every roller, over the largest load, and of the life; what "
+        "this table does not give is chosen for it, and the errors are estimated",
         None,
         example="1 %",
         gt=0,
