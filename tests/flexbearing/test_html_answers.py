@@ -45,7 +45,7 @@ def test_every_main_result_has_an_error_and_the_page_says_what_it_leaves_out(pap
     assert all(number(row[3]) > 0 for row in main.rows)
     told = paragraphs(exactness.blocks(paper))
     assert "40 and 80 slices" in told
-    assert "Not in it: the meshes of the elastic rings" in told
+    assert "Not in the errors by slices alone: the meshes of the elastic rings" in told
     assert "flexbearing run mao2016.toml --set" in told
 
 
