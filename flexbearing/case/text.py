@@ -20,6 +20,7 @@ from flexbearing.case.excerpt import excerpt
 LARGEST = 2**16  # bytes of a case file
 DEEPEST = 8  # arrays and tables in each other, and parts of a key; the keys of a case have up to 4
 LARGEST_INTEGER = 2**63  # as TOML says
+_READ_BY = {"case": "run", "study": "study", "optimisation": "optimise"}  # kind of file to command
 
 Plain = dict[str, Any] | list[Any] | str | int | float | bool | date | datetime | time
 
@@ -123,7 +124,21 @@ def _parsed(text: str, of: str) -> dict[str, Any]:
         raise Unreadable("is not valid TOML: an integer of thousands of digits") from problem
     if wrong := next(_not_plain(parsed, ""), None):
         raise Unreadable(wrong)
+    if (found := _kind_of_file(parsed)) and of in _READ_BY and found != of:
+        article = "an" if found == "optimisation" else "a"
+        raise Unreadable(f"is {article} {found} file; flexbearing {_READ_BY[found]} computes it")
     return parsed
+
+
+def _kind_of_file(parsed: dict[str, Any]) -> str | None:
+    """What a file holds, from tables that no other kind of file has; none where this cannot be told."""
+    if "bearing" in parsed:
+        return "case"
+    if "case" not in parsed:
+        return None
+    if "vary" in parsed:
+        return "optimisation"
+    return "study" if parsed.keys() & {"over", "sample", "duty"} else None
 
 
 def setting_value(text: str) -> Any:

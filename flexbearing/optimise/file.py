@@ -66,7 +66,7 @@ def read(path: str | Path, families: Families) -> Problem:
         one line for each problem: file, key, value found, what is allowed, nearest valid name
     """
     file = Path(path)
-    raw = flat_tables(file, "study", _TABLES)
+    raw = flat_tables(file, "optimisation", _TABLES)
     given = _validated(raw, file)
     conditions = {name: raw[name] for name in ("case", "name", "over", "duty") if name in raw}
     study = study_of(StudyFile.model_validate(conditions), file, families)
