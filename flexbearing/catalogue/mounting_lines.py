@@ -2,8 +2,10 @@
 
 from collections.abc import Iterator
 
-from flexbearing.catalogue.lines import THUMB, Line, assumed, mm
+from flexbearing.catalogue.lines import THUMB, Line, Other, assumed, mm
 from flexbearing.catalogue.page import Page
+
+_ENDS = tuple(Other(f'"{end}"', {"bearing.fits.at": end}) for end in ("tightest", "loosest"))
 
 
 def mounting(page: Page) -> Iterator[Line]:
@@ -19,6 +21,7 @@ def mounting(page: Page) -> Iterator[Line]:
     else:
         yield assumed("bearing.fits.shaft", "k5", f"{THUMB} for a rotating inner ring", "h5", "m5")
     yield Line("bearing.fits.bore", page["bore"].text)
+    yield Line("bearing.fits.at", "mean", "tolerances: the middle of all classes", others=_ENDS)
     if page.like != "squirrel_cage":
         yield Line("bearing.fits.outer_diameter", page["outside"].text)
     if "housing" in page:

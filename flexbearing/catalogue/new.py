@@ -16,7 +16,7 @@ from flexbearing.catalogue.roller_set import roller_set
 from flexbearing.catalogue.weights import NO_RESULT, told, weighed
 from flexbearing.families import FAMILIES
 from flexbearing.files import BadOutput, require_output, write
-from flexbearing.results import Result
+from flexbearing.runs import assumed_effects
 from quasidynamic import ImpossiblePart, OutOfRange
 
 QUICK: dict[str, Settings] = {
@@ -81,35 +81,26 @@ def _case(page: Page, file: Path, title: str, source: str) -> tuple[str, str]:
     if LIKES[page.like].kind == "cylindrical_roller":
         rollers = roller_set(page)
         lines, ratings = roller_lines.lines(page, rollers), table(page, rollers, "length")
-        name = "life"
     else:
         balls = ball_set(page, ball_lines.angle(page))
         lines, ratings = ball_lines.lines(page, balls), table(page, balls, "diameter")
-        name = "peak pressure" if page.like == "four_point_ball" else "life"
-    model = FAMILIES[LIKES[page.like].kind].case()
+    family = FAMILIES[LIKES[page.like].kind]
+    model, named = family.case(), dict(family.layout().weighed)
     comparable = QUICK.get(page.like, {})
     plain = text("", title or file.stem, lines, model)
     understood(plain, file, {}, FAMILIES)  # tells what cannot be before anything is computed
 
-    def measured(settings: Settings) -> float:
-        return _compared(api.compute(understood(plain, file, as_settings(comparable | settings), FAMILIES)))
+    def measured(settings: Settings) -> dict[str, float]:
+        case = understood(plain, file, as_settings(comparable | settings), FAMILIES)
+        values = assumed_effects.measured(api.compute(case))
+        life = [("life", values[each]) for each in assumed_effects.LIVES if each in values]
+        return dict([*life[:1], *((named[each], values[each]) for each in named if each in values)])
 
     try:
-        lines = weighed(lines, name, measured({}), measured)
-        weights = told(name, comparable)
+        basis = measured({})
+        lines = weighed(lines, basis, measured)
+        weights = told(basis, comparable)
     except NO_RESULT as problem:
         weights = f"How much assumed values matter is not known: {one_line(str(problem))}"
-    head = [*origin(page, file, title, source), "", weights, *ratings.splitlines()]
+    head = [*origin(page, file, title, source), "", *weights.splitlines(), *ratings.splitlines()]
     return text("\n".join(head), title or file.stem, lines, model), ratings
-
-
-def _compared(result: Result) -> float:
-    """Modified life [10^6 revolutions]; of slow balls, which have none, the peak pressure [MPa]."""
-    if result.attributes["status"] != "converged":
-        raise BadCase(result.attributes["message"])
-    if result.attributes["kind"] == "four_point_ball":
-        return max(result.summary()["rigid"]["peak_pressure_MPa"].values())
-    if not result.attributes["life"]:
-        raise BadCase("the case has no life")
-    *_, modified = result.attributes["life"].values()
-    return float(modified["modified_Mrev"])

@@ -300,6 +300,12 @@ right-handed.
         "contact_angle_range.inner.largest",
         "orbital_speed_range.smallest",
     ),
+    weighed=(
+        ("contact_load_range.outer.largest", "largest load"),
+        ("peak_pressure.inner", "peak pressure"),
+        ("stiffness_zz", "stiffness"),
+        ("friction_torque", "torque"),
+    ),
     blocks=("rigid",),
     further_attributes=(
         CLEARANCE_ATTRIBUTE,

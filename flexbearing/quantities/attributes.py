@@ -110,7 +110,7 @@ COMMON = (
     Attribute(
         "assumed_effects",
         "json",
-        "lives and main outputs of the last end state, in the units of the summary, and with other values "
+        "lives and weighed outputs of the last end state, in the units of the summary, and with other values "
         "of assumed or calibrated keys, each with the settings that give it and the source of its range; "
         "absent without outputs.assumed_effects",
         optional=True,

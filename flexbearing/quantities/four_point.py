@@ -232,6 +232,12 @@ Torques are what must be put in so that the inner ring runs ahead: positive ther
     ),
     quantities=QUANTITIES,
     main=("max_contact_load", "loaded_balls", "peak_pressure.inner", "torque.inner", "power_loss"),
+    weighed=(
+        ("max_contact_load", "largest load"),
+        ("peak_pressure.inner", "peak pressure"),
+        ("stiffness_zz", "stiffness"),
+        ("torque.inner", "torque"),
+    ),
     blocks=("rigid",),
     further_blocks=("flexible",),
     further_attributes=(CLEARANCE_ATTRIBUTE,),

@@ -21,6 +21,9 @@ class Layout:
     further_blocks: tuple[str, ...] = ()  # that only some cases have
     further_attributes: tuple[Attribute, ...] = ()  # beside the common ones
     main: tuple[str, ...] = ()  # outputs that a result is known by, five at most
+    weighed: tuple[
+        tuple[str, str], ...
+    ] = ()  # outputs beside lives that effects of inputs are told of, and their words in comments of a case
     head: tuple[str, ...] = HEAD  # root attributes that the summary repeats
     case_keys: tuple[
         tuple[str, str, str], ...

@@ -598,6 +598,12 @@ right-handed.
     ),
     quantities=QUANTITIES,
     main=("max_roller_load", "life_L10", "total_stiffness", "cage_slip", "driving_torque"),
+    weighed=(
+        ("max_roller_load", "largest load"),
+        ("total_stiffness", "stiffness"),
+        ("cage_slip", "cage slip"),
+        ("driving_torque", "torque"),
+    ),
     blocks=("rigid", "flexible"),
     further_attributes=_ATTRIBUTES,
     head=(

@@ -33,7 +33,7 @@ def assumed_effects(
     Returns
     -------
     dict
-        "of", names of lives and main outputs to their values in the case, and "keys", for each
+        "of", names of lives and weighed outputs to their values in the case, and "keys", for each
         key its other values, each with the same outputs or a "problem"
 
     Raises
@@ -42,7 +42,7 @@ def assumed_effects(
         where the case itself has no solution
     """
     report.stage(STAGE, None)
-    of = _measured(solved(_alone(read(()))))
+    of = measured(solved(_alone(read(()))))
     keys = list(plausible(case))
     count, done = sum(len(each.others) for each in keys), 0
     rows = []
@@ -63,13 +63,13 @@ def _compared(
     read: Callable[[Sequence[str]], Any],
     solved: Callable[[Any], Result],
 ) -> dict[str, Any] | None:
-    """Lives and main outputs with another value; None where it is that of the case."""
+    """Lives and weighed outputs with another value; None where it is that of the case."""
     row: dict[str, Any] = {"words": other.words, "settings": list(other.settings)}
     try:
         changed = read(other.settings)
         if _values(changed) == _values(case):
             return None
-        return row | {"values": _measured(solved(_alone(changed))), "problem": ""}
+        return row | {"values": measured(solved(_alone(changed))), "problem": ""}
     except BadCase as problem:
         return row | {"values": {}, "problem": str(problem).splitlines()[0]}
 
@@ -84,8 +84,19 @@ def _alone(case: Any) -> Any:
     return case.model_copy(update={"outputs": type(case.outputs)()})
 
 
-def _measured(result: Result) -> dict[str, float]:
-    """Lives and main outputs of a result in the units of its summary, those that are finite.
+def measured(result: Result) -> dict[str, float]:
+    """Lives and the outputs that inputs are weighed by, in the units of the summary, those that are finite.
+
+    Parameters
+    ----------
+    result : Result
+        of a case
+
+    Returns
+    -------
+    dict
+        name to value; without an output that is zero to the printed digit, such as the slip of rollers that
+        roll, of which no ratio says anything
 
     Raises
     ------
@@ -96,13 +107,13 @@ def _measured(result: Result) -> dict[str, float]:
         raise BadCase(f"not converged: {result.attributes['message']}")
     layout = result.family.layout()
     block = "flexible" if result.flexible else "rigid"
-    amounts = {each.name for each in outputs(layout) if each.declared.digits != "d"}  # no counts
+    known = {each.name: each.declared.digits for each in outputs(layout)}
     found = {}
-    for name in (name for name in dict.fromkeys((*LIVES, *layout.main)) if name in amounts):
+    for name in (name for name in (*LIVES, *dict(layout.weighed)) if name in known):
         try:
             number = float(result[f"{block}.{name}"].number)
         except AbsentOutput:
             continue
-        if isfinite(number):
+        if isfinite(number) and float(format(number, known[name]).replace(",", "")):
             found[name] = number
     return found

@@ -1,6 +1,7 @@
 """Pages of reports, parsed, and the numbers that a result file has at the places they name."""
 
 import json
+import re
 from html.parser import HTMLParser
 from pathlib import Path
 
@@ -11,6 +12,7 @@ from pytest import approx
 from flexbearing import api
 from flexbearing.case import understood
 from flexbearing.outputs import AbsentOutput
+from flexbearing.report.html.assumptions import comments
 from flexbearing.units import unit
 
 
@@ -78,6 +80,7 @@ class Numbers:
             "percent": self.percent,
             "support_error": self.support_error,
             "with_supports_error": self.with_supports_error,
+            "combined": self.combined,
         }
         if kind in derived:
             return derived[kind](rest)
@@ -114,6 +117,33 @@ class Numbers:
             if figures.get("support_stiffness_error_N_per_m") is not None:
                 error += self.support_error(part) * whole / figures["support_stiffness_N_per_m"]
         return error
+
+    def combined(self, rest):
+        """Least or most of a result by all inputs together over that of the case."""
+        how, side, word = rest.split("/")
+        end = max if int(side) else min
+        changes = np.array([end(1.0, *values) for values in self.changes(word) if values])
+        if how == "worst":
+            return changes.prod()
+        return np.exp((1 if int(side) else -1) * np.sqrt((np.log(changes) ** 2).sum()))
+
+    def changes(self, word):
+        """What other values of each key make of a result, over that of the case."""
+        about = self.result.attributes
+        if "assumed_effects" not in about:
+            return [
+                [float(ratio) for segment in text.split("; ") if segment.startswith(f"{word} ")
+                 for ratio in re.findall(r"([0-9.]+) times with", segment)]
+                for text in comments(about["case_text"]).values()
+            ]  # fmt: skip
+        found = about["assumed_effects"]
+        names = {label: name for name, label in self.result.family.layout().weighed}
+        lives = (name for name in ("modified_life", "life_L10") if name in found["of"])
+        name = next(lives) if word == "life" else names[word]
+        return [
+            [other["values"][name] / found["of"][name] for other in key["others"] if name in other["values"]]
+            for key in found["keys"]
+        ]
 
     def stored(self, place):
         """What the file or its summary has at a place."""

@@ -36,6 +36,7 @@ CASES = {
     "heavy": ("nu209.toml", ("operation.radial_load=30 kN",)),
     "open seat": ("nu209_fits.toml", ("bearing.fits.housing=",)),
     "light": ("nu209.toml", ("operation.radial_load=500 N",)),
+    "catalogue": ("catalogue/nu210.toml", ()),
 }
 
 
@@ -380,3 +381,18 @@ def test_estimated_errors_are_those_of_the_file(tmp_path, settings, row, by):
 def test_lives_stand_in_their_order(readers):
     keys = [life.key for life in lives(readers("oil"))]
     assert keys == ["modified", "reference", "basic", "catalogue", "catalogue modified"]
+
+
+def main_results(reader):
+    (table,) = [block for block in verdict.blocks(reader) if getattr(block, "caption", "") == "Main results"]
+    return {row[0]: row for row in table.rows}
+
+
+def test_main_results_stand_with_what_all_assumed_and_toleranced_inputs_make_of_them(readers):
+    rows = main_results(readers("catalogue"))
+    assert next(iter(rows)) == "Modified reference life, ISO/TS 16281"
+    stiffness_row = rows["radial stiffness along the load, of the bearing alone"]
+    assert [cell.text for cell in stiffness_row[4:8]] == ["0.87", "1.1", "0.788", "1.17"]
+    assert stiffness_row[8] == "bearing.roller.profile"
+    assert rows["cage slip"][4:] == ("–",) * 5  # zero to the printed digit
+    assert all(len(row) == 4 for row in main_results(readers("plain")).values())  # no comment tells anything

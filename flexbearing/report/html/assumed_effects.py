@@ -6,7 +6,7 @@ from typing import Any
 
 from flexbearing.outputs import Output, outputs
 from flexbearing.report.html import assumptions
-from flexbearing.report.html.assumptions import WORTH
+from flexbearing.report.html.assumptions import TOLERANCES, WORTH
 from flexbearing.report.html.document import Block, Cell, Figure, Items, Number, Table, Words
 from flexbearing.report.html.figures import BLUE
 from flexbearing.report.html.reader import Reader
@@ -14,7 +14,6 @@ from flexbearing.report.html.units import NOTHING, units_in_words, with_unit
 from flexbearing.report.rows import unit_of
 
 LIVES = ("modified_life", "life_L10")  # the first that a result has is ranked by
-TOLERANCES = "bearing.fits.at"
 SMALLEST = 5e-3  # relative change that is drawn
 _WIDE = 1.5  # ratio of the ends of an axis from which it is logarithmic
 _TICKS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1, 1.5, 2, 3, 5, 7, 10, 20, 50, 100]

@@ -8,8 +8,8 @@ from flexbearing.report.html.document import Block, Items
 from flexbearing.report.html.reader import Reader
 
 _TIMES = re.compile(r"(\d+(?:\.\d+)?) times with")
-_OUTPUTS = "largest load", "cage slip", "stiffness with supports"  # beside the life
-_MARKS = ("assumed: ", "calibrated: ")
+_MARKS = ("assumed: ", "calibrated: ", "tolerances: ")
+TOLERANCES = "bearing.fits.at"  # stands for all classes of clearance and fits
 _TABLE, _KEY = re.compile(r"\[([^\]\[]+)\]"), re.compile(r'"?([\w.-]+)"?\s*=')
 _TITLE = "Assumed: the source does not give these inputs"
 WORTH = 1.25  # change of a life by an assumed input that is told beside the life, as a factor
@@ -30,7 +30,7 @@ def blocks(reader: Reader) -> Iterator[Block]:
     untold = "the case does not tell its effect"
     lines = (f"{named(key)}: {said.get(key, untold)}" for key in ranked)
     yield Items(f"{_TITLE}.{weighted}", tuple(lines))
-    if first := tuple(_first(said)):
+    if first := tuple(_first(reader, said)):
         yield Items("Measure or specify first, for outputs beside the life", first)
 
 
@@ -40,28 +40,33 @@ def named(key: str) -> str:
     >>> named("bearing.roller.drop"), named("lubricant.oil_fraction")
     ('roller drop (bearing.roller.drop)', 'lubricant oil fraction (lubricant.oil_fraction)')
     """
+    if key == TOLERANCES:
+        return f"tolerances of clearance and fits ({key})"
     return f"{' '.join(key.split('.')[-2:]).replace('_', ' ')} ({key})"
 
 
-def _first(said: dict[str, str]) -> Iterator[str]:
-    """The assumed or fitted key that moves each output most, where it does so by `WORTH` or more."""
-    for output in _OUTPUTS:
+def _first(reader: Reader, said: dict[str, str]) -> Iterator[str]:
+    """The key that moves each output most, where it does so by `WORTH` or more."""
+    for output in dict(reader.layout.weighed).values():
         key = max(said, key=lambda each: effect(said[each], output), default="")
         if key and effect(said[key], output) > log(WORTH):
             yield f"{output}: {named(key)}"
 
 
 def moving(reader: Reader) -> list[str]:
-    """Assumed keys whose comments tell a change of the life by `WORTH` or more, the largest first."""
+    """Keys whose comments tell a change of the life by `WORTH` or more, the largest first."""
     said = comments(reader.result.attributes["case_text"])
-    known = {key: said[key] for key in reader.attributes["assumed"] if effect(said.get(key, "")) > log(WORTH)}
-    return [
-        f"{named(key)}, assumed: {known[key]}" for key in sorted(known, key=lambda key: -effect(known[key]))
-    ]
+    known = {key: effect(text) for key, text in said.items() if effect(text) > log(WORTH)}
+    ranked = sorted(known, key=lambda key: -known[key])
+    return [f"{named(key)}{_mark(reader, key)}: life {changes(said[key])}" for key in ranked]
+
+
+def _mark(reader: Reader, key: str) -> str:
+    return next((f", {mark}" for mark in ("assumed", "calibrated") if key in reader.attributes[mark]), "")
 
 
 def comments(text: str) -> dict[str, str]:
-    r"""Comments on assumed and calibrated keys, from the lines above a key or behind it.
+    r"""Comments on assumed, calibrated and toleranced keys, from the lines above a key or behind it.
 
     >>> comments('[a]\n# assumed: rule\n# of thumb\nb = 1\nc = 2  # assumed: usual')
     {'a.b': 'rule of thumb', 'a.c': 'usual'}
@@ -89,6 +94,27 @@ def effect(comment: str, output: str = "life") -> float:
     >>> effect("cage slip 9 times with a; life 7.41 times with a, 0.305 times with b") == log(7.41)
     True
     """
-    changes = re.findall(rf"\b{output} ([^;]*)", comment)
-    values = [value for words in changes for value in _TIMES.findall(words)]
-    return max((abs(log(float(value))) for value in values if float(value)), default=0.0)
+    return max((abs(log(ratio)) for ratio in ratios(comment, output)), default=0.0)
+
+
+def weighed(comment: str) -> bool:
+    """Whether a comment tells what other values do, be it nothing."""
+    return bool(_TIMES.search(comment)) or "unchanged" in comment or "within" in comment
+
+
+def ratios(comment: str, output: str = "life") -> list[float]:
+    """An output with other values over that of the case, as a comment tells them.
+
+    >>> ratios("usual; torque 1.08 times with a, 0.888 times with b; life 2 times with c", "torque")
+    [1.08, 0.888]
+    """
+    return [float(value) for value in _TIMES.findall(changes(comment, output)) if float(value)]
+
+
+def changes(comment: str, output: str = "life") -> str:
+    """What a comment tells of an output.
+
+    >>> changes("rule of thumb; life 2 times with 3, 0.4 times with 1; torque 2 times with 3")
+    '2 times with 3, 0.4 times with 1'
+    """
+    return ", ".join(re.findall(rf"\b{output} ([^;]*)", comment))

@@ -70,9 +70,7 @@ def _first(reader: Reader) -> Iterator[Words]:
     keys = assumed_effects.moving(reader) if computed else assumptions.moving(reader)
     by = "computed with this result" if computed else "as comments of the case tell it"
     if keys:
-        yield Words(
-            (f"Measure or specify first, {by}: {keys[0].partition(':')[0].partition(', assumed')[0]}.",)
-        )
+        yield Words((f"Measure or specify first, {by}: {keys[0].partition(':')[0].partition(', ')[0]}.",))
     elif computed or any(
         map(assumptions.effect, assumptions.comments(reader.result.attributes["case_text"]).values())
     ):

@@ -5,10 +5,10 @@ from typing import Any
 
 from flexbearing.outputs import outputs
 from flexbearing.quantities.attributes import GRADES
-from flexbearing.report.html import against_limits, exactness, inputs, lives, stiffness
+from flexbearing.report.html import against_limits, combined, exactness, inputs, lives, stiffness
 from flexbearing.report.html.document import Block, Cell, Items, Number, Table, Words
 from flexbearing.report.html.reader import OUTSIDE, Reader
-from flexbearing.report.html.units import printed
+from flexbearing.report.html.units import NOTHING, printed
 from flexbearing.report.rows import unit_of
 
 
@@ -51,18 +51,33 @@ def _beyond(reader: Reader) -> Iterator[Block]:
 
 
 def _main(reader: Reader) -> Table:
-    """The outputs that a result is known by."""
-    known = {output.name: output for output in outputs(reader.layout)}
-    rows: list[tuple[Cell, ...]] = []
-    for name in reader.layout.main:
+    """The outputs that a result is known by, with their numerical errors and what inputs make of them."""
+    rows = list(_rows(reader))
+    spans = [combined.cells(reader, word) if word else () for _, word in rows]
+    head = ("quantity", "value", "unit", "numerical error [%]")
+    if not any(spans):
+        return Table("Main results", head, tuple(cells for cells, _ in rows))
+    told = tuple(
+        (*cells, *(span or (NOTHING,) * len(combined.HEAD)))
+        for (cells, _), span in zip(rows, spans, strict=True)
+    )
+    return Table("Main results", (*head, *combined.HEAD), told, combined.note(reader))
+
+
+def _rows(reader: Reader) -> Iterator[tuple[tuple[Cell, ...], str]]:
+    """The life to compare with a requirement, then main outputs, each with its word in comments of a case."""
+    first, known = next(iter(lives.lives(reader)), None), {each.name: each for each in outputs(reader.layout)}
+    if first is not None and first.chosen:
+        value = first.hours if isinstance(first.hours, Number) else first.turns
+        yield (first.name, value, printed(value.unit), first.error), combined.LIFE
+    words = dict(reader.layout.weighed)
+    for name in dict.fromkeys((*reader.layout.main, *words)):
         output, block = known[name], reader.blocks[reader.last]
-        if all(each in block for each in output.declared.of):
-            if name == "life_L10":  # has a table of its own
-                continue
+        if name != "life_L10" and all(each in block for each in output.declared.of):
             number = _scalar(reader, output)
-            words = _label(reader, name) or ", ".join([output.declared.label.strip(), *name.split(".")[1:]])
-            rows.append((words, number, printed(number.unit), exactness.error(reader, output.declared)))
-    return Table("Main results", ("quantity", "value", "unit", "numerical error [%]"), tuple(rows))
+            label = _label(reader, name) or ", ".join([output.declared.label.strip(), *name.split(".")[1:]])
+            error = exactness.error(reader, output.declared)
+            yield (label, number, printed(number.unit), error), words.get(name, "")
 
 
 def _label(reader: Reader, name: str) -> str:
@@ -72,9 +87,9 @@ def _label(reader: Reader, name: str) -> str:
 
         if name == CAGE_SLIP.name:
             return "cage slip (lubricant.oil_fraction was fitted to one: no prediction)"
-    if name != "total_stiffness":
+    if name not in ("total_stiffness", "stiffness_zz"):
         return ""
-    along = "radial stiffness along the load"
+    along = "radial stiffness along the load" if name == "total_stiffness" else "radial stiffness along z"
     return f"{along}, {'with supports' if stiffness.supported(reader) else 'of the bearing alone'}"
 
 
@@ -82,6 +97,7 @@ def _scalar(reader: Reader, output: Any) -> Number:
     unit = unit_of(output.declared).name
     si = reader.layout[output.declared.of[0]].unit if output.declared.in_si else unit
     asked = f"{reader.last}.{output.name}"
+    shown = "kN/mm" if unit == "N/m" else unit
     return reader.units.number(
-        float(reader.result[asked].number), si, unit, output.declared.digits or ".4g", f"outputs/{asked}"
+        float(reader.result[asked].number), si, shown, output.declared.digits or ",.4g", f"outputs/{asked}"
     )
