@@ -81,6 +81,9 @@ class Numbers:
             "support_error": self.support_error,
             "with_supports_error": self.with_supports_error,
             "combined": self.combined,
+            "raceway_tilt": self.raceway_tilt,
+            "told": self.told,
+            "warmth": self.warmth,
         }
         if kind in derived:
             return derived[kind](rest)
@@ -117,6 +120,29 @@ class Numbers:
             if figures.get("support_stiffness_error_N_per_m") is not None:
                 error += self.support_error(part) * whole / figures["support_stiffness_N_per_m"]
         return error
+
+    def raceway_tilt(self, block):
+        """Slope between the raceways along the most loaded roller: radial distance, end by end."""
+        group = self.file[block]
+        roller = np.argmax(group["inner_load"][()])
+        azimuth, along = group["roller_azimuth"][roller], group["slice_position"][()]
+        towards = np.array([np.cos(azimuth), np.sin(azimuth)])
+        gap = group["inner_deviation"][roller] - group["outer_deviation"][roller]
+        gap = gap + along * (group["ring_tilt"][()] @ towards)
+        return abs(np.cov(along, gap)[0, 1] / np.var(along, ddof=1))
+
+    def warmth(self, path):
+        """Temperature difference whose expansion over the pitch diameter is a clearance."""
+        case = json.loads(self.file.attrs["case_si"])
+        pitch = case["bearing"]["outer_raceway_diameter"] - case["bearing"]["roller"]["diameter"]
+        return self.stored(f"attributes/{path}") / (case["materials"]["inner_ring"]["expansion"] * pitch)
+
+    def told(self, rest):
+        """What a comment of the case tells of a result with another value of a key."""
+        key, value, word = rest.split("/")
+        text = comments(self.result.attributes["case_text"])[key]
+        (segment,) = (each for each in text.split("; ") if each.startswith(f"{word} "))
+        return float(re.search(rf'([0-9.]+) times with "{value}"', segment)[1])
 
     def combined(self, rest):
         """Least or most of a result by all inputs together over that of the case."""

@@ -367,6 +367,11 @@ def test_without_temperatures_no_clearance_is_called_operating():
     assert "8.9 to 58.3 µm mounted and turning, all parts equally warm" in told
     tables = [block for block in sections["clearance"].blocks if block.kind == "table"]
     assert "positive where the shaft is larger than the bore" in tables[1].note
+    ends, warmer = tables[2:]
+    assert [[cell.text for cell in row[1:]] for row in ends.rows] == [
+        ["1.93", "0.824", "1.05", "1.26"], ["0.598", "1.15", "0.944", "0.972"]
+    ]  # fmt: skip
+    assert [row[2].text for row in warmer.rows] == ["40", "11"]  # [K], 33.6 and 8.9 µm over 70.5 mm
     named = {"interference on the shaft, k5", "interference in the housing, H7"}
     assert {row[0] for row in tables[1].rows} >= named
 

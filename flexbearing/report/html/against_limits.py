@@ -11,12 +11,13 @@ from flexbearing.quantities.attributes import GRADES
 from flexbearing.report.html import ratings
 from flexbearing.report.html.document import Block, Cell, Number, Table, Words
 from flexbearing.report.html.lives import lives
+from flexbearing.report.html.raceway_tilt import between_raceways
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import printed
 
 DENTING, DENTING_OF_BALLS = 4000.0, 4200.0  # [MPa] static limits of roller and ball bearings by ISO 76
 USUAL_OF_ROLLERS = 1.5  # static safety in normal running, SKF
-USUAL_TILT = 4 / 60 * pi / 180  # [rad] between the rings of cylindrical roller bearings, SKF
+USUAL_TILT = 4 / 60 * pi / 180  # [rad] guideline of SKF, full complement cylindrical roller bearings
 LEAST_OF_ROLLERS, LEAST_OF_BALLS = 0.02, 0.01  # P/C_r in SKF's rule of thumb against smearing
 FULL_FILM = 3  # film ratio
 DEEP_GROOVE = "deep_groove_ball"
@@ -43,14 +44,18 @@ _SLIP = (
 )
 _YIELD = "yield stress not given; [materials] takes it as yield_stress of the part. No fatigue limit either"
 _TILT = "no standard limits it; makers give the tilt that a bearing may have"
-_SKF_TILT = "SKF allows 3 to 4 arcmin, about 1 mrad, between the rings of a cylindrical roller bearing"
+_SKF_TILT = "4 arcmin: guideline of SKF for full complement cylindrical roller bearings, 3 of wide series"
 _TILT_OF_ROLLERS = {
-    "ring_tilt": f"{_SKF_TILT}; this is the slope against the unloaded axis, and an outer ring on an elastic "
-    "support tilts along",
+    "ring_tilt": "this is the slope against the unloaded axis, and an outer ring on an elastic support leans "
+    "along: see the slope between the raceways",
     "roller_tilt": "no standard limits it; it presses the ends of the roller, see the notes on peak pressure "
     "and the figure of the pressure",
 }
 _FITTED = "lubricant.oil_fraction was fitted to a cage slip, so this is no prediction"
+_ROLLING = (
+    "zero to the printed digit: the traction that the oil film between the loaded rollers and the raceways "
+    "can take is far above the drag of the mixture and the friction of the cage, so that they roll"
+)
 _HEAT = "the case has no limits of steel, cage and lubricant"
 
 
@@ -236,7 +241,12 @@ def _load(reader: Reader) -> Iterator[Check]:
     for name, limit in limits.items():
         what, words = f"Equivalent load P against {name}", f"at most {kilonewtons(limit)} (ISO 281)"
         check = _against(reader, what, value, load, Limit(limit, MOST, words))
-        told = f"{check.verdict}: {_MAKER}" if check.verdict == "EXCEEDED" else check.verdict
+        told = check.verdict
+        if told == "EXCEEDED":
+            unit = printed(value.unit)
+            told += f": {_MAKER}"
+            if name == "C_r/2":
+                told += f"; met from C_r = {kilonewtons(2 * load)} {unit} on, or with P up to the limit"
         yield Check(what, value, words, check.share, check.used, told)
     share = LEAST_OF_BALLS if balls else LEAST_OF_ROLLERS
     words = f"at least {kilonewtons(share * rating)} ({share:g} C_r, rule of thumb of SKF)"
@@ -336,8 +346,12 @@ def _clearance(reader: Reader) -> Iterator[Check]:
     radial = reader.of_rollers or reader.attributes["kind"] == DEEP_GROOVE
     if not radial or found.get("operating_m") is None:
         return
-    tightest = (found.get("tolerances") or {}).get("ends", {}).get("tightest_m", 0.0)
-    verdict = "met as computed, preload at the tight end of the tolerances" if tightest < 0 else "met"
+    verdict = "met"
+    if "ends" in (found.get("tolerances") or {}):
+        least = reader.of_attribute("clearance/tolerances/ends/tightest_m", "m", "um", ".1f")
+        words = f"{least.text} {printed(least.unit)} at the tight end of the tolerances"
+        preload = found["tolerances"]["ends"]["tightest_m"] < 0
+        verdict = f"met as computed, preload: {words}" if preload else f"met, {words}"
     if found["operating_m"] < 0:
         verdict = "preload: see Clearance"
     value = reader.of_attribute("clearance/operating_m", "m", "um", ".3g")
@@ -345,7 +359,10 @@ def _clearance(reader: Reader) -> Iterator[Check]:
 
 
 _NOTED = {  # what, by the code of a note: limit, verdict
-    "overlapping-dimensions": ("Dimensions of the cage", "no overlap", "NOT MET: see the note"),
+    "overlapping-dimensions": (
+        "Dimensions of the cage", "no overlap",
+        "remark: they overlap; loads and life do not depend on it, drag and friction of the cage do",
+    ),
     "truncated-contact": ("Contacts on the shoulders of races", "not cut off", "EXCEEDED: see the danger"),
     "shoulder-not-given": (
         "Contacts on the shoulders of races", "not cut off",
@@ -372,21 +389,28 @@ def _life(reader: Reader) -> Iterator[Check]:
 
 def _slip(reader: Reader) -> Iterator[Check]:
     for entry in (entry for entry in reader.layout.summary if entry.label == "cage slip"):
+        value = reader.declared(entry, reader.last)
+        if value.text.strip("0.") == "":
+            yield Check("Cage slip", value, verdict=f"{NOT_CHECKED}: {_ROLLING}")
+            continue
         fitted = f"; {_FITTED}" * ("lubricant.oil_fraction" in reader.attributes["calibrated"])
-        yield Check(
-            "Cage slip", reader.declared(entry, reader.last), verdict=f"{NOT_CHECKED}: {_SLIP}{fitted}"
-        )
+        yield Check("Cage slip", value, verdict=f"{NOT_CHECKED}: {_SLIP}{fitted}")
 
 
 def _tilts(reader: Reader) -> Iterator[Check]:
-    """Largest slopes of the inner ring and of a roller, where there are any."""
+    """Slope between the raceways of rollers, largest slopes of inner ring and rollers."""
     block = reader.blocks[reader.last]
+    found = between_raceways(reader)
+    if found and np.any(block["ring_tilt"]):
+        what, limit = "Slope between the raceways at the most loaded roller", 1e3 * USUAL_TILT
+        words = f"at most {limit:.3g} ({_SKF_TILT})"
+        value, size = found
+        yield _against(reader, what, value, size, Limit(USUAL_TILT, MOST, words, True))
     for name, what in (("ring_tilt", "Tilt of the inner ring"), ("roller_tilt", "Largest tilt of a roller")):
         if name in block and np.any(sizes := np.abs(np.ravel(block[name]))):
             value = reader.element(reader.last, name, int(np.argmax(sizes)), digits=".3g")
-            steep = reader.of_rollers and float(sizes.max()) > USUAL_TILT
             told = _TILT_OF_ROLLERS[name] if reader.of_rollers else _TILT
-            yield Check(what, value, verdict=f"{NOT_CHECKED}: {told}", urgent=steep)
+            yield Check(what, value, verdict=f"{NOT_CHECKED}: {told}")
 
 
 def _heat(reader: Reader) -> Iterator[Check]:

@@ -1,6 +1,6 @@
 """What other values of assumed or fitted inputs, and the ends of tolerances, make of a result."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from math import log
 from typing import Any
 
@@ -10,7 +10,7 @@ from flexbearing.report.html.assumptions import TOLERANCES, WORTH
 from flexbearing.report.html.document import Block, Cell, Figure, Items, Number, Table, Words
 from flexbearing.report.html.figures import BLUE
 from flexbearing.report.html.reader import Reader
-from flexbearing.report.html.units import NOTHING, units_in_words, with_unit
+from flexbearing.report.html.units import NOTHING, printed, units_in_words, with_unit
 from flexbearing.report.rows import unit_of
 
 LIVES = ("modified_life", "life_L10")  # the first that a result has is ranked by
@@ -56,27 +56,52 @@ def blocks(reader: Reader) -> Iterator[Block]:
 
 
 def at_ends(reader: Reader) -> Iterator[Block]:
-    """Life at both ends of the tolerances; which command computes it where it is missing."""
+    """Results at both ends of the tolerances; which command computes them where they are missing."""
     if not _tolerances(reader):
         return
     found = reader.attributes.get("assumed_effects")
     if not found:
-        yield Words((f"What the ends of the tolerances make of the life was not computed. {_how(reader)}",))
+        comment = assumptions.comments(reader.result.attributes["case_text"]).get(TOLERANCES, "")
+        if assumptions.weighed(comment):
+            yield _told_at_ends(reader, comment)
+        else:
+            words = "What the ends of the tolerances make of the results was not computed."
+            yield Words((f"{words} {_how(reader)}",))
         return
-    name = ranked_by(reader)
+    names = [name for name in found["of"] if name == ranked_by(reader) or name not in LIVES]
     rows = [
-        (
-            units_in_words(other["words"]),
-            _value(reader, place, number, name),
-            _ratio(reader, place, number, name),
-        )
+        (units_in_words(other["words"]), *(_ratio(reader, place, number, name) for name in names))
         for place, key in enumerate(found["keys"])
         if key["key"] == TOLERANCES
         for number, other in enumerate(key["others"])
         if other["values"]
     ]
-    head = ("end of the tolerances", _heading(reader, name), "times that computed")
-    yield Table("Effect of the tolerances", head, tuple(rows))
+    labels = (_heading(reader, name).partition(" [")[0] for name in names)
+    yield _of_ends(labels, rows)
+
+
+def _told_at_ends(reader: Reader, comment: str) -> Table:
+    """What a comment of the case tells of both ends."""
+    ends, words = ("tightest", "loosest"), ("life", *dict(reader.layout.weighed).values())
+    moved = [word for word in words if any(assumptions.change(comment, word, end) for end in ends)]
+    rows: list[tuple[Cell, ...]] = []
+    for end in ends:
+        changes = {word: assumptions.change(comment, word, end) for word in moved}
+        cells = (
+            NOTHING if ratio is None else
+            reader.units.number(ratio, "", "", ".3g", f"told/{TOLERANCES}/{end}/{word}")
+            for word, ratio in changes.items()
+        )  # fmt: skip
+        limit = reader.of_attribute(f"clearance/tolerances/ends/{end}_m", "m", "um", ".1f")
+        rows.append((f"{end}, clearance {limit.text} {printed(limit.unit)}", *cells))
+    return _of_ends(
+        moved, rows, "As comments of the case tell it; –, and results that are not listed: changes below 1 %."
+    )
+
+
+def _of_ends(labels: Iterable[str], rows: list[tuple[Cell, ...]], note: str = "") -> Table:
+    head = ("end of the tolerances", *(f"{label} [times]" for label in labels))
+    return Table("What the tolerances make of the results", head, tuple(rows), note)
 
 
 def moving(reader: Reader) -> list[str]:

@@ -20,6 +20,10 @@ _SIGNS = (
     "Interference: positive where the shaft is larger than the bore, or the outside of the bearing larger "
     "than the housing, so that the ring is tight; negative is a loose fit. Clearance: negative is a preload."
 )
+_WARMTH = (
+    "Warmer than the outer ring, beyond the temperatures of the case; rollers half way between them, "
+    "expansion of the inner ring times the pitch diameter. From there on the bearing is preloaded."
+)
 _OF_THE_CASE = (
     "The operating clearance is that of the case (bearing.clearance): no fits and temperatures lead to it. "
     "It is the diametral one, warm and running: the play of the inner ring across the bearing, twice the "
@@ -37,6 +41,7 @@ def blocks(reader: Reader) -> Iterator[Block]:
     if not found["steps"]:
         yield Words((_OF_THE_CASE,))
         yield _stated(reader)
+        yield from _used_up(reader, found)
         return
     yield _steps(reader, found)
     if any(abs(step["change_m"]) >= SMALLEST for step in found["steps"]):
@@ -50,6 +55,36 @@ def blocks(reader: Reader) -> Iterator[Block]:
     if "tolerances" in found:
         yield _tolerances(reader, found)
         yield from assumed_effects.at_ends(reader)
+    yield from _used_up(reader, found)
+
+
+def _used_up(reader: Reader, found: dict[str, Any]) -> Iterator[Table]:
+    """By how much warmer an inner ring uses the clearance up, where the case has what that takes."""
+    ends = {"as computed": "operating_m"}
+    if "ends" in found.get("tolerances", {}):
+        ends["tight end of the tolerances"] = "tolerances/ends/tightest_m"
+    rows: list[tuple[Cell, ...]] = []
+    for label, path in ends.items():
+        limit = reader.of_attribute(f"clearance/{path}", "m", "um", ".1f")
+        difference = _warmth(reader, path)
+        if difference is not None and difference > 0:
+            number = reader.units.number(difference, "K", "K", ".2g", f"warmth/clearance/{path}")
+            rows.append((label, limit, number))
+    if rows:
+        head = ("clearance", with_unit("diametral", reader.units.of("um")), "inner ring warmer by [K]")
+        yield Table("Temperature difference that uses the clearance up", head, tuple(rows), _WARMTH)
+
+
+def _warmth(reader: Reader, path: str) -> float | None:
+    """Difference of temperature between the rings [K]; None for bearings without rollers or expansion."""
+    case = reader.attributes["case_si"]
+    expansion = (case.get("materials", {}).get("inner_ring") or {}).get("expansion")
+    if not reader.of_rollers or not expansion:
+        return None
+    bearing, value = case["bearing"], reader.attributes["clearance"]
+    for step in path.split("/"):
+        value = value[step]
+    return value / expansion / (bearing["outer_raceway_diameter"] - bearing["roller"]["diameter"])
 
 
 def _stated(reader: Reader) -> Table:
