@@ -9,6 +9,7 @@ from flexbearing.accuracy.ladder import Selection, Unusable, Verdict
 from quasidynamic.note import Note, danger
 
 JUDGED = ("roller_load", "life")  # outputs that the target is of
+ERRORS = ("{} of the largest load for the load of any roller", "{} for the life")
 
 
 def require_resolved(selection: Selection) -> None:
@@ -63,8 +64,8 @@ def unmet(selections: Sequence[Selection]) -> Iterator[Note]:
         return
     selection = _worst(selections)
     errors = " and ".join(
-        f"{percent(selection.estimate[name])} of the {words}"
-        for name, words in zip(JUDGED, ("largest load", "life"), strict=True)
+        words.format(percent(selection.estimate[name]))
+        for name, words in zip(JUDGED, ERRORS, strict=True)
         if name in selection.estimate
     )
     worst = max(

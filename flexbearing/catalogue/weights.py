@@ -43,10 +43,8 @@ def told(basis: Mapping[str, float], comparable: Settings) -> str:
     by = f"; computed with {', '.join(as_settings(comparable))}" if comparable else ""
     name, *others = basis
     of = f"modified {name}" if name == "life" else name
-    first = f'"{name} 1.2 times" tells the {of} with another value over that of this case{by}.'
-    return (
-        f"{first}\nFrom {100 * FURTHER:g} % of change on also told: {', '.join(others)}." if others else first
-    )
+    first = f'"{name} 1.2 times" is the {of} with another value over that of this case{by}.'
+    return f"{first}\nListed from {100 * FURTHER:g} % of change on: {', '.join(others)}." if others else first
 
 
 def _effects(line: Line, basis: Mapping[str, float], measured: Measured) -> Iterator[str]:

@@ -203,6 +203,14 @@ def test_an_unmet_target_names_the_keys_that_hold_it_back_and_no_others():
     assert "leave them out" in text
 
 
+def test_an_unmet_target_gives_every_error_with_what_it_is_a_share_of():
+    changes = {"roller_load": 0.03, "life": 0.04, "stiffness": 0.5}
+    text = told(Verdict(FIXED, 0, (1,), changes, 0.005, ("roller_load", "life")))
+    assert "4.3 % of the largest load for the load of any roller and 5.7 % for the life, most of it" in text
+    (note,) = unmet([Selection((0,), (with_change(FIXED, 0.04),), 0.01)])
+    assert "are 5.7 % for the life, most" in note.text  # a load that has no estimate is left out
+
+
 def test_the_finest_level_of_an_open_choice_is_not_called_fixed():
     """It was, and no key could be left out."""
     finest = with_change(replace(SLICES, last=LEVELS - 2), 0.04, level=LEVELS - 2)
