@@ -5,7 +5,7 @@ from math import pi
 
 from flexbearing.catalogue.ball_set import USUAL_CONFORMITY, BallSet
 from flexbearing.catalogue.life_lines import life, oil
-from flexbearing.catalogue.lines import RATED, THUMB, Line, Other, assumed, mm, usual_number
+from flexbearing.catalogue.lines import CHOSEN, RATED, THUMB, Line, Other, assumed, mm, usual_number
 from flexbearing.catalogue.mounting_lines import mounting, surroundings
 from flexbearing.catalogue.page import Page
 
@@ -99,11 +99,11 @@ def _material(page: Page) -> Iterator[Line]:
 def _load(page: Page) -> Iterator[Line]:
     for key, name in (("axial", "axial"), ("radial_z", "load")):
         if name in page:
-            yield Line(f"operation.load.{key}", page[name].text)
+            yield Line(f"operation.load.{key}", page[name].text, CHOSEN)
 
 
 def _fast(page: Page) -> Iterator[Line]:
-    yield Line("operation.inner_speed", page["speed"].text)
+    yield Line("operation.inner_speed", page["speed"].text, CHOSEN)
     yield assumed("operation.control", "outer", "usual of fast bearings", "coulomb")
 
 

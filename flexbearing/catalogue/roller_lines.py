@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from flexbearing.catalogue.life_lines import life, oil
-from flexbearing.catalogue.lines import RATED, THUMB, Line, Other, assumed, mm, um, usual_number
+from flexbearing.catalogue.lines import CHOSEN, RATED, THUMB, Line, Other, assumed, mm, um, usual_number
 from flexbearing.catalogue.mounting_lines import mounting, surroundings
 from flexbearing.catalogue.page import Page
 from flexbearing.catalogue.roller_set import RollerSet
@@ -145,8 +145,8 @@ def _reference_life() -> Iterator[Line]:
 
 
 def _operation(page: Page, cage: bool) -> Iterator[Line]:
-    yield Line("operation.radial_load", page["load"].text)
-    yield Line("operation.inner_speed", page["speed"].text)
+    yield Line("operation.radial_load", page["load"].text, CHOSEN)
+    yield Line("operation.inner_speed", page["speed"].text, CHOSEN)
     if cage:
         yield assumed("operation.tilt", "fixed", "a stiff shaft keeps the inner ring straight", "free")
 

@@ -153,7 +153,7 @@ QUANTITIES = (
         "support_stiffness of the outer ring over stiffness of the bearing; absent where the outer raceway "
         "is rigid, or its support",
         source="end.support_stiffness_ratio", optional=True,
-        summary=(SummaryValue("support_stiffness_ratio", label="stiffness of support / of bearing",
+        summary=(SummaryValue("support_stiffness_ratio", label="stiffness of outer support / of bearing",
                               digits=".3f"),)),
     Quantity("stiffness_matrix", "K", "force displacement", "N/m, N/rad, N m/m, N m/rad", "block",
         "tangent stiffness from base to shaft ends, supports included, x, y, z, about y, about z "

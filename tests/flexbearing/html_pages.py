@@ -84,6 +84,7 @@ class Numbers:
             "raceway_tilt": self.raceway_tilt,
             "told": self.told,
             "warmth": self.warmth,
+            "ratings_at": self.ratings_at,
         }
         if kind in derived:
             return derived[kind](rest)
@@ -183,12 +184,20 @@ class Numbers:
             return followed(json.loads(self.file.attrs["case_si"]), rest.split("."))
         return self.array(place)
 
+    def ratings_at(self, rest):
+        """A rating of the case with oil of another temperature."""
+        kelvin, name = rest.split("/")
+        return self.rated(f"lubricant.inlet_temperature={float(kelvin) - 273.15:.8g} degC")[name]
+
     @property
     def ratings(self):
         """Ratings that follow from the case."""
+        return self.rated()
+
+    def rated(self, *settings):
         family, about = self.result.family, self.result.attributes
-        file = Path(about["case_file"])
-        case = understood(about["case_text"], file, about["case_overrides"], {family.kind: family})
+        file, settings = Path(about["case_file"]), (*about["case_overrides"], *settings)
+        case = understood(about["case_text"], file, settings, {family.kind: family})
         speed = abs(float(self.file["rigid/relative_speed"][()]))
         return family.catalogue().ratings(case, 1e6 * 2 * np.pi / speed / 3600 if speed else np.inf)
 

@@ -4,6 +4,7 @@ import re
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from pytest import approx
 
@@ -12,6 +13,7 @@ from flexbearing.report.html import (
     against_limits,
     assumptions,
     exactness,
+    life,
     numbers,
     origin,
     stiffness,
@@ -94,6 +96,15 @@ def test_slope_between_the_raceways_has_the_limit_not_that_of_an_inner_ring_that
     assert between.verdict == "met"
     cell = {"data-of": between.value.of, "data-stored": "rad", "data-unit": "mrad"}
     require_equal([(cell, between.value.text)], Numbers(paper.result.path))
+
+
+def test_tilt_is_a_step_of_its_own_from_the_life_of_the_catalogue(paper):
+    (table,) = [block for block in life._by_what_was_solved(paper)]
+    lives = {row[0]: number(row[2]) for row in table.rows}
+    held, free = lives["flexible rings, inner ring held straight"], lives["inner ring free to tilt"]
+    assert held == approx(paper.attributes["tilt"]["otherwise"]["life_L10_Mrev"], rel=1e-3)
+    steps = [number(row[1]) for row in table.rows if isinstance(row[1], Number)]
+    assert np.prod(steps) == approx(free / lives["Catalogue's life L10, ISO 281"], rel=1e-2)
 
 
 def test_no_row_with_supports_where_no_part_is_flexible(paper):

@@ -10,7 +10,7 @@ from pytest import approx
 from flexbearing import api
 from flexbearing.case import cage_room
 from flexbearing.report import text
-from flexbearing.report.html import METRIC, clearance, life as life_section, stiffness, verdict
+from flexbearing.report.html import METRIC, clearance, inputs, life as life_section, stiffness, verdict
 from flexbearing.report.html.against_limits import NOT_CHECKED, ranked
 from flexbearing.report.html.document import Number
 from flexbearing.report.html.lives import COMPARED, lives
@@ -279,8 +279,9 @@ def test_what_has_no_estimated_error_is_said_to_have_none(readers):
 
 
 @pytest.mark.parametrize("name", CASES)
-def test_every_number_of_verdict_and_clearance_is_that_of_the_file(readers, name):
-    tables = [block for block in clearance.blocks(readers(name)) if block.kind == "table"]
+def test_every_number_of_verdict_life_and_clearance_is_that_of_the_file(readers, name):
+    blocks = (*clearance.blocks(readers(name)), *life_section.blocks(readers(name)))
+    tables = [block for block in blocks if block.kind == "table"]
     cells = [cell for table in tables for row in table.rows for cell in row]
     numbers = [each for each in (*texts(readers(name)), *cells) if isinstance(each, Number)]
     cells = [({"data-of": each.of, "data-stored": each.stored, "data-unit": each.unit}, each.text)
@@ -352,9 +353,12 @@ def test_without_a_stored_comparison_the_page_says_why_the_life_is_not_the_catal
 def test_the_way_from_the_catalogue_s_life_ends_at_that_of_the_case(readers):
     (solved,) = [block for block in life_section.blocks(readers("oil"))
                  if getattr(block, "caption", "").startswith("Why")]  # fmt: skip
-    life, factors = float(solved.rows[0][2].text.replace(",", "")), [row[1] for row in solved.rows[1:-1]]
-    for factor in factors:
-        life *= float(factor.text)
+    life = float(solved.rows[0][2].text.replace(",", ""))
+    for name, factor, turns, _ in solved.rows[1:-1]:
+        if name == "Reference life L10r, ISO/TS 16281":
+            assert float(turns.text.replace(",", "")) == approx(life, rel=5e-3)
+        else:
+            life *= float(factor.text)
     assert life == approx(float(solved.rows[-1][2].text.replace(",", "")), rel=0.02)  # three digits each
 
 
@@ -401,3 +405,25 @@ def test_main_results_stand_with_what_all_assumed_and_toleranced_inputs_make_of_
     assert stiffness_row[8] == "bearing.roller.profile"
     assert rows["cage slip"][4:] == ("–",) * 5  # zero to the printed digit
     assert all(len(row) == 4 for row in main_results(readers("plain")).values())  # no comment tells anything
+
+
+def test_viscosity_ratio_at_other_temperatures_falls_as_the_oil_warms(readers):
+    tables = {getattr(block, "caption", ""): block for block in life_section.blocks(readers("catalogue"))}
+    rows = tables["Viscosity ratio at other oil temperatures"].rows
+    assert [row[0] for row in rows] == ["50 °C", "60 °C", "70 °C (this case)", "80 °C", "90 °C"]
+    ratios = [float(row[1].text) for row in rows]
+    assert all(colder > warmer for colder, warmer in pairwise(ratios))
+    assert ratios[2] == approx(Numbers(readers("catalogue").result.path).ratings["viscosity_ratio"], abs=5e-3)
+
+
+def test_given_inputs_name_their_source_and_load_and_speed_are_chosen(readers):
+    (table,) = [block for block in inputs.blocks(readers("catalogue"))
+                if getattr(block, "caption", "") == "What the case gives"]  # fmt: skip
+    origins = {row[0]: row[4] for row in table.rows}
+    assert origins["bearing.outer_raceway_diameter"] == "given: E of the catalogue"
+    assert origins["operation.radial_load"] == "given: chosen, no catalogue has it"
+    assert origins["bearing.rollers"] == "assumed"
+    assert table.note.startswith("The case begins: From a catalogue: SKF Rolling bearings (2018), NU 210 ECP")
+    heavy = {row[0]: row[4] for block in inputs.blocks(readers("heavy")) if block.kind == "table"
+             for row in block.rows if len(row) > 4}  # fmt: skip
+    assert heavy["operation.radial_load"] == "given"  # by a setting, not by the file

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator
+from functools import cache
 from math import log
 
 from flexbearing.report.html.document import Block, Items
@@ -95,6 +96,24 @@ def effect(comment: str, output: str = "life") -> float:
     True
     """
     return max((abs(log(ratio)) for ratio in ratios(comment, output)), default=0.0)
+
+
+@cache
+def behind(text: str) -> dict[str, str]:
+    r"""Comments behind keys and behind the heads of tables.
+
+    >>> behind('[a]  # Table 2\nb = 1  # E of the catalogue\nc = 2\n# above\nd = "#3"')
+    {'a': 'Table 2', 'a.b': 'E of the catalogue'}
+    """
+    found: dict[str, str] = {}
+    table = ""
+    for line in map(str.strip, text.splitlines()):
+        header, key = _TABLE.match(line), _KEY.match(line)
+        if header:
+            table = f"{header[1]}."
+        if (header or key) and " # " in line:
+            found[header[1] if header else f"{table}{key[1]}"] = line.rpartition(" # ")[2]  # type: ignore[index]
+    return found
 
 
 def weighed(comment: str) -> bool:

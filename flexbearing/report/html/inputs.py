@@ -29,11 +29,11 @@ def blocks(reader: Reader) -> Iterator[Block]:
             if text is None and set(_upwards(path)) & set(unused):
                 continue
             if text is None:
-                defaults.append((*row[:3], "default" if mark == "given" else mark, row[3]))
+                defaults.append((*row[:3], "default" if mark.startswith("given") else mark, row[3]))
             else:
                 given.append((*row[:3], text, mark, row[3]))
     head = ("key", "value", "unit", "as given", "origin", "meaning")
-    yield Table("What the case gives", head, tuple(given))
+    yield Table("What the case gives", head, tuple(given), _source(reader))
     yield from assumed_effects.blocks(reader)
     yield from assumptions.blocks(reader)
     if reader.attributes["calibrated"]:
@@ -41,6 +41,12 @@ def blocks(reader: Reader) -> Iterator[Block]:
     if defaults:
         caption = f"Defaults that this kind of case uses: {len(defaults)}"
         yield Table(caption, (*head[:3], *head[4:]), tuple(defaults), folded=True)
+
+
+def _source(reader: Reader) -> str:
+    """The first line of the case where it is a comment, which names the source of its numbers."""
+    first = reader.result.attributes["case_text"].partition("\n")[0]
+    return f"The case begins: {first.lstrip('# ')}" if first.startswith("#") else ""
 
 
 def fitted_inputs(reader: Reader) -> tuple[str, ...]:
@@ -85,14 +91,20 @@ def flat(table: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str, Any]
 def origin(reader: Reader, path: str) -> str:
     """Whether a key is assumed, calibrated or given, by its own mark or that of a table above it.
 
-    Keys of the solution method have no source: they are settings.
+    A given one has the comment behind it, or behind the head of its table, such as "of the maker". Keys of
+    the solution method have no source: they are settings.
     """
     above = set(_upwards(path))
     if path.startswith(SETTINGS):
         return "setting"
     if above & set(reader.attributes["calibrated"]):
         return "calibrated"
-    return "assumed" if above & set(reader.attributes["assumed"]) else "given"
+    if above & set(reader.attributes["assumed"]):
+        return "assumed"
+    behind = assumptions.behind(reader.result.attributes["case_text"])
+    told = next((behind[name] for name in _upwards(path) if name in behind), "")
+    set_since = any(each.partition("=")[0].strip() in above for each in reader.attributes["case_overrides"])
+    return f"given: {told}" if told and not set_since else "given"
 
 
 def _upwards(path: str) -> list[str]:

@@ -1,7 +1,10 @@
 """Rating life: of the end states, its factors, and the way from that of a catalogue."""
 
 from collections.abc import Iterator
+from math import inf, isclose
 from typing import Any
+
+import numpy as np
 
 from flexbearing.quantities.reductions import RACES
 from flexbearing.report.catalogue_life import told
@@ -14,9 +17,10 @@ from flexbearing.report.html.units import printed
 _STEPS = {  # by end state: name, why of rollers, why of balls
     "rigid": (
         "loads of all rolling elements, rigid rings",
-        "clearance, tilt, profile and centrifugal force share the load otherwise than ISO 281 supposes; "
-        "capacities of Lundberg and Palmgren instead of C_r",
-        "clearance, contact angles and centrifugal force share the load otherwise than ISO 281 supposes",
+        "joint factor of all that ISO 281 supposes otherwise, whose parts may cancel: load shared by "
+        "clearance, profile and centrifugal force; capacities of Lundberg and Palmgren instead of C_r",
+        "joint factor of all that ISO 281 supposes otherwise, whose parts may cancel: load shared by "
+        "clearance, contact angles and centrifugal force",
     ),
     "flexible": (
         "flexible rings",
@@ -27,6 +31,17 @@ _STEPS = {  # by end state: name, why of rollers, why of balls
         ),
     ),
 }
+_HELD = (
+    "flexible rings, inner ring held straight",
+    "elastic rings, shaft and supports change how many rolling elements carry, and how much; estimated by "
+    "Newton steps",
+)
+_FREE = (
+    "inner ring free to tilt",
+    "it follows the elastic rings until the moments balance, which shares the load along the rollers anew",
+)
+_MISALIGNED = "; the tilt of the inner ring presses the ends of the rollers"
+_REFERENCE = "Reference life L10r, ISO/TS 16281"
 _FIRST = "outputs/{}.life_L10"  # place of the first life of a case
 _OWN = (
     "This a_ISO holds at the equivalent load of its note, which gives the reference life of the loads "
@@ -50,6 +65,7 @@ def blocks(reader: Reader) -> Iterator[Block]:
     yield from _factors(reader)
     rated = ratings.table(reader)
     yield Words((rated,)) if isinstance(rated, str) else rated
+    yield from ratings.at_other_temperatures(reader)
     catalogue = reader.attributes.get("catalogue_life")
     if catalogue:
         yield from _catalogue(reader, catalogue)
@@ -91,15 +107,28 @@ def _factors(reader: Reader) -> Iterator[Table]:
     rows: list[tuple[Cell, ...]] = [
         (of, reader.of_attribute(f"{path}/basic_Mrev", "Mrev", "Mrev", ",.4g"), "10⁶ revolutions")
     ]
-    for place, factor in enumerate(life["factors"]):
-        value = reader.of_attribute(f"{path}/factors/{place}/value", "", "", ".4g")
-        rows.append((f"  times {factor['name']}", value, factor["note"]))
+    for name, value, turns, note in _stepped(reader):
+        rows.append((name, turns, note) if turns else (f"  times {name}", value, note))
     modified = reader.of_attribute(f"{path}/modified_Mrev", "Mrev", "Mrev", ",.4g")
     rows.append(("modified life", modified, ""))
     own = any(factor["name"] == "a_ISO" for factor in life["factors"])
     yield Table(
         "Modified life, factor by factor", ("step", "value", "note"), tuple(rows), _OWN if own else ""
     )
+
+
+def _stepped(reader: Reader) -> Iterator[tuple[str, Cell, Cell, str]]:
+    """Factors of the modified life with their notes; between them the reference life over the basic one."""
+    life, path = reader.attributes["life"][reader.last], f"life/{reader.last}"
+    reference = float(reader.blocks[reader.last].get("reference_life", inf)) / 1e6
+    reached = life["basic_Mrev"]
+    for place, factor in enumerate(life["factors"]):
+        value = reader.of_attribute(f"{path}/factors/{place}/value", "", "", ".4g")
+        yield factor["name"], value, "", factor["note"]
+        before, reached = reached, reached * factor["value"]
+        if isclose(reached, reference, rel_tol=1e-9) and before != reached:
+            times = f"{reference / life['basic_Mrev']:.4g} times the basic life, product of the factors since"
+            yield _REFERENCE, "", reader.output("reference_life", "Mrev", ",.4g"), times
 
 
 def _by_what_was_solved(reader: Reader) -> Iterator[Table]:
@@ -112,22 +141,39 @@ def _by_what_was_solved(reader: Reader) -> Iterator[Table]:
     before, place = values["life_Mrev"], f"{at}/life_Mrev"
     start = reader.units.number(before, "Mrev", "Mrev", ",.4g", place)
     rows.append(("Catalogue's life L10, ISO 281", "", start, "(C_r/P)^p: one load P on a usual bearing"))
-    for block in reader.blocks:
-        now, path = reader.summary[block]["life_L10_Mrev"], f"summary/{block}/life_L10_Mrev"
+    for name, now, path, why in _states(reader):
         times = reader.units.number(now / before, "", "", ".3g", f"ratio/{path}:{place}")
-        turns = reader.units.number(now, "Mrev", "Mrev", ",.4g", path)
-        why = _STEPS[block][1 + reader.of_balls] + _carrying(reader, block)
-        rows.append((_STEPS[block][0], times, turns, why))
+        rows.append((name, times, reader.units.number(now, "Mrev", "Mrev", ",.4g", path), why))
         before, place = now, path
     life, path = (reader.attributes.get("life") or {}).get(reader.last), f"life/{reader.last}"
-    for number, factor in enumerate(life["factors"] if life else ()):
-        value = reader.of_attribute(f"{path}/factors/{number}/value", "", "", ".3g")
-        rows.append((factor["name"], value, "", factor["note"]))
     if life:
+        rows += _stepped(reader)
         modified = reader.of_attribute(f"{path}/modified_Mrev", "Mrev", "Mrev", ",.4g")
         rows.append(("Life of this case after all factors", "", modified, ""))
     head = ("step", "times", "life [10⁶ revolutions]", "why")
     yield Table("Why the life is not that of the catalogue: by what this run solved", head, tuple(rows))
+
+
+def _states(reader: Reader) -> Iterator[tuple[str, float, str, str]]:
+    """End states by their basic lives [10^6 revolutions]; a ring free to tilt also with its tilt held."""
+    held = reader.attributes.get("tilt") or {}
+    for block in reader.blocks:
+        name, *why = _STEPS[block]
+        words = why[reader.of_balls] + _MISALIGNED * (block == "rigid" and _tilted(reader))
+        if block == "flexible" and held.get("inner_ring") == "free" and "otherwise" in held:
+            yield (
+                _HELD[0],
+                held["otherwise"]["life_L10_Mrev"],
+                "attributes/tilt/otherwise/life_L10_Mrev",
+                _HELD[1],
+            )
+            name, words = _FREE
+        life = reader.summary[block]["life_L10_Mrev"]
+        yield name, life, f"summary/{block}/life_L10_Mrev", words + _carrying(reader, block)
+
+
+def _tilted(reader: Reader) -> bool:
+    return reader.of_rollers and bool(np.any(reader.blocks["rigid"]["ring_tilt"]))
 
 
 def _carrying(reader: Reader, block: str) -> str:

@@ -18,7 +18,8 @@ _LUNDBERG, _REFERENCE, _RATING = "basic", "reference", "rating"  # what the life
 _ORDER = ("modified", "reference", "basic", "catalogue", "catalogue modified")
 _PRESSED_ENDS = {"pressed-end", "sharp-roller-end"}  # codes of notes
 _OF_BASIC = ("tilt", "roller-position")  # of these, those that tell the basic life L10
-_BASIC = " (told of the basic life L10, not of the modified one)"
+_BASIC = " (of the basic life L10{power})"
+_POWER = "; a_ISO follows the load, so the modified life changes with its power {:.3g}"
 _MOVED = ("tilt", "roller-position", "fit-tolerances")  # codes of notes that tell other lives
 
 
@@ -88,12 +89,24 @@ def _moved(reader: Reader) -> Iterator[str]:
     modified = next(life.key == "modified" for life in lives(reader) if life.chosen)
     for note in reader.attributes["notes"]:
         if note["code"] in _MOVED:
-            basic = modified and note["code"] in _OF_BASIC
-            yield units_in_words(note["text"]) + _BASIC * basic
+            basic = _BASIC.format(power=_power(reader)) if modified and note["code"] in _OF_BASIC else ""
+            yield units_in_words(note["text"]) + basic
     if reader.attributes.get("assumed_effects"):
         yield from assumed_effects.moving(reader)
     else:
         yield from assumptions.moving(reader)
+
+
+def _power(reader: Reader) -> str:
+    """With which power of the basic life the modified one changes; empty where its factors do not tell."""
+    exponents = _exponents(reader)
+    return "" if None in exponents else _POWER.format(1 + sum(filter(None, exponents)))
+
+
+def _exponents(reader: Reader) -> list[float | None]:
+    """Powers of the basic life that the factors of the modified one change with; None where not known."""
+    factors = reader.attributes["life"][reader.last]["factors"]
+    return [factor.get("life_exponent", 0.0 if factor["effect"] == "load" else None) for factor in factors]
 
 
 def _why(reader: Reader, found: tuple[Life, ...]) -> str:
@@ -206,13 +219,11 @@ def error(reader: Reader, name: str) -> Cell:
     value, path = found
     if name != "modified_life":
         return reader.units.number(value, "1", "%", ".2g", f"life_error:{path}")
-    factors = reader.attributes["life"][reader.last]["factors"]
-    exponents = [
-        factor.get("life_exponent", 0.0 if factor["effect"] == "load" else None) for factor in factors
-    ]
+    exponents = _exponents(reader)
     if None in exponents:
+        factors = reader.attributes["life"][reader.last]["factors"]
         return "not estimated: film" if any(each["name"] == "film" for each in factors) else _NOT_KNOWN
-    carried = value * (1 + sum(exponents))
+    carried = value * (1 + sum(filter(None, exponents)))
     return reader.units.number(carried, "1", "%", ".2g", f"life_error:{path}:{reader.last}")
 
 

@@ -19,7 +19,7 @@ _DEFINED = {  # rows whose label does not tell of what, from where and in which 
     "Cage slip": CAGE_SLIP.name,
     "Raceway deviation, inner": "inner_deviation",
     "Raceway deviation, outer": "outer_deviation",
-    "Stiffness of support / of bearing": "support_stiffness_ratio",
+    "Stiffness of outer support / of bearing": "support_stiffness_ratio",
 }
 ALONE = "No part is flexible: bearing and result are those between rigid raceways."
 

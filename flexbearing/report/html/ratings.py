@@ -1,5 +1,6 @@
 """Load ratings of a bearing and the loads that they are compared with."""
 
+from collections.abc import Iterator
 from math import inf, pi
 from typing import Any
 
@@ -13,6 +14,11 @@ _NAMES = {
     "C_u": "fatigue load limit C_u",
 }
 APART = 0.05  # of a rating from its formula that is worth a remark
+_WARMER = (-20.0, -10.0, 0.0, 10.0, 20.0)  # [K]
+_AT_P = (
+    "By formulas at the load P. The modified life of this case, with the loads of its rolling elements, has "
+    "an a_ISO of its own, which changes the same way."
+)
 _STORED = "attributes/catalogue_life/ratings"
 
 
@@ -53,6 +59,38 @@ def _hours(reader: Reader) -> float:
     """Hours that a million revolutions take."""
     speed = abs(float(reader.blocks[reader.last].get("relative_speed", 0.0)))
     return 1e6 * 2 * pi / speed / 3600 if speed else inf
+
+
+def at_other_temperatures(reader: Reader) -> Iterator[Table]:
+    """Viscosity ratio and a_ISO with warmer and colder oil, by formulas; none where the case has no a_ISO."""
+    known, catalogue = found(reader), reader.result.family.catalogue
+    if isinstance(known, str) or catalogue is None or "viscosity_ratio" not in known[0]:
+        return
+    given = reader.attributes["case_si"]["lubricant"]["inlet_temperature"]
+    rows: list[tuple[Cell, ...]] = []
+    for step in _WARMER:
+        asked = f"{given + step:.6g}"
+        rated = with_oil_at(reader, asked)
+        if rated is not None:
+            row = (("viscosity_ratio", ".3g"), ("a_ISO", ".3g"), ("modified_Mrev", ",.4g"))
+            cells = (
+                reader.units.number(rated[name], unit, unit, form, f"ratings_at/{asked}/{name}")
+                for (name, form), unit in zip(row, ("", "", "Mrev"), strict=True)
+            )
+            oil = reader.units.number(given + step, "K", "degC", ".4g", "")
+            rows.append((f"{oil.text} {printed(oil.unit)}{' (this case)' * (step == 0)}", *cells))
+    head = ("oil at the inlets", "viscosity ratio κ", "a_ISO at P", "L10m, ISO 281 [10⁶ revolutions]")
+    yield Table("Viscosity ratio at other oil temperatures", head, tuple(rows), _AT_P)
+
+
+def with_oil_at(reader: Reader, kelvin: str) -> dict[str, Any] | None:
+    """Ratings of the case with oil of a temperature; None where its data do not reach there."""
+    assert reader.result.family.catalogue is not None
+    try:
+        case = reader.case_with([f"lubricant.inlet_temperature={kelvin} K"])
+        return reader.result.family.catalogue().ratings(case, _hours(reader))
+    except ValueError:
+        return None
 
 
 def _laid_out(reader: Reader, found: dict[str, Any], at: str) -> Table:

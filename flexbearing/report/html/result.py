@@ -22,6 +22,11 @@ from flexbearing.report.html.simplifications import simplifications
 from flexbearing.report.html.units import METRIC, Units, printed, with_unit
 from flexbearing.results import Result
 
+_FLOODED = (
+    "Rolling shear is that of flooded inlets; an inlet with less oil shears less and carries a thinner film. "
+    "So with little oil this loss, torque and film are at most what stands here."
+)
+
 
 def of_result(result: Result, units: Units = METRIC, further: tuple[Section, ...] = ()) -> Document:
     """Collect the report of a result.
@@ -93,7 +98,8 @@ def _heat(reader: Reader) -> Iterator[Block]:
     powers = (reader.element(block, "driving_power", digits=",.2f") for block in reader.blocks)
     rows.append(("total: driving power", *powers, reader.layout["driving_power"].meaning))
     head = ("cause", *(f"{block} [{printed(unit)}]" for block in reader.blocks), "meaning")
-    yield Table("Heat by cause", head, tuple(rows))
+    note = _FLOODED if "flooding" in {each["code"] for each in reader.attributes["notes"]} else ""
+    yield Table("Heat by cause", head, tuple(rows), note)
 
 
 def _convergence(reader: Reader) -> Iterator[Block]:

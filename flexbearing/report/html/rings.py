@@ -23,6 +23,8 @@ def blocks(reader: Reader) -> Iterator[Block]:
         if figure := around(reader, "axial force of the bars", names, "bar_azimuth"):
             yield figure
     yield _supports(reader)
+    if "support_translation" in reader.blocks[reader.last]:
+        yield _translations(reader)
     if reader.attributes.get("stresses"):
         yield _stresses(reader)
     else:
@@ -49,6 +51,17 @@ def _supports(reader: Reader) -> Table:
     words = (with_unit(word, unit) for word in ("radial stiffness of its support", "its error, estimated"))
     head = ("part", *words, "unknowns", "elements")
     return Table("Finite elements of the flexible parts", head, tuple(rows))
+
+
+def _translations(reader: Reader) -> Table:
+    """Rigid translation of both raceways on what holds them."""
+    rows: list[tuple[Cell, ...]] = []
+    for row, race in enumerate(("inner", "outer")):
+        cells = (reader.element(reader.last, "support_translation", row, axis) for axis in range(2))
+        rows.append((f"{race} raceway", *cells))
+    unit = reader.units.of(reader.layout["support_translation"].unit_for_people.name)
+    head = ("of", *(with_unit(f"along {axis}", unit) for axis in "yz"))
+    return Table("Rigid translation of the raceways on their supports", head, tuple(rows))
 
 
 def _stresses(reader: Reader) -> Table:
