@@ -403,6 +403,7 @@ def test_main_results_stand_with_what_all_assumed_and_toleranced_inputs_make_of_
     stiffness_row = rows["radial stiffness along the load, of the bearing alone"]
     assert [cell.text for cell in stiffness_row[4:8]] == ["0.87", "1.1", "0.788", "1.17"]
     assert stiffness_row[8] == "bearing.roller.profile"
+    assert "490,000 h, 80,100 to 7,090,000 h by what is assumed" in words(readers("catalogue"))
     assert rows["cage slip"][4:] == ("–",) * 5  # zero to the printed digit
     assert all(len(row) == 4 for row in main_results(readers("plain")).values())  # no comment tells anything
 
@@ -424,6 +425,7 @@ def test_given_inputs_name_their_source_and_load_and_speed_are_chosen(readers):
     assert origins["operation.radial_load"] == "given: chosen, no catalogue has it"
     assert origins["bearing.rollers"] == "assumed"
     assert table.note.startswith("The case begins: From a catalogue: SKF Rolling bearings (2018), NU 210 ECP")
-    heavy = {row[0]: row[4] for block in inputs.blocks(readers("heavy")) if block.kind == "table"
-             for row in block.rows if len(row) > 4}  # fmt: skip
-    assert heavy["operation.radial_load"] == "given"  # by a setting, not by the file
+    result = readers("catalogue").result
+    overrides = {**result.attributes, "case_overrides": ["operation.radial_load=5 kN"]}
+    by_setting = Reader(replace(result, attributes=overrides), METRIC)
+    assert inputs.origin(by_setting, "operation.radial_load") == "given"  # the comment is on another value

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from flexbearing.quantities.attributes import GRADES
-from flexbearing.report.html import ratings
+from flexbearing.report.html import combined, ratings
 from flexbearing.report.html.document import Block, Cell, Number, Table, Words
 from flexbearing.report.html.lives import lives
 from flexbearing.report.html.raceway_tilt import between_raceways
@@ -126,14 +126,20 @@ def _lived(reader: Reader) -> str:
     first = next(iter(lives(reader)), None)
     if first is None or not first.chosen:
         return ""
-    hours = first.hours if isinstance(first.hours, Number) else None
-    value = f"{rounded(hours)} h" if hours else f"{rounded(first.turns)} million revolutions"
-    return f" The life to compare with a requirement: {value}."
+    number, unit = (
+        (first.hours, "h") if isinstance(first.hours, Number) else (first.turns, "million revolutions")
+    )
+    words = f" The life to compare with a requirement: {rounded(number)} {unit}"
+    span = combined.span_of(combined.ratios(reader, combined.LIFE))
+    if span is None:
+        return f"{words}."
+    low, high = (rounded(number, times) for times in span.squares)
+    return f"{words}, {low} to {high} {unit} by what is assumed, fitted or toleranced (see Main results)."
 
 
-def rounded(number: Number) -> str:
-    """A number of a table with three digits, for a sentence: 489,719 is 490,000."""
-    value = float(number.text.replace(",", ""))
+def rounded(number: Number, times: float = 1.0) -> str:
+    """A number of a table, or a multiple of it, with three digits for a sentence: 489,719 is 490,000."""
+    value = times * float(number.text.replace(",", ""))
     return f"{float(f'{value:.3g}'):,.10g}"
 
 

@@ -7,6 +7,7 @@ from math import log
 
 from flexbearing.report.html.document import Block, Items
 from flexbearing.report.html.reader import Reader
+from flexbearing.report.html.units import units_in_words
 
 _TIMES = re.compile(r"(\d+(?:\.\d+)?) times with")
 _MARKS = ("assumed: ", "calibrated: ", "tolerances: ")
@@ -29,7 +30,7 @@ def blocks(reader: Reader) -> Iterator[Block]:
     ranked = sorted(assumed, key=lambda key: -effect(said.get(key, "")))
     weighted = _RANKED if any(effect(text) for text in said.values()) else ""
     untold = "the case does not tell its effect"
-    lines = (f"{named(key)}: {said.get(key, untold)}" for key in ranked)
+    lines = (f"{named(key)}: {units_in_words(said.get(key, untold))}" for key in ranked)
     yield Items(f"{_TITLE}.{weighted}", tuple(lines))
     if first := tuple(_first(reader, said)):
         yield Items("Measure or specify first, for outputs beside the life", first)
@@ -59,7 +60,7 @@ def moving(reader: Reader) -> list[str]:
     said = comments(reader.result.attributes["case_text"])
     known = {key: effect(text) for key, text in said.items() if effect(text) > log(WORTH)}
     ranked = sorted(known, key=lambda key: -known[key])
-    return [f"{named(key)}{_mark(reader, key)}: life {changes(said[key])}" for key in ranked]
+    return [units_in_words(f"{named(key)}{_mark(reader, key)}: life {changes(said[key])}") for key in ranked]
 
 
 def _mark(reader: Reader, key: str) -> str:

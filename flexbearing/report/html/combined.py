@@ -9,16 +9,19 @@ from flexbearing.report.html.reader import Reader
 
 LIFE = "life"
 HEAD = (
-    "by inputs, root of squares: least [times]", "most [times]", "worst sum: least [times]", "most [times]",
+    "by inputs: least [times]",
+    "most [times]",
+    "worst sum: least [times]",
+    "most [times]",
     "moved most by",
-)  # fmt: skip
+)
 _COMPUTED = "computed with this result"
 _TOLD = "as comments of the case tell it, which leave out changes below 1 %"
 _NOTE = (
     "By inputs: the result over that of this case with other values of all that is assumed, fitted or "
-    "toleranced, {by}. Root of squares: of the largest change by each input, as a logarithm, for inputs that "
-    "are independent of each other; worst sum: all of these changes at once. What the model leaves out comes "
-    "on top."
+    "toleranced, {by}; root of the sum of squares of the largest changes by each input, as logarithms, for "
+    "inputs that are independent of each other. Worst sum: all of these changes at once. What the model "
+    "leaves out comes on top."
 )
 _MISSING = " Not counted, since their effect is not told: {}."
 
