@@ -4,7 +4,11 @@ from collections.abc import Sequence
 
 from flexbearing.case import BadCase, Head
 from flexbearing.case.family import Family
+from flexbearing.derivatives.keys import keys_of
 from flexbearing.derivatives.table import Sensitivities
+from flexbearing.outputs import wanted
+
+COLLECTIVE = "all", "life"  # what a family has its own names for
 
 
 def sensitivities(case: Head, family: Family, of: Sequence[str], by: Sequence[str]) -> Sensitivities:
@@ -28,11 +32,24 @@ def sensitivities(case: Head, family: Family, of: Sequence[str], by: Sequence[st
     Raises
     ------
     BadCase
-        for a family without derivatives
+        for a family without derivatives, and for keys that have none, before anything is solved
+    UnknownOutput, WrongUnit
+        for texts that name no output, before anything is solved
     """
     if family.sensitivities is None:
         raise BadCase(
             f'{case.source.path}: outputs of kind = "{case.kind}" are not differentiated; '
             "vary the key in a study instead"
         )
+    _require_names(case, family, of, by)
     return family.sensitivities()(case, of, by)
+
+
+def _require_names(case: Head, family: Family, of: Sequence[str], by: Sequence[str]) -> None:
+    """Refuse names before all that derivatives need is imported."""
+    layout = family.layout()
+    for text in of:
+        if text not in COLLECTIVE:
+            wanted(layout, text)
+    for path in by:
+        keys_of(case, path)

@@ -65,8 +65,8 @@ def sensitivities(case: FastCase, of: Sequence[str] = (), by: Sequence[str] = ()
                 f"derivatives need another one, see flexbearing explain {key}"
             )
     keys = [key for path in by for key in keys_of(case, path)] or given_keys(case)
-    shorter = [replace(key, relative_step=RELATIVE_STEP) for key in keys]
-    return _table(_State.solved(case), _asked(case, of), shorter)
+    asked, shorter = _asked(case, of), [replace(key, relative_step=RELATIVE_STEP) for key in keys]
+    return _table(_State.solved(case), asked, shorter)
 
 
 def _asked(case: FastCase, of: Sequence[str]) -> list[Wanted]:

@@ -26,7 +26,7 @@ _PLAIN = "1"  # the unit of plain numbers
 
 
 class UnknownOutput(ValueError):
-    """A name that no output has; the message says which there are."""
+    """A name that no output has; the message says the nearest one and where all are listed."""
 
 
 class AbsentOutput(ValueError):
@@ -204,7 +204,7 @@ def wanted(layout: Layout, text: str) -> Wanted:
     Raises
     ------
     UnknownOutput
-        for another name, with the nearest one and all that there are
+        for another name, with the nearest one, the main ones and where all are listed
     WrongUnit
         for a unit that cannot be read or is of another kind, with those that are allowed
     """
@@ -215,7 +215,10 @@ def wanted(layout: Layout, text: str) -> Wanted:
     if parts is None or output is None:
         near = get_close_matches(name, known, n=1, cutoff=0.4)
         hint = f" Did you mean {near[0]}?" if near else ""
-        raise UnknownOutput(f"{text!r}: no output has this name.{hint} There are: {', '.join(known)}.")
+        raise UnknownOutput(
+            f"{text!r}: no output has this name.{hint} The main ones are {', '.join(layout.main)}; "
+            "docs/reference/results.md lists all."
+        )
     unit = output.unit if parts["unit"] is None else parts["unit"].strip()
     try:
         way = conversion(output.unit, unit, turning=bool(output.declared.speed))

@@ -1,6 +1,7 @@
 """The command `sensitivity`; what it does not need is not loaded."""
 
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -9,6 +10,7 @@ import typer
 from flexbearing.program.kept import keeping
 
 if TYPE_CHECKING:
+    from flexbearing.case import Head
     from flexbearing.derivatives.table import Sensitivities
 
 NOT_CONVERGED = 1
@@ -43,7 +45,6 @@ def sensitivity(
     from flexbearing.files import require_output
     from flexbearing.printable import all_printable, printable
     from flexbearing.runs.run_case import stem_of_outputs
-    from quasidynamic import NotSolved
 
     wanted = api.read_case(case, settings or [])
     picture = output or Path("results") / f"{stem_of_outputs(case, settings or ())}_sensitivity.png"
@@ -52,11 +53,7 @@ def sensitivity(
     if not as_json:
         for place in (picture, table):
             require_output(place, wanted.input_files)
-    try:
-        found = api.sensitivities(wanted, of.split(",") if of else (), by or ())
-    except NotSolved as problem:
-        sys.stderr.write(printable(f"{case}: not converged: {problem}\n"))
-        raise typer.Exit(NOT_CONVERGED) from None
+    found = _differentiated(wanted, of.split(",") if of else (), by or ())
     if as_json:
         import json
 
@@ -69,6 +66,22 @@ def sensitivity(
 
         sys.stdout.write(printable(laid_out(sections(found), encoding=sys.stdout.encoding)))
         sys.stdout.write(printable(f"table: {table}\npicture: {picture}\n"))
+
+
+def _differentiated(case: "Head", of: Sequence[str], by: Sequence[str]) -> "Sensitivities":
+    from flexbearing import api
+    from flexbearing.case import BadCase
+    from flexbearing.outputs import UnknownOutput, WrongUnit
+    from flexbearing.printable import printable
+    from quasidynamic import NotSolved
+
+    try:
+        return api.sensitivities(case, of, by)
+    except (UnknownOutput, WrongUnit) as problem:
+        raise BadCase(f"--of {problem}") from None
+    except NotSolved as problem:
+        sys.stderr.write(printable(f"{case.source.path}: not converged: {problem}\n"))
+        raise typer.Exit(NOT_CONVERGED) from None
 
 
 def _form_of(picture: Path) -> str:

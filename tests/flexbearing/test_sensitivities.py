@@ -2,6 +2,7 @@
 
 import csv
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +13,7 @@ import flexbearing as fb
 from flexbearing import __main__ as program, api
 from flexbearing.case import BadCase
 from flexbearing.derivatives.rollers import BEYOND, REACH, sensitivities
+from flexbearing.families import FAMILIES
 from flexbearing.report.tornado_figure import draw_tornado
 
 CONFIGS = Path(__file__).parents[2] / "configs"
@@ -318,6 +320,32 @@ def test_command_prints_json(capsys):
 def test_command_refuses_a_picture_of_no_known_form(capsys):
     assert command("-o", "tornado.jpg") == 2
     assert "its name ends in .png, .svg, .pdf" in capsys.readouterr().err
+
+
+def unreachable():
+    raise AssertionError("derivatives are imported and solved for")
+
+
+@pytest.mark.parametrize("name", ["mao2016", "6209"])
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("--of", "max_bearing_load"), "--of 'max_bearing_load': no output has this name."),
+        (("--of", "stiffness_zz [mm]"), "is a unit of another kind"),
+        (("--by", "bearing.clearence"), "Did you mean clearance"),
+    ],
+)
+def test_command_refuses_unknown_names_in_a_line_before_anything_is_solved(
+    name, words, said, capsys, monkeypatch
+):
+    for kind, family in FAMILIES.items():
+        if family.sensitivities:
+            monkeypatch.setitem(FAMILIES, kind, replace(family, sensitivities=unreachable))
+    assert program.command(["sensitivity", str(CONFIGS / f"{name}.toml"), *words]) == 2
+    told = capsys.readouterr().err
+    assert said in told
+    assert told.count("\n") == 1
+    assert len(told) < 400
 
 
 def test_chart_draws_bars_of_both_senses_and_marks_both_sides(of_rigid):
