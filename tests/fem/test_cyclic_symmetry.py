@@ -129,7 +129,7 @@ def test_half_a_pitch_answers_like_the_whole_cage(shape, monkeypatch):
     [
         pytest.param({"bars": 2}, marks=pytest.mark.slow),
         {"bars": 3},
-        {"bars": 2, "two_sided": True, "offset": 0.4e-3},
+        pytest.param({"bars": 2, "two_sided": True, "offset": 0.4e-3}, marks=pytest.mark.slow),
     ],
     ids=str,
 )

@@ -215,7 +215,8 @@ def test_neighbours_of_a_ring_with_one_clamped_face(ring):
 FEW, MANY = (FAIR, 75), (MeshSize(order=6, size=4e-3, raceway_size=0.8e-3), 140)
 
 
-@pytest.mark.parametrize("part", [RING, pytest.param(SHAFT, marks=pytest.mark.slow)], ids=["ring", "shaft"])
+@pytest.mark.slow
+@pytest.mark.parametrize("part", [RING, SHAFT], ids=["ring", "shaft"])
 def test_own_compliance_does_not_depend_on_mesh_or_harmonics(part):
     few, many = (by_harmonics(part, L, 3, *wishes).at(ROLLERS) for wishes in (FEW, MANY))
     assert few.absolute == approx(many.absolute, rel=0, abs=1.5e-3 * many.absolute.max())

@@ -61,6 +61,23 @@ def results(tmp_path_factory):
     return computed
 
 
+UNITS = {units.name: units for units in (METRIC, IMPERIAL)}
+
+
+@pytest.fixture(scope="module")
+def documents(results):
+    """What a report of a case holds, made once."""
+    made = cache(lambda name, units: of_result(api.read(results(name)), UNITS[units]))
+    return lambda name, units=METRIC: made(name, units.name)
+
+
+@pytest.fixture(scope="module")
+def pages(documents):
+    """The same as HTML."""
+    made = cache(lambda name, units: html(documents(name, UNITS[units])))
+    return lambda name, units=METRIC: made(name, units.name)
+
+
 ALL = [
     *QUICK,
     *(pytest.param(name, marks=pytest.mark.slow) for name in {**CASES, **SLOW} if name not in QUICK),
@@ -70,19 +87,19 @@ KINDS = [name for name in ALL if name in QUICK or name.values[0] in CASES]
 
 @pytest.mark.parametrize("units", [METRIC, IMPERIAL], ids=lambda units: units.name)
 @pytest.mark.parametrize("name", ALL)
-def test_every_number_of_a_report_is_that_of_the_file_to_the_printed_digit(results, name, units):
+def test_every_number_of_a_report_is_that_of_the_file_to_the_printed_digit(results, pages, name, units):
     path = results(name)
-    cells = Page(html(of_result(api.read(path), units))).cells
+    cells = Page(pages(name, units)).cells
     assert len(cells) > 50
     require_equal(cells, Numbers(path))
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ALL)
-def test_lines_of_figures_are_those_of_the_file(results, name):
+def test_lines_of_figures_are_those_of_the_file(results, pages, name):
     path = results(name)
     numbers, checked = Numbers(path), 0
-    for figure in Page(html(of_result(api.read(path)))).figures:
+    for figure in Page(pages(name)).figures:
         for trace in figure["traces"]:
             if "customdata" in trace and trace["type"] == "scatter":
                 drawn = np.array(trace["y"], dtype=float)
@@ -95,8 +112,8 @@ def test_lines_of_figures_are_those_of_the_file(results, name):
 
 
 @pytest.mark.parametrize("name", KINDS)
-def test_a_report_is_one_file_of_at_most_five_megabytes_that_loads_nothing(results, name):
-    text = html(of_result(api.read(results(name))))
+def test_a_report_is_one_file_of_at_most_five_megabytes_that_loads_nothing(pages, name):
+    text = pages(name)
     page = Page(text)
     assert len(text.encode()) < 5e6
     assert [given for _, given in page.tags if "src" in given] == []
@@ -106,8 +123,8 @@ def test_a_report_is_one_file_of_at_most_five_megabytes_that_loads_nothing(resul
     assert len(identifiers) == len(set(identifiers))
 
 
-def test_marks_of_inputs_stand_in_their_table(results):
-    text = html(of_result(api.read(results("roller with fits"))))
+def test_marks_of_inputs_stand_in_their_table(pages):
+    text = pages("roller with fits")
     row = next(line for line in text.splitlines() if ">bearing.roller.drop<" in line)
     assert ">assumed<" in row
     row = next(line for line in text.splitlines() if ">bearing.rollers<" in line)
@@ -138,16 +155,16 @@ def test_balls_are_held_to_the_limit_of_balls(results):
     assert limits == {"at most 4,200 (ISO 76)"}
 
 
-def test_every_cause_of_heat_has_its_own_name(results):
-    document = of_result(api.read(results("roller with fits")))
+def test_every_cause_of_heat_has_its_own_name(documents):
+    document = documents("roller with fits")
     (heat,) = [section for section in document.sections if section.title == "Heat by cause"]
     names = [row[0] for row in heat.blocks[-1].rows]
     assert names[0] == "power lost by sliding"
     assert len(set(names)) == len(names)
 
 
-def test_defaults_of_other_kinds_of_parts_are_left_out(results):
-    text = html(of_result(api.read(results("roller with fits"))))
+def test_defaults_of_other_kinds_of_parts_are_left_out(pages):
+    text = pages("roller with fits")
     assert ">lubricant.film<" in text
     assert ">outer.tooth_radial<" not in text
 
@@ -238,7 +255,7 @@ def test_without_chromium_nothing_is_read_for_a_pdf(tmp_path, monkeypatch, capsy
     )
 
 
-def test_a_report_replaces_neither_its_case_nor_its_result(results, tmp_path):
+def test_a_report_replaces_neither_its_case_nor_its_result(tmp_path):
     case = tmp_path / "case.toml"
     case.write_text((CONFIGS / "harris218.toml").read_text("utf-8"), "utf-8")
     result = api.run(case, output=tmp_path / "case.h5")
@@ -248,10 +265,10 @@ def test_a_report_replaces_neither_its_case_nor_its_result(results, tmp_path):
 
 
 @pytest.mark.parametrize("name", KINDS)
-def test_the_bearing_is_drawn_as_for_its_case(results, name):
+def test_the_bearing_is_drawn_as_for_its_case(pages, name):
     file, settings = CASES[name]
     svg = [drawing.svg for drawing in api.drawings(api.read_case(CONFIGS / file, settings))]
-    text = html(of_result(api.read(results(name))))
+    text = pages(name)
     assert svg
     assert all(drawing in text for drawing in svg)
 
@@ -282,15 +299,15 @@ def test_numbers_that_are_not_finite_are_dashes(results, name):
     } <= {"–"}
 
 
-def test_host_and_cores_of_the_computation_are_told(results):
+def test_host_and_cores_of_the_computation_are_told(results, pages):
     machine = api.read(results("fast ball")).attributes["machine"]
-    text = "".join(Page(html(of_result(api.read(results("fast ball"))))).text)
+    text = "".join(Page(pages("fast ball")).text)
     assert machine["cores"] >= 1
     assert f"host of the computation{machine['host']}" in text
 
 
-def test_raceways_are_drawn_with_azimuth_zero_down_and_the_load_at_its_azimuth(results):
-    figures = {each.name: each for each in of_result(api.read(results("beams of a squirrel cage"))).figures}
+def test_raceways_are_drawn_with_azimuth_zero_down_and_the_load_at_its_azimuth(documents):
+    figures = {each.name: each for each in documents("beams of a squirrel cage").figures}
     deformed = figures["deformed"]
     assert deformed.layout["yaxis"]["autorange"] == "reversed"  # z grows downwards
     first = deformed.traces[0]
@@ -300,14 +317,14 @@ def test_raceways_are_drawn_with_azimuth_zero_down_and_the_load_at_its_azimuth(r
     assert figures["around-inner-load"].layout["shapes"][0]["x0"] == 0
 
 
-def test_maps_of_both_raceways_share_their_colour_scale(results):
-    figures = {each.name: each for each in of_result(api.read(results("roller with fits"))).figures}
+def test_maps_of_both_raceways_share_their_colour_scale(documents):
+    figures = {each.name: each for each in documents("roller with fits").figures}
     inner, outer = (figures[f"map-{race}-pressure"].traces[0] for race in ("inner", "outer"))
     assert inner["zmax"] == outer["zmax"] == max(max(row) for row in inner["z"] + outer["z"])
 
 
-def test_a_figure_of_equal_values_is_left_out_and_a_line_says_so(results):
-    document = of_result(api.read(results("roller with fits")))
+def test_a_figure_of_equal_values_is_left_out_and_a_line_says_so(documents):
+    document = documents("roller with fits")
     (section,) = [each for each in document.sections if each.name == "elements"]
     assert "around-roller-tilt" not in {figure.name for figure in document.figures}
     told = [words for block in section.blocks if block.kind == "words" for words in block.paragraphs]
@@ -351,8 +368,8 @@ def test_the_radial_load_on_balls_is_marked_at_its_azimuth():
 
 
 @pytest.mark.parametrize("name", ["roller with fits", "fast ball"])
-def test_a_bearing_between_rigid_rings_tells_how_far_it_is_from_balance(results, name):
-    (section,) = [each for each in of_result(api.read(results(name))).sections if each.name == "convergence"]
+def test_a_bearing_between_rigid_rings_tells_how_far_it_is_from_balance(documents, name):
+    (section,) = [each for each in documents(name).sections if each.name == "convergence"]
     (words,) = [block.paragraphs[0] for block in section.blocks if block.kind == "words"]
     found = re.search(r"in balance to (\S+) (N|of the largest force)", words)
     assert float(found[1]) < 1e-6
@@ -376,9 +393,9 @@ def test_without_temperatures_no_clearance_is_called_operating():
     assert {row[0] for row in tables[1].rows} >= named
 
 
-def test_the_sense_of_azimuth_is_told(results):
-    for name in CASES:
-        assert "left-handed about +x" in "".join(Page(html(of_result(api.read(results(name))))).text)
+@pytest.mark.parametrize("name", KINDS)
+def test_the_sense_of_azimuth_is_told(pages, name):
+    assert "left-handed about +x" in "".join(Page(pages(name)).text)
 
 
 def test_operating_system_and_revision_are_told(results):
@@ -390,20 +407,20 @@ def test_operating_system_and_revision_are_told(results):
     assert "revision of the program's source (git commit)0123456789ab" in text
 
 
-def test_lists_of_inputs_have_their_units(results):
-    document = of_result(api.read(results("slow ball")))
+def test_lists_of_inputs_have_their_units(documents):
+    document = documents("slow ball")
     (section,) = [each for each in document.sections if each.name == "inputs"]
     rows = {row[0]: row for block in section.blocks if block.kind == "table" for row in block.rows}
     assert rows["operation.contact_loads"][1] == "56,137.2 N, 0 N"
 
 
-def test_imperial_pages_say_what_keeps_its_units(results):
+def test_imperial_pages_say_what_keeps_its_units(pages):
     said = "Drawings, notes and texts of the case keep their own units"
-    assert said in html(of_result(api.read(results("fast ball")), IMPERIAL))
-    assert said not in html(of_result(api.read(results("fast ball")), METRIC))
+    assert said in pages("fast ball", IMPERIAL)
+    assert said not in pages("fast ball", METRIC)
 
 
-def test_values_of_a_single_ball_are_no_figures_over_the_azimuth(results):
-    document = of_result(api.read(results("slow ball")))
+def test_values_of_a_single_ball_are_no_figures_over_the_azimuth(documents):
+    document = documents("slow ball")
     assert not any(figure.name.startswith("around") for figure in document.figures)
     assert "of a single rolling element: contact load [N]" in html(document)

@@ -50,7 +50,7 @@ def life(case, settings):
     return modified["modified_Mrev"] if modified else float(result["flexible.life_L10"].to("Mrev"))
 
 
-QUICK = ("preloaded", "crowned")
+QUICK = ("preloaded",)
 
 
 @pytest.fixture(

@@ -53,8 +53,8 @@ STREAMS = {  # what a shell does with them, what is complained about
 @pytest.mark.parametrize(
     "streams",
     [
-        name if not place % 3 else pytest.param(name, marks=pytest.mark.slow)
-        for place, name in enumerate(STREAMS)
+        name if name in ("| head -n 1", ">&-") else pytest.param(name, marks=pytest.mark.slow)
+        for name in STREAMS
     ],
 )
 def test_run_that_converged_ends_with_zero_whatever_its_streams(streams, tmp_path):

@@ -49,7 +49,7 @@ def test_life_hardly_depends_on_the_thickness_where_the_tilt_is_free():
 @pytest.mark.parametrize(
     "change",
     [
-        lambda t: {"outer.bar_thickness": f"{t - 1:.3g} mm"},
+        pytest.param(lambda t: {"outer.bar_thickness": f"{t - 1:.3g} mm"}, marks=pytest.mark.slow),
         lambda t: {"outer.bar_length": "5 mm"},
         pytest.param(lambda t: {"outer.bar_ends": "both"}, marks=pytest.mark.slow),
         lambda t: {"bearing.clearance": f"{75.5 - 5 * (t - 3.6):.6g} um"},

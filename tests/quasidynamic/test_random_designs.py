@@ -22,8 +22,8 @@ from tests.bearings import RPM
 from tests.quasidynamic.test_identities import torque_on_rollers_and_cage
 from tests.random_rollers import design, imbalance, pocket_rounding
 
-SEEDS, INERTIA = st.integers(0, 9999), st.booleans()
-FEW = settings(max_examples=20, deadline=None)
+SEEDS, INERTIA = st.integers(1, 9999), st.booleans()  # 0 takes seconds without the inertia of spins
+FEW = settings(max_examples=12, deadline=None)
 FEWER = settings(max_examples=8, deadline=None)
 PRESSED = 300.0  # [N]
 LIGHT = {0: "10 N, slip 0.72", 4: "810 N, slip 0.32", 99: "96 N, slip 0.87"}  # most rollers spin backwards
@@ -73,6 +73,7 @@ def test_every_design_ends_by_name(seed, spin_inertia):
 @pytest.mark.slow
 @FEW
 @given(SEEDS, INERTIA)
+@example(0, False)
 @example(4, True)
 @example(99, False)
 def test_angular_momentum_is_kept(seed, spin_inertia):
@@ -111,6 +112,7 @@ def test_power_put_in_is_the_work_of_all_forces(seed, spin_inertia):
 
 @FEW
 @given(SEEDS, INERTIA)
+@example(0, True)
 @example(4, True)
 @example(99, False)
 def test_rollers_ring_and_cage_are_in_balance(seed, spin_inertia):
