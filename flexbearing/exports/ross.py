@@ -22,7 +22,8 @@ from flexbearing.results import BadResult
 
 LEAST = 5  # speeds: ROSS takes a cubic through four, and extrapolates without a word
 SPEED, CONVERGED = "operation.inner_speed", "converged"
-ENTRIES = ("stiffness_yy", "stiffness_yz", "stiffness_zy", "stiffness_zz")
+ENTRIES = ("yy", "yz", "zy", "zz")  # force by displacement
+TILT_FOLLOWS, TILT_HELD = "total_stiffness", "stiffness"  # with free tilt, as of rollers; of balls
 AXES = {2: "frequency", 3: "speed"}  # what the first axis of a bearing is called, by version of ROSS
 _HEADING = re.compile(r"(?P<name>[^\[]*?)(?: \[(?P<unit>[^]]*)\])?")
 
@@ -44,7 +45,8 @@ def export(table: Path, directory: Path) -> Iterator[Path]:
     Parameters
     ----------
     table : Path
-        CSV of a study over `operation.inner_speed` alone, with the columns stiffness_yy, _yz, _zy, _zz
+        CSV of a study over `operation.inner_speed` alone, with the columns total_stiffness_yy, _yz, _zy,
+        _zz of roller bearings, or stiffness_yy, _yz, _zy, _zz of ball bearings
     directory : Path
         where to; made when it is not there
 
@@ -118,7 +120,9 @@ def read(path: Path) -> Bearing:
         reason = getattr(problem, "strerror", None) or "it is no CSV"
         raise BadResult(f"{path}: is no table of a study: {reason}.") from problem
     speeds = _column(path, heads, rows, (SPEED,), "rad/s")
-    states = [_column(path, heads, rows, _names(entry), "N/m") for entry in ENTRIES]
+    of_balls = not any(TILT_FOLLOWS in head for head in heads) and any(TILT_HELD in head for head in heads)
+    which = TILT_HELD if of_balls else TILT_FOLLOWS
+    states = [_column(path, heads, rows, _names(f"{which}_{entry}"), "N/m") for entry in ENTRIES]
     _require_speeds(path, heads, rows, speeds)
     turns = np.sign(speeds[np.argmax(np.abs(speeds))])
     order = np.argsort(np.abs(speeds))

@@ -187,24 +187,9 @@ def touching_both(forces: np.ndarray) -> np.ndarray:
     return (forces > 0).all(axis=-2).sum(axis=-1)
 
 
-def entry_along_z(matrix: np.ndarray) -> np.ndarray:
-    """Force along z per displacement along z, of matrices (..., 5, 5) over x, y, z and both tilts."""
-    return matrix[..., 2, 2]
-
-
-def entry_along_y(matrix: np.ndarray) -> np.ndarray:
-    """Force along y per displacement along y, of matrices (..., 5, 5) over x, y, z and both tilts."""
-    return matrix[..., 1, 1]
-
-
-def entry_y_by_z(matrix: np.ndarray) -> np.ndarray:
-    """Force along y per displacement along z, of matrices (..., 5, 5) over x, y, z and both tilts."""
-    return matrix[..., 1, 2]
-
-
-def entry_z_by_y(matrix: np.ndarray) -> np.ndarray:
-    """Force along z per displacement along y, of matrices (..., 5, 5) over x, y, z and both tilts."""
-    return matrix[..., 2, 1]
+def entry(matrix: np.ndarray, row: int, column: int) -> np.ndarray:
+    """Force on one axis per displacement along another, of matrices (..., n, n)."""
+    return matrix[..., row, column]
 
 
 def at_inner_race(values: np.ndarray) -> np.ndarray:

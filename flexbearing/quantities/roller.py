@@ -32,7 +32,7 @@ from flexbearing.quantities.reductions import (
     total,
     touching_both,
 )
-from flexbearing.quantities.stiffness import RADIAL_STIFFNESSES
+from flexbearing.quantities.stiffness import RADIAL_STIFFNESSES, TOTAL_STIFFNESSES
 from flexbearing.quantities.units import COUNT, DEG, KN_PER_MM, MM, MPA, MRAD, MREV, PERCENT, RPM, UM
 
 _DEVIATION = "positive outward, without form error, local indentation and rigid translation"
@@ -132,13 +132,14 @@ QUANTITIES = (
         source="end.with_supports.radial_stiffness", people=KN_PER_MM,
         summary=(SummaryValue("total_stiffness_N_per_m", label="stiffness with supports", digits=",.1f",
                               in_si=True, error="total_stiffness"),)),
-    Quantity("stiffness_yz", "", "radial_force transverse", "N/m", "block",
+    Quantity("radial_stiffness", "", "radial_force transverse", "N/m", "block",
         "radial tangent stiffness between raceways freed of their translation, forces along y and z by "
         "displacements along y and z; the tilt follows, or stays where operation.tilt holds it",
         source="end.between_raceways.radial_matrix", people=KN_PER_MM),
-    Quantity("total_stiffness_yz", "", "radial_force transverse", "N/m", "block",
-        "the same from base to shaft ends, supports included",
-        source="end.with_supports.radial_matrix", people=KN_PER_MM),
+    Quantity("total_radial_stiffness", "", "radial_force transverse", "N/m", "block",
+        "radial tangent stiffness from base to shaft ends, supports included, forces along y and z by "
+        "displacements along y and z; the tilt follows, or stays where operation.tilt holds it",
+        source="end.with_supports.radial_matrix", people=KN_PER_MM, summary=TOTAL_STIFFNESSES),
     Quantity("support_stiffness", "", "", "N/m", "block",
         "radial stiffness of the support of the outer ring, such as the bars of a squirrel cage; absent "
         "where the outer raceway is rigid, or its support",
@@ -157,7 +158,8 @@ QUANTITIES = (
                               digits=".3f"),)),
     Quantity("stiffness_matrix", "K", "force displacement", "N/m, N/rad, N m/m, N m/rad", "block",
         "tangent stiffness from base to shaft ends, supports included, x, y, z, about y, about z "
-        "(right-handed: about y is -dz/dx, about z is dy/dx); zero along x",
+        "(right-handed: about y is -dz/dx, about z is dy/dx); an entry holds all other displacements and "
+        "tilts; zero along x",
         source="end.with_supports.stiffness",
         summary=(
             *RADIAL_STIFFNESSES,

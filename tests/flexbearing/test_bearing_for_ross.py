@@ -16,8 +16,8 @@ from flexbearing.results import BadResult
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 HEADS = (
-    "operation.inner_speed [rpm],stiffness_yy [kN/mm],stiffness_yz [N/m],stiffness_zy [N/m],"
-    "stiffness_zz [N/m],status"
+    "operation.inner_speed [rpm],total_stiffness_yy [kN/mm],total_stiffness_yz [N/m],"
+    "total_stiffness_zy [N/m],total_stiffness_zz [N/m],status"
 )
 SPEEDS = (1000, 2000, 3000, 4000, 5000)
 
@@ -61,11 +61,23 @@ def test_file_names_its_axis_as_the_version_of_ross_does(tmp_path):
         assert element["cxx"] == [0.0] * 5
 
 
+def test_stiffness_whose_tilt_follows_goes_before_that_which_holds_it(tmp_path):
+    """Of roller bearings a table has both; of ball bearings the entries of the matrix alone."""
+    both = tmp_path / "both.csv"
+    rows = [f"{speed},1,2,3,4,10,20,30,40,converged" for speed in SPEEDS]
+    held = ",".join(f"stiffness_{entry} [N/m]" for entry in ross.ENTRIES)
+    heads = HEADS.replace("[kN/mm]", "[N/m]").replace(",status", f",{held},status")
+    both.write_text("\n".join([heads, *rows]))
+    assert_allclose(ross.read(both).kyy, 4.0, rtol=0, atol=0)
+    balls = ross.read(table(tmp_path / "balls.csv", heads=HEADS.replace("total_", "")))
+    assert_allclose(balls.kyy, 4e8, rtol=0, atol=0)
+
+
 WRONG = {
     "four speeds": ({"speeds": SPEEDS[:4]}, "4 speeds"),
     "a speed twice": ({"speeds": (*SPEEDS, 1000)}, "a speed twice"),
     "both directions": ({"speeds": (*SPEEDS, -500)}, "both directions"),
-    "no such output": ({"heads": HEADS.replace("stiffness_yz", "other")}, "no column stiffness_yz"),
+    "no such output": ({"heads": HEADS.replace("stiffness_yz", "other")}, "no column total_stiffness_yz"),
     "another unit": ({"heads": HEADS.replace("[rpm]", "[N]")}, "not in rad/s"),
     "not converged": ({"ending": "diverging"}, "did not converge"),
 }

@@ -96,9 +96,9 @@ def _radial(reader: Reader) -> Table:
             reader.element(block, name, digits=",.4g") for block in reader.blocks
         ]  # fmt: skip
         rows.append((label, *numbers, printed(reader.units.of("kN/mm")), use))
-    if "stiffness_yz" in reader.blocks[reader.last]:
-        rows += _over_yz(reader, "bearing alone", "stiffness_yz")
-        rows += _over_yz(reader, "with supports", "total_stiffness_yz") if supported(reader) else ()
+    if "radial_stiffness" in reader.blocks[reader.last]:
+        rows += _over_yz(reader, "bearing alone", "radial_stiffness")
+        rows += _over_yz(reader, "with supports", "total_radial_stiffness") if supported(reader) else ()
     rows += _supports(reader)
     return Table(
         f"Radial tangent stiffness{_free(reader)}", ("stiffness", *reader.blocks, "unit", "for"), tuple(rows)
@@ -110,7 +110,7 @@ def _over_yz(reader: Reader, which: str, name: str) -> Iterator[tuple[Cell, ...]
     for row, force in enumerate("yz"):
         for column, displacement in enumerate("yz"):
             numbers: list[Cell] = [
-                NOTHING if name == "total_stiffness_yz" and block == "rigid" else
+                NOTHING if name == "total_radial_stiffness" and block == "rigid" else
                 reader.element(block, name, row, column, digits=",.4g") for block in reader.blocks
             ]  # fmt: skip
             cross = f"force along {force} by displacement along {displacement}"
