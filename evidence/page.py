@@ -142,10 +142,14 @@ Every number has an allowed misfit: the printed digits of the source, the scatte
 measurements behind it, or for closed forms the error of our own grid, and no more than the tests of the
 same number allow. **Judge a misfit by the allowance beside it**: some percent agree with an empirical
 formula that scatters by more; a tenth of a percent does not agree with a table that is printed more
-exactly. The last two columns below are of the number that decides the verdict: the largest misfit outside
-its allowance, or, where all are inside, the largest misfit. `-` marks cases of statements alone. A verdict
-is computed by `evidence/verdict.py`, by one rule for all pages; the reason of a difference is written by
-its author.
+exactly. Both last columns below are about one number of the case: the largest misfit outside its allowance;
+where all are inside, the largest misfit. A misfit is a share of the known number, or where the page says so
+of the largest one. `-` marks cases of statements alone. A verdict is computed by `evidence/verdict.py`, by
+one rule for all pages; the reason of a difference is written by its author.
+
+**"Agrees" does not mean "measured".** Most cases compare with formulas of standards, closed forms or other
+programs. Measured are the friction torques of slow ball bearings and, as sign and trend, skidding: the
+torques and one of the trends are not met. Nothing measured is here of a bearing with flexible rings.
 """
 
 HEADING = "| case | verdict | misfit that decides [%] | allowed for it [%] |"
