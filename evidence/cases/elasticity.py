@@ -519,7 +519,7 @@ CASES: Sequence[Case] = (
         source="an independent polygon of Timoshenko beams (`tests/reference/plain_ring_on_supports.py`); the thin rim in Fourier series as in Jones and "
         "Harris, J. Basic Eng. 85 (1963) 273, whose planet they analysed (the series written anew, the paper recalled).",
         known="Radial motion of the rim at three of twelve rollers (the others follow by symmetry) under two opposite tooth forces, acting outside, on two pitch circles, and at mid-wall.",
-        run='Sections by harmonics with `outer.support = "planet"`: 83/80 mm, 8 mm wide, 400 N a tooth.',
+        run='Sections by harmonics with `outer.support = "planet"`: diameters 83 and 80 mm, 8 mm wide; tangential forces of -400 N at 90 deg and 400 N at 270 deg, against them 12 rollers with -800 cos(φ)/6 N.',
         numbers_from="tests/reference/test_plain_ring_on_supports.py",
         compute=planet_rim,
         error="Beams differ from the solid rim by 0.6 % at a wall of 4 % of the radius; the thin rim leaves out shear and extension. 2 % of the largest are allowed; misfits are shares of it.",
