@@ -9,7 +9,8 @@ import numpy as np
 
 from flexbearing.quantities.attributes import GRADES
 from flexbearing.report.html import combined, ratings
-from flexbearing.report.html.document import Block, Cell, Number, Table, Words
+from flexbearing.report.html.assumptions import WORTH, named
+from flexbearing.report.html.document import Block, Cell, Items, Number, Table, Words
 from flexbearing.report.html.lives import lives
 from flexbearing.report.html.raceway_tilt import between_raceways
 from flexbearing.report.html.reader import Reader
@@ -56,6 +57,8 @@ _ROLLING = (
     "zero to the printed digit: the traction that the oil film between the loaded rollers and the raceways "
     "can take is far above the drag of the mixture and the friction of the cage, so that they roll"
 )
+_ENDS = 'set bearing.contact = "half_space" for the peak pressure at the ends of the rollers'
+_GIVE_YIELD = "give yield_stress of [materials] for the parts whose stress has no limit here"
 _HEAT = "the case has no limits of steel, cage and lubricant"
 
 
@@ -81,6 +84,7 @@ class Check:
     verdict: str = NOT_CHECKED
     aim: bool = False  # a usual aim, which a design may miss for a reason
     urgent: bool = False  # has no limit here, and must be compared with one before the bearing is used
+    do: str = ""  # what keeps a limit that is exceeded, or checks one that was not
 
     @property
     def rank(self) -> tuple[bool, bool, float]:
@@ -178,6 +182,23 @@ def ranked(reader: Reader) -> list[Check]:
     return sorted(found, key=lambda check: check.rank)
 
 
+def to_do(reader: Reader) -> Iterator[Items]:
+    """What to do next: keep limits, find out what moves results most, check what was not checked."""
+    checks = ranked(reader)
+    broken = [check.do for check in checks if check.verdict.startswith(tuple(_BROKEN.values()))]
+    others = [check.do for check in checks if check.do not in broken]
+    moved: dict[str, list[str]] = {}
+    for word in (combined.LIFE, *dict(reader.layout.weighed).values()):
+        span = combined.span_of(combined.ratios(reader, word))
+        if span is not None and max(span.squares[1], 1 / span.squares[0]) > WORTH:
+            moved.setdefault(span.most, []).append(word)
+    measure = [
+        f"measure or specify {named(key)}: moves {', '.join(words)} most" for key, words in moved.items()
+    ]
+    if steps := tuple(dict.fromkeys(filter(None, (*broken, *measure, *others)))):
+        yield Items("What to do next", steps)
+
+
 def _unit(value: Cell) -> str:
     return "" if isinstance(value, str) else printed(value.unit)
 
@@ -204,7 +225,7 @@ def _pressures(reader: Reader) -> Iterator[Check]:
         check = _against(reader, what, value, number, Limit(limit, MOST, f"at most {text} (ISO 76)"))
         if ends and check.verdict == "met":
             words = "met by slices, not checked at the ends"
-            check = Check(what, value, check.limit, check.share, check.used, words)
+            check = replace(check, verdict=words, do=_ENDS)
         yield check
 
 
@@ -247,13 +268,14 @@ def _load(reader: Reader) -> Iterator[Check]:
     for name, limit in limits.items():
         what, words = f"Equivalent load P against {name}", f"at most {kilonewtons(limit)} (ISO 281)"
         check = _against(reader, what, value, load, Limit(limit, MOST, words))
-        told = check.verdict
+        told, do = check.verdict, ""
         if told == "EXCEEDED":
             unit = printed(value.unit)
             told += f": {_MAKER}"
             if name == "C_r/2":
-                told += f"; met from C_r = {kilonewtons(2 * load)} {unit} on, or with P up to the limit"
-        yield Check(what, value, words, check.share, check.used, told)
+                needed, most = (f"{kilonewtons(force)} {unit}" for force in (2 * load, limit))
+                do = f"take a bearing with C_r of at least {needed}, or a load P of at most {most}"
+        yield replace(check, verdict=told, do=do)
     share = LEAST_OF_BALLS if balls else LEAST_OF_ROLLERS
     words = f"at least {kilonewtons(share * rating)} ({share:g} C_r, rule of thumb of SKF)"
     what = "Minimum load, against slip and smearing"
@@ -278,16 +300,18 @@ def _stresses(reader: Reader) -> Iterator[Check]:
         if "stresses" not in {each.name for each in reader.layout.further_attributes}:
             yield Check("Stress of the flexible rings", verdict=f"{NOT_CHECKED}: not computed for this kind")
             return
+        how = "outputs.stresses = true"
         yield Check(
-            "Stress of the flexible rings", verdict=f"{NOT_CHECKED}: outputs.stresses = true computes it"
-        )
+            "Stress of the flexible rings", verdict=f"{NOT_CHECKED}: {how} computes it",
+            do=f"set {how} for the stress of the flexible rings",
+        )  # fmt: skip
 
 
 def _against_yield(reader: Reader, what: str, stress: float, limit: float | None, path: str) -> Check:
     """A stress [MPa] against the yield stress of a material [Pa]; where none is given, that is said."""
     value = reader.units.number(stress, "MPa", "MPa", ",.0f", path)
     if limit is None:
-        return Check(what, value, verdict=f"{NOT_CHECKED}: {_YIELD}", urgent=True)
+        return Check(what, value, verdict=f"{NOT_CHECKED}: {_YIELD}", urgent=True, do=_GIVE_YIELD)
     words = f"at most {reader.units.number(limit, 'Pa', 'MPa', ',.0f', '').text} (yield)"
     return _against(reader, what, value, stress, Limit(limit / 1e6, MOST, words))
 
@@ -309,7 +333,9 @@ def _films(reader: Reader) -> Iterator[Check]:
         value = reader.units.number(rated["viscosity_ratio"], "", "", ".3g", path)
         yield _against(reader, what, value, rated["viscosity_ratio"], Limit(1.0, LEAST, words, True))
     elif rated:
-        yield Check(what, "", words, verdict=f'{NOT_CHECKED}: life.lubrication = "a_ISO" computes it')
+        how = 'life.lubrication = "a_ISO"'
+        do = f"set {how} for the viscosity ratio and a life with oil and cleanliness"
+        yield Check(what, "", words, verdict=f"{NOT_CHECKED}: {how} computes it", do=do)
 
 
 def _film_ratio(reader: Reader) -> Iterator[Check]:
@@ -330,7 +356,8 @@ def _film_ratio(reader: Reader) -> Iterator[Check]:
             if films
             else "no film is computed for this kind of bearing"
         )
-        yield Check("Smallest film ratio Λ", "", words, verdict=f"{NOT_CHECKED}: {why}")
+        do = "give bearing.roughness for the film ratio" if films else ""
+        yield Check("Smallest film ratio Λ", "", words, verdict=f"{NOT_CHECKED}: {why}", do=do)
 
 
 def _spin(reader: Reader) -> Iterator[Check]:
@@ -390,7 +417,9 @@ def _life(reader: Reader) -> Iterator[Check]:
     first = next(iter(lives(reader)), None)
     if first is not None and first.chosen:
         why = f"{NOT_CHECKED}: the case states no required life; compare with yours"
-        yield Check(f"Life: {first.name}", first.hours or first.turns, "the required life", verdict=why)
+        life = first.hours or first.turns
+        do = "compare the life with the required one"
+        yield Check(f"Life: {first.name}", life, "the required life", verdict=why, do=do)
 
 
 def _slip(reader: Reader) -> Iterator[Check]:
@@ -432,5 +461,8 @@ def _heat(reader: Reader) -> Iterator[Check]:
             f"Highest temperature given, {part.replace('_', ' ')}", value, verdict=f"{NOT_CHECKED}: {_HEAT}"
         )
     else:
-        yield Check("Temperature", verdict=f"{NOT_CHECKED}: the case gives no temperatures of parts")
+        why = "the case gives no temperatures of parts"
+        steps = (reader.attributes.get("clearance") or {}).get("steps")
+        do = "give [operation.temperatures]: a warmer inner ring takes clearance" if steps else ""
+        yield Check("Temperature", verdict=f"{NOT_CHECKED}: {why}", do=do)
     yield Check("Speed", verdict=f"{NOT_CHECKED}: the case has no limiting speed of the maker")

@@ -32,8 +32,6 @@ def blocks(reader: Reader) -> Iterator[Block]:
     untold = "the case does not tell its effect"
     lines = (f"{named(key)}: {units_in_words(said.get(key, untold))}" for key in ranked)
     yield Items(f"{_TITLE}.{weighted}", tuple(lines))
-    if first := tuple(_first(reader, said)):
-        yield Items("Measure or specify first, for outputs beside the life", first)
 
 
 def named(key: str) -> str:
@@ -45,14 +43,6 @@ def named(key: str) -> str:
     if key == TOLERANCES:
         return f"tolerances of clearance and fits ({key})"
     return f"{' '.join(key.split('.')[-2:]).replace('_', ' ')} ({key})"
-
-
-def _first(reader: Reader, said: dict[str, str]) -> Iterator[str]:
-    """The key that moves each output most, where it does so by `WORTH` or more."""
-    for output in dict(reader.layout.weighed).values():
-        key = max(said, key=lambda each: effect(said[each], output), default="")
-        if key and effect(said[key], output) > log(WORTH):
-            yield f"{output}: {named(key)}"
 
 
 def moving(reader: Reader) -> list[str]:

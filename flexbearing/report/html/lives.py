@@ -62,19 +62,16 @@ def blocks(reader: Reader) -> Iterator[Block]:
     yield Table(f"Which life to use, {reader.state}", head, tuple(rows))
     if moved := tuple(_moved(reader)):
         yield Items("What moves this life more than its numerical error", moved)
-    yield from _first(reader)
+    yield from _unmoved(reader)
 
 
-def _first(reader: Reader) -> Iterator[Words]:
-    """Which input that is not known to measure or specify first, where effects are known."""
+def _unmoved(reader: Reader) -> Iterator[Words]:
+    """That no input moves this life much, where effects are known; those that do are listed."""
     computed = bool(reader.attributes.get("assumed_effects"))
     keys = assumed_effects.moving(reader) if computed else assumptions.moving(reader)
     by = "computed with this result" if computed else "as comments of the case tell it"
-    if keys:
-        yield Words((f"Measure or specify first, {by}: {keys[0].partition(':')[0].partition(', ')[0]}.",))
-    elif computed or any(
-        map(assumptions.effect, assumptions.comments(reader.result.attributes["case_text"]).values())
-    ):
+    told = map(assumptions.effect, assumptions.comments(reader.result.attributes["case_text"]).values())
+    if not keys and (computed or any(told)):
         yield Words((f"No assumed input changes this life {assumptions.WORTH:g} times or more, {by}.",))
 
 

@@ -29,6 +29,7 @@ def blocks(reader: Reader) -> Iterator[Block]:
     if reader.blocks:
         yield from lives.blocks(reader)
         yield from against_limits.blocks(reader)
+        yield from against_limits.to_do(reader)
         yield _main(reader)
     yield from exactness.blocks(reader)
 
