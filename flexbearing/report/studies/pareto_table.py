@@ -128,7 +128,7 @@ def text(study: Study) -> str:
     if picked:
         lines += [
             "",
-            "| target | chooses | told, true error of loads [%] | of life [%] |",
+            "| target | chooses | estimated, true error of loads [%] | of life [%] |",
             "|---|---|---|---|",
         ]
         lines += [picked_row(level) for level in picked]
