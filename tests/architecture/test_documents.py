@@ -4,6 +4,7 @@ import re
 from pathlib import Path
 
 import pytest
+from pygments.lexers import get_lexer_by_name
 
 ROOT = Path(__file__).parents[2]
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
@@ -78,3 +79,15 @@ def test_tests_stand_without_benchmarks():
     assert [
         name for name, text in sources.items() if re.search(r"^(from|import) benchmarks", text, re.M)
     ] == []
+
+
+@pytest.mark.parametrize(
+    "page", [page for page in PAGES if "{code-cell}" in page.read_text()], ids=lambda page: page.name
+)
+def test_cells_of_a_page_can_be_highlighted(page):
+    """The site is built with warnings as errors, and a cell that its lexer refuses is one."""
+    lexer = get_lexer_by_name("ipython3")
+    lexer.add_filter("raiseonerror")
+    for cell in re.findall(r"^```\{code-cell\}[^\n]*\n(.*?)^```", page.read_text(), re.DOTALL | re.MULTILINE):
+        code = "".join(line for line in cell.splitlines(keepends=True) if not line.startswith(":"))
+        assert list(lexer.get_tokens(code))
