@@ -71,7 +71,7 @@ CROWNED = {
 TEETH = {
     "tooth_azimuths": ["90 deg", "270 deg"],
     "tooth_radial": ["-1 kN", "-1 kN"],
-    "tooth_tangential": ["2 kN", "-2 kN"],
+    "tooth_tangential": ["2.225 kN", "-2.225 kN"],
 }
 
 Cases = dict[str, tuple[str, dict[str, object]]]

@@ -17,7 +17,7 @@ _ON_SHAFT = (
 _RING = ("outer.kind=ring", "outer.thickness=4.984 mm", "outer.width=19 mm", "operation.tilt=free")
 _PLANET = (
     'outer.tooth_azimuths=["90 deg", "270 deg"]', 'outer.tooth_radial=["-2 kN", "-2 kN"]',
-    'outer.tooth_tangential=["5 kN", "-5 kN"]', "outer.tooth_radius=46 mm",
+    'outer.tooth_tangential=["2.225 kN", "-2.225 kN"]', "outer.tooth_radius=46 mm",
 )  # fmt: skip
 _ROLLERS, _CIRCLES = "cylindrical_roller", ("bearing.roller.drop=", "bearing.roller.straight_length=5 mm")
 _DESIGN = ("bearing.roller.drop=", "bearing.roller.design_load=4 kN")

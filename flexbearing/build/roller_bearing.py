@@ -1,5 +1,6 @@
 """From a case to the bearing: its rollers, cage and flanges at their temperatures."""
 
+from dataclasses import replace
 from typing import Literal
 
 import quasidynamic as qd
@@ -28,12 +29,7 @@ def parts(case: Case) -> qd.CylindricalRollerBearing:
         rollers=case.bearing.rollers,
         outer_raceway_diameter=outer_raceway_diameter(case),
         clearance=clearance.operating(case),
-        roller=qd.Roller(
-            diameter=case.bearing.roller.diameter * hot_over_cold(case, "roller"),
-            length=roller_length(case),
-            material=profiles.elastic(material(case, "roller")),
-            profile=profiles.of_roller(case),
-        ),
+        roller=_roller(case),
         cage=_cage(case),
         inner_ring=profiles.elastic(material(case, "inner_ring")),
         outer_ring=profiles.elastic(material(case, "outer_ring")),
@@ -44,6 +40,18 @@ def parts(case: Case) -> qd.CylindricalRollerBearing:
         roller_deviations=case.bearing.form_error.roller_diameters if case.bearing.form_error else (),
         inner_profile=profiles.of_raceway(case, "inner"),
         outer_profile=profiles.of_raceway(case, "outer"),
+    )
+
+
+def nominal(case: Case, bearing: qd.CylindricalRollerBearing) -> qd.CylindricalRollerBearing:
+    """The bearing with the dimensions of its drawing, not of its temperatures: ratings are made for these."""
+    if case.operation.temperatures is None:
+        return bearing
+    sizes, roller = case.bearing.roller, bearing.roller
+    return replace(
+        bearing,
+        outer_raceway_diameter=case.bearing.outer_raceway_diameter,
+        roller=replace(roller, diameter=sizes.diameter, length=sizes.length),
     )
 
 
@@ -74,6 +82,17 @@ def flange(case: Case) -> Flange | None:
         roller_chamfer=flange_case.roller_chamfer * hot_over_cold(case, "roller"),
         stiffness=flange_case.stiffness,
         friction=flange_case.friction,
+    )
+
+
+def _roller(case: Case) -> qd.Roller:
+    """The hot roller; it weighs what it weighed cold."""
+    cold, hot = profiles.elastic(material(case, "roller")), hot_over_cold(case, "roller")
+    return qd.Roller(
+        diameter=case.bearing.roller.diameter * hot,
+        length=roller_length(case),
+        material=replace(cold, density=cold.density / hot**3),
+        profile=profiles.of_roller(case),
     )
 
 

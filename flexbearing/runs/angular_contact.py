@@ -189,7 +189,7 @@ def notes(case: FastCase, solution: Solution) -> tuple[Note, ...]:
     """What a user must know of the solution."""
     state = solution.state
     pressure = float(state.peak_pressures.max())
-    lines = (*dangers.pressed(pressure, BALLS), *_short_lived(case, solution.lives))
+    lines = (*dangers.pressed(pressure, BALLS), *_by_life(case, solution.lives))
     if solution.static_safety is not None:
         lines += (*dangers.overloaded(solution.static_safety, dangers.USUAL_OF_BALLS),)
     lifted = int((~state.on_inner).sum())
@@ -238,8 +238,9 @@ def _preload(case: FastCase, state: qd.AngularContactState) -> tuple[Note, ...]:
     )
 
 
-def _short_lived(case: FastCase, lives: BallLives | None) -> Iterator[Note]:
+def _by_life(case: FastCase, lives: BallLives | None) -> Iterator[Note]:
     if lives is not None:
+        yield from dangers.heavily_loaded(ball_life.equivalent(case, lives), ball_life.dynamic(case))
         life = lives.basic if lives.modified is None else lives.modified
         speed = case.operation.inner_speed - case.operation.outer_speed
         yield from dangers.short_lived(life / MREV, speed)

@@ -83,6 +83,11 @@ def lives(case: FastCase, state: qd.AngularContactState) -> BallLives | None:
     return BallLives(basic * MREV, raceways, None if case.life.is_basic else _modified(case, basic))
 
 
+def equivalent(case: FastCase, lives: BallLives) -> float:
+    """Load that gives the same life by C_r, P_ref of ISO/TS 16281 [N]."""
+    return float(reference_load(lives.basic / MREV, dynamic(case), BALL_EXPONENT))
+
+
 def _modified(case: FastCase, basic: float) -> LifeOfState:
     """The life after every factor, from the basic one [10^6 revolutions]."""
     by_loads, load = [], float(reference_load(basic, dynamic(case), BALL_EXPONENT))

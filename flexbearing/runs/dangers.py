@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from quasidynamic.note import Note, danger, information
+from quasidynamic.note import Note, danger, information, outside
 
 USUAL_OF_ROLLERS, USUAL_OF_BALLS = 1.5, 1.0  # s_0 of bearings in normal running
 SHORT_LIFE = 3600.0  # [s]
@@ -67,6 +67,33 @@ def overloaded(safety: float, usual: float) -> Iterator[Note]:
             "static-safety",
             f"static safety s_0 = {safety:.3g}: at least {usual:g} is usual for such bearings in normal "
             f"running, {2 * usual:g} where they must run quietly or carry shocks",
+        )
+
+
+def heavily_loaded(load: float, rating: float) -> Iterator[Note]:
+    """A load beyond that up to which lives hold.
+
+    Parameters
+    ----------
+    load : float
+        equivalent load P [N]
+    rating : float
+        C_r [N]
+
+    Yields
+    ------
+    Note
+        "heavy-load" above half of C_r
+
+    Source
+    ------
+    ISO 281 (2007), 5: life by C_r holds up to 0.5 C_r.
+    """
+    if load > rating / 2:
+        yield outside(
+            "heavy-load",
+            f"life: the load of {load:,.0f} N is above half of C_r = {rating:,.0f} N, up to which life "
+            "formulas hold (ISO 281); plastic flow shortens the life beyond",
         )
 
 

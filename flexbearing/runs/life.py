@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.build.lubrication import oil
+from flexbearing.build.roller_bearing import nominal
 from flexbearing.build.rough_surfaces import roughness
 from flexbearing.case.roller import Case
 from flexbearing.runs.life_of_state import CAPACITY, EDGE_STRESS, LifeOfState, explained, of_reliability
@@ -172,32 +173,33 @@ def edge_stress(case: Case, slices: int) -> NDArray | None:
 
 
 def dynamic(case: Case, bearing: CylindricalRollerBearing) -> float:
-    """C_r of the case, or of ISO 281 [N]."""
+    """C_r of the case, or of ISO 281 for the dimensions of the drawing [N]."""
     rating = case.life.dynamic_rating
-    return dynamic_rating(bearing) if rating is None else rating
+    return dynamic_rating(nominal(case, bearing)) if rating is None else rating
 
 
 def static(case: Case, bearing: CylindricalRollerBearing) -> float:
-    """C_0r of the case, or of ISO 76 [N]."""
+    """C_0r of the case, or of ISO 76 for the dimensions of the drawing [N]."""
     rating = case.life.static_rating
-    return static_rating(bearing) if rating is None else rating
+    return static_rating(nominal(case, bearing)) if rating is None else rating
 
 
 def fatigue_limit(case: Case, bearing: CylindricalRollerBearing) -> float:
     """C_u of the case, or of ISO 281 from C_0r [N]."""
     limit = case.life.fatigue_limit_load
-    return fatigue_load_limit(bearing, static(case, bearing)) if limit is None else limit
+    return fatigue_load_limit(nominal(case, bearing), static(case, bearing)) if limit is None else limit
 
 
 def kappa(case: Case, bearing: CylindricalRollerBearing) -> float:
     """Viscosity ratio of ISO 281 [-]."""
     lubricant, operation = oil(case), case.operation
-    speed = operation.inner_speed - operation.outer_speed
-    return float(viscosity_ratio(lubricant.viscosity / lubricant.density, speed, bearing.pitch_diameter))
+    speed, pitch = operation.inner_speed - operation.outer_speed, nominal(case, bearing).pitch_diameter
+    return float(viscosity_ratio(lubricant.viscosity / lubricant.density, speed, pitch))
 
 
 def fatigue_share(case: Case, bearing: CylindricalRollerBearing) -> float:
     """Fatigue load limit that hard particles leave [N]."""
     cleanliness = CLEANLINESS[str(case.life.cleanliness)]
-    left = contamination_factor(kappa(case, bearing), bearing.pitch_diameter, cleanliness)
+    pitch = nominal(case, bearing).pitch_diameter
+    left = contamination_factor(kappa(case, bearing), pitch, cleanliness)
     return float(left) * fatigue_limit(case, bearing)

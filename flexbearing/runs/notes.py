@@ -10,13 +10,14 @@ from flexbearing.build.lubrication import oil, oil_name
 from flexbearing.case import cage_room
 from flexbearing.case.roller import Case
 from flexbearing.coupled.states import EndState
-from flexbearing.runs import dangers
+from flexbearing.runs import dangers, life
 from quasidynamic import Equilibrium
 from quasidynamic.note import Note, information, outside
 from quasidynamic.outcome.static_pressure import ROLLERS
 from quasidynamic.outcome.validity import validity
 
 LARGE_SHARE = 0.5  # of the losses: worth a word (assumed)
+UNBALANCED = 0.05  # of the load: more is no rounding of tooth forces (assumed)
 ALONE = 0.01  # of the largest line force: below it the other lines only keep the ring from rolling away
 
 
@@ -34,7 +35,7 @@ def of_case(case: Case) -> tuple[Note, ...]:
     return (
         notes
         + _overlap(case)
-        + _teeth(case)
+        + tuple(_teeth(case))
         + _turning_waves(case)
         + clearance.notes(case)
         + ring_parts.notes(case)
@@ -68,15 +69,27 @@ def _turning_waves(case: Case) -> tuple[Note, ...]:
     )
 
 
-def _teeth(case: Case) -> tuple[Note, ...]:
-    outer = case.outer
-    if outer.support != "planet" or outer.tooth_radius is not None or not any(outer.tooth_tangential):
-        return ()
-    words = (
-        "outer.tooth_radius is left out: tooth forces act on the outer surface of the rim, without the "
-        "couple by which tangential forces at the pitch circle bend it"
-    )
-    return (information("tooth-forces-at-rim", words),)
+def _teeth(case: Case) -> Iterator[Note]:
+    """Say so when tooth forces act where they should not, or leave the planet gear out of balance."""
+    outer, load = case.outer, case.operation.radial_load
+    if outer.support != "planet":
+        return
+    if outer.tooth_radius is None and any(outer.tooth_tangential):
+        yield information(
+            "tooth-forces-at-rim",
+            "outer.tooth_radius is left out: tooth forces act on the outer surface of the rim, without the "
+            "couple by which tangential forces at the pitch circle bend it",
+        )
+    teeth = np.array(outer.tooth_radial) + 1j * np.array(outer.tooth_tangential)
+    pin = load * np.exp(1j * case.operation.load_direction)
+    left = abs(pin + (teeth * np.exp(1j * np.array(outer.tooth_azimuths))).sum())
+    if left > UNBALANCED * load:
+        yield outside(
+            "unbalanced-teeth",
+            f"outer.tooth_radial and tooth_tangential leave {left:,.0f} N beside the load of "
+            f"{load:,.0f} N (operation.radial_load): forces of teeth and pin must add up to zero, or the rim "
+            "bends as no planet gear does",
+        )
 
 
 def of_state(case: Case, end: EndState, modified_life: float | None) -> tuple[Note, ...]:
@@ -97,18 +110,21 @@ def of_state(case: Case, end: EndState, modified_life: float | None) -> tuple[No
     """
     state, whole = end.equilibrium, end.whole
     basic = state.life if whole is None else whole.life
-    life = basic if modified_life is None else modified_life
-    return (*_dangers(end, life), *validity(state), *_information(case, state))
+    lived = basic if modified_life is None else modified_life
+    rated = dangers.heavily_loaded(
+        float(np.hypot(*state.applied_load)), life.dynamic(case, state.balance.roller.bearing)
+    )
+    return (*_dangers(end, lived), *rated, *validity(state), *_information(case, state))
 
 
-def _dangers(end: EndState, life: float) -> Iterator[Note]:
+def _dangers(end: EndState, lived: float) -> Iterator[Note]:
     points, pressure = end.equilibrium.balance.points, end.peak_pressure
     if end.whole is not None:  # a pressure without bound, at a sharp end, says nothing
         pressure = np.where(end.whole.peak_at_ends, end.equilibrium.peak_pressure, pressure)
     yield from dangers.pressed(float(pressure.max()), ROLLERS)
     if end.static_safety is not None:
         yield from dangers.overloaded(float(end.static_safety), dangers.USUAL_OF_ROLLERS)
-    yield from dangers.short_lived(life, float(points.inner_speed[0, 0] - points.outer_speed[0, 0]))
+    yield from dangers.short_lived(lived, float(points.inner_speed[0, 0] - points.outer_speed[0, 0]))
 
 
 def of_structure(figures: Mapping[str, Any]) -> tuple[Note, ...]:

@@ -152,8 +152,9 @@ def ratings(case: Case, hours: float) -> dict[str, Any]:
         "C_r": case.life.dynamic_rating, "C_0r": case.life.static_rating, "C_u": case.life.fatigue_limit_load
     }  # fmt: skip
     found = {"C_r": dynamic, "C_0r": static, "C_u": life.fatigue_limit(case, bearing)}
+    drawn = roller_bearing.nominal(case, bearing)
     formulas = {
-        "C_r": dynamic_rating(bearing), "C_0r": static_rating(bearing), "C_u": fatigue_load_limit(bearing)
+        "C_r": dynamic_rating(drawn), "C_0r": static_rating(drawn), "C_u": fatigue_load_limit(drawn)
     }  # fmt: skip
     return {
         "ratings_N": found,

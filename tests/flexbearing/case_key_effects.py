@@ -75,8 +75,8 @@ EFFECTS = (
     ("cage", "materials.roller.poisson_ratio", 0.303, "model.bearing.roller.material.poisson_ratio"),
     ("cage", "materials.roller.density", "7938.6 kg/m^3", "model.bearing.roller.material.density"),
     ("cage", "materials.roller.expansion", "1.2019e-05 1/K",
-     "inner.raceway_diameter mesh.{raceway_size,size} model.bearing.roller.{diameter,length} "
-     "patches.{length,width} running.roller_length"),
+     "inner.raceway_diameter mesh.{raceway_size,size} "
+     "model.bearing.roller.{diameter,length,material.density} patches.{length,width} running.roller_length"),
     ("cage", "materials.inner_ring.youngs_modulus", "205.03 GPa",
      "inner.ring.youngs_modulus model.bearing.inner_ring.youngs_modulus"),
     ("cage", "materials.inner_ring.poisson_ratio", 0.28280000000000005,
@@ -181,8 +181,8 @@ EFFECTS = (
     ("cage", "operation.temperatures.inner_ring", "222.2 degC",
      "inner.{bore,rib_diameter,shaft_bore,shaft_length,track_width,width}"),
     ("cage", "operation.temperatures.roller", "228.26 degC",
-     "inner.raceway_diameter mesh.{raceway_size,size} model.bearing.roller.{diameter,length} "
-     "patches.{length,width} running.roller_length"),
+     "inner.raceway_diameter mesh.{raceway_size,size} "
+     "model.bearing.roller.{diameter,length,material.density} patches.{length,width} running.roller_length"),
     ("cage", "operation.temperatures.outer_ring", "220.18 degC",
      "inner.raceway_diameter model.bearing.outer_raceway_diameter "
      "outer.{bar_length,bar_thickness,bar_width,flange_length,raceway_diameter,thickness} outer.width"),
@@ -192,7 +192,7 @@ EFFECTS = (
     ("cage", "operation.temperatures.reference", "20.2 degC",
      "inner.{bore,raceway_diameter,rib_diameter,shaft_bore,shaft_length,track_width,width} "
      "mesh.{raceway_size,size} model.bearing.outer_raceway_diameter "
-     "model.bearing.roller.{diameter,length} "
+     "model.bearing.roller.{diameter,length,material.density} "
      "outer.{bar_length,bar_thickness,bar_width,flange_length,raceway_diameter,thickness} outer.width "
      "patches.{length,width} running.roller_length"),
     ("shaft fit", "operation.temperatures.shaft_along.at", ["-60.6 mm", "60.6 mm"],

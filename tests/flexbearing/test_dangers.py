@@ -9,9 +9,11 @@ from pathlib import Path
 import pytest
 
 import flexbearing
+from flexbearing.api import read_case
 from flexbearing.quantities.attributes import GRADES as STORED
 from flexbearing.report import text
-from flexbearing.runs.dangers import overloaded, pressed, short_lived, yielding
+from flexbearing.runs.dangers import heavily_loaded, overloaded, pressed, short_lived, yielding
+from flexbearing.runs.notes import of_case
 from quasidynamic.note import GRADES, Note, danger, graded, information, outside
 from tests.flexbearing.noted import codes, texts
 
@@ -47,6 +49,23 @@ def test_dents_are_a_danger(tmp_path):
     first = text(result).splitlines()[0]
     assert first.startswith("DANGER: contact pressure of ")
     assert result.summary()["notes"][0]["code"] == "contact-pressure"
+
+
+def test_a_load_above_half_of_the_rating_is_beyond_the_life_formulas(paper):
+    assert "heavy-load" in codes(paper, "outside validity")
+    assert re.search(r"load of [\d,]+ N is above half of C_r = [\d,]+ N", "".join(texts(paper)))
+    assert list(heavily_loaded(50.0, 100.0)) == []
+    (note,) = heavily_loaded(50.1, 100.0)
+    assert note.code == "heavy-load"
+
+
+def test_tooth_forces_that_the_pin_does_not_balance_are_outside_validity():
+    planet = ROOT / "configs" / "planet.toml"
+    unbalanced = {"outer.tooth_tangential": ["4 kN", "-4 kN"]}
+    assert [
+        [note.code for note in of_case(read_case(planet, settings))].count("unbalanced-teeth")
+        for settings in ({}, unbalanced)
+    ] == [0, 1]
 
 
 @pytest.mark.slow

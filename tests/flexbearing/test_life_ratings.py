@@ -90,3 +90,15 @@ def test_formula_of_iso_281_stops_where_its_table_ends():
     with pytest.raises(BadCase, match="ISO 281, table 7"):
         check(PLAIN, ISO | slim)
     check(PLAIN, ISO | slim | {"life.dynamic_rating": "20 kN"})
+
+
+def test_ratings_are_those_of_the_drawing_at_any_temperature():
+    parts = ("inner_ring", "outer_ring", "roller", "shaft")
+    temperatures = {f"operation.temperatures.{part}": "120 degC" for part in parts}
+    temperatures |= {"operation.temperatures.reference": "20 degC"}
+    cold, hot = (read_case(PLAIN, settings) for settings in ({}, temperatures))
+    at_rest, warm = (roller_bearing.parts(case) for case in (cold, hot))
+    assert warm.roller.diameter > at_rest.roller.diameter
+    for rating in (life.dynamic, life.static, life.fatigue_limit):
+        assert rating(hot, warm) == rating(cold, at_rest)
+    assert warm.roller.mass == approx(at_rest.roller.mass, rel=1e-14)
