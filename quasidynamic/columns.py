@@ -27,6 +27,26 @@ def kind_and_numbers(part: Any) -> tuple[Hashable, list[float]]:
     return tuple(kind), numbers
 
 
+def kinds_and_numbers(parts: Sequence[Any]) -> tuple[set[Hashable], NDArray]:
+    """The kinds of parts, one where they may stand side by side, and the numbers (C, n) of all; as above.
+
+    Fields that several parts share as one object are looked into once.
+    """
+    known: dict[int, tuple[Any, tuple[Hashable, list[float]]]] = {}  # with the value, which keeps its id
+
+    def inside(value: Any) -> tuple[Hashable, list[float]]:
+        if id(value) not in known:
+            known[id(value)] = value, kind_and_numbers((value,))
+        return known[id(value)][1]
+
+    kinds, rows = set(), []
+    for part in parts:
+        each = [inside(value) for value in _inside(part) or ()]
+        kinds.add((type(part), *(kind for kind, _ in each)))
+        rows.append([number for _, numbers in each for number in numbers])
+    return kinds, np.array(rows)
+
+
 def side_by_side(parts: Sequence[Part]) -> Part:
     """One part that stands for parts of one kind."""
     return with_columns(parts[0], np.array([kind_and_numbers(part)[1] for part in parts]))

@@ -30,7 +30,7 @@ from quasidynamic.several.indicator import each_several_likely
 
 QUANTITIES = LAYOUT.datasets("block")
 BY_CASE = ("life.", "skew.")  # sources that are found case by case
-LIFE_ERROR = "life_error"  # estimated where it is wanted
+LIFE_ERROR, OUTER_MASS = "life_error", "outer_mass"  # estimated and computed where they are wanted
 ANSWER = ("", "flexible")  # the block that answers a case, which is also that of outputs that name none
 
 
@@ -110,10 +110,12 @@ class Together:
         """Quantities of all cases at once."""
         if not quantities:
             return {}
-        states, end = self.batch.states, self._end
-        if any(entry.name == LIFE_ERROR for entry in quantities):
+        states, end, names = self.batch.states, self._end, {entry.name for entry in quantities}
+        if LIFE_ERROR in names:
             errors = estimated_errors(self.cases[0], states, self.rings[0], Logged())
             end = replace(end, life_error=errors)
+        if OUTER_MASS in names:
+            end = replace(end, outer_mass=self._outer_mass)
         solved: dict[str, Any] = {"state": states, "end": end}
         solved |= {"bearing": states.balance.roller.bearing, "losses": states.losses}
         if any(entry.source.startswith("bars.") for entry in quantities):
@@ -132,15 +134,19 @@ class Together:
         states = self.batch.states
         bearings = [model.bearing for model in self.models]
         ratings = [life.static(*each) for each in zip(self.cases, bearings, strict=True)]
-        masses = [outer_mass(case) for case in self.cases]
         return EndStates(
             states,
             self.rings[0],
             np.array(known) if given else None,
             edge_stress=self._edge_stress,
             static_rating=np.array(ratings),
-            outer_mass=None if None in masses else np.array(masses, dtype=float),
         )
+
+    @property
+    def _outer_mass(self) -> NDArray | None:
+        """Masses (C) of what carries the outer raceway [kg]; None where one is not known."""
+        masses = [outer_mass(case) for case in self.cases]
+        return None if None in masses else np.array(masses, dtype=float)
 
     @property
     def _edge_stress(self) -> NDArray | None:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance
-from quasidynamic.columns import kind_and_numbers, with_columns
+from quasidynamic.columns import kinds_and_numbers, with_columns
 from quasidynamic.errors import OutOfRange
 from quasidynamic.roller import Compliance, RollerBearing
 from quasidynamic.solve.rollers.parametric_balance import between
@@ -53,13 +53,13 @@ class GridPoints:
         OutOfRange
             where not the same equations hold at all points
         """
-        kinds, numbers = zip(*(kind_and_numbers(bearing) for bearing in bearings), strict=True)
-        if len(set(kinds)) > 1:
+        kinds, numbers = kinds_and_numbers(bearings)
+        if len(kinds) > 1:
             raise OutOfRange("not the same equations hold at all points: more than numbers differs")
         rigid = deviation is None and compliance[0] is compliance[1] is None
         tilts = any(bearing.operation.tilts for bearing in bearings)
         aligned = rigid and not tilts and bearings[0].bearing.symmetric
-        return cls(shape, tuple(bearings), np.array(numbers), aligned, compliance, deviation)
+        return cls(shape, tuple(bearings), numbers, aligned, compliance, deviation)
 
     @property
     def axial_modes(self) -> int:

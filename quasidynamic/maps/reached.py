@@ -7,12 +7,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.rollers.bearing import BearingBalance
-from quasidynamic.outcome.bearing_states import BearingStates
-from quasidynamic.several.indicator import each_several_likely
+from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
 from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.newton import newton
-from quasidynamic.solve.rollers.stability import growth_rates
 from quasidynamic.solve.rollers.strategy import solve_each
 
 AT_ONCE = 64  # their slices fit into the processor's cache
@@ -59,14 +56,16 @@ def apart(one: Reached, other: Reached) -> NDArray:
 def by_newton(task: tuple[BearingBalance, NDArray]) -> Reached:
     """States near starts (n, N), scaled, by Newton's method alone."""
     balance, starts = task
-    found = np.full(starts.shape, np.nan)
+    found, systems = np.full(starts.shape, np.nan), []
     with np.errstate(all="ignore"):  # a start may be absurd
         for iterate in newton(balance, starts):
             done = np.array([outcome is SolverOutcome.CONVERGED for outcome in iterate.outcomes])
             found[iterate.cases[done]] = iterate.unknowns[done]
+            told = done & iterate.accepted  # else the system is that of a step which was not taken
+            systems.append((iterate.cases[told], told, iterate.system))
             if iterate.number >= EVALUATIONS:
                 break
-    return of_unknowns(balance, found)
+    return _of_systems(balance, found, systems)
 
 
 def by_pseudo_time(task: tuple[BearingBalance, NDArray]) -> Reached:
@@ -80,19 +79,31 @@ def by_pseudo_time(task: tuple[BearingBalance, NDArray]) -> Reached:
 
 def of_unknowns(balance: BearingBalance, scaled: NDArray) -> Reached:
     """Loads and spins of unknowns (n, N), scaled; NaN where forces are not in balance."""
-    states = BearingStates(balance, scaled, balance.roller.axial_modes)
-    balanced = (states.residual < BALANCED)[:, None]
-    loads = np.where(balanced[..., None], states.loads, np.nan)
-    spin = np.where(balanced, states.roller_speed / balance.rolling_spin, np.nan)
-    return Reached(np.where(balanced, scaled, np.nan), loads, spin)
+    return _of_systems(balance, scaled, [])
 
 
-def examined(task: tuple[BearingBalance, NDArray]) -> NDArray:
-    """Whether small disturbances of states (n, N), scaled, decay, and whether several are likely: (n, 2)."""
-    balance, scaled = task
-    states = BearingStates(balance, scaled, balance.roller.axial_modes)
-    rates = np.real(growth_rates(balance, states.system)).max(axis=1)
-    return np.stack([rates < 0, each_several_likely(states)], axis=1)  # no decay of a singular matrix
+def _of_systems(
+    balance: BearingBalance, scaled: NDArray, known: list[tuple[NDArray, NDArray, Linearisation]]
+) -> Reached:
+    """The same, where cases, which of a system they are, and that system are known of some."""
+    count, rollers = len(scaled), balance.layout.rollers
+    loads, residual = np.full((count, 2, rollers), np.nan), np.full(count, np.nan)
+    missing = np.isfinite(scaled[:, 0])
+    for cases, *_ in known:
+        missing[cases] = False
+    rest = np.flatnonzero(missing)
+    if len(rest):
+        known = [*known, (rest, np.ones(len(rest), bool), balance.take(rest).evaluate(scaled[rest]))]
+    for cases, told, system in known:
+        loads[cases] = system.state.contact.force[:, 0, told].swapaxes(0, 1)
+        residual[cases] = np.abs(system.residual[told]).max(axis=1)
+    balanced = (residual < BALANCED)[:, None]
+    spin = balance.speeds(balance.unpack(scaled))[0] / balance.rolling_spin
+    return Reached(
+        np.where(balanced, scaled, np.nan),
+        np.where(balanced[..., None], loads, np.nan),
+        np.where(balanced, spin, np.nan),
+    )
 
 
 def tasks(

@@ -5,8 +5,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from quasidynamic.maps.examined import each_examined, examined
 from quasidynamic.maps.points import GridPoints
-from quasidynamic.maps.reached import Mapped, Reached, apart, examined, tasks
+from quasidynamic.maps.reached import Mapped, Reached, apart
 
 SAME = 1e-3  # of the largest load, or of the spin in pure rolling: nearer states are one
 UNKNOWN, ENDS, OUTSIDE = -1, -2, -3  # of a state at a neighbouring point
@@ -30,8 +31,7 @@ class States:
         self.continues = np.zeros((0, 2 * len(points.shape)), int)
         self.share = np.zeros((0, 2 * len(points.shape)))
         solved = np.flatnonzero(first.converged)
-        begun = first.take(solved)
-        self._append(solved, begun, self._examined(solved, begun, mapped))
+        self._append(solved, first.take(solved), each_examined(points, first, mapped)[solved])
 
     def __len__(self) -> int:
         return len(self.point)
@@ -46,11 +46,11 @@ class States:
         """
         names = np.array([self.known(point, found, n) for n, point in enumerate(points)], int)
         unknown = np.flatnonzero((names < 0) & found.converged)
-        each = self._examined(points[unknown], found.take(unknown))
-        for place, (stable, likely) in zip(unknown.tolist(), each, strict=True):
+        each = examined(self._points, points[unknown], found.take(unknown))
+        for place, (rate, likely) in zip(unknown.tolist(), each, strict=True):
             some = np.array([place])
-            if stable and self.known(points[place], found, place) < 0:  # by those before it
-                self._append(points[some], found.take(some), np.array([[True, likely]]))
+            if rate < 0 and self.known(points[place], found, place) < 0:  # by those before it
+                self._append(points[some], found.take(some), np.array([[True, likely > 0]]))
             names[place] = self.known(points[place], found, place)
         return names
 
@@ -90,8 +90,3 @@ class States:
         self.share = np.concatenate([self.share, np.full(beside.shape, np.nan)])
         for place, point in enumerate(points):
             self.at_point[point].append(begin + place)
-
-    def _examined(self, points: NDArray, found: Reached, mapped: Mapped = map) -> NDArray:
-        """Whether states (n) are stable, and whether several are likely: (n, 2)."""
-        each = tasks(lambda some: self._points.at(points[some]), found.scaled)
-        return np.concatenate([np.zeros((0, 2), bool), *mapped(examined, each)])

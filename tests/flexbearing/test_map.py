@@ -8,10 +8,14 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from flexbearing import __main__ as program, run
+from flexbearing import __main__ as program, check, run
+from flexbearing.build import roller_bearing
 from flexbearing.progress import Logged
 from flexbearing.studies.maps import pages
+from flexbearing.studies.maps.axes import axes
+from flexbearing.studies.maps.grid import grid
 from flexbearing.studies.maps.map import MapRequest, map_case
+from quasidynamic.columns import kind_and_numbers
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 PAPER, TEXTBOOK = CONFIGS / "mao2016.toml", CONFIGS / "nu209.toml"
@@ -73,6 +77,14 @@ def test_three_axes_have_a_point_for_each_combination(tmp_path):
     assert found.shape == (3, 2, 2)
     assert found.solved.point.tolist() == list(range(12))
     assert len(rows(tmp_path / "m.csv")) == 12
+
+
+def test_points_that_share_their_parts_are_the_bearings_of_their_cases():
+    case = check(TEXTBOOK, list(FEW))
+    whole = grid(case, axes([LOADS, "bearing.clearance=20 um..30 um,2", SPEEDS], type(case)), Logged())
+    each_alone = [kind_and_numbers(roller_bearing.bearing(each))[1] for each in whole.cases]
+    assert (whole.points.numbers == each_alone).all()
+    assert len({id(bearing.bearing) for bearing in whole.points.bearings}) == 4
 
 
 @pytest.mark.parametrize(

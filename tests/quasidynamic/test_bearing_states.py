@@ -9,7 +9,7 @@ from pytest import approx
 
 from quasidynamic import Equilibrium, FourPointCurve, Logarithmic, solve_many
 from quasidynamic.balance.rollers.operating_points import OperatingPoints
-from quasidynamic.columns import kind_and_numbers, side_by_side, taken, with_columns
+from quasidynamic.columns import kind_and_numbers, kinds_and_numbers, side_by_side, taken, with_columns
 from quasidynamic.outcome.bearing_states import BearingStates
 from quasidynamic.outcome.finer_life import life_error, life_errors
 from quasidynamic.several.indicator import (
@@ -186,6 +186,16 @@ def test_states_of_bearings_that_differ_in_every_number(name):
         bool(cage_balances_often(s.cases)[0]) for s in states
     ]
     assert life_errors(batch.states) == approx([life_error(state) for state in states], rel=1e-9, abs=1e-13)
+
+
+def test_parts_that_share_objects_have_the_kinds_and_numbers_of_each():
+    model = paper_bearing()
+    others = [replace(model.operation, radial_load=load) for load in (1e3, 2e3)]
+    models = [model, *(replace(model, operation=operation) for operation in others)]
+    kinds, numbers = kinds_and_numbers(models)
+    assert len(kinds) == 1
+    assert (numbers == [kind_and_numbers(each)[1] for each in models]).all()
+    assert len(kinds_and_numbers([model, replace(model, slices=5)])[0]) == 2
 
 
 def differing(model, numbers):

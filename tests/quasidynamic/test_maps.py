@@ -1,6 +1,7 @@
 """Maps: states of neighbouring points on one sheet, folds between points, states of other sheets."""
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -9,7 +10,9 @@ from pytest import approx
 from quasidynamic import OutOfRange
 from quasidynamic.maps import GridPoints, fold_curves, solve
 from quasidynamic.maps.curves import end_places
-from quasidynamic.maps.filled import one_state_each
+from quasidynamic.maps.examined import each_examined, examined, implied
+from quasidynamic.maps.filled import nested, one_state_each, through
+from quasidynamic.maps.reached import Reached
 from quasidynamic.maps.sheets import FINEST, connect_all
 from quasidynamic.maps.states import ENDS, States
 from quasidynamic.outcome.equilibrium import Equilibrium
@@ -89,6 +92,56 @@ def test_neighbours_stand_along_each_axis():
     assert points.neighbours.tolist() == [
         [-1, 3, -1, 1], [-1, 4, 0, 2], [-1, 5, 1, -1], [0, -1, -1, 4], [1, -1, 3, 5], [2, -1, 4, -1]
     ]  # fmt: skip
+
+
+@pytest.mark.parametrize("shape", [(100, 100), (7, 33), (2, 3), (90,), (20, 20, 20)])
+def test_nested_grids_hold_each_other_and_the_ends(shape):
+    grids = nested(shape)
+    assert [len(places) for places in grids[-1]] == list(shape)
+    for coarse, fine in pairwise(grids):
+        assert all(np.isin(some, others).all() for some, others in zip(coarse, fine, strict=True))
+        assert all(some[0] == 0 and some[-1] == n - 1 for some, n in zip(coarse, shape, strict=True))
+    assert np.prod([len(places) for places in grids[0]]) <= max(8, 2 * np.sqrt(np.prod(shape)))
+
+
+def test_starts_are_exact_where_states_are_cubic_along_the_axes():
+    shape, nodes = (14, 9), [np.array([0, 4, 8, 12, 13]), np.array([0, 3, 6, 8])]
+    x, y = np.meshgrid(*map(np.arange, shape), indexing="ij")
+    values = np.stack([x**3 - 5 * x * y**2, y**3 + x**2], axis=-1).astype(float)
+    assert through(nodes, shape, values[np.ix_(*nodes)]) == approx(values, rel=0, abs=1e-9)
+
+
+def neighbours(rate=-100.0, spin=1.0, middle=1.0, likely=0.0):
+    """Three points: both ends examined, rates of -100 1/s and `rate`, spins of 1 and `spin`."""
+    spins = np.array([[1.0], [middle], [spin]])
+    states = Reached(np.ones((3, 1)), np.ones((3, 2, 1)), spins)
+    return states, np.array([[-100.0, 0.0], [np.nan, np.nan], [rate, likely]])
+
+
+@pytest.mark.parametrize(
+    ("around", "stable"),
+    [
+        ({}, True),
+        ({"rate": -51.0}, True),
+        ({"rate": -49.0}, False),
+        ({"rate": 10.0}, False),
+        ({"rate": np.nan}, False),
+        ({"likely": 1.0}, False),
+        ({"middle": 0.9}, False),
+        ({"middle": 0.9, "spin": 0.8}, True),
+    ],
+)
+def test_neighbours_imply_stability_where_their_rates_and_states_are_alike(around, stable):
+    assert implied(over((3,), [1e3, 2e3, 4e3]), *neighbours(**around))[1] == stable
+
+
+def test_what_neighbours_imply_is_what_an_examination_finds():
+    loads, speeds = np.geomspace(1e3, 8e3, 5), np.linspace(25e3, 38e3, 3) * RPM
+    points = over((5, 3), loads, speeds)
+    states = one_state_each(points)
+    each, every = each_examined(points, states), examined(points, np.arange(15), states)
+    assert (each[:, 0] == (every[:, 0] < 0)).all()
+    assert not (each[:, 1] & ~(every[:, 1] > 0)).any()
 
 
 @pytest.fixture

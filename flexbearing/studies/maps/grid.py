@@ -1,13 +1,14 @@
 """Cases at the points of a map, as bearings between their rings."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 from math import prod
 from operator import attrgetter
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from flexbearing.build import ring_parts, roller_bearing
 from flexbearing.build.expansion import roller_length
@@ -24,6 +25,9 @@ from flexbearing.runs import validate_roller
 from flexbearing.studies.maps.axes import MapAxis, with_numbers
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange, RollerBearing
 from quasidynamic.maps.points import GridPoints
+
+# Keys that neither parts nor lubrication nor rings depend on.
+LOADS = ("operation.radial_load", "operation.moment", "operation.misalignment")
 
 
 @dataclass(frozen=True)
@@ -60,27 +64,47 @@ def grid(first: Case, axes: Sequence[MapAxis], report: Report) -> MapGrid:
         where a ring has no trustworthy answer
     """
     _require_supported(first)
-    cases = _cases(first, axes)
-    for case in cases:
-        _require_supported(case)
-    shape = tuple(len(axis.values) for axis in axes)
+    cases, shape = _cases(first, axes), tuple(len(axis.values) for axis in axes)
     told = tuple(_told(axis, number, shape, cases) for number, axis in enumerate(axes))
+    same, alike = np.unique(_same_parts(axes, shape), return_inverse=True)
+    some = [cases[point] for point in same]
+    for case in some:
+        _require_supported(case)
     try:
-        models = [roller_bearing.bearing(case) for case in cases]
-        for case, model in zip(cases, models, strict=True):
+        models = [roller_bearing.bearing(case) for case in some]
+        for case, model in zip(some, models, strict=True):
             validate_roller.require_around(case, model.bearing)
-        rings = _rings(cases, models, report)
-        initial = [pair.initial_deviation for pair in rings]
-        known = next((each for each in initial if each is not None), None)
-        deviation = None
-        if known is not None:
-            deviation = np.array([np.zeros_like(known) if each is None else each for each in initial])
-        points = GridPoints.of(shape, models, rings[0].compliance, deviation)
+        rings = _rings(some, models, report)
+        bearings = [
+            replace(models[which], operation=roller_bearing.operation(case))
+            for case, which in zip(cases, alike.tolist(), strict=True)
+        ]
+        deviation = _initial_deviation(rings)
+        of_each = None if deviation is None else deviation[alike]
+        points = GridPoints.of(shape, bearings, rings[0].compliance, of_each)
     except (ImpossiblePart, OutOfRange) as problem:
         raise BadCase(f"{first.source.path}: --over: {problem}") from problem
     except PartnerFailed as problem:
         raise NotSolved(str(problem)) from problem
-    return MapGrid(told, tuple(cases), tuple(rings), points)
+    return MapGrid(told, tuple(cases), tuple(rings[which] for which in alike), points)
+
+
+def _same_parts(axes: Sequence[MapAxis], shape: tuple[int, ...]) -> NDArray:
+    """For each point (C) one with the same parts, lubrication and rings: the first along axes of loads."""
+    places = np.arange(prod(shape)).reshape(shape)
+    for number, axis in enumerate(axes):
+        if axis.key in LOADS:
+            places = np.broadcast_to(places.take([0], axis=number), shape)
+    return places.ravel()
+
+
+def _initial_deviation(rings: Sequence[LinearPair]) -> NDArray | None:
+    """Deviations (n, 2, Z, M) of the raceways without load [m]; None where no pair has any."""
+    each = [pair.initial_deviation for pair in rings]
+    known = next((deviation for deviation in each if deviation is not None), None)
+    if known is None:
+        return None
+    return np.array([np.zeros_like(known) if deviation is None else deviation for deviation in each])
 
 
 def _require_supported(case: Case) -> None:
